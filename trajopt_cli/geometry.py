@@ -1,0 +1,117 @@
+"""Rotations, quaternions and poses as NumPy arrays; everything is vectorised over leading axes.
+
+A pose X_AB is a (..., 4, 4) homogeneous matrix: frame B seen from frame A, X_AC = X_AB @ X_BC. A quaternion never
+travels without its order in the name of the function that takes it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+
+
+def readonly(values: ArrayLike) -> Array:
+    """A float64 copy that cannot be written to."""
+    out = np.array(values, dtype=np.float64)
+    out.setflags(write=False)
+    return out
+
+
+def rotation_from_wxyz(quaternion: ArrayLike) -> Array:
+    """Rotation matrix (..., 3, 3) of a unit quaternion (..., 4), scalar first. Normalises rounding only."""
+    q = np.asarray(quaternion, dtype=np.float64)
+    q = q / np.linalg.norm(q, axis=-1, keepdims=True)
+    w, x, y, z = np.moveaxis(q, -1, 0)
+    rows = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+    ]
+    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+
+
+def rotation_from_xyzw(quaternion: ArrayLike) -> Array:
+    """Rotation matrix (..., 3, 3) of a unit quaternion (..., 4), scalar last (pin's order)."""
+    return rotation_from_wxyz(np.roll(np.asarray(quaternion, dtype=np.float64), 1, axis=-1))
+
+
+def wxyz_from_rotation(R: ArrayLike) -> Array:
+    """Unit quaternion (..., 4), scalar first and not negative, of a rotation matrix (..., 3, 3)."""
+    R = np.asarray(R, dtype=np.float64)
+    trace = R[..., 0, 0] + R[..., 1, 1] + R[..., 2, 2]
+    # Bar-Itzhack's symmetric matrix would need an eigenproblem; the largest of four squares is as stable and cheaper.
+    squares = np.stack([1 + trace, *(1 - trace + 2 * R[..., i, i] for i in range(3))], axis=-1)
+    pick = np.argmax(squares, axis=-1)
+    a = R[..., 2, 1], R[..., 0, 2], R[..., 1, 0]
+    b = R[..., 1, 2], R[..., 2, 0], R[..., 0, 1]
+    dif = [p - q for p, q in zip(a, b, strict=True)]
+    tot = [p + q for p, q in zip(a, b, strict=True)]
+    table = np.stack(
+        [
+            np.stack([squares[..., 0], dif[0], dif[1], dif[2]], axis=-1),
+            np.stack([dif[0], squares[..., 1], tot[2], tot[1]], axis=-1),
+            np.stack([dif[1], tot[2], squares[..., 2], tot[0]], axis=-1),
+            np.stack([dif[2], tot[1], tot[0], squares[..., 3]], axis=-1),
+        ],
+        axis=-2,
+    )
+    q = np.take_along_axis(table, pick[..., None, None], axis=-2)[..., 0, :]
+    q = q / np.linalg.norm(q, axis=-1, keepdims=True)
+    return np.where(q[..., :1] < 0, -q, q)
+
+
+def rotation_about(axis: ArrayLike, angle: ArrayLike) -> Array:
+    """Rotation matrix (..., 3, 3) about a unit axis (3,) by angle (...) in rad (Rodrigues)."""
+    x, y, z = np.asarray(axis, dtype=np.float64)
+    K = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    angle = np.asarray(angle, dtype=np.float64)[..., None, None]
+    return np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * (K @ K)
+
+
+def axis_angle(R: ArrayLike) -> tuple[Array, float]:
+    """Unit axis (3,) and angle in [0, pi] of one rotation matrix (3, 3); x for the identity."""
+    w, *v = wxyz_from_rotation(R)
+    sine = float(np.linalg.norm(v))
+    if sine < 1e-15:
+        return np.array([1.0, 0.0, 0.0]), 0.0
+    return np.asarray(v) / sine, 2.0 * float(np.arctan2(sine, w))
+
+
+def pose(R: ArrayLike, p: ArrayLike) -> Array:
+    """Pose (..., 4, 4) from rotation (..., 3, 3) and position (..., 3) in m."""
+    R, p = np.asarray(R, dtype=np.float64), np.asarray(p, dtype=np.float64)
+    X = np.zeros((*np.broadcast_shapes(R.shape[:-2], p.shape[:-1]), 4, 4))
+    X[..., :3, :3], X[..., :3, 3], X[..., 3, 3] = R, p, 1.0
+    return X
+
+
+def inverse_pose(X: ArrayLike) -> Array:
+    """X_BA of X_AB, (..., 4, 4)."""
+    X = np.asarray(X, dtype=np.float64)
+    R_t = np.swapaxes(X[..., :3, :3], -1, -2)
+    return pose(R_t, -(R_t @ X[..., :3, 3:])[..., 0])
+
+
+def line_pose(X_0: ArrayLike, X_1: ArrayLike, s: ArrayLike) -> Array:
+    """Poses (n, 4, 4) at shares s (n,) of the straight line from X_0 to X_1: chord and slerp, the shorter way."""
+    X_0, X_1, s = (np.asarray(a, dtype=np.float64) for a in (X_0, X_1, s))
+    axis, angle = axis_angle(X_0[:3, :3].T @ X_1[:3, :3])
+    p = X_0[:3, 3] + s[..., None] * (X_1[:3, 3] - X_0[:3, 3])
+    return pose(X_0[:3, :3] @ rotation_about(axis, s * angle), p)
+
+
+def rotation_xyz(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
+    """R = Rx(alpha) Ry(beta) Rz(gamma), intrinsic x-y'-z'' angles in rad (spec rail-arm, eq. 1.9)."""
+    return rotation_about([1, 0, 0], alpha) @ rotation_about([0, 1, 0], beta) @ rotation_about([0, 0, 1], gamma)
+
+
+def xyz_from_rotation(R: ArrayLike) -> Array:
+    """Intrinsic x-y'-z'' angles (..., 3) in rad, beta in [-90, 90] deg; at |beta| = 90 deg gamma = 0."""
+    R = np.asarray(R, dtype=np.float64)
+    beta = np.arctan2(R[..., 0, 2], np.hypot(R[..., 0, 0], R[..., 0, 1]))
+    locked = np.hypot(R[..., 0, 0], R[..., 0, 1]) < 1e-12
+    alpha = np.where(locked, np.arctan2(R[..., 2, 1], R[..., 1, 1]), np.arctan2(-R[..., 1, 2], R[..., 2, 2]))
+    gamma = np.where(locked, 0.0, np.arctan2(-R[..., 0, 1], R[..., 0, 0]))
+    return np.stack([alpha, beta, gamma], axis=-1)

@@ -1,0 +1,44 @@
+"""What the axes and the tool centre point may do."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, readonly
+
+
+@dataclass(frozen=True, eq=False)
+class JointLimits:
+    """Limits of all axes in the robot's order (rail first), rad or m: position, speed [1/s], acceleration [1/s2].
+
+    sources maps "joint_3.acceleration" to where the number comes from and its grade.
+    """
+
+    names: tuple[str, ...]
+    lower: Array
+    upper: Array
+    velocity: Array
+    acceleration: Array
+    sources: Mapping[str, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for name in ("lower", "upper", "velocity", "acceleration"):
+            values = readonly(getattr(self, name))
+            if values.shape != (len(self.names),):
+                raise ValueError(f"JointLimits.{name} has shape {values.shape}, wanted ({len(self.names)},)")
+            object.__setattr__(self, name, values)
+        if not np.all(self.lower < self.upper):
+            raise ValueError("JointLimits: every lower limit must lie under its upper limit")
+        if not (np.all(self.velocity > 0) and np.all(self.acceleration > 0)):
+            raise ValueError("JointLimits: speeds and accelerations must be positive")
+
+
+@dataclass(frozen=True)
+class TcpCaps:
+    """Caps on the tool centre point's speed [m/s] and acceleration [m/s2] in the world, on every motion."""
+
+    speed: float
+    acceleration: float

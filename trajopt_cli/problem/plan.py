@@ -1,0 +1,76 @@
+"""What the optimiser gives back: motions with their times, the whole trajectory, and how much is left at most."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.motion import Source
+from trajopt_cli.trajectory import Trajectory
+
+
+class Target(StrEnum):
+    """Which machine executes the plan: one that follows a stream of joint positions, or the RAPID controller itself."""
+
+    STREAM = "stream"
+    RAPID = "rapid"
+
+
+@dataclass(frozen=True, eq=False)
+class PlannedMotion:
+    """One motion of the program as planned.
+
+    index: its place in Program.motions. t_0, t_1: start and end [s]. q_0, q_1: axis positions (k,) at both. binding:
+    the limit that holds the motion back ("joint_1 acceleration", "programmed TCP speed", "programmed duration").
+    dropped: the user allowed it and the plan leaves it out; then t_0 = t_1.
+    """
+
+    index: int
+    source: Source
+    t_0: float
+    t_1: float
+    q_0: Array
+    q_1: Array
+    binding: str
+    dropped: bool = False
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "q_0", readonly(self.q_0))
+        object.__setattr__(self, "q_1", readonly(self.q_1))
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """A motion for the whole program on one target.
+
+    lower_bound: no legal motion of this target's model is faster [s]; gap = (duration - lower_bound) / lower_bound.
+    grid: intervals per motion the optimiser ended with, for the printed duration. seconds: time spent per phase.
+    """
+
+    target: Target
+    trajectory: Trajectory
+    motions: tuple[PlannedMotion, ...]
+    lower_bound: float
+    grid: str
+    seconds: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def duration(self) -> float:
+        """Cycle time [s], programmed waits included."""
+        return self.trajectory.duration
+
+    @property
+    def gap(self) -> float:
+        """How much faster a motion of the same model could be at most, relative to the bound."""
+        return (self.duration - self.lower_bound) / self.lower_bound
+
+
+@dataclass(frozen=True)
+class Infeasible:
+    """The answer no: which motion cannot be done, where on it, and the limit that forbids it (message, one line)."""
+
+    index: int
+    source: Source
+    message: str

@@ -1,0 +1,58 @@
+"""A sampled joint motion, and the cubic Hermite between its rows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, readonly
+
+
+@dataclass(frozen=True, eq=False)
+class Trajectory:
+    """Rows of time t (n,) [s], positions q (n, k) and, where the file has them, speeds qd (n, k), in rad or m.
+
+    names gives the k axes in order, "rail" first where there is one.
+    """
+
+    names: tuple[str, ...]
+    t: Array
+    q: Array
+    qd: Array | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "t", readonly(self.t))
+        object.__setattr__(self, "q", readonly(self.q))
+        n, k = len(self.t), len(self.names)
+        if self.q.shape != (n, k):
+            raise ValueError(f"Trajectory.q has shape {self.q.shape}, wanted ({n}, {k})")
+        if self.qd is not None:
+            object.__setattr__(self, "qd", readonly(self.qd))
+            if self.qd.shape != (n, k):
+                raise ValueError(f"Trajectory.qd has shape {self.qd.shape}, wanted ({n}, {k})")
+
+    @property
+    def duration(self) -> float:
+        """Time of the last row minus time of the first, s."""
+        return float(self.t[-1] - self.t[0])
+
+
+def hermite(trajectory: Trajectory, times: Array) -> tuple[Array, Array, Array]:
+    """Position, speed and acceleration (m, k) of the cubic Hermite between rows, at times (m,) inside the file.
+
+    At a row the acceleration is the one of the interval that begins there. Needs speeds in the file.
+    """
+    if trajectory.qd is None:
+        raise ValueError("hermite needs a trajectory with speeds")
+    t = trajectory.t
+    i = np.clip(np.searchsorted(t, times, side="right") - 1, 0, len(t) - 2)
+    h = (t[i + 1] - t[i])[:, None]
+    u = (np.asarray(times)[:, None] - t[i][:, None]) / h
+    delta = trajectory.q[i + 1] - trajectory.q[i]
+    v0, v1 = trajectory.qd[i] * h, trajectory.qd[i + 1] * h
+    c2, c3 = 3 * delta - 2 * v0 - v1, v0 + v1 - 2 * delta
+    q = trajectory.q[i] + u * (v0 + u * (c2 + u * c3))
+    qd = (v0 + u * (2 * c2 + 3 * u * c3)) / h
+    qdd = (2 * c2 + 6 * u * c3) / (h * h)
+    return q, qd, qdd
