@@ -1,0 +1,37 @@
+"""What a plan may change, from nothing but timing to everything: the optimum and every baseline are one of these."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+
+class RailFreedom(StrEnum):
+    """Where the rail may stand at the program's points."""
+
+    PROGRAMMED = "programmed"  # as the robtargets' external axes say; where they say nothing, as at the motion before
+    STATION = "station"  # one free position for all points joined by lines and waits
+    STOP = "stop"  # a free position at every stop
+
+
+@dataclass(frozen=True)
+class Freedom:
+    """rail: its position at the points. lines, dwells: the rail may move while the TCP follows a line, or rests.
+
+    through_stops: the rail may have speed while the TCP stops (stream only). configuration: the IK branch may differ
+    from the program's confdata. drop: motions marked optional may be left out.
+    """
+
+    rail: RailFreedom = RailFreedom.STOP
+    lines: bool = True
+    dwells: bool = True
+    through_stops: bool = True
+    configuration: bool = True
+    drop: bool = True
+
+
+EVERYTHING = Freedom()
+AS_WRITTEN = Freedom(
+    rail=RailFreedom.PROGRAMMED, lines=True, dwells=False, through_stops=False, configuration=False, drop=False
+)
+FIXED_RAIL = Freedom(rail=RailFreedom.STATION, lines=False, dwells=False, through_stops=False)
