@@ -1,0 +1,156 @@
+"""Where robots are found, and what their YAML files hold: validated, with the line of every mistake."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from ruamel.yaml import YAML
+from ruamel.yaml.error import MarkedYAMLError
+
+from trajopt_cli.errors import InputError, InputErrorGroup
+
+_PACKAGE = Path(__file__).parents[1]
+# In a checkout the files stand beside the package; a wheel carries them inside it.
+_FOLDERS = (_PACKAGE.parent / "robots", _PACKAGE / "robots")
+
+Positive = Annotated[float, Field(gt=0, allow_inf_nan=False)]
+
+
+class _Strict(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+class Origin(_Strict):
+    """Where a number comes from and how far to trust it."""
+
+    source: str
+    grade: Literal["A", "B", "C", "D"]
+
+    def __str__(self) -> str:
+        return f"{self.source} (grade {self.grade})"
+
+
+class Number(Origin):
+    """A positive number with its origin."""
+
+    value: Positive
+
+
+class ConfRule(Origin):
+    """Which rule turns joints into RAPID confdata."""
+
+    rule: Literal["abb_six_axis"]
+
+
+class AxisOrigins(_Strict):
+    """Origins of an axis' range and speed, whose numbers stand in the URDF."""
+
+    position: Origin
+    velocity: Origin
+
+
+class Caps(_Strict):
+    """Documented caps on the TCP: speed [m/s], acceleration [m/s2]."""
+
+    speed: Number
+    acceleration: Number
+
+
+class Profile(_Strict):
+    """Accelerations [rad/s2 or m/s2] by axis name."""
+
+    about: str
+    acceleration: dict[str, Number]
+
+
+class RobotFile(_Strict):
+    """A robot's YAML file."""
+
+    name: str
+    title: str
+    urdf: str
+    confdata: ConfRule
+    tcp: Caps
+    geometry: Origin
+    axes: dict[str, AxisOrigins]
+    profiles: dict[str, Profile]
+
+
+def robot_names() -> tuple[str, ...]:
+    """The robots that ship, sorted."""
+    return tuple(sorted({path.stem for folder in _FOLDERS for path in folder.glob("*.yaml")}))
+
+
+def find_robot(name_or_path: str) -> Path:
+    """The YAML file of a shipped robot, or a path to one (anything that ends in .yaml or .yml). InputError if none."""
+    if name_or_path.endswith((".yaml", ".yml")):
+        path = Path(name_or_path)
+        if not path.is_file():
+            raise InputError(f"robot file '{name_or_path}' does not exist")
+        return path
+    for folder in _FOLDERS:
+        path = folder / f"{name_or_path}.yaml"
+        if name_or_path in robot_names() and path.is_file():
+            return path
+    known = ", ".join(robot_names())
+    raise InputError(f"unknown robot '{name_or_path}': known are {known}; or give the path of a robot's .yaml file")
+
+
+def read_robot_file(path: Path) -> tuple[RobotFile, Mapping[str, Any]]:
+    """The validated file and the raw YAML it came from (for line_of). Raises InputError with file, line and key."""
+    file = str(path)
+    try:
+        raw = YAML().load(path.read_text(encoding="utf-8"))
+    except MarkedYAMLError as error:
+        mark = error.problem_mark
+        raise InputError(
+            f"not YAML: {error.problem}", file=file, line=mark.line + 1 if mark is not None else None
+        ) from error
+    if not isinstance(raw, Mapping):
+        raise InputError("a robot file is a YAML mapping; this one is not", file=file, line=1)
+    try:
+        return RobotFile.model_validate(raw), raw
+    except ValidationError as error:
+        found = [
+            InputError(_say(item["type"], item["loc"], item["msg"]), file=file, line=line_of(raw, item["loc"]))
+            for item in error.errors()
+        ]
+        raise (found[0] if len(found) == 1 else InputErrorGroup(found)) from error
+
+
+def check_axes(data: RobotFile, raw: Mapping[str, Any], names: tuple[str, ...], file: str) -> None:
+    """Hold the axes the file speaks of against the URDF's. Raises InputError for one too many or too few."""
+    groups: list[tuple[tuple[str, ...], frozenset[str]]] = [(("axes",), frozenset(data.axes))]
+    groups += [(("profiles", n, "acceleration"), frozenset(p.acceleration)) for n, p in data.profiles.items()]
+    for keys, found in groups:
+        for name in sorted(found ^ set(names)):
+            what = "is missing" if name in names else "is no axis of the URDF"
+            message = f"'{'.'.join((*keys, name))}' {what}: wanted {', '.join(names)}"
+            raise InputError(message, file=file, line=line_of(raw, (*keys, name)))
+    if "default" not in data.profiles:
+        raise InputError("'profiles.default' is missing", file=file, line=line_of(raw, ("profiles",)))
+
+
+def line_of(raw: Mapping[str, Any], keys: tuple[int | str, ...]) -> int:
+    """The line, from 1, of the key at this path, or of the nearest one above it that stands in the file."""
+    line = 1
+    node: Any = raw
+    for key in keys:
+        if not isinstance(node, Mapping) or key not in node:
+            break
+        if key in node.lc.data:  # a merged key has no place of its own
+            line = node.lc.key(key)[0] + 1
+        node = node[key]
+    return line
+
+
+def _say(kind: str, keys: tuple[int | str, ...], message: str) -> str:
+    name = ".".join(str(key) for key in keys)
+    if kind == "extra_forbidden":
+        return f"unknown key '{name}': remove it or mend its spelling"
+    if kind == "missing":
+        return f"'{name}' is missing: give it a value"
+    return f"'{name}': {message[0].lower()}{message[1:]}"

@@ -1,0 +1,253 @@
+"""All joint solutions of a flange pose in closed form: eight branches named by ABB's cfx, and their turns.
+
+cfx = 4 (wrist centre behind axis 1) + 2 (wrist centre behind the lower arm, cos q3 < 0) + 1 (q5 < 0).
+"""
+
+from __future__ import annotations
+
+from itertools import product
+from math import cos, degrees, floor, pi, sin
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.limits import JointLimits
+from trajopt_cli.motion import ConfData
+from trajopt_cli.robot.arm import Arm
+from trajopt_cli.robot.model import RobotModel
+
+BRANCHES = 8
+_CHUNK = 1024  # poses at once: about a hundred work arrays of 8 kB stay in the second-level cache
+_SINGULAR = 1e-12  # sin q5, or m of the wrist centre from axis 1: below, the angle is a convention
+_STRETCH = 1e-12  # how far |sin q3| may exceed 1 by rounding at the stretched or folded elbow
+_ON_LIMIT = 1e-9  # rad or m: a solution this little outside a limit stands on it
+_ON_QUADRANT = 1e-9  # rad below a multiple of 90 deg that still counts as on it
+_QUADRANT_DOUBT = 1e-6  # rad from a quadrant's or a branch's border within which RAPID's rounding may fall either way
+
+
+def inverse(robot: RobotModel, X_WF: Array, rail: Array | None = None) -> Array:
+    """Joints (n, 8, 6) [rad] of flange poses X_WF (n, 4, 4), by branch: index cfx, NaN rows where there is none.
+
+    rail (n,): rail positions [m], needed with a rail. q1, q4 and q6 lie in (-pi, pi], q3 in (-270, 90] deg; joint
+    limits are not applied. At singularities the answer is finite and its pose right: q4 = 0 where q5 = 0 (its partner
+    branch has q4 = pi), q1 = 0 (its partner pi) where the wrist centre stands on axis 1.
+    """
+    X_WF = np.asarray(X_WF, dtype=np.float64)
+    if X_WF.ndim != 3 or X_WF.shape[1:] != (4, 4):
+        raise ValueError(f"X_WF has shape {X_WF.shape}, wanted (n, 4, 4)")
+    n = len(X_WF)
+    X_WB = robot.base(0.0)
+    p = X_WF[:, :3, 3].T - X_WB[:3, 3, None]
+    if robot.rail_axis_W is not None:
+        if rail is None:
+            raise ValueError(f"robot {robot.name} rides a rail: give rail (n,)")
+        p = p - robot.rail_axis_W[:, None] * np.broadcast_to(np.asarray(rail, dtype=np.float64), (n,))
+    R_BW = X_WB[:3, :3].T
+    out = np.empty((n, BRANCHES, 6))
+    for start in range(0, n, _CHUNK):
+        part = slice(start, min(start + _CHUNK, n))
+        R = np.ascontiguousarray(X_WF[part, :3, :3].transpose(1, 2, 0))
+        R_BF = (R_BW @ R.reshape(3, -1)).reshape(R.shape)
+        out[part] = inverse_arm(robot.arm, R_BW @ p[:, part], R_BF).transpose(2, 0, 1)
+    return out
+
+
+def inverse_arm(arm: Arm, p_BF: Array, R_BF: Array) -> Array:
+    """Joints (8, 6, n) by cfx of flange positions (3, n) [m] and rotations (3, 3, n) in the arm's base frame."""
+    n = p_BF.shape[1]
+    x_F, y_F, z_F = R_BF[:, 0], R_BF[:, 1], R_BF[:, 2]
+    w = p_BF - arm.L6 * z_F
+    out = np.empty((2, 2, 2, 6, n))  # behind axis 1, behind the lower arm, q5 < 0
+    reach = np.sqrt(w[0] * w[0] + w[1] * w[1])
+    on_axis = reach < _SINGULAR
+    with np.errstate(invalid="ignore", divide="ignore"):
+        c1, s1 = np.where(on_axis, 1.0, w[0] / reach), np.where(on_axis, 0.0, w[1] / reach)
+        q1 = _half_open(np.arctan2(s1, c1))
+        out[0, :, :, 0] = q1
+        out[1, :, :, 0] = q1 - np.where(q1 > 0, pi, -pi)
+
+        # The wrist centre seen from axis 2 in the arm's own plane: ahead and up, both shoulders (2, n).
+        ahead, up = np.stack([reach - arm.a1, -reach - arm.a1]), w[2] - arm.d1
+        distance2 = ahead * ahead + up * up
+        s3 = (arm.L2**2 + arm.L4**2 - distance2) / (2 * arm.L2 * arm.L4)
+        s3 = np.where(np.abs(s3) <= 1 + _STRETCH, np.clip(s3, -1.0, 1.0), np.nan)
+        c3 = np.sqrt((1 - s3) * (1 + s3))
+        q3 = np.arctan2(s3, c3)
+        out[:, 0, :, 2] = q3[:, None]
+        out[:, 1, :, 2] = np.where(q3 < pi / 2, -pi - q3, q3)[:, None]  # -270 deg is +90 deg
+        along = arm.L2 - arm.L4 * s3
+        across = arm.L4 * np.stack([c3, -c3], axis=1)  # (2 shoulders, 2 elbows, n)
+        y2 = along[:, None] * ahead[:, None] - across * up
+        x2 = along[:, None] * up + across * ahead[:, None]
+        out[..., 1, :] = np.arctan2(y2, x2)[:, :, None]
+
+        # sin and cos of q2 + q3 from the same products, then R_36 = (Rz(q1) Ry(q2 + q3))^T R_06; the flange adds
+        # Ry(90 deg), so R_06 has columns z_F, y_F, -x_F. "turn" and "side" are those columns in axis 1's frame.
+        s2, c2 = y2 / distance2[:, None], x2 / distance2[:, None]
+        c3 = np.stack([c3, -c3], axis=1)
+        s23, c23 = s2 * c3 + c2 * s3[:, None], c2 * c3 - s2 * s3[:, None]
+        facing = np.array([1.0, -1.0])[:, None, None]  # behind axis 1 the frame is turned by half a turn
+
+        def in_axis_1(v: Array) -> tuple[Array, Array, Array]:
+            return facing * (c1 * v[0] + s1 * v[1]), facing * (c1 * v[1] - s1 * v[0]), v[2]
+
+        turn, side, rise = in_axis_1(z_F)
+        m00, m10, m20 = c23 * turn - s23 * rise, side + 0 * c23, s23 * turn + c23 * rise
+        bend = np.sqrt(m10 * m10 + m20 * m20)
+        turn_y, side_y, rise_y = in_axis_1(y_F)
+        turn_x, side_x, rise_x = in_axis_1(x_F)
+        m01, m02 = c23 * turn_y - s23 * rise_y, s23 * rise_x - c23 * turn_x
+        q4, q5, q6 = np.arctan2(m10, -m20), np.arctan2(bend, m00), np.arctan2(m01, m02)
+        weak = bend < 1e-3
+        if weak.any():
+            # Near q5 = 0, q4 and q6 are rounding each for itself but exact in sum: take q6 from the turn q4 leaves.
+            straight = bend < _SINGULAR
+            q4 = np.where(straight, 0.0, q4)
+            q5 = np.where(straight, np.where(m00 > 0, 0.0, pi), q5)
+            m21, m22 = s23 * turn_y + c23 * rise_y, -(s23 * turn_x + c23 * rise_x)
+            c4, s4 = np.cos(q4), np.sin(q4)
+            q6 = np.where(weak, np.arctan2(c4 * side_x - s4 * m22, c4 * side_y + s4 * m21), q6)
+    for wrist, sign in ((0, 1.0), (1, -1.0)):
+        out[:, :, wrist, 4] = sign * q5
+    for column, q in ((3, q4), (5, q6)):
+        q = _half_open(q)
+        out[:, :, 0, column] = q
+        out[:, :, 1, column] = q - np.where(q > 0, pi, -pi)
+    return out.reshape(BRANCHES, 6, n)
+
+
+def _half_open(angle: Array) -> Array:
+    """Angles of arctan2 with -pi, which it gives for a negative zero, moved to pi."""
+    return np.where(angle <= -pi, pi, angle)
+
+
+def representatives(q: Array, lower: Array, upper: Array) -> Array:
+    """All of q + 2 pi k (m, 6) within the range of every joint, smallest first, joint_1 the slowest to change.
+
+    q, lower, upper (6,) in rad. A value at most 1e-9 rad outside a limit is put on it: rounding of the inverse.
+    """
+    choices = []
+    for value, low, high in zip(q.tolist(), lower.tolist(), upper.tolist(), strict=True):
+        if value != value:
+            return np.empty((0, len(q)))
+        turns = range(
+            -floor((value - low + _ON_LIMIT) / (2 * pi)),
+            floor((high + _ON_LIMIT - value) / (2 * pi)) + 1,
+        )
+        choices.append([min(max(value + 2 * pi * k, low), high) for k in turns])
+    return np.array(list(product(*choices))).reshape(-1, len(q))
+
+
+def solutions(robot: RobotModel, X_WF: Array, rail: float | None, limits: JointLimits) -> list[tuple[int, Array]]:
+    """Every (cfx, joints (6,)) within limits that puts the flange at X_WF (4, 4), turns included; [] if there is none.
+
+    rail [m] is needed with a rail, and a rail position outside its limits has no solutions. Where two branches meet
+    (stretched elbow) the solution stands once, under the smaller cfx.
+    """
+    if robot.has_rail and rail is not None and not _within(rail, limits.lower[0], limits.upper[0]):
+        return []
+    branches = inverse(robot, X_WF[None], None if rail is None else np.array([rail]))[0]
+    found: list[tuple[int, Array]] = []
+    for cfx, branch in enumerate(branches):
+        for q in representatives(branch, limits.lower[-6:], limits.upper[-6:]):
+            if not any(np.array_equal(q, other) for _, other in found):
+                found.append((cfx, q))
+    return found
+
+
+def _within(value: float, low: float, high: float) -> bool:
+    return bool(low - _ON_LIMIT <= value <= high + _ON_LIMIT)
+
+
+def confdata(robot: RobotModel, q: Array) -> ConfData:
+    """RAPID confdata of arm joints q (6,) [rad]: cf1, cf4, cf6 = floor(angle / 90 deg), cfx as above.
+
+    A value less than 1e-9 rad below a multiple of 90 deg counts as on it, so that rounding does not flip a quadrant.
+    """
+    wrist, lower_arm, axis_5 = _branch_margins(robot.arm, q)
+    cf1, cf4, cf6 = (_quadrant(float(q[i]), _ON_QUADRANT) for i in (0, 3, 5))
+    return ConfData(cf1, cf4, cf6, 4 * (wrist < 0) + 2 * (lower_arm < 0) + 1 * (axis_5 < 0))
+
+
+def _quadrant(angle: float, shift: float) -> int:
+    return floor((angle + shift) / (pi / 2))
+
+
+def _branch_margins(arm: Arm, q: Array) -> tuple[float, float, float]:
+    """What cfx takes the signs of: wrist centre before axis 1 [m], before the lower arm (cos q3), q5 [rad]."""
+    q2, q3, q5 = float(q[1]), float(q[2]), float(q[4])
+    return arm.a1 + arm.L2 * sin(q2) + arm.L4 * cos(q2 + q3), cos(q3), q5
+
+
+def confdata_admits(robot: RobotModel, conf: ConfData, q: Array) -> bool:
+    """Whether a target with this confdata may be reached with arm joints q (6,) [rad].
+
+    Quadrants and branch must be those of q. Only within 1e-6 rad (of a multiple of 90 deg for cf1, cf4, cf6; of a
+    branch's border for a bit of cfx; 1e-6 m for the wrist centre before axis 1), where the rounding of a printed
+    target decides, the neighbour is taken too.
+    """
+    for cf, i in ((conf.cf1, 0), (conf.cf4, 3), (conf.cf6, 5)):
+        if cf not in {_quadrant(float(q[i]), shift) for shift in (-_QUADRANT_DOUBT, 0.0, _QUADRANT_DOUBT)}:
+            return False
+    margins = _branch_margins(robot.arm, q)
+    return all(
+        abs(margin) <= _QUADRANT_DOUBT or bool(conf.cfx & bit) == (margin < 0)
+        for bit, margin in zip((4, 2, 1), margins, strict=True)
+    )
+
+
+def why_unreachable(robot: RobotModel, X_WF: Array, rail: float | None, limits: JointLimits) -> str:
+    """The reason, in one clause, why solutions() of this flange pose is empty.
+
+    The rail outside its stroke; the wrist centre too far from or too near to axis 2; or the joint limits every branch
+    breaks. Raises ValueError for a pose that has solutions.
+    """
+    if robot.has_rail and rail is not None and not _within(rail, limits.lower[0], limits.upper[0]):
+        low, high = limits.lower[0], limits.upper[0]
+        return f"{robot.axis_names[0]} = {rail:.6g} m, outside its stroke {low:.6g}..{high:.6g} m"
+    if solutions(robot, X_WF, rail, limits):
+        raise ValueError("why_unreachable: the pose has solutions")
+    branches = inverse(robot, X_WF[None], None if rail is None else np.array([rail]))[0]
+    alive = {cfx: q for cfx, q in enumerate(branches) if not np.isnan(q).any()}
+    if not alive:
+        return _outside_workspace(robot, X_WF, rail)
+    names, lower, upper = robot.axis_names[-6:], limits.lower[-6:], limits.upper[-6:]
+    broken: dict[int, dict[int, tuple[float, float, float]]] = {}  # cfx -> joint -> (excess, value, limit)
+    for cfx, q in alive.items():
+        excesses = ((i, _excess(float(q[i]), float(lower[i]), float(upper[i]))) for i in range(6))
+        broken[cfx] = {i: excess for i, excess in excesses if excess[0] > _ON_LIMIT}
+
+    def say(i: int, value: float, limit: float) -> str:
+        return f"{names[i]} = {degrees(value):.6g}°, limit {degrees(limit):.6g}°"
+
+    common = set.intersection(*(set(joints) for joints in broken.values()))
+    if common:
+        _, cfx, i = min((broken[cfx][i][0], cfx, i) for cfx in broken for i in common)
+        return f"every branch needs {names[i]} beyond its range: nearest {say(i, *broken[cfx][i][1:])} (cfx {cfx})"
+    worst = {cfx: max(joints.items(), key=lambda item: item[1][0]) for cfx, joints in broken.items()}
+    order = sorted(worst, key=lambda cfx: worst[cfx][1][0])
+    return "every branch breaks a joint limit: " + "; ".join(
+        f"cfx {cfx} needs {say(worst[cfx][0], *worst[cfx][1][1:])}" for cfx in order
+    )
+
+
+def _excess(value: float, low: float, high: float) -> tuple[float, float, float]:
+    """How far value + 2 pi k stays outside low..high at least, that value, and the limit it breaks."""
+    turned = [value + 2 * pi * k for k in range(-3, 4)]
+    return min((max(low - v, v - high, 0.0), v, low if v < low else high) for v in turned)
+
+
+def _outside_workspace(robot: RobotModel, X_WF: Array, rail: float | None) -> str:
+    arm = robot.arm
+    X_WB = robot.base(0.0 if rail is None else rail)
+    w = X_WB[:3, :3].T @ (X_WF[:3, 3] - arm.L6 * X_WF[:3, 2] - X_WB[:3, 3])
+    reach, up = float(np.hypot(w[0], w[1])), float(w[2]) - arm.d1
+    near, far = float(np.hypot(reach - arm.a1, up)), float(np.hypot(reach + arm.a1, up))
+    outer, inner = arm.L2 + arm.L4, abs(arm.L2 - arm.L4)
+    if near > outer:
+        return f"wrist centre outside the outer workspace: {near:.6g} m from axis 2, at most {outer:.6g} m"
+    # Facing forward it is too near; facing backward too near or too far.
+    return (
+        f"wrist centre inside the inner workspace: {near:.6g} m from axis 2, at least {inner:.6g} m"
+        f" (turned by half a turn {far:.6g} m, at most {outer:.6g} m)"
+    )

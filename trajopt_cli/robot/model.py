@@ -1,0 +1,232 @@
+"""RobotModel: where a robot's flange is, how it moves with the joints, and what its axes may do.
+
+Axis order: the rail first (where there is one), then joint_1..joint_6. Frames: W world, R the URDF's root, B the arm's
+base, F the flange (tool0), T the tool centre point.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.limits import JointLimits, TcpCaps
+from trajopt_cli.robot import arm as arm_products
+from trajopt_cli.robot.arm import Arm, arm_from_chain
+from trajopt_cli.robot.urdf import read_chain, split_chain
+
+__all__ = ["Arm", "RobotModel", "load_robot", "robot_names"]
+
+
+@dataclass(frozen=True, eq=False)
+class RobotModel:
+    """A six-axis arm with a spherical wrist, on a rail or not, mounted at X_WR.
+
+    arm: lengths, read from the URDF. X_RB: the arm's base in the root frame with the rail at 0. rail_axis (3,): the
+    direction of rail travel in the root frame, None without a rail. tcp: the documented caps. profiles: limits of all
+    axes by profile name, each number with its source; the rail's range there is a placeholder for the cell's stroke.
+    notes: sources of what is not a limit, by name.
+    """
+
+    name: str
+    title: str
+    axis_names: tuple[str, ...]
+    arm: Arm
+    X_WR: Array
+    X_RB: Array
+    rail_axis: Array | None
+    tcp: TcpCaps
+    profiles: Mapping[str, JointLimits]
+    notes: Mapping[str, str]
+    urdf: Path
+
+    @property
+    def has_rail(self) -> bool:
+        """Whether the first axis is a rail."""
+        return self.rail_axis is not None
+
+    def profile(self, name: str | None = None) -> JointLimits:
+        """Limits of all axes under a named profile, "default" for None. Raises InputError listing the profiles."""
+        wanted = "default" if name is None else name
+        if wanted not in self.profiles:
+            known = ", ".join(self.profiles)
+            raise InputError(f"robot {self.name} has no limit profile '{wanted}': known are {known}")
+        return self.profiles[wanted]
+
+    @cached_property
+    def _X_WB0(self) -> Array:
+        return readonly(self.X_WR @ self.X_RB)
+
+    @cached_property
+    def rail_axis_W(self) -> Array | None:
+        """Unit direction (3,) of rail travel in the world, None without a rail."""
+        return None if self.rail_axis is None else readonly(self.X_WR[:3, :3] @ self.rail_axis)
+
+    def base(self, rail: Array | float = 0.0) -> Array:
+        """The arm's base X_WB (..., 4, 4) at rail positions (...) [m]; without a rail the value does not matter."""
+        rail = np.asarray(rail, dtype=np.float64)
+        X = np.array(np.broadcast_to(self._X_WB0, (*rail.shape, 4, 4)))
+        if self.rail_axis_W is not None:
+            X[..., :3, 3] += rail[..., None] * self.rail_axis_W
+        return X
+
+    def forward(self, q: Array) -> Array:
+        """Flange poses X_WF (..., 4, 4) of axis positions q (..., k)."""
+        q = np.asarray(q, dtype=np.float64)
+        self._check(q, "q")
+        X = arm_products.forward(self.arm, q[..., -6:])
+        X_WB0 = self._X_WB0
+        X[..., :3, :] = X_WB0[:3, :3] @ X[..., :3, :]
+        X[..., :3, 3] += X_WB0[:3, 3]
+        if self.rail_axis_W is not None:
+            X[..., :3, 3] += q[..., :1] * self.rail_axis_W
+        return X
+
+    def jacobian(self, q: Array, X_FT: Array | None = None) -> Array:
+        """Geometric Jacobian (..., 6, k) at the TCP in world axes, linear rows first: [v; omega] = J qd.
+
+        q (..., k). X_FT (4, 4): the TCP in the flange frame, the flange itself for None.
+        """
+        return self._columns(q, None, X_FT)
+
+    def jacobian_rate(self, q: Array, qd: Array, X_FT: Array | None = None) -> Array:
+        """Exact time derivative (..., 6, k) of jacobian along axis speeds qd (..., k)."""
+        return self._columns(q, qd, X_FT)
+
+    def _columns(self, q: Array, qd: Array | None, X_FT: Array | None) -> Array:
+        """The Jacobian (qd None) or its rate, built in the base frame and turned into the world."""
+        q = np.asarray(q, dtype=np.float64)
+        self._check(q, "q")
+        a, o = arm_products.axes_and_points(self.arm, q[..., -6:])
+        lever = self.arm.L6 * a[:, 5]  # from the wrist centre to the TCP
+        if X_FT is not None:
+            R_BF = arm_products.forward(self.arm, q[..., -6:])[..., :3, :3]
+            lever = lever + np.moveaxis(R_BF @ np.asarray(X_FT, dtype=np.float64)[:3, 3], -1, 0)
+        if qd is None:
+            linear, angular = _cross(a, (o[:, 5] + lever)[:, None] - o), a
+        else:
+            linear, angular = self._rates(a, o, lever, np.asarray(qd, dtype=np.float64), q.shape)
+        J = np.zeros((*q.shape[:-1], 6, len(self.axis_names)))
+        for rows, block in ((slice(0, 3), linear), (slice(3, 6), angular)):
+            turned = np.tensordot(self._X_WB0[:3, :3], block, axes=1)
+            J[..., rows, -6:] = np.moveaxis(turned, (0, 1), (-2, -1))
+        if qd is None and self.rail_axis_W is not None:
+            J[..., :3, 0] = self.rail_axis_W
+        return J
+
+    def _rates(self, a: Array, o: Array, lever: Array, qd: Array, shape: tuple[int, ...]) -> tuple[Array, Array]:
+        """Time derivatives (3, 6, ...) of a x (p - o) and of a. The rail moves all points alike and drops out."""
+        if qd.shape != shape:
+            raise ValueError(f"qd has shape {qd.shape}, wanted {shape} like q")
+        omega = np.cumsum(a * np.moveaxis(qd[..., -6:], -1, 0), axis=1)  # of the link behind each joint
+        carried = np.zeros_like(a)
+        carried[:, 1:] = omega[:, :-1]  # an axis turns with the link before its joint
+        o_dot = np.zeros_like(o)
+        o_dot[:, 1:] = np.cumsum(_cross(omega[:, :-1], np.diff(o, axis=1)), axis=1)
+        p_dot = o_dot[:, 5] + _cross(omega[:, 5], lever)
+        a_dot = _cross(carried, a)
+        p = o[:, 5] + lever
+        return _cross(a_dot, p[:, None] - o) + _cross(a, p_dot[:, None] - o_dot), a_dot
+
+    def _check(self, values: Array, name: str) -> None:
+        k = len(self.axis_names)
+        if values.ndim == 0 or values.shape[-1] != k:
+            raise ValueError(f"{name} has shape {values.shape}, wanted (..., {k}) for {', '.join(self.axis_names)}")
+
+    @cached_property
+    def pin_model(self) -> Any:
+        """pin.Model of the URDF, mounted at X_WR; built once, on first use."""
+        import pinocchio as pin
+
+        model = pin.buildModelFromUrdf(str(self.urdf))
+        X_WR = pin.SE3(np.array(self.X_WR))
+        for i in range(1, model.njoints):
+            if model.parents[i] == 0:
+                model.jointPlacements[i] = X_WR * model.jointPlacements[i]
+        for frame in model.frames:
+            if frame.parentJoint == 0:
+                frame.placement = X_WR * frame.placement
+        return model
+
+
+def _cross(a: Array, b: Array) -> Array:
+    """Cross product of (3, ...) with (3, ...), components first."""
+    return np.stack([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
+
+
+def robot_names() -> tuple[str, ...]:
+    """The robots that ship, sorted."""
+    from trajopt_cli.robot import catalogue
+
+    return catalogue.robot_names()
+
+
+def load_robot(name_or_path: str, X_WR: Array | None = None) -> RobotModel:
+    """A shipped robot by name or any robot by the path of its YAML file, its URDF root mounted at X_WR in the world.
+
+    X_WR (4, 4), identity for None. Raises InputError for an unknown name and for a file with a mistake.
+    """
+    from trajopt_cli.robot import catalogue
+
+    path = catalogue.find_robot(name_or_path)
+    data, raw = catalogue.read_robot_file(path)
+    urdf = path.parent / data.urdf
+    if not urdf.is_file():
+        line = catalogue.line_of(raw, ("urdf",))
+        raise InputError(f"urdf: '{data.urdf}' does not exist beside this file", file=str(path), line=line)
+    mount, arm_chain = split_chain(read_chain(urdf), str(urdf))
+    X_RB, rail_axis = np.eye(4), None
+    for joint in mount:
+        X_RB = X_RB @ joint.X
+        if joint.kind == "prismatic":
+            rail_axis = readonly(X_RB[:3, :3] @ joint.axis)
+    axes = [joint for joint in mount + arm_chain if joint.kind != "fixed"]
+    names = tuple(joint.name for joint in axes)
+    catalogue.check_axes(data, raw, names, str(path))
+    origins = {f"{n}.{k}": str(getattr(o, k)) for n, o in data.axes.items() for k in ("position", "velocity")}
+    profiles = {
+        name: JointLimits(
+            names,
+            np.array([joint.lower for joint in axes]),
+            np.array([joint.upper for joint in axes]),
+            np.array([joint.velocity for joint in axes]),
+            np.array([profile.acceleration[n].value for n in names]),
+            origins | {f"{n}.acceleration": str(profile.acceleration[n]) for n in names},
+        )
+        for name, profile in data.profiles.items()
+    }
+    notes = {
+        "geometry": str(data.geometry),
+        "confdata": str(data.confdata),
+        "tcp.speed": str(data.tcp.speed),
+        "tcp.acceleration": str(data.tcp.acceleration),
+    }
+    return RobotModel(
+        name=data.name,
+        title=data.title,
+        axis_names=names,
+        arm=arm_from_chain(arm_chain, str(urdf)),
+        X_WR=_pose(X_WR),
+        X_RB=readonly(X_RB),
+        rail_axis=rail_axis,
+        tcp=TcpCaps(data.tcp.speed.value, data.tcp.acceleration.value),
+        profiles=profiles,
+        notes=notes | {f"profiles.{name}": profile.about for name, profile in data.profiles.items()},
+        urdf=urdf,
+    )
+
+
+def _pose(X_WR: Array | None) -> Array:
+    X = readonly(np.eye(4) if X_WR is None else X_WR)
+    if X.shape != (4, 4):
+        raise ValueError(f"X_WR has shape {X.shape}, wanted (4, 4)")
+    off = float(np.abs(X[:3, :3] @ X[:3, :3].T - np.eye(3)).max())
+    if off > 1e-9 or np.linalg.det(X[:3, :3]) < 0 or np.any(X[3] != [0, 0, 0, 1]):
+        raise ValueError(f"X_WR is not a pose: its rotation is off by {off:.3g}, or its last row is not 0 0 0 1")
+    return X

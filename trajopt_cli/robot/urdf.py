@@ -1,0 +1,124 @@
+"""A URDF's one chain from its root link to tool0: names, origins, axes and limits. The rest of URDF is not read."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import cos, sin
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array
+
+FLANGE = "tool0"
+
+
+@dataclass(frozen=True, eq=False)
+class UrdfJoint:
+    """One joint: X is its frame in the parent link (4, 4), axis (3,) a unit vector; limits in rad or m, and 1/s."""
+
+    name: str
+    kind: str
+    parent: str
+    child: str
+    X: Array
+    axis: Array
+    lower: float
+    upper: float
+    velocity: float
+
+
+def read_chain(path: Path) -> list[UrdfJoint]:
+    """The joints from the root link to tool0, root first. Raises InputError for a file that has no such chain."""
+    file = str(path)
+    try:
+        root = ElementTree.fromstring(path.read_text(encoding="utf-8"))
+    except ElementTree.ParseError as error:
+        raise InputError(f"not a URDF: {error}", file=file) from error
+    by_child = {}
+    for element in root.iter("joint"):
+        joint = _joint(element, file)
+        by_child[joint.child] = joint
+    chain: list[UrdfJoint] = []
+    link = FLANGE
+    while link in by_child:
+        chain.append(by_child.pop(link))
+        link = chain[-1].parent
+    if not chain:
+        raise InputError(f"no joint leads to link '{FLANGE}': name the flange frame so", file=file)
+    return chain[::-1]
+
+
+def split_chain(chain: list[UrdfJoint], file: str) -> tuple[list[UrdfJoint], list[UrdfJoint]]:
+    """What stands before the arm (fixed joints, at most one rail), and the arm: six revolute joints and the flange.
+
+    Raises InputError for any other chain, and for an axis without a range or a speed.
+    """
+    axes = [joint for joint in chain if joint.kind != "fixed"]
+    kinds = [joint.kind for joint in axes]
+    mount, arm = chain[:-7], chain[-7:]
+    if [joint.kind for joint in arm] != ["revolute"] * 6 + ["fixed"] or kinds[:-6] not in ([], ["prismatic"]):
+        raise InputError(
+            f"the chain to {FLANGE} is {', '.join(joint.kind for joint in chain)}: wanted six revolute joints in a row,"
+            " a fixed one behind them, at most one prismatic before them",
+            file=file,
+        )
+    for joint in axes:
+        if not (joint.lower < joint.upper and joint.velocity > 0):
+            raise InputError(
+                f"joint '{joint.name}': wanted lower < upper and velocity > 0, got lower {joint.lower:g},"
+                f" upper {joint.upper:g}, velocity {joint.velocity:g}",
+                file=file,
+            )
+    return mount, arm
+
+
+def _joint(element: ElementTree.Element, file: str) -> UrdfJoint:
+    name, kind = element.get("name", ""), element.get("type", "")
+    if kind not in ("revolute", "prismatic", "fixed"):
+        raise InputError(f"joint '{name}' has type '{kind}': supported are revolute, prismatic, fixed", file=file)
+
+    def part(tag: str) -> ElementTree.Element:
+        found = element.find(tag)
+        if found is None:
+            raise InputError(f"joint '{name}' has no <{tag}>", file=file)
+        return found
+
+    def numbers(tag: str, key: str, count: int) -> list[float]:
+        text = part(tag).get(key)
+        if text is None:
+            raise InputError(f"joint '{name}': <{tag}> has no {key}", file=file)
+        try:
+            values = [float(word) for word in text.split()]
+        except ValueError as error:
+            raise InputError(f"joint '{name}': <{tag}> {key}=\"{text}\" is not {count} number(s)", file=file) from error
+        if len(values) != count or not np.all(np.isfinite(values)):
+            raise InputError(f"joint '{name}': <{tag}> {key}=\"{text}\" is not {count} finite number(s)", file=file)
+        return values
+
+    X = np.eye(4)
+    X[:3, :3] = _rotation_rpy(*numbers("origin", "rpy", 3))
+    X[:3, 3] = numbers("origin", "xyz", 3)
+    axis, lower, upper, velocity = np.zeros(3), 0.0, 0.0, 0.0
+    if kind != "fixed":
+        axis = np.array(numbers("axis", "xyz", 3))
+        if abs(np.linalg.norm(axis) - 1) > 1e-9:
+            raise InputError(f"joint '{name}' has an axis of length {np.linalg.norm(axis):.6g}, wanted 1", file=file)
+        (lower,), (upper,), (velocity,) = (numbers("limit", key, 1) for key in ("lower", "upper", "velocity"))
+    parent, child = part("parent").get("link", ""), part("child").get("link", "")
+    return UrdfJoint(name, kind, parent, child, X, axis, lower, upper, velocity)
+
+
+def _rotation_rpy(roll: float, pitch: float, yaw: float) -> Array:
+    """Rz(yaw) Ry(pitch) Rx(roll), with cos(pi/2) and its like exactly zero."""
+    (cr, sr), (cp, sp), (cy, sy) = ((cos(t), sin(t)) for t in (roll, pitch, yaw))
+    R = np.array(
+        [
+            [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
+            [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
+            [-sp, cp * sr, cp * cr],
+        ]
+    )
+    return np.where(np.abs(R) < 1e-15, 0.0, R)
