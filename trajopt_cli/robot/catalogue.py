@@ -141,8 +141,9 @@ def line_of(raw: Mapping[str, Any], keys: tuple[int | str, ...]) -> int:
     for key in keys:
         if not isinstance(node, Mapping) or key not in node:
             break
-        if key in node.lc.data:  # a merged key has no place of its own
-            line = node.lc.key(key)[0] + 1
+        places: Any = node  # ruamel keeps the lines on its mapping as .lc
+        if key in places.lc.data:  # a merged key has no place of its own
+            line = places.lc.key(key)[0] + 1
         node = node[key]
     return line
 
