@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 import numpy as np
 
-from trajopt_cli.cell.model import Cell
+from trajopt_cli.cell.model import Cell, hint
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array
+from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.motion import ExternalAxes
 from trajopt_cli.robot.model import RobotModel, load_robot
 from trajopt_cli.units import MM
+
+_GRADE = re.compile(r"\(grade ([A-D])\)$")  # how robot files end a source
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,7 +24,8 @@ class Plant:
 
     start (k,): where the cycle begins, at rest. rail_eax: which eax_x drives the rail (0 for eax_a), None without
     a rail. rail_fixed: robtargets keep their programmed rail value. free_speed: MoveJ and MoveAbsJ may ignore the
-    programmed speed. droppable: target names (lower case) the cell file lets the plan leave out.
+    programmed speed. droppable: target names (lower case) the cell file lets the plan leave out. notes: how sure the
+    limits are, one line each.
     """
 
     robot: RobotModel
@@ -32,6 +36,7 @@ class Plant:
     rail_fixed: bool
     free_speed: bool
     droppable: frozenset[str]
+    notes: tuple[str, ...] = ()
 
     def rail_value(self, extax: ExternalAxes) -> float | None:
         """The rail position [m] that external axes in RAPID units ask for; None when they leave it open."""
@@ -42,26 +47,70 @@ class Plant:
 
 
 def build_plant(cell: Cell) -> Plant:
-    """Mount the cell's robot and put its limits in force. Raises InputError for a missing limit or a bad start."""
-    robot = load_robot(cell.robot, X_WR=cell.rail.X_WR if cell.rail else cell.X_WB)
+    """Mount the cell's robot and put its limits in force.
+
+    Raises InputError, placed in the cell file, for an unknown robot, profile or axis, a rail that is missing or too
+    much, a limit nobody gave, and a start that has the wrong length or lies outside the limits.
+    """
+    robot = _robot(cell)
     if robot.has_rail and cell.rail is None:
-        raise InputError(f"robot {robot.name} rides a rail: add a 'rail:' section with stroke and eax", file=cell.file)
+        raise cell.error(
+            "rail", f"robot {robot.name} rides a rail: add 'rail: {{eax: a, stroke: [0, 2]}}', stroke in m"
+        )
     if cell.rail is not None and not robot.has_rail:
-        raise InputError(f"robot {robot.name} has no rail: remove the 'rail:' section", file=cell.file)
+        raise cell.error("rail", f"robot {robot.name} has no rail: remove the section")
+    if cell.profile not in robot.profiles:
+        raise cell.error(
+            "profile", f"robot {robot.name} has no '{cell.profile}'; {hint(cell.profile, [*robot.profiles])}"
+        )
     limits = cell.apply_limits(robot.profile(cell.profile), robot.axis_names)
-    start = np.asarray(([cell.start_rail] if robot.has_rail else []) + list(cell.start_joints))
-    for name, value, low, high in zip(limits.names, start, limits.lower, limits.upper, strict=True):
-        if not low <= value <= high:
-            raise InputError(
-                f"start: {name} = {value:.6g} lies outside its range {low:.6g}..{high:.6g}", file=cell.file
-            )
     return Plant(
         robot=robot,
         limits=limits,
-        tcp=cell.tcp,
-        start=start,
+        tcp=cell.tcp or robot.tcp,
+        start=_start(cell, limits),
         rail_eax=cell.rail.eax if cell.rail else None,
         rail_fixed=bool(cell.rail and cell.rail.fixed),
         free_speed=cell.free_speed,
         droppable=cell.droppable,
+        notes=_notes(cell, robot, limits),
     )
+
+
+def _robot(cell: Cell) -> RobotModel:
+    try:
+        return load_robot(cell.robot, X_WR=cell.rail.X_WR if cell.rail else cell.X_WB)
+    except InputError as error:
+        if error.file is not None:  # a mistake in the robot's own file has its place there
+            raise
+        raise cell.error("robot", error.message) from error
+
+
+def _start(cell: Cell, limits: JointLimits) -> Array:
+    rail = [] if cell.start_rail is None else [cell.start_rail]
+    wanted = len(limits.names) - len(rail)
+    if len(cell.start_joints) != wanted:
+        raise cell.error("start.joints", f"robot {cell.robot} has {wanted} joints, not {len(cell.start_joints)}")
+    start = np.array([*rail, *cell.start_joints])
+    for name, value, low, high in zip(limits.names, start, limits.lower, limits.upper, strict=True):
+        if not low <= value <= high:
+            key = "start.rail" if name == "rail" else "start.joints"
+            raise cell.error(key, f"{name} = {value:.6g} lies outside its range {low:.6g}..{high:.6g}")
+    return readonly(start)
+
+
+def _notes(cell: Cell, robot: RobotModel, limits: JointLimits) -> tuple[str, ...]:
+    """How sure the limits are: estimated accelerations with their grade, TCP caps with their source."""
+    graded = {axis: _GRADE.search(limits.sources.get(f"{axis}.acceleration", "")) for axis in limits.names}
+    estimated = {axis: found[1] for axis, found in graded.items() if found and found[1] in "CD"}
+    notes = []
+    if estimated:
+        about = robot.notes[f"profiles.{cell.profile}"]
+        notes.append(
+            f"accelerations of {', '.join(estimated)} are estimates of grade {max(estimated.values())} "
+            f"(profile {cell.profile}: {about}); a measured value belongs in {cell.file}"
+        )
+    caps = cell.tcp or robot.tcp
+    source = cell.tcp_source or f"{robot.notes['tcp.speed']}, the robot's documented cap"
+    notes.append(f"TCP caps {caps.speed:g} m/s and {caps.acceleration:g} m/s²: {source}")
+    return tuple(notes)

@@ -1,0 +1,318 @@
+"""Cell files: what a good one means, and the full text of every message about a bad one."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from trajopt_cli.cell.loader import load_cell, parse_cell
+from trajopt_cli.cell.model import minimal_cell
+from trajopt_cli.errors import InputError
+from trajopt_cli.limits import JointLimits
+from trajopt_cli.problem.plant import build_plant
+
+REPOSITORY = Path(__file__).parents[2]
+SHARED = REPOSITORY.parent / "shared"
+HOME = math.radians(30.0)
+ARM = "robot: irb140\nstart: {joints: [0, 0, 0, 0, 0.5, 0]}\n"
+RAIL = "robot: irb140_rail\nstart: {joints: [0, 0, 0, 0, 0.5, 0], rail: 0}\nrail: {eax: a, stroke: [-0.2, 2.2]}\n"
+
+
+def message(text: str, plant: bool = False) -> str:
+    read = (lambda: build_plant(parse_cell(text, "cell.yaml"))) if plant else (lambda: parse_cell(text, "cell.yaml"))
+    with pytest.raises(InputError) as caught:
+        read()
+    return str(caught.value)
+
+
+def test_hinge_cell_is_the_case() -> None:
+    case_file = SHARED / "cases" / "hinge_cell.json"
+    if not case_file.exists():
+        pytest.skip("the case file does not stand beside this repository")
+    case = json.loads(case_file.read_text())
+    plant = build_plant(load_cell(REPOSITORY / "programs" / "hinge_cell.yaml"))
+    assert list(plant.limits.names) == case["limits"]["order"]
+    # The case rounds the data sheet's deg/s in the fourth decimal.
+    np.testing.assert_allclose(plant.limits.velocity, case["limits"]["v"], atol=5.1e-5, rtol=0)
+    np.testing.assert_array_equal(plant.limits.acceleration, case["limits"]["a"])
+    assert (plant.tcp.speed, plant.tcp.acceleration) == (case["limits"]["tcp_v"], case["limits"]["tcp_a"])
+    np.testing.assert_array_equal(plant.start, case["home_q"])
+    assert (plant.limits.lower[0], plant.limits.upper[0]) == (-0.2, 2.2)
+
+
+def test_hinge_cell_stands_with_its_base_on_the_rail_and_x_forward() -> None:
+    robot = build_plant(load_cell(REPOSITORY / "programs" / "hinge_cell.yaml")).robot
+    expected = np.eye(4)
+    expected[1, 3] = 1.35
+    np.testing.assert_array_equal(robot.base(1.35), expected)
+
+
+def test_bench_cell_loads() -> None:
+    cell = load_cell(REPOSITORY / "programs" / "bench_irb140.yaml")
+    plant = build_plant(cell)
+    assert plant.rail_eax is None
+    assert cell.scenario.signals == {"di_part_ready": 1.0}
+    assert cell.scenario.waits == {"di_part_ready": pytest.approx(0.2)}
+
+
+def test_minimal_cell_is_about_five_lines_and_valid() -> None:
+    text = minimal_cell("weld.mod", ["irb140", "irb140_rail"])
+    assert len(text.splitlines()) <= 6
+    assert "irb140, irb140_rail" in text
+    plant = build_plant(parse_cell(text, "weld.yaml"))
+    assert plant.start[5] == HOME
+
+
+@pytest.mark.parametrize(
+    ("written", "metres"),
+    [("[-0.2, 2.2]", (-0.2, 2.2)), ('"[-200, 2200] mm"', (-0.2, 2.2)), ("[-20 cm, 2.2]", (-0.2, 2.2))],
+)
+def test_lengths_with_and_without_unit(written: str, metres: tuple[float, float]) -> None:
+    cell = parse_cell(RAIL.replace("[-0.2, 2.2]", written), "cell.yaml")
+    assert cell.rail is not None
+    assert cell.rail.stroke == pytest.approx(metres, abs=1e-15)
+
+
+def test_units_of_limits_and_times() -> None:
+    text = (
+        RAIL + "limits:\n"
+        "  rail: {velocity: 1500 mm/s, acceleration: 2 m/s², source: s}\n"
+        "  joint_1: {lower: -90 deg, upper: 90 °, velocity: 180 deg/s, acceleration: 720 deg/s^2, source: s}\n"
+        "waits: {di_ready: 250 ms}\n"
+    )
+    plant = build_plant(parse_cell(text, "cell.yaml"))
+    limits = plant.limits
+    assert (limits.velocity[0], limits.acceleration[0]) == (1.5, 2.0)
+    assert (limits.lower[1], limits.upper[1]) == (-math.pi / 2, math.pi / 2)
+    assert (limits.velocity[1], limits.acceleration[1]) == (pytest.approx(math.pi), pytest.approx(4 * math.pi))
+    assert limits.sources["joint_1.position"] == limits.sources["joint_1.velocity"] == "s"
+    assert limits.sources["rail.position"] == "rail.stroke of cell.yaml"
+    assert parse_cell(text, "cell.yaml").scenario.waits == {"di_ready": 0.25}
+
+
+def test_frames_follow_urdf_rpy_and_wxyz() -> None:
+    turned = "base: {position: [1, 2, 3], rpy: [90 deg, 0, 90 deg]}\n"
+    # Rz(90) Rx(90): x to y, y to z, z to x.
+    expected = np.array([[0, 0, 1, 1], [1, 0, 0, 2], [0, 1, 0, 3], [0, 0, 0, 1]])
+    np.testing.assert_allclose(parse_cell(ARM + turned, "c").X_WB, expected, atol=1e-15)
+    same = "base: {position: [1, 2, 3], wxyz: [0.5, 0.5, 0.5, 0.5]}\n"
+    np.testing.assert_allclose(parse_cell(ARM + same, "c").X_WB, expected, atol=1e-15)
+
+
+def test_names_of_signals_and_dropped_targets_ignore_case() -> None:
+    cell = parse_cell(ARM + "signals: {DI_Ready: true, di2: 3}\noptional: [p_Home2]\nfree_speed: true\n", "c")
+    assert cell.scenario.signals == {"di_ready": 1.0, "di2": 3.0}
+    assert cell.droppable == {"p_home2"}
+    assert cell.free_speed
+
+
+def test_the_robots_documented_caps_hold_where_the_cell_gives_none() -> None:
+    plant = build_plant(parse_cell(ARM, "cell.yaml"))
+    assert plant.tcp == plant.robot.tcp
+    assert plant.notes[-1].startswith("TCP caps 2.5 m/s and 20 m/s²: ABB's data sheet")
+    assert plant.notes[-1].endswith("the robot's documented cap")
+
+
+def test_estimated_accelerations_are_said_and_measured_ones_are_not() -> None:
+    measured = "limits: {joint_1: {acceleration: 14, source: measured}}\n"
+    note = build_plant(parse_cell(ARM + measured, "cell.yaml")).notes[0]
+    assert note == (
+        "accelerations of joint_2, joint_3, joint_4, joint_5, joint_6 are estimates of grade D (profile default: "
+        "conservative; full speed in about 0.2 s); a measured value belongs in cell.yaml"
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (ARM + "robt: x\n", "cell.yaml:3: robt: unknown key; did you mean 'robot'?"),
+        (
+            RAIL.replace("eax: a", "eax: a, fixt: true"),
+            "cell.yaml:3: rail.fixt: unknown key; did you mean 'fixed'?",
+        ),
+        (
+            RAIL.replace("stroke: [-0.2, 2.2]", "fixed: true"),
+            "cell.yaml:3: rail.stroke: is missing; give the rail's travel in m, 'stroke: [-0.2, 2.2]'",
+        ),
+        (
+            RAIL.replace("stroke: [-0.2, 2.2]", "stroke: [2.2, -0.2]"),
+            "cell.yaml:3: rail: stroke goes from 2.2 to -0.2; the lower end comes first",
+        ),
+        (
+            RAIL.replace("stroke: [-0.2, 2.2]", "stroke: [0, 2 deg]"),
+            "cell.yaml:3: rail.stroke: unit 'deg' of \"2 deg\" is not one of m, cm, mm",
+        ),
+        (
+            RAIL.replace("stroke: [-0.2, 2.2]", "stroke: [0]"),
+            "cell.yaml:3: rail.stroke: needs 2 numbers, not 1",
+        ),
+        (RAIL.replace("eax: a", "eax: g"), "cell.yaml:3: rail.eax: g is not one of 'a', 'b', 'c', 'd', 'e' or 'f'"),
+        (
+            RAIL.replace(", rail: 0", ""),
+            "cell.yaml:2: start.rail: is missing; give the rail's position at the start, in m",
+        ),
+        (
+            RAIL + "base: {position: [0, 0, 0]}\n",
+            "cell.yaml:4: base: a robot on a rail is placed by rail.frame; remove one of the two",
+        ),
+        (
+            ARM + "limits:\n  joint_1: {acceleration: 12.5}\n",
+            "cell.yaml:4: limits.joint_1.source: is missing; an override says where its number comes from",
+        ),
+        (
+            ARM + "limits:\n  joint_1: {acceleration: 12.5, source: ''}\n",
+            "cell.yaml:4: limits.joint_1.source: is empty; say where the number comes from",
+        ),
+        (
+            ARM + "limits:\n  joint_1: {acceleration: .nan, source: s}\n",
+            "cell.yaml:4: limits.joint_1.acceleration: needs a finite number, not nan",
+        ),
+        (
+            ARM + "limits:\n  joint_1: {velocity: -1, source: s}\n",
+            "cell.yaml:4: limits.joint_1.velocity: needs a number above zero, not -1",
+        ),
+        (
+            ARM + "limits:\n  joint_1: {velocity: 3 m/s, source: s}\n",
+            "cell.yaml:4: limits.joint_1.velocity: unit 'm/s' of \"3 m/s\" is not one of rad/s, deg/s, °/s",
+        ),
+        (
+            ARM + "limits:\n  joint_1: {velocity: fast, source: s}\n",
+            'cell.yaml:4: limits.joint_1.velocity: needs a number, not "fast"',
+        ),
+        (
+            ARM + 'limits:\n  joint_1: {velocity: "3", source: s}\n',
+            'cell.yaml:4: limits.joint_1.velocity: "3" lacks a unit: rad/s, deg/s, °/s',
+        ),
+        (
+            ARM + "limits:\n  joint_1: {velocity: true, source: s}\n",
+            "cell.yaml:4: limits.joint_1.velocity: needs a number, not true",
+        ),
+        (
+            ARM + "limits:\n  joint_1: {lower: 1, upper: -1, source: s}\n",
+            "cell.yaml:4: limits.joint_1: lower 1 is not below upper -1",
+        ),
+        (
+            ARM + "limits:\n  joint_1: {source: s}\n",
+            "cell.yaml:4: limits.joint_1: names no limit: lower, upper, velocity or acceleration",
+        ),
+        (
+            RAIL + "limits:\n  rail: {lower: 0, source: s}\n",
+            "cell.yaml:5: limits.rail.lower: the rail's range is rail.stroke; give it there",
+        ),
+        (ARM + "free_speed: 1\n", "cell.yaml:3: free_speed: needs true or false, not 1"),
+        (ARM + "optional: p_a\n", "cell.yaml:3: optional: needs a list, not p_a"),
+        (ARM + "pass_limit: 0\n", "cell.yaml:3: pass_limit: needs a whole number above zero, not 0"),
+        (ARM + "tcp: 2.5\n", "cell.yaml:3: tcp: needs a section of 'key: value' lines, not 2.5"),
+        (ARM + "waits: {di1: -1}\n", "cell.yaml:3: waits.di1: cannot be negative: -1"),
+        (
+            ARM + "base: {wxyz: [1, 1, 0, 0]}\n",
+            "cell.yaml:3: base: wxyz has norm 1.41421; a rotation needs a unit quaternion",
+        ),
+        (
+            ARM + "base: {wxyz: [1, 0, 0, 0], rpy: [0, 0, 0]}\n",
+            "cell.yaml:3: base: has both wxyz and rpy; keep one",
+        ),
+        (
+            ARM.replace("[0, 0, 0, 0, 0.5, 0]", '"[0, x] deg"'),
+            "cell.yaml:2: start.joints: \"[0, x] deg\" holds 'x', not a number; the unit stands once, after the list",
+        ),
+        ("robot: a\nrobot: b\n", 'cell.yaml:2: broken YAML: found duplicate key "robot"'),
+        (
+            "start: [0, 30] deg\n",
+            "cell.yaml:1: broken YAML: expected <block end>, but found '<scalar>'; a list with a unit goes in quotes, "
+            '"[0, 30] deg"',
+        ),
+        ("", "cell.yaml:1: holds no 'key: value' lines; robot and start are needed at least"),
+        ("1: 2\n", "cell.yaml:1: key 1 is not text; put it in quotes"),
+        ("robot: 2020-01-02\n", "cell.yaml:1: robot: 2020-01-02 is not a number, text, list or section"),
+        (
+            "start: {joints: [0]}\n",
+            "cell.yaml:1: robot: is missing; name the robot, for example 'robot: irb140_rail' "
+            "('trajopt robot list' shows all)",
+        ),
+    ],
+)
+def test_messages_of_the_file(text: str, expected: str) -> None:
+    assert message(text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            ARM.replace("irb140", "irb14"),
+            "cell.yaml:1: robot: unknown robot 'irb14': known are irb140, irb140_rail; "
+            "or give the path of a robot's .yaml file",
+        ),
+        (
+            ARM + "profile: optimistc\n",
+            "cell.yaml:3: profile: robot irb140 has no 'optimistc'; did you mean 'optimistic'?",
+        ),
+        (
+            ARM + "limits: {joint_7: {velocity: 3, source: s}}\n",
+            "cell.yaml:3: limits.joint_7: robot irb140 has no such axis; did you mean 'joint_6'?",
+        ),
+        (
+            ARM + "limits: {rail: {velocity: 3, source: s}}\n",
+            "cell.yaml:3: limits.rail: robot irb140 has no such axis; "
+            "known: joint_1, joint_2, joint_3, joint_4, joint_5, joint_6",
+        ),
+        (
+            ARM + "limits: {joint_5: {lower: 3, source: s}}\n",
+            "cell.yaml:3: limits.joint_5: lower 3 is not below upper 2.00713",
+        ),
+        (
+            "robot: irb140_rail\nstart: {joints: [0, 0, 0, 0, 0, 0]}\n",
+            "cell.yaml:1: rail: robot irb140_rail rides a rail: add 'rail: {eax: a, stroke: [0, 2]}', stroke in m",
+        ),
+        (
+            RAIL.replace("irb140_rail", "irb140"),
+            "cell.yaml:3: rail: robot irb140 has no rail: remove the section",
+        ),
+        (
+            ARM.replace("[0, 0, 0, 0, 0.5, 0]", "[0]"),
+            "cell.yaml:2: start.joints: robot irb140 has 6 joints, not 1",
+        ),
+        (
+            ARM.replace("0.5", "120 deg"),
+            "cell.yaml:2: start.joints: joint_5 = 2.0944 lies outside its range -2.00713..2.00713",
+        ),
+        (
+            RAIL.replace("rail: 0", "rail: 3"),
+            "cell.yaml:2: start.rail: rail = 3 lies outside its range -0.2..2.2",
+        ),
+    ],
+)
+def test_messages_of_the_plant(text: str, expected: str) -> None:
+    assert message(text, plant=True) == expected
+
+
+def test_a_limit_nobody_gave_is_named() -> None:
+    cell = parse_cell(RAIL, "cell.yaml")
+    bare = JointLimits(("rail", "joint_1"), *(np.array(v) for v in ([0, 0], [1, 1], [np.inf, 1], [1, 1])))
+    with pytest.raises(InputError) as caught:
+        cell.apply_limits(bare, bare.names)
+    assert str(caught.value) == (
+        "cell.yaml:1: limits.rail: robot irb140_rail gives no velocity; add it with its source"
+    )
+
+
+def test_every_mistake_is_said_in_file_order() -> None:
+    lines = message("robt: a\n" + RAIL + "free_speed: 2\n").splitlines()
+    assert lines == [
+        "cell.yaml:1: robt: unknown key; did you mean 'robot'?",
+        "cell.yaml:5: free_speed: needs true or false, not 2",
+    ]
+
+
+def test_unreadable_files(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r"none\.yaml: cannot read the cell file: No such file or directory"):
+        load_cell(tmp_path / "none.yaml")
+    latin = tmp_path / "latin.yaml"
+    latin.write_bytes(b"robot: \xe9\n")
+    with pytest.raises(InputError, match=r"latin\.yaml: byte 7 is not UTF-8; save the cell file as UTF-8"):
+        load_cell(latin)

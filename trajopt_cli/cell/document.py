@@ -1,0 +1,175 @@
+"""The cell file's shape: every key it may have, its type, its unit and its default."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, StrictBool, StrictStr, model_validator
+
+from trajopt_cli.cell.quantity import (
+    ACCELERATION,
+    ANGLE,
+    LENGTH,
+    RATIO,
+    SPEED,
+    TIME,
+    TURN_ACCELERATION,
+    TURN_RATE,
+    complain,
+    number,
+    numbers,
+)
+
+
+def _positive(value: float) -> float:
+    if value <= 0:
+        raise complain(f"needs a number above zero, not {value:g}")
+    return value
+
+
+def _not_negative(value: float) -> float:
+    if value < 0:
+        raise complain(f"cannot be negative: {value:g}")
+    return value
+
+
+def _signal(value: Any) -> float:
+    return float(value) if isinstance(value, bool) else number(RATIO)(value)
+
+
+def _said(value: str) -> str:
+    if not value.strip():
+        raise complain("is empty; say where the number comes from")
+    return value.strip()
+
+
+Length = Annotated[float, BeforeValidator(number(LENGTH))]
+Angle = Annotated[float, BeforeValidator(number(ANGLE))]
+Seconds = Annotated[float, BeforeValidator(lambda value: _not_negative(number(TIME)(value)))]
+Triple = tuple[float, float, float]
+SourceText = Annotated[StrictStr, BeforeValidator(lambda value: _said(value) if isinstance(value, str) else value)]
+
+
+def _cap(units: dict[str, float]) -> BeforeValidator:
+    return BeforeValidator(lambda value: _positive(number(units)(value)))
+
+
+class _Section(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+class FrameSection(_Section):
+    """A frame in the world: position [m] and one of wxyz (quaternion, scalar first) or rpy (URDF: Rz Ry Rx) [rad]."""
+
+    position: Annotated[Triple, BeforeValidator(numbers(LENGTH, 3))] = (0.0, 0.0, 0.0)
+    wxyz: Annotated[tuple[float, float, float, float], BeforeValidator(numbers(RATIO, 4))] | None = None
+    rpy: Annotated[Triple, BeforeValidator(numbers(ANGLE, 3))] | None = None
+
+    @model_validator(mode="after")
+    def _one_rotation(self) -> FrameSection:
+        if self.wxyz is not None and self.rpy is not None:
+            raise complain("has both wxyz and rpy; keep one")
+        if self.wxyz is not None and abs(sum(part * part for part in self.wxyz) ** 0.5 - 1) > 2e-3:
+            norm = sum(part * part for part in self.wxyz) ** 0.5
+            raise complain(f"wxyz has norm {norm:.6g}; a rotation needs a unit quaternion")
+        return self
+
+
+class RailSection(_Section):
+    """The rail: the external axis that drives it, its travel [m], its zero in the world; fixed keeps its positions."""
+
+    eax: Literal["a", "b", "c", "d", "e", "f"]
+    stroke: Annotated[tuple[float, float], BeforeValidator(numbers(LENGTH, 2))]
+    frame: FrameSection = FrameSection()
+    fixed: StrictBool = False
+
+    @model_validator(mode="after")
+    def _ordered(self) -> RailSection:
+        if not self.stroke[0] < self.stroke[1]:
+            raise complain(f"stroke goes from {self.stroke[0]:g} to {self.stroke[1]:g}; the lower end comes first")
+        return self
+
+
+class LimitSection(_Section):
+    """One axis' own limits, in SI or with a unit; source says where they come from."""
+
+    lower: float | None = None
+    upper: float | None = None
+    velocity: float | None = None
+    acceleration: float | None = None
+    source: SourceText
+
+    @model_validator(mode="after")
+    def _ordered(self) -> LimitSection:
+        if self.lower is not None and self.upper is not None and not self.lower < self.upper:
+            raise complain(f"lower {self.lower:g} is not below upper {self.upper:g}")
+        if self.lower is self.upper is self.velocity is self.acceleration is None:
+            raise complain("names no limit: lower, upper, velocity or acceleration")
+        return self
+
+
+class JointLimitSection(LimitSection):
+    """Limits of a turning axis: rad, rad/s, rad/s2."""
+
+    lower: Angle | None = None
+    upper: Angle | None = None
+    velocity: Annotated[float, _cap(TURN_RATE)] | None = None
+    acceleration: Annotated[float, _cap(TURN_ACCELERATION)] | None = None
+
+
+class RailLimitSection(LimitSection):
+    """Limits of the rail: m/s, m/s2; its range is rail.stroke."""
+
+    lower: Annotated[None, BeforeValidator(lambda _: _elsewhere())] = None
+    upper: Annotated[None, BeforeValidator(lambda _: _elsewhere())] = None
+    velocity: Annotated[float, _cap(SPEED)] | None = None
+    acceleration: Annotated[float, _cap(ACCELERATION)] | None = None
+
+
+def _elsewhere() -> None:
+    raise complain("the rail's range is rail.stroke; give it there")
+
+
+class LimitsSection(BaseModel):
+    """Overrides by axis name; which names exist only the robot knows."""
+
+    model_config = ConfigDict(extra="allow", frozen=True)
+    __pydantic_extra__: dict[str, JointLimitSection]
+    rail: RailLimitSection | None = None
+
+    def by_axis(self) -> dict[str, LimitSection]:
+        """Every override in file order but the rail's first."""
+        rail: dict[str, LimitSection] = {"rail": self.rail} if self.rail else {}
+        return rail | dict(self.__pydantic_extra__)
+
+
+class TcpSection(_Section):
+    """Caps on the tool centre point in the world: m/s, m/s2."""
+
+    speed: Annotated[float, _cap(SPEED)]
+    acceleration: Annotated[float, _cap(ACCELERATION)]
+    source: SourceText
+
+
+class StartSection(_Section):
+    """Where the cycle begins, at rest: arm joints [rad] in order, rail [m]."""
+
+    joints: Annotated[tuple[float, ...], BeforeValidator(numbers(ANGLE))]
+    rail: Length | None = None
+
+
+class CellDocument(_Section):
+    """The whole file."""
+
+    robot: StrictStr
+    profile: StrictStr = "default"
+    rail: RailSection | None = None
+    base: FrameSection | None = None
+    limits: LimitsSection = Field(default_factory=lambda: LimitsSection.model_validate({}))
+    tcp: TcpSection | None = None
+    start: StartSection
+    signals: dict[StrictStr, Annotated[float, BeforeValidator(_signal)]] = Field(default_factory=dict)
+    waits: dict[StrictStr, Seconds] = Field(default_factory=dict)
+    optional: tuple[StrictStr, ...] = ()
+    free_speed: StrictBool = False
+    pass_limit: Annotated[int, Field(strict=True, gt=0)] = 100_000

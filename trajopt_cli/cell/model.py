@@ -1,0 +1,123 @@
+"""A cell as the rest of the program sees it: robot by name, its mounting, limits in force, signals, start."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+
+import numpy as np
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.limits import JointLimits, TcpCaps
+from trajopt_cli.scenario import Scenario
+
+
+def hint(name: str, known: Sequence[str]) -> str:
+    """What to do about an unknown name: the closest known one, else all of them."""
+    close = get_close_matches(name, known, n=1)
+    return f"did you mean '{close[0]}'?" if close else f"known: {', '.join(known)}"
+
+
+@dataclass(frozen=True, eq=False)
+class Rail:
+    """eax: index of the external axis that drives it, 0 for eax_a. X_WR (4, 4): the rail's zero in the world.
+
+    stroke: lowest and highest position [m]. fixed: robtargets keep the rail position their program gives.
+    """
+
+    eax: int
+    stroke: tuple[float, float]
+    X_WR: Array
+    fixed: bool = False
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "X_WR", readonly(self.X_WR))
+
+
+@dataclass(frozen=True)
+class LimitOverride:
+    """One number of the cell file instead of the robot's: kind is lower, upper, velocity or acceleration, in SI."""
+
+    axis: str
+    kind: str
+    value: float
+    source: str
+
+
+@dataclass(frozen=True, eq=False)
+class Cell:
+    """A cell file's content in SI.
+
+    file: as the user gave it. X_WB (4, 4): base in the world of a robot without a rail. tcp: None where the robot's
+    documented caps apply. start_joints [rad], start_rail [m]. droppable: target names in lower case. lines: the line
+    of each key by its dotted path, for messages.
+    """
+
+    file: str
+    robot: str
+    profile: str
+    rail: Rail | None
+    X_WB: Array
+    overrides: tuple[LimitOverride, ...]
+    tcp: TcpCaps | None
+    tcp_source: str | None
+    start_joints: tuple[float, ...]
+    start_rail: float | None
+    scenario: Scenario
+    free_speed: bool
+    droppable: frozenset[str]
+    lines: Mapping[str, int] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "X_WB", readonly(self.X_WB))
+
+    def error(self, key: str, message: str) -> InputError:
+        """The error message about key, placed at its line in the cell file (or at its closest parent's)."""
+        parts = key.split(".")
+        parents = (".".join(parts[:n]) for n in range(len(parts), 0, -1))
+        line = next((self.lines[parent] for parent in parents if parent in self.lines), 1)
+        return InputError(f"{key}: {message}", file=self.file, line=line)
+
+    def apply_limits(self, limits: JointLimits, axis_names: tuple[str, ...]) -> JointLimits:
+        """limits with the cell's overrides and the rail's stroke in force, sources included.
+
+        Raises InputError for an axis the robot has not, for a limit nobody gave, and for an empty range.
+        """
+        values = {kind: np.array(getattr(limits, kind)) for kind in ("lower", "upper", "velocity", "acceleration")}
+        sources = dict(limits.sources)
+        changes = list(self.overrides)
+        if self.rail is not None:
+            place = f"rail.stroke of {self.file}"
+            low, high = self.rail.stroke
+            changes += [LimitOverride("rail", "lower", low, place), LimitOverride("rail", "upper", high, place)]
+        for change in changes:
+            if change.axis not in axis_names:
+                message = f"robot {self.robot} has no such axis; {hint(change.axis, axis_names)}"
+                raise self.error(f"limits.{change.axis}", message)
+            values[change.kind][axis_names.index(change.axis)] = change.value
+            topic = change.kind if change.kind in ("velocity", "acceleration") else "position"
+            sources[f"{change.axis}.{topic}"] = change.source
+        for i, axis in enumerate(axis_names):
+            for kind, column in values.items():
+                if not np.isfinite(column[i]):
+                    raise self.error(f"limits.{axis}", f"robot {self.robot} gives no {kind}; add it with its source")
+            if not values["lower"][i] < values["upper"][i]:
+                low, high = values["lower"][i], values["upper"][i]
+                raise self.error(f"limits.{axis}", f"lower {low:.6g} is not below upper {high:.6g}")
+        return JointLimits(names=limits.names, **values, sources=sources)
+
+
+def minimal_cell(program: str, robots: Sequence[str]) -> str:
+    """The shortest useful cell file for a program, as text to save and adapt. robots: the names to choose from."""
+    rail = "rail: {eax: a, stroke: [-0.2, 2.2]}  # external axis, travel in m; without a rail remove this line"
+    start = 'start: {joints: "[0, 0, 0, 0, 30, 0] deg", rail: 0}  # where the cycle begins, at rest'
+    lines = (
+        f"# the cell of {program}: SI units, or a text with a unit",
+        f"robot: irb140_rail  # one of: {', '.join(robots)}",
+        "profile: default  # acceleration limits: default or optimistic",
+        rail,
+        start,
+    )
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,108 @@
+"""Numbers with units as cell files write them: a plain number is SI, a text carries its unit, `"30 deg"`."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from pydantic_core import PydanticCustomError
+
+from trajopt_cli.units import DEG, MM
+
+LENGTH = {"m": 1.0, "cm": 1e-2, "mm": MM}
+ANGLE = {"rad": 1.0, "deg": DEG, "°": DEG}
+TIME = {"s": 1.0, "ms": 1e-3}
+RATIO = {"": 1.0}
+
+
+def _per(base: Mapping[str, float], *endings: str) -> dict[str, float]:
+    return {unit + ending: factor for unit, factor in base.items() for ending in endings}
+
+
+SPEED = _per(LENGTH, "/s")
+TURN_RATE = _per(ANGLE, "/s")
+ACCELERATION = _per(LENGTH, "/s2", "/s^2", "/s²")
+TURN_ACCELERATION = _per(ANGLE, "/s2", "/s^2", "/s²")
+
+_LIST = re.compile(r"\[(?P<items>[^\[\]]*)\]\s*(?P<unit>.*)")
+_SCALAR = re.compile(r"(?P<number>[-+]?(\d+(\.\d*)?|\.\d+)([eE][-+]?\d+)?)\s*(?P<unit>.*)")
+
+
+def complain(text: str) -> PydanticCustomError:
+    """A validation error whose message is text, word for word."""
+    return PydanticCustomError("cell", "{text}", {"text": text})
+
+
+def _factor(unit: str, units: Mapping[str, float], text: str) -> float:
+    if unit not in units:
+        known = ", ".join(units)
+        raise complain(
+            f"unit '{unit}' of \"{text}\" is not one of {known}" if unit else f'"{text}" lacks a unit: {known}'
+        )
+    return units[unit]
+
+
+def _finite(value: float, given: object) -> float:
+    if not math.isfinite(value):
+        raise complain(f"needs a finite number, not {given}")
+    return value
+
+
+def number(units: Mapping[str, float]) -> Callable[[Any], float]:
+    """A validator: a finite number in SI, or a text with one of units (name to factor), to a float in SI."""
+
+    def validate(value: Any) -> float:
+        if isinstance(value, str):
+            match = _SCALAR.fullmatch(value.strip())
+            if match is None:
+                raise complain(f'needs a number, not "{value}"')
+            return _finite(float(match["number"]) * _factor(match["unit"].strip(), units, value), value)
+        if isinstance(value, bool) or not isinstance(value, (int, float)):
+            raise complain(f"needs a number, not {_name(value)}")
+        return _finite(float(value), value)
+
+    return validate
+
+
+def numbers(units: Mapping[str, float], count: int | None = None) -> Callable[[Any], tuple[float, ...]]:
+    """A validator: a list whose items number(units) takes, or a text `"[..] unit"`; count items where given."""
+    one = number(units)
+
+    def validate(value: Any) -> tuple[float, ...]:
+        items: list[Any]
+        if isinstance(value, str) and (match := _LIST.fullmatch(value.strip())):
+            factor = _factor(match["unit"].strip(), units, value)
+            items = [_bare(item, value) * factor for item in match["items"].split(",")]
+        elif isinstance(value, list):
+            items = value
+        else:
+            raise complain(f"needs a list of {count or 'some'} numbers, not {_name(value)}")
+        if count is not None and len(items) != count:
+            raise complain(f"needs {count} numbers, not {len(items)}")
+        return tuple(one(item) for item in items)
+
+    return validate
+
+
+def _bare(item: str, text: str) -> float:
+    match = _SCALAR.fullmatch(item.strip())
+    if match is None or match["unit"]:
+        raise complain(f"\"{text}\" holds '{item.strip()}', not a number; the unit stands once, after the list")
+    return float(match["number"])
+
+
+def _name(value: object) -> str:
+    match value:
+        case None:
+            return "nothing"
+        case bool():
+            return str(value).lower()
+        case dict():
+            return "a section"
+        case list():
+            return "a list"
+        case str():
+            return f'"{value}"'
+    return str(value)

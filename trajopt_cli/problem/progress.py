@@ -1,0 +1,21 @@
+"""What an engine says while it works."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Progress:
+    """Where a solve stands: its phase, the best cycle time so far and the proven lower bound [s], None until known."""
+
+    phase: str
+    incumbent: float | None = None
+    bound: float | None = None
+
+    @property
+    def gap(self) -> float | None:
+        """(incumbent - bound) / bound, None until both are known."""
+        if self.incumbent is None or self.bound is None:
+            return None
+        return (self.incumbent - self.bound) / self.bound
