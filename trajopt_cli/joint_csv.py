@@ -1,0 +1,180 @@
+"""Joint trajectories as CSV: one row per instant, the unit in every column's head, 17 digits.
+
+`t [s],rail [m],joint_1 [rad],...,joint_6 [rad]`, then, if the file has them, `rail speed [m/s],joint_1 speed [rad/s],...`.
+A file of somebody else may also use mm and deg. Text in, nouns out; where the text lives is the caller's business.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from decimal import Decimal, InvalidOperation
+
+import numpy as np
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.trajectory import Trajectory
+from trajopt_cli.units import DEG, MM
+
+_TIME = "t [s]"
+_SI = {"m": 1.0, "mm": MM, "rad": 1.0, "deg": DEG}
+_POSITION = re.compile(r"(?P<name>\w+) \[(?P<unit>m|mm|rad|deg)\]")
+_SPEED = re.compile(r"(?P<name>\w+) speed \[(?P<unit>m|mm|rad|deg)/s\]")
+_FINEST = -15  # digits beyond the fifteenth decimal are under the rounding of any double near 1
+
+
+@dataclass(frozen=True, eq=False)
+class Resolution:
+    """The step between neighbouring printed values, in SI: a printed value is off by at most half of it.
+
+    t [s], 0 where the rows stand on an exact grid. q, qd (k,): per axis, rad or m; qd is 0 without speed columns.
+    """
+
+    t: float
+    q: Array
+    qd: Array
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "q", readonly(self.q))
+        object.__setattr__(self, "qd", readonly(self.qd))
+
+
+def header(names: Sequence[str], speeds: bool) -> list[str]:
+    """Column heads for axes in order; the rail is in m, every other axis in rad."""
+    units = ["m" if name == "rail" else "rad" for name in names]
+    heads = [_TIME] + [f"{name} [{unit}]" for name, unit in zip(names, units, strict=True)]
+    if speeds:
+        heads += [f"{name} speed [{unit}/s]" for name, unit in zip(names, units, strict=True)]
+    return heads
+
+
+def write_csv_text(trajectory: Trajectory) -> str:
+    """The file's text: header and rows, every number with 17 significant digits, so that reading gives it back."""
+    columns = [trajectory.t[:, None], trajectory.q]
+    if trajectory.qd is not None:
+        columns.append(trajectory.qd)
+    table = np.hstack(columns)
+    row = ",".join(["%.17g"] * table.shape[1])
+    lines = [",".join(header(trajectory.names, trajectory.qd is not None))]
+    lines += [row % tuple(values) for values in table.tolist()]
+    return "\n".join(lines) + "\n"
+
+
+def read_csv_text(text: str, file: str) -> tuple[Trajectory, Resolution]:
+    """The trajectory of a CSV text in SI, and how finely it is printed. file is for messages.
+
+    Raises InputError with file, line and column (in characters) for an unknown or missing head, a row of another
+    length, anything that is not a finite number, times that do not increase, and fewer than two rows.
+    """
+    lines = text.split("\n")
+    while lines and not lines[-1].strip():
+        lines.pop()
+    if not lines:
+        raise InputError("the file is empty; its first line must be the header t [s],<axis> [unit],...", file=file)
+    names, factors, speeds = _read_header(lines[0].rstrip("\r"), file)
+    k, width = len(names), len(factors)
+    fields = [line.rstrip("\r").split(",") for line in lines[1:]]
+    for number, row in enumerate(fields, start=2):
+        if len(row) != width:
+            raise InputError(f"{len(row)} values, the header has {width} columns", file=file, line=number)
+    if len(fields) < 2:
+        raise InputError(f"{len(fields)} rows; a motion needs at least 2", file=file, line=len(lines))
+    table = _numbers(fields, file)
+    t = table[:, 0]
+    late = np.flatnonzero(np.diff(t) <= 0)
+    if late.size:
+        i = int(late[0])
+        message = f"time {t[i + 1]:.17g} s follows {t[i]:.17g} s; times must increase"
+        raise InputError(message, file=file, line=i + 3, column=1)
+    exponents = _exponents(fields, table)
+    steps = [10.0**exponent for exponent in exponents]
+    q, qd = (table[:, part] * factors[part] for part in (slice(1, 1 + k), slice(1 + k, width)))
+    resolution = Resolution(
+        t=0.0 if _on_grid(t, exponents[0]) else steps[0],
+        q=np.array(steps[1 : 1 + k]) * factors[1 : 1 + k],
+        qd=np.array(steps[1 + k :]) * factors[1 + k :] if speeds else np.zeros(k),
+    )
+    return Trajectory(names, t, q, qd if speeds else None), resolution
+
+
+def _read_header(line: str, file: str) -> tuple[tuple[str, ...], Array, bool]:
+    """Axis names, factor to SI per column, and whether speeds follow the positions."""
+    heads = line.split(",")
+    if heads[0] != _TIME:
+        raise InputError(f"the first column is '{heads[0]}', wanted '{_TIME}'", file=file, line=1, column=1)
+    positions: list[re.Match[str]] = []
+    speeds: list[re.Match[str]] = []
+    column = len(heads[0]) + 2
+    for head in heads[1:]:
+        position, speed = _POSITION.fullmatch(head), _SPEED.fullmatch(head)
+        if position and not speeds:
+            positions.append(position)
+        elif speed and len(speeds) < len(positions) and speed["name"] == positions[len(speeds)]["name"]:
+            speeds.append(speed)
+        else:
+            wish = "'<axis> [m|mm|rad|deg]' for every axis, then all or none of '<axis> speed [unit/s]' in that order"
+            raise InputError(f"unknown column '{head}'; wanted {wish}", file=file, line=1, column=column)
+        column += len(head) + 1
+    names = tuple(match["name"] for match in positions)
+    if not names or len(set(names)) < len(names):
+        raise InputError(f"axes are '{', '.join(names)}'; wanted each axis once", file=file, line=1)
+    if speeds and len(speeds) < len(positions):
+        missing = names[len(speeds)]
+        raise InputError(f"the speed of {missing} is missing: give speeds of all axes or of none", file=file, line=1)
+    return names, np.array([1.0, *(_SI[match["unit"]] for match in positions + speeds)]), bool(speeds)
+
+
+def _numbers(fields: list[list[str]], file: str) -> Array:
+    """The table as float64; raises InputError at the first field that is not a finite number."""
+    table = np.empty((0, 0))
+    try:
+        table = np.array(fields, dtype=np.float64)
+        good = bool(np.isfinite(table).all())
+    except ValueError:
+        good = False
+    if good:
+        return table
+    for number, row in enumerate(fields, start=2):
+        for i, field in enumerate(row):
+            try:
+                finite = bool(np.isfinite(float(field)))
+            except ValueError:
+                finite = False
+            if not finite:
+                column = 1 + sum(len(other) + 1 for other in row[:i])
+                raise InputError(f"'{field}' is not a finite number", file=file, line=number, column=column)
+    raise InputError("the table holds a number that cannot be read", file=file)
+
+
+def _exponents(fields: list[list[str]], table: Array) -> list[int]:
+    """Power of ten of the last printed digit per column, the finest found in it.
+
+    A column that never changes may hide its digits (`0.0`): it counts as printed like the finest of the others.
+    """
+    out: list[int] = []
+    for column in range(table.shape[1]):
+        finest = 99
+        for row in fields:
+            finest = min(finest, _exponent(row[column]))
+            if finest <= _FINEST:
+                break
+        out.append(max(finest, _FINEST))
+    moving = np.ptp(table, axis=0) > 0
+    finest = min((e for e, moves in zip(out[1:], moving[1:], strict=True) if moves), default=min(out[1:]))
+    return [e if moves else min(e, finest) for e, moves in zip(out, moving, strict=True)]
+
+
+def _exponent(field: str) -> int:
+    try:
+        exponent = Decimal(field.strip()).as_tuple().exponent
+    except InvalidOperation:
+        return _FINEST  # a spelling float() knows and Decimal does not: nothing can be said against its digits
+    return exponent if isinstance(exponent, int) else _FINEST
+
+
+def _on_grid(t: Array, exponent: int) -> bool:
+    """Whether all steps but the last are the same whole number of printed units: then no time is rounded."""
+    ticks = np.rint(t[:-1] * 10.0**-exponent)
+    return len(t) > 2 and bool(np.ptp(np.diff(ticks)) == 0)
