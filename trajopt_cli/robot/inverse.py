@@ -63,15 +63,15 @@ def inverse_arm(arm: Arm, p_BF: Array, R_BF: Array) -> Array:
     with np.errstate(invalid="ignore", divide="ignore"):
         c1, s1 = np.where(on_axis, 1.0, w[0] / reach), np.where(on_axis, 0.0, w[1] / reach)
         q1 = _half_open(np.arctan2(s1, c1))
-        out[0, :, :, 0] = q1
-        out[1, :, :, 0] = q1 - np.where(q1 > 0, pi, -pi)
-
         # The wrist centre seen from axis 2 in the arm's own plane: ahead and up, both shoulders (2, n).
         ahead, up = np.stack([reach - arm.a1, -reach - arm.a1]), w[2] - arm.d1
         distance2 = ahead * ahead + up * up
         s3 = (arm.L2**2 + arm.L4**2 - distance2) / (2 * arm.L2 * arm.L4)
         s3 = np.where(np.abs(s3) <= 1 + _STRETCH, np.clip(s3, -1.0, 1.0), np.nan)
         c3 = np.sqrt((1 - s3) * (1 + s3))
+        exists = 0 * s3  # NaN where the branch has no solution: its whole row says so
+        out[0, :, :, 0] = q1 + exists[0]
+        out[1, :, :, 0] = q1 - np.where(q1 > 0, pi, -pi) + exists[1]
         q3 = np.arctan2(s3, c3)
         out[:, 0, :, 2] = q3[:, None]
         out[:, 1, :, 2] = np.where(q3 < pi / 2, -pi - q3, q3)[:, None]  # -270 deg is +90 deg
