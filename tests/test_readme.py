@@ -1,0 +1,111 @@
+"""README.md is true: its commands exist, its two install lines are what .ci/run runs, its example cell file loads."""
+
+from __future__ import annotations
+
+import os
+import pkgutil
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from trajopt_cli.cell.document import CellDocument
+from trajopt_cli.cell.loader import parse_cell
+from trajopt_cli.cli import app
+from trajopt_cli.problem.plant import build_plant
+
+REPOSITORY = Path(__file__).parents[1]
+README = (REPOSITORY / "README.md").read_text(encoding="utf-8")
+CI = (REPOSITORY / ".ci" / "run").read_text(encoding="utf-8")
+
+
+def block(name: str) -> str:
+    match = re.search(rf"<!-- command: {name} -->\n```bash\n(.+)\n```\n", README)
+    assert match, f"README.md has no one-line block for {name}"
+    return match[1]
+
+
+@pytest.mark.parametrize(
+    ("name", "parts"),
+    [
+        ("run", ["pip install .", "trajopt optimize programs/hinge_cell.mod"]),
+        ("test", ["pip install -e '.[test]'", "pytest"]),
+    ],
+)
+def test_one_command_makes_its_environment_installs_and_runs(name: str, parts: list[str]) -> None:
+    environment, *steps = block(name).split(" && ")
+    assert environment == "python3.11 -m venv .venv"
+    assert steps == [f".venv/bin/{part}" for part in parts]
+
+
+def test_ci_runs_the_readme_commands_word_for_word(tmp_path: Path) -> None:
+    """.ci/run itself, with stand-ins on the PATH that write down what they are called with."""
+    log = tmp_path / "log"
+    fake = tmp_path / "bin"
+    fake.mkdir()
+    # The stand-in for python3.11 makes a "virtual environment" whose programs log their name and arguments.
+    (fake / "python3.11").write_text(
+        "#!/bin/bash\n"
+        f'echo "python3.11 $*" >> {log}\n'
+        'mkdir -p "$3/bin"\n'
+        "for name in pip trajopt pytest ruff mypy; do\n"
+        f'  printf \'#!/bin/bash\\necho "$0 $*" >> {log}\\n\' > "$3/bin/$name"\n'
+        '  chmod +x "$3/bin/$name"\n'
+        "done\n"
+    )
+    (fake / "python3.11").chmod(0o755)
+    env = {**os.environ, "PATH": f"{fake}:{os.environ['PATH']}", "TMPDIR": str(tmp_path)}
+    subprocess.run([REPOSITORY / ".ci" / "run"], env=env, check=True, capture_output=True)
+    called = [line.rstrip() for line in log.read_text().splitlines()]
+    venv = called[0].split()[-1]
+    assert venv.startswith(str(tmp_path))
+    assert not Path(venv).exists(), ".ci/run leaves its environment behind"
+    wanted = []
+    for name in ("run", "test"):
+        wanted += [step.replace("'", "").replace(".venv", venv) for step in block(name).split(" && ")]
+    assert called == [*wanted, f"{venv}/bin/ruff check .", f"{venv}/bin/ruff format --check .", f"{venv}/bin/mypy"]
+
+
+def test_ci_stops_at_the_first_failure() -> None:
+    assert "set -euo pipefail" in CI
+    assert os.access(REPOSITORY / ".ci" / "run", os.X_OK)
+
+
+def usage_lines() -> list[str]:
+    match = re.search(r"```text\n(trajopt .+?)```", README, re.DOTALL)
+    assert match
+    return match[1].splitlines()
+
+
+@pytest.mark.parametrize("line", usage_lines())
+def test_every_command_and_option_of_the_readme_exists(line: str) -> None:
+    words = re.findall(r"[\w.-]+|--\w+", line)
+    command = [w for w in words[1:3] if re.fullmatch(r"[a-z]+", w)]
+    shown = CliRunner().invoke(app, [*command, "--help"])
+    assert shown.exit_code == 0, shown.output
+    for option in re.findall(r"--[a-z]+", line):
+        assert option in shown.output, f"{' '.join(command)} has no {option}"
+
+
+def test_the_example_cell_file_loads() -> None:
+    match = re.search(r"```yaml\n(.+?)```", README, re.DOTALL)
+    assert match
+    assert build_plant(parse_cell(match[1], "readme.yaml")).rail_eax == 0
+
+
+def test_the_table_of_keys_is_the_documents() -> None:
+    keys = re.findall(r"^\| `(\w+)` \|", README, re.MULTILINE)
+    assert keys == list(CellDocument.model_fields)
+
+
+def test_the_functions_named_for_python_exist() -> None:
+    section = README.split("## From Python")[1]
+    for name in re.findall(r"`(trajopt_cli\.[\w.]+)`", section):
+        assert pkgutil.resolve_name(name) is not None
+
+
+def test_links_point_at_files() -> None:
+    for target in re.findall(r"\]\(([^)#]+)\)", README):
+        assert target.startswith("http") or (REPOSITORY / target).exists(), target

@@ -1,0 +1,1 @@
+"""The plans a saving is measured against, and the optimum: each is a freedom on a target."""

@@ -1,0 +1,65 @@
+"""The commands: each parses its options, makes one library call and renders the answer. typer and rich live here.
+
+Exit codes: 0 done, 1 the answer is no (infeasible, illegal), 2 the request is wrong, 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import sys
+from typing import Annotated
+
+import typer
+
+from trajopt_cli import __version__
+from trajopt_cli.cli import compare, export, optimize, parse, robot, verify
+from trajopt_cli.errors import InputError
+
+app = typer.Typer(
+    name="trajopt",
+    help="The fastest legal motion for the robot program a cell already runs.",
+    rich_markup_mode=None,  # plain help: rich would double the time to the first line
+    pretty_exceptions_enable=False,
+    add_completion=False,
+)
+app.command("optimize", short_help="PROGRAM in, faster judged motion out.")(optimize.optimize)
+app.add_typer(compare.app, name="compare")
+app.add_typer(export.app, name="export")
+app.command("verify", short_help="Judge results or anybody's joint CSV.")(verify.verify)
+app.command("parse", short_help="PROGRAM's flat motions with file:line.")(parse.parse)
+app.add_typer(robot.app, name="robot")
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"trajopt {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _root(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version and stop.")
+    ] = False,
+) -> None:
+    """The fastest legal motion for the robot program a cell already runs."""
+
+
+def run(arguments: list[str]) -> int:
+    """Run one command line and give its exit code; every expected mistake is a line on stderr, never a traceback."""
+    try:
+        code = app(arguments or ["--help"], prog_name="trajopt", standalone_mode=False)
+    except InputError as error:
+        typer.echo(str(error).rstrip("\n"), err=True)
+        return 2
+    except typer.TyperException as error:
+        message = " ".join(error.format_message().replace("Value error, ", "").split()).rstrip(".")
+        typer.echo(f"trajopt: {message}; see 'trajopt --help'", err=True)
+        return 2
+    if code == 130:
+        typer.echo("interrupted: nothing half-written, earlier results stand", err=True)
+    return int(code or 0)
+
+
+def main() -> None:
+    """The entry point of the console script."""
+    sys.exit(run(sys.argv[1:]))

@@ -1,0 +1,47 @@
+"""Where answers go: stdout for them, stderr for progress and for a no."""
+
+from __future__ import annotations
+
+from typing import NoReturn
+
+import typer
+from rich.console import Console
+
+from trajopt_cli.pipeline import Illegal
+from trajopt_cli.problem.plan import Infeasible
+
+_PIPED_WIDTH = 180  # columns when nobody tells; tables of paths and numbers must not wrap in a log
+
+
+def _console(stderr: bool) -> Console:
+    console = Console(stderr=stderr, highlight=False, markup=False, emoji=False, soft_wrap=False)
+    if not console.is_terminal:
+        console.width = _PIPED_WIDTH
+    return console
+
+
+def stdout() -> Console:
+    """The console for answers."""
+    return _console(stderr=False)
+
+
+def stderr() -> Console:
+    """The console for progress and errors."""
+    return _console(stderr=True)
+
+
+def answer_no(answer: Infeasible | Illegal) -> NoReturn:
+    """Say on stderr why there is no result, and stop with exit code 1."""
+    match answer:
+        case Infeasible(source=source, message=message):
+            typer.echo(message if message.startswith(str(source)) else f"{source}: {message}", err=True)
+        case Illegal(label=label, finding=finding):
+            place = f"{finding.source}: " if finding.source else ""
+            when = "" if finding.time is None else f" at {finding.time:.4f} s"
+            typer.echo(
+                f"{place}NOTHING WRITTEN: the judge forbids the {label} plan: {finding.check} of {finding.subject} is "
+                f"{finding.value:.6g} {finding.unit}, limit {finding.limit:.6g} {finding.unit}{when}. "
+                "This is an error in trajopt; please report it with program and cell file.",
+                err=True,
+            )
+    raise typer.Exit(1)

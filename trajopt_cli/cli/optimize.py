@@ -1,0 +1,51 @@
+"""`trajopt optimize PROGRAM`: the main job."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+import typer
+
+from trajopt_cli.cli.options import CellPath, ProgramPath
+
+
+def optimize(
+    program: ProgramPath,
+    cell: CellPath = None,
+    target: Annotated[
+        Literal["stream", "rapid"],
+        typer.Option(help="Whose plan trajectory.csv carries: a joint stream's or the RAPID controller's."),
+    ] = "stream",
+    output: Annotated[
+        Path | None, typer.Option(metavar="FOLDER", help="Results folder; default: results/PROGRAM.")
+    ] = None,
+) -> None:
+    """Find the fastest legal motion for PROGRAM, have it judged, and write it as joint CSV and as RAPID.
+
+    Both targets are solved in every run. Exit code 1: the program cannot be done, and why.
+    """
+    from trajopt_cli.cli.console import answer_no, stdout
+    from trajopt_cli.cli.progress import ProgressView
+    from trajopt_cli.cli.tables import cycle_line, motions_table
+    from trajopt_cli.pipeline import Optimised, optimise, read_job
+    from trajopt_cli.problem.plan import Target
+
+    job = read_job(program, cell)
+    folder = output or Path("results") / program.stem
+    with ProgressView() as view:
+        answer = optimise(job, Target(target), folder, view.show)
+    if not isinstance(answer, Optimised):
+        answer_no(answer)
+    console = stdout()
+    console.print(motions_table(answer))
+    for one in Target:
+        console.print(cycle_line(one.value, answer.judged[one].plan))
+    for warning in answer.warnings:
+        console.print(f"warning: {warning}")
+    for note in answer.notes:
+        console.print(f"note: {note}")
+    console.print(
+        f"written to {answer.folder}: trajectory.csv (the {target} plan), stream.csv, rapid.csv, "
+        f"{', '.join(answer.rapid_files)} (always the rapid plan), summary.json, run.json"
+    )

@@ -1,0 +1,209 @@
+"""The tables a person reads, and the records behind them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import asdict
+from typing import Any
+
+from rich import box
+from rich.table import Table
+
+from trajopt_cli.limits import JointLimits
+from trajopt_cli.pipeline import Optimised, Row
+from trajopt_cli.problem.plan import Infeasible, Plan, Target
+from trajopt_cli.problem.report import Finding, Report
+from trajopt_cli.results import Judged, motion_label
+from trajopt_cli.robot.model import RobotModel
+from trajopt_cli.units import DEG, MM
+
+
+def _table(title: str, *columns: str) -> Table:
+    """A plain table; a column whose name begins with '>' is set flush right."""
+    table = Table(title=title, title_justify="left", box=box.SIMPLE_HEAD, pad_edge=False)
+    for column in columns:
+        table.add_column(column.lstrip(">"), justify="right" if column.startswith(">") else "left")
+    return table
+
+
+def cycle_line(label: str, plan: Plan) -> str:
+    """A duration with its bound, gap and grid."""
+    bound = f"lower bound {plan.lower_bound:.3f} s, gap {100 * plan.gap:.1f} %"
+    return f"{label}: T = {plan.duration:.3f} s ({bound}), grid {plan.grid}"
+
+
+def motions_table(answer: Optimised) -> Table:
+    """Every motion with its time on both targets; binding limits are those of the target in trajectory.csv."""
+    program, chosen = answer.job.program, answer.target
+    table = _table(
+        f"{answer.job.program_path} on {answer.job.plant.robot.name}",
+        *("place", "instruction", "target", ">stream [s]", ">rapid [s]", f"what limits the {chosen.value} plan"),
+    )
+    plans = {one: answer.judged[one].plan for one in Target}
+    for i, motion in enumerate(plans[chosen].motions):
+        instruction, name = motion_label(program, motion.index)
+        times = []
+        for one in (Target.STREAM, Target.RAPID):
+            planned = plans[one].motions[i]
+            times.append("dropped" if planned.dropped else f"{planned.t_1 - planned.t_0:.3f}")
+        table.add_row(f"{motion.source.file}:{motion.source.line}", instruction, name, *times, motion.binding)
+    table.add_section()
+    totals = [f"{plans[one].duration:.3f}" for one in (Target.STREAM, Target.RAPID)]
+    table.add_row("cycle", "", "", *totals, "")
+    return table
+
+
+def findings_table(name: str, report: Report) -> Table:
+    """The judge's legality checks, each with its worst case."""
+    return _findings(f"{name}: legality", report.findings)
+
+
+def advice_table(name: str, report: Report) -> Table:
+    """What else the judge noticed; it decides nothing."""
+    return _findings(f"{name}: advice, decides nothing", report.advice)
+
+
+def _findings(title: str, findings: tuple[Finding, ...]) -> Table:
+    table = _table(title, "check", "of", ">worst value", ">limit", ">margin", "unit", ">time [s]", "place", "")
+    for one in findings:
+        table.add_row(
+            one.check,
+            one.subject,
+            f"{one.value:.6g}",
+            f"{one.limit:.6g}",
+            f"{one.margin:.3g}",
+            one.unit,
+            "" if one.time is None else f"{one.time:.4f}",
+            str(one.source or ""),
+            "ok" if one.passed else f"NO {one.message}".rstrip(),
+        )
+    return table
+
+
+def verdict(name: str, report: Report) -> str:
+    """One line: legal or not, and by how many findings."""
+    bad = sum(not finding.passed for finding in report.findings)
+    return f"{name}: legal ({len(report.findings)} checks)" if not bad else f"{name}: ILLEGAL ({bad} checks failed)"
+
+
+def worst_ratio(report: Report) -> float:
+    """The largest value / limit over checks with a positive limit; above 1 something is over."""
+    ratios = [one.value / one.limit for one in report.findings if one.limit > 0 and math.isfinite(one.value)]
+    return max(ratios, default=math.nan)
+
+
+def baseline_records(rows: list[Row]) -> list[dict[str, Any]]:
+    """The comparison as plain data; saving is the share of the first legal row's cycle time."""
+    records: list[dict[str, Any]] = []
+    reference: float | None = None
+    for row in rows:
+        record: dict[str, Any] = {"name": row.name, "target": row.baseline.target.value, "title": row.baseline.title}
+        match row.answer:
+            case Judged(plan=plan, report=report):
+                if reference is None and report.legal:
+                    reference = plan.duration
+                record |= {
+                    "cycle_time_s": plan.duration,
+                    "saving": None if reference is None else 1.0 - plan.duration / reference,
+                    "legal": report.legal,
+                    "worst_ratio": worst_ratio(report),
+                    "lower_bound_s": plan.lower_bound if row.baseline.optimum else None,
+                }
+            case Infeasible(source=source, message=message):
+                record |= {
+                    "legal": False,
+                    "why": message if message.startswith(str(source)) else f"{source}: {message}",
+                }
+            case str(why):
+                record |= {"legal": False, "why": why}
+        records.append(record)
+    return records
+
+
+def baseline_table(program: str, rows: list[Row], records: list[dict[str, Any]]) -> Table:
+    """The comparison for people."""
+    table = _table(
+        f"{program}: savings count against the first legal row",
+        *("plan", "target", ">T [s]", ">saving", "legal", ">worst value/limit", ">lower bound [s]", "what it is"),
+    )
+    for row, record in zip(rows, records, strict=True):
+        if "why" in record:
+            table.add_row(row.name, record["target"], "-", "", "no", "", "", record["why"])
+            continue
+        bound, saving = record["lower_bound_s"], record["saving"]
+        table.add_row(
+            row.name,
+            record["target"],
+            f"{record['cycle_time_s']:.3f}",
+            "" if saving is None else f"{100 * saving:.1f} %",
+            "yes" if record["legal"] else "NO",
+            f"{record['worst_ratio']:.4f}",
+            "" if bound is None else f"{bound:.3f}",
+            record["title"],
+        )
+    return table
+
+
+def robot_tables(robot: RobotModel) -> Iterator[Table | str]:
+    """Everything trajopt knows of a robot: dimensions, ranges, speeds, every profile's accelerations, and sources."""
+    notes = _Footnotes()
+    yield f"{robot.name}: {robot.title}\n"
+    lengths = _table("dimensions", "length", ">mm", "source")
+    for name, value in asdict(robot.arm).items():
+        lengths.add_row(name, f"{value / MM:.6g}", notes.mark(robot.notes["geometry"]))
+    yield lengths
+    yield _ranges(robot.profile("default"), notes)
+    yield _accelerations(robot.profiles, notes)
+    caps = _table("tool centre point", "cap", ">value", "unit", "source")
+    caps.add_row("speed", f"{robot.tcp.speed:g}", "m/s", notes.mark(robot.notes["tcp.speed"]))
+    caps.add_row("acceleration", f"{robot.tcp.acceleration:g}", "m/s²", notes.mark(robot.notes["tcp.acceleration"]))
+    yield caps
+    for name in robot.profiles:
+        yield f"profile {name}: {robot.notes[f'profiles.{name}']}"
+    yield from notes.lines()
+
+
+class _Footnotes:
+    """Sources by number, each once."""
+
+    def __init__(self) -> None:
+        self._numbers: dict[str, int] = {}
+
+    def mark(self, source: str) -> str:
+        """The number of a source, with its grade: "A [2]"."""
+        number = self._numbers.setdefault(source, len(self._numbers) + 1)
+        grade = source[-2] if source.endswith(")") and "(grade " in source else "?"
+        return f"{grade} [{number}]"
+
+    def lines(self) -> Iterator[str]:
+        """A line per source."""
+        yield "\ngrades: A several sources agree, B one good source, C a weak one or inferred, D an estimate"
+        for source, number in self._numbers.items():
+            yield f"[{number}] {source}"
+
+
+def _unit(axis: str) -> tuple[float, str]:
+    """How many SI units one shown unit has, and its name."""
+    return (MM, "mm") if axis == "rail" else (DEG, "deg")
+
+
+def _ranges(limits: JointLimits, notes: _Footnotes) -> Table:
+    table = _table("ranges and speeds", "axis", ">from", ">to", "unit", "source", ">speed", "unit", "source")
+    for i, axis in enumerate(limits.names):
+        factor, unit = _unit(axis)
+        low, high, speed = (f"{values[i] / factor:.6g}" for values in (limits.lower, limits.upper, limits.velocity))
+        marks = [notes.mark(limits.sources[f"{axis}.{kind}"]) for kind in ("position", "velocity")]
+        table.add_row(axis, low, high, unit, marks[0], speed, f"{unit}/s", marks[1])
+    return table
+
+
+def _accelerations(profiles: Mapping[str, JointLimits], notes: _Footnotes) -> Table:
+    columns = [column for name in profiles for column in (f">{name}", "source")]
+    table = _table("accelerations by profile", "axis", "unit", *columns)
+    for i, axis in enumerate(next(iter(profiles.values())).names):
+        cells = []
+        for limits in profiles.values():
+            cells += [f"{limits.acceleration[i]:g}", notes.mark(limits.sources[f"{axis}.acceleration"])]
+        table.add_row(axis, "m/s²" if axis == "rail" else "rad/s²", *cells)
+    return table

@@ -1,0 +1,159 @@
+"""Files and folders that appear whole or not at all. No project imports but errors."""
+
+from __future__ import annotations
+
+import ctypes
+import fcntl
+import glob
+import os
+import secrets
+import shutil
+import sys
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+from trajopt_cli.errors import InputError
+
+_AT_FDCWD, _RENAME_EXCHANGE = -100, 2  # linux/fcntl.h, linux/fs.h
+
+
+def write_file(path: Path, content: bytes) -> None:
+    """Write a file so that path holds its old content or all of the new one, whenever the process is killed.
+
+    Missing parent folders are made. Raises InputError where the place cannot be written.
+    """
+    path = Path(os.path.realpath(path))
+    part = path.with_name(f"{_prefix(path)}{secrets.token_hex(4)}")
+    with _said(path):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        try:
+            _write(part, content)
+            os.replace(part, path)
+            _sync(path.parent)
+        finally:
+            part.unlink(missing_ok=True)
+
+
+def write_folder(path: Path, files: Mapping[str, bytes]) -> None:
+    """Make path a folder that holds exactly files (relative name to content), or leave it as it was.
+
+    A folder already there is replaced, whatever it holds: ask before. The new folder is written beside it, brought to
+    the disk, and takes its name in one step of the file system (an exchange of two names on Linux). Where the file
+    system cannot exchange, two renames do it; a kill between them leaves the old folder under a name that the next
+    call, or recover(), gives back. Raises InputError where the place cannot be written.
+    """
+    path = Path(os.path.realpath(path))
+    recover(path)
+    with _said(path):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        fresh = path.with_name(f"{_prefix(path)}{secrets.token_hex(4)}")
+        fresh.mkdir()
+        lock = os.open(fresh, os.O_RDONLY)
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            _fill(fresh, files)
+            _swap(fresh, path)
+            _sync(path.parent)
+        finally:
+            os.close(lock)
+            shutil.rmtree(fresh, ignore_errors=True)  # the old folder after the swap; the half-made one before it
+
+
+def recover(path: Path) -> None:
+    """Tidy up after calls of write_folder(path) that were killed; calls still running are left alone.
+
+    Half-made folders beside path are removed. A folder set aside by an interrupted pair of renames goes back to path,
+    or is removed where path exists. Only names that write_folder makes, in path's own folder, are looked at.
+    Raises InputError where the place cannot be written.
+    """
+    path = Path(os.path.realpath(path))
+    mark = glob.escape(_prefix(path))
+    with _said(path):
+        for aside in sorted(path.parent.glob(f"{mark}????????.old")):
+            partner = aside.with_suffix("")
+            if partner.exists() and _locked(partner):
+                continue
+            if path.exists():
+                shutil.rmtree(aside)
+            else:
+                os.rename(aside, path)
+        for leftover in path.parent.glob(f"{mark}????????"):
+            if leftover.is_dir() and not leftover.is_symlink() and not _locked(leftover):
+                shutil.rmtree(leftover)
+
+
+@contextmanager
+def _said(path: Path) -> Iterator[None]:
+    """What the system refuses inside is told in one line about path."""
+    try:
+        yield
+    except OSError as error:
+        raise InputError(f"cannot write: {error.strerror}: {error.filename}", file=str(path)) from error
+
+
+def _prefix(path: Path) -> str:
+    return f".{path.name}.trajopt-"
+
+
+def _locked(folder: Path) -> bool:
+    """Whether a living process holds the folder; the lock goes with its process, so a killed one's folder is free."""
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return True
+    finally:
+        os.close(handle)
+    return False
+
+
+def _fill(folder: Path, files: Mapping[str, bytes]) -> None:
+    for name, content in files.items():
+        place = folder / name
+        place.parent.mkdir(parents=True, exist_ok=True)
+        _write(place, content)
+    for inner in (*folder.rglob("*"), folder):
+        if inner.is_dir():
+            _sync(inner)
+
+
+def _write(path: Path, content: bytes) -> None:
+    with open(path, "xb") as file:
+        file.write(content)
+        file.flush()
+        os.fsync(file.fileno())
+
+
+def _sync(folder: Path) -> None:
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def _swap(fresh: Path, path: Path) -> None:
+    """Give fresh the name path; what was there stands under fresh's name afterwards, or is gone."""
+    if not path.exists():
+        os.rename(fresh, path)
+    elif not _exchange(fresh, path):
+        aside = fresh.with_name(fresh.name + ".old")
+        os.rename(path, aside)
+        try:
+            os.rename(fresh, path)
+        except OSError:
+            os.rename(aside, path)
+            raise
+        shutil.rmtree(aside)
+
+
+def _exchange(one: Path, other: Path) -> bool:
+    """Swap two names in one step (renameat2 of Linux 3.15 and glibc 2.28). False where that cannot be done here."""
+    if sys.platform != "linux":
+        return False
+    libc = ctypes.CDLL(None, use_errno=True)
+    with suppress(AttributeError):
+        names = os.fsencode(one), os.fsencode(other)
+        return bool(libc.renameat2(_AT_FDCWD, names[0], _AT_FDCWD, names[1], _RENAME_EXCHANGE) == 0)
+    return False

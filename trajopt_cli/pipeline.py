@@ -1,0 +1,326 @@
+"""From a program and its cell to answers and files: composes the engines, no mathematics of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from pathlib import Path
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.files import write_folder
+from trajopt_cli.motion import Program
+from trajopt_cli.problem.freedom import EVERYTHING, Freedom
+from trajopt_cli.problem.plan import Infeasible, Target
+from trajopt_cli.problem.progress import Progress
+from trajopt_cli.results import (
+    CHOSEN,
+    CSV,
+    RUN,
+    SUMMARY,
+    InputFile,
+    Judged,
+    check_replaceable,
+    read_results,
+    run_record,
+    summary,
+    zones_as_stops,
+)
+
+if TYPE_CHECKING:
+    from trajopt_cli.baseline.table import Baseline
+    from trajopt_cli.cell.model import Cell
+    from trajopt_cli.problem.plant import Plant
+    from trajopt_cli.problem.report import Finding, Report
+    from trajopt_cli.scenario import Scenario
+    from trajopt_cli.trajectory import Trajectory
+
+# What is being solved ("stream", "rapid", a baseline's name) and how far it is.
+Listener = Callable[[str, Progress], None]
+
+
+@dataclass(frozen=True, eq=False)
+class Job:
+    """A program on its cell, read and checked, and where both came from."""
+
+    program: Program
+    cell: Cell
+    plant: Plant
+    program_path: Path
+    cell_path: Path
+
+
+@dataclass(frozen=True)
+class Illegal:
+    """The judge forbids a plan: an error in trajopt itself, never a result. label: what was being solved."""
+
+    label: str
+    finding: Finding
+
+
+@dataclass(frozen=True, eq=False)
+class Optimised:
+    """The answer of optimize: both targets' judged plans, what the user should know, and where the files are."""
+
+    job: Job
+    target: Target
+    judged: Mapping[Target, Judged]
+    warnings: tuple[str, ...]
+    notes: tuple[str, ...]
+    folder: Path
+    rapid_files: tuple[str, ...]
+    seconds: Mapping[str, float]
+
+
+@dataclass(frozen=True, eq=False)
+class Row:
+    """One line of a comparison: a judged plan, or why there is none."""
+
+    name: str
+    baseline: Baseline
+    answer: Judged | Infeasible | str
+
+
+@dataclass
+class _Clock:
+    """Seconds per phase, added up by name."""
+
+    seconds: dict[str, float] = field(default_factory=dict)
+
+    @contextmanager
+    def phase(self, name: str) -> Iterator[None]:
+        start = perf_counter()
+        try:
+            yield
+        finally:
+            self.seconds[name] = self.seconds.get(name, 0.0) + perf_counter() - start
+
+
+def cell_path_for(program: Path) -> Path:
+    """Where a program's cell file stands unless the user says otherwise: beside it, same name, .yaml."""
+    return program.with_suffix(".yaml") if program.suffix else program / f"{program.name}.yaml"
+
+
+def read_job(program: Path, cell: Path | None = None) -> Job:
+    """Read a program and its cell file. Raises InputError; without a cell file it prints the shortest useful one."""
+    from trajopt_cli.cell.loader import load_cell
+    from trajopt_cli.cell.model import minimal_cell
+    from trajopt_cli.problem.plant import build_plant
+    from trajopt_cli.robot.model import robot_names
+
+    path = cell or cell_path_for(program)
+    if not program.exists():
+        raise InputError("no such program", file=str(program))
+    if cell is None and not path.exists():
+        text = minimal_cell(program.name, robot_names())
+        raise InputError(f"{program} has no cell file; save these lines there and adapt them:\n{text}", file=str(path))
+    loaded = load_cell(path)
+    return Job(
+        program=read_flat(program, loaded.scenario),
+        cell=loaded,
+        plant=build_plant(loaded),
+        program_path=program,
+        cell_path=path,
+    )
+
+
+def read_flat(program: Path, scenario: Scenario) -> Program:
+    """The program's flat motions. Raises InputError, also where the program never moves."""
+    from trajopt_cli.rapid.reader import read_program
+
+    return read_program(program, scenario)
+
+
+def scenario_for(program: Path, cell: Path | None) -> Scenario:
+    """The scenario of the program's cell file; an empty one where there is no file and none was asked for."""
+    from trajopt_cli.cell.loader import load_cell
+    from trajopt_cli.scenario import Scenario
+
+    path = cell or cell_path_for(program)
+    return load_cell(path).scenario if cell or path.exists() else Scenario()
+
+
+def optimise(job: Job, target: Target, folder: Path, listen: Listener) -> Optimised | Infeasible | Illegal:
+    """Solve both targets, judge both, and write the results folder; nothing is written unless both are legal.
+
+    target: which plan trajectory.csv carries. Raises InputError where folder may not be replaced.
+    """
+    check_replaceable(folder)
+    clock, started = _Clock(), datetime.now(UTC)
+    with clock.phase("read"):
+        inputs = _inputs(job)
+    judged: dict[Target, Judged] = {}
+    for one in Target:
+        answer = solve(job, one, EVERYTHING, one.value, listen, clock)
+        if isinstance(answer, Infeasible):
+            return answer
+        if not answer.report.legal:
+            return Illegal(one.value, _worst(answer.report))
+        judged[one] = answer
+    from trajopt_cli.export.rapid import export_rapid
+
+    with clock.phase("write"):
+        export = export_rapid(job.program, judged[Target.RAPID].plan, job.plant)
+        notices = (*job.program.warnings, *plan_warnings(job))
+        files = {
+            SUMMARY: summary(job.program, target, judged, notices),
+            CHOSEN: judged[target].csv.encode("ascii"),
+            **{CSV[one]: judged[one].csv.encode("ascii") for one in Target},
+        }
+        for given in inputs.values():
+            files[given.copy] = given.content
+            if given.rapid is not None:
+                files[given.rapid] = export.texts[given.path].encode(job.program.files[given.path].encoding)
+        timing = {
+            "started": started.isoformat(),
+            "finished": datetime.now(UTC).isoformat(),
+            "seconds": {name: round(value, 3) for name, value in clock.seconds.items()},
+        }
+        options = {"program": str(job.program_path), "cell": str(job.cell_path), "target": target.value}
+        starts = {"program": inputs[_entry(job)], "cell": inputs[str(job.cell_path)]}
+        files[RUN] = run_record(options, starts, inputs.values(), files, timing)
+        check_replaceable(folder)
+        write_folder(folder, files)
+    modules = tuple(given.rapid for given in inputs.values() if given.rapid is not None)
+    return Optimised(job, target, judged, notices, tuple(export.notes), folder, modules, clock.seconds)
+
+
+def solve(
+    job: Job, target: Target, freedom: Freedom, label: str, listen: Listener, clock: _Clock | None = None
+) -> Judged | Infeasible:
+    """Plan one target, write its trajectory as CSV text, and let the judge read that text."""
+    from trajopt_cli.joint_csv import write_csv_text
+    from trajopt_cli.optimize import check_feasible, optimize
+
+    clock = clock or _Clock()
+    listen(label, Progress("feasibility"))
+    with clock.phase("feasibility"):
+        no = check_feasible(job.program, job.plant)
+    if no is not None:
+        return no
+    with clock.phase(f"{label}: solve"):
+        plan = optimize(job.program, job.plant, target, freedom, lambda progress: listen(label, progress))
+    if isinstance(plan, Infeasible):
+        return plan
+    for phase, spent in plan.seconds.items():
+        clock.seconds[f"{label}: {phase}"] = spent
+    listen(label, Progress("judge", plan.duration, plan.lower_bound))
+    with clock.phase(f"{label}: judge"):
+        text = write_csv_text(plan.trajectory)
+        dropped = tuple(motion.index for motion in plan.motions if motion.dropped)
+        report = _judge(job, text, CSV[target], dropped, target)
+    return Judged(plan, text, report)
+
+
+def compare(job: Job, listen: Listener) -> list[Row]:
+    """Every baseline on this job, judged, in the table's order."""
+    from trajopt_cli.baseline.table import BASELINES
+
+    rows = []
+    for name, baseline in BASELINES.items():
+        if baseline.needs_programmed_rail and not _programs_rail(job):
+            rows.append(Row(name, baseline, "n/a: the program gives the rail no position"))
+            continue
+        rows.append(Row(name, baseline, solve(job, baseline.target, baseline.freedom, name, listen)))
+    return rows
+
+
+def verify_results(folder: Path) -> tuple[Job, dict[str, Report]]:
+    """Judge the CSV files of a results folder against the program and cell inside it; reports by file name."""
+    results = read_results(folder)
+    job = read_job(results.program, results.cell)
+    texts = {CSV[target]: (target, results.texts[CSV[target]]) for target in Target}
+    if results.texts[CHOSEN] != results.texts[CSV[results.target]]:
+        texts[CHOSEN] = (results.target, results.texts[CHOSEN])
+    reports = {}
+    for name, (target, text) in texts.items():
+        reports[name] = _judge(job, text, str(folder / name), results.dropped[target], target)
+    return job, reports
+
+
+def verify_file(path: Path, program: Path, cell: Path | None) -> tuple[Job, Report]:
+    """Judge a CSV file that anybody wrote against a program and its cell."""
+    return (job := read_job(program, cell)), _judge(job, _text(path), str(path))
+
+
+def joint_export(folder: Path, rate: float) -> tuple[Target, Trajectory, str]:
+    """The chosen target's motion of a results folder at rate [Hz], as trajectory and as CSV text."""
+    from trajopt_cli.export.joint import resample
+    from trajopt_cli.joint_csv import read_csv_text, write_csv_text
+
+    results = read_results(folder)
+    recorded, _ = read_csv_text(results.texts[CHOSEN], str(folder / CHOSEN))
+    trajectory = resample(recorded, rate)
+    return results.target, trajectory, write_csv_text(trajectory)
+
+
+def rapid_export(folder: Path) -> tuple[dict[str, bytes], str]:
+    """The optimised modules of a results folder by file name, and their difference from the program as given."""
+    from trajopt_cli.cell.loader import load_cell
+    from trajopt_cli.export.rapid import RapidExport, unified_diff
+
+    results = read_results(folder)
+    program = read_flat(results.program, load_cell(results.cell).scenario)
+    contents = {path: results.rapid[Path(path)].read_bytes() for path in program.files}
+    texts = {path: content.decode(program.files[path].encoding) for path, content in contents.items()}
+    names = {path: Path(path).name for path in contents}
+    difference = unified_diff(program, RapidExport(texts, ()))
+    return {names[path]: content for path, content in contents.items()}, difference
+
+
+def plan_warnings(job: Job) -> tuple[str, ...]:
+    """What a reader of the cycle times must know: zones planned as stops, and how sure the accelerations are."""
+    zones = zones_as_stops(job.program)
+    said = (f"{zones} fly-by zones are planned as stops: the cycle times are upper bounds",) if zones else ()
+    return (*said, *job.plant.notes)
+
+
+def _judge(job: Job, text: str, file: str, dropped: tuple[int, ...] = (), target: Target | None = None) -> Report:
+    from trajopt_cli.joint_csv import read_csv_text
+    from trajopt_cli.verify.judge import verify
+
+    trajectory, resolution = read_csv_text(text, file)
+    return verify(job.program, job.plant, trajectory, resolution=resolution, dropped=dropped, target=target)
+
+
+def _worst(report: Report) -> Finding:
+    return min((finding for finding in report.findings if not finding.passed), key=lambda finding: finding.margin)
+
+
+def _programs_rail(job: Job) -> bool:
+    """Whether the program gives the rail a position at all; a robot without a rail needs none."""
+    from trajopt_cli.motion import Move
+
+    if job.plant.rail_eax is None:
+        return True
+    moves = [motion for motion in job.program.motions if isinstance(motion, Move)]
+    return any(job.plant.rail_value(move.extax) is not None for move in moves)
+
+
+def _entry(job: Job) -> str:
+    return next(path for path in job.program.files if Path(path) == job.program_path)
+
+
+def _inputs(job: Job) -> dict[str, InputFile]:
+    """Every file the job was read from, by the path it was read under, with its exact bytes."""
+    modules = list(job.program.files)
+    names = [Path(path).name for path in modules]
+    inputs = {}
+    for path, name in zip(modules, names, strict=True):
+        place = "program.mod" if len(modules) == 1 else f"program/{name}"
+        inputs[path] = InputFile(path, f"input/{name}", Path(path).read_bytes(), place)
+    cell = str(job.cell_path)
+    inputs[cell] = InputFile(cell, f"input/{job.cell_path.name}", job.cell_path.read_bytes())
+    return inputs
+
+
+def _text(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8")
+    except OSError as error:
+        raise InputError(f"cannot read: {error.strerror}", file=str(path)) from error
+    except UnicodeDecodeError as error:
+        raise InputError(f"byte {error.start} is not UTF-8 text", file=str(path)) from error

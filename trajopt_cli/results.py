@@ -1,0 +1,260 @@
+"""The results folder: what is in it, when it may be replaced, and how it is read back."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import platform
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from trajopt_cli import __version__
+from trajopt_cli.errors import InputError
+from trajopt_cli.files import recover
+from trajopt_cli.motion import Move, Program, SignalEvent, Wait
+from trajopt_cli.problem.plan import Plan, Target
+from trajopt_cli.problem.report import Finding, Report
+
+RUN, SUMMARY, CHOSEN = "run.json", "summary.json", "trajectory.csv"
+CSV = {Target.STREAM: "stream.csv", Target.RAPID: "rapid.csv"}
+_FORMAT = 1  # of the folder; a reader refuses a newer one
+_LIBRARIES = ("casadi", "numpy", "pin", "ruckig", "scipy", "toppra")
+
+
+@dataclass(frozen=True, eq=False)
+class Judged:
+    """A plan, its trajectory as the text of a CSV file, and what the judge said of that text."""
+
+    plan: Plan
+    csv: str
+    report: Report
+
+
+@dataclass(frozen=True)
+class InputFile:
+    """A file the run was made from: path as the user gave it, copy: its place in the results folder.
+
+    rapid: the place of its optimised version there, None for a file that is no RAPID module.
+    """
+
+    path: str
+    copy: str
+    content: bytes
+    rapid: str | None = None
+
+    @property
+    def sha256(self) -> str:
+        """Of the exact bytes."""
+        return _sha256(self.content)
+
+
+@dataclass(frozen=True)
+class Results:
+    """A results folder read back. program and cell are the copies of the run's inputs inside it.
+
+    texts: the three CSV files by name. rapid: the optimised module's place by the place of the module it came from.
+    """
+
+    folder: Path
+    target: Target
+    program: Path
+    cell: Path
+    texts: Mapping[str, str]
+    dropped: Mapping[Target, tuple[int, ...]]
+    rapid: Mapping[Path, Path]
+
+
+def motion_label(program: Program, index: int) -> tuple[str, str]:
+    """The instruction's name and its target (or signal, condition, duration) of one motion, for tables."""
+    motion = program.motions[index]
+    match motion:
+        case Wait(condition=None):
+            return "WaitTime", f"{motion.duration:g} s"
+        case Wait():
+            return "Wait", str(motion.condition)
+        case SignalEvent():
+            return "Signal", f"{motion.signal} = {motion.value:g}"
+    return type(motion).__name__, motion.target
+
+
+def zones_as_stops(program: Program) -> int:
+    """How many fly-by zones the plan takes as stops."""
+    return sum(isinstance(motion, Move) and not motion.zone.stop for motion in program.motions)
+
+
+def summary(program: Program, target: Target, judged: Mapping[Target, Judged], warnings: Iterable[str]) -> bytes:
+    """summary.json: the answer in numbers, SI, the same bytes for the same inputs."""
+    return _json(
+        {
+            "target": target.value,
+            "plans": {one.value: _plan(program, judged[one]) for one in Target},
+            "zones_planned_as_stops": zones_as_stops(program),
+            "warnings": list(warnings),
+        }
+    )
+
+
+def _plan(program: Program, judged: Judged) -> dict[str, Any]:
+    plan = judged.plan
+    motions = []
+    for motion in plan.motions:
+        instruction, target = motion_label(program, motion.index)
+        motions.append(
+            {
+                "index": motion.index,
+                "source": str(motion.source),
+                "instruction": instruction,
+                "target": target,
+                "start_s": motion.t_0,
+                "time_s": motion.t_1 - motion.t_0,
+                "binding": motion.binding,
+                "dropped": motion.dropped,
+                "axes_at_end": motion.q_1.tolist(),
+            }
+        )
+    return {
+        "cycle_time_s": plan.duration,
+        "lower_bound_s": plan.lower_bound,
+        "gap": plan.gap,
+        "grid": plan.grid,
+        "axes": list(plan.trajectory.names),
+        "motions": motions,
+        "judge": {
+            "legal": judged.report.legal,
+            "findings": [finding_record(finding) for finding in judged.report.findings],
+            "advice": [finding_record(finding) for finding in judged.report.advice],
+        },
+    }
+
+
+def finding_record(finding: Finding) -> dict[str, Any]:
+    """A finding as plain data for JSON."""
+    return {
+        "check": finding.check,
+        "subject": finding.subject,
+        "value": finding.value,
+        "limit": finding.limit,
+        "margin": finding.margin,
+        "unit": finding.unit,
+        "passed": finding.passed,
+        "time_s": finding.time,
+        "source": str(finding.source) if finding.source else None,
+        "message": finding.message,
+    }
+
+
+def run_record(
+    options: Mapping[str, Any],
+    inputs: Mapping[str, InputFile],
+    others: Iterable[InputFile],
+    files: Mapping[str, bytes],
+    timing: Mapping[str, Any],
+) -> bytes:
+    """run.json: what made this folder. The only file with clock times; files lists all others with their hashes.
+
+    inputs: "program" and "cell", the two that verify starts from (for a folder of modules the entry module).
+    """
+    every = {one.copy: one for one in (*inputs.values(), *others)}
+    return _json(
+        {
+            "trajopt": __version__,
+            "format": _FORMAT,
+            "versions": {"python": platform.python_version(), **{name: version(name) for name in _LIBRARIES}},
+            "options": dict(options),
+            "inputs": {
+                "program": inputs["program"].copy,
+                "cell": inputs["cell"].copy,
+                "files": [
+                    {"path": one.path, "copy": one.copy, "sha256": one.sha256, "rapid": one.rapid}
+                    for one in every.values()
+                ],
+            },
+            "files": {name: _sha256(content) for name, content in sorted(files.items())},
+            **timing,
+        }
+    )
+
+
+def check_replaceable(folder: Path) -> None:
+    """Raise InputError unless folder is absent, empty, or a results folder that holds only what trajopt wrote."""
+    recover(folder)
+    if not folder.exists():
+        return
+    if not folder.is_dir():
+        raise InputError("is a file; --output names a folder", file=str(folder))
+    present = {str(path.relative_to(folder)) for path in folder.rglob("*") if not path.is_dir()}
+    if not present:
+        return
+    if RUN not in present:
+        raise InputError(
+            "is not a results folder of trajopt (no run.json) and is not replaced; choose another --output",
+            file=str(folder),
+        )
+    strangers = sorted(present - {RUN, *_run(folder)["files"]})
+    if strangers:
+        raise InputError(
+            f"holds {strangers[0]}, which trajopt did not write; move it away or choose another --output",
+            file=str(folder),
+        )
+
+
+def read_results(folder: Path) -> Results:
+    """Read a results folder. Raises InputError for a folder that is none, is newer, or whose inputs were changed."""
+    run = _run(folder)
+    copies = run["inputs"]["files"]
+    for name, sha256 in [(SUMMARY, run["files"][SUMMARY]), *((one["copy"], one["sha256"]) for one in copies)]:
+        if _sha256(_bytes(folder / name)) != sha256:
+            raise InputError("was changed since the run; run trajopt optimize again", file=str(folder / name))
+    digest = _load(folder / SUMMARY)
+    texts = {name: _bytes(folder / name).decode("ascii", "replace") for name in (CHOSEN, *CSV.values())}
+    dropped = {
+        target: tuple(m["index"] for m in digest["plans"][target.value]["motions"] if m["dropped"]) for target in Target
+    }
+    return Results(
+        folder=folder,
+        target=Target(digest["target"]),
+        program=folder / run["inputs"]["program"],
+        cell=folder / run["inputs"]["cell"],
+        texts=texts,
+        dropped=dropped,
+        rapid={folder / one["copy"]: folder / one["rapid"] for one in copies if one["rapid"]},
+    )
+
+
+def _run(folder: Path) -> dict[str, Any]:
+    if not (folder / RUN).is_file():
+        raise InputError("is not a results folder of trajopt (no run.json)", file=str(folder))
+    run = _load(folder / RUN)
+    if not {"trajopt", "format", "inputs", "files"} <= run.keys():
+        raise InputError("was not written by trajopt", file=str(folder / RUN))
+    if run["format"] > _FORMAT:
+        raise InputError(f"is of format {run['format']}; this trajopt reads up to {_FORMAT}", file=str(folder / RUN))
+    return run
+
+
+def _load(path: Path) -> dict[str, Any]:
+    try:
+        content = json.loads(_bytes(path))
+    except ValueError as error:
+        raise InputError(f"is not JSON: {error}", file=str(path)) from error
+    if not isinstance(content, dict):
+        raise InputError("is not a JSON object", file=str(path))
+    return content
+
+
+def _bytes(path: Path) -> bytes:
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise InputError(f"cannot read: {error.strerror}", file=str(path)) from error
+
+
+def _sha256(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()
+
+
+def _json(content: Mapping[str, Any]) -> bytes:
+    return (json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False) + "\n").encode()
