@@ -1,0 +1,62 @@
+"""Arguments of instructions and functions matched to what the instruction or function takes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from trajopt_cli.rapid.scope import Absent
+from trajopt_cli.rapid.syntax import Argument, Call, Expression, Name, ProcedureCall
+
+if TYPE_CHECKING:
+    from trajopt_cli.rapid.interpreter import Run
+
+
+@dataclass(frozen=True)
+class Arguments:
+    """required: in order. optional: by name in lower case; None for a bare switch."""
+
+    required: tuple[Expression, ...]
+    optional: dict[str, Expression | None]
+
+    def value(self, name: str) -> Expression | None:
+        """The value of an optional argument, None where it is absent."""
+        return self.optional.get(name)
+
+
+def present(run: Run, args: Sequence[Argument]) -> list[Argument]:
+    r"""The arguments that are really there: `\name?parameter` is only if the parameter is."""
+    kept = []
+    for arg in args:
+        if arg.forward:
+            assert isinstance(arg.value, Name)
+            if isinstance(run.find(arg.value.name), Absent):
+                continue
+        kept.append(arg)
+    return kept
+
+
+def bind(
+    run: Run, call: ProcedureCall | Call, required: tuple[str, ...], optional: tuple[str, ...] = (), more: int = 0
+) -> Arguments:
+    """Arguments by place and name. required, optional: as in the manual, for messages. more: that many may follow.
+
+    Raises InputError for a missing or surplus argument and for an optional one that is not supported.
+    """
+    places: list[Expression] = []
+    options: dict[str, Expression | None] = {}
+    known = {name.lower() for name in optional}
+    for arg in present(run, call.args):
+        if arg.name is None:
+            assert arg.value is not None
+            places.append(arg.value)
+        elif arg.name.lower() in known:
+            options[arg.name.lower()] = arg.value
+        else:
+            supported = ", ".join(f"\\{name}" for name in optional) or "none"
+            raise run.error(arg, f"{call.name} \\{arg.name} is not supported; supported here: {supported}")
+    if not len(required) <= len(places) <= len(required) + more:
+        names = ", ".join(required) or "none"
+        raise run.error(call, f"{call.name} takes {len(required)} argument(s) ({names}), found {len(places)}")
+    return Arguments(tuple(places), options)

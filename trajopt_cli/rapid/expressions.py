@@ -1,0 +1,259 @@
+"""Recursive descent over RAPID expressions and argument lists.
+
+Priorities, high to low: `* / DIV MOD`, `+ -`, comparisons, `AND`, `XOR OR NOT`; all left associative. NOT is lowest, so
+`NOT a AND b` is NOT (a AND b), `NOT a OR b` is (NOT a) OR b, and `a AND NOT b` still reads as it looks.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import NoReturn
+
+from trajopt_cli.rapid.lexer import scan
+from trajopt_cli.rapid.syntax import (
+    Aggregate,
+    Argument,
+    Binary,
+    Boolean,
+    Call,
+    Component,
+    Element,
+    Expression,
+    Name,
+    Number,
+    Placeholder,
+    String,
+    Unary,
+)
+from trajopt_cli.rapid.text import Places
+
+PRIORITY = {
+    **dict.fromkeys(("OR", "XOR"), 0),
+    "AND": 1,
+    **dict.fromkeys(("<", ">", "<=", ">=", "=", "<>"), 2),
+    **dict.fromkeys(("+", "-"), 3),
+    **dict.fromkeys(("*", "/", "DIV", "MOD"), 4),
+}
+NESTING_LIMIT = 60  # no program nests deeper; each level costs a dozen Python frames
+
+_ESCAPE = re.compile(r'""|\\\\|\\([0-9a-fA-F]{2})')
+
+
+def unescape(literal: str) -> str:
+    r"""The value of a string literal with its quotes: `""` is a quote, `\\` a backslash, `\0A` a character code."""
+    return _ESCAPE.sub(lambda m: chr(int(m[1], 16)) if m[1] else m[0][0], literal[1:-1])
+
+
+class ExpressionParser:
+    """Holds the tokens of one file and reads expressions from the current one on."""
+
+    def __init__(self, text: str, file: str):
+        self.places = Places(text, file)
+        tokens = scan(text)
+        self.comments = tuple(tokens.comments)
+        self.kinds, self.texts, self.starts = tokens.kinds, tokens.texts, tokens.starts
+        self.i = 0
+        self.depth = 0
+
+    # ------------------------------------------------------------------------------------------------- the tokens
+
+    @property
+    def here(self) -> int:
+        """Where the current token starts."""
+        return self.starts[self.i]
+
+    @property
+    def behind(self) -> int:
+        """Where the previous token ends."""
+        return self.starts[self.i - 1] + len(self.texts[self.i - 1]) if self.i else 0
+
+    def found(self) -> str:
+        """The current token in words."""
+        kind, text = self.kinds[self.i], self.texts[self.i]
+        if kind == "end":
+            return "the end of the file"
+        if kind == "stray" and text == '"':
+            return "a string that is not closed on its line"
+        shown = text if len(text) <= 40 else text[:37] + "..."
+        return f"'{shown}'" if shown.isprintable() else repr(shown)
+
+    def fail(self, expected: str, offset: int | None = None) -> NoReturn:
+        """Raise the InputError at the current token (or at offset)."""
+        raise self.places.error(self.here if offset is None else offset, f"expected {expected}, found {self.found()}")
+
+    def accept(self, kind: str) -> bool:
+        """Step over the current token if it is of this kind."""
+        if self.kinds[self.i] == kind:
+            self.i += 1
+            return True
+        return False
+
+    def expect(self, kind: str, where: str) -> None:
+        """Step over a token of this kind; where completes "expected ';' ..."."""
+        if self.kinds[self.i] != kind:
+            # What is missing belongs behind the last token, not in front of the next line.
+            self.fail(f"'{kind}' {where}", self.behind if kind in (";", ",") else None)
+        self.i += 1
+
+    def identifier(self, what: str) -> str:
+        """Step over a name (or a placeholder for one); what says which kind of name."""
+        kind, text = self.kinds[self.i], self.texts[self.i]
+        if kind not in ("name", "placeholder"):
+            note = " (a reserved word)" if kind.isalpha() and kind.isupper() else ""
+            raise self.places.error(self.here, f"expected {what}, found {self.found()}{note}")
+        self.i += 1
+        return text
+
+    def deeper(self) -> None:
+        """Count one level of nesting; the caller takes it back."""
+        self.depth += 1
+        if self.depth > NESTING_LIMIT:
+            raise self.places.error(self.here, f"nested deeper than {NESTING_LIMIT} levels: split it up")
+
+    # -------------------------------------------------------------------------------------------- the expressions
+
+    def expression(self, level: int = 0) -> Expression:
+        """An expression whose operators have at least the priority level."""
+        left = self._not() if self.kinds[self.i] == "NOT" else self._factor(level)
+        while True:
+            operator = self.kinds[self.i]
+            priority = PRIORITY.get(operator, -1)
+            if priority < level:
+                return left
+            self.i += 1
+            right = self.expression(priority + 1)
+            left = Binary(left.start, right.end, operator, left, right)
+
+    def _not(self) -> Expression:
+        start = self.here
+        self.i += 1
+        self.deeper()
+        operand = self.expression(PRIORITY["AND"])
+        self.depth -= 1
+        return Unary(start, operand.end, "NOT", operand)
+
+    def _factor(self, level: int) -> Expression:
+        kind = self.kinds[self.i]
+        if kind not in ("-", "+"):
+            return self._primary()
+        start = self.here
+        self.i += 1
+        if self.kinds[self.i] == "number":
+            number = self._number()
+            return Number(start, number.end, -number.value if kind == "-" else number.value)
+        self.deeper()
+        # By RAPID's grammar a leading sign stands before a whole term: -a*b is -(a*b).
+        operand = self.expression(max(level, PRIORITY["*"]))
+        self.depth -= 1
+        return Unary(start, operand.end, kind, operand)
+
+    def _number(self) -> Number:
+        start, text = self.here, self.texts[self.i]
+        self.i += 1
+        based = text[:2].lower() in ("0x", "0o", "0b")
+        value = float(int(text, 0)) if based else float(text)
+        if value in (float("inf"), float("-inf")):
+            raise self.places.error(start, f"number {text} is too large")
+        return Number(start, self.behind, value)
+
+    def _primary(self) -> Expression:
+        kind, start = self.kinds[self.i], self.here
+        if kind == "name":
+            return self._suffixes(self._name())
+        if kind == "aggregate":
+            self.i += 1
+            return Aggregate(start, self.behind, text=self.texts[self.i - 1])
+        if kind == "number":
+            return self._number()
+        if kind == "string":
+            self.i += 1
+            return String(start, self.behind, unescape(self.texts[self.i - 1]))
+        if kind in ("TRUE", "FALSE"):
+            self.i += 1
+            return Boolean(start, self.behind, kind == "TRUE")
+        if kind in ("placeholder", "*"):
+            self.i += 1
+            return Placeholder(start, self.behind, self.texts[self.i - 1])
+        if kind in ("(", "["):
+            self.i += 1
+            self.deeper()
+            inside = self.expression() if kind == "(" else self._aggregate(start)
+            self.depth -= 1
+            if kind == "(":
+                self.expect(")", "to close the '(' before")
+                return self._suffixes(inside)
+            return inside
+        self.fail("an expression")
+
+    def _aggregate(self, start: int) -> Aggregate:
+        items = [self.expression()]
+        while self.accept(","):
+            items.append(self.expression())
+        self.expect("]", "or ',' in the aggregate")
+        return Aggregate(start, self.behind, given=tuple(items))
+
+    def _name(self) -> Expression:
+        start, name = self.here, self.texts[self.i]
+        self.i += 1
+        if self.accept("("):
+            args = self.arguments(")", f"after the arguments of {name}")
+            self.expect(")", f"or ',' after the arguments of {name}")
+            return Call(start, self.behind, name, args)
+        return Name(start, self.behind, name)
+
+    def _suffixes(self, base: Expression) -> Expression:
+        while True:
+            if self.accept("."):
+                name = self.identifier("the name of a component after '.'")
+                base = Component(base.start, self.behind, base, name)
+            elif self.kinds[self.i] == "{":
+                base = Element(base.start, self.behind, base, self.indices())
+            else:
+                return base
+
+    def indices(self) -> tuple[Expression, ...]:
+        """`{a, b, c}`: up to three expressions."""
+        opened = self.here
+        self.expect("{", "before the indices")
+        indices = [self.expression()]
+        while self.accept(","):
+            indices.append(self.expression())
+        self.expect("}", "after the indices")
+        if len(indices) > 3:
+            raise self.places.error(opened, f"{len(indices)} dimensions; RAPID has at most 3")
+        return tuple(indices)
+
+    # ---------------------------------------------------------------------------------------------- the arguments
+
+    def arguments(self, closing: str, where: str) -> tuple[Argument, ...]:
+        r"""Arguments up to (not including) the closing token. The comma before a `\name` is optional."""
+        args: list[Argument] = []
+        while self.kinds[self.i] != closing:
+            if args and self.kinds[self.i] != "\\":
+                if not self.accept(","):
+                    self.fail(f"',' or '{closing}' {where}", self.behind)
+                if self.kinds[self.i] == closing:
+                    self.fail("an argument after ','")
+            args.append(self._optional() if self.kinds[self.i] == "\\" else self._required())
+        return tuple(args)
+
+    def _required(self) -> Argument:
+        if self.kinds[self.i] == "name" and self.kinds[self.i + 1] in (",", ";", "\\"):  # nearly always
+            start = self.here
+            self.i += 1
+            return Argument(start, self.behind, None, Name(start, self.behind, self.texts[self.i - 1]))
+        value = self.expression()
+        return Argument(value.start, value.end, None, value)
+
+    def _optional(self) -> Argument:
+        start = self.here
+        self.i += 1
+        name = self.identifier("the name of an optional argument after '\\'")
+        if self.accept(":="):
+            value = self.expression()
+            return Argument(start, value.end, name, value)
+        if self.accept("?"):
+            at = self.here
+            parameter = self.identifier("the name of an optional parameter after '?'")
+            return Argument(start, self.behind, name, Name(at, self.behind, parameter), forward=True)
+        return Argument(start, self.behind, name, None)

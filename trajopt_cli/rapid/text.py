@@ -1,0 +1,75 @@
+"""Program files as text: their encodings, and the line and column of an offset."""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from functools import cached_property
+from pathlib import Path
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.motion import Source, Span, TextFile
+
+_LINE_END = re.compile(r"\r\n|\r|\n")
+
+
+def decode(data: bytes) -> tuple[str, str]:
+    """Text and the encoding that gives the bytes back: UTF-8 with or without a mark, else cp1252, else Latin-1.
+
+    Latin-1 differs from cp1252 only where cp1252 has no character at all, and takes every byte.
+    """
+    if data.startswith(b"\xef\xbb\xbf"):
+        encodings = ("utf-8-sig", "cp1252", "latin-1")
+    elif data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        # The mark stays in the text as U+FEFF (a blank to the scanner), so that it is written back.
+        encodings = ("utf-16-le" if data[0] == 0xFF else "utf-16-be", "cp1252", "latin-1")
+    else:
+        encodings = ("utf-8", "cp1252", "latin-1")
+    for encoding in encodings[:-1]:
+        try:
+            return data.decode(encoding), encoding
+        except UnicodeDecodeError:
+            continue
+    return data.decode(encodings[-1]), encodings[-1]
+
+
+def read_text(path: str | Path) -> TextFile:
+    """The file's text. Raises InputError when there is no such file."""
+    file = Path(path)
+    if file.is_dir():
+        raise InputError("is a folder: give one RAPID module file", file=str(path))
+    try:
+        data = file.read_bytes()
+    except OSError as error:
+        raise InputError(f"cannot be read: {error.strerror}", file=str(path)) from error
+    text, encoding = decode(data)
+    return TextFile(path=str(path), text=text, encoding=encoding)
+
+
+class Places:
+    """Turns offsets of one file's text into places a person can find."""
+
+    def __init__(self, text: str, file: str):
+        self.text, self.file = text, file
+
+    @cached_property
+    def _starts(self) -> list[int]:
+        return [0, *(match.end() for match in _LINE_END.finditer(self.text))]
+
+    def line(self, offset: int) -> int:
+        """Line of an offset, from 1."""
+        return bisect_right(self._starts, offset)
+
+    def source(self, offset: int) -> Source:
+        """File, line and column of an offset, both from 1; a tab is one column."""
+        line = self.line(offset)
+        return Source(self.file, line, offset - self._starts[line - 1] + 1)
+
+    def span(self, start: int, end: int) -> Span:
+        """The stretch [start, end) of this file."""
+        return Span(self.file, start, end)
+
+    def error(self, offset: int, message: str) -> InputError:
+        """An InputError placed at an offset."""
+        place = self.source(offset)
+        return InputError(message, file=place.file, line=place.line, column=place.column)
