@@ -1,0 +1,57 @@
+"""From leg motions to the rows of a file: a row at every boundary and every switch, a millisecond grid between."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.legs import LegMotion
+from trajopt_cli.trajectory import Trajectory
+
+GRID = 1e-3  # s between rows
+LEAST = 1e-5  # s; no two rows are nearer than this
+SAME = 1e-9  # s; switches nearer than this are one
+
+
+def rows_of(axes: Axes, legs: list[LegMotion], end: Array) -> tuple[Trajectory, Array]:
+    """The trajectory of all legs in order, and the leg boundaries' times (L+1,).
+
+    end (7,): axes at the end, written into the last row exactly.
+    """
+    bounds = np.concatenate([[0.0], np.cumsum([leg.T for leg in legs])])
+    times, q, qd = [], [], []
+    for i, leg in enumerate(legs):
+        t = _leg_rows(leg, bounds[i], bounds[i + 1])
+        sample = leg.sample(axes, np.clip(t - bounds[i], 0.0, leg.T))
+        times.append(t[:-1])
+        q.append(sample.q[:-1])
+        qd.append(sample.qd[:-1])
+    times.append(bounds[-1:])
+    q.append(end[None])
+    qd.append(np.zeros((1, 7)))
+    trajectory = Trajectory(
+        axes.robot.axis_names,
+        np.concatenate(times),
+        axes.plant_axes(np.concatenate(q)),
+        axes.plant_axes(np.concatenate(qd)),
+    )
+    return trajectory, bounds
+
+
+def _leg_rows(leg: LegMotion, start: float, end: float) -> Array:
+    """Row times of one leg: its breaks, then every grid time that keeps its distance from them."""
+    breaks = start + leg.breaks()
+    breaks[0], breaks[-1] = start, end
+    keep = np.concatenate([[True], np.diff(breaks) > SAME])
+    keep[-1] = True
+    breaks = breaks[keep]
+    if len(breaks) > 2 and breaks[-1] - breaks[-2] <= SAME:
+        breaks = np.delete(breaks, -2)
+    grid = np.arange(np.ceil(start / GRID - 1e-9), np.floor(end / GRID + 1e-9) + 1) * GRID
+    at = np.searchsorted(breaks, grid)
+    gap = np.minimum(
+        np.abs(grid - breaks[np.clip(at - 1, 0, len(breaks) - 1)]),
+        np.abs(grid - breaks[np.clip(at, 0, len(breaks) - 1)]),
+    )
+    return np.unique(np.concatenate([breaks, grid[(gap >= LEAST) & (grid > start) & (grid < end)]]))

@@ -1,0 +1,27 @@
+"""Which limit holds a motion back."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.course import Leg, LegKind
+from trajopt_cli.optimize.exchange import tool_ratios
+from trajopt_cli.optimize.legs import LegMotion
+
+AT_LIMIT = 0.99
+SAMPLES = 400
+
+
+def binding_limit(axes: Axes, leg: Leg, motion: LegMotion) -> str:
+    """The limit a motion stands at for the largest share of its time, as "joint_1 acceleration" or "programmed ..."."""
+    if leg.duration is not None:
+        return "programmed duration"
+    sample = motion.sample(axes, (np.arange(SAMPLES) + 0.5) / SAMPLES * motion.T)
+    tool = tool_ratios(axes, leg, sample.q, sample.qd, sample.qdd)
+    names = [f"{name} speed" for name in axes.names] + [f"{name} acceleration" for name in axes.names]
+    names += ["programmed TCP speed" if leg.kind is LegKind.LINE else "TCP speed", "TCP acceleration", "TCP turning"]
+    ratios = np.concatenate([np.abs(sample.qd) / axes.velocity, np.abs(sample.qdd) / axes.acceleration, tool], axis=1)
+    share = np.mean(ratios >= AT_LIMIT, axis=0)
+    best = int(np.argmax(share)) if np.any(share > 0) else int(np.argmax(np.max(ratios, axis=0)))
+    return names[best]

@@ -1,0 +1,184 @@
+"""From a chain of stops to a clean plan: nested grids, then the exchange loop."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from time import perf_counter
+
+import casadi as ca
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.course import Course, LegKind
+from trajopt_cli.optimize.blocks import NlpResult
+from trajopt_cli.optimize.exchange import SAFE, check_leg, tighten
+from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, parabola
+from trajopt_cli.optimize.search import Chain
+from trajopt_cli.optimize.stages import Stages
+from trajopt_cli.optimize.transcription import Draft, Margins, Transcription, share_of, straight
+
+FIRST, LAST = 6, 24
+GRID_JOINT = 24
+NEAR_CAP = 0.7  # share of a tool cap from which a node holds it explicitly
+ROUNDS = 12
+MOST = 120  # iterations; a start that converges needs 25 to 60
+DEBUG = False
+
+
+def first_draft(axes: Axes, course: Course, chain: Chain) -> Draft:
+    """Rest-to-rest parabolas between the chain's stops."""
+    legs: list[LegMotion | None] = []
+    for k, leg in enumerate(course.legs):
+        q_0, q_1 = chain.q[k], chain.q[k + 1]
+        T = max(float(chain.times[k]), 2e-3)
+        if leg.kind is LegKind.JOINT:
+            legs.append(JointProfiles(T, q_0, chain.w[k], np.zeros((7, 4)), np.zeros((7, 3))))
+            continue
+        if leg.kind is LegKind.DWELL and not leg.rail_moves:
+            legs.append(_hold(leg.duration or 0.0, q_0))
+            continue
+        s, v, a = parabola(FIRST)
+        way = q_1[0] - q_0[0]
+        X_0, X_1 = (course.stops[i].X_WF @ leg.X_FT for i in (k, k + 1))
+        cfx = chain.labels[k].cfx if chain.labels[k].cfx >= 0 else chain.labels[k + 1].cfx
+        legs.append(PathLeg(T, X_0, X_1, leg.X_FT, cfx, q_0[1:], s, v, a, q_0[0] + way * s, way * v, way * a))
+    return Draft(chain.q, chain.w, tuple(label.cfx for label in chain.labels), tuple(legs))
+
+
+def _hold(T: float, q: Array) -> JointProfiles:
+    times = np.tile([0.0, 0.0, T, T], (7, 1))
+    return JointProfiles(T, q, np.zeros(7), times, np.zeros((7, 3)))
+
+
+class NotConverged(Exception):
+    """The nonlinear program found no clean answer from this start; the message is the solver's word."""
+
+
+class Refiner:
+    """Solves one target of one course from a chain."""
+
+    def __init__(self, axes: Axes, stages: Stages, flange: ca.Function, course: Course, tied: bool):
+        self.axes, self.stages, self.flange, self.course, self.tied = axes, stages, flange, course, tied
+        self.seconds = {"build": 0.0, "solve": 0.0, "check": 0.0}
+
+    def _solve(
+        self, draft: Draft, margins: list[Margins | None], mu: float, tolerance: float = 1e-8,
+        warm: tuple[Transcription, NlpResult] | None = None,
+    ) -> tuple[Draft, Transcription, NlpResult]:  # fmt: skip
+        start = perf_counter()
+        t = Transcription(self.axes, self.stages, self.flange, self.course, draft, margins, self.tied)
+        if warm is None:
+            t.nlp.build()
+        else:
+            t.nlp.adopt(warm[0].nlp)
+        middle = perf_counter()
+        result = t.nlp.solve(warm[1] if warm else None, mu=mu, tolerance=tolerance, most=MOST)
+        self.seconds["build"] += middle - start
+        self.seconds["solve"] += perf_counter() - middle
+        out = t.read(result.x) if result.converged else draft
+        if DEBUG:
+            print(f"  {draft.duration:.5f} -> {out.duration:.5f} {result.status} it {result.iterations} "
+                  f"n {t.nlp._count} build {middle - start:.2f} solve {perf_counter() - middle:.2f}")
+        if not result.converged:
+            raise NotConverged(result.status)
+        return out, t, result
+
+    def run(self, chain: Chain, progress: Callable[[str, float | None], None]) -> Draft:
+        """The clean draft with the shortest time found. Raises NotConverged."""
+        draft = first_draft(self.axes, self.course, chain)
+        margins: list[Margins | None] = [Margins.full(m.N) if isinstance(m, PathLeg) else None for m in draft.legs]
+        while True:
+            n = max((m.N for m in draft.legs if isinstance(m, PathLeg)), default=LAST)
+            tolerance = 1e-8 if n >= LAST else 1e-4
+            try:
+                draft, t, result = self._solve(draft, margins, 1e-2 if n == FIRST else 1e-3, tolerance)
+            except NotConverged:
+                draft, t, result = self._solve(draft, margins, 1e-1, tolerance)
+            progress("solve", draft.duration)
+            opened = self._open_grids(draft, margins)
+            draft = self._with_grids(draft, margins)
+            if opened:
+                self._watch(draft, margins)
+            elif n >= LAST:
+                break
+            if n < LAST:
+                margins = [m.refined() if m and isinstance(leg, PathLeg) else m
+                           for m, leg in zip(margins, draft.legs, strict=True)]
+                draft = replace(draft, legs=tuple(m.refined() if isinstance(m, PathLeg) else m for m in draft.legs))
+        return self._exchange(draft, margins, (t, result), progress)
+
+    def _exchange(
+        self, draft: Draft, margins: list[Margins | None], warm: tuple[Transcription, NlpResult],
+        progress: Callable[[str, float | None], None],
+    ) -> Draft:  # fmt: skip
+        """Check densely, tighten where a limit is passed, solve again, until nothing is passed."""
+        for _ in range(ROUNDS):
+            start = perf_counter()
+            worst, changed, opened = 0.0, False, self._open_grids(draft, margins)
+            draft = self._with_grids(draft, margins)
+            for leg, motion, m in zip(self.course.legs, draft.legs, margins, strict=True):
+                if motion is None:
+                    continue
+                ratios = check_leg(self.axes, leg, motion)
+                worst = max(worst, ratios.worst)
+                if m is not None:
+                    changed |= tighten(m, ratios, motion, SAFE)
+            self.seconds["check"] += perf_counter() - start
+            if DEBUG:
+                print("   worst", worst)
+            if not (changed or opened):
+                return draft
+            if self._watch(draft, margins) or opened:
+                draft, *warm_ = self._solve(draft, margins, 1e-4)
+            else:
+                draft, *warm_ = self._solve(draft, margins, 1e-6, warm=warm)
+            warm = (warm_[0], warm_[1])
+            progress("exchange", draft.duration)
+        raise NotConverged(f"a limit is still passed by {worst - 1:.2e} after {ROUNDS} rounds of tightening")
+
+    def _open_grids(self, draft: Draft, margins: list[Margins | None]) -> bool:
+        """Joint moves whose closed-form profiles break a tool cap or a range go on a grid."""
+        start = perf_counter()
+        opened = False
+        for k, (leg, motion) in enumerate(zip(self.course.legs, draft.legs, strict=True)):
+            if leg.kind is LegKind.JOINT and isinstance(motion, JointProfiles):
+                ratios = check_leg(self.axes, leg, motion, 40)
+                if max(np.max(ratios.tool), np.max(ratios.position)) > 1 + 1e-6:
+                    margins[k] = Margins.full(GRID_JOINT)
+                    opened = True
+        self.seconds["check"] += perf_counter() - start
+        return opened
+
+    def _watch(self, draft: Draft, margins: list[Margins | None]) -> bool:
+        """Put tool caps in force at the nodes of gridded joint moves that come near them; True when any was added."""
+        added = False
+        for k, (leg, motion) in enumerate(zip(self.course.legs, draft.legs, strict=True)):
+            m = margins[k]
+            if isinstance(motion, JointNodes) and m is not None:
+                near = check_leg(self.axes, leg, motion).tool > NEAR_CAP
+                rows = np.zeros_like(m.rows)
+                rows[:-1] |= near
+                rows[1:] |= near
+                added |= bool(np.any(rows & ~m.rows))
+                m.rows |= rows
+        return added
+
+    def _with_grids(self, draft: Draft, margins: list[Margins | None]) -> Draft:
+        legs = list(draft.legs)
+        for k, motion in enumerate(legs):
+            if isinstance(motion, JointProfiles) and margins[k] is not None:
+                legs[k] = self._on_grid(motion, draft.q[k], draft.q[k + 1], len(margins[k].tool) - 1)
+        return replace(draft, legs=tuple(legs))
+
+    def _on_grid(self, motion: JointProfiles, q_0: Array, q_1: Array, N: int) -> JointNodes:
+        t = np.linspace(0, motion.T, N + 1)
+        sample = motion.sample(self.axes, t)
+        v = sample.qd * motion.T
+        a = np.diff(v, axis=0) * N
+        out = JointNodes(motion.T, sample.q, v, a)
+        if self.tied:
+            s, sv, sa = share_of(out)
+            return straight(motion.T, q_0, q_1, s, sv, sa)
+        return out

@@ -1,0 +1,95 @@
+"""The dense check of a draft, finer than its grid, and the tightening that answers it.
+
+Converged is not feasible: between the nodes of a grid a limit may be passed by tenths of a percent. Each leg is sampled
+densely; where a ratio to a limit exceeds one, the nodes around get that limit tightened by the excess.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.course import Leg
+from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg
+from trajopt_cli.optimize.transcription import Margins
+
+DENSE = 20  # samples per interval
+SAFE = 1.0 - 1e-5  # what a clean grid may use of a limit: Hermite between written rows is not quite the motion
+
+BEYOND = 1e-5  # tightened this much further than the excess, so that one round is enough more often
+
+
+@dataclass(frozen=True, eq=False)
+class Ratios:
+    """Worst ratio to each limit per interval (N,) of a leg: velocity, acceleration, position (N, 7), tool (N, 3)."""
+
+    velocity: Array
+    acceleration: Array
+    position: Array
+    tool: Array
+
+    @property
+    def worst(self) -> float:
+        """The largest of all."""
+        return float(max(np.max(x) for x in (self.velocity, self.acceleration, self.position, self.tool)))
+
+
+def check_leg(axes: Axes, leg: Leg, motion: LegMotion, dense: int = DENSE) -> Ratios:
+    """Sample every interval of a leg, both ends included from inside, and compare with the true limits."""
+    breaks = motion.breaks()
+    N = len(breaks) - 1
+    u = (np.arange(dense) + 0.5) / dense
+    u[0], u[-1] = 1e-9, 1 - 1e-9
+    t = (breaks[:-1, None] + np.diff(breaks)[:, None] * u).ravel()
+    sample = motion.sample(axes, t)
+    V = axes.velocity.copy()
+    V[0] = min(V[0], leg.v_rail)
+    velocity = np.abs(sample.qd) / V
+    acceleration = np.abs(sample.qdd) / axes.acceleration
+    middle, half = (axes.upper + axes.lower) / 2, np.maximum((axes.upper - axes.lower) / 2, 1e-9)
+    position = np.abs(sample.q - middle) / half
+    if not axes.has_rail:
+        position[:, 0] = 0.0
+    tool = tool_ratios(axes, leg, sample.q, sample.qd, sample.qdd)
+    fold = lambda x: x.reshape(N, dense, -1).max(axis=1)  # noqa: E731
+    return Ratios(fold(velocity), fold(acceleration), fold(position), fold(tool))
+
+
+def tool_ratios(axes: Axes, leg: Leg, q: Array, qd: Array, qdd: Array) -> Array:
+    """TCP speed, acceleration and reorientation (n, 3) as shares of a leg's caps."""
+    J = axes.jacobian(q, leg.X_FT)
+    Jd = axes.jacobian_rate(q, qd, leg.X_FT)
+    V = (J @ qd[..., None])[..., 0]
+    A = (J @ qdd[..., None])[..., 0] + (Jd @ qd[..., None])[..., 0]
+    return np.stack(
+        [
+            np.linalg.norm(V[:, :3], axis=1) / leg.v_tcp,
+            np.linalg.norm(A[:, :3], axis=1) / leg.a_tcp,
+            np.linalg.norm(V[:, 3:], axis=1) / leg.v_ori,
+        ],
+        axis=1,
+    )
+
+
+def tighten(margins: Margins, ratios: Ratios, motion: LegMotion, target: float) -> bool:
+    """Scale the shares of the nodes next to an excess over target; True when anything changed."""
+    assert isinstance(motion, PathLeg | JointNodes)
+    changed = False
+    for share, ratio in (
+        (margins.velocity, ratios.velocity),
+        (margins.acceleration, ratios.acceleration),
+        (margins.tool, ratios.tool),
+    ):
+        over = np.where(ratio > target, (target - BEYOND) / np.maximum(ratio, 1e-12), 1.0)
+        if np.all(over == 1.0):
+            continue
+        changed = True
+        share[:-1] *= over
+        share[1:] *= np.where(np.arange(len(over))[:, None] >= 0, over, 1.0)
+    return changed
+
+
+__all__ = ["DENSE", "SAFE", "JointProfiles", "Ratios", "check_leg", "tighten", "tool_ratios"]

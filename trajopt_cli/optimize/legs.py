@@ -1,0 +1,220 @@
+"""One leg's motion as numbers: what the nonlinear program found, to be sampled, split and checked.
+
+Every motion is piecewise polynomial in scaled time tau = t / T with exact integration, so a leg may be sampled at any
+time without loss, and splitting an interval changes nothing.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, axis_angle, inverse_pose, line_pose
+from trajopt_cli.optimize.axes import Axes
+
+
+def integrate(x: Array, v: Array, a: Array, tau: Array) -> tuple[Array, Array, Array]:
+    """Position, speed, acceleration (scaled time) at tau (n,) of node values x, v (N+1, ...) and inputs a (N, ...).
+
+    The cubic Hermite between nodes: equal to the exact integral up to the solver's residual, and without its jumps.
+    """
+    N = len(a)
+    i = np.clip((tau * N).astype(int), 0, N - 1)
+    h = 1.0 / N
+    u = ((tau - i * h) * N).reshape(-1, *([1] * (x.ndim - 1)))
+    v0, v1 = v[i] * h, v[i + 1] * h
+    way = x[i + 1] - x[i]
+    c2, c3 = 3 * way - 2 * v0 - v1, v0 + v1 - 2 * way
+    position = x[i] + u * (v0 + u * (c2 + u * c3))
+    return position, (v0 + u * (2 * c2 + 3 * u * c3)) * N, (2 * c2 + 6 * u * c3) * N * N
+
+
+def split(x: Array, v: Array, a: Array) -> tuple[Array, Array, Array]:
+    """The same motion on twice as many intervals."""
+    N = len(a)
+    tau = np.arange(2 * N) / (2 * N)
+    xs, vs, acc = integrate(x, v, a, tau + 1e-12)
+    xs, vs = np.concatenate([xs, x[-1:]]), np.concatenate([vs, v[-1:]])
+    xs[::2], vs[::2] = x, v
+    return xs, vs, acc
+
+
+def parabola(N: int) -> tuple[Array, Array, Array]:
+    """Rest to rest over unit length with one switch in the middle: s, v, a on N (even) intervals."""
+    tau = np.linspace(0, 1, N + 1)
+    s = np.where(tau <= 0.5, 2 * tau**2, 1 - 2 * (1 - tau) ** 2)
+    v = np.where(tau <= 0.5, 4 * tau, 4 * (1 - tau))
+    return s, v, np.where(np.arange(N) < N / 2, 4.0, -4.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Sample:
+    """Axes (n, 7) at times t (n,) of a leg: positions, speeds, accelerations."""
+
+    t: Array
+    q: Array
+    qd: Array
+    qdd: Array
+
+
+@dataclass(frozen=True, eq=False)
+class PathLeg:
+    """A line or dwell with its rail motion. s, v: (N+1,), a: (N,); d, w: (N+1,), b: (N,); scaled time."""
+
+    T: float
+    X_0: Array  # TCP pose at the start, world
+    X_1: Array
+    X_FT: Array
+    cfx: int
+    reference: Array  # (6,) joints near the start, on the branch and turn meant
+    s: Array
+    v: Array
+    a: Array
+    d: Array
+    w: Array
+    b: Array
+
+    @property
+    def N(self) -> int:
+        """Intervals."""
+        return len(self.a)
+
+    def refined(self) -> PathLeg:
+        """The same motion on twice as many intervals."""
+        s, v, a = split(self.s, self.v, self.a)
+        d, w, b = split(self.d, self.w, self.b)
+        return replace(self, s=s, v=v, a=a, d=d, w=w, b=b)
+
+    def breaks(self) -> Array:
+        """Times (N+1,) where an acceleration may jump."""
+        return np.linspace(0, self.T, self.N + 1)
+
+    def node_arm(self, axes: Axes) -> Array:
+        """Arm joints (N+1, 6) at the nodes."""
+        X_WT = line_pose(self.X_0, self.X_1, self.s)
+        arm = axes.inverse(X_WT @ inverse_pose(self.X_FT), self.d)[:, self.cfx, :]
+        return unwind(arm, self.reference)
+
+    def sample(self, axes: Axes, t: Array, right: bool = True) -> Sample:
+        """Positions by inverse kinematics, speeds and accelerations through the Jacobian. At a break: the right side."""
+        tau = np.clip(t / self.T, 0.0, 1.0)
+        tau_ = tau + (1e-12 if right else -1e-12)
+        s, sv, sa = integrate(self.s, self.v, self.a, np.clip(tau_, 0, 1))
+        d, dv, da = integrate(self.d, self.w, self.b, np.clip(tau_, 0, 1))
+        sv, dv, sa, da = sv / self.T, dv / self.T, sa / self.T**2, da / self.T**2
+        X_WT = line_pose(self.X_0, self.X_1, s)
+        X_TF = inverse_pose(self.X_FT)
+        arm = axes.inverse(X_WT @ X_TF, d)[:, self.cfx, :]
+        arm = unwind(arm, self.reference)
+        q = np.concatenate([d[:, None], arm], axis=1)
+        chord = self.X_1[:3, 3] - self.X_0[:3, 3]
+        turn = _turn(self.X_0, self.X_1)
+        twist = np.concatenate([chord, turn])
+        J = axes.jacobian(q, self.X_FT)
+        Ja = J[:, :, 1:]
+        rhs = sv[:, None] * twist - J[:, :, 0] * dv[:, None]
+        arm_rate = np.linalg.solve(Ja, rhs[..., None])[..., 0]
+        qd = np.concatenate([dv[:, None], arm_rate], axis=1)
+        Jd = axes.jacobian_rate(q, qd, self.X_FT)
+        rhs = sa[:, None] * twist - J[:, :, 0] * da[:, None] - (Jd @ qd[..., None])[..., 0]
+        qdd = np.concatenate([da[:, None], np.linalg.solve(Ja, rhs[..., None])[..., 0]], axis=1)
+        return Sample(t, q, qd, qdd)
+
+
+def _turn(X_0: Array, X_1: Array) -> Array:
+    """Rotation vector (3,) in world axes from X_0 to X_1, the shorter way; its direction is constant on the slerp."""
+    axis, angle = axis_angle(X_0[:3, :3].T @ X_1[:3, :3])
+    return X_0[:3, :3] @ axis * angle
+
+
+def unwind(arm: Array, reference: Array) -> Array:
+    """Joints (n, 6) moved by whole turns: the first near the reference (6,), each next near the one before."""
+    first = arm[0] + 2 * np.pi * np.round((reference - arm[0]) / (2 * np.pi))
+    steps = np.diff(arm, axis=0)
+    steps -= 2 * np.pi * np.round(steps / (2 * np.pi))
+    return np.concatenate([first[None], first + np.cumsum(steps, axis=0)])
+
+
+@dataclass(frozen=True, eq=False)
+class JointNodes:
+    """A joint move on a grid: q, v (N+1, 7), a (N, 7), scaled time. Also a straight one, where all share one profile."""
+
+    T: float
+    q: Array
+    v: Array
+    a: Array
+
+    @property
+    def N(self) -> int:
+        """Intervals."""
+        return len(self.a)
+
+    def refined(self) -> JointNodes:
+        """The same motion on twice as many intervals."""
+        return JointNodes(self.T, *split(self.q, self.v, self.a))
+
+    def breaks(self) -> Array:
+        """Times (N+1,) where an acceleration may jump."""
+        return np.linspace(0, self.T, self.N + 1)
+
+    def sample(self, axes: Axes, t: Array, right: bool = True) -> Sample:
+        """Exact polynomial values."""
+        tau = np.clip(np.clip(t / self.T, 0.0, 1.0) + (1e-12 if right else -1e-12), 0, 1)
+        q, v, a = integrate(self.q, self.v, self.a, tau)
+        return Sample(t, q, v / self.T, a / self.T**2)
+
+
+@dataclass(frozen=True, eq=False)
+class JointProfiles:
+    """A joint move where each axis has three phases of its own. times (7, 4), accelerations (7, 3); real time."""
+
+    T: float
+    q_0: Array
+    qd_0: Array
+    times: Array
+    accelerations: Array
+
+    @property
+    def N(self) -> int:
+        """Phases of an axis."""
+        return 3
+
+    def breaks(self) -> Array:
+        """Times where some axis switches, ascending."""
+        return np.unique(self.times.ravel())
+
+    def sample(self, axes: Axes, t: Array, right: bool = True) -> Sample:
+        """Exact polynomial values."""
+        n = len(t)
+        q, qd, qdd = (np.empty((n, 7)) for _ in range(3))
+        side = "right" if right else "left"
+        for j in range(7):
+            h, acc = np.diff(self.times[j]), self.accelerations[j]
+            v = self.qd_0[j] + np.concatenate([[0], np.cumsum(acc * h)])
+            x = self.q_0[j] + np.concatenate([[0], np.cumsum(v[:-1] * h + acc * h * h / 2)])
+            i = np.clip(np.searchsorted(self.times[j], t, side=side) - 1, 0, 2)
+            dt = t - self.times[j][i]
+            q[:, j] = x[i] + v[i] * dt + acc[i] * dt * dt / 2
+            qd[:, j] = v[i] + acc[i] * dt
+            qdd[:, j] = acc[i]
+        return Sample(t, q, qd, qdd)
+
+
+LegMotion = PathLeg | JointNodes | JointProfiles
+
+
+def share_of(motion: JointNodes) -> tuple[Array, Array, Array]:
+    """The common share s, v, a of a straight joint move."""
+    way = motion.q[-1] - motion.q[0]
+    j = int(np.argmax(np.abs(way)))
+    if way[j] == 0:
+        s = np.linspace(0, 1, motion.N + 1)
+        return s, np.zeros_like(s), np.zeros(motion.N)
+    return (motion.q[:, j] - motion.q[0, j]) / way[j], motion.v[:, j] / way[j], motion.a[:, j] / way[j]
+
+
+def straight(T: float, q_0: Array, q_1: Array, s: Array, v: Array, a: Array) -> JointNodes:
+    """A straight joint move from its common share."""
+    way = q_1 - q_0
+    return JointNodes(T, q_0 + s[:, None] * way, v[:, None] * way, a[:, None] * way)

@@ -1,0 +1,80 @@
+"""Three-phase profiles for a synchronised joint move whose end states and duration are given.
+
+The axes' switches are kept apart: rows of the written file stand at every switch, and two rows must not be nearer than
+a file can carry. An axis with time to spare ramps more gently; if the tight ones collide the move lasts a little longer.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.optimize.double_integrator import cruise_profile, gentlest_profile, shortest_time, trapezoid_time
+from trajopt_cli.optimize.legs import JointProfiles
+
+APART = 3e-5  # s between switches that are not one and the same
+SAME = 1e-10  # s
+GENTLER = (1.0, 0.97, 0.9, 0.8, 0.65, 0.5, 0.3, 0.1, 0.03, 0.01, 0.003, 1e-3, 1e-4)
+
+
+def profiles(
+    q_0: Array, qd_0: Array, q_1: Array, qd_1: Array, V: Array, A: Array, T: float, common: bool
+) -> JointProfiles:
+    """Profiles (7 axes) of a joint move of at least duration T; common: all axes share one trapezoid from rest to rest.
+
+    Raises ValueError where T is out of reach.
+    """
+    if not common:
+        T = max(T, float(shortest_time(q_1 - q_0, qd_0, qd_1, V, A)))
+    else:
+        way = np.maximum(np.abs(q_1 - q_0), 1e-12)
+        T = max(T, float(trapezoid_time(1.0, np.min(V / way), np.min(A / way))))
+    for attempt in range(20):
+        longer = T + attempt * APART
+        found = (
+            _common(q_0, q_1, A, longer) if common else _own(q_0, qd_0, q_1, qd_1, A, longer)
+        )
+        if found is not None:
+            return JointProfiles(longer, q_0, qd_0, *found)
+    raise ValueError(f"profiles: the switches of a joint move of {T:.6f} s cannot be kept {APART:g} s apart")
+
+
+def _clear(breaks: Array, placed: Array) -> bool:
+    """No break within a profile, or between it and the placed ones, nearly but not quite coincides."""
+    gaps = np.abs(breaks[:, None] - np.concatenate([placed, breaks])[None])
+    return not np.any((gaps > SAME) & (gaps < APART))
+
+
+def _own(q_0: Array, qd_0: Array, q_1: Array, qd_1: Array, A: Array, T: float) -> tuple[Array, Array] | None:
+    times, accelerations = np.empty((7, 4)), np.empty((7, 3))
+    placed = np.array([0.0, T])
+    way = q_1 - q_0
+    # the axes that need most of their acceleration have least choice: place them first
+    for j in np.argsort(-np.abs(way) / A):
+        for factor in GENTLER:
+            try:
+                breaks, acc = cruise_profile(float(way[j]), float(qd_0[j]), float(qd_1[j]), T, float(A[j]) * factor)
+            except ValueError:
+                breaks, acc = gentlest_profile(float(way[j]), float(qd_0[j]), float(qd_1[j]), T)
+                if not _clear(breaks, placed):
+                    return None
+                break
+            if _clear(breaks, placed):
+                break
+        else:
+            return None
+        times[j], accelerations[j] = breaks, acc
+        placed = np.concatenate([placed, breaks])
+    return times, accelerations
+
+
+def _common(q_0: Array, q_1: Array, A: Array, T: float) -> tuple[Array, Array] | None:
+    way = q_1 - q_0
+    if not np.any(way):
+        return np.tile([0.0, 0.0, T, T], (7, 1)), np.zeros((7, 3))
+    a = float(np.min(A / np.maximum(np.abs(way), 1e-12)))
+    breaks, share = cruise_profile(1.0, 0.0, 0.0, T, a)
+    if not _clear(breaks, np.array([0.0, T])):
+        # a cruise too short to write down: one switch in the middle, a hair gentler
+        breaks, share = np.array([0.0, T / 2, T / 2, T]), np.array([1.0, 0.0, -1.0]) * 4.0 / T**2
+    return np.tile(breaks, (7, 1)), way[:, None] * share

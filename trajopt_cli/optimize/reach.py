@@ -1,0 +1,285 @@
+"""Where the rail may stand: arm joints over the rail's range for every stop and along every line, per IK branch.
+
+A station's table is continued along its lines, so one branch and one set of whole turns means one continuous
+configuration in the whole station. What cannot be reached is named here, before any optimising.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import ndimage
+
+from trajopt_cli.geometry import Array, inverse_pose, line_pose
+from trajopt_cli.motion import Motion
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.course import Course, LegKind
+from trajopt_cli.optimize.stages import REACH, WRIST
+from trajopt_cli.problem.plan import Infeasible
+from trajopt_cli.robot.inverse import confdata_admits, why_unreachable
+
+LINE_NODES = 13
+TURNS = np.array(
+    [[2 * np.pi * i, 0, 0, 2 * np.pi * j, 0, 2 * np.pi * k] for i in (0, -1, 1) for j in (0, -1, 1) for k in (0, -1, 1)]
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Label:
+    """One continuous configuration of a station: branch number and whole turns (6,) added to the table."""
+
+    cfx: int
+    turns: Array
+
+
+@dataclass(frozen=True, eq=False)
+class StationTable:
+    """Arm joints of one station on a rail grid.
+
+    d: (n,); stops: per stop (L, n, 6) with NaN where the configuration is not to be had, L labels; lines: per leg of
+    the station (L, LINE_NODES, n, 6), None for dwells. At a stop whose joints are fixed only its own rail value is open.
+    """
+
+    first: int
+    d: Array
+    labels: tuple[Label, ...]
+    stops: tuple[Array, ...]
+    lines: tuple[Array | None, ...]
+
+
+def rail_grid(course: Course, first: int, last: int, n: int, window: tuple[float, float] | None = None) -> Array:
+    """Grid of rail positions for the stops first..last, fixed values included exactly."""
+    ranges = [course.stops[k].rail for k in range(first, last + 1)]
+    fixed = [low for low, high in ranges if low == high]
+    free = [r for r in ranges if r[0] != r[1]]
+    if not free:
+        return np.unique(fixed)
+    low, high = free[0]
+    if window:
+        low, high = max(low, window[0]), min(high, window[1])
+    return np.unique(np.r_[np.linspace(low, high, n), fixed])
+
+
+def _unwrap(arm: Array, axis: int) -> Array:
+    """Whole turns removed between neighbours along an axis, gaps of NaN bridged."""
+    filled = np.moveaxis(arm, axis, 0).copy()
+    last = filled[0].copy()
+    for i in range(1, len(filled)):
+        jump = filled[i] - last
+        filled[i] -= 2 * np.pi * np.round(np.where(np.isnan(jump), 0.0, jump) / (2 * np.pi))
+        last = np.where(np.isnan(filled[i]), last, filled[i])
+    return np.moveaxis(filled, 0, axis)
+
+
+def _usable(arm: Array) -> Array:
+    """NaN where a configuration stands too near a singularity for a line, a dwell or a stop with a free rail."""
+    bad = (np.abs(np.sin(arm[..., 2])) > REACH) | (np.abs(np.sin(arm[..., 4])) < WRIST)
+    return np.where(bad[..., None], np.nan, arm)
+
+
+def station_table(
+    axes: Axes, course: Course, first: int, last: int, d: Array, keep: tuple[Label, ...] | None = None
+) -> StationTable:
+    """Tables of one station; keep restricts the labels (same turns, same table reference at the same first grid node)."""
+    n = len(d)
+    stops_raw: list[Array] = []  # (8, n, 6)
+    lines_raw: list[Array | None] = []
+    for k in range(first, last + 1):
+        stop = course.stops[k]
+        if k == first:
+            raw = _usable(np.moveaxis(axes.inverse(np.broadcast_to(stop.X_WF, (n, 4, 4)), d), 1, 0))
+            stops_raw.append(_unwrap(raw, 1))
+            continue
+        leg = course.legs[k - 1]
+        if leg.kind is LegKind.DWELL:
+            stops_raw.append(stops_raw[-1])
+            lines_raw.append(None)
+            continue
+        X_0, X_1 = course.stops[k - 1].X_WF @ leg.X_FT, stop.X_WF @ leg.X_FT
+        X = line_pose(X_0, X_1, np.linspace(0, 1, LINE_NODES)) @ inverse_pose(leg.X_FT)
+        raw = axes.inverse(
+            np.broadcast_to(X[:, None], (LINE_NODES, n, 4, 4)).reshape(-1, 4, 4), np.tile(d, LINE_NODES)
+        )
+        raw = _usable(np.moveaxis(raw.reshape(LINE_NODES, n, 8, 6), 2, 0))
+        start = stops_raw[-1]
+        raw[:, 0] = start
+        # along the line first; then along the rail, for columns whose start is out of reach and gave no reference
+        line = _unwrap(_unwrap(raw, 1), 2)
+        lines_raw.append(line)
+        stops_raw.append(line[:, -1])
+    limits_low, limits_high = axes.lower[1:] - 1e-9, axes.upper[1:] + 1e-9
+
+    labels: list[Label] = []
+    stops: list[list[Array]] = [[] for _ in stops_raw]
+    lines: list[list[Array | None]] = [[] for _ in lines_raw]
+    candidates = (
+        [(label.cfx, label.turns) for label in keep] if keep else [(c, turn) for c in range(8) for turn in TURNS]
+    )
+    for cfx, turn in candidates:
+        tables = []
+        for i, raw in enumerate(stops_raw):
+            q = raw[cfx] + turn
+            ok = np.all((q >= limits_low) & (q <= limits_high), axis=-1)
+            stop = course.stops[first + i]
+            if stop.rail[0] == stop.rail[1]:
+                ok &= np.abs(d - stop.rail[0]) < 1e-12
+            if stop.conf is not None and not course.freedom.configuration:
+                for j in np.flatnonzero(ok & (np.abs(d - stop.written) < 1e-12)):
+                    ok[j] = confdata_admits(course.plant.robot, stop.conf, q[j])
+            if stop.q is not None:
+                ok &= np.all(np.abs(q - axes.seven(stop.q)[1:]) < 1e-6, axis=-1)
+            tables.append(np.where(ok[:, None], q, np.nan))
+        if not all(np.any(~np.isnan(t[:, 0])) for t in tables):
+            continue
+        labels.append(Label(cfx, turn))
+        for i, t in enumerate(tables):
+            stops[i].append(t)
+        for i, raw in enumerate(lines_raw):
+            if raw is None:
+                lines[i].append(None)
+                continue
+            q = raw[cfx] + turn
+            ok = np.all((q >= limits_low) & (q <= limits_high), axis=-1)
+            lines[i].append(np.where(ok[..., None], q, np.nan))
+    if first == last and course.stops[first].q is not None:
+        fixed = axes.seven(course.stops[first].q)
+        return StationTable(first, fixed[:1], (Label(-1, np.zeros(6)),), (fixed[None, None, 1:],), ())
+    return StationTable(
+        first,
+        d,
+        tuple(labels),
+        tuple(np.array(s).reshape(-1, n, 6) for s in stops),
+        tuple(None if not x or x[0] is None else np.array(x) for x in lines),
+    )
+
+
+def check_reach(axes: Axes, course: Course, n: int = 193) -> Infeasible | None:
+    """The first stop that no rail position and branch reaches, or line that none can serve, by name."""
+    for first, last in course.stations:
+        d = rail_grid(course, first, last, n)
+        table = station_table(axes, course, first, last, d)
+        for k in range(first, last + 1):
+            stop = course.stops[k]
+            if stop.q is not None or stop.motion < 0:
+                continue
+            alone = station_table(axes, course_at(course, k), 0, 0, d)
+            if not alone.labels:
+                return _unreachable(axes, course, k, d)
+        for i, line in enumerate(table.lines):
+            leg = course.legs[first + i]
+            if leg.kind is LegKind.LINE and (line is None or not _passable(course, table, i)):
+                return _broken_line(axes, course, first, i, d)
+        if not table.labels:
+            return _no_common(axes, course, first, last)
+    return None
+
+
+def course_at(course: Course, k: int) -> Course:
+    """The course of one stop alone."""
+    return Course(
+        course.plant, course.program, course.freedom, (course.stops[k],), (), ((0, 0),), course.dropped
+    )
+
+
+def _passable(course: Course, table: StationTable, i: int) -> bool:
+    """Some label runs the whole line: with the rail moving if it may, else at one rail position."""
+    line = table.lines[i]
+    leg = course.legs[table.first + i]
+    assert line is not None
+    open_ = ~np.isnan(line[..., 0])
+    open_[:, 0] &= ~np.isnan(table.stops[i][..., 0])
+    open_[:, -1] &= ~np.isnan(table.stops[i + 1][..., 0])
+    for grid in open_:
+        if not leg.rail_moves:
+            if np.any(np.all(grid, axis=0)):
+                return True
+            continue
+        parts, _ = ndimage.label(grid, structure=np.ones((3, 3)))
+        if set(parts[0][parts[0] > 0]) & set(parts[-1][parts[-1] > 0]):
+            return True
+    return False
+
+
+def _unreachable(axes: Axes, course: Course, k: int, d: Array) -> Infeasible:
+    stop = course.stops[k]
+    motion = course.motion(stop.motion)
+    rails = d if axes.has_rail else np.zeros(1)
+    near = rails[int(np.argmin(np.abs(rails - _abreast(axes, stop.X_WF))))]
+    if stop.rail[0] == stop.rail[1]:
+        near = stop.rail[0]
+    reason = why_unreachable(axes.robot, stop.X_WF, float(near) if axes.has_rail else None, course.plant.limits)
+    where = f" at rail {near * 1e3:.1f} mm" if axes.has_rail else ""
+    if stop.conf is not None and not course.freedom.configuration and reason == "":
+        reason = "its confdata is not to be had"
+    text = f"{motion.source}: {_title(motion)} cannot be reached{where}: {reason}"
+    return Infeasible(stop.motion, motion.source, text)
+
+
+def _abreast(axes: Axes, X_WF: Array) -> float:
+    """The rail position at which the base stands nearest to a pose."""
+    p = axes.in_base(X_WF)[:3, 3]
+    return float(p @ axes.rail_axis)
+
+
+def _title(motion: Motion) -> str:
+    return f"{type(motion).__name__} {getattr(motion, 'target', '')}".strip()
+
+
+def _broken_line(axes: Axes, course: Course, first: int, i: int, d: Array) -> Infeasible:
+    """Name the point on the line that serves no rail position and branch which served everything before it."""
+    leg, k = course.legs[first + i], first + i
+    motion = course.motion(leg.motion)
+    X_0, X_1 = course.stops[k].X_WF @ leg.X_FT, course.stops[k + 1].X_WF @ leg.X_FT
+    shares = np.linspace(0, 1, 101)
+    X = line_pose(X_0, X_1, shares)
+    rails = d if axes.has_rail else np.zeros(1)
+    fixed = [course.stops[j].rail[0] for j in (k, k + 1) if course.stops[j].rail[0] == course.stops[j].rail[1]]
+    if fixed and not leg.rail_moves:
+        rails = np.array(fixed[:1])
+    alive: Array | None = None
+    bad = 1.0
+    for share, X_WT in zip(shares, X, strict=True):
+        X_WF = X_WT @ inverse_pose(leg.X_FT)
+        arm = axes.inverse(np.broadcast_to(X_WF, (len(rails), 4, 4)), rails)
+        served = _in_limits(axes, arm)  # (n, 8)
+        if alive is None or leg.rail_moves:
+            alive = served if alive is None else served & np.any(alive, axis=0)
+        else:
+            alive = alive & served
+        if not np.any(alive):
+            bad = float(share)
+            break
+    X_WT = X[int(round(bad * 100))]
+    X_WF = X_WT @ inverse_pose(leg.X_FT)
+    near = rails[int(np.argmin(np.abs(rails - _abreast(axes, X_WF))))]
+    reason = why_unreachable(axes.robot, X_WF, float(near) if axes.has_rail else None, course.plant.limits)
+    where = f" at rail {near * 1e3:.1f} mm" if axes.has_rail else ""
+    if not reason:
+        reason = "no single configuration serves the whole line without crossing a singularity or a joint limit"
+    p = X_WT[:3, 3] * 1e3
+    text = (
+        f"{motion.source}: {_title(motion)} breaks at {bad * leg.chord * 1e3:.1f} mm of {leg.chord * 1e3:.1f} mm,"
+        f" point [{p[0]:.1f}, {p[1]:.1f}, {p[2]:.1f}] mm{where}: {reason}"
+    )
+    return Infeasible(leg.motion, motion.source, text)
+
+
+def _in_limits(axes: Axes, arm: Array) -> Array:
+    low, high = axes.lower[1:] - 1e-9, axes.upper[1:] + 1e-9
+    ok = np.zeros(arm.shape[:-1], dtype=bool)
+    for turn in TURNS:
+        ok |= np.all((arm + turn >= low) & (arm + turn <= high), axis=-1)
+    return ok
+
+
+def _no_common(axes: Axes, course: Course, first: int, last: int) -> Infeasible:
+    index = course.stops[last].motion
+    motion = course.motion(index)
+    start = course.motion(course.stops[first].motion) if course.stops[first].motion >= 0 else None
+    begin = f"{start.source}" if start else "the start"
+    text = (
+        f"{motion.source}: {_title(motion)}: no configuration serves all points from {begin} to here; the lines between"
+        " them keep the branch and the turns of the joints"
+    )
+    return Infeasible(index, motion.source, text)

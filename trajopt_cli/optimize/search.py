@@ -1,0 +1,286 @@
+"""Global search: dynamic programming over rail position, rail speed, IK branch and turns at every stop.
+
+It picks the basin the nonlinear program then descends in. Coarse first, with all branches and the rail at rest at the
+stops; then finer around the best, on the labels that came near it, with rail speed. Edge times of joint moves are
+exact without the tool caps; those of lines are estimates.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.course import Course, Leg, LegKind
+from trajopt_cli.optimize.double_integrator import reach, shortest_time, trapezoid_time
+from trajopt_cli.optimize.reach import LINE_NODES, Label, StationTable, rail_grid, station_table
+from trajopt_cli.problem.freedom import RailFreedom
+
+COARSE, FINE = 33, 25
+SPEEDS = np.array([-0.6, -0.25, 0.0, 0.25, 0.6])  # shares of the rail's top speed tried at a stop
+NEAR = 1.04  # labels within 4 % of the best cycle stay in the fine search
+CHUNK = 2_000_000
+
+
+@dataclass(frozen=True, eq=False)
+class Chain:
+    """The best chain: axes (M, 7) and rail speeds (M,) at the stops, label and estimated time per stop and leg."""
+
+    q: Array
+    w: Array
+    labels: tuple[Label, ...]
+    times: Array
+    cost: float
+
+
+@dataclass(frozen=True, eq=False)
+class _Layer:
+    """States at one stop: q (n, 7), rail speed (n,), arm rates (n, 7), label number and rail index (n,)."""
+
+    q: Array
+    qd: Array
+    label: Array
+    rail: Array
+
+
+def _layer(axes: Axes, course: Course, table: StationTable, k: int, speeds: Array) -> _Layer:
+    arm = table.stops[k - table.first]
+    L, n = arm.shape[:2]
+    labels, rails = np.nonzero(~np.isnan(arm[..., 0]))
+    stop = course.stops[k]
+    q = np.concatenate([table.d[rails][:, None], arm[labels, rails]], axis=1)
+    if stop.rest or stop.q is not None or stop.rail[0] == stop.rail[1] or len(speeds) == 1:
+        return _Layer(q, np.zeros_like(q), labels, rails)
+    m = len(speeds)
+    J = axes.jacobian(q, np.eye(4))
+    rate = -np.linalg.solve(J[:, :, 1:], J[:, :, :1])[..., 0]  # arm speed per rail speed with the flange at rest
+    rate = np.concatenate([np.ones((len(q), 1)), rate], axis=1)
+    q, labels, rails = (np.repeat(x, m, axis=0) for x in (q, labels, rails))
+    qd = np.repeat(rate, m, axis=0) * np.tile(speeds, len(rate))[:, None]
+    ok = np.all(np.abs(qd) <= axes.velocity + 1e-12, axis=1)
+    return _Layer(q[ok], qd[ok], labels[ok], rails[ok])
+
+
+def _joint_time(axes: Axes, leg: Leg, a: _Layer, b: _Layer, tied: bool) -> Array:
+    """(n_a, n_b) least time of joint moves; the tool caps enter by a trapezoid over the chord."""
+    V, A = axes.velocity.copy(), axes.acceleration
+    V[0] = min(V[0], leg.v_rail)
+    out = np.empty((len(a.q), len(b.q)))
+    moving = np.any(a.qd) or np.any(b.qd)
+    p_a, p_b = (axes.forward(x.q) @ leg.X_FT for x in (a, b))
+    rows = max(1, CHUNK // max(1, 7 * len(b.q)))
+    for i in range(0, len(a.q), rows):
+        part = slice(i, i + rows)
+        D = b.q[None] - a.q[part, None]
+        if tied:
+            way = np.maximum(np.abs(D), 1e-12)
+            T = trapezoid_time(1.0, np.min(V / way, axis=-1), np.min(A / way, axis=-1))
+        elif moving:
+            T = shortest_time(D, a.qd[part, None], b.qd[None], V, A, rounds=3)
+        else:
+            D = np.abs(D)
+            T = np.max(trapezoid_time(D, V, A), axis=-1)
+        chord = np.linalg.norm(p_a[part, None, :3, 3] - p_b[None, :, :3, 3], axis=-1)
+        out[part] = np.maximum(T, trapezoid_time(chord, leg.v_tcp, leg.a_tcp))
+    if leg.duration is not None:
+        out = np.where(out <= leg.duration, leg.duration, out)
+    return out
+
+
+def _line_time(axes: Axes, leg: Leg, table: StationTable, i: int, a: _Layer, b: _Layer) -> Array:
+    """(n_a, n_b) estimated time of a line with the rail linear in the path; infinite where it cannot be."""
+    line = table.lines[i]
+    assert line is not None
+    d = table.d
+    n = len(d)
+    limits_v, limits_a = axes.velocity.copy(), axes.acceleration
+    limits_v[0] = min(limits_v[0], leg.v_rail)
+    spacing = (d[-1] - d[0]) / max(n - 1, 1)
+    widest = 0 if not leg.rail_moves else int(np.ceil(0.45 / max(spacing, 1e-9)))
+    best = np.full((len(table.labels), n, n), np.inf)
+    S = np.linspace(0, 1, LINE_NODES)
+    for shift in range(-min(widest, n - 1), min(widest, n - 1) + 1):
+        i0 = np.arange(max(0, -shift), min(n, n - shift))
+        i1 = i0 + shift
+        way = d[i1] - d[i0]
+        position = i0[None] + shift * S[:, None]  # fractional rail index along the line; grid is uniform when free
+        low = np.clip(np.floor(position + 1e-9).astype(int), 0, n - 1)
+        high = np.minimum(low + 1, n - 1)
+        f = (position - low)[None, :, :, None]
+        k = np.arange(LINE_NODES)[:, None]
+        arm = line[:, k, low] * (1 - f) + np.where(f > 1e-9, line[:, k, high], 0.0) * f
+        q = np.concatenate([np.broadcast_to((d[i0] + way * S[:, None])[None, ..., None], (*arm.shape[:-1], 1)), arm], -1)
+        dq = np.gradient(q, S, axis=1)
+        ddq = np.gradient(dq, S, axis=1)
+        v = np.min(limits_v / np.maximum(np.abs(dq), 1e-9), axis=(1, 3))
+        v = np.minimum(v, min(leg.v_tcp / max(leg.chord, 1e-12), leg.v_ori / max(leg.angle, 1e-12)))
+        room = np.maximum(limits_a - np.abs(ddq) * (0.6 * v[:, None, :, None]) ** 2, 0.15 * limits_a)
+        acc = np.min(room / np.maximum(np.abs(dq), 1e-9), axis=(1, 3))
+        acc = np.minimum(acc, leg.a_tcp / max(leg.chord, 1e-12))
+        T = trapezoid_time(1.0, v, acc)
+        best[:, i0, i1] = np.where(np.isnan(T), np.inf, T)
+    T = best[a.label[:, None], a.rail[:, None], b.rail[None]]
+    T = np.where(a.label[:, None] == b.label[None], T, np.inf)
+    if np.any(a.qd) or np.any(b.qd):
+        fast = np.isfinite(T)
+        ia, ib = np.nonzero(fast)
+        T[ia, ib] = np.maximum(
+            T[ia, ib], shortest_time(b.q[ib] - a.q[ia], a.qd[ia], b.qd[ib], limits_v, limits_a, rounds=2)
+        )
+    if leg.duration is not None:
+        T = np.where(leg.duration >= T, leg.duration, T)
+    return T
+
+
+def _dwell_time(axes: Axes, leg: Leg, a: _Layer, b: _Layer, tied: bool) -> Array:
+    """(n_a, n_b) duration of a dwell; infinite where the rail's move does not fit."""
+    V, A = axes.velocity, axes.acceleration
+    same = a.label[:, None] == b.label[None]
+    if not leg.rail_moves:
+        same &= a.rail[:, None] == b.rail[None]
+    out = np.full(same.shape, np.inf)
+    ia, ib = np.nonzero(same)
+    D = b.q[ib] - a.q[ia]
+    if leg.duration is None:
+        out[ia, ib] = shortest_time(D, a.qd[ia], b.qd[ib], V, A)
+        return out
+    T = leg.duration
+    if tied:
+        way = np.maximum(np.abs(D), 1e-12)
+        fits = trapezoid_time(1.0, np.min(V / way, axis=-1), np.min(A / way, axis=-1)) <= T
+    else:
+        up = reach(T, a.qd[ia], b.qd[ib], V, A) >= D - 1e-12
+        down = reach(T, -a.qd[ia], -b.qd[ib], V, A) >= -D - 1e-12
+        fits = np.all(up & down & (np.abs(b.qd[ib] - a.qd[ia]) <= A * T + 1e-12), axis=-1)
+    out[ia, ib] = np.where(fits, T, np.inf)
+    return out
+
+
+def _edges(
+    axes: Axes, course: Course, tables: list[StationTable], where: list[int], layers: list[_Layer], tied: bool
+) -> list[Array]:
+    edges = []
+    cache: dict[tuple[object, ...], Array] = {}
+    for k, leg in enumerate(course.legs):
+        a, b = layers[k], layers[k + 1]
+        if leg.kind is LegKind.JOINT:
+            edges.append(_joint_time(axes, leg, a, b, tied))
+            continue
+        table = tables[where[k]]
+        if leg.kind is LegKind.LINE:
+            T = _line_time(axes, leg, table, k - table.first, a, b)
+        else:
+            T = _dwell_time(axes, leg, a, b, tied)
+        if course.freedom.rail is RailFreedom.STATION:
+            T = np.where(a.rail[:, None] == b.rail[None], T, np.inf)
+        edges.append(T)
+    del cache
+    return edges
+
+
+def _best(layers: list[_Layer], edges: list[Array]) -> tuple[float, list[int], list[Array], list[Array]]:
+    forward = [np.zeros(len(layers[0].q))]
+    back: list[Array] = []
+    for T in edges:
+        total = forward[-1][:, None] + T
+        back.append(np.argmin(total, axis=0))
+        forward.append(np.min(total, axis=0))
+    backward = [np.zeros(len(layers[-1].q))]
+    for T in reversed(edges):
+        backward.append(np.min(T + backward[-1][None], axis=1))
+    backward.reverse()
+    end = int(np.argmin(forward[-1]))
+    path = [end]
+    for b in reversed(back):
+        path.append(int(b[path[-1]]))
+    return float(forward[-1][end]), path[::-1], forward, backward
+
+
+def search(axes: Axes, course: Course, tied: bool) -> Chain | None:
+    """The best chain found, or None when no chain of stops is connected on the grid."""
+    where = _station_of(course)
+    tables = [
+        station_table(axes, course, first, last, rail_grid(course, first, last, COARSE))
+        for first, last in course.stations
+    ]
+    if not all(t.labels for t in tables):
+        return None
+    still = np.zeros(1)
+    layers = [_layer(axes, course, tables[where[k]], k, still) for k in range(len(course.stops))]
+    edges = _edges(axes, course, tables, where, layers, tied)
+    cost, path, forward, backward = _best(layers, edges)
+    if not np.isfinite(cost):
+        return None
+    coarse = _chain(course, tables, where, layers, edges, path, cost)
+    if all(s.rail[0] == s.rail[1] for s in course.stops):
+        return coarse
+    # the fine search: labels near the best, rail near the best
+    V0 = float(axes.velocity[0])
+    speeds = still if tied or not course.freedom.through_stops else V0 * SPEEDS
+    fine_tables = []
+    for (first, last), table in zip(course.stations, tables, strict=True):
+        keep: set[int] = set()
+        low, high = np.inf, -np.inf
+        for k in range(first, last + 1):
+            through = forward[k] + backward[k]
+            near = through <= NEAR * cost
+            keep |= set(layers[k].label[near].tolist())
+            low, high = min(low, layers[k].q[path[k], 0]), max(high, layers[k].q[path[k], 0])
+        spacing = (table.d[-1] - table.d[0]) / max(len(table.d) - 1, 1)
+        margin = max(2 * spacing, 0.1)
+        d = rail_grid(course, first, last, FINE, (low - margin, high + margin))
+        fine = station_table(axes, course, first, last, d)
+        labels = [i for i in range(len(fine.labels)) if _like(fine, i, table, keep)]
+        fine_tables.append(_restrict(fine, labels) if labels else fine)
+    if not all(t.labels for t in fine_tables):
+        return coarse
+    layers = [_layer(axes, course, fine_tables[where[k]], k, speeds) for k in range(len(course.stops))]
+    if not all(len(layer.q) for layer in layers):
+        return coarse
+    edges = _edges(axes, course, fine_tables, where, layers, tied)
+    cost, path, _, _ = _best(layers, edges)
+    return _chain(course, fine_tables, where, layers, edges, path, cost) if np.isfinite(cost) else coarse
+
+
+def _station_of(course: Course) -> list[int]:
+    where = []
+    for i, (first, last) in enumerate(course.stations):
+        where += [i] * (last - first + 1)
+    return where
+
+
+def _like(fine: StationTable, i: int, coarse: StationTable, keep: set[int]) -> bool:
+    """Label i of the fine table is one of the kept coarse labels: same branch, and joints that agree where both stand."""
+    for j in keep:
+        if fine.labels[i].cfx != coarse.labels[j].cfx:
+            continue
+        a, b = fine.stops[0][i], coarse.stops[0][j]
+        ok_a, ok_b = np.flatnonzero(~np.isnan(a[:, 0])), np.flatnonzero(~np.isnan(b[:, 0]))
+        near = ok_b[np.argmin(np.abs(coarse.d[ok_b][None] - fine.d[ok_a][:, None]), axis=1)]
+        at = int(np.argmin(np.abs(coarse.d[near] - fine.d[ok_a])))
+        if np.max(np.abs(a[ok_a[at]] - b[near[at]])) < np.pi:
+            return True
+    return False
+
+
+def _restrict(table: StationTable, labels: list[int]) -> StationTable:
+    return StationTable(
+        table.first,
+        table.d,
+        tuple(table.labels[i] for i in labels),
+        tuple(s[labels] for s in table.stops),
+        tuple(None if line is None else line[labels] for line in table.lines),
+    )
+
+
+def _chain(
+    course: Course, tables: list[StationTable], where: list[int], layers: list[_Layer], edges: list[Array],
+    path: list[int], cost: float,
+) -> Chain:  # fmt: skip
+    q = np.array([layers[k].q[i] for k, i in enumerate(path)])
+    w = np.array([layers[k].qd[i] for k, i in enumerate(path)])
+    labels = tuple(tables[where[k]].labels[layers[k].label[i]] for k, i in enumerate(path))
+    times = np.array([edges[k][path[k], path[k + 1]] for k in range(len(course.legs))])
+    return Chain(q, w, labels, times, cost)

@@ -1,0 +1,179 @@
+"""The optimiser's door: a program, a plant and a target in; a plan with its bound, or the reason why there is none."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from time import perf_counter
+
+import casadi as ca
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.motion import Program
+from trajopt_cli.optimize.assemble import rows_of
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.binding import binding_limit
+from trajopt_cli.optimize.bound import lower_bound
+from trajopt_cli.optimize.course import Course, LegKind, build_course, droppable
+from trajopt_cli.optimize.driver import NotConverged, Refiner
+from trajopt_cli.optimize.legs import JointProfiles, LegMotion, PathLeg
+from trajopt_cli.optimize.reach import check_reach
+from trajopt_cli.optimize.search import Chain, search
+from trajopt_cli.optimize.stages import Stages
+from trajopt_cli.optimize.transcription import Draft
+from trajopt_cli.problem.freedom import EVERYTHING, Freedom
+from trajopt_cli.problem.plan import Infeasible, Plan, PlannedMotion, Target
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.progress import Progress
+from trajopt_cli.robot.symbolic import forward
+
+Report = Callable[[Progress], None]
+
+
+class NoCleanPlan(Exception):
+    """Every start ended with a limit passed or without convergence. A failure of the optimiser, not of the program."""
+
+
+def check_feasible(program: Program, plant: Plant, freedom: Freedom = EVERYTHING) -> Infeasible | None:
+    """The first motion that cannot be done, by name, or None. Takes a fraction of a second; optimises nothing."""
+    course = _courses(program, plant, freedom)[0]
+    return course if isinstance(course, Infeasible) else None
+
+
+def optimize(
+    program: Program, plant: Plant, target: Target, freedom: Freedom = EVERYTHING, progress: Report | None = None
+) -> Plan | Infeasible:
+    """The fastest motion found for a program on one target, with a lower bound of the same model.
+
+    Raises NoCleanPlan when the solver fails from every start.
+    """
+    tell: Report = progress or (lambda _: None)
+    seconds: dict[str, float] = {}
+    start = perf_counter()
+    tied = target is Target.RAPID
+    axes = Axes.of(plant)
+    tell(Progress("reach"))
+    courses = _courses(program, plant, freedom)
+    open_ = [c for c in courses if isinstance(c, Course)]
+    if not open_:
+        assert isinstance(courses[0], Infeasible)
+        return courses[0]
+    seconds["reach"] = perf_counter() - start
+    tell(Progress("search"))
+    start = perf_counter()
+    found = [(chain, course) for course in open_ if (chain := search(axes, course, tied)) is not None]
+    seconds["search"] = perf_counter() - start
+    if not found:
+        return _disconnected(program, plant)
+    chain, course = min(found, key=lambda pair: pair[0].cost)
+    tell(Progress("search", incumbent=None))
+    start = perf_counter()
+    draft, refiner = _refine(axes, course, chain, tied, tell)
+    seconds |= refiner.seconds
+    legs = _final_legs(course, draft, tied)
+    trajectory, bounds = rows_of(axes, legs, axes.seven(_end(axes, course, draft)))
+    start = perf_counter()
+    tell(Progress("bound", incumbent=trajectory.duration))
+    bound = min(lower_bound(axes, course, tied, trajectory.duration), trajectory.duration)
+    seconds["bound"] = perf_counter() - start
+    tell(Progress("done", incumbent=trajectory.duration, bound=bound))
+    grid = _grid(legs, course)
+    motions = _planned(axes, program, course, draft, legs, bounds)
+    return Plan(target, trajectory, motions, bound, grid, seconds)
+
+
+def _courses(program: Program, plant: Plant, freedom: Freedom) -> list[Course | Infeasible]:
+    """The whole program, and without the motions the user lets go if there are any; each checked for reach."""
+    axes = Axes.of(plant)
+    optional = droppable(program, plant) if freedom.drop else frozenset()
+    out: list[Course | Infeasible] = []
+    for dropped in [frozenset[int]()] + ([optional] if optional else []):
+        course = build_course(program, plant, freedom, dropped)
+        if isinstance(course, Course):
+            out.append(check_reach(axes, course) or course)
+        else:
+            out.append(course)
+    return out
+
+
+def _disconnected(program: Program, plant: Plant) -> Infeasible:
+    index = len(program.motions) - 1
+    source = program.motions[index].source
+    return Infeasible(index, source, f"{source}: no chain of configurations connects the start with the program's end")
+
+
+def _refine(axes: Axes, course: Course, chain: Chain, tied: bool, tell: Report) -> tuple[Draft, Refiner]:
+    robot = axes.robot
+    q = ca.SX.sym("q", 7)
+    p, R = forward(robot, q if axes.has_rail else q[1:])
+    flange = ca.Function("flange", [q], [p, R])
+    stages = Stages(robot.arm, axes.rail_axis, axes.lower, axes.upper)
+
+    def report(phase: str, duration: float | None) -> None:
+        tell(Progress(phase, incumbent=duration))
+
+    said = []
+    for attempt in _starts(axes, course, chain, tied):
+        refiner = Refiner(axes, stages, flange, course, tied)
+        try:
+            return refiner.run(attempt, report), refiner
+        except NotConverged as failure:
+            said.append(str(failure))
+    raise NoCleanPlan("; ".join(said))
+
+
+def _starts(axes: Axes, course: Course, chain: Chain, tied: bool) -> list[Chain]:
+    """The chain itself, the same at rest in every stop, and slower."""
+    still = replace(chain, w=np.zeros_like(chain.w))
+    return [chain, still, replace(still, times=chain.times * 1.5)]
+
+
+def _end(axes: Axes, course: Course, draft: Draft) -> Array:
+    stop = course.stops[-1]
+    return stop.q if stop.q is not None else axes.plant_axes(draft.q[-1])
+
+
+def _final_legs(course: Course, draft: Draft, tied: bool) -> list[LegMotion]:
+    """A rapid dwell's profile is played as slowly as the dwell is long."""
+    legs = []
+    for leg, motion in zip(course.legs, draft.legs, strict=True):
+        assert motion is not None
+        if tied and isinstance(motion, PathLeg) and leg.kind is LegKind.DWELL and leg.duration is not None:
+            motion = replace(motion, T=leg.duration)
+        legs.append(motion)
+    return legs
+
+
+def _grid(legs: list[LegMotion], course: Course) -> str:
+    sizes = {
+        name: sorted({m.N for leg, m in zip(course.legs, legs, strict=True) if pick(leg.kind, m)})
+        for name, pick in {
+            "lines": lambda kind, m: kind is LegKind.LINE,
+            "dwells": lambda kind, m: kind is LegKind.DWELL and isinstance(m, PathLeg),
+            "joint moves": lambda kind, m: kind is LegKind.JOINT and not isinstance(m, JointProfiles),
+        }.items()
+    }
+    parts = [f"{'/'.join(map(str, n))} intervals per {name[:-1]}" for name, n in sizes.items() if n]
+    closed = sum(isinstance(m, JointProfiles) and leg.kind is LegKind.JOINT for leg, m in zip(course.legs, legs, strict=True))
+    if closed:
+        parts.append(f"{closed} joint moves in closed form")
+    return ", ".join(parts)
+
+
+def _planned(
+    axes: Axes, program: Program, course: Course, draft: Draft, legs: list[LegMotion], bounds: Array
+) -> tuple[PlannedMotion, ...]:
+    by_motion = {leg.motion: k for k, leg in enumerate(course.legs)}
+    out = []
+    now, q_now = 0.0, axes.plant_axes(draft.q[0])
+    for i, motion in enumerate(program.motions):
+        k = by_motion.get(i)
+        if k is None:
+            out.append(PlannedMotion(i, motion.source, now, now, q_now, q_now, "", i in course.dropped))
+            continue
+        q_1 = axes.plant_axes(draft.q[k + 1])
+        binding = binding_limit(axes, course.legs[k], legs[k])
+        out.append(PlannedMotion(i, motion.source, float(bounds[k]), float(bounds[k + 1]), q_now, q_1, binding))
+        now, q_now = float(bounds[k + 1]), q_1
+    return tuple(out)

@@ -1,0 +1,378 @@
+"""The whole program as one nonlinear program: stop states and leg motions in, better ones out.
+
+Stream: each axis of a joint move has its own profile (closed form while the tool caps sleep, a grid once they bind), the
+rail moves freely along lines and dwells. Rapid: joint moves run straight in joint space, the rail in proportion to the
+path, every axis rests at every stop.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import casadi as ca
+import numpy as np
+
+from trajopt_cli.geometry import Array, axis_angle, inverse_pose
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.blocks import BlockNlp, NlpResult
+from trajopt_cli.optimize.course import Course, Leg, LegKind
+from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, share_of, straight
+from trajopt_cli.optimize.profiles import profiles
+from trajopt_cli.optimize.stages import PathConstants, Stages, ToolRow
+from trajopt_cli.problem.freedom import RailFreedom
+from trajopt_cli.robot.symbolic_inverse import BranchSigns
+
+START = 1.0 - 2e-5  # share of every limit a grid starts with; rounding and Hermite rows need a hair of room
+LEAST_TIME = 1e-3  # s; a leg of zero length still gets this long, so that scaled time stays defined
+
+
+@dataclass(frozen=True, eq=False)
+class Draft:
+    """A candidate: axes q (M, 7) and rail speeds w (M,) at the stops, IK branch per stop (-1 where joints are fixed)."""
+
+    q: Array
+    qd: Array
+    cfx: tuple[int, ...]
+    legs: tuple[LegMotion | None, ...]
+
+    @property
+    def duration(self) -> float:
+        """Sum of all legs, s."""
+        return sum(leg.T for leg in self.legs if leg is not None)
+
+
+@dataclass
+class Margins:
+    """Limits in force per leg and node, as shares (N+1,) of the true ones; tightened where a dense check found excess.
+
+    joints: velocity (N+1, 7), acceleration (N+1, 7); tool: speed, acceleration, reorientation (N+1, 3). rows (N+1, 3):
+    which tool caps a joint move's nodes must hold explicitly; far from a cap the dense check alone watches.
+    """
+
+    velocity: Array
+    acceleration: Array
+    tool: Array
+    rows: Array
+
+    @classmethod
+    def full(cls, N: int) -> Margins:
+        """Nothing tightened but for rounding, no tool cap of a joint move in force."""
+        return cls(
+            np.full((N + 1, 7), START), np.full((N + 1, 7), START), np.full((N + 1, 3), START),
+            np.zeros((N + 1, 3), dtype=bool),
+        )  # fmt: skip
+
+    def refined(self) -> Margins:
+        """The same shares on twice as many intervals; a new node takes the smaller neighbour's."""
+
+        def double(x: Array) -> Array:
+            out = np.empty((2 * len(x) - 1, x.shape[1]))
+            out[::2] = x
+            out[1::2] = np.minimum(x[:-1], x[1:])
+            return out
+
+        rows = np.repeat(self.rows, 2, axis=0)[:-1]
+        rows[1::2] |= self.rows[1:]
+        return Margins(double(self.velocity), double(self.acceleration), double(self.tool), rows)
+
+
+@dataclass
+class _LegVariables:
+    T: int
+    s: Array | None = None
+    v: Array | None = None
+    a: Array | None = None
+    d: Array | None = None
+    w: Array | None = None
+    b: Array | None = None
+    q: Array | None = None
+    qv: Array | None = None
+    qa: Array | None = None
+
+
+def _sides(k: int, N: int) -> str:
+    return ("l" if k > 0 else "") + ("r" if k < N else "")
+
+
+class Transcription:
+    """Builds the program for one draft's structure (branches, grids, which joint moves are on a grid) and solves it."""
+
+    def __init__(
+        self, axes: Axes, stages: Stages, flange: ca.Function, course: Course, draft: Draft,
+        margins: Sequence[Margins | None], tied: bool,
+    ):  # fmt: skip
+        self.axes, self.stages, self.flange, self.course = axes, stages, flange, course
+        self.draft, self.margins, self.tied = draft, margins, tied
+        self.nlp = BlockNlp()
+        self._stops()
+        self._legs = [self._leg(leg, draft.legs[k], margins[k]) for k, leg in enumerate(course.legs)]
+        self._stations()
+
+    # ---- stops
+    def _stops(self) -> None:
+        nlp, axes = self.nlp, self.axes
+        self.stop_q: list[Array] = []
+        self.stop_v: list[Array] = []
+        V = axes.velocity
+        for k, stop in enumerate(self.course.stops):
+            q, qd = self.draft.q[k], self.draft.qd[k]
+            if stop.q is not None:
+                fixed = axes.seven(stop.q)
+                self.stop_q.append(nlp.variables(fixed, fixed, fixed))
+                self.stop_v.append(nlp.variables(np.zeros(7), 0.0, 0.0))
+                continue
+            rest = stop.rest or self.tied or not self._rail_may_pass(k)
+            d = nlp.variables(np.clip(q[:1], *stop.rail), stop.rail[0], stop.rail[1])
+            arm = nlp.variables(q[1:], axes.lower[1:], axes.upper[1:])
+            if rest:
+                w = nlp.variables(np.zeros(1), 0.0, 0.0)
+                arm_v = nlp.variables(np.zeros(6), 0.0, 0.0)
+            else:
+                w = nlp.variables(qd[:1], -V[0], V[0])
+                arm_v = nlp.variables(qd[1:], -V[1:], V[1:])
+            self.stop_q.append(np.r_[d, arm])
+            self.stop_v.append(np.r_[w, arm_v])
+            path = self._rest_path(stop.X_WF)
+            p = np.r_[path.vector(), BranchSigns.from_cfx(self.draft.cfx[k]).vector(), q[1:]]
+            if rest:
+                nlp.add(self.stages.resting_stop(), np.r_[d, arm], p)
+            else:
+                nlp.add(self.stages.stop(), np.r_[d, w, arm, arm_v], p)
+
+    def _rail_may_pass(self, k: int) -> bool:
+        """A stop's rail may have speed only if no neighbouring line or dwell holds the rail still."""
+        legs = self.course.legs
+        near = [legs[i] for i in (k - 1, k) if 0 <= i < len(legs)]
+        return self.axes.has_rail and all(leg.kind is LegKind.JOINT or leg.rail_moves for leg in near)
+
+    def _stations(self) -> None:
+        """Stops of a station share one rail position where the freedom says so."""
+        for k, leg in enumerate(self.course.legs):
+            hold = leg.kind is not LegKind.JOINT and not leg.rail_moves
+            if self.course.freedom.rail is RailFreedom.STATION and leg.kind is not LegKind.JOINT:
+                hold = True
+            a, b = self.course.stops[k], self.course.stops[k + 1]
+            if hold and not (a.rail[0] == a.rail[1] and b.rail[0] == b.rail[1]):
+                self.nlp.add(self.stages.equal(), [self.stop_q[k][0], self.stop_q[k + 1][0]])
+
+    def _rest_path(self, X_WF: Array) -> PathConstants:
+        X = self.axes.in_base(X_WF)
+        return PathConstants(X[:3, 3], np.zeros(3), X[:3, :3], np.array([1.0, 0, 0]), 0.0, np.zeros(3))
+
+    # ---- legs
+    def _leg(self, leg: Leg, motion: LegMotion | None, margins: Margins | None) -> _LegVariables | None:
+        if motion is None:
+            return None
+        low, high = (leg.duration, leg.duration) if leg.duration is not None else (LEAST_TIME, 60.0)
+        if leg.duration is not None and leg.kind is not LegKind.DWELL:
+            high = 60.0
+        if self.tied and leg.kind is LegKind.DWELL and leg.duration is not None:
+            low = LEAST_TIME  # the profile's own least time; played slower so that it lasts the dwell
+        T = int(self.nlp.variables([motion.T], low, high)[0])
+        weight = 1e-4 if self.tied and leg.kind is LegKind.DWELL and leg.duration is not None else 1.0
+        self.nlp.minimise(T, weight)
+        variables = _LegVariables(T)
+        if isinstance(motion, PathLeg):
+            assert margins is not None
+            (self._tied_path if self.tied or not leg.rail_moves else self._free_path)(leg, motion, margins, variables)
+        elif isinstance(motion, JointProfiles):
+            self._joint_closed(leg, variables, motion)
+        else:
+            assert margins is not None
+            (self._straight if self.tied else self._joint_nodes)(leg, motion, margins, variables)
+        return variables
+
+    def _path_parameters(self, leg: Leg, motion: PathLeg, margins: Margins, k: int) -> Array:
+        X = self.axes.in_base(motion.X_0 @ inverse_pose(motion.X_FT))
+        X_T = self.axes.in_base(motion.X_0)
+        X_1 = self.axes.in_base(motion.X_1)
+        axis, angle = axis_angle(X_T[:3, :3].T @ X_1[:3, :3])
+        path = PathConstants(
+            X_T[:3, 3], X_1[:3, 3] - X_T[:3, 3], X[:3, :3], motion.X_FT[:3, :3] @ axis, angle, motion.X_FT[:3, 3]
+        )
+        arm = motion.node_arm(self.axes)[k]
+        m = margins
+        caps = np.array([leg.chord / leg.v_tcp, leg.chord / leg.a_tcp, leg.angle / leg.v_ori]) / m.tool[k]
+        V = self.axes.velocity * m.velocity[k]
+        V[0] = min(V[0], leg.v_rail)
+        return np.r_[
+            path.vector(), BranchSigns.from_cfx(motion.cfx).vector(), arm, V,
+            self.axes.acceleration * m.acceleration[k], caps,
+        ]  # fmt: skip
+
+    def _chain(self, x: Array, v: Array, a: Array) -> None:
+        N = len(a)
+        for k in range(N):
+            self.nlp.add(self.stages.chain(), [x[k], v[k], a[k], x[k + 1], v[k + 1]], [1.0 / N])
+
+    def _share(self, motion_s: Array, motion_v: Array, motion_a: Array) -> tuple[Array, Array, Array]:
+        """Variables of a share going from 0 to 1, at rest at both ends, never backwards."""
+        N = len(motion_a)
+        low_s, high_s = np.zeros(N + 1), np.ones(N + 1)
+        low_s[-1], high_s[0] = 1.0, 0.0
+        high_v = np.full(N + 1, 50.0)
+        high_v[[0, -1]] = 0.0
+        s = self.nlp.variables(motion_s, low_s, high_s)
+        v = self.nlp.variables(motion_v, 0.0, high_v)
+        a = self.nlp.variables(motion_a, -500.0, 500.0)
+        self._chain(s, v, a)
+        return s, v, a
+
+    def _free_path(self, leg: Leg, motion: PathLeg, margins: Margins, out: _LegVariables) -> None:
+        nlp, N, k0 = self.nlp, motion.N, leg.start
+        line = leg.kind is LegKind.LINE
+        if line:
+            out.s, out.v, out.a = self._share(motion.s, motion.v, motion.a)
+        low, high = self.axes.lower[0], self.axes.upper[0]
+        inner = nlp.variables(np.clip(motion.d[1:-1], low, high), low, high)
+        out.d = np.r_[self.stop_q[k0][0], inner, self.stop_q[k0 + 1][0]]
+        out.w = nlp.variables(motion.w, -50.0, 50.0)
+        out.b = nlp.variables(motion.b, -500.0, 500.0)
+        self._chain(out.d, out.w, out.b)
+        for node, k in ((0, k0), (N, k0 + 1)):
+            nlp.add(self.stages.speed_link(), [self.stop_v[k][0], out.w[node], out.T])
+        turning = leg.angle > 1e-9
+        for k in range(N + 1):
+            sides = _sides(k, N)
+            around = [i for i, side in ((k - 1, "l"), (k, "r")) if side in sides]
+            p = self._path_parameters(leg, motion, margins, k)
+            if line:
+                z = [out.s[k], out.v[k], out.d[k], out.w[k], *(x[i] for i in around for x in (out.a, out.b)), out.T]
+                nlp.add(self.stages.path_node(sides, turning, False), z, p)
+            else:
+                z = [out.d[k], out.w[k], *(out.b[i] for i in around), out.T]
+                nlp.add(self.stages.dwell_node(sides), z, p)
+
+    def _tied_path(self, leg: Leg, motion: PathLeg, margins: Margins, out: _LegVariables) -> None:
+        nlp, N, k0 = self.nlp, motion.N, leg.start
+        out.s, out.v, out.a = self._share(motion.s, motion.v, motion.a)
+        ends = [self.stop_q[k0][0], self.stop_q[k0 + 1][0]]
+        turning = leg.angle > 1e-9
+        for k in range(N + 1):
+            sides = _sides(k, N)
+            around = [i for i, side in ((k - 1, "l"), (k, "r")) if side in sides]
+            z = [out.s[k], out.v[k], *(out.a[i] for i in around), *ends, out.T]
+            p = self._path_parameters(leg, motion, margins, k)
+            nlp.add(self.stages.path_node(sides, turning, True), z, p)
+
+    def _rail_speed(self, leg: Leg) -> Array:
+        V = self.axes.velocity.copy()
+        V[0] = min(V[0], leg.v_rail)
+        return V
+
+    def _joint_closed(self, leg: Leg, out: _LegVariables, motion: JointProfiles) -> None:
+        k, V, A = leg.start, self._rail_speed(leg), self.axes.acceleration
+        qa, va, qb, vb = self.stop_q[k], self.stop_v[k], self.stop_q[k + 1], self.stop_v[k + 1]
+        if self.tied:
+            top = self._top(leg, 1.0)
+            self.nlp.add(self.stages.trapezoid(), np.r_[top, out.T])
+            return
+        for j in range(0 if self.axes.has_rail else 1, 7):
+            self.nlp.add(self.stages.axis_reach(), [qa[j], va[j], qb[j], vb[j], out.T], [V[j], A[j]])
+
+    def _top(self, leg: Leg, share: float) -> Array:
+        """Top speed and acceleration of a straight joint move's common profile; share: how much of each limit."""
+        k, V, A = leg.start, self._rail_speed(leg), self.axes.acceleration
+        way = np.maximum(np.abs(self.draft.q[k + 1] - self.draft.q[k]), 1e-9)
+        v = min(1e3, float(np.min(V / way)))
+        a = min(1e4, float(np.min(A / way)))
+        top = self.nlp.variables([min(v, np.sqrt(a)), a], [1e-3, 1e-3], [1e4, 1e6])
+        for j in range(0 if self.axes.has_rail else 1, 7):
+            z = [self.stop_q[k][j], self.stop_q[k + 1][j], *top]
+            self.nlp.add(self.stages.straight_axis(), z, [V[j] * share, A[j] * share])
+        return top
+
+    def _tool_rows(self, leg: Leg, margins: Margins, k: int) -> list[tuple[ToolRow, float]]:
+        caps = (leg.v_tcp, leg.a_tcp, leg.v_ori)
+        return [(row, caps[row] * margins.tool[k, row]) for row in ToolRow if margins.rows[k, row]]
+
+    def _joint_nodes(self, leg: Leg, motion: JointNodes, margins: Margins, out: _LegVariables) -> None:
+        nlp, N, k0 = self.nlp, motion.N, leg.start
+        inner = nlp.variables(motion.q[1:-1], np.tile(self.axes.lower, N - 1), np.tile(self.axes.upper, N - 1))
+        out.q = np.vstack([self.stop_q[k0], inner.reshape(N - 1, 7), self.stop_q[k0 + 1]])
+        out.qv = nlp.variables(motion.v, -100.0, 100.0).reshape(N + 1, 7)
+        out.qa = nlp.variables(motion.a, -1000.0, 1000.0).reshape(N, 7)
+        V = self._rail_speed(leg)
+        for j in range(7):
+            self._chain(out.q[:, j], out.qv[:, j], out.qa[:, j])
+            for node, k in ((0, k0), (N, k0 + 1)):
+                nlp.add(self.stages.speed_link(), [self.stop_v[k][j], out.qv[node, j], out.T])
+        for k in range(N + 1):
+            sides = _sides(k, N)
+            around = [i for i, side in ((k - 1, "l"), (k, "r")) if side in sides]
+            for j in range(7):
+                p = [V[j] * margins.velocity[k, j], self.axes.acceleration[j] * margins.acceleration[k, j]]
+                nlp.add(self.stages.axis_node(sides), [out.qv[k, j], *(out.qa[i, j] for i in around), out.T], p)
+            for row, cap in self._tool_rows(leg, margins, k):
+                block = self.stages.tool_row(self.flange, leg.X_FT[:3, 3], row)
+                for i in around if row is ToolRow.ACCELERATION else (None,):
+                    acc = [] if i is None else out.qa[i]
+                    nlp.add(block, np.r_[out.q[k], out.qv[k], acc, out.T].astype(int), [cap])
+
+    def _straight(self, leg: Leg, motion: JointNodes, margins: Margins, out: _LegVariables) -> None:
+        nlp, N, k0 = self.nlp, motion.N, leg.start
+        s, v, a = share_of(motion)
+        out.s, out.v, out.a = self._share(s, v, a)
+        top = self._top(leg, START)
+        for k in range(N + 1):
+            sides = _sides(k, N)
+            around = [i for i, side in ((k - 1, "l"), (k, "r")) if side in sides]
+            nlp.add(self.stages.share_node(sides), [out.v[k], *(out.a[i] for i in around), *top, out.T])
+            for row, cap in self._tool_rows(leg, margins, k):
+                block = self.stages.straight_tool_row(self.flange, leg.X_FT[:3, 3], row)
+                for i in around if row is ToolRow.ACCELERATION else (None,):
+                    acc = [] if i is None else [out.a[i]]
+                    z = np.r_[out.s[k], out.v[k], acc, self.stop_q[k0], self.stop_q[k0 + 1], out.T]
+                    nlp.add(block, z.astype(int), [cap])
+
+    # ---- reading back
+    def read(self, x: Array) -> Draft:
+        """The draft that variables x describe."""
+        q, qd = self._polished(np.array([x[i] for i in self.stop_q]), np.array([x[i] for i in self.stop_v]))
+        legs: list[LegMotion | None] = []
+        for leg, motion, var in zip(self.course.legs, self.draft.legs, self._legs, strict=True):
+            if motion is None or var is None:
+                legs.append(None)
+                continue
+            T, k = float(x[var.T]), leg.start
+            if isinstance(motion, JointProfiles):
+                legs.append(self._profiles(leg, q[k], qd[k], q[k + 1], qd[k + 1], T))
+            elif isinstance(motion, JointNodes):
+                if self.tied:
+                    legs.append(straight(T, q[k], q[k + 1], x[var.s], x[var.v], x[var.a]))
+                else:
+                    nodes, speeds = x[var.q], x[var.qv]
+                    nodes[0], nodes[-1], speeds[0], speeds[-1] = q[k], q[k + 1], qd[k] * T, qd[k + 1] * T
+                    legs.append(JointNodes(T, nodes, speeds, x[var.qa]))
+            else:
+                legs.append(self._read_path(leg, motion, var, x, T, q[k], q[k + 1]))
+        return Draft(q, qd, self.draft.cfx, tuple(legs))
+
+    def _polished(self, q: Array, qd: Array) -> tuple[Array, Array]:
+        """Stop states with the arm exactly where the rail puts it; the solver leaves a residual."""
+        q, qd = q.copy(), qd.copy()
+        for k, stop in enumerate(self.course.stops):
+            if stop.q is not None:
+                continue
+            arm = self.axes.inverse(stop.X_WF[None], q[k, :1])[0, self.draft.cfx[k]]
+            q[k, 1:] = arm + 2 * np.pi * np.round((q[k, 1:] - arm) / (2 * np.pi))
+            J = self.axes.jacobian(q[k], np.eye(4))
+            qd[k, 1:] = -np.linalg.solve(J[:, 1:], J[:, 0]) * qd[k, 0]
+        return q, qd
+
+    def _read_path(
+        self, leg: Leg, motion: PathLeg, var: _LegVariables, x: Array, T: float, q_0: Array, q_1: Array
+    ) -> PathLeg:
+        if var.d is None:
+            s, v, a = x[var.s], x[var.v], x[var.a]
+            way = q_1[0] - q_0[0]
+            return replace(
+                motion, T=T, s=s, v=v, a=a, d=q_0[0] + way * s, w=way * v, b=way * a, reference=q_0[1:]
+            )
+        s, v, a = (x[var.s], x[var.v], x[var.a]) if var.s is not None else (motion.s, motion.v, motion.a)
+        return replace(motion, T=T, s=s, v=v, a=a, d=x[var.d], w=x[var.w], b=x[var.b], reference=q_0[1:])
+
+    def _profiles(self, leg: Leg, q_0: Array, qd_0: Array, q_1: Array, qd_1: Array, T: float) -> JointProfiles:
+        V = self._rail_speed(leg)
+        return profiles(q_0, qd_0, q_1, qd_1, V, self.axes.acceleration, T, self.tied)
