@@ -94,7 +94,7 @@ def test_every_solution_of_the_truth_is_found_and_none_extra(irb140, truth):
 
 def test_branches_lead_back_to_the_pose_from_a_rail_and_a_crooked_mounting(mounted, rng):
     k = len(mounted.axis_names)
-    q = rng.uniform(-3, 3, (3000, k))  # more than one chunk
+    q = rng.uniform(-3, 3, (3000, k))  # more than one chunk, and no whole number of them
     X = mounted.forward(q)
     rail = q[:, 0] if mounted.has_rail else None
     found = inverse(mounted, X, rail)

@@ -126,7 +126,8 @@ def check_axes(data: RobotFile, raw: Mapping[str, Any], names: tuple[str, ...], 
     groups: list[tuple[tuple[str, ...], frozenset[str]]] = [(("axes",), frozenset(data.axes))]
     groups += [(("profiles", n, "acceleration"), frozenset(p.acceleration)) for n, p in data.profiles.items()]
     for keys, found in groups:
-        for name in sorted(found ^ set(names)):
+        # A misspelt name is both unknown and missing; the line of the misspelling helps more.
+        for name in (*sorted(found - set(names)), *sorted(set(names) - found)):
             what = "is missing" if name in names else "is no axis of the URDF"
             message = f"'{'.'.join((*keys, name))}' {what}: wanted {', '.join(names)}"
             raise InputError(message, file=file, line=line_of(raw, (*keys, name)))

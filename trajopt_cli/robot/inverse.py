@@ -17,8 +17,10 @@ from trajopt_cli.robot.arm import Arm
 from trajopt_cli.robot.model import RobotModel
 
 BRANCHES = 8
-_CHUNK = 1024  # poses at once: about a hundred work arrays of 8 kB stay in the second-level cache
+_FACING = np.array([[1.0], [-1.0]])  # before and behind, along the axis a branch bit stands on
+_CHUNK = 512  # poses at once: work arrays of 16 kB stay in cache, and small enough for the heap to keep between calls
 _SINGULAR = 1e-12  # sin q5, or m of the wrist centre from axis 1: below, the angle is a convention
+_WEAK = 1e-3  # sin q5: above, q4 and q6 found each for itself are right to 1e-13
 _STRETCH = 1e-12  # how far |sin q3| may exceed 1 by rounding at the stretched or folded elbow
 _ON_LIMIT = 1e-9  # rad or m: a solution this little outside a limit stands on it
 _ON_QUADRANT = 1e-9  # rad below a multiple of 90 deg that still counts as on it
@@ -36,89 +38,113 @@ def inverse(robot: RobotModel, X_WF: Array, rail: Array | None = None) -> Array:
     if X_WF.ndim != 3 or X_WF.shape[1:] != (4, 4):
         raise ValueError(f"X_WF has shape {X_WF.shape}, wanted (n, 4, 4)")
     n = len(X_WF)
-    X_WB = robot.base(0.0)
+    X_WB = robot.X_WB0
     p = X_WF[:, :3, 3].T - X_WB[:3, 3, None]
     if robot.rail_axis_W is not None:
         if rail is None:
             raise ValueError(f"robot {robot.name} rides a rail: give rail (n,)")
         p = p - robot.rail_axis_W[:, None] * np.broadcast_to(np.asarray(rail, dtype=np.float64), (n,))
     R_BW = X_WB[:3, :3].T
-    out = np.empty((n, BRANCHES, 6))
+    out = np.empty((BRANCHES, 6, n))
     for start in range(0, n, _CHUNK):
         part = slice(start, min(start + _CHUNK, n))
-        R = np.ascontiguousarray(X_WF[part, :3, :3].transpose(1, 2, 0))
-        R_BF = (R_BW @ R.reshape(3, -1)).reshape(R.shape)
-        out[part] = inverse_arm(robot.arm, R_BW @ p[:, part], R_BF).transpose(2, 0, 1)
-    return out
+        R_BF = R_BW @ X_WF[part, :3, :3].transpose(1, 2, 0).reshape(3, -1)
+        inverse_arm(robot.arm, R_BW @ p[:, part], R_BF.reshape(3, 3, -1), out[..., part])
+    return out.transpose(2, 0, 1)
 
 
-def inverse_arm(arm: Arm, p_BF: Array, R_BF: Array) -> Array:
-    """Joints (8, 6, n) by cfx of flange positions (3, n) [m] and rotations (3, 3, n) in the arm's base frame."""
-    n = p_BF.shape[1]
-    x_F, y_F, z_F = R_BF[:, 0], R_BF[:, 1], R_BF[:, 2]
-    w = p_BF - arm.L6 * z_F
-    out = np.empty((2, 2, 2, 6, n))  # behind axis 1, behind the lower arm, q5 < 0
-    reach = np.sqrt(w[0] * w[0] + w[1] * w[1])
-    on_axis = reach < _SINGULAR
+def inverse_arm(arm: Arm, p_BF: Array, R_BF: Array, out: Array) -> None:
+    """Put joints by cfx of flange positions (3, n) [m] and rotations (3, 3, n), arm's base frame, into out (8, 6, n).
+
+    Poses come last so that every step runs over contiguous blocks. Results go straight to out, and the two halves are
+    functions of their own so that their work arrays die early: memory given back to the system and fetched again page
+    by page costs as much as the arithmetic.
+    """
+    out = out.reshape(2, 2, 2, 6, -1)  # behind axis 1, behind the lower arm, q5 < 0; a view, axes are only split
     with np.errstate(invalid="ignore", divide="ignore"):
-        c1, s1 = np.where(on_axis, 1.0, w[0] / reach), np.where(on_axis, 0.0, w[1] / reach)
-        q1 = _half_open(np.arctan2(s1, c1))
-        # The wrist centre seen from axis 2 in the arm's own plane: ahead and up, both shoulders (2, n).
-        ahead, up = np.stack([reach - arm.a1, -reach - arm.a1]), w[2] - arm.d1
-        distance2 = ahead * ahead + up * up
-        s3 = (arm.L2**2 + arm.L4**2 - distance2) / (2 * arm.L2 * arm.L4)
-        s3 = np.where(np.abs(s3) <= 1 + _STRETCH, np.clip(s3, -1.0, 1.0), np.nan)
-        c3 = np.sqrt((1 - s3) * (1 + s3))
-        exists = 0 * s3  # NaN where the branch has no solution: its whole row says so
-        out[0, :, :, 0] = q1 + exists[0]
-        out[1, :, :, 0] = q1 - np.where(q1 > 0, pi, -pi) + exists[1]
-        q3 = np.arctan2(s3, c3)
-        out[:, 0, :, 2] = q3[:, None]
-        out[:, 1, :, 2] = np.where(q3 < pi / 2, -pi - q3, q3)[:, None]  # -270 deg is +90 deg
-        along = arm.L2 - arm.L4 * s3
-        across = arm.L4 * np.stack([c3, -c3], axis=1)  # (2 shoulders, 2 elbows, n)
-        y2 = along[:, None] * ahead[:, None] - across * up
-        x2 = along[:, None] * up + across * ahead[:, None]
-        out[..., 1, :] = np.arctan2(y2, x2)[:, :, None]
-
-        # sin and cos of q2 + q3 from the same products, then R_36 = (Rz(q1) Ry(q2 + q3))^T R_06; the flange adds
-        # Ry(90 deg), so R_06 has columns z_F, y_F, -x_F. "turn" and "side" are those columns in axis 1's frame.
-        s2, c2 = y2 / distance2[:, None], x2 / distance2[:, None]
-        c3 = np.stack([c3, -c3], axis=1)
-        s23, c23 = s2 * c3 + c2 * s3[:, None], c2 * c3 - s2 * s3[:, None]
-        facing = np.array([1.0, -1.0])[:, None, None]  # behind axis 1 the frame is turned by half a turn
-
-        def in_axis_1(v: Array) -> tuple[Array, Array, Array]:
-            return facing * (c1 * v[0] + s1 * v[1]), facing * (c1 * v[1] - s1 * v[0]), v[2]
-
-        turn, side, rise = in_axis_1(z_F)
-        m00, m10, m20 = c23 * turn - s23 * rise, side + 0 * c23, s23 * turn + c23 * rise
-        bend = np.sqrt(m10 * m10 + m20 * m20)
-        turn_y, side_y, rise_y = in_axis_1(y_F)
-        turn_x, side_x, rise_x = in_axis_1(x_F)
-        m01, m02 = c23 * turn_y - s23 * rise_y, s23 * rise_x - c23 * turn_x
-        q4, q5, q6 = np.arctan2(m10, -m20), np.arctan2(bend, m00), np.arctan2(m01, m02)
-        weak = bend < 1e-3
-        if weak.any():
-            # Near q5 = 0, q4 and q6 are rounding each for itself but exact in sum: take q6 from the turn q4 leaves.
-            straight = bend < _SINGULAR
-            q4 = np.where(straight, 0.0, q4)
-            q5 = np.where(straight, np.where(m00 > 0, 0.0, pi), q5)
-            m21, m22 = s23 * turn_y + c23 * rise_y, -(s23 * turn_x + c23 * rise_x)
-            c4, s4 = np.cos(q4), np.sin(q4)
-            q6 = np.where(weak, np.arctan2(c4 * side_x - s4 * m22, c4 * side_y + s4 * m21), q6)
-    for wrist, sign in ((0, 1.0), (1, -1.0)):
-        out[:, :, wrist, 4] = sign * q5
-    for column, q in ((3, q4), (5, q6)):
-        q = _half_open(q)
-        out[:, :, 0, column] = q
-        out[:, :, 1, column] = q - np.where(q > 0, pi, -pi)
-    return out.reshape(BRANCHES, 6, n)
+        c1, s1, c23, s23 = _reach(arm, p_BF - arm.L6 * R_BF[:, 2], out)
+        _wrist(R_BF, c1, s1, c23, s23, out)
 
 
-def _half_open(angle: Array) -> Array:
-    """Angles of arctan2 with -pi, which it gives for a negative zero, moved to pi."""
-    return np.where(angle <= -pi, pi, angle)
+def _reach(arm: Arm, w: Array, out: Array) -> tuple[Array, Array, Array, Array]:
+    """Put q1, q2, q3 of wrist centres w (3, n) into out; cos, sin q1 facing forward (n,), of q2 + q3 (2, 2, n)."""
+    reach = np.sqrt(w[0] * w[0] + w[1] * w[1])
+    c1, s1 = w[0] / reach, w[1] / reach
+    on_axis = reach < _SINGULAR
+    if on_axis.any():
+        c1[on_axis], s1[on_axis] = 1.0, 0.0
+    # The wrist centre seen from axis 2 in the arm's own plane: ahead and up, both shoulders (2, n).
+    ahead, up = _FACING * reach - arm.a1, w[2] - arm.d1
+    distance2 = ahead * ahead + up * up
+    s3 = (arm.L2**2 + arm.L4**2 - distance2) / (2 * arm.L2 * arm.L4)
+    s3[np.abs(s3) > 1 + _STRETCH] = np.nan
+    s3 = np.maximum(np.minimum(s3, 1.0), -1.0)
+    c3 = np.sqrt((1 - s3) * (1 + s3))
+    q1 = np.arctan2(s1, c1)
+    _close_at_pi(q1)
+    exists = 0 * s3  # NaN where the branch has no solution: its whole row says so
+    out[0, :, :, 0] = q1 + exists[0]
+    out[1, :, :, 0] = _half_turn(q1) + exists[1]
+    q3 = np.arctan2(s3, c3)
+    out[:, 0, :, 2] = q3[:, None]
+    q3 = -pi - q3
+    q3[q3 <= -1.5 * pi] = 0.5 * pi  # -270 deg is +90 deg
+    out[:, 1, :, 2] = q3[:, None]
+    along, ahead, s3, distance2 = (a[:, None] for a in (arm.L2 - arm.L4 * s3, ahead, s3, distance2))
+    c3 = _FACING * c3[:, None]  # (2 shoulders, 2 elbows, n), as all that follows; the elbow's sign is cos q3's
+    across = arm.L4 * c3
+    y2, x2 = along * ahead - across * up, along * up + across * ahead
+    out[..., 1, :] = np.arctan2(y2, x2)[:, :, None]
+    y2 /= distance2
+    x2 /= distance2
+    return c1, s1, x2 * c3 - y2 * s3, y2 * c3 + x2 * s3
+
+
+def _wrist(R_BF: Array, c1: Array, s1: Array, c23: Array, s23: Array, out: Array) -> None:
+    """Put q4, q5, q6 into out. R_36 = (Rz(q1) Ry(q2 + q3))^T [z, y, -x] of the flange, which adds Ry(90 deg)."""
+    # The flange's axes x, y, z in the frame axis 1 carries: ahead (3, 2 shoulders, 1, n), up (3, n); z aside.
+    ahead = (c1 * R_BF[0] + s1 * R_BF[1])[:, None, None] * _FACING[:, None]
+    aside = (c1 * R_BF[1, 2] - s1 * R_BF[0, 2]) * _FACING[:, None]
+    up = R_BF[2]
+    q4, q5, q6 = (out[:, :, 0, i] for i in (3, 4, 5))
+    bend = s23 * ahead[2] + c23 * up[2]
+    np.arctan2(aside, -bend, out=q4)
+    bend *= bend
+    bend += aside * aside
+    np.sqrt(bend, out=bend)
+    np.arctan2(bend, c23 * ahead[2] - s23 * up[2], out=q5)
+    np.arctan2(c23 * ahead[1] - s23 * up[1], s23 * up[0] - c23 * ahead[0], out=q6)
+    weak = bend < _WEAK
+    if weak.any():
+        # q4 and q6 are rounding here, each for itself, but exact in sum: take q6 from the turn that q4 leaves.
+        straight = bend[weak] < _SINGULAR
+        q4[weak] = np.where(straight, 0.0, q4[weak])
+        q5[weak] = np.where(straight, np.where(q5[weak] < 1, 0.0, pi), q5[weak])
+        shoulder, _, n = np.nonzero(weak)
+        s, c, s4, c4 = s23[weak], c23[weak], np.sin(q4[weak]), np.cos(q4[weak])
+        sine, cosine = (
+            c4 * _FACING[shoulder, 0] * (c1[n] * R_BF[1, i, n] - s1[n] * R_BF[0, i, n])
+            + s4 * (s * ahead[i, shoulder, 0, n] + c * up[i, n])
+            for i in (0, 1)
+        )
+        q6[weak] = np.arctan2(sine, cosine)
+    np.negative(q5, out=out[:, :, 1, 4])
+    turns = out[:, :, 0, 3::2]  # q4 and q6
+    _close_at_pi(turns)
+    out[:, :, 1, 3::2] = _half_turn(turns)
+
+
+def _close_at_pi(angle: Array) -> None:
+    """Move -pi, which arctan2 gives for a negative zero, to pi, in place."""
+    low = angle <= -pi
+    if low.any():
+        angle[low] = pi
+
+
+def _half_turn(angle: Array) -> Array:
+    """Angles in (-pi, pi] turned by half a turn, in (-pi, pi] again; 0 turns to pi, hence the shift of the sign."""
+    turned: Array = angle - np.copysign(pi, angle - 1e-300)
+    return turned
 
 
 def representatives(q: Array, lower: Array, upper: Array) -> Array:

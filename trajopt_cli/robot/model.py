@@ -60,7 +60,8 @@ class RobotModel:
         return self.profiles[wanted]
 
     @cached_property
-    def _X_WB0(self) -> Array:
+    def X_WB0(self) -> Array:
+        """The arm's base X_WB (4, 4) with the rail at 0."""
         return readonly(self.X_WR @ self.X_RB)
 
     @cached_property
@@ -71,7 +72,7 @@ class RobotModel:
     def base(self, rail: Array | float = 0.0) -> Array:
         """The arm's base X_WB (..., 4, 4) at rail positions (...) [m]; without a rail the value does not matter."""
         rail = np.asarray(rail, dtype=np.float64)
-        X = np.array(np.broadcast_to(self._X_WB0, (*rail.shape, 4, 4)))
+        X = np.array(np.broadcast_to(self.X_WB0, (*rail.shape, 4, 4)))
         if self.rail_axis_W is not None:
             X[..., :3, 3] += rail[..., None] * self.rail_axis_W
         return X
@@ -81,7 +82,7 @@ class RobotModel:
         q = np.asarray(q, dtype=np.float64)
         self._check(q, "q")
         X = arm_products.forward(self.arm, q[..., -6:])
-        X_WB0 = self._X_WB0
+        X_WB0 = self.X_WB0
         X[..., :3, :] = X_WB0[:3, :3] @ X[..., :3, :]
         X[..., :3, 3] += X_WB0[:3, 3]
         if self.rail_axis_W is not None:
@@ -114,7 +115,7 @@ class RobotModel:
             linear, angular = self._rates(a, o, lever, np.asarray(qd, dtype=np.float64), q.shape)
         J = np.zeros((*q.shape[:-1], 6, len(self.axis_names)))
         for rows, block in ((slice(0, 3), linear), (slice(3, 6), angular)):
-            turned = np.tensordot(self._X_WB0[:3, :3], block, axes=1)
+            turned = np.tensordot(self.X_WB0[:3, :3], block, axes=1)
             J[..., rows, -6:] = np.moveaxis(turned, (0, 1), (-2, -1))
         if qd is None and self.rail_axis_W is not None:
             J[..., :3, 0] = self.rail_axis_W

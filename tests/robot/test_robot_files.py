@@ -1,0 +1,196 @@
+"""Robot files: what ships, what is said of a mistake, and what loading must not import."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from ruamel.yaml import YAML
+
+from trajopt_cli.errors import InputError, InputErrorGroup
+from trajopt_cli.robot import catalogue
+from trajopt_cli.robot.model import load_robot, robot_names
+
+ROBOTS = Path(__file__).parents[2] / "robots"
+
+
+@pytest.fixture
+def copy(tmp_path):
+    """Writes irb140 with edits into a folder of its own: copy(yaml={old: new}, urdf={old: new}) -> path."""
+
+    def write(yaml=None, urdf=None):
+        for suffix, edits in (("yaml", yaml or {}), ("urdf", urdf or {})):
+            text = (ROBOTS / f"irb140.{suffix}").read_text()
+            for old, new in edits.items():
+                assert text.count(old) >= 1, old
+                text = text.replace(old, new, 1)
+            (tmp_path / f"irb140.{suffix}").write_text(text)
+        return str(tmp_path / "irb140.yaml")
+
+    return write
+
+
+def line_with(text, path):
+    """The first line, from 1, that holds text."""
+    return next(i for i, line in enumerate(Path(path).read_text().splitlines(), 1) if text in line)
+
+
+def test_both_robots_ship_and_load():
+    assert robot_names() == ("irb140", "irb140_rail")
+    assert load_robot("irb140").axis_names == tuple(f"joint_{i}" for i in range(1, 7))
+    rail = load_robot("irb140_rail")
+    assert rail.axis_names == ("rail", *(f"joint_{i}" for i in range(1, 7)))
+    assert rail.has_rail
+    assert not load_robot("irb140").has_rail
+    np.testing.assert_array_equal(rail.rail_axis, [0, 1, 0])
+    assert rail.arm == load_robot("irb140").arm
+
+
+def test_limits_are_those_of_the_data_sheet_and_the_profiles():
+    robot = load_robot("irb140_rail")
+    default, optimistic = robot.profile(), robot.profile("optimistic")
+    np.testing.assert_allclose(np.degrees(default.lower[1:]), [-180, -90, -230, -200, -115, -400], rtol=1e-15)
+    np.testing.assert_allclose(np.degrees(default.upper[1:]), [180, 110, 50, 200, 115, 400], rtol=1e-15)
+    np.testing.assert_allclose(np.degrees(default.velocity[1:]), [200, 200, 260, 360, 360, 450], rtol=1e-15)
+    np.testing.assert_array_equal(default.acceleration, [2, 15, 15, 20, 40, 40, 50])
+    np.testing.assert_array_equal(optimistic.acceleration, [2, 35, 35, 45, 63, 63, 79])
+    assert default.velocity[0] == 1.0
+    assert (robot.tcp.speed, robot.tcp.acceleration) == (2.5, 20.0)
+
+
+def test_every_number_has_a_source_and_a_grade(mounted):
+    for limits in mounted.profiles.values():
+        wanted = {f"{n}.{k}" for n in mounted.axis_names for k in ("position", "velocity", "acceleration")}
+        assert set(limits.sources) == wanted
+        assert all(text.endswith(tuple(f"(grade {g})" for g in "ABCD")) for text in limits.sources.values())
+    assert mounted.profile("default").sources["joint_3.acceleration"].endswith("(grade D)")
+    assert mounted.profile("optimistic").sources["joint_3.acceleration"].endswith("(grade C)")
+    assert mounted.notes["tcp.speed"].endswith("(grade B)")
+
+
+def test_an_unknown_robot_or_profile_lists_the_known():
+    with pytest.raises(InputError) as error:
+        load_robot("irb_140")
+    assert str(error.value) == (
+        "unknown robot 'irb_140': known are irb140, irb140_rail; or give the path of a robot's .yaml file"
+    )
+    with pytest.raises(InputError, match=r"irb140 has no limit profile 'fast': known are default, optimistic"):
+        load_robot("irb140").profile("fast")
+    with pytest.raises(InputError, match=r"robot file 'nowhere/x\.yaml' does not exist"):
+        load_robot("nowhere/x.yaml")
+
+
+def test_a_robot_loads_from_a_path(copy):
+    robot = load_robot(copy())
+    assert robot.arm == load_robot("irb140").arm
+    assert robot.urdf.parent == Path(copy()).parent
+
+
+@pytest.mark.parametrize(
+    ("edit", "place", "words"),
+    [
+        ({"grade: A\naxes": "grad: A\naxes"}, "grad: A", "unknown key 'geometry.grad'"),
+        ({"speed: {value: 2.5, ": "speed: {"}, "  speed:", "'tcp.speed.value' is missing"),
+        ({"value: 20.0": "value: -20.0"}, "acceleration: {value: -20.0", "'tcp.acceleration.value': input should be"),
+        ({"value: 20.0": "value: .nan"}, "value: .nan", "'tcp.acceleration.value': input should be"),
+        ({"value: 20.0": "value: many"}, "value: many", "'tcp.acceleration.value': input should be a valid number"),
+        ({"grade: D": "grade: E"}, "grade: E", "'profiles.default.acceleration.joint_1.grade': input should be"),
+        ({"rule: abb_six_axis": "rule: kuka"}, "rule: kuka", "'confdata.rule': input should be 'abb_six_axis'"),
+        ({"  joint_2: {position": "  joint_7: {position"}, "joint_7:", "'axes.joint_7' is no axis of the URDF"),
+        (
+            {"      joint_6: {": "      # joint_6: {"},
+            "    acceleration:",
+            "'profiles.default.acceleration.joint_6' is missing",
+        ),
+        ({"  default:": "  careful:"}, "profiles:", "'profiles.default' is missing"),
+        ({"urdf: irb140.urdf": "urdf: other.urdf"}, "urdf: other", "'other.urdf' does not exist beside this file"),
+        ({"confdata:": "confdata: ["}, None, "not YAML: "),
+    ],
+)
+def test_a_mistake_in_the_yaml_is_named_with_its_line(copy, edit, place, words):
+    path = copy(yaml=edit)
+    with pytest.raises(InputError) as error:
+        load_robot(path)
+    told = error.value.errors if isinstance(error.value, InputErrorGroup) else (error.value,)
+    (named,) = (one for one in told if words in str(one))
+    assert named.file == path
+    assert place is None or named.line == line_with(place, path)
+    assert str(named).startswith(f"{path}:{named.line}: ")
+
+
+def test_several_mistakes_are_told_at_once(copy):
+    with pytest.raises(InputErrorGroup) as error:
+        load_robot(copy(yaml={"title:": "titel:", "value: 20.0": "value: 0"}))
+    assert len(error.value.errors) == 3  # title missing, titel unknown, value
+
+
+@pytest.mark.parametrize(
+    ("edit", "words"),
+    [
+        ({'<axis xyz="0 0 1"/>': '<axis xyz="0 0 -1"/>'}, "joint 'joint_1' has axis 0 0 -1, wanted 0 0 1"),
+        ({'"0 0 0.36"': '"0 0.01 0.36"'}, "joint 'joint_3' has origin 0 0.01 0.36 m"),
+        ({'"0.239 0 0"': '"0.239 0 0.07"'}, "joint 'joint_4' has origin 0.239 0 0.07 m"),
+        ({'xyz="0 0 0.36" rpy="0 0 0"': 'xyz="0 0 0.36" rpy="0 0.1 0"'}, "joint 'joint_3' has a turned origin"),
+        ({"1.5707963267948966 0": "0 0"}, "joint 'flange' has a turned origin, wanted rpy 0 pi/2 0"),
+        ({'type="revolute"': 'type="continuous"'}, "joint 'joint_1' has type 'continuous'"),
+        ({'type="revolute"': 'type="prismatic"'}, "wanted six revolute joints in a row"),
+        ({'velocity="3': 'speed="3'}, "joint 'joint_1': <limit> has no velocity"),
+        ({'lower="-3': 'lower="3'}, "joint 'joint_1': wanted lower < upper and velocity > 0"),
+        ({'xyz="0 0 0.36"': 'xyz="0 0"'}, "joint 'joint_3': <origin> xyz=\"0 0\" is not 3 finite number(s)"),
+        ({'xyz="0 0 0.36"': 'xyz="0 0 x"'}, "joint 'joint_3': <origin> xyz=\"0 0 x\" is not 3 number(s)"),
+        ({'<axis xyz="1 0 0"/>': '<axis xyz="2 0 0"/>'}, "joint 'joint_4' has an axis of length 2, wanted 1"),
+        ({"</robot>": ""}, "not a URDF: "),
+        ({'name="tool0"': 'name="tcp"', 'link="tool0"': 'link="tcp"'}, "no joint leads to link 'tool0'"),
+    ],
+)
+def test_a_urdf_the_closed_form_does_not_fit_is_refused(copy, edit, words):
+    path = copy(urdf=edit)
+    with pytest.raises(InputError) as error:
+        load_robot(path)
+    assert words in str(error.value)
+    assert str(error.value).startswith(path.replace(".yaml", ".urdf"))
+
+
+def test_lengths_come_from_the_urdf(copy):
+    longer = load_robot(
+        copy(urdf={'"0 0 0.36"': '"0 0 0.4"', '"0.141 0 0"': '"0.151 0 0"', '"0 0 0" rpy': '"0 0 0.1" rpy'})
+    )
+    arm = longer.arm
+    np.testing.assert_allclose([arm.a1, arm.d1, arm.L2, arm.L4, arm.L6], [0.07, 0.452, 0.4, 0.39, 0.065], rtol=1e-14)
+    q = np.array([0.3, 0.2, -0.4, 0.5, 0.6, -0.7])
+    import pinocchio as pin
+
+    model = longer.pin_model
+    data = model.createData()
+    pin.framesForwardKinematics(model, data, q)
+    wanted = data.oMf[model.getFrameId("tool0")].homogeneous
+    np.testing.assert_allclose(longer.forward(q), wanted, rtol=0, atol=1e-14)
+
+
+def test_a_mounting_must_be_a_pose():
+    with pytest.raises(ValueError, match=r"X_WR has shape \(3, 3\), wanted \(4, 4\)"):
+        load_robot("irb140", X_WR=np.eye(3))
+    with pytest.raises(ValueError, match=r"X_WR is not a pose: its rotation is off by 3"):
+        load_robot("irb140", X_WR=np.diag([2.0, 1, 1, 1]))
+
+
+def test_line_of_falls_back_to_the_nearest_key_above():
+    raw = YAML().load("a:\n  b:\n    c: 1\n")
+    assert [catalogue.line_of(raw, keys) for keys in (("a", "b", "c"), ("a", "b", "x"), ("y",))] == [3, 2, 1]
+
+
+def test_robots_are_found_in_the_wheel_too(monkeypatch):
+    monkeypatch.setattr(catalogue, "_FOLDERS", (Path("nowhere"), ROBOTS))
+    assert robot_names() == ("irb140", "irb140_rail")
+    assert load_robot("irb140").urdf == ROBOTS / "irb140.urdf"
+
+
+def test_loading_a_robot_imports_neither_pin_nor_casadi():
+    code = (
+        "import sys, trajopt_cli.robot.model as m; heavy = {'pinocchio', 'casadi', 'pydantic', 'scipy'};"
+        "print(sorted(heavy & set(sys.modules))); m.load_robot('irb140_rail');"
+        "print(sorted({'pinocchio', 'casadi', 'scipy'} & set(sys.modules)))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROBOTS.parent, capture_output=True, text=True, check=True)
+    assert done.stdout.split("\n")[:2] == ["[]", "[]"]

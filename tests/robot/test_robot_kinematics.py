@@ -1,0 +1,139 @@
+"""Velocities and accelerations both ways, against pin, differences along a motion, and closed forms."""
+
+import numpy as np
+import pytest
+
+from trajopt_cli.geometry import rotation_xyz, xyz_from_rotation
+from trajopt_cli.robot.kinematics import (
+    analytic_jacobian,
+    analytic_jacobian_rate,
+    euler_rate_map,
+    euler_rate_map_rate,
+    forward_acceleration,
+    forward_velocity,
+    inverse_acceleration,
+    inverse_velocity,
+    singularity,
+)
+from trajopt_cli.robot.model import load_robot
+
+
+def states(robot, rng, count=100):
+    k = len(robot.axis_names)
+    q, qd, qdd = (rng.uniform(-s, s, (count, k)) for s in (3, 4, 20))
+    regular = np.all(singularity(robot, q) > 0.05, axis=-1)
+    assert regular.sum() > count / 2
+    return q[regular], qd[regular], qdd[regular]
+
+
+def test_forward_velocity_and_acceleration_equal_pin(mounted, rng):
+    import pinocchio as pin
+
+    q, qd, qdd = states(mounted, rng)
+    V, A = forward_velocity(mounted, q, qd), forward_acceleration(mounted, q, qd, qdd)
+    model = mounted.pin_model
+    data, flange = model.createData(), model.getFrameId("tool0")
+    world = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
+    for i in range(len(q)):
+        pin.forwardKinematics(model, data, q[i], qd[i], qdd[i])
+        np.testing.assert_allclose(V[i], pin.getFrameVelocity(model, data, flange, world).vector, rtol=0, atol=1e-11)
+        found = pin.getFrameClassicalAcceleration(model, data, flange, world).vector
+        np.testing.assert_allclose(A[i], found, rtol=0, atol=1e-10)
+
+
+def test_tcp_velocity_and_acceleration_are_differences_of_the_pose(mounted, X_FT, rng):
+    q, qd, qdd = states(mounted, rng)
+    h = 1e-4
+    p_0, p_1, p_2 = ((mounted.forward(q + t * qd + 0.5 * t * t * qdd) @ X_FT)[..., :3, 3] for t in (-h, 0.0, h))
+    V, A = forward_velocity(mounted, q, qd, X_FT), forward_acceleration(mounted, q, qd, qdd, X_FT)
+    np.testing.assert_allclose(V[:, :3], (p_2 - p_0) / (2 * h), rtol=0, atol=2e-5)
+    np.testing.assert_allclose(A[:, :3], (p_2 - 2 * p_1 + p_0) / h**2, rtol=0, atol=2e-3)
+
+
+def test_inverse_undoes_forward_with_the_rail_moving(mounted, X_FT, rng):
+    q, qd, qdd = states(mounted, rng)
+    rail, rail_acceleration = (qd[:, 0], qdd[:, 0]) if mounted.has_rail else (None, None)
+    V = forward_velocity(mounted, q, qd, X_FT)
+    np.testing.assert_allclose(inverse_velocity(mounted, q, V, rail, X_FT), qd, rtol=0, atol=1e-10)
+    A = forward_acceleration(mounted, q, qd, qdd, X_FT)
+    found = inverse_acceleration(mounted, q, qd, A, rail_acceleration, X_FT)
+    np.testing.assert_allclose(found, qdd, rtol=0, atol=1e-9)
+    one = inverse_velocity(mounted, q[0], V[0], None if rail is None else rail[0], X_FT)
+    np.testing.assert_allclose(one, qd[0], rtol=0, atol=1e-10)
+
+
+def test_the_arm_can_hold_the_tcp_while_the_rail_runs(rng):
+    robot = load_robot("irb140_rail")
+    q, _, _ = states(robot, rng)
+    qd = inverse_velocity(robot, q, np.zeros((len(q), 6)), 0.7)
+    assert np.all(qd[:, 0] == 0.7)
+    h = 1e-6
+    apart = robot.forward(q + h * qd) - robot.forward(q - h * qd)
+    assert np.abs(apart / (2 * h)).max() < 1e-6 < np.abs(qd[:, 1:]).max()
+
+
+def test_product_of_the_singularity_measures_is_the_determinant(irb140, rng):
+    q = rng.uniform(-3, 3, (200, 6))
+    wanted = np.abs(np.linalg.det(irb140.jacobian(q)))
+    found = irb140.arm.L2 * irb140.arm.L4 * singularity(irb140, q).prod(axis=-1)
+    np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-13)
+
+
+@pytest.mark.parametrize(
+    ("joints", "words"),
+    [
+        ([10, 20, -40, 30, 0, 50], r"wrist singularity: \|sin joint_5\| = 0 at row 1, at least 1e-09"),
+        ([10, 20, -90, 30, 40, 50], r"elbow singularity: \|cos joint_3\| = \S+ at row 1, at least 1e-09"),
+        (
+            [10, np.degrees(np.arcsin(-0.07 / 0.36)), -90 - np.degrees(np.arcsin(-0.07 / 0.36)) + 180, 30, 40, 50],
+            r"shoulder singularity: wrist centre off axis 1 by \[m\] = \S+ at row 1, at least 1e-09",
+        ),
+    ],
+)
+def test_singular_configurations_are_named(irb140, joints, words):
+    q = np.radians([[10, 20, -40, 30, 40, 50], joints])
+    with pytest.raises(ValueError, match=words):
+        inverse_velocity(irb140, q, np.ones((2, 6)))
+    with pytest.raises(ValueError, match=words):
+        inverse_acceleration(irb140, q, np.ones((2, 6)), np.ones((2, 6)))
+
+
+def test_a_rail_needs_its_motion_given():
+    robot = load_robot("irb140_rail")
+    with pytest.raises(ValueError, match="irb140_rail rides a rail: give the rail's own motion"):
+        inverse_velocity(robot, np.radians([0, 10, 20, -40, 30, 40, 50]), np.ones(6))
+
+
+def test_euler_rate_map_turns_angle_rates_into_angular_velocity(rng):
+    angles, rates = rng.uniform(-1.4, 1.4, (100, 3)), rng.normal(size=(100, 3))
+    h = 1e-6
+    R_0, R, R_1 = (rotation_xyz(*np.moveaxis(angles + t * rates, -1, 0)) for t in (-h, 0.0, h))
+    spin = (R_1 - R_0) / (2 * h) @ np.swapaxes(R, -1, -2)
+    omega = np.stack([spin[..., 2, 1], spin[..., 0, 2], spin[..., 1, 0]], axis=-1)
+    np.testing.assert_allclose((euler_rate_map(angles) @ rates[..., None])[..., 0], omega, rtol=0, atol=1e-8)
+    difference = (euler_rate_map(angles + h * rates) - euler_rate_map(angles - h * rates)) / (2 * h)
+    np.testing.assert_allclose(euler_rate_map_rate(angles, rates), difference, rtol=0, atol=1e-8)
+
+
+def generalised(robot, q, X_FT):
+    X = robot.forward(q) @ X_FT
+    return np.concatenate([X[..., :3, 3], xyz_from_rotation(X[..., :3, :3])], axis=-1)
+
+
+def test_analytic_jacobian_and_its_rate_are_differences(mounted, X_FT, rng):
+    q, qd, _ = states(mounted, rng)
+    tame = np.abs(generalised(mounted, q, X_FT)[:, 4]) < 1.2  # the angles' own singularity is at 90 deg
+    q, qd, h = q[tame], qd[tame], 1e-6
+    assert len(q) > 20
+    apart = generalised(mounted, q + h * qd, X_FT) - generalised(mounted, q - h * qd, X_FT)
+    apart[:, 3:] = (apart[:, 3:] + np.pi) % (2 * np.pi) - np.pi
+    found = (analytic_jacobian(mounted, q, X_FT) @ qd[..., None])[..., 0]
+    np.testing.assert_allclose(found, apart / (2 * h), rtol=1e-7, atol=1e-7)
+    difference = analytic_jacobian(mounted, q + h * qd, X_FT) - analytic_jacobian(mounted, q - h * qd, X_FT)
+    found = analytic_jacobian_rate(mounted, q, qd, X_FT)
+    np.testing.assert_allclose(found, difference / (2 * h), rtol=1e-6, atol=1e-6)
+
+
+def test_analytic_jacobian_refuses_beta_at_90_degrees(irb140):
+    with pytest.raises(ValueError, match=r"angles are singular: \|cos beta\| = \S+, at least 1e-09"):
+        analytic_jacobian(irb140, np.zeros(6))
