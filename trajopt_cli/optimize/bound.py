@@ -1,18 +1,226 @@
-"""A lower bound on the cycle time."""
+"""A lower bound on the cycle time: shortest path through cells that together contain every legal motion.
+
+A cell at a stop is a range of rail position, a range of rail speed and a pair of shoulder and elbow signs; it encloses
+the first three arm joints and their speeds. Between cells no motion is faster than the least time in which rail and
+these joints can cover the gap within their limits (ends free inside the cells), nor than the tool over its chord.
+Everything else (wrist, ranges on the way, the tool's caps on joint moves beyond the chord) is left out, so the bound
+holds for every legal motion of the target; it is not called certified because its arithmetic is not outward rounded.
+"""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.course import Course, LegKind
-from trajopt_cli.optimize.double_integrator import trapezoid_time
+from trajopt_cli.optimize.course import Course, Leg, LegKind, Stop
+from trajopt_cli.optimize.double_integrator import reach, trapezoid_time
+from trajopt_cli.optimize.enclose import Enclosure, Range, enclose
+
+BASE = 2.5e-3  # m, rail interval of the enclosures
+LEVELS = 6
+COARSE = 32  # base intervals per cell at the first level; halved per level down to one
+AIM = 0.95  # of the incumbent: where cells are many, finer levels only try to prove this much
+COARSE_SPEED = 4  # speed ranges from -V to V at the first level; doubled per level
+MOST_PAIRS = 1_500_000  # per leg; a finer level is not begun beyond
+FEW_PAIRS = 300_000  # per leg; below, the next level aims at the incumbent itself
+CHUNK = 400_000
+ORDER = (0, 1, 3, 2)  # axes in the order that settles most pairs soonest
+
+
+@dataclass(frozen=True, eq=False)
+class _Cells:
+    """Cells at one stop: position (4, n) and speed (4, n) ranges of rail, q1, q2, q3; key (n, 3): signs, rail, speed."""
+
+    q: Range
+    v: Range
+    key: Array
 
 
 def lower_bound(axes: Axes, course: Course, tied: bool, incumbent: float) -> float:
-    """No legal motion of this course is faster [s]."""
-    total = 0.0
-    for leg in course.legs:
-        if leg.kind is LegKind.LINE:
-            total += max(float(trapezoid_time(leg.chord, leg.v_tcp, leg.a_tcp)), leg.duration or 0.0)
-        elif leg.duration is not None:
-            total += leg.duration
-    return total
+    """No legal motion of this course and target is faster [s].
+
+    incumbent: a legal cycle time. Cells through which no chain is faster than the value aimed at are dropped; when none
+    are left, that value is the bound, whatever the incumbent's quality.
+    """
+    cache: dict[bytes, Enclosure] = {}
+    grids = [_grid(stop) for stop in course.stops]
+    keep: list[Array | None] = [None] * len(course.stops)
+    ahead: list[Array | None] = [None] * len(course.stops)
+    best, aim = 0.0, incumbent
+    for level in range(LEVELS):
+        cells = [
+            _cells(axes, stop, grids[k], level, keep[k], tied, cache) for k, stop in enumerate(course.stops)
+        ]
+        if any(not len(c.key) for c in cells):
+            return aim
+        pairs = max(len(a.key) * len(b.key) for a, b in zip(cells, cells[1:], strict=False))
+        if level and pairs > MOST_PAIRS:
+            break
+        parents = [
+            np.zeros(len(c.key)) if ahead[k] is None else _parent_values(c, keep[k], ahead[k])
+            for k, c in enumerate(cells)
+        ]
+        forward = [np.zeros(len(cells[0].key))]
+        edges = []
+        for k, leg in enumerate(course.legs):
+            T = _edge(axes, leg, cells[k], cells[k + 1], tied, forward[-1], parents[k + 1], aim)
+            edges.append(T)
+            forward.append(np.min(forward[-1][:, None] + T, axis=0))
+        backward = [np.zeros(len(cells[-1].key))]
+        for T in reversed(edges):
+            backward.append(np.min(T + backward[-1][None], axis=1))
+        backward.reverse()
+        best = max(best, min(float(np.min(forward[-1])), aim))
+        for k, c in enumerate(cells):
+            live = forward[k] + backward[k] <= aim
+            keep[k], ahead[k] = c.key[live], backward[k][live]
+        if any(not len(x) for x in keep if x is not None):
+            return aim
+        next_pairs = (2 if tied else 4) ** 2 * max(len(a) * len(b) for a, b in zip(keep, keep[1:], strict=False))  # type: ignore[arg-type]
+        if best < AIM * incumbent and next_pairs > FEW_PAIRS:
+            aim = AIM * incumbent
+    return best
+
+
+def _grid(stop: Stop) -> Array:
+    low, high = stop.rail
+    if stop.q is not None or low == high:
+        return np.array([low, high])
+    n = max(1, int(np.ceil((high - low) / BASE)))
+    n = -(-n // COARSE) * COARSE
+    return np.linspace(low, high, n + 1)
+
+
+def _parent_values(cells: _Cells, parent_keys: Array | None, values: Array | None) -> Array:
+    """What the level above knew to be still ahead of each cell."""
+    assert parent_keys is not None and values is not None
+    table = {tuple(key): value for key, value in zip(parent_keys.tolist(), values.tolist(), strict=True)}
+    return np.array([table[s, d // 2, v // 2] for s, d, v in cells.key.tolist()])
+
+
+def _children(keys: Array) -> Array:
+    """The four halves of each kept cell."""
+    s, d, v = keys.T
+    return np.concatenate([np.stack([s, 2 * d + i, 2 * v + j], axis=1) for i in (0, 1) for j in (0, 1)])
+
+
+def _cells(
+    axes: Axes, stop: Stop, grid: Array, level: int, kept: Array | None, tied: bool, cache: dict[bytes, Enclosure]
+) -> _Cells:
+    if stop.q is not None:
+        q = axes.seven(stop.q)[:4, None]
+        zero = np.zeros((4, 1))
+        return _Cells(Range(q, q), Range(zero, zero), np.zeros((1, 3), dtype=int))
+    name = stop.X_WF.tobytes() + grid.tobytes()
+    if name not in cache:
+        cache[name] = enclose(axes, stop.X_WF, grid)
+    e = cache[name]
+    single = len(grid) == 2
+    width = 1 if single else max(1, COARSE >> level)
+    n_d = (len(grid) - 1) // width
+    rest = stop.rest or tied
+    n_v = COARSE_SPEED << level
+    if kept is None:
+        key = np.array([(s, d, v) for s in range(4) for d in range(n_d) for v in ((0,) if rest else range(n_v))])
+    else:
+        key = _children(kept)
+        key = key[(key[:, 1] < n_d) & ((key[:, 2] == 0) if rest else True)]
+    s, d, v = key.T
+    V = axes.velocity
+    edges = np.linspace(-V[0], V[0], n_v + 1)
+    rail_v = Range(np.zeros(len(key)), np.zeros(len(key))) if rest else Range(edges[v], edges[v + 1])
+    inside = d[:, None] * width + np.arange(width)  # (n, width) base intervals
+    q = Range(e.q.lo[:, s[:, None], inside], e.q.hi[:, s[:, None], inside])
+    rate = Range(e.rate.lo[:, s[:, None], inside], e.rate.hi[:, s[:, None], inside])
+    speed = rate * Range(np.broadcast_to(rail_v.lo[:, None], inside.shape), np.broadcast_to(rail_v.hi[:, None], inside.shape))
+    limit = V[1:4, None, None]
+    alive = e.alive[s[:, None], inside] & np.all((speed.lo <= limit) & (speed.hi >= -limit), axis=0)
+    speed = Range(np.maximum(speed.lo, -limit), np.minimum(speed.hi, limit))
+    low = lambda x: np.where(alive, x, np.inf).min(axis=-1)  # noqa: E731
+    high = lambda x: np.where(alive, x, -np.inf).max(axis=-1)  # noqa: E731
+    live = alive.any(axis=1)
+    d_lo, d_hi = low(np.broadcast_to(grid[inside], alive.shape)), high(np.broadcast_to(grid[inside + 1], alive.shape))
+    position = Range(np.vstack([d_lo, low(q.lo)]), np.vstack([d_hi, high(q.hi)]))
+    velocity = Range(np.vstack([rail_v.lo, low(speed.lo)]), np.vstack([rail_v.hi, high(speed.hi)]))
+    pick = lambda r: Range(r.lo[:, live], r.hi[:, live])  # noqa: E731
+    return _Cells(pick(position), pick(velocity), key[live])
+
+
+def _edge(
+    axes: Axes, leg: Leg, a: _Cells, b: _Cells, tied: bool, so_far: Array, ahead: Array, incumbent: float
+) -> Array:
+    """(n_a, n_b) least time of a leg between cells; infinite where no motion fits or none can matter."""
+    out = np.full((len(a.key), len(b.key)), np.inf)
+    rows = max(1, CHUNK // len(b.key))
+    for start in range(0, len(a.key), rows):
+        part = np.arange(start, min(start + rows, len(a.key)))
+        ia, ib = np.meshgrid(part, np.arange(len(b.key)), indexing="ij")
+        ia, ib = ia.ravel(), ib.ravel()
+        T, ia, ib = _pairs(axes, leg, a, b, tied, ia, ib, so_far, ahead, incumbent)
+        out[ia, ib] = T
+    return out
+
+
+def _pairs(
+    axes: Axes, leg: Leg, a: _Cells, b: _Cells, tied: bool, ia: Array, ib: Array, so_far: Array, ahead: Array,
+    incumbent: float,
+) -> tuple[Array, Array, Array]:  # fmt: skip
+    V, A = axes.velocity.copy(), axes.acceleration
+    if leg.kind is not LegKind.DWELL:
+        V[0] = min(V[0], leg.v_rail)
+    fixed = leg.kind is LegKind.DWELL and leg.duration is not None
+    floor = leg.duration if leg.duration is not None else 0.0
+    if leg.kind is not LegKind.DWELL:
+        floor = max(floor, float(trapezoid_time(leg.chord, leg.v_tcp, leg.a_tcp)))
+    T = np.full(len(ia), floor)
+    full_turn = axes.upper[1] - axes.lower[1] > 2 * np.pi + 1e-6
+    order = [j for j in ORDER if not (j == 1 and full_turn) and (axes.has_rail or j)]
+    top_v = np.full(len(ia), np.inf)
+    top_a = np.full(len(ia), np.inf)
+    for j in order:
+        low, high = b.q.lo[j, ib] - a.q.hi[j, ia], b.q.hi[j, ib] - a.q.lo[j, ia]
+        if tied:
+            least = np.maximum(np.maximum(low, -high), 1e-12)
+            if leg.kind is LegKind.JOINT:
+                top_v, top_a = np.minimum(top_v, V[j] / least), np.minimum(top_a, A[j] / least)
+                time = trapezoid_time(1.0, top_v, top_a)
+            else:
+                time = trapezoid_time(least, V[j], A[j])
+        else:
+            box = (a.v.lo[j, ia], a.v.hi[j, ia], b.v.lo[j, ib], b.v.hi[j, ib])
+            time = T.copy()
+            for _ in range(2):
+                time = _leave(time, low, *box, V[j], A[j])
+                time = _leave(time, -high, *(-x for x in (box[1], box[0], box[3], box[2])), V[j], A[j])
+        if fixed:
+            live = time <= floor + 1e-9
+        else:
+            T = np.maximum(T, time)
+            live = so_far[ia] + T + ahead[ib] <= incumbent
+        ia, ib, T, top_v, top_a = ia[live], ib[live], T[live], top_v[live], top_a[live]
+    return T, ia, ib
+
+
+def _leave(T: Array, D: Array, a_lo: Array, a_hi: Array, c_lo: Array, c_hi: Array, V: float, A: float) -> Array:
+    """The least time >= T in which some motion between the speed boxes travels at least D; see _most."""
+    T = np.maximum(T, np.maximum(c_lo - a_hi, a_lo - c_hi) / A)
+    short = _most(T, a_hi, c_hi, V, A) < D - 1e-9
+    m, M = np.minimum(a_hi, c_hi), np.maximum(a_hi, c_hi)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        early = (np.sqrt(np.maximum(m * m + 2 * A * D, 0)) - m) / A
+        energy = A * D + (a_hi**2 + c_hi**2) / 2
+        peak = np.sqrt(np.maximum(energy, 0))
+        slow = (2 * peak - a_hi - c_hi) / A
+        fast = (2 * V - a_hi - c_hi) / A + (D - (V * V - (a_hi**2 + c_hi**2) / 2) / A) / V
+    late = np.where(peak <= V, slow, fast)
+    end = np.where((M >= 0) & (D < (M * M - m * m) / (2 * A)), early, late)
+    return np.where(short, np.maximum(T, end - 1e-9), T)
+
+
+def _most(T: Array, a: Array, c: Array, V: float, A: float) -> Array:
+    """Most displacement in T when the end speeds may be chosen below a and c: convex and smooth in T."""
+    m, M = np.minimum(a, c), np.maximum(a, c)
+    return np.where(T * A < M - m, m * T + A * T * T / 2, reach(T, a, c, V, A))

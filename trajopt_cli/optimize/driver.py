@@ -93,7 +93,7 @@ class Refiner:
             n = max((m.N for m in draft.legs if isinstance(m, PathLeg)), default=LAST)
             tolerance = 1e-8 if n >= LAST else 1e-4
             try:
-                draft, t, result = self._solve(draft, margins, 1e-2 if n == FIRST else 1e-3, tolerance)
+                draft, t, result = self._solve(draft, margins, 1e-2 if n == FIRST else 1e-4, tolerance)
             except NotConverged:
                 draft, t, result = self._solve(draft, margins, 1e-1, tolerance)
             progress("solve", draft.duration)
@@ -130,10 +130,10 @@ class Refiner:
                 print("   worst", worst)
             if not (changed or opened):
                 return draft
-            if self._watch(draft, margins) or opened:
+            if self._watch(draft, margins, SAFE) or opened:
                 draft, *warm_ = self._solve(draft, margins, 1e-4)
             else:
-                draft, *warm_ = self._solve(draft, margins, 1e-6, warm=warm)
+                draft, *warm_ = self._solve(draft, margins, 1e-5, warm=warm)
             warm = (warm_[0], warm_[1])
             progress("exchange", draft.duration)
         raise NotConverged(f"a limit is still passed by {worst - 1:.2e} after {ROUNDS} rounds of tightening")
@@ -151,13 +151,13 @@ class Refiner:
         self.seconds["check"] += perf_counter() - start
         return opened
 
-    def _watch(self, draft: Draft, margins: list[Margins | None]) -> bool:
-        """Put tool caps in force at the nodes of gridded joint moves that come near them; True when any was added."""
+    def _watch(self, draft: Draft, margins: list[Margins | None], share: float = NEAR_CAP) -> bool:
+        """Put tool caps in force at nodes of gridded joint moves that use this share of them; True when any is new."""
         added = False
         for k, (leg, motion) in enumerate(zip(self.course.legs, draft.legs, strict=True)):
             m = margins[k]
             if isinstance(motion, JointNodes) and m is not None:
-                near = check_leg(self.axes, leg, motion).tool > NEAR_CAP
+                near = check_leg(self.axes, leg, motion).tool > share
                 rows = np.zeros_like(m.rows)
                 rows[:-1] |= near
                 rows[1:] |= near

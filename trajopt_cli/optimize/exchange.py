@@ -17,9 +17,9 @@ from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, Path
 from trajopt_cli.optimize.transcription import Margins
 
 DENSE = 20  # samples per interval
-SAFE = 1.0 - 1e-5  # what a clean grid may use of a limit: Hermite between written rows is not quite the motion
+SAFE = 1.0 - 3e-5  # what a clean grid may use of a limit: Hermite between written rows is not quite the motion
 
-BEYOND = 1e-5  # tightened this much further than the excess, so that one round is enough more often
+BEYOND = 1e-4  # tightened this much further than the excess, so that one round is enough more often
 
 
 @dataclass(frozen=True, eq=False)

@@ -23,7 +23,7 @@ from trajopt_cli.optimize.stages import PathConstants, Stages, ToolRow
 from trajopt_cli.problem.freedom import RailFreedom
 from trajopt_cli.robot.symbolic_inverse import BranchSigns
 
-START = 1.0 - 2e-5  # share of every limit a grid starts with; rounding and Hermite rows need a hair of room
+START = 1.0 - 5e-5  # share of every limit a grid starts with; rounding and Hermite rows need a hair of room
 LEAST_TIME = 1e-3  # s; a leg of zero length still gets this long, so that scaled time stays defined
 
 

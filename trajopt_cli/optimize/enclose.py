@@ -1,0 +1,152 @@
+"""Enclosures of the first three arm joints and their rates over intervals of the rail, for the lower bound.
+
+Everything is evaluated as intervals (lo, hi) of doubles and widened by WIDEN, a thousand times the rounding of the few
+operations involved; the arithmetic itself is not outward rounded, which is why the bound is not called certified.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.optimize.axes import Axes
+
+WIDEN = 1e-9
+BIG = 1e9
+
+
+@dataclass(frozen=True, eq=False)
+class Range:
+    """An interval per element: lo <= hi."""
+
+    lo: Array
+    hi: Array
+
+    def __add__(self, other: Range) -> Range:
+        return Range(self.lo + other.lo, self.hi + other.hi)
+
+    def __sub__(self, other: Range) -> Range:
+        return Range(self.lo - other.hi, self.hi - other.lo)
+
+    def __mul__(self, other: Range) -> Range:
+        p = np.stack([self.lo * other.lo, self.lo * other.hi, self.hi * other.lo, self.hi * other.hi])
+        return Range(p.min(axis=0), p.max(axis=0))
+
+    def scaled(self, k: float) -> Range:
+        """Times a number."""
+        return Range(np.minimum(k * self.lo, k * self.hi), np.maximum(k * self.lo, k * self.hi))
+
+    def square(self) -> Range:
+        """x^2."""
+        a, b = self.lo**2, self.hi**2
+        low = np.where((self.lo <= 0) & (self.hi >= 0), 0.0, np.minimum(a, b))
+        return Range(low, np.maximum(a, b))
+
+    def over(self, positive: Range) -> Range:
+        """Divided by a range that is not negative; up to +-BIG where it touches zero."""
+        low, high = np.maximum(positive.lo, 1 / BIG), np.maximum(positive.hi, 1 / BIG)
+        return self * Range(1 / high, 1 / low)
+
+    def magnitude(self) -> Array:
+        """Largest |x|."""
+        return np.maximum(np.abs(self.lo), np.abs(self.hi))
+
+
+@dataclass(frozen=True, eq=False)
+class Enclosure:
+    """Per branch pair and rail interval (4, n): joints and their rates per rail metre as ranges (3, 4, n); alive."""
+
+    q: Range
+    rate: Range
+    alive: Array
+
+
+def _hull(values: Array) -> Range:
+    """Range over consecutive nodes, (..., n) from (..., n + 1)."""
+    return Range(np.minimum(values[..., :-1], values[..., 1:]), np.maximum(values[..., :-1], values[..., 1:]))
+
+
+def enclose(axes: Axes, X_WF: Array, nodes: Array) -> Enclosure:
+    """Enclosures over the intervals between rail nodes (n + 1,), for shoulder and elbow signs (+,+), (+,-), (-,+), (-,-)."""
+    arm = axes.robot.arm
+    X = axes.in_base(X_WF)
+    e = axes.rail_axis
+    w = (X[:3, 3] - arm.L6 * X[:3, 2])[:, None] - e[:, None] * nodes  # wrist centre at the nodes, linear in between
+    h = np.diff(nodes)
+    wx, wy, wz = (_hull(w[i]) for i in range(3))
+    along = _hull(w[0] * e[0] + w[1] * e[1])
+    r2 = Range(np.minimum(*(x for x in (w[0, :-1] ** 2 + w[1, :-1] ** 2, w[0, 1:] ** 2 + w[1, 1:] ** 2))), 
+               np.maximum(w[0, :-1] ** 2 + w[1, :-1] ** 2, w[0, 1:] ** 2 + w[1, 1:] ** 2))
+    flat = e[0] ** 2 + e[1] ** 2
+    cross = w[0, 0] * e[1] - w[1, 0] * e[0]  # constant along the rail
+    if flat > 0:
+        r2 = Range(np.where((along.lo <= 0) & (along.hi >= 0), cross**2 / flat, r2.lo), r2.hi)
+    r = Range(np.sqrt(np.maximum(r2.lo, 0)), np.sqrt(r2.hi))
+    r_rate = along.scaled(-1.0).over(r)
+    z = Range(wz.lo - arm.d1, wz.hi - arm.d1)
+    z_rate = Range(np.full_like(h, -e[2]), np.full_like(h, -e[2]))
+    c = arm.L4**2 - arm.L2**2
+    q_lo, q_hi, d_lo, d_hi = (np.empty((3, 4, len(h))) for _ in range(4))
+    alive = np.zeros((4, len(h)), dtype=bool)
+    for i, (shoulder, elbow) in enumerate(((1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0))):
+        turn = np.arctan2(shoulder * w[1], shoulder * w[0])
+        q1 = _hull(turn)
+        cut = (q1.hi - q1.lo > np.pi) | (r.lo < 1e-6)
+        q1 = Range(np.where(cut, -np.pi, q1.lo), np.where(cut, np.pi, q1.hi))
+        q1_rate = Range(np.full_like(h, -cross), np.full_like(h, -cross)).over(r2)
+        u = Range(r.lo - arm.a1, r.hi - arm.a1) if shoulder > 0 else Range(-r.hi - arm.a1, -r.lo - arm.a1)
+        u_rate = r_rate.scaled(shoulder)
+        rho2 = u.square() + z.square()
+        half_rate = u * u_rate + z * z_rate
+        s3 = Range(*((arm.L2**2 + arm.L4**2 - x) / (2 * arm.L2 * arm.L4) for x in (rho2.hi, rho2.lo)))
+        alive[i] = (s3.lo <= 1 + WIDEN) & (s3.hi >= -1 - WIDEN)
+        s3 = Range(np.clip(s3.lo, -1, 1), np.clip(s3.hi, -1, 1))
+        a3 = Range(np.arcsin(s3.lo), np.arcsin(s3.hi))
+        q3 = a3 if elbow > 0 else Range(-np.pi - a3.hi, -np.pi - a3.lo)
+        s3_2 = s3.square()
+        c3 = Range(np.sqrt(np.maximum(1 - s3_2.hi, 0)), np.sqrt(np.maximum(1 - s3_2.lo, 0)))
+        q3_rate = half_rate.scaled(-1 / (arm.L2 * arm.L4)).over(c3).scaled(elbow)
+        phi_rate = (u_rate * z - u * z_rate).over(rho2)
+        one = Range(np.ones_like(h), np.ones_like(h))
+        factor = one + Range(np.full_like(h, c), np.full_like(h, c)).over(rho2)
+        psi_rate = (factor * half_rate).scaled(-1 / (2 * arm.L2 * arm.L4)).over(c3)
+        q2_rate = phi_rate - psi_rate.scaled(elbow)
+        q2 = _second_joint(arm, u, z, rho2, elbow)
+        for j, (value, rate) in enumerate(((q1, q1_rate), (q2, q2_rate), (q3, q3_rate))):
+            q_lo[j, i], q_hi[j, i] = value.lo - WIDEN, value.hi + WIDEN
+            d_lo[j, i], d_hi[j, i] = rate.lo - WIDEN * (1 + np.abs(rate.lo)), rate.hi + WIDEN * (1 + np.abs(rate.hi))
+        # the second joint by its rate where that is tighter: within the hull of its nodes, widened where it may turn back
+        node2 = _second_joint_at(arm, shoulder * np.hypot(w[0], w[1]) - arm.a1, w[2] - arm.d1, elbow)
+        hull = _hull(node2)
+        spread = np.where(q2_rate.lo * q2_rate.hi <= 0, h / 2 * q2_rate.magnitude(), 0.0)
+        ok = ~np.isnan(hull.lo) & (spread < 1.0)
+        q_lo[1, i] = np.where(ok, np.maximum(q_lo[1, i], hull.lo - spread - WIDEN), q_lo[1, i])
+        q_hi[1, i] = np.where(ok, np.minimum(q_hi[1, i], hull.hi + spread + WIDEN), q_hi[1, i])
+    low, high = axes.lower[1:4, None, None], axes.upper[1:4, None, None]
+    alive &= np.all((q_lo <= high) & (q_hi >= low), axis=0)
+    return Enclosure(Range(np.maximum(q_lo, low), np.minimum(q_hi, high)), Range(d_lo, d_hi), alive)
+
+
+def _second_joint(arm, u: Range, z: Range, rho2: Range, elbow: float) -> Range:  # type: ignore[no-untyped-def]
+    """q2 = phi - elbow psi: direction of the wrist seen from the shoulder, less the triangle's angle there."""
+    corners = np.stack([np.arctan2(a, b) for a in (u.lo, u.hi) for b in (z.lo, z.hi)])
+    wild = (z.lo <= 0) & (u.lo <= 0) & (u.hi >= 0)  # the cut of atan2(u, z), or the origin
+    phi = Range(np.where(wild, -np.pi, corners.min(axis=0)), np.where(wild, np.pi, corners.max(axis=0)))
+    c = arm.L4**2 - arm.L2**2
+    rho = Range(np.sqrt(np.maximum(rho2.lo, 1e-12)), np.sqrt(np.maximum(rho2.hi, 1e-12)))
+    cosine = [np.clip((x - c / x) / (2 * arm.L2), -1, 1) for x in (rho.lo, rho.hi)]  # increasing in rho for c >= 0
+    psi = Range(np.arccos(cosine[1]), np.arccos(cosine[0]))
+    if c < 0:
+        turning = rho.lo < np.sqrt(-c)
+        psi = Range(np.where(turning, 0.0, psi.lo), np.where(turning, np.pi, psi.hi))
+    return phi - psi.scaled(elbow)
+
+
+def _second_joint_at(arm, u: Array, z: Array, elbow: float) -> Array:  # type: ignore[no-untyped-def]
+    """q2 at points; NaN out of reach."""
+    s3 = (arm.L2**2 + arm.L4**2 - u**2 - z**2) / (2 * arm.L2 * arm.L4)
+    with np.errstate(invalid="ignore"):
+        c3 = elbow * np.sqrt(1 - s3**2)
+    return np.arctan2(u, z) - np.arctan2(arm.L4 * c3, arm.L2 - arm.L4 * s3)
