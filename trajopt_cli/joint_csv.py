@@ -1,7 +1,8 @@
 """Joint trajectories as CSV: one row per instant, the unit in every column's head, 17 digits.
 
-`t [s],rail [m],joint_1 [rad],...,joint_6 [rad]`, then, if the file has them, `rail speed [m/s],joint_1 speed [rad/s],...`.
-A file of somebody else may also use mm and deg. Text in, nouns out; where the text lives is the caller's business.
+`t [s],rail [m],joint_1 [rad],...,joint_6 [rad]`, then, if the file has them, the speeds in the same order:
+`rail speed [m/s],joint_1 speed [rad/s],...`. A file of somebody else may also use mm and deg. Text in, nouns out; where
+the text lives is the caller's business.
 """
 
 from __future__ import annotations

@@ -15,7 +15,7 @@ def read_trajectory(path: str | Path) -> tuple[Trajectory, Resolution]:
     Raises InputError naming file, line and column for what is missing or malformed; see joint_csv.read_csv_text.
     """
     try:
-        text = Path(path).read_text(encoding="utf-8-sig", newline="")
+        text = Path(path).read_text(encoding="utf-8-sig")
     except OSError as error:
         raise InputError(f"cannot be read: {error.strerror}", file=str(path)) from error
     except UnicodeDecodeError as error:

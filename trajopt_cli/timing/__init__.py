@@ -1,0 +1,1 @@
+"""Thin faces of the timing libraries: one path or one point-to-point move in, the shortest time out."""

@@ -1,0 +1,34 @@
+"""toppra: the shortest time along a given path."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+
+
+def shortest_time(
+    s: Array, q: Array, dq: Array, speed: Array, acceleration: Array, rate_0: float, rate_1: float
+) -> float | None:
+    """Least time [s] along a path by TOPP-RA on the path's own points, None where it finds no timing.
+
+    The path runs through q (n, k) at increasing path lengths s (n,) with slopes dq = dq/ds (n, k), cubic between.
+    speed, acceleration (k,): limits of every column's |dq/dt| and |d2q/dt2|, infinite for none; columns may be axes or
+    anything else that runs along (a length on the line). rate_0, rate_1: ds/dt at both ends.
+    """
+    # Pham and Pham, "A new approach to time-optimal path parameterization based on reachability analysis", T-RO 2018
+    import toppra
+    from toppra import algorithm, constraint
+
+    path = toppra.SimplePath(s, q, dq)
+    wide = np.column_stack([-np.minimum(speed, 1e6), np.minimum(speed, 1e6)])
+    hard = np.column_stack([-np.minimum(acceleration, 1e8), np.minimum(acceleration, 1e8)])
+    limits = [
+        constraint.JointVelocityConstraint(wide),
+        constraint.JointAccelerationConstraint(hard, constraint.DiscretizationType.Interpolation),
+    ]
+    instance = algorithm.TOPPRA(limits, path, gridpoints=s, solver_wrapper="seidel")
+    _, rates, _ = instance.compute_parameterization(rate_0, rate_1)
+    if rates is None or not np.isfinite(rates).all():
+        return None
+    return float(np.sum(2 * np.diff(s) / (rates[1:] + rates[:-1])))

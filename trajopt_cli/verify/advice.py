@@ -1,0 +1,140 @@
+"""What a motion could still gain, told by libraries the optimiser does not use. Advice: it never decides.
+
+Lines: TOPP-RA along the very joint path of the file, under the axis limits, the TCP caps on the line and the
+programmed speeds, from the path speed the file has at both ends (not zero where the rail passes through a stop).
+Joint moves from rest to rest that the TCP caps do not hold back: Ruckig.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, axis_angle
+from trajopt_cli.motion import MoveAbsJ, MoveJ, MoveL
+from trajopt_cli.problem.report import Finding
+from trajopt_cli.timing.point_to_point import rest_to_rest, straight_rest_to_rest
+from trajopt_cli.timing.topp import shortest_time
+from trajopt_cli.verify.course import obeys_programmed_speed
+from trajopt_cli.verify.findings import finding
+from trajopt_cli.verify.frame import Frame
+from trajopt_cli.verify.lines import progress
+from trajopt_cli.verify.rows import Rows
+from trajopt_cli.verify.timeline import Timeline, Visit
+from trajopt_cli.verify.tolerances import REST_JOINT
+
+TIGHT_LINE = 0.002
+"""Share of a line's time that TOPP-RA may still shave off a line called tight: its own discretisation, seen as
+differences of 0.1 % both ways."""
+
+TIGHT_MOVE = 1e-6
+"""Seconds a joint move called tight may differ from Ruckig's."""
+
+INACTIVE = 0.999
+"""A TCP cap used less than this does not hold a joint move back."""
+
+_POINTS = 400  # of a path; more change TOPP-RA's time by less than 1e-4 of it
+
+
+def advise(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> list[Finding]:
+    """One finding per line and per joint move that a library can time, in program order. Needs speed columns."""
+    rows = line.rows
+    if rows.qd is None:
+        return []
+    out = []
+    for before, visit in line.legs():
+        frame = frames[np.asarray(visit.stop.X_FT).tobytes()]
+        first, last = before.depart, visit.arrive
+        if visit.stop.duration is not None or last - first < 3:
+            continue
+        if isinstance(visit.stop.move, MoveL):
+            out.append(_line(rows, before, visit, frame))
+        elif isinstance(visit.stop.move, MoveJ | MoveAbsJ) and _caps_inactive(rows, visit, frame, first, last):
+            rests = (np.abs(rows.qd[[first, last]]) <= REST_JOINT).all()
+            if rests:
+                out.append(_joint_move(rows, before, visit, rapid))
+    return out
+
+
+def _line(rows: Rows, before: Visit, visit: Visit, frame: Frame) -> Finding:
+    """Share of the line's time that TOPP-RA shaves off."""
+    stop, limits, caps = visit.stop, rows.plant.limits, rows.plant.tcp
+    assert rows.qd is not None
+    assert stop.X_WF is not None
+    assert stop.move is not None
+    part = slice(before.depart, visit.arrive + 1)
+    t, q, qd, V = rows.t[part], rows.q[part], rows.qd[part], frame.V[part]
+    X_0, X_1 = before.X_WF @ stop.X_FT, stop.X_WF @ stop.X_FT
+    s, length, is_angle = progress(X_0, X_1, frame.p[part], frame.R[part])
+    axis, angle = axis_angle(X_0[:3, :3].T @ X_1[:3, :3])
+    chord = X_1[:3, 3] - X_0[:3, 3]
+    rate = V[:, 3:] @ (X_0[:3, :3] @ axis) / length if is_angle else V[:, :3] @ chord / length**2
+    way = float(np.linalg.norm(chord))
+    obeys = obeys_programmed_speed(stop, rows.plant)
+    v_tcp, v_ori = (stop.move.speed.v_tcp, stop.move.speed.v_ori) if obeys else (np.inf, np.inf)
+    v_rail = np.r_[stop.move.speed.v_leax if obeys else np.inf, [np.inf] * (len(limits.names) - 1)]
+    speed_axes = np.minimum(limits.velocity, v_rail) if rows.plant.robot.has_rail else limits.velocity
+    z, zd = np.c_[q, s * way, s * angle], np.c_[qd, rate * way, rate * angle]
+    speed = np.r_[speed_axes, min(v_tcp, caps.speed), v_ori]
+    acceleration = np.r_[limits.acceleration, caps.acceleration, np.inf]
+    best = _retimed(t, z, zd, 1 / limits.velocity, speed, acceleration)
+    taken = float(t[-1] - t[0])
+    if best is None:
+        return Finding(
+            "line tightness", "TCP", float("nan"), TIGHT_LINE, "of its time", False, float(t[0]), stop.source,
+            f"{stop.source}: TOPP-RA finds no timing for {stop.name} from the speeds at its ends",
+        )  # fmt: skip
+    share = (taken - best) / taken
+    note = f": {stop.name} takes {taken:.4f} s, TOPP-RA {best:.4f} s on the same path"
+    return finding("line tightness", "TCP", share, TIGHT_LINE, "of its time", share <= TIGHT_LINE,
+                   time=float(t[0]), source=stop.source, note=note)  # fmt: skip
+
+
+def _retimed(t: Array, z: Array, zd: Array, weight: Array, speed: Array, acceleration: Array) -> float | None:
+    """Least time along the path of z; its length is that of the axes, each in units of its speed limit.
+
+    The length grows with the slowest as with the fastest axis, so the path's slope is finite where the TCP rests and
+    the rail does not; where all axes rest the slope is that of the chord beside it.
+    """
+    k = len(weight)
+    keep = np.unique(np.linspace(0, len(t) - 1, min(len(t), _POINTS)).astype(np.intp))
+    rho = np.linalg.norm(zd[:, :k] * weight, axis=1)
+    chord = np.linalg.norm(np.diff(z[:, :k], axis=0) * weight, axis=1)
+    sigma = np.r_[0.0, np.cumsum(chord)]
+    t, z, zd, rho, sigma = t[keep], z[keep], zd[keep], rho[keep], sigma[keep]
+    if np.min(np.diff(sigma)) <= 0:
+        moving = np.r_[True, np.diff(sigma) > 0]
+        t, z, zd, rho, sigma = t[moving], z[moving], zd[moving], rho[moving], sigma[moving]
+    rests = rho <= REST_JOINT
+    slope = np.where(rests[:, None], 0.0, zd / np.where(rests, 1.0, rho)[:, None])
+    for end, beside in ((0, 1), (-1, -2)):
+        if rests[end]:
+            slope[end] = 2 * (z[end] - z[beside]) / (sigma[end] - sigma[beside]) - slope[beside]
+            rho[end] = 0.0
+    return shortest_time(sigma, z, slope, speed, acceleration, float(rho[0]), float(rho[-1]))
+
+
+def _caps_inactive(rows: Rows, visit: Visit, frame: Frame, first: int, last: int) -> bool:
+    """Whether no TCP cap and no programmed speed comes near its limit at the rows of the move."""
+    assert visit.stop.move is not None
+    assert rows.qd is not None
+    caps, speed = rows.plant.tcp, visit.stop.move.speed
+    part = slice(first, last + 1)
+    v = frame.least_speed[part].max()
+    a = np.linalg.norm(np.diff(frame.V[part, :3], axis=0), axis=1) / np.diff(rows.t[part])
+    used = max(v / caps.speed, float(a.max()) / caps.acceleration)
+    if obeys_programmed_speed(visit.stop, rows.plant):
+        used = max(used, v / speed.v_tcp, frame.least_turning[part].max() / speed.v_ori)
+        if rows.plant.robot.has_rail:
+            used = max(used, float(np.abs(rows.qd[part, 0]).max()) / speed.v_leax)
+    return bool(used < INACTIVE)
+
+
+def _joint_move(rows: Rows, before: Visit, visit: Visit, rapid: bool) -> Finding:
+    """The move's time less Ruckig's (RAPID: less that of one common profile)."""
+    limits, stop = rows.plant.limits, visit.stop
+    library = straight_rest_to_rest if rapid else rest_to_rest
+    best = library(rows.q[before.depart], rows.q[visit.arrive], limits.velocity, limits.acceleration)
+    taken = float(rows.t[visit.arrive] - rows.t[before.depart])
+    note = f": {stop.name} takes {taken:.6f} s, Ruckig {best:.6f} s"
+    return finding("move tightness", "axes", taken - best, TIGHT_MOVE, "s", abs(taken - best) <= TIGHT_MOVE,
+                   time=float(rows.t[before.depart]), source=stop.source, note=note)  # fmt: skip

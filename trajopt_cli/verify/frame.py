@@ -1,0 +1,159 @@
+"""The tool centre point at the rows of a file: where it is, how fast it moves at least, how sure that is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.verify.rows import INNER, Rows, both_sides
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """One tool's centre point along all rows. X_FT (4, 4): the TCP in the flange frame."""
+
+    rows: Rows
+    X_FT: Array
+
+    @cached_property
+    def p(self) -> Array:
+        """Positions (n, 3) in the world, m."""
+        X = self.rows.X_WF
+        return np.asarray(X[:, :3, :3] @ self.X_FT[:3, 3] + X[:, :3, 3])
+
+    @cached_property
+    def R(self) -> Array:
+        """Rotations (n, 3, 3) in the world."""
+        return np.asarray(self.rows.X_WF[:, :3, :3] @ self.X_FT[:3, :3])
+
+    @cached_property
+    def J(self) -> Array:
+        """Jacobians (n, 6, k) at the TCP."""
+        return shifted(self.rows.J, self.rows.X_WF, self.X_FT)
+
+    @cached_property
+    def _columns(self) -> tuple[Array, Array]:
+        """Lengths of the Jacobian's columns (n, k), linear and angular: what an axis' doubt does to the TCP."""
+        return np.linalg.norm(self.J[:, :3], axis=1), np.linalg.norm(self.J[:, 3:], axis=1)
+
+    @cached_property
+    def doubt_p(self) -> Array:
+        """How far printing may put a position off (n,), m."""
+        return np.asarray(self._columns[0] @ (self.rows.doubt_q / 2))
+
+    @cached_property
+    def doubt_R(self) -> Array:
+        """How far printing may turn a rotation (n,), rad."""
+        return np.asarray(self._columns[1] @ (self.rows.doubt_q / 2))
+
+    @cached_property
+    def V(self) -> Array:
+        """TCP speed (n, 6) at the rows, from the file's speed columns."""
+        assert self.rows.qd is not None
+        return np.asarray((self.J @ self.rows.qd[..., None])[..., 0])
+
+    @cached_property
+    def doubt_V(self) -> tuple[Array, Array]:
+        """How far printing may put V off, linear and angular (n,). Rounded positions turn the Jacobian, too: by r/2 of
+        every axis at most, at the speed all axes make together."""
+        assert self.rows.qd is not None
+        total = np.abs(self.rows.qd).sum(axis=1)
+        linear, angular = (columns @ (self.rows.doubt_v / 2) for columns in self._columns)
+        return linear + total * self.doubt_p, angular + total * self.doubt_R
+
+    @cached_property
+    def least_speed(self) -> Array:
+        """Least TCP speed (n,) at the rows, m/s: the file's own, or mean speed to a neighbour less a h/2."""
+        if self.rows.qd is not None:
+            return np.asarray(np.maximum(np.linalg.norm(self.V[:, :3], axis=1) - self.doubt_V[0], 0.0))
+        return self._from_neighbours(self.path_lengths(1), self.rows.plant.tcp.acceleration)
+
+    @cached_property
+    def least_turning(self) -> Array:
+        """Least angular speed (n,) at the rows, rad/s."""
+        if self.rows.qd is not None:
+            return np.asarray(np.maximum(np.linalg.norm(self.V[:, 3:], axis=1) - self.doubt_V[1], 0.0))
+        return self._from_neighbours(self.angles(1), angular_acceleration(self.rows))
+
+    def _from_neighbours(self, way: Array, top: float) -> Array:
+        h = np.diff(self.rows.t)
+        return both_sides(np.maximum(way / (h + self.rows.doubt_t) - top * h / 2, 0.0)[:, None])[:, 0]
+
+    def path_lengths(self, lag: int) -> Array:
+        """Least distance (n-lag,) between rows i and i + lag."""
+        way = np.linalg.norm(self.p[lag:] - self.p[:-lag], axis=1)
+        return np.asarray(np.maximum(way - self.doubt_p[lag:] - self.doubt_p[:-lag], 0.0))
+
+    def angles(self, lag: int) -> Array:
+        """Least angle (n-lag,) between rows i and i + lag."""
+        return np.asarray(
+            np.maximum(angle_between(self.R[:-lag], self.R[lag:]) - self.doubt_R[lag:] - self.doubt_R[:-lag], 0.0)
+        )
+
+    def places(self, first: int, last: int) -> Places:
+        """All there is to see from row first to row last: the rows, and the Hermite between them where it is exact."""
+        rows, part = self.rows, slice(first, last + 1)
+        at_rows = Places(rows.t[part], self.p[part], self.R[part], self.doubt_p[part], self.doubt_R[part])
+        if not rows.exact or last <= first:
+            return at_rows
+        n = len(INNER)
+        times, X = rows.hermite_places[0], rows.hermite_poses
+        inner, left = slice(first * n, last * n), np.repeat(np.arange(first, last), n)
+        linear, angular = (
+            np.einsum("ij,ij->i", columns[first:last], self._inner_doubt[first:last]) for columns in self._columns
+        )
+        order = np.argsort(np.r_[rows.t[part], times[inner]], kind="stable")
+        return Places(
+            np.r_[at_rows.t, times[inner]][order],
+            np.vstack([at_rows.p, X[inner, :3, :3] @ self.X_FT[:3, 3] + X[inner, :3, 3]])[order],
+            np.concatenate([at_rows.R, X[inner, :3, :3] @ self.X_FT[:3, :3]])[order],
+            np.r_[at_rows.doubt_p, linear[left - first]][order],
+            np.r_[at_rows.doubt_R, angular[left - first]][order],
+        )
+
+    @cached_property
+    def _inner_doubt(self) -> Array:
+        """Doubt about axis positions between rows (n-1, k): that of a row, and what doubts about speeds (4/27 h each)
+        and about the interval's length add to a Hermite."""
+        assert self.rows.qd is not None
+        h, v = np.diff(self.rows.t)[:, None], np.abs(self.rows.qd)
+        out = self.rows.doubt_q / 2 + 8 / 27 * (
+            h * self.rows.doubt_v / 2 + np.maximum(v[1:], v[:-1]) * self.rows.doubt_t
+        )
+        return np.asarray(out)
+
+
+@dataclass(frozen=True, eq=False)
+class Places:
+    """A stretch of a TCP's motion: times (m,), positions (m, 3), rotations (m, 3, 3), and the doubt about both (m,)."""
+
+    t: Array
+    p: Array
+    R: Array
+    doubt_p: Array
+    doubt_angle: Array
+
+
+def angular_acceleration(rows: Rows) -> float:
+    """More than the tool's angular acceleration where it hardly turns, rad/s2: all rotary axes at their limits."""
+    limits = rows.plant.limits
+    return float(sum(a for name, a in zip(limits.names, limits.acceleration, strict=True) if name != "rail"))
+
+
+def angle_between(A: Array, B: Array) -> Array:
+    """Angle (...) in rad between rotations (..., 3, 3); exact to rounding near zero."""
+    chord = np.linalg.norm(np.asarray(B) - np.asarray(A), axis=(-2, -1)) / (2 * np.sqrt(2.0))
+    return np.asarray(2 * np.arcsin(np.minimum(chord, 1.0)))
+
+
+def shifted(J: Array, X_WF: Array, X_FT: Array) -> Array:
+    """Jacobians (..., 6, k) at the TCP from those at the flange: v_T = v_F + omega x (p_T - p_F)."""
+    lever = X_WF[..., :3, :3] @ X_FT[:3, 3]
+    if not lever.any():
+        return J
+    out = np.array(J)
+    out[..., :3, :] += np.cross(J[..., 3:, :], lever[..., None], axis=-2)
+    return out

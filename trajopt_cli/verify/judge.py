@@ -1,0 +1,90 @@
+"""verify(): a program, a plant and rows of joint positions in; findings about their legality, and advice, out."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+import numpy as np
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.joint_csv import Resolution
+from trajopt_cli.motion import Program
+from trajopt_cli.problem.plan import Target
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.report import Finding, Report
+from trajopt_cli.trajectory import Trajectory
+from trajopt_cli.verify.advice import advise
+from trajopt_cli.verify.caps import check_caps
+from trajopt_cli.verify.course import may_drop, stops_of
+from trajopt_cli.verify.findings import finding
+from trajopt_cli.verify.frame import Frame
+from trajopt_cli.verify.joints import check_joints
+from trajopt_cli.verify.lines import check_shapes
+from trajopt_cli.verify.rows import Rows, look
+from trajopt_cli.verify.stops import check_stops
+from trajopt_cli.verify.timeline import build_timeline
+from trajopt_cli.verify.tolerances import COARSEST_PRINT, LARGEST_GAP
+from trajopt_cli.verify.visits import match
+
+
+def verify(
+    program: Program,
+    plant: Plant,
+    trajectory: Trajectory,
+    resolution: Resolution | None = None,
+    dropped: Collection[int] | None = None,
+    target: Target | None = None,
+) -> Report:
+    """Judge a joint motion of the whole program. Report.legal decides; advice says what a line could still gain.
+
+    resolution: printed step of the file, None when every digit is there. dropped: indices of motions the plan left
+    out; None: unknown, optional motions may be missing. target rapid: also what a RAPID controller makes of it, every
+    axis at rest at every stop, MoveJ straight in the joints, the rail in proportion to the path of a line.
+
+    Raises InputError when the file's axes are not the robot's.
+    """
+    names = plant.robot.axis_names
+    if trajectory.names != names:
+        raise InputError(f"the file's axes are {', '.join(trajectory.names)}; the robot's are {', '.join(names)}")
+    rows = look(plant, trajectory, resolution)
+    rapid = target is Target.RAPID
+    stops = stops_of(program, plant, dropped)
+    frames = {key: Frame(rows, X_FT) for key, X_FT in {np.asarray(s.X_FT).tobytes(): s.X_FT for s in stops}.items()}
+    line = build_timeline(rows, frames, stops[0], match(rows, frames, stops, rapid), rapid)
+    findings = [
+        *_file(rows, frames[np.asarray(stops[0].X_FT).tobytes()]),
+        *_dropped(program, plant, dropped or ()),
+        *check_stops(line, frames, rapid),
+        *check_shapes(line, frames, rapid),
+        *check_joints(rows, line.source_at),
+        *check_caps(line, frames),
+    ]
+    return Report(tuple(findings), tuple(advise(line, frames, rapid)))
+
+
+def _file(rows: Rows, frame: Frame) -> list[Finding]:
+    """Whether the rows are close and fine enough to show stops and lines at all."""
+    gaps = np.diff(rows.t)
+    i, k = int(np.argmax(gaps)), int(np.argmax(frame.doubt_p))
+    far, coarse = float(gaps[i]), float(frame.doubt_p[k])
+    note = ": rows this far apart do not show whether the TCP stops; sample the motion at 50 Hz or more"
+    digits = ": printed digits leave the TCP this uncertain; print more of them"
+    return [
+        finding("row spacing", "file", far, LARGEST_GAP, "s", far <= LARGEST_GAP * (1 + 1e-9) + rows.doubt_t,
+                time=float(rows.t[i]), note=note),
+        finding("printed resolution", "file", coarse, COARSEST_PRINT, "m", coarse <= COARSEST_PRINT,
+                time=float(rows.t[k]), note=digits),
+    ]  # fmt: skip
+
+
+def _dropped(program: Program, plant: Plant, dropped: Collection[int]) -> list[Finding]:
+    """Every motion the plan left out must be one that the user marked."""
+    out = []
+    for index in sorted(dropped):
+        source = program.motions[index].source if 0 <= index < len(program.motions) else None
+        allowed = may_drop(program, plant, index)
+        out.append(
+            finding("dropped motion", f"motion {index}", 1.0, 0.0, "dropped", allowed, source=source,
+                    note=": only a target marked optional may be left out")
+        )  # fmt: skip
+    return out

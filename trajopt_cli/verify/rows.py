@@ -1,0 +1,205 @@
+"""What rows of a file say about the motion they were taken from, and what they leave open.
+
+Every value here is the least one that a motion through the printed rows can have, so that a legal motion never fails:
+a mean speed between rows is not above the speed limit, a second divided difference not above the acceleration limit
+(it is a mean of the acceleration with a positive kernel), for any spacing of the rows and any lag.
+
+Printing rounds. A position is off by r/2 at most (r the printed step), so a difference of two by r, a mean speed over
+h by r/h, a second divided difference over h1, h2 by (r/h1 + r/h2) * 2/(h1 + h2), that is 4r/(2h^2) on a grid. A time
+off by r_t/2 lengthens h by r_t at most and changes a mean speed c by c r_t/h. A TCP position is off by what r/2 in
+every axis does through the Jacobian's columns. These shares are subtracted before anything is called a breach; larger
+lags bring the sensitivity back.
+
+Between the rows. Our own files carry speeds and have a row at every boundary and switch: there the cubic Hermite *is*
+the motion, and it is judged everywhere. A file on a bare grid has its switches somewhere between the rows; a Hermite
+across a switch overshoots although the motion is legal, so only mean values are judged there. Rows tell which: a grid
+with extra rows in it is marked, an even grid (or anything else) is not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.joint_csv import Resolution
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.trajectory import Trajectory, hermite
+from trajopt_cli.verify.tolerances import COMPUTED, REST_JOINT
+
+LAGS = (1, 2, 4, 8, 16, 32)
+INNER = (0.2, 0.4, 0.6, 0.8)
+"""Where the Hermite between two rows is looked at, besides its ends."""
+
+
+@dataclass(frozen=True, eq=False)
+class Rows:
+    """A file's rows with the doubt about them, and the flange at each.
+
+    doubt_t [s], doubt_q, doubt_v (k,): printed step, never under COMPUTED. marked: a row stands at every boundary and
+    switch. open_time (n,) [s]: how far the nearest boundary may be from a row that shows it, half the gap beside it;
+    0 where marked.
+    """
+
+    plant: Plant
+    trajectory: Trajectory
+    doubt_t: float
+    doubt_q: Array
+    doubt_v: Array
+    marked: bool
+    open_time: Array
+
+    @property
+    def t(self) -> Array:
+        """Times (n,) in s."""
+        return self.trajectory.t
+
+    @property
+    def q(self) -> Array:
+        """Positions (n, k)."""
+        return self.trajectory.q
+
+    @property
+    def qd(self) -> Array | None:
+        """Speeds (n, k) where the file has them."""
+        return self.trajectory.qd
+
+    @property
+    def exact(self) -> bool:
+        """Whether the Hermite between rows is the motion itself."""
+        return self.marked and self.qd is not None
+
+    @cached_property
+    def X_WF(self) -> Array:
+        """Flange poses (n, 4, 4)."""
+        return self.plant.robot.forward(self.q)
+
+    @cached_property
+    def J(self) -> Array:
+        """Flange Jacobians (n, 6, k)."""
+        return self.plant.robot.jacobian(self.q)
+
+    @cached_property
+    def least_axis_speed(self) -> Array:
+        """Least |speed| (n, k) the axes can have at the rows.
+
+        The printed one, or without speed columns: |mean speed to a neighbour| - A h/2, the larger of both sides.
+        """
+        if self.qd is not None:
+            return np.asarray(np.maximum(np.abs(self.qd) - self.doubt_v, 0.0))
+        h = np.diff(self.t)[:, None]
+        c = np.maximum(np.abs(np.diff(self.q, axis=0)) - self.doubt_q, 0.0) / (h + self.doubt_t)
+        return both_sides(np.maximum(c - self.plant.limits.acceleration * h / 2, 0.0))
+
+    @cached_property
+    def axes_rest(self) -> NDArray[np.bool_]:
+        """Rows (n,) where every axis stands, as far as rows show it: one half a gap away may still have A tau."""
+        granted = REST_JOINT + self.plant.limits.acceleration * self.open_time[:, None]
+        return np.asarray((self.least_axis_speed <= granted).all(axis=1))
+
+    @cached_property
+    def mismatch(self) -> tuple[Array, Array]:
+        """Mean speed between rows minus mean of the speeds at its rows, (n-1, k), and the doubt about it."""
+        assert self.qd is not None
+        h = np.diff(self.t)[:, None]
+        c = np.diff(self.q, axis=0) / h
+        e = c - (self.qd[1:] + self.qd[:-1]) / 2
+        least = shortest(h, self.doubt_t)
+        return e, (self.doubt_q + np.abs(c) * self.doubt_t) / least + self.doubt_v / 2
+
+    @cached_property
+    def hermite_doubt(self) -> Array:
+        """How far the Hermite's acceleration may be from the motion's at any place between rows, (n-1, k).
+
+        Rounding: 6/h of the mismatch's doubt and that of (v1 - v0)/h. Truncation: the Hermite of a smooth motion is
+        off by h^2/12 of its fourth derivative at most, which shows as a change of the Hermite's jerk (-12 e/h^2) from
+        one interval to the next; the smaller of both sides, because a switch changes it on one side only, doubled.
+        """
+        assert self.qd is not None
+        e, doubt = self.mismatch
+        h = np.diff(self.t)[:, None]
+        jerk = -12 * e / (h * h)
+        snap = np.abs(np.diff(jerk, axis=0)) / ((h[1:] + h[:-1]) / 2)
+        left, right = np.vstack([snap[:1], snap]), np.vstack([snap, snap[-1:]])
+        truncation = h * h / 12 * np.minimum(left, right) if len(snap) else np.zeros_like(e)
+        least = shortest(h, self.doubt_t)
+        speed_change = np.abs(np.diff(self.qd, axis=0)) / h
+        return np.asarray(2 * truncation + 6 * doubt / least + (self.doubt_v + speed_change * self.doubt_t) / least)
+
+    @cached_property
+    def hermite_places(self) -> tuple[Array, Array, Array, Array]:
+        """Times (m,) at the INNER places of every interval and the Hermite's q, qd, qdd (m, k) there, in order."""
+        h = np.diff(self.t)
+        times = (self.t[:-1, None] + np.array(INNER) * h[:, None]).ravel()
+        return times, *hermite(self.trajectory, times)
+
+    @cached_property
+    def hermite_poses(self) -> Array:
+        """Flange poses (m, 4, 4) at hermite_places."""
+        return self.plant.robot.forward(self.hermite_places[1])
+
+
+def look(plant: Plant, trajectory: Trajectory, resolution: Resolution | None) -> Rows:
+    """Rows as the judge uses them; resolution None: every digit is there."""
+    eps = float(np.finfo(np.float64).eps)
+    t = trajectory.t
+    k = len(trajectory.names)
+    r = resolution or Resolution(0.0, np.zeros(k), np.zeros(k))
+    marked = _marked(np.diff(t), r.t)
+    gaps = both_sides(np.diff(t)[:, None])[:, 0]
+    return Rows(
+        plant=plant,
+        trajectory=trajectory,
+        doubt_t=max(r.t, 4 * eps * float(np.abs(t).max())),
+        doubt_q=np.maximum(r.q, COMPUTED),
+        doubt_v=np.maximum(r.qd, COMPUTED),
+        marked=marked,
+        open_time=np.zeros(len(t)) if marked else gaps / 2,
+    )
+
+
+def shortest(h: Array, doubt_t: float) -> Array:
+    """The least that intervals printed as h can last, s."""
+    return np.asarray(np.maximum(h - doubt_t, COMPUTED))
+
+
+def both_sides(between: Array) -> Array:
+    """Per row the larger of the two values between rows beside it: (n-1, ...) -> (n, ...)."""
+    return np.asarray(np.maximum(np.concatenate([between[:1], between]), np.concatenate([between, between[-1:]])))
+
+
+def lagged(n: int) -> Iterator[tuple[int, slice, slice, slice]]:
+    """Lags m with the slices of rows i, i + m and i + 2m (for i as far as i + 2m exists)."""
+    for m in LAGS:
+        if 2 * m < n:
+            yield m, slice(0, n - 2 * m), slice(m, n - m), slice(2 * m, n)
+
+
+def second_differences(t: Array, x: Array, half: Array, doubt_t: float) -> Iterator[tuple[int, Array, Array]]:
+    """Per lag m: twice the second divided difference of rows i, i + m, i + 2m and the doubt about it, (n-2m, k).
+
+    x (n, k); half: how far x may be off at each row, broadcast to (n, k).
+    """
+    half = np.broadcast_to(half, x.shape)
+    for m, a, b, c in lagged(len(t)):
+        h1, h2 = (t[b] - t[a])[:, None], (t[c] - t[b])[:, None]
+        c1, c2 = (x[b] - x[a]) / h1, (x[c] - x[b]) / h2
+        doubt = (half[a] + half[b] + np.abs(c1) * doubt_t) / shortest(h1, doubt_t)
+        doubt = doubt + (half[b] + half[c] + np.abs(c2) * doubt_t) / shortest(h2, doubt_t)
+        yield m, 2 * (c2 - c1) / (h1 + h2), 2 * doubt / shortest(h1 + h2, doubt_t)
+
+
+def _marked(gaps: Array, doubt_t: float) -> bool:
+    """A grid with extra rows in it: many gaps of one length, others shorter, none longer; the last gap does not count.
+
+    Rows may be shifted by 1e-5 s, the shortest interval of our files.
+    """
+    inner = gaps[:-1] if len(gaps) > 2 else gaps
+    grid = float(np.median(inner))
+    same = np.abs(inner - grid) <= 2 * doubt_t + 1e-9 * grid
+    longer = inner > grid + 2e-5 + 2 * doubt_t
+    return bool(np.mean(same) >= 0.4 and not same.all() and not longer.any())

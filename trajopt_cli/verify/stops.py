@@ -1,0 +1,232 @@
+"""Findings about stops: start and end, points reached at rest, waits, programmed times."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.motion import MoveExtJ, Source
+from trajopt_cli.problem.report import Finding
+from trajopt_cli.verify.findings import axis_unit, finding
+from trajopt_cli.verify.frame import Frame, Places, angle_between
+from trajopt_cli.verify.rows import Rows
+from trajopt_cli.verify.timeline import Timeline, Visit, gap
+from trajopt_cli.verify.tolerances import (
+    DURATION,
+    DWELL,
+    JOINT_TARGET,
+    REST_ANGULAR,
+    REST_JOINT,
+    REST_LINEAR,
+    STOP_POSITION,
+    STOP_ROTATION,
+)
+
+
+def check_stops(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> list[Finding]:
+    """All findings about stops in program order, the start's first and the end's last."""
+    rows = line.rows
+    out = [*_ends(rows, 0, "start", rows.plant.start, None)]
+    for i, visit in enumerate(line.visits):
+        frame = frames[np.asarray(visit.stop.X_FT).tobytes()]
+        before = line.visits[max(i - 1, 0)]
+        if i > 0:
+            out.append(_reached(rows, visit, frame, line, i))
+        if visit.event is None:
+            continue
+        out.extend(_rail(rows, visit))
+        if i > 0 and visit.stop.duration is not None:
+            out.append(_duration(rows, before, visit))
+        out.extend(_dwells(rows, visit))
+        if visit.holds or visit.stay:
+            out.append(_drift(rows, visit, before, frame))
+        if rapid:
+            out.extend(_axes_stand(rows, visit))
+    last = line.visits[-1]
+    out.extend(_ends(rows, len(rows.t) - 1, "end", None, last.stop.source))
+    if last.event is not None:
+        over = float(rows.t[-1] - rows.t[last.depart])
+        message_note = f": nothing may follow {last.stop.name}"
+        passed = last.depart == len(rows.t) - 1
+        out.append(
+            finding("end", "motion after it", over, 0.0, "s", passed, time=float(rows.t[last.depart]),
+                    source=last.stop.source, note=message_note)
+        )  # fmt: skip
+    return out
+
+
+def _ends(rows: Rows, row: int, name: str, wanted: Array | None, source: Source | None) -> list[Finding]:
+    """Axis positions (where wanted) and rest of every axis at the first or last row.
+
+    Without speed columns an axis that rests there moves A h/2 at most per second to the neighbour.
+    """
+    limits, time = rows.plant.limits, float(rows.t[row])
+    out = []
+    if wanted is not None:
+        off = np.abs(rows.q[row] - wanted) - rows.doubt_q / 2
+        j = int(np.argmax(off))
+        passed = bool(off[j] <= JOINT_TARGET)
+        out.append(
+            finding(name, limits.names[j], rows.q[row, j], float(wanted[j]), axis_unit(limits.names[j]), passed,
+                    time=time, source=source, bound="wanted")
+        )  # fmt: skip
+    if rows.qd is not None:
+        # the first and the last row are the boundary itself, however sparse the others
+        speed = np.abs(rows.qd[row]) - rows.doubt_v
+    else:
+        a, b = (0, 1) if row == 0 else (row - 1, row)
+        h = float(rows.t[b] - rows.t[a])
+        c = np.maximum(np.abs(rows.q[b] - rows.q[a]) - rows.doubt_q, 0) / (h + rows.doubt_t)
+        speed = c - limits.acceleration * h / 2
+    j = int(np.argmax(speed))
+    passed = bool(speed[j] <= REST_JOINT)
+    note = f": every axis must rest at the {name}"
+    axis, unit = limits.names[j], axis_unit(limits.names[j]) + "/s"
+    least = max(float(speed[j]), 0.0)
+    out.append(finding(f"{name} rest", axis, least, REST_JOINT, unit, passed, time=time, source=source, note=note))
+    return out
+
+
+def _reached(rows: Rows, visit: Visit, frame: Frame, line: Timeline, i: int) -> Finding:
+    """Whether the stop was reached, and at rest; else the closest the file comes to it before the next stop."""
+    stop, close = visit.stop, visit.match.close
+    unit, subject = ("m", "TCP") if stop.X_WF is not None and stop.arm is None else ("rad", "arm")
+    if isinstance(stop.move, MoveExtJ):
+        unit, subject = "m", rows.plant.limits.names[0]
+    if visit.event is None:
+        following = next((v for v in line.visits[i + 1 :] if v.event is not None), None)
+        last = len(rows.t) - 1 if following is None else following.arrive
+        first = min(visit.depart, last)
+        row = first + int(np.argmin(close.distance[first : last + 1]))
+        axes = stop.arm is not None or isinstance(stop.move, MoveExtJ)
+        value, limit, unit = (
+            _off(rows, visit, frame, row) if not axes else (close.distance[row] * JOINT_TARGET, JOINT_TARGET, unit)
+        )
+        note = f": {stop.name} is not reached in program order, the TCP runs {frame.least_speed[row]:.3g} m/s there"
+        return finding("stop reached", subject, value, limit, unit, False, time=float(rows.t[row]), source=stop.source,
+                       note=note)  # fmt: skip
+    granted = REST_LINEAR + rows.plant.tcp.acceleration * rows.open_time[visit.arrive]
+    value = float(frame.least_speed[visit.arrive])
+    turning = float(frame.least_turning[visit.arrive])
+    seen = "" if rows.marked else f" (rows {gap(rows, visit.arrive):.3g} s apart show rest to this)"
+    rests = bool(close.rests[visit.arrive])
+    if not rests and value <= granted:
+        return finding("stop rest", "TCP", turning, REST_ANGULAR, "rad/s", False, time=float(rows.t[visit.arrive]),
+                       source=stop.source, note=f" at {stop.name}{seen}")  # fmt: skip
+    return finding("stop rest", "TCP", value, float(granted), "m/s", rests, time=float(rows.t[visit.arrive]),
+                   source=stop.source, note=f" at {stop.name}{seen}")  # fmt: skip
+
+
+def _off(rows: Rows, visit: Visit, frame: Frame, row: int) -> tuple[float, float, str]:
+    """Distance or angle from the stop's pose at a row, whichever is farther in tolerances; its limit and unit."""
+    X_WT = visit.X_WF @ visit.stop.X_FT
+    d_p = float(np.linalg.norm(frame.p[row] - X_WT[:3, 3]))
+    d_R = float(angle_between(frame.R[row], X_WT[:3, :3]))
+    if d_p / STOP_POSITION >= d_R / STOP_ROTATION:
+        return d_p, STOP_POSITION, "m"
+    return d_R, STOP_ROTATION, "rad"
+
+
+def _rail(rows: Rows, visit: Visit) -> list[Finding]:
+    """The rail at its programmed value, where the program fixes it."""
+    stop = visit.stop
+    if stop.rail is None or isinstance(stop.move, MoveExtJ) or stop.move is None:
+        return []
+    met = visit.match.close.rail_met[visit.arrive]
+    name = rows.plant.limits.names[0]
+    return [
+        finding("rail target", name, float(rows.q[visit.arrive, 0]), stop.rail, "m", bool(met),
+                time=float(rows.t[visit.arrive]), source=stop.source, bound="wanted", note=f" at {stop.name}")
+    ]  # fmt: skip
+
+
+def _duration(rows: Rows, before: Visit, visit: Visit) -> Finding:
+    """The programmed time of a move against the times it can have taken: between the rests beside it.
+
+    A rest longer than its waits may belong to the move or not; of a move that stays only the least can be seen.
+    """
+    wanted = visit.stop.duration or 0.0
+    rest_after = max(float(rows.t[visit.depart]) - visit.ready, 0.0)
+    if visit.stay:
+        taken = min(wanted, float(rows.t[visit.depart]) - sum(h.end - h.begin for h in visit.holds) - before.ready)
+        slack = 0.0
+    else:
+        shortest = float(rows.t[visit.arrive] - rows.t[before.depart])
+        longest = shortest + rest_after + max(float(rows.t[before.depart]) - before.ready, 0.0)
+        taken = min(max(wanted, shortest), longest)
+        slack = gap(rows, before.depart) / 2
+    passed = abs(taken - wanted) <= DURATION + 2 * rows.doubt_t + gap(rows, visit.arrive) / 2 + slack
+    return finding("duration", visit.stop.name, taken, wanted, "s", passed, time=float(rows.t[visit.arrive]),
+                   source=visit.stop.source, bound="programmed")  # fmt: skip
+
+
+def _dwells(rows: Rows, visit: Visit) -> list[Finding]:
+    """Every wait as long as programmed, and every axis at rest where one ends on a condition."""
+    out = []
+    leaves = float(rows.t[visit.depart])
+    slack = DWELL + rows.doubt_t + gap(rows, visit.depart)
+    for hold in visit.holds:
+        wait = hold.wait
+        note = f" at {visit.stop.name}"
+        if wait.duration > 0:
+            lasts = min(max(leaves - hold.begin, 0.0), wait.duration)
+            out.append(
+                finding("dwell length", "TCP", lasts, wait.duration, "s", lasts >= wait.duration - slack,
+                        time=hold.begin, source=wait.source, bound="at least", note=note)
+            )  # fmt: skip
+        if wait.condition is not None:
+            row = visit.depart if hold.rests is None else hold.rests
+            j = int(np.argmax(rows.least_axis_speed[row]))
+            name = rows.plant.limits.names[j]
+            out.append(
+                finding("dwell rest", name, float(rows.least_axis_speed[row, j]), REST_JOINT, axis_unit(name) + "/s",
+                        hold.rests is not None, time=float(rows.t[row]), source=wait.source,
+                        note=f": every axis must rest when this wait ends,{note}")
+            )  # fmt: skip
+    return out
+
+
+def _drift(rows: Rows, visit: Visit, before: Visit, frame: Frame) -> Finding:
+    """The farthest the TCP gets from the stop while it must rest there."""
+    first, last = (before.arrive if visit.stay else visit.arrive), visit.depart
+    end = max([hold.end for hold in visit.holds], default=visit.ready)
+    last = min(last, int(np.searchsorted(rows.t, end + rows.doubt_t, side="right")) - 1)
+    # a row within a gap of the boundary may belong to the motion beside it
+    while not rows.marked and first < last and rows.t[first] < rows.t[visit.arrive] + gap(rows, visit.arrive):
+        first += 1
+    while not rows.marked and first < last and rows.t[last] > end - gap(rows, visit.depart):
+        last -= 1
+    source = visit.holds[0].wait.source if visit.holds else visit.stop.source
+    return deviation("dwell drift", frame.places(first, max(first, last)), visit.X_WF @ visit.stop.X_FT, source,
+                     f" at {visit.stop.name}")  # fmt: skip
+
+
+def deviation(check: str, places: Places, X_WT: Array, source: Source | None, note: str) -> Finding:
+    """The farthest of all places from a pose, position or rotation, whichever uses more of its tolerance."""
+    d_p = np.maximum(np.linalg.norm(places.p - X_WT[:3, 3], axis=1) - places.doubt_p, 0.0)
+    d_R = np.maximum(angle_between(places.R, X_WT[:3, :3]) - places.doubt_angle, 0.0)
+    i, k = int(np.argmax(d_p)), int(np.argmax(d_R))
+    if d_p[i] / STOP_POSITION >= d_R[k] / STOP_ROTATION:
+        value, limit, unit, time = float(d_p[i]), STOP_POSITION, "m", float(places.t[i])
+    else:
+        value, limit, unit, time = float(d_R[k]), STOP_ROTATION, "rad", float(places.t[k])
+    return finding(check, "TCP", value, limit, unit, value <= limit, time=time, source=source, note=note)
+
+
+def _axes_stand(rows: Rows, visit: Visit) -> list[Finding]:
+    """RAPID: every axis at rest when the TCP arrives, when a wait ends and when it leaves. Where an event has rows with
+    every axis at rest, arrival and departure are the first and the last of them."""
+    out = []
+    moments = [(visit.arrive, visit.stop.source), (visit.depart, visit.stop.source)]
+    moments += [(h.rests if h.rests is not None else visit.depart, h.wait.source) for h in visit.holds]
+    for row, source in moments:
+        granted = REST_JOINT + rows.plant.limits.acceleration * rows.open_time[row]
+        j = int(np.argmax(rows.least_axis_speed[row] / granted))
+        name = rows.plant.limits.names[j]
+        value = float(rows.least_axis_speed[row, j])
+        note = f": a RAPID controller stops every axis at {visit.stop.name}"
+        out.append(
+            finding("axes rest", name, value, float(granted[j]), axis_unit(name) + "/s", value <= granted[j],
+                    time=float(rows.t[row]), source=source, note=note)
+        )  # fmt: skip
+    return out

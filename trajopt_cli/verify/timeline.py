@@ -1,0 +1,162 @@
+"""Arrivals and departures: each stop of the program with its rows, its waits and the time left over."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.motion import Source, Wait
+from trajopt_cli.verify.course import Stop, stays
+from trajopt_cli.verify.frame import Frame
+from trajopt_cli.verify.rows import Rows
+from trajopt_cli.verify.tolerances import DWELL
+from trajopt_cli.verify.visits import Event, Match, closeness, events_of
+
+
+@dataclass(frozen=True, eq=False)
+class Hold:
+    """A wait as it came out: it begins at `begin` [s] and must keep the stop until `end`. rests: the row where every
+    axis stands at its end, None where that is wanted and never so."""
+
+    wait: Wait
+    begin: float
+    end: float
+    rests: int | None
+
+
+@dataclass(frozen=True, eq=False)
+class Visit:
+    """A stop as it came out.
+
+    event: None where the file never shows it; the rows are then those of the stop before. arrive, depart: first and
+    last row. ready: the earliest time [s] at which the next move may begin. X_WF: the wanted pose, or the one at arrival
+    where the program leaves it to the axes. stay: reached without leaving the stop before. back: where the TCP left the
+    stop within its waits and came back, the row of the return.
+    """
+
+    match: Match
+    event: Event | None
+    stay: bool
+    arrive: int
+    depart: int
+    ready: float
+    X_WF: Array
+    holds: tuple[Hold, ...] = ()
+    back: int | None = None
+
+    @property
+    def stop(self) -> Stop:
+        """What was asked for."""
+        return self.match.stop
+
+
+@dataclass(frozen=True, eq=False)
+class Timeline:
+    """All stops with their rows; the start first."""
+
+    rows: Rows
+    visits: tuple[Visit, ...]
+
+    def source_at(self, time: float) -> Source | None:
+        """The motion under way at a time: the move that ends next, or the wait."""
+        for visit in self.visits:
+            if visit.event is None:
+                continue
+            if time <= self.rows.t[visit.arrive] + self.rows.doubt_t:
+                return visit.stop.source
+            for hold in visit.holds:
+                if time < hold.end - self.rows.doubt_t:
+                    return hold.wait.source
+        return self.visits[-1].stop.source
+
+    def legs(self) -> list[tuple[Visit, Visit]]:
+        """Moves whose both ends the file shows and that leave their point: (from, to)."""
+        return [
+            (before, visit)
+            for before, visit in zip(self.visits, self.visits[1:], strict=False)
+            if before.event is not None and visit.event is not None and not visit.stay
+        ]
+
+
+def gap(rows: Rows, row: int) -> float:
+    """How much longer a rest may be than its rows show, s: both ends may lie half a gap away from a row."""
+    return 2 * float(rows.open_time[row])
+
+
+def build_timeline(
+    rows: Rows, frames: dict[bytes, Frame], start: Stop, matches: Sequence[Match], rapid: bool
+) -> Timeline:
+    """Walk through the stops in order. rapid: every axis must stand at the end of every wait."""
+    visits = [_start(rows, frames[np.asarray(start.X_FT).tobytes()], start, rapid)]
+    for k, m in enumerate(matches):
+        after = next((n.event for n in matches[k + 1 :] if n.event is not None and n.event is not m.event), None)
+        before = visits[-1]
+        if m.event is None:
+            if not m.stop.optional:
+                X_WF = before.X_WF if m.stop.X_WF is None else m.stop.X_WF
+                visits.append(Visit(m, None, False, before.arrive, before.depart, before.ready, X_WF))
+            continue
+        visit = _visit(rows, m, m.event, before, len(rows.t) if after is None else after.first, rapid)
+        if visit.arrive < before.depart:  # both in one rest: the stop before ends where this one begins
+            visits[-1] = replace(before, depart=visit.arrive)
+        visits.append(visit)
+    return Timeline(rows, tuple(visits))
+
+
+def _start(rows: Rows, frame: Frame, start: Stop, rapid: bool) -> Visit:
+    """The stop at the first row, whatever its axes are; it lasts as long as the TCP rests there."""
+    assert start.X_WF is not None
+    here = Stop(-1, None, None, start.name, start.X_WF, start.X_FT, None, None, False, start.holds)
+    close = closeness(rows, frame, here, rapid)
+    events = events_of(close)
+    event = events[0] if events and events[0].first == 0 else Event(0, 0, np.array([], dtype=np.intp), 0)
+    depart = event.end if len(event.good) else 0
+    holds = _holds(rows, here, float(rows.t[0]), depart, rapid)
+    ready = holds[-1].end if holds else float(rows.t[0])
+    m = Match(here, close, event, ())
+    return Visit(m, event, False, 0, depart, ready, start.X_WF, holds)
+
+
+def _visit(rows: Rows, m: Match, event: Event, before: Visit, limit: int, rapid: bool) -> Visit:
+    stop, good = m.stop, event.good
+    stay = stays(stop, before.X_WF)
+    least = before.ready + ((stop.duration or 0.0) if stay else 0.0)
+    arrive, depart = event.best, event.best
+    if len(good):
+        since = good[rows.t[good] >= least - DWELL - rows.doubt_t - gap(rows, event.best)]
+        arrive, depart = int(since[0] if len(since) else good[-1]), int(good[-1])
+    depart, back = _across_drift(rows, m, arrive, depart, limit)
+    begin = max(float(rows.t[arrive]), least) if stay else float(rows.t[arrive])
+    holds = _holds(rows, stop, begin, depart, rapid)
+    ready = holds[-1].end if holds else begin
+    X_WF = rows.X_WF[arrive] if stop.X_WF is None else stop.X_WF
+    return Visit(m, event, stay, arrive, depart, ready, X_WF, holds, back)
+
+
+def _holds(rows: Rows, stop: Stop, time: float, depart: int, rapid: bool) -> tuple[Hold, ...]:
+    """Let every wait take its time from `time` on, and go on until every axis stands where that is wanted."""
+    out = []
+    for _, wait in stop.holds:
+        end, rests = time + wait.duration, None
+        if wait.condition is not None or rapid:
+            slack = DWELL + rows.doubt_t + gap(rows, depart)
+            first = min(int(np.searchsorted(rows.t, end - slack)), depart)
+            still = first + np.flatnonzero(rows.axes_rest[first : depart + 1])
+            if len(still):
+                rests = int(still[0])
+                end = max(end, float(rows.t[rests]))
+        out.append(Hold(wait, time, end, rests))
+        time = end
+    return tuple(out)
+
+
+def _across_drift(rows: Rows, m: Match, arrive: int, depart: int, limit: int) -> tuple[int, int | None]:
+    """The departure after a drift: within the waits the TCP left the stop and came back before the next stop."""
+    wanted = float(rows.t[arrive]) + sum(wait.duration for _, wait in m.stop.holds)
+    if rows.t[depart] >= wanted - DWELL - gap(rows, depart):
+        return depart, None
+    back = [e for e in m.later if e.first < limit and rows.t[e.first] <= wanted + rows.doubt_t and len(e.good)]
+    return (back[-1].end, back[-1].first) if back else (depart, None)
