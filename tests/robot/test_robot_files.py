@@ -1,5 +1,6 @@
 """Robot files: what ships, what is said of a mistake, and what loading must not import."""
 
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -94,6 +95,7 @@ def test_a_robot_loads_from_a_path(copy):
         ({"speed: {value: 2.5, ": "speed: {"}, "  speed:", "'tcp.speed.value' is missing"),
         ({"value: 20.0": "value: -20.0"}, "acceleration: {value: -20.0", "'tcp.acceleration.value': input should be"),
         ({"value: 20.0": "value: .nan"}, "value: .nan", "'tcp.acceleration.value': input should be"),
+        ({"value: 20.0": "value: .inf"}, "value: .inf", "'tcp.acceleration.value': input should be"),
         ({"value: 20.0": "value: many"}, "value: many", "'tcp.acceleration.value': input should be a valid number"),
         ({"grade: D": "grade: E"}, "grade: E", "'profiles.default.acceleration.joint_1.grade': input should be"),
         ({"rule: abb_six_axis": "rule: kuka"}, "rule: kuka", "'confdata.rule': input should be 'abb_six_axis'"),
@@ -168,6 +170,25 @@ def test_lengths_come_from_the_urdf(copy):
     np.testing.assert_allclose(longer.forward(q), wanted, rtol=0, atol=1e-14)
 
 
+def test_a_turned_rail_in_the_urdf_equals_pin(tmp_path):
+    for suffix in ("yaml", "urdf"):
+        text = (ROBOTS / f"irb140_rail.{suffix}").read_text()
+        straight = 'xyz="0 0 0" rpy="0 0 0"'  # the first is the rail's
+        (tmp_path / f"irb140_rail.{suffix}").write_text(
+            text.replace(straight, 'xyz="0.1 0.2 0.3" rpy="0.3 -0.4 0.5"', 1) if suffix == "urdf" else text
+        )
+    robot = load_robot(str(tmp_path / "irb140_rail.yaml"))
+    model = robot.pin_model
+    import pinocchio as pin
+
+    data = model.createData()
+    q = np.array([0.7, 0.3, 0.2, -0.4, 0.5, 0.6, -0.7])
+    pin.framesForwardKinematics(model, data, q)
+    np.testing.assert_allclose(robot.forward(q), data.oMf[model.getFrameId("tool0")].homogeneous, rtol=0, atol=1e-14)
+    jacobian = pin.computeFrameJacobian(model, data, q, model.getFrameId("tool0"), pin.LOCAL_WORLD_ALIGNED)
+    np.testing.assert_allclose(robot.jacobian(q), jacobian, rtol=0, atol=1e-14)
+
+
 def test_a_mounting_must_be_a_pose():
     with pytest.raises(ValueError, match=r"X_WR has shape \(3, 3\), wanted \(4, 4\)"):
         load_robot("irb140", X_WR=np.eye(3))
@@ -180,10 +201,15 @@ def test_line_of_falls_back_to_the_nearest_key_above():
     assert [catalogue.line_of(raw, keys) for keys in (("a", "b", "c"), ("a", "b", "x"), ("y",))] == [3, 2, 1]
 
 
-def test_robots_are_found_in_the_wheel_too(monkeypatch):
-    monkeypatch.setattr(catalogue, "_FOLDERS", (Path("nowhere"), ROBOTS))
-    assert robot_names() == ("irb140", "irb140_rail")
-    assert load_robot("irb140").urdf == ROBOTS / "irb140.urdf"
+def test_an_installed_package_uses_its_own_robots_and_not_its_neighbours(tmp_path):
+    root = ROBOTS.parent
+    shutil.copytree(root / "trajopt_cli", tmp_path / "trajopt_cli", ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copytree(ROBOTS, tmp_path / "trajopt_cli" / "robots")
+    (tmp_path / "robots").mkdir()  # some other distribution's
+    (tmp_path / "robots" / "foreign.yaml").write_text("name: foreign\n")
+    code = "from trajopt_cli.robot.model import *; print(robot_names(), load_robot('irb140').urdf)"
+    done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == f"('irb140', 'irb140_rail') {tmp_path / 'trajopt_cli' / 'robots' / 'irb140.urdf'}"
 
 
 def test_loading_a_robot_imports_neither_pin_nor_casadi():

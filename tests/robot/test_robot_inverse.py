@@ -116,6 +116,19 @@ def test_angles_are_wrapped_as_promised(irb140, rng):
         assert np.all((found[:, joint] > low) & (found[:, joint] <= high))
 
 
+def test_angles_on_the_seam_take_its_closed_side(irb140):
+    arm = irb140.arm
+    R = irb140.forward(np.zeros(6))[:3, :3]
+    # A hair below the x axis and behind: arctan2 gives -pi, which stands for pi.
+    behind = inverse(irb140, pose(R, [-0.4, -1e-20, 0.6])[None])[0]
+    assert np.all(behind[:4, 0] == pi)
+    assert np.all(behind[4:, 0] == 0.0)
+    # Folded as far as the lengths allow, nearer by rounding: q3 = 90 deg on both elbows, never -270.
+    fold = arm.L4 - arm.L2 - 1e-15
+    folded = inverse(irb140, pose(R, [arm.a1 + arm.L6, 0.0, arm.d1 + fold])[None])[0]
+    np.testing.assert_array_equal(folded[:4, 2], pi / 2)
+
+
 def test_cfx_index_is_the_confdata_of_its_solution(irb140, rng):
     found = inverse(irb140, irb140.forward(rng.uniform(-3, 3, (300, 6))))
     for branches in found:
@@ -160,6 +173,9 @@ def test_solutions_beyond_the_stretch_by_rounding_only(irb140):
         further = X.copy()
         further[:3, 3] += stretch * away
         assert np.isfinite(inverse(irb140, further[None])[0, :4]).any() == reachable
+        # Both elbows are one there: a solution must not be told twice.
+        found = [q for _, q in solutions(irb140, further, None, irb140.profile())]
+        assert len({tuple(q) for q in found}) == len(found)
 
 
 def test_unreachable_poses_are_named(irb140, truth):
@@ -186,6 +202,14 @@ def test_reason_gives_value_and_limit_of_the_one_joint_in_the_way(irb140):
     q_2 = np.array([*q[:5], radians(56)])
     said = why_unreachable(irb140, irb140.forward(q_2), None, open_5)
     assert said == "every branch needs joint_6 beyond its range: nearest joint_6 = 56°, limit 55° (cfx 0)"
+
+
+def test_reason_names_the_nearest_turn(irb140):
+    q = np.radians([10, 20, -40, 30, 40, 30])
+    limits = irb140.profile()
+    far = replace(limits, lower=np.radians([0, 0, -60, 0, 0, 395]), upper=np.radians([20, 40, -20, 60, 60, 400]))
+    said = why_unreachable(irb140, irb140.forward(q), None, far)
+    assert said == "every branch needs joint_6 beyond its range: nearest joint_6 = 390°, limit 395° (cfx 0)"
 
 
 def test_reason_inside_the_inner_workspace(irb140):

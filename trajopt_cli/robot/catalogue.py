@@ -13,8 +13,9 @@ from ruamel.yaml.error import MarkedYAMLError
 from trajopt_cli.errors import InputError, InputErrorGroup
 
 _PACKAGE = Path(__file__).parents[1]
-# In a checkout the files stand beside the package; a wheel carries them inside it.
-_FOLDERS = (_PACKAGE.parent / "robots", _PACKAGE / "robots")
+# In a checkout the files stand beside the package, a wheel carries them inside it. What stands beside an installed
+# package is not ours, hence the look for the project file.
+_FOLDERS = (_PACKAGE.parent / "robots" if (_PACKAGE.parent / "pyproject.toml").is_file() else _PACKAGE / "robots",)
 
 Positive = Annotated[float, Field(gt=0, allow_inf_nan=False)]
 
