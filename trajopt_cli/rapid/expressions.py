@@ -257,3 +257,12 @@ class ExpressionParser:
             parameter = self.identifier("the name of an optional parameter after '?'")
             return Argument(start, self.behind, name, Name(at, self.behind, parameter), forward=True)
         return Argument(start, self.behind, name, None)
+
+
+def parse_expression(text: str, file: str) -> Expression:
+    """The syntax tree of one expression that is all of text. Raises InputError."""
+    parser = ExpressionParser(text, file)
+    node = parser.expression()
+    if parser.kinds[parser.i] != "end":
+        parser.fail("the end of the expression")
+    return node

@@ -1,0 +1,133 @@
+"""Edits of program texts: replacements that leave every other character alone."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Mapping
+
+from trajopt_cli.motion import Span, TextFile
+from trajopt_cli.rapid.lexer import scan
+from trajopt_cli.rapid.predefined import VARIABLES, predefined
+from trajopt_cli.rapid.reader import DROPPED
+from trajopt_cli.units import MM
+
+NAME_LIMIT = 32  # characters in a RAPID name
+
+
+class Edits:
+    """Replacements by file, made all at once; two that overlap are a mistake in the caller."""
+
+    def __init__(self, files: Mapping[str, TextFile]):
+        self._texts = {path: file.text for path, file in files.items()}
+        self._edits: dict[str, list[tuple[int, int, str]]] = defaultdict(list)
+
+    def replace(self, span: Span, text: str) -> None:
+        """Put text where span is; an empty span inserts, in the order of the calls."""
+        self._edits[span.file].append((span.start, span.end, text))
+
+    def insert(self, file: str, offset: int, text: str) -> None:
+        """Put text before the character at offset."""
+        self._edits[file].append((offset, offset, text))
+
+    def text(self, span: Span) -> str:
+        """What stands there now, before any edit."""
+        return self._texts[span.file][span.start : span.end]
+
+    def line_end(self, file: str) -> str:
+        """The file's own line end: that of its first line."""
+        match = re.search(r"\r\n|\r|\n", self._texts[file])
+        return match[0] if match else "\n"
+
+    def line_of(self, file: str, offset: int) -> tuple[int, int]:
+        """Start and end of the line that an offset is on, without its line end."""
+        text = self._texts[file]
+        start = max(text.rfind("\n", 0, offset), text.rfind("\r", 0, offset)) + 1
+        end = re.compile(r"[\r\n]|\Z").search(text, offset)
+        assert end is not None  # \Z always matches
+        return start, end.start()
+
+    def before(self, span: Span) -> str:
+        """What stands on span's first line before it."""
+        return self._texts[span.file][self.line_of(span.file, span.start)[0] : span.start]
+
+    def behind(self, span: Span) -> str:
+        """What stands on span's last line behind it."""
+        return self._texts[span.file][span.end : self.line_of(span.file, span.end)[1]]
+
+    def indentation(self, span: Span) -> str:
+        """The blanks that span's first line begins with."""
+        line = self._texts[span.file][self.line_of(span.file, span.start)[0] : span.start]
+        return line[: len(line) - len(line.lstrip())]
+
+    def put_behind(self, span: Span, text: str) -> None:
+        """A statement or declaration on a line of its own behind span's; on the same line if more code is there."""
+        behind = self.behind(span)
+        if behind.strip() and not behind.strip().startswith("!"):
+            self.insert(span.file, span.end, f" {text}")
+        else:
+            end = self.line_of(span.file, span.end)[1]
+            self.insert(span.file, end, f"{self.line_end(span.file)}{self.indentation(span)}{text}")
+
+    def put_before(self, span: Span, text: str) -> None:
+        """A statement on a line of its own before span's; on the same line if span does not begin it."""
+        alone = not self.before(span).strip()
+        gap = f"{self.line_end(span.file)}{self.indentation(span)}" if alone else " "
+        self.insert(span.file, span.start, text + gap)
+
+    def comment_out(self, span: Span) -> None:
+        """Make a statement a comment, line by line; code behind it on its last line moves to a line of its own."""
+        for i, match in enumerate(re.finditer(r"(?m)^[ \t]*(?=\S)", self.text(span).replace("\r", "\n"))):
+            self.insert(span.file, span.start + match.end(), DROPPED if i == 0 else "! ")
+        behind = self.behind(span)
+        if behind.strip() and not behind.strip().startswith("!"):
+            gap = len(behind) - len(behind.lstrip())
+            where = Span(span.file, span.end, span.end + gap)
+            self.replace(where, self.line_end(span.file) + self.indentation(span))
+
+    def result(self) -> dict[str, str]:
+        """All texts with the edits made."""
+        out = {}
+        for path, text in self._texts.items():
+            parts, at = [], 0
+            for start, end, new in sorted(self._edits[path], key=lambda edit: edit[:2]):
+                if start < at:
+                    raise ValueError(f"two edits of {path} overlap at character {start}")
+                parts += [text[at:start], new]
+                at = end
+            out[path] = "".join(parts) + text[at:]
+        return out
+
+
+class Names:
+    """Every name a program uses, and new ones that it does not."""
+
+    def __init__(self, files: Mapping[str, TextFile]):
+        self._used = {*predefined(), *VARIABLES}
+        for file in files.values():
+            tokens = scan(file.text)
+            self._used |= {
+                text.lower() for kind, text in zip(tokens.kinds, tokens.texts, strict=True) if kind == "name"
+            }
+
+    def new(self, base: str, suffix: str, first: int) -> str:
+        """base_suffix, numbered from first (0 for no number) until nobody uses it; at most 32 characters."""
+        number = first
+        while True:
+            tail = f"_{suffix}{number or ''}"
+            name = base[: NAME_LIMIT - len(tail)] + tail
+            if name.lower() not in self._used:
+                self._used.add(name.lower())
+                return name
+            number = max(number + 1, 2)
+
+
+def plain(value: float, digits: int = 6) -> str:
+    """A number as RAPID takes it, with at most so many decimals, without needless zeros."""
+    text = f"{value:.{digits}f}".rstrip("0").rstrip(".")
+    return "0" if text in ("-0", "") else text
+
+
+def millimetres(metres: float) -> str:
+    """A length in m as RAPID's mm, to the nanometre."""
+    return plain(metres / MM)
