@@ -111,7 +111,7 @@ class Frame:
             np.vstack([at_rows.p, X[inner, :3, :3] @ self.X_FT[:3, 3] + X[inner, :3, 3]])[order],
             np.concatenate([at_rows.R, X[inner, :3, :3] @ self.X_FT[:3, :3]])[order],
             np.r_[at_rows.doubt_p, linear[left - first]][order],
-            np.r_[at_rows.doubt_R, angular[left - first]][order],
+            np.r_[at_rows.doubt_angle, angular[left - first]][order],
         )
 
     @cached_property

@@ -32,9 +32,9 @@ class Visit:
     """A stop as it came out.
 
     event: None where the file never shows it; the rows are then those of the stop before. arrive, depart: first and
-    last row. ready: the earliest time [s] at which the next move may begin. X_WF: the wanted pose, or the one at arrival
-    where the program leaves it to the axes. stay: reached without leaving the stop before. back: where the TCP left the
-    stop within its waits and came back, the row of the return.
+    last row. ready: the earliest time [s] at which the next move may begin. X_WF: the wanted pose, or the one at
+    arrival where the program leaves it to the axes. stay: reached without leaving the stop before. back: where the TCP
+    left the stop within its waits and came back, the row of the return.
     """
 
     match: Match

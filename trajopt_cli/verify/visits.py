@@ -5,10 +5,10 @@ MoveExtJ its rail with the TCP at rest). A file that has no row at the boundary 
 half a gap tau away at most, where the TCP may still be a tau^2/2 off and have the speed a tau: that much is granted.
 
 An event is an unbroken run of near rows; its good rows are those where the TCP rests as well (for RAPID: every axis)
-and a programmed rail position is met. Events are then matched with the stops in program order so that most stops find a good event (an event
-without good rows counts less, a missed optional point hardly), the earliest where several do. So one wrong stop stays
-one wrong stop: a point flown by, skipped or swapped does not shift the blame to the points after it. Consecutive stops
-at one pose (waits and moves of the redundant axis) share an event.
+and a programmed rail position is met. Events are then matched with the stops in program order so that most stops find
+a good event (an event without good rows counts less, a missed optional point hardly), the earliest where several do. So
+one wrong stop stays one wrong stop: a point flown by, skipped or swapped does not shift the blame to the points after
+it. Consecutive stops at one pose (waits and moves of the redundant axis) share an event.
 
 Within an event the time runs: the first good row is the arrival, each wait and each `\\T` takes its length from there,
 the last good row is the latest departure. A rest may be longer than asked; a slow plan is legal.
