@@ -14,7 +14,7 @@ PACKAGE = Path(__file__).parents[1] / "trajopt_cli"
 
 # Lowest floor first. A room may import rooms of floors under its own, and itself.
 FLOORS: tuple[tuple[str, ...], ...] = (
-    ("errors", "units", "geometry", "files"),
+    ("errors", "units", "geometry", "files", "beside"),
     ("motion", "limits", "trajectory", "scenario", "joint_csv"),
     ("rapid", "robot", "cell", "timing"),
     ("problem", "iiwa"),
@@ -26,6 +26,7 @@ FLOORS: tuple[tuple[str, ...], ...] = (
 # The plain data on floors 0 and 1 is a short stack of its own.
 STACK = {
     "files": {"errors"},
+    "beside": {"errors"},
     "motion": {"geometry"},
     "limits": {"geometry"},
     "trajectory": {"geometry"},

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING
 
+from trajopt_cli.beside import Beside, cores
 from trajopt_cli.errors import InputError
 from trajopt_cli.files import write_folder
-from trajopt_cli.motion import Program
+from trajopt_cli.motion import Program, Wait
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.progress import Progress
@@ -23,6 +24,7 @@ from trajopt_cli.results import (
     SUMMARY,
     InputFile,
     Judged,
+    Results,
     check_replaceable,
     read_results,
     run_record,
@@ -44,13 +46,22 @@ Listener = Callable[[str, Progress], None]
 
 @dataclass(frozen=True, eq=False)
 class Job:
-    """A program on its cell, read and checked, and where both came from."""
+    """A program on its cell, read and checked, where both came from, and how long that took [s]."""
 
     program: Program
     cell: Cell
     plant: Plant
     program_path: Path
     cell_path: Path
+    read_seconds: float
+
+
+@dataclass(frozen=True)
+class NoPlan:
+    """The solver failed on a program that can be done: neither an answer nor the user's mistake."""
+
+    label: str
+    message: str
 
 
 @dataclass(frozen=True)
@@ -81,7 +92,7 @@ class Row:
 
     name: str
     baseline: Baseline
-    answer: Judged | Infeasible | str
+    answer: Judged | Infeasible | NoPlan | str
 
 
 @dataclass
@@ -101,11 +112,12 @@ class _Clock:
 
 def cell_path_for(program: Path) -> Path:
     """Where a program's cell file stands unless the user says otherwise: beside it, same name, .yaml."""
-    return program.with_suffix(".yaml") if program.suffix else program / f"{program.name}.yaml"
+    return program.with_suffix(".yaml")
 
 
 def read_job(program: Path, cell: Path | None = None) -> Job:
     """Read a program and its cell file. Raises InputError; without a cell file it prints the shortest useful one."""
+    start = perf_counter()
     from trajopt_cli.cell.loader import load_cell
     from trajopt_cli.cell.model import minimal_cell
     from trajopt_cli.problem.plant import build_plant
@@ -124,6 +136,7 @@ def read_job(program: Path, cell: Path | None = None) -> Job:
         plant=build_plant(loaded),
         program_path=program,
         cell_path=path,
+        read_seconds=perf_counter() - start,
     )
 
 
@@ -143,66 +156,98 @@ def scenario_for(program: Path, cell: Path | None) -> Scenario:
     return load_cell(path).scenario if cell or path.exists() else Scenario()
 
 
-def optimise(job: Job, target: Target, folder: Path, listen: Listener) -> Optimised | Infeasible | Illegal:
+def optimise(job: Job, target: Target, folder: Path, listen: Listener) -> Optimised | Infeasible | NoPlan | Illegal:
     """Solve both targets, judge both, and write the results folder; nothing is written unless both are legal.
 
     target: which plan trajectory.csv carries. Raises InputError where folder may not be replaced.
     """
     check_replaceable(folder)
-    clock, started = _Clock(), datetime.now(UTC)
-    with clock.phase("read"):
-        inputs = _inputs(job)
+    clock, started = _Clock({"read": job.read_seconds}), datetime.now(UTC)
+    inputs = _inputs(job)
     judged: dict[Target, Judged] = {}
-    for one in Target:
-        answer = solve(job, one, EVERYTHING, one.value, listen, clock)
-        if isinstance(answer, Infeasible):
+    for one, answer in _both(job, listen, clock).items():
+        if not isinstance(answer, Judged):
             return answer
         if not answer.report.legal:
             return Illegal(one.value, _worst(answer.report))
         judged[one] = answer
+    with clock.phase("export"):
+        files, notes = _files(job, target, judged, inputs)
+    timing = {
+        "started": started.isoformat(),
+        "finished": datetime.now(UTC).isoformat(),
+        "seconds": {name: round(value, 3) for name, value in clock.seconds.items()},
+    }
+    options = {"program": str(job.program_path), "cell": str(job.cell_path), "target": target.value}
+    starts = {"program": inputs[str(job.program_path)], "cell": inputs[str(job.cell_path)]}
+    files[RUN] = run_record(options, starts, inputs.values(), files, timing)
+    check_replaceable(folder)
+    write_folder(folder, files)
+    modules = tuple(given.rapid for given in inputs.values() if given.rapid is not None)
+    return Optimised(job, target, judged, _notices(job), notes, folder, modules, clock.seconds)
+
+
+def _files(
+    job: Job, target: Target, judged: Mapping[Target, Judged], inputs: Mapping[str, InputFile]
+) -> tuple[dict[str, bytes], tuple[str, ...]]:
+    """The results folder's files but run.json, and what the RAPID export has to say."""
+    from trajopt_cli.export.faster import faster_than_programmed
     from trajopt_cli.export.rapid import export_rapid
 
-    with clock.phase("write"):
-        export = export_rapid(job.program, judged[Target.RAPID].plan, job.plant)
-        notices = (*job.program.warnings, *plan_warnings(job))
-        files = {
-            SUMMARY: summary(job.program, target, judged, notices),
-            CHOSEN: judged[target].csv.encode("ascii"),
-            **{CSV[one]: judged[one].csv.encode("ascii") for one in Target},
-        }
-        for given in inputs.values():
-            files[given.copy] = given.content
-            if given.rapid is not None:
-                files[given.rapid] = export.texts[given.path].encode(job.program.files[given.path].encoding)
-        timing = {
-            "started": started.isoformat(),
-            "finished": datetime.now(UTC).isoformat(),
-            "seconds": {name: round(value, 3) for name, value in clock.seconds.items()},
-        }
-        options = {"program": str(job.program_path), "cell": str(job.cell_path), "target": target.value}
-        starts = {"program": inputs[_entry(job)], "cell": inputs[str(job.cell_path)]}
-        files[RUN] = run_record(options, starts, inputs.values(), files, timing)
-        check_replaceable(folder)
-        write_folder(folder, files)
-    modules = tuple(given.rapid for given in inputs.values() if given.rapid is not None)
-    return Optimised(job, target, judged, notices, tuple(export.notes), folder, modules, clock.seconds)
+    rapid = judged[Target.RAPID].plan
+    faster = faster_than_programmed(job.program, rapid, job.plant)
+    export = export_rapid(job.program, rapid, job.plant, faster, job.cell.scenario)
+    files = {
+        SUMMARY: summary(job.program, target, judged, _notices(job)),
+        CHOSEN: judged[target].csv.encode("ascii"),
+        **{CSV[one]: judged[one].csv.encode("ascii") for one in Target},
+    }
+    for given in inputs.values():
+        files[given.copy] = given.content
+        if given.rapid is not None:
+            files[given.rapid] = export.texts[given.path].encode(job.program.files[given.path].encoding)
+    return files, tuple(export.notes)
+
+
+def _both(job: Job, listen: Listener, clock: _Clock) -> dict[Target, Judged | Infeasible | NoPlan]:
+    """Both targets, beside each other where there are two cores; a stream that cannot be done ends the run at once."""
+    stream, rapid = Target.STREAM, Target.RAPID
+    if cores() == 1:
+        first = solve(job, stream, EVERYTHING, stream.value, listen, clock)
+        second = solve(job, rapid, EVERYTHING, rapid.value, listen, clock) if isinstance(first, Judged) else first
+        return {stream: first, rapid: second}
+
+    def second_target(tell: Callable[[Progress], None]) -> tuple[Judged | Infeasible | NoPlan, dict[str, float]]:
+        own = _Clock()
+        return solve(job, rapid, EVERYTHING, rapid.value, lambda _, progress: tell(progress), own), own.seconds
+
+    with Beside(second_target, lambda progress: listen(rapid.value, progress)) as beside:
+
+        def listen_to_both(label: str, progress: Progress) -> None:
+            listen(label, progress)
+            beside.listen()
+
+        first = solve(job, stream, EVERYTHING, stream.value, listen_to_both, clock)
+        if not isinstance(first, Judged):
+            return {stream: first}
+        answer, seconds = beside.answer()
+    clock.seconds |= seconds
+    return {stream: first, rapid: answer}
 
 
 def solve(
     job: Job, target: Target, freedom: Freedom, label: str, listen: Listener, clock: _Clock | None = None
-) -> Judged | Infeasible:
+) -> Judged | Infeasible | NoPlan:
     """Plan one target, write its trajectory as CSV text, and let the judge read that text."""
     from trajopt_cli.joint_csv import write_csv_text
-    from trajopt_cli.optimize import check_feasible, optimize
+    from trajopt_cli.optimize import NoCleanPlan, optimize
 
     clock = clock or _Clock()
-    listen(label, Progress("feasibility"))
-    with clock.phase("feasibility"):
-        no = check_feasible(job.program, job.plant)
-    if no is not None:
-        return no
-    with clock.phase(f"{label}: solve"):
-        plan = optimize(job.program, job.plant, target, freedom, lambda progress: listen(label, progress))
+    with clock.phase(f"{label}: plan"):
+        try:
+            plan = optimize(job.program, job.plant, target, freedom, lambda progress: listen(label, progress))
+        except NoCleanPlan as failure:
+            return NoPlan(label, str(failure))
     if isinstance(plan, Infeasible):
         return plan
     for phase, spent in plan.seconds.items():
@@ -246,7 +291,7 @@ def verify_file(path: Path, program: Path, cell: Path | None) -> tuple[Job, Repo
     return (job := read_job(program, cell)), _judge(job, _text(path), str(path))
 
 
-def joint_export(folder: Path, rate: float) -> tuple[Target, Trajectory, str]:
+def joint_export(folder: Path, rate: float) -> tuple[Results, Trajectory, str]:
     """The chosen target's motion of a results folder at rate [Hz], as trajectory and as CSV text."""
     from trajopt_cli.export.joint import resample
     from trajopt_cli.joint_csv import read_csv_text, write_csv_text
@@ -254,31 +299,39 @@ def joint_export(folder: Path, rate: float) -> tuple[Target, Trajectory, str]:
     results = read_results(folder)
     recorded, _ = read_csv_text(results.texts[CHOSEN], str(folder / CHOSEN))
     trajectory = resample(recorded, rate)
-    return results.target, trajectory, write_csv_text(trajectory)
+    return results, trajectory, write_csv_text(trajectory)
 
 
 def rapid_export(folder: Path) -> tuple[dict[str, bytes], str]:
     """The optimised modules of a results folder by file name, and their difference from the program as given."""
-    from trajopt_cli.cell.loader import load_cell
     from trajopt_cli.export.rapid import RapidExport, unified_diff
+    from trajopt_cli.rapid.text import read_text
 
-    results = read_results(folder)
-    program = read_flat(results.program, load_cell(results.cell).scenario)
-    contents = {path: results.rapid[Path(path)].read_bytes() for path in program.files}
-    texts = {path: content.decode(program.files[path].encoding) for path, content in contents.items()}
-    names = {path: Path(path).name for path in contents}
-    difference = unified_diff(program, RapidExport(texts, ()))
-    return {names[path]: content for path, content in contents.items()}, difference
+    modules = read_results(folder).rapid
+    given = {path: replace(read_text(copy), path=path) for path, copy, _ in modules}
+    contents = {path: place.read_bytes() for path, _, place in modules}
+    texts = {path: content.decode(given[path].encoding) for path, content in contents.items()}
+    difference = unified_diff(Program(folder.name, (), given), RapidExport(texts))
+    return {Path(path).name: content for path, content in contents.items()}, difference
 
 
-def plan_warnings(job: Job) -> tuple[str, ...]:
-    """What a reader of the cycle times must know: zones planned as stops, and how sure the accelerations are."""
+def _notices(job: Job) -> tuple[str, ...]:
+    """What a reader of the cycle times must know: the program's oddities, stops for zones, waits, doubtful limits."""
     zones = zones_as_stops(job.program)
-    said = (f"{zones} fly-by zones are planned as stops: the cycle times are upper bounds",) if zones else ()
-    return (*said, *job.plant.notes)
+    out = [f"{zones} fly-by zones are planned as stops: the cycle times are upper bounds"] if zones else []
+    waits = [m for m in job.program.motions if isinstance(m, Wait) and m.condition is not None]
+    if waits:
+        least = sum(wait.duration for wait in waits)
+        out.append(
+            f"{len(waits)} waits for signals are counted with the least time the cell gives them, {least:g} s in all: "
+            "the cycle times are plus waiting"
+        )
+    return (*job.program.warnings, *out, *job.plant.notes)
 
 
-def _judge(job: Job, text: str, file: str, dropped: tuple[int, ...] = (), target: Target | None = None) -> Report:
+def _judge(
+    job: Job, text: str, file: str, dropped: tuple[int, ...] | None = None, target: Target | None = None
+) -> Report:
     from trajopt_cli.joint_csv import read_csv_text
     from trajopt_cli.verify.judge import verify
 
@@ -298,10 +351,6 @@ def _programs_rail(job: Job) -> bool:
         return True
     moves = [motion for motion in job.program.motions if isinstance(motion, Move)]
     return any(job.plant.rail_value(move.extax) is not None for move in moves)
-
-
-def _entry(job: Job) -> str:
-    return next(path for path in job.program.files if Path(path) == job.program_path)
 
 
 def _inputs(job: Job) -> dict[str, InputFile]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 import platform
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -20,6 +21,7 @@ from trajopt_cli.problem.report import Finding, Report
 
 RUN, SUMMARY, CHOSEN = "run.json", "summary.json", "trajectory.csv"
 CSV = {Target.STREAM: "stream.csv", Target.RAPID: "rapid.csv"}
+_SIGNAL_WAIT = "Wait"
 _FORMAT = 1  # of the folder; a reader refuses a newer one
 _LIBRARIES = ("casadi", "numpy", "pin", "ruckig", "scipy", "toppra")
 
@@ -55,7 +57,8 @@ class InputFile:
 class Results:
     """A results folder read back. program and cell are the copies of the run's inputs inside it.
 
-    texts: the three CSV files by name. rapid: the optimised module's place by the place of the module it came from.
+    texts: the three CSV files by name. holds: when the chosen plan stands still until a signal comes [s], and for what.
+    rapid: each module's path as the user gave it, the copy of the program as it was, and the optimised one.
     """
 
     folder: Path
@@ -64,7 +67,8 @@ class Results:
     cell: Path
     texts: Mapping[str, str]
     dropped: Mapping[Target, tuple[int, ...]]
-    rapid: Mapping[Path, Path]
+    holds: tuple[tuple[float, str], ...]
+    rapid: tuple[tuple[str, Path, Path], ...]
 
 
 def motion_label(program: Program, index: int) -> tuple[str, str]:
@@ -74,7 +78,7 @@ def motion_label(program: Program, index: int) -> tuple[str, str]:
         case Wait(condition=None):
             return "WaitTime", f"{motion.duration:g} s"
         case Wait():
-            return "Wait", str(motion.condition)
+            return _SIGNAL_WAIT, str(motion.condition)
         case SignalEvent():
             return "Signal", f"{motion.signal} = {motion.value:g}"
     return type(motion).__name__, motion.target
@@ -131,19 +135,23 @@ def _plan(program: Program, judged: Judged) -> dict[str, Any]:
 
 
 def finding_record(finding: Finding) -> dict[str, Any]:
-    """A finding as plain data for JSON."""
+    """A finding as plain data for JSON; null for a number that could not be computed."""
     return {
         "check": finding.check,
         "subject": finding.subject,
-        "value": finding.value,
-        "limit": finding.limit,
-        "margin": finding.margin,
+        "value": _finite(finding.value),
+        "limit": _finite(finding.limit),
+        "margin": _finite(finding.margin),
         "unit": finding.unit,
         "passed": finding.passed,
         "time_s": finding.time,
         "source": str(finding.source) if finding.source else None,
         "message": finding.message,
     }
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None
 
 
 def run_record(
@@ -213,6 +221,7 @@ def read_results(folder: Path) -> Results:
     dropped = {
         target: tuple(m["index"] for m in digest["plans"][target.value]["motions"] if m["dropped"]) for target in Target
     }
+    chosen = digest["plans"][digest["target"]]["motions"]
     return Results(
         folder=folder,
         target=Target(digest["target"]),
@@ -220,7 +229,8 @@ def read_results(folder: Path) -> Results:
         cell=folder / run["inputs"]["cell"],
         texts=texts,
         dropped=dropped,
-        rapid={folder / one["copy"]: folder / one["rapid"] for one in copies if one["rapid"]},
+        holds=tuple((m["start_s"] + m["time_s"], m["target"]) for m in chosen if m["instruction"] == _SIGNAL_WAIT),
+        rapid=tuple((one["path"], folder / one["copy"], folder / one["rapid"]) for one in copies if one["rapid"]),
     )
 
 

@@ -7,10 +7,10 @@ from typing import NoReturn
 import typer
 from rich.console import Console
 
-from trajopt_cli.pipeline import Illegal
+from trajopt_cli.pipeline import Illegal, NoPlan
 from trajopt_cli.problem.plan import Infeasible
 
-_PIPED_WIDTH = 180  # columns when nobody tells; tables of paths and numbers must not wrap in a log
+_PIPED_WIDTH = 300  # columns when nobody tells; tables of paths and numbers must not wrap in a log
 
 
 def _console(stderr: bool) -> Console:
@@ -30,11 +30,17 @@ def stderr() -> Console:
     return _console(stderr=True)
 
 
-def answer_no(answer: Infeasible | Illegal) -> NoReturn:
+def answer_no(answer: Infeasible | NoPlan | Illegal) -> NoReturn:
     """Say on stderr why there is no result, and stop with exit code 1."""
     match answer:
         case Infeasible(source=source, message=message):
             typer.echo(message if message.startswith(str(source)) else f"{source}: {message}", err=True)
+        case NoPlan(label=label, message=message):
+            typer.echo(
+                f"NOTHING WRITTEN: no {label} plan found although the program can be done ({message}). "
+                "This is an error in trajopt; please report it with program and cell file.",
+                err=True,
+            )
         case Illegal(label=label, finding=finding):
             place = f"{finding.source}: " if finding.source else ""
             when = "" if finding.time is None else f" at {finding.time:.4f} s"

@@ -22,10 +22,12 @@ def joint(
     from trajopt_cli.files import write_file
     from trajopt_cli.pipeline import joint_export
 
-    target, trajectory, text = joint_export(results, rate)
+    source, trajectory, text = joint_export(results, rate)
     write_file(output, text.encode("ascii"))
     rows = len(trajectory.t)
-    typer.echo(f"{output}: the {target.value} plan, {rows} rows at {rate:g} Hz, T = {trajectory.duration:.4f} s")
+    typer.echo(f"{output}: the {source.target.value} plan, {rows} rows at {rate:g} Hz, T = {trajectory.duration:.4f} s")
+    for when, condition in source.holds:
+        typer.echo(f"hold at t = {when:.4f} s until {condition}")
 
 
 @app.command("rapid", short_help="The program with the rapid plan in it.")

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-ProgramPath = Annotated[Path, typer.Argument(metavar="PROGRAM", help="RAPID module, or a folder of modules.")]
+ProgramPath = Annotated[Path, typer.Argument(metavar="PROGRAM", help="RAPID module with the program's entry.")]
 CellPath = Annotated[
     Path | None,
     typer.Option("--cell", metavar="FILE.yaml", help="Cell file; default: PROGRAM.yaml beside the program."),

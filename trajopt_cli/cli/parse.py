@@ -6,13 +6,29 @@ from trajopt_cli.cli.options import AsJson, CellPath, ProgramPath
 
 
 def parse(program: ProgramPath, cell: CellPath = None, as_json: AsJson = False) -> None:
-    """Run PROGRAM on paper and print its motions in order with file:line. Needs no cell file; one gives signals."""
+    """Run PROGRAM on paper and print its motions in order, each with file and line, in the units of RAPID.
+
+    Needs no cell file; where there is one, its signal values and waits are used.
+    """
+    import json
+
     import typer
 
+    from trajopt_cli.cli.listing import listing_record, listing_table
     from trajopt_cli.pipeline import read_flat, scenario_for
     from trajopt_cli.rapid.listing import describe
 
     flat = read_flat(program, scenario_for(program, cell))
-    typer.echo(describe(flat))
+    listing = describe(flat)
+    if as_json:
+        typer.echo(json.dumps(listing_record(listing, flat.warnings), indent=2, ensure_ascii=False))
+        return
+    from trajopt_cli.cli.console import stdout
+
+    console = stdout()
+    console.print(listing_table(str(program), listing))
+    console.print(f"{len(listing.rows)} motions, {listing.line_length:.1f} mm of lines with a known start")
+    if listing.fly_by:
+        console.print(f"{listing.fly_by} fly-by zones; optimize plans them as stops")
     for warning in flat.warnings:
-        typer.echo(f"warning: {warning}", err=True)
+        console.print(f"warning: {warning}")

@@ -14,11 +14,9 @@ class ProgressView:
     def __init__(self) -> None:
         self._console = stderr()
         self._status = self._console.status("reading") if self._console.is_terminal else None
-        self._last = ""
+        self._latest: dict[str, str] = {}  # what was said last, by label: two plans may be under way
 
     def __enter__(self) -> ProgressView:
-        if self._status is not None:
-            self._status.start()
         return self
 
     def __exit__(
@@ -30,10 +28,12 @@ class ProgressView:
     def show(self, label: str, progress: Progress) -> None:
         """Tell that the plan called label has reached progress."""
         text = f"{label}: {progress.phase}{_numbers(progress)}"
+        known = self._latest.get(label, "")
+        self._latest[label] = text
         if self._status is not None:
-            self._status.update(text)
-        elif (here := f"{label}: {progress.phase}") != self._last:
-            self._last = here
+            self._status.start()  # only now: it draws from a thread, and a second process may be forked before
+            self._status.update("   ".join(self._latest.values()))
+        elif not known.startswith(f"{label}: {progress.phase}  ") and known != f"{label}: {progress.phase}":
             self._console.print(text)
 
 

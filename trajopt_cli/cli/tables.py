@@ -7,24 +7,16 @@ from collections.abc import Iterator, Mapping
 from dataclasses import asdict
 from typing import Any
 
-from rich import box
 from rich.table import Table
 
+from trajopt_cli.cli.layout import place, plain_table
 from trajopt_cli.limits import JointLimits
-from trajopt_cli.pipeline import Optimised, Row
+from trajopt_cli.pipeline import NoPlan, Optimised, Row
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.report import Finding, Report
 from trajopt_cli.results import Judged, motion_label
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.units import DEG, MM
-
-
-def _table(title: str, *columns: str) -> Table:
-    """A plain table; a column whose name begins with '>' is set flush right."""
-    table = Table(title=title, title_justify="left", box=box.SIMPLE_HEAD, pad_edge=False)
-    for column in columns:
-        table.add_column(column.lstrip(">"), justify="right" if column.startswith(">") else "left")
-    return table
 
 
 def cycle_line(label: str, plan: Plan) -> str:
@@ -36,7 +28,7 @@ def cycle_line(label: str, plan: Plan) -> str:
 def motions_table(answer: Optimised) -> Table:
     """Every motion with its time on both targets; binding limits are those of the target in trajectory.csv."""
     program, chosen = answer.job.program, answer.target
-    table = _table(
+    table = plain_table(
         f"{answer.job.program_path} on {answer.job.plant.robot.name}",
         *("place", "instruction", "target", ">stream [s]", ">rapid [s]", f"what limits the {chosen.value} plan"),
     )
@@ -47,7 +39,7 @@ def motions_table(answer: Optimised) -> Table:
         for one in (Target.STREAM, Target.RAPID):
             planned = plans[one].motions[i]
             times.append("dropped" if planned.dropped else f"{planned.t_1 - planned.t_0:.3f}")
-        table.add_row(f"{motion.source.file}:{motion.source.line}", instruction, name, *times, motion.binding)
+        table.add_row(place(motion.source), instruction, name, *times, motion.binding)
     table.add_section()
     totals = [f"{plans[one].duration:.3f}" for one in (Target.STREAM, Target.RAPID)]
     table.add_row("cycle", "", "", *totals, "")
@@ -65,20 +57,24 @@ def advice_table(name: str, report: Report) -> Table:
 
 
 def _findings(title: str, findings: tuple[Finding, ...]) -> Table:
-    table = _table(title, "check", "of", ">worst value", ">limit", ">margin", "unit", ">time [s]", "place", "")
+    table = plain_table(title, "check", "of", ">worst value", ">limit", ">margin", "unit", ">time [s]", "place", "")
     for one in findings:
         table.add_row(
             one.check,
             one.subject,
-            f"{one.value:.6g}",
-            f"{one.limit:.6g}",
-            f"{one.margin:.3g}",
+            _figure(one.value, 6),
+            _figure(one.limit, 6),
+            _figure(one.margin, 3),
             one.unit,
             "" if one.time is None else f"{one.time:.4f}",
-            str(one.source or ""),
+            place(one.source),
             "ok" if one.passed else f"NO {one.message}".rstrip(),
         )
     return table
+
+
+def _figure(value: float, digits: int) -> str:
+    return f"{value:.{digits}g}" if math.isfinite(value) else "-"
 
 
 def verdict(name: str, report: Report) -> str:
@@ -115,6 +111,8 @@ def baseline_records(rows: list[Row]) -> list[dict[str, Any]]:
                     "legal": False,
                     "why": message if message.startswith(str(source)) else f"{source}: {message}",
                 }
+            case NoPlan(message=message):
+                record |= {"legal": False, "why": f"no plan found: {message}"}
             case str(why):
                 record |= {"legal": False, "why": why}
         records.append(record)
@@ -123,7 +121,7 @@ def baseline_records(rows: list[Row]) -> list[dict[str, Any]]:
 
 def baseline_table(program: str, rows: list[Row], records: list[dict[str, Any]]) -> Table:
     """The comparison for people."""
-    table = _table(
+    table = plain_table(
         f"{program}: savings count against the first legal row",
         *("plan", "target", ">T [s]", ">saving", "legal", ">worst value/limit", ">lower bound [s]", "what it is"),
     )
@@ -149,13 +147,13 @@ def robot_tables(robot: RobotModel) -> Iterator[Table | str]:
     """Everything trajopt knows of a robot: dimensions, ranges, speeds, every profile's accelerations, and sources."""
     notes = _Footnotes()
     yield f"{robot.name}: {robot.title}\n"
-    lengths = _table("dimensions", "length", ">mm", "source")
+    lengths = plain_table("dimensions", "length", ">mm", "source")
     for name, value in asdict(robot.arm).items():
         lengths.add_row(name, f"{value / MM:.6g}", notes.mark(robot.notes["geometry"]))
     yield lengths
     yield _ranges(robot.profile("default"), notes)
     yield _accelerations(robot.profiles, notes)
-    caps = _table("tool centre point", "cap", ">value", "unit", "source")
+    caps = plain_table("tool centre point", "cap", ">value", "unit", "source")
     caps.add_row("speed", f"{robot.tcp.speed:g}", "m/s", notes.mark(robot.notes["tcp.speed"]))
     caps.add_row("acceleration", f"{robot.tcp.acceleration:g}", "m/s²", notes.mark(robot.notes["tcp.acceleration"]))
     yield caps
@@ -189,7 +187,7 @@ def _unit(axis: str) -> tuple[float, str]:
 
 
 def _ranges(limits: JointLimits, notes: _Footnotes) -> Table:
-    table = _table("ranges and speeds", "axis", ">from", ">to", "unit", "source", ">speed", "unit", "source")
+    table = plain_table("ranges and speeds", "axis", ">from", ">to", "unit", "source", ">speed", "unit", "source")
     for i, axis in enumerate(limits.names):
         factor, unit = _unit(axis)
         low, high, speed = (f"{values[i] / factor:.6g}" for values in (limits.lower, limits.upper, limits.velocity))
@@ -200,7 +198,7 @@ def _ranges(limits: JointLimits, notes: _Footnotes) -> Table:
 
 def _accelerations(profiles: Mapping[str, JointLimits], notes: _Footnotes) -> Table:
     columns = [column for name in profiles for column in (f">{name}", "source")]
-    table = _table("accelerations by profile", "axis", "unit", *columns)
+    table = plain_table("accelerations by profile", "axis", "unit", *columns)
     for i, axis in enumerate(next(iter(profiles.values())).names):
         cells = []
         for limits in profiles.values():

@@ -1,0 +1,57 @@
+"""The second process: what it tells arrives in order, and however it ends, this one knows and goes on."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Callable
+
+import pytest
+
+from trajopt_cli.beside import Beside
+from trajopt_cli.errors import InputError
+
+Tell = Callable[[int], None]
+
+
+def test_messages_and_answer_arrive_in_order() -> None:
+    heard: list[int] = []
+
+    def work(tell: Tell) -> int:
+        for i in range(5):
+            tell(i)
+        return os.getpid()
+
+    with Beside(work, heard.append) as beside:
+        assert beside.answer() != os.getpid()
+    assert heard == [0, 1, 2, 3, 4]
+
+
+def test_listening_does_not_wait() -> None:
+    def work(tell: Tell) -> int:
+        time.sleep(60)
+        return 0
+
+    start = time.perf_counter()
+    with Beside(work, print) as beside:
+        beside.listen()
+    assert time.perf_counter() - start < 10
+
+
+def test_an_input_error_comes_back_with_its_place() -> None:
+    def work(tell: Tell) -> int:
+        raise InputError("no such target", file="a.mod", line=3, column=5)
+
+    with Beside(work, print) as beside, pytest.raises(InputError, match=r"^a\.mod:3:5: no such target$"):
+        beside.answer()
+
+
+def test_a_process_that_dies_is_noticed() -> None:
+    def work(tell: Tell) -> int:
+        os._exit(7)
+
+    with (
+        Beside(work, print) as beside,
+        pytest.raises(RuntimeError, match=r"^the second process ended with exit code 7$"),
+    ):
+        beside.answer()

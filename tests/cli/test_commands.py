@@ -1,0 +1,373 @@
+"""Every command as a person uses it: what it prints, what it writes, how it ends."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import get_args, get_type_hints
+
+import numpy as np
+import pytest
+from conftest import ACCELERATION, CELL, TEXT, Planner
+
+from trajopt_cli.cli import run
+from trajopt_cli.cli.optimize import optimize
+from trajopt_cli.joint_csv import read_csv_text
+from trajopt_cli.motion import Source
+from trajopt_cli.problem.plan import Infeasible, Target
+
+REPOSITORY = Path(__file__).parents[2]
+FILES = {
+    "run.json",
+    "summary.json",
+    "trajectory.csv",
+    "stream.csv",
+    "rapid.csv",
+    "program.mod",
+    "input/tiny.mod",
+    "input/tiny.yaml",
+}
+CYCLE = {one: 4 * np.sqrt(np.radians(20) / a) + 0.5 for one, a in ACCELERATION.items()}
+
+
+def content(folder: Path) -> dict[str, bytes]:
+    return {str(p.relative_to(folder)): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
+
+
+def without_clock(files: dict[str, bytes]) -> dict[str, bytes]:
+    record = json.loads(files["run.json"])
+    for key in ("started", "finished", "seconds"):
+        del record[key]
+    return files | {"run.json": json.dumps(record).encode()}
+
+
+def test_optimize_writes_both_targets_and_says_so(
+    program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["optimize", str(program)]) == 0
+    files = content(Path("results/tiny"))
+    assert set(files) == FILES
+    assert files["trajectory.csv"] == files["stream.csv"] != files["rapid.csv"]
+    assert files["input/tiny.mod"].decode() == TEXT
+    summary = json.loads(files["summary.json"])
+    for one in Target:
+        assert summary["plans"][one]["cycle_time_s"] == pytest.approx(CYCLE[one], abs=1e-9)
+        assert summary["plans"][one]["judge"]["legal"] is True
+        times = [motion["time_s"] for motion in summary["plans"][one]["motions"]]
+        assert sum(times) == pytest.approx(CYCLE[one], abs=1e-9)
+    out = capsys.readouterr().out
+    for line in (5, 6, 7):
+        assert re.search(rf"^ *tiny\.mod:{line + 1} +\w+", out, re.MULTILINE), out
+    assert (
+        f"stream: T = {CYCLE[Target.STREAM]:.3f} s (lower bound {0.9 * CYCLE[Target.STREAM]:.3f} s, gap 11.1 %)" in out
+    )
+    assert f"rapid: T = {CYCLE[Target.RAPID]:.3f} s" in out
+    assert "warning: accelerations of joint_1, joint_2" in out
+    assert "written to results/tiny: trajectory.csv (the stream plan)" in out
+
+
+def test_target_chooses_whose_plan_trajectory_csv_carries(program: Path, planner: Planner) -> None:
+    assert run(["optimize", str(program), "--target", "rapid", "--output", "out"]) == 0
+    files = content(Path("out"))
+    assert files["trajectory.csv"] == files["rapid.csv"] != files["stream.csv"]
+    assert json.loads(files["summary.json"])["target"] == "rapid"
+
+
+def test_the_same_inputs_give_the_same_bytes(program: Path, planner: Planner) -> None:
+    assert run(["optimize", str(program), "--output", "one"]) == 0
+    assert run(["optimize", str(program), "--output", "two"]) == 0
+    one, two = content(Path("one")), content(Path("two"))
+    assert without_clock(one) == without_clock(two)
+
+
+def test_run_json_names_versions_inputs_and_files(program: Path, planner: Planner) -> None:
+    assert run(["optimize", str(program)]) == 0
+    record = json.loads(Path("results/tiny/run.json").read_text())
+    assert set(record["versions"]) == {"python", "casadi", "numpy", "pin", "ruckig", "scipy", "toppra"}
+    assert set(record["files"]) == FILES - {"run.json"}
+    assert [one["path"] for one in record["inputs"]["files"]] == ["tiny.mod", "tiny.yaml"]
+    assert record["options"] == {"program": "tiny.mod", "cell": "tiny.yaml", "target": "stream"}
+
+
+def test_progress_is_a_line_per_phase_when_piped(
+    program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["optimize", str(program)]) == 0
+    lines = capsys.readouterr().err.splitlines()
+    for label in ("stream", "rapid"):
+        own = [line for line in lines if line.startswith(f"{label}: ")]
+        assert own[0] == f"{label}: search  best 2.000 s, bound 1.600 s, gap 25.0 %"
+        assert [line.split()[1] for line in own] == ["search", "judge"]
+    assert len(lines) == 4
+
+
+def test_without_a_cell_file_the_five_lines_are_printed_and_work(
+    program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+) -> None:
+    Path("tiny.yaml").unlink()
+    assert run(["optimize", str(program)]) == 2
+    first, *text = capsys.readouterr().err.splitlines()
+    assert first == "tiny.yaml: tiny.mod has no cell file; save these lines there and adapt them:"
+    kept = [line for line in text if not line.startswith("rail:")]
+    Path("tiny.yaml").write_text("\n".join(kept).replace("irb140_rail", "irb140", 1).replace(", rail: 0", ""))
+    assert run(["optimize", str(program)]) == 0
+
+
+def test_an_infeasible_program_is_told_and_nothing_is_written(
+    program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+) -> None:
+    source = Source("tiny.mod", 6, 9)
+    planner.answer = Infeasible(0, source, "tiny.mod:6:9: MoveAbsJ j_side needs joint_1 = 200 deg, limit 180 deg")
+    assert run(["optimize", str(program)]) == 1
+    captured = capsys.readouterr()
+    assert captured.err.splitlines()[-1] == planner.answer.message
+    assert captured.out == ""
+    assert not Path("results").exists()
+
+
+def test_an_illegal_plan_is_never_a_result(program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["optimize", str(program)]) == 0
+    before = content(Path("results/tiny"))
+    planner.speed = 2.0
+    assert run(["optimize", str(program)]) == 1
+    assert "NOTHING WRITTEN: the judge forbids the stream plan:" in capsys.readouterr().err
+    assert content(Path("results/tiny")) == before
+
+
+def test_a_folder_that_is_no_results_folder_is_not_replaced(
+    program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+) -> None:
+    Path("mine").mkdir()
+    Path("mine/notes.txt").write_text("precious")
+    assert run(["optimize", str(program), "--output", "mine"]) == 2
+    assert capsys.readouterr().err == (
+        "mine: is not a results folder of trajopt (no run.json) and is not replaced; choose another --output\n"
+    )
+    assert planner.asked == []  # said before any work
+    assert run(["optimize", str(program)]) == 0
+    Path("results/tiny/notes.txt").write_text("precious")
+    capsys.readouterr()
+    assert run(["optimize", str(program)]) == 2
+    assert capsys.readouterr().err == (
+        "results/tiny: holds notes.txt, which trajopt did not write; move it away or choose another --output\n"
+    )
+    assert run(["optimize", str(program), "--output", "tiny.mod"]) == 2
+    assert capsys.readouterr().err == "tiny.mod: is a file; --output names a folder\n"
+
+
+def test_results_are_judged_again_alone_and_spoiled_ones_are_caught(
+    program: Path, planner: Planner, capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert run(["optimize", str(program)]) == 0
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    (tmp_path / "results" / "tiny").rename(elsewhere / "moved")
+    monkeypatch.chdir(elsewhere)
+    capsys.readouterr()
+    assert run(["verify", "moved"]) == 0
+    assert re.search(r"^stream\.csv: legal \(\d+ checks\)$", capsys.readouterr().out, re.MULTILINE)
+    spoiled = Path("moved/rapid.csv")
+    header, *rows = spoiled.read_text().splitlines()
+    spoiled.write_text("\n".join([header, *rows[: len(rows) // 2]]) + "\n")
+    assert run(["verify", "moved"]) == 1
+    out = capsys.readouterr().out
+    assert re.search(r"^rapid\.csv: ILLEGAL", out, re.MULTILINE)
+    assert re.search(r"^stream\.csv: legal", out, re.MULTILINE)
+
+
+def test_changed_inputs_of_a_results_folder_are_noticed(
+    program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["optimize", str(program)]) == 0
+    Path("results/tiny/input/tiny.yaml").write_text(CELL + "free_speed: true\n")
+    capsys.readouterr()
+    assert run(["verify", "results/tiny"]) == 2
+    assert capsys.readouterr().err == (
+        "results/tiny/input/tiny.yaml: was changed since the run; run trajopt optimize again\n"
+    )
+
+
+def test_a_csv_file_of_anybody_is_judged_against_a_program(
+    program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["optimize", str(program)]) == 0
+    assert run(["export", "joint", "results/tiny", "--rate", "500", "--output", "joints.csv"]) == 0
+    capsys.readouterr()
+    assert run(["verify", "joints.csv", "--program", str(program)]) == 0
+    assert run(["verify", "joints.csv"]) == 2
+    assert capsys.readouterr().err == (
+        "trajopt: Invalid value: joints.csv is a file: say which --program it executes; see 'trajopt --help'\n"
+    )
+    Path("fast.csv").write_text(Path("joints.csv").read_text().replace("joint_1 [rad]", "joint_1 [deg]"))
+    assert run(["verify", "fast.csv", "--program", str(program)]) == 1
+
+
+def test_export_joint_carries_the_chosen_target_to_its_exact_end(
+    program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["optimize", str(program), "--target", "rapid"]) == 0
+    capsys.readouterr()
+    assert run(["export", "joint", "results/tiny", "--rate", "250", "--output", "a/joints.csv"]) == 0
+    said = capsys.readouterr().out
+    trajectory, _ = read_csv_text(Path("a/joints.csv").read_text(), "joints.csv")
+    assert trajectory.duration == pytest.approx(CYCLE[Target.RAPID], abs=1e-12)
+    rows = len(trajectory.t)
+    assert said == f"a/joints.csv: the rapid plan, {rows} rows at 250 Hz, T = {CYCLE[Target.RAPID]:.4f} s\n"
+    assert run(["export", "joint", "results/tiny", "--rate", "0", "--output", "b.csv"]) == 2
+    assert capsys.readouterr().err == "rate 0 Hz lies outside (0, 100000] Hz; 1000 suits most controllers\n"
+    assert not Path("b.csv").exists()
+
+
+def test_export_rapid_gives_the_module_and_its_difference(
+    program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["optimize", str(program)]) == 0
+    capsys.readouterr()
+    assert run(["export", "rapid", "results/tiny", "--output", "new.mod", "--diff"]) == 0
+    assert Path("new.mod").read_bytes() == Path("results/tiny/program.mod").read_bytes()
+    captured = capsys.readouterr()
+    changed = {line[1:] for line in captured.out.splitlines() if re.match(r"\+(?!\+\+)", line)}
+    assert changed == set(Path("new.mod").read_text().splitlines()) - set(TEXT.splitlines())
+    assert "new.mod: the rapid plan" in captured.out + captured.err
+
+
+def test_parse_needs_no_cell_and_gives_places(program: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    Path("tiny.yaml").unlink()
+    assert run(["parse", str(program)]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    for line, word in ((6, "j_side"), (7, "0.5"), (8, "j_home")):
+        assert any(f"tiny.mod:{line}" in text and word in text for text in lines), lines
+    assert run(["parse", str(program), "--json"]) == 0
+    motions = json.loads(capsys.readouterr().out)["motions"]
+    assert [motion["source"] for motion in motions] == ["tiny.mod:6:9", "tiny.mod:7:9", "tiny.mod:8:9"]
+
+
+def test_compare_counts_savings_against_the_first_legal_row(
+    program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["compare", "baseline", str(program), "--json"]) == 0
+    records = json.loads(capsys.readouterr().out)
+    assert [record["name"] for record in records] == ["as-written", "fixed-rail", "optimum rapid", "optimum stream"]
+    assert all(record["legal"] for record in records)
+    assert records[0]["saving"] == 0.0
+    assert records[3]["saving"] == pytest.approx(1 - CYCLE[Target.STREAM] / CYCLE[Target.RAPID], abs=1e-9)
+    assert [record["lower_bound_s"] is None for record in records] == [True, True, False, False]
+    assert run(["compare", "baseline", str(program)]) == 0
+    assert "optimum stream" in capsys.readouterr().out
+    planner.speed = 2.0
+    assert run(["compare", "baseline", str(program)]) == 1
+
+
+def test_robot_show_prints_figures_with_grades(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["robot", "list"]) == 0
+    assert [line.split()[0] for line in capsys.readouterr().out.splitlines()] == ["irb140", "irb140_rail"]
+    assert run(["robot", "show", "irb140"]) == 0
+    out = capsys.readouterr().out
+    assert re.search(r"joint_6 +-400 +400 +deg +A \[\d+\] +450 +deg/s +A \[\d+\]", out)
+    assert re.search(r"joint_2 +rad/s² +15 +D \[\d+\] +35 +C \[\d+\]", out)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "line"),
+    [
+        (["nonsense"], "trajopt: No such command 'nonsense'; see 'trajopt --help'"),
+        (["optimize"], "trajopt: Missing argument 'PROGRAM'; see 'trajopt --help'"),
+        (["optimize", "none.mod"], "none.mod: no such program"),
+        (
+            ["optimize", "tiny.mod", "--target", "egm"],
+            "trajopt: Invalid value for '--target': 'egm' is not one of 'stream', 'rapid'; see 'trajopt --help'",
+        ),
+        (
+            ["optimize", "tiny.mod", "--cell", "no.yaml"],
+            "no.yaml: cannot read the cell file: No such file or directory",
+        ),
+        (["verify", "nothing"], "nothing: no such file or folder"),
+        (["verify", "."], ".: is not a results folder of trajopt (no run.json)"),
+        (
+            ["verify", ".", "--program", "tiny.mod"],
+            "trajopt: Invalid value: a results folder holds its own program and cell; leave --program and --cell out; "
+            "see 'trajopt --help'",
+        ),
+        (["export", "rapid", "x"], "trajopt: Invalid value: give --output, --diff or both; see 'trajopt --help'"),
+        (
+            ["robot", "show", "irb14"],
+            "unknown robot 'irb14': known are irb140, irb140_rail; or give the path of a robot's .yaml file",
+        ),
+    ],
+)
+def test_wrong_requests_are_one_line_and_exit_code_2(
+    program: Path, arguments: list[str], line: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(arguments) == 2
+    captured = capsys.readouterr()
+    assert (captured.out, captured.err) == ("", line + "\n")
+
+
+def test_help_lists_every_command(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run([]) == 0
+    listed = re.findall(r"^  (\w+)  ", capsys.readouterr().out.split("Commands:")[1], re.MULTILINE)
+    assert sorted(listed) == ["compare", "export", "optimize", "parse", "robot", "verify"]
+    assert run(["--version"]) == 0
+    assert re.fullmatch(r"trajopt \d+\.\d+\.\d+\n", capsys.readouterr().out)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "heavy"),
+    [
+        ("['--help']", "numpy casadi pinocchio lark rich pydantic ruamel scipy toppra ruckig"),
+        ("['parse', 'tiny.mod']", "casadi pinocchio scipy toppra ruckig"),
+    ],
+)
+def test_commands_load_no_more_than_they_need(program: Path, arguments: str, heavy: str) -> None:
+    code = f"import sys; from trajopt_cli.cli import run; run({arguments}); print(*sys.modules)"
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        check=True,
+        env={**os.environ, "PYTHONPATH": str(REPOSITORY)},
+    )
+    assert not set(heavy.split()) & set(done.stdout.splitlines()[-1].split())
+
+
+def test_the_option_offers_every_target() -> None:
+    assert set(get_args(get_args(get_type_hints(optimize, include_extras=True)["target"])[0])) == {*Target}
+
+
+INTERRUPTED = """
+import sys, time
+import trajopt_cli.optimize
+from trajopt_cli.cli import main
+
+def forever(*arguments):
+    print("planning", flush=True)
+    time.sleep(60)
+
+trajopt_cli.optimize.optimize = forever
+sys.argv = ["trajopt", "optimize", "tiny.mod"]
+main()
+"""
+
+
+def test_ctrl_c_ends_in_one_line_and_writes_nothing(program: Path) -> None:
+    process = subprocess.Popen(
+        [sys.executable, "-c", INTERRUPTED],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONPATH": str(REPOSITORY)},
+    )
+    assert process.stdout is not None
+    assert process.stdout.readline() == "planning\n"
+    time.sleep(0.1)
+    process.send_signal(signal.SIGINT)
+    _, err = process.communicate(timeout=20)
+    assert process.returncode == 130
+    assert err == "interrupted: nothing half-written, earlier results stand\n"
+    assert not Path("results").exists()

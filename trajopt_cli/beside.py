@@ -1,0 +1,79 @@
+"""Work in a second process beside this one: the two targets of a run do not wait for each other."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import signal
+from collections.abc import Callable
+from multiprocessing.connection import Connection
+from types import TracebackType
+from typing import Any, Generic, TypeVar
+
+from trajopt_cli.errors import InputError
+
+Answer = TypeVar("Answer")
+
+
+def cores() -> int:
+    """How many cores this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+class Beside(Generic[Answer]):
+    """work(tell) running in a forked process between `with` and its end; what it tells is heard here.
+
+    Forked, not spawned: nothing is read or built twice. So start it before any thread. work, what it tells and its
+    answer must not need this process' later state; told messages and the answer are pickled.
+    """
+
+    def __init__(self, work: Callable[[Callable[[Any], None]], Answer], hear: Callable[[Any], None]):
+        self._hear = hear
+        fork = multiprocessing.get_context("fork")
+        self._messages, theirs = fork.Pipe(duplex=False)
+        self._process = fork.Process(target=_run, args=(work, theirs), daemon=True)
+        self._process.start()
+        theirs.close()  # only the other process holds that end, so that its death is an end of file here
+        self._answer: list[Answer] = []
+
+    def __enter__(self) -> Beside[Answer]:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._process.terminate()
+        self._process.join()
+        self._messages.close()
+
+    def listen(self) -> None:
+        """Hear what was told so far, without waiting."""
+        while not self._answer and self._messages.poll():
+            self._receive()
+
+    def answer(self) -> Answer:
+        """Wait for the answer. Raises what work raised if that is an InputError, RuntimeError if it broke down."""
+        while not self._answer:
+            self._receive()
+        return self._answer[0]
+
+    def _receive(self) -> None:
+        try:
+            kind, content = self._messages.recv()
+        except EOFError:
+            self._process.join()
+            raise RuntimeError(f"the second process ended with exit code {self._process.exitcode}") from None
+        if kind == "error":
+            raise content
+        if kind == "answer":
+            self._answer.append(content)
+        else:
+            self._hear(content)
+
+
+def _run(work: Callable[[Callable[[Any], None]], Any], pipe: Connection) -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the first process' to answer; it ends this one
+    try:
+        pipe.send(("answer", work(lambda message: pipe.send(("told", message)))))
+    except InputError as error:
+        pipe.send(("error", error))
