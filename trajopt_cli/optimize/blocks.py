@@ -151,7 +151,9 @@ class BlockNlp:
             at_g += n_g * n
         g = ca.vertcat(*gs)
         jac = _scatter(ca.vertcat(*js), np.concatenate(j_rows), np.concatenate(j_cols), total_g, self._count)
-        hess = _scatter(ca.vertcat(*hs), np.concatenate(h_rows), np.concatenate(h_cols), self._count, self._count)
+        hess = ca.MX(self._count, self._count)
+        if hs:
+            hess = _scatter(ca.vertcat(*hs), np.concatenate(h_rows), np.concatenate(h_cols), self._count, self._count)
         f = ca.dot(ca.DM(cost), x)
         functions = {
             "grad_f": ca.Function("nlp_grad_f", [x, p], [f, ca.DM(cost)], ["x", "p"], ["f", "grad_f_x"]),

@@ -6,6 +6,7 @@ lines and dwells form a station: within it the IK branch and the turns of the jo
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection
 from dataclasses import dataclass
 from enum import Enum
@@ -16,7 +17,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose
 from trajopt_cli.motion import ConfData, Motion, MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, SignalEvent, Wait
 from trajopt_cli.problem.freedom import Freedom, RailFreedom
-from trajopt_cli.problem.plan import Infeasible
+from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import confdata_admits, solutions
 
@@ -34,8 +35,8 @@ class Stop:
     """A point where the TCP rests. motion: index of the motion that ends here, -1 for the start.
 
     X_WF: flange pose, None where joints decide. q: all axes (k,) if the program fixes them. rail: range allowed [m].
-    written: the rail value of the program as written. rest: every axis must stand still here. held: a configuration is
-    demanded (the program's confdata) at the written rail value.
+    written: the rail value of the program as written. rest: every axis must stand still here. conf:
+    the program's confdata, demanded at the written rail value; None where any configuration will do.
     """
 
     motion: int
@@ -81,6 +82,11 @@ class Course:
     stations: tuple[tuple[int, int], ...]
     dropped: frozenset[int]
 
+    def rail_may_pass(self, k: int) -> bool:
+        """Whether the rail may have speed at stop k: no neighbouring line or dwell holds it still."""
+        near = [self.legs[i] for i in (k - 1, k) if 0 <= i < len(self.legs)]
+        return self.plant.robot.has_rail and all(leg.kind is LegKind.JOINT or leg.rail_moves for leg in near)
+
     def motion(self, index: int) -> Motion:
         """The program's motion number index."""
         return self.program.motions[index]
@@ -98,10 +104,25 @@ def droppable(program: Program, plant: Plant) -> frozenset[int]:
     return frozenset(out)
 
 
+def editable(program: Program) -> frozenset[int]:
+    """Motions whose text can carry a plan of their own: the target is a literal, and the statement runs only once."""
+    runs = Counter(motion.written.statement for motion in program.motions)
+    out = set()
+    for i, motion in enumerate(program.motions):
+        literal = isinstance(motion, Wait) or getattr(motion.written, "aggregate", None) is not None
+        if literal and runs[motion.written.statement] == 1:
+            out.add(i)
+    return frozenset(out)
+
+
 def build_course(
-    program: Program, plant: Plant, freedom: Freedom, dropped: Collection[int] = ()
+    program: Program, plant: Plant, freedom: Freedom, target: Target, dropped: Collection[int] = ()
 ) -> Course | Infeasible:
-    """Stops and legs of a program under a freedom. Infeasible where confdata is demanded and cannot be met."""
+    """Stops and legs of a program under a freedom, or why a fixed position is out of range.
+
+    A rapid plan must be written back into the program: motions that cannot be edited keep their rail and confdata.
+    """
+    free = editable(program) if target is Target.RAPID else frozenset(range(len(program.motions)))
     robot = plant.robot
     rail_range = (float(plant.limits.lower[0]), float(plant.limits.upper[0])) if robot.has_rail else (0.0, 0.0)
     pinned_rail = freedom.rail is RailFreedom.PROGRAMMED or plant.rail_fixed
@@ -109,9 +130,10 @@ def build_course(
     stops = [Stop(-1, robot.forward(plant.start), plant.start, (written, written), written, True)]
     legs: list[Leg] = []
 
-    def pose_stop(index: int, X_WF: Array, rest: bool, conf: ConfData | None) -> Stop:
-        rail = (written, written) if pinned_rail else rail_range
-        return Stop(index, X_WF, None, rail, written, rest or not freedom.through_stops, conf)
+    def pose_stop(index: int, X_WF: Array, conf: ConfData) -> Stop:
+        rail = rail_range if index in free and not pinned_rail else (written, written)
+        asked = None if freedom.configuration and index in free else conf
+        return Stop(index, X_WF, None, rail, written, not freedom.through_stops, asked)
 
     def joint_stop(index: int, q: Array, source: object) -> Stop:
         for name, value, low, high in zip(plant.limits.names, q, plant.limits.lower, plant.limits.upper, strict=True):
@@ -133,7 +155,7 @@ def build_course(
                 legs.append(
                     Leg(
                         i, LegKind.DWELL, len(stops) - 1, np.eye(4), np.inf, np.inf, np.inf, np.inf,
-                        duration=motion.duration, rail_moves=freedom.dwells and previous.q is None,
+                        duration=motion.duration, rail_moves=freedom.dwells and previous.rail[0] < previous.rail[1] and i in free,
                     )
                 )  # fmt: skip
                 stops.append(
@@ -148,8 +170,8 @@ def build_course(
                     raise _OutOfRange(i, plant.limits.names[0], given, *rail_range)
                 written = given
             speed = motion.speed
-            free = plant.free_speed and isinstance(motion, MoveJ | MoveAbsJ)
-            caps = (np.inf, np.inf, np.inf) if free else (speed.v_tcp, speed.v_ori, speed.v_leax)
+            uncapped = plant.free_speed and isinstance(motion, MoveJ | MoveAbsJ)
+            caps = (np.inf, np.inf, np.inf) if uncapped else (speed.v_tcp, speed.v_ori, speed.v_leax)
             X_FT = np.eye(4) if isinstance(motion, MoveExtJ) else motion.tool.X_FT
             kind, chord, angle, moves = LegKind.JOINT, 0.0, 0.0, True
             if isinstance(motion, MoveAbsJ):
@@ -169,10 +191,10 @@ def build_course(
                     X_0 = stops[-1].X_WF @ X_FT
                     chord = float(np.linalg.norm(motion.X_WT[:3, 3] - X_0[:3, 3]))
                     angle = axis_angle(X_0[:3, :3].T @ motion.X_WT[:3, :3])[1]
-                    kind, moves = LegKind.LINE, freedom.lines
+                    kind, moves = LegKind.LINE, freedom.lines and robot.has_rail
                     if chord < 1e-9 and angle < 1e-9:
-                        kind, chord, angle, moves = LegKind.DWELL, 0.0, 0.0, True
-                stops.append(pose_stop(i, X_WF, False, motion.conf))
+                        kind, chord, angle, moves = LegKind.DWELL, 0.0, 0.0, robot.has_rail
+                stops.append(pose_stop(i, X_WF, motion.conf))
             legs.append(
                 Leg(
                     i, kind, len(stops) - 2, X_FT, min(caps[0], plant.tcp.speed), plant.tcp.acceleration, caps[1],

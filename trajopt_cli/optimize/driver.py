@@ -14,10 +14,10 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.course import Course, LegKind
 from trajopt_cli.optimize.blocks import NlpResult
 from trajopt_cli.optimize.exchange import SAFE, check_leg, tighten
-from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, parabola
+from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, parabola, share_of, straight
 from trajopt_cli.optimize.search import Chain
 from trajopt_cli.optimize.stages import Stages
-from trajopt_cli.optimize.transcription import Draft, Margins, Transcription, share_of, straight
+from trajopt_cli.optimize.transcription import EXACT, START, Draft, Margins, Transcription
 
 FIRST, LAST = 6, 24
 GRID_JOINT = 24
@@ -39,11 +39,12 @@ def first_draft(axes: Axes, course: Course, chain: Chain) -> Draft:
         if leg.kind is LegKind.DWELL and not leg.rail_moves:
             legs.append(_hold(leg.duration or 0.0, q_0))
             continue
-        s, v, a = parabola(FIRST)
+        grid = np.linspace(0, 1, FIRST + 1)
+        s, v, a = parabola(grid)
         way = q_1[0] - q_0[0]
         X_0, X_1 = (course.stops[i].X_WF @ leg.X_FT for i in (k, k + 1))
         cfx = chain.labels[k].cfx if chain.labels[k].cfx >= 0 else chain.labels[k + 1].cfx
-        legs.append(PathLeg(T, X_0, X_1, leg.X_FT, cfx, q_0[1:], s, v, a, q_0[0] + way * s, way * v, way * a))
+        legs.append(PathLeg(T, X_0, X_1, leg.X_FT, cfx, q_0[1:], grid, s, v, a, q_0[0] + way * s, way * v, way * a))
     return Draft(chain.q, chain.w, tuple(label.cfx for label in chain.labels), tuple(legs))
 
 
@@ -85,10 +86,10 @@ class Refiner:
             raise NotConverged(result.status)
         return out, t, result
 
-    def run(self, chain: Chain, progress: Callable[[str, float | None], None]) -> Draft:
+    def run(self, chain: Chain, progress: Callable[[str, Draft], None]) -> Draft:
         """The clean draft with the shortest time found. Raises NotConverged."""
         draft = first_draft(self.axes, self.course, chain)
-        margins: list[Margins | None] = [Margins.full(m.N) if isinstance(m, PathLeg) else None for m in draft.legs]
+        margins: list[Margins | None] = [Margins.full(m.N, START) if isinstance(m, PathLeg) else None for m in draft.legs]
         while True:
             n = max((m.N for m in draft.legs if isinstance(m, PathLeg)), default=LAST)
             tolerance = 1e-8 if n >= LAST else 1e-4
@@ -96,7 +97,7 @@ class Refiner:
                 draft, t, result = self._solve(draft, margins, 1e-2 if n == FIRST else 1e-4, tolerance)
             except NotConverged:
                 draft, t, result = self._solve(draft, margins, 1e-1, tolerance)
-            progress("solve", draft.duration)
+            progress("solve", draft)
             opened = self._open_grids(draft, margins)
             draft = self._with_grids(draft, margins)
             if opened:
@@ -111,7 +112,7 @@ class Refiner:
 
     def _exchange(
         self, draft: Draft, margins: list[Margins | None], warm: tuple[Transcription, NlpResult],
-        progress: Callable[[str, float | None], None],
+        progress: Callable[[str, Draft], None],
     ) -> Draft:  # fmt: skip
         """Check densely, tighten where a limit is passed, solve again, until nothing is passed."""
         for _ in range(ROUNDS):
@@ -135,7 +136,7 @@ class Refiner:
             else:
                 draft, *warm_ = self._solve(draft, margins, 1e-5, warm=warm)
             warm = (warm_[0], warm_[1])
-            progress("exchange", draft.duration)
+            progress("exchange", draft)
         raise NotConverged(f"a limit is still passed by {worst - 1:.2e} after {ROUNDS} rounds of tightening")
 
     def _open_grids(self, draft: Draft, margins: list[Margins | None]) -> bool:
@@ -146,7 +147,7 @@ class Refiner:
             if leg.kind is LegKind.JOINT and isinstance(motion, JointProfiles):
                 ratios = check_leg(self.axes, leg, motion, 40)
                 if max(np.max(ratios.tool), np.max(ratios.position)) > 1 + 1e-6:
-                    margins[k] = Margins.full(GRID_JOINT)
+                    margins[k] = Margins.full(GRID_JOINT, EXACT)
                     opened = True
         self.seconds["check"] += perf_counter() - start
         return opened
@@ -173,12 +174,8 @@ class Refiner:
         return replace(draft, legs=tuple(legs))
 
     def _on_grid(self, motion: JointProfiles, q_0: Array, q_1: Array, N: int) -> JointNodes:
-        t = np.linspace(0, motion.T, N + 1)
-        sample = motion.sample(self.axes, t)
+        grid = np.linspace(0, 1, N + 1)
+        sample = motion.sample(self.axes, grid * motion.T)
         v = sample.qd * motion.T
-        a = np.diff(v, axis=0) * N
-        out = JointNodes(motion.T, sample.q, v, a)
-        if self.tied:
-            s, sv, sa = share_of(out)
-            return straight(motion.T, q_0, q_1, s, sv, sa)
-        return out
+        out = JointNodes(motion.T, grid, sample.q, v, np.diff(v, axis=0) * N)
+        return straight(motion.T, grid, q_0, q_1, *share_of(out)) if self.tied else out

@@ -13,7 +13,7 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.course import Leg
-from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg
+from trajopt_cli.optimize.legs import LegMotion, PathLeg
 from trajopt_cli.optimize.transcription import Margins
 
 DENSE = 20  # samples per interval
@@ -76,20 +76,15 @@ def tool_ratios(axes: Axes, leg: Leg, q: Array, qd: Array, qdd: Array) -> Array:
 
 def tighten(margins: Margins, ratios: Ratios, motion: LegMotion, target: float) -> bool:
     """Scale the shares of the nodes next to an excess over target; True when anything changed."""
-    assert isinstance(motion, PathLeg | JointNodes)
     changed = False
-    for share, ratio in (
-        (margins.velocity, ratios.velocity),
-        (margins.acceleration, ratios.acceleration),
-        (margins.tool, ratios.tool),
-    ):
+    pairs = [(margins.tool, ratios.tool)]
+    if isinstance(motion, PathLeg):  # joints on a grid of their own keep their limits between nodes by construction
+        pairs += [(margins.velocity, ratios.velocity), (margins.acceleration, ratios.acceleration)]
+    for share, ratio in pairs:
         over = np.where(ratio > target, (target - BEYOND) / np.maximum(ratio, 1e-12), 1.0)
         if np.all(over == 1.0):
             continue
         changed = True
         share[:-1] *= over
-        share[1:] *= np.where(np.arange(len(over))[:, None] >= 0, over, 1.0)
+        share[1:] *= over
     return changed
-
-
-__all__ = ["DENSE", "SAFE", "JointProfiles", "Ratios", "check_leg", "tighten", "tool_ratios"]

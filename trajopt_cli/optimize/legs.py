@@ -14,38 +14,42 @@ from trajopt_cli.geometry import Array, axis_angle, inverse_pose, line_pose
 from trajopt_cli.optimize.axes import Axes
 
 
-def integrate(x: Array, v: Array, a: Array, tau: Array) -> tuple[Array, Array, Array]:
-    """Position, speed, acceleration (scaled time) at tau (n,) of node values x, v (N+1, ...) and inputs a (N, ...).
+def integrate(grid: Array, x: Array, v: Array, tau: Array) -> tuple[Array, Array, Array]:
+    """Position, speed, acceleration (scaled time) at tau (n,) of node values x, v (N+1, ...) on a grid (N+1,) over 0..1.
 
     The cubic Hermite between nodes: equal to the exact integral up to the solver's residual, and without its jumps.
     """
-    N = len(a)
-    i = np.clip((tau * N).astype(int), 0, N - 1)
-    h = 1.0 / N
-    u = ((tau - i * h) * N).reshape(-1, *([1] * (x.ndim - 1)))
+    i = np.clip(np.searchsorted(grid, tau, side="right") - 1, 0, len(grid) - 2)
+    tail = [1] * (x.ndim - 1)
+    h = (grid[i + 1] - grid[i]).reshape(-1, *tail)
+    u = (tau - grid[i]).reshape(-1, *tail) / h
     v0, v1 = v[i] * h, v[i + 1] * h
     way = x[i + 1] - x[i]
     c2, c3 = 3 * way - 2 * v0 - v1, v0 + v1 - 2 * way
     position = x[i] + u * (v0 + u * (c2 + u * c3))
-    return position, (v0 + u * (2 * c2 + 3 * u * c3)) * N, (2 * c2 + 6 * u * c3) * N * N
+    return position, (v0 + u * (2 * c2 + 3 * u * c3)) / h, (2 * c2 + 6 * u * c3) / (h * h)
 
 
-def split(x: Array, v: Array, a: Array) -> tuple[Array, Array, Array]:
-    """The same motion on twice as many intervals."""
-    N = len(a)
-    tau = np.arange(2 * N) / (2 * N)
-    xs, vs, acc = integrate(x, v, a, tau + 1e-12)
-    xs, vs = np.concatenate([xs, x[-1:]]), np.concatenate([vs, v[-1:]])
+def halved(grid: Array) -> Array:
+    """The grid with a node in the middle of every interval."""
+    out = np.empty(2 * len(grid) - 1)
+    out[::2], out[1::2] = grid, (grid[:-1] + grid[1:]) / 2
+    return out
+
+
+def split(grid: Array, x: Array, v: Array, a: Array) -> tuple[Array, Array, Array]:
+    """The same motion on the halved grid."""
+    finer = halved(grid)
+    xs, vs, _ = integrate(grid, x, v, finer)
     xs[::2], vs[::2] = x, v
-    return xs, vs, acc
+    return xs, vs, np.repeat(a, 2, axis=0)
 
 
-def parabola(N: int) -> tuple[Array, Array, Array]:
-    """Rest to rest over unit length with one switch in the middle: s, v, a on N (even) intervals."""
-    tau = np.linspace(0, 1, N + 1)
-    s = np.where(tau <= 0.5, 2 * tau**2, 1 - 2 * (1 - tau) ** 2)
-    v = np.where(tau <= 0.5, 4 * tau, 4 * (1 - tau))
-    return s, v, np.where(np.arange(N) < N / 2, 4.0, -4.0)
+def parabola(grid: Array) -> tuple[Array, Array, Array]:
+    """Rest to rest over unit length with one switch in the middle, which must be a node: s, v, a."""
+    s = np.where(grid <= 0.5, 2 * grid**2, 1 - 2 * (1 - grid) ** 2)
+    v = np.where(grid <= 0.5, 4 * grid, 4 * (1 - grid))
+    return s, v, np.where(grid[:-1] < 0.5 - 1e-12, 4.0, -4.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,6 +72,7 @@ class PathLeg:
     X_FT: Array
     cfx: int
     reference: Array  # (6,) joints near the start, on the branch and turn meant
+    grid: Array
     s: Array
     v: Array
     a: Array
@@ -82,13 +87,13 @@ class PathLeg:
 
     def refined(self) -> PathLeg:
         """The same motion on twice as many intervals."""
-        s, v, a = split(self.s, self.v, self.a)
-        d, w, b = split(self.d, self.w, self.b)
-        return replace(self, s=s, v=v, a=a, d=d, w=w, b=b)
+        s, v, a = split(self.grid, self.s, self.v, self.a)
+        d, w, b = split(self.grid, self.d, self.w, self.b)
+        return replace(self, grid=halved(self.grid), s=s, v=v, a=a, d=d, w=w, b=b)
 
     def breaks(self) -> Array:
         """Times (N+1,) where an acceleration may jump."""
-        return np.linspace(0, self.T, self.N + 1)
+        return self.T * self.grid
 
     def node_arm(self, axes: Axes) -> Array:
         """Arm joints (N+1, 6) at the nodes."""
@@ -100,8 +105,8 @@ class PathLeg:
         """Positions by inverse kinematics, speeds and accelerations through the Jacobian. At a break: the right side."""
         tau = np.clip(t / self.T, 0.0, 1.0)
         tau_ = tau + (1e-12 if right else -1e-12)
-        s, sv, sa = integrate(self.s, self.v, self.a, np.clip(tau_, 0, 1))
-        d, dv, da = integrate(self.d, self.w, self.b, np.clip(tau_, 0, 1))
+        s, sv, sa = integrate(self.grid, self.s, self.v, np.clip(tau_, 0, 1))
+        d, dv, da = integrate(self.grid, self.d, self.w, np.clip(tau_, 0, 1))
         sv, dv, sa, da = sv / self.T, dv / self.T, sa / self.T**2, da / self.T**2
         X_WT = line_pose(self.X_0, self.X_1, s)
         X_TF = inverse_pose(self.X_FT)
@@ -141,6 +146,7 @@ class JointNodes:
     """A joint move on a grid: q, v (N+1, 7), a (N, 7), scaled time. Also a straight one, where all share one profile."""
 
     T: float
+    grid: Array
     q: Array
     v: Array
     a: Array
@@ -152,16 +158,16 @@ class JointNodes:
 
     def refined(self) -> JointNodes:
         """The same motion on twice as many intervals."""
-        return JointNodes(self.T, *split(self.q, self.v, self.a))
+        return JointNodes(self.T, halved(self.grid), *split(self.grid, self.q, self.v, self.a))
 
     def breaks(self) -> Array:
         """Times (N+1,) where an acceleration may jump."""
-        return np.linspace(0, self.T, self.N + 1)
+        return self.T * self.grid
 
     def sample(self, axes: Axes, t: Array, right: bool = True) -> Sample:
         """Exact polynomial values."""
         tau = np.clip(np.clip(t / self.T, 0.0, 1.0) + (1e-12 if right else -1e-12), 0, 1)
-        q, v, a = integrate(self.q, self.v, self.a, tau)
+        q, v, a = integrate(self.grid, self.q, self.v, tau)
         return Sample(t, q, v / self.T, a / self.T**2)
 
 
@@ -209,12 +215,11 @@ def share_of(motion: JointNodes) -> tuple[Array, Array, Array]:
     way = motion.q[-1] - motion.q[0]
     j = int(np.argmax(np.abs(way)))
     if way[j] == 0:
-        s = np.linspace(0, 1, motion.N + 1)
-        return s, np.zeros_like(s), np.zeros(motion.N)
+        return motion.grid, np.zeros(motion.N + 1), np.zeros(motion.N)
     return (motion.q[:, j] - motion.q[0, j]) / way[j], motion.v[:, j] / way[j], motion.a[:, j] / way[j]
 
 
-def straight(T: float, q_0: Array, q_1: Array, s: Array, v: Array, a: Array) -> JointNodes:
+def straight(T: float, grid: Array, q_0: Array, q_1: Array, s: Array, v: Array, a: Array) -> JointNodes:
     """A straight joint move from its common share."""
     way = q_1 - q_0
-    return JointNodes(T, q_0 + s[:, None] * way, v[:, None] * way, a[:, None] * way)
+    return JointNodes(T, grid, q_0 + s[:, None] * way, v[:, None] * way, a[:, None] * way)

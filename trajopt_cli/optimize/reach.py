@@ -6,7 +6,7 @@ configuration in the whole station. What cannot be reached is named here, before
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 
 import numpy as np
 from scipy import ndimage
@@ -14,10 +14,10 @@ from scipy import ndimage
 from trajopt_cli.geometry import Array, inverse_pose, line_pose
 from trajopt_cli.motion import Motion
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.course import Course, LegKind
+from trajopt_cli.optimize.course import Course, LegKind, Stop
 from trajopt_cli.optimize.stages import REACH, WRIST
 from trajopt_cli.problem.plan import Infeasible
-from trajopt_cli.robot.inverse import confdata_admits, why_unreachable
+from trajopt_cli.robot.inverse import confdata, confdata_admits, solutions, why_unreachable
 
 LINE_NODES = 13
 TURNS = np.array(
@@ -124,7 +124,7 @@ def station_table(
             stop = course.stops[first + i]
             if stop.rail[0] == stop.rail[1]:
                 ok &= np.abs(d - stop.rail[0]) < 1e-12
-            if stop.conf is not None and not course.freedom.configuration:
+            if stop.conf is not None:
                 for j in np.flatnonzero(ok & (np.abs(d - stop.written) < 1e-12)):
                     ok[j] = confdata_admits(course.plant.robot, stop.conf, q[j])
             if stop.q is not None:
@@ -208,12 +208,30 @@ def _unreachable(axes: Axes, course: Course, k: int, d: Array) -> Infeasible:
     near = rails[int(np.argmin(np.abs(rails - _abreast(axes, stop.X_WF))))]
     if stop.rail[0] == stop.rail[1]:
         near = stop.rail[0]
-    reason = why_unreachable(axes.robot, stop.X_WF, float(near) if axes.has_rail else None, course.plant.limits)
+    reason = _why(axes, course, stop.X_WF, float(near))
     where = f" at rail {near * 1e3:.1f} mm" if axes.has_rail else ""
-    if stop.conf is not None and not course.freedom.configuration and reason == "":
-        reason = "its confdata is not to be had"
+    if not reason:
+        reason = _other_configurations(axes, course, stop, float(near))
     text = f"{motion.source}: {_title(motion)} cannot be reached{where}: {reason}"
     return Infeasible(stop.motion, motion.source, text)
+
+
+def _why(axes: Axes, course: Course, X_WF: Array, rail: float) -> str:
+    """Why a pose is out of reach at a rail position; empty when it is not."""
+    at = rail if axes.has_rail else None
+    if solutions(axes.robot, X_WF, at, course.plant.limits):
+        return ""
+    return why_unreachable(axes.robot, X_WF, at, course.plant.limits)
+
+
+def _other_configurations(axes: Axes, course: Course, stop: Stop, rail: float) -> str:
+    """The pose is in reach, but not with the confdata asked for."""
+    robot = axes.robot
+    found = solutions(robot, stop.X_WF, rail if axes.has_rail else None, course.plant.limits)
+    confs = sorted({astuple(confdata(robot, q)) for _, q in found})
+    text = ", ".join(f"[{','.join(map(str, conf))}]" for conf in confs)
+    asked = f" with confdata [{','.join(map(str, astuple(stop.conf)))}]" if stop.conf else ""
+    return f"not{asked}; there would be {text}" if confs else "too near a singularity"
 
 
 def _abreast(axes: Axes, X_WF: Array) -> float:
@@ -253,7 +271,7 @@ def _broken_line(axes: Axes, course: Course, first: int, i: int, d: Array) -> In
     X_WT = X[int(round(bad * 100))]
     X_WF = X_WT @ inverse_pose(leg.X_FT)
     near = rails[int(np.argmin(np.abs(rails - _abreast(axes, X_WF))))]
-    reason = why_unreachable(axes.robot, X_WF, float(near) if axes.has_rail else None, course.plant.limits)
+    reason = _why(axes, course, X_WF, float(near))
     where = f" at rail {near * 1e3:.1f} mm" if axes.has_rail else ""
     if not reason:
         reason = "no single configuration serves the whole line without crossing a singularity or a joint limit"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from time import perf_counter
 
@@ -18,6 +18,7 @@ from trajopt_cli.optimize.bound import lower_bound
 from trajopt_cli.optimize.course import Course, LegKind, build_course, droppable
 from trajopt_cli.optimize.driver import NotConverged, Refiner
 from trajopt_cli.optimize.legs import JointProfiles, LegMotion, PathLeg
+from trajopt_cli.optimize.pieces import cut, solve_pieces
 from trajopt_cli.optimize.reach import check_reach
 from trajopt_cli.optimize.search import Chain, search
 from trajopt_cli.optimize.stages import Stages
@@ -35,9 +36,11 @@ class NoCleanPlan(Exception):
     """Every start ended with a limit passed or without convergence. A failure of the optimiser, not of the program."""
 
 
-def check_feasible(program: Program, plant: Plant, freedom: Freedom = EVERYTHING) -> Infeasible | None:
+def check_feasible(
+    program: Program, plant: Plant, target: Target = Target.STREAM, freedom: Freedom = EVERYTHING
+) -> Infeasible | None:
     """The first motion that cannot be done, by name, or None. Takes a fraction of a second; optimises nothing."""
-    course = _courses(program, plant, freedom)[0]
+    course = _courses(program, plant, freedom, target)[0]
     return course if isinstance(course, Infeasible) else None
 
 
@@ -54,7 +57,7 @@ def optimize(
     tied = target is Target.RAPID
     axes = Axes.of(plant)
     tell(Progress("reach"))
-    courses = _courses(program, plant, freedom)
+    courses = _courses(program, plant, freedom, target)
     open_ = [c for c in courses if isinstance(c, Course)]
     if not open_:
         assert isinstance(courses[0], Infeasible)
@@ -69,8 +72,8 @@ def optimize(
     chain, course = min(found, key=lambda pair: pair[0].cost)
     tell(Progress("search", incumbent=None))
     start = perf_counter()
-    draft, refiner = _refine(axes, course, chain, tied, tell)
-    seconds |= refiner.seconds
+    draft, spent = _refine(axes, course, chain, tied, tell)
+    seconds |= spent
     legs = _final_legs(course, draft, tied)
     trajectory, bounds = rows_of(axes, legs, axes.seven(_end(axes, course, draft)))
     start = perf_counter()
@@ -83,13 +86,13 @@ def optimize(
     return Plan(target, trajectory, motions, bound, grid, seconds)
 
 
-def _courses(program: Program, plant: Plant, freedom: Freedom) -> list[Course | Infeasible]:
+def _courses(program: Program, plant: Plant, freedom: Freedom, target: Target) -> list[Course | Infeasible]:
     """The whole program, and without the motions the user lets go if there are any; each checked for reach."""
     axes = Axes.of(plant)
     optional = droppable(program, plant) if freedom.drop else frozenset()
     out: list[Course | Infeasible] = []
     for dropped in [frozenset[int]()] + ([optional] if optional else []):
-        course = build_course(program, plant, freedom, dropped)
+        course = build_course(program, plant, freedom, target, dropped)
         if isinstance(course, Course):
             out.append(check_reach(axes, course) or course)
         else:
@@ -103,27 +106,43 @@ def _disconnected(program: Program, plant: Plant) -> Infeasible:
     return Infeasible(index, source, f"{source}: no chain of configurations connects the start with the program's end")
 
 
-def _refine(axes: Axes, course: Course, chain: Chain, tied: bool, tell: Report) -> tuple[Draft, Refiner]:
+def _refine(axes: Axes, course: Course, chain: Chain, tied: bool, tell: Report) -> tuple[Draft, dict[str, float]]:
     robot = axes.robot
     q = ca.SX.sym("q", 7)
     p, R = forward(robot, q if axes.has_rail else q[1:])
     flange = ca.Function("flange", [q], [p, R])
     stages = Stages(robot.arm, axes.rail_axis, axes.lower, axes.upper)
 
-    def report(phase: str, duration: float | None) -> None:
-        tell(Progress(phase, incumbent=duration))
+    seconds: dict[str, float] = {}
 
-    said = []
-    for attempt in _starts(axes, course, chain, tied):
-        refiner = Refiner(axes, stages, flange, course, tied)
-        try:
-            return refiner.run(attempt, report), refiner
-        except NotConverged as failure:
-            said.append(str(failure))
-    raise NoCleanPlan("; ".join(said))
+    def report(phase: str, legs: Sequence[LegMotion | None]) -> None:
+        """The time of the legs at hand and the search's estimate for the others; a rapid dwell counts in full."""
+        total = float(np.sum(chain.times))
+        for leg, estimate, motion in zip(course.legs, chain.times, legs, strict=False):
+            if motion is not None and not (leg.kind is LegKind.DWELL and leg.duration is not None):
+                total += motion.T - float(estimate)
+        tell(Progress(phase, incumbent=total))
+
+    whole = sum(1 for _ in cut(course, chain, tied)) == 1
+
+    def solve(piece: Course, part: Chain) -> Draft:
+        said = []
+        for start in _starts(part):
+            refiner = Refiner(axes, stages, flange, piece, tied)
+            try:
+                return refiner.run(start, lambda phase, draft: report(phase, draft.legs) if whole else None)
+            except NotConverged as failure:
+                said.append(str(failure))
+            finally:
+                for name, spent in refiner.seconds.items():
+                    seconds[name] = seconds.get(name, 0.0) + spent
+        raise NoCleanPlan(f"{course.motion(piece.legs[0].motion).source}: {'; '.join(said)}")
+
+    draft = solve_pieces(course, chain, tied, solve, lambda legs: report("solve", legs))
+    return draft, seconds
 
 
-def _starts(axes: Axes, course: Course, chain: Chain, tied: bool) -> list[Chain]:
+def _starts(chain: Chain) -> list[Chain]:
     """The chain itself, the same at rest in every stop, and slower."""
     still = replace(chain, w=np.zeros_like(chain.w))
     return [chain, still, replace(still, times=chain.times * 1.5)]

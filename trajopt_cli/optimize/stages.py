@@ -184,6 +184,19 @@ class Stages:
 
         return self._block(("chain",), 5, 1, rows)
 
+    def zone_chain(self) -> Block:
+        """The same over an interval whose length is free. z: x0, v0, a, x1, v1, h."""
+
+        def rows(z: ca.SX, p: ca.SX):  # type: ignore[no-untyped-def]
+            h = z[5]
+            return [(z[3] - z[0] - h * z[1] - h * h / 2 * z[2], 0.0, 0.0), (z[4] - z[1] - h * z[2], 0.0, 0.0)]
+
+        return self._block(("zone",), 6, 0, rows)
+
+    def zones(self) -> Block:
+        """Three zones fill the leg. z: their interval lengths; p: intervals per zone."""
+        return self._block(("zones",), 3, 1, lambda z, p: [(p[0] * (z[0] + z[1] + z[2]) - 1.0, 0.0, 0.0)])
+
     def speed_link(self) -> Block:
         """A stop's real speed is a leg's scaled end speed over its time. z: real speed, scaled speed, T."""
         return self._block(("link",), 3, 0, lambda z, p: [(z[0] * z[2] - z[1], 0.0, 0.0)])

@@ -24,6 +24,9 @@ from trajopt_cli.problem.freedom import RailFreedom
 from trajopt_cli.robot.symbolic_inverse import BranchSigns
 
 START = 1.0 - 5e-5  # share of every limit a grid starts with; rounding and Hermite rows need a hair of room
+EXACT = 1.0 - 1e-8  # the same for joints that move by polynomials on the grid: exact between nodes
+FREE_ZONES = 12  # intervals of a path up to which its zones may shift
+LEAST_ZONE = 0.01  # share of a leg that its run-up, middle and run-out last at least
 LEAST_TIME = 1e-3  # s; a leg of zero length still gets this long, so that scaled time stays defined
 
 
@@ -56,12 +59,10 @@ class Margins:
     rows: Array
 
     @classmethod
-    def full(cls, N: int) -> Margins:
-        """Nothing tightened but for rounding, no tool cap of a joint move in force."""
-        return cls(
-            np.full((N + 1, 7), START), np.full((N + 1, 7), START), np.full((N + 1, 3), START),
-            np.zeros((N + 1, 3), dtype=bool),
-        )  # fmt: skip
+    def full(cls, N: int, joints: float) -> Margins:
+        """Nothing tightened but for rounding, no tool cap of a joint move in force. joints: share of their limits."""
+        share = np.full((N + 1, 7), joints)
+        return cls(share, share.copy(), np.full((N + 1, 3), START), np.zeros((N + 1, 3), dtype=bool))
 
     def refined(self) -> Margins:
         """The same shares on twice as many intervals; a new node takes the smaller neighbour's."""
@@ -77,9 +78,17 @@ class Margins:
         return Margins(double(self.velocity), double(self.acceleration), double(self.tool), rows)
 
 
+@dataclass(frozen=True, eq=False)
+class Grid:
+    """Fixed nodes (N+1,) over 0..1."""
+
+    nodes: Array
+
+
 @dataclass
 class _LegVariables:
     T: int
+    h: Array | None = None
     s: Array | None = None
     v: Array | None = None
     a: Array | None = None
@@ -122,7 +131,7 @@ class Transcription:
                 self.stop_q.append(nlp.variables(fixed, fixed, fixed))
                 self.stop_v.append(nlp.variables(np.zeros(7), 0.0, 0.0))
                 continue
-            rest = stop.rest or self.tied or not self._rail_may_pass(k)
+            rest = stop.rest or self.tied or not self.course.rail_may_pass(k)
             d = nlp.variables(np.clip(q[:1], *stop.rail), stop.rail[0], stop.rail[1])
             arm = nlp.variables(q[1:], axes.lower[1:], axes.upper[1:])
             if rest:
@@ -140,12 +149,6 @@ class Transcription:
             else:
                 nlp.add(self.stages.stop(), np.r_[d, w, arm, arm_v], p)
 
-    def _rail_may_pass(self, k: int) -> bool:
-        """A stop's rail may have speed only if no neighbouring line or dwell holds the rail still."""
-        legs = self.course.legs
-        near = [legs[i] for i in (k - 1, k) if 0 <= i < len(legs)]
-        return self.axes.has_rail and all(leg.kind is LegKind.JOINT or leg.rail_moves for leg in near)
-
     def _stations(self) -> None:
         """Stops of a station share one rail position where the freedom says so."""
         for k, leg in enumerate(self.course.legs):
@@ -162,7 +165,7 @@ class Transcription:
 
     # ---- legs
     def _leg(self, leg: Leg, motion: LegMotion | None, margins: Margins | None) -> _LegVariables | None:
-        if motion is None:
+        if motion is None or (isinstance(motion, JointProfiles) and leg.kind is LegKind.DWELL):
             return None
         low, high = (leg.duration, leg.duration) if leg.duration is not None else (LEAST_TIME, 60.0)
         if leg.duration is not None and leg.kind is not LegKind.DWELL:
@@ -201,12 +204,29 @@ class Transcription:
             self.axes.acceleration * m.acceleration[k], caps,
         ]  # fmt: skip
 
-    def _chain(self, x: Array, v: Array, a: Array) -> None:
-        N = len(a)
-        for k in range(N):
-            self.nlp.add(self.stages.chain(), [x[k], v[k], a[k], x[k + 1], v[k + 1]], [1.0 / N])
+    def _chain(self, grid: Array, x: Array, v: Array, a: Array) -> None:
+        for k, h in enumerate(np.diff(grid)):
+            self.nlp.add(self.stages.chain(), [x[k], v[k], a[k], x[k + 1], v[k + 1]], [h])
 
-    def _share(self, motion_s: Array, motion_v: Array, motion_a: Array) -> tuple[Array, Array, Array]:
+    def _zones(self, motion: PathLeg) -> Array:
+        """Interval lengths of a path's three zones (run-up, middle, run-out).
+
+        Free while the grid is coarse, so that switches fall on nodes; then kept, which saves half of the iterations.
+        """
+        per_zone = motion.N // 3
+        lengths = np.diff(motion.grid)[[0, per_zone, 2 * per_zone]]
+        if motion.N > FREE_ZONES:
+            return self.nlp.variables(lengths, lengths, lengths)
+        h = self.nlp.variables(lengths, LEAST_ZONE / per_zone, 0.9 / per_zone)
+        self.nlp.add(self.stages.zones(), h, [per_zone])
+        return h
+
+    def _zone_chain(self, h: Array, x: Array, v: Array, a: Array) -> None:
+        for k in range(len(a)):
+            z = [x[k], v[k], a[k], x[k + 1], v[k + 1], h[3 * k // len(a)]]
+            self.nlp.add(self.stages.zone_chain(), z)
+
+    def _share(self, h: Array | Grid, motion_s: Array, motion_v: Array, motion_a: Array) -> tuple[Array, Array, Array]:
         """Variables of a share going from 0 to 1, at rest at both ends, never backwards."""
         N = len(motion_a)
         low_s, high_s = np.zeros(N + 1), np.ones(N + 1)
@@ -216,20 +236,24 @@ class Transcription:
         s = self.nlp.variables(motion_s, low_s, high_s)
         v = self.nlp.variables(motion_v, 0.0, high_v)
         a = self.nlp.variables(motion_a, -500.0, 500.0)
-        self._chain(s, v, a)
+        if isinstance(h, Grid):
+            self._chain(h.nodes, s, v, a)
+        else:
+            self._zone_chain(h, s, v, a)
         return s, v, a
 
     def _free_path(self, leg: Leg, motion: PathLeg, margins: Margins, out: _LegVariables) -> None:
         nlp, N, k0 = self.nlp, motion.N, leg.start
         line = leg.kind is LegKind.LINE
+        out.h = self._zones(motion)
         if line:
-            out.s, out.v, out.a = self._share(motion.s, motion.v, motion.a)
+            out.s, out.v, out.a = self._share(out.h, motion.s, motion.v, motion.a)
         low, high = self.axes.lower[0], self.axes.upper[0]
         inner = nlp.variables(np.clip(motion.d[1:-1], low, high), low, high)
         out.d = np.r_[self.stop_q[k0][0], inner, self.stop_q[k0 + 1][0]]
         out.w = nlp.variables(motion.w, -50.0, 50.0)
         out.b = nlp.variables(motion.b, -500.0, 500.0)
-        self._chain(out.d, out.w, out.b)
+        self._zone_chain(out.h, out.d, out.w, out.b)
         for node, k in ((0, k0), (N, k0 + 1)):
             nlp.add(self.stages.speed_link(), [self.stop_v[k][0], out.w[node], out.T])
         turning = leg.angle > 1e-9
@@ -246,7 +270,8 @@ class Transcription:
 
     def _tied_path(self, leg: Leg, motion: PathLeg, margins: Margins, out: _LegVariables) -> None:
         nlp, N, k0 = self.nlp, motion.N, leg.start
-        out.s, out.v, out.a = self._share(motion.s, motion.v, motion.a)
+        out.h = self._zones(motion)
+        out.s, out.v, out.a = self._share(out.h, motion.s, motion.v, motion.a)
         ends = [self.stop_q[k0][0], self.stop_q[k0 + 1][0]]
         turning = leg.angle > 1e-9
         for k in range(N + 1):
@@ -295,7 +320,7 @@ class Transcription:
         out.qa = nlp.variables(motion.a, -1000.0, 1000.0).reshape(N, 7)
         V = self._rail_speed(leg)
         for j in range(7):
-            self._chain(out.q[:, j], out.qv[:, j], out.qa[:, j])
+            self._chain(motion.grid, out.q[:, j], out.qv[:, j], out.qa[:, j])
             for node, k in ((0, k0), (N, k0 + 1)):
                 nlp.add(self.stages.speed_link(), [self.stop_v[k][j], out.qv[node, j], out.T])
         for k in range(N + 1):
@@ -313,8 +338,8 @@ class Transcription:
     def _straight(self, leg: Leg, motion: JointNodes, margins: Margins, out: _LegVariables) -> None:
         nlp, N, k0 = self.nlp, motion.N, leg.start
         s, v, a = share_of(motion)
-        out.s, out.v, out.a = self._share(s, v, a)
-        top = self._top(leg, START)
+        out.s, out.v, out.a = self._share(Grid(motion.grid), s, v, a)
+        top = self._top(leg, EXACT)
         for k in range(N + 1):
             sides = _sides(k, N)
             around = [i for i, side in ((k - 1, "l"), (k, "r")) if side in sides]
@@ -333,18 +358,18 @@ class Transcription:
         legs: list[LegMotion | None] = []
         for leg, motion, var in zip(self.course.legs, self.draft.legs, self._legs, strict=True):
             if motion is None or var is None:
-                legs.append(None)
+                legs.append(motion)
                 continue
             T, k = float(x[var.T]), leg.start
             if isinstance(motion, JointProfiles):
                 legs.append(self._profiles(leg, q[k], qd[k], q[k + 1], qd[k + 1], T))
             elif isinstance(motion, JointNodes):
                 if self.tied:
-                    legs.append(straight(T, q[k], q[k + 1], x[var.s], x[var.v], x[var.a]))
+                    legs.append(straight(T, motion.grid, q[k], q[k + 1], x[var.s], x[var.v], x[var.a]))
                 else:
                     nodes, speeds = x[var.q], x[var.qv]
                     nodes[0], nodes[-1], speeds[0], speeds[-1] = q[k], q[k + 1], qd[k] * T, qd[k + 1] * T
-                    legs.append(JointNodes(T, nodes, speeds, x[var.qa]))
+                    legs.append(JointNodes(T, motion.grid, nodes, speeds, x[var.qa]))
             else:
                 legs.append(self._read_path(leg, motion, var, x, T, q[k], q[k + 1]))
         return Draft(q, qd, self.draft.cfx, tuple(legs))
@@ -364,6 +389,8 @@ class Transcription:
     def _read_path(
         self, leg: Leg, motion: PathLeg, var: _LegVariables, x: Array, T: float, q_0: Array, q_1: Array
     ) -> PathLeg:
+        lengths = np.repeat(x[var.h], motion.N // 3)
+        motion = replace(motion, grid=np.concatenate([[0.0], np.cumsum(lengths[:-1]), [1.0]]))
         if var.d is None:
             s, v, a = x[var.s], x[var.v], x[var.a]
             way = q_1[0] - q_0[0]

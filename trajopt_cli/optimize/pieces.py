@@ -1,0 +1,67 @@
+"""A course cut where nothing is left to choose: between fixed stops the pieces can be solved one by one.
+
+A cell without a rail falls into single legs this way, and equal pieces are solved once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from trajopt_cli.optimize.course import Course
+from trajopt_cli.optimize.legs import LegMotion
+from trajopt_cli.optimize.search import Chain
+from trajopt_cli.optimize.transcription import Draft
+
+
+def _pinned(course: Course, k: int, tied: bool) -> bool:
+    stop = course.stops[k]
+    rests = stop.rest or tied or not course.rail_may_pass(k)
+    return stop.q is not None or (stop.rail[0] == stop.rail[1] and rests)
+
+
+def cut(course: Course, chain: Chain, tied: bool) -> Iterator[tuple[Course, Chain]]:
+    """The pieces of a course with their part of the chain, in order."""
+    marks = [k for k in range(len(course.stops)) if _pinned(course, k, tied)]
+    ends = sorted({0, *marks, len(course.stops) - 1})
+    for first, last in zip(ends, ends[1:], strict=False):
+        legs = tuple(replace(leg, start=leg.start - first) for leg in course.legs[first:last])
+        stops = course.stops[first : last + 1]
+        part = Chain(
+            chain.q[first : last + 1], chain.w[first : last + 1], chain.labels[first : last + 1],
+            chain.times[first:last], float(np.sum(chain.times[first:last])),
+        )  # fmt: skip
+        yield replace(course, stops=stops, legs=legs, stations=()), part
+
+
+def key(course: Course, chain: Chain) -> bytes:
+    """Equal for pieces that ask for the same motion."""
+    parts: list[bytes] = [np.round(chain.q, 12).tobytes(), np.round(chain.w, 12).tobytes()]
+    for stop in course.stops:
+        parts += [np.round(stop.X_WF, 12).tobytes(), repr((stop.rail, stop.rest, stop.q is None)).encode()]
+    for leg in course.legs:
+        numbers = (leg.v_tcp, leg.a_tcp, leg.v_ori, leg.v_rail, leg.duration, leg.rail_moves)
+        parts += [leg.kind.value.encode(), np.round(leg.X_FT, 12).tobytes(), repr(numbers).encode()]
+    parts.append(repr([label.cfx for label in chain.labels]).encode())
+    return b"|".join(parts)
+
+
+def solve_pieces(
+    course: Course, chain: Chain, tied: bool, solve: Callable[[Course, Chain], Draft],
+    report: Callable[[list[LegMotion | None]], None],
+) -> Draft:  # fmt: skip
+    """Solve every different piece once and join the drafts; report: the legs found so far."""
+    known: dict[bytes, Draft] = {}
+    drafts: list[Draft] = []
+    for piece, part in cut(course, chain, tied):
+        name = key(piece, part)
+        if name not in known:
+            known[name] = solve(piece, part)
+        drafts.append(known[name])
+        report([leg for draft in drafts for leg in draft.legs])
+    q = np.concatenate([d.q[:-1] for d in drafts] + [drafts[-1].q[-1:]])
+    qd = np.concatenate([d.qd[:-1] for d in drafts] + [drafts[-1].qd[-1:]])
+    cfx = tuple(c for d in drafts for c in d.cfx[:-1]) + drafts[-1].cfx[-1:]
+    return Draft(q, qd, cfx, tuple(leg for d in drafts for leg in d.legs))
