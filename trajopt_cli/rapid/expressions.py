@@ -207,7 +207,8 @@ class ExpressionParser:
                 name = self.identifier("the name of a component after '.'")
                 base = Component(base.start, self.behind, base, name)
             elif self.kinds[self.i] == "{":
-                base = Element(base.start, self.behind, base, self.indices())
+                indices = self.indices()
+                base = Element(base.start, self.behind, base, indices)
             else:
                 return base
 

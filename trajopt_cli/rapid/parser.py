@@ -137,11 +137,8 @@ class Parser(ExpressionParser):
             name = self.identifier("the new type's name")
             self.expect(";", "after the ALIAS declaration")
             return AliasDeclaration(start, self.behind, scope, type_, name)
-        if kind == "name" and not scope:
-            self.fail(
-                "a declaration (VAR, PERS, CONST, PROC, FUNC, TRAP, RECORD, ALIAS): instructions belong in a PROC"
-            )
-        self.fail("a declaration (VAR, PERS, CONST, PROC, FUNC, TRAP, RECORD, ALIAS) or ENDMODULE")
+        note = " (instructions belong in a PROC)" if kind == "name" else ""
+        self.fail(f"a declaration (VAR, PERS, CONST, PROC, FUNC, TRAP, RECORD, ALIAS) or ENDMODULE{note}")
 
     def _record(self, start: int, scope: str | None) -> RecordDeclaration:
         self.i += 1

@@ -1,0 +1,436 @@
+"""Files as found in the field: encodings, places, spans, marks, and what is said about broken text."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.motion import MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, SignalEvent, Span, TextFile, Wait
+from trajopt_cli.rapid.parser import parse_module
+from trajopt_cli.rapid.reader import read_program, run_program
+from trajopt_cli.rapid.text import decode
+
+ROOT = Path(__file__).parents[2]
+MOVES = (MoveJ, MoveL, MoveAbsJ, MoveExtJ)
+DATA = (
+    "CONST robtarget p:=[[100,200,300],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+    "LOCAL VAR robtarget ps{2} := [\n[[1,2,3], [0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],"
+    "[[4,5,6],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]]; ! two\n"
+    "TASK PERS jointtarget j:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+)
+
+
+def run(text: str) -> Program:
+    return run_program([TextFile("m.mod", text, "utf-8")])
+
+
+def run_main(body: str, data: str = DATA, rest: str = "") -> Program:
+    return run(f"MODULE m\n{data}PROC main()\n{body}\nENDPROC\n{rest}ENDMODULE\n")
+
+
+def error(text: str) -> str:
+    with pytest.raises(InputError) as caught:
+        run(text)
+    return str(caught.value)
+
+
+def error_main(body: str, data: str = "", rest: str = "") -> str:
+    return error(f"MODULE m\n{data}PROC main()\n{body}\nENDPROC\n{rest}ENDMODULE\n")
+
+
+# ------------------------------------------------------------------------------------------------------------ spans
+
+
+def stretch(program: Program, span: Span | None) -> str:
+    assert span is not None
+    return program.files[span.file].text[span.start : span.end]
+
+
+def test_every_span_is_exactly_the_text_it_names() -> None:
+    body = (
+        "MoveJ\n  p ,v100\\V:=50,z10,tool0 \\WObj:=wobj0 ; MoveL ps{1+1}, vmax, fine, tool0; "
+        "MoveAbsJ j\\NoEOffs,v50,fine,tool0;"
+    )
+    program = run_main(body)
+    one, two, three = (m for m in program.motions if isinstance(m, MOVES))
+    assert stretch(program, one.written.statement) == "MoveJ\n  p ,v100\\V:=50,z10,tool0 \\WObj:=wobj0 ;"
+    assert stretch(program, one.written.target) == "p"
+    assert stretch(program, one.written.speed) == "v100"
+    assert stretch(program, one.written.aggregate) == "[[100,200,300],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
+    assert stretch(program, one.written.declaration) == DATA.splitlines()[0]
+    assert stretch(program, two.written.target) == "ps{1+1}"
+    assert stretch(program, two.written.aggregate) == "[[4,5,6],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
+    assert stretch(program, two.written.declaration).startswith("LOCAL VAR robtarget ps{2} := [\n[[1,2,3], ")
+    assert stretch(program, two.written.declaration).endswith("9E9]]];")
+    assert stretch(program, three.written.speed) == "v50"
+    assert stretch(program, three.written.declaration) == DATA.splitlines()[3]
+    assert stretch(program, three.written.aggregate) == DATA.splitlines()[3].partition(":=")[2][:-1]
+
+
+def test_waits_and_events_know_their_statement() -> None:
+    program = run_main("Set do1;\nWaitTime 0.5 ; ! half\nWaitDI di1,1;")
+    texts = [stretch(program, m.written.statement) for m in program.motions]
+    assert texts == ["Set do1;", "WaitTime 0.5 ;", "WaitDI di1,1;"]
+    assert [type(m) for m in program.motions] == [SignalEvent, Wait, Wait]
+
+
+def test_a_literal_in_the_statement_has_no_declaration() -> None:
+    literal = "[[1,2,3],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
+    program = run_main(f"MoveL {literal},v100,fine,tool0;")
+    (move,) = (m for m in program.motions if isinstance(m, MOVES))
+    assert stretch(program, move.written.aggregate) == stretch(program, move.written.target) == literal
+    assert move.written.declaration is None
+
+
+@pytest.mark.parametrize("target", ["Offs(p,0,0,1)", "RelTool(p,0,0,1)", "given(p)"])
+def test_a_computed_target_has_no_literal(target: str) -> None:
+    rest = "FUNC robtarget given(robtarget a)\na.trans.x:=1;\nRETURN a;\nENDFUNC\n"
+    (move,) = (m for m in run_main(f"MoveL {target},v100,fine,tool0;", rest=rest).motions if isinstance(m, MOVES))
+    assert (move.written.aggregate, move.written.declaration) == (None, None)
+
+
+def test_a_literal_is_followed_through_copies_until_something_changes() -> None:
+    body = (
+        "VAR robtarget q; q:=p; MoveL q,v100,fine,tool0; q.trans.z:=1; MoveL q,v100,fine,tool0;"
+        "ps{1}.trans.z:=2; MoveL ps{1},v100,fine,tool0; go p;"
+    )
+    program = run_main(body, rest="PROC go(robtarget a)\nMoveL a,v100,fine,tool0;\nENDPROC\n")
+    whole = "[[100,200,300],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
+    written = [m.written.aggregate for m in program.motions if isinstance(m, MOVES)]
+    assert [span and stretch(program, span) for span in written] == [whole, None, None, whole]
+
+
+# -------------------------------------------------------------------------------------------------------- encodings
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "cp1252", "utf-16"])
+def test_a_file_is_read_in_its_own_encoding_and_written_back_the_same(tmp_path: Path, encoding: str) -> None:
+    text = f"MODULE m\r\n{DATA}PROC main()\r\nMoveL pörta,v100,fine,tool0;\r\nENDPROC\r\nENDMODULE\r\n"
+    file = tmp_path / "m.mod"
+    file.write_bytes(text.replace("robtarget p:", "robtarget Pörta:").encode(encoding))
+    program = read_program(file)
+    assert len(program.motions) == 1
+    read = program.files[str(file)]
+    assert read.text.encode(read.encoding) == file.read_bytes()
+
+
+def test_any_bytes_at_all_decode_and_encode_to_themselves() -> None:
+    for data in (bytes(range(256)), b"\xef\xbb\xbfabc\x81", b"\xff\xfea", "å".encode("cp1252"), b""):
+        text, encoding = decode(data)
+        assert text.encode(encoding) == data
+
+
+def test_blanks_of_all_kinds_headers_and_nul_bytes_stand_between_tokens() -> None:
+    text = (
+        "\u3000%%%\n VERSION:1\n LANGUAGE:ENGLISH\n %%%\n! before\nMODULE\x00m\n"
+        f"{DATA}PROC\u00a0main()\x00MoveL\tp,\x00v100,fine,tool0;;\n ENDPROC ENDMODULE"
+    )
+    program = run(text)
+    assert len(program.motions) == 1
+    assert program.warnings == ("m.mod: NUL bytes between the tokens are read as blanks",)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        "MoveL p,v100,fine,tool0\\WObj:=wobj0;",
+        "MoveL p,v100,fine,tool0 \\WObj := wobj0 ;",
+        "MoveL p,v100,fine,tool0,\\WObj:=wobj0;",
+        "MOVEL\\Conc,p\\ID:=10,v100\\V:=100,fine\\Inpos:=inpos20,tool0\\wobj:=WOBJ0\\TLoad:=load0;",
+    ],
+)
+def test_optional_arguments_in_every_spelling(call: str) -> None:
+    (move,) = run_main(call).motions
+    assert isinstance(move, MoveL)
+    assert move.wobj.lower() == "wobj0"
+
+
+def test_text_after_the_module_is_reported_and_never_run() -> None:
+    program = run(f'MODULE m\n{DATA}PROC main()\nENDPROC\nENDMODULE\nMoveL p,v100,fine,tool0; " ENDPROC\n')
+    assert program.motions == ()
+    assert program.warnings == ("m.mod:9:1: text after ENDMODULE is not part of the program and does not run",)
+
+
+def test_a_file_of_loose_declarations_is_read() -> None:
+    assert len(run(f"{DATA}PROC main()\nMoveL p,v100,fine,tool0;\nENDPROC\n").motions) == 1
+
+
+# ------------------------------------------------------------------------------------------------------------ marks
+
+
+def test_a_mark_stands_behind_the_move_or_alone_above_it() -> None:
+    body = (
+        "MoveL p,v100,fine,tool0; MoveJ p,v100,fine,tool0; ! trajopt: optional\n"
+        "MoveL p,v100,fine,\ntool0; !TRAJOPT:Optional\n"
+        "! trajopt: optional\nMoveJ p,v100,fine,tool0; MoveL p,v100,fine,tool0;\n"
+        "MoveAbsJ j,v100,fine,tool0; ! not trajopt: optional\n"
+    )
+    moves = [m for m in run_main(body).motions if isinstance(m, MOVES)]
+    assert [m.optional for m in moves] == [False, True, True, True, False, False]
+
+
+def test_a_mark_that_marks_nothing_is_an_error_and_one_on_no_move_is_said() -> None:
+    assert error_main("WaitTime 1;\n! trajopt: optional\n\nWaitTime 1;") == (
+        "m.mod:4:1: '! trajopt: optional' marks no instruction; put it behind a move or above it"
+    )
+    assert error_main("WaitTime 1; ! trajopt: optinal") == (
+        "m.mod:3:13: trajopt knows no mark 'optinal'; it knows 'optional'"
+    )
+    assert run_main("WaitTime 1; ! trajopt: optional").warnings == (
+        "m.mod:7:1: marked as optional, but it is no move that ran",
+    )
+
+
+# ----------------------------------------------------------------------------------------------------- broken text
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("PROC main()\nIF a THEN\nx:=1;\nENDPROC", "4:1: expected ENDIF for IF of line 2, found 'ENDPROC'"),
+        ("PROC main()\nFOR i FROM 1 TO 2 DO\nENDWHILE", "3:1: expected ENDFOR for FOR of line 2, found 'ENDWHILE'"),
+        ("PROC main()\nWHILE a DO\n", "3:1: expected ENDWHILE for WHILE of line 2, found the end of the file"),
+        ("PROC main()\nTEST a\nx:=1;", "3:1: expected CASE, DEFAULT or ENDTEST for TEST of line 2, found 'x'"),
+        ("MODULE m\nPROC main()\nELSE", "3:1: expected ENDPROC for PROC main of line 2, found 'ELSE'"),
+        (
+            "MODULE m\nPROC main()\nENDPROC\n",
+            "4:1: expected ENDMODULE for MODULE m of line 1, found the end of the file",
+        ),
+        ("PROC main()\nx:=1\ny:=2;\nENDPROC", "2:5: expected ';' after the assignment, found 'y'"),
+        (
+            "PROC main()\nMoveL p,v100,fine,tool0\nMoveL p,v100,fine,tool0;\nENDPROC",
+            "2:24: expected ',' or ';' after the arguments of MoveL, found 'MoveL'",
+        ),
+        ("PROC main()\nMoveL p,,v100;\nENDPROC", "2:9: expected an expression, found ','"),
+        ("PROC main()\nMoveL p,v100,;\nENDPROC", "2:14: expected an argument after ',', found ';'"),
+        ("PROC main()\nWaitTime\\InPos 0.1;", "2:15: expected ',' or ';' after the arguments of WaitTime, found '0.1'"),
+        ("PROC main()\nMyProc();\nENDPROC", "2:8: expected an expression, found ')'"),
+        ("PROC main()\nx:=f(1;", "2:7: expected ',' or ')' after the arguments of f, found ';'"),
+        ("PROC main()\nx:=(1+2;", "2:8: expected ')' to close the '(' before, found ';'"),
+        ("PROC main()\nx:=[1,2;", "2:8: expected ']' or ',' in the aggregate, found ';'"),
+        ("PROC main()\nx:=a{1,2;", "2:9: expected '}' after the indices, found ';'"),
+        (
+            'PROC main()\nTPWrite "abc;\nENDPROC',
+            "2:9: expected an expression, found a string that is not closed on its line",
+        ),
+        ("PROC main()\nx:=1 # 2;", "2:5: expected ';' after the assignment, found '#'"),
+        ("PROC main()\nx 1:=2;", "2:4: expected ',' or ';' after the arguments of x, found ':='"),
+        ("PROC main()\nf(1):=2;", "2:5: expected ',' or ';' after the arguments of f, found ':='"),
+        ("PROC main()\nIF a;\nENDPROC", "2:5: expected THEN, or a statement to run under the condition, found ';'"),
+        ("VAR num if;", "1:9: expected a name after VAR num, found 'if' (a reserved word)"),
+        ("VAR num p(1):=2;", "1:10: expected ';' after the declaration of p, found '('"),
+        ("VAR num a{1,2,3,4};", "1:10: 4 dimensions; RAPID has at most 3"),
+        ("MODULE 1st\nENDMODULE", "1:8: expected the module's name, found '1'"),
+        (
+            "MODULE m(FAST)\nENDMODULE",
+            "1:10: expected a module attribute (SYSMODULE, NOVIEW, NOSTEPIN, VIEWONLY, READONLY), found 'FAST'",
+        ),
+        (
+            "MODULE m\nMoveL p,v100,fine,tool0;\nENDMODULE",
+            "2:1: expected a declaration (VAR, PERS, CONST, PROC, FUNC, TRAP, RECORD, ALIAS) or ENDMODULE "
+            "(instructions belong in a PROC), found 'MoveL'",
+        ),
+        ("RECORD r\nnum a\nENDRECORD", "2:6: expected ';' after the component, found 'ENDRECORD'"),
+        ("PROC main(num a num b)\nENDPROC", "1:16: expected ',' or ')' after a parameter of main, found 'num'"),
+        ("VAR num a:=1E999;", "1:12: number 1E999 is too large"),
+        ("PROC main()\nx:=" + "(" * 70 + "1", "2:65: nested deeper than 60 levels: split it up"),
+    ],
+)
+def test_broken_text_is_described_with_its_place(text: str, message: str) -> None:
+    with pytest.raises(InputError) as caught:
+        parse_module(text, "m.mod")
+    assert str(caught.value) == f"m.mod:{message}"
+
+
+# -------------------------------------------------------------------------------------------------- broken meaning
+
+P = DATA.splitlines()[0] + "\n"
+
+
+@pytest.mark.parametrize(
+    ("body", "data", "message"),
+    [
+        ("MoveL q,v100,fine,tool0;", "", "3:7: robtarget 'q' is not declared in the program"),
+        ("MoveL p,v123,fine,tool0;", P, "4:9: speeddata 'v123' is not declared in the program"),
+        ("MoveL p,v100,fine,tGrip;", P, "4:19: tooldata 'tGrip' is not declared in the program"),
+        ("MoveL p,v100,fine,tool0\\WObj:=wX;", P, "4:31: wobjdata 'wX' is not declared in the program"),
+        ("MoveL p,v100,fine;", P, "4:1: MoveL takes 4 argument(s) (ToPoint, Speed, Zone, Tool), found 3"),
+        (
+            "MoveL p,v100,fine,tool0\\Corr;",
+            P,
+            "4:24: MoveL \\Corr is not supported; "
+            "supported here: \\Conc, \\ID, \\V, \\T, \\Z, \\Inpos, \\WObj, \\TLoad",
+        ),
+        ("MoveL p,fine,v100,tool0;", P, "4:9: needs a value of type speeddata, found zonedata"),
+        ("MoveL *,v100,fine,tool0;", "", "3:7: a target '*' has no coordinates in the text; declare it as a robtarget"),
+        ("MoveL <EXP>,v100,fine,tool0;", "", "3:7: unfinished code <EXP> cannot be run"),
+        ("<SMT>", "", "3:1: unfinished code <SMT> cannot be run"),
+        (
+            "GOTO x;\nx:",
+            "",
+            "3:1: GOTO is not supported; supported statements: assignments, calls, IF, FOR, WHILE, TEST, RETURN, EXIT",
+        ),
+        ("WaitTime Rand();", "", None),
+        ("go;", "", None),
+        (
+            "IF di1=1 WaitTime 1;",
+            "",
+            "3:4: 'di1' is not declared in the program and has no value as a signal; "
+            "add the line 'signals: {di1: 1}' to the cell file",
+        ),
+        (
+            "WHILE TRUE DO\nENDWHILE",
+            "",
+            "3:1: the loop has not ended after 100000 passes (pass_limit); "
+            "give signal values that end it, or raise pass_limit in the cell file",
+        ),
+        (
+            "ConfL\\Off;",
+            "",
+            "3:1: ConfL \\Off is not supported; "
+            "plans hold to the programmed configuration (ConfL \\On), so remove it or ask for that",
+        ),
+        (
+            "AccSet 50,100;",
+            "",
+            "3:1: AccSet 50,100 is not supported; "
+            "plans hold to the cell's full acceleration (AccSet 100, 100), so remove it or ask for that",
+        ),
+        ("x:=1;", "CONST num x:=2;\n", "4:1: x is a CONST (line 2) and cannot be changed"),
+        ("tool0.robhold:=FALSE;", "", "3:1: tool0.robhold is predefined and cannot be changed"),
+        ("FOR i FROM 1 TO 2 DO\ni:=3;\nENDFOR", "", "4:1: i is a loop variable and cannot be changed"),
+        ("x:=TRUE;", "VAR num x;\n", "4:4: needs a value of type num, found bool"),
+        ("WaitTime x{3};", "VAR num x{2};\n", "4:12: index 3 lies outside the array's 1..2"),
+        ("WaitTime x.y;", "VAR num x;\n", "4:10: a num has no components, so '.y' means nothing"),
+        ("WaitTime p.robconf.cf2;", P, "4:10: confdata has no component 'cf2'; it has cf1, cf4, cf6, cfx"),
+        ("WaitTime 1/0;", "", "3:10: division by zero in '/'"),
+        ("WaitTime 7.5 MOD 2;", "", "3:10: MOD takes whole numbers, found 7.5 and 2"),
+        ("WaitTime Sqrt(-1);", "", "3:10: Sqrt(-1) is not defined: math domain error"),
+        ("WaitTime -1;", "", "3:10: WaitTime -1 s must not be negative"),
+        ("WaitTime 1E30*1E300;", "", "3:10: the result of '*' is too large"),
+        ("MoveL p,v100\\V:=0,fine,tool0;", P, "4:17: TCP speed 0 mm/s of v100 must be above 0"),
+        ("MoveL p,v100\\T:=0,fine,tool0;", P, "4:17: duration \\T:=0 s must be above 0"),
+        ("WaitTime a;", "CONST num a:=b;\nCONST num b:=a;\n", "2:1: the value of 'a' refers to itself"),
+        ("", "VAR num a;\nVAR num A;\n", "3:1: 'A' is declared twice; rename one of them"),
+        ("main;", "", "3:1: calls are nested deeper than 40 routines at main"),
+    ],
+)
+def test_what_cannot_be_run_is_described_with_its_place(body: str, data: str, message: str | None) -> None:
+    text = error_main(body, data)
+    if message is not None:
+        assert text == f"m.mod:{message}"
+    else:
+        assert "is neither a " in text
+
+
+def test_an_unknown_instruction_is_named_with_all_supported_ones() -> None:
+    assert error_main("SpotL p,v100,s,g,tool0;").startswith(
+        "m.mod:3:1: SpotL is neither a procedure of the program nor a supported instruction; "
+        "supported: MoveJ, MoveL, MoveAbsJ, MoveExtJ, WaitTime, WaitDI,"
+    )
+    assert error_main("WaitTime CRobT();").startswith(
+        "m.mod:3:10: CRobT is neither a function of the program nor a supported one; supported: Offs, RelTool,"
+    )
+
+
+@pytest.mark.parametrize(
+    ("data", "message"),
+    [
+        (
+            "CONST robtarget q:=[[1,2,3],[1,0,0,0],[0,0,0,0]];\n",
+            "2:20: robtarget needs 4 parts [trans,rot,robconf,extax], found 3",
+        ),
+        (
+            "CONST jointtarget q:=[[0,0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n",
+            "2:23: robjoint needs 6 parts [rax_1,rax_2,rax_3,rax_4,rax_5,rax_6], found 5",
+        ),
+        ("CONST jointtarget q:=[0,0,0,0,0,0];\n", "2:22: jointtarget needs 2 parts [robax,extax], found 6"),
+        ("CONST num q{3}:=[1,2];\n", "2:17: the array needs 3 elements, found 2"),
+        ("CONST num q{0}:=[1];\n", "2:1: q has an array size below 1"),
+        ("CONST num q{1.5}:=[1];\n", "2:13: an array size must be a whole number, found 1.5"),
+        ("CONST pos q:=[1,2,1E999];\n", "2:19: number is too large"),
+    ],
+)
+def test_broken_data_is_found_even_where_nobody_uses_it(data: str, message: str) -> None:
+    assert error_main("", data) == f"m.mod:{message}"
+
+
+@pytest.mark.parametrize(
+    ("rot", "message"),
+    [
+        ("[0,0,0,0]", "orientation [0,0,0,0] of length 0, limit 1 +- 0.001; it was never given a value"),
+        ("[0,0,1.002,0]", "orientation [0,0,1.002,0] of length 1.002, limit 1 +- 0.001; give a quaternion of length 1"),
+    ],
+)
+def test_an_orientation_that_is_none_is_an_error_at_its_literal(rot: str, message: str) -> None:
+    data = P.replace("[0,0,1,0]", rot)
+    assert error_main("MoveL p,v100,fine,tool0;", data) == f"m.mod:2:20: p has {message}"
+    assert error_main("MoveL Offs(p,1,2,3),v100,fine,tool0;", data) == f"m.mod:4:7: Offs(p,1,2,3) has {message}"
+
+
+def test_a_rounded_orientation_is_taken_as_unit_and_said_once() -> None:
+    body = "MoveL p,v100,fine,tool0; MoveL p,v100,fine,tool0;"
+    assert run_main(body, P.replace("[0,0,1,0]", "[0,0.7071,0.7071,0]")).warnings == ()
+    assert run_main(body, P.replace("[0,0,1,0]", "[0,0.707,0.707,0]")).warnings == (
+        "m.mod:2:20: p has an orientation of length 0.999849; taken as 1",
+    )
+
+
+@pytest.mark.parametrize(
+    ("data", "body", "message"),
+    [
+        (
+            'PERS wobjdata w:=[TRUE,TRUE,"",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];\n',
+            "MoveL p,v100,fine,tool0\\WObj:=w;",
+            "5:31: work object w is held by the robot (robhold TRUE), which is not supported",
+        ),
+        (
+            'PERS wobjdata w:=[FALSE,FALSE,"STN1",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];\n',
+            "MoveL p,v100,fine,tool0\\WObj:=w;",
+            "5:31: work object w rides on the unit 'STN1' (ufprog FALSE), which is not supported",
+        ),
+        (
+            "PERS tooldata t:=[FALSE,[[0,0,0],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];\n",
+            "MoveL p,v100,fine,t;",
+            "5:19: tool t is stationary (robhold FALSE), which is not supported",
+        ),
+        (
+            "PERS tooldata t;\n",
+            "MoveL p,v100,fine,t;",
+            "5:19: tool t is stationary (robhold FALSE), which is not supported",
+        ),
+    ],
+)
+def test_frames_that_are_not_supported(data: str, body: str, message: str) -> None:
+    assert error_main(body, P + data) == f"m.mod:{message}"
+
+
+def test_files_and_entries_that_are_not_there(tmp_path: Path) -> None:
+    with pytest.raises(InputError) as caught:
+        read_program(tmp_path / "none.mod")
+    assert str(caught.value) == f"{tmp_path / 'none.mod'}: cannot be read: No such file or directory"
+    with pytest.raises(InputError) as caught:
+        read_program(tmp_path)
+    assert str(caught.value) == f"{tmp_path}: is a folder: give one RAPID module file"
+    assert error("MODULE m\nENDMODULE\n") == "m.mod: there is no 'PROC main()'; name the procedure to start with"
+    assert error("") == "m.mod: holds no RAPID module"
+    (tmp_path / "m.mod").write_text("MODULE m\nPROC go()\nWaitTime 2;\nENDPROC\nENDMODULE\n")
+    assert len(read_program(tmp_path / "m.mod", entry="GO").motions) == 1
+
+
+# ------------------------------------------------------------------------------------------------------------ speed
+
+
+def test_a_small_program_is_read_without_heavy_imports() -> None:
+    heavy = ("casadi", "pinocchio", "scipy", "toppra", "ruckig", "pydantic", "ruamel", "rich", "typer", "lark")
+    code = (
+        "import sys; from trajopt_cli.rapid.reader import read_program; "
+        f"read_program({str(ROOT / 'programs' / 'hinge_cell.mod')!r}); "
+        f"print([m for m in {heavy!r} if m in sys.modules])"
+    )
+    answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT)
+    assert answer.stdout.strip() == "[]"
