@@ -171,6 +171,7 @@ def optimise(job: Job, target: Target, folder: Path, listen: Listener) -> Optimi
         if not answer.report.legal:
             return Illegal(one.value, _worst(answer.report))
         judged[one] = answer
+    listen("results", Progress("write"))
     with clock.phase("export"):
         files, notes = _files(job, target, judged, inputs)
     timing = {

@@ -104,7 +104,8 @@ def test_progress_is_a_line_per_phase_when_piped(
         own = [line for line in lines if line.startswith(f"{label}: ")]
         assert own[0] == f"{label}: search  best 2.000 s, bound 1.600 s, gap 25.0 %"
         assert [line.split()[1] for line in own] == ["search", "judge"]
-    assert len(lines) == 4
+    assert lines[-1] == "results: write"
+    assert len(lines) == 5
 
 
 def test_without_a_cell_file_the_five_lines_are_printed_and_work(
@@ -340,24 +341,34 @@ def test_the_option_offers_every_target() -> None:
     assert set(get_args(get_args(get_type_hints(optimize, include_extras=True)["target"])[0])) == {*Target}
 
 
+# Planners that are interrupted: one sleeps, one does as CasADi does and takes the interrupt for a solver's stop.
 INTERRUPTED = """
-import sys, time
+import os, sys, time
 import trajopt_cli.optimize
 from trajopt_cli.cli import main
+from trajopt_cli.problem.progress import Progress
 
-def forever(*arguments):
-    print("planning", flush=True)
+def sleeping(*arguments):
+    os.write(1, b"planning\\n")  # one write, so that two processes do not mix
     time.sleep(60)
 
-trajopt_cli.optimize.optimize = forever
+def swallowing(program, plant, target, freedom, progress):
+    try:
+        sleeping()
+    except KeyboardInterrupt:
+        progress(Progress("solve"))
+        os.write(1, b"went on\\n")
+
+trajopt_cli.optimize.optimize = {planner}
 sys.argv = ["trajopt", "optimize", "tiny.mod"]
 main()
 """
 
 
-def test_ctrl_c_ends_in_one_line_and_writes_nothing(program: Path) -> None:
+@pytest.mark.parametrize("planner", ["sleeping", "swallowing"])
+def test_ctrl_c_ends_in_one_line_and_writes_nothing(program: Path, planner: str) -> None:
     process = subprocess.Popen(
-        [sys.executable, "-c", INTERRUPTED],
+        [sys.executable, "-c", INTERRUPTED.replace("{planner}", planner)],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
@@ -367,7 +378,8 @@ def test_ctrl_c_ends_in_one_line_and_writes_nothing(program: Path) -> None:
     assert process.stdout.readline() == "planning\n"
     time.sleep(0.1)
     process.send_signal(signal.SIGINT)
-    _, err = process.communicate(timeout=20)
+    out, err = process.communicate(timeout=20)
+    assert "went on" not in out
     assert process.returncode == 130
     assert err == "interrupted: nothing half-written, earlier results stand\n"
     assert not Path("results").exists()

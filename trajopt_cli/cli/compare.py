@@ -34,6 +34,10 @@ def baseline(program: ProgramPath, cell: CellPath = None, as_json: AsJson = Fals
     if as_json:
         typer.echo(json.dumps(records, indent=2, ensure_ascii=False))
     else:
-        stdout().print(baseline_table(program.name, rows, records))
+        console = stdout()
+        console.print(baseline_table(program.name, rows, records))
+        for record in records:
+            for line in record.get("failed", ()):
+                console.print(f"{record['name']}: {line}")
     if not any(record["legal"] for record in records):
         raise typer.Exit(1)

@@ -42,11 +42,9 @@ def answer_no(answer: Infeasible | NoPlan | Illegal) -> NoReturn:
                 err=True,
             )
         case Illegal(label=label, finding=finding):
-            place = f"{finding.source}: " if finding.source else ""
-            when = "" if finding.time is None else f" at {finding.time:.4f} s"
+            what = finding.message or f"{finding.check} of {finding.subject} failed"
             typer.echo(
-                f"{place}NOTHING WRITTEN: the judge forbids the {label} plan: {finding.check} of {finding.subject} is "
-                f"{finding.value:.6g} {finding.unit}, limit {finding.limit:.6g} {finding.unit}{when}. "
+                f"NOTHING WRITTEN: the judge forbids the {label} plan: {what}. "
                 "This is an error in trajopt; please report it with program and cell file.",
                 err=True,
             )

@@ -2,31 +2,52 @@
 
 from __future__ import annotations
 
-from types import TracebackType
+import signal
+from types import FrameType, TracebackType
+from typing import NoReturn
 
 from trajopt_cli.cli.console import stderr
 from trajopt_cli.problem.progress import Progress
 
+_AGAIN = 0.5  # s; long against the tidying up that an interrupt sets off
+
 
 class ProgressView:
-    """Shows what it is told between `with` and its end."""
+    """Shows what it is told between `with` and its end, and keeps Ctrl-C from being lost there.
+
+    CasADi takes a KeyboardInterrupt inside a solver for a request to stop that solver, and the caller goes on with what
+    it got. So an interrupt is remembered and raised again until it is through: every half second, and when the next
+    progress is told.
+    """
 
     def __init__(self) -> None:
+        self._interrupted = False
         self._console = stderr()
         self._status = self._console.status("reading") if self._console.is_terminal else None
         self._latest: dict[str, str] = {}  # what was said last, by label: two plans may be under way
 
     def __enter__(self) -> ProgressView:
+        self._before = {number: signal.signal(number, self._interrupt) for number in (signal.SIGINT, signal.SIGALRM)}
         return self
+
+    def _interrupt(self, number: int, frame: FrameType | None) -> NoReturn:
+        self._interrupted = True
+        signal.setitimer(signal.ITIMER_REAL, _AGAIN)
+        raise KeyboardInterrupt
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        for number, handler in self._before.items():
+            signal.signal(number, handler)
         if self._status is not None:
             self._status.stop()
 
     def show(self, label: str, progress: Progress) -> None:
         """Tell that the plan called label has reached progress."""
+        if self._interrupted:
+            raise KeyboardInterrupt
         text = f"{label}: {progress.phase}{_numbers(progress)}"
         known = self._latest.get(label, "")
         self._latest[label] = text

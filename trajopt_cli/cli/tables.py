@@ -46,31 +46,56 @@ def motions_table(answer: Optimised) -> Table:
     return table
 
 
-def findings_table(name: str, report: Report) -> Table:
-    """The judge's legality checks, each with its worst case."""
-    return _findings(f"{name}: legality", report.findings)
+def findings_table(name: str, report: Report, everything: bool) -> Table:
+    """The judge's legality checks: of every check the case nearest to its limit, or all cases."""
+    return _findings(f"{name}: legality", report.findings, everything)
 
 
-def advice_table(name: str, report: Report) -> Table:
+def advice_table(name: str, report: Report, everything: bool) -> Table:
     """What else the judge noticed; it decides nothing."""
-    return _findings(f"{name}: advice, decides nothing", report.advice)
+    return _findings(f"{name}: advice, decides nothing", report.advice, everything)
 
 
-def _findings(title: str, findings: tuple[Finding, ...]) -> Table:
-    table = plain_table(title, "check", "of", ">worst value", ">limit", ">margin", "unit", ">time [s]", "place", "")
-    for one in findings:
+def failures(findings: tuple[Finding, ...]) -> list[str]:
+    """What the judge says of each case that did not pass."""
+    return [finding.message or f"{finding.check} of {finding.subject}" for finding in findings if not finding.passed]
+
+
+def _findings(title: str, findings: tuple[Finding, ...], everything: bool) -> Table:
+    table = plain_table(
+        title, "check", ">cases", "of", ">worst value", ">limit", ">margin", "unit", ">time [s]", "place", ""
+    )
+    cases: dict[str, list[Finding]] = {}
+    for i, one in enumerate(findings):
+        cases.setdefault(f"{one.check} {i}" if everything else one.check, []).append(one)
+    for group in cases.values():
+        worst = min(group, key=_closeness)
         table.add_row(
-            one.check,
-            one.subject,
-            _figure(one.value, 6),
-            _figure(one.limit, 6),
-            _figure(one.margin, 3),
-            one.unit,
-            "" if one.time is None else f"{one.time:.4f}",
-            place(one.source),
-            "ok" if one.passed else f"NO {one.message}".rstrip(),
+            worst.check,
+            str(len(group)),
+            worst.subject,
+            _figure(worst.value, 6),
+            _figure(worst.limit, 6),
+            _figure(_margin(worst), 3),
+            worst.unit,
+            "" if worst.time is None else f"{worst.time:.4f}",
+            place(worst.source),
+            "ok" if worst.passed else "NO",
         )
     return table
+
+
+def _margin(finding: Finding) -> float:
+    """How far the value is on the good side; a limit from below is told by a case that passed under it."""
+    lower = finding.passed and finding.margin < -1e-6 * abs(finding.limit)
+    return abs(finding.margin) if lower else finding.margin if finding.passed else -abs(finding.margin)
+
+
+def _closeness(finding: Finding) -> tuple[bool, float]:
+    """Failed cases first, then by margin relative to the limit."""
+    margin = _margin(finding)
+    relative = margin / abs(finding.limit) if finding.limit else margin
+    return finding.passed, relative if math.isfinite(relative) else -math.inf
 
 
 def _figure(value: float, digits: int) -> str:
@@ -84,8 +109,9 @@ def verdict(name: str, report: Report) -> str:
 
 
 def worst_ratio(report: Report) -> float:
-    """The largest value / limit over checks with a positive limit; above 1 something is over."""
-    ratios = [one.value / one.limit for one in report.findings if one.limit > 0 and math.isfinite(one.value)]
+    """The largest speed or acceleration relative to its limit; above 1 one of them is over."""
+    ends = ("speed", "acceleration", "reorientation")
+    ratios = [one.value / one.limit for one in report.findings if one.check.endswith(ends) and one.limit > 0]
     return max(ratios, default=math.nan)
 
 
@@ -103,6 +129,7 @@ def baseline_records(rows: list[Row]) -> list[dict[str, Any]]:
                     "cycle_time_s": plan.duration,
                     "saving": None if reference is None else 1.0 - plan.duration / reference,
                     "legal": report.legal,
+                    "failed": failures(report.findings),
                     "worst_ratio": worst_ratio(report),
                     "lower_bound_s": plan.lower_bound if row.baseline.optimum else None,
                 }
@@ -120,7 +147,7 @@ def baseline_records(rows: list[Row]) -> list[dict[str, Any]]:
 
 
 def baseline_table(program: str, rows: list[Row], records: list[dict[str, Any]]) -> Table:
-    """The comparison for people."""
+    """The comparison for people; records are those of the rows."""
     table = plain_table(
         f"{program}: savings count against the first legal row",
         *("plan", "target", ">T [s]", ">saving", "legal", ">worst value/limit", ">lower bound [s]", "what it is"),
