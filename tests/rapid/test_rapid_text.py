@@ -237,6 +237,10 @@ def test_a_mark_that_marks_nothing_is_an_error_and_one_on_no_move_is_said() -> N
         ("RECORD r\nnum a\nENDRECORD", "2:6: expected ';' after the component, found 'ENDRECORD'"),
         ("PROC main(num a num b)\nENDPROC", "1:16: expected ',' or ')' after a parameter of main, found 'num'"),
         ("VAR num a:=1E999;", "1:12: number 1E999 is too large"),
+        ("PROC main()\nx:=" + "f(" * 70 + "1", "2:126: nested deeper than 60 levels: split it up"),
+        ("PROC main()\nx:=" + "a{" * 70 + "1", "2:126: nested deeper than 60 levels: split it up"),
+        ("PROC main()\nx:=" + "-" * 70 + "1", "2:65: nested deeper than 60 levels: split it up"),
+        ("PROC main()\n" + "IF a " * 70 + "x:=1;", "2:301: nested deeper than 60 levels: split it up"),
         ("PROC main()\nx:=" + "(" * 70 + "1", "2:65: nested deeper than 60 levels: split it up"),
     ],
 )
@@ -316,13 +320,14 @@ P = DATA.splitlines()[0] + "\n"
         ("MoveL p,v100\\T:=0,fine,tool0;", P, "4:17: duration \\T:=0 s must be above 0"),
         ("WaitTime a;", "CONST num a:=b;\nCONST num b:=a;\n", "2:1: the value of 'a' refers to itself"),
         ("", "VAR num a;\nVAR num A;\n", "3:1: 'A' is declared twice; rename one of them"),
+        ("x:=" + "x+" * 3000 + "1;", "VAR num x;\n", "m.mod: is nested too deeply to be run"),
         ("main;", "", "3:1: calls are nested deeper than 40 routines at main"),
     ],
 )
 def test_what_cannot_be_run_is_described_with_its_place(body: str, data: str, message: str | None) -> None:
     text = error_main(body, data)
     if message is not None:
-        assert text == f"m.mod:{message}"
+        assert text == (message if message.startswith("m.mod") else f"m.mod:{message}")
     else:
         assert "is neither a " in text
 
@@ -351,6 +356,10 @@ def test_an_unknown_instruction_is_named_with_all_supported_ones() -> None:
         ("CONST jointtarget q:=[0,0,0,0,0,0];\n", "2:22: jointtarget needs 2 parts [robax,extax], found 6"),
         ("CONST num q{3}:=[1,2];\n", "2:17: the array needs 3 elements, found 2"),
         ("CONST num q{0}:=[1];\n", "2:1: q has an array size below 1"),
+        (
+            "CONST num q{1000,1001}:=[1];\n",
+            "2:1: q has 1001000 elements; at most 1000000 are supported",
+        ),
         ("CONST num q{1.5}:=[1];\n", "2:13: an array size must be a whole number, found 1.5"),
         ("CONST pos q:=[1,2,1E999];\n", "2:19: number is too large"),
     ],

@@ -209,9 +209,9 @@ def aggregate(run: Run, node: Aggregate, wanted: Type) -> Value:
             raise run.error(node, f"{wanted.name} needs {len(parts)} parts {shape}, found {len(node.items)}")
     elif isinstance(wanted, Array):
         size = wanted.sizes[0] if wanted.sizes else len(node.items)
-        parts = [wanted.inner()] * size
         if len(node.items) != size:
             raise run.error(node, f"the array needs {size} elements, found {len(node.items)}")
+        parts = [wanted.inner()] * size
     else:
         raise run.error(node, f"needs a value of type {wanted.name}, found an aggregate")
     data: list[Data] = []

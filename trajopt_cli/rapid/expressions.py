@@ -196,7 +196,9 @@ class ExpressionParser:
         start, name = self.here, self.texts[self.i]
         self.i += 1
         if self.accept("("):
+            self.deeper()
             args = self.arguments(")", f"after the arguments of {name}")
+            self.depth -= 1
             self.expect(")", f"or ',' after the arguments of {name}")
             return Call(start, self.behind, name, args)
         return Name(start, self.behind, name)
@@ -216,9 +218,11 @@ class ExpressionParser:
         """`{a, b, c}`: up to three expressions."""
         opened = self.here
         self.expect("{", "before the indices")
+        self.deeper()
         indices = [self.expression()]
         while self.accept(","):
             indices.append(self.expression())
+        self.depth -= 1
         self.expect("}", "after the indices")
         if len(indices) > 3:
             raise self.places.error(opened, f"{len(indices)} dimensions; RAPID has at most 3")

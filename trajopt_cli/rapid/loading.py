@@ -80,7 +80,7 @@ def declare(run: Run, node: DataDeclaration, frame: Frame) -> Datum:
             sizes = tuple(integer(run, size, "an array size") for size in node.sizes)
             if min(sizes) < 1:
                 raise run.error(node, f"{node.name} has an array size below 1")
-            if node.value is None and _count(sizes) > _ARRAY_LIMIT:
+            if _count(sizes) > _ARRAY_LIMIT:
                 raise run.error(node, f"{node.name} has {_count(sizes)} elements; at most {_ARRAY_LIMIT} are supported")
             type_ = Array(type_, sizes, len(sizes))
     return Datum(type_, partial(_initial, run, node, type_, frame), constant)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from math import inf
 
 from trajopt_cli.rapid.expressions import PRIORITY
 from trajopt_cli.rapid.syntax import (
@@ -105,7 +106,9 @@ def _base(node: Expression) -> str:
 
 
 def _number(value: float) -> str:
-    return f"{value:.0f}" if value == int(value) and abs(value) < 1e15 else repr(value)
+    if abs(value) == inf:  # inside an aggregate, which is looked into only when it is used
+        return "1E999" if value > 0 else "-1E999"
+    return f"{value:.0f}" if abs(value) < 1e15 and value == int(value) else repr(value)
 
 
 def _string(value: str) -> str:

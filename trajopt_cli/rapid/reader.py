@@ -47,7 +47,7 @@ def run_program(files: Sequence[TextFile], scenario: Scenario | None = None, ent
         load(run, modules)
         run.start(entry)
     except RecursionError:
-        raise InputError("is nested too deeply to be run", file=run.file) from None
+        raise InputError("is nested too deeply to be run", file=files[0].path) from None
     return Program(
         name=Path(files[0].path).stem,
         motions=tuple(run.motions),
