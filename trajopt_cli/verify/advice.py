@@ -32,6 +32,10 @@ TIGHT_MOVE = 1e-6
 INACTIVE = 0.999
 """A TCP cap used less than this does not hold a joint move back."""
 
+_END_SPEEDS = (1.0, 0.999, 0.995)
+"""Shares of the file's path speed at a line's end, tried in turn: on a grid TOPP-RA may just miss a speed that is only
+just within reach."""
+
 _POINTS = 400  # of a path; more change TOPP-RA's time by less than 1e-4 of it
 
 
@@ -110,7 +114,11 @@ def _retimed(t: Array, z: Array, zd: Array, weight: Array, speed: Array, acceler
         if rests[end]:
             slope[end] = 2 * (z[end] - z[beside]) / (sigma[end] - sigma[beside]) - slope[beside]
             rho[end] = 0.0
-    return shortest_time(sigma, z, slope, speed, acceleration, float(rho[0]), float(rho[-1]))
+    for part in _END_SPEEDS:
+        best = shortest_time(sigma, z, slope, speed, acceleration, float(rho[0]), float(rho[-1]) * part)
+        if best is not None:
+            return best
+    return None
 
 
 def _caps_inactive(rows: Rows, visit: Visit, frame: Frame, first: int, last: int) -> bool:

@@ -81,10 +81,14 @@ def _dropped(program: Program, plant: Plant, dropped: Collection[int]) -> list[F
     """Every motion the plan left out must be one that the user marked."""
     out = []
     for index in sorted(dropped):
-        source = program.motions[index].source if 0 <= index < len(program.motions) else None
+        motion = program.motions[index] if 0 <= index < len(program.motions) else None
+        name = (
+            f"motion {index}" if motion is None else f"{type(motion).__name__} {getattr(motion, 'target', '')}".strip()
+        )
+        source = None if motion is None else motion.source
         allowed = may_drop(program, plant, index)
         out.append(
-            finding("dropped motion", f"motion {index}", 1.0, 0.0, "dropped", allowed, source=source,
+            finding("dropped motion", name, 1.0, 0.0, "dropped", allowed, source=source,
                     note=": only a target marked optional may be left out")
         )  # fmt: skip
     return out

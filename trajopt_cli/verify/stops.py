@@ -10,7 +10,7 @@ from trajopt_cli.problem.report import Finding
 from trajopt_cli.verify.findings import axis_unit, finding
 from trajopt_cli.verify.frame import Frame, Places, angle_between
 from trajopt_cli.verify.rows import Rows
-from trajopt_cli.verify.timeline import Timeline, Visit, gap
+from trajopt_cli.verify.timeline import Timeline, Visit, unseen
 from trajopt_cli.verify.tolerances import (
     DURATION,
     DWELL,
@@ -108,7 +108,7 @@ def _reached(rows: Rows, visit: Visit, frame: Frame, line: Timeline, i: int) -> 
     granted = REST_LINEAR + rows.plant.tcp.acceleration * rows.open_time[visit.arrive]
     value = float(frame.least_speed[visit.arrive])
     turning = float(frame.least_turning[visit.arrive])
-    seen = "" if rows.marked else f" (rows {gap(rows, visit.arrive):.3g} s apart show rest to this)"
+    seen = "" if rows.marked else f" (rows {2 * rows.open_time[visit.arrive]:.3g} s apart show rest to this)"
     rests = bool(close.rests[visit.arrive])
     if not rests and value <= granted:
         return finding("stop rest", "TCP", turning, REST_ANGULAR, "rad/s", False, time=float(rows.t[visit.arrive]),
@@ -149,13 +149,13 @@ def _duration(rows: Rows, before: Visit, visit: Visit) -> Finding:
     rest_after = max(float(rows.t[visit.depart]) - visit.ready, 0.0)
     if visit.stay:
         taken = min(wanted, float(rows.t[visit.depart]) - sum(h.end - h.begin for h in visit.holds) - before.ready)
-        slack = 0.0
     else:
         shortest = float(rows.t[visit.arrive] - rows.t[before.depart])
         longest = shortest + rest_after + max(float(rows.t[before.depart]) - before.ready, 0.0)
         taken = min(max(wanted, shortest), longest)
-        slack = gap(rows, before.depart) / 2
-    passed = abs(taken - wanted) <= DURATION + 2 * rows.doubt_t + gap(rows, visit.arrive) / 2 + slack
+    passed = abs(taken - wanted) <= DURATION + 2 * rows.doubt_t + unseen(rows, before.depart) / 2 + unseen(
+        rows, visit.arrive
+    )
     return finding("duration", visit.stop.name, taken, wanted, "s", passed, time=float(rows.t[visit.arrive]),
                    source=visit.stop.source, bound="programmed")  # fmt: skip
 
@@ -164,7 +164,7 @@ def _dwells(rows: Rows, visit: Visit) -> list[Finding]:
     """Every wait as long as programmed, and every axis at rest where one ends on a condition."""
     out = []
     leaves = float(rows.t[visit.depart])
-    slack = DWELL + rows.doubt_t + gap(rows, visit.depart)
+    slack = DWELL + rows.doubt_t + unseen(rows, visit.depart)
     for hold in visit.holds:
         wait = hold.wait
         note = f" at {visit.stop.name}"
@@ -192,9 +192,9 @@ def _drift(rows: Rows, visit: Visit, before: Visit, frame: Frame) -> Finding:
     end = max([hold.end for hold in visit.holds], default=visit.ready)
     last = min(last, int(np.searchsorted(rows.t, end + rows.doubt_t, side="right")) - 1)
     # a row within a gap of the boundary may belong to the motion beside it
-    while not rows.marked and first < last and rows.t[first] < rows.t[visit.arrive] + gap(rows, visit.arrive):
+    while not rows.marked and first < last and rows.t[first] < rows.t[visit.arrive] + 2 * rows.open_time[visit.arrive]:
         first += 1
-    while not rows.marked and first < last and rows.t[last] > end - gap(rows, visit.depart):
+    while not rows.marked and first < last and rows.t[last] > end - 2 * rows.open_time[visit.depart]:
         last -= 1
     source = visit.holds[0].wait.source if visit.holds else visit.stop.source
     return deviation("dwell drift", frame.places(first, max(first, last)), visit.X_WF @ visit.stop.X_FT, source,

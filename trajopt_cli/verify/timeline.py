@@ -33,8 +33,7 @@ class Visit:
 
     event: None where the file never shows it; the rows are then those of the stop before. arrive, depart: first and
     last row. ready: the earliest time [s] at which the next move may begin. X_WF: the wanted pose, or the one at
-    arrival where the program leaves it to the axes. stay: reached without leaving the stop before. back: where the TCP
-    left the stop within its waits and came back, the row of the return.
+    arrival where the program leaves it to the axes. stay: reached without leaving the stop before.
     """
 
     match: Match
@@ -45,7 +44,6 @@ class Visit:
     ready: float
     X_WF: Array
     holds: tuple[Hold, ...] = ()
-    back: int | None = None
 
     @property
     def stop(self) -> Stop:
@@ -81,9 +79,9 @@ class Timeline:
         ]
 
 
-def gap(rows: Rows, row: int) -> float:
-    """How much longer a rest may be than its rows show, s: both ends may lie half a gap away from a row."""
-    return 2 * float(rows.open_time[row])
+def unseen(rows: Rows, row: int) -> float:
+    """How much longer than its rows a rest may be, s: nearly a gap at both ends. 0 where boundaries have rows."""
+    return 4 * float(rows.open_time[row])
 
 
 def build_timeline(
@@ -126,14 +124,14 @@ def _visit(rows: Rows, m: Match, event: Event, before: Visit, limit: int, rapid:
     least = before.ready + ((stop.duration or 0.0) if stay else 0.0)
     arrive, depart = event.best, event.best
     if len(good):
-        since = good[rows.t[good] >= least - DWELL - rows.doubt_t - gap(rows, event.best)]
+        since = good[rows.t[good] >= least - DWELL - rows.doubt_t - unseen(rows, event.best)]
         arrive, depart = int(since[0] if len(since) else good[-1]), int(good[-1])
-    depart, back = _across_drift(rows, m, arrive, depart, limit)
+    depart = _across_drift(rows, m, arrive, depart, limit)
     begin = max(float(rows.t[arrive]), least) if stay else float(rows.t[arrive])
     holds = _holds(rows, stop, begin, depart, rapid)
     ready = holds[-1].end if holds else begin
     X_WF = rows.X_WF[arrive] if stop.X_WF is None else stop.X_WF
-    return Visit(m, event, stay, arrive, depart, ready, X_WF, holds, back)
+    return Visit(m, event, stay, arrive, depart, ready, X_WF, holds)
 
 
 def _holds(rows: Rows, stop: Stop, time: float, depart: int, rapid: bool) -> tuple[Hold, ...]:
@@ -142,7 +140,7 @@ def _holds(rows: Rows, stop: Stop, time: float, depart: int, rapid: bool) -> tup
     for _, wait in stop.holds:
         end, rests = time + wait.duration, None
         if wait.condition is not None or rapid:
-            slack = DWELL + rows.doubt_t + gap(rows, depart)
+            slack = DWELL + rows.doubt_t + unseen(rows, depart)
             first = min(int(np.searchsorted(rows.t, end - slack)), depart)
             still = first + np.flatnonzero(rows.axes_rest[first : depart + 1])
             if len(still):
@@ -153,10 +151,13 @@ def _holds(rows: Rows, stop: Stop, time: float, depart: int, rapid: bool) -> tup
     return tuple(out)
 
 
-def _across_drift(rows: Rows, m: Match, arrive: int, depart: int, limit: int) -> tuple[int, int | None]:
-    """The departure after a drift: within the waits the TCP left the stop and came back before the next stop."""
+def _across_drift(rows: Rows, m: Match, arrive: int, depart: int, limit: int) -> int:
+    """The departure after a drift: within the waits the TCP left the stop and came back before the next stop.
+
+    The drift itself is found where the dwell is looked at; here it must not pass for a dwell cut short.
+    """
     wanted = float(rows.t[arrive]) + sum(wait.duration for _, wait in m.stop.holds)
-    if rows.t[depart] >= wanted - DWELL - gap(rows, depart):
-        return depart, None
+    if rows.t[depart] >= wanted - DWELL - unseen(rows, depart):
+        return depart
     back = [e for e in m.later if e.first < limit and rows.t[e.first] <= wanted + rows.doubt_t and len(e.good)]
-    return (back[-1].end, back[-1].first) if back else (depart, None)
+    return back[-1].end if back else depart

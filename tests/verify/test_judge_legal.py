@@ -1,0 +1,81 @@
+"""Legal motions stay legal however they are written down: rows, digits, speed columns."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from legal_motion import Case, bench_case, faster, hold, rapid_case, stream_case
+
+from trajopt_cli.joint_csv import Resolution, header, read_csv_text
+from trajopt_cli.problem.plan import Target
+from trajopt_cli.trajectory import Trajectory
+from trajopt_cli.verify.judge import verify
+
+CASES = {"rapid": rapid_case, "stream": stream_case, "bench": bench_case}
+
+
+def printed(trajectory: Trajectory, decimals: int | None, speeds: bool) -> tuple[Trajectory, Resolution | None]:
+    if decimals is None:
+        qd = trajectory.qd if speeds else None
+        return Trajectory(trajectory.names, trajectory.t, trajectory.q, qd), None
+    table = np.hstack([trajectory.t[:, None], trajectory.q, *([trajectory.qd] if speeds else [])])
+    lines = [",".join(header(trajectory.names, speeds))]
+    lines += [",".join(f"{value:.{decimals}f}" for value in row) for row in table]
+    return read_csv_text("\n".join(lines), "printed.csv")
+
+
+@pytest.mark.parametrize("speeds", [True, False])
+@pytest.mark.parametrize("decimals", [None, 6])
+@pytest.mark.parametrize(
+    "rows", [{}, {"grid_only": True}, {"grid_only": True, "step": 0.004}], ids=["own", "1kHz", "250Hz"]
+)
+@pytest.mark.parametrize("name", CASES)
+def test_a_legal_motion_passes(name: str, rows: dict[str, object], decimals: int | None, speeds: bool) -> None:
+    case = CASES[name]()
+    trajectory, resolution = printed(case.rows(**rows), decimals, speeds)
+    targets = [None, Target.RAPID] if name == "rapid" else [None]
+    for target in targets:
+        report = verify(case.program, case.plant, trajectory, resolution, target=target)
+        assert report.legal, [f.message for f in report.findings if not f.passed]
+
+
+def test_every_promised_check_is_made() -> None:
+    case = stream_case()
+    made = {f.check for f in verify(case.program, case.plant, case.rows()).findings}
+    assert made == {
+        "row spacing", "printed resolution", "start", "start rest", "stop rest", "dwell length", "dwell rest",
+        "dwell drift", "duration", "rail target", "end rest", "end", "line position", "line rotation", "line progress",
+        "arm holds", "joint position", "joint speed", "joint acceleration", "speed columns", "TCP speed",
+        "TCP acceleration", "programmed speed", "programmed reorientation",
+    }  # fmt: skip
+
+
+def test_a_stream_is_not_a_rapid_motion() -> None:
+    case = stream_case()
+    report = verify(case.program, case.plant, case.rows(), target=Target.RAPID)
+    failed = {f.check for f in report.findings if not f.passed}
+    assert {"axes rest", "joint line"} <= failed
+
+
+def test_values_are_the_motions_own() -> None:
+    """rail: 3 m/s2 and the peak of the slowest trapezoid; line: 0.08 m at 6 shares per second, 60 of acceleration."""
+    case = rapid_case()
+    report = verify(case.program, case.plant, case.rows())
+    found = {(f.check, f.subject, f.source.line if f.source else 0): f for f in report.findings}
+    line = found["programmed speed", "TCP", 12]
+    assert line.value == pytest.approx(0.48, abs=1e-9)
+    assert line.time is not None
+    assert 0.1 <= line.time - case.starts[1] <= case.pieces[1].T - 0.1
+    rail = next(f for f in report.findings if (f.check, f.subject) == ("joint acceleration", "rail"))
+    assert rail.value == pytest.approx(3.0, rel=1e-9)
+    assert rail.unit == "m/s2"
+    dwell = found["dwell length", "TCP", 13]
+    assert (dwell.value, dwell.limit, dwell.unit) == (pytest.approx(0.1, abs=1e-12), 0.1, "s")
+
+
+def test_a_slow_plan_is_legal() -> None:
+    case = rapid_case()
+    pieces = list(case.pieces)
+    pieces = [faster(piece, 0.7) for piece in pieces[:2]] + [hold(pieces[2].at(np.zeros(1))[0][0], 0.25)] + pieces[3:]
+    report = verify(case.program, case.plant, Case(case.plant, case.program, tuple(pieces)).rows(), target=Target.RAPID)
+    assert report.legal, [f.message for f in report.findings if not f.passed]
