@@ -199,7 +199,7 @@ def _files(
     faster = faster_than_programmed(job.program, rapid, job.plant)
     export = export_rapid(job.program, rapid, job.plant, faster, job.cell.scenario)
     files = {
-        SUMMARY: summary(job.program, target, judged, _notices(job)),
+        SUMMARY: summary(job.program, target, judged, _notices(job), job.plant.notes),
         CHOSEN: judged[target].csv.encode("ascii"),
         **{CSV[one]: judged[one].csv.encode("ascii") for one in Target},
     }
@@ -267,7 +267,7 @@ def compare(job: Job, listen: Listener) -> list[Row]:
 
     rows = []
     for name, baseline in BASELINES.items():
-        if baseline.needs_programmed_rail and not _programs_rail(job):
+        if baseline.needs_programmed_rail and not programs_rail(job):
             rows.append(Row(name, baseline, "n/a: the program gives the rail no position"))
             continue
         rows.append(Row(name, baseline, solve(job, baseline.target, baseline.freedom, name, listen)))
@@ -317,7 +317,7 @@ def rapid_export(folder: Path) -> tuple[dict[str, bytes], str]:
 
 
 def _notices(job: Job) -> tuple[str, ...]:
-    """What a reader of the cycle times must know: the program's oddities, stops for zones, waits, doubtful limits."""
+    """What a reader of the cycle times must know: the program's oddities, stops for zones, waits of unknown length."""
     zones = zones_as_stops(job.program)
     out = [f"{zones} fly-by zones are planned as stops: the cycle times are upper bounds"] if zones else []
     waits = [m for m in job.program.motions if isinstance(m, Wait) and m.condition is not None]
@@ -327,7 +327,7 @@ def _notices(job: Job) -> tuple[str, ...]:
             f"{len(waits)} waits for signals are counted with the least time the cell gives them, {least:g} s in all: "
             "the cycle times are plus waiting"
         )
-    return (*job.program.warnings, *out, *job.plant.notes)
+    return (*job.program.warnings, *out)
 
 
 def _judge(
@@ -344,7 +344,7 @@ def _worst(report: Report) -> Finding:
     return min((finding for finding in report.findings if not finding.passed), key=lambda finding: finding.margin)
 
 
-def _programs_rail(job: Job) -> bool:
+def programs_rail(job: Job) -> bool:
     """Whether the program gives the rail a position at all; a robot without a rail needs none."""
     from trajopt_cli.motion import Move
 

@@ -89,14 +89,17 @@ def zones_as_stops(program: Program) -> int:
     return sum(isinstance(motion, Move) and not motion.zone.stop for motion in program.motions)
 
 
-def summary(program: Program, target: Target, judged: Mapping[Target, Judged], warnings: Iterable[str]) -> bytes:
-    """summary.json: the answer in numbers, SI, the same bytes for the same inputs."""
+def summary(
+    program: Program, target: Target, judged: Mapping[Target, Judged], warnings: Iterable[str], limits: Iterable[str]
+) -> bytes:
+    """summary.json: the answer in numbers, SI, the same bytes for the same inputs. limits: how sure they are."""
     return _json(
         {
             "target": target.value,
             "plans": {one.value: _plan(program, judged[one]) for one in Target},
             "zones_planned_as_stops": zones_as_stops(program),
             "warnings": list(warnings),
+            "limits": list(limits),
         }
     )
 

@@ -20,6 +20,7 @@ from trajopt_cli.cli import run
 from trajopt_cli.cli.optimize import optimize
 from trajopt_cli.joint_csv import read_csv_text
 from trajopt_cli.motion import Source
+from trajopt_cli.pipeline import programs_rail, read_job
 from trajopt_cli.problem.plan import Infeasible, Target
 
 REPOSITORY = Path(__file__).parents[2]
@@ -68,7 +69,7 @@ def test_optimize_writes_both_targets_and_says_so(
         f"stream: T = {CYCLE[Target.STREAM]:.3f} s (lower bound {0.9 * CYCLE[Target.STREAM]:.3f} s, gap 11.1 %)" in out
     )
     assert f"rapid: T = {CYCLE[Target.RAPID]:.3f} s" in out
-    assert "warning: accelerations of joint_1, joint_2" in out
+    assert "limits: accelerations of joint_1, joint_2" in out
     assert "written to results/tiny: trajectory.csv (the stream plan)" in out
 
 
@@ -262,7 +263,24 @@ def test_compare_counts_savings_against_the_first_legal_row(
     assert run(["compare", "baseline", str(program)]) == 0
     assert "optimum stream" in capsys.readouterr().out
     planner.speed = 2.0
-    assert run(["compare", "baseline", str(program)]) == 1
+    capsys.readouterr()
+    assert run(["compare", "baseline", str(program), "--json"]) == 1
+    records = json.loads(capsys.readouterr().out)
+    assert [record["saving"] for record in records] == [None] * 4
+    assert all(record["failed"] and record["worst_ratio"] > 1.5 for record in records)
+
+
+def test_a_baseline_that_needs_the_programs_rail_positions_is_left_out_where_there_are_none(
+    planner: Planner, program: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    Path("tiny.yaml").write_text(
+        "robot: irb140_rail\nrail: {eax: a, stroke: [-1, 1]}\nstart: {joints: '[0, 0, 0, 0, 30, 0] deg', rail: 0}\n"
+    )
+    Path("tiny.mod").write_text(TEXT.replace("MoveAbsJ", "MoveExtJ").replace(", tool0", ""))
+    job = read_job(program)
+    assert not programs_rail(job)
+    Path("tiny.mod").write_text(TEXT.replace("[9E9,", "[100,"))
+    assert programs_rail(read_job(program))
 
 
 def test_robot_show_prints_figures_with_grades(capsys: pytest.CaptureFixture[str]) -> None:

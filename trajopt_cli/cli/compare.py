@@ -6,6 +6,8 @@ import typer
 
 from trajopt_cli.cli.options import AsJson, CellPath, ProgramPath
 
+_SHOWN = 3  # failed checks per row; an illegal plan breaks many at once
+
 app = typer.Typer(help="Compare plans of one program.", rich_markup_mode=None)
 
 
@@ -37,7 +39,10 @@ def baseline(program: ProgramPath, cell: CellPath = None, as_json: AsJson = Fals
         console = stdout()
         console.print(baseline_table(program.name, rows, records))
         for record in records:
-            for line in record.get("failed", ()):
+            failed = record.get("failed", [])
+            for line in failed[:_SHOWN]:
                 console.print(f"{record['name']}: {line}")
+            if len(failed) > _SHOWN:
+                console.print(f"{record['name']}: {len(failed) - _SHOWN} checks more failed; --json lists them")
     if not any(record["legal"] for record in records):
         raise typer.Exit(1)

@@ -43,6 +43,8 @@ def optimize(
         console.print(cycle_line(one.value, answer.judged[one].plan))
     for warning in answer.warnings:
         console.print(f"warning: {warning}")
+    for line in job.plant.notes:
+        console.print(f"limits: {line}")
     for note in answer.notes:
         console.print(f"note: {note}")
     console.print(

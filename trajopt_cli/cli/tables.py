@@ -127,7 +127,7 @@ def baseline_records(rows: list[Row]) -> list[dict[str, Any]]:
                     reference = plan.duration
                 record |= {
                     "cycle_time_s": plan.duration,
-                    "saving": None if reference is None else 1.0 - plan.duration / reference,
+                    "saving": 1.0 - plan.duration / reference if reference and report.legal else None,
                     "legal": report.legal,
                     "failed": failures(report.findings),
                     "worst_ratio": worst_ratio(report),
