@@ -176,6 +176,6 @@ def _exponent(field: str) -> int:
 
 
 def _on_grid(t: Array, exponent: int) -> bool:
-    """Whether all steps but the last are the same whole number of printed units: then no time is rounded."""
-    ticks = np.rint(t[:-1] * 10.0**-exponent)
-    return len(t) > 3 and bool(np.ptp(np.diff(ticks)) == 0)
+    """Whether all steps are the same whole number of printed units: then no time is rounded."""
+    ticks = np.rint(t * 10.0**-exponent)
+    return len(t) > 2 and bool(np.ptp(np.diff(ticks)) == 0)

@@ -58,9 +58,10 @@ def test_resolution_is_that_of_the_finest_digit() -> None:
 
 
 def test_times_on_a_grid_are_not_rounded() -> None:
-    rows = "t [s],joint_1 [rad]\n" + "".join(f"{0.004 * i:.3f},{i}\n" for i in range(5)) + "0.0171,5\n"
+    rows = "t [s],joint_1 [rad]\n" + "".join(f"{0.004 * i:.3f},{i}\n" for i in range(5))
     assert read_csv_text(rows, "a.csv")[1].t == 0.0
-    assert read_csv_text(rows.replace("0.008", "0.009"), "a.csv")[1].t == 1e-4
+    assert read_csv_text(rows.replace("0.008", "0.009"), "a.csv")[1].t == 1e-3
+    assert read_csv_text(rows + "0.0171,5\n", "a.csv")[1].t == 1e-4
 
 
 GOOD = "t [s],rail [m],joint_1 [rad]\n0,0,0\n0.1,0.5,1\n"

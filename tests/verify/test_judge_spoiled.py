@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from itertools import pairwise
 
 import numpy as np
@@ -38,15 +39,16 @@ from legal_motion import (
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
-from trajopt_cli.joint_csv import read_csv_text, write_csv_text
+from trajopt_cli.joint_csv import header, read_csv_text, write_csv_text
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.report import Report
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify import tolerances as tol
-from trajopt_cli.verify.judge import verify
+from trajopt_cli.verify.judge import verify as verify_with_advice
 
+verify = partial(verify_with_advice, advice=False)
 Judged = tuple[Case, Trajectory, Target | None]
 SPOILED: dict[str, tuple[Callable[[], Judged], str, str | None, int | None]] = {}
 OVER = 1.1  # times what is promised
@@ -599,3 +601,47 @@ def test_wrong_axes_are_an_input_error() -> None:
     rows = case.rows()
     with pytest.raises(InputError, match=r"the file's axes are joint_1, .*; the robot's are rail, joint_1"):
         verify(case.program, case.plant, Trajectory(rows.names[1:], rows.t, rows.q[:, 1:]))
+
+
+FOREIGN: dict[str, tuple[Callable[[Case], Case], str]] = {
+    "bowed by 10 um": (
+        lambda c: c.swap(p1=nudged(c.plant, c.pieces[1], [0.6, 0.8, 0, 0, 0, 0], 1e-5)),
+        "line position",
+    ),
+    "turned by 20 urad": (
+        lambda c: c.swap(p5=nudged(c.plant, c.pieces[5], [0, 0, 0, 0, 0, 1.0], 2e-5)),
+        "line rotation",
+    ),
+    "accelerates 2 % too hard": (lambda c: c.swap(p4=faster(c.pieces[4], 1.01)), "joint acceleration"),
+    "1 % faster than programmed": (
+        lambda c: c.swap(p1=line_move(c.plant, A_IN, A, rail_share(0.05, 0.08), 0.505 / 0.08, 60.0)),
+        "programmed speed",
+    ),
+    "waits 20 ms too short": (
+        lambda c: c.swap(p2=hold(c.pieces[2].at(np.zeros(1))[0][0], 0.08)),
+        "dwell length",
+    ),
+    "drifts by 10 um": (lambda c: c.swap(p2=nudged(c.plant, c.pieces[2], [0, 1.0, 0, 0, 0, 0], 1e-5)), "dwell drift"),
+    "turns 0.2 mm before the point": (lambda _: _short_of(np.array([0, 0, 2e-4]))[0], "stop reached"),
+}
+
+
+@pytest.mark.parametrize("speeds", [True, False])
+@pytest.mark.parametrize("offence", FOREIGN)
+def test_a_foreign_file_at_250_hz_and_six_digits_still_shows_coarse_offences(offence: str, speeds: bool) -> None:
+    spoil, check = FOREIGN[offence]
+    case = spoil(rapid_case())
+    rows = case.rows(grid_only=True, step=0.004)
+    table = np.hstack([rows.t[:, None], rows.q, *([rows.qd] if speeds else [])])
+    lines = [",".join(header(rows.names, speeds)), *(",".join(f"{x:.6f}" for x in row) for row in table)]
+    trajectory, resolution = read_csv_text("\n".join(lines), "foreign.csv")
+    failed = {f.check for f in verify(case.program, case.plant, trajectory, resolution).findings if not f.passed}
+    assert check in failed
+
+
+def test_tolerances_are_the_promised_ones() -> None:
+    assert (tol.JOINT, tol.TCP) == (1e-6, 1e-4)
+    assert tol.LINE_POSITION <= 1e-6
+    assert max(tol.STOP_POSITION, tol.STOP_ROTATION, tol.LINE_ROTATION, tol.JOINT_TARGET, tol.BACKWARD) <= 1e-6
+    assert (tol.DWELL, tol.DURATION) == (1e-9, 1e-6)
+    assert max(tol.REST_LINEAR, tol.REST_ANGULAR, tol.REST_JOINT) <= 1e-5

@@ -34,12 +34,14 @@ def verify(
     resolution: Resolution | None = None,
     dropped: Collection[int] | None = None,
     target: Target | None = None,
+    advice: bool = True,
 ) -> Report:
     """Judge a joint motion of the whole program. Report.legal decides; advice says what a line could still gain.
 
     resolution: printed step of the file, None when every digit is there. dropped: indices of motions the plan left
     out; None: unknown, optional motions may be missing. target rapid: also what a RAPID controller makes of it, every
     axis at rest at every stop, MoveJ straight in the joints, the rail in proportion to the path of a line.
+    advice False leaves the libraries out, for those who only ask for legality.
 
     Raises InputError when the file's axes are not the robot's.
     """
@@ -59,7 +61,7 @@ def verify(
         *check_joints(rows, line.source_at),
         *check_caps(line, frames),
     ]
-    return Report(tuple(findings), tuple(advise(line, frames, rapid)))
+    return Report(tuple(findings), tuple(advise(line, frames, rapid)) if advice else ())
 
 
 def _file(rows: Rows, frame: Frame) -> list[Finding]:

@@ -116,13 +116,21 @@ def events_of(close: Closeness) -> tuple[Event, ...]:
         run = np.arange(first, after)
         resting = run[close.rests[run]]
         good = resting[close.rail_met[resting] & close.stands[resting]]
-        core = good[close.tight[good]]
         pool = good if len(good) else resting if len(resting) else run
         best = int(pool[np.argmin(close.distance[pool])])
-        if len(good) and not len(core):
-            core = np.array([best])
-        out.append(Event(int(first), int(after) - 1, core, best))
+        out.append(Event(int(first), int(after) - 1, _core(close, good), best))
     return tuple(out)
+
+
+def _core(close: Closeness, good: NDArray[np.intp]) -> NDArray[np.intp]:
+    """Of every unbroken run of good rows the tight ones, or else the closest: where something is granted for missing
+    rows, rows of the motion beside the stop are good as well. RAPID's axes rest at both ends of a dwell: two runs."""
+    runs = np.split(good, np.flatnonzero(np.diff(good) > 1) + 1) if len(good) else []
+    kept = []
+    for run in runs:
+        tight = run[close.tight[run]]
+        kept.append(tight if len(tight) else run[[int(np.argmin(close.distance[run]))]])
+    return np.concatenate(kept) if kept else good
 
 
 def match(rows: Rows, frames: dict[bytes, Frame], stops: Sequence[Stop], rapid: bool) -> list[Match]:
