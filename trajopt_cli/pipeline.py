@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from trajopt_cli.beside import Beside, cores
 from trajopt_cli.errors import InputError
 from trajopt_cli.files import write_folder
-from trajopt_cli.motion import Program, Wait
+from trajopt_cli.motion import Move, Program, Wait
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.progress import Progress
@@ -116,7 +116,11 @@ def cell_path_for(program: Path) -> Path:
 
 
 def read_job(program: Path, cell: Path | None = None) -> Job:
-    """Read a program and its cell file. Raises InputError; without a cell file it prints the shortest useful one."""
+    """Read a program and its cell file.
+
+    Raises InputError for a mistake in either and for a program that never moves; where there is no cell file, the
+    message holds the shortest useful one.
+    """
     start = perf_counter()
     from trajopt_cli.cell.loader import load_cell
     from trajopt_cli.cell.model import minimal_cell
@@ -130,8 +134,13 @@ def read_job(program: Path, cell: Path | None = None) -> Job:
         text = minimal_cell(program.name, robot_names())
         raise InputError(f"{program} has no cell file; save these lines there and adapt them:\n{text}", file=str(path))
     loaded = load_cell(path)
+    flat = read_flat(program, loaded.scenario)
+    if not any(isinstance(motion, Move) for motion in flat.motions):
+        raise InputError(
+            "makes no move when run; signal values in the cell file decide its branches", file=str(program)
+        )
     return Job(
-        program=read_flat(program, loaded.scenario),
+        program=flat,
         cell=loaded,
         plant=build_plant(loaded),
         program_path=program,
@@ -141,7 +150,7 @@ def read_job(program: Path, cell: Path | None = None) -> Job:
 
 
 def read_flat(program: Path, scenario: Scenario) -> Program:
-    """The program's flat motions. Raises InputError, also where the program never moves."""
+    """The program's flat motions. Raises InputError with the place of what cannot be read or run."""
     from trajopt_cli.rapid.reader import read_program
 
     return read_program(program, scenario)
@@ -346,8 +355,6 @@ def _worst(report: Report) -> Finding:
 
 def programs_rail(job: Job) -> bool:
     """Whether the program gives the rail a position at all; a robot without a rail needs none."""
-    from trajopt_cli.motion import Move
-
     if job.plant.rail_eax is None:
         return True
     moves = [motion for motion in job.program.motions if isinstance(motion, Move)]

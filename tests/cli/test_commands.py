@@ -401,3 +401,37 @@ def test_ctrl_c_ends_in_one_line_and_writes_nothing(program: Path, planner: str)
     assert process.returncode == 130
     assert err == "interrupted: nothing half-written, earlier results stand\n"
     assert not Path("results").exists()
+
+
+def test_the_real_optimiser_gives_the_closed_form_of_a_single_joint_there_and_back(
+    program: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Only joint_1 turns, 20 degrees each way at its 15 rad/s2, the tool under v2500 all the time."""
+    program.write_text(TEXT.replace("v1000", "v2500"))
+    assert run(["optimize", str(program)]) == 0
+    plans = json.loads(Path("results/tiny/summary.json").read_text())["plans"]
+    shortest = 4 * np.sqrt(np.radians(20) / 15.0) + 0.5
+    for one in Target:
+        assert plans[one]["cycle_time_s"] == pytest.approx(shortest, rel=1e-6)
+        assert plans[one]["lower_bound_s"] <= plans[one]["cycle_time_s"]
+        assert [motion["binding"] for motion in plans[one]["motions"]][::2] == ["joint_1 acceleration"] * 2
+    assert run(["verify", "results/tiny"]) == 0
+    assert Path("results/tiny/program.mod").read_bytes() == program.read_bytes()  # nothing to change, nothing changed
+
+
+def test_a_program_that_never_moves_is_a_wrong_request(program: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    program.write_text("MODULE Tiny\n    PROC main()\n        WaitTime 1;\n    ENDPROC\nENDMODULE\n")
+    assert run(["optimize", str(program)]) == 2
+    assert capsys.readouterr().err == (
+        "tiny.mod: makes no move when run; signal values in the cell file decide its branches\n"
+    )
+
+
+def test_a_target_out_of_reach_is_named_with_its_limit(program: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    program.write_text(TEXT.replace("[[20,0,", "[[200,0,"))
+    assert run(["optimize", str(program)]) == 1
+    last = capsys.readouterr().err.splitlines()[-1]
+    assert last.startswith("tiny.mod:6:9: ")
+    assert "joint_1" in last
+    assert "180" in last or "3.14" in last
+    assert not Path("results").exists()
