@@ -10,6 +10,7 @@ import pytest
 from trajopt_cli.cell.loader import load_cell
 from trajopt_cli.errors import InputError
 from trajopt_cli.export.rapid import RapidExport, export_rapid, unified_diff
+from trajopt_cli.export.rapid_check import check_export
 from trajopt_cli.geometry import inverse_pose
 from trajopt_cli.motion import ConfData, MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, TextFile, Wait
 from trajopt_cli.problem.plan import Plan, PlannedMotion, Target
@@ -167,6 +168,16 @@ def test_a_number_that_stays_keeps_its_spelling_and_the_rest_of_the_line_too(pla
     ]
 
 
+def test_numbers_that_already_say_what_is_planned_are_not_rewritten(plant: Plant) -> None:
+    data = "    CONST robtarget p3:=[[500,200,450],[0,0,1,0],[+0,0.,0e0,0],[200.0000004,9E9,9E9,9E9,9E9,9E9]];\n"
+    program = made("        MoveJ p3,v100,fine,tool0;\n        MoveL Offs(p3,0,0,-50),v100,fine,tool0;\n", data)
+    assert unified_diff(program, export_rapid(program, plan_for(program, plant, {0: 0.2}), plant)) == ""
+    export = export_rapid(
+        program, plan_for(program, plant, {0: 0.25}), plant
+    )  # only axes 1 and 6 change their quadrant
+    assert "[0,0,1,0],[-1,0.,-1,0],[250,9E9" in export.texts["m.mod"]
+
+
 @pytest.mark.parametrize(
     ("metres", "text"),
     [(0.25, "250"), (0.2500004, "250.0004"), (0.1234567891, "123.456789"), (-1e-10, "0"), (-0.05, "-50")],
@@ -268,6 +279,18 @@ def test_a_wait_after_joints_becomes_a_line_to_where_they_are(plant: Plant) -> N
     assert home_b.extax[0] == 150.0
 
 
+def test_the_tool_at_joints_is_the_tool_of_the_move(plant: Plant) -> None:
+    data = "    PERS tooldata t:=[TRUE,[[0,0,100],[1,0,0,0]],[1,[0,0,60],[1,0,0,0],0,0,0]];\n"
+    program = made("        MoveAbsJ home,v300,fine,t;\n        WaitTime 0.5;\n", data)
+    export = export_rapid(program, plan_for(program, plant, {0: 0.0, 1: 0.15}), plant)
+    home_b = read_back(program, export).motions[1]
+    assert isinstance(home_b, MoveL)
+    assert home_b.tool.name == "t"
+    # The tip is 100 mm further along the flange's z, 30 degrees below the horizontal.
+    tip = np.array([0.506291651, 0.0, 0.6795]) + 0.1 * np.array([np.cos(np.pi / 6), 0.0, -0.5])
+    np.testing.assert_allclose(home_b.X_WT[:3, 3], tip, atol=1e-9)
+
+
 def test_a_wait_for_a_signal_stays_behind_a_line_of_its_least_duration(plant: Plant) -> None:
     scenario = Scenario(waits={"di_ready": 0.6})
     text = made(J1 + "        WaitDI di_ready,1; ! hand over\n").files["m.mod"]
@@ -333,6 +356,46 @@ def test_faster_than_programmed_becomes_vmax(plant: Plant) -> None:
     assert "MoveJ p2,v100,fine,tool0;" in export.texts["m.mod"]
     with pytest.raises(ValueError, match="free_speed"):
         export_rapid(program, plan, plant, faster=frozenset({0}))
+
+
+# -------------------------------------------------------------------------------------------- reading the text back
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        (
+            ",[0,0,1,0],[-1,0,-1,0],[250",
+            ",[0,0,1,0],[-1,0,-1,0],[250.1",
+            "6:9: the plan wants the rail at 250.000000 mm",
+        ),
+        ("[[500,200,450]", "[[500.001,200,450]", "6:9: the plan wants the tool in the programmed place"),
+        ("[-1,0,-1,0],[250", "[-1,0,-1,1],[250", "6:9: the plan wants another configuration than"),
+        ("T:=0.5", "T:=0.6", "7:9: the plan wants the tool to rest for the time of the wait"),
+        (
+            "[[500,200,450],[0,0,1,0],[-1,0,-1,0],[300",
+            "[[500,201,450],[0,0,1,0],[-1,0,-1,0],[300",
+            "7:9: the plan wants",
+        ),
+        ("MoveL p1_b, v100", "MoveJ p1_b, v100", "7:9: the plan wants a MoveL there"),
+        ("Set do1;", "Set do2;", "8:9: the plan wants what the program says there"),
+        ("Set do1;", "", "8:9: the plan wants what the program says there"),
+        ("30,0],[0,", "31,0],[0,", "9:9: the plan wants the programmed joints"),
+        ("MoveAbsJ home,v100,fine,tool0;", "", "9:9: the plan wants MoveAbsJ home there"),
+        ("ENDPROC", "Set do1;ENDPROC", "the edited program has a motion too many at m.mod:"),
+        ("ENDPROC", "ENDPRC", "the plan cannot be written into this program; edited, it reads: m.mod:"),
+    ],
+)
+def test_a_text_that_does_not_give_the_plan_is_caught(plant: Plant, old: str, new: str, message: str) -> None:
+    body = J1 + "        WaitTime 0.5;\n        Set do1;\n        MoveAbsJ home,v100,fine,tool0;\n"
+    program = made(body)
+    plan = plan_for(program, plant, {0: 0.25, 1: 0.3, 3: 0.0})
+    text = export_rapid(program, plan, plant).texts["m.mod"]
+    check_export(program, plan, plant, {"m.mod": text}, None, "main")
+    assert old in text
+    with pytest.raises(InputError) as caught:
+        check_export(program, plan, plant, {"m.mod": text.replace(old, new, 1)}, None, "main")
+    assert message in str(caught.value)
 
 
 # ------------------------------------------------------------------------------------------- what cannot be written

@@ -355,7 +355,7 @@ def test_predefined_speeds(name: str, v_tcp: float) -> None:
 
 # ------------------------------------------------------------------------------------------------- waits and signals
 
-WAITS: Mapping[str, float] = {"DI_Ready": 0.5, "di2=0": 0.25, "di1 = 1 and count>2": 2.0, "other": 1.5}
+WAITS: Mapping[str, float] = {"DI_Ready": 0.5, "di2": 0.1, "di2=0": 0.25, "di1 = 1 and count>2": 2.0, "other": 1.5}
 
 
 @pytest.mark.parametrize(
@@ -364,7 +364,7 @@ WAITS: Mapping[str, float] = {"DI_Ready": 0.5, "di2=0": 0.25, "di1 = 1 and count
         ("WaitTime\\InPos,0.1;", 0.1, None),
         ("WaitDI di_ready,1\\MaxTime:=5;", 0.5, "di_ready = 1"),
         ("WaitDI di2,0;", 0.25, "di2 = 0"),
-        ("WaitDI di2,1;", 0.0, "di2 = 1"),
+        ("WaitDI di2,1;", 0.1, "di2 = 1"),
         ("WaitUntil  di1=1  AND count > 2;", 2.0, "di1=1 AND count > 2"),
         ("WaitUntil\\InPos,other=1;", 1.5, "other=1"),
         ("WaitUntil DInput(other)=1 OR di2=1;", 0.0, "DInput(other)=1 OR di2=1"),
@@ -400,6 +400,13 @@ def test_instructions_without_effect_on_motion_are_read_over() -> None:
         'TPErase; TPWrite "x"\\Num:=undeclared; ClkStart c; ConfL\\On; ConfJ; AccSet 100,100; SingArea\\Off; WaitRob;'
     )
     assert run_main(body, "VAR clock c;").motions == ()
+
+
+def test_a_loop_may_run_exactly_as_often_as_the_scenario_allows() -> None:
+    body = "FOR j FROM 1 TO 2 DO FOR i FROM 1 TO 3 DO WaitTime i; ENDFOR ENDFOR"
+    assert len(waits(body, scenario=Scenario(pass_limit=6))) == 6
+    with pytest.raises(InputError, match=r"m.mod:4:22: the loop has not ended after 5 passes"):
+        waits(body, scenario=Scenario(pass_limit=5))
 
 
 # ----------------------------------------------------------------------------------------------------------- listing

@@ -304,6 +304,18 @@ P = DATA.splitlines()[0] + "\n"
             "3:1: AccSet 50,100 is not supported; "
             "plans hold to the cell's full acceleration (AccSet 100, 100), so remove it or ask for that",
         ),
+        (
+            "VelSet 50,5000;",
+            "",
+            "3:1: VelSet 50,5000 is not supported; "
+            "plans hold to the programmed speeds (VelSet 100, 5000), so remove it or ask for that",
+        ),
+        (
+            "SingArea\\Wrist;",
+            "",
+            "3:1: SingArea\\Wrist is not supported; "
+            "plans hold to exact orientation (SingArea \\Off), so remove it or ask for that",
+        ),
         ("x:=1;", "CONST num x:=2;\n", "4:1: x is a CONST (line 2) and cannot be changed"),
         ("tool0.robhold:=FALSE;", "", "3:1: tool0.robhold is predefined and cannot be changed"),
         ("FOR i FROM 1 TO 2 DO\ni:=3;\nENDFOR", "", "4:1: i is a loop variable and cannot be changed"),
