@@ -24,7 +24,7 @@ def run_once(folder: Path) -> tuple[float, dict[str, float]]:
     """Seconds of one whole command, and its own split by phase."""
     command = [sys.executable, "-m", "trajopt_cli.cli", "optimize", str(PROGRAM), "--output", str(folder)]
     start = perf_counter()
-    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, cwd=REPOSITORY)
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=REPOSITORY)
     total = perf_counter() - start
     return total, json.loads((folder / "run.json").read_text())["seconds"]
 
@@ -34,7 +34,9 @@ def main(runs: int) -> None:
     with tempfile.TemporaryDirectory() as place:
         results = sorted((run_once(Path(place) / "results") for _ in range(runs)), key=lambda result: result[0])
     total, seconds = results[len(results) // 2]
-    goal = f"goal {GOAL:g} s on 2 cores; here {os.cpu_count()}"
+    used = os.times()
+    cpu = (used.children_user + used.children_system) / runs
+    goal = f"goal {GOAL:g} s on 2 cores; here {os.cpu_count()}, {cpu:.1f} s of processor time"
     print(f"{PROGRAM.name}: {total:.2f} s from command to files, median of {runs} ({goal})")
     split: dict[str, dict[str, float]] = defaultdict(dict)
     for name, spent in seconds.items():
