@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from time import perf_counter
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -15,15 +16,17 @@ from trajopt_cli.optimize.course import Course, LegKind
 from trajopt_cli.optimize.blocks import NlpResult
 from trajopt_cli.optimize.exchange import SAFE, check_leg, tighten
 from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, parabola, share_of, straight
+from trajopt_cli.optimize.profiles import hold
 from trajopt_cli.optimize.search import Chain
 from trajopt_cli.optimize.stages import Stages
 from trajopt_cli.optimize.transcription import EXACT, START, Draft, Margins, Transcription
 
-FIRST, LAST = 6, 24
+FIRST, LAST = 6, 24  # intervals of a path, doubled from solve to solve
+LAST_ALONE = 48  # where a leg is solved by itself
 GRID_JOINT = 24
 NEAR_CAP = 0.7  # share of a tool cap from which a node holds it explicitly
 ROUNDS = 12
-MOST = 120  # iterations; a start that converges needs 25 to 60
+MOST = 100  # iterations; a start that converges needs 25 to 60
 DEBUG = False
 
 
@@ -37,7 +40,7 @@ def first_draft(axes: Axes, course: Course, chain: Chain) -> Draft:
             legs.append(JointProfiles(T, q_0, chain.w[k], np.zeros((7, 4)), np.zeros((7, 3))))
             continue
         if leg.kind is LegKind.DWELL and not leg.rail_moves:
-            legs.append(_hold(leg.duration or 0.0, q_0))
+            legs.append(hold(leg.duration or 0.0, q_0))
             continue
         grid = np.linspace(0, 1, FIRST + 1)
         s, v, a = parabola(grid)
@@ -46,11 +49,6 @@ def first_draft(axes: Axes, course: Course, chain: Chain) -> Draft:
         cfx = chain.labels[k].cfx if chain.labels[k].cfx >= 0 else chain.labels[k + 1].cfx
         legs.append(PathLeg(T, X_0, X_1, leg.X_FT, cfx, q_0[1:], grid, s, v, a, q_0[0] + way * s, way * v, way * a))
     return Draft(chain.q, chain.w, tuple(label.cfx for label in chain.labels), tuple(legs))
-
-
-def _hold(T: float, q: Array) -> JointProfiles:
-    times = np.tile([0.0, 0.0, T, T], (7, 1))
-    return JointProfiles(T, q, np.zeros(7), times, np.zeros((7, 3)))
 
 
 class NotConverged(Exception):
@@ -62,11 +60,12 @@ class Refiner:
 
     def __init__(self, axes: Axes, stages: Stages, flange: ca.Function, course: Course, tied: bool):
         self.axes, self.stages, self.flange, self.course, self.tied = axes, stages, flange, course, tied
+        self.last = LAST if len(course.legs) > 1 else LAST_ALONE
         self.seconds = {"build": 0.0, "solve": 0.0, "check": 0.0}
 
     def _solve(
         self, draft: Draft, margins: list[Margins | None], mu: float, tolerance: float = 1e-8,
-        warm: tuple[Transcription, NlpResult] | None = None,
+        warm: Sequence[Any] | None = None,
     ) -> tuple[Draft, Transcription, NlpResult]:  # fmt: skip
         start = perf_counter()
         t = Transcription(self.axes, self.stages, self.flange, self.course, draft, margins, self.tied)
@@ -86,32 +85,46 @@ class Refiner:
             raise NotConverged(result.status)
         return out, t, result
 
-    def run(self, chain: Chain, progress: Callable[[str, Draft], None]) -> Draft:
-        """The clean draft with the shortest time found. Raises NotConverged."""
-        draft = first_draft(self.axes, self.course, chain)
-        margins: list[Margins | None] = [Margins.full(m.N, START) if isinstance(m, PathLeg) else None for m in draft.legs]
+    def run(self, draft: Draft, progress: Callable[[str, Draft], None]) -> Draft:
+        """From a draft on its grid to the clean draft with the shortest time found. Raises NotConverged."""
+        margins: list[Margins | None] = [
+            Margins.full(m.N, START) if isinstance(m, PathLeg) else None for m in draft.legs
+        ]
+        draft, warm = self._first(draft, margins)
         while True:
-            n = max((m.N for m in draft.legs if isinstance(m, PathLeg)), default=LAST)
-            tolerance = 1e-8 if n >= LAST else 1e-4
-            try:
-                draft, t, result = self._solve(draft, margins, 1e-2 if n == FIRST else 1e-4, tolerance)
-            except NotConverged:
-                draft, t, result = self._solve(draft, margins, 1e-1, tolerance)
             progress("solve", draft)
+            good = draft, margins, warm
+            n = max((m.N for m in draft.legs if isinstance(m, PathLeg)), default=self.last)
             opened = self._open_grids(draft, margins)
+            if n >= self.last and not opened:
+                break
             draft = self._with_grids(draft, margins)
+            if n < self.last:
+                margins = [
+                    m.refined() if m and isinstance(leg, PathLeg) else m
+                    for m, leg in zip(margins, draft.legs, strict=True)
+                ]
+                draft = replace(draft, legs=tuple(m.refined() if isinstance(m, PathLeg) else m for m in draft.legs))
             if opened:
                 self._watch(draft, margins)
-            elif n >= LAST:
+            try:
+                draft, *warm = self._solve(draft, margins, 1e-4, 1e-8 if 2 * n >= self.last else 1e-4)
+            except NotConverged:
+                # the coarser grid's answer is a motion too; cleaned, it is only a little slower
+                draft, margins, warm = good
                 break
-            if n < LAST:
-                margins = [m.refined() if m and isinstance(leg, PathLeg) else m
-                           for m, leg in zip(margins, draft.legs, strict=True)]
-                draft = replace(draft, legs=tuple(m.refined() if isinstance(m, PathLeg) else m for m in draft.legs))
-        return self._exchange(draft, margins, (t, result), progress)
+        return self._exchange(draft, margins, warm, progress)
+
+    def _first(self, draft: Draft, margins: list[Margins | None]) -> tuple[Draft, list[Any]]:
+        """The first solve, from estimates: two values of the barrier tried."""
+        try:
+            out, *warm = self._solve(draft, margins, 1e-2, 1e-4)
+        except NotConverged:
+            out, *warm = self._solve(draft, margins, 1e-1, 1e-4)
+        return out, warm
 
     def _exchange(
-        self, draft: Draft, margins: list[Margins | None], warm: tuple[Transcription, NlpResult],
+        self, draft: Draft, margins: list[Margins | None], warm: Sequence[Any],
         progress: Callable[[str, Draft], None],
     ) -> Draft:  # fmt: skip
         """Check densely, tighten where a limit is passed, solve again, until nothing is passed."""
@@ -132,10 +145,9 @@ class Refiner:
             if not (changed or opened):
                 return draft
             if self._watch(draft, margins, SAFE) or opened:
-                draft, *warm_ = self._solve(draft, margins, 1e-4)
+                draft, *warm = self._solve(draft, margins, 1e-4)
             else:
-                draft, *warm_ = self._solve(draft, margins, 1e-5, warm=warm)
-            warm = (warm_[0], warm_[1])
+                draft, *warm = self._solve(draft, margins, 1e-5, warm=warm)
             progress("exchange", draft)
         raise NotConverged(f"a limit is still passed by {worst - 1:.2e} after {ROUNDS} rounds of tightening")
 

@@ -78,6 +78,8 @@ def tighten(margins: Margins, ratios: Ratios, motion: LegMotion, target: float) 
     """Scale the shares of the nodes next to an excess over target; True when anything changed."""
     changed = False
     pairs = [(margins.tool, ratios.tool)]
+    touching = np.where(ratios.position > 1.0, ratios.position, 0.0)  # a range may be used to its very end
+    pairs += [(margins.position, touching * target)]
     if isinstance(motion, PathLeg):  # joints on a grid of their own keep their limits between nodes by construction
         pairs += [(margins.velocity, ratios.velocity), (margins.acceleration, ratios.acceleration)]
     for share, ratio in pairs:

@@ -65,3 +65,17 @@ def solve_pieces(
     qd = np.concatenate([d.qd[:-1] for d in drafts] + [drafts[-1].qd[-1:]])
     cfx = tuple(c for d in drafts for c in d.cfx[:-1]) + drafts[-1].cfx[-1:]
     return Draft(q, qd, cfx, tuple(leg for d in drafts for leg in d.legs))
+
+
+def alone(course: Course, draft: Draft, k: int) -> tuple[Course, Draft]:
+    """Leg k between its stops as the draft has them, the rail fixed there."""
+    stops = tuple(
+        replace(course.stops[i], rail=(float(draft.q[i, 0]),) * 2, rest=True) for i in (k, k + 1)
+    )
+    piece = replace(course, stops=stops, legs=(replace(course.legs[k], start=0),), stations=())
+    return piece, Draft(draft.q[k : k + 2], draft.qd[k : k + 2], draft.cfx[k : k + 2], (draft.legs[k],))
+
+
+def with_leg(draft: Draft, k: int, leg: LegMotion | None) -> Draft:
+    """The draft with one leg replaced."""
+    return replace(draft, legs=(*draft.legs[:k], leg, *draft.legs[k + 1 :]))

@@ -39,6 +39,11 @@ def profiles(
     raise ValueError(f"profiles: the switches of a joint move of {T:.6f} s cannot be kept {APART:g} s apart")
 
 
+def hold(T: float, q: Array) -> JointProfiles:
+    """All axes (7,) at rest for T seconds."""
+    return JointProfiles(T, q, np.zeros(7), np.tile([0.0, 0.0, T, T], (7, 1)), np.zeros((7, 3)))
+
+
 def _clear(breaks: Array, placed: Array) -> bool:
     """No break within a profile, or between it and the placed ones, nearly but not quite coincides."""
     gaps = np.abs(breaks[:, None] - np.concatenate([placed, breaks])[None])

@@ -16,9 +16,9 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.binding import binding_limit
 from trajopt_cli.optimize.bound import lower_bound
 from trajopt_cli.optimize.course import Course, LegKind, build_course, droppable
-from trajopt_cli.optimize.driver import NotConverged, Refiner
+from trajopt_cli.optimize.driver import LAST_ALONE, NotConverged, Refiner, first_draft
 from trajopt_cli.optimize.legs import JointProfiles, LegMotion, PathLeg
-from trajopt_cli.optimize.pieces import cut, solve_pieces
+from trajopt_cli.optimize.pieces import alone, cut, solve_pieces, with_leg
 from trajopt_cli.optimize.reach import check_reach
 from trajopt_cli.optimize.search import Chain, search
 from trajopt_cli.optimize.stages import Stages
@@ -130,16 +130,51 @@ def _refine(axes: Axes, course: Course, chain: Chain, tied: bool, tell: Report) 
         for start in _starts(part):
             refiner = Refiner(axes, stages, flange, piece, tied)
             try:
-                return refiner.run(start, lambda phase, draft: report(phase, draft.legs) if whole else None)
+                first = first_draft(axes, piece, start)
+                return refiner.run(first, lambda phase, draft: report(phase, draft.legs) if whole else None)
             except NotConverged as failure:
                 said.append(str(failure))
             finally:
-                for name, spent in refiner.seconds.items():
-                    seconds[name] = seconds.get(name, 0.0) + spent
+                _add(seconds, refiner.seconds)
         raise NoCleanPlan(f"{course.motion(piece.legs[0].motion).source}: {'; '.join(said)}")
 
     draft = solve_pieces(course, chain, tied, solve, lambda legs: report("solve", legs))
+    if tied:  # every axis rests at every stop: once the rail's positions are chosen, each line can be timed by itself
+        for k, leg in enumerate(course.legs):
+            if leg.kind is LegKind.LINE and draft.legs[k].N < LAST_ALONE:  # type: ignore[union-attr]
+                tell(Progress("retime", incumbent=_time(course, draft)))
+                piece, part = alone(course, draft, k)
+                refiner = Refiner(axes, stages, flange, piece, tied)
+                draft = with_leg(draft, k, _finer(refiner, part))
+                _add(seconds, refiner.seconds)
     return draft, seconds
+
+
+def _finer(refiner: Refiner, draft: Draft) -> LegMotion | None:
+    """The leg of a one-leg draft on four times the grid; as it was when the solver finds nothing cleaner."""
+    motion = draft.legs[0]
+    assert isinstance(motion, PathLeg)
+    try:
+        finer = refiner.run(replace(draft, legs=(motion.refined().refined(),)), lambda phase, draft: None).legs[0]
+    except NotConverged:
+        return motion
+    return finer if finer is not None and motion.T > finer.T else motion
+
+
+def _add(total: dict[str, float], part: dict[str, float]) -> None:
+    for name, spent in part.items():
+        total[name] = total.get(name, 0.0) + spent
+
+
+def _time(course: Course, draft: Draft) -> float:
+    """Cycle time of a draft: a rapid dwell counts in full, whatever its own profile needs."""
+    total = 0.0
+    for leg, motion in zip(course.legs, draft.legs, strict=True):
+        if leg.kind is LegKind.DWELL and leg.duration is not None:
+            total += leg.duration
+        elif motion is not None:
+            total += motion.T
+    return total
 
 
 def _starts(chain: Chain) -> list[Chain]:

@@ -17,7 +17,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.blocks import Block, make_block
 from trajopt_cli.robot.symbolic_inverse import inverse_arm
 
-REACH = 0.9999  # largest |sin q3|: the stretched elbow is a singularity of every derivative used here
+REACH = 0.999  # largest |sin q3|: the last 0.2 mm of reach, where every derivative used here grows without bound
 WRIST = 1e-3  # least |sin q5| on lines and dwells, for the same reason
 INF = float("inf")
 
@@ -83,15 +83,17 @@ class Stages:
         p, R = _flange(path, s, turning)
         return inverse_arm(self.arm, p - d * self.rail_axis, R, signs, reference)  # type: ignore[arg-type]
 
-    def _joint_rows(self, q, qd, qdds, s3, T, V, A, signs):  # type: ignore[no-untyped-def]
-        rows = [(q[j], self.lower[j + 1], self.upper[j + 1]) for j in range(6)]
+    def _joint_rows(self, q, qd, qdds, s3, T, V, A, signs, room):  # type: ignore[no-untyped-def]
+        middle, half = (self.upper + self.lower)[1:] / 2, (self.upper - self.lower)[1:] / 2
+        rows = [((q - middle) / (half * room), -1.0, 1.0)]
         rows += [(s3, -REACH, REACH), (signs[2] * ca.sin(q[4]), WRIST, INF)]
         rows += [(qd / (V[1:] * T), -1.0, 1.0)]
         rows += [(qdd / (A[1:] * T * T), -1.0, 1.0) for qdd in qdds]
         return rows
 
-    # parameters of path nodes: path 22, signs 3, reference 6, V 7, A 7, caps (length/v_cap, length/a_cap, angle/v_ori)
-    N_PATH = 22 + 3 + 6 + 7 + 7 + 3
+    # parameters of path nodes: path 22, signs 3, reference 6, V 7, A 7, caps (length/v_cap, length/a_cap, angle/v_ori),
+    # room 6: share of each arm joint's range that may be used
+    N_PATH = 22 + 3 + 6 + 7 + 7 + 3 + 6
 
     def path_node(self, sides: str, turning: bool, tied: bool) -> Block:
         """One node of a line. sides: which accelerations act there, "l", "r" or "lr".
@@ -101,7 +103,7 @@ class Stages:
 
         def rows(z: ca.SX, p: ca.SX):  # type: ignore[no-untyped-def]
             path, signs, ref = p[0:22], p[22:25], p[25:31]
-            V, A, caps = p[31:38], p[38:45], p[45:48]
+            V, A, caps, room = p[31:38], p[38:45], p[45:48], p[48:54]
             n = len(sides)
             if tied:
                 s, v, acc = z[0], z[1], [z[2 + i] for i in range(n)]
@@ -122,7 +124,7 @@ class Stages:
             q, s3, J, curve = ca.substitute([q, s3, J, curve], [x, dx], [ca.vertcat(s, d), rate])
             qd = J @ rate
             qdds = [curve + J @ ca.vertcat(a, b) for a, b in zip(acc, rail_acc, strict=True)]
-            out = self._joint_rows(q, qd, qdds, s3, T, V, A, signs)
+            out = self._joint_rows(q, qd, qdds, s3, T, V, A, signs, room)
             out += [(ca.vertcat(caps[0] * v / T, caps[2] * v / T), -1.0, 1.0)]
             out += [(w / (V[0] * T), -1.0, 1.0)]
             for a, b in zip(acc, rail_acc, strict=True):
@@ -137,7 +139,7 @@ class Stages:
         """One node of a dwell with a free rail. z: d, w, b per side, T."""
 
         def rows(z: ca.SX, p: ca.SX):  # type: ignore[no-untyped-def]
-            path, signs, ref, V, A = p[0:22], p[22:25], p[25:31], p[31:38], p[38:45]
+            path, signs, ref, V, A, room = p[0:22], p[22:25], p[25:31], p[31:38], p[38:45], p[48:54]
             n = len(sides)
             d, w, acc, T = z[0], z[1], [z[2 + i] for i in range(n)], z[2 + n]
             D, dD = ca.SX.sym("D"), ca.SX.sym("dD")
@@ -145,7 +147,7 @@ class Stages:
             J = ca.jacobian(q, D)
             curve = ca.jacobian(J, D) * dD**2
             q, s3, J, curve = ca.substitute([q, s3, J, curve], [D, dD], [d, w])
-            out = self._joint_rows(q, J * w, [curve + J * b for b in acc], s3, T, V, A, signs)
+            out = self._joint_rows(q, J * w, [curve + J * b for b in acc], s3, T, V, A, signs, room)
             out += [(w / (V[0] * T), -1.0, 1.0)] + [(b / (A[0] * T * T), -1.0, 1.0) for b in acc]
             return out
 

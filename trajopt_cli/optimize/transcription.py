@@ -18,14 +18,15 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.blocks import BlockNlp, NlpResult
 from trajopt_cli.optimize.course import Course, Leg, LegKind
 from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, share_of, straight
-from trajopt_cli.optimize.profiles import profiles
+from trajopt_cli.optimize.profiles import hold, profiles
 from trajopt_cli.optimize.stages import PathConstants, Stages, ToolRow
 from trajopt_cli.problem.freedom import RailFreedom
 from trajopt_cli.robot.symbolic_inverse import BranchSigns
 
 START = 1.0 - 5e-5  # share of every limit a grid starts with; rounding and Hermite rows need a hair of room
 EXACT = 1.0 - 1e-8  # the same for joints that move by polynomials on the grid: exact between nodes
-FREE_ZONES = 12  # intervals of a path up to which its zones may shift
+FREE_ZONES = 12  # intervals of a path with which its zones may shift
+DAMPING = 4e-7  # s per squared scaled acceleration, where many motions take the same time
 LEAST_ZONE = 0.01  # share of a leg that its run-up, middle and run-out last at least
 LEAST_TIME = 1e-3  # s; a leg of zero length still gets this long, so that scaled time stays defined
 
@@ -49,12 +50,13 @@ class Draft:
 class Margins:
     """Limits in force per leg and node, as shares (N+1,) of the true ones; tightened where a dense check found excess.
 
-    joints: velocity (N+1, 7), acceleration (N+1, 7); tool: speed, acceleration, reorientation (N+1, 3). rows (N+1, 3):
+    velocity, acceleration (N+1, 7); position (N+1, 7): of half the range, about its middle; tool: speed, acceleration, reorientation (N+1, 3). rows (N+1, 3):
     which tool caps a joint move's nodes must hold explicitly; far from a cap the dense check alone watches.
     """
 
     velocity: Array
     acceleration: Array
+    position: Array
     tool: Array
     rows: Array
 
@@ -62,7 +64,7 @@ class Margins:
     def full(cls, N: int, joints: float) -> Margins:
         """Nothing tightened but for rounding, no tool cap of a joint move in force. joints: share of their limits."""
         share = np.full((N + 1, 7), joints)
-        return cls(share, share.copy(), np.full((N + 1, 3), START), np.zeros((N + 1, 3), dtype=bool))
+        return cls(share, share.copy(), np.ones((N + 1, 7)), np.full((N + 1, 3), START), np.zeros((N + 1, 3), dtype=bool))
 
     def refined(self) -> Margins:
         """The same shares on twice as many intervals; a new node takes the smaller neighbour's."""
@@ -75,7 +77,9 @@ class Margins:
 
         rows = np.repeat(self.rows, 2, axis=0)[:-1]
         rows[1::2] |= self.rows[1:]
-        return Margins(double(self.velocity), double(self.acceleration), double(self.tool), rows)
+        return Margins(
+            double(self.velocity), double(self.acceleration), double(self.position), double(self.tool), rows
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -201,7 +205,7 @@ class Transcription:
         V[0] = min(V[0], leg.v_rail)
         return np.r_[
             path.vector(), BranchSigns.from_cfx(motion.cfx).vector(), arm, V,
-            self.axes.acceleration * m.acceleration[k], caps,
+            self.axes.acceleration * m.acceleration[k], caps, m.position[k, 1:],
         ]  # fmt: skip
 
     def _chain(self, grid: Array, x: Array, v: Array, a: Array) -> None:
@@ -211,11 +215,11 @@ class Transcription:
     def _zones(self, motion: PathLeg) -> Array:
         """Interval lengths of a path's three zones (run-up, middle, run-out).
 
-        Free while the grid is coarse, so that switches fall on nodes; then kept, which saves half of the iterations.
+        Free on one grid only, so that switches fall on nodes; kept on the finer ones, which saves half of the iterations.
         """
         per_zone = motion.N // 3
         lengths = np.diff(motion.grid)[[0, per_zone, 2 * per_zone]]
-        if motion.N > FREE_ZONES:
+        if motion.N != FREE_ZONES:
             return self.nlp.variables(lengths, lengths, lengths)
         h = self.nlp.variables(lengths, LEAST_ZONE / per_zone, 0.9 / per_zone)
         self.nlp.add(self.stages.zones(), h, [per_zone])
@@ -254,6 +258,7 @@ class Transcription:
         out.w = nlp.variables(motion.w, -50.0, 50.0)
         out.b = nlp.variables(motion.b, -500.0, 500.0)
         self._zone_chain(out.h, out.d, out.w, out.b)
+        nlp.damp(out.b, DAMPING)
         for node, k in ((0, k0), (N, k0 + 1)):
             nlp.add(self.stages.speed_link(), [self.stop_v[k][0], out.w[node], out.T])
         turning = leg.angle > 1e-9
@@ -314,10 +319,13 @@ class Transcription:
 
     def _joint_nodes(self, leg: Leg, motion: JointNodes, margins: Margins, out: _LegVariables) -> None:
         nlp, N, k0 = self.nlp, motion.N, leg.start
-        inner = nlp.variables(motion.q[1:-1], np.tile(self.axes.lower, N - 1), np.tile(self.axes.upper, N - 1))
+        middle, half = (self.axes.upper + self.axes.lower) / 2, (self.axes.upper - self.axes.lower) / 2
+        room = half * margins.position[1:-1]
+        inner = nlp.variables(motion.q[1:-1], (middle - room).ravel(), (middle + room).ravel())
         out.q = np.vstack([self.stop_q[k0], inner.reshape(N - 1, 7), self.stop_q[k0 + 1]])
         out.qv = nlp.variables(motion.v, -100.0, 100.0).reshape(N + 1, 7)
         out.qa = nlp.variables(motion.a, -1000.0, 1000.0).reshape(N, 7)
+        nlp.damp(out.qa.ravel(), DAMPING)
         V = self._rail_speed(leg)
         for j in range(7):
             self._chain(motion.grid, out.q[:, j], out.qv[:, j], out.qa[:, j])
@@ -357,8 +365,11 @@ class Transcription:
         q, qd = self._polished(np.array([x[i] for i in self.stop_q]), np.array([x[i] for i in self.stop_v]))
         legs: list[LegMotion | None] = []
         for leg, motion, var in zip(self.course.legs, self.draft.legs, self._legs, strict=True):
-            if motion is None or var is None:
-                legs.append(motion)
+            if motion is None:
+                legs.append(None)
+                continue
+            if var is None:  # a dwell in which nothing moves
+                legs.append(hold(motion.T, q[leg.start]))
                 continue
             T, k = float(x[var.T]), leg.start
             if isinstance(motion, JointProfiles):
