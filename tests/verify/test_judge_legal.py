@@ -6,7 +6,7 @@ from functools import partial
 
 import numpy as np
 import pytest
-from legal_motion import Case, bench_case, faster, hold, rapid_case, stream_case
+from legal_motion import B_IN, B, Case, bench_case, faster, hold, rapid_case, stream_case
 
 from trajopt_cli.joint_csv import Resolution, header, read_csv_text
 from trajopt_cli.problem.plan import Target
@@ -74,6 +74,22 @@ def test_values_are_the_motions_own() -> None:
     assert rail.unit == "m/s2"
     dwell = found["dwell length", "TCP", 13]
     assert (dwell.value, dwell.limit, dwell.unit) == (pytest.approx(0.1, abs=1e-12), 0.1, "s")
+
+
+def test_values_are_those_of_the_tool_in_force() -> None:
+    """The grip's own point runs 0.0707 m at 4 shares per second on the line; the flange, turning, does not."""
+    case = bench_case()
+    length = float(np.linalg.norm(B_IN[:3, 3] - B[:3, 3]))
+    assert case.pieces[1].T > 0.38  # the profile reaches its 4 shares per second
+    found = {
+        (f.check, f.source.line): f.value
+        for f in verify(case.program, case.plant, case.rows()).findings
+        if f.source and f.check.startswith("programmed")
+    }
+    assert found["programmed speed", 12] == pytest.approx(4 * length, rel=1e-6)
+    assert found["programmed reorientation", 12] == pytest.approx(4 * 0.4, rel=1e-6)
+    assert found["programmed speed", 13] == pytest.approx(0.0, abs=1e-7)
+    assert found["programmed reorientation", 13] == pytest.approx(4 * 0.3, rel=1e-6)
 
 
 def test_a_slow_plan_is_legal() -> None:

@@ -46,7 +46,9 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.report import Report
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify import tolerances as tol
+from trajopt_cli.verify.joints import check_joints
 from trajopt_cli.verify.judge import verify as verify_with_advice
+from trajopt_cli.verify.rows import look
 
 verify = partial(verify_with_advice, advice=False)
 Judged = tuple[Case, Trajectory, Target | None]
@@ -496,6 +498,75 @@ def a_rail_out_of_proportion() -> Judged:
     return case, case.rows(), Target.RAPID
 
 
+@spoiled("joint speed", "rail", 15)
+def too_fast_axis_without_speed_columns() -> Judged:
+    case, rows, _ = too_fast_axis()
+    return case, Trajectory(rows.names, rows.t, rows.q), None
+
+
+@spoiled("TCP acceleration", "TCP", 12)
+def tcp_accelerates_too_hard_without_speed_columns() -> Judged:
+    case, rows, _ = tcp_accelerates_too_hard()
+    return case, Trajectory(rows.names, rows.t, rows.q), None
+
+
+@spoiled("TCP acceleration", "TCP", 12)
+def tcp_accelerates_too_hard_only_between_rows() -> Judged:
+    """Acceleration that grows to its peak at a switch: no mean over a row reaches it, the Hermite's end does."""
+    ramp, middle = 0.12, 0.12  # s: acceleration rises, speed stays; then the mirror image
+    T, jerk = 2 * ramp + middle, 1.0 / (ramp**3 / 3 + ramp**2 / 2 * middle)
+
+    def at(t: Array) -> tuple[Array, Array]:
+        up, down_ = np.minimum(t, ramp), np.clip(T - t, 0, ramp)
+        way = jerk * (up**3 / 6 + ramp**2 / 2 * np.clip(t - ramp, 0, middle))
+        s = np.where(t <= T - ramp, way, 1.0 - jerk * down_**3 / 6)
+        return s, jerk * np.minimum(up, down_) ** 2 / 2
+
+    cap = 0.08 * jerk * ramp / (1 + OVER * tol.TCP)
+    case = rapid_case(replace(plant_with_rail(), tcp=TcpCaps(2.5, cap)))
+    profile = (T, at, (ramp, ramp + middle))
+    case = case.swap(p1=line_move(case.plant, A_IN, A, rail_share(0.05, 0.08), 0, 0, profile=profile))
+    return case, case.rows(), None
+
+
+@spoiled("programmed speed", "TCP", 12)
+def faster_than_programmed_only_between_rows() -> Judged:
+    """Rows of 10 ms, the peak of a smooth profile half way between two of them: 0.2 % above what the rows show. Of the
+    places looked at between the rows the nearest is 1 ms off and shows it to 1e-4."""
+    case = rapid_case()
+    T = 0.31
+
+    def at(t: Array) -> tuple[Array, Array]:
+        u = t / T
+        return u**3 * (10 - 15 * u + 6 * u * u), 30 * (u * (1 - u)) ** 2 / T
+
+    start, peak = case.starts[1] + T / 2, 0.08 * 1.875 / T
+    # the piece before waits until the peak falls between two rows
+    rest = (0.005 - start) % 0.01
+    q_in = case.pieces[1].at(np.zeros(1))[0][0]
+    pieces = [case.pieces[0], hold(q_in, rest + 0.01), line_move(case.plant, A_IN, A, rail_share(0.05, 0.08), 0, 0,
+              profile=(T, at, ())), *case.pieces[2:]]  # fmt: skip
+    motions = list(case.program.motions)
+    motions[1] = move_l(12, "p_a", A, 0.08, speed=replace(V2500, name="v", v_tcp=peak / (1 + OVER * 2 * tol.TCP)))
+    case = Case(case.plant, program(*motions), tuple(pieces))
+    rows = case.rows(step=0.01)
+    assert not np.any(np.abs(rows.t - start - rest - 0.01) < 4e-3)
+    return case, rows, None
+
+
+@spoiled("line position", "TCP", 12)
+def bowed_only_between_rows() -> Judged:
+    """Rows of 10 ms on the line, one with a speed across it: the Hermite leaves the chord beside that row."""
+    case = rapid_case()
+    rows = case.rows(step=0.01)
+    t, q, qd = np.array(rows.t), np.array(rows.q), np.array(rows.qd)
+    row = row_in(case, rows, 1, 0.5)
+    across = OVER * tol.LINE_POSITION / (4 / 27 * 0.01)
+    J = case.plant.robot.jacobian(q[row])
+    qd[row, 1:] += np.linalg.solve(J[:, 1:], np.r_[0, across, 0, 0, 0, 0])
+    return case, Trajectory(rows.names, t, q, qd), None
+
+
 @spoiled("row spacing", "file")
 def rows_too_far_apart() -> Judged:
     case = rapid_case()
@@ -559,6 +630,46 @@ def test_nan_and_reversed_time_are_malformed_files() -> None:
     lines[301], lines[300] = lines[300], lines[301]
     with pytest.raises(InputError, match=r"^joints.csv:302:1: time 0.29\d* s follows 0.29\d* s; times must increase$"):
         read_csv_text("\n".join(lines), "joints.csv")
+
+
+def test_a_programmed_time_replaces_the_programmed_speed() -> None:
+    slow = replace(V2500, name="v100", v_tcp=0.1)
+    case = rapid_case()
+    motions = list(case.program.motions)
+    motions[1] = move_l(12, "p_a", A, 0.08, speed=slow, duration=case.pieces[1].T)
+    assert verify(program(*motions), case.plant, case.rows()).legal
+
+
+def test_two_joint_moves_to_one_pose_share_a_rest() -> None:
+    case = rapid_case()
+    motions = list(case.program.motions)
+    motions = [*motions[:3], move_j(19, "p_a_again", A), wait(20, 0.05), *motions[3:]]
+    assert [f.message for f in verify(program(*motions), case.plant, case.rows()).findings if not f.passed] == [
+        "cell.mod:20:5: TCP dwell length 0 s at t = 0.734 s, at least 0.05 at MoveJ p_a_again"
+    ]
+    q = case.pieces[2].at(np.zeros(1))[0][0]
+    assert verify(program(*motions), case.plant, case.swap(p2=hold(q, 0.15)).rows()).legal
+
+
+def test_a_line_at_its_joint_limit_is_not_blamed_for_the_hermite() -> None:
+    """With the limit at the line's true greatest joint acceleration, the Hermite alone would be above it by 2e-6."""
+    case = rapid_case()
+    T, j = 0.3, 5
+    profile = (T, lambda t: (np.sin(np.pi * t / T / 2) ** 2, np.pi / T / 2 * np.sin(np.pi * t / T)), ())
+    at = line_move(case.plant, A_IN, A, rail_share(0.05, 0.08), 0, 0, profile=profile).at
+    t = np.arange(301) * 1e-3
+    rows = Trajectory(case.plant.limits.names, t, *at(t))
+    middle, step = np.clip(np.linspace(0, T, 3001), 1e-5, T - 1e-5), 1e-5
+    true = np.abs(at(middle + step)[1] - at(middle - step)[1])[:, j].max() / (2 * step)
+    seen = replace(look(case.plant, rows, None), marked=True, open_time=np.zeros(len(t)))
+    plain = np.abs(np.diff(rows.qd[:, j]) / 1e-3) + np.abs(6 * seen.mismatch[0][:, j] / 1e-3)
+    assert plain.max() > true * (1 + 2e-6)
+    plant = limited(case.plant, acceleration={j: float(true)})
+    found = check_joints(replace(seen, plant=plant), lambda _: None)
+    assert [f.message for f in found if f.subject == "joint_5" and not f.passed] == []
+    plant = limited(case.plant, acceleration={j: float(true) / (1 + OVER * 1e-4)})
+    found = check_joints(replace(seen, plant=plant), lambda _: None)
+    assert "joint acceleration" in [f.check for f in found if f.subject == "joint_5" and not f.passed]
 
 
 def test_dropped_motions() -> None:

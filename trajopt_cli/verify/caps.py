@@ -40,7 +40,10 @@ class _Inner:
         end = (J_rows[1:] @ (mean - swing)[..., None])[..., 0] + turning[1:]
         columns = np.linalg.norm(frame.J[first:last, :3], axis=1)
         turns = np.linalg.norm(frame.J[first:last, 3:], axis=1)
-        doubt_a = np.einsum("ij,ij->i", columns, rows.hermite_doubt[first:last])
+        # half of the tolerance stands for the truncation of rows at 1 kHz; only what is beyond is granted in addition
+        truncation = np.einsum("ij,ij->i", columns, rows.truncation[first:last]) - TCP / 2 * rows.plant.tcp.acceleration
+        rounding = np.einsum("ij,ij->i", columns, rows.hermite_rounding[first:last])
+        doubt_a = rounding + np.maximum(truncation, 0.0)
         doubt_qd = rows.doubt_v / 2 + 1.5 * rows.mismatch[1][first:last]
         self.t, self.left = times, np.repeat(np.arange(last - first), n)
         self.speed = np.linalg.norm(V[:, :3], axis=1) - np.einsum("ij,ij->i", columns, doubt_qd)[self.left]

@@ -134,7 +134,7 @@ def _accelerations(rows: Rows, j: int) -> Iterator[tuple[Array, Array]]:
     if rows.exact:
         mean = np.diff(v) / h
         swing = 6 * rows.mismatch[0][:, j] / h
-        uncertain = rows.hermite_doubt[:, j]
+        uncertain = rows.hermite_rounding[:, j] + rows.truncation[:, j]
         yield t[:-1], np.abs(mean + swing) - uncertain
         yield t[1:], np.abs(mean - swing) - uncertain
 

@@ -48,9 +48,9 @@ def verify(
     names = plant.robot.axis_names
     if trajectory.names != names:
         raise InputError(f"the file's axes are {', '.join(trajectory.names)}; the robot's are {', '.join(names)}")
-    rows = look(plant, trajectory, resolution)
-    rapid = target is Target.RAPID
     stops = stops_of(program, plant, dropped)
+    rows = look(plant, trajectory, resolution, marks=len(stops) - 1)
+    rapid = target is Target.RAPID
     frames = {key: Frame(rows, X_FT) for key, X_FT in {np.asarray(s.X_FT).tobytes(): s.X_FT for s in stops}.items()}
     line = build_timeline(rows, frames, stops[0], match(rows, frames, stops, rapid), rapid)
     findings = [

@@ -35,6 +35,10 @@ LAGS = (1, 2, 4, 8, 16, 32)
 INNER = (0.2, 0.4, 0.6, 0.8)
 """Where the Hermite between two rows is looked at, besides its ends."""
 
+TIME_SCALE = 0.03
+"""s: joint accelerations on a line change from one limit to the other in no less, between their switches; at 1 kHz it
+makes a truncation of 1e-4 of the limit at most (seen on the hinge cell: 9e-5)."""
+
 
 @dataclass(frozen=True, eq=False)
 class Rows:
@@ -112,23 +116,32 @@ class Rows:
         return e, (self.doubt_q + np.abs(c) * self.doubt_t) / least + self.doubt_v / 2
 
     @cached_property
-    def hermite_doubt(self) -> Array:
-        """How far the Hermite's acceleration may be from the motion's at any place between rows, (n-1, k).
-
-        Rounding: 6/h of the mismatch's doubt and that of (v1 - v0)/h. Truncation: the Hermite of a smooth motion is
-        off by h^2/12 of its fourth derivative at most, which shows as a change of the Hermite's jerk (-12 e/h^2) from
-        one interval to the next; the smaller of both sides, because a switch changes it on one side only, doubled.
-        """
+    def hermite_rounding(self) -> Array:
+        """What printing leaves open about the Hermite's acceleration anywhere between rows, (n-1, k): 6/h of the
+        mismatch's doubt and that of (v1 - v0)/h."""
         assert self.qd is not None
-        e, doubt = self.mismatch
         h = np.diff(self.t)[:, None]
-        jerk = -12 * e / (h * h)
-        snap = np.abs(np.diff(jerk, axis=0)) / ((h[1:] + h[:-1]) / 2)
-        left, right = np.vstack([snap[:1], snap]), np.vstack([snap, snap[-1:]])
-        truncation = h * h / 12 * np.minimum(left, right) if len(snap) else np.zeros_like(e)
         least = shortest(h, self.doubt_t)
         speed_change = np.abs(np.diff(self.qd, axis=0)) / h
-        return np.asarray(2 * truncation + 6 * doubt / least + (self.doubt_v + speed_change * self.doubt_t) / least)
+        return np.asarray(6 * self.mismatch[1] / least + (self.doubt_v + speed_change * self.doubt_t) / least)
+
+    @cached_property
+    def truncation(self) -> Array:
+        """How far the Hermite's acceleration may be from a smooth motion's between rows, (n-1, k).
+
+        It is off by h^2/12 of the motion's fourth derivative at most, which shows as a change of the Hermite's jerk
+        (-12 e/h^2) from one interval to the next; the smaller of both sides, because a switch changes it on one side
+        only, doubled. It is never more than a motion has whose acceleration takes TIME_SCALE to change: a lone bad row
+        is no truncation.
+        """
+        e, h = self.mismatch[0], np.diff(self.t)[:, None]
+        jerk = -12 * e / (h * h)
+        snap = np.abs(np.diff(jerk, axis=0)) / ((h[1:] + h[:-1]) / 2)
+        if not len(snap):
+            return np.zeros_like(e)
+        left, right = np.vstack([snap[:1], snap]), np.vstack([snap, snap[-1:]])
+        most = self.plant.limits.acceleration / TIME_SCALE**2
+        return np.asarray(h * h / 12 * np.minimum(2 * np.minimum(left, right), most))
 
     @cached_property
     def hermite_places(self) -> tuple[Array, Array, Array, Array]:
@@ -143,13 +156,14 @@ class Rows:
         return self.plant.robot.forward(self.hermite_places[1])
 
 
-def look(plant: Plant, trajectory: Trajectory, resolution: Resolution | None) -> Rows:
-    """Rows as the judge uses them; resolution None: every digit is there."""
+def look(plant: Plant, trajectory: Trajectory, resolution: Resolution | None, marks: int = 1) -> Rows:
+    """Rows as the judge uses them; resolution None: every digit is there. marks: how many a marked file has at least,
+    one for every move."""
     eps = float(np.finfo(np.float64).eps)
     t = trajectory.t
     k = len(trajectory.names)
     r = resolution or Resolution(0.0, np.zeros(k), np.zeros(k))
-    marked = _marked(np.diff(t), r.t)
+    marked = _marked(np.diff(t), r.t, marks)
     gaps = both_sides(np.diff(t)[:, None])[:, 0]
     return Rows(
         plant=plant,
@@ -193,13 +207,16 @@ def second_differences(t: Array, x: Array, half: Array, doubt_t: float) -> Itera
         yield m, 2 * (c2 - c1) / (h1 + h2), 2 * doubt / shortest(h1 + h2, doubt_t)
 
 
-def _marked(gaps: Array, doubt_t: float) -> bool:
-    """A grid with extra rows in it: many gaps of one length, others shorter, none longer; the last gap does not count.
+def _marked(gaps: Array, doubt_t: float, marks: int) -> bool:
+    """A grid with extra rows in it: many gaps of one length, others shorter, none longer.
 
-    Rows may be shifted by 1e-5 s, the shortest interval of our files.
+    The first and the last gap do not count: a grid may begin and end anywhere. Rows may be shifted by 1e-5 s, the
+    shortest interval of our files.
     """
-    inner = gaps[:-1] if len(gaps) > 2 else gaps
+    inner = gaps[1:-1]
+    if not len(inner):
+        return False
     grid = float(np.median(inner))
-    same = np.abs(inner - grid) <= 2 * doubt_t + 1e-9 * grid
+    short = inner < grid - 2 * doubt_t - 1e-9 * grid
     longer = inner > grid + 2e-5 + 2 * doubt_t
-    return bool(np.mean(same) >= 0.4 and not same.all() and not longer.any())
+    return bool(np.mean(~short) >= 0.4 and np.sum(short) >= max(marks, 1) and not longer.any())

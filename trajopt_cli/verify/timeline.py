@@ -127,7 +127,9 @@ def _visit(rows: Rows, m: Match, event: Event, before: Visit, limit: int, rapid:
         since = good[rows.t[good] >= least - DWELL - rows.doubt_t - unseen(rows, event.best)]
         arrive, depart = int(since[0] if len(since) else good[-1]), int(good[-1])
     depart = _across_drift(rows, m, arrive, depart, limit)
-    begin = max(float(rows.t[arrive]), least) if stay else float(rows.t[arrive])
+    begin = float(rows.t[arrive])
+    if arrive - 1 in good and arrive in good:
+        begin = max(least, float(rows.t[arrive - 1]))  # the rest goes on: nothing happens at the row itself
     holds = _holds(rows, stop, begin, depart, rapid)
     ready = holds[-1].end if holds else begin
     X_WF = rows.X_WF[arrive] if stop.X_WF is None else stop.X_WF

@@ -8,11 +8,12 @@ judged with the same numbers plus what its printed digits and its missing rows l
 from __future__ import annotations
 
 JOINT = 1e-6
-"""Relative excess of a joint limit (of the range for positions): solvers stop at 1e-8, drives are tuned to 1e-3."""
+"""Relative excess of a joint limit (of the range for positions): solvers stop at 1e-8, drives are tuned to 1e-3.
+Between the rows of a line the Hermite's own truncation comes on top, 1e-4 at most; see rows.truncation."""
 
 TCP = 1e-4
 """Relative excess of a TCP cap. The cap is a data-sheet figure of two digits; the Hermite's TCP acceleration between
-rows of 1 kHz is good to 2e-5 of it."""
+rows of 1 kHz is good to 3e-5 of it."""
 
 LINE_POSITION = 1e-6
 """Distance from the chord, m: a thirtieth of the robot's repeatability (0.03 mm)."""

@@ -116,7 +116,7 @@ def events_of(close: Closeness) -> tuple[Event, ...]:
         run = np.arange(first, after)
         resting = run[close.rests[run]]
         good = resting[close.rail_met[resting] & close.stands[resting]]
-        pool = good if len(good) else resting if len(resting) else run
+        pool = resting if len(resting) else run
         best = int(pool[np.argmin(close.distance[pool])])
         out.append(Event(int(first), int(after) - 1, _core(close, good), best))
     return tuple(out)
