@@ -1,0 +1,132 @@
+"""What the program allows and the judge must not punish, or not forgive."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from legal_motion import (
+    A_IN,
+    V2500,
+    A,
+    B,
+    Case,
+    arm_at,
+    hold,
+    home,
+    joint_move,
+    line_move,
+    move_j,
+    move_l,
+    plant_with_rail,
+    program,
+    rail_share,
+    rapid_case,
+    wait,
+)
+from spoil_book import OVER, limited, verify
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.joint_csv import read_csv_text, write_csv_text
+from trajopt_cli.problem.plan import Target
+from trajopt_cli.trajectory import Trajectory
+from trajopt_cli.verify.joints import check_joints
+from trajopt_cli.verify.rows import look
+
+
+def test_nan_and_reversed_time_are_malformed_files() -> None:
+    case = rapid_case()
+    text = write_csv_text(case.rows())
+    lines = text.split("\n")
+    fields = lines[300].split(",")
+    lines[300] = ",".join([*fields[:3], "nan", *fields[4:]])
+    with pytest.raises(InputError, match=r"^joints.csv:301:\d+: 'nan' is not a finite number$"):
+        read_csv_text("\n".join(lines), "joints.csv")
+    lines = text.split("\n")
+    lines[301], lines[300] = lines[300], lines[301]
+    with pytest.raises(InputError, match=r"^joints.csv:302:1: time 0.29\d* s follows 0.29\d* s; times must increase$"):
+        read_csv_text("\n".join(lines), "joints.csv")
+
+
+def test_a_programmed_time_replaces_the_programmed_speed() -> None:
+    slow = replace(V2500, name="v100", v_tcp=0.1)
+    case = rapid_case()
+    motions = list(case.program.motions)
+    motions[1] = move_l(12, "p_a", A, 0.08, speed=slow, duration=case.pieces[1].T)
+    assert verify(program(*motions), case.plant, case.rows()).legal
+
+
+def test_two_joint_moves_to_one_pose_share_a_rest() -> None:
+    case = rapid_case()
+    motions = list(case.program.motions)
+    motions = [*motions[:3], move_j(19, "p_a_again", A), wait(20, 0.05), *motions[3:]]
+    assert [f.message for f in verify(program(*motions), case.plant, case.rows()).findings if not f.passed] == [
+        "cell.mod:20:5: TCP dwell length 0 s at t = 0.734 s, at least 0.05 at MoveJ p_a_again"
+    ]
+    q = case.pieces[2].at(np.zeros(1))[0][0]
+    for target in (None, Target.RAPID):
+        assert verify(program(*motions), case.plant, case.swap(p2=hold(q, 0.15)).rows(), target=target).legal
+
+
+def test_a_line_at_its_joint_limit_is_not_blamed_for_the_hermite() -> None:
+    """With the limit at the line's true greatest joint acceleration, the Hermite alone would be above it by 2e-6."""
+    case = rapid_case()
+    T, j = 0.3, 5
+    profile = (T, lambda t: (np.sin(np.pi * t / T / 2) ** 2, np.pi / T / 2 * np.sin(np.pi * t / T)), ())
+    at = line_move(case.plant, A_IN, A, rail_share(0.05, 0.08), 0, 0, profile=profile).at
+    t = np.arange(301) * 1e-3
+    rows = Trajectory(case.plant.limits.names, t, *at(t))
+    middle, step = np.clip(np.linspace(0, T, 3001), 1e-5, T - 1e-5), 1e-5
+    true = np.abs(at(middle + step)[1] - at(middle - step)[1])[:, j].max() / (2 * step)
+    seen = replace(look(case.plant, rows, None), marked=True, open_time=np.zeros(len(t)))
+    plain = np.abs(np.diff(rows.qd[:, j]) / 1e-3) + np.abs(6 * seen.mismatch[0][:, j] / 1e-3)
+    assert plain.max() > true * (1 + 2e-6)
+    plant = limited(case.plant, acceleration={j: float(true)})
+    found = check_joints(replace(seen, plant=plant), lambda _: None)
+    assert [f.message for f in found if f.subject == "joint_5" and not f.passed] == []
+    plant = limited(case.plant, acceleration={j: float(true) / (1 + OVER * 1e-4)})
+    found = check_joints(replace(seen, plant=plant), lambda _: None)
+    assert "joint acceleration" in [f.check for f in found if f.subject == "joint_5" and not f.passed]
+
+
+def test_dropped_motions() -> None:
+    """Leaving out p_b_in: legal only where the user marked it, known or unknown to the judge."""
+    plant = plant_with_rail()
+    q_b = arm_at(plant, B[None], np.array([0.25]))[0]
+    pieces = (joint_move(plant, plant.start, q_b), joint_move(plant, q_b, plant.start))
+
+    def case(optional: bool) -> Case:
+        motions = (move_j(11, "p_a_in", A_IN, optional=optional), move_j(12, "p_b", B), home(13))
+        return Case(plant, program(*motions), pieces)
+
+    free, bound = case(True), case(False)
+    rows = free.rows()
+    assert verify(free.program, plant, rows).legal
+    assert verify(free.program, plant, rows, dropped={0}).legal
+    failed = [f for f in verify(bound.program, plant, rows).findings if not f.passed]
+    assert [f.check for f in failed] == ["stop reached"]
+    failed = [f for f in verify(bound.program, plant, rows, dropped={0}).findings if not f.passed]
+    assert [(f.check, f.subject) for f in failed] == [("dropped motion", "MoveJ p_a_in")]
+    by_name = replace(plant, droppable=frozenset({"p_a_in"}))
+    assert verify(bound.program, by_name, rows, dropped={0}).legal
+
+
+def test_free_speed_lifts_the_programmed_speed_of_joint_moves_only() -> None:
+    slow = replace(V2500, name="v100", v_tcp=0.1)
+    case = rapid_case()
+    motions = list(case.program.motions)
+    motions[0], motions[1] = move_j(11, "p_a_in", A_IN, speed=slow), move_l(12, "p_a", A, speed=slow)
+    free = replace(case.plant, free_speed=True)
+    new = program(*motions)
+    failed = {f.source.line for f in verify(new, case.plant, case.rows()).findings if not f.passed and f.source}
+    assert failed == {11, 12}
+    failed = {f.source.line for f in verify(new, free, case.rows()).findings if not f.passed and f.source}
+    assert failed == {12}
+
+
+def test_wrong_axes_are_an_input_error() -> None:
+    case = rapid_case()
+    rows = case.rows()
+    with pytest.raises(InputError, match=r"the file's axes are joint_1, .*; the robot's are rail, joint_1"):
+        verify(case.program, case.plant, Trajectory(rows.names[1:], rows.t, rows.q[:, 1:]))
