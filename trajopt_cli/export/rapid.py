@@ -36,7 +36,7 @@ _RAIL_STILL = 1e-9  # m
 
 @dataclass(frozen=True)
 class RapidExport:
-    """texts: every file of the program by path, to be encoded as its TextFile says. notes: what the user should know."""
+    """texts: every file of the program by path, to be encoded as its TextFile says. notes: what users should know."""
 
     texts: Mapping[str, str]
     notes: tuple[str, ...] = ()

@@ -8,11 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import casadi as ca
 import numpy as np
+from numpy.typing import ArrayLike
 
-from trajopt_cli.geometry import Array
+from trajopt_cli.geometry import Array, IndexArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,7 +66,7 @@ def make_block(
 @dataclass
 class _Copies:
     block: Block
-    z: list[Array] = field(default_factory=list)
+    z: list[IndexArray] = field(default_factory=list)
     p: list[Array] = field(default_factory=list)
 
 
@@ -89,11 +91,11 @@ class BlockNlp:
         self._guess: list[Array] = []
         self._count = 0
         self._cost: list[tuple[int, float]] = []
-        self._damped: list[tuple[NDIndex, float]] = []
+        self._damped: list[tuple[IndexArray, float]] = []
         self._copies: dict[str, _Copies] = {}
         self._solver: ca.Function | None = None
 
-    def variables(self, guess: Array, lower: Array | float, upper: Array | float) -> NDIndex:
+    def variables(self, guess: ArrayLike, lower: ArrayLike, upper: ArrayLike) -> IndexArray:
         """Add len(guess) variables; returns their indices."""
         guess = np.atleast_1d(np.asarray(guess, dtype=float)).ravel()
         n = len(guess)
@@ -108,11 +110,11 @@ class BlockNlp:
         """Add weight * x[index] to the cost."""
         self._cost.append((index, weight))
 
-    def damp(self, indices: NDIndex, weight: float) -> None:
+    def damp(self, indices: IndexArray, weight: float) -> None:
         """Add weight / 2 * x^2 to the cost: a hair of curvature where the cycle time does not care."""
         self._damped.append((indices, weight))
 
-    def add(self, block: Block, z: Sequence[int] | NDIndex, p: Sequence[float] | Array = ()) -> None:
+    def add(self, block: Block, z: Sequence[int] | IndexArray, p: Sequence[float] | Array = ()) -> None:
         """Add one copy on variables z with parameters p."""
         copies = self._copies.setdefault(block.name, _Copies(block))
         z, p = np.asarray(z, dtype=int), np.asarray(p, dtype=float)
@@ -193,7 +195,7 @@ class BlockNlp:
         """Solve from the variables' guesses, or warm from an earlier result of the same program."""
         if not hasattr(self, "_functions"):
             self.build()
-        options: dict[str, object] = {
+        options: dict[str, Any] = {
             "print_time": False,
             "ipopt.print_level": 0,
             "ipopt.sb": "yes",
@@ -240,9 +242,6 @@ class BlockNlp:
             str(stats["return_status"]),
             int(stats["iter_count"]),
         )
-
-
-NDIndex = np.ndarray
 
 
 def _scatter(values: ca.MX, rows: Array, cols: Array, n_rows: int, n_cols: int) -> ca.MX:

@@ -10,10 +10,11 @@ holds for every legal motion of the target; it is not called certified because i
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
-from trajopt_cli.geometry import Array
+from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.course import Course, Leg, LegKind, Stop
 from trajopt_cli.optimize.double_integrator import reach, trapezoid_time
@@ -32,11 +33,11 @@ ORDER = (0, 1, 3, 2)  # axes in the order that settles most pairs soonest
 
 @dataclass(frozen=True, eq=False)
 class _Cells:
-    """Cells at one stop: position (4, n) and speed (4, n) ranges of rail, q1, q2, q3; key (n, 3): signs, rail, speed."""
+    """Cells at one stop: position and speed (4, n) ranges of rail, q1, q2, q3; key (n, 3): signs, rail, speed."""
 
     q: Range
     v: Range
-    key: Array
+    key: IndexArray
 
 
 def lower_bound(axes: Axes, course: Course, tied: bool, incumbent: float) -> float:
@@ -47,21 +48,19 @@ def lower_bound(axes: Axes, course: Course, tied: bool, incumbent: float) -> flo
     """
     cache: dict[bytes, Enclosure] = {}
     grids = [_grid(stop) for stop in course.stops]
-    keep: list[Array | None] = [None] * len(course.stops)
+    keep: list[IndexArray | None] = [None] * len(course.stops)
     ahead: list[Array | None] = [None] * len(course.stops)
     best, aim = 0.0, incumbent
     for level in range(LEVELS):
-        cells = [
-            _cells(axes, stop, grids[k], level, keep[k], tied, cache) for k, stop in enumerate(course.stops)
-        ]
+        cells = [_cells(axes, stop, grids[k], level, keep[k], tied, cache) for k, stop in enumerate(course.stops)]
         if any(not len(c.key) for c in cells):
             return aim
-        pairs = max(len(a.key) * len(b.key) for a, b in zip(cells, cells[1:], strict=False))
+        pairs = max(len(a.key) * len(b.key) for a, b in pairwise(cells))
         if level and pairs > MOST_PAIRS:
             break
         parents = [
-            np.zeros(len(c.key)) if ahead[k] is None else _parent_values(c, keep[k], ahead[k])
-            for k, c in enumerate(cells)
+            np.zeros(len(c.key)) if known is None or keys is None else _parent_values(c, keys, known)
+            for c, keys, known in zip(cells, keep, ahead, strict=True)
         ]
         forward = [np.zeros(len(cells[0].key))]
         edges = []
@@ -79,7 +78,7 @@ def lower_bound(axes: Axes, course: Course, tied: bool, incumbent: float) -> flo
             keep[k], ahead[k] = c.key[live], backward[k][live]
         if any(not len(x) for x in keep if x is not None):
             return aim
-        next_pairs = (2 if tied else 4) ** 2 * max(len(a) * len(b) for a, b in zip(keep, keep[1:], strict=False))  # type: ignore[arg-type]
+        next_pairs = (2 if tied else 4) ** 2 * max(a * b for a, b in pairwise([len(x) for x in keep if x is not None]))
         if best < AIM * incumbent and next_pairs > FEW_PAIRS:
             aim = AIM * incumbent
     return best
@@ -94,21 +93,20 @@ def _grid(stop: Stop) -> Array:
     return np.linspace(low, high, n + 1)
 
 
-def _parent_values(cells: _Cells, parent_keys: Array | None, values: Array | None) -> Array:
+def _parent_values(cells: _Cells, parent_keys: IndexArray, values: Array) -> Array:
     """What the level above knew to be still ahead of each cell."""
-    assert parent_keys is not None and values is not None
     table = {tuple(key): value for key, value in zip(parent_keys.tolist(), values.tolist(), strict=True)}
     return np.array([table[s, d // 2, v // 2] for s, d, v in cells.key.tolist()])
 
 
-def _children(keys: Array) -> Array:
+def _children(keys: IndexArray) -> IndexArray:
     """The four halves of each kept cell."""
     s, d, v = keys.T
     return np.concatenate([np.stack([s, 2 * d + i, 2 * v + j], axis=1) for i in (0, 1) for j in (0, 1)])
 
 
 def _cells(
-    axes: Axes, stop: Stop, grid: Array, level: int, kept: Array | None, tied: bool, cache: dict[bytes, Enclosure]
+    axes: Axes, stop: Stop, grid: Array, level: int, kept: IndexArray | None, tied: bool, cache: dict[bytes, Enclosure]
 ) -> _Cells:
     if stop.q is not None:
         q = axes.seven(stop.q)[:4, None]
@@ -133,20 +131,26 @@ def _cells(
     edges = np.linspace(-V[0], V[0], n_v + 1)
     rail_v = Range(np.zeros(len(key)), np.zeros(len(key))) if rest else Range(edges[v], edges[v + 1])
     inside = d[:, None] * width + np.arange(width)  # (n, width) base intervals
-    q = Range(e.q.lo[:, s[:, None], inside], e.q.hi[:, s[:, None], inside])
+    joints = Range(e.q.lo[:, s[:, None], inside], e.q.hi[:, s[:, None], inside])
     rate = Range(e.rate.lo[:, s[:, None], inside], e.rate.hi[:, s[:, None], inside])
-    speed = rate * Range(np.broadcast_to(rail_v.lo[:, None], inside.shape), np.broadcast_to(rail_v.hi[:, None], inside.shape))
+    speed = rate * Range(
+        np.broadcast_to(rail_v.lo[:, None], inside.shape), np.broadcast_to(rail_v.hi[:, None], inside.shape)
+    )
     limit = V[1:4, None, None]
     alive = e.alive[s[:, None], inside] & np.all((speed.lo <= limit) & (speed.hi >= -limit), axis=0)
-    speed = Range(np.maximum(speed.lo, -limit), np.minimum(speed.hi, limit))
-    low = lambda x: np.where(alive, x, np.inf).min(axis=-1)  # noqa: E731
-    high = lambda x: np.where(alive, x, -np.inf).max(axis=-1)  # noqa: E731
+    clipped = Range(np.maximum(speed.lo, -limit), np.minimum(speed.hi, limit))
     live = alive.any(axis=1)
-    d_lo, d_hi = low(np.broadcast_to(grid[inside], alive.shape)), high(np.broadcast_to(grid[inside + 1], alive.shape))
-    position = Range(np.vstack([d_lo, low(q.lo)]), np.vstack([d_hi, high(q.hi)]))
-    velocity = Range(np.vstack([rail_v.lo, low(speed.lo)]), np.vstack([rail_v.hi, high(speed.hi)]))
-    pick = lambda r: Range(r.lo[:, live], r.hi[:, live])  # noqa: E731
-    return _Cells(pick(position), pick(velocity), key[live])
+    stood = _over_alive(Range(grid[inside], grid[inside + 1]), alive)
+    hull, speeds = _over_alive(joints, alive), _over_alive(clipped, alive)
+    position = Range(np.vstack([stood.lo, hull.lo])[:, live], np.vstack([stood.hi, hull.hi])[:, live])
+    velocity = Range(np.vstack([rail_v.lo, speeds.lo])[:, live], np.vstack([rail_v.hi, speeds.hi])[:, live])
+    return _Cells(position, velocity, key[live])
+
+
+def _over_alive(ranges: Range, alive: BoolArray) -> Range:
+    """The hull over the last axis of the ranges that are alive."""
+    low = np.where(alive, ranges.lo, np.inf).min(axis=-1)
+    return Range(low, np.where(alive, ranges.hi, -np.inf).max(axis=-1))
 
 
 def _edge(
@@ -157,17 +161,16 @@ def _edge(
     rows = max(1, CHUNK // len(b.key))
     for start in range(0, len(a.key), rows):
         part = np.arange(start, min(start + rows, len(a.key)))
-        ia, ib = np.meshgrid(part, np.arange(len(b.key)), indexing="ij")
-        ia, ib = ia.ravel(), ib.ravel()
+        ia, ib = (x.ravel() for x in np.meshgrid(part, np.arange(len(b.key)), indexing="ij"))
         T, ia, ib = _pairs(axes, leg, a, b, tied, ia, ib, so_far, ahead, incumbent)
         out[ia, ib] = T
     return out
 
 
 def _pairs(
-    axes: Axes, leg: Leg, a: _Cells, b: _Cells, tied: bool, ia: Array, ib: Array, so_far: Array, ahead: Array,
+    axes: Axes, leg: Leg, a: _Cells, b: _Cells, tied: bool, ia: IndexArray, ib: IndexArray, so_far: Array, ahead: Array,
     incumbent: float,
-) -> tuple[Array, Array, Array]:  # fmt: skip
+) -> tuple[Array, IndexArray, IndexArray]:  # fmt: skip
     V, A = axes.velocity.copy(), axes.acceleration
     if leg.kind is not LegKind.DWELL:
         V[0] = min(V[0], leg.v_rail)
@@ -190,11 +193,11 @@ def _pairs(
             else:
                 time = trapezoid_time(least, V[j], A[j])
         else:
-            box = (a.v.lo[j, ia], a.v.hi[j, ia], b.v.lo[j, ib], b.v.hi[j, ib])
+            a_lo, a_hi, c_lo, c_hi = a.v.lo[j, ia], a.v.hi[j, ia], b.v.lo[j, ib], b.v.hi[j, ib]
             time = T.copy()
             for _ in range(2):
-                time = _leave(time, low, *box, V[j], A[j])
-                time = _leave(time, -high, *(-x for x in (box[1], box[0], box[3], box[2])), V[j], A[j])
+                time = _leave(time, low, a_lo, a_hi, c_lo, c_hi, V[j], A[j])
+                time = _leave(time, -high, -a_hi, -a_lo, -c_hi, -c_lo, V[j], A[j])
         if fixed:
             live = time <= floor + 1e-9
         else:
@@ -216,11 +219,11 @@ def _leave(T: Array, D: Array, a_lo: Array, a_hi: Array, c_lo: Array, c_hi: Arra
         slow = (2 * peak - a_hi - c_hi) / A
         fast = (2 * V - a_hi - c_hi) / A + (D - (V * V - (a_hi**2 + c_hi**2) / 2) / A) / V
     late = np.where(peak <= V, slow, fast)
-    end = np.where((M >= 0) & (D < (M * M - m * m) / (2 * A)), early, late)
+    end = np.where((M >= 0) & ((M * M - m * m) / (2 * A) > D), early, late)
     return np.where(short, np.maximum(T, end - 1e-9), T)
 
 
 def _most(T: Array, a: Array, c: Array, V: float, A: float) -> Array:
     """Most displacement in T when the end speeds may be chosen below a and c: convex and smooth in T."""
     m, M = np.minimum(a, c), np.maximum(a, c)
-    return np.where(T * A < M - m, m * T + A * T * T / 2, reach(T, a, c, V, A))
+    return np.where(M - m > T * A, m * T + A * T * T / 2, reach(T, a, c, V, A))

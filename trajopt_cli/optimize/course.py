@@ -155,7 +155,8 @@ def build_course(
                 legs.append(
                     Leg(
                         i, LegKind.DWELL, len(stops) - 1, np.eye(4), np.inf, np.inf, np.inf, np.inf,
-                        duration=motion.duration, rail_moves=freedom.dwells and previous.rail[0] < previous.rail[1] and i in free,
+                        duration=motion.duration,
+                        rail_moves=freedom.dwells and previous.rail[0] < previous.rail[1] and i in free,
                     )
                 )  # fmt: skip
                 stops.append(
@@ -205,9 +206,7 @@ def build_course(
         source = program.motions[out.index].source
         return Infeasible(out.index, source, f"{source}: {_name(program.motions[out.index])} {out}")
     stops[-1] = _resting(stops[-1])
-    return Course(
-        plant, program, freedom, tuple(stops), tuple(legs), _stations(legs, len(stops)), frozenset(dropped)
-    )
+    return Course(plant, program, freedom, tuple(stops), tuple(legs), _stations(legs, len(stops)), frozenset(dropped))
 
 
 class _OutOfRange(Exception):

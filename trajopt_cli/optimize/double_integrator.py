@@ -93,7 +93,7 @@ def gentlest_profile(D: float, v0: float, v1: float, T: float) -> tuple[Array, A
 
 
 def _cruise_speed(D: float, v0: float, v1: float, T: float, A: float, low: float, high: float) -> float:
-    """Cruise speed c in [low, high] whose profile travels D; travelled(c) is increasing, quadratic between v0 and v1."""
+    """Cruise speed c in [low, high] whose profile travels D; travelled(c) increases, piecewise quadratic."""
     ends = [low, min(v0, v1), max(v0, v1), high]
     for k in range(3):
         a, b = ends[k], ends[k + 1]

@@ -12,8 +12,8 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.course import Course, LegKind
 from trajopt_cli.optimize.blocks import NlpResult
+from trajopt_cli.optimize.course import Course, LegKind
 from trajopt_cli.optimize.exchange import SAFE, check_leg, tighten
 from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, parabola, share_of, straight
 from trajopt_cli.optimize.profiles import hold
@@ -79,8 +79,10 @@ class Refiner:
         self.seconds["solve"] += perf_counter() - middle
         out = t.read(result.x) if result.converged else draft
         if DEBUG:
-            print(f"  {draft.duration:.5f} -> {out.duration:.5f} {result.status} it {result.iterations} "
-                  f"n {t.nlp._count} build {middle - start:.2f} solve {perf_counter() - middle:.2f}")
+            print(
+                f"  {draft.duration:.5f} -> {out.duration:.5f} {result.status} it {result.iterations} "
+                f"n {t.nlp._count} build {middle - start:.2f} solve {perf_counter() - middle:.2f}"
+            )
         if not result.converged:
             raise NotConverged(result.status)
         return out, t, result
@@ -181,8 +183,9 @@ class Refiner:
     def _with_grids(self, draft: Draft, margins: list[Margins | None]) -> Draft:
         legs = list(draft.legs)
         for k, motion in enumerate(legs):
-            if isinstance(motion, JointProfiles) and margins[k] is not None:
-                legs[k] = self._on_grid(motion, draft.q[k], draft.q[k + 1], len(margins[k].tool) - 1)
+            m = margins[k]
+            if isinstance(motion, JointProfiles) and m is not None:
+                legs[k] = self._on_grid(motion, draft.q[k], draft.q[k + 1], len(m.tool) - 1)
         return replace(draft, legs=tuple(legs))
 
     def _on_grid(self, motion: JointProfiles, q_0: Array, q_1: Array, N: int) -> JointNodes:

@@ -69,16 +69,18 @@ def _hull(values: Array) -> Range:
 
 
 def enclose(axes: Axes, X_WF: Array, nodes: Array) -> Enclosure:
-    """Enclosures over the intervals between rail nodes (n + 1,), for shoulder and elbow signs (+,+), (+,-), (-,+), (-,-)."""
+    """Enclosures between rail nodes (n + 1,), for shoulder and elbow signs (+,+), (+,-), (-,+), (-,-)."""
     arm = axes.robot.arm
     X = axes.in_base(X_WF)
     e = axes.rail_axis
     w = (X[:3, 3] - arm.L6 * X[:3, 2])[:, None] - e[:, None] * nodes  # wrist centre at the nodes, linear in between
     h = np.diff(nodes)
-    wx, wy, wz = (_hull(w[i]) for i in range(3))
+    wz = _hull(w[2])
     along = _hull(w[0] * e[0] + w[1] * e[1])
-    r2 = Range(np.minimum(*(x for x in (w[0, :-1] ** 2 + w[1, :-1] ** 2, w[0, 1:] ** 2 + w[1, 1:] ** 2))), 
-               np.maximum(w[0, :-1] ** 2 + w[1, :-1] ** 2, w[0, 1:] ** 2 + w[1, 1:] ** 2))
+    r2 = Range(
+        np.minimum(*(x for x in (w[0, :-1] ** 2 + w[1, :-1] ** 2, w[0, 1:] ** 2 + w[1, 1:] ** 2))),
+        np.maximum(w[0, :-1] ** 2 + w[1, :-1] ** 2, w[0, 1:] ** 2 + w[1, 1:] ** 2),
+    )
     flat = e[0] ** 2 + e[1] ** 2
     cross = w[0, 0] * e[1] - w[1, 0] * e[0]  # constant along the rail
     if flat > 0:
@@ -117,7 +119,7 @@ def enclose(axes: Axes, X_WF: Array, nodes: Array) -> Enclosure:
         for j, (value, rate) in enumerate(((q1, q1_rate), (q2, q2_rate), (q3, q3_rate))):
             q_lo[j, i], q_hi[j, i] = value.lo - WIDEN, value.hi + WIDEN
             d_lo[j, i], d_hi[j, i] = rate.lo - WIDEN * (1 + np.abs(rate.lo)), rate.hi + WIDEN * (1 + np.abs(rate.hi))
-        # the second joint by its rate where that is tighter: within the hull of its nodes, widened where it may turn back
+        # by its rate where that is tighter: within the hull of the nodes, widened where the joint may turn back
         node2 = _second_joint_at(arm, shoulder * np.hypot(w[0], w[1]) - arm.a1, w[2] - arm.d1, elbow)
         hull = _hull(node2)
         spread = np.where(q2_rate.lo * q2_rate.hi <= 0, h / 2 * q2_rate.magnitude(), 0.0)

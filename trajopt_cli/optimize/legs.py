@@ -7,6 +7,7 @@ time without loss, and splitting an interval changes nothing.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 
@@ -15,7 +16,7 @@ from trajopt_cli.optimize.axes import Axes
 
 
 def integrate(grid: Array, x: Array, v: Array, tau: Array) -> tuple[Array, Array, Array]:
-    """Position, speed, acceleration (scaled time) at tau (n,) of node values x, v (N+1, ...) on a grid (N+1,) over 0..1.
+    """Position, speed, acceleration (scaled time) at tau (n,) of node values x, v (N+1, ...) on a grid over 0..1.
 
     The cubic Hermite between nodes: equal to the exact integral up to the solver's residual, and without its jumps.
     """
@@ -102,7 +103,7 @@ class PathLeg:
         return unwind(arm, self.reference)
 
     def sample(self, axes: Axes, t: Array, right: bool = True) -> Sample:
-        """Positions by inverse kinematics, speeds and accelerations through the Jacobian. At a break: the right side."""
+        """Positions by inverse kinematics, speeds and accelerations through the Jacobian. At a break: right side."""
         tau = np.clip(t / self.T, 0.0, 1.0)
         tau_ = tau + (1e-12 if right else -1e-12)
         s, sv, sa = integrate(self.grid, self.s, self.v, np.clip(tau_, 0, 1))
@@ -143,7 +144,7 @@ def unwind(arm: Array, reference: Array) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class JointNodes:
-    """A joint move on a grid: q, v (N+1, 7), a (N, 7), scaled time. Also a straight one, where all share one profile."""
+    """A joint move on a grid: q, v (N+1, 7), a (N, 7), scaled time. Also a straight one with one profile for all."""
 
     T: float
     grid: Array
@@ -194,7 +195,7 @@ class JointProfiles:
         """Exact polynomial values."""
         n = len(t)
         q, qd, qdd = (np.empty((n, 7)) for _ in range(3))
-        side = "right" if right else "left"
+        side: Literal["left", "right"] = "right" if right else "left"
         for j in range(7):
             h, acc = np.diff(self.times[j]), self.accelerations[j]
             v = self.qd_0[j] + np.concatenate([[0], np.cumsum(acc * h)])

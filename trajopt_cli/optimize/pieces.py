@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -26,7 +27,7 @@ def cut(course: Course, chain: Chain, tied: bool) -> Iterator[tuple[Course, Chai
     """The pieces of a course with their part of the chain, in order."""
     marks = [k for k in range(len(course.stops)) if _pinned(course, k, tied)]
     ends = sorted({0, *marks, len(course.stops) - 1})
-    for first, last in zip(ends, ends[1:], strict=False):
+    for first, last in pairwise(ends):
         legs = tuple(replace(leg, start=leg.start - first) for leg in course.legs[first:last])
         stops = course.stops[first : last + 1]
         part = Chain(
@@ -69,9 +70,7 @@ def solve_pieces(
 
 def alone(course: Course, draft: Draft, k: int) -> tuple[Course, Draft]:
     """Leg k between its stops as the draft has them, the rail fixed there."""
-    stops = tuple(
-        replace(course.stops[i], rail=(float(draft.q[i, 0]),) * 2, rest=True) for i in (k, k + 1)
-    )
+    stops = tuple(replace(course.stops[i], rail=(float(draft.q[i, 0]),) * 2, rest=True) for i in (k, k + 1))
     piece = replace(course, stops=stops, legs=(replace(course.legs[k], start=0),), stations=())
     return piece, Draft(draft.q[k : k + 2], draft.qd[k : k + 2], draft.cfx[k : k + 2], (draft.legs[k],))
 

@@ -1,7 +1,7 @@
 """Three-phase profiles for a synchronised joint move whose end states and duration are given.
 
 The axes' switches are kept apart: rows of the written file stand at every switch, and two rows must not be nearer than
-a file can carry. An axis with time to spare ramps more gently; if the tight ones collide the move lasts a little longer.
+a file can carry. An axis with time to spare ramps more gently; if the tight ones collide the move lasts a hair longer.
 """
 
 from __future__ import annotations
@@ -31,9 +31,7 @@ def profiles(
         T = max(T, float(trapezoid_time(1.0, np.min(V / way), np.min(A / way))))
     for attempt in range(20):
         longer = T + attempt * APART
-        found = (
-            _common(q_0, q_1, A, longer) if common else _own(q_0, qd_0, q_1, qd_1, A, longer)
-        )
+        found = _common(q_0, q_1, A, longer) if common else _own(q_0, qd_0, q_1, qd_1, A, longer)
         if found is not None:
             return JointProfiles(longer, q_0, qd_0, *found)
     raise ValueError(f"profiles: the switches of a joint move of {T:.6f} s cannot be kept {APART:g} s apart")

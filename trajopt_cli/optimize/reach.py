@@ -11,7 +11,7 @@ from dataclasses import astuple, dataclass
 import numpy as np
 from scipy import ndimage
 
-from trajopt_cli.geometry import Array, inverse_pose, line_pose
+from trajopt_cli.geometry import Array, BoolArray, inverse_pose, line_pose
 from trajopt_cli.motion import Motion
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.course import Course, LegKind, Stop
@@ -38,7 +38,7 @@ class StationTable:
     """Arm joints of one station on a rail grid.
 
     d: (n,); stops: per stop (L, n, 6) with NaN where the configuration is not to be had, L labels; lines: per leg of
-    the station (L, LINE_NODES, n, 6), None for dwells. At a stop whose joints are fixed only its own rail value is open.
+    the station (L, LINE_NODES, n, 6), None for dwells. At a stop with fixed joints only its own rail value is open.
     """
 
     first: int
@@ -81,7 +81,7 @@ def _usable(arm: Array) -> Array:
 def station_table(
     axes: Axes, course: Course, first: int, last: int, d: Array, keep: tuple[Label, ...] | None = None
 ) -> StationTable:
-    """Tables of one station; keep restricts the labels (same turns, same table reference at the same first grid node)."""
+    """Tables of one station; keep restricts the labels."""
     n = len(d)
     stops_raw: list[Array] = []  # (8, n, 6)
     lines_raw: list[Array | None] = []
@@ -98,9 +98,7 @@ def station_table(
             continue
         X_0, X_1 = course.stops[k - 1].X_WF @ leg.X_FT, stop.X_WF @ leg.X_FT
         X = line_pose(X_0, X_1, np.linspace(0, 1, LINE_NODES)) @ inverse_pose(leg.X_FT)
-        raw = axes.inverse(
-            np.broadcast_to(X[:, None], (LINE_NODES, n, 4, 4)).reshape(-1, 4, 4), np.tile(d, LINE_NODES)
-        )
+        raw = axes.inverse(np.broadcast_to(X[:, None], (LINE_NODES, n, 4, 4)).reshape(-1, 4, 4), np.tile(d, LINE_NODES))
         raw = _usable(np.moveaxis(raw.reshape(LINE_NODES, n, 8, 6), 2, 0))
         start = stops_raw[-1]
         raw[:, 0] = start
@@ -135,15 +133,16 @@ def station_table(
         labels.append(Label(cfx, turn))
         for i, t in enumerate(tables):
             stops[i].append(t)
-        for i, raw in enumerate(lines_raw):
-            if raw is None:
+        for i, line_raw in enumerate(lines_raw):
+            if line_raw is None:
                 lines[i].append(None)
                 continue
-            q = raw[cfx] + turn
+            q = line_raw[cfx] + turn
             ok = np.all((q >= limits_low) & (q <= limits_high), axis=-1)
             lines[i].append(np.where(ok[..., None], q, np.nan))
-    if first == last and course.stops[first].q is not None:
-        fixed = axes.seven(course.stops[first].q)
+    alone = course.stops[first].q if first == last else None
+    if alone is not None:
+        fixed = axes.seven(alone)
         return StationTable(first, fixed[:1], (Label(-1, np.zeros(6)),), (fixed[None, None, 1:],), ())
     return StationTable(
         first,
@@ -177,9 +176,7 @@ def check_reach(axes: Axes, course: Course, n: int = 193) -> Infeasible | None:
 
 def course_at(course: Course, k: int) -> Course:
     """The course of one stop alone."""
-    return Course(
-        course.plant, course.program, course.freedom, (course.stops[k],), (), ((0, 0),), course.dropped
-    )
+    return Course(course.plant, course.program, course.freedom, (course.stops[k],), (), ((0, 0),), course.dropped)
 
 
 def _passable(course: Course, table: StationTable, i: int) -> bool:
@@ -255,7 +252,7 @@ def _broken_line(axes: Axes, course: Course, first: int, i: int, d: Array) -> In
     fixed = [course.stops[j].rail[0] for j in (k, k + 1) if course.stops[j].rail[0] == course.stops[j].rail[1]]
     if fixed and not leg.rail_moves:
         rails = np.array(fixed[:1])
-    alive: Array | None = None
+    alive: BoolArray | None = None
     bad = 1.0
     for share, X_WT in zip(shares, X, strict=True):
         X_WF = X_WT @ inverse_pose(leg.X_FT)
@@ -268,7 +265,7 @@ def _broken_line(axes: Axes, course: Course, first: int, i: int, d: Array) -> In
         if not np.any(alive):
             bad = float(share)
             break
-    X_WT = X[int(round(bad * 100))]
+    X_WT = X[round(bad * 100)]
     X_WF = X_WT @ inverse_pose(leg.X_FT)
     near = rails[int(np.argmin(np.abs(rails - _abreast(axes, X_WF))))]
     reason = _why(axes, course, X_WF, float(near))
@@ -283,7 +280,7 @@ def _broken_line(axes: Axes, course: Course, first: int, i: int, d: Array) -> In
     return Infeasible(leg.motion, motion.source, text)
 
 
-def _in_limits(axes: Axes, arm: Array) -> Array:
+def _in_limits(axes: Axes, arm: Array) -> BoolArray:
     low, high = axes.lower[1:] - 1e-9, axes.upper[1:] + 1e-9
     ok = np.zeros(arm.shape[:-1], dtype=bool)
     for turn in TURNS:

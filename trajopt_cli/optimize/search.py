@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trajopt_cli.geometry import Array
+from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.course import Course, Leg, LegKind
 from trajopt_cli.optimize.double_integrator import reach, shortest_time, trapezoid_time
@@ -41,13 +41,12 @@ class _Layer:
 
     q: Array
     qd: Array
-    label: Array
-    rail: Array
+    label: IndexArray
+    rail: IndexArray
 
 
 def _layer(axes: Axes, course: Course, table: StationTable, k: int, speeds: Array) -> _Layer:
     arm = table.stops[k - table.first]
-    L, n = arm.shape[:2]
     labels, rails = np.nonzero(~np.isnan(arm[..., 0]))
     stop = course.stops[k]
     q = np.concatenate([table.d[rails][:, None], arm[labels, rails]], axis=1)
@@ -111,7 +110,9 @@ def _line_time(axes: Axes, leg: Leg, table: StationTable, i: int, a: _Layer, b: 
         f = (position - low)[None, :, :, None]
         k = np.arange(LINE_NODES)[:, None]
         arm = line[:, k, low] * (1 - f) + np.where(f > 1e-9, line[:, k, high], 0.0) * f
-        q = np.concatenate([np.broadcast_to((d[i0] + way * S[:, None])[None, ..., None], (*arm.shape[:-1], 1)), arm], -1)
+        q = np.concatenate(
+            [np.broadcast_to((d[i0] + way * S[:, None])[None, ..., None], (*arm.shape[:-1], 1)), arm], -1
+        )
         dq = np.gradient(q, S, axis=1)
         ddq = np.gradient(dq, S, axis=1)
         v = np.min(limits_v / np.maximum(np.abs(dq), 1e-9), axis=(1, 3))
@@ -252,7 +253,7 @@ def _station_of(course: Course) -> list[int]:
 
 
 def _like(fine: StationTable, i: int, coarse: StationTable, keep: set[int]) -> bool:
-    """Label i of the fine table is one of the kept coarse labels: same branch, and joints that agree where both stand."""
+    """Label i of the fine table is one of the kept coarse ones: same branch, joints that agree where both stand."""
     for j in keep:
         if fine.labels[i].cfx != coarse.labels[j].cfx:
             continue

@@ -28,8 +28,12 @@ from trajopt_cli.problem.plan import Infeasible, Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.robot.symbolic import forward
+from trajopt_cli.trajectory import Trajectory, hermite
 
 Report = Callable[[Progress], None]
+
+
+DISAPPOINTING = 1.05  # times the search's estimate: a slower answer is doubted
 
 
 class NoCleanPlan(Exception):
@@ -70,12 +74,7 @@ def optimize(
     if not found:
         return _disconnected(program, plant)
     chain, course = min(found, key=lambda pair: pair[0].cost)
-    tell(Progress("search", incumbent=None))
-    start = perf_counter()
-    draft, spent = _refine(axes, course, chain, tied, tell)
-    seconds |= spent
-    legs = _final_legs(course, draft, tied)
-    trajectory, bounds = rows_of(axes, legs, axes.seven(_end(axes, course, draft)))
+    draft, legs, trajectory, bounds = _clean_plan(axes, course, chain, tied, tell, seconds)
     start = perf_counter()
     tell(Progress("bound", incumbent=trajectory.duration))
     bound = min(lower_bound(axes, course, tied, trajectory.duration), trajectory.duration)
@@ -84,6 +83,51 @@ def optimize(
     grid = _grid(legs, course)
     motions = _planned(axes, program, course, draft, legs, bounds)
     return Plan(target, trajectory, motions, bound, grid, seconds)
+
+
+Clean = tuple[Draft, list[LegMotion], Trajectory, Array]
+
+
+def _clean_plan(axes: Axes, course: Course, chain: Chain, tied: bool, tell: Report, seconds: dict[str, float]) -> Clean:
+    """The draft, its legs, rows and leg boundaries. A stream may also rest at every stop and run straight, as a rapid
+    plan does: that is tried where the freer problem finds nothing, or nothing near what the search promised."""
+    failure = None
+    best: Clean | None = None
+    for straight in (tied,) if tied else (False, True):
+        if straight and not tied:
+            if best is not None and best[2].duration <= DISAPPOINTING * chain.cost:
+                break
+            other = search(axes, course, True)
+            if other is None:
+                break
+            chain = other
+        try:
+            draft = _refine(axes, course, chain, straight, tell, seconds)
+        except NoCleanPlan as said:
+            failure = said
+            continue
+        legs = _final_legs(course, draft, straight)
+        trajectory, bounds = rows_of(axes, legs, axes.seven(_end(axes, course, draft)))
+        if not _rows_hold(axes, trajectory):
+            failure = NoCleanPlan("the written rows would pass a limit between each other")
+            continue
+        if best is None or trajectory.duration < best[2].duration:
+            best = draft, legs, trajectory, bounds
+    if best is None:
+        assert failure is not None
+        raise failure
+    return best
+
+
+def _rows_hold(axes: Axes, trajectory: Trajectory) -> bool:
+    """The cubic Hermite between the rows keeps every axis' speed and acceleration."""
+    h = np.diff(trajectory.t)
+    V, A = axes.plant_axes(axes.velocity), axes.plant_axes(axes.acceleration)
+    for u in (1e-6, 1 - 1e-6):
+        _, qd, qdd = hermite(trajectory, trajectory.t[:-1] + u * h)
+        if np.any(np.abs(qd) > V * (1 + 1e-6)) or np.any(np.abs(qdd) > A * (1 + 1e-6)):
+            return False
+    return True
 
 
 def _courses(program: Program, plant: Plant, freedom: Freedom, target: Target) -> list[Course | Infeasible]:
@@ -106,14 +150,12 @@ def _disconnected(program: Program, plant: Plant) -> Infeasible:
     return Infeasible(index, source, f"{source}: no chain of configurations connects the start with the program's end")
 
 
-def _refine(axes: Axes, course: Course, chain: Chain, tied: bool, tell: Report) -> tuple[Draft, dict[str, float]]:
+def _refine(axes: Axes, course: Course, chain: Chain, tied: bool, tell: Report, seconds: dict[str, float]) -> Draft:
     robot = axes.robot
     q = ca.SX.sym("q", 7)
     p, R = forward(robot, q if axes.has_rail else q[1:])
     flange = ca.Function("flange", [q], [p, R])
     stages = Stages(robot.arm, axes.rail_axis, axes.lower, axes.upper)
-
-    seconds: dict[str, float] = {}
 
     def report(phase: str, legs: Sequence[LegMotion | None]) -> None:
         """The time of the legs at hand and the search's estimate for the others; a rapid dwell counts in full."""
@@ -147,7 +189,7 @@ def _refine(axes: Axes, course: Course, chain: Chain, tied: bool, tell: Report) 
                 refiner = Refiner(axes, stages, flange, piece, tied)
                 draft = with_leg(draft, k, _finer(refiner, part))
                 _add(seconds, refiner.seconds)
-    return draft, seconds
+    return draft
 
 
 def _finer(refiner: Refiner, draft: Draft) -> LegMotion | None:
@@ -209,7 +251,9 @@ def _grid(legs: list[LegMotion], course: Course) -> str:
         }.items()
     }
     parts = [f"{'/'.join(map(str, n))} intervals per {name[:-1]}" for name, n in sizes.items() if n]
-    closed = sum(isinstance(m, JointProfiles) and leg.kind is LegKind.JOINT for leg, m in zip(course.legs, legs, strict=True))
+    closed = sum(
+        isinstance(m, JointProfiles) and leg.kind is LegKind.JOINT for leg, m in zip(course.legs, legs, strict=True)
+    )
     if closed:
         parts.append(f"{closed} joint moves in closed form")
     return ", ".join(parts)

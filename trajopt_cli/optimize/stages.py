@@ -47,9 +47,7 @@ class PathConstants:
 
     def vector(self) -> Array:
         """(22,): p, chord, R (column-major), axis, angle, offset."""
-        return np.concatenate(
-            [self.p, self.chord, self.R.T.ravel(), self.axis, [self.angle], self.offset]
-        )
+        return np.concatenate([self.p, self.chord, self.R.T.ravel(), self.axis, [self.angle], self.offset])
 
 
 def _flange(path: ca.SX, s: ca.SX, turning: bool) -> tuple[ca.SX, ca.SX]:
@@ -79,7 +77,10 @@ class Stages:
             self._cache[key] = make_block(f"{key[0]}{len(self._cache)}", *arguments)  # type: ignore[arg-type]
         return self._cache[key]
 
-    def inverse(self, path: ca.SX, signs: ca.SX, reference: ca.SX, s: ca.SX, d: ca.SX, turning: bool) -> tuple[ca.SX, ca.SX]:
+    def inverse(
+        self, path: ca.SX, signs: ca.SX, reference: ca.SX, s: ca.SX, d: ca.SX, turning: bool
+    ) -> tuple[ca.SX, ca.SX]:
+        """Arm joints (6,) at share s of a path with the rail at d, and sin q3."""
         p, R = _flange(path, s, turning)
         return inverse_arm(self.arm, p - d * self.rail_axis, R, signs, reference)  # type: ignore[arg-type]
 
@@ -247,7 +248,7 @@ class Stages:
         return self._block(("tool", kind.name, *np.round(offset, 9)), size, 1, rows)
 
     def straight_tool_row(self, flange: ca.Function, offset: Array, kind: ToolRow) -> Block:
-        """The same on a move straight in joint space. z: s, v', then a' for the acceleration, q_a 7, q_b 7, T; p: cap."""
+        """The same on a move straight in joint space. z: s, v', a' for the acceleration, q_a 7, q_b 7, T; p: cap."""
 
         def rows(z: ca.SX, p: ca.SX):  # type: ignore[no-untyped-def]
             n = 1 if kind is ToolRow.ACCELERATION else 0

@@ -1,21 +1,21 @@
 """The whole program as one nonlinear program: stop states and leg motions in, better ones out.
 
-Stream: each axis of a joint move has its own profile (closed form while the tool caps sleep, a grid once they bind), the
-rail moves freely along lines and dwells. Rapid: joint moves run straight in joint space, the rail in proportion to the
-path, every axis rests at every stop.
+Stream: each axis of a joint move has its own profile (closed form while the tool caps sleep, a grid once they bind),
+the rail moves freely along lines and dwells. Rapid: joint moves run straight in joint space, the rail in proportion to
+the path, every axis rests at every stop.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import casadi as ca
 import numpy as np
 
-from trajopt_cli.geometry import Array, axis_angle, inverse_pose
+from trajopt_cli.geometry import Array, BoolArray, IndexArray, axis_angle, inverse_pose
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.blocks import BlockNlp, NlpResult
+from trajopt_cli.optimize.blocks import BlockNlp
 from trajopt_cli.optimize.course import Course, Leg, LegKind
 from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, share_of, straight
 from trajopt_cli.optimize.profiles import hold, profiles
@@ -33,7 +33,7 @@ LEAST_TIME = 1e-3  # s; a leg of zero length still gets this long, so that scale
 
 @dataclass(frozen=True, eq=False)
 class Draft:
-    """A candidate: axes q (M, 7) and rail speeds w (M,) at the stops, IK branch per stop (-1 where joints are fixed)."""
+    """A candidate: axes q and speeds qd (M, 7) at the stops, IK branch per stop (-1 where joints are fixed)."""
 
     q: Array
     qd: Array
@@ -50,21 +50,24 @@ class Draft:
 class Margins:
     """Limits in force per leg and node, as shares (N+1,) of the true ones; tightened where a dense check found excess.
 
-    velocity, acceleration (N+1, 7); position (N+1, 7): of half the range, about its middle; tool: speed, acceleration, reorientation (N+1, 3). rows (N+1, 3):
-    which tool caps a joint move's nodes must hold explicitly; far from a cap the dense check alone watches.
+    velocity, acceleration (N+1, 7); position (N+1, 7): of half the range, about its middle; tool (N+1, 3): speed,
+    acceleration, reorientation. rows (N+1, 3): which tool caps a joint move's nodes must hold explicitly; far from a
+    cap the dense check alone watches.
     """
 
     velocity: Array
     acceleration: Array
     position: Array
     tool: Array
-    rows: Array
+    rows: BoolArray
 
     @classmethod
     def full(cls, N: int, joints: float) -> Margins:
         """Nothing tightened but for rounding, no tool cap of a joint move in force. joints: share of their limits."""
         share = np.full((N + 1, 7), joints)
-        return cls(share, share.copy(), np.ones((N + 1, 7)), np.full((N + 1, 3), START), np.zeros((N + 1, 3), dtype=bool))
+        return cls(
+            share, share.copy(), np.ones((N + 1, 7)), np.full((N + 1, 3), START), np.zeros((N + 1, 3), dtype=bool)
+        )
 
     def refined(self) -> Margins:
         """The same shares on twice as many intervals; a new node takes the smaller neighbour's."""
@@ -77,9 +80,7 @@ class Margins:
 
         rows = np.repeat(self.rows, 2, axis=0)[:-1]
         rows[1::2] |= self.rows[1:]
-        return Margins(
-            double(self.velocity), double(self.acceleration), double(self.position), double(self.tool), rows
-        )
+        return Margins(double(self.velocity), double(self.acceleration), double(self.position), double(self.tool), rows)
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,19 +90,24 @@ class Grid:
     nodes: Array
 
 
+NONE: IndexArray = np.zeros(0, dtype=np.intp)
+
+
 @dataclass
 class _LegVariables:
+    """Indices of a leg's variables; NONE where the leg has no such."""
+
     T: int
-    h: Array | None = None
-    s: Array | None = None
-    v: Array | None = None
-    a: Array | None = None
-    d: Array | None = None
-    w: Array | None = None
-    b: Array | None = None
-    q: Array | None = None
-    qv: Array | None = None
-    qa: Array | None = None
+    h: IndexArray = field(default_factory=NONE.copy)
+    s: IndexArray = field(default_factory=NONE.copy)
+    v: IndexArray = field(default_factory=NONE.copy)
+    a: IndexArray = field(default_factory=NONE.copy)
+    d: IndexArray = field(default_factory=NONE.copy)
+    w: IndexArray = field(default_factory=NONE.copy)
+    b: IndexArray = field(default_factory=NONE.copy)
+    q: IndexArray = field(default_factory=NONE.copy)
+    qv: IndexArray = field(default_factory=NONE.copy)
+    qa: IndexArray = field(default_factory=NONE.copy)
 
 
 def _sides(k: int, N: int) -> str:
@@ -125,8 +131,8 @@ class Transcription:
     # ---- stops
     def _stops(self) -> None:
         nlp, axes = self.nlp, self.axes
-        self.stop_q: list[Array] = []
-        self.stop_v: list[Array] = []
+        self.stop_q: list[IndexArray] = []
+        self.stop_v: list[IndexArray] = []
         V = axes.velocity
         for k, stop in enumerate(self.course.stops):
             q, qd = self.draft.q[k], self.draft.qd[k]
@@ -208,14 +214,14 @@ class Transcription:
             self.axes.acceleration * m.acceleration[k], caps, m.position[k, 1:],
         ]  # fmt: skip
 
-    def _chain(self, grid: Array, x: Array, v: Array, a: Array) -> None:
+    def _chain(self, grid: Array, x: IndexArray, v: IndexArray, a: IndexArray) -> None:
         for k, h in enumerate(np.diff(grid)):
             self.nlp.add(self.stages.chain(), [x[k], v[k], a[k], x[k + 1], v[k + 1]], [h])
 
-    def _zones(self, motion: PathLeg) -> Array:
+    def _zones(self, motion: PathLeg) -> IndexArray:
         """Interval lengths of a path's three zones (run-up, middle, run-out).
 
-        Free on one grid only, so that switches fall on nodes; kept on the finer ones, which saves half of the iterations.
+        Free on one grid only, so that switches fall on nodes; kept on the finer ones, which saves iterations.
         """
         per_zone = motion.N // 3
         lengths = np.diff(motion.grid)[[0, per_zone, 2 * per_zone]]
@@ -225,12 +231,14 @@ class Transcription:
         self.nlp.add(self.stages.zones(), h, [per_zone])
         return h
 
-    def _zone_chain(self, h: Array, x: Array, v: Array, a: Array) -> None:
+    def _zone_chain(self, h: IndexArray, x: IndexArray, v: IndexArray, a: IndexArray) -> None:
         for k in range(len(a)):
             z = [x[k], v[k], a[k], x[k + 1], v[k + 1], h[3 * k // len(a)]]
             self.nlp.add(self.stages.zone_chain(), z)
 
-    def _share(self, h: Array | Grid, motion_s: Array, motion_v: Array, motion_a: Array) -> tuple[Array, Array, Array]:
+    def _share(
+        self, h: IndexArray | Grid, motion_s: Array, motion_v: Array, motion_a: Array
+    ) -> tuple[IndexArray, IndexArray, IndexArray]:
         """Variables of a share going from 0 to 1, at rest at both ends, never backwards."""
         N = len(motion_a)
         low_s, high_s = np.zeros(N + 1), np.ones(N + 1)
@@ -301,7 +309,7 @@ class Transcription:
         for j in range(0 if self.axes.has_rail else 1, 7):
             self.nlp.add(self.stages.axis_reach(), [qa[j], va[j], qb[j], vb[j], out.T], [V[j], A[j]])
 
-    def _top(self, leg: Leg, share: float) -> Array:
+    def _top(self, leg: Leg, share: float) -> IndexArray:
         """Top speed and acceleration of a straight joint move's common profile; share: how much of each limit."""
         k, V, A = leg.start, self._rail_speed(leg), self.axes.acceleration
         way = np.maximum(np.abs(self.draft.q[k + 1] - self.draft.q[k]), 1e-9)
@@ -402,13 +410,11 @@ class Transcription:
     ) -> PathLeg:
         lengths = np.repeat(x[var.h], motion.N // 3)
         motion = replace(motion, grid=np.concatenate([[0.0], np.cumsum(lengths[:-1]), [1.0]]))
-        if var.d is None:
+        if not len(var.d):
             s, v, a = x[var.s], x[var.v], x[var.a]
             way = q_1[0] - q_0[0]
-            return replace(
-                motion, T=T, s=s, v=v, a=a, d=q_0[0] + way * s, w=way * v, b=way * a, reference=q_0[1:]
-            )
-        s, v, a = (x[var.s], x[var.v], x[var.a]) if var.s is not None else (motion.s, motion.v, motion.a)
+            return replace(motion, T=T, s=s, v=v, a=a, d=q_0[0] + way * s, w=way * v, b=way * a, reference=q_0[1:])
+        s, v, a = (x[var.s], x[var.v], x[var.a]) if len(var.s) else (motion.s, motion.v, motion.a)
         return replace(motion, T=T, s=s, v=v, a=a, d=x[var.d], w=x[var.w], b=x[var.b], reference=q_0[1:])
 
     def _profiles(self, leg: Leg, q_0: Array, qd_0: Array, q_1: Array, qd_1: Array, T: float) -> JointProfiles:
