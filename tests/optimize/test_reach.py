@@ -1,0 +1,239 @@
+"""What cannot be done is named before any optimising: motion, point and limit."""
+
+from __future__ import annotations
+
+from itertools import product
+
+import numpy as np
+import pytest
+from small_cells import DOWN, course_of, plant_with_rail, plant_without_rail, rapid
+
+from trajopt_cli.geometry import line_pose, pose, wxyz_from_rotation
+from trajopt_cli.motion import Program
+from trajopt_cli.optimize import check_feasible
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.reach import LINE_NODES, check_reach, rail_grid, station_table
+from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, FIXED_RAIL
+from trajopt_cli.problem.plan import Infeasible, Target
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.robot.inverse import inverse, solutions
+
+
+def target(name: str, p: tuple[float, float, float], conf: str = "0,0,0,0", eax: str = "9E9", R: object = DOWN) -> str:
+    quaternion = ",".join(f"{x:.12f}" for x in wxyz_from_rotation(R))
+    place = ",".join(f"{x * 1e3:.6f}" for x in p)
+    return f"CONST robtarget {name}:=[[{place}],[{quaternion}],[{conf}],[{eax},9E9,9E9,9E9,9E9,9E9]];"
+
+
+def said(program: Program, plant: Plant, freedom: object = EVERYTHING) -> Infeasible:
+    answer = check_feasible(program, plant, Target.STREAM, freedom)
+    assert isinstance(answer, Infeasible)
+    return answer
+
+
+def test_a_target_too_far_from_every_rail_position_is_named() -> None:
+    """y = 3 m with the rail's end at 2.2 m: 0.8 m aside of axis 1, hence too far; at the nearest rail position."""
+    body = "MoveJ p_in, v500, fine, tool0;\nMoveJ p_far, v500, fine, tool0;"
+    program = rapid(body, data=target("p_far", (0.5, 3, 0.4)))
+    answer = said(program, plant_with_rail())
+    arm = plant_with_rail().robot.arm
+    r = np.hypot(np.hypot(0.5, 0.8) - arm.a1, 0.4 + arm.L6 - arm.d1)
+    assert answer.index == 1
+    assert answer.message == (
+        "t.mod:6:1: MoveJ p_far cannot be reached at rail 2200.0 mm: wrist centre outside the outer workspace:"
+        f" {r:.6g} m from axis 2, at most {arm.L2 + arm.L4:.6g} m"
+    )
+
+
+def test_a_target_beyond_a_joint_limit_names_joint_value_and_limit() -> None:
+    """The flange pointing up above the arm: in reach, but only with joint 5 beyond 115 degrees."""
+    program = rapid("MoveJ p_up, v500, fine, tool0;", data=target("p_up", (0.45, 0.5, 0.15), R=np.eye(3)))
+    answer = said(program, plant_with_rail())
+    assert answer.message.startswith("t.mod:5:1: MoveJ p_up cannot be reached at rail ")
+    assert "joint_5" in answer.message
+    assert "limit" in answer.message
+
+
+def test_without_a_rail_no_rail_position_is_spoken_of() -> None:
+    program = rapid("MoveJ p_far, v500, fine, tool0;", data=target("p_far", (1.5, 0, 0.4)))
+    message = said(program, plant_without_rail()).message
+    assert message.startswith("t.mod:5:1: MoveJ p_far cannot be reached: wrist centre outside the outer workspace: ")
+
+
+def served(plant: Plant, a: tuple[float, ...], b: tuple[float, ...], s: float, d: float | None) -> bool:
+    X = line_pose(pose(DOWN, a), pose(DOWN, b), np.array([s]))[0]
+    return bool(solutions(plant.robot, X, d, plant.limits))
+
+
+def test_a_line_whose_middle_is_out_of_reach_is_named_where_it_breaks() -> None:
+    """Six axes; the wrist centre on the line passes 0.15 m in front of axis 1, inside the inner workspace."""
+    a, b, plant = (0.15, 0.45, 0.25), (0.15, -0.45, 0.25), plant_without_rail()
+    shares = np.linspace(0, 1, 101)
+    reachable = np.array([served(plant, a, b, s, None) for s in shares])
+    assert reachable[0]
+    assert reachable[-1]
+    first = shares[np.argmin(reachable)]
+    assert 0.1 < first < 0.5
+    data = target("p_a", a) + target("p_b", b)
+    program = rapid("MoveJ p_a, v500, fine, tool0;\nMoveL p_b, v500, fine, tool0;", data=data)
+    answer = said(program, plant)
+    assert answer.index == 1
+    place = 450 - 900 * first
+    assert answer.message.startswith(
+        f"t.mod:6:1: MoveL p_b breaks at {first * 900:.1f} mm of 900.0 mm, point [150.0, {place:.1f}, 250.0] mm: "
+    )
+    assert "limit" in answer.message or "workspace" in answer.message
+
+
+LONG_A, LONG_B = (0.55, 0.2, 0.4), (0.55, 1.6, 0.4)
+
+
+@pytest.fixture(scope="module")
+def long_line() -> Program:
+    """1.4 m along the rail: longer than the arm is wide."""
+    data = target("p_a", LONG_A, eax="200") + target("p_b", LONG_B, eax="1600")
+    return rapid("MoveJ p_a, v500, fine, tool0;\nMoveL p_b, v500, fine, tool0;", data=data)
+
+
+def test_a_line_that_only_a_moving_rail_serves_passes(long_line: Program) -> None:
+    assert check_feasible(long_line, plant_with_rail()) is None
+
+
+@pytest.mark.parametrize("rail_fixed", [True, False], ids=["fixed by the cell", "as written"])
+def test_it_passes_too_where_the_rail_goes_from_one_programmed_value_to_the_other(
+    long_line: Program, rail_fixed: bool
+) -> None:
+    """The rail in proportion to the line stays opposite the tool: every point is in reach."""
+    plant = plant_with_rail(rail_fixed=rail_fixed)
+    assert all(served(plant, LONG_A, LONG_B, s, 0.2 + 1.4 * s) for s in np.linspace(0, 1, 15))
+    assert check_feasible(long_line, plant, Target.STREAM, EVERYTHING if rail_fixed else AS_WRITTEN) is None
+
+
+def test_the_same_line_with_the_rail_held_still_is_named(long_line: Program) -> None:
+    plant = plant_with_rail()
+    d = np.linspace(0.3, 1.5, 25)
+    shares = np.linspace(0, 1, 36)
+    alive = [any(all(served(plant, LONG_A, LONG_B, s, x) for s in (0.0, share)) for x in d) for share in shares]
+    longest = shares[np.argmin(alive)] * 1400  # mm that some rail position serves both ends of
+    answer = said(long_line, plant, FIXED_RAIL)
+    assert answer.index == 1
+    assert answer.message.startswith("t.mod:6:1: MoveL p_b breaks at ")
+    at = float(answer.message.split("breaks at ")[1].split(" mm")[0])
+    assert longest - 90 <= at <= longest + 30
+    assert "of 1400.0 mm, point [550.0, " in answer.message
+
+
+@pytest.mark.parametrize("rail_fixed", [True, False])
+def test_confdata_that_cannot_be_had_lists_those_that_could(rail_fixed: bool) -> None:
+    """Held to the program's confdata (a freedom that keeps it); the list is that of the inverse kinematics."""
+    plant = plant_with_rail(rail_fixed=rail_fixed)
+    data = target("p_c", (0.5, 0.5, 0.4), conf="1,1,1,0", eax="500")
+    program = rapid("MoveJ p_c, v500, fine, tool0;", data=data)
+    answer = said(program, plant, AS_WRITTEN)
+    confs = set()
+    for cfx, q in solutions(plant.robot, pose(DOWN, (0.5, 0.5, 0.4)), 0.5, plant.limits):
+        cf = [int(np.floor(q[i] / (np.pi / 2) + 1e-9)) for i in (0, 3, 5)]
+        confs.add((*cf, cfx))
+    listed = ", ".join(f"[{','.join(map(str, conf))}]" for conf in sorted(confs))
+    assert len(confs) > 3
+    assert answer.message == (
+        f"t.mod:5:1: MoveJ p_c cannot be reached at rail 500.0 mm: not with confdata [1,1,1,0]; there would be {listed}"
+    )
+    assert check_feasible(program, plant) is None
+
+
+def test_one_of_the_listed_confdata_passes() -> None:
+    plant = plant_with_rail()
+    wrong = rapid("MoveJ p_c, v500, fine, tool0;", data=target("p_c", (0.5, 0.55, 0.4), conf="1,1,1,0", eax="500"))
+    first = said(wrong, plant, AS_WRITTEN).message.split("there would be [")[1].split("]")[0]
+    right = rapid("MoveJ p_c, v500, fine, tool0;", data=target("p_c", (0.5, 0.55, 0.4), conf=first, eax="500"))
+    assert check_feasible(right, plant, Target.STREAM, AS_WRITTEN) is None
+
+
+def test_two_points_whose_confdata_differ_share_no_configuration() -> None:
+    """Each alone can be had; a line between them cannot change the branch."""
+    plant, points = plant_without_rail(), ((0.5, 0.1, 0.45), (0.5, 0.1, 0.4))
+    confs = []
+    for p in points:
+        cf = {}
+        for cfx, q in solutions(plant.robot, pose(DOWN, p), None, plant.limits):
+            cf.setdefault(cfx, ",".join(str(int(np.floor(q[i] / (np.pi / 2) + 1e-9))) for i in (0, 3, 5)) + f",{cfx}")
+        confs.append(cf)
+    data = target("p_a", points[0], confs[0][0]) + target("p_b", points[1], confs[1][1])
+    program = rapid("MoveJ p_a, v500, fine, tool0;\nMoveL p_b, v500, fine, tool0;", data=data)
+    answer = said(program, plant, AS_WRITTEN)
+    assert answer.index == 1
+    assert answer.message.startswith("t.mod:6:1: MoveL p_b")
+    assert "configuration" in answer.message
+    assert check_feasible(program, plant) is None
+
+
+@pytest.mark.parametrize("turning", [False, True])
+def test_station_tables_hold_every_configuration_and_none_else(turning: bool) -> None:
+    """Each label is one branch and turn continued along the line; against the inverse at each node by itself."""
+    plant = plant_with_rail()
+    turned = np.array([[0, 1, 0], [1, 0, 0], [0, 0, -1.0]]) if turning else DOWN
+    a, b = (0.5, 0.5, 0.45), (0.45, 0.6, 0.35)
+    data = target("p_a", a) + target("p_b", b, R=turned)
+    course = course_of(rapid("MoveJ p_a, v500, fine, tool0;\nMoveL p_b, v500, fine, tool0;", data=data), plant)
+    axes = Axes.of(plant)
+    d = rail_grid(course, 1, 2, 31)
+    table = station_table(axes, course, 1, 2, d)
+    X = line_pose(course.stops[1].X_WF, course.stops[2].X_WF, np.linspace(0, 1, LINE_NODES))
+    line = table.lines[0]
+    assert line is not None
+    held = 0
+    for label, arm in zip(table.labels, line, strict=True):
+        for k in range(LINE_NODES):
+            have = ~np.isnan(arm[k, :, 0])
+            if not have.any():
+                continue
+            q = np.column_stack([d, arm[k]])[have]
+            held += len(q)
+            np.testing.assert_allclose(axes.forward(q), np.broadcast_to(X[k], (len(q), 4, 4)), rtol=0, atol=1e-9)
+            assert np.all(q >= axes.lower - 1e-8)
+            assert np.all(q <= axes.upper + 1e-8)
+            raw = inverse(plant.robot, np.broadcast_to(X[k], (len(q), 4, 4)), q[:, 0])[:, label.cfx]
+            turns = (q[:, 1:] - raw) / (2 * np.pi)
+            np.testing.assert_allclose(turns, np.round(turns), atol=1e-9)
+        both = ~np.isnan(arm[:-1, :, 0]) & ~np.isnan(arm[1:, :, 0])
+        assert np.all(np.abs(np.diff(arm, axis=0))[both] < 1.0)
+    # at the start: as many configurations as the inverse has within limits, but those beside a singularity
+    for i, rail in enumerate(d):
+        wanted = {
+            tuple(np.round(q, 6))
+            for _, q in solutions(plant.robot, course.stops[1].X_WF, float(rail), plant.limits)
+            if abs(np.sin(q[2])) <= 0.9999 and abs(np.sin(q[4])) >= 1e-3
+        }
+        have = {tuple(np.round(q, 6)) for q in table.stops[0][:, i] if not np.isnan(q[0])}
+        assert have <= wanted
+        if not turning:
+            assert have == wanted
+    assert held > 1000
+
+
+def test_grids_hold_fixed_rail_values_exactly() -> None:
+    body = "MoveJ p_in, v500, fine, tool0;\nMoveL p_low, v500, fine, tool0;\nMoveAbsJ j_home, v500, fine, tool0;"
+    course = course_of(rapid(body), plant_with_rail(rail_fixed=True))
+    assert rail_grid(course, 1, 2, 33).tolist() == [0.6]
+    free = course_of(rapid(body), plant_with_rail())
+    grid = rail_grid(free, 1, 2, 33)
+    assert (len(grid), grid[0], grid[-1]) == (33, -0.2, 2.2)
+    near = rail_grid(free, 1, 2, 25, (0.4, 3.0))
+    assert (near[0], near[-1]) == (0.4, 2.2)
+
+
+def test_programs_that_can_be_done_are_not_refused() -> None:
+    """Random targets on both sides of the rail: refused exactly when the inverse has no answer on a fine rail grid."""
+    plant = plant_with_rail()
+    rng = np.random.default_rng(9)
+    d = np.linspace(-0.2, 2.2, 193)
+    seen = set()
+    for x, y in product((-0.75, -0.4, 0.35, 0.6, 0.72, 0.9), (0.5, 2.4)):
+        p = (x, y, rng.uniform(0.0, 0.8))
+        course = course_of(rapid("MoveJ p_x, v500, fine, tool0;", data=target("p_x", p)), plant)
+        found = any(solutions(plant.robot, pose(DOWN, p), float(rail), plant.limits) for rail in d)
+        answer = check_reach(Axes.of(plant), course)
+        assert (answer is None) == found, (p, answer)
+        seen.add(found)
+    assert seen == {True, False}
