@@ -42,6 +42,26 @@ def test_a_legal_motion_passes(name: str, rows: dict[str, object], decimals: int
         assert report.legal, [f.message for f in report.findings if not f.passed]
 
 
+@pytest.mark.parametrize("step", [0.003, 0.0043, 0.0071, 0.01])
+def test_a_rapid_motion_passes_whatever_its_rows_miss(step: float) -> None:
+    """The rail rides through a whole wait: its rest at either end lies between two rows."""
+    case = rapid_case()
+    report = verify(case.program, case.plant, case.rows(grid_only=True, step=step), target=Target.RAPID)
+    assert report.legal, [f.message for f in report.findings if not f.passed]
+
+
+def test_one_odd_row_makes_no_marked_file() -> None:
+    """A recorder's hiccup splits one gap of an even grid; a switch within a gap is still nobody's fault."""
+    case = rapid_case()
+    grid = case.rows(grid_only=True, step=0.004)
+    odd = np.sort(np.append(grid.t, 0.5013))
+    fine = case.rows(step=1e-5)
+    pick = np.searchsorted(fine.t, odd - 1e-9)
+    rows = Trajectory(fine.names, fine.t[pick], fine.q[pick], fine.qd[pick])
+    report = verify(case.program, case.plant, rows)
+    assert report.legal, [f.message for f in report.findings if not f.passed]
+
+
 def test_every_promised_check_is_made() -> None:
     case = stream_case()
     made = {f.check for f in verify(case.program, case.plant, case.rows()).findings}

@@ -147,7 +147,8 @@ def _holds(rows: Rows, stop: Stop, time: float, depart: int, rapid: bool) -> tup
             still = first + np.flatnonzero(rows.axes_rest[first : depart + 1])
             if len(still):
                 rests = int(still[0])
-                end = max(end, float(rows.t[rests]))
+                if rests > first or not rows.axes_rest[max(first - 1, 0)]:  # else the axes stand at `end` already
+                    end = max(end, float(rows.t[rests]))
         out.append(Hold(wait, time, end, rests))
         time = end
     return tuple(out)
