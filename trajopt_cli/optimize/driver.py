@@ -118,11 +118,13 @@ class Refiner:
         return self._exchange(draft, margins, warm, progress)
 
     def _first(self, draft: Draft, margins: list[Margins | None]) -> tuple[Draft, list[Any]]:
-        """The first solve, from estimates: two values of the barrier tried."""
+        """The first solve: a rough one from estimates, a sharp one from a draft already on the last grid."""
+        n = max((m.N for m in draft.legs if isinstance(m, PathLeg)), default=FIRST)
+        mu, tolerance = (1e-4, 1e-8) if n >= self.last else (1e-2, 1e-4)
         try:
-            out, *warm = self._solve(draft, margins, 1e-2, 1e-4)
+            out, *warm = self._solve(draft, margins, mu, tolerance)
         except NotConverged:
-            out, *warm = self._solve(draft, margins, 1e-1, 1e-4)
+            out, *warm = self._solve(draft, margins, 1e-1, tolerance)
         return out, warm
 
     def _exchange(

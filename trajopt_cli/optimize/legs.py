@@ -15,12 +15,12 @@ from trajopt_cli.geometry import Array, axis_angle, inverse_pose, line_pose
 from trajopt_cli.optimize.axes import Axes
 
 
-def integrate(grid: Array, x: Array, v: Array, tau: Array) -> tuple[Array, Array, Array]:
+def integrate(grid: Array, x: Array, v: Array, tau: Array, right: bool = True) -> tuple[Array, Array, Array]:
     """Position, speed, acceleration (scaled time) at tau (n,) of node values x, v (N+1, ...) on a grid over 0..1.
 
-    The cubic Hermite between nodes: equal to the exact integral up to the solver's residual, and without its jumps.
+    At a node the acceleration is the one of the interval on its right or left. The cubic Hermite between nodes: equal to the exact integral up to the solver's residual, and without its jumps.
     """
-    i = np.clip(np.searchsorted(grid, tau, side="right") - 1, 0, len(grid) - 2)
+    i = np.clip(np.searchsorted(grid, tau, side="right" if right else "left") - 1, 0, len(grid) - 2)
     tail = [1] * (x.ndim - 1)
     h = (grid[i + 1] - grid[i]).reshape(-1, *tail)
     u = (tau - grid[i]).reshape(-1, *tail) / h
@@ -105,9 +105,8 @@ class PathLeg:
     def sample(self, axes: Axes, t: Array, right: bool = True) -> Sample:
         """Positions by inverse kinematics, speeds and accelerations through the Jacobian. At a break: right side."""
         tau = np.clip(t / self.T, 0.0, 1.0)
-        tau_ = tau + (1e-12 if right else -1e-12)
-        s, sv, sa = integrate(self.grid, self.s, self.v, np.clip(tau_, 0, 1))
-        d, dv, da = integrate(self.grid, self.d, self.w, np.clip(tau_, 0, 1))
+        s, sv, sa = integrate(self.grid, self.s, self.v, tau, right)
+        d, dv, da = integrate(self.grid, self.d, self.w, tau, right)
         sv, dv, sa, da = sv / self.T, dv / self.T, sa / self.T**2, da / self.T**2
         X_WT = line_pose(self.X_0, self.X_1, s)
         X_TF = inverse_pose(self.X_FT)
@@ -167,8 +166,7 @@ class JointNodes:
 
     def sample(self, axes: Axes, t: Array, right: bool = True) -> Sample:
         """Exact polynomial values."""
-        tau = np.clip(np.clip(t / self.T, 0.0, 1.0) + (1e-12 if right else -1e-12), 0, 1)
-        q, v, a = integrate(self.grid, self.q, self.v, tau)
+        q, v, a = integrate(self.grid, self.q, self.v, np.clip(t / self.T, 0.0, 1.0), right)
         return Sample(t, q, v / self.T, a / self.T**2)
 
 

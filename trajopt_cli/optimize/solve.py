@@ -33,6 +33,7 @@ from trajopt_cli.trajectory import Trajectory, hermite
 Report = Callable[[Progress], None]
 
 
+RESIDUAL = 1e-14  # rad or m: rounding of a position in a row
 DISAPPOINTING = 1.05  # times the search's estimate: a slower answer is doubted
 
 
@@ -120,12 +121,14 @@ def _clean_plan(axes: Axes, course: Course, chain: Chain, tied: bool, tell: Repo
 
 
 def _rows_hold(axes: Axes, trajectory: Trajectory) -> bool:
-    """The cubic Hermite between the rows keeps every axis' speed and acceleration."""
+    """The cubic Hermite between the rows keeps every axis' speed and acceleration, up to what rounding does to rows
+    that stand near each other."""
     h = np.diff(trajectory.t)
+    noise = 6 * RESIDUAL / (h * h)[:, None]
     V, A = axes.plant_axes(axes.velocity), axes.plant_axes(axes.acceleration)
     for u in (1e-6, 1 - 1e-6):
         _, qd, qdd = hermite(trajectory, trajectory.t[:-1] + u * h)
-        if np.any(np.abs(qd) > V * (1 + 1e-6)) or np.any(np.abs(qdd) > A * (1 + 1e-6)):
+        if np.any(np.abs(qd) > V * (1 + 1e-6)) or np.any(np.abs(qdd) > A * (1 + 1e-6) + noise):
             return False
     return True
 
