@@ -19,7 +19,7 @@ from trajopt_cli.optimize.reach import LINE_NODES, Label, StationTable, rail_gri
 from trajopt_cli.problem.freedom import RailFreedom
 
 COARSE, FINE = 33, 25
-SPEEDS = np.array([-0.6, -0.25, 0.0, 0.25, 0.6])  # shares of the rail's top speed tried at a stop
+SPEEDS = np.array([-0.5, 0.0, 0.5])  # shares of the rail's top speed tried at a stop
 NEAR = 1.04  # labels within 4 % of the best cycle stay in the fine search
 CHUNK = 2_000_000
 
