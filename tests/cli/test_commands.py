@@ -14,7 +14,7 @@ from typing import get_args, get_type_hints
 
 import numpy as np
 import pytest
-from conftest import ACCELERATION, CELL, TEXT, Planner
+from fake_planner import ACCELERATION, CELL, TEXT, Planner
 
 from trajopt_cli.cli import run
 from trajopt_cli.cli.optimize import optimize
