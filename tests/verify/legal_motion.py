@@ -268,7 +268,7 @@ def rail_share(d_0: float, d_1: float) -> Callable[[Array, Array], tuple[Array, 
 def rapid_case(plant: Plant | None = None) -> Case:
     """Two stations; every axis rests at every stop, the rail in proportion to the path: legal for both targets."""
     plant = plant or plant_with_rail()
-    d = [0.05, 0.08, 0.08, 0.12, 0.25, 0.28, 0.26]
+    d = [0.05, 0.08, 0.08, 0.12, 0.25, 0.28, 0.28 + 3.0 * 0.3**2 / 4]  # the last ride at full acceleration
     q = [arm_at(plant, X[None], np.array([rail]))[0] for X, rail in
          zip([A_IN, A, A, A_IN, B_IN, B, B], d, strict=True)]  # fmt: skip
     ride = trapezoid(1e9, 4 / 0.3**2)  # a triangle of 0.3 s

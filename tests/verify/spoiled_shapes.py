@@ -33,7 +33,7 @@ from trajopt_cli.verify import tolerances as tol
 
 @spoiled("joint speed", "rail", 15)
 def too_fast_axis() -> Judged:
-    case = rapid_case(limited(plant_with_rail(), velocity={0: 0.4}))
+    case = rapid_case(limited(plant_with_rail(), velocity={0: 0.5}))
     assert verify(case.program, case.plant, case.rows()).legal
     case = case.swap(p4=faster(case.pieces[4], 1 + OVER * tol.JOINT))
     return replace(case, plant=limited(case.plant, acceleration={0: 3.1})), case.rows(), None

@@ -23,6 +23,7 @@ from legal_motion import (
     nudged,
     plant_with_rail,
     program,
+    quintic,
     rail_share,
     rapid_case,
     stream_case,
@@ -124,6 +125,19 @@ def not_at_rest_at_the_end() -> Judged:
         qd[-1, 0] = OVER * tol.REST_JOINT
 
     return case, edited(case, edit), None
+
+
+@spoiled("end rest", "rail", 18)
+def not_at_rest_at_the_end_without_speed_columns() -> Judged:
+    """From rest at the last row the rail can have come A h^2/2 in the row before: a mean speed of A h/2."""
+    case = rapid_case()
+    q_0 = case.pieces[7].at(np.zeros(1))[0][0]
+    v = np.r_[OVER * (case.plant.limits.acceleration[0] * 1e-3 / 2 + tol.REST_JOINT), np.zeros(6)]
+    case = case.swap(p7=quintic(q_0, np.zeros(7), case.plant.start, v, 1.0))
+    rows = case.rows()
+    whole = rows.t[-1] - rows.t[-2] > 9e-4
+    keep = np.arange(len(rows.t)) if whole else np.delete(np.arange(len(rows.t)), -2)
+    return case, Trajectory(rows.names, rows.t[keep], rows.q[keep]), None
 
 
 @spoiled("stop reached")
