@@ -130,3 +130,27 @@ def test_wrong_axes_are_an_input_error() -> None:
     rows = case.rows()
     with pytest.raises(InputError, match=r"the file's axes are joint_1, .*; the robot's are rail, joint_1"):
         verify(case.program, case.plant, Trajectory(rows.names[1:], rows.t, rows.q[:, 1:]))
+
+
+def test_rows_that_are_no_motion_are_refused() -> None:
+    case = rapid_case()
+    rows = case.rows()
+    q = np.array(rows.q)
+    q[17, 3] = np.nan
+    with pytest.raises(InputError, match=r"^row 17: joint_3 is nan, wanted a finite number$"):
+        verify(case.program, case.plant, Trajectory(rows.names, rows.t, q, rows.qd))
+    with pytest.raises(InputError, match=r"^row 1: time 2\.\d+ s follows 2\.\d+ s; times must increase$"):
+        verify(case.program, case.plant, Trajectory(rows.names, rows.t[::-1], rows.q, rows.qd))
+    with pytest.raises(InputError, match=r"^the motion has 1 rows; at least 2 are needed$"):
+        verify(case.program, case.plant, Trajectory(rows.names, rows.t[:1], rows.q[:1]))
+
+
+def test_a_program_without_moves_is_a_rest_at_the_start() -> None:
+    case = rapid_case()
+    rest = Case(case.plant, program(wait(11, 0.2)), (hold(case.plant.start, 0.2),))
+    assert verify(rest.program, rest.plant, rest.rows()).legal
+    short = Case(case.plant, program(wait(11, 0.3)), rest.pieces)
+    failed = [f.check for f in verify(short.program, short.plant, short.rows()).findings if not f.passed]
+    assert failed == ["dwell length"]
+    report = verify(program(), case.plant, case.rows())
+    assert "end" in [f.check for f in report.findings if not f.passed]

@@ -43,11 +43,13 @@ def verify(
     axis at rest at every stop, MoveJ straight in the joints, the rail in proportion to the path of a line.
     advice False leaves the libraries out, for those who only ask for legality.
 
-    Raises InputError when the file's axes are not the robot's.
+    Raises InputError when the file's axes are not the robot's, or its rows are no motion: fewer than two, a time that
+    does not follow the one before, a number that is not finite.
     """
     names = plant.robot.axis_names
     if trajectory.names != names:
         raise InputError(f"the file's axes are {', '.join(trajectory.names)}; the robot's are {', '.join(names)}")
+    _check_rows(trajectory)
     stops = stops_of(program, plant, dropped)
     rows = look(plant, trajectory, resolution, marks=len(stops) - 1)
     rapid = target is Target.RAPID
@@ -62,6 +64,21 @@ def verify(
         *check_caps(line, frames),
     ]
     return Report(tuple(findings), tuple(advise(line, frames, rapid)) if advice else ())
+
+
+def _check_rows(trajectory: Trajectory) -> None:
+    t = trajectory.t
+    if len(t) < 2:
+        raise InputError(f"the motion has {len(t)} rows; at least 2 are needed")
+    table = np.column_stack([t, trajectory.q] + ([] if trajectory.qd is None else [trajectory.qd]))
+    if not np.isfinite(table).all():
+        row, column = (int(i) for i in np.argwhere(~np.isfinite(table))[0])
+        name = ("t", *trajectory.names, *(f"{axis} speed" for axis in trajectory.names))[column]
+        raise InputError(f"row {row}: {name} is {table[row, column]}, wanted a finite number")
+    late = np.flatnonzero(np.diff(t) <= 0)
+    if late.size:
+        row = int(late[0]) + 1
+        raise InputError(f"row {row}: time {t[row]:.9g} s follows {t[row - 1]:.9g} s; times must increase")
 
 
 def _file(rows: Rows, frame: Frame) -> list[Finding]:
