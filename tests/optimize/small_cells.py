@@ -67,15 +67,22 @@ def course_of(
     return course
 
 
-def mounts() -> dict[str, Array]:
-    """Three ways to put the rail into the world: as it is, turned about the vertical, climbing."""
-    turned = pose(rotation_about([0, 0, 1], 2.1), [0.3, -0.2, 0.1])
-    climbing = pose(rotation_about([1, 0, 0], 0.6) @ rotation_about([0, 0, 1], -0.8), [-0.1, 0.2, 0.3])
-    return {"as it is": np.eye(4), "turned": turned, "climbing": climbing}
+MOUNTS = ("as it is", "turned", "slanted")
 
 
-def axes_on(X_WR: Array) -> Axes:
-    return Axes.of(plant_with_rail(X_WR=X_WR))
+def mounted(name: str, stroke: tuple[float, float] = STROKE) -> Axes:
+    """Three rails: as it ships; with the whole cell turned in the world; climbing past the arm's base at a slant.
+
+    Only the last one moves the base along another direction than its own y axis, whatever the mounting in the world.
+    """
+    X_WR = np.eye(4)
+    if name != "as it is":
+        X_WR = pose(rotation_about([1, 0, 0], 0.6) @ rotation_about([0, 0, 1], -0.8), [-0.1, 0.2, 0.3])
+    plant = plant_with_rail(stroke, X_WR)
+    if name == "slanted":
+        slant = np.array([0.3, 0.8, 0.5])
+        plant = replace(plant, robot=replace(plant.robot, rail_axis=slant / np.linalg.norm(slant)))
+    return Axes.of(plant)
 
 
 def safe_arm(rng: np.random.Generator, axes: Axes, n: int, margin: float = 0.15) -> Array:

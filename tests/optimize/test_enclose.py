@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from small_cells import mounts, plant_with_rail
+from small_cells import MOUNTS, mounted, plant_with_rail
 
 from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.optimize.axes import Axes
@@ -34,9 +34,9 @@ def poses(axes: Axes, rng: np.random.Generator, n: int, d: float) -> list[Array]
 
 
 @pytest.mark.parametrize("width", [2.5e-3, 0.04, 0.3])
-@pytest.mark.parametrize("mount", mounts())
+@pytest.mark.parametrize("mount", MOUNTS)
 def test_random_configurations_lie_inside(mount: str, width: float) -> None:
-    axes = Axes.of(plant_with_rail((-1.5, 1.5), mounts()[mount]))
+    axes = mounted(mount, (-1.5, 1.5))
     rng = np.random.default_rng(int(width * 1e4))
     nodes = np.arange(-1.2, 1.2, width)
     checked, tight = 0, 0

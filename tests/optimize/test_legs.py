@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from small_cells import axes_on, mounts, plant_without_rail
+from small_cells import MOUNTS, mounted, plant_without_rail
 
 from trajopt_cli.geometry import Array, inverse_pose, line_pose, pose, rotation_about
 from trajopt_cli.optimize.assemble import GRID, LEAST, rows_of
@@ -48,9 +48,9 @@ def exact(grid: Array, x0: float, x1: float, v0: float, v1: float, rng: np.rando
     return x, v, a
 
 
-@pytest.fixture(scope="module", params=mounts())
+@pytest.fixture(scope="module", params=MOUNTS)
 def axes(request: pytest.FixtureRequest) -> Axes:
-    return axes_on(mounts()[request.param])
+    return mounted(request.param)
 
 
 def path_leg(axes: Axes, cfx: int, rail: tuple[float, float], seed: int = 1, dwell: bool = False) -> PathLeg:
@@ -265,7 +265,7 @@ def test_a_common_cruise_too_short_to_write_becomes_one_switch() -> None:
 def test_holding_rests() -> None:
     q = np.arange(7.0)
     leg = hold(0.3, q)
-    sample = leg.sample(axes_on(np.eye(4)), np.linspace(0, 0.3, 7))
+    sample = leg.sample(mounted("as it is"), np.linspace(0, 0.3, 7))
     np.testing.assert_array_equal(sample.q, np.tile(q, (7, 1)))
     assert not np.any(sample.qd)
     assert not np.any(sample.qdd)
@@ -273,7 +273,7 @@ def test_holding_rests() -> None:
 
 def test_profiles_are_continuous_where_they_switch() -> None:
     rng = np.random.default_rng(6)
-    axes = axes_on(np.eye(4))
+    axes = mounted("as it is")
     for q_0, qd_0, q_1, qd_1 in moves(rng, 20, 1e-2):
         leg = profiles(q_0, qd_0, q_1, qd_1, V, A, 0.0, common=False)
         t = leg.breaks()
@@ -295,7 +295,7 @@ def test_profiles_are_continuous_where_they_switch() -> None:
 @pytest.fixture(scope="module")
 def written() -> tuple[Axes, list[object], Array]:
     """Joint move, line, dwell and a rest: stops fit together in position and speed."""
-    axes = axes_on(np.eye(4))
+    axes = mounted("as it is")
     line = path_leg(axes, 0, (0.45, 0.55))
     begin = line.sample(axes, np.zeros(1))
     end = line.sample(axes, np.array([line.T]), right=False)
@@ -344,7 +344,7 @@ def test_hermite_between_the_rows_is_the_motion(written: tuple) -> None:
 
 def test_switches_all_but_one_are_written_once() -> None:
     """Two axes whose switches lie 1e-12 s apart give one row."""
-    axes = axes_on(np.eye(4))
+    axes = mounted("as it is")
     times = np.tile([0.0, 0.01, 0.02, 0.03], (7, 1))
     times[3, 1] += 1e-12
     times[4, 2] = 0.03 - 1e-12

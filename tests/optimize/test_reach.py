@@ -85,6 +85,18 @@ def test_a_line_whose_middle_is_out_of_reach_is_named_where_it_breaks() -> None:
     assert "limit" in answer.message or "workspace" in answer.message
 
 
+def test_a_line_that_a_short_rail_cannot_carry_past_is_named_too() -> None:
+    """The same with a rail that may move, but only 10 mm: both ends can be had, no way leads from one to the other."""
+    a, b, plant = (0.15, 0.45, 0.25), (0.15, -0.45, 0.25), plant_with_rail((-0.005, 0.005))
+    assert served(plant, a, b, 0.0, 0.0)
+    assert served(plant, a, b, 1.0, 0.0)
+    assert not any(served(plant, a, b, 0.5, d) for d in (-0.005, 0.0, 0.005))
+    data = target("p_a", a) + target("p_b", b)
+    answer = said(rapid("MoveJ p_a, v500, fine, tool0;\nMoveL p_b, v500, fine, tool0;", data=data), plant)
+    assert answer.index == 1
+    assert answer.message.startswith("t.mod:6:1: MoveL p_b breaks at ")
+
+
 LONG_A, LONG_B = (0.55, 0.2, 0.4), (0.55, 1.6, 0.4)
 
 

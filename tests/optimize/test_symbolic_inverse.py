@@ -5,7 +5,7 @@ from __future__ import annotations
 import casadi as ca
 import numpy as np
 import pytest
-from small_cells import axes_on, mounts, plant_without_rail, safe_arm
+from small_cells import MOUNTS, mounted, plant_without_rail, safe_arm
 
 from trajopt_cli.geometry import pose, rotation_about
 from trajopt_cli.optimize.axes import Axes
@@ -66,10 +66,10 @@ def test_sine_of_the_elbow_says_how_far_out_of_reach_a_pose_is(axes: Axes, symbo
     assert s3 < -1
 
 
-@pytest.mark.parametrize("name", mounts())
+@pytest.mark.parametrize("name", MOUNTS)
 def test_slopes_equal_those_through_the_jacobian(name: str) -> None:
     """Along a moving pose and a moving rail: first J^-1 times the twist, then its difference."""
-    axes = axes_on(mounts()[name])
+    axes = mounted(name)
     rng = np.random.default_rng(3)
     R_BW = axes.X_WB0[:3, :3].T
     s = ca.SX.sym("s")
