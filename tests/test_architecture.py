@@ -40,7 +40,6 @@ STACK = {
 ADDRESSES: dict[str, tuple[str, ...]] = {
     "casadi": ("robot/symbolic*.py", "optimize/*"),
     "pinocchio": ("robot/*",),
-    "lark": ("rapid/*",),
     "toppra": ("timing/*",),
     "ruckig": ("timing/*",),
     "scipy": ("optimize/*", "timing/*"),

@@ -121,6 +121,8 @@ class BlockNlp:
         n_z, n_p, _ = block.sizes
         if z.shape != (n_z,) or p.shape != (n_p,):
             raise ValueError(f"block {block.name}: z {z.shape}, p {p.shape}; wanted ({n_z},), ({n_p},)")
+        if len(np.unique(z)) != n_z:
+            raise ValueError(f"block {block.name}: a variable stands twice in z = {z.tolist()}")
         copies.z.append(z)
         copies.p.append(p)
 
@@ -179,6 +181,16 @@ class BlockNlp:
         self._g_lower = np.concatenate([np.tile(c.block.lower, len(c.z)) for c in self._copies.values()])
         self._g_upper = np.concatenate([np.tile(c.block.upper, len(c.z)) for c in self._copies.values()])
 
+    @property
+    def guess(self) -> Array:
+        """The variables' guesses."""
+        return np.concatenate(self._guess)
+
+    @property
+    def empty(self) -> bool:
+        """True when nothing constrains anything: there is no question to solve."""
+        return not self._copies
+
     def adopt(self, other: BlockNlp) -> None:
         """Take over the built functions of a program with the same blocks on the same variables."""
         mine, theirs = self._copies, other._copies
@@ -223,7 +235,7 @@ class BlockNlp:
             }
         solver = ca.nlpsol("solver", "ipopt", self._problem, options)
         arguments = {
-            "x0": guess.x if guess else np.concatenate(self._guess),
+            "x0": guess.x if guess else self.guess,
             "p": np.concatenate([np.concatenate(c.p) for c in self._copies.values()]),
             "lbx": np.concatenate(self._lower),
             "ubx": np.concatenate(self._upper),

@@ -32,7 +32,7 @@ def _leave_block(T: Array, D: Array, v0: Array, v1: Array, V: Array, A: Array) -
     T[short] = np.maximum(T[short], np.where(peak <= V, slow, fast))
 
 
-def shortest_time(D: ArrayLike, v0: ArrayLike, v1: ArrayLike, V: ArrayLike, A: ArrayLike, rounds: int = 4) -> Array:
+def shortest_time(D: ArrayLike, v0: ArrayLike, v1: ArrayLike, V: ArrayLike, A: ArrayLike, rounds: int = 100) -> Array:
     """Least T in which all axes (last array axis) travel D from v0 to v1 together, blocked times included.
 
     Each round moves past the blocked interval of every axis in turn; it stops early when nothing changes.

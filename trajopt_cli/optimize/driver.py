@@ -66,9 +66,11 @@ class Refiner:
     def _solve(
         self, draft: Draft, margins: list[Margins | None], mu: float, tolerance: float = 1e-8,
         warm: Sequence[Any] | None = None,
-    ) -> tuple[Draft, Transcription, NlpResult]:  # fmt: skip
+    ) -> tuple[Draft, Transcription, NlpResult | None]:  # fmt: skip
         start = perf_counter()
         t = Transcription(self.axes, self.stages, self.flange, self.course, draft, margins, self.tied)
+        if t.nlp.empty:
+            return t.read(t.nlp.guess), t, None
         if warm is None:
             t.nlp.build()
         else:
@@ -77,7 +79,10 @@ class Refiner:
         result = t.nlp.solve(warm[1] if warm else None, mu=mu, tolerance=tolerance, most=MOST)
         self.seconds["build"] += middle - start
         self.seconds["solve"] += perf_counter() - middle
-        out = t.read(result.x) if result.converged else draft
+        try:
+            out = t.read(result.x) if result.converged else draft
+        except ValueError as odd:  # a joint move whose switches cannot be told apart in a file
+            raise NotConverged(str(odd)) from odd
         if DEBUG:
             print(
                 f"  {draft.duration:.5f} -> {out.duration:.5f} {result.status} it {result.iterations} "

@@ -18,9 +18,11 @@ from trajopt_cli.optimize.axes import Axes
 def integrate(grid: Array, x: Array, v: Array, tau: Array, right: bool = True) -> tuple[Array, Array, Array]:
     """Position, speed, acceleration (scaled time) at tau (n,) of node values x, v (N+1, ...) on a grid over 0..1.
 
-    At a node the acceleration is the one of the interval on its right or left. The cubic Hermite between nodes: equal to the exact integral up to the solver's residual, and without its jumps.
+    At a node the acceleration is the one of the interval on its right or left. The cubic Hermite
+    between nodes is the exact integral up to the solver's residual, without its jumps.
     """
-    i = np.clip(np.searchsorted(grid, tau, side="right" if right else "left") - 1, 0, len(grid) - 2)
+    aside = tau + (1e-12 if right else -1e-12)  # a time that is a node up to rounding belongs to the side asked for
+    i = np.clip(np.searchsorted(grid, aside, side="right") - 1, 0, len(grid) - 2)
     tail = [1] * (x.ndim - 1)
     h = (grid[i + 1] - grid[i]).reshape(-1, *tail)
     u = (tau - grid[i]).reshape(-1, *tail) / h

@@ -12,9 +12,11 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.double_integrator import cruise_profile, gentlest_profile, shortest_time, trapezoid_time
 from trajopt_cli.optimize.legs import JointProfiles
 
-APART = 3e-5  # s between switches that are not one and the same
+APART = 1.1e-5  # s between switches that are not one and the same
 SAME = 1e-10  # s
-GENTLER = (1.0, 0.97, 0.9, 0.8, 0.65, 0.5, 0.3, 0.1, 0.03, 0.01, 0.003, 1e-3, 1e-4)
+LONGER = 4e-6  # s added per attempt
+ATTEMPTS = 245  # so that a move is lengthened by less than a millisecond
+GENTLER = (1.0, 0.9998, 0.9995, 0.999, 0.998, 0.995, 0.99, 0.97, 0.9, 0.8, 0.65, 0.5, 0.3, 0.1, 0.03, 0.01, 1e-3, 1e-4)
 
 
 def profiles(
@@ -29,9 +31,9 @@ def profiles(
     else:
         way = np.maximum(np.abs(q_1 - q_0), 1e-12)
         T = max(T, float(trapezoid_time(1.0, np.min(V / way), np.min(A / way))))
-    for attempt in range(20):
-        longer = T + attempt * APART
-        found = _common(q_0, q_1, A, longer) if common else _own(q_0, qd_0, q_1, qd_1, A, longer)
+    for attempt in range(ATTEMPTS):
+        longer = T + attempt * LONGER
+        found = _common(q_0, q_1, V, A, longer) if common else _own(q_0, qd_0, q_1, qd_1, V, A, longer)
         if found is not None:
             return JointProfiles(longer, q_0, qd_0, *found)
     raise ValueError(f"profiles: the switches of a joint move of {T:.6f} s cannot be kept {APART:g} s apart")
@@ -48,21 +50,36 @@ def _clear(breaks: Array, placed: Array) -> bool:
     return not np.any((gaps > SAME) & (gaps < APART))
 
 
-def _own(q_0: Array, qd_0: Array, q_1: Array, qd_1: Array, A: Array, T: float) -> tuple[Array, Array] | None:
+def _keeps(V: float, v_0: float, breaks: Array, acceleration: Array) -> bool:
+    """Whether the cruise between the ramps stays under the top speed; gentler ramps mean a faster cruise."""
+    return bool(abs(v_0 + acceleration[0] * breaks[1]) <= V * (1 + 1e-12))
+
+
+def _own(q_0: Array, qd_0: Array, q_1: Array, qd_1: Array, V: Array, A: Array, T: float) -> tuple[Array, Array] | None:
     times, accelerations = np.empty((7, 4)), np.empty((7, 3))
     placed = np.array([0.0, T])
     way = q_1 - q_0
-    # the axes that need most of their acceleration have least choice: place them first
-    for j in np.argsort(-np.abs(way) / A):
+    # axes near their top acceleration or, cruising, near their top speed have least choice: place them first
+    need = np.empty(7)
+    for j in range(7):
+        move = float(way[j]), float(qd_0[j]), float(qd_1[j]), T
+        try:
+            breaks, acc = cruise_profile(*move, float(A[j]))
+        except ValueError:
+            return None
+        cruise = abs(qd_0[j] + acc[0] * breaks[1]) / V[j]
+        need[j] = max(abs(gentlest_profile(*move)[1][0]) / A[j], cruise)
+    for j in np.argsort(-need, kind="stable"):
         for factor in GENTLER:
             try:
                 breaks, acc = cruise_profile(float(way[j]), float(qd_0[j]), float(qd_1[j]), T, float(A[j]) * factor)
             except ValueError:
                 breaks, acc = gentlest_profile(float(way[j]), float(qd_0[j]), float(qd_1[j]), T)
-                if not _clear(breaks, placed):
+                slow = np.all(np.abs(acc) <= A[j] * (1 + 1e-12)) and _keeps(V[j], qd_0[j], breaks, acc)
+                if not (slow and _clear(breaks, placed)):
                     return None
                 break
-            if _clear(breaks, placed):
+            if _clear(breaks, placed) and _keeps(V[j], qd_0[j], breaks, acc):
                 break
         else:
             return None
@@ -71,7 +88,7 @@ def _own(q_0: Array, qd_0: Array, q_1: Array, qd_1: Array, A: Array, T: float) -
     return times, accelerations
 
 
-def _common(q_0: Array, q_1: Array, A: Array, T: float) -> tuple[Array, Array] | None:
+def _common(q_0: Array, q_1: Array, V: Array, A: Array, T: float) -> tuple[Array, Array] | None:
     way = q_1 - q_0
     if not np.any(way):
         return np.tile([0.0, 0.0, T, T], (7, 1)), np.zeros((7, 3))
@@ -80,4 +97,6 @@ def _common(q_0: Array, q_1: Array, A: Array, T: float) -> tuple[Array, Array] |
     if not _clear(breaks, np.array([0.0, T])):
         # a cruise too short to write down: one switch in the middle, a hair gentler
         breaks, share = np.array([0.0, T / 2, T / 2, T]), np.array([1.0, 0.0, -1.0]) * 4.0 / T**2
+        if np.any(np.abs(way) * 2 / T > V * (1 + 1e-12)):
+            return None
     return np.tile(breaks, (7, 1)), way[:, None] * share

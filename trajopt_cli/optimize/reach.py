@@ -54,7 +54,7 @@ def rail_grid(course: Course, first: int, last: int, n: int, window: tuple[float
     fixed = [low for low, high in ranges if low == high]
     free = [r for r in ranges if r[0] != r[1]]
     if not free:
-        return np.unique(fixed)
+        return np.unique(np.r_[fixed, np.linspace(min(fixed), max(fixed), n)])
     low, high = free[0]
     if window:
         low, high = max(low, window[0]), min(high, window[1])

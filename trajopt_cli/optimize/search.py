@@ -97,7 +97,8 @@ def _line_time(axes: Axes, leg: Leg, table: StationTable, i: int, a: _Layer, b: 
     limits_v, limits_a = axes.velocity.copy(), axes.acceleration
     limits_v[0] = min(limits_v[0], leg.v_rail)
     spacing = (d[-1] - d[0]) / max(n - 1, 1)
-    widest = 0 if not leg.rail_moves else int(np.ceil(0.45 / max(spacing, 1e-9)))
+    cruise = leg.chord / leg.v_tcp + leg.angle / leg.v_ori
+    widest = 0 if not leg.rail_moves else int(np.ceil((0.45 + limits_v[0] * cruise) / max(spacing, 1e-9)))
     best = np.full((len(table.labels), n, n), np.inf)
     S = np.linspace(0, 1, LINE_NODES)
     for shift in range(-min(widest, n - 1), min(widest, n - 1) + 1):

@@ -419,4 +419,6 @@ class Transcription:
 
     def _profiles(self, leg: Leg, q_0: Array, qd_0: Array, q_1: Array, qd_1: Array, T: float) -> JointProfiles:
         V = self._rail_speed(leg)
-        return profiles(q_0, qd_0, q_1, qd_1, V, self.axes.acceleration, T, self.tied)
+        # between given states the least time is known in closed form; the solver's T only comes near it
+        least = T if leg.duration is not None else 0.0
+        return profiles(q_0, qd_0, q_1, qd_1, V, self.axes.acceleration, least, self.tied)
