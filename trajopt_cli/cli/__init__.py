@@ -5,6 +5,7 @@ Exit codes: 0 done, 1 the answer is no (infeasible, illegal), 2 the request is w
 
 from __future__ import annotations
 
+import os
 import sys
 from typing import Annotated
 
@@ -46,6 +47,9 @@ def _root(
 
 def run(arguments: list[str]) -> int:
     """Run one command line and give its exit code; every expected mistake is a line on stderr, never a traceback."""
+    for library in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
+        # both targets are solved side by side on two cores; more threads inside would only wait for each other
+        os.environ.setdefault(library, "1")
     try:
         code = app(arguments or ["--help"], prog_name="trajopt", standalone_mode=False)
     except InputError as error:

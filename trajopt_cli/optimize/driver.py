@@ -22,6 +22,7 @@ from trajopt_cli.optimize.stages import Stages
 from trajopt_cli.optimize.transcription import EXACT, START, Draft, Margins, Transcription
 
 FIRST, LAST = 6, 24  # intervals of a path, doubled from solve to solve
+LAST_TIED = 12  # rapid: every line is timed again by itself afterwards
 LAST_ALONE = 48  # where a leg is solved by itself
 GRID_JOINT = 24
 NEAR_CAP = 0.7  # share of a tool cap from which a node holds it explicitly
@@ -60,7 +61,7 @@ class Refiner:
 
     def __init__(self, axes: Axes, stages: Stages, flange: ca.Function, course: Course, tied: bool):
         self.axes, self.stages, self.flange, self.course, self.tied = axes, stages, flange, course, tied
-        self.last = LAST if len(course.legs) > 1 else LAST_ALONE
+        self.last = LAST_ALONE if len(course.legs) == 1 else LAST_TIED if tied else LAST
         self.seconds = {"build": 0.0, "solve": 0.0, "check": 0.0}
 
     def _solve(

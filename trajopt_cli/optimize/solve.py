@@ -33,6 +33,7 @@ from trajopt_cli.trajectory import Trajectory, hermite
 Report = Callable[[Progress], None]
 
 
+RETIMED = 96  # intervals of a rapid line timed by itself
 RESIDUAL = 1e-14  # rad or m: rounding of a position in a row
 DISAPPOINTING = 1.05  # times the search's estimate: a slower answer is doubted
 
@@ -196,11 +197,14 @@ def _refine(axes: Axes, course: Course, chain: Chain, tied: bool, tell: Report, 
 
 
 def _finer(refiner: Refiner, draft: Draft) -> LegMotion | None:
-    """The leg of a one-leg draft on four times the grid; as it was when the solver finds nothing cleaner."""
+    """The leg of a one-leg draft on a grid of at least RETIMED intervals; as it was when nothing cleaner is found."""
     motion = draft.legs[0]
     assert isinstance(motion, PathLeg)
+    start = motion
+    while start.N < RETIMED:
+        start = start.refined()
     try:
-        finer = refiner.run(replace(draft, legs=(motion.refined().refined(),)), lambda phase, draft: None).legs[0]
+        finer = refiner.run(replace(draft, legs=(start,)), lambda phase, draft: None).legs[0]
     except NotConverged:
         return motion
     return finer if finer is not None and motion.T > finer.T else motion

@@ -225,7 +225,7 @@ class Transcription:
         """
         per_zone = motion.N // 3
         lengths = np.diff(motion.grid)[[0, per_zone, 2 * per_zone]]
-        if motion.N != FREE_ZONES:
+        if self.tied or motion.N != FREE_ZONES:
             return self.nlp.variables(lengths, lengths, lengths)
         h = self.nlp.variables(lengths, LEAST_ZONE / per_zone, 0.9 / per_zone)
         self.nlp.add(self.stages.zones(), h, [per_zone])
