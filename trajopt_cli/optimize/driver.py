@@ -28,7 +28,6 @@ GRID_JOINT = 24
 NEAR_CAP = 0.7  # share of a tool cap from which a node holds it explicitly
 ROUNDS = 12
 MOST = 100  # iterations; a start that converges needs 25 to 60
-DEBUG = False
 
 
 def first_draft(axes: Axes, course: Course, chain: Chain) -> Draft:
@@ -84,11 +83,6 @@ class Refiner:
             out = t.read(result.x) if result.converged else draft
         except ValueError as odd:  # a joint move whose switches cannot be told apart in a file
             raise NotConverged(str(odd)) from odd
-        if DEBUG:
-            print(
-                f"  {draft.duration:.5f} -> {out.duration:.5f} {result.status} it {result.iterations} "
-                f"n {t.nlp._count} build {middle - start:.2f} solve {perf_counter() - middle:.2f}"
-            )
         if not result.converged:
             raise NotConverged(result.status)
         return out, t, result
@@ -150,8 +144,6 @@ class Refiner:
                 if m is not None:
                     changed |= tighten(m, ratios, motion, SAFE)
             self.seconds["check"] += perf_counter() - start
-            if DEBUG:
-                print("   worst", worst)
             if not (changed or opened):
                 return draft
             if self._watch(draft, margins, SAFE) or opened:
