@@ -54,7 +54,10 @@ def check_leg(axes: Axes, leg: Leg, motion: LegMotion, dense: int = DENSE) -> Ra
     if not axes.has_rail:
         position[:, 0] = 0.0
     tool = tool_ratios(axes, leg, sample.q, sample.qd, sample.qdd)
-    fold = lambda x: x.reshape(N, dense, -1).max(axis=1)  # noqa: E731
+
+    def fold(x: Array) -> Array:
+        return np.asarray(x.reshape(N, dense, -1).max(axis=1))
+
     return Ratios(fold(velocity), fold(acceleration), fold(position), fold(tool))
 
 

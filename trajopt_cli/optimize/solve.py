@@ -79,12 +79,20 @@ def optimize(
     draft, legs, trajectory, bounds = _clean_plan(axes, course, chain, tied, tell, seconds)
     start = perf_counter()
     tell(Progress("bound", incumbent=trajectory.duration))
-    bound = min(lower_bound(axes, course, tied, trajectory.duration), trajectory.duration)
+    bound = _checked_bound(axes, course, tied, trajectory.duration)
     seconds["bound"] = perf_counter() - start
     tell(Progress("done", incumbent=trajectory.duration, bound=bound))
     grid = _grid(legs, course)
     motions = _planned(axes, program, course, draft, legs, bounds)
     return Plan(target, trajectory, motions, bound, grid, seconds)
+
+
+def _checked_bound(axes: Axes, course: Course, tied: bool, duration: float) -> float:
+    """The lower bound; it aims a hair above the plan, so that a bound the plan itself refutes shows."""
+    bound = lower_bound(axes, course, tied, duration * 1.001)
+    if bound > duration * (1 + 1e-6):
+        raise NoCleanPlan(f"an error in trajopt: the lower bound {bound:.6f} s lies above the plan, {duration:.6f} s")
+    return min(bound, duration)  # equal up to rounding where the bound is exact
 
 
 Clean = tuple[Draft, list[LegMotion], Trajectory, Array]
