@@ -14,6 +14,7 @@ from trajopt_cli.geometry import Array, readonly
 class JointLimits:
     """Limits of all axes in the robot's order (rail first), rad or m: position, speed [1/s], acceleration [1/s2].
 
+    jerk [1/s3]: None where the robot's profile gives none; it binds nothing but the motions made with it.
     sources maps "joint_3.acceleration" to where the number comes from and its grade.
     """
 
@@ -23,9 +24,12 @@ class JointLimits:
     velocity: Array
     acceleration: Array
     sources: Mapping[str, str] = field(default_factory=dict)
+    jerk: Array | None = None
 
     def __post_init__(self) -> None:
-        for name in ("lower", "upper", "velocity", "acceleration"):
+        for name in ("lower", "upper", "velocity", "acceleration", "jerk"):
+            if getattr(self, name) is None:
+                continue
             values = readonly(getattr(self, name))
             if values.shape != (len(self.names),):
                 raise ValueError(f"JointLimits.{name} has shape {values.shape}, wanted ({len(self.names)},)")
@@ -34,6 +38,8 @@ class JointLimits:
             raise ValueError("JointLimits: every lower limit must lie under its upper limit")
         if not (np.all(self.velocity > 0) and np.all(self.acceleration > 0)):
             raise ValueError("JointLimits: speeds and accelerations must be positive")
+        if self.jerk is not None and not np.all(self.jerk > 0):
+            raise ValueError("JointLimits: jerks must be positive")
 
 
 @dataclass(frozen=True)

@@ -197,7 +197,7 @@ def test_estimated_accelerations_are_said_and_measured_ones_are_not() -> None:
         ),
         (
             ARM + "limits:\n  joint_1: {source: s}\n",
-            "cell.yaml:4: limits.joint_1: names no limit: lower, upper, velocity or acceleration",
+            "cell.yaml:4: limits.joint_1: names no limit: lower, upper, velocity, acceleration or jerk",
         ),
         (
             RAIL + "limits:\n  rail: {lower: 0, source: s}\n",
@@ -316,3 +316,20 @@ def test_unreadable_files(tmp_path: Path) -> None:
     latin.write_bytes(b"robot: \xe9\n")
     with pytest.raises(InputError, match=r"latin\.yaml: byte 7 is not UTF-8; save the cell file as UTF-8"):
         load_cell(latin)
+
+
+def test_a_jerk_may_be_given_and_has_a_unit() -> None:
+    cell = parse_cell(RAIL + "limits:\n  joint_1: {jerk: 9000 deg/s3, source: measured}\n", "cell.yaml")
+    limits = build_plant(cell).limits
+    assert limits.jerk is not None
+    assert limits.jerk[1] == pytest.approx(9000 * np.pi / 180, rel=1e-15)
+    assert limits.jerk[0] == 20.0  # the robot's own
+    assert limits.sources["joint_1.jerk"] == "measured"
+
+
+def test_a_robot_without_jerks_needs_all_of_them_or_none() -> None:
+    bare = JointLimits(("rail", "joint_1"), *(np.array(v) for v in ([0, 0], [1, 1], [1, 1], [1, 1])))
+    assert parse_cell(RAIL, "cell.yaml").apply_limits(bare, bare.names).jerk is None
+    cell = parse_cell(RAIL + "limits:\n  joint_1: {jerk: 9000 deg/s3, source: measured}\n", "cell.yaml")
+    with pytest.raises(InputError, match="robot irb140_rail gives no jerk"):
+        cell.apply_limits(bare, bare.names)

@@ -9,11 +9,13 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, StrictBool, 
 from trajopt_cli.cell.quantity import (
     ACCELERATION,
     ANGLE,
+    JERK,
     LENGTH,
     RATIO,
     SPEED,
     TIME,
     TURN_ACCELERATION,
+    TURN_JERK,
     TURN_RATE,
     complain,
     number,
@@ -97,33 +99,36 @@ class LimitSection(_Section):
     upper: float | None = None
     velocity: float | None = None
     acceleration: float | None = None
+    jerk: float | None = None
     source: SourceText
 
     @model_validator(mode="after")
     def _ordered(self) -> LimitSection:
         if self.lower is not None and self.upper is not None and not self.lower < self.upper:
             raise complain(f"lower {self.lower:g} is not below upper {self.upper:g}")
-        if self.lower is self.upper is self.velocity is self.acceleration is None:
-            raise complain("names no limit: lower, upper, velocity or acceleration")
+        if self.lower is self.upper is self.velocity is self.acceleration is self.jerk is None:
+            raise complain("names no limit: lower, upper, velocity, acceleration or jerk")
         return self
 
 
 class JointLimitSection(LimitSection):
-    """Limits of a turning axis: rad, rad/s, rad/s2."""
+    """Limits of a turning axis: rad, rad/s, rad/s2, rad/s3."""
 
     lower: Angle | None = None
     upper: Angle | None = None
     velocity: Annotated[float, _cap(TURN_RATE)] | None = None
     acceleration: Annotated[float, _cap(TURN_ACCELERATION)] | None = None
+    jerk: Annotated[float, _cap(TURN_JERK)] | None = None
 
 
 class RailLimitSection(LimitSection):
-    """Limits of the rail: m/s, m/s2; its range is rail.stroke."""
+    """Limits of the rail: m/s, m/s2, m/s3; its range is rail.stroke."""
 
     lower: Annotated[None, BeforeValidator(lambda _: _elsewhere())] = None
     upper: Annotated[None, BeforeValidator(lambda _: _elsewhere())] = None
     velocity: Annotated[float, _cap(SPEED)] | None = None
     acceleration: Annotated[float, _cap(ACCELERATION)] | None = None
+    jerk: Annotated[float, _cap(JERK)] | None = None
 
 
 def _elsewhere() -> None:

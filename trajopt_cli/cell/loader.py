@@ -168,7 +168,7 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
     overrides = tuple(
         LimitOverride(axis, kind, value, section.source)
         for axis, section in document.limits.by_axis().items()
-        for kind in ("lower", "upper", "velocity", "acceleration")
+        for kind in ("lower", "upper", "velocity", "acceleration", "jerk")
         if (value := getattr(section, kind)) is not None
     )
     cell = Cell(

@@ -38,7 +38,7 @@ class Rail:
 
 @dataclass(frozen=True)
 class LimitOverride:
-    """One number of the cell file instead of the robot's: kind is lower, upper, velocity or acceleration, in SI."""
+    """One number of the cell file, in SI, instead of the robot's: kind is lower, upper, velocity, acceleration or jerk."""
 
     axis: str
     kind: str
@@ -86,6 +86,8 @@ class Cell:
         Raises InputError for an axis the robot has not, for a limit nobody gave, and for an empty range.
         """
         values = {kind: np.array(getattr(limits, kind)) for kind in ("lower", "upper", "velocity", "acceleration")}
+        if limits.jerk is not None or any(change.kind == "jerk" for change in self.overrides):
+            values["jerk"] = np.full(len(axis_names), np.nan) if limits.jerk is None else np.array(limits.jerk)
         sources = dict(limits.sources)
         changes = list(self.overrides)
         if self.rail is not None:
@@ -97,7 +99,7 @@ class Cell:
                 message = f"robot {self.robot} has no such axis; {hint(change.axis, axis_names)}"
                 raise self.error(f"limits.{change.axis}", message)
             values[change.kind][axis_names.index(change.axis)] = change.value
-            topic = change.kind if change.kind in ("velocity", "acceleration") else "position"
+            topic = "position" if change.kind in ("lower", "upper") else change.kind
             sources[f"{change.axis}.{topic}"] = change.source
         for i, axis in enumerate(axis_names):
             for kind, column in values.items():

@@ -25,6 +25,8 @@ SPEED = _per(LENGTH, "/s")
 TURN_RATE = _per(ANGLE, "/s")
 ACCELERATION = _per(LENGTH, "/s2", "/s^2", "/s²")
 TURN_ACCELERATION = _per(ANGLE, "/s2", "/s^2", "/s²")
+JERK = _per(LENGTH, "/s3", "/s^3", "/s³")
+TURN_JERK = _per(ANGLE, "/s3", "/s^3", "/s³")
 
 _LIST = re.compile(r"\[(?P<items>[^\[\]]*)\]\s*(?P<unit>.*)")
 _SCALAR = re.compile(r"(?P<number>[-+]?(\d+(\.\d*)?|\.\d+)([eE][-+]?\d+)?)\s*(?P<unit>.*)")

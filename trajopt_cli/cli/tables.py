@@ -171,7 +171,7 @@ def baseline_table(program: str, rows: list[Row], records: list[dict[str, Any]])
 
 
 def robot_tables(robot: RobotModel) -> Iterator[Table | str]:
-    """Everything trajopt knows of a robot: dimensions, ranges, speeds, every profile's accelerations, and sources."""
+    """Everything trajopt knows of a robot: dimensions, ranges, speeds, every profile's accelerations and jerks."""
     notes = _Footnotes()
     yield f"{robot.name}: {robot.title}\n"
     lengths = plain_table("dimensions", "length", ">mm", "source")
@@ -179,7 +179,10 @@ def robot_tables(robot: RobotModel) -> Iterator[Table | str]:
         lengths.add_row(name, f"{value / MM:.6g}", notes.mark(robot.notes["geometry"]))
     yield lengths
     yield _ranges(robot.profile("default"), notes)
-    yield _accelerations(robot.profiles, notes)
+    yield _by_profile("acceleration", "²", robot.profiles, notes)
+    with_jerk = {name: limits for name, limits in robot.profiles.items() if limits.jerk is not None}
+    if with_jerk:
+        yield _by_profile("jerk", "³", with_jerk, notes)
     caps = plain_table("tool centre point", "cap", ">value", "unit", "source")
     caps.add_row("speed", f"{robot.tcp.speed:g}", "m/s", notes.mark(robot.notes["tcp.speed"]))
     caps.add_row("acceleration", f"{robot.tcp.acceleration:g}", "m/s²", notes.mark(robot.notes["tcp.acceleration"]))
@@ -223,12 +226,12 @@ def _ranges(limits: JointLimits, notes: _Footnotes) -> Table:
     return table
 
 
-def _accelerations(profiles: Mapping[str, JointLimits], notes: _Footnotes) -> Table:
+def _by_profile(kind: str, power: str, profiles: Mapping[str, JointLimits], notes: _Footnotes) -> Table:
     columns = [column for name in profiles for column in (f">{name}", "source")]
-    table = plain_table("accelerations by profile", "axis", "unit", *columns)
+    table = plain_table(f"{kind}s by profile", "axis", "unit", *columns)
     for i, axis in enumerate(next(iter(profiles.values())).names):
         cells = []
         for limits in profiles.values():
-            cells += [f"{limits.acceleration[i]:g}", notes.mark(limits.sources[f"{axis}.acceleration"])]
-        table.add_row(axis, "m/s²" if axis == "rail" else "rad/s²", *cells)
+            cells += [f"{getattr(limits, kind)[i]:g}", notes.mark(limits.sources[f"{axis}.{kind}"])]
+        table.add_row(axis, f"m/s{power}" if axis == "rail" else f"rad/s{power}", *cells)
     return table

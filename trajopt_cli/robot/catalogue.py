@@ -61,10 +61,11 @@ class Caps(_Strict):
 
 
 class Profile(_Strict):
-    """Accelerations [rad/s2 or m/s2] by axis name."""
+    """Accelerations [rad/s2 or m/s2] by axis name and, where anybody has an idea of them, jerks [rad/s3 or m/s3]."""
 
     about: str
     acceleration: dict[str, Number]
+    jerk: dict[str, Number] | None = None
 
 
 class RobotFile(_Strict):
@@ -126,6 +127,7 @@ def check_axes(data: RobotFile, raw: Mapping[str, Any], names: tuple[str, ...], 
     """Hold the axes the file speaks of against the URDF's. Raises InputError for one too many or too few."""
     groups: list[tuple[tuple[str, ...], frozenset[str]]] = [(("axes",), frozenset(data.axes))]
     groups += [(("profiles", n, "acceleration"), frozenset(p.acceleration)) for n, p in data.profiles.items()]
+    groups += [(("profiles", n, "jerk"), frozenset(p.jerk)) for n, p in data.profiles.items() if p.jerk is not None]
     for keys, found in groups:
         # A misspelt name is both unknown and missing; the line of the misspelling helps more.
         for name in (*sorted(found - set(names)), *sorted(set(names) - found)):

@@ -198,7 +198,10 @@ def load_robot(name_or_path: str, X_WR: Array | None = None) -> RobotModel:
             np.array([joint.upper for joint in axes]),
             np.array([joint.velocity for joint in axes]),
             np.array([profile.acceleration[n].value for n in names]),
-            origins | {f"{n}.acceleration": str(profile.acceleration[n]) for n in names},
+            origins
+            | {f"{n}.acceleration": str(profile.acceleration[n]) for n in names}
+            | {f"{n}.jerk": str(number) for n, number in (profile.jerk or {}).items()},
+            np.array([profile.jerk[n].value for n in names]) if profile.jerk else None,
         )
         for name, profile in data.profiles.items()
     }
