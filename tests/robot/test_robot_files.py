@@ -62,7 +62,7 @@ def test_limits_are_those_of_the_data_sheet_and_the_profiles():
 
 def test_every_number_has_a_source_and_a_grade(mounted):
     for limits in mounted.profiles.values():
-        wanted = {f"{n}.{k}" for n in mounted.axis_names for k in ("position", "velocity", "acceleration")}
+        wanted = {f"{n}.{k}" for n in mounted.axis_names for k in ("position", "velocity", "acceleration", "jerk")}
         assert set(limits.sources) == wanted
         assert all(text.endswith(tuple(f"(grade {g})" for g in "ABCD")) for text in limits.sources.values())
     assert mounted.profile("default").sources["joint_3.acceleration"].endswith("(grade D)")

@@ -38,7 +38,7 @@ class Rail:
 
 @dataclass(frozen=True)
 class LimitOverride:
-    """One number of the cell file, in SI, instead of the robot's: kind is lower, upper, velocity, acceleration or jerk."""
+    """A number of the cell file (SI) instead of the robot's: kind is lower, upper, velocity, acceleration or jerk."""
 
     axis: str
     kind: str

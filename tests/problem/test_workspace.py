@@ -1,0 +1,80 @@
+"""Reachable rail ranges against closed forms and a dense look."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from trajopt_cli.cell.loader import load_cell
+from trajopt_cli.geometry import Array, pose
+from trajopt_cli.problem.plant import Plant, build_plant
+from trajopt_cli.problem.workspace import rail_ranges, reachable, sections
+
+PROGRAMS = Path(__file__).parents[2] / "programs"
+DOWN = np.diag([-1.0, 1.0, -1.0])  # the flange looks down, x towards the base
+
+
+@pytest.fixture(scope="module")
+def plant() -> Plant:
+    return build_plant(load_cell(PROGRAMS / "hinge_cell.yaml"))
+
+
+@pytest.mark.parametrize("phi_min", [0.0, np.radians(10), np.radians(25)])
+def test_the_range_ends_where_the_elbow_stretches(plant: Plant, phi_min: float) -> None:
+    # Wrist centre at height w over axis 2 and x ahead; the arm reaches it while the distance from axis 2 is at most
+    # that of the law of cosines at an elbow phi_min from stretched.
+    x, y, z = 0.5, 1.0, 0.33
+    arm = plant.robot.arm
+    far2 = arm.L2**2 + arm.L4**2 + 2 * arm.L2 * arm.L4 * np.cos(phi_min)
+    up = z + arm.L6 - arm.d1
+    ahead = arm.a1 + np.sqrt(far2 - up**2)
+    half = np.sqrt(ahead**2 - x**2)
+    np.testing.assert_allclose(rail_ranges(plant, pose(DOWN, [x, y, z]), phi_min), [[y - half, y + half]], atol=3e-6)
+
+
+def test_the_stroke_cuts_the_range_and_far_poses_have_none(plant: Plant) -> None:
+    assert rail_ranges(plant, pose(DOWN, [0.5, -0.1, 0.33]))[0, 0] == plant.limits.lower[0]
+    assert rail_ranges(plant, pose(DOWN, [1.5, 1.0, 0.33])).shape == (0, 2)
+
+
+def test_a_pose_near_the_rail_has_a_gap_where_the_arm_would_fold_into_itself(plant: Plant) -> None:
+    ranges = rail_ranges(plant, pose(DOWN, [0.1, 1.0, 0.3]))
+    assert len(ranges) == 2
+    np.testing.assert_allclose(ranges.sum(), 4.0, atol=1e-4)  # the scene is a mirror image of itself about y = 1
+    rail = np.linspace(plant.limits.lower[0], plant.limits.upper[0], 4801)
+    within = ((rail[:, None] >= ranges[:, 0]) & (rail[:, None] <= ranges[:, 1])).any(axis=1)
+    np.testing.assert_array_equal(reachable(plant, pose(DOWN, [0.1, 1.0, 0.3]), rail), within)
+
+
+def test_a_branch_reaches_no_more_than_all_branches(plant: Plant) -> None:
+    X = pose(DOWN, [0.5, 1.0, 0.33])
+    rail = np.linspace(-0.2, 2.2, 500)
+    per_branch = np.array([reachable(plant, X, rail, branch=i) for i in range(8)])
+    np.testing.assert_array_equal(per_branch.any(axis=0), reachable(plant, X, rail))
+    assert per_branch[0].sum() > per_branch[6].sum() > 0  # overhead it reaches less far
+
+
+def test_every_wrist_centre_of_random_joints_lies_inside_an_outline(plant: Plant) -> None:
+    rng = np.random.default_rng(5)
+    arm = plant.robot.arm
+    q = rng.uniform(plant.limits.lower, plant.limits.upper, (500, 7))
+    q[:, 1] = 0.0  # the arm's own plane is the base's x-z plane
+    X = plant.robot.forward(q)
+    wrist = X[:, :3, 3] - arm.L6 * X[:, :3, 2]
+    base = plant.robot.base(q[:, 0])
+    local = np.einsum("nji,nj->ni", base[:, :3, :3], wrist - base[:, :3, 3])[:, [0, 2]]
+    inside = np.array([winding(outline, local) != 0 for outline in sections(plant)])
+    assert inside.any(axis=0).all()
+    stretched = rng.uniform(-np.pi, np.pi, 200)
+    beyond = [arm.a1, arm.d1] + 1.001 * (arm.L2 + arm.L4) * np.column_stack([np.cos(stretched), np.sin(stretched)])
+    assert not any(winding(outline, beyond).any() for outline in sections(plant))
+
+
+def winding(outline: Array, points: Array) -> Array:
+    """How often the outline runs around each point: the turns of the ray from the point to the outline."""
+    rays = np.vstack([outline, outline[:1]])[None] - points[:, None]
+    angle = np.arctan2(rays[..., 1], rays[..., 0])
+    turn = np.angle(np.exp(1j * np.diff(angle, axis=1)))
+    return np.round(turn.sum(axis=1) / (2 * np.pi))

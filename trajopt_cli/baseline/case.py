@@ -1,0 +1,58 @@
+"""What a baseline is given, and what it gives back."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from trajopt_cli.motion import Program
+from trajopt_cli.problem.freedom import Freedom
+from trajopt_cli.problem.plan import Infeasible, Plan, Target
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.trajectory import Trajectory
+
+# The optimiser as baselines see it: a program (theirs or one made from it), a target, what may change.
+Solve = Callable[[Program, Target, Freedom], Plan | Infeasible]
+
+
+@dataclass(frozen=True, eq=False)
+class Case:
+    """A program on its plant, and the optimiser for those baselines that need one. Equal questions to solve are
+    answered once."""
+
+    program: Program
+    plant: Plant
+    solve: Solve
+
+
+@dataclass(frozen=True, eq=False)
+class Attempt:
+    """A motion a baseline stands for. program: what it carries out, the user's or one with moves the baseline adds.
+
+    plan: the optimiser's, where it made the motion. notes: what a reader must know to compare it, one line each.
+    """
+
+    program: Program
+    trajectory: Trajectory
+    plan: Plan | None = None
+    notes: tuple[str, ...] = ()
+
+    @property
+    def dropped(self) -> tuple[int, ...]:
+        """Indices of the motions it leaves out."""
+        return () if self.plan is None else tuple(motion.index for motion in self.plan.motions if motion.dropped)
+
+
+@dataclass(frozen=True)
+class NotApplicable:
+    """Why a baseline says nothing about this program, one line."""
+
+    why: str
+
+
+Answer = Attempt | Infeasible | NotApplicable
+
+
+def planned(program: Program, answer: Plan | Infeasible, notes: tuple[str, ...] = ()) -> Attempt | Infeasible:
+    """The optimiser's answer for program as a baseline's."""
+    return answer if isinstance(answer, Infeasible) else Attempt(program, answer.trajectory, answer, notes)

@@ -1,0 +1,72 @@
+"""From which rail positions a flange pose can be reached: the offsets of Krotký 2014, 5.2.1, with joint limits."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, BoolArray
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.robot.inverse import inverse
+
+STEP = 2e-3  # m of rail between two tests; a gap or an island narrower than this may be missed
+EXACT = 1e-6  # m to which the ends of a range are found
+_ON_LIMIT = 1e-9  # rad a joint may stand outside its limit by rounding
+
+
+def reachable(plant: Plant, X_WF: Array, rail: Array, phi_min: float = 0.0, branch: int | None = None) -> BoolArray:
+    """Whether the arm reaches flange pose X_WF (4, 4) from rail positions (n,) [m], joint limits kept: (n,).
+
+    phi_min [rad]: least angle of joint 3 from the stretched or folded elbow. branch: only this cfx, any for None.
+    """
+    rail = np.asarray(rail, dtype=np.float64)
+    q = inverse(plant.robot, np.broadcast_to(X_WF, (len(rail), 4, 4)), rail if plant.robot.has_rail else None)
+    low, high = plant.limits.lower[-6:], plant.limits.upper[-6:]
+    # A joint's angle is known up to whole turns; it is inside its range if any turn of it is.
+    turns = np.ceil((low - _ON_LIMIT - q) / (2 * np.pi))
+    with np.errstate(invalid="ignore"):
+        inside = (q + 2 * np.pi * turns <= high + _ON_LIMIT).all(axis=2)
+        inside &= np.abs(np.cos(q[..., 2])) >= np.sin(phi_min)
+    if branch is not None:
+        inside = inside[:, branch : branch + 1]
+    return np.asarray(inside.any(axis=1))
+
+
+def rail_ranges(plant: Plant, X_WF: Array, phi_min: float = 0.0, branch: int | None = None) -> Array:
+    """All ranges of the rail from which flange pose X_WF (4, 4) can be reached: (m, 2) [m], in order, m = 0 for none.
+
+    The thesis' least and greatest offset d of a work point, but as rail positions and inside the stroke. Arguments as
+    in reachable. Raises ValueError for a robot without a rail.
+    """
+    if not plant.robot.has_rail:
+        raise ValueError(f"rail_ranges: robot {plant.robot.name} has no rail")
+    low, high = float(plant.limits.lower[0]), float(plant.limits.upper[0])
+    rail = np.linspace(low, high, int(np.ceil((high - low) / STEP)) + 1)
+    ok = reachable(plant, X_WF, rail, phi_min, branch)
+    edges = np.flatnonzero(np.diff(ok.astype(int)))
+    inner, outer = rail[edges + ~ok[edges]], rail[edges + ok[edges]]  # on this and on the far side of each border
+    while len(edges) and np.max(np.abs(outer - inner)) > EXACT:
+        middle = (inner + outer) / 2
+        good = reachable(plant, X_WF, middle, phi_min, branch)
+        inner, outer = np.where(good, middle, inner), np.where(good, outer, middle)
+    ends = np.r_[[low] if ok[0] else [], inner, [high] if ok[-1] else []]
+    return ends.reshape(-1, 2)
+
+
+def sections(plant: Plant, count: int = 361) -> tuple[Array, Array]:
+    """Outlines (n, 2) [m] of what the wrist centre reaches in the arm's own plane, elbow bent the one or the other way.
+
+    Columns: ahead of axis 1 and up, in the arm's base frame. Joints 2 and 3 stay in range. Together they are the
+    thesis' figure 5.1; each is joint 2 at its least, the elbow stretched, joint 2 at its greatest, the elbow folded.
+    """
+    arm, low, high = plant.robot.arm, plant.limits.lower[-6:], plant.limits.upper[-6:]
+    stretched = -np.pi / 2
+    q2 = np.linspace(low[1], high[1], count)
+
+    def outline(folded: float) -> Array:
+        q3 = np.linspace(folded, stretched, count)
+        a = np.concatenate([np.full(count, low[1]), q2, np.full(count, high[1]), q2[::-1]])
+        b = np.concatenate([q3, np.full(count, stretched), q3[::-1], np.full(count, folded)])
+        x = arm.a1 + arm.L2 * np.sin(a) + arm.L4 * np.cos(a + b)
+        return np.column_stack([x, arm.d1 + arm.L2 * np.cos(a) - arm.L4 * np.sin(a + b)])
+
+    return outline(min(float(high[2]), np.pi / 2)), outline(max(float(low[2]), -1.5 * np.pi))
