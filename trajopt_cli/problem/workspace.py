@@ -49,7 +49,7 @@ def rail_ranges(plant: Plant, X_WF: Array, phi_min: float = 0.0, branch: int | N
         good = reachable(plant, X_WF, middle, phi_min, branch)
         inner, outer = np.where(good, middle, inner), np.where(good, outer, middle)
     ends = np.r_[[low] if ok[0] else [], inner, [high] if ok[-1] else []]
-    return ends.reshape(-1, 2)
+    return np.asarray(ends.reshape(-1, 2))
 
 
 def sections(plant: Plant, count: int = 361) -> tuple[Array, Array]:
