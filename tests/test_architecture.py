@@ -15,8 +15,8 @@ PACKAGE = Path(__file__).parents[1] / "trajopt_cli"
 # Lowest floor first. A room may import rooms of floors under its own, and itself.
 FLOORS: tuple[tuple[str, ...], ...] = (
     ("errors", "units", "geometry", "files", "beside"),
-    ("motion", "limits", "trajectory", "scenario", "joint_csv"),
-    ("rapid", "robot", "cell", "timing"),
+    ("motion", "limits", "trajectory", "scenario", "joint_csv", "shapes"),
+    ("rapid", "robot", "cell", "timing", "collision"),
     ("problem", "iiwa"),
     # results is the folder's reader and writer: nouns in, bytes out, like its neighbours
     ("optimize", "baseline", "verify", "export", "report", "simulate", "results"),
@@ -35,11 +35,13 @@ STACK = {
     "units": set[str](),
     "geometry": set[str](),
     "scenario": set[str](),
+    "shapes": {"geometry"},
 }
 # Where each third party may be imported, as patterns of paths inside the package.
 ADDRESSES: dict[str, tuple[str, ...]] = {
     "casadi": ("robot/symbolic*.py", "optimize/*"),
     "pinocchio": ("robot/*",),
+    "coal": ("collision/*",),
     "toppra": ("timing/*",),
     "ruckig": ("timing/*",),
     "scipy": ("optimize/*", "timing/*"),
@@ -130,6 +132,9 @@ def test_every_room_stands_on_a_floor() -> None:
         ("pipeline.py", "import rich.table", "rich lives in cli/*"),
         ("cell/loader.py", "import yaml", "yaml has no address"),
         ("robot/model.py", "import casadi", "casadi lives in robot/symbolic*.py"),
+        ("robot/model.py", "import coal", "coal lives in collision/*"),
+        ("collision/pair.py", "from trajopt_cli.robot.model import RobotModel", "collision imports robot"),
+        ("shapes.py", "from trajopt_cli.motion import Source", "shapes imports motion"),
         ("__init__.py", "from trajopt_cli.pipeline import solve", "the package imports"),
     ],
 )

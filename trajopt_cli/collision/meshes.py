@@ -1,0 +1,49 @@
+"""Meshes: read from a file, and what lies inside them."""
+
+from __future__ import annotations
+
+import coal  # type: ignore[import-untyped]
+import numpy as np
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array, BoolArray
+from trajopt_cli.shapes import Mesh, MeshFile
+
+
+def load_mesh(given: MeshFile) -> Mesh:
+    """The mesh in a file: STL (text or binary), OBJ, and what else coal's loader takes. Raises InputError, unplaced."""
+    if not given.path.is_file():
+        raise InputError(f"no such mesh file: {given.path}")
+    try:
+        model = coal.MeshLoader().load(str(given.path), np.ones(3))
+    except ValueError as error:
+        # Its text is a page: source file, line, "message: Could not load resource ...", the reason, a hint.
+        said = str(error).partition("message:")[2].strip().splitlines()
+        raise InputError(f"cannot read the mesh {given.path}: {said[1] if len(said) > 1 else error}") from error
+    vertices = np.array(model.vertices()).reshape(-1, 3) * given.scale
+    triangles = [[corners[k] for k in range(3)] for corners in map(model.tri_indices, range(model.num_tris))]
+    if not triangles:
+        raise InputError(f"the mesh {given.path} has no triangles")
+    return Mesh(given.name, vertices, np.array(triangles), given.X)
+
+
+def inside(mesh: Mesh, points: Array) -> BoolArray:
+    """Which points (n, 3), in the frame the mesh is given in, lie inside its surface: (n,).
+
+    By the solid angle of all triangles (Van Oosterom and Strackee 1983): a whole turn inside a closed surface, none
+    outside; an open surface counts as closed where it goes more than half around.
+    """
+    local = (points - mesh.X[:3, 3]) @ mesh.X[:3, :3]
+    low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
+    within = ((local >= low) & (local <= high)).all(axis=1)
+    corners = mesh.vertices[mesh.triangles]
+    for i in np.flatnonzero(within):
+        a, b, c = np.moveaxis(corners - local[i], 1, 0)
+        lengths = [np.linalg.norm(side, axis=1) for side in (a, b, c)]
+        volume = np.einsum("ij,ij->i", a, np.cross(b, c))
+        dots = [np.einsum("ij,ij->i", x, y) for x, y in ((a, b), (b, c), (c, a))]
+        spread = lengths[0] * lengths[1] * lengths[2]
+        spread = spread + dots[0] * lengths[2] + dots[1] * lengths[0] + dots[2] * lengths[1]
+        turn = 2 * float(np.arctan2(volume, spread).sum()) / (4 * np.pi)
+        within[i] = abs(turn) > 0.5
+    return np.asarray(within)

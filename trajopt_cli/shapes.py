@@ -1,0 +1,136 @@
+"""Bodies in space as plain data: boxes, capsules, triangle meshes, and who may touch them. SI units, poses X_AB."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from trajopt_cli.geometry import Array, readonly
+
+TriangleArray = NDArray[np.int64]
+_CORNERS = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=np.float64)
+_SKEW = 1e-6  # how far a rotation may be from orthogonal: a quaternion written with seven digits
+
+
+@dataclass(frozen=True, eq=False)
+class Box:
+    """A box: size (3,) [m] along its own axes, X (4, 4) its centre in the frame it is given in."""
+
+    name: str
+    size: Array
+    X: Array = field(default_factory=lambda: np.eye(4))
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "size", _vector(self.size, f"box '{self.name}': size"))
+        object.__setattr__(self, "X", _pose(self.X, f"box '{self.name}'"))
+        if not np.all(self.size > 0):
+            raise ValueError(f"box '{self.name}': size {self.size} m, wanted three lengths above zero")
+
+
+@dataclass(frozen=True, eq=False)
+class Capsule:
+    """All points within radius [m] of the segment from a to b (3,) [m]; a sphere where a and b are one point."""
+
+    name: str
+    a: Array
+    b: Array
+    radius: float
+
+    def __post_init__(self) -> None:
+        for end in ("a", "b"):
+            object.__setattr__(self, end, _vector(getattr(self, end), f"capsule '{self.name}': {end}"))
+        if not (np.isfinite(self.radius) and self.radius > 0):
+            raise ValueError(f"capsule '{self.name}': radius {self.radius} m, wanted a length above zero")
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """A triangle mesh: vertices (n, 3) [m], triangles (m, 3) of their indices, X (4, 4) in the frame it is given in.
+
+    Closed surfaces are solid: a body inside them overlaps.
+    """
+
+    name: str
+    vertices: Array
+    triangles: TriangleArray
+    X: Array = field(default_factory=lambda: np.eye(4))
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "vertices", readonly(self.vertices))
+        triangles = np.array(self.triangles, dtype=np.int64)
+        triangles.setflags(write=False)
+        object.__setattr__(self, "triangles", triangles)
+        object.__setattr__(self, "X", _pose(self.X, f"mesh '{self.name}'"))
+        for what, values in (("vertices", self.vertices), ("triangles", triangles)):
+            if values.ndim != 2 or values.shape[1] != 3 or not len(values):
+                raise ValueError(f"mesh '{self.name}': {what} have shape {values.shape}, wanted (n, 3)")
+        if not np.isfinite(self.vertices).all():
+            raise ValueError(f"mesh '{self.name}': a vertex is not finite")
+        if triangles.min() < 0 or triangles.max() >= len(self.vertices):
+            raise ValueError(f"mesh '{self.name}': a triangle names a vertex outside 0..{len(self.vertices) - 1}")
+
+
+@dataclass(frozen=True, eq=False)
+class MeshFile:
+    """A mesh that still lies in a file: its coordinates times scale are metres, X (4, 4) places them."""
+
+    name: str
+    path: Path
+    X: Array = field(default_factory=lambda: np.eye(4))
+    scale: float = 1.0
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "X", _pose(self.X, f"mesh '{self.name}'"))
+        if not (np.isfinite(self.scale) and self.scale > 0):
+            raise ValueError(f"mesh '{self.name}': scale {self.scale}, wanted a number above zero")
+
+
+Shape = Box | Capsule | Mesh
+
+
+@dataclass(frozen=True, eq=False)
+class Solid:
+    """A shape that must not be touched, but by the links in ignore."""
+
+    shape: Shape | MeshFile
+    ignore: frozenset[str] = frozenset()
+
+    @property
+    def name(self) -> str:
+        """The shape's name."""
+        return self.shape.name
+
+
+def outline(shape: Shape) -> tuple[Array, float]:
+    """Points (n, 3) and a radius [m]: their convex hull grown by the radius holds the shape, in the frame of its X.
+
+    A mesh gives the eight corners of the box around its vertices.
+    """
+    match shape:
+        case Capsule():
+            return np.array([shape.a, shape.b]), shape.radius
+        case Box():
+            corners = (_CORNERS - 0.5) * shape.size
+        case Mesh():
+            low, high = shape.vertices.min(axis=0), shape.vertices.max(axis=0)
+            corners = low + _CORNERS * (high - low)
+    return corners @ shape.X[:3, :3].T + shape.X[:3, 3], 0.0
+
+
+def _vector(values: ArrayLike, what: str) -> Array:
+    out = readonly(values)
+    if out.shape != (3,) or not np.isfinite(out).all():
+        raise ValueError(f"{what} is {out.tolist()}, wanted three finite numbers")
+    return out
+
+
+def _pose(X: ArrayLike, what: str) -> Array:
+    out = readonly(X)
+    if out.shape != (4, 4) or not np.isfinite(out).all():
+        raise ValueError(f"{what}: X has shape {out.shape}, wanted a finite (4, 4)")
+    if np.abs(out[:3, :3] @ out[:3, :3].T - np.eye(3)).max() > _SKEW or np.linalg.det(out[:3, :3]) < 0:
+        raise ValueError(f"{what}: X has no rotation in its first three rows and columns")
+    return out
