@@ -17,6 +17,8 @@ _PACKAGE = Path(__file__).parents[1]
 # package is not ours, hence the look for the project file.
 _FOLDERS = (_PACKAGE.parent / "robots" if (_PACKAGE.parent / "pyproject.toml").is_file() else _PACKAGE / "robots",)
 
+ATTACHED = "attached"  # in a pair of links: what the flange carries
+
 Positive = Annotated[float, Field(gt=0, allow_inf_nan=False)]
 
 
@@ -68,6 +70,25 @@ class Profile(_Strict):
     jerk: dict[str, Number] | None = None
 
 
+Finite = Annotated[float, Field(allow_inf_nan=False)]
+Point = tuple[Finite, Finite, Finite]
+
+
+class LinkCapsule(_Strict):
+    """A capsule around a link, in the link's frame: the segment's ends a and b, its radius [m]."""
+
+    a: Point
+    b: Point
+    radius: Positive
+
+
+class Collision(Origin):
+    """Capsules by link name, and the pairs of links that are held against each other."""
+
+    links: dict[str, LinkCapsule]
+    self_pairs: tuple[tuple[str, str], ...]
+
+
 class RobotFile(_Strict):
     """A robot's YAML file."""
 
@@ -79,6 +100,7 @@ class RobotFile(_Strict):
     geometry: Origin
     axes: dict[str, AxisOrigins]
     profiles: dict[str, Profile]
+    collision: Collision | None = None
 
 
 def robot_names() -> tuple[str, ...]:
@@ -136,6 +158,25 @@ def check_axes(data: RobotFile, raw: Mapping[str, Any], names: tuple[str, ...], 
             raise InputError(message, file=file, line=line_of(raw, (*keys, name)))
     if "default" not in data.profiles:
         raise InputError("'profiles.default' is missing", file=file, line=line_of(raw, ("profiles",)))
+
+
+def check_links(collision: Collision, raw: Mapping[str, Any], names: tuple[str, ...], file: str) -> None:
+    """Hold the collision section against the chain's links, base first. Raises InputError for a link that is none, and
+    for a pair that names a link without a capsule or not the one nearer the base first."""
+    for name in collision.links:
+        if name not in names:
+            message = f"'collision.links.{name}' is no link of the arm: known are {', '.join(names)}"
+            raise InputError(message, file=file, line=line_of(raw, ("collision", "links", name)))
+    order = [*(name for name in names if name in collision.links), ATTACHED]
+    for pair in collision.self_pairs:
+        place = line_of(raw, ("collision", "self_pairs"))
+        for name in pair:
+            if name not in order:
+                message = f"'collision.self_pairs': {name} has no capsule: known are {', '.join(order)}"
+                raise InputError(message, file=file, line=place)
+        if order.index(pair[0]) >= order.index(pair[1]):
+            message = f"'collision.self_pairs': {', '.join(pair)}: wanted two links, the one nearer the base first"
+            raise InputError(message, file=file, line=place)
 
 
 def line_of(raw: Mapping[str, Any], keys: tuple[int | str, ...]) -> int:

@@ -15,11 +15,12 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.geometry import Array, readonly, rotation_about
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.robot import arm as arm_products
 from trajopt_cli.robot.arm import Arm, arm_from_chain
-from trajopt_cli.robot.urdf import read_chain, split_chain
+from trajopt_cli.robot.urdf import UrdfJoint, read_chain, split_chain
+from trajopt_cli.shapes import Capsule
 
 __all__ = ["Arm", "RobotModel", "load_robot", "robot_names"]
 
@@ -31,7 +32,9 @@ class RobotModel:
     arm: lengths, read from the URDF. X_RB: the arm's base in the root frame with the rail at 0. rail_axis (3,): the
     direction of rail travel in the root frame, None without a rail. tcp: the documented caps. profiles: limits of all
     axes by profile name, each number with its source; the rail's range there is a placeholder for the cell's stroke.
-    notes: sources of what is not a limit, by name.
+    notes: sources of what is not a limit, by name. chain: the arm's six joints and the fixed one to the flange, as the
+    URDF has them. capsules: around the links that have one, by link name, in the link's frame. self_pairs: the links
+    that are held against each other, the one nearer the base first; "attached" stands for what the flange carries.
     """
 
     name: str
@@ -45,6 +48,9 @@ class RobotModel:
     profiles: Mapping[str, JointLimits]
     notes: Mapping[str, str]
     urdf: Path
+    chain: tuple[UrdfJoint, ...]
+    capsules: Mapping[str, Capsule]
+    self_pairs: tuple[tuple[str, str], ...]
 
     @property
     def has_rail(self) -> bool:
@@ -87,6 +93,29 @@ class RobotModel:
         X[..., :3, 3] += X_WB0[:3, 3]
         if self.rail_axis_W is not None:
             X[..., :3, 3] += q[..., :1] * self.rail_axis_W
+        return X
+
+    @cached_property
+    def link_names(self) -> tuple[str, ...]:
+        """The arm's links in the order of link_poses: the base, then the link behind each of the six joints."""
+        return (self.chain[0].parent, *(joint.child for joint in self.chain[:6]))
+
+    @cached_property
+    def link_axes(self) -> Array:
+        """Unit axis (6, 3) of each joint in the frame of the link behind it, whose origin lies on the axis."""
+        return readonly([joint.axis for joint in self.chain[:6]])
+
+    def link_poses(self, q: Array) -> Array:
+        """Poses X_WL (n, 7, 4, 4) of the links in link_names order at axis positions q (n, k)."""
+        q = np.asarray(q, dtype=np.float64)
+        self._check(q, "q")
+        X = np.empty((len(q), 7, 4, 4))
+        X[:, 0] = self.base(q[:, 0] if self.has_rail else np.zeros(len(q)))
+        for i, joint in enumerate(self.chain[:6]):
+            turned = np.zeros((len(q), 4, 4))
+            turned[:, :3, :3] = rotation_about(joint.axis, q[:, i - 6])
+            turned[:, 3, 3] = 1.0
+            X[:, i + 1] = X[:, i] @ (joint.X @ turned)
         return X
 
     def jacobian(self, q: Array, X_FT: Array | None = None) -> Array:
@@ -190,6 +219,11 @@ def load_robot(name_or_path: str, X_WR: Array | None = None) -> RobotModel:
     axes = [joint for joint in mount + arm_chain if joint.kind != "fixed"]
     names = tuple(joint.name for joint in axes)
     catalogue.check_axes(data, raw, names, str(path))
+    collision = data.collision
+    if collision is not None:
+        catalogue.check_links(
+            collision, raw, (arm_chain[0].parent, *(joint.child for joint in arm_chain[:6])), str(path)
+        )
     origins = {f"{n}.{k}": str(getattr(o, k)) for n, o in data.axes.items() for k in ("position", "velocity")}
     profiles = {
         name: JointLimits(
@@ -211,6 +245,8 @@ def load_robot(name_or_path: str, X_WR: Array | None = None) -> RobotModel:
         "tcp.speed": str(data.tcp.speed),
         "tcp.acceleration": str(data.tcp.acceleration),
     }
+    if collision is not None:
+        notes["collision"] = str(collision)
     return RobotModel(
         name=data.name,
         title=data.title,
@@ -223,6 +259,11 @@ def load_robot(name_or_path: str, X_WR: Array | None = None) -> RobotModel:
         profiles=profiles,
         notes=notes | {f"profiles.{name}": profile.about for name, profile in data.profiles.items()},
         urdf=urdf,
+        chain=tuple(arm_chain),
+        capsules={name: Capsule(name, readonly(c.a), readonly(c.b), c.radius) for name, c in collision.links.items()}
+        if collision
+        else {},
+        self_pairs=collision.self_pairs if collision else (),
     )
 
 
