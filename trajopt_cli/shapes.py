@@ -10,6 +10,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from trajopt_cli.geometry import Array, readonly
 
+ATTACHED = "attached"
+"""Stands in a pair of links for all that the flange carries."""
+
 TriangleArray = NDArray[np.int64]
 _CORNERS = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=np.float64)
 _SKEW = 1e-6  # how far a rotation may be from orthogonal: a quaternion written with seven digits

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import PurePath
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, StrictBool, StrictStr, model_validator
@@ -163,6 +164,60 @@ class StartSection(_Section):
     rail: Length | None = None
 
 
+Length3 = Annotated[Triple, BeforeValidator(numbers(LENGTH, 3))]
+
+
+class BoxSection(FrameSection):
+    """A box: size along its own axes [m], its centre's frame."""
+
+    size: Annotated[tuple[float, ...], BeforeValidator(lambda value: _sizes(numbers(LENGTH, 3)(value)))]
+
+
+class CapsuleSection(_Section):
+    """All points within radius of the way from one point to another [m]; a sphere where both are one."""
+
+    start: Length3 = Field(alias="from")
+    end: Length3 = Field(alias="to")
+    radius: Annotated[float, _cap(LENGTH)]
+
+
+class MeshSection(FrameSection):
+    """A mesh file beside the cell file, what its coordinates are worth in m, and its frame."""
+
+    file: Annotated[StrictStr, BeforeValidator(lambda value: _beside(value) if isinstance(value, str) else value)]
+    scale: Annotated[float, _cap(RATIO)] = 1.0
+
+
+def _sizes(values: tuple[float, ...]) -> tuple[float, ...]:
+    return tuple(_positive(value) for value in values)
+
+
+def _beside(value: str) -> str:
+    path = PurePath(value.strip())
+    if path.is_absolute() or ".." in path.parts or not path.name:
+        raise complain(f"needs a file in the cell file's folder or below it, which results can keep, not '{value}'")
+    return str(path)
+
+
+class SolidSection(_Section):
+    """A body: one of box, capsule or mesh; ignore names the links that may touch it."""
+
+    box: BoxSection | None = None
+    capsule: CapsuleSection | None = None
+    mesh: MeshSection | None = None
+    ignore: tuple[StrictStr, ...] = ()
+
+    @model_validator(mode="after")
+    def _one_shape(self) -> SolidSection:
+        given = [name for name in ("box", "capsule", "mesh") if getattr(self, name) is not None]
+        if len(given) != 1:
+            raise complain(f"has {' and '.join(given) or 'no shape'}; give one of box, capsule or mesh")
+        return self
+
+
+Solids = dict[StrictStr, SolidSection]
+
+
 class CellDocument(_Section):
     """The whole file."""
 
@@ -173,6 +228,9 @@ class CellDocument(_Section):
     limits: LimitsSection = Field(default_factory=lambda: LimitsSection.model_validate({}))
     tcp: TcpSection | None = None
     start: StartSection
+    obstacles: Solids = Field(default_factory=dict)
+    attached: Solids = Field(default_factory=dict)
+    clearance: Annotated[float, BeforeValidator(lambda value: _not_negative(number(LENGTH)(value)))] = 0.0
     signals: dict[StrictStr, Annotated[float, BeforeValidator(_signal)]] = Field(default_factory=dict)
     waits: dict[StrictStr, Seconds] = Field(default_factory=dict)
     optional: tuple[StrictStr, ...] = ()

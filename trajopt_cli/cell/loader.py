@@ -13,12 +13,13 @@ from ruamel.yaml import YAML
 from ruamel.yaml.comments import CommentedMap, CommentedSeq
 from ruamel.yaml.error import MarkedYAMLError, YAMLError
 
-from trajopt_cli.cell.document import CellDocument, FrameSection, LimitSection
+from trajopt_cli.cell.document import CellDocument, FrameSection, LimitSection, LimitsSection, SolidSection
 from trajopt_cli.cell.model import Cell, LimitOverride, Rail, hint
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.geometry import Array, pose, rotation_about, rotation_from_wxyz
 from trajopt_cli.limits import TcpCaps
 from trajopt_cli.scenario import Scenario
+from trajopt_cli.shapes import Box, Capsule, MeshFile, Solid
 
 _EXTERNAL_AXES = "abcdef"
 
@@ -59,7 +60,8 @@ def _yaml(text: str, file: str) -> CommentedMap:
         mark = error.problem_mark or error.context_mark
         line = mark.line + 1 if mark else None
         problem = str(error.problem or error.context).split(' with value "')[0]
-        raise InputError(f"broken YAML: {problem}{_unit_hint(text, line)}", file=file, line=line) from error
+        said = "" if problem.startswith("found duplicate") else _unit_hint(text, line)
+        raise InputError(f"broken YAML: {problem}{said}", file=file, line=line) from error
     except YAMLError as error:
         raise InputError(f"broken YAML: {str(error).splitlines()[0]}", file=file) from error
     if not isinstance(tree, CommentedMap):
@@ -102,9 +104,12 @@ def _keys(model: type[BaseModel], location: Sequence[str | int]) -> list[str]:
     """The keys of the section that holds location."""
     for part in location[:-1]:
         field = model.model_fields.get(str(part))
-        for choice in _models(field.annotation if field else LimitSection):
-            model = choice
-    return list(model.model_fields)
+        if field is not None:
+            for choice in _models(field.annotation):
+                model = choice
+        elif model is LimitsSection:  # an axis' name; the names of solids lead to nothing else than their section
+            model = LimitSection
+    return [field.alias or name for name, field in model.model_fields.items()]
 
 
 def _models(annotation: Any) -> Iterator[type[BaseModel]]:
@@ -163,6 +168,22 @@ def _frame(section: FrameSection) -> Array:
     return pose(R, section.position)
 
 
+def _solids(sections: Mapping[str, SolidSection], folder: Path) -> tuple[Solid, ...]:
+    out = []
+    for name, section in sections.items():
+        shape: Box | Capsule | MeshFile
+        if section.box is not None:
+            shape = Box(name, np.array(section.box.size), _frame(section.box))
+        elif section.capsule is not None:
+            capsule = section.capsule
+            shape = Capsule(name, np.array(capsule.start), np.array(capsule.end), capsule.radius)
+        else:
+            assert section.mesh is not None
+            shape = MeshFile(name, folder / section.mesh.file, _frame(section.mesh), section.mesh.scale)
+        out.append(Solid(shape, frozenset(section.ignore)))
+    return tuple(out)
+
+
 def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
     rail = document.rail
     overrides = tuple(
@@ -189,6 +210,9 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         ),
         free_speed=document.free_speed,
         droppable=frozenset(name.lower() for name in document.optional),
+        obstacles=_solids(document.obstacles, Path(file).parent),
+        attached=_solids(document.attached, Path(file).parent),
+        clearance=document.clearance,
         lines=lines,
     )
     if cell.rail is not None and document.base is not None:
@@ -197,4 +221,7 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         raise cell.error("start.rail", "is missing; give the rail's position at the start, in m")
     if cell.rail is None and cell.start_rail is not None:
         raise cell.error("start.rail", "there is no rail; remove it or add a rail section")
+    for name in document.attached:
+        if name in document.obstacles:
+            raise cell.error(f"attached.{name}", "an obstacle has this name too; give each body its own")
     return cell

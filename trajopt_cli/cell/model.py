@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from difflib import get_close_matches
+from pathlib import Path
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.scenario import Scenario
+from trajopt_cli.shapes import MeshFile, Solid
 
 
 def hint(name: str, known: Sequence[str]) -> str:
@@ -52,7 +54,8 @@ class Cell:
 
     file: as the user gave it. X_WB (4, 4): base in the world of a robot without a rail. tcp: None where the robot's
     documented caps apply. start_joints [rad], start_rail [m]. droppable: target names in lower case. lines: the line
-    of each key by its dotted path, for messages.
+    of each key by its dotted path, for messages. obstacles: in the world; attached: in the flange frame; meshes still
+    in their files. clearance: the least distance wanted from obstacles [m].
     """
 
     file: str
@@ -69,6 +72,9 @@ class Cell:
     free_speed: bool
     droppable: frozenset[str]
     lines: Mapping[str, int] = field(default_factory=dict)
+    obstacles: tuple[Solid, ...] = ()
+    attached: tuple[Solid, ...] = ()
+    clearance: float = 0.0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "X_WB", readonly(self.X_WB))
@@ -79,6 +85,12 @@ class Cell:
         parents = (".".join(parts[:n]) for n in range(len(parts), 0, -1))
         line = next((self.lines[parent] for parent in parents if parent in self.lines), 1)
         return InputError(f"{key}: {message}", file=self.file, line=line)
+
+    @property
+    def mesh_files(self) -> tuple[Path, ...]:
+        """The files the cell's meshes lie in, each once, as paths that begin where `file` does."""
+        shapes = [solid.shape for solid in (*self.obstacles, *self.attached)]
+        return tuple(dict.fromkeys(shape.path for shape in shapes if isinstance(shape, MeshFile)))
 
     def apply_limits(self, limits: JointLimits, axis_names: tuple[str, ...]) -> JointLimits:
         """limits with the cell's overrides and the rail's stroke in force, sources included.

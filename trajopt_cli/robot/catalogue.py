@@ -11,13 +11,12 @@ from ruamel.yaml import YAML
 from ruamel.yaml.error import MarkedYAMLError
 
 from trajopt_cli.errors import InputError, InputErrorGroup
+from trajopt_cli.shapes import ATTACHED
 
 _PACKAGE = Path(__file__).parents[1]
 # In a checkout the files stand beside the package, a wheel carries them inside it. What stands beside an installed
 # package is not ours, hence the look for the project file.
 _FOLDERS = (_PACKAGE.parent / "robots" if (_PACKAGE.parent / "pyproject.toml").is_file() else _PACKAGE / "robots",)
-
-ATTACHED = "attached"  # in a pair of links: what the flange carries
 
 Positive = Annotated[float, Field(gt=0, allow_inf_nan=False)]
 
