@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array, readonly, rotation_about
+from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.robot import arm as arm_products
 from trajopt_cli.robot.arm import Arm, arm_from_chain
@@ -102,7 +102,7 @@ class RobotModel:
 
     @cached_property
     def link_axes(self) -> Array:
-        """Unit axis (6, 3) of each joint in the frame of the link behind it, whose origin lies on the axis."""
+        """Unit axis (6, 3) of each joint in the frame of the link behind it, whose origin lies on the axis: x, y or z."""
         return readonly([joint.axis for joint in self.chain[:6]])
 
     def link_poses(self, q: Array) -> Array:
@@ -112,10 +112,15 @@ class RobotModel:
         X = np.empty((len(q), 7, 4, 4))
         X[:, 0] = self.base(q[:, 0] if self.has_rail else np.zeros(len(q)))
         for i, joint in enumerate(self.chain[:6]):
-            turned = np.zeros((len(q), 4, 4))
-            turned[:, :3, :3] = rotation_about(joint.axis, q[:, i - 6])
-            turned[:, 3, 3] = 1.0
-            X[:, i + 1] = X[:, i] @ (joint.X @ turned)
+            before, here = X[:, i], X[:, i + 1]
+            here[:] = before
+            here[:, :3, 3] += before[:, :3, :3] @ joint.X[:3, 3]
+            # arm_from_chain takes only origins that are not turned and axes x, y, z: a turn mixes the other two.
+            axis = int(np.argmax(joint.axis))
+            u, v = (axis + 1) % 3, (axis + 2) % 3
+            c, s = np.cos(q[:, i - 6, None]), np.sin(q[:, i - 6, None])
+            here[:, :3, u] = c * before[:, :3, u] + s * before[:, :3, v]
+            here[:, :3, v] = c * before[:, :3, v] - s * before[:, :3, u]
         return X
 
     def jacobian(self, q: Array, X_FT: Array | None = None) -> Array:

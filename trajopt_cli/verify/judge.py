@@ -15,6 +15,7 @@ from trajopt_cli.problem.report import Finding, Report
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.advice import advise
 from trajopt_cli.verify.caps import check_caps
+from trajopt_cli.verify.clearance import check_clearance
 from trajopt_cli.verify.course import may_drop, stops_of
 from trajopt_cli.verify.findings import finding
 from trajopt_cli.verify.frame import Frame
@@ -62,6 +63,7 @@ def verify(
         *check_shapes(line, frames, rapid),
         *check_joints(rows, line.source_at),
         *check_caps(line, frames),
+        *check_clearance(program, plant, trajectory, line.source_at),
     ]
     return Report(tuple(findings), tuple(advise(line, frames, rapid)) if advice else ())
 

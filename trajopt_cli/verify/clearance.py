@@ -1,0 +1,110 @@
+"""The robot against obstacles and against itself: how near it comes, and where it first touches.
+
+Every obstacle is one finding, the robot against itself another. value is the least distance of the whole motion
+(negative: the depth), limit the distance wanted. Where that is missed, time and source are those of the first miss.
+Pairs that no axis moves against each other are not looked at: nothing a program does changes them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from trajopt_cli.motion import Program, Source
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.report import Finding
+from trajopt_cli.shapes import ATTACHED, MeshFile, Shape, Solid
+from trajopt_cli.trajectory import Trajectory
+from trajopt_cli.verify.findings import SourceAt
+from trajopt_cli.verify.sweep import FLANGE, OVERLOOKED, Body, Closest, Near, Sweep
+
+CLEARANCE = "clearance"
+SELF_CLEARANCE = "self clearance"
+
+
+def check_clearance(program: Program, plant: Plant, trajectory: Trajectory, source_at: SourceAt) -> list[Finding]:
+    """One finding per obstacle and one for the robot against itself; none where the plant has no shapes for it."""
+    sweep = Sweep(plant.robot, trajectory)
+    bodies = _bodies(plant)
+    out = []
+    for solid in plant.obstacles:
+        group = [Near(body, _shape(solid)) for body in bodies if _meet(plant, body, solid)]
+        if group:
+            out.append(_finding(CLEARANCE, program, sweep, group, plant.clearance, source_at))
+    pairs = list(_self_pairs(plant, bodies))
+    if pairs:
+        out.append(_finding(SELF_CLEARANCE, program, sweep, pairs, 0.0, source_at))
+    return out
+
+
+def _bodies(plant: Plant) -> list[Body]:
+    """The robot's links that have a shape, base first, then what its flange carries."""
+    robot = plant.robot
+    links = [Body(n, robot.capsules[n], i) for i, n in enumerate(robot.link_names) if n in robot.capsules]
+    return links + [Body(solid.name, _shape(solid), FLANGE) for solid in plant.attached]
+
+
+def _shape(solid: Solid) -> Shape:
+    if isinstance(solid.shape, MeshFile):
+        raise ValueError(f"mesh '{solid.name}' is not loaded; build_plant does it")
+    return solid.shape
+
+
+def _meet(plant: Plant, body: Body, solid: Solid) -> bool:
+    """Whether an axis moves the body, and nobody allowed it to touch the solid."""
+    return body.name not in solid.ignore and (body.joints > 0 or plant.robot.has_rail)
+
+
+def _self_pairs(plant: Plant, bodies: list[Body]) -> Iterator[Near]:
+    links = {body.name: body for body in bodies[: len(plant.robot.capsules)]}
+    for first, second in plant.robot.self_pairs:
+        if second != ATTACHED:
+            yield Near(links[second], None, links[first])
+            continue
+        for solid, body in zip(plant.attached, bodies[len(links) :], strict=True):
+            if first not in solid.ignore:
+                yield Near(body, None, links[first])
+
+
+def _finding(
+    check: str, program: Program, sweep: Sweep, group: list[Near], wanted: float, source_at: SourceAt
+) -> Finding:
+    least = sweep.least(group, wanted)
+    passed = least.distance >= wanted
+    first = least
+    if not passed:
+        first = sweep.first_below(group, 0.0 if least.distance < 0 else wanted) or least
+    # Before the first row nothing is under way: the program's first motion leaves from there.
+    source = source_at(first.time) or next((motion.source for motion in program.motions), None)
+    if passed:
+        said = f"{_names(least)} come nearest at {least.time:.3f} s, {least.distance * 1e3:.1f} mm"
+    else:
+        said = f"{_what(program, source)} {_touch(first, least, wanted)}"
+    message = f"{said}; nothing deeper than {OVERLOOKED * 1e3:g} mm slips through"
+    return Finding(check, _names(first), least.distance, wanted, "m", passed, first.time, source, message)
+
+
+def _names(closest: Closest) -> str:
+    return f"{closest.near.body.name} and {_against(closest)}"
+
+
+def _against(closest: Closest) -> str:
+    """An obstacle's name is the user's, a link's the robot's."""
+    return f"'{closest.near.against}'" if closest.near.other is None else closest.near.against
+
+
+def _what(program: Program, source: Source | None) -> str:
+    """Place and name of the motion, as in "cell.mod:41:9: MoveJ p_in"."""
+    for motion in program.motions:
+        if motion.source == source:
+            return f"{source}: {type(motion).__name__} {getattr(motion, 'target', '')}".rstrip()
+    return "the motion"
+
+
+def _touch(first: Closest, least: Closest, wanted: float) -> str:
+    other = "" if least.near is first.near else f" with {least.near.body.name}"
+    when = "" if f"{least.time:.3f}" == f"{first.time:.3f}" and not other else f"{other} at {least.time:.3f} s"
+    if least.distance < 0:
+        verb, depth = "hits", f"{-least.distance * 1e3:.1f} mm deep"
+    else:
+        verb, depth = "comes too close to", f"{least.distance * 1e3:.1f} mm, wanted {wanted * 1e3:g} mm"
+    return f"{verb} {_against(first)} with {first.near.body.name} at {first.time:.3f} s, {depth}{when}"

@@ -1,0 +1,284 @@
+"""How near moving bodies come to each other, proven between the samples.
+
+Between two times no point of a body is farther from where it is in the middle than the motion bound: let the axes go
+from the middle to any other time one after the other, base first. While one turns, all beyond it still stand as in the
+middle, so no point moves farther than its distance from that axis there times the angle. Distances of bodies change no
+faster than their points move. An interval whose middle is farther off than the bound reaches is done, any other is
+halved.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from trajopt_cli.collision.pair import Pair
+from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
+from trajopt_cli.robot.model import RobotModel
+from trajopt_cli.shapes import Capsule, Shape, outline
+from trajopt_cli.trajectory import Trajectory
+
+OVERLOOKED = 1e-4
+"""No overlap deeper than this slips through, m: nothing thicker can be jumped over."""
+
+COARSE = 0.01
+"""Share of what a distance is above the wanted one that it may be off by: a body that slides past far away would take
+thousands of looks to say to OVERLOOKED how far."""
+
+FLANGE = 7
+"""Index of the flange among a robot's frames, after the seven links."""
+
+
+@dataclass(frozen=True, eq=False)
+class Body:
+    """A shape that a frame of the robot carries: a link by its index, or FLANGE."""
+
+    name: str
+    shape: Shape
+    frame: int
+
+    @property
+    def joints(self) -> int:
+        """How many of the arm's joints move it."""
+        return min(self.frame, 6)
+
+
+@dataclass(frozen=True, eq=False)
+class Near:
+    """Two bodies that are held against each other; other None: `obstacle` stands in the world."""
+
+    body: Body
+    obstacle: Shape | None
+    other: Body | None = None
+
+    @property
+    def against(self) -> str:
+        """The name of what the body is held against."""
+        found = self.obstacle if self.other is None else self.other
+        assert found is not None
+        return found.name
+
+
+@dataclass(frozen=True, eq=False)
+class Closest:
+    """Where a group of pairs comes nearest: the pair, its signed distance [m] and the time [s]."""
+
+    near: Near
+    distance: float
+    time: float
+
+
+class Course:
+    """The motion between a trajectory's rows, by the row parameter s: s = 2.5 is half way in time from row 2 to row 3.
+
+    Cubic Hermite where the rows have speeds, straight where not.
+    """
+
+    def __init__(self, trajectory: Trajectory):
+        t, q, qd = trajectory.t, trajectory.q, trajectory.qd
+        h = np.diff(t)[:, None]
+        self._t, self._q, self._delta = t, q, np.diff(q, axis=0)
+        self._v_0 = self._delta if qd is None else qd[:-1] * h
+        self._v_1 = self._delta if qd is None else qd[1:] * h
+        self.last = len(t) - 1
+        # A cubic stays within its control points. Level L holds their bounds over 2^L intervals from each row on.
+        control = np.stack([q[:-1], q[:-1] + self._v_0 / 3, q[1:] - self._v_1 / 3, q[1:]])
+        self._low, self._high = [control.min(axis=0)], [control.max(axis=0)]
+        while len(self._low[-1]) > (step := 2 ** (len(self._low) - 1)):
+            self._low.append(np.minimum(self._low[-1][:-step], self._low[-1][step:]))
+            self._high.append(np.maximum(self._high[-1][:-step], self._high[-1][step:]))
+
+    def time(self, s: float) -> float:
+        """The time [s] at s."""
+        i = min(int(s), self.last - 1)
+        return float(self._t[i] + (s - i) * (self._t[i + 1] - self._t[i]))
+
+    def at(self, s: Array) -> Array:
+        """Axis positions (m, k) at s (m,)."""
+        i = np.minimum(s.astype(np.intp), self.last - 1)
+        return self._cubic(i, s - i)[0]
+
+    def swing(self, s_0: Array, s_1: Array, q: Array) -> Array:
+        """How far (m, k) the axes are from q (m, k) at most between s_0 and s_1 (m,): whole rows, or a part of one."""
+        low, high = np.empty_like(q), np.empty_like(q)
+        part = s_1 - s_0 < 1
+        if part.any():
+            i = s_0[part].astype(np.intp)
+            (q_0, v_0), (q_1, v_1) = self._cubic(i, s_0[part] - i), self._cubic(i, s_1[part] - i)
+            third = (s_1 - s_0)[part, None] / 3
+            control = np.stack([q_0, q_0 + third * v_0, q_1 - third * v_1, q_1])
+            low[part], high[part] = control.min(axis=0), control.max(axis=0)
+        level = np.frexp(s_1 - s_0)[1] - 1
+        for L in np.unique(level[~part]):
+            nodes = np.flatnonzero((level == L) & ~part)
+            a, b = s_0[nodes].astype(np.intp), s_1[nodes].astype(np.intp) - 2**L
+            low[nodes] = np.minimum(self._low[L][a], self._low[L][b])
+            high[nodes] = np.maximum(self._high[L][a], self._high[L][b])
+        return np.asarray(np.maximum(high - q, q - low))
+
+    def _cubic(self, i: IndexArray, u: Array) -> tuple[Array, Array]:
+        """Positions and slopes per row (m, k) at the shares u (m,) of the intervals i (m,)."""
+        u, delta, v_0, v_1 = u[:, None], self._delta[i], self._v_0[i], self._v_1[i]
+        c2, c3 = 3 * delta - 2 * v_0 - v_1, v_0 + v_1 - 2 * delta
+        return self._q[i] + u * (v_0 + u * (c2 + u * c3)), v_0 + u * (2 * c2 + 3 * u * c3)
+
+
+class _Look:
+    """The robot in the middle of intervals (m, 2) of s, and how far its axes go from there within them."""
+
+    def __init__(self, robot: RobotModel, course: Course, nodes: Array):
+        s_0, s_1 = nodes.T
+        middle = (s_0 + s_1) / 2
+        self.middle = np.where(s_1 - s_0 > 1, np.floor(middle), middle)
+        q = course.at(self.middle)
+        swing = course.swing(s_0, s_1, q)
+        links = robot.link_poses(q)
+        self.X_WL = np.concatenate([links, (links[:, 6] @ robot.chain[6].X)[:, None]], axis=1)
+        self._arm = swing[:, -6:]
+        self._rail = swing[:, 0] if robot.has_rail else np.zeros(len(q))
+        self._axes = np.einsum("mjab,jb->mja", links[:, 1:, :3, :3], robot.link_axes)
+        self._origins = links[:, 1:, :3, 3]
+        self._bodies: dict[str, tuple[Array, Array]] = {}
+
+    def points(self, body: Body) -> Array:
+        """Outline (m, n, 3) of a body in the world, its radius apart."""
+        return self._body(body)[0]
+
+    def moved(self, body: Body, since: int) -> Array:
+        """How far (m,) a body's points move at most, seen from the link number since; from the world for -1."""
+        parts = self._body(body)[1]
+        arm: Array = parts[:, max(since, 0) :].sum(axis=1)
+        return arm + self._rail if since < 0 else arm
+
+    def _body(self, body: Body) -> tuple[Array, Array]:
+        """Outline in the world, and how far each joint that moves the body moves its points: radius times angle."""
+        if body.name not in self._bodies:
+            local, radius = outline(body.shape)
+            X, n = self.X_WL[:, body.frame], body.joints
+            points = local @ np.swapaxes(X[:, :3, :3], 1, 2) + X[:, None, :3, 3]
+            arm = points[:, :, None] - self._origins[:, None, :n]
+            along = np.einsum("mpji,mji->mpj", arm, self._axes[:, :n])
+            across = np.sqrt(np.maximum(np.einsum("mpji,mpji->mpj", arm, arm) - along**2, 0.0)).max(axis=1) + radius
+            self._bodies[body.name] = points, across * self._arm[:, :n]
+        return self._bodies[body.name]
+
+
+class _Placed:
+    """A pair with what it takes to place it."""
+
+    def __init__(self, near: Near):
+        self._body, self._other = near.body, near.other
+        shape = near.obstacle if near.other is None else near.other.shape
+        assert shape is not None
+        self._pair = Pair(near.body.shape, shape)
+        self._radius = outline(near.body.shape)[1]
+        # The other's own axes, in which a box around it is small.
+        self._X_OS = np.eye(4) if isinstance(shape, Capsule) else np.asarray(shape.X)
+        local, radius = outline(shape)
+        own = (local - self._X_OS[:3, 3]) @ self._X_OS[:3, :3]
+        self._low, self._high = own.min(axis=0) - radius, own.max(axis=0) + radius
+
+    def moved(self, look: _Look) -> Array:
+        """How far (m,) the bodies' points move against each other at most."""
+        return look.moved(self._body, -1 if self._other is None else self._other.frame)
+
+    def bound(self, look: _Look, rows: IndexArray) -> Array:
+        """No more than the distance in the middle of the intervals rows: that of boxes in the other's axes, and where
+        the boxes overlap, which says nothing of a depth, minus infinity."""
+        X_SW = (
+            inverse_pose(self._X_OS)[None] if self._other is None else inverse_pose(self._X_WO(look, rows) @ self._X_OS)
+        )
+        points = look.points(self._body)[rows] @ np.swapaxes(X_SW[:, :3, :3], 1, 2) + X_SW[:, None, :3, 3]
+        over = points.min(axis=1) - self._radius - self._high
+        under = self._low - points.max(axis=1) - self._radius
+        apart = np.linalg.norm(np.maximum(np.maximum(over, under), 0.0), axis=1)
+        return np.where(apart > 0, apart, -np.inf)
+
+    def distances(self, look: _Look, rows: IndexArray) -> Array:
+        """Signed distances in the middle of the intervals rows."""
+        X_WA = look.X_WL[rows, self._body.frame]
+        return self._pair.distances(X_WA if self._other is None else inverse_pose(self._X_WO(look, rows)) @ X_WA)
+
+    def _X_WO(self, look: _Look, rows: IndexArray) -> Array:
+        assert self._other is not None
+        X: Array = look.X_WL[rows, self._other.frame]
+        return X
+
+
+class Sweep:
+    """A robot's bodies along a course: the least distance of a group of pairs, and when it is first too small."""
+
+    def __init__(self, robot: RobotModel, trajectory: Trajectory):
+        self._robot, self._course = robot, Course(trajectory)
+
+    def least(self, group: Sequence[Near], wanted: float = 0.0) -> Closest:
+        """Where the group comes nearest; its distance is more than the least there is by OVERLOOKED at most, or by
+        COARSE of what it is above wanted [m], whichever is more."""
+        best = Closest(group[0], np.inf, 0.0)
+        pairs = [_Placed(near) for near in group]
+        nodes, alive = self._whole(len(pairs))
+        while len(nodes):
+            look = _Look(self._robot, self._course, nodes)
+            bounds = []
+            for column, pair in enumerate(pairs):
+                rows = np.flatnonzero(alive[:, column])
+                if len(rows):
+                    bounds.append((column, rows, pair.bound(look, rows), pair.moved(look)[rows]))
+            for column, rows, bound, moved in sorted(bounds, key=lambda entry: float(entry[2].min())):
+                near = bound - moved < _enough(best, wanted)
+                alive[rows[~near], column] = False
+                distance = pairs[column].distances(look, rows[near])
+                if len(distance) and distance.min() < best.distance:
+                    i = int(np.argmin(distance))
+                    best = Closest(group[column], float(distance[i]), self._course.time(look.middle[rows[near][i]]))
+                alive[rows[near], column] = distance - moved[near] < _enough(best, wanted)
+            nodes, alive = _halved(nodes, look.middle, alive)
+        return best
+
+    def first_below(self, group: Sequence[Near], limit: float) -> Closest | None:
+        """When a distance of the group is first below limit; None where it never is by more than OVERLOOKED."""
+        first: Closest | None = None
+        before = np.inf  # s of the first
+        pairs = [_Placed(near) for near in group]
+        nodes, alive = self._whole(len(pairs))
+        while len(nodes):
+            look = _Look(self._robot, self._course, nodes)
+            for column, pair in enumerate(pairs):
+                rows = np.flatnonzero(alive[:, column] & (nodes[:, 0] < before))
+                alive[:, column] = False
+                moved = pair.moved(look)[rows]
+                near = pair.bound(look, rows) - moved < limit
+                rows, moved = rows[near], moved[near]
+                distance = pair.distances(look, rows)
+                # An interval that moves less than OVERLOOKED is one moment: its beginning.
+                moment = moved <= OVERLOOKED
+                s = np.where(moment, nodes[rows, 0], look.middle[rows])
+                hits = np.flatnonzero(distance < limit)
+                if len(hits) and s[hits].min() < before:
+                    i = hits[np.argmin(s[hits])]
+                    before = float(s[i])
+                    first = Closest(group[column], float(distance[i]), self._course.time(before))
+                alive[rows, column] = (distance - moved < limit) & ~moment
+            alive &= nodes[:, :1] < before
+            nodes, alive = _halved(nodes, look.middle, alive)
+        return first
+
+    def _whole(self, pairs: int) -> tuple[Array, BoolArray]:
+        """The whole course as one interval, alive for every pair."""
+        return np.array([[0.0, float(self._course.last)]]), np.ones((1, pairs), dtype=bool)
+
+
+def _enough(best: Closest, wanted: float) -> float:
+    """An interval that comes no nearer than this need not be looked at."""
+    above = best.distance - wanted
+    return best.distance - max(OVERLOOKED, COARSE * above) if above < np.inf else np.inf
+
+
+def _halved(nodes: Array, middle: Array, alive: BoolArray) -> tuple[Array, BoolArray]:
+    """The halves (2m, 2) of the intervals that are alive for any pair."""
+    rows = alive.any(axis=1)
+    nodes, middle, alive = nodes[rows], middle[rows], alive[rows]
+    halves = np.concatenate([np.column_stack([nodes[:, 0], middle]), np.column_stack([middle, nodes[:, 1]])])
+    return halves, np.concatenate([alive, alive])
