@@ -47,6 +47,7 @@ ADDRESSES: dict[str, tuple[str, ...]] = {
     "scipy": ("optimize/*", "timing/*"),
     "typer": ("cli/*",),
     "rich": ("cli/*",),
+    "matplotlib": ("report/*",),
     # The two rooms that read files people write by hand: cell files and robot descriptions.
     "pydantic": ("cell/*", "robot/*"),
     "pydantic_core": ("cell/*", "robot/*"),
