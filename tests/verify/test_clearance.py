@@ -22,7 +22,7 @@ from trajopt_cli.problem.report import Finding
 from trajopt_cli.robot.model import load_robot
 from trajopt_cli.shapes import Box, Capsule, Mesh, Shape, Solid
 from trajopt_cli.trajectory import Trajectory, hermite
-from trajopt_cli.verify.clearance import CLEARANCE, SELF_CLEARANCE, check_clearance
+from trajopt_cli.verify.clearance import CLEARANCE, SELF_CLEARANCE, check_clearance, collisions, least_clearance
 from trajopt_cli.verify.judge import verify
 from trajopt_cli.verify.sweep import COARSE, OVERLOOKED, Body, Course, Near, Sweep, _Look
 
@@ -85,7 +85,7 @@ def one(plant: Plant, trajectory: Trajectory) -> Finding:
 
 
 def brute_force(plant: Plant, obstacle: Solid, trajectory: Trajectory, step: float) -> float:
-    """Least distance at samples `step` apart, by poses of pin."""
+    """Least distance at samples `step` apart, by poses of pin; the depth in a mesh is that in its surface."""
     import pinocchio as pin
 
     model = plant.robot.pin_model
@@ -101,7 +101,7 @@ def brute_force(plant: Plant, obstacle: Solid, trajectory: Trajectory, step: flo
     for row, out in zip(q, X, strict=True):
         pin.framesForwardKinematics(model, data, row)
         out[:] = [data.oMf[i].homogeneous for i in ids]
-    return min(float(Pair(shape, obstacle.shape).distances(X[:, i]).min()) for i, shape in bodies)
+    return min(float(Pair(shape, obstacle.shape).distances(X[:, i], solid=False).min()) for i, shape in bodies)
 
 
 @pytest.mark.parametrize("rail", [False, True])
@@ -257,6 +257,19 @@ def test_a_mesh_of_a_box_gives_the_boxes_answer(rng: np.random.Generator) -> Non
     assert (first.passed, first.time) == (second.passed, pytest.approx(second.time, abs=1e-3))
 
 
+@pytest.mark.parametrize("as_mesh", [False, True])
+def test_a_robot_that_starts_inside_a_body_hits_it(as_mesh: bool) -> None:
+    """A block around the whole arm: no link ever touches the mesh's surface."""
+    plant = plant_without_rail()
+    size, X = np.array([4.0, 4.0, 4.0]), pose(np.eye(3), [0, 0, 0.5])
+    shape = Mesh("block", CORNERS * size, FACES, X) if as_mesh else Box("block", size, X)
+    trajectory = quintic_move(plant, [HOME, HOME * 0.5])
+    found = one(replace(plant, obstacles=(Solid(shape),)), trajectory)
+    assert (found.passed, found.time) == (False, 0.0)
+    open_mesh = Mesh("tube", CORNERS * size, FACES[4:8], X)  # two walls of the block
+    assert one(replace(plant, obstacles=(Solid(open_mesh),)), trajectory).passed
+
+
 def segments_apart(a: Array, b: Array, c: Array, d: Array) -> float:
     """By ternary search along the first segment: the distance to a segment is convex."""
 
@@ -407,6 +420,16 @@ def test_a_hit_is_illegal_and_names_motion_time_pair_and_depth() -> None:
         f"cell.mod:12:5: MoveL p_a hits 'anvil' with pin at {found.time:.3f} s, 20.0 mm deep at {deepest} s; "
         "nothing deeper than 0.1 mm slips through"
     )
+
+
+def test_helpers_pick_the_nearest_obstacle_and_the_hits_in_time_order() -> None:
+    plant, motions, rows = watched_case(FAR, LOW, clearance=0.001, attached=(ball(0.01, 0.05),))
+    findings = verify(motions, plant, rows).findings
+    nearest = least_clearance(findings)
+    assert nearest is not None
+    assert nearest.subject.endswith("'anvil'")
+    assert [f.subject for f in collisions(findings)] == [nearest.subject]
+    assert least_clearance(f for f in findings if f.check != CLEARANCE) is None
 
 
 def test_too_near_is_illegal_where_a_clearance_is_wanted() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 
 import coal  # type: ignore[import-untyped]
@@ -22,7 +23,7 @@ class Pair:
 
     def __init__(self, a: Shape, b: Shape):
         self.a, self.b = a, b
-        # Kept, because coal.ComputeDistance holds bare pointers to both.
+        # Kept here too: coal.ComputeDistance holds bare pointers to both.
         (self._geometry_a, self._X_a), (self._geometry_b, self._X_b) = _geometry(a), _geometry(b)
         self._compute = coal.ComputeDistance(self._geometry_a, self._geometry_b)
         self._request = coal.DistanceRequest(False, 0.0, 0.0)
@@ -31,8 +32,11 @@ class Pair:
         self._result = coal.DistanceResult()
         self._T_a, self._T_b = coal.Transform3s(), coal.Transform3s()
 
-    def distances(self, X_BA: Array) -> Array:
-        """Distances (n,) of a placed at X_BA (n, 4, 4) in the frame of b."""
+    def distances(self, X_BA: Array, solid: bool = True) -> Array:
+        """Distances (n,) of a placed at X_BA (n, 4, 4) in the frame of b.
+
+        solid False: a mesh is its surface alone, positive inside; looking inside costs a glance at every triangle.
+        """
         X = X_BA @ self._X_a
         self._T_b.setTransform(self._X_b[:3, :3].copy(), self._X_b[:3, 3].copy())
         R, p = np.ascontiguousarray(X[:, :3, :3]), np.ascontiguousarray(X[:, :3, 3])
@@ -44,7 +48,7 @@ class Pair:
             out[i] = compute(self._T_a, self._T_b, request, result)
         if not np.isfinite(out).all():
             raise ArithmeticError(f"no distance of '{self.a.name}' and '{self.b.name}' placed at {X_BA}")
-        return self._inside(X_BA, out)
+        return self._inside(X_BA, out) if solid else out
 
     def distance(self, X_WA: Array, X_WB: Array) -> float:
         """Distance of a at X_WA and b at X_WB, (4, 4) each."""
@@ -67,8 +71,9 @@ class Pair:
         return out
 
 
+@lru_cache(maxsize=64)
 def _geometry(shape: Shape) -> tuple[Any, Array]:
-    """coal's geometry and its pose in the frame the shape is given in."""
+    """coal's geometry and its pose in the frame the shape is given in; a mesh's tree is worth building once."""
     match shape:
         case Box():
             return coal.Box(*(float(length) for length in shape.size)), np.asarray(shape.X)

@@ -7,7 +7,7 @@ Pairs that no axis moves against each other are not looked at: nothing a program
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from trajopt_cli.motion import Program, Source
 from trajopt_cli.problem.plant import Plant
@@ -19,6 +19,17 @@ from trajopt_cli.verify.sweep import FLANGE, OVERLOOKED, Body, Closest, Near, Sw
 
 CLEARANCE = "clearance"
 SELF_CLEARANCE = "self clearance"
+
+
+def collisions(findings: Iterable[Finding]) -> tuple[Finding, ...]:
+    """The findings that say the robot hits something or comes too close, in time order."""
+    missed = [one for one in findings if one.check in (CLEARANCE, SELF_CLEARANCE) and not one.passed]
+    return tuple(sorted(missed, key=lambda one: one.time or 0.0))
+
+
+def least_clearance(findings: Iterable[Finding]) -> Finding | None:
+    """The finding of the obstacle that the robot comes nearest to; None where no obstacle was looked at."""
+    return min((one for one in findings if one.check == CLEARANCE), key=lambda one: one.value, default=None)
 
 
 def check_clearance(program: Program, plant: Plant, trajectory: Trajectory, source_at: SourceAt) -> list[Finding]:

@@ -196,10 +196,11 @@ class _Placed:
         apart = np.linalg.norm(np.maximum(np.maximum(over, under), 0.0), axis=1)
         return np.where(apart > 0, apart, -np.inf)
 
-    def distances(self, look: _Look, rows: IndexArray) -> Array:
-        """Signed distances in the middle of the intervals rows."""
+    def distances(self, look: _Look, rows: IndexArray, solid: bool = False) -> Array:
+        """Signed distances in the middle of the intervals rows; solid: meshes filled."""
         X_WA = look.X_WL[rows, self._body.frame]
-        return self._pair.distances(X_WA if self._other is None else inverse_pose(self._X_WO(look, rows)) @ X_WA)
+        X_OA = X_WA if self._other is None else inverse_pose(self._X_WO(look, rows)) @ X_WA
+        return self._pair.distances(X_OA, solid)
 
     def _X_WO(self, look: _Look, rows: IndexArray) -> Array:
         assert self._other is not None
@@ -216,8 +217,8 @@ class Sweep:
     def least(self, group: Sequence[Near], wanted: float = 0.0) -> Closest:
         """Where the group comes nearest; its distance is more than the least there is by OVERLOOKED at most, or by
         COARSE of what it is above wanted [m], whichever is more."""
-        best = Closest(group[0], np.inf, 0.0)
         pairs = [_Placed(near) for near in group]
+        best = self._at_start(group, pairs)
         nodes, alive = self._whole(len(pairs))
         while len(nodes):
             look = _Look(self._robot, self._course, nodes)
@@ -239,9 +240,12 @@ class Sweep:
 
     def first_below(self, group: Sequence[Near], limit: float) -> Closest | None:
         """When a distance of the group is first below limit; None where it never is by more than OVERLOOKED."""
+        pairs = [_Placed(near) for near in group]
+        start = self._at_start(group, pairs)
+        if start.distance < limit:
+            return start
         first: Closest | None = None
         before = np.inf  # s of the first
-        pairs = [_Placed(near) for near in group]
         nodes, alive = self._whole(len(pairs))
         while len(nodes):
             look = _Look(self._robot, self._course, nodes)
@@ -265,6 +269,13 @@ class Sweep:
             nodes, alive = _halved(nodes, look.middle, alive)
         return first
 
+    def _at_start(self, group: Sequence[Near], pairs: Sequence[_Placed]) -> Closest:
+        """The nearest pair in the first row, meshes filled: later a body comes inside through the surface only."""
+        look = _Look(self._robot, self._course, np.zeros((1, 2)))
+        distances = [float(pair.distances(look, np.zeros(1, dtype=np.intp), solid=True)[0]) for pair in pairs]
+        i = int(np.argmin(distances))
+        return Closest(group[i], distances[i], self._course.time(0.0))
+
     def _whole(self, pairs: int) -> tuple[Array, BoolArray]:
         """The whole course as one interval, alive for every pair."""
         return np.array([[0.0, float(self._course.last)]]), np.ones((1, pairs), dtype=bool)
@@ -272,8 +283,7 @@ class Sweep:
 
 def _enough(best: Closest, wanted: float) -> float:
     """An interval that comes no nearer than this need not be looked at."""
-    above = best.distance - wanted
-    return best.distance - max(OVERLOOKED, COARSE * above) if above < np.inf else np.inf
+    return best.distance - max(OVERLOOKED, COARSE * (best.distance - wanted))
 
 
 def _halved(nodes: Array, middle: Array, alive: BoolArray) -> tuple[Array, BoolArray]:
