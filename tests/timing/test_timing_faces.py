@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from ruckig import InputParameter, Ruckig, Synchronization, Trajectory
 
-from trajopt_cli.timing.point_to_point import rest_to_rest, straight_rest_to_rest
-from trajopt_cli.timing.topp import shortest_time
+from trajopt_cli.geometry import Array
+from trajopt_cli.timing.point_to_point import point_to_point, rest_to_rest, straight_rest_to_rest
+from trajopt_cli.timing.topp import TimeLaw, fastest_law, shortest_time
 
 
 def trapezoid_time(way: float, v: float, a: float) -> float:
@@ -61,3 +63,90 @@ def test_no_timing_is_none() -> None:
     s = np.linspace(0, 1, 50)
     one = np.ones((50, 1))
     assert shortest_time(s, s[:, None], one, np.array([1.0]), np.array([1.0]), 0.0, 5.0) is None
+
+
+@pytest.mark.parametrize("straight", [False, True])
+@pytest.mark.parametrize("jerky", [False, True])
+@pytest.mark.parametrize("least", [0.0, 6.0])
+def test_the_phases_are_ruckigs_own_motion(straight: bool, jerky: bool, least: float) -> None:
+    """Sampled by ruckig itself at times between switches; one axis does not move at all."""
+    rng = np.random.default_rng(5)
+    k = 5
+    for _ in range(20):
+        q_0, q_1 = rng.normal(size=(2, k))
+        q_1[2] = q_0[2]
+        v, a = rng.uniform(0.5, 4, k), rng.uniform(3, 40, k)
+        j = a * 12 if jerky else None
+        move = point_to_point(q_0, q_1, v, a, j, least, straight)
+        wish, out = InputParameter(k), Trajectory(k)
+        wish.current_position, wish.target_position = q_0.tolist(), q_1.tolist()
+        wish.max_velocity, wish.max_acceleration = v.tolist(), a.tolist()
+        wish.max_jerk = [float("inf")] * k if j is None else j.tolist()
+        wish.synchronization = Synchronization.Phase if straight else Synchronization.Time
+        wish.minimum_duration = least or None
+        Ruckig(k).calculate(wish, out)
+        times = rng.uniform(0, out.duration, 50)
+        wanted = [np.array(x) for x in zip(*(out.at_time(t) for t in times), strict=True)]
+        assert move.duration == pytest.approx(out.duration, abs=1e-12)
+        assert move.duration >= least
+        for ours, ruckigs in zip(move.at(times), wanted, strict=False):
+            np.testing.assert_allclose(ours, ruckigs, rtol=0, atol=1e-9)
+        if j is not None:
+            assert (np.abs(move.jerks(times)) <= j * (1 + 1e-9)).all()
+        q, qd, _ = move.at(np.array([move.duration]))
+        np.testing.assert_allclose(q[0], q_1, rtol=0, atol=1e-14)
+        assert np.abs(qd).max() < 1e-12
+
+
+def test_slowing_a_move_down_scales_its_derivatives() -> None:
+    move = point_to_point(np.zeros(2), np.array([1.0, -0.3]), np.ones(2), np.full(2, 4.0), np.full(2, 50.0))
+    slow, t = move.slowed(1.5), np.linspace(0, move.duration, 40)
+    assert slow.duration == pytest.approx(1.5 * move.duration)
+    for power, (fast_x, slow_x) in enumerate(zip(move.at(t), slow.at(1.5 * t), strict=True)):
+        np.testing.assert_allclose(slow_x, fast_x / 1.5**power, atol=1e-12)
+    assert slow.switches == pytest.approx(move.switches * 1.5)
+
+
+def law_along(slope: Array, v: Array, a: Array, rate_0: float = 0.0, rate_1: float = 0.0) -> TimeLaw | None:
+    """The fastest law on a straight path of length 1."""
+    s = np.linspace(0, 1, 401)
+    sides = np.tile(slope / a, (400, 1)), np.zeros((400, len(slope)))
+    return fastest_law(s, np.full(401, np.min(v / np.abs(slope))), sides, sides, rate_0, rate_1)
+
+
+def test_the_time_law_on_a_straight_path_is_the_trapezoid() -> None:
+    law = law_along(np.array([1.0, -0.5]), np.array([0.8, 0.25]), np.array([2.0, 5.0]))
+    assert law is not None
+    assert law.duration == pytest.approx(trapezoid_time(1.0, 0.5, 2.0), rel=1e-4)
+    t = np.linspace(0, law.duration, 200)
+    s, rate, bend = law.at(t)
+    ramp = np.minimum(t, law.duration - t)
+    np.testing.assert_allclose(rate, np.minimum(0.5, 2.0 * ramp), atol=2e-3)
+    np.testing.assert_allclose(np.gradient(s, t)[1:-1], rate[1:-1], atol=1e-2)
+    assert s[-1] == 1.0
+    assert np.abs(bend).max() <= 2.0 * (1 + 1e-6)
+    assert law.slowed(2.0).duration == pytest.approx(2 * law.duration)
+    np.testing.assert_allclose(law.at(law.times)[0], law.s, atol=1e-12)
+
+
+def test_a_bend_that_jumps_is_kept_on_both_sides() -> None:
+    """y' = s up to 1, 2 - s from there, only |y''| <= 1: d2y/dt2 = y' u + y'' x with y'' = 1, then -1.
+
+    The rate is held by y'' x <= 1 on both sides of the jump; looking at one side only would let it pass there.
+    """
+    s = np.linspace(0.5, 1.5, 201)
+    slope = np.where(s <= 1, s, 2 - s)[:, None]
+    up = (s[:-1] < 1 - 1e-9)[:, None]
+    begins = slope[:-1], np.where(up, 1.0, -1.0)
+    ends = slope[1:], np.where(up, 1.0, -1.0)
+    law = fastest_law(s, np.full(201, 10.0), begins, ends, 0.9, 0.9)
+    assert law is not None
+    t = np.concatenate([law.times[:-1] + 1e-9, law.times[1:] - 1e-9])
+    place, rate, bend = law.at(t)
+    y_bend = np.where(place < 1, 1.0, -1.0)
+    y_slope = np.where(place < 1, place, 2 - place)
+    assert np.abs(y_slope * bend + y_bend * rate**2).max() <= 1 + 1e-5
+
+
+def test_a_law_that_cannot_be_is_none() -> None:
+    assert law_along(np.ones(1), np.ones(1), np.ones(1), rate_1=5.0) is None

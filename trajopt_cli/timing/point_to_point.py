@@ -1,10 +1,88 @@
-"""ruckig: the shortest time from rest to rest between two points, every axis on its own."""
+"""ruckig: the fastest motion from rest to rest between two points, every axis on its own."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from typing import Any
+
 import numpy as np
 
-from trajopt_cli.geometry import Array
+from trajopt_cli.geometry import Array, readonly
+
+
+@dataclass(frozen=True, eq=False)
+class PointToPoint:
+    """k axes from rest to rest, each in m phases of constant jerk (of constant acceleration where jerk is free).
+
+    begins (k, m): when each phase begins [s]; q, qd, qdd (k, m) there; qddd (k, m) in it. duration [s]: of all axes.
+    """
+
+    duration: float
+    begins: Array
+    q: Array
+    qd: Array
+    qdd: Array
+    qddd: Array
+
+    def __post_init__(self) -> None:
+        for name in ("begins", "q", "qd", "qdd", "qddd"):
+            object.__setattr__(self, name, readonly(getattr(self, name)))
+
+    @property
+    def switches(self) -> Array:
+        """Times (n,) where some axis changes its jerk or acceleration, both ends included, in order."""
+        return np.unique(np.r_[0.0, np.minimum(self.begins.ravel(), self.duration), self.duration])
+
+    def slowed(self, factor: float) -> PointToPoint:
+        """The same motion in `factor` times the time: speeds, accelerations and jerks fall by its powers."""
+        return PointToPoint(
+            self.duration * factor, self.begins * factor, self.q, self.qd / factor, self.qdd / factor**2,
+            self.qddd / factor**3,
+        )  # fmt: skip
+
+    def at(self, times: Array) -> tuple[Array, Array, Array]:
+        """Positions, speeds, accelerations (n, k) at times (n,); at a switch those of the phase that begins."""
+        t = np.clip(times, 0.0, self.duration)
+        out = [np.empty((len(t), len(self.q))) for _ in range(3)]
+        for j, begins in enumerate(self.begins):
+            i = np.searchsorted(begins, t, side="right") - 1
+            h = t - begins[i]
+            q, v, a, jerk = (x[j, i] for x in (self.q, self.qd, self.qdd, self.qddd))
+            out[0][:, j] = q + h * (v + h * (a / 2 + h * jerk / 6))
+            out[1][:, j] = v + h * (a + h * jerk / 2)
+            out[2][:, j] = a + h * jerk
+        return out[0], out[1], out[2]
+
+    def jerks(self, times: Array) -> Array:
+        """Jerks (n, k) at times (n,); zero throughout where jerk was free."""
+        phase = [np.searchsorted(begins, times, side="right") - 1 for begins in self.begins]
+        return np.column_stack([row[i] for row, i in zip(self.qddd, phase, strict=True)])
+
+
+def point_to_point(
+    q_0: Array,
+    q_1: Array,
+    speed: Array,
+    acceleration: Array,
+    jerk: Array | None = None,
+    least: float = 0.0,
+    straight: bool = False,
+) -> PointToPoint:
+    """The fastest motion of k axes from q_0 (k,) to q_1, at rest at both, all arriving together.
+
+    Speeds, accelerations and, unless None, jerks stay within their limits, each (k,). least: least duration [s].
+    straight: the axes keep to the straight line between the points, where their limits admit one profile.
+    Raises ValueError for limits that are not positive and finite.
+    """
+    found = _calculate(q_0, q_1, speed, acceleration, jerk, least, straight)
+    profiles = found.profiles[0]
+    k = len(q_0)
+    begins = np.array([np.r_[0.0, np.cumsum(profile.t)] for profile in profiles])
+    q, qd, qdd = (np.array([getattr(profile, name) for profile in profiles]) for name in ("p", "v", "a"))
+    qddd = np.column_stack([[profile.j for profile in profiles], np.zeros(k)])
+    # the last column is the rest after an axis' last phase
+    q[:, -1], qd[:, -1], qdd[:, -1] = q_1, 0.0, 0.0
+    return PointToPoint(float(found.duration), begins, q, qd, qdd, qddd)
 
 
 def rest_to_rest(q_0: Array, q_1: Array, speed: Array, acceleration: Array) -> float:
@@ -12,22 +90,34 @@ def rest_to_rest(q_0: Array, q_1: Array, speed: Array, acceleration: Array) -> f
 
     Jerk is free; the axes end together. Raises ValueError for limits that are not positive and finite.
     """
-    from ruckig import InputParameter, Result, Ruckig, Trajectory
+    return float(_calculate(q_0, q_1, speed, acceleration, None, 0.0, False).duration)
 
-    if not (np.all(np.isfinite([speed, acceleration])) and np.min([speed, acceleration]) > 0):
-        raise ValueError(f"rest_to_rest: limits must be positive and finite, got {speed} and {acceleration}")
+
+def _calculate(
+    q_0: Array, q_1: Array, speed: Array, acceleration: Array, jerk: Array | None, least: float, straight: bool
+) -> Any:
+    """Ruckig's own trajectory; it comes without types."""
+    from ruckig import InputParameter, Result, Ruckig, Synchronization, Trajectory
+
+    limits = [speed, acceleration] + ([] if jerk is None else [jerk])
+    if not (np.all(np.isfinite(limits)) and np.min(limits) > 0):
+        said = " and ".join(str(limit) for limit in limits)
+        raise ValueError(f"point to point: limits must be positive and finite, got {said}")
     k = len(q_0)
     wish = InputParameter(k)
     wish.current_position, wish.target_position = list(map(float, q_0)), list(map(float, q_1))
     wish.current_velocity = wish.target_velocity = [0.0] * k
     wish.current_acceleration = wish.target_acceleration = [0.0] * k
     wish.max_velocity, wish.max_acceleration = list(map(float, speed)), list(map(float, acceleration))
-    wish.max_jerk = [float("inf")] * k
+    wish.max_jerk = [float("inf")] * k if jerk is None else list(map(float, jerk))
+    wish.synchronization = Synchronization.Phase if straight else Synchronization.Time
+    if least > 0:
+        wish.minimum_duration = least
     out = Trajectory(k)
     result = Ruckig(k).calculate(wish, out)
     if result not in (Result.Working, Result.Finished):
-        raise ValueError(f"rest_to_rest: ruckig answers {result} for {q_0} to {q_1}")
-    return float(out.duration)
+        raise ValueError(f"point to point: ruckig answers {result} for {q_0} to {q_1}")
+    return out
 
 
 def straight_rest_to_rest(q_0: Array, q_1: Array, speed: Array, acceleration: Array) -> float:
