@@ -1,0 +1,201 @@
+"""The thesis' analysis of a program as written: steps of speed, straight in carriage-relative space (Krotký 2014, 4.2).
+
+The rail was driven apart from the arm, so the arm's own workspace looks deformed: every point stands where the carriage
+sees it. In that space each move is taken as a straight line at its programmed speed from the first instant to the last.
+No robot can do that; it is a lower estimate of the work the program asks for, comparable with the thesis' figures.
+Frames: W world, B the arm's base on its carriage, F flange, T tool centre point.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array, axis_angle, inverse_pose, readonly
+from trajopt_cli.motion import Move, MoveAbsJ, MoveExtJ, Program, SignalEvent, Source, Wait
+from trajopt_cli.problem.plant import Plant
+
+_STANDS = 1e-9  # m or rad: less is rounding of poses and no motion
+
+
+@dataclass(frozen=True, eq=False)
+class StepMove:
+    """One move in steps of speed.
+
+    index: its place in Program.motions. X_BT_0, X_BT_1 (4, 4): the TCP from the carriage at both ends. X_WT_0, X_WT_1:
+    the same in the world. rail_0, rail_1 [m]: the rail there, 0 for a robot without one. chord [m], angle [rad]: from
+    X_BT_0 to X_BT_1. v_tcp [m/s]: programmed speed under the TCP cap, or what a programmed duration comes to; 0 where
+    the arm stands. t_arm, t_rail [s]: what either needs, 0 where it stands.
+    """
+
+    index: int
+    source: Source
+    X_BT_0: Array
+    X_BT_1: Array
+    X_WT_0: Array
+    X_WT_1: Array
+    rail_0: float
+    rail_1: float
+    chord: float
+    angle: float
+    v_tcp: float
+    t_arm: float
+    t_rail: float
+
+    def __post_init__(self) -> None:
+        for name in ("X_BT_0", "X_BT_1", "X_WT_0", "X_WT_1"):
+            object.__setattr__(self, name, readonly(getattr(self, name)))
+
+    @property
+    def duration(self) -> float:
+        """Time of the move [s]; where arm and rail both move they start together, and the slower one decides."""
+        return max(self.t_arm, self.t_rail)
+
+    @property
+    def velocity(self) -> Array:
+        """The TCP's velocity (3,) [m/s] along the carriage's axes (thesis fig. 4.5), for t_arm; 0 where it stands.
+
+        Its norm is v_tcp unless the turning takes longer than the chord at that speed.
+        """
+        step = self.X_BT_1[:3, 3] - self.X_BT_0[:3, 3]
+        return step / self.t_arm if self.t_arm > 0 else np.zeros(3)
+
+
+@dataclass(frozen=True)
+class StepWait:
+    """A programmed wait, counted apart. index: its place in Program.motions. duration [s], the least one if open."""
+
+    index: int
+    source: Source
+    duration: float
+
+
+@dataclass(frozen=True, eq=False)
+class Analysis:
+    """Moves and waits of a program in order. Times in s; arm + rail exceeds cycle where both move at once."""
+
+    moves: tuple[StepMove, ...]
+    waits: tuple[StepWait, ...]
+
+    @property
+    def arm(self) -> float:
+        """Sum of the arm's times."""
+        return sum(move.t_arm for move in self.moves)
+
+    @property
+    def rail(self) -> float:
+        """Sum of the rail's times."""
+        return sum(move.t_rail for move in self.moves)
+
+    @property
+    def cycle(self) -> float:
+        """Time of all moves, waits excluded."""
+        return sum(move.duration for move in self.moves)
+
+    @property
+    def wait(self) -> float:
+        """Sum of the waits."""
+        return sum(wait.duration for wait in self.waits)
+
+    @property
+    def begins(self) -> Array:
+        """When each move begins and, last, when the cycle ends (n + 1,) [s], waits excluded."""
+        return np.cumsum([0.0, *(move.duration for move in self.moves)])
+
+
+def analyse(program: Program, plant: Plant) -> Analysis:
+    """Every move of the program in steps of speed, from the cell's start on; nothing is dropped.
+
+    The arm needs max(chord / v_tcp, angle / v_ori) in carriage-relative space, v_tcp under the plant's TCP speed cap.
+    The rail stands where the move's external axes say, or stays; it needs its least time from rest to rest under its
+    limits and the programmed v_leax. A programmed duration replaces both. Whether a point is in reach is not asked.
+    Raises InputError, placed in the program, where something must move at a programmed speed of 0.
+    """
+    robot = plant.robot
+    X_BF = inverse_pose(robot.base(plant.start[0])) @ robot.forward(plant.start)
+    rail = float(plant.start[0]) if robot.has_rail else 0.0
+    X_FT: Array = np.eye(4)  # a MoveExtJ names no tool; the one before stays in force
+    moves, waits = [], []
+    for i, motion in enumerate(program.motions):
+        match motion:
+            case Wait():
+                waits.append(StepWait(i, motion.source, motion.duration))
+                continue
+            case SignalEvent():
+                continue
+            case MoveExtJ():
+                pass
+            case _:
+                X_FT = motion.tool.X_FT
+        given = plant.rail_value(motion.extax)
+        rail_1 = rail if given is None else given
+        X_BT_0 = X_BF @ X_FT
+        X_BT_1 = _target(motion, plant, rail_1, X_BF) @ X_FT
+        moves.append(_step(i, motion, plant, (X_BT_0, X_BT_1), (rail, rail_1)))
+        X_BF, rail = X_BT_1 @ inverse_pose(X_FT), rail_1
+    return Analysis(tuple(moves), tuple(waits))
+
+
+def _target(motion: Move, plant: Plant, rail: float, X_BF: Array) -> Array:
+    """The flange X_BF (4, 4) at the end of a move, the rail then being at rail; X_BF: before it."""
+    X_BW = inverse_pose(plant.robot.base(rail))
+    match motion:
+        case MoveExtJ():
+            return X_BF
+        case MoveAbsJ():
+            axes = np.r_[[rail] if plant.robot.has_rail else [], motion.q]
+            return X_BW @ plant.robot.forward(axes)
+        case _:
+            return X_BW @ motion.X_WT @ inverse_pose(motion.tool.X_FT)
+
+
+def _step(index: int, motion: Move, plant: Plant, X_BT: tuple[Array, Array], rail: tuple[float, float]) -> StepMove:
+    X_BT_0, X_BT_1 = X_BT
+    X_WB_0, X_WB_1 = (plant.robot.base(position) for position in rail)
+    chord = float(np.linalg.norm(X_BT_1[:3, 3] - X_BT_0[:3, 3]))
+    angle = axis_angle(X_BT_0[:3, :3].T @ X_BT_1[:3, :3])[1]
+    way = abs(rail[1] - rail[0])
+    v_tcp = min(motion.speed.v_tcp, plant.tcp.speed)
+    if max(chord, angle) <= _STANDS:
+        chord = angle = v_tcp = t_arm = 0.0
+    elif motion.duration is not None:
+        t_arm = motion.duration
+        v_tcp = chord / t_arm
+    else:
+        t_arm = max(
+            _time(motion, chord, v_tcp, "TCP speed"), _time(motion, angle, motion.speed.v_ori, "reorientation speed")
+        )
+    if way <= _STANDS:
+        t_rail = 0.0
+    elif motion.duration is not None:
+        t_rail = motion.duration
+    else:
+        _time(motion, way, motion.speed.v_leax, "speed of linear external axes")
+        v_rail = min(motion.speed.v_leax, float(plant.limits.velocity[0]))
+        t_rail = rest_to_rest(way, v_rail, float(plant.limits.acceleration[0]))
+    return StepMove(
+        index, motion.source, X_BT_0, X_BT_1, X_WB_0 @ X_BT_0, X_WB_1 @ X_BT_1, *rail,
+        chord=chord, angle=angle, v_tcp=v_tcp, t_arm=t_arm, t_rail=t_rail,
+    )  # fmt: skip
+
+
+def rest_to_rest(way: float, speed: float, acceleration: float) -> float:
+    """Least time [s] of one axis over way [m] from rest to rest under both limits: a triangle or trapezoid of speed."""
+    if way * acceleration <= speed**2:
+        return 2.0 * float(np.sqrt(way / acceleration))
+    return way / speed + speed / acceleration
+
+
+def _time(motion: Move, way: float, speed: float, what: str) -> float:
+    """way / speed, refusing to move at no speed."""
+    if way <= _STANDS:
+        return 0.0
+    if speed <= 0:
+        source = motion.source
+        raise InputError(
+            f"{type(motion).__name__} {motion.target}: {motion.speed.name} gives {what} 0; a speed above 0 is needed",
+            file=source.file, line=source.line, column=source.column,
+        )  # fmt: skip
+    return way / speed
