@@ -1,0 +1,32 @@
+"""`trajopt analyse PROGRAM`: what the program asks for, in steps of speed."""
+
+from __future__ import annotations
+
+from trajopt_cli.cli.options import AsJson, CellPath, ProgramPath
+
+
+def analyse(program: ProgramPath, cell: CellPath = None, as_json: AsJson = False) -> None:
+    """Add up PROGRAM's times as written: every move straight as seen from the carriage, speed changing in steps.
+
+    Waits are counted apart. No limit of a joint is asked, so this is not a motion a robot can do.
+    """
+    import json
+
+    import typer
+
+    from trajopt_cli.cli.analysis_table import MODEL, analysis_record, analysis_table, sums
+    from trajopt_cli.pipeline import read_job
+    from trajopt_cli.problem.stepwise import analyse
+
+    job = read_job(program, cell)
+    analysis = analyse(job.program, job.plant)
+    if as_json:
+        typer.echo(json.dumps(analysis_record(job.program, analysis), indent=2, ensure_ascii=False))
+        return
+    from trajopt_cli.cli.console import stdout
+
+    console = stdout()
+    console.print(analysis_table(str(program), job.program, analysis))
+    for line in sums(analysis):
+        console.print(line)
+    console.print(f"model: {MODEL}")

@@ -1,0 +1,93 @@
+"""The thesis' analysis of a program as a table and as a record, in the units of RAPID: mm, deg, mm/s."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from rich.table import Table
+
+from trajopt_cli.cli.layout import place, plain_table
+from trajopt_cli.motion import Program
+from trajopt_cli.problem.stepwise import Analysis, StepMove, StepWait
+from trajopt_cli.results import motion_label
+from trajopt_cli.units import DEG, MM
+
+MODEL = (
+    "steps of speed, straight in carriage-relative space, waits excluded (Krotký 2014, 4.2); "
+    "not a motion a robot can do"
+)
+
+
+def analysis_record(program: Program, analysis: Analysis) -> dict[str, Any]:
+    """The analysis as plain data; velocities are those of the TCP along the carriage's axes."""
+    return {
+        "model": MODEL,
+        "moves": [_move_record(program, move) for move in analysis.moves],
+        "waits": [
+            {"index": wait.index, "source": str(wait.source), "duration_s": wait.duration} for wait in analysis.waits
+        ],
+        "arm_s": analysis.arm,
+        "rail_s": analysis.rail,
+        "cycle_s": analysis.cycle,
+        "waits_s": analysis.wait,
+    }
+
+
+def _move_record(program: Program, move: StepMove) -> dict[str, Any]:
+    instruction, target = motion_label(program, move.index)
+    return {
+        "index": move.index,
+        "source": str(move.source),
+        "instruction": instruction,
+        "target": target,
+        "carriage_from_mm": [float(value) / MM for value in move.X_BT_0[:3, 3]],
+        "carriage_to_mm": [float(value) / MM for value in move.X_BT_1[:3, 3]],
+        "world_from_mm": [float(value) / MM for value in move.X_WT_0[:3, 3]],
+        "world_to_mm": [float(value) / MM for value in move.X_WT_1[:3, 3]],
+        "rail_from_mm": move.rail_0 / MM,
+        "rail_to_mm": move.rail_1 / MM,
+        "length_mm": move.chord / MM,
+        "turn_deg": move.angle / DEG,
+        "speed_mm_s": move.v_tcp / MM,
+        "velocity_mm_s": [float(value) / MM for value in move.velocity],
+        "arm_s": move.t_arm,
+        "rail_s": move.t_rail,
+        "duration_s": move.duration,
+    }
+
+
+def analysis_table(name: str, program: Program, analysis: Analysis) -> Table:
+    """One line per move and wait, in program order; a wait's time stands in a column of its own."""
+    table = plain_table(
+        f"{name}: as written, in steps of speed; lengths and axis speeds as the carriage sees them",
+        *("place", "instruction", "target", ">length [mm]", ">turn [deg]", ">rail by [mm]", ">speed [mm/s]"),
+        *(">x [mm/s]", ">y [mm/s]", ">z [mm/s]", ">time [s]", ">wait [s]"),
+    )
+    entries: list[StepMove | StepWait] = [*analysis.moves, *analysis.waits]
+    for entry in sorted(entries, key=lambda one: one.index):
+        label = (place(entry.source), *motion_label(program, entry.index))
+        if isinstance(entry, StepWait):
+            table.add_row(*label, *[""] * 8, f"{entry.duration:.3f}")
+            continue
+        x, y, z = (_figure(float(value) / MM) for value in entry.velocity)
+        table.add_row(
+            *label,
+            *(_figure(entry.chord / MM), _figure(entry.angle / DEG), _figure((entry.rail_1 - entry.rail_0) / MM)),
+            *(_figure(entry.v_tcp / MM), x, y, z, f"{entry.duration:.3f}", ""),
+        )
+    return table
+
+
+def sums(analysis: Analysis) -> Iterator[str]:
+    """The sums, a line each; where arm and rail move at once the cycle counts the slower of the two."""
+    both = any(move.t_arm > 0 and move.t_rail > 0 for move in analysis.moves)
+    yield f"arm {analysis.arm:.3f} s"
+    yield f"rail {analysis.rail:.3f} s"
+    yield f"cycle {analysis.cycle:.3f} s" + (", where both move the slower of the two" if both else "")
+    yield f"waits {analysis.wait:.3f} s, apart"
+
+
+def _figure(value: float) -> str:
+    """One decimal; what stands still stays blank."""
+    return f"{value:.1f}" if abs(value) >= 0.05 else ""
