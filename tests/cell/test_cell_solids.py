@@ -147,6 +147,11 @@ BOX = "{box: {size: [1, 1, 1]}}"
             ARM + f"obstacles: {{table: {BOX}}}\nattached: {{table: {BOX}}}\n",
             "cell.yaml:4: attached.table: an obstacle has this name too; give each body its own",
         ),
+        (
+            ARM + "may_touch: [link_1, link_4]\n",
+            "cell.yaml:3: may_touch.0: needs two names, '[link_1, link_4]', not link_1\n"
+            "cell.yaml:3: may_touch.1: needs two names, '[link_1, link_4]', not link_4",
+        ),
         (ARM + "clearance: -1 mm\n", "cell.yaml:3: clearance: cannot be negative: -0.001"),
         (ARM + "clearance: 3 deg\n", "cell.yaml:3: clearance: unit 'deg' of \"3 deg\" is not one of m, cm, mm"),
     ],
@@ -171,6 +176,12 @@ def test_messages_of_the_file(text: str, expected: str) -> None:
             "cell.yaml:3: obstacles.link_3: robot irb140 has a link of this name; give the body another",
         ),
         (
+            ARM + "may_touch:\n  - [link_4, link_1]\n  - [link_1, link_3]\n",
+            "cell.yaml:5: may_touch.1: [link_1, link_3] is no pair that is checked; known: [base_link, link_3], "
+            "[base_link, link_4], [base_link, link_5], [base_link, link_6], [link_1, link_4], [link_1, link_5], "
+            "[link_1, link_6]",
+        ),
+        (
             obstacle("{mesh: {file: table.stl}}"),
             "cell.yaml:4: obstacles.table.mesh.file: no such mesh file: table.stl",
         ),
@@ -191,6 +202,19 @@ def test_a_broken_mesh_is_said_at_its_key(tmp_path: Path) -> None:
     assert said.startswith(f"{tmp_path / 'cell.yaml'}:4: obstacles.table.mesh.file: ")
     assert "table.stl" in said
     assert "\n" not in said
+
+
+def test_pairs_that_may_touch_are_left_out_in_either_order() -> None:
+    grip = "attached: {grip: {box: {size: [0.1, 0.1, 0.1]}, ignore: [link_3]}}\n"
+    all_pairs = build_plant(parse_cell(ARM + grip, "c")).self_pairs
+    assert [pair for pair in all_pairs if "grip" in pair] == [(n, "grip") for n in ("base_link", "link_1", "link_2")]
+    text = ARM + grip + "may_touch: [[link_4, link_1], [link_2, grip]]\n"
+    left = build_plant(parse_cell(text, "c")).self_pairs
+    assert set(all_pairs) - set(left) == {("link_1", "link_4"), ("link_2", "grip")}
+    none = ", ".join(f"[{a}, {b}]" for a, b in build_plant(parse_cell(ARM, "c")).self_pairs)
+    assert build_plant(parse_cell(f"{ARM}may_touch: [{none}]\n", "c")).unchecked[-1] == (
+        "self-collision not checked: the cell file lets every pair touch"
+    )
 
 
 def test_units_do_not_change_a_body() -> None:

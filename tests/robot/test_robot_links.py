@@ -13,6 +13,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import inverse_pose, pose, rotation_from_wxyz
 from trajopt_cli.robot.inverse import inverse
 from trajopt_cli.robot.model import load_robot
+from trajopt_cli.shapes import Box
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 SHARED = Path(__file__).parents[2].parent / "shared"
@@ -125,6 +126,25 @@ def test_the_pairs_are_chosen_by_what_is_measured(irb140, rng):
             assert float(found[1]) == pytest.approx(100 * at_stations[pair][0], abs=0.6)
             assert float(found[2]) == pytest.approx(100 * anywhere[pair][0], abs=2.5)
     assert anywhere["link_4", "link_6"][0] == 1.0
+
+
+def test_two_in_five_overlaps_of_the_column_with_the_wrist_are_none(irb140, rng):
+    """Boxes around the links are apart: the file says so beside the pairs."""
+    if not TRUTH.is_file():
+        pytest.skip("collision_primitives.json stands in shared/truth beside the repository, and is not there")
+    truth = json.loads(TRUTH.read_text())["irb140"]
+    limits = irb140.profile()
+    X = irb140.link_poses(rng.uniform(limits.lower, limits.upper, (6000, 6)))
+
+    def box(link):
+        low, high = np.array(truth[link]["bbox_min"]), np.array(truth[link]["bbox_max"])
+        return Box(link, high - low, pose(np.eye(3), (low + high) / 2))
+
+    for link in ("link_4", "link_5", "link_6"):
+        placed = inverse_pose(X[:, 1]) @ X[:, LINKS.index(link)]
+        overlap = Pair(irb140.capsules[link], irb140.capsules["link_1"]).distances(placed) < 0
+        boxes = Pair(box(link), box("link_1")).distances(placed[overlap])
+        assert np.mean(boxes > 0) == pytest.approx(0.43, abs=0.1), link
 
 
 @pytest.mark.parametrize(

@@ -311,6 +311,9 @@ def test_a_posture_that_bends_the_hand_into_the_base_is_a_hit() -> None:
     assert (worst[pair] < 0) is (not found.passed)
     assert worst[pair] < -0.005, (pair, worst[pair])
     assert "hits link_1 with" in found.message or "hits base_link with" in found.message
+    assert "name the pair under may_touch" in found.message
+    allowed = frozenset(frozenset(names) for names, distance in worst.items() if distance < 0)
+    assert check(replace(plant, may_touch=allowed), trajectory)[SELF_CLEARANCE, ""].passed
 
 
 def test_what_the_flange_carries_is_held_against_the_robot() -> None:
@@ -325,6 +328,8 @@ def test_what_the_flange_carries_is_held_against_the_robot() -> None:
     allowed = replace(long_tool, ignore=EVERY_LINK)
     assert check(replace(plant, attached=(allowed,)), trajectory)[SELF_CLEARANCE, ""].passed
     assert touched in {"base_link", "link_1", "link_2"}
+    pairs = frozenset(frozenset((link, "lance")) for link in EVERY_LINK)
+    assert check(replace(plant, attached=(long_tool,), may_touch=pairs), trajectory)[SELF_CLEARANCE, ""].passed
 
 
 def test_no_point_moves_farther_than_the_bound(rng: np.random.Generator) -> None:

@@ -215,6 +215,12 @@ class SolidSection(_Section):
         return self
 
 
+def _pair(value: Any) -> Any:
+    if not isinstance(value, list) or len(value) != 2 or not all(isinstance(name, str) for name in value):
+        raise complain(f"needs two names, '[link_1, link_4]', not {value}")
+    return value
+
+
 Solids = dict[StrictStr, SolidSection]
 
 
@@ -230,6 +236,7 @@ class CellDocument(_Section):
     start: StartSection
     obstacles: Solids = Field(default_factory=dict)
     attached: Solids = Field(default_factory=dict)
+    may_touch: tuple[Annotated[tuple[str, str], BeforeValidator(_pair)], ...] = ()
     clearance: Annotated[float, BeforeValidator(lambda value: _not_negative(number(LENGTH)(value)))] = 0.0
     signals: dict[StrictStr, Annotated[float, BeforeValidator(_signal)]] = Field(default_factory=dict)
     waits: dict[StrictStr, Seconds] = Field(default_factory=dict)

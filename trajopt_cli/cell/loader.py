@@ -212,6 +212,7 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         droppable=frozenset(name.lower() for name in document.optional),
         obstacles=_solids(document.obstacles, Path(file).parent),
         attached=_solids(document.attached, Path(file).parent),
+        may_touch=document.may_touch,
         clearance=document.clearance,
         lines=lines,
     )

@@ -55,7 +55,8 @@ class Cell:
     file: as the user gave it. X_WB (4, 4): base in the world of a robot without a rail. tcp: None where the robot's
     documented caps apply. start_joints [rad], start_rail [m]. droppable: target names in lower case. lines: the line
     of each key by its dotted path, for messages. obstacles: in the world; attached: in the flange frame; meshes still
-    in their files. clearance: the least distance wanted from obstacles [m].
+    in their files. may_touch: pairs of links or attached bodies that are not held against each other. clearance: the
+    least distance wanted from obstacles [m].
     """
 
     file: str
@@ -74,6 +75,7 @@ class Cell:
     lines: Mapping[str, int] = field(default_factory=dict)
     obstacles: tuple[Solid, ...] = ()
     attached: tuple[Solid, ...] = ()
+    may_touch: tuple[tuple[str, str], ...] = ()
     clearance: float = 0.0
 
     def __post_init__(self) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -26,8 +26,9 @@ class Plant:
     start (k,): where the cycle begins, at rest. rail_eax: which eax_x drives the rail (0 for eax_a), None without
     a rail. rail_fixed: robtargets keep their programmed rail value. free_speed: MoveJ and MoveAbsJ may ignore the
     programmed speed. droppable: target names (lower case) the cell file lets the plan leave out. notes: how sure the
-    limits are, one line each. obstacles: in the world, attached: in the flange frame, all meshes loaded. clearance:
-    the least distance wanted between the robot and an obstacle [m].
+    limits are, one line each. obstacles: in the world, attached: in the flange frame, all meshes loaded. may_touch:
+    pairs of links, or of a link and an attached body, that are not held against each other. clearance: the least
+    distance wanted between the robot and an obstacle [m].
     """
 
     robot: RobotModel
@@ -41,7 +42,17 @@ class Plant:
     notes: tuple[str, ...] = ()
     obstacles: tuple[Solid, ...] = ()
     attached: tuple[Solid, ...] = ()
+    may_touch: frozenset[frozenset[str]] = frozenset()
     clearance: float = 0.0
+
+    @property
+    def self_pairs(self) -> tuple[tuple[str, str], ...]:
+        """Links, and links with attached bodies, that are held against each other; the one nearer the base first."""
+        pairs = []
+        for first, second in self.robot.self_pairs:
+            carried = [solid.name for solid in self.attached if first not in solid.ignore]
+            pairs += [(first, name) for name in (carried if second == ATTACHED else [second])]
+        return tuple(pair for pair in pairs if frozenset(pair) not in self.may_touch)
 
     @property
     def unchecked(self) -> tuple[str, ...]:
@@ -54,6 +65,8 @@ class Plant:
             out.append(f"obstacles not checked: robot {self.robot.name} has no collision shapes")
         if not self.robot.self_pairs:
             out.append(f"self-collision not checked: robot {self.robot.name} has no collision shapes")
+        elif not self.self_pairs:
+            out.append("self-collision not checked: the cell file lets every pair touch")
         return tuple(out)
 
     def rail_value(self, extax: ExternalAxes) -> float | None:
@@ -69,7 +82,8 @@ def build_plant(cell: Cell) -> Plant:
 
     Raises InputError, placed in the cell file, for an unknown robot, profile or axis, a rail that is missing or too
     much, a limit nobody gave, a start that has the wrong length or lies outside the limits, a body named like a link,
-    a link that may touch a body and does not exist, and a mesh file that is missing or broken.
+    a link that may touch a body and does not exist, a pair that may touch and is none, and a mesh file that is missing
+    or broken.
     """
     robot = _robot(cell)
     if robot.has_rail and cell.rail is None:
@@ -83,7 +97,7 @@ def build_plant(cell: Cell) -> Plant:
             "profile", f"robot {robot.name} has no '{cell.profile}'; {hint(cell.profile, [*robot.profiles])}"
         )
     limits = cell.apply_limits(robot.profile(cell.profile), robot.axis_names)
-    return Plant(
+    plant = Plant(
         robot=robot,
         limits=limits,
         tcp=cell.tcp or robot.tcp,
@@ -97,6 +111,7 @@ def build_plant(cell: Cell) -> Plant:
         attached=_solids(cell, robot, "attached"),
         clearance=cell.clearance,
     )
+    return replace(plant, may_touch=_may_touch(cell, plant))
 
 
 def _robot(cell: Cell) -> RobotModel:
@@ -119,6 +134,15 @@ def _start(cell: Cell, limits: JointLimits) -> Array:
             key = "start.rail" if name == "rail" else "start.joints"
             raise cell.error(key, f"{name} = {value:.6g} lies outside its range {low:.6g}..{high:.6g}")
     return readonly(start)
+
+
+def _may_touch(cell: Cell, plant: Plant) -> frozenset[frozenset[str]]:
+    """The cell's pairs, each held against those that are checked without it."""
+    for i, given in enumerate(cell.may_touch):
+        if set(given) not in [set(pair) for pair in plant.self_pairs]:
+            known = ", ".join(f"[{', '.join(pair)}]" for pair in plant.self_pairs)
+            raise cell.error(f"may_touch.{i}", f"[{', '.join(given)}] is no pair that is checked; known: {known}")
+    return frozenset(frozenset(given) for given in cell.may_touch)
 
 
 def _solids(cell: Cell, robot: RobotModel, section: str) -> tuple[Solid, ...]:

@@ -7,12 +7,12 @@ Pairs that no axis moves against each other are not looked at: nothing a program
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 
 from trajopt_cli.motion import Program, Source
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.report import Finding
-from trajopt_cli.shapes import ATTACHED, MeshFile, Shape, Solid
+from trajopt_cli.shapes import MeshFile, Shape, Solid
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.findings import SourceAt
 from trajopt_cli.verify.sweep import FLANGE, OVERLOOKED, Body, Closest, Near, Sweep
@@ -41,7 +41,8 @@ def check_clearance(program: Program, plant: Plant, trajectory: Trajectory, sour
         group = [Near(body, _shape(solid)) for body in bodies if _meet(plant, body, solid)]
         if group:
             out.append(_finding(CLEARANCE, program, sweep, group, plant.clearance, source_at))
-    pairs = list(_self_pairs(plant, bodies))
+    named = {body.name: body for body in bodies}
+    pairs = [Near(named[second], None, named[first]) for first, second in plant.self_pairs]
     if pairs:
         out.append(_finding(SELF_CLEARANCE, program, sweep, pairs, 0.0, source_at))
     return out
@@ -63,17 +64,6 @@ def _shape(solid: Solid) -> Shape:
 def _meet(plant: Plant, body: Body, solid: Solid) -> bool:
     """Whether an axis moves the body, and nobody allowed it to touch the solid."""
     return body.name not in solid.ignore and (body.joints > 0 or plant.robot.has_rail)
-
-
-def _self_pairs(plant: Plant, bodies: list[Body]) -> Iterator[Near]:
-    links = {body.name: body for body in bodies[: len(plant.robot.capsules)]}
-    for first, second in plant.robot.self_pairs:
-        if second != ATTACHED:
-            yield Near(links[second], None, links[first])
-            continue
-        for solid, body in zip(plant.attached, bodies[len(links) :], strict=True):
-            if first not in solid.ignore:
-                yield Near(body, None, links[first])
 
 
 def _finding(
@@ -118,4 +108,7 @@ def _touch(first: Closest, least: Closest, wanted: float) -> str:
         verb, depth = "hits", f"{-least.distance * 1e3:.1f} mm deep"
     else:
         verb, depth = "comes too close to", f"{least.distance * 1e3:.1f} mm, wanted {wanted * 1e3:g} mm"
-    return f"{verb} {_against(first)} with {first.near.body.name} at {first.time:.3f} s, {depth}{when}"
+    said = f"{verb} {_against(first)} with {first.near.body.name} at {first.time:.3f} s, {depth}{when}"
+    # A link's capsule is up to three times as large as the link.
+    remedy = " (as capsules; where the links themselves are clear, name the pair under may_touch)"
+    return said if first.near.other is None else said + remedy
