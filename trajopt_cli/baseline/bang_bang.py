@@ -191,7 +191,13 @@ def in_time(
     rising, falling = rising * fit, falling * fit
     phases = np.stack([rising, np.maximum(T - rising - falling, 0.0), falling], axis=-1)
     zero = np.zeros_like(c)
-    return AxisMotion(s_0, v_0, phases, np.stack([np.sign(c - v_0) * a_max, zero, np.sign(v_f - c) * a_max], axis=-1))
+    accelerations = np.stack([np.sign(c - v_0) * a_max, zero, np.sign(v_f - c) * a_max], axis=-1)
+    # the root of a difference that is all rounding would leave the fastest motion a cruise of a nanosecond
+    fastest = bang_bang(s_0, v_0, s_f, v_f, v_max, a_max)
+    same = (np.abs(fastest.duration - T) <= 8 * _EPS * T)[..., None]
+    return AxisMotion(
+        s_0, v_0, np.where(same, fastest.phases, phases), np.where(same, fastest.accelerations, accelerations)
+    )
 
 
 def _peak(way: Array, v_0: Array, v_f: Array, a_max: Array, T: Array) -> Array:
