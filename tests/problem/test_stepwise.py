@@ -76,10 +76,12 @@ def test_the_rail_alone_takes_its_rest_to_rest_time_while_the_arm_stands(tmp_pat
         MoveExtJ j_near, v1000, fine;
         MoveAbsJ j_open, v1000, fine, tool0;
         MoveExtJ j_near, v1000, fine;
-        MoveExtJ j_far, slow, fine;"""
+        MoveExtJ j_far, slow, fine;
+        MoveExtJ j_near, slow\\T:=4, fine;"""
     out = analysed(tmp_path, RAIL, data, code)
-    # 1.5/1 + 1/2; a triangle over 0.3 m; nothing to do, twice; a triangle again: 0.5 m/s needs 0.125 m, so a trapezoid
-    wanted = [1.5 / 1.0 + 1.0 / 2.0, 2 * sqrt(0.3 / 2.0), 0.0, 0.0, 0.3 / 0.5 + 0.5 / 2.0]
+    # 1.5/1 + 1/2; a triangle over 0.3 m; nothing to do, twice; a triangle again: 0.5 m/s needs 0.125 m, so a trapezoid;
+    # and the programmed time
+    wanted = [1.5 / 1.0 + 1.0 / 2.0, 2 * sqrt(0.3 / 2.0), 0.0, 0.0, 0.3 / 0.5 + 0.5 / 2.0, 4.0]
     assert [move.t_rail for move in out.moves] == pytest.approx(wanted, abs=1e-12)
     assert out.arm == 0.0
     assert out.cycle == out.rail == pytest.approx(sum(wanted), abs=1e-12)
@@ -195,9 +197,16 @@ def line() -> Program:
 
 # Every point as the carriage sees it [mm] and the speed on the way there [mm/s], copied from the program by hand.
 _H = tuple(1000 * value for value in HOME)
-N1 = [(460, -180, 420, 600), (540, -240, 400, 500), (540, -240, 340, 200), (540, -240, 400, 200), (460, -180, 460, 500)]
-N2 = [(460, -140, 460, 600), (540, -200, 400, 500), (540, -200, 340, 200), (540, -200, 400, 200), (460, -140, 440, 500)]
-N3 = [(460, 240, 520, 800), (540, 300, 470, 500), (540, 300, 410, 200), (540, 300, 470, 200), (460, 240, 520, 500)]
+N1 = [(460, -180, 440, 600), (540, -240, 400, 500), (540, -240, 340, 200), (540, -240, 400, 200), (460, -180, 440, 500)]
+CLEAR = (460, -120, 480, 600)
+N2 = [
+    (460, -140, 440, 2500),
+    (540, -200, 400, 500),
+    (540, -200, 340, 200),
+    (540, -200, 400, 200),
+    (460, -140, 440, 500),
+]
+N3 = [(460, 260, 520, 800), (540, 320, 470, 500), (540, 320, 410, 200), (540, 320, 470, 200), (460, 260, 520, 500)]
 FOLD = (*_H, 600)
 
 
@@ -207,10 +216,10 @@ def test_the_line_meets_the_published_sums(line: Program, plant: Plant) -> None:
     assert out.rail == pytest.approx(2 * (1.5 / 1.0 + 1.0 / 2.0), abs=1e-12)
     assert out.cycle == pytest.approx(9.557, abs=1e-3)
     assert out.wait == pytest.approx(19.5 - 14.7, abs=1e-12)
-    way = np.array([(*_H, 1), *N1, FOLD, *N2, *N3, FOLD])
+    way = np.array([(*_H, 1), *N1, FOLD, CLEAR, *N2, *N3, FOLD])
     times = np.linalg.norm(np.diff(way[:, :3], axis=0), axis=1) / way[1:, 3]
     assert [move.t_arm for move in out.moves if move.t_rail == 0] == pytest.approx(times.tolist(), abs=1e-9)
-    detours = times[[0, 5, 6, 16]].sum() / times.sum()
+    detours = times[[0, 5, 6, 7, 17]].sum() / times.sum()
     assert detours == pytest.approx((19.5 - 15.79) / 10.7, abs=0.01)
 
 
@@ -239,7 +248,7 @@ def test_every_point_of_the_line_is_reached_as_programmed(line: Program, plant: 
             assert (np.abs(np.cos(q[:, 2])) > np.sin(np.radians(45))).all()  # and from the stretched elbow
             assert ((q > plant.limits.lower[1:]) & (q < plant.limits.upper[1:])).all()
         previous, poses = X_WT, poses + 1
-    assert poses == 15
+    assert poses == 16
 
 
 def test_the_line_has_two_functional_areas(line: Program, plant: Plant) -> None:
@@ -249,7 +258,7 @@ def test_the_line_has_two_functional_areas(line: Program, plant: Plant) -> None:
     for motion in line.motions:
         if isinstance(motion, MoveJ | MoveL):
             (first if motion.target.startswith("p_n1") else second).append(rail_ranges(plant, motion.X_WT))
-    assert (len(first), len(second)) == (5, 10)
+    assert (len(first), len(second)) == (5, 11)
     for ranges, rail in ((first, 0.0), (second, 1.5)):
         assert all(((one[:, 0] < rail - 0.1) & (rail + 0.1 < one[:, 1])).any() for one in ranges)
     assert max(one.max() for one in first) < min(one.min() for one in second)
