@@ -106,12 +106,24 @@ def test_speed_is_kept_where_the_way_goes_on_and_only_there() -> None:
     np.testing.assert_allclose(speed_at(4), 0, atol=1e-9)  # p_n2_in: level, then down
 
 
+def test_where_the_way_turns_back_the_tool_stops() -> None:
+    """The bench lifts a part to 200 mm and carries it down to 160 mm: no speed at the top, whenever it is there."""
+    case = case_of("bench_irb140")
+    made = attempt(bang_bang_row(case))
+    v, _ = from_carriage(case.plant, made)
+    top = made.program.motions[6]
+    X_WT = case.plant.robot.forward(made.trajectory.q) @ top.tool.X_FT  # type: ignore[union-attr]
+    near = np.linalg.norm(X_WT[:, :3, 3] - top.X_WT[:3, 3], axis=1) < 1e-9  # type: ignore[union-attr]
+    assert near.sum() > 100  # it waits there, too
+    assert np.linalg.norm(v[near], axis=1).max() < 1e-9
+
+
 def test_a_point_between_two_free_moves_is_passed() -> None:
-    """Three points on a way where only y goes on: y passes at speed, x turns back and stops."""
+    """Three points on a way where only y goes on: y passes at speed, x turns back and stops, so does the turning."""
     plant = plant_with_rail()
     program = rapid(
-        "MoveJ p_in, vmax, fine, tool0;\nMoveJ Offs(p_in,60,-200,0), vmax, fine, tool0;\n"
-        "MoveJ Offs(p_in,0,-400,0), vmax, fine, tool0;\nMoveAbsJ j_home, vmax, fine, tool0;"
+        "MoveJ p_in, vmax, fine, tool0;\nMoveJ RelTool(Offs(p_in,60,-200,0),0,0,0\\Rz:=20), vmax, fine, tool0;\n"
+        "MoveJ RelTool(Offs(p_in,0,-400,0),0,0,0\\Rz:=40), vmax, fine, tool0;\nMoveAbsJ j_home, vmax, fine, tool0;"
     )
     from timed_rows import solver
 
@@ -123,6 +135,8 @@ def test_a_point_between_two_free_moves_is_passed() -> None:
     assert np.linalg.norm(p[i] - program.motions[1].X_WT[:3, 3]) < 1e-9  # type: ignore[union-attr]
     assert abs(v[i, 0]) < 1e-9
     assert v[i, 1] < -0.5
+    assert made.trajectory.qd is not None
+    assert np.linalg.norm(plant.robot.jacobian(made.trajectory.q[i])[3:] @ made.trajectory.qd[i]) < 1e-9
     alone_times = attempt(bang_bang_row(Case(replace(program, motions=program.motions[:2]), plant, solver(plant))))
     assert made.trajectory.duration > alone_times.trajectory.duration
 

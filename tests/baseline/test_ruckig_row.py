@@ -11,8 +11,9 @@ from timed_rows import attempt, broken, case_of, fixed_rail_plan, plant_with_rai
 from trajopt_cli.baseline.case import Answer, Case, NotApplicable
 from trajopt_cli.baseline.ruckig_row import ruckig, ruckig_jerk
 from trajopt_cli.limits import TcpCaps
-from trajopt_cli.problem.plan import Infeasible
-from trajopt_cli.trajectory import hermite
+from trajopt_cli.problem.plan import Infeasible, Plan, PlannedMotion, Target
+from trajopt_cli.robot.inverse import inverse
+from trajopt_cli.trajectory import Trajectory, hermite
 
 ROWS = {"free jerk": ruckig, "jerk": ruckig_jerk}
 
@@ -91,3 +92,27 @@ def test_a_program_that_cannot_be_planned_says_why() -> None:
     case = case_of("everything_once")
     no = Infeasible(1, case.program.motions[1].source, "t.mod:5:1: no")
     assert ruckig(Case(case.program, case.plant, lambda *_: no)) is no
+
+
+@pytest.mark.parametrize("body", ["MoveL Offs(p_in,60,0,-80), v500, fine, tool0;", "MoveL p_in, v500, fine, tool0;"])
+def test_the_rail_may_move_on_a_line_and_while_the_tcp_rests(body: str) -> None:
+    """A plan whose rail goes on by 50 mm, along 100 mm of line or none at all: in proportion, and legal."""
+    program, plant = rapid(body), plant_with_rail()
+    line = program.motions[0]
+    X_0 = rapid("MoveJ p_in, v500, fine, tool0;").motions[0].X_WT  # type: ignore[union-attr]
+    X_1 = line.X_WT  # type: ignore[union-attr]
+    q_0, q_1 = (
+        np.r_[rail, inverse(plant.robot, X[None], np.array([rail]))[0, 0]] for rail, X in ((0.1, X_0), (0.15, X_1))
+    )
+    plant = replace(plant, start=q_0)
+    planned = PlannedMotion(0, line.source, 0.0, 1.0, q_0, q_1, "")
+    rows = Trajectory(plant.robot.axis_names, np.array([0.0, 1.0]), np.array([q_0, q_1]))
+    plan = Plan(Target.STREAM, rows, (planned,), None, "")
+    case = Case(program, plant, lambda *_: plan)
+    for row in ROWS.values():
+        made = attempt(row(case))
+        assert [str(finding) for finding in broken(case, made)] == []
+        np.testing.assert_allclose(made.trajectory.q[-1], q_1, atol=1e-12)
+        share = np.linalg.norm(plant.robot.forward(made.trajectory.q)[:, :3, 3] - X_0[:3, 3], axis=1) / 0.1
+        if np.linalg.norm(X_1 - X_0) > 0:
+            np.testing.assert_allclose(made.trajectory.q[:, 0], 0.1 + 0.05 * share, atol=1e-9)

@@ -58,6 +58,7 @@ def bang_bang_row(case: Case) -> Answer:
     notes = (
         f"each Cartesian axis by itself at {caps.acceleration:g} m/s² and {caps.speed:g} m/s; joint limits are ignored",
         "points without a wait are passed at speed where the way goes on",
+        *given.notes,
     )
     return Attempt(given.program, trajectory, notes=notes)
 

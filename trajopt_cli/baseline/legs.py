@@ -86,6 +86,12 @@ class FixedRail:
     plan: Plan
     legs: tuple[Leg, ...]
 
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What the plan decided besides, for the reader of a row made from it; one line or none."""
+        left_out = sum(motion.dropped for motion in self.plan.motions)
+        return (f"optional motions left out as in the fixed-rail plan: {left_out}",) if left_out else ()
+
 
 def fixed_rail(case: Case) -> FixedRail | Infeasible:
     """The case's fixed-rail plan cut into legs, or why there is none."""

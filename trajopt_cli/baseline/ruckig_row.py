@@ -61,7 +61,7 @@ def _row(case: Case, jerk: Array | None) -> Answer:
     end = given.legs[-1].q_1 if given.legs else case.plant.start
     trajectory = rows_of(case.plant.robot.axis_names, pieces or [hold(end, 1e-3)], end)
     note = "rail positions and configurations are the fixed-rail plan's; one speed and acceleration per line"
-    return Attempt(given.program, trajectory, notes=(note,))
+    return Attempt(given.program, trajectory, notes=(note, *given.notes))
 
 
 def _piece(plant: Plant, leg: Leg, jerk: Array | None) -> Piece | Infeasible:

@@ -54,7 +54,7 @@ def toppra(case: Case) -> Answer:
         kept += not found[1]
     end = given.legs[-1].q_1 if given.legs else case.plant.start
     trajectory = rows_of(case.plant.robot.axis_names, pieces or [hold(end, 1e-3)], end)
-    notes = ["the fixed-rail plan's path; only its timing is TOPP-RA's"]
+    notes = ["the fixed-rail plan's path; only its timing is TOPP-RA's", *given.notes]
     if kept:
         notes.append(f"TOPP-RA finds no timing for {kept} of {len(pieces)} legs: they keep the plan's")
     return Attempt(given.program, trajectory, notes=tuple(notes))
