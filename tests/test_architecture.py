@@ -21,6 +21,8 @@ FLOORS: tuple[tuple[str, ...], ...] = (
     # results is the folder's reader and writer: nouns in, bytes out, like its neighbours
     ("optimize", "baseline", "verify", "export", "report", "simulate", "results"),
     ("pipeline",),
+    # the widest composition: everything the pipeline can do, many times over
+    ("comparison",),
     ("cli",),
 )
 # The plain data on floors 0 and 1 is a short stack of its own.

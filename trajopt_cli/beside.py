@@ -1,11 +1,11 @@
-"""Work in a second process beside this one: the two targets of a run do not wait for each other."""
+"""Work in a second process beside this one: the two targets of a run, or many tasks taken in turns."""
 
 from __future__ import annotations
 
 import multiprocessing
 import os
 import signal
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from multiprocessing.connection import Connection
 from types import TracebackType
 from typing import Any, Generic, TypeVar
@@ -13,6 +13,7 @@ from typing import Any, Generic, TypeVar
 from trajopt_cli.errors import InputError
 
 Answer = TypeVar("Answer")
+Name = TypeVar("Name")
 
 
 def cores() -> int:
@@ -77,3 +78,36 @@ def _run(work: Callable[[Callable[[Any], None]], Any], pipe: Connection) -> None
         pipe.send(("answer", work(lambda message: pipe.send(("told", message)))))
     except InputError as error:
         pipe.send(("error", error))
+
+
+def in_turns(
+    tasks: Mapping[Name, Callable[[Callable[[Any], None]], Answer]], hear: Callable[[Any], None]
+) -> dict[Name, Answer]:
+    """Every task's answer under its name, in the tasks' order; two processes take the next task as they come free.
+
+    A task is given what it may tell; that is heard here. On one core all is done in this process. What a task leaves
+    behind besides its answer may be lost: it is done in either process.
+    """
+    names = list(tasks)
+    if cores() == 1 or len(names) < 2:
+        return {name: task(hear) for name, task in tasks.items()}
+    taken = multiprocessing.get_context("fork").Value("i", 0)
+
+    def work(tell: Callable[[Any], None]) -> dict[int, Answer]:
+        done: dict[int, Answer] = {}
+        while True:
+            with taken.get_lock():
+                i = taken.value
+                taken.value = i + 1
+            if i >= len(names):
+                return done
+            done[i] = tasks[names[i]](tell)
+
+    with Beside(work, hear) as beside:
+
+        def hear_both(message: Any) -> None:
+            hear(message)
+            beside.listen()
+
+        done = work(hear_both) | beside.answer()
+    return {name: done[i] for i, name in enumerate(names)}

@@ -33,7 +33,6 @@ from trajopt_cli.results import (
 )
 
 if TYPE_CHECKING:
-    from trajopt_cli.baseline.table import Baseline
     from trajopt_cli.cell.model import Cell
     from trajopt_cli.problem.plant import Plant
     from trajopt_cli.problem.report import Finding, Report
@@ -84,15 +83,6 @@ class Optimised:
     folder: Path
     rapid_files: tuple[str, ...]
     seconds: Mapping[str, float]
-
-
-@dataclass(frozen=True, eq=False)
-class Row:
-    """One line of a comparison: a judged plan, or why there is none."""
-
-    name: str
-    baseline: Baseline
-    answer: Judged | Infeasible | NoPlan | str
 
 
 @dataclass
@@ -147,6 +137,16 @@ def read_job(program: Path, cell: Path | None = None) -> Job:
         cell_path=path,
         read_seconds=perf_counter() - start,
     )
+
+
+def read_program_or_results(path: Path, cell: Path | None = None) -> Job:
+    """The job of a program, or of a results folder: the inputs it was made from. Raises InputError as read_job."""
+    if not path.is_dir():
+        return read_job(path, cell)
+    if cell is not None:
+        raise InputError("a results folder brings its own cell file; leave --cell out", file=str(path))
+    results = read_results(path)
+    return read_job(results.program, results.cell)
 
 
 def read_flat(program: Path, scenario: Scenario) -> Program:
@@ -266,21 +266,8 @@ def solve(
     with clock.phase(f"{label}: judge"):
         text = write_csv_text(plan.trajectory)
         dropped = tuple(motion.index for motion in plan.motions if motion.dropped)
-        report = _judge(job, text, CSV[target], dropped, target)
+        report = judge(job.plant, job.program, text, CSV[target], dropped, target)
     return Judged(plan, text, report)
-
-
-def compare(job: Job, listen: Listener) -> list[Row]:
-    """Every baseline on this job, judged, in the table's order."""
-    from trajopt_cli.baseline.table import BASELINES
-
-    rows = []
-    for name, baseline in BASELINES.items():
-        if baseline.needs_programmed_rail and not programs_rail(job):
-            rows.append(Row(name, baseline, "n/a: the program gives the rail no position"))
-            continue
-        rows.append(Row(name, baseline, solve(job, baseline.target, baseline.freedom, name, listen)))
-    return rows
 
 
 def verify_results(folder: Path) -> tuple[Job, dict[str, Report]]:
@@ -292,13 +279,14 @@ def verify_results(folder: Path) -> tuple[Job, dict[str, Report]]:
         texts[CHOSEN] = (results.target, results.texts[CHOSEN])
     reports = {}
     for name, (target, text) in texts.items():
-        reports[name] = _judge(job, text, str(folder / name), results.dropped[target], target)
+        reports[name] = judge(job.plant, job.program, text, str(folder / name), results.dropped[target], target)
     return job, reports
 
 
 def verify_file(path: Path, program: Path, cell: Path | None) -> tuple[Job, Report]:
     """Judge a CSV file that anybody wrote against a program and its cell."""
-    return (job := read_job(program, cell)), _judge(job, _text(path), str(path))
+    job = read_job(program, cell)
+    return job, judge(job.plant, job.program, _text(path), str(path))
 
 
 def joint_export(folder: Path, rate: float) -> tuple[Results, Trajectory, str]:
@@ -339,26 +327,25 @@ def _notices(job: Job) -> tuple[str, ...]:
     return (*job.program.warnings, *out)
 
 
-def _judge(
-    job: Job, text: str, file: str, dropped: tuple[int, ...] | None = None, target: Target | None = None
+def judge(
+    plant: Plant,
+    program: Program,
+    text: str,
+    file: str,
+    dropped: tuple[int, ...] | None = None,
+    target: Target | None = None,
+    advice: bool = True,
 ) -> Report:
+    """What the judge says of a CSV file's text; file is its name in messages, the rest as in verify."""
     from trajopt_cli.joint_csv import read_csv_text
     from trajopt_cli.verify.judge import verify
 
     trajectory, resolution = read_csv_text(text, file)
-    return verify(job.program, job.plant, trajectory, resolution=resolution, dropped=dropped, target=target)
+    return verify(program, plant, trajectory, resolution, dropped, target, advice)
 
 
 def _worst(report: Report) -> Finding:
     return min((finding for finding in report.findings if not finding.passed), key=lambda finding: finding.margin)
-
-
-def programs_rail(job: Job) -> bool:
-    """Whether the program gives the rail a position at all; a robot without a rail needs none."""
-    if job.plant.rail_eax is None:
-        return True
-    moves = [motion for motion in job.program.motions if isinstance(motion, Move)]
-    return any(job.plant.rail_value(move.extax) is not None for move in moves)
 
 
 def _inputs(job: Job) -> dict[str, InputFile]:

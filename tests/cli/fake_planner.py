@@ -34,9 +34,11 @@ ACCELERATION = {Target.STREAM: 10.0, Target.RAPID: 8.0}
 
 @dataclass
 class Planner:
-    """Stands in for the optimiser. speed scales time: 1 is legal, 2 is not. answer: what to give back instead."""
+    """Stands in for the optimiser. speed scales time: 1 is legal, 2 is not; freest: of plans that may choose
+    the configuration. answer: what to give back instead."""
 
     speed: float = 1.0
+    freest: float = 1.0
     answer: Infeasible | None = None
     asked: list[Target] = field(default_factory=list)
 
@@ -47,10 +49,11 @@ class Planner:
         target: Target,
         freedom: Freedom,
         progress: Callable[[Progress], None],
+        bounded: bool = True,
     ) -> Plan | Infeasible:
         self.asked.append(target)
         progress(Progress("search", 2.0, 1.6))
-        return self.answer or plan(program, plant, target, self.speed)
+        return self.answer or plan(program, plant, target, self.speed * (self.freest if freedom.configuration else 1.0))
 
 
 def plan(program: Program, plant: Plant, target: Target, speed: float) -> Plan:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import os
 import re
@@ -20,7 +21,9 @@ from trajopt_cli.cli import run
 from trajopt_cli.cli.optimize import optimize
 from trajopt_cli.joint_csv import read_csv_text
 from trajopt_cli.motion import Source
-from trajopt_cli.pipeline import programs_rail, read_job
+from trajopt_cli.baseline.case import Case
+from trajopt_cli.baseline.table import BASELINES
+from trajopt_cli.pipeline import read_job
 from trajopt_cli.problem.plan import Infeasible, Target
 
 REPOSITORY = Path(__file__).parents[2]
@@ -253,34 +256,74 @@ def test_parse_needs_no_cell_and_gives_places(program: Path, capsys: pytest.Capt
 def test_compare_counts_savings_against_the_first_legal_row(
     program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert run(["compare", "baseline", str(program), "--json"]) == 0
-    records = json.loads(capsys.readouterr().out)
-    assert [record["name"] for record in records] == ["as-written", "fixed-rail", "optimum rapid", "optimum stream"]
-    assert all(record["legal"] for record in records)
-    assert records[0]["saving"] == 0.0
-    assert records[3]["saving"] == pytest.approx(1 - CYCLE[Target.STREAM] / CYCLE[Target.RAPID], abs=1e-9)
-    assert [record["lower_bound_s"] is None for record in records] == [True, True, False, False]
+    assert run(["compare", "baseline", str(program), "--json", "--csv", "rows.csv"]) == 0
+    answer = json.loads(capsys.readouterr().out)
+    records = {record["name"]: record for record in answer["rows"]}
+    assert list(records) == list(BASELINES)
+    assert answer["programmed_waits_s"] == 0.5
+    assert records["as-written"]["saving"] == 0.0
+    optimum = records["optimum stream"]
+    assert optimum["saving"] == pytest.approx(1 - CYCLE[Target.STREAM] / CYCLE[Target.RAPID], abs=1e-9)
+    without = 1 - (CYCLE[Target.STREAM] - 0.5) / (CYCLE[Target.RAPID] - 0.5)
+    assert optimum["saving_without_waits"] == pytest.approx(without, abs=1e-9)
+    assert {name for name in records if records[name].get("lower_bound_s")} == {"optimum rapid", "optimum stream"}
+    assert {name for name in records if "n/a" in records[name].get("why", "")} >= {"practice", "thesis"}
+    rows = list(csv.DictReader(Path("rows.csv").read_text().splitlines()))
+    assert [row["name"] for row in rows] == list(BASELINES)
+    assert float(rows[-1]["cycle_time_s"]) == pytest.approx(CYCLE[Target.STREAM])
     assert run(["compare", "baseline", str(program)]) == 0
-    assert "optimum stream" in capsys.readouterr().out
-    planner.speed = 2.0
-    capsys.readouterr()
-    assert run(["compare", "baseline", str(program), "--json"]) == 1
-    records = json.loads(capsys.readouterr().out)
-    assert [record["saving"] for record in records] == [None] * 4
-    assert all(record["failed"] and record["worst_ratio"] > 1.5 for record in records)
+    out = capsys.readouterr().out
+    assert "optimum stream" in out and "saving by cause" in out
 
 
-def test_a_baseline_that_needs_the_programs_rail_positions_is_left_out_where_there_are_none(
-    planner: Planner, program: Path, capsys: pytest.CaptureFixture[str]
+def test_the_saving_by_cause_adds_up_and_a_slower_plan_never_replaces_a_faster(
+    program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    run(["compare", "baseline", str(program), "--json"])
+    steps = json.loads(capsys.readouterr().out)["saving_by_cause"]["steps"]
+    assert sum(step["saved_s"] for step in steps) == pytest.approx(CYCLE[Target.RAPID] - CYCLE[Target.STREAM], abs=1e-9)
+    assert [step["why_not"] for step in steps] == [None, None, "nothing gained"]
+    planner.freest = 0.9
+    run(["compare", "baseline", str(program), "--json"])
+    steps = json.loads(capsys.readouterr().out)["saving_by_cause"]["steps"]
+    assert steps[-1]["cycle_time_s"] == steps[-2]["cycle_time_s"] == pytest.approx(CYCLE[Target.STREAM])
+
+
+def test_rows_that_break_limits_save_nothing(
+    program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+) -> None:
+    planner.speed = 2.0
+    run(["compare", "baseline", str(program), "--json"])
+    answer = json.loads(capsys.readouterr().out)
+    records = {record["name"]: record for record in answer["rows"]}
+    for name in ("as-written", "fixed-rail", "optimum rapid", "optimum stream"):
+        assert records[name]["saving"] is None
+        assert records[name]["failed"] and records[name]["worst_ratio"] > 1.5
+    assert "as written" in answer["saving_by_cause"]["why_not"]
+
+
+def test_a_results_folder_is_compared_like_its_program(
+    program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["optimize", str(program), "--output", "out"]) == 0
+    program.unlink()
+    capsys.readouterr()
+    assert run(["compare", "baseline", "out", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["rows"][-1]["cycle_time_s"] == pytest.approx(CYCLE[Target.STREAM])
+
+
+def test_a_case_knows_whether_the_program_gives_the_rail_a_position(planner: Planner, program: Path) -> None:
+    def gives_rail() -> bool:
+        job = read_job(program)
+        return Case(job.program, job.plant, planner).gives_rail  # type: ignore[arg-type]
+
     Path("tiny.yaml").write_text(
         "robot: irb140_rail\nrail: {eax: a, stroke: [-1, 1]}\nstart: {joints: '[0, 0, 0, 0, 30, 0] deg', rail: 0}\n"
     )
     Path("tiny.mod").write_text(TEXT.replace("MoveAbsJ", "MoveExtJ").replace(", tool0", ""))
-    job = read_job(program)
-    assert not programs_rail(job)
+    assert not gives_rail()
     Path("tiny.mod").write_text(TEXT.replace("[9E9,", "[100,"))
-    assert programs_rail(read_job(program))
+    assert gives_rail()
 
 
 def test_robot_show_prints_figures_with_grades(capsys: pytest.CaptureFixture[str]) -> None:
@@ -331,7 +374,7 @@ def test_wrong_requests_are_one_line_and_exit_code_2(
 def test_help_lists_every_command(capsys: pytest.CaptureFixture[str]) -> None:
     assert run([]) == 0
     listed = re.findall(r"^  (\w+)  ", capsys.readouterr().out.split("Commands:")[1], re.MULTILINE)
-    assert sorted(listed) == ["compare", "export", "optimize", "parse", "robot", "verify"]
+    assert sorted(listed) == ["analyse", "compare", "export", "optimize", "parse", "robot", "verify"]
     assert run(["--version"]) == 0
     assert re.fullmatch(r"trajopt \d+\.\d+\.\d+\n", capsys.readouterr().out)
 

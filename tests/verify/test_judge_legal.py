@@ -70,6 +70,7 @@ def test_every_promised_check_is_made() -> None:
         "dwell drift", "duration", "rail target", "end rest", "end", "line position", "line rotation", "line progress",
         "arm holds", "joint position", "joint speed", "joint acceleration", "speed columns", "TCP speed",
         "TCP acceleration", "programmed speed", "programmed reorientation",
+        "self clearance",
     }  # fmt: skip
 
 

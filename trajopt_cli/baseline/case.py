@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from trajopt_cli.motion import Program
+from trajopt_cli.motion import Motion, Move, Program
 from trajopt_cli.problem.freedom import Freedom
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
@@ -23,6 +23,19 @@ class Case:
     program: Program
     plant: Plant
     solve: Solve
+
+    @property
+    def gives_rail(self) -> bool:
+        """Whether the program itself says where the rail stands; a robot without a rail needs no word of it."""
+        if self.plant.rail_eax is None:
+            return True
+        moves = (motion for motion in self.program.motions if isinstance(motion, Move))
+        return any(self.plant.rail_value(move.extax) is not None for move in moves)
+
+
+def is_detour(motion: Motion, plant: Plant) -> bool:
+    """Whether the user lets a motion go."""
+    return isinstance(motion, Move) and (motion.optional or motion.target.lower() in plant.droppable)
 
 
 @dataclass(frozen=True, eq=False)

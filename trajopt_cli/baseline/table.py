@@ -2,34 +2,61 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
+from trajopt_cli.baseline.case import Answer, Case, NotApplicable, planned
+from trajopt_cli.baseline.practice import practice
+from trajopt_cli.baseline.thesis import thesis
 from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Target
 
 
 @dataclass(frozen=True)
 class Baseline:
-    """target: the machine that executes it. freedom: what the plan may change. title: what that means, in a line."""
+    """target: the machine that executes it. title: what it is. moves: what it lets move. make: its motion.
+
+    freedom: of a row that is the program itself under one freedom, None of one that makes a motion of its own. after:
+    the row whose plan such a motion starts from, so that it is solved once.
+    """
 
     target: Target
-    freedom: Freedom
     title: str
-
-    @property
-    def needs_programmed_rail(self) -> bool:
-        """True when the program itself has to say where the rail stands."""
-        return self.freedom.rail is RailFreedom.PROGRAMMED
+    moves: str
+    make: Callable[[Case], Answer]
+    freedom: Freedom | None = None
+    after: str | None = None
 
     @property
     def optimum(self) -> bool:
-        """True when everything is free, so that the plan's lower bound is one for every plan of this target."""
+        """Whether everything is free, so that the plan's lower bound is one for every plan of this target."""
         return self.freedom == EVERYTHING
 
 
+def solved(target: Target, freedom: Freedom) -> Callable[[Case], Answer]:
+    """A row that is the program itself under one freedom."""
+
+    def make(case: Case) -> Answer:
+        if freedom.rail is RailFreedom.PROGRAMMED and not case.gives_rail:
+            return NotApplicable("the program gives the rail no position")
+        return planned(case.program, case.solve(case.program, target, freedom))
+
+    return make
+
+
+def _free(target: Target, freedom: Freedom, title: str, moves: str) -> Baseline:
+    return Baseline(target, title, moves, solved(target, freedom), freedom)
+
+
+_RAPID, _STREAM = Target.RAPID, Target.STREAM
+
 BASELINES: dict[str, Baseline] = {
-    "as-written": Baseline(Target.RAPID, AS_WRITTEN, "the program's own rail positions and configurations"),
-    "fixed-rail": Baseline(Target.STREAM, FIXED_RAIL, "the best rail position per station, the rail still there"),
-    "optimum rapid": Baseline(Target.RAPID, EVERYTHING, "everything free that the controller can execute"),
-    "optimum stream": Baseline(Target.STREAM, EVERYTHING, "everything free that a joint stream can carry"),
+    "as-written": _free(_RAPID, AS_WRITTEN, "the program's own rail positions and configurations", "timing"),
+    "practice": Baseline(_RAPID, "today: home, the rail alone, the arm works", "timing", practice),
+    "thesis": Baseline(_RAPID, "the thesis' rail heuristic, legs timed under all limits", "rail by rule", thesis),
+    "fixed-rail": _free(
+        _STREAM, FIXED_RAIL, "the best rail position per station, the rail still there", "rail per station, branch"
+    ),
+    "optimum rapid": _free(_RAPID, EVERYTHING, "everything free that the controller can execute", "everything"),
+    "optimum stream": _free(_STREAM, EVERYTHING, "everything free that a joint stream can carry", "everything"),
 }

@@ -1,10 +1,13 @@
-"""`trajopt compare baseline PROGRAM`: what the optimum saves, and against what."""
+"""`trajopt compare baseline PROGRAM|RESULTS`: what the optimum saves, against what, and why."""
 
 from __future__ import annotations
 
+from pathlib import Path
+from typing import Annotated
+
 import typer
 
-from trajopt_cli.cli.options import AsJson, CellPath, ProgramPath
+from trajopt_cli.cli.options import AsJson, CellPath
 
 _SHOWN = 3  # failed checks per row; an illegal plan breaks many at once
 
@@ -16,33 +19,52 @@ def _group() -> None:
     """Compare plans of one program."""
 
 
-@app.command("baseline", short_help="As written, fixed rail, both optima.")
-def baseline(program: ProgramPath, cell: CellPath = None, as_json: AsJson = False) -> None:
-    """Solve and judge PROGRAM as written, with a fixed rail, and free on both targets; savings against the first.
+@app.command("baseline", short_help="Today's practice, textbook methods, both optima, and the saving by cause.")
+def baseline(
+    program: Annotated[
+        Path, typer.Argument(metavar="PROGRAM|RESULTS", help="RAPID module, or a results folder of trajopt optimize.")
+    ],
+    cell: CellPath = None,
+    as_json: AsJson = False,
+    csv: Annotated[Path | None, typer.Option("--csv", metavar="FILE.csv", help="Write the rows as CSV, too.")] = None,
+) -> None:
+    """Drive PROGRAM in all ways people would, judge each, and tell where the optimum's saving comes from.
 
-    Exit code 1 when no row is legal.
+    Savings count against the first legal row. Exit code 1 when no row is legal.
     """
     import json
 
+    from trajopt_cli.cli.comparison_tables import causes_table, comparison_record, rows_csv, rows_table
     from trajopt_cli.cli.console import stdout
     from trajopt_cli.cli.progress import ProgressView
-    from trajopt_cli.cli.tables import baseline_records, baseline_table
-    from trajopt_cli.pipeline import compare, read_job
+    from trajopt_cli.comparison import compare
+    from trajopt_cli.files import write_file
+    from trajopt_cli.pipeline import read_program_or_results
 
-    job = read_job(program, cell)
+    job = read_program_or_results(program, cell)
     with ProgressView() as view:
-        rows = compare(job, view.show)
-    records = baseline_records(rows)
+        answer = compare(job, view.show)
+    record = comparison_record(answer)
+    if csv is not None:
+        write_file(csv, rows_csv(record["rows"]).encode())
     if as_json:
-        typer.echo(json.dumps(records, indent=2, ensure_ascii=False))
+        typer.echo(json.dumps(record, indent=2, ensure_ascii=False))
     else:
         console = stdout()
-        console.print(baseline_table(program.name, rows, records))
-        for record in records:
-            failed = record.get("failed", [])
+        console.print(rows_table(program.name, answer.waits, record["rows"]))
+        for row in record["rows"]:
+            console.print(f"{row['name']}: {row.get('why') or row['title']}")
+            for note in row.get("notes", ()):
+                console.print(f"    {note}")
+            failed = row.get("failed", [])
             for line in failed[:_SHOWN]:
-                console.print(f"{record['name']}: {line}")
+                console.print(f"    not legal: {line}")
             if len(failed) > _SHOWN:
-                console.print(f"{record['name']}: {len(failed) - _SHOWN} checks more failed; --json lists them")
-    if not any(record["legal"] for record in records):
+                console.print(f"    {len(failed) - _SHOWN} checks more failed; --json lists them")
+        console.print()
+        if isinstance(answer.steps, str):
+            console.print(f"saving by cause: nothing to start from: {answer.steps}")
+        else:
+            console.print(causes_table(answer.steps))
+    if not any(row["legal"] for row in record["rows"]):
         raise typer.Exit(1)

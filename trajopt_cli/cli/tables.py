@@ -5,24 +5,23 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict
-from typing import Any
 
 from rich.table import Table
 
 from trajopt_cli.cli.layout import place, plain_table
 from trajopt_cli.limits import JointLimits
-from trajopt_cli.pipeline import NoPlan, Optimised, Row
-from trajopt_cli.problem.plan import Infeasible, Plan, Target
+from trajopt_cli.pipeline import Optimised
+from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.report import Finding, Report
-from trajopt_cli.results import Judged, motion_label
+from trajopt_cli.results import motion_label
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.units import DEG, MM
 
 
 def cycle_line(label: str, plan: Plan) -> str:
     """A duration with its bound, gap and grid."""
-    bound = f"lower bound {plan.lower_bound:.3f} s, gap {100 * plan.gap:.1f} %"
-    return f"{label}: T = {plan.duration:.3f} s ({bound}), grid {plan.grid}"
+    bound = "" if plan.gap is None else f" (lower bound {plan.lower_bound:.3f} s, gap {100 * plan.gap:.1f} %)"
+    return f"{label}: T = {plan.duration:.3f} s{bound}, grid {plan.grid}"
 
 
 def motions_table(answer: Optimised) -> Table:
@@ -106,68 +105,6 @@ def verdict(name: str, report: Report) -> str:
     """One line: legal or not, and by how many findings."""
     bad = sum(not finding.passed for finding in report.findings)
     return f"{name}: legal ({len(report.findings)} checks)" if not bad else f"{name}: ILLEGAL ({bad} checks failed)"
-
-
-def worst_ratio(report: Report) -> float:
-    """The largest speed or acceleration relative to its limit; above 1 one of them is over."""
-    ends = ("speed", "acceleration", "reorientation")
-    ratios = [one.value / one.limit for one in report.findings if one.check.endswith(ends) and one.limit > 0]
-    return max(ratios, default=math.nan)
-
-
-def baseline_records(rows: list[Row]) -> list[dict[str, Any]]:
-    """The comparison as plain data; saving is the share of the first legal row's cycle time."""
-    records: list[dict[str, Any]] = []
-    reference: float | None = None
-    for row in rows:
-        record: dict[str, Any] = {"name": row.name, "target": row.baseline.target.value, "title": row.baseline.title}
-        match row.answer:
-            case Judged(plan=plan, report=report):
-                if reference is None and report.legal:
-                    reference = plan.duration
-                record |= {
-                    "cycle_time_s": plan.duration,
-                    "saving": 1.0 - plan.duration / reference if reference and report.legal else None,
-                    "legal": report.legal,
-                    "failed": failures(report.findings),
-                    "worst_ratio": worst_ratio(report),
-                    "lower_bound_s": plan.lower_bound if row.baseline.optimum else None,
-                }
-            case Infeasible(source=source, message=message):
-                record |= {
-                    "legal": False,
-                    "why": message if message.startswith(str(source)) else f"{source}: {message}",
-                }
-            case NoPlan(message=message):
-                record |= {"legal": False, "why": f"no plan found: {message}"}
-            case str(why):
-                record |= {"legal": False, "why": why}
-        records.append(record)
-    return records
-
-
-def baseline_table(program: str, rows: list[Row], records: list[dict[str, Any]]) -> Table:
-    """The comparison for people; records are those of the rows."""
-    table = plain_table(
-        f"{program}: savings count against the first legal row",
-        *("plan", "target", ">T [s]", ">saving", "legal", ">worst value/limit", ">lower bound [s]", "what it is"),
-    )
-    for row, record in zip(rows, records, strict=True):
-        if "why" in record:
-            table.add_row(row.name, record["target"], "-", "", "no", "", "", record["why"])
-            continue
-        bound, saving = record["lower_bound_s"], record["saving"]
-        table.add_row(
-            row.name,
-            record["target"],
-            f"{record['cycle_time_s']:.3f}",
-            "" if saving is None else f"{100 * saving:.1f} %",
-            "yes" if record["legal"] else "NO",
-            f"{record['worst_ratio']:.4f}",
-            "" if bound is None else f"{bound:.3f}",
-            record["title"],
-        )
-    return table
 
 
 def robot_tables(robot: RobotModel) -> Iterator[Table | str]:

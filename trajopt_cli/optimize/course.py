@@ -196,6 +196,7 @@ def build_course(
                     if chord < 1e-9 and angle < 1e-9:
                         kind, chord, angle, moves = LegKind.DWELL, 0.0, 0.0, robot.has_rail
                 stops.append(pose_stop(i, X_WF, motion.conf))
+                moves = moves or (robot.has_rail and _apart(stops[-2].rail, stops[-1].rail))
             legs.append(
                 Leg(
                     i, kind, len(stops) - 2, X_FT, min(caps[0], plant.tcp.speed), plant.tcp.acceleration, caps[1],
@@ -216,6 +217,11 @@ class _OutOfRange(Exception):
             f"asks for {axis} = {value * factor:.6g} {unit}, range {low * factor:.6g}..{high * factor:.6g} {unit}"
         )
         self.index = index
+
+
+def _apart(a: tuple[float, float], b: tuple[float, float]) -> bool:
+    """Whether two ranges of the rail have no position in common, so that it has to move between them."""
+    return a[1] < b[0] or b[1] < a[0]
 
 
 def _name(motion: Motion) -> str:

@@ -51,9 +51,14 @@ def check_feasible(
 
 
 def optimize(
-    program: Program, plant: Plant, target: Target, freedom: Freedom = EVERYTHING, progress: Report | None = None
+    program: Program,
+    plant: Plant,
+    target: Target,
+    freedom: Freedom = EVERYTHING,
+    progress: Report | None = None,
+    bounded: bool = True,
 ) -> Plan | Infeasible:
-    """The fastest motion found for a program on one target, with a lower bound of the same model.
+    """The fastest motion found for a program on one target, with a lower bound of the same model if bounded.
 
     Raises NoCleanPlan when the solver fails from every start.
     """
@@ -77,10 +82,12 @@ def optimize(
         return _disconnected(program, plant)
     chain, course = min(found, key=lambda pair: pair[0].cost)
     draft, legs, trajectory, bounds = _clean_plan(axes, course, chain, tied, tell, seconds)
-    start = perf_counter()
-    tell(Progress("bound", incumbent=trajectory.duration))
-    bound = _checked_bound(axes, course, tied, trajectory.duration)
-    seconds["bound"] = perf_counter() - start
+    bound = None
+    if bounded:
+        start = perf_counter()
+        tell(Progress("bound", incumbent=trajectory.duration))
+        bound = _checked_bound(axes, course, tied, trajectory.duration)
+        seconds["bound"] = perf_counter() - start
     tell(Progress("done", incumbent=trajectory.duration, bound=bound))
     grid = _grid(legs, course)
     motions = _planned(axes, program, course, draft, legs, bounds)

@@ -45,14 +45,14 @@ class PlannedMotion:
 class Plan:
     """A motion for the whole program on one target.
 
-    lower_bound: no legal motion of this target's model is faster [s]; gap = (duration - lower_bound) / lower_bound.
+    lower_bound: no legal motion of this target's model is faster [s], None where none was asked for.
     grid: intervals per motion the optimiser ended with, for the printed duration. seconds: time spent per phase.
     """
 
     target: Target
     trajectory: Trajectory
     motions: tuple[PlannedMotion, ...]
-    lower_bound: float
+    lower_bound: float | None
     grid: str
     seconds: Mapping[str, float] = field(default_factory=dict)
 
@@ -62,9 +62,9 @@ class Plan:
         return self.trajectory.duration
 
     @property
-    def gap(self) -> float:
-        """How much faster a motion of the same model could be at most, relative to the bound."""
-        return (self.duration - self.lower_bound) / self.lower_bound
+    def gap(self) -> float | None:
+        """(duration - lower_bound) / lower_bound: how much faster a motion of the same model could be at most."""
+        return None if self.lower_bound is None else (self.duration - self.lower_bound) / self.lower_bound
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,150 @@
+"""The tables of a comparison, and the records behind them."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from typing import Any
+
+from rich.table import Table
+
+from trajopt_cli.cli.layout import plain_table
+from trajopt_cli.cli.tables import failures
+from trajopt_cli.comparison import Comparison, Step, Tried
+from trajopt_cli.pipeline import NoPlan
+from trajopt_cli.problem.plan import Infeasible
+from trajopt_cli.problem.report import Report
+
+_COLUMNS = (
+    "name", "target", "cycle_time_s", "saving", "cycle_time_without_waits_s", "saving_without_waits", "legal",
+    "worst_ratio", "lower_bound_s", "moves", "title", "why",
+)  # fmt: skip
+
+
+def worst_ratio(report: Report) -> float:
+    """The largest speed or acceleration relative to its limit; above 1 one of them is over."""
+    ends = ("speed", "acceleration", "reorientation")
+    ratios = [one.value / one.limit for one in report.findings if one.check.endswith(ends) and one.limit > 0]
+    return max(ratios, default=math.nan)
+
+
+def comparison_record(answer: Comparison) -> dict[str, Any]:
+    """The whole comparison as plain data: rows, the saving by cause, and the seconds of programmed waiting."""
+    steps = answer.steps
+    causes: dict[str, Any] = {"why_not": steps} if isinstance(steps, str) else {"steps": [_step(one) for one in steps]}
+    return {
+        "program": str(answer.job.program_path),
+        "programmed_waits_s": answer.waits,
+        "rows": row_records(answer),
+        "saving_by_cause": causes,
+    }
+
+
+def _step(step: Step) -> dict[str, Any]:
+    return {
+        "name": step.name,
+        "cycle_time_s": step.plan.duration,
+        "saved_s": step.saved,
+        "why_not": step.why_not or None,
+    }
+
+
+def row_records(answer: Comparison) -> list[dict[str, Any]]:
+    """Rows as plain data; a saving is the share of the first legal row's cycle time, counted for legal rows only."""
+    records: list[dict[str, Any]] = []
+    reference: float | None = None
+    for row in answer.rows:
+        record: dict[str, Any] = {
+            "name": row.name,
+            "target": row.baseline.target.value,
+            "title": row.baseline.title,
+            "moves": row.baseline.moves,
+        }
+        match row.result:
+            case Tried(attempt=attempt, report=report):
+                time = attempt.trajectory.duration
+                if reference is None and report.legal:
+                    reference = time
+                counted = reference is not None and report.legal
+                bound = attempt.plan.lower_bound if attempt.plan is not None and row.baseline.optimum else None
+                record |= {
+                    "cycle_time_s": time,
+                    "cycle_time_without_waits_s": time - answer.waits,
+                    "saving": 1.0 - time / reference if counted and reference else None,
+                    "saving_without_waits": (
+                        1.0 - (time - answer.waits) / (reference - answer.waits) if counted and reference else None
+                    ),
+                    "legal": report.legal,
+                    "failed": failures(report.findings),
+                    "worst_ratio": worst_ratio(report),
+                    "lower_bound_s": bound,
+                    "notes": list(attempt.notes),
+                }
+            case Infeasible(source=source, message=message):
+                why = message if message.startswith(str(source)) else f"{source}: {message}"
+                record |= {"legal": False, "why": why}
+            case NoPlan(message=message):
+                record |= {"legal": False, "why": f"no plan found: {message}"}
+            case str(why):
+                record |= {"legal": False, "why": why}
+        records.append(record)
+    return records
+
+
+def rows_csv(records: list[dict[str, Any]]) -> str:
+    """The rows as CSV, a header and a line for each; empty where there is nothing to say."""
+    out = io.StringIO()
+    writer = csv.DictWriter(out, _COLUMNS, extrasaction="ignore", lineterminator="\n")
+    writer.writeheader()
+    for record in records:
+        writer.writerow({name: "" if record.get(name) is None else record[name] for name in _COLUMNS})
+    return out.getvalue()
+
+
+def rows_table(program: str, waits: float, records: list[dict[str, Any]]) -> Table:
+    """The rows for people."""
+    table = plain_table(
+        f"{program}: savings count against the first legal row; T holds {waits:g} s of programmed waits",
+        *("plan", "target", ">T [s]", ">saving", ">no waits [s]", ">saving", "legal", ">worst value/limit"),
+        *(">bound [s]", "what it lets move"),
+    )
+    for record in records:
+        if "why" in record:
+            table.add_row(record["name"], record["target"], "-", "", "", "", "-", "", "", record["moves"])
+            continue
+        table.add_row(
+            record["name"],
+            record["target"],
+            f"{record['cycle_time_s']:.3f}",
+            _share(record["saving"]),
+            f"{record['cycle_time_without_waits_s']:.3f}",
+            _share(record["saving_without_waits"]),
+            "yes" if record["legal"] else "NO",
+            f"{record['worst_ratio']:.3f}",
+            "" if record["lower_bound_s"] is None else f"{record['lower_bound_s']:.3f}",
+            record["moves"],
+        )
+    return table
+
+
+def _share(value: float | None) -> str:
+    return "" if value is None else f"{100 * value:.1f} %"
+
+
+def causes_table(steps: tuple[Step, ...]) -> Table:
+    """Where the seconds went: every step frees one thing more, and the last line is their sum."""
+    table = plain_table(
+        "saving by cause: each line frees one thing more, is solved again and judged",
+        *("freed", ">T [s]", ">saved [s]", ">of T", ""),
+    )
+    start = steps[0].plan.duration
+    for step in steps:
+        first = step is steps[0]
+        saved = "" if first else f"{step.saved:.3f}"
+        share = "" if first else f"{100 * step.saved / start:.1f} %"
+        table.add_row(step.name, f"{step.plan.duration:.3f}", saved, share, step.why_not)
+    table.add_section()
+    total = sum(step.saved for step in steps)
+    table.add_row("sum", f"{steps[-1].plan.duration:.3f}", f"{total:.3f}", f"{100 * total / start:.1f} %", "")
+    return table
