@@ -1,0 +1,227 @@
+"""Pictures: what they show equals what the plan says, every text is there, and the same plan gives the same bytes."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from itertools import combinations
+
+import matplotlib
+import numpy as np
+import pytest
+from drawn_plans import PAUSE, Drawn, drawn
+
+from trajopt_cli.report import in_space, over_time, style
+from trajopt_cli.report.bars import comparison, comparison_figure, savings, savings_figure
+from trajopt_cli.report.course import Course, follow, skeleton
+from trajopt_cli.report.pictures import PICTURES, draw
+
+RAIL, BARE = drawn(rail=True), drawn(rail=False)
+
+
+def course(case: Drawn) -> Course:
+    return follow(case.program, case.plant, case.plan, "cell")
+
+
+@pytest.fixture(scope="module")
+def with_rail() -> dict[str, bytes]:
+    return draw(RAIL.program, RAIL.plant, RAIL.plan, "cell")
+
+
+@pytest.fixture(scope="module")
+def without_rail() -> dict[str, bytes]:
+    return draw(BARE.program, BARE.plant, BARE.plan, "cell")
+
+
+def texts(svg: bytes) -> list[str]:
+    """Texts are drawn as outlines; each stands beside them as a comment."""
+    root = ET.fromstring(svg, ET.XMLParser(target=ET.TreeBuilder(insert_comments=True)))
+    return [element.text.strip() for element in root.iter() if element.tag is ET.Comment and element.text]
+
+
+@pytest.mark.parametrize(
+    ("picture", "wanted"),
+    [
+        (
+            "joints",
+            ["position", "speed", "acceleration", "[mm/s²]", "[deg/s²]", "rail", "joint 6", "time [s]", "limit"],
+        ),
+        ("rail", ["rail [mm]", "time [s]", "p_one", "p_two", "end of the rail 1200 mm", "point in reach", "wait"]),
+        ("tcp_speed", ["TCP speed [mm/s]", "cap of the tool centre point 2500 mm/s", "p_one", "j_home"]),
+        ("axis_speeds", ["in the world", "relative to the carriage", "x", "y", "z"]),
+        ("path", ["real space, side view", "relative to the carriage, from above", "y [mm]", "z [mm]", "p_two"]),
+        ("workspace", ["ahead of axis 1 [mm]", "above the base [mm]", "p_one", "j_home"]),
+        ("effector", ["position [mm]", "speed [mm/s]", "x-y'-z'' angles [deg]"]),
+        ("motors", ["angle [deg]", "speed [deg/s]", "rail [mm]", *(f"joint {i}" for i in range(1, 7))]),
+        ("arm", ["x [mm]", "y [mm]", "z [mm]", "1: start"]),
+    ],
+)
+def test_labels_units_and_names_are_in_the_file(with_rail: dict[str, bytes], picture: str, wanted: list[str]) -> None:
+    found = [line for text in texts(with_rail[f"{picture}.svg"]) for line in (text, *text.split("\n"))]
+    heading = f"cell · target stream · cycle {RAIL.plan.duration:.3f} s"
+    assert [text for text in [*wanted, heading] if text not in found] == []
+
+
+def test_each_picture_comes_twice_and_small(with_rail: dict[str, bytes]) -> None:
+    assert set(with_rail) == {f"{name}.{kind}" for name in PICTURES for kind in ("svg", "png")}
+    assert max(len(content) for name, content in with_rail.items() if name.endswith("svg")) < 400_000
+
+
+def test_without_a_rail_nothing_speaks_of_one(without_rail: dict[str, bytes]) -> None:
+    assert "rail.svg" not in without_rail
+    words = [text.lower() for name in without_rail if name.endswith("svg") for text in texts(without_rail[name])]
+    assert [text for text in words if "rail" in text or "carriage" in text] == []
+
+
+def test_the_same_plan_gives_the_same_bytes_whatever_the_users_style(without_rail: dict[str, bytes]) -> None:
+    with matplotlib.rc_context({"font.size": 30, "axes.grid": True, "lines.linewidth": 9}):
+        again = draw(BARE.program, BARE.plant, BARE.plan, "cell")
+        assert matplotlib.rcParams["font.size"] == 30  # and the user's style is put back
+    assert [name for name in without_rail if without_rail[name] != again[name]] == []
+
+
+def test_accelerations_are_drawn_to_the_limit_and_never_over_it() -> None:
+    with style.house_style():
+        figure = over_time.joints(course(RAIL))
+    names, limits = RAIL.plant.limits.names, RAIL.plant.limits
+    shares = []
+    for k, name in enumerate(names):
+        axes = figure.axes[3 * k + 2]
+        drawn_line = max(axes.lines, key=lambda line: len(line.get_xdata()))
+        peak = np.abs(drawn_line.get_ydata()).max() * (1e-3 if name == "rail" else np.pi / 180)
+        shares.append(peak / limits.acceleration[k])
+        dashed = sorted(line.get_ydata()[0] for line in axes.lines if line is not drawn_line)
+        unit = 1e-3 if name == "rail" else np.pi / 180
+        assert np.allclose(dashed, np.array([-1, 1]) * limits.acceleration[k] / unit)
+    q, T = RAIL.plan.motions[0], RAIL.plan.motions[0].t_1
+    assert max(shares) <= 1 + 1e-6
+    assert shares[0] >= abs(4 * (q.q_1[0] - q.q_0[0]) / T**2) / limits.acceleration[0] - 1e-6
+
+
+def test_the_rail_stands_within_reach_of_each_point_and_where_the_plan_says() -> None:
+    with style.house_style():
+        figure = over_time.rail(course(RAIL))
+    assert figure is not None
+    (axes,) = figure.axes
+    (curve,) = [line for line in axes.lines if line.get_gid() == "rail"]
+    reach = [np.array(c.get_segments()[0]) for c in axes.collections if c.get_gid() == "reach"]
+    assert [segment[0, 0] for segment in reach] == pytest.approx([RAIL.plan.motions[i].t_1 for i in (0, 2)])
+    for segment, rail in zip(reach, (150.0, 500.0), strict=True):
+        at = np.interp(segment[0, 0], curve.get_xdata(), curve.get_ydata())
+        assert at == pytest.approx(rail, abs=1e-6)
+        assert segment[0, 1] < at < segment[1, 1]
+
+
+def test_the_tcps_speed_is_the_change_of_its_place() -> None:
+    c = course(RAIL)
+    with style.house_style():
+        figure = over_time.tcp_speed(c)
+    (curve,) = [line for line in figure.axes[0].lines if line.get_gid() == "speed"]
+    times = np.linspace(0.01, c.t[-1] - 0.01, 300)
+    q = np.array([np.interp(times + d, RAIL.plan.trajectory.t, column) for d in (-2e-3, 2e-3)
+                  for column in RAIL.plan.trajectory.q.T]).reshape(2, 7, -1)  # fmt: skip
+    tip = [(RAIL.plant.robot.forward(x.T) @ c.legs[0].X_FT)[:, :3, 3] for x in q]
+    slope = np.linalg.norm(tip[1] - tip[0], axis=1) / 4e-3 * 1e3
+    shown = np.interp(times, curve.get_xdata(), curve.get_ydata())
+    assert np.median(np.abs(slope - shown)) < 2.0  # mm/s
+    programmed = [line.get_ydata()[0] for line in figure.axes[0].lines if line.get_gid() == "programmed"]
+    assert programmed == pytest.approx([800.0] * 3)
+
+
+def test_relative_to_the_carriage_the_wait_is_at_rest_and_the_speed_is_less_the_rails() -> None:
+    c = course(RAIL)
+    with style.house_style():
+        figure = over_time.axis_speeds(c)
+    world, carriage = ([line.get_ydata() for line in axes.lines[:3]] for axes in figure.axes[:2])
+    rail = c.qd[:, 0] * 1e3
+    assert np.allclose(world[1] - carriage[1], rail, atol=1e-9)  # the rail runs along y
+    assert np.allclose(world[0], carriage[0])
+    waiting = (c.t > c.legs[1].t_0) & (c.t < c.legs[1].t_1)
+    assert c.legs[1].t_1 - c.legs[1].t_0 == pytest.approx(PAUSE)
+    assert np.abs(np.array(carriage)[:, waiting]).max() == 0
+
+
+def test_the_wrists_path_is_inside_the_outlines_and_the_links_keep_their_lengths() -> None:
+    c = course(BARE)
+    with style.house_style():
+        figure = in_space.workspace(c)
+    (wrist,) = [line for line in figure.axes[0].lines if line.get_gid() == "wrist"]
+    outer = np.vstack([patch.get_xy() for patch in figure.axes[0].patches])
+    assert np.hypot(*wrist.get_xydata().T).max() < np.hypot(*outer.T).max()
+    arm = BARE.plant.robot.arm
+    shape = skeleton(BARE.plant, c.q[len(c.t) // 3], c.legs[0].X_FT)
+    lengths = np.linalg.norm(np.diff(shape, axis=0), axis=1)
+    assert lengths == pytest.approx([arm.d1, arm.a1, arm.L2, arm.L4, arm.L6, 0.05])
+
+
+# Machado, Oliveira, Fernandes 2009, severity 1.0, on linear RGB.
+DEUTERANOPIA = np.array(
+    [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.01182, 0.04294, 0.968881]]
+)
+PROTANOPIA = np.array(
+    [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]]
+)
+
+
+def lab(color: str, seen: np.ndarray) -> np.ndarray:
+    """CIELAB (D65) of a colour as somebody sees it."""
+    rgb = np.array([int(color[i : i + 2], 16) for i in (1, 3, 5)]) / 255
+    linear = np.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4)
+    linear = np.clip(seen @ linear, 0, 1)
+    to_xyz = np.array([[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]])
+    f = to_xyz @ linear / [0.9505, 1.0, 1.089]
+    f = np.where(f > 216 / 24389, np.cbrt(f), (24389 / 27 * f + 16) / 116)
+    return np.array([116 * f[1] - 16, 500 * (f[0] - f[1]), 200 * (f[1] - f[2])])
+
+
+@pytest.mark.parametrize("seen", [np.eye(3), DEUTERANOPIA, PROTANOPIA])
+@pytest.mark.parametrize("styles", [style.AXIS_STYLES, style.JOINT_STYLES])
+def test_colour_blind_readers_can_tell_the_curves_apart(seen: np.ndarray, styles: tuple) -> None:
+    for (a, dash_a), (b, dash_b) in combinations(styles, 2):
+        difference = np.linalg.norm(lab(a, seen) - lab(b, seen))
+        # 2.3 is just noticeable; thin lines need several times as much, and a line style of their own.
+        assert difference > 12, (a, b, difference)
+        assert dash_a != dash_b or difference > 30, (a, b)
+
+
+@pytest.mark.parametrize("picture", PICTURES)
+def test_texts_are_legible_at_half_size_and_inside_the_page(picture: str) -> None:
+    with style.house_style():
+        figure = PICTURES[picture](course(RAIL))
+        assert figure is not None
+        figure.canvas.draw()
+        # A tick outside the range keeps its text and is not drawn.
+        ticks = [t for axes in figure.axes for t in (*axes.get_xticklabels(), *axes.get_yticklabels())]
+        ticks += [t for axes in figure.axes if axes.name == "3d" for t in axes.get_zticklabels()]
+        # The extent of a text inside a 3-D picture is not in pixels of the page.
+        texts = [t for t in figure.findobj(matplotlib.text.Text) if t not in ticks and type(t).__name__ != "Text3D"]
+        shown = [t for t in texts if t.get_visible() and t.get_text().strip()]
+        page = figure.bbox.padded(1)
+        outside = []
+        for text in shown:
+            box = text.get_window_extent()
+            if not (page.x0 <= box.x0 and box.x1 <= page.x1 and page.y0 <= box.y0 and box.y1 <= page.y1):
+                outside.append(text.get_text())
+    assert min(text.get_fontsize() for text in shown) >= 10
+    assert outside == []
+
+
+def test_savings_steps_add_up_and_comparison_marks_what_is_illegal() -> None:
+    steps = [("as written", 9.0), ("retimed", 7.5), ("margin", 7.75), ("rail", 6.0)]
+    with style.house_style():
+        bars = savings_figure(steps, "Saving").axes[0].patches
+        rows = comparison_figure([("a", 9.0, True), ("b", 5.0, False), ("c", 6.0, True)], "Rows").axes[0].patches
+    assert [bar.get_width() for bar in bars] == pytest.approx([9.0, 1.5, 0.25, 1.75, 6.0])
+    assert [bar.get_x() for bar in bars] == pytest.approx([0, 7.5, 7.5, 6.0, 0])
+    assert bars[1].get_facecolor() != bars[2].get_facecolor()
+    assert [bool(bar.get_hatch()) for bar in rows] == [False, True, False]
+    files = savings(steps, "Saving") | comparison([("a", 9.0, True), ("b", 5.0, False)], "Rows")
+    assert set(files) == {f"{name}.{kind}" for name in ("savings", "comparison") for kind in ("svg", "png")}
+    assert {"as written", "−1.500 s", "+0.250 s", "6.000 s", "cycle time [s]"} <= set(texts(files["savings.svg"]))
+    assert "5.000 s, breaks a limit" in texts(files["comparison.svg"])
+
+
+def test_too_little_to_compare_is_said() -> None:
+    with pytest.raises(ValueError, match="a start and at least one step, not 1"):
+        savings([("as written", 9.0)], "Saving")
+    with pytest.raises(ValueError, match="at least one row"):
+        comparison([], "Rows")

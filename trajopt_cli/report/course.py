@@ -1,0 +1,149 @@
+"""What the pictures of a plan are drawn from: everything over time, once, in SI."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, inverse_pose, xyz_from_rotation
+from trajopt_cli.motion import MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, Wait
+from trajopt_cli.problem.plan import Plan
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.robot.arm import axes_and_points
+from trajopt_cli.trajectory import hermite
+
+_TURN = np.pi / 2  # rad between two samples: no angle moves so fast, it is the singularity of the three angles
+
+
+@dataclass(frozen=True, eq=False)
+class Leg:
+    """A move or a wait of the plan that was not dropped: from t_0 to t_1 [s], its motion, the tool in force."""
+
+    t_0: float
+    t_1: float
+    motion: MoveJ | MoveL | MoveAbsJ | MoveExtJ | Wait
+    X_FT: Array
+
+    @property
+    def name(self) -> str:
+        """The target as the program writes it; "" for a wait."""
+        return "" if isinstance(self.motion, Wait) else self.motion.target
+
+
+@dataclass(frozen=True, eq=False)
+class Course:
+    """A plan sampled at both ends of every interval between its rows, so that each jump of an acceleration is whole.
+
+    t (n,) [s]; q, qd, qdd (n, k); X_WT (n, 4, 4) and V_WT (n, 6) of the TCP with the tool in force. legs in order.
+    """
+
+    program: Program
+    plant: Plant
+    plan: Plan
+    below: str
+    legs: tuple[Leg, ...]
+    t: Array
+    q: Array
+    qd: Array
+    qdd: Array
+    X_WT: Array
+    V_WT: Array
+
+    @property
+    def rail(self) -> Array:
+        """Where the carriage stands in the world (n, 3) [m], from the rail's 0; zeros without a rail."""
+        axis = self.plant.robot.rail_axis_W
+        return np.zeros((len(self.t), 3)) if axis is None else self.q[:, :1] * axis
+
+    @property
+    def rail_speed(self) -> Array:
+        """The carriage's velocity in the world (n, 3) [m/s]."""
+        axis = self.plant.robot.rail_axis_W
+        return np.zeros((len(self.t), 3)) if axis is None else self.qd[:, :1] * axis
+
+    @property
+    def moves(self) -> list[Leg]:
+        """The legs that move."""
+        return [leg for leg in self.legs if not isinstance(leg.motion, Wait)]
+
+    def during(self, leg: Leg) -> slice:
+        """The samples of a leg, both ends included."""
+        return slice(int(np.searchsorted(self.t, leg.t_0)), int(np.searchsorted(self.t, leg.t_1, side="right")))
+
+    def at(self, time: float) -> int:
+        """The last sample not after time [s]."""
+        return max(int(np.searchsorted(self.t, time, side="right")) - 1, 0)
+
+
+def follow(program: Program, plant: Plant, plan: Plan, title: str) -> Course:
+    """Sample a plan. title: the program's name for people. Raises ValueError for a trajectory without speeds."""
+    legs = _legs(program, plan)
+    rows = plan.trajectory.t
+    # The last number before a row still belongs to the interval that ends there.
+    t = np.column_stack([rows[:-1], np.nextafter(rows[1:], -np.inf)]).ravel()
+    t = np.append(t, rows[-1])
+    q, qd, qdd = hermite(plan.trajectory, t)
+    X_WF = plant.robot.forward(q)
+    X_WT, V_WT = np.empty_like(X_WF), np.empty((len(t), 6))
+    for tool, part in _tools(legs, t):
+        X_WT[part] = X_WF[part] @ tool
+        V_WT[part] = (plant.robot.jacobian(q[part], tool) @ qd[part][..., None])[..., 0]
+    below = f"{title} · target {plan.target.value} · cycle {plan.duration:.3f} s"
+    return Course(program, plant, plan, below, legs, t, q, qd, qdd, X_WT, V_WT)
+
+
+def _legs(program: Program, plan: Plan) -> tuple[Leg, ...]:
+    legs: list[Leg] = []
+    # A program may wait, or move external axes, before its first tool: then that tool counts from the start.
+    tools = (m.tool.X_FT for m in program.motions if isinstance(m, MoveJ | MoveL | MoveAbsJ))
+    X_FT = next(tools, np.eye(4))
+    for planned in plan.motions:
+        motion = program.motions[planned.index]
+        if planned.dropped or not isinstance(motion, MoveJ | MoveL | MoveAbsJ | MoveExtJ | Wait):
+            continue
+        if isinstance(motion, MoveJ | MoveL | MoveAbsJ):
+            X_FT = motion.tool.X_FT
+        if planned.t_1 > planned.t_0:
+            legs.append(Leg(planned.t_0, planned.t_1, motion, X_FT))
+    return tuple(legs)
+
+
+def _tools(legs: tuple[Leg, ...], t: Array) -> list[tuple[Array, slice]]:
+    """Each tool and the samples it is in force for, without a gap."""
+    if not legs:
+        return [(np.eye(4), slice(0, len(t)))]
+    cuts = [0, *(int(np.searchsorted(t, leg.t_0)) for leg in legs[1:]), len(t)]
+    return [(leg.X_FT, slice(a, b)) for leg, a, b in zip(legs, cuts, cuts[1:], strict=False)]
+
+
+def target_flange(leg: Leg) -> Array | None:
+    """The flange pose X_WF (4, 4) a leg ends in, where the program names a pose; None for joints and waits."""
+    if isinstance(leg.motion, MoveJ | MoveL):
+        return leg.motion.X_WT @ inverse_pose(leg.motion.tool.X_FT)
+    return None
+
+
+def angles(X_WT: Array) -> Array:
+    """Intrinsic x-y'-z'' angles (n, 3) [rad] without jumps by whole turns; nan where they pass their singularity."""
+    out = np.unwrap(xyz_from_rotation(X_WT[:, :3, :3]), axis=0)
+    out[1:][(np.abs(np.diff(out, axis=0)) > _TURN).any(axis=1)] = np.nan
+    return out
+
+
+def wrist_section(plant: Plant, q: Array) -> Array:
+    """The wrist centre in the arm's own plane (n, 2) [m]: ahead of axis 1 and up, of axis positions q (n, k)."""
+    arm, q2, q23 = plant.robot.arm, q[:, -5], q[:, -5] + q[:, -4]
+    ahead = arm.a1 + arm.L2 * np.sin(q2) + arm.L4 * np.cos(q23)
+    return np.column_stack([ahead, arm.d1 + arm.L2 * np.cos(q2) - arm.L4 * np.sin(q23)])
+
+
+def skeleton(plant: Plant, q: Array, X_FT: Array) -> Array:
+    """Base, foot of joint 2, joints 2 and 3, wrist centre, flange, TCP: (7, 3) [m] in the world at q (k,)."""
+    robot = plant.robot
+    X_WB = robot.base(q[0] if robot.has_rail else 0.0)
+    points = axes_and_points(robot.arm, q[-6:])[1].T  # (6, 3): a point on each axis, in the base frame
+    inside = np.array([[0.0, 0, 0], [0, 0, robot.arm.d1], points[1], points[2], points[4]])
+    X_WF = robot.forward(q)
+    chain = inside @ X_WB[:3, :3].T + X_WB[:3, 3]
+    return np.vstack([chain, X_WF[:3, 3], (X_WF @ X_FT)[:3, 3]])

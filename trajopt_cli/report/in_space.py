@@ -1,0 +1,258 @@
+"""Pictures in space: the TCP's path, the arm's workspace, and a still of rail and arm."""
+
+from __future__ import annotations
+
+from itertools import product
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.ticker import MaxNLocator
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.motion import MoveL, Wait
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.workspace import sections
+from trajopt_cli.report.course import Course, Leg, skeleton, wrist_section
+from trajopt_cli.report.marks import by_place, name_places, short
+from trajopt_cli.report.style import (
+    BLACK,
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    PURPLE,
+    SMALL,
+    TEXT,
+    VERMILLION,
+    WIDTH,
+    new_figure,
+    settle,
+)
+from trajopt_cli.units import MM
+
+# How the path looks in lines (the thesis' functional parts), elsewhere, and where only the rail moves.
+KINDS: dict[str, dict[str, Any]] = {
+    "line": {"color": VERMILLION, "linewidth": 3.4, "label": "lines (MoveL)"},
+    "free": {"color": BLUE, "linewidth": 1.4, "label": "free moves"},
+    "wait": {"color": GREY, "linewidth": 2.0, "linestyle": (0, (1.5, 1.2)), "label": "waits"},
+}
+SAME = 5e-3  # m: points nearer than this share a name tag
+_NAMES = "xyz"
+_GHOSTS = (BLACK, VERMILLION, BLUE, GREEN, PURPLE, ORANGE)
+
+
+def path(course: Course) -> Figure:
+    """The TCP's path from the side and from above, in the real space and as the carriage sees it. Figs 4.3 and 4.6.
+
+    Relative to the carriage ("deformed" in the thesis) means: minus the rail's travel, so both agree at rail 0.
+    """
+    points = course.X_WT[:, :3, 3]
+    spaces = [("real space", points)]
+    if course.plant.robot.has_rail:
+        spaces.append(("relative to the carriage", points - course.rail))
+    parts = [(course.during(leg), _kind(leg)) for leg in course.legs]
+    tags = [
+        by_place(p[[course.during(leg).stop - 1 for leg in course.moves]], [leg.name for leg in course.moves], SAME)
+        for _, p in spaces
+    ]
+    return path_figure(
+        "Path of the tool centre point", course.below, spaces, parts, tags, along_page(course.plant, points)
+    )
+
+
+def _kind(leg: Leg) -> str:
+    return "line" if isinstance(leg.motion, MoveL) else "wait" if isinstance(leg.motion, Wait) else "free"
+
+
+def path_figure(
+    heading: str,
+    below: str,
+    spaces: list[tuple[str, Array]],
+    parts: list[tuple[slice, str]],
+    tags: list[tuple[Array, list[str]]],
+    along: int,
+) -> Figure:
+    """Spaces side by side (name, points (n, 3) [m]), seen from the side and from above, all to one scale.
+
+    parts: samples and the key of KINDS they are drawn in. tags: per space places (m, 3) [m] and their names. along: the
+    world axis across the page. One space alone has its two views side by side.
+    """
+    across = 1 - along
+    views = [[(i, up) for i in range(len(spaces))] for up in (2, across)]
+    if len(spaces) == 1:
+        views = [[(0, 2), (0, across)]]
+    spans = [np.ptp(p, axis=0) for _, p in spaces]
+    room = 0.12 * max(float(span.max()) for span in spans) + 0.02  # m for names at every side
+    wide = [spans[i][along] + 2 * room for i, _ in views[0]]
+    tall = [max(spans[i][up] for i, up in row) + 2 * room for row in views]
+    scale = min(9.4 / sum(wide), 5.4 / sum(tall))  # in per m
+    figure = new_figure(1.5 + scale * sum(tall) + 0.75 * len(tall), heading, below)
+    grid = figure.subplots(*np.shape(views)[:2], width_ratios=wide, height_ratios=tall, squeeze=False)
+    for panels, row, height in zip(grid, views, tall, strict=True):
+        for axes, (i, up), width in zip(panels, row, wide, strict=True):
+            space, p = spaces[i]
+            for part, kind in parts:
+                axes.plot(p[part, along] / MM, p[part, up] / MM, **KINDS[kind], solid_capstyle="round")
+            axes.plot(tags[i][0][:, along] / MM, tags[i][0][:, up] / MM, "o", color=BLACK, markersize=4.5, zorder=4)
+            middle = (p.max(axis=0) + p.min(axis=0)) / 2
+            axes.set_xlim((middle[along] - width / 2) / MM, (middle[along] + width / 2) / MM)
+            axes.set_ylim((middle[up] - height / 2) / MM, (middle[up] + height / 2) / MM)
+            axes.set_aspect("equal")
+            axes.xaxis.set_major_locator(MaxNLocator(max(2, round(0.9 * scale * width))))
+            axes.yaxis.set_major_locator(MaxNLocator(max(2, round(1.6 * scale * height))))
+            axes.set_xlabel(f"{_NAMES[along]} [mm]")
+            axes.set_ylabel(f"{_NAMES[up]} [mm]")
+            axes.set_title(f"{space}, {'side view' if up == 2 else 'from above'}", size=SMALL + 0.5, loc="left")
+    used = {kind for _, kind in parts}
+    handles = [Line2D([], [], **style) for kind, style in KINDS.items() if kind in used]
+    figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
+    settle(figure)
+    for axes, (i, up) in zip(grid[0], views[0], strict=True):
+        if up == 2:  # heights tell the points apart; from above most stand on one another
+            places, names = tags[i]
+            name_places(axes, places[:, [along, up]] / MM, names, _dense(spaces[i][1][:, [along, up]]) / MM)
+    return figure
+
+
+def along_page(plant: Plant, points: Array) -> int:
+    """The world axis drawn across the page: 0 or 1, the one the rail runs along, else the one the path runs along."""
+    axis = plant.robot.rail_axis_W
+    reach = np.ptp(points, axis=0) if axis is None or max(abs(axis[:2])) < abs(axis[2]) else np.abs(axis)
+    return int(np.argmax(reach[:2]))
+
+
+def _dense(curve: Array, count: int = 600) -> Array:
+    """Points a name should not cover, thinned evenly."""
+    return curve[:: max(len(curve) // count, 1)]
+
+
+def workspace(course: Course) -> Figure:
+    """What the wrist centre can reach in the arm's own plane, and where this plan takes it. Fig. 5.1."""
+    figure = new_figure(8.6, "Workspace of the wrist centre in the arm's own plane", course.below)
+    axes = figure.subplots()
+    elbows = zip(sections(course.plant), (GREY, GREEN), ("-", (0, (5, 2))), strict=True)
+    for outline, color, line in elbows:
+        axes.fill(*outline.T / MM, color=color, alpha=0.08, linewidth=0)
+        axes.plot(*outline.T / MM, color=color, linestyle=line, linewidth=1.6)
+    wrist = wrist_section(course.plant, course.q)
+    axes.plot(*wrist.T / MM, color=BLUE, linewidth=2.2, gid="wrist")
+    ends = wrist[[course.at(leg.t_1) for leg in course.moves]].reshape(-1, 2)
+    axes.plot(*ends.T / MM, "o", color=BLACK, markersize=4.5, zorder=4)
+    arm = course.plant.robot.arm
+    base = np.array([[0, 0], [0, arm.d1], [arm.a1, arm.d1]])
+    knee = base[2] + arm.L2 * np.array([np.sin(course.q[0, -5]), np.cos(course.q[0, -5])])
+    chain = np.vstack([base, knee, wrist[0]])
+    axes.plot(*chain.T / MM, "-o", color="#b0b0b0", linewidth=5, solid_capstyle="round", zorder=1, markersize=7)
+    axes.set_aspect("equal")
+    axes.set_xlabel("ahead of axis 1 [mm]")
+    axes.set_ylabel("above the base [mm]")
+    handles = [
+        Line2D([], [], color=GREY, label="reach, elbow up"),
+        Line2D([], [], color=GREEN, linestyle=(0, (5, 2)), label="reach, elbow turned over"),
+        Line2D([], [], color=BLUE, linewidth=2.2, label="this plan"),
+        Line2D([], [], color="#b0b0b0", linewidth=5, label="arm at the start"),
+    ]
+    figure.legend(handles=handles, loc="outside lower center", ncols=4, columnspacing=1.4)
+    settle(figure)
+    kept, names = by_place(ends, [leg.name for leg in course.moves], 2 * SAME)
+    name_places(axes, kept / MM, names, _dense(wrist) / MM)
+    return figure
+
+
+def arm(course: Course) -> Figure:
+    """Rail and arm in space at the start and at the plan's stations, with the TCP's path. Fig. 6.1."""
+    robot, limits = course.plant.robot, course.plant.limits
+    figure = new_figure(7.4, "Rail, arm and path" if robot.has_rail else "Arm and path", course.below)
+    figure.set_layout_engine(None)
+    axes: Any = figure.add_axes((0, 0, 1, 1), projection="3d", computed_zorder=False)
+    stations = _stations(course)
+    shapes = [skeleton(course.plant, course.q[i], X_FT) / MM for i, _, X_FT in stations]
+    p = course.X_WT[:, :3, 3] / MM
+    beam = np.empty((0, 3))
+    if robot.rail_axis_W is not None:
+        ends = np.array([limits.lower[0], limits.upper[0]])[:, None] * robot.rail_axis_W
+        beam = (robot.X_WB0[:3, 3] + ends) / MM
+        axes.plot(*beam.T, color="#c8c8c8", linewidth=11, solid_capstyle="butt", zorder=1)
+        axes.plot(*beam.T, color=GREY, linewidth=1, zorder=1.1)
+    for order, (shape, color) in enumerate(zip(shapes, _GHOSTS, strict=False)):
+        axes.plot(*shape[:2].T, color=color, linewidth=9, alpha=0.45, solid_capstyle="round", zorder=2 + order)
+        axes.plot(*shape[1:5].T, color=color, linewidth=6, alpha=0.6, solid_joinstyle="round", zorder=2 + order)
+        axes.plot(*shape[4:].T, color=color, linewidth=3, zorder=2 + order)
+        axes.plot(*shape[1:5].T, "o", color="white", markeredgecolor=color, markersize=5, zorder=2.1 + order)
+        axes.text(*(shape[3] + [0, 0, 45]), str(order + 1), color=color, size=TEXT, ha="center", zorder=30)
+    axes.plot(*p.T, color=BLACK, linewidth=1.5, zorder=20)
+    everything = np.vstack([p, beam, *shapes])
+    low, high = everything.min(axis=0), everything.max(axis=0)
+    span = np.maximum(high - low, 0.15 * float((high - low).max()))
+    _to_scale(axes, low, span)
+    for letter, label in zip("xyz", ("x [mm]", "y [mm]", "z [mm]"), strict=True):
+        getattr(axes, f"set_{letter}label")(label, labelpad=10)
+    handles = [Line2D([], [], color=BLACK, linewidth=1.5, label="path")]
+    for order, ((_, name, _), color) in enumerate(zip(stations, _GHOSTS, strict=False)):
+        handles.append(Line2D([], [], color=color, linewidth=6, alpha=0.7, label=f"{order + 1}: {name}"))
+    ncols = 4 if max(len(name) for _, name, _ in stations) < 22 else 3
+    figure.legend(handles=handles, loc="lower center", ncols=ncols, columnspacing=1.6)
+    _fit(figure, axes, span, low=0.4 + 0.28 * -(-len(handles) // ncols))
+    return figure
+
+
+def _to_scale(axes: Any, low: Array, span: Array) -> None:
+    """The same length for a metre on all three axes, seen from in front with the longer way across the page."""
+    for setter, a, s in zip((axes.set_xlim, axes.set_ylim, axes.set_zlim), low, span, strict=True):
+        setter(a - 0.03 * s, a + 1.03 * s)
+    axes.set_box_aspect(tuple(span))
+    axes.view_init(elev=24, azim=-28 if span[1] > span[0] else -62)
+    axes.set_proj_type("ortho")
+    for axis, s in zip((axes.xaxis, axes.yaxis, axes.zaxis), span, strict=True):
+        axis.set_major_locator(MaxNLocator(nbins=max(2, round(7 * s / span.max()))))
+        axis.pane.set_facecolor("white")
+        axis.pane.set_edgecolor("#d8d8d8")
+    axes.tick_params(labelsize=SMALL, pad=3)
+
+
+def _fit(figure: Figure, axes: Any, span: Array, low: float) -> None:
+    """Make the box of the axes fill the figure's width above low [in] and close the figure's height around it."""
+    labels, head = 1.0, 0.75  # in, at each side and above
+    wide, tall = _box(axes)[1] / figure.dpi
+    height = min(6.2, (WIDTH - 2 * labels) * tall / wide)
+    before = figure.get_figheight()
+    figure.set_size_inches(WIDTH, height + head + low + labels)
+    for text in figure.texts:  # the heading keeps its distance from the top
+        text.set_y(1 - (1 - text.get_position()[1]) * before / figure.get_figheight())
+    # The box is drawn in a square whose side follows the figure's: measured again before it is enlarged.
+    axes.set_box_aspect(tuple(span), zoom=height * figure.dpi / float(_box(axes)[1][1]))
+    middle, _ = _box(axes)
+    wanted = np.array([0.49 * WIDTH, low + labels + height / 2]) * figure.dpi
+    shift = (wanted - middle) / figure.bbox.size
+    axes.set_position((shift[0], shift[1], 1, 1))
+
+
+def _box(axes: Any) -> tuple[Array, Array]:
+    """Middle and size (2,) [px] of the drawn axes' box."""
+    axes.apply_aspect()
+    corners = np.array([*product(axes.get_xlim(), axes.get_ylim(), axes.get_zlim())])
+    flat = np.column_stack([corners, np.ones(8)]) @ axes.get_proj().T
+    pixels = axes.transData.transform(flat[:, :2] / flat[:, 3:])
+    return (pixels.max(axis=0) + pixels.min(axis=0)) / 2, np.ptp(pixels, axis=0)
+
+
+def _stations(course: Course) -> list[tuple[int, str, Array]]:
+    """Sample, label and tool of the start and of where the plan waits (else of where moves end), five at most."""
+    named = [(0, "start", course.legs[0].X_FT if course.legs else np.eye(4))]
+    waits = [
+        (before.t_1, before.name, before.X_FT)
+        for before, leg in zip(course.legs, course.legs[1:], strict=False)
+        if isinstance(leg.motion, Wait) and before.name
+    ]
+    for time, name, X_FT in waits or [(leg.t_1, leg.name, leg.X_FT) for leg in course.moves]:
+        i = course.at(time)
+        if len(named) <= 5 and all(_apart(course, i, j) for j, _, _ in named):
+            named.append((i, f"{short(name)}, {course.t[i]:.2f} s", X_FT))
+    return named[: len(_GHOSTS)]
+
+
+def _apart(course: Course, i: int, j: int) -> bool:
+    """Whether two samples show the arm in two places, by 5 cm of the TCP at least."""
+    return bool(np.linalg.norm(course.X_WT[i, :3, 3] - course.X_WT[j, :3, 3]) > 0.05)

@@ -1,0 +1,46 @@
+"""A plan as pictures: the figures of Krotký 2014, chapters 4 to 6, for any program, robot and target."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from matplotlib.figure import Figure
+
+from trajopt_cli.motion import Program
+from trajopt_cli.problem.plan import Plan
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.report import in_space, over_time
+from trajopt_cli.report.bars import comparison, savings
+from trajopt_cli.report.course import Course, follow
+from trajopt_cli.report.style import files, house_style
+
+__all__ = ["PICTURES", "comparison", "draw", "savings"]
+
+# File name without ending -> the figure, or None where the plan has nothing to show there.
+PICTURES: dict[str, Callable[[Course], Figure | None]] = {
+    "joints": over_time.joints,
+    "rail": over_time.rail,
+    "tcp_speed": over_time.tcp_speed,
+    "axis_speeds": over_time.axis_speeds,
+    "path": in_space.path,
+    "workspace": in_space.workspace,
+    "effector": over_time.effector,
+    "motors": over_time.motors,
+    "arm": in_space.arm,
+}
+
+
+def draw(program: Program, plant: Plant, plan: Plan, title: str) -> dict[str, bytes]:
+    """All pictures of a plan: file name -> contents, each picture as .svg and as .png. Without a rail no rail picture.
+
+    title: the program's name for people; target and cycle time are added to it. The same input gives the same bytes.
+    Raises ValueError for a trajectory without speeds.
+    """
+    out: dict[str, bytes] = {}
+    with house_style():
+        course = follow(program, plant, plan, title)
+        for name, picture in PICTURES.items():
+            figure = picture(course)
+            if figure is not None:
+                out |= files(name, figure, f"{title}: {name.replace('_', ' ')}")
+    return out
