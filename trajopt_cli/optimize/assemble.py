@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from trajopt_cli.geometry import Array
@@ -14,15 +16,15 @@ LEAST = 1e-5  # s; no two rows are nearer than this
 SAME = 1e-9  # s; switches nearer than this are one
 
 
-def rows_of(axes: Axes, legs: list[LegMotion], end: Array) -> tuple[Trajectory, Array]:
+def rows_of(axes: Axes, legs: list[LegMotion], end: Array, more: Sequence[float] = ()) -> tuple[Trajectory, Array]:
     """The trajectory of all legs in order, and the leg boundaries' times (L+1,).
 
-    end (7,): axes at the end, written into the last row exactly.
+    end (7,): axes at the end, written into the last row exactly. more: times [s] that get a row as well.
     """
     bounds = np.concatenate([[0.0], np.cumsum([leg.T for leg in legs])])
     times, q, qd = [], [], []
     for i, leg in enumerate(legs):
-        t = _leg_rows(leg, bounds[i], bounds[i + 1])
+        t = _leg_rows(leg, bounds[i], bounds[i + 1], more)
         sample = leg.sample(axes, np.clip(t - bounds[i], 0.0, leg.T))
         times.append(t[:-1])
         q.append(sample.q[:-1])
@@ -39,8 +41,8 @@ def rows_of(axes: Axes, legs: list[LegMotion], end: Array) -> tuple[Trajectory, 
     return trajectory, bounds
 
 
-def _leg_rows(leg: LegMotion, start: float, end: float) -> Array:
-    """Row times of one leg: its breaks, then every grid time that keeps its distance from them."""
+def _leg_rows(leg: LegMotion, start: float, end: float, more: Sequence[float]) -> Array:
+    """Row times of one leg: its breaks, then every grid time that keeps its distance from them, then those of more."""
     breaks = start + leg.breaks()
     breaks[0], breaks[-1] = start, end
     keep = np.concatenate([[True], np.diff(breaks) > SAME])
@@ -54,4 +56,5 @@ def _leg_rows(leg: LegMotion, start: float, end: float) -> Array:
         np.abs(grid - breaks[np.clip(at - 1, 0, len(breaks) - 1)]),
         np.abs(grid - breaks[np.clip(at, 0, len(breaks) - 1)]),
     )
-    return np.unique(np.concatenate([breaks, grid[(gap >= LEAST) & (grid > start) & (grid < end)]]))
+    inside = [t for t in more if start < t < end]
+    return np.unique(np.concatenate([breaks, grid[(gap >= LEAST) & (grid > start) & (grid < end)], inside]))

@@ -142,7 +142,9 @@ class Refiner:
                 ratios = check_leg(self.axes, leg, motion)
                 worst = max(worst, ratios.worst)
                 if m is not None:
-                    changed |= tighten(m, ratios, motion, SAFE)
+                    resting = leg.kind is LegKind.DWELL and leg.duration is not None and not self.tied
+                    rail = float(self.axes.acceleration[0]) if resting else None
+                    changed |= tighten(m, ratios, motion, SAFE, rail)
             self.seconds["check"] += perf_counter() - start
             if not (changed or opened):
                 return draft

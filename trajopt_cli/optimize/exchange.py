@@ -6,7 +6,7 @@ densely; where a ratio to a limit exceeds one, the nodes around get that limit t
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -16,9 +16,10 @@ from trajopt_cli.optimize.course import Leg
 from trajopt_cli.optimize.legs import LegMotion, PathLeg
 from trajopt_cli.optimize.transcription import Margins
 
-DENSE = 20  # samples per interval
+DENSE = 40  # samples per interval besides both ends; an axis that turns round passes its limit for a moment only
 SAFE = 1.0 - 3e-5  # what a clean grid may use of a limit: Hermite between written rows is not quite the motion
 
+PUSHED = 1e-3  # share of its acceleration from which the rail drives the arm
 BEYOND = 1e-4  # tightened this much further than the excess, so that one round is enough more often
 
 
@@ -41,8 +42,7 @@ def check_leg(axes: Axes, leg: Leg, motion: LegMotion, dense: int = DENSE) -> Ra
     """Sample every interval of a leg, both ends included from inside, and compare with the true limits."""
     breaks = motion.breaks()
     N = len(breaks) - 1
-    u = (np.arange(dense) + 0.5) / dense
-    u[0], u[-1] = 1e-9, 1 - 1e-9
+    u = np.r_[1e-9, (np.arange(dense) + 0.5) / dense, 1 - 1e-9]
     t = (breaks[:-1, None] + np.diff(breaks)[:, None] * u).ravel()
     sample = motion.sample(axes, t)
     V = axes.velocity.copy()
@@ -56,7 +56,7 @@ def check_leg(axes: Axes, leg: Leg, motion: LegMotion, dense: int = DENSE) -> Ra
     tool = tool_ratios(axes, leg, sample.q, sample.qd, sample.qdd)
 
     def fold(x: Array) -> Array:
-        return np.asarray(x.reshape(N, dense, -1).max(axis=1))
+        return np.asarray(x.reshape(N, len(u), -1).max(axis=1))
 
     return Ratios(fold(velocity), fold(acceleration), fold(position), fold(tool))
 
@@ -77,9 +77,20 @@ def tool_ratios(axes: Axes, leg: Leg, q: Array, qd: Array, qdd: Array) -> Array:
     )
 
 
-def tighten(margins: Margins, ratios: Ratios, motion: LegMotion, target: float) -> bool:
-    """Scale the shares of the nodes next to an excess over target; True when anything changed."""
+def tighten(margins: Margins, ratios: Ratios, motion: LegMotion, target: float, rail: float | None = None) -> bool:
+    """Scale the shares of the nodes next to an excess over target; True when anything changed.
+
+    rail: the rail's acceleration limit [m/s2] where the tool rests for a given time. An axis that turns round between
+    two nodes has its greatest acceleration there, in proportion to the rail's: then the interval's own push is scaled.
+    """
     changed = False
+    if rail is not None and isinstance(motion, PathLeg):
+        ratio = ratios.acceleration.max(axis=1)
+        pushed = np.abs(motion.b) / (rail * motion.T**2)
+        over = (ratio > target) & (pushed > PUSHED)
+        margins.push[over] = np.minimum(margins.push, pushed * (target - BEYOND) / np.maximum(ratio, 1e-12))[over]
+        changed = bool(over.any())
+        ratios = replace(ratios, acceleration=np.where(over[:, None], 0.0, ratios.acceleration))
     pairs = [(margins.tool, ratios.tool)]
     touching = np.where(ratios.position > 1.0, ratios.position, 0.0)  # a range may be used to its very end
     pairs += [(margins.position, touching * target)]

@@ -9,9 +9,9 @@ from time import perf_counter
 import casadi as ca
 import numpy as np
 
-from trajopt_cli.geometry import Array
+from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.motion import Program
-from trajopt_cli.optimize.assemble import rows_of
+from trajopt_cli.optimize.assemble import LEAST, rows_of
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.binding import binding_limit
 from trajopt_cli.optimize.bound import lower_bound
@@ -35,6 +35,7 @@ Report = Callable[[Progress], None]
 
 RETIMED = 96  # intervals of a rapid line timed by itself
 RESIDUAL = 1e-14  # rad or m: rounding of a position in a row
+DENSER = 3  # times that rows are put between rows
 DISAPPOINTING = 1.05  # times the search's estimate: a slower answer is doubted
 
 
@@ -124,10 +125,11 @@ def _clean_plan(axes: Axes, course: Course, chain: Chain, tied: bool, tell: Repo
             failure = said
             continue
         legs = _final_legs(course, draft, straight)
-        trajectory, bounds = rows_of(axes, legs, axes.seven(_end(axes, course, draft)))
-        if not _rows_hold(axes, trajectory):
+        rows = _rows(axes, legs, axes.seven(_end(axes, course, draft)))
+        if rows is None:
             failure = NoCleanPlan("the written rows would pass a limit between each other")
             continue
+        trajectory, bounds = rows
         if best is None or trajectory.duration < best[2].duration:
             best = draft, legs, trajectory, bounds
     if best is None:
@@ -136,17 +138,33 @@ def _clean_plan(axes: Axes, course: Course, chain: Chain, tied: bool, tell: Repo
     return best
 
 
-def _rows_hold(axes: Axes, trajectory: Trajectory) -> bool:
-    """The cubic Hermite between the rows keeps every axis' speed and acceleration, up to what rounding does to rows
-    that stand near each other."""
+def _rows(axes: Axes, legs: list[LegMotion], end: Array) -> tuple[Trajectory, Array] | None:
+    """The rows and leg boundaries of a clean draft, denser where the cubic between two rows would pass a limit; None
+    where that does not help."""
+    more: list[float] = []
+    for _ in range(DENSER + 1):
+        trajectory, bounds = rows_of(axes, legs, end, more)
+        over = _passing(axes, trajectory)
+        if not len(over):
+            return trajectory, bounds
+        gaps = np.diff(trajectory.t)[over]
+        if gaps.min() < 2 * LEAST:
+            return None
+        more += list(trajectory.t[over] + gaps / 2)
+    return None
+
+
+def _passing(axes: Axes, trajectory: Trajectory) -> IndexArray:
+    """The intervals between rows in which the cubic Hermite passes an axis' speed or acceleration by more than what
+    rounding does to rows that stand near each other."""
     h = np.diff(trajectory.t)
     noise = 6 * RESIDUAL / (h * h)[:, None]
     V, A = axes.plant_axes(axes.velocity), axes.plant_axes(axes.acceleration)
+    over = np.zeros(len(h), dtype=bool)
     for u in (1e-6, 1 - 1e-6):
         _, qd, qdd = hermite(trajectory, trajectory.t[:-1] + u * h)
-        if np.any(np.abs(qd) > V * (1 + 1e-6)) or np.any(np.abs(qdd) > A * (1 + 1e-6) + noise):
-            return False
-    return True
+        over |= np.any((np.abs(qd) > V * (1 + 1e-6)) | (np.abs(qdd) > A * (1 + 1e-6) + noise), axis=1)
+    return np.flatnonzero(over)
 
 
 def _courses(program: Program, plant: Plant, freedom: Freedom, target: Target) -> list[Course | Infeasible]:

@@ -27,6 +27,7 @@ START = 1.0 - 5e-5  # share of every limit a grid starts with; rounding and Herm
 EXACT = 1.0 - 1e-8  # the same for joints that move by polynomials on the grid: exact between nodes
 FREE_ZONES = 12  # intervals of a path with which its zones may shift
 DAMPING = 4e-7  # s per squared scaled acceleration, where many motions take the same time
+DAMPING_DWELL = 4e-6  # the same while the tool rests: with less, a long dwell's rail chatters between the nodes
 LEAST_ZONE = 0.01  # share of a leg that its run-up, middle and run-out last at least
 LEAST_TIME = 1e-3  # s; a leg of zero length still gets this long, so that scaled time stays defined
 
@@ -52,7 +53,7 @@ class Margins:
 
     velocity, acceleration (N+1, 7); position (N+1, 7): of half the range, about its middle; tool (N+1, 3): speed,
     acceleration, reorientation. rows (N+1, 3): which tool caps a joint move's nodes must hold explicitly; far from a
-    cap the dense check alone watches.
+    cap the dense check alone watches. push (N,): the rail's acceleration in each interval of a dwell.
     """
 
     velocity: Array
@@ -60,14 +61,16 @@ class Margins:
     position: Array
     tool: Array
     rows: BoolArray
+    push: Array
 
     @classmethod
     def full(cls, N: int, joints: float) -> Margins:
         """Nothing tightened but for rounding, no tool cap of a joint move in force. joints: share of their limits."""
         share = np.full((N + 1, 7), joints)
         return cls(
-            share, share.copy(), np.ones((N + 1, 7)), np.full((N + 1, 3), START), np.zeros((N + 1, 3), dtype=bool)
-        )
+            share, share.copy(), np.ones((N + 1, 7)), np.full((N + 1, 3), START), np.zeros((N + 1, 3), dtype=bool),
+            np.ones(N),
+        )  # fmt: skip
 
     def refined(self) -> Margins:
         """The same shares on twice as many intervals; a new node takes the smaller neighbour's."""
@@ -80,7 +83,10 @@ class Margins:
 
         rows = np.repeat(self.rows, 2, axis=0)[:-1]
         rows[1::2] |= self.rows[1:]
-        return Margins(double(self.velocity), double(self.acceleration), double(self.position), double(self.tool), rows)
+        return Margins(
+            double(self.velocity), double(self.acceleration), double(self.position), double(self.tool), rows,
+            np.repeat(self.push, 2),
+        )  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,7 +148,8 @@ class Transcription:
                 self.stop_v.append(nlp.variables(np.zeros(7), 0.0, 0.0))
                 continue
             rest = stop.rest or self.tied or not self.course.rail_may_pass(k)
-            d = nlp.variables(np.clip(q[:1], *stop.rail), stop.rail[0], stop.rail[1])
+            low, high = self._stop_range(k, stop.rail)
+            d = nlp.variables(np.clip(q[:1], low, high), low, high)
             arm = nlp.variables(q[1:], axes.lower[1:], axes.upper[1:])
             if rest:
                 w = nlp.variables(np.zeros(1), 0.0, 0.0)
@@ -158,6 +165,22 @@ class Transcription:
                 nlp.add(self.stages.resting_stop(), np.r_[d, arm], p)
             else:
                 nlp.add(self.stages.stop(), np.r_[d, w, arm, arm_v], p)
+
+    def _rail_range(self, share: Array) -> tuple[Array, Array]:
+        """The rail's range (n,), (n,) at nodes that may use a share (n,) of its half, about its middle: a rail that is
+        at its end with speed would pass it before the next node."""
+        low, high = self.axes.lower[0], self.axes.upper[0]
+        room = share * (high - low) / 2
+        return (low + high) / 2 - room, (low + high) / 2 + room
+
+    def _stop_range(self, k: int, allowed: tuple[float, float]) -> tuple[float, float]:
+        """The rail's range at stop k: what the program allows and what the legs beside it leave."""
+        before, after = self.margins[k - 1] if k else None, self.margins[k] if k < len(self.margins) else None
+        shares = [m.position[node, 0] for m, node in ((before, -1), (after, 0)) if m is not None]
+        if allowed[0] == allowed[1] or not shares:
+            return allowed
+        low, high = self._rail_range(np.array(min(shares)))
+        return max(allowed[0], float(low)), min(allowed[1], float(high))
 
     def _stations(self) -> None:
         """Stops of a station share one rail position where the freedom says so."""
@@ -260,13 +283,16 @@ class Transcription:
         out.h = self._zones(motion)
         if line:
             out.s, out.v, out.a = self._share(out.h, motion.s, motion.v, motion.a)
-        low, high = self.axes.lower[0], self.axes.upper[0]
+        low, high = self._rail_range(margins.position[1:-1, 0])
         inner = nlp.variables(np.clip(motion.d[1:-1], low, high), low, high)
         out.d = np.r_[self.stop_q[k0][0], inner, self.stop_q[k0 + 1][0]]
         out.w = nlp.variables(motion.w, -50.0, 50.0)
-        out.b = nlp.variables(motion.b, -500.0, 500.0)
+        most = np.full(N, 500.0)
+        if leg.kind is LegKind.DWELL and leg.duration is not None:
+            most = margins.push * self.axes.acceleration[0] * leg.duration**2
+        out.b = nlp.variables(np.clip(motion.b, -most, most), -most, most)
         self._zone_chain(out.h, out.d, out.w, out.b)
-        nlp.damp(out.b, DAMPING)
+        nlp.damp(out.b, DAMPING if line else DAMPING_DWELL)
         for node, k in ((0, k0), (N, k0 + 1)):
             nlp.add(self.stages.speed_link(), [self.stop_v[k][0], out.w[node], out.T])
         turning = leg.angle > 1e-9
