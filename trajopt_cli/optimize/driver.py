@@ -151,7 +151,10 @@ class Refiner:
             if self._watch(draft, margins, SAFE) or opened:
                 draft, *warm = self._solve(draft, margins, 1e-4)
             else:
-                draft, *warm = self._solve(draft, margins, 1e-5, warm=warm)
+                try:
+                    draft, *warm = self._solve(draft, margins, 1e-5, warm=warm)
+                except NotConverged:  # a warm start keeps to the limits it knows; a cold one finds its way round
+                    draft, *warm = self._solve(draft, margins, 1e-3)
             progress("exchange", draft)
         raise NotConverged(f"a limit is still passed by {worst - 1:.2e} after {ROUNDS} rounds of tightening")
 

@@ -19,6 +19,7 @@ from trajopt_cli.optimize.transcription import Margins
 DENSE = 40  # samples per interval besides both ends; an axis that turns round passes its limit for a moment only
 SAFE = 1.0 - 3e-5  # what a clean grid may use of a limit: Hermite between written rows is not quite the motion
 
+UNREACHED = 2.0  # ratio of a sample that no joints reach: the rail went out of the arm's reach between two nodes
 PUSHED = 1e-3  # share of its acceleration from which the rail drives the arm
 BEYOND = 1e-4  # tightened this much further than the excess, so that one round is enough more often
 
@@ -56,7 +57,7 @@ def check_leg(axes: Axes, leg: Leg, motion: LegMotion, dense: int = DENSE) -> Ra
     tool = tool_ratios(axes, leg, sample.q, sample.qd, sample.qdd)
 
     def fold(x: Array) -> Array:
-        return np.asarray(x.reshape(N, len(u), -1).max(axis=1))
+        return np.asarray(np.where(np.isnan(x), UNREACHED, x).reshape(N, len(u), -1).max(axis=1))
 
     return Ratios(fold(velocity), fold(acceleration), fold(position), fold(tool))
 

@@ -1,0 +1,69 @@
+"""The dense check sees what stands between the nodes, wherever it stands."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+from small_cells import HOME, course_of, plant_with_rail, rapid
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.exchange import SAFE, check_leg, tighten
+from trajopt_cli.optimize.legs import PathLeg, Sample, parabola
+from trajopt_cli.optimize.transcription import START, Margins
+
+PROGRAM = "MoveJ p_in, v2500, fine, tool0; WaitTime 0.8; MoveAbsJ j_home, v2500, fine, tool0;"
+
+
+@dataclass
+class Spike:
+    """Stands still but for joint 3's acceleration around one share of its only interval; unreached there if asked."""
+
+    at: float
+    width: float
+    value: float
+    T: float = 1.0
+
+    def breaks(self) -> Array:
+        return np.array([0.0, self.T])
+
+    def sample(self, axes: Axes, t: Array) -> Sample:
+        q = np.tile(np.r_[0.0, HOME], (len(t), 1))
+        qdd = np.zeros_like(q)
+        qdd[np.abs(t - self.at) < self.width / 2, 3] = self.value
+        return Sample(t, q, np.zeros_like(q), qdd)
+
+
+@pytest.mark.parametrize("at", np.linspace(0.0, 1.0, 23))
+def test_an_excess_as_wide_as_a_fortieth_of_an_interval_is_seen_anywhere(at: float) -> None:
+    axes = Axes.of(plant_with_rail())
+    leg = course_of(rapid(PROGRAM), plant_with_rail()).legs[1]
+    ratios = check_leg(axes, leg, Spike(at, 0.0251, 2 * axes.acceleration[3]))  # type: ignore[arg-type]
+    assert ratios.worst == pytest.approx(2.0)
+
+
+def test_joints_that_do_not_exist_are_an_excess_too() -> None:
+    axes = Axes.of(plant_with_rail())
+    leg = course_of(rapid(PROGRAM), plant_with_rail()).legs[1]
+    assert check_leg(axes, leg, Spike(0.5, 0.1, np.nan)).worst > 1.5  # type: ignore[arg-type]
+
+
+def test_in_a_dwell_the_push_of_the_passing_interval_alone_is_scaled() -> None:
+    axes = Axes.of(plant_with_rail())
+    course = course_of(rapid(PROGRAM), plant_with_rail())
+    X = course.stops[1].X_WF
+    grid = np.linspace(0, 1, 7)
+    s, v, a = parabola(grid)
+    leg = PathLeg(0.8, X, X, np.eye(4), 0, HOME, grid, s, v, a, 0.5 + 0.4 * s, 0.4 * v, 0.4 * a)
+    ratios = check_leg(axes, course.legs[1], leg)
+    ratios.acceleration[:] = 0.5
+    ratios.acceleration[2, 4] = 1.25
+    margins = Margins.full(6, START)
+    assert tighten(margins, ratios, leg, SAFE, rail=3.0)
+    own = abs(leg.b[2]) / (3.0 * 0.8**2)
+    assert margins.push[2] == pytest.approx(own / 1.25, rel=2e-4)
+    assert np.all(np.delete(margins.push, 2) == 1.0)
+    assert np.all(margins.acceleration == START)
+    assert tighten(Margins.full(6, START), ratios, leg, SAFE)  # elsewhere the nodes are
