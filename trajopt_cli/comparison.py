@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trajopt_cli.beside import in_turns
@@ -91,6 +92,28 @@ def compare(job: Job, listen: Listener) -> Comparison:
     steps = _steps([(cause.name, results[study.question(cause.target, cause.freedom)]) for cause in reasons])
     waits = sum(motion.duration for motion in job.program.motions if isinstance(motion, Wait))
     return Comparison(job, rows, steps, waits)
+
+
+def comparison_pictures(answer: Comparison) -> dict[str, bytes]:
+    """Bars of all rows, the saving by cause, and the pictures of the fastest legal plan, by file name."""
+    from trajopt_cli.pipeline import plan_pictures
+    from trajopt_cli.report.pictures import comparison, savings
+
+    name = answer.job.program_path.name
+    tried = [(row.name, row.result) for row in answer.rows if isinstance(row.result, Tried)]
+    bars = [(label, one.attempt.trajectory.duration, one.report.legal) for label, one in tried]
+    out = comparison(bars, name) if bars else {}
+    if not isinstance(answer.steps, str):
+        out |= savings([(step.name, step.plan.duration) for step in answer.steps], name)
+    own = [
+        one.attempt.plan
+        for _, one in tried
+        if one.attempt.plan and one.report.legal and len(one.attempt.plan.motions) == len(answer.job.program.motions)
+    ]
+    if own:
+        pictures = plan_pictures(answer.job, min(own, key=lambda plan: plan.duration))
+        out |= {Path(place).name: content for place, content in pictures.items()}
+    return out
 
 
 def _effort(item: tuple[Question, str]) -> int:

@@ -60,6 +60,17 @@ def write_folder(path: Path, files: Mapping[str, bytes]) -> None:
             shutil.rmtree(fresh, ignore_errors=True)  # the old folder after the swap; the half-made one before it
 
 
+def write_files(folder: Path, files: Mapping[str, bytes]) -> None:
+    """Write files by name into folder, which is made where it is missing; nothing else in it is touched.
+
+    Each file is whole or not there. Raises InputError where the folder cannot be made or written.
+    """
+    with _said(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+    for name, content in files.items():
+        write_file(folder / name, content)
+
+
 def recover(path: Path) -> None:
     """Tidy up after calls of write_folder(path) that were killed; calls still running are left alone.
 

@@ -15,7 +15,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.files import write_folder
 from trajopt_cli.motion import Move, Program, Wait
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom
-from trajopt_cli.problem.plan import Infeasible, Target
+from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.results import (
     CHOSEN,
@@ -69,6 +69,14 @@ class Illegal:
 
     label: str
     finding: Finding
+
+
+@dataclass(frozen=True)
+class Collides:
+    """A plan that keeps every limit but touches something: the planner looks at no obstacles. hits: in time order."""
+
+    label: str
+    hits: tuple[Finding, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,11 +173,16 @@ def scenario_for(program: Path, cell: Path | None) -> Scenario:
     return load_cell(path).scenario if cell or path.exists() else Scenario()
 
 
-def optimise(job: Job, target: Target, folder: Path, listen: Listener) -> Optimised | Infeasible | NoPlan | Illegal:
+def optimise(
+    job: Job, target: Target, folder: Path, listen: Listener, plots: bool = False
+) -> Optimised | Infeasible | NoPlan | Illegal | Collides:
     """Solve both targets, judge both, and write the results folder; nothing is written unless both are legal.
 
-    target: which plan trajectory.csv carries. Raises InputError where folder may not be replaced.
+    target: which plan trajectory.csv carries. plots: its pictures, too. Raises InputError where folder may not be
+    replaced.
     """
+    from trajopt_cli.verify.clearance import collisions
+
     check_replaceable(folder)
     clock, started = _Clock({"read": job.read_seconds}), datetime.now(UTC)
     inputs = _inputs(job)
@@ -178,11 +191,17 @@ def optimise(job: Job, target: Target, folder: Path, listen: Listener) -> Optimi
         if not isinstance(answer, Judged):
             return answer
         if not answer.report.legal:
-            return Illegal(one.value, _worst(answer.report))
+            hits = collisions(answer.report.findings)
+            touches_only = len(hits) == sum(not finding.passed for finding in answer.report.findings)
+            return Collides(one.value, hits) if touches_only else Illegal(one.value, _worst(answer.report))
         judged[one] = answer
     listen("results", Progress("write"))
     with clock.phase("export"):
         files, notes = _files(job, target, judged, inputs)
+    if plots:
+        listen("results", Progress("plots"))
+        with clock.phase("plots"):
+            files |= plan_pictures(job, judged[target].plan)
     timing = {
         "started": started.isoformat(),
         "finished": datetime.now(UTC).isoformat(),
@@ -208,7 +227,7 @@ def _files(
     faster = faster_than_programmed(job.program, rapid, job.plant)
     export = export_rapid(job.program, rapid, job.plant, faster, job.cell.scenario)
     files = {
-        SUMMARY: summary(job.program, target, judged, _notices(job), job.plant.notes),
+        SUMMARY: summary(job.program, target, judged, _notices(job), job.plant.notes, job.plant.unchecked),
         CHOSEN: judged[target].csv.encode("ascii"),
         **{CSV[one]: judged[one].csv.encode("ascii") for one in Target},
     }
@@ -217,6 +236,17 @@ def _files(
         if given.rapid is not None:
             files[given.rapid] = export.texts[given.path].encode(job.program.files[given.path].encoding)
     return files, tuple(export.notes)
+
+
+def plan_pictures(job: Job, plan: Plan) -> dict[str, bytes]:
+    """The pictures of one plan and of the program in steps of speed, by their place in a results folder."""
+    from trajopt_cli.problem.stepwise import analyse
+    from trajopt_cli.report.pictures import draw, stepwise
+
+    name = job.program_path.name
+    pictures = draw(job.program, job.plant, plan, name)
+    pictures |= stepwise(job.program, analyse(job.program, job.plant), name)
+    return {f"plots/{place}": content for place, content in pictures.items()}
 
 
 def _both(job: Job, listen: Listener, clock: _Clock) -> dict[Target, Judged | Infeasible | NoPlan]:
@@ -356,6 +386,9 @@ def _inputs(job: Job) -> dict[str, InputFile]:
     for path, name in zip(modules, names, strict=True):
         place = "program.mod" if len(modules) == 1 else f"program/{name}"
         inputs[path] = InputFile(path, f"input/{name}", Path(path).read_bytes(), place)
+    for mesh in job.cell.mesh_files:
+        copy = mesh.relative_to(job.cell_path.parent).as_posix()
+        inputs[str(mesh)] = InputFile(str(mesh), f"input/{copy}", mesh.read_bytes())
     cell = str(job.cell_path)
     inputs[cell] = InputFile(cell, f"input/{job.cell_path.name}", job.cell_path.read_bytes())
     return inputs

@@ -90,9 +90,17 @@ def zones_as_stops(program: Program) -> int:
 
 
 def summary(
-    program: Program, target: Target, judged: Mapping[Target, Judged], warnings: Iterable[str], limits: Iterable[str]
+    program: Program,
+    target: Target,
+    judged: Mapping[Target, Judged],
+    warnings: Iterable[str],
+    limits: Iterable[str],
+    unchecked: Iterable[str],
 ) -> bytes:
-    """summary.json: the answer in numbers, SI, the same bytes for the same inputs. limits: how sure they are."""
+    """summary.json: the answer in numbers, SI, the same bytes for the same inputs.
+
+    limits: how sure they are. unchecked: what the judge was given nothing to hold the motion against.
+    """
     return _json(
         {
             "target": target.value,
@@ -100,6 +108,7 @@ def summary(
             "zones_planned_as_stops": zones_as_stops(program),
             "warnings": list(warnings),
             "limits": list(limits),
+            "unchecked": list(unchecked),
         }
     )
 

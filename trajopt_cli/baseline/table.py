@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from trajopt_cli.baseline.cartesian import bang_bang_row
 from trajopt_cli.baseline.case import Answer, Case, NotApplicable, planned
 from trajopt_cli.baseline.practice import practice
+from trajopt_cli.baseline.ruckig_row import ruckig, ruckig_jerk
 from trajopt_cli.baseline.thesis import thesis
+from trajopt_cli.baseline.toppra_row import toppra
 from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Target
 
@@ -53,9 +56,25 @@ _RAPID, _STREAM = Target.RAPID, Target.STREAM
 BASELINES: dict[str, Baseline] = {
     "as-written": _free(_RAPID, AS_WRITTEN, "the program's own rail positions and configurations", "timing"),
     "practice": Baseline(_RAPID, "today: home, the rail alone, the arm works", "timing", practice),
+    "bang-bang": Baseline(
+        _STREAM, "the thesis' generator on Cartesian axes, no joint limits", "timing", bang_bang_row, after="fixed-rail"
+    ),
     "thesis": Baseline(_RAPID, "the thesis' rail heuristic, legs timed under all limits", "rail by rule", thesis),
     "fixed-rail": _free(
         _STREAM, FIXED_RAIL, "the best rail position per station, the rail still there", "rail per station, branch"
+    ),
+    "ruckig": Baseline(
+        _STREAM,
+        "Ruckig from stop to stop at the fixed rail's positions, jerk free",
+        "timing",
+        ruckig,
+        after="fixed-rail",
+    ),
+    "ruckig jerk": Baseline(
+        _STREAM, "the same under the profile's jerk limits", "timing", ruckig_jerk, after="fixed-rail"
+    ),
+    "toppra": Baseline(
+        _STREAM, "the fixed-rail plan's path timed by TOPP-RA", "timing along a path", toppra, after="fixed-rail"
     ),
     "optimum rapid": _free(_RAPID, EVERYTHING, "everything free that the controller can execute", "everything"),
     "optimum stream": _free(_STREAM, EVERYTHING, "everything free that a joint stream can carry", "everything"),

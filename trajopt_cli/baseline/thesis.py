@@ -4,8 +4,9 @@ The thesis chooses the rail first and the arm's motion after it. Its generator k
 timed under all of them, so that the row can stand beside legal ones. What the text leaves open is read as follows.
 
 - A functional area is the longest run of stations (points joined by lines) that one rail position serves.
-- Where an area begins the rail stands nearest to where it comes from, where it ends nearest to where it goes next;
-  in between it moves on as far as the arm's own time for the move allows, never back, and only while the arm moves.
+- Where an area begins the rail stands nearest to where it comes from. Inside it goes on towards the next point that is
+  out of reach from where it stands, or when all are in reach towards the next area, while the arm moves and as far as
+  the arm's own time for the move allows; it goes back only where a point is out of reach otherwise.
 - That time is the generator's: each carriage-relative axis from rest to rest under the tool's caps.
 """
 
@@ -125,23 +126,36 @@ def functional_areas(points: Sequence[WorkPoint]) -> list[range]:
 
 def rail_positions(points: Sequence[WorkPoint], areas: Sequence[range], plant: Plant, rule: RailRule) -> list[float]:
     """The rail at every point [m]."""
-    speed = _area_speed(plant, rule)
+    speed, acceleration = _area_speed(plant, rule), float(plant.limits.acceleration[0])
     rail = float(plant.start[0])
     out: list[float] = []
     for number, area in enumerate(areas):
-        following = areas[number + 1] if number + 1 < len(areas) else None
+        following = points[areas[number + 1].start] if number + 1 < len(areas) else None
+        direction = 0.0
         for k in area:
-            point = points[k]
             if k == area.start:
-                rail = _nearest(point.ranges, rail)
+                rail = _nearest(points[k].ranges, rail)
             else:
-                goal = rail
-                if following is not None:
-                    goal = _nearest(points[area[-1]].ranges, _nearest(points[following.start].ranges, rail))
-                step = float(np.clip(goal - rail, *_way(point.time, speed, float(plant.limits.acceleration[0]))))
-                rail = _nearest(point.ranges, rail + step)
+                goal = _next_position(points, area, k, rail, following)
+                way = 0.0 if (goal - rail) * direction < 0 else goal - rail
+                most = _way(points[k].time, speed, acceleration)
+                now = _nearest(points[k].ranges, rail + float(np.clip(way, -most, most)))
+                direction = direction or float(np.sign(now - rail))
+                rail = now
             out.append(rail)
     return out
+
+
+def _next_position(points: Sequence[WorkPoint], area: range, k: int, rail: float, following: WorkPoint | None) -> float:
+    """Where the rail goes next: to the first point of the area, from k on, that is out of reach from where it stands;
+    with none left, to where the area's last point is served from nearest to the next area."""
+    for point in points[k : area.stop]:
+        needed = _nearest(point.ranges, rail)
+        if abs(needed - rail) > _SAME:
+            return needed
+    if following is None:
+        return rail
+    return _nearest(points[area[-1]].ranges, _nearest(following.ranges, rail))
 
 
 def _driven(
@@ -178,11 +192,10 @@ def _arm_time(motion: MoveJ | MoveL, X_before: Array, plant: Plant) -> float:
     return rest_to_rest(X_before[:3, 3], motion.X_WT[:3, 3], *caps)
 
 
-def _way(time: float, speed: float, acceleration: float) -> tuple[float, float]:
-    """How far back and forth a rail gets in time from rest to rest [m]."""
+def _way(time: float, speed: float, acceleration: float) -> float:
+    """How far a rail gets in time from rest to rest [m]."""
     ramp = min(speed / acceleration, time / 2)
-    way = acceleration * ramp * (time - ramp)
-    return -way, way
+    return acceleration * ramp * (time - ramp)
 
 
 def _area_speed(plant: Plant, rule: RailRule) -> float:

@@ -27,6 +27,10 @@ def baseline(
     cell: CellPath = None,
     as_json: AsJson = False,
     csv: Annotated[Path | None, typer.Option("--csv", metavar="FILE.csv", help="Write the rows as CSV, too.")] = None,
+    plots: Annotated[
+        Path | None,
+        typer.Option("--plots", metavar="FOLDER", help="Draw the rows, the saving by cause and the fastest plan, too."),
+    ] = None,
 ) -> None:
     """Drive PROGRAM in all ways people would, judge each, and tell where the optimum's saving comes from.
 
@@ -37,14 +41,17 @@ def baseline(
     from trajopt_cli.cli.comparison_tables import causes_table, comparison_record, rows_csv, rows_table
     from trajopt_cli.cli.console import stdout
     from trajopt_cli.cli.progress import ProgressView
-    from trajopt_cli.comparison import compare
-    from trajopt_cli.files import write_file
+    from trajopt_cli.comparison import compare, comparison_pictures
+    from trajopt_cli.files import write_file, write_files
     from trajopt_cli.pipeline import read_program_or_results
 
     job = read_program_or_results(program, cell)
     with ProgressView() as view:
         answer = compare(job, view.show)
+        pictures = comparison_pictures(answer) if plots is not None else {}
     record = comparison_record(answer)
+    if plots is not None:
+        write_files(plots, pictures)
     if csv is not None:
         write_file(csv, rows_csv(record["rows"]).encode())
     if as_json:
@@ -66,5 +73,9 @@ def baseline(
             console.print(f"saving by cause: nothing to start from: {answer.steps}")
         else:
             console.print(causes_table(answer.steps))
+        for line in job.plant.unchecked:
+            console.print(line)
+        if plots is not None:
+            console.print(f"drawn in {plots}: {len(pictures)} pictures")
     if not any(row["legal"] for row in record["rows"]):
         raise typer.Exit(1)

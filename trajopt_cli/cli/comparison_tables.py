@@ -22,10 +22,21 @@ _COLUMNS = (
 )  # fmt: skip
 
 
+_RATIOS = frozenset(
+    {
+        "joint speed",
+        "joint acceleration",
+        "TCP speed",
+        "TCP acceleration",
+        "programmed speed",
+        "programmed reorientation",
+    }
+)
+
+
 def worst_ratio(report: Report) -> float:
-    """The largest speed or acceleration relative to its limit; above 1 one of them is over."""
-    ends = ("speed", "acceleration", "reorientation")
-    ratios = [one.value / one.limit for one in report.findings if one.check.endswith(ends) and one.limit > 0]
+    """The largest speed or acceleration of a joint or the TCP relative to its limit; above 1 one of them is over."""
+    ratios = [one.value / one.limit for one in report.findings if one.check in _RATIOS and one.limit > 0]
     return max(ratios, default=math.nan)
 
 

@@ -7,7 +7,7 @@ from typing import NoReturn
 import typer
 from rich.console import Console
 
-from trajopt_cli.pipeline import Illegal, NoPlan
+from trajopt_cli.pipeline import Collides, Illegal, NoPlan
 from trajopt_cli.problem.plan import Infeasible
 
 _PIPED_WIDTH = 300  # columns when nobody tells; tables of paths and numbers must not wrap in a log
@@ -30,7 +30,7 @@ def stderr() -> Console:
     return _console(stderr=True)
 
 
-def answer_no(answer: Infeasible | NoPlan | Illegal) -> NoReturn:
+def answer_no(answer: Infeasible | NoPlan | Illegal | Collides) -> NoReturn:
     """Say on stderr why there is no result, and stop with exit code 1."""
     match answer:
         case Infeasible(source=source, message=message):
@@ -39,6 +39,14 @@ def answer_no(answer: Infeasible | NoPlan | Illegal) -> NoReturn:
             typer.echo(
                 f"NOTHING WRITTEN: no {label} plan found although the program can be done ({message}). "
                 "This is an error in trajopt; please report it with program and cell file.",
+                err=True,
+            )
+        case Collides(label=label, hits=hits):
+            for hit in hits:
+                typer.echo(hit.message, err=True)
+            typer.echo(
+                f"NOTHING WRITTEN: the {label} plan collides. The planner does not look at obstacles: move or add a "
+                "point, or say in the cell file what may touch ('ignore', 'may_touch')",
                 err=True,
             )
         case Illegal(label=label, finding=finding):

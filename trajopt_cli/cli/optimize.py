@@ -20,6 +20,9 @@ def optimize(
     output: Annotated[
         Path | None, typer.Option(metavar="FOLDER", help="Results folder; default: results/PROGRAM.")
     ] = None,
+    plots: Annotated[
+        bool, typer.Option("--plots", help="Draw the chosen plan as well: SVG and PNG in the folder's plots/.")
+    ] = False,
 ) -> None:
     """Find the fastest legal motion for PROGRAM, have it judged, and write it as joint CSV and as RAPID.
 
@@ -30,17 +33,24 @@ def optimize(
     from trajopt_cli.cli.tables import cycle_line, motions_table
     from trajopt_cli.pipeline import Optimised, optimise, read_job
     from trajopt_cli.problem.plan import Target
+    from trajopt_cli.verify.clearance import least_clearance
 
     job = read_job(program, cell)
     folder = output or Path("results") / program.stem
     with ProgressView() as view:
-        answer = optimise(job, Target(target), folder, view.show)
+        answer = optimise(job, Target(target), folder, view.show, plots)
     if not isinstance(answer, Optimised):
         answer_no(answer)
     console = stdout()
     console.print(motions_table(answer))
     for one in Target:
         console.print(cycle_line(one.value, answer.judged[one].plan))
+    for one in Target:
+        nearest = least_clearance(answer.judged[one].report.findings)
+        if nearest is not None:
+            console.print(f"{one.value}: {nearest.message}")
+    for line in job.plant.unchecked:
+        console.print(line)
     for warning in answer.warnings:
         console.print(f"warning: {warning}")
     for line in job.plant.notes:
@@ -50,4 +60,5 @@ def optimize(
     console.print(
         f"written to {answer.folder}: trajectory.csv (the {target} plan), stream.csv, rapid.csv, "
         f"{', '.join(answer.rapid_files)} (always the rapid plan), summary.json, run.json"
+        f"{', plots/' if plots else ''}"
     )

@@ -192,10 +192,24 @@ def _passable(course: Course, table: StationTable, i: int) -> bool:
             if np.any(np.all(grid, axis=0)):
                 return True
             continue
-        parts, _ = ndimage.label(grid, structure=np.ones((3, 3)))
-        if set(parts[0][parts[0] > 0]) & set(parts[-1][parts[-1] > 0]):
+        if _crosses(grid):
             return True
     return False
+
+
+def _crosses(open_: BoolArray) -> bool:
+    """Whether a rail gets along a line: open_ (nodes, rail positions) says from where each node can be served.
+
+    At a node it may go anywhere without a gap; to the next node by as much as takes it from end to end over the line.
+    """
+    nodes, n = open_.shape
+    step = -(-(n - 1) // (nodes - 1))
+    held = open_[0]
+    for row in open_[1:]:
+        near = ndimage.binary_dilation(held, iterations=step)
+        runs, _ = ndimage.label(row)
+        held = row & np.isin(runs, runs[near & row])
+    return bool(held.any())
 
 
 def _unreachable(axes: Axes, course: Course, k: int, d: Array) -> Infeasible:
