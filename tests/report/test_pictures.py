@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 import xml.etree.ElementTree as ET
+from hashlib import sha256
 from itertools import combinations
+from pathlib import Path
 
 import matplotlib
 import numpy as np
 import pytest
-from drawn_plans import PAUSE, Drawn, drawn
+from drawn_plans import PAUSE, TOOL, Drawn, drawn
 
 from trajopt_cli.report import in_space, over_time, style
 from trajopt_cli.report.bars import comparison, comparison_figure, savings, savings_figure
@@ -79,6 +84,33 @@ def test_the_same_plan_gives_the_same_bytes_whatever_the_users_style(without_rai
     assert [name for name in without_rail if without_rail[name] != again[name]] == []
 
 
+_AGAIN = """
+from hashlib import sha256
+from drawn_plans import drawn
+from trajopt_cli.report.pictures import draw
+bare = drawn(rail=False)
+for name, content in draw(bare.program, bare.plant, bare.plan, "cell").items():
+    print(name, sha256(content).hexdigest())
+"""
+
+
+def test_another_process_gives_the_same_bytes(without_rail: dict[str, bytes], tmp_path: Path) -> None:
+    folders = os.pathsep.join(str(Path(__file__).parents[i]) for i in (0, 2))
+    # Another order of sets and an eager user's settings must not be seen.
+    (tmp_path / "matplotlibrc").write_text("font.size: 30\nsvg.fonttype: none\nsavefig.dpi: 40\n")
+    around = {"PYTHONPATH": folders, "PYTHONHASHSEED": "7", "MATPLOTLIBRC": str(tmp_path), "TZ": "Asia/Tokyo"}
+    done = subprocess.run(
+        [sys.executable, "-c", _AGAIN],
+        cwd=tmp_path,
+        env=os.environ | around,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    here = [f"{name} {sha256(content).hexdigest()}" for name, content in without_rail.items()]
+    assert done.stdout.splitlines() == here
+
+
 def test_accelerations_are_drawn_to_the_limit_and_never_over_it() -> None:
     with style.house_style():
         figure = over_time.joints(course(RAIL))
@@ -116,13 +148,13 @@ def test_the_tcps_speed_is_the_change_of_its_place() -> None:
     with style.house_style():
         figure = over_time.tcp_speed(c)
     (curve,) = [line for line in figure.axes[0].lines if line.get_gid() == "speed"]
-    times = np.linspace(0.01, c.t[-1] - 0.01, 300)
-    q = np.array([np.interp(times + d, RAIL.plan.trajectory.t, column) for d in (-2e-3, 2e-3)
-                  for column in RAIL.plan.trajectory.q.T]).reshape(2, 7, -1)  # fmt: skip
-    tip = [(RAIL.plant.robot.forward(x.T) @ c.legs[0].X_FT)[:, :3, 3] for x in q]
-    slope = np.linalg.norm(tip[1] - tip[0], axis=1) / 4e-3 * 1e3
+    times, q, v = RAIL.plan.trajectory.t, RAIL.plan.trajectory.q, RAIL.plan.trajectory.qd
+    h = 1e-5  # s, straight along the axes' speeds: central differences are right to its square
+    tip = [(RAIL.plant.robot.forward(q + step * v) @ TOOL.X_FT)[:, :3, 3] for step in (-h, h)]
+    slope = np.linalg.norm(tip[1] - tip[0], axis=1) / (2 * h) * 1e3
     shown = np.interp(times, curve.get_xdata(), curve.get_ydata())
-    assert np.median(np.abs(slope - shown)) < 2.0  # mm/s
+    assert np.abs(slope - shown).max() < 1e-3  # mm/s
+    assert slope.max() > 500
     programmed = [line.get_ydata()[0] for line in figure.axes[0].lines if line.get_gid() == "programmed"]
     assert programmed == pytest.approx([800.0] * 3)
 
@@ -145,9 +177,25 @@ def test_the_wrists_path_is_inside_the_outlines_and_the_links_keep_their_lengths
     with style.house_style():
         figure = in_space.workspace(c)
     (wrist,) = [line for line in figure.axes[0].lines if line.get_gid() == "wrist"]
-    outer = np.vstack([patch.get_xy() for patch in figure.axes[0].patches])
-    assert np.hypot(*wrist.get_xydata().T).max() < np.hypot(*outer.T).max()
-    arm = BARE.plant.robot.arm
+    arm, limits = BARE.plant.robot.arm, BARE.plant.limits
+    flange = BARE.plant.robot.forward(c.q)
+    centre = (flange[:, :3, 3] - arm.L6 * flange[:, :3, 2]) * 1e3  # the wrist centre is behind the flange
+    ahead = centre[:, 0] * np.cos(c.q[:, 0]) + centre[:, 1] * np.sin(c.q[:, 0])
+    assert np.allclose(wrist.get_xydata(), np.column_stack([ahead, centre[:, 2]]), atol=1e-6)
+    outlines = [patch.get_path() for patch in figure.axes[0].patches]
+    assert any(outline.contains_points(wrist.get_xydata()).all() for outline in outlines)
+    # Both elbows: inside are exactly the places that joints 2 and 3 within their limits bring the wrist to.
+    joints = np.random.default_rng(5).uniform(limits.lower[1:3], limits.upper[1:3], (4000, 2))
+    reached = 1e3 * np.column_stack([
+        arm.a1 + arm.L2 * np.sin(joints[:, 0]) + arm.L4 * np.cos(joints.sum(axis=1)),
+        arm.d1 + arm.L2 * np.cos(joints[:, 0]) - arm.L4 * np.sin(joints.sum(axis=1)),
+    ])  # fmt: skip
+    held = np.any([outline.contains_points(reached) for outline in outlines], axis=0)
+    assert held.mean() > 0.985  # the outlines are chords of arcs
+    shoulder = 1e3 * np.array([arm.a1, arm.d1])
+    for outline in outlines:
+        far = np.linalg.norm(outline.vertices - shoulder, axis=1)
+        assert far.max() == pytest.approx(1e3 * (arm.L2 + arm.L4), abs=0.5)
     shape = skeleton(BARE.plant, c.q[len(c.t) // 3], c.legs[0].X_FT)
     lengths = np.linalg.norm(np.diff(shape, axis=0), axis=1)
     assert lengths == pytest.approx([arm.d1, arm.a1, arm.L2, arm.L4, arm.L6, 0.05])

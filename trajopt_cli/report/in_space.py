@@ -15,7 +15,7 @@ from trajopt_cli.motion import MoveL, Wait
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.workspace import sections
 from trajopt_cli.report.course import Course, Leg, skeleton, wrist_section
-from trajopt_cli.report.marks import by_place, name_places, short
+from trajopt_cli.report.names import by_place, name_places, short
 from trajopt_cli.report.style import (
     BLACK,
     BLUE,
@@ -39,6 +39,7 @@ KINDS: dict[str, dict[str, Any]] = {
     "wait": {"color": GREY, "linewidth": 2.0, "linestyle": (0, (1.5, 1.2)), "label": "waits"},
 }
 SAME = 5e-3  # m: points nearer than this share a name tag
+_TAG = 45.0  # mm from an elbow up to its number
 _NAMES = "xyz"
 _GHOSTS = (BLACK, VERMILLION, BLUE, GREEN, PURPLE, ORANGE)
 
@@ -73,10 +74,11 @@ def path_figure(
     parts: list[tuple[slice, str]],
     tags: list[tuple[Array, list[str]]],
     along: int,
+    kinds: dict[str, dict[str, Any]] = KINDS,
 ) -> Figure:
     """Spaces side by side (name, points (n, 3) [m]), seen from the side and from above, all to one scale.
 
-    parts: samples and the key of KINDS they are drawn in. tags: per space places (m, 3) [m] and their names. along: the
+    parts: samples and the key of kinds they are drawn in. tags: per space places (m, 3) [m] and their names. along: the
     world axis across the page. One space alone has its two views side by side.
     """
     across = 1 - along
@@ -86,7 +88,9 @@ def path_figure(
     spans = [np.ptp(p, axis=0) for _, p in spaces]
     room = 0.12 * max(float(span.max()) for span in spans) + 0.02  # m for names at every side
     wide = [spans[i][along] + 2 * room for i, _ in views[0]]
-    tall = [max(spans[i][up] for i, up in row) + 2 * room for row in views]
+    wide = [max(width, 0.6 * max(wide)) for width in wide]  # a narrow space has as many names
+    # Names stand in the views from the side, above and below the path.
+    tall = [max(spans[i][up] + (3 if up == 2 else 2) * room for i, up in row) for row in views]
     scale = min(9.4 / sum(wide), 5.4 / sum(tall))  # in per m
     figure = new_figure(1.5 + scale * sum(tall) + 0.75 * len(tall), heading, below)
     grid = figure.subplots(*np.shape(views)[:2], width_ratios=wide, height_ratios=tall, squeeze=False)
@@ -94,7 +98,7 @@ def path_figure(
         for axes, (i, up), width in zip(panels, row, wide, strict=True):
             space, p = spaces[i]
             for part, kind in parts:
-                axes.plot(p[part, along] / MM, p[part, up] / MM, **KINDS[kind], solid_capstyle="round")
+                axes.plot(p[part, along] / MM, p[part, up] / MM, **kinds[kind], solid_capstyle="round", gid=kind)
             axes.plot(tags[i][0][:, along] / MM, tags[i][0][:, up] / MM, "o", color=BLACK, markersize=4.5, zorder=4)
             middle = (p.max(axis=0) + p.min(axis=0)) / 2
             axes.set_xlim((middle[along] - width / 2) / MM, (middle[along] + width / 2) / MM)
@@ -106,7 +110,7 @@ def path_figure(
             axes.set_ylabel(f"{_NAMES[up]} [mm]")
             axes.set_title(f"{space}, {'side view' if up == 2 else 'from above'}", size=SMALL + 0.5, loc="left")
     used = {kind for _, kind in parts}
-    handles = [Line2D([], [], **style) for kind, style in KINDS.items() if kind in used]
+    handles = [Line2D([], [], **style) for kind, style in kinds.items() if kind in used]
     figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
     settle(figure)
     for axes, (i, up) in zip(grid[0], views[0], strict=True):
@@ -155,9 +159,12 @@ def workspace(course: Course) -> Figure:
         Line2D([], [], color="#b0b0b0", linewidth=5, label="arm at the start"),
     ]
     figure.legend(handles=handles, loc="outside lower center", ncols=4, columnspacing=1.4)
+    # Equal scales leave room at the sides of the page: names stand in it, right of the outline.
+    low, high = axes.get_xlim()
+    axes.set_xlim(low, high + 0.17 * (high - low))
     settle(figure)
     kept, names = by_place(ends, [leg.name for leg in course.moves], 2 * SAME)
-    name_places(axes, kept / MM, names, _dense(wrist) / MM)
+    name_places(axes, kept / MM, names, np.vstack([_dense(wrist), *sections(course.plant)]) / MM)
     return figure
 
 
@@ -181,21 +188,36 @@ def arm(course: Course) -> Figure:
         axes.plot(*shape[1:5].T, color=color, linewidth=6, alpha=0.6, solid_joinstyle="round", zorder=2 + order)
         axes.plot(*shape[4:].T, color=color, linewidth=3, zorder=2 + order)
         axes.plot(*shape[1:5].T, "o", color="white", markeredgecolor=color, markersize=5, zorder=2.1 + order)
-        axes.text(*(shape[3] + [0, 0, 45]), str(order + 1), color=color, size=TEXT, ha="center", zorder=30)
+        axes.text(*(shape[3] + [0, 0, _TAG]), str(order + 1), color=color, size=TEXT, ha="center", zorder=30)
     axes.plot(*p.T, color=BLACK, linewidth=1.5, zorder=20)
     everything = np.vstack([p, beam, *shapes])
     low, high = everything.min(axis=0), everything.max(axis=0)
     span = np.maximum(high - low, 0.15 * float((high - low).max()))
     _to_scale(axes, low, span)
-    for letter, label in zip("xyz", ("x [mm]", "y [mm]", "z [mm]"), strict=True):
-        getattr(axes, f"set_{letter}label")(label, labelpad=10)
+    for letter, pad in zip("xyz", (11, 11, 8), strict=True):
+        getattr(axes, f"set_{letter}label")(f"{letter} [mm]", labelpad=pad)
     handles = [Line2D([], [], color=BLACK, linewidth=1.5, label="path")]
     for order, ((_, name, _), color) in enumerate(zip(stations, _GHOSTS, strict=False)):
         handles.append(Line2D([], [], color=color, linewidth=6, alpha=0.7, label=f"{order + 1}: {name}"))
-    ncols = 4 if max(len(name) for _, name, _ in stations) < 22 else 3
+    letters = sum(len(str(handle.get_label())) for handle in handles)
+    ncols = len(handles) if 0.75 * len(handles) + 0.093 * letters < WIDTH - 0.4 else 3  # in
     figure.legend(handles=handles, loc="lower center", ncols=ncols, columnspacing=1.6)
     _fit(figure, axes, span, low=0.4 + 0.28 * -(-len(handles) // ncols))
+    _tags_apart(figure, axes)
     return figure
+
+
+def _tags_apart(figure: Figure, axes: Any) -> None:
+    """Lift each number over an elbow off those before it; where the arm stands is fitted already."""
+    seen: list[Array] = []
+    for text in axes.texts:
+        while True:
+            at = _pixels(axes, np.array([text.get_position_3d()]))[0]
+            if all(np.abs(at - other).max() > 1.3 * TEXT * figure.dpi / 72 for other in seen):
+                break
+            x, y, z = text.get_position_3d()
+            text.set_position_3d((x, y, z + 0.5 * _TAG))
+        seen.append(at)
 
 
 def _to_scale(axes: Any, low: Array, span: Array) -> None:
@@ -206,7 +228,10 @@ def _to_scale(axes: Any, low: Array, span: Array) -> None:
     axes.view_init(elev=24, azim=-28 if span[1] > span[0] else -62)
     axes.set_proj_type("ortho")
     for axis, s in zip((axes.xaxis, axes.yaxis, axes.zaxis), span, strict=True):
-        axis.set_major_locator(MaxNLocator(nbins=max(2, round(7 * s / span.max()))))
+        low_end, high_end = axis.get_view_interval()
+        ticks = MaxNLocator(nbins=max(2, round(7 * s / span.max()))).tick_values(low_end, high_end)
+        # Numbers at a corner of the box would stand on those of the next axis.
+        axis.set_ticks([tick for tick in ticks if low_end + 0.05 * s < tick < high_end - 0.05 * s])
         axis.pane.set_facecolor("white")
         axis.pane.set_edgecolor("#d8d8d8")
     axes.tick_params(labelsize=SMALL, pad=3)
@@ -214,28 +239,35 @@ def _to_scale(axes: Any, low: Array, span: Array) -> None:
 
 def _fit(figure: Figure, axes: Any, span: Array, low: float) -> None:
     """Make the box of the axes fill the figure's width above low [in] and close the figure's height around it."""
-    labels, head = 1.0, 0.75  # in, at each side and above
+    labels, head, foot = 1.0, 0.75, 0.55  # in, at each side, above, and for the numbers below
     wide, tall = _box(axes)[1] / figure.dpi
     height = min(6.2, (WIDTH - 2 * labels) * tall / wide)
     before = figure.get_figheight()
-    figure.set_size_inches(WIDTH, height + head + low + labels)
+    figure.set_size_inches(WIDTH, height + head + low + foot)
     for text in figure.texts:  # the heading keeps its distance from the top
         text.set_y(1 - (1 - text.get_position()[1]) * before / figure.get_figheight())
-    # The box is drawn in a square whose side follows the figure's: measured again before it is enlarged.
+    # The box is drawn in a square, and cut at its sides: as wide as the page, and measured again before it is enlarged.
+    square = WIDTH / figure.get_figheight()
+    axes.set_position((0, 0, 1, square))
     axes.set_box_aspect(tuple(span), zoom=height * figure.dpi / float(_box(axes)[1][1]))
     middle, _ = _box(axes)
-    wanted = np.array([0.49 * WIDTH, low + labels + height / 2]) * figure.dpi
+    wanted = np.array([0.49 * WIDTH, low + foot + height / 2]) * figure.dpi
     shift = (wanted - middle) / figure.bbox.size
-    axes.set_position((shift[0], shift[1], 1, 1))
+    axes.set_position((shift[0], shift[1], 1, square))
 
 
 def _box(axes: Any) -> tuple[Array, Array]:
     """Middle and size (2,) [px] of the drawn axes' box."""
     axes.apply_aspect()
     corners = np.array([*product(axes.get_xlim(), axes.get_ylim(), axes.get_zlim())])
-    flat = np.column_stack([corners, np.ones(8)]) @ axes.get_proj().T
-    pixels = axes.transData.transform(flat[:, :2] / flat[:, 3:])
+    pixels = _pixels(axes, corners)
     return (pixels.max(axis=0) + pixels.min(axis=0)) / 2, np.ptp(pixels, axis=0)
+
+
+def _pixels(axes: Any, points: Array) -> Array:
+    """Where points (n, 3) in data units are drawn (n, 2) [px]."""
+    flat = np.column_stack([points, np.ones(len(points))]) @ axes.get_proj().T
+    return np.asarray(axes.transData.transform(flat[:, :2] / flat[:, 3:]))
 
 
 def _stations(course: Course) -> list[tuple[int, str, Array]]:

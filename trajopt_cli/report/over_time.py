@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -12,7 +14,8 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.motion import MoveAbsJ, MoveExtJ, MoveJ, Wait
 from trajopt_cli.problem.workspace import rail_ranges
 from trajopt_cli.report.course import Course, angles, target_flange
-from trajopt_cli.report.marks import WAIT, keep_apart, mark_motions, name_moves
+from trajopt_cli.report.marks import WAIT, mark_motions
+from trajopt_cli.report.names import name_times, spread
 from trajopt_cli.report.style import (
     AXIS_STYLES,
     BLACK,
@@ -63,6 +66,7 @@ def joints(course: Course) -> Figure:
     for panel in grid[-1]:
         panel.set_xlabel(TIME)
     key(figure, course, [_LIMIT])
+    figure.align_ylabels()
     settle(figure)
     return figure
 
@@ -239,16 +243,25 @@ def readable(axis: str) -> str:
 
 def key(figure: Figure, course: Course, handles: list[Line2D] | list[Line2D | Patch]) -> None:
     """The legend in one row under the picture; with the waits where there are any."""
-    waits = [WAIT] if any(isinstance(leg.motion, Wait) for leg in course.legs) else []
-    entries = [*handles, *waits]
+    legend(figure, [*handles, *([WAIT] if any(isinstance(leg.motion, Wait) for leg in course.legs) else [])])
+
+
+def legend(figure: Figure, entries: Sequence[Line2D | Patch]) -> None:
+    """The entries in one row under the picture."""
     figure.legend(handles=entries, loc="outside lower center", ncols=len(entries), columnspacing=1.6, handlelength=2.6)
 
 
 def named(course: Course, figure: Figure, top: Axes) -> Figure:
     """The settled figure with the targets' names over its top panel."""
-    names = name_moves(course, top)
+    return with_names(figure, top, [(leg.t_1, leg.name) for leg in course.moves])
+
+
+def with_names(figure: Figure, top: Axes, ends: Sequence[tuple[float, str]]) -> Figure:
+    """The settled figure with a name per (time [s], name) over its top panel."""
+    names = name_times(top, ends)
+    figure.align_ylabels()
     settle(figure)
-    keep_apart(names)
+    spread(names)
     return figure
 
 

@@ -9,12 +9,13 @@ from matplotlib.figure import Figure
 from trajopt_cli.motion import Program
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.report import in_space, over_time
+from trajopt_cli.problem.stepwise import Analysis
+from trajopt_cli.report import in_space, over_time, steps
 from trajopt_cli.report.bars import comparison, savings
 from trajopt_cli.report.course import Course, follow
 from trajopt_cli.report.style import files, house_style
 
-__all__ = ["PICTURES", "comparison", "draw", "savings"]
+__all__ = ["PICTURES", "comparison", "draw", "savings", "stepwise"]
 
 # File name without ending -> the figure, or None where the plan has nothing to show there.
 PICTURES: dict[str, Callable[[Course], Figure | None]] = {
@@ -28,6 +29,8 @@ PICTURES: dict[str, Callable[[Course], Figure | None]] = {
     "motors": over_time.motors,
     "arm": in_space.arm,
 }
+# The same for a program in steps of speed.
+STEP_PICTURES: dict[str, Callable[[steps.Steps], Figure]] = {"steps_speed": steps.speed, "steps_path": steps.path}
 
 
 def draw(program: Program, plant: Plant, plan: Plan, title: str) -> dict[str, bytes]:
@@ -43,4 +46,19 @@ def draw(program: Program, plant: Plant, plan: Plan, title: str) -> dict[str, by
             figure = picture(course)
             if figure is not None:
                 out |= files(name, figure, f"{title}: {name.replace('_', ' ')}")
+    return out
+
+
+def stepwise(program: Program, analysis: Analysis, title: str) -> dict[str, bytes]:
+    """Pictures of a program as written, in steps of speed: steps_speed and steps_path, each as .svg and as .png.
+
+    analysis: of this program. title: the program's name for people; its times are added to it. A program without moves
+    gives no pictures; the same input gives the same bytes.
+    """
+    out: dict[str, bytes] = {}
+    if analysis.moves:
+        with house_style():
+            shown = steps.steps_of(program, analysis, title)
+            for name, picture in STEP_PICTURES.items():
+                out |= files(name, picture(shown), f"{title}: {name.replace('_', ' ')}")
     return out

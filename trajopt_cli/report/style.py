@@ -85,8 +85,12 @@ def new_figure(height: float, heading: str, below: str = "") -> Figure:
 
 def settle(figure: Figure) -> None:
     """Lay the figure out once; afterwards nothing moves, so that text can be measured and drawing is quick."""
-    figure.draw_without_rendering()
+    layout = figure.get_layout_engine()
+    assert layout is not None
+    layout.execute(figure)
     figure.set_layout_engine(None)  # "none" would keep a placeholder, for which each file is drawn twice
+    for axes in figure.axes:
+        axes.apply_aspect()  # otherwise left to the first drawing
 
 
 def name_limit(axes: Axes, value: float, text: str, below: bool = False) -> None:
@@ -102,5 +106,7 @@ def files(name: str, figure: Figure, title: str) -> dict[str, bytes]:
     """A settled figure as name.svg and name.png; the same figure gives the same bytes."""
     svg, png = BytesIO(), BytesIO()
     figure.savefig(svg, format="svg", metadata={"Date": None, "Creator": None, "Title": title})
-    figure.savefig(png, format="png", dpi=DPI, metadata={"Software": None, "Title": title})
+    # Default packing takes a third longer and saves 3 % of the size.
+    packing = {"compress_level": 3}
+    figure.savefig(png, format="png", dpi=DPI, metadata={"Software": None, "Title": title}, pil_kwargs=packing)
     return {f"{name}.svg": svg.getvalue(), f"{name}.png": png.getvalue()}

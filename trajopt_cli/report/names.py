@@ -1,0 +1,212 @@
+"""Names in pictures that do not cover one another: spread along a time axis, or by the free spot nearest to a place."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import cache
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.text import Annotation
+from numpy.typing import NDArray
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.report.style import GREY, SMALL
+
+LONGEST = 18  # letters of a target's name that are shown
+_SLANT = 50.0  # deg
+_LIFT = 10.0  # pt: from the top of the panel to the foot of a slanted name
+_REACHES = (7.0, 13.0, 20.0, 29.0, 40.0, 54.0, 72.0, 94.0)  # pt: from a place to the edge of its name
+_WAYS = np.radians(np.arange(0, 360, 20) + 90)
+_ALONG = np.linspace(0.0, 1.0, 17)  # a line to a name is held against boxes at these shares of its length
+_FINE = 4.0  # px: points of curves nearer than this count once
+# What a name's spot costs, in pt of distance: outside, on another name, through one, past another place, over lines to
+# names, over curves (per _FINE), over places.
+_OUT, _ON, _THROUGH, _PAST, _CROSS, _COVER, _SPOIL = 5e3, 1e4, 300.0, 60.0, 80.0, 4.0, 60.0
+_ROUNDS = 6
+
+
+def short(name: str) -> str:
+    """A target's name, cut with an ellipsis where it is long."""
+    return name if len(name) <= LONGEST else name[: LONGEST - 1] + "…"
+
+
+def name_times(axes: Axes, ends: Sequence[tuple[float, str]]) -> list[Annotation]:
+    """A name per (time, name), slanted, over the panel; in time order. spread moves them once the figure is settled."""
+    return [
+        axes.annotate(
+            short(name),
+            (time, 1),
+            (0, _LIFT),
+            xycoords=("data", "axes fraction"),
+            textcoords="offset points",
+            rotation=_SLANT,
+            rotation_mode="anchor",
+            ha="left",
+            va="bottom",
+            size=SMALL,
+            color=GREY,
+            annotation_clip=False,
+            in_layout=True,
+        )
+        for time, name in ends
+    ]
+
+
+def spread(names: list[Annotation]) -> None:
+    """Push slanted names apart, as little as can be, each with a line to its time; the figure must be settled.
+
+    Where even the whole width has no room for all, every second name is hidden, and so on until they fit.
+    """
+    if not names:
+        return
+    axes = names[0].axes
+    assert isinstance(axes, Axes)
+    gap = 1.12 * SMALL / np.sin(np.radians(_SLANT))  # pt
+    scale = axes.figure.dpi / 72
+    start, end = np.array(axes.transAxes.transform([(0, 0), (1, 0)]))[:, 0] / scale
+    while (len(names) - 1) * gap > end - start:
+        for name in names[-2::-2]:
+            name.set_visible(False)
+        names = names[::-2][::-1]
+    wanted = np.array([float(axes.transData.transform((float(name.xy[0]), 0.0))[0]) for name in names]) / scale
+    # The last one stays: the layout made room for it there.
+    for name, x, at in zip(names, wanted, _apart(wanted, gap, start, wanted[-1]), strict=True):
+        name.set_position((at - x, _LIFT))
+        axes.annotate(
+            "", (float(name.xy[0]), 1), (at - x + 1, _LIFT - 1), xycoords=("data", "axes fraction"),
+            textcoords="offset points", annotation_clip=False, in_layout=False,
+            arrowprops={"arrowstyle": "-", "color": GREY, "linewidth": 0.7, "shrinkA": 0, "shrinkB": 1},
+        )  # fmt: skip
+
+
+def _apart(wanted: Array, gap: float, low: float, high: float) -> Array:
+    """Places (n,) nearest to wanted in squares, gap apart at least and, if they fit, within low and high."""
+    steps = gap * np.arange(len(wanted))
+    blocks: list[tuple[float, int]] = []  # mean and size: pooled neighbours stand shoulder to shoulder
+    for value in wanted - steps:
+        mean, size = float(value), 1
+        while blocks and blocks[-1][0] > mean:
+            before, count = blocks.pop()
+            mean, size = (before * count + mean * size) / (count + size), count + size
+        blocks.append((mean, size))
+    pooled = np.repeat([mean for mean, _ in blocks], [size for _, size in blocks])
+    return np.asarray(np.clip(pooled, low, max(low, high - steps[-1])) + steps)
+
+
+def by_place(places: Array, names: list[str], apart: float) -> tuple[Array, list[str]]:
+    """Places (m, d) [m] with those nearer than apart [m] put together, the names of one place below each other."""
+    kept: list[Array] = []
+    groups: list[list[str]] = []
+    for place, name in zip(places, map(short, names), strict=True):
+        near = [i for i, other in enumerate(kept) if np.linalg.norm(place - other) < apart]
+        if not near:
+            kept.append(place)
+            groups.append([name])
+        elif name not in groups[near[0]]:
+            groups[near[0]].append(name)
+    return np.array(kept).reshape(-1, places.shape[1]), ["\n".join(group) for group in groups]
+
+
+def name_places(axes: Axes, places: Array, names: list[str], avoid: Array) -> None:
+    """Name places (m, 2) in data units by the free spot nearest to each, with a thin line to it.
+
+    avoid (n, 2): points of curves that a name should not cover. The figure must be settled.
+    """
+    if not names:
+        return
+    canvas = axes.figure.canvas
+    assert isinstance(canvas, FigureCanvasAgg)
+    renderer = canvas.get_renderer()  # type: ignore[no-untyped-call]
+    scale = axes.figure.dpi / 72
+    labels = [
+        axes.annotate(
+            name, tuple(place), (0, 0), textcoords="offset points", size=SMALL, ha="center", va="center", zorder=6,
+            arrowprops={"arrowstyle": "-", "color": GREY, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 2},
+        )
+        for place, name in zip(places, names, strict=True)
+    ]  # fmt: skip
+    boxes = [label.get_window_extent(renderer) for label in labels]
+    half = np.array([[box.width / 2, box.height * 0.525] for box in boxes])
+    anchors = np.asarray(axes.transData.transform(places))
+    curve = axes.transData.transform(avoid[np.isfinite(avoid).all(axis=1)])
+    curve = _FINE * np.unique(np.round(curve / _FINE), axis=0)
+    frame = axes.get_window_extent(renderer)
+    reaches = np.repeat(_REACHES, len(_WAYS))
+    away = np.tile(np.column_stack([np.cos(_WAYS), np.sin(_WAYS)]), (len(_REACHES), 1))
+    # The name's edge, not its middle, stands at the reach.
+    edge = (half[:, None] / np.maximum(np.abs(away), 1e-9)).min(axis=2)
+    spots = anchors[:, None] + away * (reaches * scale + edge)[..., None]  # (m, c, 2)
+    low, high = spots - half[:, None] - 2, spots + half[:, None] + 2
+    lines = np.array([_line(anchor, a, b) for anchor, a, b in zip(anchors, low, high, strict=True)])
+    room = np.stack([low.min(axis=1), high.max(axis=1)], axis=1)
+    out = np.maximum(np.maximum([frame.x0, frame.y0] - low, high - [frame.x1, frame.y1]), 0).sum(axis=2) > 0
+    alone = reaches + _OUT * out
+    for i in range(len(names)):
+        others = np.delete(anchors, i, axis=0)
+        alone[i] += _COVER * _contain(low[i], high[i], curve).sum(axis=1)
+        alone[i] += _SPOIL * _contain(low[i], high[i], anchors).sum(axis=1)
+        gaps = np.linalg.norm(lines[i][:, :, None] - others, axis=3).min(axis=1, initial=np.inf)
+        alone[i] += _PAST * (gaps < _FINE).sum(axis=1)
+
+    @cache
+    def with_other(i: int, j: int, k: int) -> Array:
+        """What each spot of name i costs beside name j at its spot k."""
+        # Neither name nor line can meet where the rooms of both names, with all their spots, are apart.
+        if ((room[i, 0] > room[j, 1]) | (room[j, 0] > room[i, 1])).any():
+            return np.zeros(len(reaches))
+        on = ((low[i] < high[j, k]) & (high[i] > low[j, k])).all(axis=1)
+        through = _contain(low[i], high[i], lines[j, k]).any(axis=1).astype(float)
+        through += ((lines[i] > low[j, k]) & (lines[i] < high[j, k])).all(axis=2).any(axis=1)
+        crossed = _cross(anchors[i], lines[i][:, -1], anchors[j], lines[j, k, -1])
+        return np.asarray(_ON * on + _THROUGH * through + _CROSS * crossed, dtype=float)
+
+    best, least = _settle_spots(alone, with_other, range(len(names)))
+    for order in (range(len(names))[::-1], sorted(range(len(names)), key=lambda i: -alone[i].min())):
+        chosen, cost = _settle_spots(alone, with_other, order)
+        if cost < least:
+            best, least = chosen, cost
+    for label, spot, anchor, k in zip(labels, spots, anchors, best, strict=True):
+        label.set_position(tuple((spot[k] - anchor) / scale))
+
+
+def _settle_spots(
+    alone: Array, with_other: Callable[[int, int, int], Array], order: Sequence[int]
+) -> tuple[list[int], float]:
+    """A spot per name and what all cost: each takes its cheapest in turn, again and again until none moves."""
+    chosen = [-1] * len(alone)
+    total = np.inf
+    for _ in range(_ROUNDS):
+        before, total = list(chosen), 0.0
+        for i in order:
+            cost = alone[i] + sum((with_other(i, j, k) for j, k in enumerate(chosen) if j != i and k >= 0), np.zeros(1))
+            chosen[i] = int(np.argmin(cost))
+            total += float(cost[chosen[i]])
+        if chosen == before:
+            break
+    return chosen, total
+
+
+def _contain(low: Array, high: Array, points: Array) -> NDArray[np.bool_]:
+    """Which boxes (c, 2), (c, 2) hold which points (n, 2): (c, n)."""
+    return np.asarray(((points > low[:, None]) & (points < high[:, None])).all(axis=2), dtype=bool)
+
+
+def _line(anchor: Array, low: Array, high: Array) -> Array:
+    """The lines (c, k, 2) from an anchor to the middles of boxes (c, 2), (c, 2), up to where they enter them."""
+    middle = (low + high) / 2
+    way = middle - anchor
+    part: Array = np.where(np.abs(way) > 1e-9, (high - low) / 2 / np.maximum(np.abs(way), 1e-9), np.inf).min(axis=1)
+    end = anchor + way * np.maximum(1 - part, 0)[:, None]
+    return np.asarray(anchor + (end - anchor)[:, None] * _ALONG[:, None], dtype=float)
+
+
+def _cross(a: Array, b: Array, c: Array, d: Array) -> Array:
+    """Whether the lines from a (2,) to each b (n, 2) cross the one from c to d (2,)."""
+
+    def turn(p: Array, q: Array, r: Array) -> Array:
+        u, v = q - p, r - p
+        return np.asarray(u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0])
+
+    return np.asarray((turn(a, b, c) * turn(a, b, d) < 0) & (turn(c, d, a) * turn(c, d, b) < 0))
