@@ -17,12 +17,12 @@ import numpy as np
 import pytest
 from fake_planner import ACCELERATION, CELL, TEXT, Planner
 
+from trajopt_cli.baseline.case import Case
+from trajopt_cli.baseline.table import BASELINES
 from trajopt_cli.cli import run
 from trajopt_cli.cli.optimize import optimize
 from trajopt_cli.joint_csv import read_csv_text
 from trajopt_cli.motion import Source
-from trajopt_cli.baseline.case import Case
-from trajopt_cli.baseline.table import BASELINES
 from trajopt_cli.pipeline import read_job
 from trajopt_cli.problem.plan import Infeasible, Target
 
@@ -273,7 +273,8 @@ def test_compare_counts_savings_against_the_first_legal_row(
     assert float(rows[-1]["cycle_time_s"]) == pytest.approx(CYCLE[Target.STREAM])
     assert run(["compare", "baseline", str(program)]) == 0
     out = capsys.readouterr().out
-    assert "optimum stream" in out and "saving by cause" in out
+    assert "optimum stream" in out
+    assert "saving by cause" in out
 
 
 def test_the_saving_by_cause_adds_up_and_a_slower_plan_never_replaces_a_faster(
@@ -298,7 +299,8 @@ def test_rows_that_break_limits_save_nothing(
     records = {record["name"]: record for record in answer["rows"]}
     for name in ("as-written", "fixed-rail", "optimum rapid", "optimum stream"):
         assert records[name]["saving"] is None
-        assert records[name]["failed"] and records[name]["worst_ratio"] > 1.5
+        assert records[name]["failed"]
+        assert records[name]["worst_ratio"] > 1.5
     assert "as written" in answer["saving_by_cause"]["why_not"]
 
 
@@ -478,3 +480,77 @@ def test_a_target_out_of_reach_is_named_with_its_limit(program: Path, capsys: py
     assert "joint_1" in last
     assert "180" in last or "3.14" in last
     assert not Path("results").exists()
+
+
+def test_a_plan_that_collides_is_an_answer_that_names_motion_time_and_pair(
+    program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+) -> None:
+    # the flange of the tiny cycle swings 20 degrees to the left; a post stands on its way
+    Path("tiny.yaml").write_text(
+        CELL + "obstacles:\n  post: {capsule: {from: [0.49, 0.1, 0], to: [0.49, 0.1, 1.2], radius: 0.02}}\n"
+    )
+    assert run(["optimize", str(program), "--output", "out"]) == 1
+    said = capsys.readouterr().err.splitlines()
+    assert re.fullmatch(r"tiny\.mod:6:9: MoveAbsJ j_side hits 'post' with link_\d at \d\.\d+ s, .* deep.*", said[-2]), (
+        said
+    )
+    assert said[-1].startswith("NOTHING WRITTEN: the stream plan collides.")
+    assert not Path("out").exists()
+    Path("tiny.yaml").write_text(CELL + "obstacles:\n  post: {box: {size: [0.1, 0.1, 0.1], position: [2, 0, 0.5]}}\n")
+    assert run(["optimize", str(program), "--output", "out"]) == 0
+    out = capsys.readouterr().out
+    assert "post" in out
+    assert "obstacles not checked" not in out
+    assert json.loads(Path("out/summary.json").read_text())["unchecked"] == []
+
+
+def test_without_obstacles_it_is_said(program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["optimize", str(program), "--output", "out"]) == 0
+    assert "obstacles not checked: the cell file gives none" in capsys.readouterr().out
+    assert json.loads(Path("out/summary.json").read_text())["unchecked"]
+
+
+def test_a_mesh_travels_with_the_results(program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]) -> None:
+    Path("parts").mkdir()
+    corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    facets = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
+    rows = ["solid t"]
+    for facet in facets:
+        rows += [
+            "facet normal 0 0 0",
+            "outer loop",
+            *("vertex {} {} {}".format(*corners[i]) for i in facet),
+            "endloop",
+            "endfacet",
+        ]
+    Path("parts/wedge.stl").write_text("\n".join([*rows, "endsolid t"]) + "\n")
+    Path("tiny.yaml").write_text(CELL + "obstacles:\n  wedge: {mesh: {file: parts/wedge.stl, position: [2, 0, 0]}}\n")
+    assert run(["optimize", str(program), "--output", "out"]) == 0
+    assert Path("out/input/parts/wedge.stl").read_bytes() == Path("parts/wedge.stl").read_bytes()
+    for path in ("parts/wedge.stl", "tiny.yaml", "tiny.mod"):
+        Path(path).unlink()
+    assert run(["verify", "out"]) == 0
+    assert "clearance" in capsys.readouterr().out
+
+
+def test_pictures_are_drawn_on_request_and_belong_to_the_folder(
+    program: Path, planner: Planner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    drawn = {"joints.svg": b"<svg/>", "joints.png": b"png"}
+    monkeypatch.setattr("trajopt_cli.report.pictures.draw", lambda *given: drawn)
+    monkeypatch.setattr("trajopt_cli.report.pictures.stepwise", lambda *given: {"steps.svg": b"<svg/>"})
+    assert run(["optimize", str(program), "--output", "out", "--plots"]) == 0
+    assert sorted(path.name for path in Path("out/plots").iterdir()) == ["joints.png", "joints.svg", "steps.svg"]
+    assert run(["optimize", str(program), "--output", "out"]) == 0  # what trajopt wrote, trajopt replaces
+    assert not Path("out/plots").exists()
+    assert run(["compare", "baseline", str(program), "--plots", "pictures"]) == 0
+    names = {path.name for path in Path("pictures").iterdir()}
+    assert names == {
+        "joints.png",
+        "joints.svg",
+        "steps.svg",
+        "comparison.svg",
+        "comparison.png",
+        "savings.svg",
+        "savings.png",
+    }
