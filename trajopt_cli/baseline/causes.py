@@ -23,7 +23,7 @@ _TIMED = Freedom(RailFreedom.PROGRAMMED, False, False, False, configuration=Fals
 
 CAUSES: tuple[Cause, ...] = (
     Cause("as written", Target.RAPID, AS_WRITTEN),
-    Cause("retimed: joint moves bend, each axis at its own pace", Target.STREAM, _TIMED),
+    Cause("retimed: joint moves bend", Target.STREAM, _TIMED),
     Cause("configuration", Target.STREAM, Freedom(RailFreedom.PROGRAMMED, False, False, False, drop=False)),
     Cause(
         "rail position per station", Target.STREAM, Freedom(RailFreedom.STATION, False, False, False, drop=False), True

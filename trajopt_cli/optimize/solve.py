@@ -23,7 +23,7 @@ from trajopt_cli.optimize.reach import check_reach
 from trajopt_cli.optimize.search import Chain, search
 from trajopt_cli.optimize.stages import Stages
 from trajopt_cli.optimize.transcription import Draft
-from trajopt_cli.problem.freedom import EVERYTHING, Freedom
+from trajopt_cli.problem.freedom import EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.progress import Progress
@@ -113,7 +113,8 @@ def _clean_plan(axes: Axes, course: Course, chain: Chain, tied: bool, tell: Repo
     best: Clean | None = None
     for straight in (tied,) if tied else (False, True):
         if straight and not tied:
-            if best is not None and best[2].duration <= DISAPPOINTING * chain.cost:
+            good = best is not None and best[2].duration <= DISAPPOINTING * chain.cost
+            if good and course.freedom.rail is not RailFreedom.STATION:  # few stations: two basins are worth a look
                 break
             other = search(axes, course, True)
             if other is None:
