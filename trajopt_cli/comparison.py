@@ -16,7 +16,7 @@ from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
 
 if TYPE_CHECKING:
-    from trajopt_cli.baseline.case import Answer, Attempt, Case, Solve
+    from trajopt_cli.baseline.case import Answer, Attempt, Case, RailRule, Solve
     from trajopt_cli.baseline.table import Baseline
     from trajopt_cli.problem.report import Report
 
@@ -68,12 +68,12 @@ class Comparison:
     waits: float
 
 
-def compare(job: Job, listen: Listener) -> Comparison:
-    """Every baseline on this job, judged, in the table's order, and the saving by cause."""
+def compare(job: Job, listen: Listener, rule: RailRule | None = None) -> Comparison:
+    """Every baseline on this job, judged, in the table's order, and the saving by cause. rule: of the row `thesis`."""
     from trajopt_cli.baseline.causes import causes
     from trajopt_cli.baseline.table import BASELINES
 
-    study = _Study(job)
+    study = _Study(job, rule)
     reasons = causes(job.plant, study.optional)
     names = {study.question(cause.target, cause.freedom): cause.name for cause in reasons}
     asks = {name: study.question(one.target, one.freedom) for name, one in BASELINES.items() if one.freedom}
@@ -127,10 +127,10 @@ def _effort(item: tuple[Question, str]) -> int:
 class _Study:
     """What is asked of the optimiser about one job, and what it answered. optional: some motions may be dropped."""
 
-    def __init__(self, job: Job):
-        from trajopt_cli.baseline.case import is_detour
+    def __init__(self, job: Job, rule: RailRule | None):
+        from trajopt_cli.baseline.case import RailRule, is_detour
 
-        self.job = job
+        self.job, self.rule = job, rule or RailRule()
         self.optional = any(is_detour(motion, job.plant) for motion in job.program.motions)
         self._known: dict[Question, Result] = {}
 
@@ -165,7 +165,7 @@ class _Study:
         from trajopt_cli.optimize import NoCleanPlan
 
         try:
-            answer = make(Case(self.job.program, self.job.plant, self._solver(name, tell)))
+            answer = make(Case(self.job.program, self.job.plant, self._solver(name, tell), self.rule))
         except NoCleanPlan as failure:
             return NoPlan(name, str(failure))
         if isinstance(answer, NotApplicable):

@@ -9,11 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from trajopt_cli.baseline.case import Case, NotApplicable
+from trajopt_cli.baseline.case import Case, NotApplicable, RailRule
 from trajopt_cli.baseline.causes import CAUSES, asked, causes
 from trajopt_cli.baseline.practice import practice, with_detours
 from trajopt_cli.baseline.thesis import (
-    RailRule,
     WorkPoint,
     functional_areas,
     rail_positions,
@@ -132,7 +131,7 @@ def test_thesis_line_has_the_two_functional_areas_of_the_text() -> None:
 
 def test_the_thesis_program_carries_rail_and_speed_and_nothing_else(job: Job) -> None:
     with pytest.raises(Asked) as caught:
-        thesis(Case(job.program, job.plant, ask), RailRule(v_transfer=0.7, v_area=0.3))
+        thesis(Case(job.program, job.plant, ask, RailRule(v_transfer=0.7, v_area=0.3)))
     driven = caught.value.program
     assert caught.value.target is Target.RAPID
     assert not caught.value.freedom.dwells

@@ -10,19 +10,34 @@ from trajopt_cli.problem.freedom import Freedom
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.trajectory import Trajectory
+from trajopt_cli.units import DEG
 
 # The optimiser as baselines see it: a program (theirs or one made from it), a target, what may change.
 Solve = Callable[[Program, Target, Freedom], Plan | Infeasible]
 
 
+@dataclass(frozen=True)
+class RailRule:
+    """How the thesis' heuristic may drive the rail.
+
+    phi_min [rad]: least angle of joint 3 from the stretched elbow at a work point (the thesis names no value).
+    v_transfer, v_area: V_Dmax between functional areas and V_Dfmax inside one [m/s], the rail's own limit for None.
+    """
+
+    phi_min: float = 10 * DEG
+    v_transfer: float | None = None
+    v_area: float | None = None
+
+
 @dataclass(frozen=True, eq=False)
 class Case:
     """A program on its plant, and the optimiser for those baselines that need one. Equal questions to solve are
-    answered once."""
+    answered once. rule: for the row that goes by it."""
 
     program: Program
     plant: Plant
     solve: Solve
+    rule: RailRule = RailRule()
 
     @property
     def gives_rail(self) -> bool:

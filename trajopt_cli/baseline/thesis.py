@@ -17,7 +17,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trajopt_cli.baseline.case import Answer, Attempt, Case, NotApplicable, is_detour
+from trajopt_cli.baseline.case import Answer, Attempt, Case, NotApplicable, RailRule, is_detour
 from trajopt_cli.baseline.practice import with_rail
 from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.motion import Motion, Move, MoveJ, MoveL, Program
@@ -31,18 +31,6 @@ from trajopt_cli.units import DEG
 _SAME = 1e-9  # m
 
 
-@dataclass(frozen=True)
-class RailRule:
-    """phi_min [rad]: least angle of joint 3 from the stretched elbow at a work point (the thesis names no value).
-
-    v_transfer, v_area: V_Dmax between functional areas and V_Dfmax inside one [m/s], the rail's own limit for None.
-    """
-
-    phi_min: float = 10 * DEG
-    v_transfer: float | None = None
-    v_area: float | None = None
-
-
 @dataclass(frozen=True, eq=False)
 class WorkPoint:
     """One point of the program. motion: its index. ranges (m, 2): rail positions that serve it [m]. time [s]: the arm's
@@ -54,7 +42,7 @@ class WorkPoint:
     station: int
 
 
-def thesis(case: Case, rule: RailRule = RailRule()) -> Answer:
+def thesis(case: Case) -> Answer:
     """The program with the heuristic's rail positions and rail speeds, as the RAPID controller drives it.
 
     Infeasible where a work point has no rail position, and where the trajectory between them leaves the workspace (the
@@ -62,6 +50,7 @@ def thesis(case: Case, rule: RailRule = RailRule()) -> Answer:
     """
     if not case.plant.robot.has_rail:
         return NotApplicable("the robot rides no rail")
+    rule = case.rule
     points = work_points(case.program, case.plant, rule)
     if isinstance(points, Infeasible):
         return points

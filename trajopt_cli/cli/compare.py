@@ -31,6 +31,15 @@ def baseline(
         Path | None,
         typer.Option("--plots", metavar="FOLDER", help="Draw the rows, the saving by cause and the fastest plan, too."),
     ] = None,
+    phi_min: Annotated[
+        float, typer.Option(min=0, max=80, metavar="DEG", help="Row thesis: least angle of joint 3 from stretched.")
+    ] = 10.0,
+    v_transfer: Annotated[
+        float | None, typer.Option(min=1e-3, metavar="M/S", help="Row thesis: rail speed between functional areas.")
+    ] = None,
+    v_area: Annotated[
+        float | None, typer.Option(min=1e-3, metavar="M/S", help="Row thesis: rail speed inside a functional area.")
+    ] = None,
 ) -> None:
     """Drive PROGRAM in all ways people would, judge each, and tell where the optimum's saving comes from.
 
@@ -38,16 +47,18 @@ def baseline(
     """
     import json
 
+    from trajopt_cli.baseline.case import RailRule
     from trajopt_cli.cli.comparison_tables import causes_table, comparison_record, rows_csv, rows_table
     from trajopt_cli.cli.console import stdout
     from trajopt_cli.cli.progress import ProgressView
     from trajopt_cli.comparison import compare, comparison_pictures
     from trajopt_cli.files import write_file, write_files
     from trajopt_cli.pipeline import read_program_or_results
+    from trajopt_cli.units import DEG
 
     job = read_program_or_results(program, cell)
     with ProgressView() as view:
-        answer = compare(job, view.show)
+        answer = compare(job, view.show, RailRule(phi_min * DEG, v_transfer, v_area))
         pictures = comparison_pictures(answer) if plots is not None else {}
     record = comparison_record(answer)
     if plots is not None:

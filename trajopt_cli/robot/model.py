@@ -102,7 +102,7 @@ class RobotModel:
 
     @cached_property
     def link_axes(self) -> Array:
-        """Unit axis (6, 3), x, y or z, of each joint in the frame of the link behind it; its origin lies on the axis."""
+        """Unit axis (6, 3), x, y or z, of each joint in the frame of the link behind it; its origin is on the axis."""
         return readonly([joint.axis for joint in self.chain[:6]])
 
     def link_poses(self, q: Array) -> Array:
