@@ -74,7 +74,7 @@ def test_arm_and_rail_at_once_are_said_to_be_counted_once(
     found = dict(re.findall(r"^(arm|cycle) (\d+\.\d+) s", out, re.MULTILINE))
     # 40 mm at 2500 mm/s are sooner done than the turn by 30 degrees at 500 deg/s, and that inside the 2 s of the rail
     assert float(found["cycle"]) == pytest.approx(float(found["arm"]) + 4.0 - 30 / 500, abs=1.1e-3)
-    assert ", where both move the slower of the two" in out
+    assert ", arm + rail - both at once 0.060 s" in out
 
 
 def test_a_program_without_a_cell_file_is_told_what_to_write(

@@ -554,3 +554,19 @@ def test_pictures_are_drawn_on_request_and_belong_to_the_folder(
         "savings.svg",
         "savings.png",
     }
+
+
+@pytest.mark.parametrize(
+    ("options", "line"),
+    [
+        (["--csv", "."], ".: is a folder; --csv names a file"),
+        (["--csv", "nowhere/x.csv"], "nowhere: is no folder to write into; make it or correct --csv"),
+        (["--plots", "tiny.mod"], "tiny.mod: is a file; --plots names a folder"),
+    ],
+)
+def test_places_that_cannot_be_written_are_told_before_the_work(
+    program: Path, planner: Planner, options: list[str], line: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["compare", "baseline", str(program), *options]) == 2
+    assert capsys.readouterr().err.strip() == line
+    assert planner.asked == []

@@ -23,10 +23,10 @@ def analyse(program: ProgramPath, cell: CellPath = None, as_json: AsJson = False
     if as_json:
         typer.echo(json.dumps(analysis_record(job.program, analysis), indent=2, ensure_ascii=False))
         return
-    from trajopt_cli.cli.console import stdout
+    from trajopt_cli.cli.console import show, stdout
 
     console = stdout()
-    console.print(analysis_table(str(program), job.program, analysis))
+    show(console, analysis_table(str(program), job.program, analysis))
     for line in sums(analysis):
         console.print(line)
     console.print(f"model: {MODEL}")

@@ -61,7 +61,7 @@ def analysis_table(name: str, program: Program, analysis: Analysis) -> Table:
     """One line per move and wait, in program order; a wait's time stands in a column of its own."""
     table = plain_table(
         f"{name}: as written, in steps of speed; lengths and axis speeds as the carriage sees them",
-        *("place", "instruction", "target", ">length [mm]", ">turn [deg]", ">rail by [mm]", ">speed [mm/s]"),
+        *("place", "instruction", "target", ">length [mm]", ">turn [deg]", ">rail by [mm]", ">programmed [mm/s]"),
         *(">x [mm/s]", ">y [mm/s]", ">z [mm/s]", ">time [s]", ">wait [s]"),
     )
     entries: list[StepMove | StepWait] = [*analysis.moves, *analysis.waits]
@@ -81,10 +81,10 @@ def analysis_table(name: str, program: Program, analysis: Analysis) -> Table:
 
 def sums(analysis: Analysis) -> Iterator[str]:
     """The sums, a line each; where arm and rail move at once the cycle counts the slower of the two."""
-    both = any(move.t_arm > 0 and move.t_rail > 0 for move in analysis.moves)
+    both = analysis.arm + analysis.rail - analysis.cycle
     yield f"arm {analysis.arm:.3f} s"
     yield f"rail {analysis.rail:.3f} s"
-    yield f"cycle {analysis.cycle:.3f} s" + (", where both move the slower of the two" if both else "")
+    yield f"cycle {analysis.cycle:.3f} s" + (f", arm + rail - both at once {both:.3f} s" if both > 1e-9 else "")
     yield f"waits {analysis.wait:.3f} s, apart"
 
 

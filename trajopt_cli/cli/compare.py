@@ -49,7 +49,7 @@ def baseline(
 
     from trajopt_cli.baseline.case import RailRule
     from trajopt_cli.cli.comparison_tables import causes_table, comparison_record, rows_csv, rows_table
-    from trajopt_cli.cli.console import stdout
+    from trajopt_cli.cli.console import show, stdout
     from trajopt_cli.cli.progress import ProgressView
     from trajopt_cli.comparison import compare, comparison_pictures
     from trajopt_cli.files import write_file, write_files
@@ -57,21 +57,19 @@ def baseline(
     from trajopt_cli.units import DEG
 
     job = read_program_or_results(program, cell)
+    _check_places(csv, plots)
     with ProgressView() as view:
         answer = compare(job, view.show, RailRule(phi_min * DEG, v_transfer, v_area))
-        pictures = comparison_pictures(answer) if plots is not None else {}
     record = comparison_record(answer)
-    if plots is not None:
-        write_files(plots, pictures)
     if csv is not None:
         write_file(csv, rows_csv(record["rows"]).encode())
     if as_json:
         typer.echo(json.dumps(record, indent=2, ensure_ascii=False))
     else:
         console = stdout()
-        console.print(rows_table(program.name, answer.waits, record["rows"]))
+        show(console, rows_table(program.name, answer.waits, record["rows"]))
         for row in record["rows"]:
-            console.print(f"{row['name']}: {row.get('why') or row['title']}")
+            console.print(f"{row['name']}: {row.get('why') or row['title']}; may move: {row['moves']}")
             for note in row.get("notes", ()):
                 console.print(f"    {note}")
             failed = row.get("failed", [])
@@ -81,12 +79,26 @@ def baseline(
                 console.print(f"    {len(failed) - _SHOWN} checks more failed; --json lists them")
         console.print()
         if isinstance(answer.steps, str):
-            console.print(f"saving by cause: nothing to start from: {answer.steps}")
+            console.print(f"saving by cause: not told, there is no plan to start from ({answer.steps})")
         else:
-            console.print(causes_table(answer.steps))
+            show(console, causes_table(answer.steps))
         for line in job.plant.unchecked:
             console.print(line)
-        if plots is not None:
-            console.print(f"drawn in {plots}: {len(pictures)} pictures")
+    if plots is not None:
+        pictures = comparison_pictures(answer)
+        write_files(plots, pictures)
+        typer.echo(f"drawn in {plots}: {len(pictures)} files", err=True)
     if not any(row["legal"] for row in record["rows"]):
         raise typer.Exit(1)
+
+
+def _check_places(csv: Path | None, plots: Path | None) -> None:
+    """Before minutes of work: the places to write to can be what they are meant to be."""
+    from trajopt_cli.errors import InputError
+
+    if csv is not None and csv.is_dir():
+        raise InputError("is a folder; --csv names a file", file=str(csv))
+    if csv is not None and not csv.parent.is_dir():
+        raise InputError("is no folder to write into; make it or correct --csv", file=str(csv.parent))
+    if plots is not None and plots.exists() and not plots.is_dir():
+        raise InputError("is a file; --plots names a folder", file=str(plots))

@@ -18,7 +18,7 @@ from trajopt_cli.problem.report import Report
 
 _COLUMNS = (
     "name", "target", "cycle_time_s", "saving", "cycle_time_without_waits_s", "saving_without_waits", "legal",
-    "worst_ratio", "lower_bound_s", "moves", "title", "why",
+    "breaks", "worst_ratio", "lower_bound_s", "moves", "title", "why",
 )  # fmt: skip
 
 
@@ -87,6 +87,7 @@ def row_records(answer: Comparison) -> list[dict[str, Any]]:
                         1.0 - (time - answer.waits) / (reference - answer.waits) if counted and reference else None
                     ),
                     "legal": report.legal,
+                    "breaks": next((one.check for one in report.findings if not one.passed), None),
                     "failed": failures(report.findings),
                     "worst_ratio": worst_ratio(report),
                     "lower_bound_s": bound,
@@ -98,7 +99,7 @@ def row_records(answer: Comparison) -> list[dict[str, Any]]:
             case NoPlan(message=message):
                 record |= {"legal": False, "why": f"no plan found: {message}"}
             case str(why):
-                record |= {"legal": False, "why": why}
+                record |= {"legal": None, "why": why}
         records.append(record)
     return records
 
@@ -115,14 +116,16 @@ def rows_csv(records: list[dict[str, Any]]) -> str:
 
 def rows_table(program: str, waits: float, records: list[dict[str, Any]]) -> Table:
     """The rows for people."""
+    against = next((record["name"] for record in records if record["legal"]), None)
+    saving = f"savings count against {against}, the first legal row" if against else "no row is legal: nothing is saved"
     table = plain_table(
-        f"{program}: savings count against the first legal row; T holds {waits:g} s of programmed waits",
+        f"{program}: {saving}; T holds {waits:g} s of programmed waits",
         *("plan", "target", ">T [s]", ">saving", ">no waits [s]", ">saving", "legal", ">worst value/limit"),
-        *(">bound [s]", "what it lets move"),
+        ">bound [s]",
     )
     for record in records:
         if "why" in record:
-            table.add_row(record["name"], record["target"], "-", "", "", "", "-", "", "", record["moves"])
+            table.add_row(record["name"], record["target"], "-", "", "", "", "-", "", "")
             continue
         table.add_row(
             record["name"],
@@ -131,10 +134,9 @@ def rows_table(program: str, waits: float, records: list[dict[str, Any]]) -> Tab
             _share(record["saving"]),
             f"{record['cycle_time_without_waits_s']:.3f}",
             _share(record["saving_without_waits"]),
-            "yes" if record["legal"] else "NO",
+            "yes" if record["legal"] else f"NO: {record['breaks']}",
             f"{record['worst_ratio']:.3f}",
             "" if record["lower_bound_s"] is None else f"{record['lower_bound_s']:.3f}",
-            record["moves"],
         )
     return table
 

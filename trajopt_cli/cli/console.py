@@ -6,6 +6,8 @@ from typing import NoReturn
 
 import typer
 from rich.console import Console
+from rich.measure import Measurement
+from rich.table import Table
 
 from trajopt_cli.pipeline import Collides, Illegal, NoPlan
 from trajopt_cli.problem.plan import Infeasible
@@ -23,6 +25,15 @@ def _console(stderr: bool) -> Console:
 def stdout() -> Console:
     """The console for answers."""
     return _console(stderr=False)
+
+
+def show(console: Console, table: Table) -> None:
+    """Print a table with every figure whole: a terminal that is too narrow wraps lines rather than lose digits."""
+    least = Measurement.get(console, console.options.update(max_width=_PIPED_WIDTH), table).maximum
+    width = console.width
+    console.width = max(width, least)
+    console.print(table, crop=False)
+    console.width = width
 
 
 def stderr() -> Console:

@@ -9,6 +9,7 @@ from typing import NoReturn
 from trajopt_cli.cli.console import stderr
 from trajopt_cli.problem.progress import Progress
 
+_ABREAST = 2  # plans under way at once: one for each process
 _AGAIN = 0.5  # s; long against the tidying up that an interrupt sets off
 
 
@@ -50,10 +51,11 @@ class ProgressView:
             raise KeyboardInterrupt
         text = f"{label}: {progress.phase}{_numbers(progress)}"
         known = self._latest.get(label, "")
+        self._latest.pop(label, None)
         self._latest[label] = text
         if self._status is not None:
             self._status.start()  # only now: it draws from a thread, and a second process may be forked before
-            self._status.update("   ".join(self._latest.values()))
+            self._status.update("   ".join([*self._latest.values()][-_ABREAST:]))
         elif not known.startswith(f"{label}: {progress.phase}  ") and known != f"{label}: {progress.phase}":
             self._console.print(text)
 

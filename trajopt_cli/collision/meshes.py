@@ -24,6 +24,8 @@ def load_mesh(given: MeshFile) -> Mesh:
     triangles = [[corners[k] for k in range(3)] for corners in map(model.tri_indices, range(model.num_tris))]
     if not triangles:
         raise InputError(f"the mesh {given.path} has no triangles")
+    if not np.isfinite(vertices).all():
+        raise InputError(f"the mesh {given.path} has a vertex that is not finite")
     return Mesh(given.name, vertices, np.array(triangles), given.X)
 
 
