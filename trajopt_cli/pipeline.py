@@ -181,9 +181,12 @@ def optimise(
     target: which plan trajectory.csv carries. plots: its pictures, too. Raises InputError where folder may not be
     replaced.
     """
-    from trajopt_cli.verify.clearance import collisions
+    from trajopt_cli.verify.clearance import check_start, collisions
 
     check_replaceable(folder)
+    start = f"{job.cell.file}: the start pose"
+    if hits := collisions(check_start(job.program, job.plant, start)):
+        return Collides("", hits)
     clock, started = _Clock({"read": job.read_seconds}), datetime.now(UTC)
     inputs = _inputs(job)
     judged: dict[Target, Judged] = {}

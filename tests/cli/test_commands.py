@@ -491,9 +491,7 @@ def test_a_plan_that_collides_is_an_answer_that_names_motion_time_and_pair(
     )
     assert run(["optimize", str(program), "--output", "out"]) == 1
     said = capsys.readouterr().err.splitlines()
-    assert re.fullmatch(r"tiny\.mod:6:9: MoveAbsJ j_side hits 'post' with link_\d at \d\.\d+ s, .* deep.*", said[-2]), (
-        said
-    )
+    assert re.fullmatch(r"tiny\.mod:6:9: MoveAbsJ j_side hits 'post' with link_\d at \d\.\d+ s, deep.*", said[-2]), said
     assert said[-1].startswith("NOTHING WRITTEN: the stream plan collides.")
     assert not Path("out").exists()
     Path("tiny.yaml").write_text(CELL + "obstacles:\n  post: {box: {size: [0.1, 0.1, 0.1], position: [2, 0, 0.5]}}\n")
@@ -502,6 +500,18 @@ def test_a_plan_that_collides_is_an_answer_that_names_motion_time_and_pair(
     assert "post" in out
     assert "obstacles not checked" not in out
     assert json.loads(Path("out/summary.json").read_text())["unchecked"] == []
+
+
+def test_a_start_that_collides_is_told_before_any_planning(
+    program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+) -> None:
+    crate = "obstacles:\n  crate: {box: {size: [0.2, 0.2, 0.2], position: [0.45, 0, 0.6]}}\n"
+    Path("tiny.yaml").write_text(CELL + crate)
+    assert run(["optimize", str(program), "--output", "out"]) == 1
+    first, last = capsys.readouterr().err.splitlines()
+    assert re.fullmatch(r"tiny\.yaml: the start pose hits 'crate' with link_\d at 0\.000 s, .*deep.*", first), first
+    assert last.startswith("NOTHING WRITTEN: the robot cannot stand at its start.")
+    assert planner.asked == []
 
 
 def test_without_obstacles_it_is_said(program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]) -> None:

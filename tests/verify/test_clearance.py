@@ -401,7 +401,7 @@ def test_the_judge_says_how_near_a_legal_motion_comes() -> None:
     found = next(f for f in report.findings if f.check == CLEARANCE)
     assert found.unit == "m"
     assert found.margin < 0  # at least, not at most
-    assert found.message.endswith("; nothing deeper than 0.1 mm slips through")
+    assert found.message.endswith("; no touch deeper than 0.1 mm was overlooked")
     assert f"{found.subject} come nearest at {found.time:.3f} s, {found.value * 1e3:.1f} mm" in found.message
     assert {f.check for f in report.findings} >= {CLEARANCE, SELF_CLEARANCE}
 
@@ -422,8 +422,7 @@ def test_a_hit_is_illegal_and_names_motion_time_pair_and_depth() -> None:
     assert found.time < end
     deepest = found.message.split(" at ")[-1].split(" s")[0]
     assert found.message == (
-        f"cell.mod:12:5: MoveL p_a hits 'anvil' with pin at {found.time:.3f} s, 20.0 mm deep at {deepest} s; "
-        "nothing deeper than 0.1 mm slips through"
+        f"cell.mod:12:5: MoveL p_a hits 'anvil' with pin at {found.time:.3f} s, deepest 20.0 mm at {deepest} s"
     )
 
 

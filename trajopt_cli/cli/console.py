@@ -55,10 +55,11 @@ def answer_no(answer: Infeasible | NoPlan | Illegal | Collides) -> NoReturn:
         case Collides(label=label, hits=hits):
             for hit in hits:
                 typer.echo(hit.message, err=True)
+            what = f"the {label} plan collides. The planner does not look at obstacles: move or add a point"
+            if not label:
+                what = "the robot cannot stand at its start. Correct the start or the obstacle"
             typer.echo(
-                f"NOTHING WRITTEN: the {label} plan collides. The planner does not look at obstacles: move or add a "
-                "point, or say in the cell file what may touch ('ignore', 'may_touch')",
-                err=True,
+                f"NOTHING WRITTEN: {what}, or say in the cell file what may touch ('ignore', 'may_touch')", err=True
             )
         case Illegal(label=label, finding=finding):
             what = finding.message or f"{finding.check} of {finding.subject} failed"

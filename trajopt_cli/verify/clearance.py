@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+import numpy as np
+
 from trajopt_cli.motion import Program, Source
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.report import Finding
@@ -32,7 +34,16 @@ def least_clearance(findings: Iterable[Finding]) -> Finding | None:
     return min((one for one in findings if one.check == CLEARANCE), key=lambda one: one.value, default=None)
 
 
-def check_clearance(program: Program, plant: Plant, trajectory: Trajectory, source_at: SourceAt) -> list[Finding]:
+def check_start(program: Program, plant: Plant, start: str) -> list[Finding]:
+    """What check_clearance says of the robot standing at its start; start names that for people."""
+    q = np.tile(plant.start, (2, 1))
+    still = Trajectory(plant.robot.axis_names, np.array([0.0, 1e-3]), q, np.zeros_like(q))
+    return check_clearance(program, plant, still, lambda _: None, start)
+
+
+def check_clearance(
+    program: Program, plant: Plant, trajectory: Trajectory, source_at: SourceAt, start: str = ""
+) -> list[Finding]:
     """One finding per obstacle and one for the robot against itself; none where the plant has no shapes for it."""
     sweep = Sweep(plant.robot, trajectory)
     bodies = _bodies(plant)
@@ -40,11 +51,11 @@ def check_clearance(program: Program, plant: Plant, trajectory: Trajectory, sour
     for solid in plant.obstacles:
         group = [Near(body, _shape(solid)) for body in bodies if _meet(plant, body, solid)]
         if group:
-            out.append(_finding(CLEARANCE, program, sweep, group, plant.clearance, source_at))
+            out.append(_finding(CLEARANCE, program, sweep, group, plant.clearance, source_at, start))
     named = {body.name: body for body in bodies}
     pairs = [Near(named[second], None, named[first]) for first, second in plant.self_pairs]
     if pairs:
-        out.append(_finding(SELF_CLEARANCE, program, sweep, pairs, 0.0, source_at))
+        out.append(_finding(SELF_CLEARANCE, program, sweep, pairs, 0.0, source_at, start))
     return out
 
 
@@ -67,7 +78,13 @@ def _meet(plant: Plant, body: Body, solid: Solid) -> bool:
 
 
 def _finding(
-    check: str, program: Program, sweep: Sweep, group: list[Near], wanted: float, source_at: SourceAt
+    check: str,
+    program: Program,
+    sweep: Sweep,
+    group: list[Near],
+    wanted: float,
+    source_at: SourceAt,
+    start: str = "",
 ) -> Finding:
     least = sweep.least(group, wanted)
     passed = least.distance >= wanted
@@ -78,9 +95,9 @@ def _finding(
     source = source_at(first.time) or next((motion.source for motion in program.motions), None)
     if passed:
         said = f"{_names(least)} come nearest at {least.time:.3f} s, {least.distance * 1e3:.1f} mm"
+        message = f"{said}; no touch deeper than {OVERLOOKED * 1e3:g} mm was overlooked"
     else:
-        said = f"{_what(program, source)} {_touch(first, least, wanted)}"
-    message = f"{said}; nothing deeper than {OVERLOOKED * 1e3:g} mm slips through"
+        message = f"{_what(program, source, start)} {_touch(first, least, wanted)}"
     return Finding(check, _names(first), least.distance, wanted, "m", passed, first.time, source, message)
 
 
@@ -93,8 +110,10 @@ def _against(closest: Closest) -> str:
     return f"'{closest.near.against}'" if closest.near.other is None else closest.near.against
 
 
-def _what(program: Program, source: Source | None) -> str:
-    """Place and name of the motion, as in "cell.mod:41:9: MoveJ p_in"."""
+def _what(program: Program, source: Source | None, start: str) -> str:
+    """Place and name of the motion, as in "cell.mod:41:9: MoveJ p_in"; start where nothing moves yet."""
+    if start:
+        return start
     for motion in program.motions:
         if motion.source == source:
             return f"{source}: {type(motion).__name__} {getattr(motion, 'target', '')}".rstrip()
@@ -105,7 +124,7 @@ def _touch(first: Closest, least: Closest, wanted: float) -> str:
     other = "" if least.near is first.near else f" with {least.near.body.name}"
     when = "" if f"{least.time:.3f}" == f"{first.time:.3f}" and not other else f"{other} at {least.time:.3f} s"
     if least.distance < 0:
-        verb, depth = "hits", f"{-least.distance * 1e3:.1f} mm deep"
+        verb, depth = "hits", f"{'deepest ' if when else ''}{-least.distance * 1e3:.1f} mm{'' if when else ' deep'}"
     else:
         verb, depth = "comes too close to", f"{least.distance * 1e3:.1f} mm, wanted {wanted * 1e3:g} mm"
     said = f"{verb} {_against(first)} with {first.near.body.name} at {first.time:.3f} s, {depth}{when}"
