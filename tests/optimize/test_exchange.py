@@ -63,7 +63,7 @@ def test_in_a_dwell_the_push_of_the_passing_interval_alone_is_scaled() -> None:
     margins = Margins.full(6, START)
     assert tighten(margins, ratios, leg, SAFE, rail=3.0)
     own = abs(leg.b[2]) / (3.0 * 0.8**2)
-    assert margins.push[2] == pytest.approx(own / 1.25, rel=2e-4)
+    assert margins.push[2] == pytest.approx(own * (1 - 1.5 * (1 - 1 / 1.25)), rel=3e-4)
     assert np.all(np.delete(margins.push, 2) == 1.0)
     assert np.all(margins.acceleration == START)
     assert tighten(Margins.full(6, START), ratios, leg, SAFE)  # elsewhere the nodes are

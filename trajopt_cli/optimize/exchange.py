@@ -20,6 +20,7 @@ DENSE = 40  # samples per interval besides both ends; an axis that turns round p
 SAFE = 1.0 - 3e-5  # what a clean grid may use of a limit: Hermite between written rows is not quite the motion
 
 UNREACHED = 2.0  # ratio of a sample that no joints reach: the rail went out of the arm's reach between two nodes
+AMPLE = 1.5  # times the excess taken off a push: the rail's speed has its share, and a dwell has time
 PUSHED = 1e-3  # share of its acceleration from which the rail drives the arm
 BEYOND = 1e-4  # tightened this much further than the excess, so that one round is enough more often
 
@@ -89,7 +90,8 @@ def tighten(margins: Margins, ratios: Ratios, motion: LegMotion, target: float, 
         ratio = ratios.acceleration.max(axis=1)
         pushed = np.abs(motion.b) / (rail * motion.T**2)
         over = (ratio > target) & (pushed > PUSHED)
-        margins.push[over] = np.minimum(margins.push, pushed * (target - BEYOND) / np.maximum(ratio, 1e-12))[over]
+        share = np.maximum(1 - AMPLE * (1 - (target - BEYOND) / np.maximum(ratio, 1.0)), 0.1)
+        margins.push[over] = np.minimum(margins.push, pushed * share)[over]
         changed = bool(over.any())
         ratios = replace(ratios, acceleration=np.where(over[:, None], 0.0, ratios.acceleration))
     pairs = [(margins.tool, ratios.tool)]
