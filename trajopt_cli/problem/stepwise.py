@@ -16,6 +16,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose, readonly
 from trajopt_cli.motion import Move, MoveAbsJ, MoveExtJ, Program, SignalEvent, Source, Wait
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.timing.point_to_point import rest_to_rest
 
 _STANDS = 1e-9  # m or rad: less is rounding of poses and no motion
 
@@ -174,18 +175,11 @@ def _step(index: int, motion: Move, plant: Plant, X_BT: tuple[Array, Array], rai
     else:
         _time(motion, way, motion.speed.v_leax, "speed of linear external axes")
         v_rail = min(motion.speed.v_leax, float(plant.limits.velocity[0]))
-        t_rail = rest_to_rest(way, v_rail, float(plant.limits.acceleration[0]))
+        t_rail = rest_to_rest(np.zeros(1), np.array([way]), np.array([v_rail]), plant.limits.acceleration[:1])
     return StepMove(
         index, motion.source, X_BT_0, X_BT_1, X_WB_0 @ X_BT_0, X_WB_1 @ X_BT_1, *rail,
         chord=chord, angle=angle, v_tcp=v_tcp, t_arm=t_arm, t_rail=t_rail,
     )  # fmt: skip
-
-
-def rest_to_rest(way: float, speed: float, acceleration: float) -> float:
-    """Least time [s] of one axis over way [m] from rest to rest under both limits: a triangle or trapezoid of speed."""
-    if way * acceleration <= speed**2:
-        return 2.0 * float(np.sqrt(way / acceleration))
-    return way / speed + speed / acceleration
 
 
 def _time(motion: Move, way: float, speed: float, what: str) -> float:
