@@ -15,12 +15,12 @@ PACKAGE = Path(__file__).parents[1] / "trajopt_cli"
 # Lowest floor first. A room may import rooms of floors under its own, and itself.
 FLOORS: tuple[tuple[str, ...], ...] = (
     ("errors", "units", "geometry", "files", "beside"),
-    ("motion", "limits", "trajectory", "scenario", "joint_csv", "shapes"),
+    ("motion", "limits", "trajectory", "scenario", "joint_csv", "shapes", "findings", "quantity", "yaml_file"),
     ("rapid", "robot", "cell", "timing", "collision"),
     ("problem", "iiwa"),
     # results is the folder's reader and writer: nouns in, bytes out, like its neighbours
-    ("optimize", "baseline", "verify", "export", "report", "simulate", "results"),
-    ("pipeline",),
+    ("optimize", "baseline", "verify", "export", "report", "admittance", "simulate", "results"),
+    ("pipeline", "iiwa_job"),
     # the widest composition: everything the pipeline can do, many times over
     ("comparison",),
     ("cli",),
@@ -38,6 +38,9 @@ STACK = {
     "geometry": set[str](),
     "scenario": set[str](),
     "shapes": {"geometry"},
+    "findings": {"motion"},
+    "quantity": {"units"},
+    "yaml_file": {"errors"},
 }
 # Where each third party may be imported, as patterns of paths inside the package.
 ADDRESSES: dict[str, tuple[str, ...]] = {
@@ -50,10 +53,11 @@ ADDRESSES: dict[str, tuple[str, ...]] = {
     "typer": ("cli/*",),
     "rich": ("cli/*",),
     "matplotlib": ("report/*",),
-    # The two rooms that read files people write by hand: cell files and robot descriptions.
-    "pydantic": ("cell/*", "robot/*"),
-    "pydantic_core": ("cell/*", "robot/*"),
-    "ruamel": ("cell/*", "robot/*"),
+    "mujoco": ("simulate/*",),
+    # The rooms that read files people write by hand: cell files, robot descriptions, task files.
+    "pydantic": ("cell/*", "robot/*", "iiwa/*", "yaml_file.py"),
+    "pydantic_core": ("cell/*", "quantity.py", "yaml_file.py"),
+    "ruamel": ("robot/*", "yaml_file.py"),
     "numpy": ("*",),
 }
 

@@ -18,7 +18,7 @@ from trajopt_cli.problem.progress import Progress
 if TYPE_CHECKING:
     from trajopt_cli.baseline.case import Answer, Attempt, Case, RailRule, Solve
     from trajopt_cli.baseline.table import Baseline
-    from trajopt_cli.problem.report import Report
+    from trajopt_cli.findings import Report
 
 _EQUAL = 1e-6  # s: two plans this close are equally fast
 

@@ -34,8 +34,8 @@ from trajopt_cli.results import (
 
 if TYPE_CHECKING:
     from trajopt_cli.cell.model import Cell
+    from trajopt_cli.findings import Finding, Report
     from trajopt_cli.problem.plant import Plant
-    from trajopt_cli.problem.report import Finding, Report
     from trajopt_cli.scenario import Scenario
     from trajopt_cli.trajectory import Trajectory
 

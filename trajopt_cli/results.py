@@ -15,9 +15,9 @@ from typing import Any
 from trajopt_cli import __version__
 from trajopt_cli.errors import InputError
 from trajopt_cli.files import recover
+from trajopt_cli.findings import Finding, Report
 from trajopt_cli.motion import Move, Program, SignalEvent, Wait
 from trajopt_cli.problem.plan import Plan, Target
-from trajopt_cli.problem.report import Finding, Report
 
 RUN, SUMMARY, CHOSEN = "run.json", "summary.json", "trajectory.csv"
 CSV = {Target.STREAM: "stream.csv", Target.RAPID: "rapid.csv"}

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from trajopt_cli.baseline.case import Answer, Attempt, Case
+from trajopt_cli.findings import Finding
 from trajopt_cli.limits import TcpCaps
 from trajopt_cli.motion import Program, TextFile
 from trajopt_cli.optimize import optimize
@@ -17,7 +18,6 @@ from trajopt_cli.pipeline import read_job
 from trajopt_cli.problem.freedom import FIXED_RAIL, Freedom
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.report import Finding
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.robot.model import load_robot
 from trajopt_cli.scenario import Scenario

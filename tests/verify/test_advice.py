@@ -21,9 +21,9 @@ from legal_motion import (
     stream_case,
 )
 
+from trajopt_cli.findings import Finding
 from trajopt_cli.limits import TcpCaps
 from trajopt_cli.problem.plan import Target
-from trajopt_cli.problem.report import Finding
 from trajopt_cli.verify.judge import verify
 
 

@@ -13,12 +13,12 @@ from legal_motion import HOME, plant_with_rail, plant_without_rail, program, rap
 from legal_motion import home as home_move
 
 from trajopt_cli.collision.pair import Pair
+from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about
 from trajopt_cli.joint_csv import read_csv_text, write_csv_text
 from trajopt_cli.motion import Program
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.report import Finding
 from trajopt_cli.robot.model import load_robot
 from trajopt_cli.shapes import Box, Capsule, Mesh, Shape, Solid
 from trajopt_cli.trajectory import Trajectory, hermite

@@ -23,8 +23,8 @@ from legal_motion import (
 from spoil_book import OVER, SPOILED, verify
 from spoiled_stops import short_of
 
+from trajopt_cli.findings import Report
 from trajopt_cli.joint_csv import header, read_csv_text
-from trajopt_cli.problem.report import Report
 from trajopt_cli.verify import tolerances as tol
 
 REGISTERED = (spoiled_shapes, spoiled_stops)  # importing them fills SPOILED

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, StrictBool, StrictStr, model_validator
 
-from trajopt_cli.cell.quantity import (
+from trajopt_cli.quantity import (
     ACCELERATION,
     ANGLE,
     JERK,

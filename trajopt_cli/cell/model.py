@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from difflib import get_close_matches
 from pathlib import Path
 
 import numpy as np
@@ -14,12 +13,7 @@ from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.scenario import Scenario
 from trajopt_cli.shapes import MeshFile, Solid
-
-
-def hint(name: str, known: Sequence[str]) -> str:
-    """What to do about an unknown name: the closest known one, else all of them."""
-    close = get_close_matches(name, known, n=1)
-    return f"did you mean '{close[0]}'?" if close else f"known: {', '.join(known)}"
+from trajopt_cli.yaml_file import hint, line_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,10 +77,7 @@ class Cell:
 
     def error(self, key: str, message: str) -> InputError:
         """The error message about key, placed at its line in the cell file (or at its closest parent's)."""
-        parts = key.split(".")
-        parents = (".".join(parts[:n]) for n in range(len(parts), 0, -1))
-        line = next((self.lines[parent] for parent in parents if parent in self.lines), 1)
-        return InputError(f"{key}: {message}", file=self.file, line=line)
+        return InputError(f"{key}: {message}", file=self.file, line=line_of(key, self.lines))
 
     @property
     def mesh_files(self) -> tuple[Path, ...]:

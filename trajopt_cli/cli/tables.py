@@ -9,10 +9,10 @@ from dataclasses import asdict
 from rich.table import Table
 
 from trajopt_cli.cli.layout import place, plain_table
+from trajopt_cli.findings import Finding, Report
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.pipeline import Optimised
 from trajopt_cli.problem.plan import Plan, Target
-from trajopt_cli.problem.report import Finding, Report
 from trajopt_cli.results import motion_label
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.units import DEG, MM

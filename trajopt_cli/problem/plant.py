@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trajopt_cli.cell.model import Cell, hint
+from trajopt_cli.cell.model import Cell
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.limits import JointLimits, TcpCaps
@@ -15,6 +15,7 @@ from trajopt_cli.motion import ExternalAxes
 from trajopt_cli.robot.model import RobotModel, load_robot
 from trajopt_cli.shapes import ATTACHED, MeshFile, Solid
 from trajopt_cli.units import MM
+from trajopt_cli.yaml_file import hint
 
 _GRADE = re.compile(r"\(grade ([A-D])\)$")  # how robot files end a source
 

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array, axis_angle
 from trajopt_cli.motion import MoveAbsJ, MoveJ, MoveL
-from trajopt_cli.problem.report import Finding
 from trajopt_cli.timing.point_to_point import rest_to_rest, straight_rest_to_rest
 from trajopt_cli.timing.topp import shortest_time
 from trajopt_cli.verify.course import obeys_programmed_speed

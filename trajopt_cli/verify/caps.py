@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Move, MoveExtJ
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.report import Finding
 from trajopt_cli.verify.course import Stop, obeys_programmed_speed
 from trajopt_cli.verify.findings import Worst, finding, worse
 from trajopt_cli.verify.frame import Frame

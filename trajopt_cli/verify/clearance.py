@@ -11,9 +11,9 @@ from collections.abc import Iterable
 
 import numpy as np
 
+from trajopt_cli.findings import Finding
 from trajopt_cli.motion import Program, Source
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.report import Finding
 from trajopt_cli.shapes import MeshFile, Shape, Solid
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.findings import SourceAt

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from trajopt_cli.findings import Finding
 from trajopt_cli.motion import Source
-from trajopt_cli.problem.report import Finding
 
 
 @dataclass(frozen=True)

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
-from trajopt_cli.problem.report import Finding
 from trajopt_cli.verify.findings import SourceAt, Worst, axis_unit, finding, worse
 from trajopt_cli.verify.rows import LAGS, Rows, second_differences
 from trajopt_cli.verify.tolerances import JOINT

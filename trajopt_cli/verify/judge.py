@@ -7,11 +7,11 @@ from collections.abc import Collection
 import numpy as np
 
 from trajopt_cli.errors import InputError
+from trajopt_cli.findings import Finding, Report
 from trajopt_cli.joint_csv import Resolution
 from trajopt_cli.motion import Program
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.report import Finding, Report
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.advice import advise
 from trajopt_cli.verify.caps import check_caps

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import MoveExtJ, Source
-from trajopt_cli.problem.report import Finding
 from trajopt_cli.verify.findings import axis_unit, finding
 from trajopt_cli.verify.frame import Frame, Places, angle_between
 from trajopt_cli.verify.rows import Rows

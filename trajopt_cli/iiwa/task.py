@@ -1,0 +1,266 @@
+"""What a task file asks for: poses, speeds, the compliance of the controller, its surroundings. Plain frozen data, SI.
+
+Frames: W world, B the arm's base, F its flange, T the tool centre point. A pose has six coordinates (6,): the TCP's
+position x, y, z [m] in W and extrinsic Tait-Bryan angles alpha, beta, gamma [rad], R = Rz(gamma) Ry(beta) Rx(alpha).
+Equation numbers are those of Cihala, Poddajne rizeni prumysloveho robota, CVUT 2020.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+from math import isfinite
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.shapes import Box
+from trajopt_cli.yaml_file import line_of
+
+if TYPE_CHECKING:
+    from trajopt_cli.robot.dynamics import ToolLoad
+    from trajopt_cli.robot.srs_inverse import ArmAngle
+
+COORDINATES = ("x", "y", "z", "alpha", "beta", "gamma")
+UNITS = ("m", "m", "m", "rad", "rad", "rad")
+BETA_LIMIT = np.radians(85.0)
+"""Largest |beta| [rad] of the controller's angles: nearer to 90 deg the Tait-Bryan angles lock (section 4.1.2)."""
+
+
+class Profile(Enum):
+    """How fast a segment is run: at once at full speed (eqs 4.23-4.33), with ramps (section 2.3), jerk-limited."""
+
+    THESIS = "thesis"
+    TRAPEZOID = "trapezoid"
+    S_CURVE = "s-curve"
+
+
+class RotationLaw(Enum):
+    """What is straight between two orientations: the three angles, or the turn about one axis (slerp)."""
+
+    TAIT_BRYAN = "tait-bryan"
+    SLERP = "slerp"
+
+
+class AngleMeaning(Enum):
+    """R_WT = R(angles) R_start (eq. 4.18, what the controller means), or R_WT = R(angles)."""
+
+    RELATIVE = "relative"
+    ABSOLUTE = "absolute"
+
+
+class Integration(Enum):
+    """How the controller's law is stepped: forward Euler as in eq. 4.13, or the exact zero-order-hold solution."""
+
+    EULER = "euler"
+    EXACT = "exact"
+
+
+class Feed(Enum):
+    """What the controller is told of the equilibrium: its position alone (eq. 4.15), or its speed too (eq. 4.2)."""
+
+    POSITION = "position"
+    VELOCITY = "velocity"
+
+
+@dataclass(frozen=True, eq=False)
+class Waypoint:
+    """A pose (6,) by name; place is the key or file:line it comes from, for messages. dwell [s]: standing there."""
+
+    name: str
+    pose: Array
+    place: str
+    dwell: float = 0.0
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "pose", _vector(self.pose, 6, f"pose '{self.name}'"))
+
+
+@dataclass(frozen=True)
+class SegmentSpeeds:
+    """Caps of one segment: v_max [m/s], omega_max [rad/s]; a_max [m/s2], epsilon_max [rad/s2] for the profiles with
+    ramps; jerk [m/s3], angular_jerk [rad/s3] for the s-curve. None where the profile does not need it."""
+
+    v_max: float
+    omega_max: float
+    a_max: float | None = None
+    epsilon_max: float | None = None
+    jerk: float | None = None
+    angular_jerk: float | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Route:
+    """Poses X_1..X_M (M >= 2) and the caps of the M - 1 segments between them, sampled every h [s]."""
+
+    waypoints: tuple[Waypoint, ...]
+    speeds: tuple[SegmentSpeeds, ...]
+    h: float
+    profile: Profile
+    rotation: RotationLaw
+    meaning: AngleMeaning
+
+    def __post_init__(self) -> None:
+        if len(self.speeds) != len(self.waypoints) - 1:
+            raise ValueError(f"Route: {len(self.waypoints)} poses and {len(self.speeds)} segments; wanted one fewer")
+
+
+@dataclass(frozen=True, eq=False)
+class Compliance:
+    """Diagonals (6,) of stiffness K [N/m, Nm/rad], damping D [N s/m, N m s/rad] and inertia M [kg, kg m2].
+
+    k = 0 is hand guiding. Raises ValueError for m <= 0, a negative k or d, and k = d = 0, which no force brings back.
+    """
+
+    K: Array
+    D: Array
+    M: Array
+
+    def __post_init__(self) -> None:
+        for name in ("K", "D", "M"):
+            object.__setattr__(self, name, _vector(getattr(self, name), 6, name))
+        for axis, k, d, m in zip(COORDINATES, self.K, self.D, self.M, strict=True):
+            if m <= 0:
+                raise ValueError(f"M of {axis} is {m:g}: an inertia is above zero")
+            if k < 0 or d < 0:
+                raise ValueError(f"K and D of {axis} are {k:g} and {d:g}: neither may be negative")
+            if k == 0 and d == 0:
+                raise ValueError(f"K and D of {axis} are both 0: nothing would stop the motion; give it some damping")
+
+
+@dataclass(frozen=True, eq=False)
+class Zeroing:
+    """Forces the controller is blind to: zeroed (6,) of bool, in the frame R* = Rz Ry Rx of frame (3,) [rad] (4.21)."""
+
+    zeroed: tuple[bool, ...] = (False,) * 6
+    frame: Array = field(default_factory=lambda: np.zeros(3))
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "frame", _vector(self.frame, 3, "zeroing frame"))
+
+
+@dataclass(frozen=True, eq=False)
+class Clamps:
+    """Bounds on what is believed: joint torques (7,) [Nm] before the mapping, forces (6,) [N, Nm] after; inf: none."""
+
+    torque: Array = field(default_factory=lambda: np.full(7, np.inf))
+    force: Array = field(default_factory=lambda: np.full(6, np.inf))
+
+    def __post_init__(self) -> None:
+        for name, count in (("torque", 7), ("force", 6)):
+            values = readonly(getattr(self, name))
+            if values.shape != (count,) or not np.all(values > 0):
+                raise ValueError(f"clamps: {name} is {values.tolist()}, wanted {count} bounds above zero")
+            object.__setattr__(self, name, values)
+
+
+@dataclass(frozen=True, eq=False)
+class Change:
+    """From time t [s] on, what is given here holds instead of what held before; None stays as it was.
+
+    restart: R_start becomes the tool's orientation at t, so that all angles begin at zero again.
+    """
+
+    t: float
+    compliance: Compliance | None = None
+    zeroing: Zeroing | None = None
+    clamps: Clamps | None = None
+    X_FT: Array | None = None
+    X_WB: Array | None = None
+    restart: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Push:
+    """A force (6,) [N, Nm] on the tool, world axes, from start to end [s]: the thesis' simulated force."""
+
+    start: float
+    end: float
+    force: Array
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "force", _vector(self.force, 6, "push"))
+
+
+@dataclass(frozen=True)
+class Sensor:
+    """Errors of the measured joint torques (section 3.1.2).
+
+    bias: constant error per joint, drawn from +-bias of its range (0.02 in the data sheet) with seed. ripple: pairs of
+    frequency [Hz] and amplitude [Nm], on all joints, phases drawn with seed. rigid: whether the controller's model
+    tau_c knows the inertia of the arm in motion; if not it holds gravity only, and every acceleration looks like a
+    force.
+    """
+
+    bias: float = 0.02
+    ripple: tuple[tuple[float, float], ...] = ((8.0, 0.3), (17.0, 0.2))
+    rigid: bool = True
+    seed: int = 1
+
+
+@dataclass(frozen=True, eq=False)
+class Obstacle:
+    """A box in the world that pushes back: stiffness [N/m], damping [N s/m], friction coefficient."""
+
+    box: Box
+    stiffness: float
+    damping: float
+    friction: float
+
+
+@dataclass(frozen=True)
+class Contact:
+    """What the tool may run into, and the tool's tip: a ball of this radius [m] around the TCP."""
+
+    obstacles: tuple[Obstacle, ...]
+    tip: float
+
+
+@dataclass(frozen=True, eq=False)
+class Task:
+    """A task file's content. X_WB (4, 4): base in the world; X_FT (4, 4): TCP in the flange frame.
+
+    start_joints (7,) [rad]: where the controller is switched on; configuration, arm angle and R_start come from them.
+    arm_angle [rad] by definition: None for the one at the start. lines: the line of every key by its dotted path.
+    sources: name -> text of the files the task came from, the task file first.
+    """
+
+    file: str
+    robot: str
+    profile: str
+    route: Route
+    compliance: Compliance
+    start_joints: Array
+    X_WB: Array
+    X_FT: Array
+    load: ToolLoad | None
+    definition: ArmAngle
+    arm_angle: float | None
+    integration: Integration
+    zeroing: Zeroing
+    clamps: Clamps
+    changes: tuple[Change, ...]
+    pushes: tuple[Push, ...]
+    sensor: Sensor | None
+    contact: Contact | None
+    lines: Mapping[str, int] = field(default_factory=dict)
+    sources: Mapping[str, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for name in ("start_joints", "X_WB", "X_FT"):
+            object.__setattr__(self, name, readonly(getattr(self, name)))
+
+    def error(self, key: str, message: str) -> InputError:
+        """The error message about key, placed at its line in the task file (or at its closest parent's)."""
+        return InputError(f"{key}: {message}", file=self.file, line=line_of(key, self.lines))
+
+
+def _vector(values: ArrayLike, count: int, what: str) -> Array:
+    out = readonly(values)
+    if out.shape != (count,) or not all(isfinite(value) for value in out):
+        raise ValueError(f"{what} is {np.asarray(values).tolist()}, wanted {count} finite numbers")
+    return out
