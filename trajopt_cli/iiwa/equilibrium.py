@@ -48,8 +48,7 @@ class Equilibrium:
     @property
     def t(self) -> Array:
         """Times (n,) [s]."""
-        times: Array = np.arange(len(self.pose)) * self.h
-        return times
+        return np.asarray(np.arange(len(self.pose)) * self.h, dtype=np.float64)
 
     @property
     def duration(self) -> float:
