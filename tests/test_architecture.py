@@ -15,11 +15,22 @@ PACKAGE = Path(__file__).parents[1] / "trajopt_cli"
 # Lowest floor first. A room may import rooms of floors under its own, and itself.
 FLOORS: tuple[tuple[str, ...], ...] = (
     ("errors", "units", "geometry", "files", "beside"),
-    ("motion", "limits", "trajectory", "scenario", "joint_csv", "shapes", "findings", "quantity", "yaml_file"),
+    (
+        "motion",
+        "limits",
+        "trajectory",
+        "scenario",
+        "joint_csv",
+        "shapes",
+        "findings",
+        "quantity",
+        "yaml_file",
+        "run_folder",
+    ),
     ("rapid", "robot", "cell", "timing", "collision"),
     ("problem", "iiwa"),
     # results is the folder's reader and writer: nouns in, bytes out, like its neighbours
-    ("optimize", "baseline", "verify", "export", "report", "admittance", "simulate", "results"),
+    ("optimize", "baseline", "verify", "export", "report", "admittance", "simulate", "results", "task_folder"),
     ("pipeline", "iiwa_job"),
     # the widest composition: everything the pipeline can do, many times over
     ("comparison",),
@@ -41,6 +52,7 @@ STACK = {
     "findings": {"motion"},
     "quantity": {"units"},
     "yaml_file": {"errors"},
+    "run_folder": {"errors", "files"},
 }
 # Where each third party may be imported, as patterns of paths inside the package.
 ADDRESSES: dict[str, tuple[str, ...]] = {

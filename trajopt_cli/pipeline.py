@@ -20,17 +20,15 @@ from trajopt_cli.problem.progress import Progress
 from trajopt_cli.results import (
     CHOSEN,
     CSV,
-    RUN,
-    SUMMARY,
     InputFile,
     Judged,
     Results,
-    check_replaceable,
     read_results,
     run_record,
     summary,
     zones_as_stops,
 )
+from trajopt_cli.run_folder import RUN, SUMMARY, check_replaceable
 
 if TYPE_CHECKING:
     from trajopt_cli.cell.model import Cell

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
-import json
 import math
 import platform
 from collections.abc import Iterable, Mapping
@@ -14,15 +12,14 @@ from typing import Any
 
 from trajopt_cli import __version__
 from trajopt_cli.errors import InputError
-from trajopt_cli.files import recover
 from trajopt_cli.findings import Finding, Report
 from trajopt_cli.motion import Move, Program, SignalEvent, Wait
 from trajopt_cli.problem.plan import Plan, Target
+from trajopt_cli.run_folder import FORMAT, PLAN, SUMMARY, read_bytes, read_record, read_run, record, sha256
 
-RUN, SUMMARY, CHOSEN = "run.json", "summary.json", "trajectory.csv"
+CHOSEN = "trajectory.csv"
 CSV = {Target.STREAM: "stream.csv", Target.RAPID: "rapid.csv"}
 _SIGNAL_WAIT = "Wait"
-_FORMAT = 1  # of the folder; a reader refuses a newer one
 _LIBRARIES = ("casadi", "numpy", "pin", "ruckig", "scipy", "toppra")
 
 
@@ -50,7 +47,7 @@ class InputFile:
     @property
     def sha256(self) -> str:
         """Of the exact bytes."""
-        return _sha256(self.content)
+        return sha256(self.content)
 
 
 @dataclass(frozen=True)
@@ -101,7 +98,7 @@ def summary(
 
     limits: how sure they are. unchecked: what the judge was given nothing to hold the motion against.
     """
-    return _json(
+    return record(
         {
             "target": target.value,
             "plans": {one.value: _plan(program, judged[one]) for one in Target},
@@ -178,10 +175,10 @@ def run_record(
     inputs: "program" and "cell", the two that verify starts from (for a folder of modules the entry module).
     """
     every = {one.copy: one for one in (*inputs.values(), *others)}
-    return _json(
+    return record(
         {
             "trajopt": __version__,
-            "format": _FORMAT,
+            "format": FORMAT,
             "versions": {"python": platform.python_version(), **{name: version(name) for name in _LIBRARIES}},
             "options": dict(options),
             "inputs": {
@@ -192,44 +189,21 @@ def run_record(
                     for one in every.values()
                 ],
             },
-            "files": {name: _sha256(content) for name, content in sorted(files.items())},
+            "files": {name: sha256(content) for name, content in sorted(files.items())},
             **timing,
         }
     )
 
 
-def check_replaceable(folder: Path) -> None:
-    """Raise InputError unless folder is absent, empty, or a results folder that holds only what trajopt wrote."""
-    recover(folder)
-    if not folder.exists():
-        return
-    if not folder.is_dir():
-        raise InputError("is a file; --output names a folder", file=str(folder))
-    present = {str(path.relative_to(folder)) for path in folder.rglob("*") if not path.is_dir()}
-    if not present:
-        return
-    if RUN not in present:
-        raise InputError(
-            "is not a results folder of trajopt (no run.json) and is not replaced; choose another --output",
-            file=str(folder),
-        )
-    strangers = sorted(present - {RUN, *_run(folder)["files"]})
-    if strangers:
-        raise InputError(
-            f"holds {strangers[0]}, which trajopt did not write; move it away or choose another --output",
-            file=str(folder),
-        )
-
-
 def read_results(folder: Path) -> Results:
     """Read a results folder. Raises InputError for a folder that is none, is newer, or whose inputs were changed."""
-    run = _run(folder)
+    run = read_run(folder, PLAN)
     copies = run["inputs"]["files"]
-    for name, sha256 in [(SUMMARY, run["files"][SUMMARY]), *((one["copy"], one["sha256"]) for one in copies)]:
-        if _sha256(_bytes(folder / name)) != sha256:
+    for name, digits in [(SUMMARY, run["files"][SUMMARY]), *((one["copy"], one["sha256"]) for one in copies)]:
+        if sha256(read_bytes(folder / name)) != digits:
             raise InputError("was changed since the run; run trajopt optimize again", file=str(folder / name))
-    digest = _load(folder / SUMMARY)
-    texts = {name: _bytes(folder / name).decode("ascii", "replace") for name in (CHOSEN, *CSV.values())}
+    digest = read_record(folder / SUMMARY)
+    texts = {name: read_bytes(folder / name).decode("ascii", "replace") for name in (CHOSEN, *CSV.values())}
     dropped = {
         target: tuple(m["index"] for m in digest["plans"][target.value]["motions"] if m["dropped"]) for target in Target
     }
@@ -244,39 +218,3 @@ def read_results(folder: Path) -> Results:
         holds=tuple((m["start_s"] + m["time_s"], m["target"]) for m in chosen if m["instruction"] == _SIGNAL_WAIT),
         rapid=tuple((one["path"], folder / one["copy"], folder / one["rapid"]) for one in copies if one["rapid"]),
     )
-
-
-def _run(folder: Path) -> dict[str, Any]:
-    if not (folder / RUN).is_file():
-        raise InputError("is not a results folder of trajopt (no run.json)", file=str(folder))
-    run = _load(folder / RUN)
-    if not {"trajopt", "format", "inputs", "files"} <= run.keys():
-        raise InputError("was not written by trajopt", file=str(folder / RUN))
-    if run["format"] > _FORMAT:
-        raise InputError(f"is of format {run['format']}; this trajopt reads up to {_FORMAT}", file=str(folder / RUN))
-    return run
-
-
-def _load(path: Path) -> dict[str, Any]:
-    try:
-        content = json.loads(_bytes(path))
-    except ValueError as error:
-        raise InputError(f"is not JSON: {error}", file=str(path)) from error
-    if not isinstance(content, dict):
-        raise InputError("is not a JSON object", file=str(path))
-    return content
-
-
-def _bytes(path: Path) -> bytes:
-    try:
-        return path.read_bytes()
-    except OSError as error:
-        raise InputError(f"cannot read: {error.strerror}", file=str(path)) from error
-
-
-def _sha256(content: bytes) -> str:
-    return hashlib.sha256(content).hexdigest()
-
-
-def _json(content: Mapping[str, Any]) -> bytes:
-    return (json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False) + "\n").encode()

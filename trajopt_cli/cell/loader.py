@@ -45,7 +45,8 @@ _WANTED = {
 }
 
 
-def _frame(section: FrameSection) -> Array:
+def frame_pose(section: FrameSection) -> Array:
+    """The pose (4, 4) that a frame section describes."""
     if section.wxyz is not None:
         return pose(rotation_from_wxyz(section.wxyz), section.position)
     roll, pitch, yaw = section.rpy or (0.0, 0.0, 0.0)
@@ -58,13 +59,13 @@ def _solids(sections: Mapping[str, SolidSection], folder: Path) -> tuple[Solid, 
     for name, section in sections.items():
         shape: Box | Capsule | MeshFile
         if section.box is not None:
-            shape = Box(name, np.array(section.box.size), _frame(section.box))
+            shape = Box(name, np.array(section.box.size), frame_pose(section.box))
         elif section.capsule is not None:
             capsule = section.capsule
             shape = Capsule(name, np.array(capsule.start), np.array(capsule.end), capsule.radius)
         else:
             assert section.mesh is not None
-            shape = MeshFile(name, folder / section.mesh.file, _frame(section.mesh), section.mesh.scale)
+            shape = MeshFile(name, folder / section.mesh.file, frame_pose(section.mesh), section.mesh.scale)
         out.append(Solid(shape, frozenset(section.ignore)))
     return tuple(out)
 
@@ -81,8 +82,8 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         file=file,
         robot=document.robot,
         profile=document.profile,
-        rail=Rail(_EXTERNAL_AXES.index(rail.eax), rail.stroke, _frame(rail.frame), rail.fixed) if rail else None,
-        X_WB=_frame(document.base) if document.base else np.eye(4),
+        rail=Rail(_EXTERNAL_AXES.index(rail.eax), rail.stroke, frame_pose(rail.frame), rail.fixed) if rail else None,
+        X_WB=frame_pose(document.base) if document.base else np.eye(4),
         overrides=overrides,
         tcp=TcpCaps(document.tcp.speed, document.tcp.acceleration) if document.tcp else None,
         tcp_source=document.tcp.source if document.tcp else None,

@@ -225,13 +225,14 @@ class Task:
     """A task file's content. X_WB (4, 4): base in the world; X_FT (4, 4): TCP in the flange frame.
 
     start_joints (7,) [rad]: where the controller is switched on; configuration, arm angle and R_start come from them.
-    arm_angle [rad] by definition: None for the one at the start. lines: the line of every key by its dotted path.
-    sources: name -> text of the files the task came from, the task file first.
+    limits: which of the robot's limit profiles holds. arm_angle [rad] by definition: None for the one at the start.
+    notes: what the user should know. lines: the line of every key by its dotted path. sources: name -> text of the
+    files the task came from, the task file first.
     """
 
     file: str
     robot: str
-    profile: str
+    limits: str
     route: Route
     compliance: Compliance
     start_joints: Array
@@ -247,6 +248,7 @@ class Task:
     pushes: tuple[Push, ...]
     sensor: Sensor | None
     contact: Contact | None
+    notes: tuple[str, ...] = ()
     lines: Mapping[str, int] = field(default_factory=dict)
     sources: Mapping[str, str] = field(default_factory=dict)
 

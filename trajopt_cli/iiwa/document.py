@@ -1,0 +1,287 @@
+"""The task file's shape: every key it may have, its type, its unit and its default."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, StrictBool, StrictStr, model_validator
+
+from trajopt_cli.cell.document import BoxSection, FrameSection
+from trajopt_cli.quantity import (
+    ACCELERATION,
+    ANGLE,
+    JERK,
+    LENGTH,
+    RATIO,
+    SPEED,
+    TIME,
+    TURN_ACCELERATION,
+    TURN_JERK,
+    TURN_RATE,
+    complain,
+    number,
+    numbers,
+)
+
+FORCE, TORQUE = {"N": 1.0}, {"Nm": 1.0}
+STIFFNESS, TURN_STIFFNESS = {"N/m": 1.0, "N/mm": 1e3}, {"Nm/rad": 1.0}
+DAMPING, TURN_DAMPING = {"N s/m": 1.0, "Ns/m": 1.0}, {"N m s/rad": 1.0, "Nms/rad": 1.0}
+MASS, INERTIA = {"kg": 1.0, "g": 1e-3}, {"kg m2": 1.0}
+FREQUENCY = {"Hz": 1.0}
+
+Six = tuple[float, float, float, float, float, float]
+
+
+def _above_zero(value: float) -> float:
+    if value <= 0:
+        raise complain(f"needs a number above zero, not {value:g}")
+    return value
+
+
+def _not_negative(value: float) -> float:
+    if value < 0:
+        raise complain(f"cannot be negative: {value:g}")
+    return value
+
+
+def _positive(units: dict[str, float]) -> BeforeValidator:
+    return BeforeValidator(lambda value: _above_zero(number(units)(value)))
+
+
+def _at_least_zero(units: dict[str, float]) -> BeforeValidator:
+    return BeforeValidator(lambda value: _not_negative(number(units)(value)))
+
+
+def _six_values(
+    first: dict[str, float], last: dict[str, float], rule: Callable[[float], float] | None = None
+) -> Callable[[Any], tuple[float, ...]]:
+    """A validator: three values in the first units, three in the last; rule holds each."""
+
+    def validate(value: Any) -> tuple[float, ...]:
+        if not isinstance(value, list):
+            raise complain(f"needs a list of 6 values, not {value}")
+        if len(value) != 6:
+            raise complain(f"needs 6 values, not {len(value)}")
+        kinds = [number(first)] * 3 + [number(last)] * 3
+        out = [kind(item) for kind, item in zip(kinds, value, strict=True)]
+        return tuple(rule(item) if rule else item for item in out)
+
+    return validate
+
+
+def _six(
+    first: dict[str, float], last: dict[str, float], rule: Callable[[float], float] | None = None
+) -> BeforeValidator:
+    return BeforeValidator(_six_values(first, last, rule))
+
+
+def _per_segment(units: dict[str, float]) -> BeforeValidator:
+    """One value for all segments, or a list of one each. What it must be above, the segments say."""
+
+    def validate(value: Any) -> float | tuple[float, ...]:
+        return tuple(number(units)(item) for item in value) if isinstance(value, list) else number(units)(value)
+
+    return BeforeValidator(validate)
+
+
+PoseValues = Annotated[Six, _six(LENGTH, ANGLE)]
+
+
+def _pose_or_start(value: Any) -> Any:
+    if isinstance(value, str) and value != "start":
+        raise complain(f"needs [x, y, z, alpha, beta, gamma] or 'start', not \"{value}\"")
+    return value if value == "start" else _pose_values(value)
+
+
+_pose_values = _six_values(LENGTH, ANGLE)
+ForceValues = Annotated[Six, _six(FORCE, TORQUE)]
+Angles = Annotated[tuple[float, float, float], BeforeValidator(numbers(ANGLE, 3))]
+Speed = Annotated[float | tuple[float, ...], _per_segment(SPEED)]
+TurnRate = Annotated[float | tuple[float, ...], _per_segment(TURN_RATE)]
+Acceleration = Annotated[float | tuple[float, ...], _per_segment(ACCELERATION)]
+TurnAcceleration = Annotated[float | tuple[float, ...], _per_segment(TURN_ACCELERATION)]
+Jerk = Annotated[float | tuple[float, ...], _per_segment(JERK)]
+TurnJerk = Annotated[float | tuple[float, ...], _per_segment(TURN_JERK)]
+Stiffness = Annotated[Six, _six(STIFFNESS, TURN_STIFFNESS, _not_negative)]
+Damping = Annotated[Six, _six(DAMPING, TURN_DAMPING, _not_negative)]
+Inertia = Annotated[Six, _six(MASS, INERTIA, _above_zero)]
+Instant = Annotated[float, _at_least_zero(TIME)]
+
+
+class Section(BaseModel):
+    """A part of the file; unknown keys are mistakes."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, populate_by_name=True)
+
+
+class PoseSection(Section):
+    """One pose: at (a pose, or "start": where the tool is at the start) or by (added to the pose before); dwell."""
+
+    name: StrictStr | None = None
+    at: Annotated[Six | Literal["start"], BeforeValidator(_pose_or_start)] | None = None
+    by: PoseValues | None = None
+    dwell: Annotated[float, _at_least_zero(TIME)] = 0.0
+
+    @model_validator(mode="after")
+    def _one_place(self) -> PoseSection:
+        if (self.at is None) == (self.by is None):
+            raise complain("needs one of 'at' and 'by': a pose, or what to add to the pose before")
+        return self
+
+
+def _pose(value: Any) -> Any:
+    return {"at": value} if isinstance(value, list | str) else value
+
+
+class LoadSection(Section):
+    """What the flange carries: mass [kg], com [m] in the flange frame, inertia [kg m2] about it, as a diagonal."""
+
+    mass: Annotated[float, _positive(MASS)]
+    com: Annotated[tuple[float, float, float], BeforeValidator(numbers(LENGTH, 3))] = (0.0, 0.0, 0.0)
+    inertia: Annotated[tuple[float, float, float], BeforeValidator(numbers(INERTIA, 3))] = (0.0, 0.0, 0.0)
+
+
+class ToolSection(FrameSection):
+    """The tool centre point in the flange frame, and the tool's load."""
+
+    load: LoadSection | None = None
+
+
+class StartSection(Section):
+    """Where the controller is switched on."""
+
+    joints: Annotated[tuple[float, ...], BeforeValidator(numbers(ANGLE, 7))]
+
+
+class ArmAngleSection(Section):
+    """A fixed arm angle instead of the one at the start."""
+
+    value: Annotated[float, BeforeValidator(number(ANGLE))]
+    definition: Literal["faria", "swivel"] = "faria"
+
+
+Component = Literal["fx", "fy", "fz", "mx", "my", "mz"]
+
+
+class ZeroSection(Section):
+    """Components of the force that the controller is blind to, in a frame turned by three angles."""
+
+    components: tuple[Component, ...] = ()
+    frame: Angles = (0.0, 0.0, 0.0)
+
+
+class ClampSection(Section):
+    """Bounds: torque of every joint before the mapping, force and moment after it."""
+
+    torque: Annotated[tuple[float, ...], BeforeValidator(numbers(TORQUE, 7))] | None = None
+    force: ForceValues | None = None
+
+
+class ChangeSection(Section):
+    """What is different from a time on."""
+
+    at: Instant
+    K: Stiffness | None = None
+    D: Damping | None = None
+    M: Inertia | None = None
+    zero: ZeroSection | None = None
+    clamps: ClampSection | None = None
+    tool: FrameSection | None = None
+    base: FrameSection | None = None
+    restart: StrictBool = False
+
+
+class PushSection(Section):
+    """A simulated force on the tool for a while."""
+
+    start: Instant = Field(alias="from")
+    end: Instant = Field(alias="to")
+    force: ForceValues
+
+    @model_validator(mode="after")
+    def _ordered(self) -> PushSection:
+        if not self.start < self.end:
+            raise complain(f"goes from {self.start:g} s to {self.end:g} s; 'from' comes first")
+        return self
+
+
+class RippleSection(Section):
+    """One oscillation of the measured torques."""
+
+    frequency: Annotated[float, _positive(FREQUENCY)]
+    amplitude: Annotated[float, _at_least_zero(TORQUE)]
+
+
+class SensorSection(Section):
+    """Errors of the measured joint torques: bias as a share of each joint's range, ripples, the model's inertia."""
+
+    bias: Annotated[float, _at_least_zero(RATIO)] = 0.02
+    ripple: tuple[RippleSection, ...] = (
+        RippleSection(frequency=8.0, amplitude=0.3),
+        RippleSection(frequency=17.0, amplitude=0.2),
+    )
+    rigid: StrictBool = True
+    seed: Annotated[int, Field(strict=True, ge=0)] = 1
+
+
+class ObstacleSection(Section):
+    """A box that pushes back."""
+
+    box: BoxSection
+    stiffness: Annotated[float, _positive(STIFFNESS)]
+    damping: Annotated[float, _at_least_zero(DAMPING)] = 0.0
+    friction: Annotated[float, _at_least_zero(RATIO)] = 0.0
+
+
+class ContactSection(Section):
+    """What the tool may run into; tip is the radius of the ball at its end."""
+
+    obstacles: dict[StrictStr, ObstacleSection]
+    tip: Annotated[float, _positive(LENGTH)]
+
+
+class ContactDocument(BaseModel):
+    """The contact section of a file whose other keys are somebody else's business."""
+
+    model_config = ConfigDict(extra="ignore", frozen=True)
+    contact: ContactSection
+
+
+class TaskDocument(Section):
+    """The whole file."""
+
+    robot: StrictStr = "iiwa7"
+    limits: StrictStr = "default"
+    base: FrameSection = FrameSection()
+    tool: ToolSection = ToolSection()
+    start: StartSection
+    h: Annotated[float, _positive(TIME)] = 0.001
+    profile: Literal["thesis", "trapezoid", "s-curve"] = "thesis"
+    rotation: Literal["tait-bryan", "slerp"] = "tait-bryan"
+    angles: Literal["relative", "absolute"] = "relative"
+    poses: tuple[Annotated[PoseSection, BeforeValidator(_pose)], ...] | None = None
+    program: StrictStr | None = None
+    v_max: Speed | None = None
+    omega_max: TurnRate | None = None
+    a_max: Acceleration | None = None
+    epsilon_max: TurnAcceleration | None = None
+    jerk: Jerk | None = None
+    angular_jerk: TurnJerk | None = None
+    K: Stiffness
+    D: Damping
+    M: Inertia
+    integration: Literal["euler", "exact"] = "euler"
+    arm_angle: ArmAngleSection | None = None
+    zero: ZeroSection = ZeroSection()
+    clamps: ClampSection = ClampSection()
+    changes: tuple[ChangeSection, ...] = ()
+    pushes: tuple[PushSection, ...] = ()
+    sensor: SensorSection | None = None
+    contact: ContactSection | None = None
+
+    @model_validator(mode="after")
+    def _one_path(self) -> TaskDocument:
+        if (self.poses is None) == (self.program is None):
+            raise complain("give one of 'poses' (a list) and 'program' (a RAPID file with MoveL motions)")
+        return self

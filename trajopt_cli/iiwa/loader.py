@@ -1,0 +1,226 @@
+"""Reads a task file: YAML with a place for every key, checked against the document's shape, turned into a Task."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+
+from trajopt_cli.cell.loader import frame_pose
+from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array
+from trajopt_cli.iiwa.document import (
+    ChangeSection,
+    ClampSection,
+    ContactDocument,
+    ContactSection,
+    TaskDocument,
+    ZeroSection,
+)
+from trajopt_cli.iiwa.poses import program_route, written_waypoints
+from trajopt_cli.iiwa.task import (
+    AngleMeaning,
+    Change,
+    Clamps,
+    Compliance,
+    Contact,
+    Integration,
+    Obstacle,
+    Profile,
+    Push,
+    RotationLaw,
+    Route,
+    SegmentSpeeds,
+    Sensor,
+    Task,
+    Waypoint,
+    Zeroing,
+)
+from trajopt_cli.robot.dynamics import ToolLoad
+from trajopt_cli.robot.srs import load_srs
+from trajopt_cli.robot.srs_inverse import ArmAngle
+from trajopt_cli.shapes import Box
+from trajopt_cli.yaml_file import line_of, parse, read_text, validated
+
+_COMPONENTS = ("fx", "fy", "fz", "mx", "my", "mz")
+_CAPS = ("v_max", "omega_max", "a_max", "epsilon_max", "jerk", "angular_jerk")
+_NEEDED = "start, poses, v_max, omega_max, K, D and M are needed at least"
+_WANTED = {
+    "start": "say where the controller is switched on: 'start: {joints: \"[0, 30, 0, -100, 0, 50, 0] deg\"}'",
+    "start.joints": "give the seven joints, '\"[0, 30, 0, -100, 0, 50, 0] deg\"'",
+    "K": "give the stiffness of x, y, z [N/m] and alpha, beta, gamma [Nm/rad], 'K: [1000, 1000, 1000, 30, 30, 30]'",
+    "D": "give the damping of x, y, z [N s/m] and alpha, beta, gamma, 'D: [500, 500, 500, 20, 20, 20]'",
+    "M": "give the inertia of x, y, z [kg] and alpha, beta, gamma [kg m2], 'M: [25, 25, 25, 3, 3, 3]'",
+    "contact": "say what the tool may run into: 'contact: {tip: 0.02, obstacles: {wall: {box: ..., stiffness: 2e4}}}'",
+    "stiffness": "say how stiff the obstacle is, in N/m",
+    "tip": "give the radius of the ball at the tool's end, in m",
+}
+
+
+def load_task(path: str | Path, poses_from: str | Path | None = None) -> Task:
+    """Read the task file at path (UTF-8 YAML), and the RAPID program it names.
+
+    poses_from: a RAPID file to take the poses from instead of the ones the task file gives. Raises InputError, one line
+    per finding, each with file, line and key.
+    """
+    file = str(path)
+    return parse_task(read_text(path, "task file"), file, poses_from)
+
+
+def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Task:
+    """The Task in a task file's text; file is its name in messages, programs are looked up beside it."""
+    content, lines = parse(text, file, _NEEDED)
+    if poses_from is not None:
+        content = {key: value for key, value in content.items() if key not in ("poses", "program")}
+        content["program"] = str(Path(poses_from).name)
+    document = validated(TaskDocument, content, lines, file, _WANTED)
+    X_WB, X_FT = frame_pose(document.base), frame_pose(document.tool)
+    try:
+        robot = load_srs(document.robot, X_WB)
+    except InputError as error:
+        raise InputError(f"robot: {error}", file=file, line=line_of("robot", lines)) from error
+    try:
+        robot.profile(document.limits)
+    except InputError as error:
+        raise InputError(f"limits: {error}", file=file, line=line_of("limits", lines)) from error
+    start = np.array(document.start.joints)
+    X_start = robot.forward(start) @ X_FT
+    meaning, texts = AngleMeaning(document.angles), {file: text}
+    notes: tuple[str, ...] = ()
+    if document.program is not None:
+        program = Path(poses_from) if poses_from is not None else Path(file).parent / document.program
+        found = program_route(program, meaning, X_start[:3, :3])
+        waypoints, given, texts[str(program)], notes = found.waypoints, found.speeds, found.text, found.notes
+        speeds = _speeds(document, waypoints, lines, file, given)
+    else:
+        assert document.poses is not None
+        waypoints = written_waypoints(document.poses, meaning, X_start, lines, file)
+        speeds = _speeds(document, waypoints, lines, file, None)
+    load = document.tool.load
+    return Task(
+        file=file,
+        robot=document.robot,
+        limits=document.limits,
+        route=Route(waypoints, speeds, document.h, Profile(document.profile), RotationLaw(document.rotation), meaning),
+        compliance=_compliance(document.K, document.D, document.M, "K", lines, file),
+        start_joints=start,
+        X_WB=X_WB,
+        X_FT=X_FT,
+        load=ToolLoad(load.mass, np.array(load.com), np.diag(load.inertia)) if load is not None else None,
+        definition=ArmAngle(document.arm_angle.definition if document.arm_angle else "faria"),
+        arm_angle=document.arm_angle.value if document.arm_angle else None,
+        integration=Integration(document.integration),
+        zeroing=_zeroing(document.zero),
+        clamps=_clamps(document.clamps, "clamps", lines, file),
+        changes=_changes(document, lines, file),
+        pushes=tuple(Push(push.start, push.end, np.array(push.force)) for push in document.pushes),
+        sensor=Sensor(
+            document.sensor.bias,
+            tuple((one.frequency, one.amplitude) for one in document.sensor.ripple),
+            document.sensor.rigid,
+            document.sensor.seed,
+        )
+        if document.sensor is not None
+        else None,
+        contact=_contact(document.contact) if document.contact is not None else None,
+        notes=notes,
+        lines=lines,
+        sources=texts,
+    )
+
+
+def load_contact(path: str | Path) -> tuple[Contact, str]:
+    """The contact section of a task file, or of a file that holds nothing else, and the file's text.
+
+    Raises InputError as load_task does.
+    """
+    file, text = str(path), read_text(path, "contact file")
+    content, lines = parse(text, file, "a contact section is needed")
+    return _contact(validated(ContactDocument, content, lines, file, _WANTED).contact), text
+
+
+def _speeds(
+    document: TaskDocument,
+    waypoints: tuple[Waypoint, ...],
+    lines: Mapping[str, int],
+    file: str,
+    given: tuple[tuple[float, float], ...] | None,
+) -> tuple[SegmentSpeeds, ...]:
+    """Caps per segment; given: v_max and omega_max of a program, which the file's own replace."""
+    count = len(waypoints) - 1
+    columns: dict[str, list[float] | list[None]] = {}
+    for key in _CAPS:
+        value = getattr(document, key)
+        if isinstance(value, tuple) and len(value) != count:
+            message = f"{key}: {len(value)} values for {count} segments; give one for all, or one each"
+            raise InputError(message, file=file, line=line_of(key, lines))
+        if value is None and given is not None and key in ("v_max", "omega_max"):
+            columns[key] = [pair[key == "omega_max"] for pair in given]
+        elif value is None and key in ("v_max", "omega_max"):
+            raise InputError(f"{key}: is missing; give a cap for all segments, or one each", file=file, line=1)
+        elif isinstance(value, tuple):
+            columns[key] = list(value)
+        else:
+            columns[key] = [value] * count
+    return tuple(SegmentSpeeds(**{key: columns[key][i] for key in _CAPS}) for i in range(count))  # type: ignore[arg-type]
+
+
+def _compliance(
+    K: tuple[float, ...], D: tuple[float, ...], M: tuple[float, ...], key: str, lines: Mapping[str, int], file: str
+) -> Compliance:
+    try:
+        return Compliance(np.array(K), np.array(D), np.array(M))
+    except ValueError as error:
+        raise InputError(str(error), file=file, line=line_of(key, lines)) from error
+
+
+def _zeroing(section: ZeroSection) -> Zeroing:
+    return Zeroing(tuple(name in section.components for name in _COMPONENTS), np.array(section.frame))
+
+
+def _clamps(section: ClampSection, key: str, lines: Mapping[str, int], file: str) -> Clamps:
+    try:
+        return Clamps(
+            np.array(section.torque) if section.torque is not None else np.full(7, np.inf),
+            np.array(section.force) if section.force is not None else np.full(6, np.inf),
+        )
+    except ValueError as error:
+        raise InputError(str(error), file=file, line=line_of(key, lines)) from error
+
+
+def _changes(document: TaskDocument, lines: Mapping[str, int], file: str) -> tuple[Change, ...]:
+    """In the order of time; what a change leaves out of K, D and M is that of the change before."""
+    out = []
+    K, D, M = document.K, document.D, document.M
+    order = sorted(range(len(document.changes)), key=lambda i: document.changes[i].at)
+    for i in order:
+        section: ChangeSection = document.changes[i]
+        compliance = None
+        if (section.K, section.D, section.M) != (None, None, None):
+            K, D, M = section.K or K, section.D or D, section.M or M
+            compliance = _compliance(K, D, M, f"changes.{i}", lines, file)
+        out.append(
+            Change(
+                t=section.at,
+                compliance=compliance,
+                zeroing=_zeroing(section.zero) if section.zero is not None else None,
+                clamps=_clamps(section.clamps, f"changes.{i}", lines, file) if section.clamps is not None else None,
+                X_FT=frame_pose(section.tool) if section.tool is not None else None,
+                X_WB=frame_pose(section.base) if section.base is not None else None,
+                restart=section.restart,
+            )
+        )
+    return tuple(out)
+
+
+def _contact(section: ContactSection) -> Contact:
+    obstacles = tuple(
+        Obstacle(Box(name, _array(one.box.size), frame_pose(one.box)), one.stiffness, one.damping, one.friction)
+        for name, one in section.obstacles.items()
+    )
+    return Contact(obstacles, section.tip)
+
+
+def _array(values: tuple[float, ...]) -> Array:
+    return np.array(values)

@@ -1,0 +1,103 @@
+"""Where a task's poses come from: its own list, or the MoveL motions of a RAPID program."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array
+from trajopt_cli.iiwa.angles import angles_of
+from trajopt_cli.iiwa.document import PoseSection
+from trajopt_cli.iiwa.task import AngleMeaning, Waypoint
+from trajopt_cli.motion import Move, MoveJ, MoveL, SignalEvent, Source, Wait
+from trajopt_cli.yaml_file import line_of
+
+_SAME = 1e-12  # m, rad: rounding of one and the same target
+
+
+@dataclass(frozen=True, eq=False)
+class ProgramPoses:
+    """What a RAPID program gives a task: poses, v_max [m/s] and omega_max [rad/s] per segment, its text, notes."""
+
+    waypoints: tuple[Waypoint, ...]
+    speeds: tuple[tuple[float, float], ...]
+    text: str
+    notes: tuple[str, ...]
+
+
+def written_waypoints(
+    sections: Sequence[PoseSection], meaning: AngleMeaning, X_start: Array, lines: Mapping[str, int], file: str
+) -> tuple[Waypoint, ...]:
+    """The poses of a task file's list. X_start (4, 4): the tool in the world where the controller is switched on."""
+    angles = np.zeros(3) if meaning is AngleMeaning.RELATIVE else angles_of(X_start[:3, :3])
+    start = np.concatenate([X_start[:3, 3], angles])
+    out: list[Waypoint] = []
+    for i, section in enumerate(sections):
+        place = f"{file}:{line_of(f'poses.{i}', lines)}"
+        if section.by is not None:
+            if not out:
+                raise InputError(
+                    "poses.0: 'by' adds to the pose before, and there is none; begin with 'start' or 'at'", file=place
+                )
+            pose = out[-1].pose + np.array(section.by)
+        else:
+            pose = start if section.at == "start" else np.array(section.at)
+        out.append(Waypoint(section.name or f"pose {i + 1}", pose, place, section.dwell))
+    if len(out) < 2:
+        place = f"{file}:{line_of('poses', lines)}"
+        raise InputError(f"poses: {len(out)} given; a way needs at least two", file=place)
+    return tuple(out)
+
+
+def program_route(path: Path, meaning: AngleMeaning, R_start: Array) -> ProgramPoses:
+    """The poses of a RAPID program's MoveL motions; the first motion, a MoveJ or a MoveL, says where the way begins.
+
+    Speeds are the programmed v_tcp and v_ori. Waits of a given length become dwells, signals are left out and noted.
+    Raises InputError with the place of any other motion.
+    """
+    from trajopt_cli.rapid.reader import read_program
+
+    program = read_program(path)
+    waypoints: list[Waypoint] = []
+    speeds: list[tuple[float, float]] = []
+    notes = list(program.warnings)
+    for motion in program.motions:
+        match motion:
+            case SignalEvent():
+                notes.append(f"{motion.source}: signal {motion.signal} is left out")
+            case Wait(condition=None):
+                if not waypoints:
+                    raise _refused(motion.source, "a wait before the first pose; remove it")
+                last = waypoints[-1]
+                waypoints[-1] = Waypoint(last.name, last.pose, last.place, last.dwell + motion.duration)
+            case Wait():
+                raise _refused(motion.source, f"waits for {motion.condition}, which has no known length; remove it")
+            case MoveL() | MoveJ() if isinstance(motion, MoveL) or not waypoints:
+                R = motion.X_WT[:3, :3]
+                angles = angles_of(R @ R_start.T if meaning is AngleMeaning.RELATIVE else R)
+                pose = np.concatenate([motion.X_WT[:3, 3], angles])
+                place = f"{motion.source.file}:{motion.source.line}"
+                if waypoints and np.allclose(pose, waypoints[-1].pose, rtol=0, atol=_SAME):
+                    notes.append(f"{place}: {motion.target} is the pose before once more; left out")
+                    continue
+                if waypoints:
+                    speeds.append((motion.speed.v_tcp, motion.speed.v_ori))
+                waypoints.append(Waypoint(motion.target, pose, place))
+            case _:
+                kind = type(motion).__name__
+                raise _refused(
+                    motion.source, f"{kind} is no straight segment; a task takes MoveL motions (and a first MoveJ)"
+                )
+    if len(waypoints) < 2:
+        moves = sum(isinstance(motion, Move) for motion in program.motions)
+        raise InputError(f"makes {moves} moves; a way needs at least two poses", file=str(path))
+    text = program.files[next(iter(program.files))].text
+    return ProgramPoses(tuple(waypoints), tuple(speeds), text, tuple(notes))
+
+
+def _refused(source: Source, message: str) -> InputError:
+    return InputError(message, file=source.file, line=source.line, column=source.column)
