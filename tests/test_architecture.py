@@ -61,7 +61,7 @@ ADDRESSES: dict[str, tuple[str, ...]] = {
     "coal": ("collision/*",),
     "toppra": ("timing/*",),
     "ruckig": ("timing/*",),
-    "scipy": ("optimize/*", "timing/*"),
+    "scipy": ("optimize/*", "timing/*", "admittance/*"),
     "typer": ("cli/*",),
     "rich": ("cli/*",),
     "matplotlib": ("report/*",),
