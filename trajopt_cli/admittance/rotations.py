@@ -1,0 +1,147 @@
+"""Rotations of a single sample in plain floats, for the loop's period: nine floats, row by row.
+
+NumPy's call costs more than the arithmetic of a 3 x 3 matrix; whole sequences of rotations are in geometry.py.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from math import atan2, cos, hypot, pi, remainder, sin, sqrt
+
+Three = tuple[float, float, float]
+Nine = tuple[float, float, float, float, float, float, float, float, float]
+
+IDENTITY: Nine = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
+
+
+def nine(row: Iterable[float]) -> Nine:
+    """Nine numbers as what the functions here take."""
+    a, b, c, d, e, f, g, h, i = row
+    return (a, b, c, d, e, f, g, h, i)
+
+
+def product(A: Nine, B: Nine) -> Nine:
+    """A B."""
+    a, b, c, d, e, f, g, h, i = A
+    j, k, m, n, o, p, q, r, s = B
+    return (
+        a * j + b * n + c * q,
+        a * k + b * o + c * r,
+        a * m + b * p + c * s,
+        d * j + e * n + f * q,
+        d * k + e * o + f * r,
+        d * m + e * p + f * s,
+        g * j + h * n + i * q,
+        g * k + h * o + i * r,
+        g * m + h * p + i * s,
+    )
+
+
+def transpose(A: Nine) -> Nine:
+    """The inverse of a rotation."""
+    a, b, c, d, e, f, g, h, i = A
+    return (a, d, g, b, e, h, c, f, i)
+
+
+def turned(A: Nine, v: Three) -> Three:
+    """A v."""
+    a, b, c, d, e, f, g, h, i = A
+    x, y, z = v
+    return (a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z)
+
+
+def rotation(alpha: float, beta: float, gamma: float) -> Nine:
+    """Rz(gamma) Ry(beta) Rx(alpha): extrinsic Tait-Bryan angles [rad] (eq. 4.18)."""
+    ca, sa, cb, sb, cg, sg = cos(alpha), sin(alpha), cos(beta), sin(beta), cos(gamma), sin(gamma)
+    return (
+        cg * cb,
+        cg * sb * sa - sg * ca,
+        cg * sb * ca + sg * sa,
+        sg * cb,
+        sg * sb * sa + cg * ca,
+        sg * sb * ca - cg * sa,
+        -sb,
+        cb * sa,
+        cb * ca,
+    )
+
+
+def angles(R: Nine, near: Three = (0.0, 0.0, 0.0)) -> Three:
+    """Angles of rotation(), whole turns chosen so that alpha and gamma are nearest to near; |beta| <= 90 deg.
+
+    At |beta| = 90 deg only a sum of alpha and gamma is defined: alpha is then the one of near.
+    """
+    beta = atan2(-R[6], hypot(R[0], R[3]))
+    if hypot(R[0], R[3]) < 1e-12:
+        alpha = near[0]
+        # with sin beta = +-1: R[1] = sin(+-alpha - gamma), R[4] = cos(alpha -+ gamma)
+        gamma = (alpha if beta > 0 else -alpha) + atan2(-R[1], R[4])
+    else:
+        alpha, gamma = atan2(R[7], R[8]), atan2(R[3], R[0])
+    return (
+        near[0] + remainder(alpha - near[0], 2 * pi),
+        beta,
+        near[2] + remainder(gamma - near[2], 2 * pi),
+    )
+
+
+def spin(at: Three, rates: Three) -> Three:
+    """Angular velocity [rad/s] in the fixed frame, of angle rates [rad/s] at angles `at` [rad]."""
+    (_, beta, gamma), (da, db, dg) = at, rates
+    cb, sb, cg, sg = cos(beta), sin(beta), cos(gamma), sin(gamma)
+    return (cg * cb * da - sg * db, sg * cb * da + cg * db, dg - sb * da)
+
+
+def angle_rates(at: Three, omega: Three) -> Three:
+    """Angle rates [rad/s] of an angular velocity: the inverse of spin. Not at |beta| = 90 deg, where none exist."""
+    (_, beta, gamma), (x, y, z) = at, omega
+    cb, sb, cg, sg = cos(beta), sin(beta), cos(gamma), sin(gamma)
+    da = (cg * x + sg * y) / cb
+    return (da, cg * y - sg * x, z + sb * da)
+
+
+def exponential(phi: Three) -> Nine:
+    """The rotation about phi by its length [rad] (Rodrigues)."""
+    x, y, z = phi
+    angle = sqrt(x * x + y * y + z * z)
+    if angle < 1e-8:  # the next terms are angle^2/6 and angle^2/12: under rounding
+        a, b = 1.0, 0.5
+    else:
+        half = sin(angle / 2) / angle
+        a, b = sin(angle) / angle, 2 * half * half
+    bx, by, bz = b * x, b * y, b * z
+    return (
+        1 - by * y - bz * z,
+        bx * y - a * z,
+        bx * z + a * y,
+        bx * y + a * z,
+        1 - bx * x - bz * z,
+        by * z - a * x,
+        bx * z - a * y,
+        by * z + a * x,
+        1 - bx * x - by * y,
+    )
+
+
+def logarithm(R: Nine) -> Three:
+    """The rotation vector [rad] of R, its length in [0, pi]: the inverse of exponential."""
+    a, b, c, d, e, f, g, h, i = R
+    trace = a + e + i
+    # the quaternion from its largest component: no cancellation near 0 nor near pi
+    if trace >= a and trace >= e and trace >= i:
+        w = 1 + trace
+        x, y, z = h - f, c - g, d - b
+    elif a >= e and a >= i:
+        w = h - f
+        x, y, z = 1 + a - e - i, b + d, c + g
+    elif e >= i:
+        w = c - g
+        x, y, z = b + d, 1 + e - a - i, f + h
+    else:
+        w = d - b
+        x, y, z = c + g, f + h, 1 + i - a - e
+    if w < 0:
+        w, x, y, z = -w, -x, -y, -z
+    sine = sqrt(x * x + y * y + z * z)
+    factor = 2 * atan2(sine, w) / sine if sine > 0 else 0.0
+    return (factor * x, factor * y, factor * z)
