@@ -33,7 +33,7 @@ FLOORS: tuple[tuple[str, ...], ...] = (
     ("optimize", "baseline", "verify", "export", "report", "admittance", "simulate", "results", "task_folder"),
     ("pipeline", "iiwa_job"),
     # the widest composition: everything the pipeline can do, many times over
-    ("comparison",),
+    ("comparison", "iiwa_experiments"),
     ("cli",),
 )
 # The plain data on floors 0 and 1 is a short stack of its own.
