@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from trajopt_cli.geometry import rotation_about
-from trajopt_cli.robot.model import load_robot, robot_names
+from trajopt_cli.robot.model import Structure, load_robot, robot_names
 
 TRUTH = Path(__file__).parents[2].parent / "shared" / "truth"
 
@@ -35,9 +35,9 @@ def crooked_pose(seed):
     return X
 
 
-@pytest.fixture(scope="session", params=robot_names())
+@pytest.fixture(scope="session", params=robot_names(Structure.SIX_AXIS))
 def mounted(request):
-    """Every robot that ships, mounted at a crooked pose in the world."""
+    """Every six-axis robot that ships, mounted at a crooked pose in the world."""
     return load_robot(request.param, X_WR=crooked_pose(7))
 
 

@@ -11,7 +11,7 @@ from ruamel.yaml import YAML
 
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.robot import catalogue
-from trajopt_cli.robot.model import load_robot, robot_names
+from trajopt_cli.robot.model import Structure, load_robot, robot_names
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 
@@ -37,8 +37,10 @@ def line_with(text, path):
     return next(i for i, line in enumerate(Path(path).read_text().splitlines(), 1) if text in line)
 
 
-def test_both_robots_ship_and_load():
-    assert robot_names() == ("irb140", "irb140_rail")
+def test_the_robots_ship_and_load():
+    assert robot_names() == ("iiwa7", "irb140", "irb140_rail")
+    assert robot_names(Structure.SIX_AXIS) == ("irb140", "irb140_rail")
+    assert robot_names(Structure.SRS) == ("iiwa7",)
     assert load_robot("irb140").axis_names == tuple(f"joint_{i}" for i in range(1, 7))
     rail = load_robot("irb140_rail")
     assert rail.axis_names == ("rail", *(f"joint_{i}" for i in range(1, 7)))
@@ -108,6 +110,15 @@ def test_a_robot_loads_from_a_path(copy):
         ({"  default:": "  careful:"}, "profiles:", "'profiles.default' is missing"),
         ({"urdf: irb140.urdf": "urdf: other.urdf"}, "urdf: other", "'other.urdf' does not exist beside this file"),
         ({"confdata:": "confdata: ["}, None, "not YAML: "),
+        (
+            {"confdata:": "structure: scara\nconfdata:"},
+            "structure: scara",
+            "'structure': scara is none; known are six_axis",
+        ),
+        ({"confdata:": "structure: [srs]\nconfdata:"}, "structure: [srs]", "'structure': ['srs'] is none; known are"),
+        ({"confdata:": "structure: srs\nconfdata:"}, "confdata:", "unknown key 'confdata'"),
+        ({"confdata:": "structure: srs\nconfdata:"}, "  joint_1:", "'axes.joint_1.torque' is missing"),
+        ({"confdata:": "structure: srs\nconfdata:"}, None, "'inertia' is missing"),
     ],
 )
 def test_a_mistake_in_the_yaml_is_named_with_its_line(copy, edit, place, words):
@@ -138,6 +149,7 @@ def test_several_mistakes_are_told_at_once(copy):
         ({'type="revolute"': 'type="continuous"'}, "joint 'joint_1' has type 'continuous'"),
         ({'type="revolute"': 'type="prismatic"'}, "wanted six revolute joints in a row"),
         ({'velocity="3': 'speed="3'}, "joint 'joint_1': <limit> has no velocity"),
+        ({' effort="0"/>': "/>"}, "joint 'joint_1': <limit> has no effort"),
         ({'lower="-3': 'lower="3'}, "joint 'joint_1': wanted lower < upper and velocity > 0"),
         ({'xyz="0 0 0.36"': 'xyz="0 0"'}, "joint 'joint_3': <origin> xyz=\"0 0\" is not 3 finite number(s)"),
         ({'xyz="0 0 0.36"': 'xyz="0 0 x"'}, "joint 'joint_3': <origin> xyz=\"0 0 x\" is not 3 number(s)"),
@@ -209,7 +221,8 @@ def test_an_installed_package_uses_its_own_robots_and_not_its_neighbours(tmp_pat
     (tmp_path / "robots" / "foreign.yaml").write_text("name: foreign\n")
     code = "from trajopt_cli.robot.model import *; print(robot_names(), load_robot('irb140').urdf)"
     done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True)
-    assert done.stdout.strip() == f"('irb140', 'irb140_rail') {tmp_path / 'trajopt_cli' / 'robots' / 'irb140.urdf'}"
+    urdf = tmp_path / "trajopt_cli" / "robots" / "irb140.urdf"
+    assert done.stdout.strip() == f"('iiwa7', 'irb140', 'irb140_rail') {urdf}"
 
 
 def test_loading_a_robot_imports_neither_pin_nor_casadi():

@@ -15,6 +15,7 @@ from trajopt_cli.pipeline import Optimised
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.results import motion_label
 from trajopt_cli.robot.model import RobotModel
+from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.units import DEG, MM
 
 
@@ -107,12 +108,12 @@ def verdict(name: str, report: Report) -> str:
     return f"{name}: legal ({len(report.findings)} checks)" if not bad else f"{name}: ILLEGAL ({bad} checks failed)"
 
 
-def robot_tables(robot: RobotModel) -> Iterator[Table | str]:
+def robot_tables(robot: RobotModel | SrsRobot) -> Iterator[Table | str]:
     """Everything trajopt knows of a robot: dimensions, ranges, speeds, every profile's accelerations and jerks."""
     notes = _Footnotes()
     yield f"{robot.name}: {robot.title}\n"
     lengths = plain_table("dimensions", "length", ">mm", "source")
-    for name, value in asdict(robot.arm).items():
+    for name, value in asdict(robot.lengths if isinstance(robot, SrsRobot) else robot.arm).items():
         lengths.add_row(name, f"{value / MM:.6g}", notes.mark(robot.notes["geometry"]))
     yield lengths
     yield _ranges(robot.profile("default"), notes)
@@ -120,13 +121,32 @@ def robot_tables(robot: RobotModel) -> Iterator[Table | str]:
     with_jerk = {name: limits for name, limits in robot.profiles.items() if limits.jerk is not None}
     if with_jerk:
         yield _by_profile("jerk", "³", with_jerk, notes)
+    yield from _bodies(robot, notes) if isinstance(robot, SrsRobot) else _caps(robot, notes)
+    for name in robot.profiles:
+        yield f"profile {name}: {robot.notes[f'profiles.{name}']}"
+    yield from notes.lines()
+
+
+def _caps(robot: RobotModel, notes: _Footnotes) -> Iterator[Table]:
+    """What the data sheet grants the tool centre point."""
     caps = plain_table("tool centre point", "cap", ">value", "unit", "source")
     caps.add_row("speed", f"{robot.tcp.speed:g}", "m/s", notes.mark(robot.notes["tcp.speed"]))
     caps.add_row("acceleration", f"{robot.tcp.acceleration:g}", "m/s²", notes.mark(robot.notes["tcp.acceleration"]))
     yield caps
-    for name in robot.profiles:
-        yield f"profile {name}: {robot.notes[f'profiles.{name}']}"
-    yield from notes.lines()
+
+
+def _bodies(robot: SrsRobot, notes: _Footnotes) -> Iterator[Table]:
+    """Ranges of the torque sensors; masses and centres of mass of the links, in the links' frames."""
+    torques = plain_table("torque sensors", "axis", ">range", "unit", "source")
+    for axis, torque in zip(robot.axis_names, robot.torque, strict=True):
+        torques.add_row(axis, f"±{torque:g}", "Nm", notes.mark(robot.notes[f"{axis}.torque"]))
+    yield torques
+    masses = plain_table("links", "link", ">mass [kg]", ">centre x [mm]", ">y", ">z", "source")
+    model = robot.pin_model
+    for link, body in zip(robot.link_names[1:], list(model.inertias)[1:], strict=True):
+        centre = (f"{value / MM:.4g}" for value in body.lever)
+        masses.add_row(link, f"{body.mass:.4g}", *centre, notes.mark(robot.notes["inertia"]))
+    yield masses
 
 
 class _Footnotes:

@@ -11,6 +11,7 @@ from ruamel.yaml import YAML
 from ruamel.yaml.error import MarkedYAMLError
 
 from trajopt_cli.errors import InputError, InputErrorGroup
+from trajopt_cli.robot.structure import Structure
 from trajopt_cli.shapes import ATTACHED
 
 _PACKAGE = Path(__file__).parents[1]
@@ -54,6 +55,12 @@ class AxisOrigins(_Strict):
     velocity: Origin
 
 
+class SrsAxisOrigins(AxisOrigins):
+    """With the origin of the torque sensor's range, the URDF's effort."""
+
+    torque: Origin
+
+
 class Caps(_Strict):
     """Documented caps on the TCP: speed [m/s], acceleration [m/s2]."""
 
@@ -89,26 +96,48 @@ class Collision(Origin):
 
 
 class RobotFile(_Strict):
-    """A robot's YAML file."""
+    """A robot's YAML file: what every structure has."""
 
     name: str
     title: str
     urdf: str
-    confdata: ConfRule
-    tcp: Caps
+    structure: Structure = Structure.SIX_AXIS
     geometry: Origin
-    axes: dict[str, AxisOrigins]
+    axes: Mapping[str, AxisOrigins]
     profiles: dict[str, Profile]
     collision: Collision | None = None
 
 
-def robot_names() -> tuple[str, ...]:
-    """The robots that ship, sorted."""
-    return tuple(sorted({path.stem for folder in _FOLDERS for path in folder.glob("*.yaml")}))
+class SixAxisFile(RobotFile):
+    """A six-axis arm with a spherical wrist and RAPID's confdata."""
+
+    confdata: ConfRule
+    tcp: Caps
 
 
-def find_robot(name_or_path: str) -> Path:
-    """The YAML file of a shipped robot, or a path to one (anything that ends in .yaml or .yml). InputError if none."""
+class SrsFile(RobotFile):
+    """A seven-axis arm with torque sensors; inertia: where the URDF's masses and inertias come from."""
+
+    axes: Mapping[str, SrsAxisOrigins]
+    inertia: Origin
+
+
+_FILES: dict[str, type[RobotFile]] = {Structure.SIX_AXIS.value: SixAxisFile, Structure.SRS.value: SrsFile}
+
+
+def robot_names(structure: Structure | None = None) -> tuple[str, ...]:
+    """The robots that ship, sorted; those of one structure where it is given."""
+    paths = {path.stem: path for folder in _FOLDERS for path in folder.glob("*.yaml")}
+    if structure is None:
+        return tuple(sorted(paths))
+    return tuple(name for name in sorted(paths) if read_robot_file(paths[name])[0].structure is structure)
+
+
+def find_robot(name_or_path: str, structure: Structure | None = None) -> Path:
+    """The YAML file of a shipped robot, or a path to one (anything that ends in .yaml or .yml). InputError if none.
+
+    structure: the robots the message shall list, all for None; whether the file has it is not looked at.
+    """
     if name_or_path.endswith((".yaml", ".yml")):
         path = Path(name_or_path)
         if not path.is_file():
@@ -118,7 +147,7 @@ def find_robot(name_or_path: str) -> Path:
         path = folder / f"{name_or_path}.yaml"
         if name_or_path in robot_names() and path.is_file():
             return path
-    known = ", ".join(robot_names())
+    known = ", ".join(robot_names(structure))
     raise InputError(f"unknown robot '{name_or_path}': known are {known}; or give the path of a robot's .yaml file")
 
 
@@ -134,8 +163,12 @@ def read_robot_file(path: Path) -> tuple[RobotFile, Mapping[str, Any]]:
         ) from error
     if not isinstance(raw, Mapping):
         raise InputError("a robot file is a YAML mapping; this one is not", file=file, line=1)
+    structure = raw.get("structure", Structure.SIX_AXIS.value)
+    if not isinstance(structure, str) or structure not in _FILES:
+        message = f"'structure': {structure} is none; known are {', '.join(_FILES)}"
+        raise InputError(message, file=file, line=line_of(raw, ("structure",)))
     try:
-        return RobotFile.model_validate(raw), raw
+        return _FILES[structure].model_validate(raw), raw
     except ValidationError as error:
         found = [
             InputError(_say(item["type"], item["loc"], item["msg"]), file=file, line=line_of(raw, item["loc"]))

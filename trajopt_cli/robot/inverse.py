@@ -6,7 +6,7 @@ cfx = 4 (wrist centre behind axis 1) + 2 (wrist centre behind the lower arm, cos
 from __future__ import annotations
 
 from itertools import product
-from math import cos, degrees, floor, pi, sin
+from math import cos, floor, pi, sin
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from trajopt_cli.limits import JointLimits
 from trajopt_cli.motion import ConfData
 from trajopt_cli.robot.arm import Arm
 from trajopt_cli.robot.model import RobotModel
+from trajopt_cli.robot.turns import ON_LIMIT, broken_limits, close_at_pi, half_turn
 
 BRANCHES = 8
 _FACING = np.array([[1.0], [-1.0]])  # before and behind, along the axis a branch bit stands on
@@ -22,7 +23,6 @@ _CHUNK = 512  # poses at once: work arrays of 16 kB stay in cache, and small eno
 _SINGULAR = 1e-12  # sin q5, or m of the wrist centre from axis 1: below, the angle is a convention
 _WEAK = 1e-3  # sin q5: above, q4 and q6 found each for itself are right to 1e-13
 _STRETCH = 1e-12  # how far |sin q3| may exceed 1 by rounding at the stretched or folded elbow
-_ON_LIMIT = 1e-9  # rad or m: a solution this little outside a limit stands on it
 _ON_QUADRANT = 1e-9  # rad below a multiple of 90 deg that still counts as on it
 _QUADRANT_DOUBT = 1e-6  # rad from a quadrant's or a branch's border within which RAPID's rounding may fall either way
 
@@ -81,10 +81,10 @@ def _reach(arm: Arm, w: Array, out: Array) -> tuple[Array, Array, Array, Array]:
     s3 = np.maximum(np.minimum(s3, 1.0), -1.0)
     c3 = np.sqrt((1 - s3) * (1 + s3))
     q1 = np.arctan2(s1, c1)
-    _close_at_pi(q1)
+    close_at_pi(q1)
     exists = 0 * s3  # NaN where the branch has no solution: its whole row says so
     out[0, :, :, 0] = q1 + exists[0]
-    out[1, :, :, 0] = _half_turn(q1) + exists[1]
+    out[1, :, :, 0] = half_turn(q1) + exists[1]
     q3 = np.arctan2(s3, c3)
     out[:, 0, :, 2] = q3[:, None]
     q3 = -pi - q3
@@ -130,21 +130,8 @@ def _wrist(R_BF: Array, c1: Array, s1: Array, c23: Array, s23: Array, out: Array
         q6[weak] = np.arctan2(sine, cosine)
     np.negative(q5, out=out[:, :, 1, 4])
     turns = out[:, :, 0, 3::2]  # q4 and q6
-    _close_at_pi(turns)
-    out[:, :, 1, 3::2] = _half_turn(turns)
-
-
-def _close_at_pi(angle: Array) -> None:
-    """Move -pi, which arctan2 gives for a negative zero, to pi, in place."""
-    low = angle <= -pi
-    if low.any():
-        angle[low] = pi
-
-
-def _half_turn(angle: Array) -> Array:
-    """Angles in (-pi, pi] turned by half a turn, in (-pi, pi] again; 0 turns to pi, hence the shift of the sign."""
-    turned: Array = angle - np.copysign(pi, angle - 1e-300)
-    return turned
+    close_at_pi(turns)
+    out[:, :, 1, 3::2] = half_turn(turns)
 
 
 def representatives(q: Array, lower: Array, upper: Array) -> Array:
@@ -157,8 +144,8 @@ def representatives(q: Array, lower: Array, upper: Array) -> Array:
         if value != value:
             return np.empty((0, len(q)))
         turns = range(
-            -floor((value - low + _ON_LIMIT) / (2 * pi)),
-            floor((high + _ON_LIMIT - value) / (2 * pi)) + 1,
+            -floor((value - low + ON_LIMIT) / (2 * pi)),
+            floor((high + ON_LIMIT - value) / (2 * pi)) + 1,
         )
         choices.append([min(max(value + 2 * pi * k, low), high) for k in turns])
     return np.array(list(product(*choices))).reshape(-1, len(q))
@@ -182,7 +169,7 @@ def solutions(robot: RobotModel, X_WF: Array, rail: float | None, limits: JointL
 
 
 def _within(value: float, low: float, high: float) -> bool:
-    return bool(low - _ON_LIMIT <= value <= high + _ON_LIMIT)
+    return bool(low - ON_LIMIT <= value <= high + ON_LIMIT)
 
 
 def confdata(robot: RobotModel, q: Array) -> ConfData:
@@ -234,33 +221,9 @@ def why_unreachable(robot: RobotModel, X_WF: Array, rail: float | None, limits: 
     if solutions(robot, X_WF, rail, limits):
         raise ValueError("why_unreachable: the pose has solutions")
     branches = inverse(robot, X_WF[None], None if rail is None else np.array([rail]))[0]
-    alive = {cfx: q for cfx, q in enumerate(branches) if not np.isnan(q).any()}
-    if not alive:
-        return _outside_workspace(robot, X_WF, rail)
-    names, lower, upper = robot.axis_names[-6:], limits.lower[-6:], limits.upper[-6:]
-    broken: dict[int, dict[int, tuple[float, float, float]]] = {}  # cfx -> joint -> (excess, value, limit)
-    for cfx, q in alive.items():
-        excesses = ((i, _excess(float(q[i]), float(lower[i]), float(upper[i]))) for i in range(6))
-        broken[cfx] = {i: excess for i, excess in excesses if excess[0] > _ON_LIMIT}
-
-    def say(i: int, value: float, limit: float) -> str:
-        return f"{names[i]} = {degrees(value):.6g}°, limit {degrees(limit):.6g}°"
-
-    common = set.intersection(*(set(joints) for joints in broken.values()))
-    if common:
-        _, cfx, i = min((broken[cfx][i][0], cfx, i) for cfx in broken for i in common)
-        return f"every branch needs {names[i]} beyond its range: nearest {say(i, *broken[cfx][i][1:])} (cfx {cfx})"
-    worst = {cfx: max(joints.items(), key=lambda item: item[1][0]) for cfx, joints in broken.items()}
-    order = sorted(worst, key=lambda cfx: worst[cfx][1][0])
-    return "every branch breaks a joint limit: " + "; ".join(
-        f"cfx {cfx} needs {say(worst[cfx][0], *worst[cfx][1][1:])}" for cfx in order
-    )
-
-
-def _excess(value: float, low: float, high: float) -> tuple[float, float, float]:
-    """How far value + 2 pi k stays outside low..high at least, that value, and the limit it breaks."""
-    turned = [value + 2 * pi * k for k in range(-3, 4)]
-    return min((max(low - v, v - high, 0.0), v, low if v < low else high) for v in turned)
+    alive = {f"cfx {cfx}": q for cfx, q in enumerate(branches) if not np.isnan(q).any()}
+    said = broken_limits(alive, robot.axis_names[-6:], limits.lower[-6:], limits.upper[-6:]) if alive else None
+    return said or _outside_workspace(robot, X_WF, rail)
 
 
 def _outside_workspace(robot: RobotModel, X_WF: Array, rail: float | None) -> str:

@@ -14,15 +14,16 @@ from typing import Any
 
 import numpy as np
 
-from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.robot import arm as arm_products
 from trajopt_cli.robot.arm import Arm, arm_from_chain
-from trajopt_cli.robot.urdf import UrdfJoint, read_chain, split_chain
+from trajopt_cli.robot.chain import checked_pose, link_poses, named_profile, pin_model
+from trajopt_cli.robot.structure import Structure
+from trajopt_cli.robot.urdf import UrdfJoint, split_chain
 from trajopt_cli.shapes import Capsule
 
-__all__ = ["Arm", "RobotModel", "load_robot", "robot_names"]
+__all__ = ["Arm", "RobotModel", "Structure", "load_robot", "robot_names"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,11 +60,7 @@ class RobotModel:
 
     def profile(self, name: str | None = None) -> JointLimits:
         """Limits of all axes under a named profile, "default" for None. Raises InputError listing the profiles."""
-        wanted = "default" if name is None else name
-        if wanted not in self.profiles:
-            known = ", ".join(self.profiles)
-            raise InputError(f"robot {self.name} has no limit profile '{wanted}': known are {known}")
-        return self.profiles[wanted]
+        return named_profile(self.name, self.profiles, name)
 
     @cached_property
     def X_WB0(self) -> Array:
@@ -109,19 +106,8 @@ class RobotModel:
         """Poses X_WL (n, 7, 4, 4) of the links in link_names order at axis positions q (n, k)."""
         q = np.asarray(q, dtype=np.float64)
         self._check(q, "q")
-        X = np.empty((len(q), 7, 4, 4))
-        X[:, 0] = self.base(q[:, 0] if self.has_rail else np.zeros(len(q)))
-        for i, joint in enumerate(self.chain[:6]):
-            before, here = X[:, i], X[:, i + 1]
-            here[:] = before
-            here[:, :3, 3] += before[:, :3, :3] @ joint.X[:3, 3]
-            # arm_from_chain takes only origins that are not turned and axes x, y, z: a turn mixes the other two.
-            axis = int(np.argmax(joint.axis))
-            u, v = (axis + 1) % 3, (axis + 2) % 3
-            c, s = np.cos(q[:, i - 6, None]), np.sin(q[:, i - 6, None])
-            here[:, :3, u] = c * before[:, :3, u] + s * before[:, :3, v]
-            here[:, :3, v] = c * before[:, :3, v] - s * before[:, :3, u]
-        return X
+        X_WB = self.base(q[:, 0] if self.has_rail else np.zeros(len(q)))
+        return link_poses(self.chain[:6], X_WB, q[:, -6:])
 
     def jacobian(self, q: Array, X_FT: Array | None = None) -> Array:
         """Geometric Jacobian (..., 6, k) at the TCP in world axes, linear rows first: [v; omega] = J qd.
@@ -177,17 +163,7 @@ class RobotModel:
     @cached_property
     def pin_model(self) -> Any:
         """pin.Model of the URDF, mounted at X_WR; built once, on first use."""
-        import pinocchio as pin
-
-        model = pin.buildModelFromUrdf(str(self.urdf))
-        X_WR = pin.SE3(np.array(self.X_WR))
-        for i in range(1, model.njoints):
-            if model.parents[i] == 0:
-                model.jointPlacements[i] = X_WR * model.jointPlacements[i]
-        for frame in model.frames:
-            if frame.parentJoint == 0:
-                frame.placement = X_WR * frame.placement
-        return model
+        return pin_model(self.urdf, self.X_WR)
 
 
 def _cross(a: Array, b: Array) -> Array:
@@ -195,88 +171,49 @@ def _cross(a: Array, b: Array) -> Array:
     return np.stack([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
 
 
-def robot_names() -> tuple[str, ...]:
-    """The robots that ship, sorted."""
+def robot_names(structure: Structure | None = None) -> tuple[str, ...]:
+    """The robots that ship, sorted; those of one structure where it is given."""
     from trajopt_cli.robot import catalogue
 
-    return catalogue.robot_names()
+    return catalogue.robot_names(structure)
 
 
 def load_robot(name_or_path: str, X_WR: Array | None = None) -> RobotModel:
     """A shipped robot by name or any robot by the path of its YAML file, its URDF root mounted at X_WR in the world.
 
-    X_WR (4, 4), identity for None. Raises InputError for an unknown name and for a file with a mistake.
+    X_WR (4, 4), identity for None. Raises InputError for an unknown name, for a file with a mistake, and for an arm
+    that has not six axes.
     """
-    from trajopt_cli.robot import catalogue
+    from trajopt_cli.robot import description
 
-    path = catalogue.find_robot(name_or_path)
-    data, raw = catalogue.read_robot_file(path)
-    urdf = path.parent / data.urdf
-    if not urdf.is_file():
-        line = catalogue.line_of(raw, ("urdf",))
-        raise InputError(f"urdf: '{data.urdf}' does not exist beside this file", file=str(path), line=line)
-    mount, arm_chain = split_chain(read_chain(urdf), str(urdf))
+    data, path, raw = description.read_six_axis(name_or_path)
+    urdf, whole = description.urdf_chain(data, path, raw)
+    mount, arm_chain = split_chain(whole, str(urdf))
     X_RB, rail_axis = np.eye(4), None
     for joint in mount:
         X_RB = X_RB @ joint.X
         if joint.kind == "prismatic":
             rail_axis = readonly(X_RB[:3, :3] @ joint.axis)
     axes = [joint for joint in mount + arm_chain if joint.kind != "fixed"]
-    names = tuple(joint.name for joint in axes)
-    catalogue.check_axes(data, raw, names, str(path))
-    collision = data.collision
-    if collision is not None:
-        catalogue.check_links(
-            collision, raw, (arm_chain[0].parent, *(joint.child for joint in arm_chain[:6])), str(path)
-        )
-    origins = {f"{n}.{k}": str(getattr(o, k)) for n, o in data.axes.items() for k in ("position", "velocity")}
-    profiles = {
-        name: JointLimits(
-            names,
-            np.array([joint.lower for joint in axes]),
-            np.array([joint.upper for joint in axes]),
-            np.array([joint.velocity for joint in axes]),
-            np.array([profile.acceleration[n].value for n in names]),
-            origins
-            | {f"{n}.acceleration": str(profile.acceleration[n]) for n in names}
-            | {f"{n}.jerk": str(number) for n, number in (profile.jerk or {}).items()},
-            np.array([profile.jerk[n].value for n in names]) if profile.jerk else None,
-        )
-        for name, profile in data.profiles.items()
-    }
-    notes = {
-        "geometry": str(data.geometry),
-        "confdata": str(data.confdata),
-        "tcp.speed": str(data.tcp.speed),
-        "tcp.acceleration": str(data.tcp.acceleration),
-    }
-    if collision is not None:
-        notes["collision"] = str(collision)
+    description.check(data, path, raw, axes, arm_chain)
     return RobotModel(
         name=data.name,
         title=data.title,
-        axis_names=names,
+        axis_names=tuple(joint.name for joint in axes),
         arm=arm_from_chain(arm_chain, str(urdf)),
-        X_WR=_pose(X_WR),
+        X_WR=checked_pose(X_WR, "X_WR"),
         X_RB=readonly(X_RB),
         rail_axis=rail_axis,
         tcp=TcpCaps(data.tcp.speed.value, data.tcp.acceleration.value),
-        profiles=profiles,
-        notes=notes | {f"profiles.{name}": profile.about for name, profile in data.profiles.items()},
+        profiles=description.profiles(data, axes),
+        notes=description.notes(data)
+        | {
+            "confdata": str(data.confdata),
+            "tcp.speed": str(data.tcp.speed),
+            "tcp.acceleration": str(data.tcp.acceleration),
+        },
         urdf=urdf,
         chain=tuple(arm_chain),
-        capsules={name: Capsule(name, readonly(c.a), readonly(c.b), c.radius) for name, c in collision.links.items()}
-        if collision
-        else {},
-        self_pairs=collision.self_pairs if collision else (),
+        capsules=description.capsules(data),
+        self_pairs=data.collision.self_pairs if data.collision else (),
     )
-
-
-def _pose(X_WR: Array | None) -> Array:
-    X = readonly(np.eye(4) if X_WR is None else X_WR)
-    if X.shape != (4, 4):
-        raise ValueError(f"X_WR has shape {X.shape}, wanted (4, 4)")
-    off = float(np.abs(X[:3, :3] @ X[:3, :3].T - np.eye(3)).max())
-    if off > 1e-9 or np.linalg.det(X[:3, :3]) < 0 or np.any(X[3] != [0, 0, 0, 1]):
-        raise ValueError(f"X_WR is not a pose: its rotation is off by {off:.3g}, or its last row is not 0 0 0 1")
-    return X

@@ -17,7 +17,10 @@ FLANGE = "tool0"
 
 @dataclass(frozen=True, eq=False)
 class UrdfJoint:
-    """One joint: X is its frame in the parent link (4, 4), axis (3,) a unit vector; limits in rad or m, and 1/s."""
+    """One joint: X is its frame in the parent link (4, 4), axis (3,) a unit vector; limits in rad or m, and 1/s.
+
+    effort: N or Nm, 0 where a URDF gives none.
+    """
 
     name: str
     kind: str
@@ -28,6 +31,7 @@ class UrdfJoint:
     lower: float
     upper: float
     velocity: float
+    effort: float = 0.0
 
 
 def read_chain(path: Path) -> list[UrdfJoint]:
@@ -65,6 +69,12 @@ def split_chain(chain: list[UrdfJoint], file: str) -> tuple[list[UrdfJoint], lis
             " a fixed one behind them, at most one prismatic before them",
             file=file,
         )
+    check_ranges(axes, file)
+    return mount, arm
+
+
+def check_ranges(axes: list[UrdfJoint], file: str) -> None:
+    """Raise InputError for an axis without a range or a speed."""
     for joint in axes:
         if not (joint.lower < joint.upper and joint.velocity > 0):
             raise InputError(
@@ -72,7 +82,6 @@ def split_chain(chain: list[UrdfJoint], file: str) -> tuple[list[UrdfJoint], lis
                 f" upper {joint.upper:g}, velocity {joint.velocity:g}",
                 file=file,
             )
-    return mount, arm
 
 
 def _joint(element: ElementTree.Element, file: str) -> UrdfJoint:
@@ -101,14 +110,15 @@ def _joint(element: ElementTree.Element, file: str) -> UrdfJoint:
     X = np.eye(4)
     X[:3, :3] = _rotation_rpy(*numbers("origin", "rpy", 3))
     X[:3, 3] = numbers("origin", "xyz", 3)
-    axis, lower, upper, velocity = np.zeros(3), 0.0, 0.0, 0.0
+    axis, lower, upper, velocity, effort = np.zeros(3), 0.0, 0.0, 0.0, 0.0
     if kind != "fixed":
         axis = np.array(numbers("axis", "xyz", 3))
         if abs(np.linalg.norm(axis) - 1) > 1e-9:
             raise InputError(f"joint '{name}' has an axis of length {np.linalg.norm(axis):.6g}, wanted 1", file=file)
-        (lower,), (upper,), (velocity,) = (numbers("limit", key, 1) for key in ("lower", "upper", "velocity"))
+        keys = ("lower", "upper", "velocity", "effort")
+        (lower,), (upper,), (velocity,), (effort,) = (numbers("limit", key, 1) for key in keys)
     parent, child = part("parent").get("link", ""), part("child").get("link", "")
-    return UrdfJoint(name, kind, parent, child, X, axis, lower, upper, velocity)
+    return UrdfJoint(name, kind, parent, child, X, axis, lower, upper, velocity, effort)
 
 
 def _rotation_rpy(roll: float, pitch: float, yaw: float) -> Array:
