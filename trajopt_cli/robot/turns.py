@@ -22,6 +22,7 @@ def close_at_pi(angle: Array) -> None:
 def half_turn(angle: Array) -> Array:
     """Angles in (-pi, pi] turned by half a turn, in (-pi, pi] again; 0 turns to pi, hence the shift of the sign."""
     turned: Array = angle - np.copysign(pi, angle - 1e-300)
+    close_at_pi(turned)  # of an angle next to zero nothing is left beside pi
     return turned
 
 
