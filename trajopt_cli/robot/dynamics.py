@@ -1,0 +1,110 @@
+"""Torques and accelerations of a seven-axis arm and its tool as rigid bodies, by pinocchio.
+
+No rotors and no friction: the masses are those of the URDF, whose source and grade the robot's YAML gives.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.robot.srs import JOINTS, SrsRobot
+from trajopt_cli.robot.urdf import FLANGE
+
+GRAVITY = 9.81
+"""Acceleration of free fall [m/s2] where nobody says otherwise."""
+_ROUNDING = 1e-9  # of the largest moment: what an inertia written with digits may miss symmetry or positivity by
+
+
+@dataclass(frozen=True, eq=False)
+class ToolLoad:
+    """What the flange carries: mass [kg], its centre com (3,) [m] in the flange frame, inertia (3, 3) [kg m2] about it.
+
+    The inertia stands in the flange's axes. Raises ValueError for a mass that is not positive, and for an inertia that
+    no body has: not symmetric, a negative principal moment, or one larger than the sum of the others.
+    """
+
+    mass: float
+    com: Array
+    inertia: Array
+
+    def __post_init__(self) -> None:
+        for name, shape in (("com", (3,)), ("inertia", (3, 3))):
+            values = readonly(getattr(self, name))
+            if values.shape != shape or not np.isfinite(values).all():
+                raise ValueError(f"ToolLoad.{name} is {values.tolist()}, wanted finite numbers of shape {shape}")
+            object.__setattr__(self, name, values)
+        if not (np.isfinite(self.mass) and self.mass > 0):
+            raise ValueError(f"ToolLoad.mass is {self.mass:g} kg, wanted a mass above zero")
+        size = float(np.abs(self.inertia).max())
+        if np.abs(self.inertia - self.inertia.T).max() > _ROUNDING * size:
+            raise ValueError(f"ToolLoad.inertia {self.inertia.tolist()} kg m2 is not symmetric")
+        least, middle, most = (float(v) for v in np.linalg.eigvalsh(self.inertia))
+        moments = f"its principal moments are {least:.6g}, {middle:.6g}, {most:.6g} kg m2"
+        if least < -_ROUNDING * size:
+            raise ValueError(f"ToolLoad.inertia has a negative moment: {moments}")
+        if most > least + middle + _ROUNDING * size:
+            raise ValueError(f"ToolLoad.inertia is no body's, one moment exceeds the sum of the others: {moments}")
+
+
+class Dynamics:
+    """An arm with what its flange carries, under gravity [m/s2] along the world's -z.
+
+    One object serves one thread: it owns its work space.
+    """
+
+    def __init__(self, robot: SrsRobot, load: ToolLoad | None = None, gravity: float = GRAVITY) -> None:
+        """Raises ValueError for a gravity that is not finite."""
+        import pinocchio as pin
+
+        if not np.isfinite(gravity):
+            raise ValueError(f"gravity is {gravity}, wanted a finite acceleration [m/s2]")
+        model = pin.Model(robot.pin_model)  # a copy: the load must not stay in the robot's model
+        model.gravity.linear = np.array([0.0, 0.0, -gravity])
+        if load is not None:
+            flange = model.frames[model.getFrameId(FLANGE)]
+            body = pin.Inertia(load.mass, np.array(load.com), np.array(load.inertia))
+            model.appendBodyToJoint(flange.parentJoint, body, flange.placement)
+        self._pin: Any = pin
+        self._model, self._data = model, model.createData()
+
+    def torque(self, q: Array, qd: Array, qdd: Array) -> Array:
+        """Joint torques (7,) or (n, 7) [Nm] that move the arm so: inverse dynamics. q, qd, qdd alike [rad, s]."""
+        rows = [_rows(values, name) for values, name in ((q, "q"), (qd, "qd"), (qdd, "qdd"))]
+        if len({len(values) for values in rows}) != 1:
+            raise ValueError(f"q, qd, qdd have {', '.join(str(len(v)) for v in rows)} rows, wanted as many of each")
+        out = np.array([self._pin.rnea(self._model, self._data, *row) for row in zip(*rows, strict=True)])
+        return out.reshape(np.shape(q))
+
+    def gravity_torque(self, q: Array) -> Array:
+        """Joint torques (7,) or (n, 7) [Nm] that hold the arm at rest at q."""
+        rows = _rows(q, "q")
+        out = [np.array(self._pin.computeGeneralizedGravity(self._model, self._data, row)) for row in rows]
+        return np.array(out).reshape(np.shape(q))
+
+    def mass_matrix(self, q: Array) -> Array:
+        """Mass matrix (7, 7) [kg m2] at q (7,)."""
+        upper = np.triu(self._pin.crba(self._model, self._data, _one(q, "q")))
+        return np.asarray(upper + np.triu(upper, 1).T, dtype=np.float64)
+
+    def acceleration(self, q: Array, qd: Array, tau: Array) -> Array:
+        """Joint accelerations (7,) [rad/s2] under joint torques tau (7,) [Nm] at q, qd (7,): forward dynamics."""
+        state = _one(q, "q"), _one(qd, "qd"), _one(tau, "tau")
+        return np.array(self._pin.aba(self._model, self._data, *state), dtype=np.float64)
+
+
+def _rows(values: Array, name: str) -> Array:
+    values = np.asarray(values, dtype=np.float64)
+    if values.ndim not in (1, 2) or values.shape[-1] != JOINTS:
+        raise ValueError(f"{name} has shape {values.shape}, wanted ({JOINTS},) or (n, {JOINTS})")
+    return values.reshape(-1, JOINTS)
+
+
+def _one(values: Array, name: str) -> Array:
+    values = np.asarray(values, dtype=np.float64)
+    if values.shape != (JOINTS,):
+        raise ValueError(f"{name} has shape {values.shape}, wanted ({JOINTS},)")
+    return values
