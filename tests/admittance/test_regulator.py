@@ -277,9 +277,9 @@ def test_rotations_of_one_sample_against_scipy() -> None:
 
 @pytest.mark.parametrize("sign", [1, -1])
 def test_angles_where_they_lock(sign: int) -> None:
-    """At beta = +-90 deg alpha is the one asked for and the orientation is right; from 1e-13 rad around it too."""
-    for off in (0.0, 1e-13):
+    """At beta = +-90 deg alpha is the one asked for; there and in the noise around it the orientation is right."""
+    for off in (0.0, 1e-13, 1e-9, 1e-5):
         R = Rotation.from_euler("xyz", [0.7, sign * (np.pi / 2 - off), -1.1]).as_matrix()
         alpha, beta, gamma = rotations.angles(tuple(R.ravel()), (0.4, 0, 0))
-        assert alpha == pytest.approx(0.4)
+        assert alpha == pytest.approx(0.4) or off > 1e-12
         assert np.allclose(np.reshape(rotations.rotation(alpha, beta, gamma), (3, 3)), R, rtol=0, atol=1e-12)

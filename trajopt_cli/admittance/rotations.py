@@ -71,13 +71,12 @@ def angles(R: Nine, near: Three = (0.0, 0.0, 0.0)) -> Three:
 
     At |beta| = 90 deg only a sum of alpha and gamma is defined: alpha is then the one of near.
     """
-    beta = atan2(-R[6], hypot(R[0], R[3]))
-    if hypot(R[0], R[3]) < 1e-12:
-        alpha = near[0]
-        # with sin beta = +-1: R[1] = sin(+-alpha - gamma), R[4] = cos(alpha -+ gamma)
-        gamma = (alpha if beta > 0 else -alpha) + atan2(-R[1], R[4])
-    else:
-        alpha, gamma = atan2(R[7], R[8]), atan2(R[3], R[0])
+    cosine = hypot(R[7], R[8])
+    alpha = near[0] if cosine < 1e-12 else atan2(R[7], R[8])
+    beta = atan2(-R[6], cosine)
+    # gamma from R Rx(-alpha) = Rz Ry: near the lock both angles are noise, the orientation is not
+    ca, sa = cos(alpha), sin(alpha)
+    gamma = atan2(R[2] * sa - R[1] * ca, R[4] * ca - R[5] * sa)
     return (
         near[0] + remainder(alpha - near[0], 2 * pi),
         beta,
