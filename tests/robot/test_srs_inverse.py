@@ -20,6 +20,7 @@ from trajopt_cli.robot.srs_inverse import (
     singularities,
     why_unreachable,
 )
+from trajopt_cli.robot.srs_step import SrsStep
 
 HUNG = load_srs("iiwa7", crooked_pose(9))
 LIMITS = HUNG.profile()
@@ -328,3 +329,18 @@ def test_wrong_shapes_and_configurations_are_named(iiwa7):
     with pytest.raises(ValueError, match=r"configuration 8, wanted 0\.\.7"):
         inverse_branch(iiwa7, np.eye(4)[None], 0.0, ArmAngle.FARIA, 8)
     assert inverse(iiwa7, np.empty((0, 4, 4)), 0.0, ArmAngle.FARIA).shape == (0, 8, 7)
+
+
+@BOTH
+def test_a_wrist_centre_in_the_shoulder_holds_the_elbow_level(iiwa7, definition):
+    """Where W comes from does not matter within 1e-12 m: the line is taken as the base's z, its azimuth as 0."""
+    for offset in ([0, 0, 0], [3e-13, 0, 0], [0, -3e-13, 0], [0, 0, -3e-13], [1e-13, 2e-13, 1e-13]):
+        X = pose(np.eye(3), np.array([0, 0, 0.34 + 0.126]) + offset)[None]
+        found = inverse(iiwa7, X, 0.3, definition)[0]
+        np.testing.assert_allclose(np.abs(found[:, 1]), pi / 2, rtol=0, atol=1e-11)
+        np.testing.assert_allclose(np.abs(found[:, 3]), pi, rtol=0, atol=1e-11)
+        wanted = pi + 0.3 if definition is ArmAngle.SWIVEL else 0.3
+        np.testing.assert_allclose(wrapped(found[0, 0] - wanted), 0, atol=1e-11)
+        np.testing.assert_allclose(iiwa7.forward(found), np.tile(X, (8, 1, 1)), rtol=0, atol=2e-12)
+        step = SrsStep(iiwa7, definition, 5, 0.3)
+        np.testing.assert_allclose(step.joints(tuple(np.eye(3).ravel()), tuple(X[0, :3, 3])), found[5], atol=1e-11)
