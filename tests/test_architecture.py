@@ -50,7 +50,7 @@ STACK = {
     "scenario": set[str](),
     "shapes": {"geometry"},
     "findings": {"motion"},
-    "quantity": {"units"},
+    "quantity": {"errors", "units"},
     "yaml_file": {"errors"},
     "run_folder": {"errors", "files"},
 }

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
+from typing import Any
 
 from trajopt_cli.motion import Source
 
@@ -41,3 +43,23 @@ class Report:
     def legal(self) -> bool:
         """True when every legality finding passed."""
         return all(finding.passed for finding in self.findings)
+
+
+def finding_record(finding: Finding) -> dict[str, Any]:
+    """A finding as plain data for JSON; null for a number that could not be computed."""
+    return {
+        "check": finding.check,
+        "subject": finding.subject,
+        "value": _finite(finding.value),
+        "limit": _finite(finding.limit),
+        "margin": _finite(finding.margin),
+        "unit": finding.unit,
+        "passed": finding.passed,
+        "time_s": finding.time,
+        "source": str(finding.source) if finding.source else None,
+        "message": finding.message,
+    }
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None

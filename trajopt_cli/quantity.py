@@ -9,6 +9,7 @@ from typing import Any
 
 from pydantic_core import PydanticCustomError
 
+from trajopt_cli.errors import InputError
 from trajopt_cli.units import DEG, MM
 
 LENGTH = {"m": 1.0, "cm": 1e-2, "mm": MM}
@@ -86,6 +87,17 @@ def numbers(units: Mapping[str, float], count: int | None = None) -> Callable[[A
         return tuple(one(item) for item in items)
 
     return validate
+
+
+def option_value(text: str, units: Mapping[str, float], option: str) -> float:
+    """A command line's number with one of units, above zero, in SI. Raises InputError naming the option."""
+    try:
+        value = number(units)(text)
+    except PydanticCustomError as error:
+        raise InputError(f"{option}: {error.message()}") from error
+    if value <= 0:
+        raise InputError(f"{option}: needs a number above zero, not {text}")
+    return value
 
 
 def _bare(item: str, text: str) -> float:

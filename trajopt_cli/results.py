@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import platform
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -12,7 +11,7 @@ from typing import Any
 
 from trajopt_cli import __version__
 from trajopt_cli.errors import InputError
-from trajopt_cli.findings import Finding, Report
+from trajopt_cli.findings import Report, finding_record
 from trajopt_cli.motion import Move, Program, SignalEvent, Wait
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.run_folder import FORMAT, PLAN, SUMMARY, read_bytes, read_record, read_run, record, sha256
@@ -141,26 +140,6 @@ def _plan(program: Program, judged: Judged) -> dict[str, Any]:
             "advice": [finding_record(finding) for finding in judged.report.advice],
         },
     }
-
-
-def finding_record(finding: Finding) -> dict[str, Any]:
-    """A finding as plain data for JSON; null for a number that could not be computed."""
-    return {
-        "check": finding.check,
-        "subject": finding.subject,
-        "value": _finite(finding.value),
-        "limit": _finite(finding.limit),
-        "margin": _finite(finding.margin),
-        "unit": finding.unit,
-        "passed": finding.passed,
-        "time_s": finding.time,
-        "source": str(finding.source) if finding.source else None,
-        "message": finding.message,
-    }
-
-
-def _finite(value: float) -> float | None:
-    return value if math.isfinite(value) else None
 
 
 def run_record(

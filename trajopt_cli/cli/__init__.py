@@ -12,7 +12,7 @@ from typing import Annotated
 import typer
 
 from trajopt_cli import __version__
-from trajopt_cli.cli import analyse, compare, export, optimize, parse, robot, verify
+from trajopt_cli.cli import analyse, compare, export, iiwa, optimize, parse, robot, verify
 from trajopt_cli.errors import InputError
 
 app = typer.Typer(
@@ -28,6 +28,7 @@ app.add_typer(export.app, name="export")
 app.command("verify", short_help="Judge results or anybody's joint CSV.")(verify.verify)
 app.command("parse", short_help="PROGRAM's flat motions with file:line.")(parse.parse)
 app.command("analyse", short_help="PROGRAM as written, in steps of speed.")(analyse.analyse)
+app.add_typer(iiwa.app, name="iiwa")
 app.add_typer(robot.app, name="robot")
 
 

@@ -1,0 +1,248 @@
+"""`trajopt iiwa segments|joints|simulate|dose|experiments`: what a compliant controller is fed, and makes of it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal, NoReturn
+
+import typer
+
+from trajopt_cli.cli.options import AsJson
+
+if TYPE_CHECKING:
+    from trajopt_cli.iiwa_job.simulation import Unstable
+
+app = typer.Typer(help="Cartesian segments for a compliant KUKA LBR iiwa 7.", rich_markup_mode=None)
+
+TaskResults = Annotated[Path, typer.Argument(metavar="RESULTS", help="Results folder of trajopt iiwa segments.")]
+
+
+@app.callback()
+def _group() -> None:
+    """Cartesian segments for a compliant KUKA LBR iiwa 7, its joints, and what the controller will make of them."""
+
+
+@app.command("segments", short_help="TASK's poses in, one pose per period out.")
+def segments(
+    task: Annotated[
+        Path, typer.Argument(metavar="TASK", help="Task file (YAML), or a RAPID program whose MoveL give the poses.")
+    ],
+    output: Annotated[
+        Path | None, typer.Option("--output", metavar="FOLDER", help="Results folder; default: results/TASK.")
+    ] = None,
+    task_file: Annotated[
+        Path | None,
+        typer.Option("--task", metavar="FILE.yaml", help="Task file of a RAPID program; default: beside it."),
+    ] = None,
+    angles: Annotated[
+        Literal["relative", "absolute"] | None,
+        typer.Option("--angles", help="Count angles from the start's orientation or from the world's axes."),
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Interpolate TASK: what the controller is fed every period, as CSV with angles and with quaternions."""
+    import json
+
+    from trajopt_cli.cli.console import show, stdout
+    from trajopt_cli.cli.iiwa_tables import segments_table, sequence_line
+    from trajopt_cli.iiwa.task import AngleMeaning
+    from trajopt_cli.iiwa_job.folder import read_summary
+    from trajopt_cli.iiwa_job.segments import make_segments
+
+    folder = output or Path("results") / task.stem
+    made = make_segments(task, folder, task_file, AngleMeaning(angles) if angles else None)
+    if as_json:
+        typer.echo(json.dumps(read_summary(folder)["sequence"], indent=2, ensure_ascii=False))
+        return
+    console = stdout()
+    show(console, segments_table(task.name, made.facts))
+    console.print(sequence_line(made.opened.equilibrium))
+    for note in made.notes:
+        console.print(f"note: {note}")
+    console.print(f"written to {folder}")
+
+
+@app.command("joints", short_help="RESULTS' joints at a fixed arm angle and configuration.")
+def joints(
+    results: TaskResults,
+    arm_angle: Annotated[
+        Literal["fixed", "free"],
+        typer.Option("--arm-angle", help="Keep the arm angle, or let it change where the fixed one fails."),
+    ] = "fixed",
+    as_json: AsJson = False,
+) -> None:
+    """Inverse kinematics along the sequence, every sample held against position, speed and acceleration limits.
+
+    Exit code 1 when a limit is broken or a pose is out of reach. joints.csv is written unless a joint passes its range
+    or its speed, which would stop the controller.
+    """
+    import json
+
+    from trajopt_cli.cli.console import show, stdout
+    from trajopt_cli.cli.iiwa_tables import arm_line, joints_table
+    from trajopt_cli.iiwa.joints import Unfollowable
+    from trajopt_cli.iiwa_job.folder import read_summary
+    from trajopt_cli.iiwa_job.joints import follow_joints, stops_nothing
+
+    opened, answer = follow_joints(results, arm_angle == "free")
+    if isinstance(answer, Unfollowable):
+        typer.echo(f"{opened.task.file}: {answer.message}", err=True)
+        raise typer.Exit(1)
+    failed = [finding for finding in answer.findings if not finding.passed]
+    written = stops_nothing(answer)
+    if as_json and written:
+        typer.echo(json.dumps(read_summary(results)["joints"], indent=2, ensure_ascii=False))
+    elif not as_json:
+        console = stdout()
+        show(console, joints_table(opened.robot.name, answer))
+        console.print(arm_line(answer))
+        for note in answer.notes:
+            console.print(f"note: {note}")
+        if written:
+            console.print(f"written to {results / 'joints.csv'}")
+    for finding in failed:
+        typer.echo(finding.message, err=True)
+    if not written:
+        typer.echo("NOTHING WRITTEN: the controller's loop would stop there", err=True)
+    if failed:
+        raise typer.Exit(1)
+
+
+@app.command("simulate", short_help="What the compliant controller makes of RESULTS.")
+def simulate(
+    results: TaskResults,
+    contact: Annotated[
+        Path | None,
+        typer.Option("--contact", metavar="FILE.yaml", help="What the tool may run into; default: the task's own."),
+    ] = None,
+    engine: Annotated[
+        Literal["spring", "mujoco"] | None,
+        typer.Option("--engine", help="What answers the tool; default: MuJoCo where it is installed."),
+    ] = None,
+    feed: Annotated[
+        Literal["position", "velocity"], typer.Option("--feed", help="Feed the equilibrium's speed, too.")
+    ] = "position",
+    integration: Annotated[
+        Literal["euler", "exact"] | None, typer.Option("--integration", help="How the law is stepped.")
+    ] = None,
+    settle: Annotated[
+        float | None, typer.Option("--settle", min=0, max=600, metavar="S", help="How long the last pose is held.")
+    ] = None,
+    plots: Annotated[
+        Path | None, typer.Option("--plots", metavar="FOLDER", help="Draw equilibrium, answer, lag and forces, too.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Run the admittance controller on the sequence: how far the arm lags, where, and with which force it would push.
+
+    Writes simulation.csv into RESULTS. Exit code 1 when the controller is unstable, or a joint limit stops its loop.
+    """
+    import json
+
+    from trajopt_cli.cli.console import show, stdout
+    from trajopt_cli.cli.iiwa_tables import contact_lines, lag_lines, loop_time_line, stability_table
+    from trajopt_cli.files import write_files
+    from trajopt_cli.iiwa.task import Feed, Integration
+    from trajopt_cli.iiwa_job.drawing import simulation_pictures
+    from trajopt_cli.iiwa_job.folder import read_summary
+    from trajopt_cli.iiwa_job.simulation import Unstable
+    from trajopt_cli.iiwa_job.simulation import simulate as run
+
+    check_folder(plots, "--plots")
+    answer = run(results, contact, engine, Feed(feed), Integration(integration) if integration else None, settle)
+    if isinstance(answer, Unstable):
+        unstable(answer)
+    if as_json:
+        typer.echo(json.dumps(read_summary(results)["simulation"], indent=2, ensure_ascii=False))
+    else:
+        console = stdout()
+        show(console, stability_table(answer.axes, answer.opened.equilibrium.h))
+        for line in (*lag_lines(answer), *contact_lines(answer), *loop_time_line(answer)):
+            console.print(line)
+        console.print(f"written to {results / 'simulation.csv'}")
+    if plots is not None:
+        pictures = simulation_pictures(answer)
+        write_files(plots, pictures)
+        typer.echo(f"drawn in {plots}: {len(pictures)} files", err=True)
+    if broken := answer.broken:
+        for line in broken:
+            typer.echo(line, err=True)
+        raise typer.Exit(1)
+
+
+@app.command("dose", short_help="RESULTS retimed so that the controller follows.")
+def dose(
+    results: TaskResults,
+    max_lag: Annotated[str, typer.Option("--max-lag", metavar="5mm", help="How far the arm may stay behind.")],
+    max_turn_lag: Annotated[
+        str | None, typer.Option("--max-turn-lag", metavar="2deg", help="How far its angles may.")
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", metavar="FOLDER", help="Results folder; default: RESULTS-dosed.")
+    ] = None,
+    plots: Annotated[
+        Path | None, typer.Option("--plots", metavar="FOLDER", help="Draw lag, speed and path before and after, too.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Retime the sequence: least time with a lag of at most the bound, beside the run as it was and one fed with speed.
+
+    Exit code 1 when no such sequence is found or the arm cannot follow it; nothing is written then.
+    """
+    import json
+
+    from trajopt_cli.admittance.dose import CannotDose
+    from trajopt_cli.cli.console import show, stdout
+    from trajopt_cli.cli.iiwa_tables import dose_line, dose_table
+    from trajopt_cli.files import write_files
+    from trajopt_cli.iiwa.joints import Unfollowable
+    from trajopt_cli.iiwa_job.dosing import dose_folder
+    from trajopt_cli.iiwa_job.drawing import dose_pictures
+    from trajopt_cli.iiwa_job.folder import read_summary
+    from trajopt_cli.iiwa_job.simulation import Unstable
+    from trajopt_cli.quantity import ANGLE, LENGTH, option_value
+
+    check_folder(plots, "--plots")
+    folder = output or results.with_name(f"{results.name}-dosed")
+    bound = option_value(max_lag, LENGTH, "--max-lag")
+    turn = None if max_turn_lag is None else option_value(max_turn_lag, ANGLE, "--max-turn-lag")
+    answer = dose_folder(results, folder, bound, turn)
+    if isinstance(answer, Unstable):
+        unstable(answer)
+    if isinstance(answer, CannotDose | Unfollowable):
+        typer.echo(f"{results}: {answer.message}", err=True)
+        raise typer.Exit(1)
+    if as_json:
+        typer.echo(json.dumps(read_summary(folder)["dosing"], indent=2, ensure_ascii=False))
+    else:
+        console = stdout()
+        show(console, dose_table(results.name, answer))
+        console.print(dose_line(answer))
+        for note in answer.dosed.notes:
+            console.print(f"note: {note}")
+        console.print(f"written to {folder}")
+    if plots is not None:
+        pictures = dose_pictures(answer)
+        write_files(plots, pictures)
+        typer.echo(f"drawn in {plots}: {len(pictures)} files", err=True)
+    failed = [finding.message for finding in answer.joints.findings if not finding.passed]
+    if failed:
+        for line in failed:
+            typer.echo(line, err=True)
+        raise typer.Exit(1)
+
+
+def unstable(answer: Unstable) -> NoReturn:
+    """Say which axes do not settle, and stop with exit code 1."""
+    for axis in answer.axes:
+        typer.echo(axis.sentence, err=True)
+    typer.echo("NOTHING WRITTEN: the controller is unstable", err=True)
+    raise typer.Exit(1)
+
+
+def check_folder(place: Path | None, option: str) -> None:
+    """Before the work: the place to write to can be a folder."""
+    from trajopt_cli.errors import InputError
+
+    if place is not None and place.exists() and not place.is_dir():
+        raise InputError(f"is a file; {option} names a folder", file=str(place))

@@ -1,0 +1,197 @@
+"""What the compliant job's answers look like in a terminal: mm, degrees, and every figure with its unit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+import numpy as np
+from rich.table import Table
+
+from trajopt_cli.cli.layout import plain_table
+from trajopt_cli.findings import Finding
+from trajopt_cli.iiwa.equilibrium import Equilibrium
+from trajopt_cli.units import MM
+
+if TYPE_CHECKING:
+    from trajopt_cli.admittance.stability import AxisStability
+    from trajopt_cli.iiwa.joints import Followed
+    from trajopt_cli.iiwa.segments import SegmentFacts
+    from trajopt_cli.iiwa_job.dosing import DosedJob
+    from trajopt_cli.iiwa_job.simulation import Simulated
+
+_SEEN = 1e-9  # rad: a smaller turn is rounding
+_TURNING = {"rad": "°", "rad/s": "°/s", "rad/s2": "°/s²"}
+
+
+def segments_table(task: str, facts: Iterable[SegmentFacts]) -> Table:
+    """One line per segment."""
+    table = plain_table(
+        f"{task}: segments",
+        *(
+            "from",
+            "to",
+            ">length [mm]",
+            ">turn [°]",
+            ">time [s]",
+            ">top speed [m/s]",
+            ">top turn rate [°/s]",
+            "bound by",
+        ),
+    )
+    for fact in facts:
+        table.add_row(
+            fact.origin,
+            fact.goal,
+            f"{fact.L_p / MM:.2f}",
+            f"{np.degrees(fact.L_theta):.2f}",
+            f"{fact.duration:.3f}",
+            f"{fact.v_top:.4f}",
+            f"{np.degrees(fact.omega_top):.2f}",
+            fact.binds,
+        )
+    return table
+
+
+def sequence_line(sequence: Equilibrium) -> str:
+    """How long the sequence is, and what its numbers mean."""
+    meaning = {"relative": "from the orientation at the start", "absolute": "from the world's axes"}
+    return (
+        f"T = {sequence.duration:.3f} s, {len(sequence.pose)} poses, one every {sequence.h / MM:g} ms;"
+        f" angles count {meaning[sequence.meaning.value]}; rotation {sequence.rotation.value}"
+    )
+
+
+def joints_table(robot: str, followed: Followed) -> Table:
+    """Per joint the worst case of position, speed and acceleration, in degrees."""
+    table = plain_table(
+        f"{robot}: joints along the sequence, worst case of each check",
+        *("check", "joint", ">value", ">limit", ">time [s]", "unit", ""),
+    )
+    before = None
+    for finding in followed.findings:
+        if before not in (None, finding.check):
+            table.add_section()
+        before = finding.check
+        table.add_row(
+            finding.check,
+            finding.subject,
+            f"{np.degrees(finding.value):.2f}",
+            f"{np.degrees(finding.limit):.2f}",
+            "" if finding.time is None else f"{finding.time:.3f}",
+            _TURNING.get(finding.unit, finding.unit),
+            _verdict(finding),
+        )
+    return table
+
+
+def arm_line(followed: Followed) -> str:
+    """Which of the arm's ways to reach the poses is taken."""
+    least, greatest = np.degrees(followed.arm_angle.min()), np.degrees(followed.arm_angle.max())
+    angle = f"{least:.2f}°" if greatest - least < 1e-6 else f"{least:.2f}° to {greatest:.2f}°"
+    signs = ", ".join(
+        f"joint_{joint} {'< 0' if followed.configuration >> bit & 1 else '>= 0'}" for bit, joint in enumerate((2, 4, 6))
+    )
+    return f"arm angle {angle} ({followed.definition.value}), configuration {followed.configuration}: {signs}"
+
+
+def _verdict(finding: Finding) -> str:
+    return "ok" if finding.passed else "FAILED"
+
+
+def stability_table(axes: Iterable[AxisStability], h: float) -> Table:
+    """The law per axis; axes of the same numbers share a line."""
+    table = plain_table(
+        f"the controller's law at {h / MM:g} ms",
+        *("axis", ">K", ">D", ">M", "verdict", ">stable up to", ">damping ratio", ">time constant [s]"),
+    )
+    groups: dict[tuple[float, float, float], list[AxisStability]] = {}
+    for axis in axes:
+        groups.setdefault((axis.k, axis.d, axis.m), []).append(axis)
+    for (k, d, m), group in groups.items():
+        one = group[0]
+        table.add_row(
+            ", ".join(dict.fromkeys(axis.axis for axis in group)),
+            *(f"{value:g}" for value in (k, d, m)),
+            one.verdict.name.lower(),
+            "any period" if np.isinf(one.h_max) else f"{one.h_max / MM:.3g} ms",
+            "" if np.isinf(one.damping_ratio) else f"{one.damping_ratio:.3g}",
+            "" if np.isinf(one.slowest) else f"{one.slowest:.3g}",
+        )
+    return table
+
+
+def lag_lines(run: Simulated) -> list[str]:
+    """How far the controller stays behind, and what its spring pulls with."""
+    lag = run.lag
+    where = f" between {lag.piece.origin} and {lag.piece.goal}" if lag.piece else ""
+    lines = [
+        f"T = {run.t[-1]:.3f} s (the last pose held for {run.settle:.3g} s), feed {run.feed.value}:"
+        f" lag at most {lag.maximum / MM:.2f} mm at {lag.time:.3f} s{where}, {lag.mean / MM:.2f} mm on average"
+    ]
+    if lag.turn_maximum > _SEEN:
+        lines.append(f"turn lag at most {np.degrees(lag.turn_maximum):.2f}° at {lag.turn_time:.3f} s")
+    pull = float(np.linalg.norm(run.spring, axis=1).max())
+    lines.append(f"held fast there, the tool would push with up to {pull:.1f} N")
+    return lines
+
+
+def contact_lines(run: Simulated) -> list[str]:
+    """What the tool ran into."""
+    from trajopt_cli.iiwa_job.simulation import touches
+
+    if run.loop is None:
+        return ["contact not simulated: the task names no obstacles"] if run.contact is None else []
+    lines = [f"world: {run.loop.world}"]
+    touch = touches(run)
+    if touch is None:
+        return [*lines, "the tool touches nothing"] if run.contact is not None else lines
+    x, y, z = touch.per_axis
+    return [
+        *lines,
+        f"first touch at {touch.first:.3f} s, last at {touch.last:.3f} s, {touch.seconds:.3f} s in contact",
+        f"force on the tool up to {touch.force:.2f} N at {touch.force_time:.3f} s"
+        f" (x {x:.2f}, y {y:.2f}, z {z:.2f} N), tip up to {touch.depth / MM:.3f} mm deep",
+        f"excursion from the equilibrium up to {touch.excursion / MM:.2f} mm at {touch.excursion_time:.3f} s",
+    ]
+
+
+def loop_time_line(run: Simulated) -> list[str]:
+    """What one period of the controller cost here, beside the thesis'."""
+    if run.loop is None or not len(run.loop.step_times):
+        return []
+    from trajopt_cli.admittance.loop import PARTS
+
+    means = ", ".join(
+        f"{name} {1e6 * value:.0f}" for name, value in zip(PARTS, run.loop.step_times.mean(axis=0), strict=True)
+    )
+    worst = 1e6 * run.loop.step_times[:, -1].max()
+    return [f"one period on average [µs]: {means}; longest {worst:.0f} µs here in Python, 148 µs in the thesis' C++"]
+
+
+def dose_table(name: str, job: DosedJob) -> Table:
+    """The ways to feed one path, beside each other."""
+    table = plain_table(
+        f"{name}: lag of at most {job.dosed.bound / MM:g} mm",
+        *("fed", ">sequence [s]", ">arm arrived [s]", ">largest lag [mm]", ">at [s]", "between"),
+    )
+    for row in job.rows:
+        piece = row.lag.piece
+        table.add_row(
+            row.feeding.value,
+            f"{row.duration:.3f}",
+            "not yet" if row.arrived is None else f"{row.arrived:.3f}",
+            f"{row.lag.maximum / MM:.3f}",
+            f"{row.lag.time:.3f}",
+            f"{piece.origin} and {piece.goal}" if piece else "",
+        )
+    return table
+
+
+def dose_line(job: DosedJob) -> str:
+    """The dosed sequence's time with its bound."""
+    dosed = job.dosed
+    return (
+        f"T = {dosed.duration:.3f} s (lower bound {dosed.least:.3f} s, gap {100 * dosed.gap:.1f} %),"
+        f" one pose every {dosed.h / MM:g} ms"
+    )

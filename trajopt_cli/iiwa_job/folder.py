@@ -1,0 +1,114 @@
+"""A task with its sequence, as read from a folder and written into one."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from trajopt_cli.iiwa.equilibrium import Equilibrium, Piece
+from trajopt_cli.iiwa.task import AngleMeaning, RotationLaw, Task
+from trajopt_cli.task_folder import EQUILIBRIUM, QUATERNIONS, TaskFolder, read_task_folder, write_task_folder
+
+if TYPE_CHECKING:
+    from trajopt_cli.geometry import Array
+    from trajopt_cli.robot.srs import SrsRobot
+
+
+@dataclass(frozen=True, eq=False)
+class Opened:
+    """A task, its robot, mounted, and its equilibrium sequence; folder: where it came from, None for a fresh one."""
+
+    task: Task
+    robot: SrsRobot
+    equilibrium: Equilibrium
+    folder: TaskFolder | None = None
+
+    @property
+    def X_start(self) -> Array:
+        """The tool in the world (4, 4) where the controller is switched on."""
+        return self.robot.forward(self.task.start_joints) @ self.task.X_FT
+
+
+def open_folder(folder: Path) -> Opened:
+    """A folder read back: its task, and the sequence as its files have it. Raises InputError if it is none."""
+    from trajopt_cli.iiwa.equilibrium_csv import read_angles_csv, read_quaternion_csv
+    from trajopt_cli.iiwa.loader import load_task
+    from trajopt_cli.robot.srs import load_srs
+
+    found = read_task_folder(folder)
+    task = load_task(found.task_path, found.program_path)
+    robot = load_srs(task.robot, task.X_WB)
+    section = found.summary["sequence"]
+    meaning = AngleMeaning(section["angles"])
+    _, pose = read_angles_csv(found.text(EQUILIBRIUM), str(folder / EQUILIBRIUM))
+    _, _, R_WT = read_quaternion_csv(found.text(QUATERNIONS), str(folder / QUATERNIONS))
+    opened = Opened(task, robot, _sequence(task, pose, R_WT, meaning, section), found)
+    return opened if meaning is AngleMeaning.ABSOLUTE else _relative(opened, R_WT)
+
+
+def read_summary(folder: Path) -> Mapping[str, Any]:
+    """summary.json of a folder: one section per command."""
+    return read_task_folder(folder).summary
+
+
+def add_to_folder(opened: Opened, files: Mapping[str, bytes], sections: Mapping[str, Any]) -> None:
+    """Write the folder anew with these files and these sections of its summary added or replaced."""
+    found = opened.folder
+    assert found is not None
+    write_task_folder(
+        found.folder,
+        {**found.files, **files},
+        {**found.summary, **sections},
+        found.task,
+        found.program,
+        found.options,
+    )
+
+
+def sequence_files(opened: Opened) -> dict[str, bytes]:
+    """The sequence as CSV: angles, and quaternions of the tool in the world."""
+    from trajopt_cli.iiwa.equilibrium_csv import write_angles_csv, write_quaternion_csv
+
+    sequence = opened.equilibrium
+    R_WT = sequence.rotations(opened.X_start[:3, :3])
+    return {
+        EQUILIBRIUM: write_angles_csv(sequence).encode(),
+        QUATERNIONS: write_quaternion_csv(sequence.t, sequence.pose[:, :3], R_WT).encode(),
+    }
+
+
+def sequence_record(opened: Opened) -> dict[str, Any]:
+    """What summary.json says of a sequence."""
+    sequence, route = opened.equilibrium, opened.task.route
+    return {
+        "robot": opened.task.robot,
+        "period_s": sequence.h,
+        "duration_s": sequence.duration,
+        "rows": len(sequence.pose),
+        "profile": route.profile.value,
+        "rotation": sequence.rotation.value,
+        "angles": sequence.meaning.value,
+        "pieces": [
+            {"first": one.first, "last": one.last, "from": one.origin, "to": one.goal, "dwell": one.dwell}
+            for one in sequence.pieces
+        ],
+    }
+
+
+def _sequence(task: Task, pose: Array, R_WT: Array, meaning: AngleMeaning, section: Mapping[str, Any]) -> Equilibrium:
+    """A sequence from its files; R counts as the pose's angles do only where meaning is absolute."""
+    from trajopt_cli.iiwa.angles import rotation
+
+    law = RotationLaw(section["rotation"])
+    pieces = tuple(Piece(one["first"], one["last"], one["from"], one["to"], one["dwell"]) for one in section["pieces"])
+    R = R_WT if law is RotationLaw.SLERP else rotation(pose[:, 3:])
+    return Equilibrium(float(section["period_s"]), pose, R, law, meaning, pieces)
+
+
+def _relative(opened: Opened, R_WT: Array) -> Opened:
+    """The sequence's matrices counted from the start's orientation, as its angles are."""
+    if opened.equilibrium.rotation is not RotationLaw.SLERP:
+        return opened
+    return replace(opened, equilibrium=replace(opened.equilibrium, R=R_WT @ opened.X_start[:3, :3].T))

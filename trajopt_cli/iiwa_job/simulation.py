@@ -1,0 +1,353 @@
+"""`trajopt iiwa simulate`: what the compliant controller makes of a folder's sequence."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array
+from trajopt_cli.iiwa.angles import angles_of, continuous, rotation
+from trajopt_cli.iiwa.equilibrium import Equilibrium, Piece
+from trajopt_cli.iiwa.meaning import counted
+from trajopt_cli.iiwa.task import (
+    COORDINATES,
+    UNITS,
+    AngleMeaning,
+    Contact,
+    Feed,
+    Integration,
+    RotationLaw,
+    Task,
+    Zeroing,
+)
+from trajopt_cli.iiwa_job.folder import Opened, add_to_folder, open_folder
+from trajopt_cli.iiwa_job.joints import joint_record
+from trajopt_cli.task_folder import SIMULATION
+
+if TYPE_CHECKING:
+    from trajopt_cli.admittance.lag import Lag
+    from trajopt_cli.admittance.loop import LoopRun
+    from trajopt_cli.admittance.stability import AxisStability
+    from trajopt_cli.iiwa.joints import Followed, Unfollowable
+
+_LONGEST_SETTLING = 10.0  # s
+_FORCES = ("fx [N]", "fy [N]", "fz [N]", "mx [Nm]", "my [Nm]", "mz [Nm]")
+
+
+@dataclass(frozen=True, eq=False)
+class Unstable:
+    """The controller's law does not settle: the axes concerned, each with a sentence."""
+
+    axes: tuple[AxisStability, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Simulated:
+    """A run of n periods, the last pose held for a while at its end.
+
+    x_e, x (n, 6) [m, rad]: equilibrium and controller, angles from the start. force (n, 6) [N, Nm]: what the controller
+    believes pushes the tool. lag: how far x stays behind. joints: the arm's, where it follows exactly. loop: the whole
+    controller against its world; None where neither contact nor sensor errors nor changes ask for it.
+    """
+
+    opened: Opened
+    x_e: Array
+    x: Array
+    force: Array
+    lag: Lag
+    axes: tuple[AxisStability, ...]
+    joints: Followed | Unfollowable | None
+    loop: LoopRun | None
+    contact: Contact | None
+    feed: Feed
+    settle: float
+
+    @property
+    def t(self) -> Array:
+        """Times (n,) [s]."""
+        return np.asarray(np.arange(len(self.x)) * self.opened.equilibrium.h, dtype=np.float64)
+
+    @property
+    def broken(self) -> tuple[str, ...]:
+        """Why this is no motion for the arm, one line each: what stopped the loop, or the joints that break a limit."""
+        from trajopt_cli.iiwa.joints import Followed
+
+        if self.loop is not None:
+            return () if self.loop.stop is None else (self.loop.stop.message,)
+        if isinstance(self.joints, Followed):
+            return tuple(finding.message for finding in self.joints.findings if not finding.passed)
+        assert self.joints is not None
+        return (self.joints.message,)
+
+    @property
+    def spring(self) -> Array:
+        """K (x - x_e) (n, 3) [N]: the stiffness' pull, with which the tool pushes what holds it."""
+        K = np.tile(self.opened.task.compliance.K[:3], (len(self.x), 1))
+        for change in self.opened.task.changes:
+            if change.compliance is not None:
+                K[self.t >= change.t] = change.compliance.K[:3]
+        return np.asarray(K * (self.x - self.x_e)[:, :3], dtype=np.float64)
+
+
+def simulate(
+    folder: Path,
+    contact_file: Path | None = None,
+    engine: str | None = None,
+    feed: Feed = Feed.POSITION,
+    integration: Integration | None = None,
+    settle: float | None = None,
+) -> Simulated | Unstable:
+    """Run the controller on a folder's sequence and write simulation.csv into it.
+
+    contact_file: what the tool may run into, None for what the task itself says. engine: "spring" or "mujoco", None for
+    MuJoCo where it is installed. settle [s]: how long the last pose is held, None for as long as the controller needs.
+    """
+    from trajopt_cli.iiwa.loader import load_contact
+
+    opened = open_folder(folder)
+    contact = load_contact(contact_file)[0] if contact_file is not None else opened.task.contact
+    answer = run_controller(opened, contact, engine, feed, integration, settle)
+    if isinstance(answer, Simulated):
+        add_to_folder(
+            answer.opened, {SIMULATION: simulation_csv(answer).encode()}, {"simulation": simulation_record(answer)}
+        )
+    return answer
+
+
+def run_controller(
+    opened: Opened,
+    contact: Contact | None,
+    engine: str | None,
+    feed: Feed,
+    integration: Integration | None,
+    settle: float | None,
+) -> Simulated | Unstable:
+    """As simulate, on a sequence at hand; nothing is written."""
+    from trajopt_cli.admittance.lag import worst_lag
+    from trajopt_cli.admittance.stability import Verdict, stability
+
+    task = opened.task if integration is None else replace(opened.task, integration=integration)
+    sequence = counted(opened.equilibrium, AngleMeaning.RELATIVE, opened.X_start[:3, :3])
+    opened = replace(opened, task=task, equilibrium=sequence)
+    axes = stability(task.compliance, sequence.h, task.integration)
+    for change in task.changes:
+        if change.compliance is not None:
+            axes += stability(change.compliance, sequence.h, task.integration)
+    unstable = tuple(axis for axis in axes if axis.verdict is Verdict.UNSTABLE)
+    if unstable:
+        return Unstable(unstable)
+    if settle is None:
+        slowest = [axis.slowest for axis in axes if np.isfinite(axis.slowest) and axis.k > 0]
+        settle = min(_LONGEST_SETTLING, 8 * max(slowest, default=0.0))
+    if _needs_loop(task, contact, engine):
+        loop = _loop(opened, contact, engine, feed, settle)
+        x_e, x, force, joints = loop.x_e, loop.x, loop.force_believed, None
+    else:
+        loop = None
+        x_e, x, R, force = _law_alone(opened, feed, settle)
+        joints = _joints(opened, x, R)
+    lag = worst_lag(x, x_e, sequence.h, sequence.pieces)
+    return Simulated(opened, x_e, x, force, lag, axes, joints, loop, contact, feed, settle)
+
+
+def simulation_csv(run: Simulated) -> str:
+    """simulation.csv: equilibrium, controller, deviation, forces, joints; what a world adds stands at the end."""
+    from trajopt_cli.admittance.lag import deviation
+    from trajopt_cli.iiwa.joints import Followed
+
+    heads = ["t [s]"]
+    heads += [f"{name}_e [{unit}]" for name, unit in zip(COORDINATES, UNITS, strict=True)]
+    heads += [f"{name} [{unit}]" for name, unit in zip(COORDINATES, UNITS, strict=True)]
+    heads += ["deviation [m]", *(f"believed {name}" for name in _FORCES)]
+    columns = [run.t[:, None], run.x_e, run.x, deviation(run.x, run.x_e)[:, None], run.force]
+    names = run.opened.robot.axis_names
+    if run.loop is not None:
+        heads += [f"{name} command [rad]" for name in names] + [f"{name} [rad]" for name in names]
+        heads += [f"true {name}" for name in _FORCES] + ["depth [m]"]
+        columns += [run.loop.q_command, run.loop.q, run.loop.contact_true, run.loop.depth[:, None]]
+    elif isinstance(run.joints, Followed):
+        heads += [f"{name} [rad]" for name in names]
+        columns += [run.joints.trajectory.q]
+    table = np.hstack(columns)
+    row = ",".join(["%.10g"] * table.shape[1])  # finer than any model here is true
+    return "\n".join([",".join(heads), *(row % tuple(values) for values in table.tolist())]) + "\n"
+
+
+def simulation_record(run: Simulated) -> dict[str, Any]:
+    """What summary.json says of a run."""
+    from trajopt_cli.iiwa.joints import Followed, Unfollowable
+
+    record: dict[str, Any] = {
+        "feed": run.feed.value,
+        "integration": run.opened.task.integration.value,
+        "duration_s": float(run.t[-1]),
+        "held_s": run.settle,
+        "lag": lag_record(run.lag),
+        "largest_spring_force_N": float(np.linalg.norm(run.spring, axis=1).max()),
+        "stability": [
+            {
+                "axis": axis.axis,
+                "verdict": axis.verdict.name.lower(),
+                "largest_period_s": _finite(axis.h_max),
+                "damping_ratio": _finite(axis.damping_ratio),
+                "slowest_time_constant_s": _finite(axis.slowest),
+            }
+            for axis in run.axes
+        ],
+    }
+    if isinstance(run.joints, Followed):
+        record["joints"] = joint_record(run.joints)
+    elif isinstance(run.joints, Unfollowable):
+        record["joints"] = {"unfollowable": run.joints.message}
+    if run.loop is not None:
+        record["world"] = run.loop.world
+        record["contact"] = touch_record(touches(run))
+        record["stopped"] = None if run.loop.stop is None else run.loop.stop.message
+    return record
+
+
+def lag_record(lag: Lag) -> dict[str, Any]:
+    """A lag as plain data."""
+    return {
+        "largest_m": lag.maximum,
+        "time_s": lag.time,
+        "from": lag.piece.origin if lag.piece else None,
+        "to": lag.piece.goal if lag.piece else None,
+        "mean_m": lag.mean,
+        "largest_turn_rad": lag.turn_maximum,
+        "turn_time_s": lag.turn_time,
+    }
+
+
+@dataclass(frozen=True)
+class Touching:
+    """What the contact did: first and last touch [s], seconds in contact, the largest force [N] and depth [m] with
+    their times, the largest force on the surroundings per axis of the world (3,) [N], and how far the controller was
+    pushed away from its equilibrium while it touched [m]."""
+
+    first: float
+    last: float
+    seconds: float
+    force: float
+    force_time: float
+    per_axis: tuple[float, float, float]
+    depth: float
+    depth_time: float
+    excursion: float
+    excursion_time: float
+
+
+def touches(run: Simulated) -> Touching | None:
+    """The contact of a run in one record, None where the tool touched nothing."""
+    if run.loop is None or not np.any(run.loop.depth > 0):
+        return None
+    rows = np.flatnonzero(run.loop.depth > 0)
+    force = np.linalg.norm(run.loop.contact_true[:, :3], axis=1)
+    away = np.where(run.loop.depth > 0, np.linalg.norm((run.x - run.x_e)[:, :3], axis=1), 0.0)
+    t, h = run.t, run.opened.equilibrium.h
+    strongest, deepest, farthest = (int(np.argmax(values)) for values in (force, run.loop.depth, away))
+    per_axis = np.abs(run.loop.contact_true[:, :3]).max(axis=0).tolist()
+    return Touching(
+        float(t[rows[0]]),
+        float(t[rows[-1]]),
+        len(rows) * h,
+        float(force[strongest]),
+        float(t[strongest]),
+        (per_axis[0], per_axis[1], per_axis[2]),
+        float(run.loop.depth[deepest]),
+        float(t[deepest]),
+        float(away[farthest]),
+        float(t[farthest]),
+    )
+
+
+def touch_record(touching: Touching | None) -> dict[str, Any] | None:
+    """A contact as plain data."""
+    if touching is None:
+        return None
+    return {
+        "first_s": touching.first,
+        "last_s": touching.last,
+        "in_contact_s": touching.seconds,
+        "largest_force_N": touching.force,
+        "largest_force_at_s": touching.force_time,
+        "largest_per_axis_N": list(touching.per_axis),
+        "deepest_m": touching.depth,
+        "deepest_at_s": touching.depth_time,
+        "largest_excursion_m": touching.excursion,
+        "largest_excursion_at_s": touching.excursion_time,
+    }
+
+
+def _finite(value: float) -> float | None:
+    return value if np.isfinite(value) else None
+
+
+def _needs_loop(task: Task, contact: Contact | None, engine: str | None) -> bool:
+    """Whether more happens than the law alone can tell."""
+    clamped = bool(np.isfinite(task.clamps.torque).any() or np.isfinite(task.clamps.force).any())
+    return contact is not None or engine is not None or task.sensor is not None or bool(task.changes) or clamped
+
+
+def _loop(opened: Opened, contact: Contact | None, engine: str | None, feed: Feed, settle: float) -> LoopRun:
+    from trajopt_cli.admittance.controller import Controller
+    from trajopt_cli.admittance.loop import run
+    from trajopt_cli.admittance.parameters import Settings
+    from trajopt_cli.simulate.mujoco_world import available
+    from trajopt_cli.simulate.worlds import Engine, make_world
+
+    task, sequence = opened.task, opened.equilibrium
+    chosen = Engine(engine) if engine is not None else Engine.MUJOCO if available() else Engine.SPRING
+    try:
+        world = make_world(chosen, opened.robot, task.X_FT, task.load, contact, sequence.h)
+    except ValueError as error:
+        raise InputError(str(error), file=task.file) from error
+    q_0 = task.start_joints.tolist()
+    controller = Controller(opened.robot, Settings.of(task, feed), tuple(q_0))
+    R_e = sequence.rotations(opened.X_start[:3, :3])
+    limits = opened.robot.profile(task.limits)
+    return run(controller, sequence.pose, world, limits, R_e=R_e, settle=settle)
+
+
+def _law_alone(opened: Opened, feed: Feed, settle: float) -> tuple[Array, Array, Array, Array]:
+    """Equilibrium x_e, controller x (n, 6) with its R (n, 3, 3) from the start, and the forces pushed with (n, 6)."""
+    from trajopt_cli.admittance.forces import zero
+    from trajopt_cli.admittance.lag import held
+    from trajopt_cli.admittance.regulator import response, response_rotation
+
+    task, sequence = opened.task, opened.equilibrium
+    h, law = sequence.h, task.compliance
+    x_e = held(sequence.pose, settle, h)
+    t = np.arange(len(x_e)) * h
+    force = np.zeros_like(x_e)
+    for push in task.pushes:
+        force[(t >= push.start) & (t < push.end)] += push.force
+    if task.zeroing != Zeroing():
+        force = zero(force, task.zeroing)
+    x = response(x_e, h, law, integration=task.integration, feed=feed, force=force).x
+    if sequence.rotation is not RotationLaw.SLERP:
+        return x_e, x, rotation(x[:, 3:]), force
+    R_start = opened.X_start[:3, :3]
+    R_e = np.concatenate([sequence.R, np.broadcast_to(sequence.R[-1], (len(x_e) - len(sequence.R), 3, 3))])
+    # in the world, whose axes the stiffness has
+    turned = response_rotation(
+        R_e @ R_start, h, law.K[3:], law.D[3:], law.M[3:], force[:, 3:], integration=task.integration, feed=feed
+    )
+    R = turned.R @ R_start.T
+    return x_e, np.column_stack([x[:, :3], continuous(angles_of(R))]), R, force
+
+
+def _joints(opened: Opened, x: Array, R: Array) -> Followed | Unfollowable:
+    """The joints of an arm that follows the controller exactly."""
+    from trajopt_cli.iiwa.joints import follow
+
+    task, sequence = opened.task, opened.equilibrium
+    last = sequence.pieces[-1]
+    pieces = (*sequence.pieces, Piece(last.last, len(x) - 1, last.goal, last.goal, dwell=True))
+    way = Equilibrium(sequence.h, x, R, sequence.rotation, AngleMeaning.RELATIVE, pieces)
+    limits = opened.robot.profile(task.limits)
+    return follow(way, opened.robot, task.X_FT, task.start_joints, limits, task.definition, task.arm_angle, False)
