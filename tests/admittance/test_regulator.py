@@ -195,6 +195,20 @@ def test_one_period_at_a_time_is_the_same_law(integration: Integration, feed: Fe
         assert law.v == pytest.approx(second.v[k - 199], abs=1e-13)
 
 
+@pytest.mark.parametrize("n", [1, 2, 3, 10, 17, 901])
+def test_any_number_of_rows(n: int) -> None:
+    """Rows are run in blocks side by side; each is still the one before and one period more, a growing law's too."""
+    rng = np.random.default_rng(n)
+    growing = Compliance(np.full(6, 1000.0), np.array([0, 0.5, 500, 49e3, 5.2e4, 6e4]), np.full(6, 25.0))
+    x_e, F = rng.normal(size=(n, 6)), rng.normal(size=(n, 6)) * 30
+    found = response(x_e, H, growing, force=F, v_0=np.ones(6))
+    law = Regulator(growing, H, tuple(x_e[0].tolist()), (1.0,) * 6)
+    for k in range(n):
+        scale = 1 + np.abs(found.x[: k + 1]).max(axis=0)
+        assert np.all(np.abs(np.array(law.x) - found.x[k]) < 1e-12 * scale)
+        law.step(tuple(x_e[k].tolist()), tuple(F[k].tolist()))
+
+
 def test_wrong_shapes_are_refused() -> None:
     with pytest.raises(ValueError, match=r"x_e has shape \(5, 3\), wanted \(n, 6\)"):
         response(np.zeros((5, 3)), H, BEFORE)

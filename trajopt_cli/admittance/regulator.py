@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise, repeat
+from math import isqrt
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -95,12 +96,11 @@ def response(
     rate = np.zeros(6) if v_0 is None else _six(v_0, "v_0")
     v_e = equilibrium_rates(x_e, h) if feed is Feed.VELOCITY else np.zeros((n, 6))
     pushes = np.zeros((n, 6)) if forces is None else forces
-    x, v = np.empty((n, 6)), np.empty((n, 6))
-    for i, (a, b, c, p, q, r) in enumerate(coefficients(compliance.K, compliance.D, compliance.M, h, integration)):
-        # what does not depend on the state, for all periods at once
-        kick = (1 - a) * v_e[:, i] - b * x_e[:, i] + c * pushes[:, i]
-        shift = (h - p) * v_e[:, i] - q * x_e[:, i] + r * pushes[:, i]
-        x[:, i], v[:, i] = _scan((a, b, p, 1 + q), kick.tolist(), shift.tolist(), float(start[i]), float(rate[i]))
+    a, b, c, p, q, r = np.array(coefficients(compliance.K, compliance.D, compliance.M, h, integration)).T
+    # what does not depend on the state, for all periods at once
+    kick = (1 - a) * v_e - b * x_e + c * pushes
+    shift = (h - p) * v_e - q * x_e + r * pushes
+    v, x = _scan((a, b, p, 1 + q), kick, shift, rate, start)
     return Response(readonly(x), readonly(v))
 
 
@@ -112,16 +112,37 @@ def equilibrium_rates(x_e: Array, h: float) -> Array:
 
 
 def _scan(
-    axis: tuple[float, float, float, float], kick: list[float], shift: list[float], x: float, v: float
-) -> tuple[list[float], list[float]]:
-    """x and v of one axis at the start of every period."""
-    a, b, p, s = axis
-    xs, vs = [], []
-    for dv, dx in zip(kick, shift, strict=True):
-        xs.append(x)
-        vs.append(v)
-        v, x = a * v + b * x + dv, p * v + s * x + dx
-    return xs, vs
+    law: tuple[Array, Array, Array, Array], kick: Array, shift: Array, v_0: Array, x_0: Array
+) -> tuple[Array, Array]:
+    """v and x (n, k) of v' = a v + b x + kick, x' = p v + s x + shift, rows at the start of every period.
+
+    The law is linear: about sqrt(n) blocks of rows are run side by side, each from zero; then each gets what its first
+    row's true state becomes by itself.
+    """
+    a, b, p, s = law
+    n, k = kick.shape
+    size = isqrt(n - 1) + 1
+    blocks = -(-n // size)
+    filled = np.zeros((2, blocks * size, k))
+    filled[0, :n], filled[1, :n] = kick, shift
+    kicks, shifts = filled.reshape(2, blocks, size, k)
+    v, x = np.empty((blocks, size, k)), np.empty((blocks, size, k))
+    powers = np.empty((size, 4, k))
+    vs = xs = np.zeros((blocks, k))
+    vv, vx, xv, xx = np.ones(k), np.zeros(k), np.zeros(k), np.ones(k)
+    with np.errstate(over="ignore", invalid="ignore"):  # an unstable law leaves every number
+        for j in range(size):
+            v[:, j], x[:, j], powers[j] = vs, xs, (vv, vx, xv, xx)
+            vs, xs = a * vs + b * xs + kicks[:, j], p * vs + s * xs + shifts[:, j]
+            vv, vx, xv, xx = a * vv + b * xv, a * vx + b * xx, p * vv + s * xv, p * vx + s * xx
+        begin_v, begin_x = np.empty((blocks, 1, k)), np.empty((blocks, 1, k))
+        for i in range(blocks):
+            begin_v[i], begin_x[i] = v_0, x_0
+            v_0, x_0 = vv * v_0 + vx * x_0 + vs[i], xv * v_0 + xx * x_0 + xs[i]
+        by_vv, by_vx, by_xv, by_xx = powers.transpose(1, 0, 2)
+        v += by_vv * begin_v + by_vx * begin_x
+        x += by_xv * begin_v + by_xx * begin_x
+    return v.reshape(-1, k)[:n], x.reshape(-1, k)[:n]
 
 
 class Regulator:
