@@ -1,13 +1,10 @@
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
+from places import TRUTH, crooked_pose
 
-from trajopt_cli.geometry import rotation_about
 from trajopt_cli.robot.model import Structure, load_robot, robot_names
-
-TRUTH = Path(__file__).parents[2].parent / "shared" / "truth"
 
 
 @pytest.fixture(scope="session")
@@ -24,15 +21,6 @@ def truth():
 @pytest.fixture(scope="session")
 def irb140():
     return load_robot("irb140")
-
-
-def crooked_pose(seed):
-    rng = np.random.default_rng(seed)
-    axis = rng.normal(size=3)
-    X = np.eye(4)
-    X[:3, :3] = rotation_about(axis / np.linalg.norm(axis), rng.uniform(0.5, 3.0))
-    X[:3, 3] = rng.uniform(-0.5, 0.5, 3)
-    return X
 
 
 @pytest.fixture(scope="session", params=robot_names(Structure.SIX_AXIS))

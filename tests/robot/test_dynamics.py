@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from conftest import crooked_pose
+from places import crooked_pose
 
 from trajopt_cli.geometry import pose, rotation_about
 from trajopt_cli.robot.dynamics import Dynamics, ToolLoad

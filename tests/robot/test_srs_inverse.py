@@ -5,9 +5,9 @@ from math import pi, radians
 
 import numpy as np
 import pytest
-from conftest import TRUTH, crooked_pose
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from places import TRUTH, crooked_pose
 
 from trajopt_cli.geometry import pose, rotation_about, rotation_from_wxyz
 from trajopt_cli.robot.srs import SrsLengths, load_srs

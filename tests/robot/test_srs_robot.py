@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import TRUTH, crooked_pose
+from places import TRUTH, crooked_pose
 
 from trajopt_cli.cli import run
 from trajopt_cli.collision.pair import Pair

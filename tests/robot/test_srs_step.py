@@ -5,7 +5,7 @@ from math import pi
 
 import numpy as np
 import pytest
-from conftest import crooked_pose
+from places import crooked_pose
 
 from trajopt_cli.geometry import inverse_pose
 from trajopt_cli.robot.srs import SrsLengths, load_srs
