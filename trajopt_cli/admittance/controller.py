@@ -10,7 +10,7 @@ from time import perf_counter
 
 import numpy as np
 
-from trajopt_cli.admittance.forces import SMALLEST, Belief, SingularArm, clamped, force_of
+from trajopt_cli.admittance.forces import SMALLEST, Belief, ForceMap, SingularArm, clamped
 from trajopt_cli.admittance.parameters import Command, Goal, Settings, Stop, StopKind
 from trajopt_cli.admittance.rotations import Nine, Three, angles, nine, product, rotation, transpose, turned
 from trajopt_cli.admittance.sensor import TorqueErrors
@@ -49,6 +49,7 @@ class Controller:
         sensor = settings.sensor
         self._rigid = sensor is None or sensor.rigid
         self._errors = None if sensor is None else TorqueErrors(sensor, robot.torque, settings.h)
+        self._force_of = ForceMap()
         self._belief = Belief(settings.zeroing)
         self._set_clamps(settings.clamps)
         self._changes = sorted(settings.changes, key=lambda change: change.t)
@@ -129,7 +130,7 @@ class Controller:
             tau_e = clamped(tau_e, self._tau_bounds)
         model_at = perf_counter()
         try:
-            F = force_of(self._kinematics.jacobian(measured.q), tau_e).tolist()
+            F = self._force_of(self._kinematics.jacobian(measured.q), tau_e)
         except SingularArm as singular:
             return self._stop(StopKind.SINGULAR, "arm", singular.smallest, SMALLEST, "", str(singular))
         if self._force_bounds is not None:

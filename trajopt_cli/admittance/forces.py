@@ -38,9 +38,8 @@ def force_of(J: ArrayLike, tau: ArrayLike) -> Array:
     J, tau = np.asarray(J, dtype=np.float64), np.asarray(tau, dtype=np.float64)
     try:
         inverse = np.linalg.inv(J @ J.swapaxes(-1, -2))
-        # trace (J J^T)^-1 = sum of 1/sigma^2: between 1 and 6 times the last term
-        reach = 6 / np.trace(inverse, axis1=-2, axis2=-1)
-        doubtful = not np.all(reach > 6 * SMALLEST**2)
+        # trace (J J^T)^-1 = sum of 1/sigma^2: no sigma is smaller than one over its root
+        doubtful = not np.all(1 / np.trace(inverse, axis1=-2, axis2=-1) > SMALLEST**2)
     except np.linalg.LinAlgError:
         doubtful = True
     if doubtful:
@@ -76,6 +75,23 @@ def clamp(values: ArrayLike, bounds: ArrayLike) -> Array:
     """values (..., k) with every component within +-bounds (k,)."""
     bounds = np.asarray(bounds, dtype=np.float64)
     return np.asarray(np.clip(values, -bounds, bounds), dtype=np.float64)
+
+
+class ForceMap:
+    """force_of() of one sample: LAPACK's factors of J J^T, called without NumPy's tests of shapes and types."""
+
+    def __init__(self) -> None:
+        from scipy.linalg import lapack
+
+        self._factor, self._inverse, self._solve = lapack.dpotrf, lapack.dpotri, lapack.dpotrs
+
+    def __call__(self, J: Sequence[Sequence[float]], tau: Sequence[float]) -> list[float]:
+        """F (6,) [N, Nm] of torques tau (7,) [Nm], J six rows of seven. Raises SingularArm as force_of does."""
+        rows = np.array(J)
+        factor, broken = self._factor(rows @ rows.T)
+        sound = broken == 0 and 1 / self._inverse(factor)[0].trace() > SMALLEST**2
+        F: list[float] = (self._solve(factor, rows @ tau)[0] if sound else force_of(rows, tau)).tolist()
+        return F
 
 
 class Belief:
