@@ -121,13 +121,13 @@ def read_job(program: Path, cell: Path | None = None) -> Job:
     from trajopt_cli.cell.loader import load_cell
     from trajopt_cli.cell.model import minimal_cell
     from trajopt_cli.problem.plant import build_plant
-    from trajopt_cli.robot.model import robot_names
+    from trajopt_cli.robot.model import Structure, robot_names
 
     path = cell or cell_path_for(program)
     if not program.exists():
         raise InputError("no such program", file=str(program))
     if cell is None and not path.exists():
-        text = minimal_cell(program.name, robot_names())
+        text = minimal_cell(program.name, robot_names(Structure.SIX_AXIS))
         raise InputError(f"{program} has no cell file; save these lines there and adapt them:\n{text}", file=str(path))
     loaded = load_cell(path)
     flat = read_flat(program, loaded.scenario)

@@ -330,7 +330,7 @@ def test_a_case_knows_whether_the_program_gives_the_rail_a_position(planner: Pla
 
 def test_robot_show_prints_figures_with_grades(capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["robot", "list"]) == 0
-    assert [line.split()[0] for line in capsys.readouterr().out.splitlines()] == ["irb140", "irb140_rail"]
+    assert [line.split()[0] for line in capsys.readouterr().out.splitlines()] == ["iiwa7", "irb140", "irb140_rail"]
     assert run(["robot", "show", "irb140"]) == 0
     out = capsys.readouterr().out
     assert re.search(r"joint_6 +-400 +400 +deg +A \[\d+\] +450 +deg/s +A \[\d+\]", out)
@@ -361,7 +361,7 @@ def test_robot_show_prints_figures_with_grades(capsys: pytest.CaptureFixture[str
         (["export", "rapid", "x"], "trajopt: Invalid value: give --output, --diff or both; see 'trajopt --help'"),
         (
             ["robot", "show", "irb14"],
-            "unknown robot 'irb14': known are irb140, irb140_rail; or give the path of a robot's .yaml file",
+            "unknown robot 'irb14': known are iiwa7, irb140, irb140_rail; or give the path of a robot's .yaml file",
         ),
     ],
 )
@@ -376,7 +376,7 @@ def test_wrong_requests_are_one_line_and_exit_code_2(
 def test_help_lists_every_command(capsys: pytest.CaptureFixture[str]) -> None:
     assert run([]) == 0
     listed = re.findall(r"^  (\w+)  ", capsys.readouterr().out.split("Commands:")[1], re.MULTILINE)
-    assert sorted(listed) == ["analyse", "compare", "export", "optimize", "parse", "robot", "verify"]
+    assert sorted(listed) == ["analyse", "compare", "export", "iiwa", "optimize", "parse", "robot", "verify"]
     assert run(["--version"]) == 0
     assert re.fullmatch(r"trajopt \d+\.\d+\.\d+\n", capsys.readouterr().out)
 

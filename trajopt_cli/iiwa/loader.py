@@ -15,6 +15,7 @@ from trajopt_cli.iiwa.document import (
     ClampSection,
     ContactDocument,
     ContactSection,
+    LoadSection,
     TaskDocument,
     ZeroSection,
 )
@@ -97,7 +98,6 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         assert document.poses is not None
         waypoints = written_waypoints(document.poses, meaning, X_start, lines, file)
         speeds = _speeds(document, waypoints, lines, file, None)
-    load = document.tool.load
     return Task(
         file=file,
         robot=document.robot,
@@ -107,7 +107,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         start_joints=start,
         X_WB=X_WB,
         X_FT=X_FT,
-        load=ToolLoad(load.mass, np.array(load.com), np.diag(load.inertia)) if load is not None else None,
+        load=_load(document.tool.load, lines, file) if document.tool.load is not None else None,
         definition=ArmAngle(document.arm_angle.definition if document.arm_angle else "faria"),
         arm_angle=document.arm_angle.value if document.arm_angle else None,
         integration=Integration(document.integration),
@@ -173,6 +173,13 @@ def _compliance(
         return Compliance(np.array(K), np.array(D), np.array(M))
     except ValueError as error:
         raise InputError(str(error), file=file, line=line_of(key, lines)) from error
+
+
+def _load(section: LoadSection, lines: Mapping[str, int], file: str) -> ToolLoad:
+    try:
+        return ToolLoad(section.mass, np.array(section.com), np.diag(section.inertia))
+    except ValueError as error:
+        raise InputError(f"tool.load: {error}", file=file, line=line_of("tool.load", lines)) from error
 
 
 def _zeroing(section: ZeroSection) -> Zeroing:
