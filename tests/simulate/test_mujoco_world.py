@@ -143,12 +143,13 @@ def test_sliding_rubs_as_the_spring_world_does(iiwa7, X_FT, load, floor, ball_at
     assert physics.depth == pytest.approx(law.depth, abs=1e-12)
 
 
-def test_boxes_add_up_and_a_centre_inside_is_pushed_out_of_the_nearest_face(iiwa7, X_FT, load):
+@pytest.mark.parametrize("order", [1, -1])
+def test_boxes_add_up_and_a_centre_inside_is_pushed_out_of_the_nearest_face(iiwa7, X_FT, load, order):
     x, y, z = (iiwa7.forward(np.array(START)) @ X_FT)[:3, 3]
     tip = 0.02
     floor = Box("floor", np.array([0.5, 0.5, 0.2]), pose(np.eye(3), [x, y, z - 0.1 - tip + 0.001]))
     block = Box("block", np.array([0.3, 0.3, 0.3]), pose(np.eye(3), [x, y + 0.15 - 0.003, z + 0.05]))
-    contact = Contact((Obstacle(floor, 5e3, 50.0, 0.0), Obstacle(block, 1e3, 50.0, 0.0)), tip)
+    contact = Contact((Obstacle(floor, 5e3, 50.0, 0.0), Obstacle(block, 1e3, 50.0, 0.0))[::order], tip)
     world = MujocoWorld(iiwa7, X_FT, load, contact, H)
     world.reset(START)
     measured = wait(world, START, 1500)
@@ -159,6 +160,23 @@ def test_boxes_add_up_and_a_centre_inside_is_pushed_out_of_the_nearest_face(iiwa
     assert law.force[2] > 4
     np.testing.assert_allclose(measured.contact, law.force, rtol=0, atol=1e-4)
     assert measured.depth == pytest.approx(law.depth, abs=1e-9)
+
+
+@pytest.mark.parametrize("speed", [-0.3, 0.05, 0.2])
+def test_an_approach_is_damped_and_leaving_does_not_pull(iiwa7, X_FT, load, floor, speed):
+    """20 N of spring at 1 mm, 200 N s/m of damper, at one instant."""
+    contact = floor(0.001, 2e4, 200.0)
+    world = MujocoWorld(iiwa7, X_FT, load, contact, H)
+    world.reset(START)
+    qd = np.linalg.pinv(iiwa7.jacobian(np.array(START), X_FT)) @ [0.0, 0.0, speed, 0.0, 0.0, 0.0]
+    world.model.actuator_biasprm[:] = 0.0  # motors off
+    data = mujoco.MjData(world.model)
+    data.qpos[:], data.qvel[:] = START, qd
+    mujoco.mj_forward(world.model, data)
+    force = np.zeros(6)
+    mujoco.mj_contactForce(world.model, data, 0, force)
+    # beside the contact's small inertia times what the free arm accelerates with
+    assert force[0] == pytest.approx(max(0.0, 20.0 - 200.0 * speed), abs=0.02)
 
 
 def test_a_fall_onto_the_floor_never_gains_energy(iiwa7, X_FT, load, floor):

@@ -51,6 +51,27 @@ def test_torques_miss_exactly_what_the_contact_bears(crooked, X_FT, load):
         assert F[1] == pytest.approx(-max(0.0, 5e3 * 0.01 + 100.0 * v[1]), abs=1e-6)
 
 
+@pytest.mark.parametrize("damping", [0.0, 200.0])
+@pytest.mark.parametrize("share", [0.8, 1.2])
+def test_an_euler_controller_rests_on_a_wall_up_to_the_stiffness_its_damping_allows(
+    iiwa7, X_FT, load, floor, ball_at, share, damping
+):
+    """M = 25 kg, D = 400 N s/m, K = 1 kN/m along z, pressing with 20 N; disturbed by 0.4 N."""
+    M, D, K, press = 25.0, 400.0, 1000.0, 20.0
+    stiffness = share * (D + damping) / H - K
+    world = SpringWorld(iiwa7, X_FT, load, floor(press / stiffness, stiffness, damping, 0.0), H)
+    q = tuple(np.radians([0, 30, 0, -100, 0, 50, 0]))
+    p = (iiwa7.forward(np.array(q)) @ X_FT)[:3, 3]
+    measured, z, v, swing = world.reset(q), 0.02 * press / stiffness, 0.0, []
+    for _ in range(400):
+        v, z = v + H / M * (measured.contact[2] - press - D * v - K * z), z + H * v
+        q = ball_at(p + np.array([0.0, 0.0, z]), q, steps=1)
+        measured = world.step(q)
+        swing.append(abs(measured.contact[2] - press))
+    early, late = max(swing[:100]), max(swing[300:])
+    assert late < 0.8 * early if share < 1 else late > 1.2 * early
+
+
 def test_a_reset_forgets_the_motion_before(iiwa7, X_FT, load, floor):
     world = SpringWorld(iiwa7, X_FT, load, floor(0.001), H)
     q = tuple(np.radians([0, 30, 0, -100, 0, 50, 0]))

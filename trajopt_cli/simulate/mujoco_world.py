@@ -29,7 +29,7 @@ _OMEGA = 2.0 / SERVO_DELAY  # a critically damped filter lags by two over its fr
 SUBSTEP = 2.5e-4
 """Longest time step of the physics [s]; stiff contacts take shorter ones."""
 _BENT = np.radians([0.0, 90.0, 0.0, -90.0, 0.0, 90.0, 0.0])  # every joint bears about as much inertia as it ever does
-_SPRING, _DAMPER = 0.2, 1.0  # longest step in time constants sqrt(m/k) and m/d of a contact; 2 and 2 would blow up
+_SPRING, _DAMPER = 0.2, 1.5  # longest step in time constants sqrt(m/k) and m/d of a contact; at 2 and 2 it blows up
 
 
 def available() -> str | None:
