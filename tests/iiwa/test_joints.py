@@ -212,6 +212,16 @@ def test_joint_7_past_half_a_turn_goes_on_and_is_a_position_finding() -> None:
     assert (position.value, position.limit) == (pytest.approx(np.radians(-195.0)), LIMITS.lower[6])
 
 
+def test_the_turns_of_the_start_joints_are_kept() -> None:
+    wide = replace(LIMITS, lower=np.full(7, -9.0), upper=np.full(7, 9.0))
+    start = HOME + 2 * np.pi * np.array([1, 0, 0, 0, -1, 0, 1])
+    answer = follow(
+        spin(ROBOT.forward(start), quintic(101) * 0.1), ROBOT, FLANGE, start, wide, ArmAngle.FARIA, None, False
+    )
+    assert isinstance(answer, Followed)
+    np.testing.assert_allclose(answer.trajectory.q[-1], start + 0.1 * np.eye(7)[6], rtol=0, atol=1e-9)
+
+
 def test_the_elbow_follows_from_the_pose_alone_and_the_message_says_so() -> None:
     inwards = line(ROBOT.forward(HOME), np.array([-0.25, 0, 0.0]), np.zeros(3), 2.0)
     position = found(followed(inwards), "position", "joint_4")

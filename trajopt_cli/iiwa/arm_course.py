@@ -10,6 +10,7 @@ for ranges that end before it, and on the safe side for wider ones.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import pi, radians
 
@@ -80,9 +81,12 @@ def find_course(
         count = max(_FEWEST_STAGES, int(np.ceil((len(X_WF) - 1) * h / stage)))
         rows = np.unique(np.round(np.linspace(0, len(X_WF) - 1, count + 1)).astype(np.intp))
         cell = 2 * pi / cells
-        grid = np.tile(begin + cell * np.arange(cells), len(rows))
-        q = inverse_branch(robot, np.repeat(X_WF[rows], cells, axis=0), grid, definition, configuration)
-        nodes = _cheapest(q.reshape(len(rows), cells, -1), np.diff(rows) * h, limits, cell)
+        grid = np.asarray(begin + cell * np.arange(cells), dtype=np.float64)
+        fans = (
+            inverse_branch(robot, np.broadcast_to(X, (cells, 4, 4)), grid, definition, configuration)
+            for X in X_WF[rows]
+        )
+        nodes = _cheapest(fans, np.diff(rows) * h, limits, cell)
         if isinstance(nodes, _Blocked):
             row = int(rows[nodes.stage])
             failure = NoCourse(row * h, f"at t = {row * h:.3f} s ({place(row)}) {nodes.why}")
@@ -112,38 +116,38 @@ class _Blocked:
     why: str
 
 
-def _cheapest(q: Array, dt: Array, limits: JointLimits, cell: float) -> IndexArray | _Blocked:
-    """Cells (K + 1,), counted on over whole turns, of the cheapest course from cell 0 of q (K + 1, m, 7).
+def _cheapest(fans: Iterator[Array], dt: Array, limits: JointLimits, cell: float) -> IndexArray | _Blocked:
+    """Cells (K + 1,), counted on over whole turns, of the cheapest course from cell 0.
 
-    dt (K,) [s]: time from stage to stage. cell [rad]: width of one.
+    fans: the joints (m, 7) of every cell, stage after stage, K + 1 of them. dt (K,) [s]: time from stage to stage.
+    cell [rad]: width of one.
     """
-    stages, cells, _ = q.shape
-    held = _holding(q, limits)
+    before = next(fans)
+    cells = len(before)
+    if not np.isfinite(_holding(before[0], limits)):
+        return _Blocked(0, f"the arm angle of the start joints breaks a range: {_outside(before[:1], limits)}")
     most = min(max(1, int(_RATE * dt.max() / cell)), (cells - 1) // 2)
     offsets = np.arange(-most, most + 1)
-    # arriving[j, o]: from cell j - o
-    origin = (np.arange(cells)[:, None] - offsets) % cells
-    cost = np.full(cells, np.inf)
-    cost[0] = 0.0 if np.isfinite(held[0, 0]) else np.inf
-    if not np.isfinite(cost[0]):
-        return _Blocked(0, f"the arm angle of the start joints breaks a range: {_outside(q[0, :1], limits)}")
-    came = np.zeros((stages, cells), dtype=np.intp)
-    for k in range(1, stages):
-        share = np.abs(q[k][:, None, :] - q[k - 1][origin]) / (limits.velocity * dt[k - 1])
-        fastest = share.max(axis=2) > 1 + RELATIVE
+    origin = (np.arange(cells)[:, None] - offsets) % cells  # [j, o]: the cell that leads to j by offset o
+    cost = np.where(np.arange(cells) == 0, 0.0, np.inf)
+    came: list[IndexArray] = []
+    for k, q in enumerate(fans):
+        held = _holding(q, limits)
+        share = np.abs(q[:, None, :] - before[origin]) / (limits.velocity * dt[k])
         squares = np.minimum(share * share, 1 - 1e-3)  # at its very speed limit a joint costs much, but not all
-        total = cost[origin] + _MOTION * dt[k - 1] * (squares / (1 - squares)).sum(axis=2)
-        total[fastest] = np.inf
-        came[k] = np.argmin(total, axis=1)
-        cost = total[np.arange(cells), came[k]] + dt[k - 1] * held[k]
+        total = cost[origin] + _MOTION * dt[k] * (squares / (1 - squares)).sum(axis=2)
+        total[share.max(axis=2) > 1 + RELATIVE] = np.inf
+        came.append(np.argmin(total, axis=1))
+        cost = total[np.arange(cells), came[-1]] + dt[k] * held
         if not np.isfinite(cost).any():
-            if not np.isfinite(held[k]).any():
-                return _Blocked(k, f"no arm angle keeps every joint in its range: {_outside(q[k], limits)}")
-            return _Blocked(k, "no arm angle that keeps every joint in its range can be got to in time")
-    out = np.empty(stages, dtype=np.intp)
-    out[-1] = int(np.argmin(cost))
-    for k in range(stages - 1, 0, -1):
-        out[k - 1] = out[k] - offsets[came[k, out[k] % cells]]
+            if not np.isfinite(held).any():
+                return _Blocked(k + 1, f"no arm angle keeps every joint in its range: {_outside(q, limits)}")
+            return _Blocked(k + 1, "no arm angle that keeps every joint in its range can be got to in time")
+        before = q
+    cells_back = [int(np.argmin(cost))]
+    for origins in reversed(came):
+        cells_back.append(cells_back[-1] - int(offsets[origins[cells_back[-1] % cells]]))
+    out = np.array(cells_back[::-1])
     return np.asarray(out - out[0])
 
 

@@ -105,7 +105,7 @@ def _finding(
 
 def apart(value: float, limit: float) -> tuple[str, str]:
     """Both numbers with so many digits that they differ in print when they differ."""
-    for n in range(5, 17):
+    for n in range(6, 17):
         texts = f"{value:.{n}g}", f"{limit:.{n}g}"
         if texts[0] != texts[1]:
             return texts
