@@ -1,0 +1,250 @@
+"""`trajopt iiwa`: from a task file to folders, the answers it prints, and what it refuses."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from trajopt_cli.cli import run
+from trajopt_cli.joint_csv import read_csv_text
+from trajopt_cli.robot.srs import load_srs
+
+TASK = """\
+start: {joints: "[0, 30, 0, -100, 0, 50, 0] deg"}
+profile: trapezoid
+poses:
+  - {name: start, at: start}
+  - {name: side, by: [0, 0.1, 0, 0, 0, 20 deg]}
+  - {name: up, by: [0.02, 0, 0.05, 0, 0, 0], dwell: 0.1 s}
+v_max: 0.2
+omega_max: 1
+a_max: 1
+epsilon_max: 5
+K: [1000, 1000, 1000, 30, 30, 30]
+D: [500, 500, 500, 20, 20, 20]
+M: [25, 25, 25, 3, 3, 3]
+"""
+WALL = """\
+contact:
+  tip: 0.02
+  obstacles:
+    wall: {box: {size: [1, 0.2, 1], position: [0.5, 0.17, 0.3]}, stiffness: 10 N/mm, damping: 50, friction: 0.2}
+"""
+
+
+@pytest.fixture
+def task(tmp_path: Path) -> Path:
+    path = tmp_path / "small.yaml"
+    path.write_text(TASK)
+    return path
+
+
+def segments(task: Path, *options: str) -> Path:
+    folder = task.parent / "out"
+    assert run(["iiwa", "segments", str(task), "--output", str(folder), *options]) == 0
+    return folder
+
+
+def table(path: Path) -> tuple[list[str], np.ndarray]:
+    heads, *rows = path.read_text().splitlines()
+    return heads.split(","), np.array([[float(value) for value in row.split(",")] for row in rows])
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    return {str(p.relative_to(folder)): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
+
+
+def test_segments_give_both_sequences_and_end_at_the_pose(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = segments(task)
+    shown = capsys.readouterr().out
+    assert "start   side" in shown
+    assert "angles count from the orientation at the start" in shown
+    heads, rows = table(folder / "equilibrium.csv")
+    assert heads == ["t [s]", "x [m]", "y [m]", "z [m]", "alpha [rad]", "beta [rad]", "gamma [rad]"]
+    assert np.all(np.linalg.norm(np.diff(rows[:, 1:4], axis=0), axis=1) <= 0.2e-3 * (1 + 1e-9))
+    np.testing.assert_allclose(rows[-1, 1:4] - rows[0, 1:4], [0.02, 0.1, 0.05], rtol=0, atol=1e-15)
+    assert rows[-1, 6] == np.radians(20)
+    np.testing.assert_array_equal(rows[-100:, 1:], np.tile(rows[-1, 1:], (100, 1)))  # the dwell
+    heads, quaternions = table(folder / "equilibrium_quaternion.csv")
+    assert heads == ["t [s]", "x [m]", "y [m]", "z [m]", "qw [1]", "qx [1]", "qy [1]", "qz [1]"]
+    # half a turn about y, then 20 deg about the world's z: the vector part's direction turns by half of that
+    np.testing.assert_allclose(
+        np.abs(quaternions[-1, 4:]), [0, np.sin(np.radians(10)), np.cos(np.radians(10)), 0], atol=1e-12
+    )
+
+
+def test_absolute_angles_name_the_same_orientations(task: Path) -> None:
+    folder = segments(task, "--angles", "absolute")
+    absolute = contents(folder)
+    summary = json.loads(absolute["summary.json"])
+    assert summary["sequence"]["angles"] == "absolute"
+    relative = contents(segments(task))
+    assert absolute["equilibrium.csv"] != relative["equilibrium.csv"]
+    first, second = (
+        np.array([row.split(",") for row in one["equilibrium_quaternion.csv"].decode().splitlines()[1:]], dtype=float)
+        for one in (absolute, relative)
+    )
+    np.testing.assert_allclose(first, second, rtol=0, atol=1e-14)
+
+
+def test_joints_put_the_tool_on_every_pose(task: Path) -> None:
+    folder = segments(task)
+    assert run(["iiwa", "joints", str(folder)]) == 0
+    joints, _ = read_csv_text((folder / "joints.csv").read_text(), "joints.csv")
+    assert joints.names == tuple(f"joint_{i}" for i in range(1, 8))
+    _, rows = table(folder / "equilibrium.csv")
+    np.testing.assert_allclose(joints.t, rows[:, 0], rtol=0, atol=1e-12)
+    X = load_srs("iiwa7").forward(joints.q)
+    np.testing.assert_allclose(X[:, :3, 3], rows[:, 1:4], rtol=0, atol=1e-12)
+    np.testing.assert_allclose(joints.q[0], np.radians([0, 30, 0, -100, 0, 50, 0]), rtol=0, atol=1e-9)
+
+
+def test_a_run_lags_as_the_law_says_and_is_fed_from_the_files(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = segments(task)
+    assert run(["iiwa", "simulate", str(folder)]) == 0
+    shown = capsys.readouterr().out
+    heads, rows = table(folder / "simulation.csv")
+    x_e, x = rows[:, 1:7], rows[:, 7:13]
+    # the law itself, one period at a time
+    K, D, M = np.array([1000.0] * 3 + [30.0] * 3), np.array([500.0] * 3 + [20.0] * 3), np.array([25.0] * 3 + [3.0] * 3)
+    state, rate = x_e[0].copy(), np.zeros(6)
+    for k in range(len(x)):
+        np.testing.assert_allclose(x[k], state, rtol=0, atol=1e-9)
+        rate, state = rate - 1e-3 / M * (D * rate + K * (state - x_e[k])), state + 1e-3 * rate
+    deviation = rows[:, heads.index("deviation [m]")]
+    assert f"lag at most {deviation.max() * 1e3:.2f} mm" in shown
+    assert f"push with up to {1000 * deviation.max():.1f} N" in shown
+    assert run(["iiwa", "simulate", str(folder), "--feed", "velocity"]) == 0
+    _, fed = table(folder / "simulation.csv")
+    assert fed[:, heads.index("deviation [m]")].max() < deviation.max() / 3
+
+
+def test_a_spring_wall_holds_the_tool_back(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = segments(task)
+    wall = task.parent / "wall.yaml"
+    wall.write_text(WALL)
+    assert run(["iiwa", "simulate", str(folder), "--contact", str(wall), "--engine", "spring", "--json"]) == 0
+    printed = capsys.readouterr().out
+    summary = json.loads(printed[printed.index("{") :])
+    heads, rows = table(folder / "simulation.csv")
+    # the tip's ball may go on to y = 0.05 m; the wall and the controller's spring share what the equilibrium goes on
+    y_end, force = rows[-1, heads.index("y [m]")], -rows[-1, heads.index("true fy [N]")]
+    into = 0.1 - 0.05
+    assert force == pytest.approx(1 / (1 / 1000 + 1 / 10e3) * into, rel=0.02)
+    assert y_end == pytest.approx(0.05 + force / 10e3, abs=2e-4)
+    assert summary["contact"]["largest_force_N"] >= force
+    assert summary["stopped"] is None
+
+
+def test_dosing_keeps_the_bound_and_leaves_the_source_alone(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = segments(task)
+    before = contents(folder)
+    assert run(["iiwa", "dose", str(folder), "--max-lag", "20mm"]) == 0
+    assert contents(folder) == before
+    dosed = task.parent / "out-dosed"
+    shown = capsys.readouterr().out
+    assert "lower bound" in shown
+    assert run(["iiwa", "simulate", str(dosed)]) == 0
+    heads, rows = table(dosed / "simulation.csv")
+    assert 0.0199 < rows[:, heads.index("deviation [m]")].max() <= 0.02 * (1 + 1e-9)
+    _, sequence = table(dosed / "equilibrium.csv")
+    _, given = table(folder / "equilibrium.csv")
+    np.testing.assert_array_equal(sequence[-1, 1:], given[-1, 1:])
+
+
+def test_the_same_input_gives_the_same_bytes(task: Path) -> None:
+    runs = []
+    for _ in range(2):
+        folder = segments(task)
+        for command in ("joints", "simulate"):
+            assert run(["iiwa", command, str(folder)]) == 0
+        runs.append({name: content for name, content in contents(folder).items() if name != "run.json"})
+    assert runs[0] == runs[1]
+
+
+def test_a_slerp_turn_past_the_lock(task: Path) -> None:
+    task.write_text(TASK.replace("0, 20 deg]", "-100 deg, 0]") + "rotation: slerp\n")
+    folder = segments(task)
+    assert run(["iiwa", "joints", str(folder)]) == 0
+    assert run(["iiwa", "simulate", str(folder)]) == 0
+    joints, _ = read_csv_text((folder / "joints.csv").read_text(), "joints.csv")
+    R = load_srs("iiwa7").forward(joints.q)[:, :3, :3]
+    turned = np.arccos(np.clip((np.trace(R[-1] @ R[0].T) - 1) / 2, -1, 1))
+    assert np.degrees(turned) == pytest.approx(100, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("0, 20 deg]", "86 deg, 0]", "small.yaml:5: pose side: beta is 86°, at most 85°"),
+        ("v_max: 0.2", "v_max: 0", "v_max is 0 m/s with 0.1 m to go"),
+        ("\na_max: 1\n", "\n", "a_max [m/s2] is missing; profile trapezoid needs it"),
+        ("M: [25,", "M: [-1,", "small.yaml:13: M: needs a number above zero, not -1"),
+        ("by: [0, 0.1, 0, 0, 0, 20 deg]", "by: [0, 0, 0, 0, 0, 0]", "pose side repeats pose start: give it a dwell"),
+        ("by: [0, 0.1,", "by: [0, .nan,", "needs a finite number, not nan"),
+    ],
+)
+def test_mistakes_are_one_line_and_nothing_is_written(
+    task: Path, old: str, new: str, said: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert old in TASK
+    task.write_text(TASK.replace(old, new))
+    assert run(["iiwa", "segments", str(task), "--output", str(task.parent / "out")]) == 2
+    shown = capsys.readouterr()
+    assert said in shown.err
+    assert (shown.out, shown.err.count("\n")) == ("", 1)
+    assert not (task.parent / "out").exists()
+
+
+def test_a_pose_out_of_reach_is_a_no_that_names_it(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    task.write_text(TASK.replace("by: [0, 0.1,", "by: [0.5, 0.1,"))
+    folder = segments(task)
+    before = contents(folder)
+    capsys.readouterr()
+    assert run(["iiwa", "joints", str(folder)]) == 1
+    shown = capsys.readouterr().err
+    assert "start -> side" in shown
+    assert "0.8 m" in shown
+    assert contents(folder) == before
+
+
+def test_an_unstable_law_is_a_no_that_names_the_axis(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    task.write_text(TASK.replace("D: [500,", "D: [0.5,"))
+    folder = segments(task)
+    capsys.readouterr()
+    assert run(["iiwa", "simulate", str(folder)]) == 1
+    assert "x is unstable: d = 0.5 N s/m must be above h k = 1 N s/m" in capsys.readouterr().err
+    assert run(["iiwa", "simulate", str(folder), "--integration", "exact"]) == 0
+
+
+def test_folders_of_other_commands_are_told_apart(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = segments(task)
+    capsys.readouterr()
+    assert run(["export", "joint", str(folder), "--rate", "1000", "--output", str(task.parent / "j.csv")]) == 2
+    assert "was made by trajopt iiwa segments; this needs a folder of optimize" in capsys.readouterr().err
+    assert run(["iiwa", "joints", str(task.parent)]) == 2
+    assert "is not a results folder of trajopt" in capsys.readouterr().err
+    (folder / "equilibrium.csv").write_text("changed")
+    assert run(["iiwa", "joints", str(folder)]) == 2
+    assert "equilibrium.csv: was changed since it was written" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("bound", "said"),
+    [
+        ("5", '"5" lacks a unit'),
+        ("-5mm", "needs a number above zero"),
+        ("5 s", "unit 's'"),
+        ("nan mm", "needs a number"),
+    ],
+)
+def test_a_bound_needs_a_unit_and_a_size(task: Path, bound: str, said: str, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = segments(task)
+    capsys.readouterr()
+    assert run(["iiwa", "dose", str(folder), f"--max-lag={bound}"]) == 2
+    shown = capsys.readouterr().err
+    assert shown.startswith("--max-lag: ")
+    assert said in shown
