@@ -387,13 +387,13 @@ def test_joints_stand_between_their_limits_and_say_where_they_do_not(pictures: d
 
 def test_the_same_input_gives_the_same_bytes() -> None:
     def once() -> dict[str, bytes]:
-        shown = compliance.following(box("box", 0.5), "Box")
+        shown = compliance.contact(*bumped(), 2, "Collision")
         return shown | compliance.stability(K_GRID, D_GRID, verdicts(), M, PERIOD, POINTS, "Map")
 
     first = once()
-    assert set(first) == {f"{n}.{kind}" for n in ("following", "path", "stability") for kind in ("svg", "png")}
+    assert set(first) == {f"{n}.{kind}" for n in ("contact", "stability") for kind in ("svg", "png")}
     assert first == once()
-    assert b"largest deviation" in first["path.svg"]
+    assert b"20 mm from the plan" in first["contact.svg"]
     assert first["stability.png"].startswith(b"\x89PNG")
 
 

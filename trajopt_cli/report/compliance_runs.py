@@ -24,6 +24,8 @@ POSE_UNITS = ((MM, "mm"),) * 3 + ((DEG, "deg"),) * 3
 FORCE_UNITS = ((1.0, "N"),) * 3 + ((1.0, "Nm"),) * 3
 MOVES = 1e-6  # m or rad: a coordinate that travels less stands still
 ACTS = 1e-9  # N or Nm: less is no force
+_FINE = 4.0  # px: no name is narrower
+_WIDE, _HIGH = 450.0, 260.0  # px: no name stands further from its place
 SHOWN = 2400  # points per curve that a page can show, highest and lowest of each stretch kept
 
 # The thesis draws the planned trajectory and the controller's in two colours and the flange dashed.
@@ -206,23 +208,37 @@ def finish(figure: Figure, marks: Sequence[tuple[Axes, Marks]]) -> Figure:
     figure.align_ylabels()
     settle(figure)
     for axes, places in marks:
+        if not places:
+            continue
         spots = np.array([(x, y) for x, y, _ in places]).reshape(-1, 2)
-        name_places(axes, spots, [name for _, _, name in places], crowded(axes))
+        name_places(axes, spots, [name for _, _, name in places], crowded(axes, spots))
     return figure
 
 
-def crowded(axes: Axes) -> Array:
-    """Points (n, 2) in data units on curves and texts, close enough for no name to slip between; once settled."""
+def crowded(axes: Axes, spots: Array) -> Array:
+    """Points (n, 2) in data units on curves and texts where names of spots (m, 2) could stand; once settled.
+
+    They are close enough for no name to slip between.
+    """
+    frame = axes.get_window_extent()
+    low, high = np.array([frame.x0, frame.y0]) - _FINE, np.array([frame.x1, frame.y1]) + _FINE
     points = [np.empty((0, 2))]
     for text in axes.texts:
         box = text.get_window_extent()
-        across, up = np.arange(box.x0, box.x1, 4.0), np.arange(box.y0, box.y1, 4.0)  # px
+        across, up = np.arange(box.x0, box.x1, _FINE), np.arange(box.y0, box.y1, _FINE)
         points.append(np.stack(np.meshgrid(across, up), axis=-1).reshape(-1, 2))
     for line in axes.lines:
-        at = np.asarray(line.get_transform().transform(np.asarray(line.get_xydata(), dtype=np.float64)))
-        if len(at) < 2 or line.get_gid() in (None, "peak"):
+        data = np.asarray(line.get_xydata(), dtype=np.float64)
+        if len(data) < 2 or line.get_gid() in (None, "peak"):
             continue
+        # a logarithmic scale puts 0 very far away
+        at = np.clip(np.asarray(line.get_transform().transform(data)), low, high)
         way = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(at, axis=0).T))])
-        steps = np.arange(0.0, way[-1], 3.0)  # px
+        steps = np.arange(0.0, way[-1], _FINE)
         points.append(np.column_stack([np.interp(steps, way, at[:, i]) for i in range(2)]))
-    return np.asarray(axes.transData.inverted().transform(np.vstack(points)))
+    cells = np.round(np.vstack(points) / _FINE).astype(np.int64)
+    codes = np.unique(cells[:, 0] * 1_000_000 + cells[:, 1])
+    once = np.column_stack(np.divmod(codes, 1_000_000)) * _FINE
+    gaps = np.abs(once[:, None] - np.asarray(axes.transData.transform(spots)))
+    near = (gaps < [_WIDE, _HIGH]).all(axis=2).any(axis=1)
+    return np.asarray(axes.transData.inverted().transform(once[near]))
