@@ -41,6 +41,8 @@ COMPLIANCE = Compliance(
 )
 SETTINGS = Settings(COMPLIANCE, H, ArmAngle.FARIA)
 TOOL = pose(Rotation.from_euler("xyz", [10, 20, 30], degrees=True).as_matrix(), [0.02, -0.03, 0.15])
+ELSEWHERE = pose(Rotation.from_euler("z", 60, degrees=True).as_matrix(), [0.5, 0.2, 0])
+TILTED = pose(Rotation.from_euler("xz", [30, 60], degrees=True).as_matrix(), [1, 0, 0])
 LOAD = ToolLoad(2.0, np.zeros(3), np.diag([0.01, 0.01, 0.01]))
 Force = Callable[[int], Array]
 
@@ -226,29 +228,29 @@ def jumps(found: LoopRun, at: int) -> float:
 
 @pytest.mark.parametrize("law", RotationLaw)
 @pytest.mark.parametrize(
-    "change",
+    ("earlier", "change"),
     [
-        Change(0.1, restart=True),
-        Change(0.1, X_FT=TOOL),
-        Change(0.1, X_WB=pose(Rotation.from_euler("z", 60, degrees=True).as_matrix(), [0.5, 0.2, 0])),
-        Change(
-            0.1,
-            X_FT=TOOL,
-            X_WB=pose(Rotation.from_euler("xz", [30, 60], degrees=True).as_matrix(), [1, 0, 0]),
-            restart=True,
-        ),
+        ((), Change(0.1, restart=True)),
+        ((), Change(0.1, X_FT=TOOL)),
+        ((), Change(0.1, X_WB=ELSEWHERE)),
+        ((), Change(0.1, X_FT=TOOL, X_WB=TILTED, restart=True)),
+        ((Change(0.05, X_FT=TOOL @ TOOL, X_WB=ELSEWHERE, restart=True),), Change(0.1, X_FT=TOOL, X_WB=TILTED)),
     ],
-    ids=["restart", "tool", "base", "all"],
+    ids=["restart", "tool", "base", "all", "twice"],
 )
-def test_other_frames_move_nothing(robot: SrsRobot, law: RotationLaw, change: Change) -> None:
+def test_other_frames_move_nothing(
+    robot: SrsRobot, law: RotationLaw, earlier: tuple[Change, ...], change: Change
+) -> None:
     """In the middle of a motion: the arm's pose to 1e-12, its speed, and what the equilibrium means for the arm."""
     x_e = way(robot, 200, (0.02, 0.02, -0.02, 0.2, -0.1, 0.15))
     R_e = Rotation.from_euler("xyz", x_e[:, 3:]).as_matrix() @ robot.forward(np.array(HOME))[:3, :3]
-    settings = replace(SETTINGS, changes=(change,), rotation=law)
+    settings = replace(SETTINGS, changes=(change, *earlier), rotation=law)
     controller = Controller(robot, settings, HOME)
     found = run(controller, x_e, Ideal(robot), robot.profile(), R_e=R_e)
     assert found.stop is None
-    before = run(Controller(robot, replace(settings, changes=()), HOME), x_e, Ideal(robot), robot.profile(), R_e=R_e)
+    before = run(
+        Controller(robot, replace(settings, changes=earlier), HOME), x_e, Ideal(robot), robot.profile(), R_e=R_e
+    )
     assert np.array_equal(found.q_command[:101], before.q_command[:101])
     X_FT = np.eye(4) if change.X_FT is None else change.X_FT
     X_WB = np.eye(4) if change.X_WB is None else change.X_WB
@@ -272,15 +274,29 @@ def test_other_frames_move_nothing(robot: SrsRobot, law: RotationLaw, change: Ch
     assert ahead[:3] == pytest.approx(found.v[100, :3], abs=1e-9)
     turn = (Rotation.from_matrix(found.R[101]) * Rotation.from_matrix(found.R[100]).inv()).as_rotvec() / H
     old = (Rotation.from_matrix(before.R[101]) * Rotation.from_matrix(before.R[100]).inv()).as_rotvec() / H
-    assert turn == pytest.approx(X_WB[:3, :3] @ old, abs=1e-4)
+    R_WB_before = np.eye(3) if not earlier else ELSEWHERE[:3, :3]
+    assert turn == pytest.approx(X_WB[:3, :3] @ R_WB_before.T @ old, abs=2e-3 * np.linalg.norm(old))
 
 
-def test_a_restart_changes_nothing_of_a_turn_about_one_axis(robot: SrsRobot) -> None:
+@pytest.mark.parametrize("feed", Feed)
+def test_a_restart_changes_nothing_of_a_turn_about_one_axis(robot: SrsRobot, feed: Feed) -> None:
     x_e = way(robot, 300, (0.01, 0, 0, 0, 0, 0.3))
-    plain = go(robot, SETTINGS, x_e)
-    again = go(robot, replace(SETTINGS, changes=(Change(0.12, restart=True),)), x_e)
+    settings = replace(SETTINGS, feed=feed)
+    plain = go(robot, settings, x_e)
+    again = go(robot, replace(settings, changes=(Change(0.12, restart=True),)), x_e)
     assert np.allclose(again.q_command, plain.q_command, rtol=0, atol=1e-11)
     assert again.x_e[-1, 5] == pytest.approx(0.3 - plain.x[120, 5], abs=1e-12)
+
+
+def test_a_restart_keeps_whole_turns_of_the_equilibrium(robot: SrsRobot) -> None:
+    """More than half a turn ahead of a soft regulator, the equilibrium goes on pulling the same way, as hard."""
+    soft = replace(SETTINGS, compliance=Compliance(np.full(6, 1.0), np.full(6, 40.0), np.full(6, 25.0)))
+    x_e = way(robot, 200, (0, 0, 0, 0, 0, 8.0))
+    plain = go(robot, soft, x_e)
+    again = go(robot, replace(soft, changes=(Change(0.15, restart=True),)), x_e)
+    assert x_e[150, 5] > 2 * np.pi
+    assert np.allclose(again.q_command, plain.q_command, rtol=0, atol=1e-11)
+    assert again.x_e[150:, 5] == pytest.approx(x_e[150:, 5] - plain.x[150, 5], abs=1e-11)
 
 
 def test_forces_are_seen_from_the_new_tool_and_the_new_world(robot: SrsRobot) -> None:

@@ -57,7 +57,7 @@ class Controller:
         self._state = pose_state(settings, R, p)
         self._R_first = R
         self._seen_from: tuple[Array, Array] | None = None  # X_W'W and X_TT' since the start, None while unchanged
-        self._near: Three = (0.0, 0.0, 0.0)
+        self._near: Three = (0.0, 0.0, 0.0)  # the equilibrium's angles of the row before, in the present frames
 
     @property
     def t(self) -> float:
@@ -98,6 +98,7 @@ class Controller:
         aim = self.seen(goal)
         if following is not None and self._seen_from is not None:
             following = self._looked_at(following, aim.x[3:])
+        self._near = aim.x[3:]
         self._state.step(aim, self.force, following)
         self.k += 1
         x = self._state.x
@@ -146,9 +147,7 @@ class Controller:
         """A row of the planned equilibrium as the present frames have it; the row itself while none has changed."""
         if self._seen_from is None:
             return goal
-        aim = self._looked_at(goal, self._near)
-        self._near = aim.x[3:]
-        return aim
+        return self._looked_at(goal, self._near)
 
     def adopt(self) -> None:
         """Take up the changes due by the present period. The pose and its rates stay, however they are written."""
@@ -169,21 +168,22 @@ class Controller:
         X_FT = self._X_FT if change.X_FT is None else change.X_FT
         world = X_WB @ inverse_pose(self.robot.X_WB)
         tool = inverse_pose(self._X_FT) @ X_FT
-        R, p = self._state.pose
-        v, w = self._state.twist
+        x_before, (R, p), (v, w) = self._state.x, self._state.pose, self._state.twist
         (x, y, z), (a, b, c) = turned(R, _three(tool[:3, 3])), w  # the new TCP turns about the old one
         v = (v[0] + b * z - c * y, v[1] + c * x - a * z, v[2] + a * y - b * x)
         R_world = nine(world[:3, :3].ravel().tolist())
         R_tool = nine(tool[:3, :3].ravel().tolist())
         after = self._mapped(R, p, world, tool)
         if change.restart:
-            R_start, near = after[0], (0.0, 0.0, 0.0)  # whole turns of before are gone too
+            R_start, near = after[0], (0.0, 0.0, 0.0)
         else:
             R_start, near = product(product(R_world, self._state.R_start), R_tool), self._state.x[3:]
         self._state.put(after, (turned(R_world, v), turned(R_world, w)), R_start, near)
         before = self._seen_from or (np.eye(4), np.eye(4))
         self._seen_from = world @ before[0], before[1] @ tool
-        self._near = self._state.x[3:]
+        # whole turns between equilibrium and regulator pull as before
+        a, b, c = (now + e - was for now, e, was in zip(self._state.x[3:], self._near, x_before[3:], strict=True))
+        self._near = (a, b, c)
         if change.X_WB is not None or change.X_FT is not None:
             self.robot, self._X_FT = self.robot.mounted(X_WB), X_FT
             self._kinematics = self._step_of(self.robot, X_FT)
