@@ -102,8 +102,9 @@ def test_whatever_is_followed_is_the_way_itself(q: Any, by: Any, turn: Any, delt
         assert (d[: answer.index] <= 0.8 + 1e-12).all()
         return
     reached = product_forward(answer.trajectory.q)
-    np.testing.assert_allclose(reached[:, :3, 3], way.pose[:, :3], rtol=0, atol=1e-12)
-    np.testing.assert_allclose(reached[:, :3, :3], way.rotations(X[:3, :3]), rtol=0, atol=1e-12)
+    # near a singularity two joints share one turn, each with its own rounding
+    np.testing.assert_allclose(reached[:, :3, 3], way.pose[:, :3], rtol=0, atol=1e-11)
+    np.testing.assert_allclose(reached[:, :3, :3], way.rotations(X[:3, :3]), rtol=0, atol=1e-11)
     assert np.abs(np.diff(answer.trajectory.q, axis=0)).max() <= np.pi
 
 

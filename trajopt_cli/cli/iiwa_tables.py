@@ -87,8 +87,9 @@ def joints_table(robot: str, followed: Followed) -> Table:
 
 def arm_line(followed: Followed) -> str:
     """Which of the arm's ways to reach the poses is taken."""
-    least, greatest = np.degrees(followed.arm_angle.min()), np.degrees(followed.arm_angle.max())
-    angle = f"{least:.2f}°" if greatest - least < 1e-6 else f"{least:.2f}° to {greatest:.2f}°"
+    # + 0.0 takes the sign off a zero
+    least, greatest = (round(np.degrees(end), 2) + 0.0 for end in (followed.arm_angle.min(), followed.arm_angle.max()))
+    angle = f"{least:.2f}°" if greatest == least else f"{least:.2f}° to {greatest:.2f}°"
     signs = ", ".join(
         f"joint_{joint} {'< 0' if followed.configuration >> bit & 1 else '>= 0'}" for bit, joint in enumerate((2, 4, 6))
     )

@@ -40,16 +40,19 @@ def place_of(equilibrium: Equilibrium, row: int) -> str:
     whole = pose[piece.last] - pose[piece.first]
     axis = int(np.argmax(np.abs(whole)))
     share = 0.0 if whole[axis] == 0 else float((pose[row] - pose[piece.first])[axis] / whole[axis])
-    return f"{piece.origin} -> {piece.goal}, {100 * share:.0f} % of the way"
+    return f"{piece.origin} -> {piece.goal}, {100 * max(0.0, share):.0f} % of the way"
 
 
-def check_joints(q: Array, h: float, limits: JointLimits, place: Place, free: bool) -> tuple[Finding, ...]:
+def check_joints(
+    q: Array, h: float, limits: JointLimits, place: Place, free: bool, stops: bool = True
+) -> tuple[Finding, ...]:
     """The worst case of position, then speed, then acceleration of every joint of q (n, k), rows h [s] apart.
 
     Value and limit in rad, rad/s, rad/s2, messages in degrees with what to do next. A speed's time is that of the row
-    its step begins at; the motion begins and ends at rest. free: whether the arm angle was allowed to move.
+    its step begins at; the motion begins at rest and, if stops, ends so. free: whether the arm angle was allowed to
+    move.
     """
-    speed, acceleration = speeds(q, h), accelerations(q, h)
+    speed, acceleration = speeds(q, h), accelerations(q, h, stops)
     found = [_position(q[:, j], j, h, limits, place, free) for j in range(len(limits.names))]
     for check, values, tops, noise in (
         (SPEED, speed, limits.velocity, 2 * ROUNDING / h),

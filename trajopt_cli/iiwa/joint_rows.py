@@ -37,14 +37,16 @@ def speeds(q: Array, h: float) -> Array:
     return np.asarray(np.abs(np.diff(q, axis=0)) / h)
 
 
-def accelerations(q: Array, h: float) -> Array:
+def accelerations(q: Array, h: float, stops: bool = True) -> Array:
     """Accelerations (n, k) [1/s2] at the rows of q (n, k): second differences; from rest and to rest at the ends.
 
-    Who stands at the first row and is at the second h later needs 2 |step| / h^2 at least, and so at the end.
+    Who stands at the first row and is at the second h later needs 2 |step| / h^2 at least, and so at the end. stops:
+    whether the last row is an end at all; else the motion goes on and nothing is known of that row, which counts as 0.
     """
     step = np.diff(q, axis=0)
     inside = np.diff(step, axis=0)
-    return np.asarray(np.abs(np.concatenate([2 * step[:1], inside, 2 * step[-1:]])) / (h * h))
+    end = 2 * step[-1:] if stops else np.zeros_like(step[-1:])
+    return np.asarray(np.abs(np.concatenate([2 * step[:1], inside, end])) / (h * h))
 
 
 def central_speeds(q: Array, h: float) -> Array:

@@ -64,13 +64,15 @@ def follow(
     definition: ArmAngle,
     arm_angle: float | None,
     free: bool,
+    stops: bool = True,
 ) -> Followed | Unfollowable:
     """Joints of every pose of the sequence, each sample held against the limits.
 
     robot: mounted in the world. X_FT (4, 4): TCP in the flange frame. start_joints (7,) [rad]: where the controller is
     switched on; R_start, the configuration, the joints' turns and, if arm_angle is None, the arm angle come from them.
     free: if a fixed arm angle breaks a position or speed limit, the arm angle may move, from that of the start joints
-    on. Raises ValueError for a sequence of one row or start joints of another shape.
+    on. stops: whether the arm has to be at rest in the last row. Raises ValueError for a sequence of one row or start
+    joints of another shape.
     """
     start = np.asarray(start_joints, dtype=np.float64)
     if start.shape != (len(limits.names),) or len(equilibrium.pose) < 2:
@@ -94,7 +96,7 @@ def follow(
         return Unfollowable(row * h, row, place(row), message)
 
     angles = np.full(len(q), fixed)
-    findings = check_joints(q, h, limits, place, free=False)
+    findings = check_joints(q, h, limits, place, free=False, stops=stops)
     notes: list[str] = []
     broken = stops_loop(findings)
     if free and not broken:
@@ -104,13 +106,13 @@ def follow(
         course = None if hopeless else find_course(robot, X_WF, h, limits, definition, configuration, start, place)
         if isinstance(course, ArmCourse):
             q, angles = course.q, course.arm_angle
-            findings = check_joints(q, h, limits, place, free=True)
+            findings = check_joints(q, h, limits, place, free=True, stops=stops)
             notes.append(
                 f"the arm angle moves between {_printed(float(angles.min()))} and {_printed(float(angles.max()))};"
                 f" held at {_printed(fixed)}: {broken[0].message.split(';')[0]}"
             )
         else:
-            findings = check_joints(q, h, limits, place, free=True)
+            findings = check_joints(q, h, limits, place, free=True, stops=stops)
             if course is not None:
                 notes.append(f"no course of the arm angle was found: {course.message}")
     notes += _start_notes(X_start, X_WF[0] @ X_FT, start, q[0], limits)

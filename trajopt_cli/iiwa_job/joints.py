@@ -41,7 +41,9 @@ def follow_joints(folder: Path, free: bool) -> tuple[Opened, Followed | Unfollow
 
 def stops_nothing(followed: Followed) -> bool:
     """Whether no joint passes its range or its speed limit: what the controller's loop stops at."""
-    return all(finding.passed for finding in followed.findings if finding.check != "acceleration")
+    from trajopt_cli.iiwa.joint_checks import stops_loop
+
+    return not stops_loop(followed.findings)
 
 
 def joint_record(followed: Followed) -> dict[str, Any]:

@@ -350,4 +350,14 @@ def _joints(opened: Opened, x: Array, R: Array) -> Followed | Unfollowable:
     pieces = (*sequence.pieces, Piece(last.last, len(x) - 1, last.goal, last.goal, dwell=True))
     way = Equilibrium(sequence.h, x, R, sequence.rotation, AngleMeaning.RELATIVE, pieces)
     limits = opened.robot.profile(task.limits)
-    return follow(way, opened.robot, task.X_FT, task.start_joints, limits, task.definition, task.arm_angle, False)
+    return follow(
+        way,
+        opened.robot,
+        task.X_FT,
+        task.start_joints,
+        limits,
+        task.definition,
+        task.arm_angle,
+        free=False,
+        stops=False,
+    )
