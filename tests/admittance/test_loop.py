@@ -41,6 +41,7 @@ COMPLIANCE = Compliance(
 )
 SETTINGS = Settings(COMPLIANCE, H, ArmAngle.FARIA)
 TOOL = pose(Rotation.from_euler("xyz", [10, 20, 30], degrees=True).as_matrix(), [0.02, -0.03, 0.15])
+BENT = pose(Rotation.from_euler("y", 40, degrees=True).as_matrix(), [0.1, 0, 0.05])
 ELSEWHERE = pose(Rotation.from_euler("z", 60, degrees=True).as_matrix(), [0.5, 0.2, 0])
 TILTED = pose(Rotation.from_euler("xz", [30, 60], degrees=True).as_matrix(), [1, 0, 0])
 LOAD = ToolLoad(2.0, np.zeros(3), np.diag([0.01, 0.01, 0.01]))
@@ -234,7 +235,7 @@ def jumps(found: LoopRun, at: int) -> float:
         ((), Change(0.1, X_FT=TOOL)),
         ((), Change(0.1, X_WB=ELSEWHERE)),
         ((), Change(0.1, X_FT=TOOL, X_WB=TILTED, restart=True)),
-        ((Change(0.05, X_FT=TOOL @ TOOL, X_WB=ELSEWHERE, restart=True),), Change(0.1, X_FT=TOOL, X_WB=TILTED)),
+        ((Change(0.05, X_FT=BENT, X_WB=ELSEWHERE, restart=True),), Change(0.1, X_FT=TOOL, X_WB=TILTED)),
     ],
     ids=["restart", "tool", "base", "all", "twice"],
 )
