@@ -275,6 +275,10 @@ def test_contact_is_shaded_where_it_is_and_its_worst_marked(pictures: dict[str, 
     with style.house_style():
         smooth = Following("no friction", wall.t, wall.x_e, wall.x, wall.force * [0, 0, 1, 0, 0, 0])
         figure = contact_figure(smooth, np.zeros_like(depth), 2, "Free")
+        dragged = contact_figure(wall, depth, 1, "Along the wall")
+    assert peaks(dragged.axes[1])[0, 1] == pytest.approx(-6.0)  # the largest is the one that pulls back
+    assert words(dragged.axes[1]) == [f"6 N at {number_of(wall.t[i])} s"]
+    assert "peak" not in curves(dragged.axes[0])
     assert len(figure.axes) == 2
     assert [c for axes in figure.axes for c in axes.collections if c.get_gid() == "contact"] == []
 

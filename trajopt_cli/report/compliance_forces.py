@@ -20,6 +20,7 @@ from trajopt_cli.report.compliance_runs import (
     COORDINATES,
     FLANGE,
     FORCE_UNITS,
+    MOVES,
     PLANNED,
     POSE_UNITS,
     Following,
@@ -222,9 +223,11 @@ def contact_figure(run: Following, depth: ArrayLike, axis: int, title: str) -> F
     curve(grid[1], run.t, force[:, axis], "force", color=BLACK)
     room_around(grid[1], [force[:, axis], np.zeros(1)], 1e-6, 0.2)
     grid[1].set_ylabel(f"force on the tool\nalong {COORDINATES[axis]} [N]")
-    at, _, text = peak(run.t, flange - planned, "mm")
-    i = int(np.searchsorted(run.t, at))
-    marks: list[tuple[Axes, Marks]] = [(grid[0], [(at, float(flange[i]), text.replace(" at ", " from the plan at "))])]
+    marks: list[tuple[Axes, Marks]] = []
+    if float(np.abs(flange - planned).max()) > MOVES / MM:
+        at, _, text = peak(run.t, flange - planned, "mm")
+        i = int(np.searchsorted(run.t, at))
+        marks.append((grid[0], [(at, float(flange[i]), text.replace(" at ", " from the plan at "))]))
     if float(np.abs(force[:, axis]).max()) > ACTS:
         marks.append((grid[1], [peak(run.t, force[:, axis], "N")]))
     if across:
