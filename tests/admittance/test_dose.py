@@ -15,6 +15,9 @@ from scipy.optimize import linprog
 
 from trajopt_cli.admittance.dose import CannotDose, Dosed, Feeding, compare, dose
 from trajopt_cli.admittance.dose_path import DosePath, Leg, dose_path
+from trajopt_cli.admittance.dose_plan import plan
+from trajopt_cli.admittance.dose_walk import Walk
+from trajopt_cli.admittance.regulator import coefficients
 from trajopt_cli.geometry import rotation_about
 from trajopt_cli.iiwa.equilibrium import Equilibrium, Piece
 from trajopt_cli.iiwa.task import AngleMeaning, Compliance, Integration, RotationLaw, SegmentSpeeds
@@ -214,6 +217,17 @@ def test_a_reversal_and_a_pure_turn_keep_the_bound() -> None:
     check(made, path, law, 1e-3, 0.005)
     assert made.braked > 0
     assert "holds back" in made.notes[0]
+
+
+def test_an_arm_that_swings_is_braked_before_corner_and_end() -> None:
+    h, law, bound = 2e-3, compliance(500.0, 50.0), 0.005
+    path = polyline([[0.0, 0.0], [0.06, 0.0], [0.008, 0.03]])
+    axes = coefficients(law.K, law.D, law.M, h, Integration.EULER)
+    plain, _ = plan(Walk(path, h, axes, bound, None), None, 0.0)
+    made = dose(path, law, h, bound)
+    check(made, path, law, h, bound)
+    assert made.duration < 0.95 * (len(plain) - 1) * h
+    assert len({state.stretch for state in plain}) == 3
 
 
 def test_dwells_keep_their_length() -> None:

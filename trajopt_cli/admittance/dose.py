@@ -16,6 +16,7 @@ import numpy as np
 
 from trajopt_cli.admittance.dose_bound import least_duration
 from trajopt_cli.admittance.dose_path import DosePath
+from trajopt_cli.admittance.dose_plan import ROWS, plan
 from trajopt_cli.admittance.dose_walk import State, Walk, moving_axes, stable
 from trajopt_cli.admittance.lag import Lag, held, lag_of, settling, time_constants, worst_lag
 from trajopt_cli.admittance.regulator import Coefficients, coefficients, response
@@ -25,10 +26,8 @@ from trajopt_cli.iiwa.task import COORDINATES, UNITS, Compliance, Feed, Integrat
 
 ARRIVED = 1e-3
 """Distance [m] from the last pose at which the arm counts as arrived."""
-_ROWS = 3_000_000  # rows at most: 50 min at 1 ms
 _TOLERANCE = 1e-9  # relative excess over the bound that the final check forgives as rounding
-_BLOCK, _LARGEST = 8, 256  # periods walked between two looks at safety
-_HALVINGS = 12  # of the last eager step before an unsafe state
+_COARSE = 0.05  # period of the search for brakes, in 1/pulse of the axis that swings fastest
 _REST = 10.0  # slowest time constants after which the arm counts as at rest
 
 
@@ -93,16 +92,26 @@ def dose(
     if refusal is not None:
         return refusal
     least = least_duration(path, h, axes, bound)
-    if least / h > _ROWS:
+    if least / h > ROWS:
         return CannotDose(
-            f"a lag of at most {bound:g} m would take at least {least:.0f} s, more than {_ROWS} rows of {h:g} s; "
+            f"a lag of at most {bound:g} m would take at least {least:.0f} s, more than {ROWS} rows of {h:g} s; "
             "allow more lag, or more stiffness or less damping"
         )
     walk = Walk(path, h, axes, bound, turn_bound)
-    walked = _walk(walk)
-    if isinstance(walked, CannotDose):
-        return walked
-    states, braked = walked
+    swinging = _swinging(path, compliance, turn_bound is not None)
+    if swinging is None:
+        states, braked = plan(walk, None, 0.0)
+    else:
+        longest, pulse = swinging
+        longer = max(h, _COARSE / pulse)
+        rough = coefficients(compliance.K, compliance.D, compliance.M, longer, Integration.EXACT)
+        states, braked = plan(walk, Walk(path, longer, rough, bound, turn_bound), longest)
+    if not walk.done(states[-1]):
+        share = walk.s(states[-1]) / path.s[-1]
+        return CannotDose(
+            f"after {ROWS} rows the sequence is at {share:.0%} of its path; allow more lag, or more stiffness or less "
+            "damping"
+        )
     s = np.array([walk.s(state) for state in states])
     pose = np.stack([np.interp(s, path.s, column) for column in path.pose.T], axis=1)
     rest = held(pose, _resting_time(path, compliance), h)
@@ -188,65 +197,14 @@ def _unfollowed(path: DosePath, compliance: Compliance, h: float, axes: Sequence
     return None
 
 
-def _walk(walk: Walk) -> tuple[list[State], int] | CannotDose:
-    """All states from the first to the last row, and how many of them had to hold back.
-
-    Blocks of eager steps are kept when they end safely. Otherwise the last safe one is looked up, its step halved down
-    to the largest safe one, and lazy steps follow for as long as the first unsafe step would have lasted: that is how
-    long the coming corner binds.
-    """
-    state = walk.start()
-    states = [state]
-    braked = 0
-    block = _BLOCK
-    while not walk.done(state):
-        ahead = walk.run(state, block, 1.0)
-        through = bool(ahead) and (len(ahead) == block or walk.done(ahead[-1]))
-        if through and walk.unsafe_after(ahead[-1]) == inf:
-            states += ahead
-            block = min(2 * block, _LARGEST)
-        else:
-            ahead = ahead[: _last_safe(walk, ahead, known_bad=through)]
-            states += ahead
-            slow = _hold_back(walk, states[-1])
-            states += slow
-            braked += len(slow)
-            block = _BLOCK
-        state = states[-1]
-        if len(states) > _ROWS:
-            s = walk.path.s
-            return CannotDose(
-                f"after {_ROWS} rows the sequence is at {walk.s(state) / s[-1]:.0%} of its path; allow more lag, or "
-                "more stiffness or less damping"
-            )
-    return states, braked
-
-
-def _last_safe(walk: Walk, ahead: list[State], *, known_bad: bool) -> int:
-    """How many of the states ahead of a safe one may be kept, so that the last of them is safe."""
-    low, high = 0, len(ahead) + (0 if known_bad else 1)
-    while high - low > 1:
-        middle = (low + high) // 2
-        if walk.unsafe_after(ahead[middle - 1]) == inf:
-            low = middle
-        else:
-            high = middle
-    return low
-
-
-def _hold_back(walk: Walk, state: State) -> list[State]:
-    """The largest safe step from a safe state whose eager step is not, and the lazy ones that have to follow."""
-    low, high, binds = 0.0, 1.0, 1.0
-    best = walk.run(state, 1, 0.0)
-    for _ in range(_HALVINGS):
-        middle = (low + high) / 2
-        tried = walk.run(state, 1, middle)
-        lasts = walk.unsafe_after(tried[0]) if tried else 0.0
-        if lasts == inf:
-            low, best = middle, tried
-        else:
-            high, binds = middle, lasts
-    return best + walk.run(best[-1], int(binds), 0.0)
+def _swinging(path: DosePath, compliance: Compliance, turns: bool) -> tuple[float, float] | None:
+    """Of the bounded axes along the path that swing (d^2 < 4 k m): longest time constant [s], highest pulse [rad/s]."""
+    K, D, M = compliance.K, compliance.D, compliance.M
+    bounded = np.array(moving_axes(path)) & (np.arange(6) < (6 if turns else 3))
+    swings = bounded & (D * D < 4 * K * M)
+    if not np.any(swings):
+        return None
+    return float(np.max(2 * M[swings] / D[swings])), float(np.max(np.sqrt(K[swings] / M[swings])))
 
 
 def _resting_time(path: DosePath, compliance: Compliance) -> float:

@@ -111,7 +111,8 @@ class Walk:
             return State(i, sigma, max(0, hold - 1), p, v, turn, w)
         low, high = self._reach(i, sigma, p, turn)
         if low is None or high is None:
-            return None
+            # an arm that passes the path at the bound itself may miss it by rounding
+            return State(i, sigma, 0, p, v, turn, w) if self._near(p, p_e, turn, turn_e) else None
         i, sigma = high if eagerness == 1.0 else low if eagerness == 0.0 else self._between(low, high, eagerness)
         stretch = self._stretches[i]
         if sigma >= stretch.length:
@@ -195,11 +196,11 @@ class Walk:
     def _may_stand(self, state: State) -> bool:
         """Whether the bound holds for ever if the equilibrium stays where it is."""
         p_e, turn_e = self._place(state.stretch, state.sigma)
-        if not self._rest.keeps(state.p, p_e, state.v, self._square * (1 + _ROUNDING)):
+        if not self._rest.keeps(state.p, p_e, state.v, self._square * (1 + _ROUNDING / 2)):
             return False
         if self._turn_rest is None or self._turn_square is None:
             return True
-        return self._turn_rest.keeps(state.turn, turn_e, state.w, self._turn_square * (1 + _ROUNDING))
+        return self._turn_rest.keeps(state.turn, turn_e, state.w, self._turn_square * (1 + _ROUNDING / 2))
 
 
 class _Rest:
