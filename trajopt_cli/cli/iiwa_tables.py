@@ -148,12 +148,14 @@ def contact_lines(run: Simulated) -> list[str]:
     if touch is None:
         return [*lines, "the tool touches nothing"] if run.contact is not None else lines
     x, y, z = touch.per_axis
+    away = [value / MM for value in touch.excursion]
     return [
         *lines,
         f"first touch at {touch.first:.3f} s, last at {touch.last:.3f} s, {touch.seconds:.3f} s in contact",
         f"force on the tool up to {touch.force:.2f} N at {touch.force_time:.3f} s"
         f" (x {x:.2f}, y {y:.2f}, z {z:.2f} N), tip up to {touch.depth / MM:.3f} mm deep",
-        f"excursion from the equilibrium up to {touch.excursion / MM:.2f} mm at {touch.excursion_time:.3f} s",
+        "controller away from its equilibrium while touching, its lag included:"
+        f" up to x {away[0]:.2f}, y {away[1]:.2f}, z {away[2]:.2f} mm",
     ]
 
 

@@ -26,7 +26,8 @@ def simulation_pictures(run: Simulated) -> dict[str, bytes]:
     if run.loop is not None:
         q = run.loop.q
         if np.any(run.loop.depth > 0):
-            normal = int(np.argmax(np.abs(run.loop.contact_true[:, :3]).max(axis=0)))
+            # an edge may push hardest, but what the tool leans on pushes longest
+            normal = int(np.argmax(np.abs(run.loop.contact_true[:, :3]).sum(axis=0)))
             pictures |= compliance.contact(shown, run.loop.depth, normal, f"{title}: contact ({run.loop.world})")
     elif isinstance(run.joints, Followed):
         q, angle = run.joints.trajectory.q, run.joints.arm_angle

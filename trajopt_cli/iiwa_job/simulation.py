@@ -226,8 +226,8 @@ def lag_record(lag: Lag) -> dict[str, Any]:
 @dataclass(frozen=True)
 class Touching:
     """What the contact did: first and last touch [s], seconds in contact, the largest force [N] and depth [m] with
-    their times, the largest force on the surroundings per axis of the world (3,) [N], and how far the controller was
-    pushed away from its equilibrium while it touched [m]."""
+    their times, the largest force per axis of the world (3,) [N], and how far the controller was from its equilibrium
+    along each axis while it touched (3,) [m], its lag included."""
 
     first: float
     last: float
@@ -237,8 +237,7 @@ class Touching:
     per_axis: tuple[float, float, float]
     depth: float
     depth_time: float
-    excursion: float
-    excursion_time: float
+    excursion: tuple[float, float, float]
 
 
 def touches(run: Simulated) -> Touching | None:
@@ -247,9 +246,9 @@ def touches(run: Simulated) -> Touching | None:
         return None
     rows = np.flatnonzero(run.loop.depth > 0)
     force = np.linalg.norm(run.loop.contact_true[:, :3], axis=1)
-    away = np.where(run.loop.depth > 0, np.linalg.norm((run.x - run.x_e)[:, :3], axis=1), 0.0)
+    away = np.abs((run.x - run.x_e)[rows, :3]).max(axis=0).tolist()
     t, h = run.t, run.opened.equilibrium.h
-    strongest, deepest, farthest = (int(np.argmax(values)) for values in (force, run.loop.depth, away))
+    strongest, deepest = (int(np.argmax(values)) for values in (force, run.loop.depth))
     per_axis = np.abs(run.loop.contact_true[:, :3]).max(axis=0).tolist()
     return Touching(
         float(t[rows[0]]),
@@ -260,8 +259,7 @@ def touches(run: Simulated) -> Touching | None:
         (per_axis[0], per_axis[1], per_axis[2]),
         float(run.loop.depth[deepest]),
         float(t[deepest]),
-        float(away[farthest]),
-        float(t[farthest]),
+        (away[0], away[1], away[2]),
     )
 
 
@@ -278,8 +276,7 @@ def touch_record(touching: Touching | None) -> dict[str, Any] | None:
         "largest_per_axis_N": list(touching.per_axis),
         "deepest_m": touching.depth,
         "deepest_at_s": touching.depth_time,
-        "largest_excursion_m": touching.excursion,
-        "largest_excursion_at_s": touching.excursion_time,
+        "largest_excursion_per_axis_m": list(touching.excursion),
     }
 
 
