@@ -14,14 +14,19 @@ import pytest
 from rich.console import Console
 from scipy.spatial.transform import Rotation
 
+from trajopt_cli.admittance.controller import Controller
+from trajopt_cli.admittance.loop import run
+from trajopt_cli.admittance.parameters import Settings
 from trajopt_cli.cli.experiments_tables import tables
-from trajopt_cli.iiwa.task import Push
+from trajopt_cli.iiwa.task import Clamps, Push, Zeroing
 from trajopt_cli.iiwa_experiments import collision, dosing, following, guiding, loop_time, pictures, steps
-from trajopt_cli.iiwa_experiments.bench import Bench, compliance
+from trajopt_cli.iiwa_experiments.bench import START, Bench, compliance
 from trajopt_cli.iiwa_experiments.catalogue import EXPERIMENTS, Experiments, bench_of
 from trajopt_cli.iiwa_experiments.record import record
 from trajopt_cli.iiwa_experiments.stability import stability
+from trajopt_cli.robot.srs_inverse import ArmAngle
 from trajopt_cli.simulate.mujoco_world import available
+from trajopt_cli.simulate.worlds import Engine, make_world
 
 WALL = """
 robot: iiwa7
@@ -72,17 +77,16 @@ def hit(bench: Bench, tmp_path_factory: pytest.TempPathFactory) -> collision.Col
 
 @pytest.fixture(scope="module")
 def whole(bench: Bench, hit: collision.Collision) -> Iterator[Experiments]:
-    """Every kind of answer; what is slow in a shorter form, what is alike twice."""
+    """Every experiment, what is slow in a shorter form."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(dosing, "BOUND", 0.1)  # fed in seconds, not in minutes
         patch.setattr(loop_time, "_PERIODS", 100)
-        pushed, turned = steps.all_axes(bench), steps.orientation(bench)
         yield Experiments(
             engine=bench.engine,
-            force_stiffness=pushed,
+            force_stiffness=steps.force_stiffness(bench),
             force_damping=steps.force_damping(bench),
-            orientation=turned,
-            all_axes=pushed,
+            orientation=steps.orientation(bench),
+            all_axes=steps.all_axes(bench),
             guiding=guiding.guiding(bench),
             zeroing=guiding.zeroing(bench),
             stability=stability(bench),
@@ -130,9 +134,9 @@ def test_no_other_speed_fits_better(whole: Experiments) -> None:
 
 
 def test_forces_end_at_f_over_k_and_overshoot_as_the_damping_ratio_says(whole: Experiments) -> None:
-    answers = [one for part in (whole.force_damping, whole.all_axes, whole.orientation) for run in part.runs
-               for one in run.answers]  # fmt: skip
-    assert len(answers) == 6 + 6 + 3
+    parts = (whole.force_stiffness, whole.force_damping, whole.all_axes, whole.orientation)
+    answers = [one for part in parts for run in part.runs for one in run.answers]
+    assert len(answers) == 6 + 6 + 6 + 3
     for one in answers:
         assert one.steady == pytest.approx(one.expected, rel=1e-3)
         assert one.overshoot == pytest.approx(one.overshoot_expected, abs=4e-3)
@@ -143,12 +147,26 @@ def test_forces_end_at_f_over_k_and_overshoot_as_the_damping_ratio_says(whole: E
     assert swinging.settling == pytest.approx(math.log(50), rel=0.05)
 
 
-def test_steps_are_the_whole_loop_not_the_law_alone(whole: Experiments) -> None:
-    """The controller's pose came through inverse kinematics: joints and their forward kinematics are where it says."""
-    series = whole.all_axes.runs[0].series
-    assert series.flange is None
-    assert series.force is not None
-    assert np.abs(series.force[1000]).tolist() == pytest.approx([10, 10, 10, 2, 2, 2])
+def test_the_controllers_own_loop_gives_the_same(bench: Bench) -> None:
+    """Period by period with inverse kinematics, measured forces clamped away: moments, forces and zeroing together."""
+    law = compliance(500.0, 40.0, 100.0, 30.0)
+    blind = Zeroing((True, False, False, False, False, True), np.array(guiding.FRAME))
+    pushes = (Push(0.05, 0.2, np.array([10.0, -5, 3, 1, 2, -1])), Push(0.1, 0.3, np.array([0, 0, 4.0, 0, 0, 1])))
+    tiny = Clamps(force=np.full(6, 1e-12))
+    settings = Settings(law, 1e-3, ArmAngle.FARIA, zeroing=blind, clamps=tiny, pushes=pushes)
+    world = make_world(Engine.SPRING, bench.robot, np.eye(4), None, None, 1e-3)
+    looped = run(Controller(bench.robot, settings, START), np.tile(bench.start, (401, 1)), world, bench.robot.profile())
+    done = bench.pushed(law, pushes, 0.4, blind)
+    assert looped.stop is None
+    assert np.abs(done.x - looped.x).max() < 1e-12
+    assert np.abs(done.v - looped.v).max() < 1e-11
+    assert np.abs(done.force - looped.force_believed).max() < 1e-10
+    assert np.abs(done.x - done.x_e).max() > 1e-3
+
+
+def test_a_force_beyond_the_arms_reach_is_refused(bench: Bench) -> None:
+    with pytest.raises(RuntimeError, match="would be stopped"):
+        bench.pushed(compliance(100.0, 30.0, 100.0, 20.0), [Push(0, 4.0, np.array([60.0, 0, 0, 0, 0, 0]))], 4.0)
 
 
 def test_a_hand_leads_by_its_impulse_over_the_damping_and_leaves_the_arm_there(whole: Experiments) -> None:
@@ -230,7 +248,7 @@ def test_the_record_is_plain_and_the_same_again(bench: Bench, whole: Experiments
         replace(
             whole,
             all_axes=steps.all_axes(bench),
-            force_stiffness=steps.all_axes(bench),
+            force_stiffness=steps.force_stiffness(bench),
             zeroing=guiding.zeroing(bench),
             stability=stability(bench),
             speed=following.speed(bench),
@@ -280,9 +298,8 @@ def test_in_mujoco_the_flange_follows_within_the_thesis_millimetres() -> None:
     bench = bench_of("mujoco")
     push = Push(0.1, 2.0, np.array([10.0, 0, 0, 0, 0, 0]))
     done = bench.pushed(compliance(500.0, 30.0, 100.0, 20.0), [push], 0.8)
-    away = np.abs(bench.flange(done) - done.x)
+    assert done.flange is not None
+    away = np.abs(done.flange - done.x)
     assert 1e-5 < away[:, 0].max() < 2e-3
+    assert away[:100].max() < 1e-6  # at rest before the push
     assert done.x[-1, 0] - done.x[0, 0] > 0.015
-    # the servo's own torques are no forces here: what the controller reckons with is the push alone
-    assert np.abs(done.force_believed[:, 1:]).max() == 0.0
-    assert bench.series("", done).flange is not None

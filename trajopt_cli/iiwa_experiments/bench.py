@@ -9,13 +9,15 @@ from pathlib import Path
 
 import numpy as np
 
-from trajopt_cli.admittance.controller import Controller
-from trajopt_cli.admittance.loop import LoopRun, run
-from trajopt_cli.admittance.parameters import Settings
+from trajopt_cli.admittance.forces import zero
+from trajopt_cli.admittance.regulator import response
 from trajopt_cli.geometry import Array, readonly
-from trajopt_cli.iiwa.angles import angles_of, continuous
-from trajopt_cli.iiwa.task import Clamps, Compliance, Push, Zeroing
-from trajopt_cli.iiwa.world import Seven
+from trajopt_cli.iiwa.angles import angles_of, continuous, rotation
+from trajopt_cli.iiwa.equilibrium import Equilibrium, Piece
+from trajopt_cli.iiwa.joint_checks import stops_loop
+from trajopt_cli.iiwa.joints import Unfollowable, follow
+from trajopt_cli.iiwa.task import AngleMeaning, Compliance, Push, RotationLaw, Zeroing
+from trajopt_cli.iiwa.world import Seven, World
 from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.robot.srs_inverse import ArmAngle
 from trajopt_cli.simulate.worlds import Engine, make_world
@@ -32,7 +34,6 @@ FORCE, MOMENT = 10.0, 2.0
 _PACKAGE = Path(__file__).parents[1]
 # In a checkout the programs stand beside the package, a wheel carries them inside it.
 _PROGRAMS = _PACKAGE.parent / "programs" if (_PACKAGE.parent / "pyproject.toml").is_file() else _PACKAGE / "programs"
-_NOTHING = np.full(6, 1e-300)  # a clamp has to be above zero
 
 
 def program(name: str) -> Path:
@@ -49,8 +50,8 @@ def compliance(k: float, k_turn: float, d: float, d_turn: float) -> Compliance:
 class Series:
     """One run over t (n,) [s]: equilibrium x_e, controller x, force (n, 6) [m, rad; N, Nm].
 
-    flange (n, 6): as the world moved it, None where nothing but the controller was computed. felt (n, 6): forces before
-    zeroing, None where nothing was zeroed.
+    flange (n, 6): as the world moved it, None where nothing but the controller was computed. felt (n, 6): simulated
+    forces before zeroing, None where there are none.
     """
 
     label: str
@@ -65,6 +66,25 @@ class Series:
         for name in ("t", "x_e", "x", "force", "flange", "felt"):
             if getattr(self, name) is not None:
                 object.__setattr__(self, name, readonly(getattr(self, name)))
+
+
+@dataclass(frozen=True, eq=False)
+class Pushed:
+    """What simulated forces do, rows every H [s]: equilibrium x_e, controller x and its rates v, felt and force before
+    and after zeroing, all (n, 6); flange (n, 6) in the world of that name, None where it is where the controller is."""
+
+    world: str
+    t: Array
+    x_e: Array
+    x: Array
+    v: Array
+    felt: Array
+    force: Array
+    flange: Array | None
+
+    def series(self, label: str) -> Series:
+        """The run as it is kept for pictures."""
+        return Series(label, self.t, self.x_e, self.x, self.force, self.flange, self.felt)
 
 
 @dataclass(frozen=True)
@@ -101,38 +121,43 @@ class Bench:
 
     def pushed(
         self, law: Compliance, pushes: Sequence[Push], duration: float, zeroing: Zeroing | None = None
-    ) -> LoopRun:
-        """The whole loop for duration [s] under simulated forces, standing at START otherwise.
+    ) -> Pushed:
+        """The controller standing at START for duration [s], moved by simulated forces alone.
 
-        Measured forces are zeroed before the simulated ones are added, as in section 6.1. Raises RuntimeError where
-        the loop stops.
+        Measured forces are zeroed there (section 6.1), so that nothing the world does comes back: the law is computed
+        first, then inverse kinematics with every limit, then the world follows. The loop, period by period, gives the
+        same. Raises RuntimeError where a joint limit would stop the loop.
         """
-        settings = Settings(
-            compliance=law,
-            h=H,
-            definition=ArmAngle.FARIA,
-            zeroing=Zeroing() if zeroing is None else zeroing,
-            clamps=Clamps(force=_NOTHING),
-            pushes=tuple(pushes),
-        )
-        controller = Controller(self.robot, settings, START)
-        world = make_world(self.engine, self.robot, settings.X_FT, None, None, H)
-        x_e = np.tile(self.start, (round(duration / H) + 1, 1))
-        out = run(controller, x_e, world, self.robot.profile())
-        if out.stop is not None:
-            raise RuntimeError(f"an experiment of chapter 6 was stopped: {out.stop.message}")
-        return out
+        t = np.arange(round(duration / H) + 1, dtype=np.float64) * H
+        felt = np.zeros((len(t), 6))
+        for one in pushes:
+            felt[round(one.start / H) : round(one.end / H)] += one.force
+        force = felt if zeroing is None else zero(felt, zeroing)
+        x_e = np.tile(self.start, (len(t), 1))
+        done = response(x_e, H, law, force=force)
+        whole = (Piece(0, len(t) - 1, "start", "end"),)
+        turn = rotation(done.x[:, 3:])
+        sequence = Equilibrium(H, done.x, turn, RotationLaw.TAIT_BRYAN, AngleMeaning.RELATIVE, whole)
+        limits = self.robot.profile()
+        joints = follow(sequence, self.robot, np.eye(4), np.array(START), limits, ArmAngle.FARIA, None, False)
+        broken = [joints] if isinstance(joints, Unfollowable) else stops_loop(joints.findings)
+        if broken or isinstance(joints, Unfollowable):
+            raise RuntimeError(f"an experiment of chapter 6 would be stopped: {broken[0].message}")
+        world = make_world(self.engine, self.robot, np.eye(4), None, None, H)
+        flange = self._followed(world, joints.trajectory.q) if self.moves else None
+        return Pushed(world.name, t, x_e, done.x, done.v, felt, force, flange)
 
-    def flange(self, done: LoopRun, X_FT: Array | None = None) -> Array:
-        """Positions [m] and angles from R_start [rad] (n, 6) of the TCP as the world moved it."""
-        X = self.robot.forward(done.q) @ (np.eye(4) if X_FT is None else X_FT)
-        angles = continuous(angles_of(X[:, :3, :3] @ done.R[0].T))
+    def _followed(self, world: World, q: Array) -> Array:
+        """Where the world's flange is (n, 6) while it is told to follow joints q (n, 7)."""
+        rows = [world.reset(START).q]
+        rows += [world.step(_seven(row)).q for row in q[1:].tolist()]
+        return self.flange(np.array(rows), np.eye(4))
+
+    def flange(self, q: Array, X_FT: Array) -> Array:
+        """Positions [m] and angles from the first row's orientation [rad] (n, 6) of the TCP at joints q (n, 7)."""
+        X = self.robot.forward(q) @ X_FT
+        angles = continuous(angles_of(X[:, :3, :3] @ X[0, :3, :3].T))
         return np.column_stack([X[:, :3, 3], angles])
-
-    def series(self, label: str, done: LoopRun, felt: Array | None = None) -> Series:
-        """A run as it is kept for pictures."""
-        flange = self.flange(done) if self.moves else None
-        return Series(label, done.t, done.x_e, done.x, done.force_believed, flange, felt)
 
 
 def push(start: float, end: float, axis: int, size: float | None = None) -> Push:
@@ -140,3 +165,8 @@ def push(start: float, end: float, axis: int, size: float | None = None) -> Push
     force = np.zeros(6)
     force[axis] = (FORCE if axis < 3 else MOMENT) if size is None else size
     return Push(start, end, force)
+
+
+def _seven(row: Sequence[float]) -> Seven:
+    a, b, c, d, e, f, g = row
+    return (a, b, c, d, e, f, g)

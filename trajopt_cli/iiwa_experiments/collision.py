@@ -106,7 +106,7 @@ def _measured(bench: Bench, task: Task, done: LoopRun) -> Touching:
         done.x_e,
         done.x,
         done.contact_true,
-        bench.flange(done, task.X_FT) if bench.moves else None,
+        bench.flange(done.q, task.X_FT) if bench.moves else None,
     )
     if len(on) == 0:
         return Touching(done.world, None, 0.0, None, 0.0, None, 0.0, 0.0, 0.0, 0.0, 0, stop, done.depth, series)
@@ -133,7 +133,7 @@ def _measured(bench: Bench, task: Task, done: LoopRun) -> Touching:
 
 def _on_top(bench: Bench, task: Task, done: LoopRun) -> BoolArray:
     """Whether the tool centre point is over (or under) an obstacle's top (n,): the surface's normal is z there."""
-    p = bench.flange(done, task.X_FT)[:, :3]
+    p = bench.flange(done.q, task.X_FT)[:, :3]
     over = np.zeros(len(p), dtype=np.bool_)
     for obstacle in task.contact.obstacles if task.contact is not None else ():
         X, half = obstacle.box.X, obstacle.box.size / 2

@@ -105,7 +105,7 @@ def guiding(bench: Bench) -> Guided:
             f"the hand's forces are in a figure only: ours are {FORCE:g} N along x, y and z, {_PUSH:g} s each",
             "the arm stays where it is left: nothing pulls it back",
         ),
-        series=bench.series("hand guiding", done),
+        series=done.series("hand guiding"),
     )
 
 
@@ -116,12 +116,8 @@ def zeroing(bench: Bench) -> Zeroed:
     blind = Zeroing((True, True, False, False, False, False), np.array(FRAME))
     pushes, times = _pushes((FORCE, -FORCE, FORCE))
     done = bench.pushed(compliance(0.0, 0.0, _D, _D_TURN), pushes, times[-1][2], blind)
-    felt = np.zeros((len(done.t), 6))
-    for one in pushes:
-        felt[round(one.start / H) : round(one.end / H)] += one.force
     direction, aside, length = _line(done.x[:, :3], axis)
-    flange = bench.flange(done) if bench.moves else None
-    flange_line = None if flange is None else _line(flange[:, :3], axis)
+    flange_line = None if done.flange is None else _line(done.flange[:, :3], axis)
     return Zeroed(
         section="6.1.7",
         title="zeroed forces in a turned frame",
@@ -138,7 +134,7 @@ def zeroing(bench: Bench) -> Zeroed:
             f"erratum: F* = R* F as printed would leave {_shown(R[2])} free, the third row of R*; the frame's z axis"
             f" {_shown(axis)}, its third column, is free with F* = R*^T F",
         ),
-        series=bench.series("zeroing", done, felt),
+        series=done.series("zeroing"),
     )
 
 

@@ -123,14 +123,13 @@ def _run(
     end = _FIRST + apart * (len(axes) - 1) + hold
     pushes = [push(_FIRST + apart * i, end, axis) for i, axis in enumerate(axes)]
     done = bench.pushed(law, pushes, end + _REST)
-    flange = bench.flange(done)
     return StepRun(
         label=label,
         k=float(law.K[axes[0]]),
         d=float(law.D[axes[0]]),
         answers=tuple(_answer(law, axis, one, done.x) for axis, one in zip(axes, pushes, strict=True)),
-        tracking=_tracking(done.x, flange, axes, theirs) if bench.moves else (),
-        series=bench.series(done.world, done),
+        tracking=() if done.flange is None else _tracking(done.x, done.flange, axes, theirs),
+        series=done.series(done.world),
     )
 
 
