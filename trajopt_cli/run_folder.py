@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Mapping
+import platform
+from collections.abc import Iterable, Mapping
+from datetime import UTC, datetime
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
+from trajopt_cli import __version__
 from trajopt_cli.errors import InputError
-from trajopt_cli.files import recover
+from trajopt_cli.files import recover, write_folder
 
 RUN, SUMMARY = "run.json", "summary.json"
-PLAN, TASK = "plan", "iiwa"
-"""Kinds of folders: of trajopt optimize, and of trajopt iiwa."""
+PLAN, TASK, EXPERIMENTS = "plan", "iiwa", "experiments"
+"""Kinds of folders: of trajopt optimize, of trajopt iiwa on a task, and of the thesis' experiments."""
 FORMAT = 1
 """Of the folders; a reader refuses a newer one."""
 
@@ -22,10 +26,31 @@ def read_run(folder: Path, kind: str) -> dict[str, Any]:
     """run.json of a folder of this kind. Raises InputError for a folder that is none, is another, or is newer."""
     run = _run(folder)
     if run.get("kind", PLAN) != kind:
-        commands = {PLAN: "optimize", TASK: "iiwa segments"}
+        commands = {PLAN: "optimize", TASK: "iiwa segments", EXPERIMENTS: "iiwa experiments"}
         made = commands.get(run.get("kind", PLAN), "another command")
         raise InputError(f"was made by trajopt {made}; this needs a folder of {commands[kind]}", file=str(folder))
     return run
+
+
+def write_run(
+    folder: Path, kind: str, libraries: Iterable[str], files: Mapping[str, bytes], more: Mapping[str, Any]
+) -> None:
+    """Write a folder of this kind whole: files, and run.json with the versions of libraries and what more says.
+
+    Raises InputError where folder may not be replaced.
+    """
+    run = {
+        "trajopt": __version__,
+        "format": FORMAT,
+        "kind": kind,
+        "versions": {"python": platform.python_version(), **{name: version(name) for name in libraries}},
+        "inputs": {},
+        **more,
+        "files": {name: sha256(content) for name, content in sorted(files.items())},
+        "written": datetime.now(UTC).isoformat(),
+    }
+    check_replaceable(folder)
+    write_folder(folder, {**files, RUN: record(run)})
 
 
 def check_replaceable(folder: Path) -> None:

@@ -7,28 +7,13 @@ command that adds to a folder writes the whole folder anew, in one step.
 from __future__ import annotations
 
 import json
-import platform
 from collections.abc import Mapping
 from dataclasses import dataclass
-from datetime import UTC, datetime
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from trajopt_cli import __version__
 from trajopt_cli.errors import InputError
-from trajopt_cli.files import write_folder
-from trajopt_cli.run_folder import (
-    FORMAT,
-    RUN,
-    SUMMARY,
-    TASK,
-    check_replaceable,
-    read_bytes,
-    read_run,
-    record,
-    sha256,
-)
+from trajopt_cli.run_folder import SUMMARY, TASK, read_bytes, read_run, record, sha256, write_run
 
 EQUILIBRIUM, QUATERNIONS, JOINTS, SIMULATION = (
     "equilibrium.csv",
@@ -80,21 +65,10 @@ def write_task_folder(
     task, program: the names in files of the task file and of the program read in place of its poses. Raises InputError
     where folder may not be replaced.
     """
-    content = dict(files) | {SUMMARY: record(summary)}
-    content[RUN] = record(
-        {
-            "trajopt": __version__,
-            "format": FORMAT,
-            "kind": TASK,
-            "versions": {"python": platform.python_version(), **{name: version(name) for name in _LIBRARIES}},
-            "options": dict(options),
-            "inputs": {"task": task, "program": program},
-            "files": {name: sha256(one) for name, one in sorted(content.items())},
-            "written": datetime.now(UTC).isoformat(),
-        }
+    content = {**files, SUMMARY: record(summary)}
+    write_run(
+        folder, TASK, _LIBRARIES, content, {"options": dict(options), "inputs": {"task": task, "program": program}}
     )
-    check_replaceable(folder)
-    write_folder(folder, content)
 
 
 def read_task_folder(folder: Path) -> TaskFolder:

@@ -232,6 +232,41 @@ def dose(
         raise typer.Exit(1)
 
 
+@app.command("experiments", short_help="Chapter 6 of the second thesis, its numbers beside ours.")
+def experiments(
+    output: Annotated[
+        Path, typer.Option("--output", metavar="FOLDER", help="Folder for numbers and pictures.")
+    ] = Path("results/iiwa_experiments"),
+    engine: Annotated[
+        Literal["auto", "spring", "mujoco"], typer.Option("--engine", help="What moves the arm and answers the tool.")
+    ] = "auto",
+    as_json: AsJson = False,
+) -> None:
+    """Force steps, orientation, hand guiding, zeroing, stability, following, collision, loop time and dosing."""
+    import json
+
+    from trajopt_cli.cli.console import show, stdout
+    from trajopt_cli.cli.experiments_tables import tables
+    from trajopt_cli.iiwa_experiments.catalogue import run_experiments
+    from trajopt_cli.iiwa_experiments.folder import write_experiments
+    from trajopt_cli.iiwa_experiments.record import record
+    from trajopt_cli.run_folder import check_replaceable
+
+    check_replaceable(output)
+    answer = run_experiments(lambda name: typer.echo(f"experiment {name}", err=True), engine)
+    if as_json:
+        typer.echo(json.dumps(record(answer), indent=2, ensure_ascii=False))
+    else:
+        console = stdout()
+        for part in tables(answer):
+            if isinstance(part, str):
+                console.print(part)
+            else:
+                show(console, part)
+    count = write_experiments(output, answer)
+    typer.echo(f"written to {output}: {count} files", err=True)
+
+
 def unstable(answer: Unstable) -> NoReturn:
     """Say which axes do not settle, and stop with exit code 1."""
     for axis in answer.axes:
