@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import itertools
 import json
 import math
 from collections.abc import Iterator
@@ -20,8 +21,9 @@ from trajopt_cli.admittance.parameters import Settings
 from trajopt_cli.cli.experiments_tables import tables
 from trajopt_cli.iiwa.task import Clamps, Push, Zeroing
 from trajopt_cli.iiwa_experiments import collision, dosing, following, guiding, loop_time, pictures, steps
-from trajopt_cli.iiwa_experiments.bench import START, Bench, compliance
+from trajopt_cli.iiwa_experiments.bench import START, Bench, Series, Tracking, compliance
 from trajopt_cli.iiwa_experiments.catalogue import EXPERIMENTS, Experiments, bench_of
+from trajopt_cli.iiwa_experiments.force_error import force_error
 from trajopt_cli.iiwa_experiments.record import record
 from trajopt_cli.iiwa_experiments.stability import stability
 from trajopt_cli.robot.srs_inverse import ArmAngle
@@ -87,6 +89,7 @@ def whole(bench: Bench, hit: collision.Collision) -> Iterator[Experiments]:
             force_damping=steps.force_damping(bench),
             orientation=steps.orientation(bench),
             all_axes=steps.all_axes(bench),
+            force_error=force_error(bench),
             guiding=guiding.guiding(bench),
             zeroing=guiding.zeroing(bench),
             stability=stability(bench),
@@ -167,6 +170,30 @@ def test_the_controllers_own_loop_gives_the_same(bench: Bench) -> None:
 def test_a_force_beyond_the_arms_reach_is_refused(bench: Bench) -> None:
     with pytest.raises(RuntimeError, match="would be stopped"):
         bench.pushed(compliance(100.0, 30.0, 100.0, 20.0), [Push(0, 4.0, np.array([60.0, 0, 0, 0, 0, 0]))], 4.0)
+
+
+def test_errors_of_torques_become_forces_within_the_worst_corner(bench: Bench, whole: Experiments) -> None:
+    """The bound from the corners of the errors' box, through numpy's own pseudo-inverse of J^T."""
+    inverse = np.linalg.pinv(bench.robot.jacobian(np.array(START)).T)
+    box = 0.02 * np.array([176, 176, 110, 110, 110, 40, 40]) + 0.5
+    corners = np.array(list(itertools.product((-1, 1), repeat=7))) * box
+    worst = np.abs(corners @ inverse.T).max(axis=0)
+    for i, one in enumerate(whole.force_error.rows):
+        assert one.bound == pytest.approx(worst[i])
+        assert 1.0 < one.median < one.greatest < one.bound
+        # the thesis' force gauge and our data sheet speak of the same size
+        assert min(one.thesis) / 3 < one.median < 3 * max(one.thesis)
+
+
+def test_the_worst_of_the_flange_is_taken_from_all_parts() -> None:
+    def part(*rows: Tracking) -> steps.Steps:
+        series = Series("", np.arange(2.0), np.zeros((2, 6)), np.zeros((2, 6)))
+        return steps.Steps("", "", "", (steps.StepRun("", 1.0, 1.0, (), rows, series),), ())
+
+    small, large = Tracking("y", 1e-3, 5e-4, 0.1, 0.1), Tracking("y", 2e-3, 1e-4, 0.1, 0.1)
+    turn = Tracking("gamma", 3e-3, 2e-3, 0.1, 0.1)
+    found = steps.worst_tracking([part(small), part(turn, large), part()])
+    assert found == (Tracking("y", 2e-3, 5e-4, 0.0016, 0.0003), Tracking("gamma", 3e-3, 2e-3, 0.0092, 0.0004))
 
 
 def test_a_hand_leads_by_its_impulse_over_the_damping_and_leaves_the_arm_there(whole: Experiments) -> None:
@@ -256,7 +283,7 @@ def test_the_record_is_plain_and_the_same_again(bench: Bench, whole: Experiments
             loop_time=loop_time.loop_time(bench),
         )
     )
-    assert set(first) == set(EXPERIMENTS) | {"engine", "measured"}
+    assert set(first) == set(EXPERIMENTS) | {"engine", "measured", "flange_worst"}
     measured = first.pop("measured"), again.pop("measured")
     assert json.dumps(first, allow_nan=False) == json.dumps(again, allow_nan=False)
     parts = [{part["part"] for part in one["loop_time"]["parts"]} for one in measured]
@@ -286,7 +313,7 @@ def test_every_section_has_its_picture(whole: Experiments, monkeypatch: pytest.M
     two = replace(whole, collision=replace(whole.collision, runs=(*whole.collision.runs, physics)))
     names = {name.removesuffix(".svg") for name in pictures.pictures(two)}
     assert names == {
-        "force_stiffness", "force_damping", "orientation", "all_axes", "guiding", "zeroing", "stability",
+        "force_stiffness", "force_damping", "orientation", "all_axes", "force_error", "guiding", "zeroing", "stability",
         "speed_deviation", "speed_path", "speed_table", "stiffness_deviation", "stiffness_path", "stiffness_table",
         "damping_deviation", "damping_path", "damping_table", "collision", "collision_physics", "loop_time", "dosing",
         "dosing_path",

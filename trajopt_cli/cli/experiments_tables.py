@@ -12,10 +12,12 @@ from trajopt_cli.cli.layout import plain_table
 from trajopt_cli.units import MM
 
 if TYPE_CHECKING:
+    from trajopt_cli.iiwa_experiments.bench import Tracking
     from trajopt_cli.iiwa_experiments.catalogue import Experiments
     from trajopt_cli.iiwa_experiments.collision import Collision
     from trajopt_cli.iiwa_experiments.dosing import Dosing
     from trajopt_cli.iiwa_experiments.following import FollowTable
+    from trajopt_cli.iiwa_experiments.force_error import ForceErrors
     from trajopt_cli.iiwa_experiments.guiding import Guided, Zeroed
     from trajopt_cli.iiwa_experiments.loop_time import LoopTimes
     from trajopt_cli.iiwa_experiments.stability import StabilityMap
@@ -27,12 +29,19 @@ _TURNS = ("alpha", "beta", "gamma")
 
 def tables(experiments: Experiments) -> Iterator[Table | str]:
     """Section by section: a table, then its notes."""
+    from trajopt_cli.iiwa_experiments.steps import worst_tracking
+
     one = experiments
-    for steps in (one.force_stiffness, one.force_damping, one.orientation, one.all_axes):
+    for steps in one.stepped:
         yield _steps(steps)
         if any(run.tracking for run in steps.runs):
             yield _flange(steps)
         yield from _notes(steps.sentences)
+    worst = worst_tracking(one.stepped)
+    if worst:
+        yield _worst(worst)
+    yield _force_error(one.force_error)
+    yield from _notes(one.force_error.sentences)
     yield _guiding(one.guiding)
     yield from _notes(one.guiding.sentences)
     yield _zeroing(one.zeroing)
@@ -95,6 +104,29 @@ def _flange(steps: Steps) -> Table:
             figures = (one.maximum, one.thesis_maximum, one.mean, one.thesis_mean)
             unit = "°" if one.axis in _TURNS else "mm"
             table.add_row(run.label, one.axis, *(_shown(one.axis, value) for value in figures), unit)
+    return table
+
+
+def _worst(worst: Iterable[Tracking]) -> Table:
+    table = plain_table(
+        "6.1.5 the flange behind the controller, worst of all; the thesis' hand-led runs among its own",
+        *("axis", ">largest", ">thesis", ">mean", ">thesis", "unit"),
+    )
+    for one in worst:
+        figures = (one.maximum, one.thesis_maximum, one.mean, one.thesis_mean)
+        unit = "°" if one.axis in _TURNS else "mm"
+        table.add_row(one.axis, *(_shown(one.axis, value) for value in figures), unit)
+    return table
+
+
+def _force_error(errors: ForceErrors) -> Table:
+    table = plain_table(
+        f"{errors.section} {errors.title}: largest [N], thesis ±1 N",
+        *("axis", *(f">{name}" for name in errors.columns), f">median of {errors.sensors}", ">greatest", ">bound"),
+    )
+    for one in errors.rows:
+        ours = (one.median, one.greatest, one.bound)
+        table.add_row(one.axis, *(f"{value:g}" for value in one.thesis), *(f"{value:.1f}" for value in ours))
     return table
 
 

@@ -12,6 +12,7 @@ from trajopt_cli.iiwa_experiments.bench import Bench
 from trajopt_cli.iiwa_experiments.collision import Collision, collision
 from trajopt_cli.iiwa_experiments.dosing import Dosing, dosing
 from trajopt_cli.iiwa_experiments.following import FollowTable, damping, speed, stiffness
+from trajopt_cli.iiwa_experiments.force_error import ForceErrors, force_error
 from trajopt_cli.iiwa_experiments.guiding import Guided, Zeroed, guiding, zeroing
 from trajopt_cli.iiwa_experiments.loop_time import LoopTimes, loop_time
 from trajopt_cli.iiwa_experiments.stability import StabilityMap, stability
@@ -32,6 +33,7 @@ class Experiments:
     force_damping: Steps
     orientation: Steps
     all_axes: Steps
+    force_error: ForceErrors
     guiding: Guided
     zeroing: Zeroed
     stability: StabilityMap
@@ -42,12 +44,18 @@ class Experiments:
     loop_time: LoopTimes
     dosing: Dosing
 
+    @property
+    def stepped(self) -> tuple[Steps, ...]:
+        """6.1.1 to 6.1.4."""
+        return self.force_stiffness, self.force_damping, self.orientation, self.all_axes
+
 
 EXPERIMENTS: dict[str, Callable[[Bench], Any]] = {
     "force_stiffness": force_stiffness,
     "force_damping": force_damping,
     "orientation": orientation,
     "all_axes": all_axes,
+    "force_error": force_error,
     "guiding": guiding,
     "zeroing": zeroing,
     "stability": stability,

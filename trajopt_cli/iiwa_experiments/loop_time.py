@@ -69,7 +69,7 @@ def loop_time(bench: Bench) -> LoopTimes:
         thesis_worst=LOOP_WORST,
         language=f"Python {platform.python_version()} on this machine ({platform.machine()})",
         sentences=(
-            "the thesis' loop is C++ on an Intel i3-7100T under a real-time kernel, 148 us at worst; its figure has no"
+            "the thesis' loop is C++ on an Intel i3-7100T under a real-time kernel, 148 µs at worst; its figure has no"
             " other numbers; ours is Python without one: the longest times are those of whatever else the machine did",
         ),
     )

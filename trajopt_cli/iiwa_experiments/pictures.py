@@ -12,6 +12,7 @@ from trajopt_cli.iiwa_experiments.catalogue import Experiments
 from trajopt_cli.iiwa_experiments.collision import NORMAL, Collision
 from trajopt_cli.iiwa_experiments.dosing import Dosing
 from trajopt_cli.iiwa_experiments.following import FollowTable
+from trajopt_cli.iiwa_experiments.force_error import ForceErrors
 from trajopt_cli.iiwa_experiments.guiding import Guided, Zeroed
 from trajopt_cli.iiwa_experiments.loop_time import LoopTimes
 from trajopt_cli.iiwa_experiments.stability import StabilityMap
@@ -33,6 +34,7 @@ def pictures(experiments: Experiments) -> dict[str, bytes]:
         "force_damping": partial(_steps, one.force_damping, (0, 1, 2), "force_damping"),
         "orientation": partial(_steps, one.orientation, (3, 4, 5), "orientation"),
         "all_axes": partial(_steps, one.all_axes, tuple(range(6)), "all_axes"),
+        "force_error": partial(_force_error, one.force_error),
         "guiding": partial(_guiding, one.guiding),
         "zeroing": partial(_zeroing, one.zeroing),
         "stability": partial(_stability, one.stability),
@@ -86,6 +88,14 @@ def _following(table: FollowTable) -> dict[str, bytes]:
     return compliance.family(runs, parameter, table.title, title) | compliance.table_bars(
         rows, "largest deviation", "mm", f"{table.title}_table", f"{table.section} {table.title}"
     )
+
+
+def _force_error(errors: ForceErrors) -> dict[str, bytes]:
+    from trajopt_cli.report import compliance
+
+    rows = [(f"along {one.axis}", max(one.thesis), one.median) for one in errors.rows]
+    title = f"{errors.section} {errors.title}: worst of the thesis, median of {errors.sensors} sensors"
+    return compliance.table_bars(rows, "largest error", "N", "force_error", title)
 
 
 def _guiding(guided: Guided) -> dict[str, bytes]:

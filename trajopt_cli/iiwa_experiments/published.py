@@ -35,3 +35,16 @@ FLANGE_ALL: tuple[tuple[Three, Three], tuple[Three, Three]] = (
 
 LOOP_WORST = 148e-6
 """Longest period of the loop [s], C++ on an Intel i3-7100T at 3.4 GHz (section 6.3)."""
+
+FORCE_ERROR: dict[str, Three] = {
+    "6.1.1, k = 100 N/m": (7.0, 4.0, 5.0),
+    "6.1.1, k = 500 N/m": (5.0, 3.0, 4.0),
+    "6.1.2, d = 50 N s/m": (6.0, 4.0, 6.0),
+    "6.1.2, d = 200 N s/m": (7.0, 4.0, 5.0),
+}
+"""Tables 6.2 and 6.5: largest error of the robot's force along x, y, z against a force gauge [N], each +-1 N."""
+FLANGE_WORST: tuple[tuple[Three, Three], tuple[Three, Three]] = (
+    ((0.0021, 0.0016, 0.0018), (0.0002, 0.0003, 0.0003)),
+    ((0.0075, 0.0074, 0.0092), (0.0009, 0.0009, 0.0004)),
+)
+"""Table 6.9: the worst of sections 6.1.1 to 6.1.4, those led by hand among them: translation [m], rotation [rad]."""

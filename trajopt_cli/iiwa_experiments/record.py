@@ -11,10 +11,11 @@ from trajopt_cli.iiwa_experiments.catalogue import Experiments
 from trajopt_cli.iiwa_experiments.collision import Collision, Touching
 from trajopt_cli.iiwa_experiments.dosing import Dosing
 from trajopt_cli.iiwa_experiments.following import FollowTable
+from trajopt_cli.iiwa_experiments.force_error import ForceErrors
 from trajopt_cli.iiwa_experiments.guiding import Guided, Zeroed
 from trajopt_cli.iiwa_experiments.loop_time import LoopTimes
 from trajopt_cli.iiwa_experiments.stability import StabilityMap
-from trajopt_cli.iiwa_experiments.steps import StepRun, Steps
+from trajopt_cli.iiwa_experiments.steps import StepRun, Steps, worst_tracking
 
 
 def record(experiments: Experiments) -> dict[str, Any]:
@@ -24,6 +25,8 @@ def record(experiments: Experiments) -> dict[str, Any]:
         "engine": one.engine.value,
         **{steps: _steps(getattr(one, steps)) for steps in ("force_stiffness", "force_damping")},
         **{steps: _steps(getattr(one, steps)) for steps in ("orientation", "all_axes")},
+        "flange_worst": _tracking(worst_tracking(one.stepped)),
+        "force_error": _force_error(one.force_error),
         "guiding": _guiding(one.guiding),
         "zeroing": _zeroing(one.zeroing),
         "stability": _stability(one.stability),
@@ -35,7 +38,7 @@ def record(experiments: Experiments) -> dict[str, Any]:
     }
 
 
-_Section = Steps | Guided | Zeroed | StabilityMap | FollowTable | Collision | Dosing | LoopTimes
+_Section = Steps | ForceErrors | Guided | Zeroed | StabilityMap | FollowTable | Collision | Dosing | LoopTimes
 
 
 def _head(one: _Section) -> dict[str, Any]:
@@ -100,6 +103,22 @@ def _tracking(tracking: Sequence[Tracking]) -> list[dict[str, Any]] | None:
         for one in tracking
     ]
     return rows or None
+
+
+def _force_error(errors: ForceErrors) -> dict[str, Any]:
+    return _head(errors) | {
+        "sensors_drawn": errors.sensors,
+        "axes": [
+            {
+                "axis": one.axis,
+                "thesis_largest_N": dict(zip(errors.columns, one.thesis, strict=True)),
+                "largest_median_N": one.median,
+                "largest_of_all_N": one.greatest,
+                "bound_N": one.bound,
+            }
+            for one in errors.rows
+        ],
+    }
 
 
 def _guiding(guided: Guided) -> dict[str, Any]:

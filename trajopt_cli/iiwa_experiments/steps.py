@@ -98,6 +98,18 @@ def all_axes(bench: Bench) -> Steps:
     return _steps(bench, "6.1.4", "all axes at once", [run], said)
 
 
+def worst_tracking(steps: Sequence[Steps]) -> tuple[Tracking, ...]:
+    """6.1.5: of every coordinate the largest of the maxima and of the means, beside table 6.9; empty without any."""
+    found = [one for part in steps for run in part.runs for one in run.tracking]
+    theirs = [pair for part in published.FLANGE_WORST for pair in zip(*part, strict=True)]
+    out = []
+    for axis, (most, mean) in zip(COORDINATES, theirs, strict=True):
+        own = [one for one in found if one.axis == axis]
+        if own:
+            out.append(Tracking(axis, max(o.maximum for o in own), max(o.mean for o in own), most, mean))
+    return tuple(out)
+
+
 def _steps(bench: Bench, section: str, title: str, runs: Sequence[StepRun], said: str) -> Steps:
     sentences = [_OURS, said]
     if bench.moves:
