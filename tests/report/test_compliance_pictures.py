@@ -276,6 +276,11 @@ def test_contact_is_shaded_where_it_is_and_its_worst_marked(pictures: dict[str, 
         smooth = Following("no friction", wall.t, wall.x_e, wall.x, wall.force * [0, 0, 1, 0, 0, 0])
         figure = contact_figure(smooth, np.zeros_like(depth), 2, "Free")
         dragged = contact_figure(wall, depth, 1, "Along the wall")
+        lagging = wall.x.copy()
+        lagging[:20, 2] += 0.05  # farther from the plan than the wall pushes, but nothing touches yet
+        late = contact_figure(Following("late", wall.t, wall.x_e, lagging, wall.force), depth, 2, "Late")
+    assert not np.any(depth[:20] > 0)
+    assert np.allclose(peaks(late.axes[0]), [[wall.t[i], 1e3 * wall.x[i, 2]]])
     assert peaks(dragged.axes[1])[0, 1] == pytest.approx(-6.0)  # the largest is the one that pulls back
     assert words(dragged.axes[1]) == [f"6 N at {number_of(wall.t[i])} s"]
     assert "peak" not in curves(dragged.axes[0])

@@ -224,8 +224,10 @@ def contact_figure(run: Following, depth: ArrayLike, axis: int, title: str) -> F
     room_around(grid[1], [force[:, axis], np.zeros(1)], 1e-6, 0.2)
     grid[1].set_ylabel(f"force on the tool\nalong {COORDINATES[axis]} [N]")
     marks: list[tuple[Axes, Marks]] = []
-    if float(np.abs(flange - planned).max()) > MOVES / MM:
-        at, _, text = peak(run.t, flange - planned, "mm")
+    # what the contact pushed away, not the lag before it; without a contact the lag is all there is
+    away = np.where(inside > 0, flange - planned, 0.0) if (inside > 0).any() else flange - planned
+    if float(np.abs(away).max()) > MOVES / MM:
+        at, _, text = peak(run.t, away, "mm")
         i = int(np.searchsorted(run.t, at))
         marks.append((grid[0], [(at, float(flange[i]), text.replace(" at ", " from the plan at "))]))
     if float(np.abs(force[:, axis]).max()) > ACTS:
