@@ -14,10 +14,12 @@ from typer.testing import CliRunner
 from trajopt_cli.cell.document import CellDocument
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.cli import app
+from trajopt_cli.iiwa.document import TaskDocument
 from trajopt_cli.problem.plant import build_plant
 
 REPOSITORY = Path(__file__).parents[1]
 README = (REPOSITORY / "README.md").read_text(encoding="utf-8")
+IIWA = (REPOSITORY / "IIWA.md").read_text(encoding="utf-8")
 CI = (REPOSITORY / ".ci" / "run").read_text(encoding="utf-8")
 
 
@@ -101,11 +103,29 @@ def test_the_table_of_keys_is_the_documents() -> None:
 
 
 def test_the_functions_named_for_python_exist() -> None:
-    section = README.split("## From Python")[1]
-    for name in re.findall(r"`(trajopt_cli\.[\w.]+)`", section):
+    sections = [page.split("## From Python")[1] for page in (README, IIWA)]
+    for name in re.findall(r"`(trajopt_cli\.[\w.]+)`", "".join(sections)):
         assert pkgutil.resolve_name(name) is not None
 
 
 def test_links_point_at_files() -> None:
     for target in re.findall(r"\]\(([^)#]+)\)", README):
         assert target.startswith("http") or (REPOSITORY / target).exists(), target
+
+
+def test_the_task_files_keys_are_all_told() -> None:
+    rows = IIWA.split("## The task file")[1].split("##")[0]
+    told = [key for row in re.findall(r"^\| (`.+?`) \|", rows, re.MULTILINE) for key in re.findall(r"`(\w+)`", row)]
+    assert sorted(told) == sorted(TaskDocument.model_fields)
+
+
+@pytest.mark.parametrize("line", re.findall(r"^trajopt iiwa .+", IIWA, re.MULTILINE))
+def test_the_commands_of_the_compliant_job_exist(line: str) -> None:
+    command, *rest = line.split("#")[0].split()[2:]
+    shown = CliRunner().invoke(app, ["iiwa", command, "--help"])
+    assert shown.exit_code == 0, shown.output
+    for word in rest:
+        if word.startswith("--"):
+            assert word in shown.output
+        if word.startswith("programs/"):
+            assert (REPOSITORY / word).is_file()

@@ -89,6 +89,30 @@ def numbers(units: Mapping[str, float], count: int | None = None) -> Callable[[A
     return validate
 
 
+def above_zero(value: float) -> float:
+    """A validator: the number itself, which has to be above zero."""
+    if value <= 0:
+        raise complain(f"needs a number above zero, not {value:g}")
+    return value
+
+
+def not_negative(value: float) -> float:
+    """A validator: the number itself, which may be zero."""
+    if value < 0:
+        raise complain(f"cannot be negative: {value:g}")
+    return value
+
+
+def positive(units: Mapping[str, float]) -> Callable[[Any], float]:
+    """A validator: as number, above zero."""
+    return lambda value: above_zero(number(units)(value))
+
+
+def from_zero(units: Mapping[str, float]) -> Callable[[Any], float]:
+    """A validator: as number, zero or more."""
+    return lambda value: not_negative(number(units)(value))
+
+
 def option_value(text: str, units: Mapping[str, float], option: str) -> float:
     """A command line's number with one of units, above zero, in SI. Raises InputError naming the option."""
     try:

@@ -18,22 +18,13 @@ from trajopt_cli.quantity import (
     TURN_ACCELERATION,
     TURN_JERK,
     TURN_RATE,
+    above_zero,
     complain,
+    from_zero,
     number,
     numbers,
+    positive,
 )
-
-
-def _positive(value: float) -> float:
-    if value <= 0:
-        raise complain(f"needs a number above zero, not {value:g}")
-    return value
-
-
-def _not_negative(value: float) -> float:
-    if value < 0:
-        raise complain(f"cannot be negative: {value:g}")
-    return value
 
 
 def _signal(value: Any) -> float:
@@ -48,13 +39,9 @@ def _said(value: str) -> str:
 
 Length = Annotated[float, BeforeValidator(number(LENGTH))]
 Angle = Annotated[float, BeforeValidator(number(ANGLE))]
-Seconds = Annotated[float, BeforeValidator(lambda value: _not_negative(number(TIME)(value)))]
+Seconds = Annotated[float, BeforeValidator(from_zero(TIME))]
 Triple = tuple[float, float, float]
 SourceText = Annotated[StrictStr, BeforeValidator(lambda value: _said(value) if isinstance(value, str) else value)]
-
-
-def _cap(units: dict[str, float]) -> BeforeValidator:
-    return BeforeValidator(lambda value: _positive(number(units)(value)))
 
 
 class _Section(BaseModel):
@@ -117,9 +104,9 @@ class JointLimitSection(LimitSection):
 
     lower: Angle | None = None
     upper: Angle | None = None
-    velocity: Annotated[float, _cap(TURN_RATE)] | None = None
-    acceleration: Annotated[float, _cap(TURN_ACCELERATION)] | None = None
-    jerk: Annotated[float, _cap(TURN_JERK)] | None = None
+    velocity: Annotated[float, BeforeValidator(positive(TURN_RATE))] | None = None
+    acceleration: Annotated[float, BeforeValidator(positive(TURN_ACCELERATION))] | None = None
+    jerk: Annotated[float, BeforeValidator(positive(TURN_JERK))] | None = None
 
 
 class RailLimitSection(LimitSection):
@@ -127,9 +114,9 @@ class RailLimitSection(LimitSection):
 
     lower: Annotated[None, BeforeValidator(lambda _: _elsewhere())] = None
     upper: Annotated[None, BeforeValidator(lambda _: _elsewhere())] = None
-    velocity: Annotated[float, _cap(SPEED)] | None = None
-    acceleration: Annotated[float, _cap(ACCELERATION)] | None = None
-    jerk: Annotated[float, _cap(JERK)] | None = None
+    velocity: Annotated[float, BeforeValidator(positive(SPEED))] | None = None
+    acceleration: Annotated[float, BeforeValidator(positive(ACCELERATION))] | None = None
+    jerk: Annotated[float, BeforeValidator(positive(JERK))] | None = None
 
 
 def _elsewhere() -> None:
@@ -152,8 +139,8 @@ class LimitsSection(BaseModel):
 class TcpSection(_Section):
     """Caps on the tool centre point in the world: m/s, m/s2."""
 
-    speed: Annotated[float, _cap(SPEED)]
-    acceleration: Annotated[float, _cap(ACCELERATION)]
+    speed: Annotated[float, BeforeValidator(positive(SPEED))]
+    acceleration: Annotated[float, BeforeValidator(positive(ACCELERATION))]
     source: SourceText
 
 
@@ -178,18 +165,18 @@ class CapsuleSection(_Section):
 
     start: Length3 = Field(alias="from")
     end: Length3 = Field(alias="to")
-    radius: Annotated[float, _cap(LENGTH)]
+    radius: Annotated[float, BeforeValidator(positive(LENGTH))]
 
 
 class MeshSection(FrameSection):
     """A mesh file beside the cell file, what its coordinates are worth in m, and its frame."""
 
     file: Annotated[StrictStr, BeforeValidator(lambda value: _beside(value) if isinstance(value, str) else value)]
-    scale: Annotated[float, _cap(RATIO)] = 1.0
+    scale: Annotated[float, BeforeValidator(positive(RATIO))] = 1.0
 
 
 def _sizes(values: tuple[float, ...]) -> tuple[float, ...]:
-    return tuple(_positive(value) for value in values)
+    return tuple(above_zero(value) for value in values)
 
 
 def _beside(value: str) -> str:
@@ -237,7 +224,7 @@ class CellDocument(_Section):
     obstacles: Solids = Field(default_factory=dict)
     attached: Solids = Field(default_factory=dict)
     may_touch: tuple[Annotated[tuple[str, str], BeforeValidator(_pair)], ...] = ()
-    clearance: Annotated[float, BeforeValidator(lambda value: _not_negative(number(LENGTH)(value)))] = 0.0
+    clearance: Annotated[float, BeforeValidator(from_zero(LENGTH))] = 0.0
     signals: dict[StrictStr, Annotated[float, BeforeValidator(_signal)]] = Field(default_factory=dict)
     waits: dict[StrictStr, Seconds] = Field(default_factory=dict)
     optional: tuple[StrictStr, ...] = ()

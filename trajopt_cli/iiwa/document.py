@@ -19,9 +19,13 @@ from trajopt_cli.quantity import (
     TURN_ACCELERATION,
     TURN_JERK,
     TURN_RATE,
+    above_zero,
     complain,
+    from_zero,
+    not_negative,
     number,
     numbers,
+    positive,
 )
 
 FORCE, TORQUE = {"N": 1.0}, {"Nm": 1.0}
@@ -31,26 +35,6 @@ MASS, INERTIA = {"kg": 1.0, "g": 1e-3}, {"kg m2": 1.0}
 FREQUENCY = {"Hz": 1.0}
 
 Six = tuple[float, float, float, float, float, float]
-
-
-def _above_zero(value: float) -> float:
-    if value <= 0:
-        raise complain(f"needs a number above zero, not {value:g}")
-    return value
-
-
-def _not_negative(value: float) -> float:
-    if value < 0:
-        raise complain(f"cannot be negative: {value:g}")
-    return value
-
-
-def _positive(units: dict[str, float]) -> BeforeValidator:
-    return BeforeValidator(lambda value: _above_zero(number(units)(value)))
-
-
-def _at_least_zero(units: dict[str, float]) -> BeforeValidator:
-    return BeforeValidator(lambda value: _not_negative(number(units)(value)))
 
 
 def _six_values(
@@ -103,10 +87,10 @@ Acceleration = Annotated[float | tuple[float, ...], _per_segment(ACCELERATION)]
 TurnAcceleration = Annotated[float | tuple[float, ...], _per_segment(TURN_ACCELERATION)]
 Jerk = Annotated[float | tuple[float, ...], _per_segment(JERK)]
 TurnJerk = Annotated[float | tuple[float, ...], _per_segment(TURN_JERK)]
-Stiffness = Annotated[Six, _six(STIFFNESS, TURN_STIFFNESS, _not_negative)]
-Damping = Annotated[Six, _six(DAMPING, TURN_DAMPING, _not_negative)]
-Inertia = Annotated[Six, _six(MASS, INERTIA, _above_zero)]
-Instant = Annotated[float, _at_least_zero(TIME)]
+Stiffness = Annotated[Six, _six(STIFFNESS, TURN_STIFFNESS, not_negative)]
+Damping = Annotated[Six, _six(DAMPING, TURN_DAMPING, not_negative)]
+Inertia = Annotated[Six, _six(MASS, INERTIA, above_zero)]
+Instant = Annotated[float, BeforeValidator(from_zero(TIME))]
 
 
 class Section(BaseModel):
@@ -121,7 +105,7 @@ class PoseSection(Section):
     name: StrictStr | None = None
     at: Annotated[Six | Literal["start"], BeforeValidator(_pose_or_start)] | None = None
     by: PoseValues | None = None
-    dwell: Annotated[float, _at_least_zero(TIME)] = 0.0
+    dwell: Annotated[float, BeforeValidator(from_zero(TIME))] = 0.0
 
     @model_validator(mode="after")
     def _one_place(self) -> PoseSection:
@@ -137,7 +121,7 @@ def _pose(value: Any) -> Any:
 class LoadSection(Section):
     """What the flange carries: mass [kg], com [m] in the flange frame, inertia [kg m2] about it, as a diagonal."""
 
-    mass: Annotated[float, _positive(MASS)]
+    mass: Annotated[float, BeforeValidator(positive(MASS))]
     com: Annotated[tuple[float, float, float], BeforeValidator(numbers(LENGTH, 3))] = (0.0, 0.0, 0.0)
     inertia: Annotated[tuple[float, float, float], BeforeValidator(numbers(INERTIA, 3))] = (0.0, 0.0, 0.0)
 
@@ -209,14 +193,14 @@ class PushSection(Section):
 class RippleSection(Section):
     """One oscillation of the measured torques."""
 
-    frequency: Annotated[float, _positive(FREQUENCY)]
-    amplitude: Annotated[float, _at_least_zero(TORQUE)]
+    frequency: Annotated[float, BeforeValidator(positive(FREQUENCY))]
+    amplitude: Annotated[float, BeforeValidator(from_zero(TORQUE))]
 
 
 class SensorSection(Section):
     """Errors of the measured joint torques: bias as a share of each joint's range, ripples, the model's inertia."""
 
-    bias: Annotated[float, _at_least_zero(RATIO)] = 0.02
+    bias: Annotated[float, BeforeValidator(from_zero(RATIO))] = 0.02
     ripple: tuple[RippleSection, ...] = (
         RippleSection(frequency=8.0, amplitude=0.3),
         RippleSection(frequency=17.0, amplitude=0.2),
@@ -229,16 +213,16 @@ class ObstacleSection(Section):
     """A box that pushes back."""
 
     box: BoxSection
-    stiffness: Annotated[float, _positive(STIFFNESS)]
-    damping: Annotated[float, _at_least_zero(DAMPING)] = 0.0
-    friction: Annotated[float, _at_least_zero(RATIO)] = 0.0
+    stiffness: Annotated[float, BeforeValidator(positive(STIFFNESS))]
+    damping: Annotated[float, BeforeValidator(from_zero(DAMPING))] = 0.0
+    friction: Annotated[float, BeforeValidator(from_zero(RATIO))] = 0.0
 
 
 class ContactSection(Section):
     """What the tool may run into; tip is the radius of the ball at its end."""
 
     obstacles: dict[StrictStr, ObstacleSection]
-    tip: Annotated[float, _positive(LENGTH)]
+    tip: Annotated[float, BeforeValidator(positive(LENGTH))]
 
 
 class ContactDocument(BaseModel):
@@ -256,7 +240,7 @@ class TaskDocument(Section):
     base: FrameSection = FrameSection()
     tool: ToolSection = ToolSection()
     start: StartSection
-    h: Annotated[float, _positive(TIME)] = 0.001
+    h: Annotated[float, BeforeValidator(positive(TIME))] = 0.001
     profile: Literal["thesis", "trapezoid", "s-curve"] = "thesis"
     rotation: Literal["tait-bryan", "slerp"] = "tait-bryan"
     angles: Literal["relative", "absolute"] = "relative"
