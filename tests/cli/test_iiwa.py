@@ -222,6 +222,29 @@ def test_an_unstable_law_is_a_no_that_names_the_axis(task: Path, capsys: pytest.
     assert run(["iiwa", "simulate", str(folder), "--integration", "exact"]) == 0
 
 
+def test_a_program_without_a_task_file_is_offered_one_that_works(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    program = tmp_path / "seam.mod"
+    program.write_text(
+        "MODULE seam\n"
+        "  CONST robtarget a := [[500,0,300],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+        "  CONST robtarget b := [[500,150,300],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+        "  PROC main()\n    MoveJ a, v100, fine, tool0;\n    MoveL b, v100, fine, tool0;\n  ENDPROC\nENDMODULE\n"
+    )
+    out = tmp_path / "out"
+    assert run(["iiwa", "segments", str(program), "--output", str(out)]) == 2
+    place, *lines = capsys.readouterr().err.splitlines()
+    assert place.startswith(f"{tmp_path / 'seam.yaml'}: ")
+    (tmp_path / "seam.yaml").write_text("\n".join(lines) + "\n")
+    assert run(["iiwa", "segments", str(program), "--output", str(out)]) == 0
+    assert "bound by" in capsys.readouterr().out
+    assert run(["iiwa", "simulate", str(out)]) == 0
+    _, rows = table(out / "equilibrium.csv")
+    np.testing.assert_allclose(rows[-1, 1:4], [0.5, 0.15, 0.3], rtol=1e-15)
+    assert rows[-1, 0] == pytest.approx(1.5)  # 150 mm at v100
+
+
 def test_folders_of_other_commands_are_told_apart(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
     folder = segments(task)
     capsys.readouterr()

@@ -59,6 +59,19 @@ _WANTED = {
 }
 
 
+def minimal_task(program: str) -> str:
+    """The shortest useful task file for a RAPID program, as text to save and adapt."""
+    lines = (
+        f"# the compliant controller that {program} is for: SI units, or a text with a unit",
+        'start: {joints: "[0, 30, 0, -100, 0, 50, 0] deg"}  # where it is switched on',
+        "tool: {position: [0, 0, 0]}  # the tool centre point in the flange frame, as the program's tooldata has it",
+        "K: [1000, 1000, 1000, 30, 30, 30]  # stiffness of x, y, z [N/m] and of the angles [Nm/rad]",
+        "D: [500, 500, 500, 20, 20, 20]  # damping [N s/m, N m s/rad]",
+        "M: [25, 25, 25, 3, 3, 3]  # inertia [kg, kg m2]",
+    )
+    return "\n".join(lines) + "\n"
+
+
 def load_task(path: str | Path, poses_from: str | Path | None = None) -> Task:
     """Read the task file at path (UTF-8 YAML), and the RAPID program it names.
 

@@ -34,7 +34,7 @@ def read_task(path: Path, task: Path | None = None) -> tuple[Task, Path, Path | 
 
     Raises InputError for mistakes in either.
     """
-    from trajopt_cli.iiwa.loader import load_task
+    from trajopt_cli.iiwa.loader import load_task, minimal_task
 
     if path.suffix.lower() not in _RAPID:
         if task is not None:
@@ -44,8 +44,8 @@ def read_task(path: Path, task: Path | None = None) -> tuple[Task, Path, Path | 
     if not path.is_file():
         raise InputError("no such program", file=str(path))
     if not beside.is_file():
-        message = f"{path} has no task file with start, K, D and M (its poses and speeds come from the program)"
-        raise InputError(f"{message}; make one there or name it with --task", file=str(beside))
+        message = f"{path} has no task file; name one with --task, or save these lines there and adapt them"
+        raise InputError(f"{message}:\n{minimal_task(path.name)}", file=str(beside))
     return load_task(beside, path), beside, path
 
 
