@@ -94,8 +94,9 @@ def _force_error(errors: ForceErrors) -> dict[str, bytes]:
     from trajopt_cli.report import compliance
 
     rows = [(f"along {one.axis}", max(one.thesis), one.median) for one in errors.rows]
-    title = f"{errors.section} {errors.title}: worst of the thesis, median of {errors.sensors} sensors"
-    return compliance.table_bars(rows, "largest error", "N", "force_error", title)
+    title = f"{errors.section} error of the measured force"
+    what = f"largest error, ours the median of {errors.sensors} sensors"
+    return compliance.table_bars(rows, what, "N", "force_error", title)
 
 
 def _guiding(guided: Guided) -> dict[str, bytes]:
