@@ -95,8 +95,8 @@ def all_axes(bench: Bench) -> Steps:
     (most, mean), (most_turn, mean_turn) = published.FLANGE_ALL
     run = _run(bench, "all at once", law, range(6), (most + most_turn, mean + mean_turn), 0.0, (1.0, -0.75, 0.5) * 2)
     said = (
-        "the thesis' forces came from a hand; along (about) y ours are three quarters and backwards, along z a half; the"
-        " six coordinates do not see one another, as the law has it"
+        "the thesis' forces came from a hand; along (about) y ours are three quarters and backwards, z a half; the six"
+        " coordinates do not see one another, as the law has it"
     )
     return _steps(bench, "6.1.4", "all axes at once", [run], said)
 
