@@ -99,6 +99,10 @@ def test_contact_stands_in_a_task_file_or_alone(tmp_path: Path) -> None:
     assert both.obstacles[0].box.name == "plate"
 
 
+PROGRAM_TASK = "".join(
+    line + "\n" for line in MINIMAL.splitlines() if not line.startswith(("poses", "  - ", "v_max", "omega_max"))
+)
+
 MISTAKES = [
     (changed("v_max: 0.2", "vmax: 0.2"), "t.yaml:5: vmax: unknown key; did you mean 'v_max'?"),
     (changed("M: [25,", "M: [-25,"), "t.yaml:9: M: needs a number above zero, not -25"),
@@ -126,6 +130,14 @@ MISTAKES = [
     ("", "t.yaml:1: holds no 'key: value' lines; start, poses, v_max, omega_max, K, D and M are needed at least"),
     ("program: x.mod\n" + MINIMAL, "give one of 'poses' (a list) and 'program'"),
     ("clamps: {force: [0, 1, 1, 1, 1, 1]}\n" + MINIMAL, "t.yaml:1: clamps: force is [0.0, 1.0"),
+    (changed("[0, 30, 0,", "[171, 30, 0,"), "t.yaml:1: start.joints: joint_1 = 171°, outside its range -170°..170°"),
+    (changed("50, 0] deg", "0, 0] deg"), "t.yaml:1: start.joints: singular, "),
+    (changed("-100, 0", "0, 0"), "t.yaml:1: start.joints: singular, "),
+    (changed("v_max: 0.2", "v_max: 1e6"), "t.yaml:5: v_max: 1e+06 is beyond anything a cell has (at most 1000 m/s)"),
+    ("h: 1e-9\n" + MINIMAL, "t.yaml:1: h: needs a period between 0.01 ms and 1 s, not 1e-09 s"),
+    ("tool: {position: [0, 0, 100]}\n" + MINIMAL, "t.yaml:1: tool.position: 100 m is farther than 10 m"),
+    (changed("  - start\n", '  - {name: "a\\nb", at: start}\n'), "t.yaml:3: poses.0.name: holds a character"),
+    (PROGRAM_TASK + "program: ../x.mod\n", "program: needs a file in the task file's folder or below it"),
     ("pushes: [{from: 2, to: 1, force: [1, 0, 0, 0, 0, 0]}]\n" + MINIMAL, "'from' comes first"),
 ]
 
@@ -153,9 +165,6 @@ MODULE seam
   ENDPROC
 ENDMODULE
 """
-PROGRAM_TASK = "".join(
-    line + "\n" for line in MINIMAL.splitlines() if not line.startswith(("poses", "  - ", "v_max", "omega_max"))
-)
 
 
 def test_rapid_moves_are_poses_with_their_speeds_and_waits(tmp_path: Path) -> None:
@@ -172,6 +181,26 @@ def test_rapid_moves_are_poses_with_their_speeds_and_waits(tmp_path: Path) -> No
     assert any("do1 is left out" in note for note in task.notes)
     assert any("seam.mod:11: a is the pose before once more; left out" in note for note in task.notes)
     assert load_task(path, tmp_path / "seam.mod").route.waypoints[1].name == "b"
+    # the program's tool is the task's: 100 mm along the flange's z, and the start is where that tool is
+    np.testing.assert_array_equal(task.X_FT[:3, 3], [0, 0, 0.1])
+    path.write_text(PROGRAM_TASK + "program: seam.mod\ntool: {position: [0, 0, 0.1], load: {mass: 1}}\n")
+    assert load_task(path).load is not None
+
+
+def test_a_task_has_the_programs_one_tool_and_says_what_it_makes_of_zones(tmp_path: Path) -> None:
+    path = tmp_path / "seam.yaml"
+    (tmp_path / "seam.mod").write_text(MODULE)
+    path.write_text(PROGRAM_TASK + "program: seam.mod\ntool: {position: [0, 0, 0.08]}\n")
+    with pytest.raises(
+        InputError, match=r"seam.mod:6:5: tool tip stands at 0 0 100 mm .* the task's tool at 0 0 80 mm"
+    ):
+        load_task(path)
+    (tmp_path / "seam.mod").write_text(MODULE.replace("MoveL b, v100, fine, tip", "MoveL b, v100, z50, tool0"))
+    path.write_text(PROGRAM_TASK + "program: seam.mod\n")
+    with pytest.raises(InputError, match=r"seam.mod:7:5: tool tool0 after tip; a task has one tool"):
+        load_task(path)
+    (tmp_path / "seam.mod").write_text(MODULE.replace("v100, fine", "v100, z50"))
+    assert "2 fly-by zones are taken as stops: every pose is reached" in load_task(path).notes
 
 
 @pytest.mark.parametrize(

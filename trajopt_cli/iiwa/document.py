@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import PurePath
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, StrictBool, StrictStr, model_validator
@@ -21,11 +22,9 @@ from trajopt_cli.quantity import (
     TURN_RATE,
     above_zero,
     complain,
-    from_zero,
     not_negative,
     number,
     numbers,
-    positive,
 )
 
 FORCE, TORQUE = {"N": 1.0}, {"Nm": 1.0}
@@ -35,6 +34,68 @@ MASS, INERTIA = {"kg": 1.0, "g": 1e-3}, {"kg m2": 1.0}
 FREQUENCY = {"Hz": 1.0}
 
 Six = tuple[float, float, float, float, float, float]
+
+
+# What no cell comes near: beyond it a unit slipped, or the arithmetic would.
+_MOST: tuple[tuple[dict[str, float], float], ...] = (
+    (LENGTH, 1e3), (ANGLE, 1e3), (TIME, 1e5), (SPEED, 1e3), (TURN_RATE, 1e3), (ACCELERATION, 1e6),
+    (TURN_ACCELERATION, 1e6), (JERK, 1e9), (TURN_JERK, 1e9), (FORCE, 1e6), (TORQUE, 1e6), (STIFFNESS, 1e9),
+    (TURN_STIFFNESS, 1e9), (DAMPING, 1e9), (TURN_DAMPING, 1e9), (MASS, 1e6), (INERTIA, 1e6), (FREQUENCY, 1e6),
+    (RATIO, 1e3),
+)  # fmt: skip
+_PERIOD = (1e-5, 1.0)  # s
+
+
+def _sane(units: dict[str, float]) -> Callable[[Any], float]:
+    """As quantity.number, within what a cell can have."""
+    most = next(bound for kind, bound in _MOST if kind is units)
+
+    def validate(value: Any) -> float:
+        out = number(units)(value)
+        if abs(out) > most:
+            raise complain(
+                f"{out:g} is beyond anything a cell has (at most {most:g} {next(iter(units))}); check the unit"
+            )
+        return out
+
+    return validate
+
+
+def _above(units: dict[str, float]) -> BeforeValidator:
+    return BeforeValidator(lambda value: above_zero(_sane(units)(value)))
+
+
+def _from_zero(units: dict[str, float]) -> BeforeValidator:
+    return BeforeValidator(lambda value: not_negative(_sane(units)(value)))
+
+
+def _period(value: Any) -> float:
+    out = above_zero(_sane(TIME)(value))
+    if not _PERIOD[0] <= out <= _PERIOD[1]:
+        raise complain(f"needs a period between {1e3 * _PERIOD[0]:g} ms and {_PERIOD[1]:g} s, not {out:g} s")
+    return out
+
+
+def _list_of(units: dict[str, float], count: int) -> BeforeValidator:
+    def validate(value: Any) -> tuple[float, ...]:
+        return tuple(_sane(units)(item) for item in numbers(units, count)(value))
+
+    return BeforeValidator(validate)
+
+
+def _line(value: Any) -> Any:
+    """Text for a message on one line: no control characters, no halves of a character."""
+    if isinstance(value, str) and not value.isprintable():
+        raise complain("holds a character that cannot be printed; give it a plain name")
+    return value
+
+
+def _program(value: Any) -> Any:
+    if isinstance(value, str):
+        path = PurePath(value.strip())
+        if path.is_absolute() or ".." in path.parts or not path.name:
+            raise complain(f"needs a file in the task file's folder or below it, which results can keep, not '{value}'")
+    return value
 
 
 def _six_values(
@@ -47,7 +108,7 @@ def _six_values(
             raise complain(f"needs a list of 6 values, not {value}")
         if len(value) != 6:
             raise complain(f"needs 6 values, not {len(value)}")
-        kinds = [number(first)] * 3 + [number(last)] * 3
+        kinds = [_sane(first)] * 3 + [_sane(last)] * 3
         out = [kind(item) for kind, item in zip(kinds, value, strict=True)]
         return tuple(rule(item) if rule else item for item in out)
 
@@ -64,7 +125,7 @@ def _per_segment(units: dict[str, float]) -> BeforeValidator:
     """One value for all segments, or a list of one each. What it must be above, the segments say."""
 
     def validate(value: Any) -> float | tuple[float, ...]:
-        return tuple(number(units)(item) for item in value) if isinstance(value, list) else number(units)(value)
+        return tuple(_sane(units)(item) for item in value) if isinstance(value, list) else _sane(units)(value)
 
     return BeforeValidator(validate)
 
@@ -80,7 +141,7 @@ def _pose_or_start(value: Any) -> Any:
 
 _pose_values = _six_values(LENGTH, ANGLE)
 ForceValues = Annotated[Six, _six(FORCE, TORQUE)]
-Angles = Annotated[tuple[float, float, float], BeforeValidator(numbers(ANGLE, 3))]
+Angles = Annotated[tuple[float, float, float], _list_of(ANGLE, 3)]
 Speed = Annotated[float | tuple[float, ...], _per_segment(SPEED)]
 TurnRate = Annotated[float | tuple[float, ...], _per_segment(TURN_RATE)]
 Acceleration = Annotated[float | tuple[float, ...], _per_segment(ACCELERATION)]
@@ -90,22 +151,22 @@ TurnJerk = Annotated[float | tuple[float, ...], _per_segment(TURN_JERK)]
 Stiffness = Annotated[Six, _six(STIFFNESS, TURN_STIFFNESS, not_negative)]
 Damping = Annotated[Six, _six(DAMPING, TURN_DAMPING, not_negative)]
 Inertia = Annotated[Six, _six(MASS, INERTIA, above_zero)]
-Instant = Annotated[float, BeforeValidator(from_zero(TIME))]
+Instant = Annotated[float, _from_zero(TIME)]
 
 
 class Section(BaseModel):
     """A part of the file; unknown keys are mistakes."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True, populate_by_name=True)
+    model_config = ConfigDict(extra="forbid", frozen=True)
 
 
 class PoseSection(Section):
     """One pose: at (a pose, or "start": where the tool is at the start) or by (added to the pose before); dwell."""
 
-    name: StrictStr | None = None
+    name: Annotated[StrictStr, BeforeValidator(_line)] | None = None
     at: Annotated[Six | Literal["start"], BeforeValidator(_pose_or_start)] | None = None
     by: PoseValues | None = None
-    dwell: Annotated[float, BeforeValidator(from_zero(TIME))] = 0.0
+    dwell: Annotated[float, _from_zero(TIME)] = 0.0
 
     @model_validator(mode="after")
     def _one_place(self) -> PoseSection:
@@ -121,9 +182,9 @@ def _pose(value: Any) -> Any:
 class LoadSection(Section):
     """What the flange carries: mass [kg], com [m] in the flange frame, inertia [kg m2] about it, as a diagonal."""
 
-    mass: Annotated[float, BeforeValidator(positive(MASS))]
-    com: Annotated[tuple[float, float, float], BeforeValidator(numbers(LENGTH, 3))] = (0.0, 0.0, 0.0)
-    inertia: Annotated[tuple[float, float, float], BeforeValidator(numbers(INERTIA, 3))] = (0.0, 0.0, 0.0)
+    mass: Annotated[float, _above(MASS)]
+    com: Annotated[tuple[float, float, float], _list_of(LENGTH, 3)] = (0.0, 0.0, 0.0)
+    inertia: Annotated[tuple[float, float, float], _list_of(INERTIA, 3)] = (0.0, 0.0, 0.0)
 
 
 class ToolSection(FrameSection):
@@ -135,13 +196,13 @@ class ToolSection(FrameSection):
 class StartSection(Section):
     """Where the controller is switched on."""
 
-    joints: Annotated[tuple[float, ...], BeforeValidator(numbers(ANGLE, 7))]
+    joints: Annotated[tuple[float, ...], _list_of(ANGLE, 7)]
 
 
 class ArmAngleSection(Section):
     """A fixed arm angle instead of the one at the start."""
 
-    value: Annotated[float, BeforeValidator(number(ANGLE))]
+    value: Annotated[float, BeforeValidator(_sane(ANGLE))]
     definition: Literal["faria", "swivel"] = "faria"
 
 
@@ -158,7 +219,7 @@ class ZeroSection(Section):
 class ClampSection(Section):
     """Bounds: torque of every joint before the mapping, force and moment after it."""
 
-    torque: Annotated[tuple[float, ...], BeforeValidator(numbers(TORQUE, 7))] | None = None
+    torque: Annotated[tuple[float, ...], _list_of(TORQUE, 7)] | None = None
     force: ForceValues | None = None
 
 
@@ -193,14 +254,14 @@ class PushSection(Section):
 class RippleSection(Section):
     """One oscillation of the measured torques."""
 
-    frequency: Annotated[float, BeforeValidator(positive(FREQUENCY))]
-    amplitude: Annotated[float, BeforeValidator(from_zero(TORQUE))]
+    frequency: Annotated[float, _above(FREQUENCY)]
+    amplitude: Annotated[float, _from_zero(TORQUE)]
 
 
 class SensorSection(Section):
     """Errors of the measured joint torques: bias as a share of each joint's range, ripples, the model's inertia."""
 
-    bias: Annotated[float, BeforeValidator(from_zero(RATIO))] = 0.02
+    bias: Annotated[float, _from_zero(RATIO)] = 0.02
     ripple: tuple[RippleSection, ...] = (
         RippleSection(frequency=8.0, amplitude=0.3),
         RippleSection(frequency=17.0, amplitude=0.2),
@@ -213,16 +274,16 @@ class ObstacleSection(Section):
     """A box that pushes back."""
 
     box: BoxSection
-    stiffness: Annotated[float, BeforeValidator(positive(STIFFNESS))]
-    damping: Annotated[float, BeforeValidator(from_zero(DAMPING))] = 0.0
-    friction: Annotated[float, BeforeValidator(from_zero(RATIO))] = 0.0
+    stiffness: Annotated[float, _above(STIFFNESS)]
+    damping: Annotated[float, _from_zero(DAMPING)] = 0.0
+    friction: Annotated[float, _from_zero(RATIO)] = 0.0
 
 
 class ContactSection(Section):
     """What the tool may run into; tip is the radius of the ball at its end."""
 
-    obstacles: dict[StrictStr, ObstacleSection]
-    tip: Annotated[float, BeforeValidator(positive(LENGTH))]
+    obstacles: dict[Annotated[StrictStr, BeforeValidator(_line)], ObstacleSection]
+    tip: Annotated[float, _above(LENGTH)]
 
 
 class ContactDocument(BaseModel):
@@ -240,12 +301,12 @@ class TaskDocument(Section):
     base: FrameSection = FrameSection()
     tool: ToolSection = ToolSection()
     start: StartSection
-    h: Annotated[float, BeforeValidator(positive(TIME))] = 0.001
+    h: Annotated[float, BeforeValidator(_period)] = 0.001
     profile: Literal["thesis", "trapezoid", "s-curve"] = "thesis"
     rotation: Literal["tait-bryan", "slerp"] = "tait-bryan"
     angles: Literal["relative", "absolute"] = "relative"
     poses: tuple[Annotated[PoseSection, BeforeValidator(_pose)], ...] | None = None
-    program: StrictStr | None = None
+    program: Annotated[StrictStr, BeforeValidator(_program)] | None = None
     v_max: Speed | None = None
     omega_max: TurnRate | None = None
     a_max: Acceleration | None = None

@@ -38,14 +38,17 @@ from trajopt_cli.iiwa.task import (
     Waypoint,
     Zeroing,
 )
+from trajopt_cli.limits import JointLimits
 from trajopt_cli.robot.dynamics import ToolLoad
-from trajopt_cli.robot.srs import load_srs
-from trajopt_cli.robot.srs_inverse import ArmAngle
+from trajopt_cli.robot.srs import SrsRobot, load_srs
+from trajopt_cli.robot.srs_inverse import ArmAngle, singularities
 from trajopt_cli.shapes import Box
 from trajopt_cli.yaml_file import line_of, parse, read_text, validated
 
 _COMPONENTS = ("fx", "fy", "fz", "mx", "my", "mz")
 _CAPS = ("v_max", "omega_max", "a_max", "epsilon_max", "jerk", "angular_jerk")
+_FARTHEST, _LONGEST_TOOL = 1e3, 10.0  # m
+_SINGULAR = 1e-6  # rad, m: a start this near has no configuration of its own
 _NEEDED = "start, poses, v_max, omega_max, K, D and M are needed at least"
 _WANTED = {
     "start": "say where the controller is switched on: 'start: {joints: \"[0, 30, 0, -100, 0, 50, 0] deg\"}'",
@@ -64,7 +67,6 @@ def minimal_task(program: str) -> str:
     lines = (
         f"# the compliant controller that {program} is for: SI units, or a text with a unit",
         'start: {joints: "[0, 30, 0, -100, 0, 50, 0] deg"}  # where it is switched on',
-        "tool: {position: [0, 0, 0]}  # the tool centre point in the flange frame, as the program's tooldata has it",
         "K: [1000, 1000, 1000, 30, 30, 30]  # stiffness of x, y, z [N/m] and of the angles [Nm/rad]",
         "D: [500, 500, 500, 20, 20, 20]  # damping [N s/m, N m s/rad]",
         "M: [25, 25, 25, 3, 3, 3]  # inertia [kg, kg m2]",
@@ -89,7 +91,8 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         content = {key: value for key, value in content.items() if key not in ("poses", "program")}
         content["program"] = str(Path(poses_from).name)
     document = validated(TaskDocument, content, lines, file, _WANTED)
-    X_WB, X_FT = frame_pose(document.base), frame_pose(document.tool)
+    X_WB = _near(frame_pose(document.base), "base", _FARTHEST, lines, file)
+    X_FT = _near(frame_pose(document.tool), "tool", _LONGEST_TOOL, lines, file)
     try:
         robot = load_srs(document.robot, X_WB)
     except InputError as error:
@@ -99,17 +102,19 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
     except InputError as error:
         raise InputError(f"limits: {error}", file=file, line=line_of("limits", lines)) from error
     start = np.array(document.start.joints)
-    X_start = robot.forward(start) @ X_FT
+    _check_start(robot, start, robot.profile(document.limits), lines, file)
+    X_WF = robot.forward(start)
     meaning, texts = AngleMeaning(document.angles), {file: text}
     notes: tuple[str, ...] = ()
     if document.program is not None:
         program = Path(poses_from) if poses_from is not None else Path(file).parent / document.program
-        found = program_route(program, meaning, X_start[:3, :3])
-        waypoints, given, texts[str(program)], notes = found.waypoints, found.speeds, found.text, found.notes
-        speeds = _speeds(document, waypoints, lines, file, given)
+        placed = document.tool.model_fields_set & {"position", "wxyz", "rpy"}
+        found = program_route(program, meaning, X_WF[:3, :3], X_FT if placed else None)
+        waypoints, X_FT, texts[str(program)], notes = found.waypoints, found.X_FT, found.text, found.notes
+        speeds = _speeds(document, waypoints, lines, file, found.speeds)
     else:
         assert document.poses is not None
-        waypoints = written_waypoints(document.poses, meaning, X_start, lines, file)
+        waypoints = written_waypoints(document.poses, meaning, X_WF @ X_FT, lines, file)
         speeds = _speeds(document, waypoints, lines, file, None)
     return Task(
         file=file,
@@ -151,6 +156,26 @@ def load_contact(path: str | Path) -> tuple[Contact, str]:
     file, text = str(path), read_text(path, "contact file")
     content, lines = parse(text, file, "a contact section is needed")
     return _contact(validated(ContactDocument, content, lines, file, _WANTED).contact), text
+
+
+def _near(X: Array, key: str, most: float, lines: Mapping[str, int], file: str) -> Array:
+    """A frame that a cell can have. Raises InputError for one too far away."""
+    if np.abs(X[:3, 3]).max() > most:
+        message = f"{key}.position: {np.abs(X[:3, 3]).max():g} m is farther than {most:g} m; check the unit"
+        raise InputError(message, file=file, line=line_of(f"{key}.position", lines))
+    return X
+
+
+def _check_start(robot: SrsRobot, start: Array, limits: JointLimits, lines: Mapping[str, int], file: str) -> None:
+    """Refuse a start outside a joint's range, and one from which the arm's configuration cannot be told."""
+    line = line_of("start.joints", lines)
+    for name, value, low, high in zip(limits.names, start, limits.lower, limits.upper, strict=True):
+        if not low <= value <= high:
+            message = f"start.joints: {name} = {np.degrees(value):.6g}°, outside its range"
+            raise InputError(f"{message} {np.degrees(low):g}°..{np.degrees(high):g}°", file=file, line=line)
+    for singular in singularities(robot, start[None], _SINGULAR):
+        message = f"start.joints: singular, {singular.name}: arm angle and configuration cannot be told there"
+        raise InputError(f"{message}; start a degree beside it", file=file, line=line)
 
 
 def _speeds(
@@ -226,8 +251,12 @@ def _changes(document: TaskDocument, lines: Mapping[str, int], file: str) -> tup
                 compliance=compliance,
                 zeroing=_zeroing(section.zero) if section.zero is not None else None,
                 clamps=_clamps(section.clamps, f"changes.{i}", lines, file) if section.clamps is not None else None,
-                X_FT=frame_pose(section.tool) if section.tool is not None else None,
-                X_WB=frame_pose(section.base) if section.base is not None else None,
+                X_FT=_near(frame_pose(section.tool), f"changes.{i}.tool", _LONGEST_TOOL, lines, file)
+                if section.tool is not None
+                else None,
+                X_WB=_near(frame_pose(section.base), f"changes.{i}.base", _FARTHEST, lines, file)
+                if section.base is not None
+                else None,
                 restart=section.restart,
             )
         )

@@ -13,7 +13,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.angles import angles_of
 from trajopt_cli.iiwa.document import PoseSection
 from trajopt_cli.iiwa.task import AngleMeaning, Waypoint
-from trajopt_cli.motion import Move, MoveJ, MoveL, SignalEvent, Source, Wait
+from trajopt_cli.motion import Motion, MoveJ, MoveL, SignalEvent, Source, Wait
 from trajopt_cli.yaml_file import line_of
 
 _SAME = 1e-12  # m, rad: rounding of one and the same target
@@ -21,8 +21,10 @@ _SAME = 1e-12  # m, rad: rounding of one and the same target
 
 @dataclass(frozen=True, eq=False)
 class ProgramPoses:
-    """What a RAPID program gives a task: poses, v_max [m/s] and omega_max [rad/s] per segment, its text, notes."""
+    """What a RAPID program gives a task: its tool X_FT (4, 4), poses, v_max [m/s] and omega_max [rad/s] per segment,
+    its text, notes."""
 
+    X_FT: Array
     waypoints: tuple[Waypoint, ...]
     speeds: tuple[tuple[float, float], ...]
     text: str
@@ -46,25 +48,30 @@ def written_waypoints(
             pose = out[-1].pose + np.array(section.by)
         else:
             pose = start if section.at == "start" else np.array(section.at)
-        out.append(Waypoint(section.name or f"pose {i + 1}", pose, place, section.dwell))
+        out.append(Waypoint(section.name or str(i + 1), pose, place, section.dwell))
     if len(out) < 2:
         place = f"{file}:{line_of('poses', lines)}"
         raise InputError(f"poses: {len(out)} given; a way needs at least two", file=place)
     return tuple(out)
 
 
-def program_route(path: Path, meaning: AngleMeaning, R_start: Array) -> ProgramPoses:
+def program_route(path: Path, meaning: AngleMeaning, R_WF: Array, X_FT: Array | None) -> ProgramPoses:
     """The poses of a RAPID program's MoveL motions; the first motion, a MoveJ or a MoveL, says where the way begins.
 
-    Speeds are the programmed v_tcp and v_ori. Waits of a given length become dwells, signals are left out and noted.
-    Raises InputError with the place of any other motion.
+    R_WF (3, 3): the flange's orientation where the controller is switched on. X_FT (4, 4): the task's tool, None for
+    the program's. Speeds are the programmed v_tcp and v_ori. Waits of a given length become dwells; signals and fly-by
+    zones are left out and noted. Raises InputError with the place of any other motion, for tools that change on the
+    way, and for a task's tool that is not the program's.
     """
     from trajopt_cli.rapid.reader import read_program
 
     program = read_program(path)
+    notes = list(program.warnings)
+    tool = _one_tool(program.motions, X_FT)
+    R_start = R_WF @ tool[:3, :3]
     waypoints: list[Waypoint] = []
     speeds: list[tuple[float, float]] = []
-    notes = list(program.warnings)
+    fly_by = 0
     for motion in program.motions:
         match motion:
             case SignalEvent():
@@ -77,6 +84,7 @@ def program_route(path: Path, meaning: AngleMeaning, R_start: Array) -> ProgramP
             case Wait():
                 raise _refused(motion.source, f"waits for {motion.condition}, which has no known length; remove it")
             case MoveL() | MoveJ() if isinstance(motion, MoveL) or not waypoints:
+                fly_by += not motion.zone.stop
                 R = motion.X_WT[:3, :3]
                 angles = angles_of(R @ R_start.T if meaning is AngleMeaning.RELATIVE else R)
                 pose = np.concatenate([motion.X_WT[:3, 3], angles])
@@ -88,15 +96,37 @@ def program_route(path: Path, meaning: AngleMeaning, R_start: Array) -> ProgramP
                     speeds.append((motion.speed.v_tcp, motion.speed.v_ori))
                 waypoints.append(Waypoint(motion.target, pose, place))
             case _:
-                kind = type(motion).__name__
-                raise _refused(
-                    motion.source, f"{kind} is no straight segment; a task takes MoveL motions (and a first MoveJ)"
-                )
+                message = f"{type(motion).__name__} is no straight segment; a task takes MoveL (and a first MoveJ) only"
+                raise _refused(motion.source, message)
     if len(waypoints) < 2:
-        moves = sum(isinstance(motion, Move) for motion in program.motions)
-        raise InputError(f"makes {moves} moves; a way needs at least two poses", file=str(path))
+        raise InputError(f"gives {len(waypoints)} different poses; a way needs at least two", file=str(path))
+    if fly_by:
+        notes.append(f"{fly_by} fly-by zones are taken as stops: every pose is reached")
     text = program.files[next(iter(program.files))].text
-    return ProgramPoses(tuple(waypoints), tuple(speeds), text, tuple(notes))
+    return ProgramPoses(tool, tuple(waypoints), tuple(speeds), text, tuple(notes))
+
+
+def _one_tool(motions: Sequence[Motion], X_FT: Array | None) -> Array:
+    """The one tool (4, 4) of all moves, which the task's own, if there is one, has to be."""
+    found: MoveL | MoveJ | None = None
+    for motion in motions:
+        if not isinstance(motion, MoveL | MoveJ):
+            continue
+        if found is None:
+            found = motion
+        elif not np.allclose(motion.tool.X_FT, found.tool.X_FT, rtol=0, atol=_SAME):
+            message = f"tool {motion.tool.name} after {found.tool.name}; a task has one tool for the whole way"
+            raise _refused(motion.source, message)
+    if found is None:
+        return np.eye(4) if X_FT is None else X_FT
+    if X_FT is not None and not np.allclose(found.tool.X_FT, X_FT, rtol=0, atol=_SAME):
+        theirs, ours = (" ".join(f"{1e3 * value:g}" for value in X[:3, 3]) for X in (found.tool.X_FT, X_FT))
+        message = (
+            f"tool {found.tool.name} stands at {theirs} mm in the flange frame, the task's tool at {ours} mm (or is"
+            " turned otherwise); leave the task's out, or correct one"
+        )
+        raise _refused(found.source, message)
+    return found.tool.X_FT
 
 
 def _refused(source: Source, message: str) -> InputError:
