@@ -273,3 +273,94 @@ def test_a_bound_needs_a_unit_and_a_size(task: Path, bound: str, said: str, caps
     shown = capsys.readouterr().err
     assert shown.startswith("--max-lag: ")
     assert said in shown
+
+
+def test_turn_lag_through_the_lock_is_that_of_the_orientations(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    # a quarter turn past beta = 90 deg: angle columns swing by half turns there, the tool does not
+    task.write_text(TASK.replace("[0, 0.1, 0, 0, 0, 20 deg]", "[0, 0, 0, 0, 110 deg, 0]").replace("50, 0]", "5, 0]"))
+    with task.open("a") as more:
+        more.write("rotation: slerp\n")
+    folder = segments(task)
+    capsys.readouterr()
+    run(["iiwa", "simulate", str(folder), "--json"])  # joint_6 passes its range; what the law does is told all the same
+    summary = json.loads(capsys.readouterr().out)
+    # the law of one axis that turns, a period at a time
+    goal = np.r_[turn_law(), np.full(20000, np.radians(110))]
+    x, v, worst = 0.0, 0.0, 0.0
+    for e in goal:
+        worst = max(worst, abs(x - e))
+        v, x = v - 1e-3 / 3 * (20 * v + 30 * (x - e)), x + 1e-3 * v
+    assert summary["lag"]["largest_turn_rad"] == pytest.approx(worst, rel=1e-3)
+    heads, rows = table(folder / "simulation.csv")
+    off = rows[:, heads.index("beta [rad]")] - rows[:, heads.index("beta_e [rad]")]
+    assert np.abs(off).max() < worst * 1.01
+
+
+def turn_law() -> np.ndarray:
+    """110 deg at 1 rad/s with 5 rad/s2, at rest at both ends, every ms."""
+    way, top, ramp = np.radians(110), 1.0, 5.0
+    t = np.arange(0, way / top + top / ramp, 1e-3)
+    up, down = np.minimum(t, top / ramp), np.maximum(0, t - way / top)
+    return ramp * up**2 / 2 + top * (t - up) - ramp * down**2 / 2
+
+
+def test_a_change_that_does_not_settle_is_named(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    with task.open("a") as more:
+        more.write("changes: [{at: 0.2 s, D: [0.5, 500, 500, 20, 20, 20]}]\n")
+    folder = segments(task)
+    capsys.readouterr()
+    assert run(["iiwa", "simulate", str(folder)]) == 1
+    assert capsys.readouterr().err.startswith("with the change at 0.2 s x is unstable: ")
+
+
+def test_dosing_refuses_what_would_be_lost_or_not_be_followed(
+    task: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = segments(task)
+    before = contents(folder)
+    capsys.readouterr()
+    for place, said in (
+        (folder, "is RESULTS itself"),
+        (folder / "inner", "lies in the results folder"),
+        (task / "inner", "is a file"),
+    ):
+        assert run(["iiwa", "dose", str(folder), "--max-lag", "20mm", "--output", str(place)]) == 2
+        assert said in capsys.readouterr().err
+    for plots in (folder, folder / "plots"):
+        assert run(["iiwa", "simulate", str(folder), "--plots", str(plots)]) == 2
+        assert "--plots: lies in the results folder" in capsys.readouterr().err
+    assert run(["iiwa", "dose", str(folder), "--max-lag", "20mm", "--plots", f"{folder}-dosed"]) == 2
+    assert "is the folder of the results" in capsys.readouterr().err
+    assert contents(folder) == before
+    assert not Path(f"{folder}-dosed").exists()
+    monkeypatch.chdir(folder)
+    assert run(["iiwa", "dose", ".", "--max-lag", "20mm"]) == 0
+    assert Path(f"{folder}-dosed").is_dir()
+
+
+def test_a_path_the_arm_cannot_follow_is_not_dosed(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    task.write_text(TASK.replace("0, 0, 20 deg]", "0, 65 deg, 0]"))  # joint_6 ends at 115 deg and is carried further
+    task.write_text(task.read_text().replace("by: [0.02, 0, 0.05, 0, 0, 0]", "by: [0, 0, 0.1, 0, 10 deg, 0]"))
+    folder = segments(task)
+    capsys.readouterr()
+    assert run(["iiwa", "joints", str(folder)]) == 1
+    assert "joint_6 position" in capsys.readouterr().err
+    assert run(["iiwa", "dose", str(folder), "--max-lag", "20mm"]) == 1
+    shown = capsys.readouterr().err
+    assert "joint_6 position" in shown
+    assert "NOTHING WRITTEN" in shown
+    assert not Path(f"{folder}-dosed").exists()
+
+
+def test_accelerations_that_break_are_one_line_and_the_file_stands(
+    task: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    task.write_text(TASK.replace("profile: trapezoid", "profile: thesis"))
+    folder = segments(task)
+    capsys.readouterr()
+    assert run(["iiwa", "joints", str(folder)]) == 1
+    shown = capsys.readouterr()
+    assert shown.err.count("\n") == 1
+    assert shown.err.startswith("acceleration limits of joint_1, ")
+    assert "profile trapezoid or s-curve" in shown.err
+    assert (folder / "joints.csv").is_file()

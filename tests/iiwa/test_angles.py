@@ -11,6 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.angles import (
+    angles_near,
     angles_of,
     continuous,
     from_rotation_vector,
@@ -131,3 +132,16 @@ def test_rows_that_need_nothing_are_untouched() -> None:
     assert np.array_equal(continuous(angles[:1]), angles[:1])
     locked = np.array([[0.1, np.pi / 2, 0.2], [0.0, np.pi / 2, 0.4]])
     assert np.array_equal(continuous(locked), locked)
+
+
+@given(st.lists(st.tuples(*[st.floats(-4, 4)] * 6), min_size=1, max_size=8))
+def test_angles_near_others_are_the_same_orientation_and_the_nearest_way(rows: list[tuple[float, ...]]) -> None:
+    table = np.array(rows)
+    given, near = table[:, :3], table[:, 3:]
+    R = rotation(given)
+    found = angles_near(R, near)
+    np.testing.assert_allclose(rotation(found), R, rtol=0, atol=1e-7)
+    ways = [given, np.column_stack([given[:, 0] + np.pi, np.pi - given[:, 1], given[:, 2] + np.pi])]
+    wrapped = [near + (way - near) - 2 * np.pi * np.rint((way - near) / (2 * np.pi)) for way in ways]
+    best = np.min([np.linalg.norm(way - near, axis=1) for way in wrapped], axis=0)
+    assert (np.linalg.norm(found - near, axis=1) <= best + 1e-6).all()

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Annotated, Literal, NoReturn
 import typer
 
 from trajopt_cli.cli.options import AsJson
+from trajopt_cli.errors import InputError
 
 if TYPE_CHECKING:
-    from trajopt_cli.iiwa_job.simulation import Unstable
+    from trajopt_cli.iiwa_job.simulation import NoRun
 
 app = typer.Typer(help="Cartesian segments for a compliant KUKA LBR iiwa 7.", rich_markup_mode=None)
 
@@ -79,7 +80,7 @@ def joints(
     import json
 
     from trajopt_cli.cli.console import show, stdout
-    from trajopt_cli.cli.iiwa_tables import arm_line, joints_table
+    from trajopt_cli.cli.iiwa_tables import arm_line, failure_lines, joints_table
     from trajopt_cli.iiwa.joints import Unfollowable
     from trajopt_cli.iiwa_job.folder import read_summary
     from trajopt_cli.iiwa_job.joints import follow_joints, stops_nothing
@@ -100,8 +101,8 @@ def joints(
             console.print(f"note: {note}")
         if written:
             console.print(f"written to {results / 'joints.csv'}")
-    for finding in failed:
-        typer.echo(finding.message, err=True)
+    for line in failure_lines(answer.findings, "dosing" in read_summary(results)):
+        typer.echo(line, err=True)
     if not written:
         typer.echo("NOTHING WRITTEN: the controller's loop would stop there", err=True)
     if failed:
@@ -143,15 +144,16 @@ def simulate(
     from trajopt_cli.cli.iiwa_tables import contact_lines, lag_lines, loop_time_line, stability_table
     from trajopt_cli.files import write_files
     from trajopt_cli.iiwa.task import Feed, Integration
-    from trajopt_cli.iiwa_job.drawing import simulation_pictures
-    from trajopt_cli.iiwa_job.folder import read_summary
-    from trajopt_cli.iiwa_job.simulation import Unstable
+    from trajopt_cli.iiwa_job.folder import check_place, read_summary
+    from trajopt_cli.iiwa_job.simulation import NoRun
     from trajopt_cli.iiwa_job.simulation import simulate as run
 
-    check_folder(plots, "--plots")
+    check_place(plots, "--plots")
+    if settle is not None and not settle < float("inf"):
+        raise InputError(f"--settle: needs a time of 0 to 600 s, not {settle}")
     answer = run(results, contact, engine, Feed(feed), Integration(integration) if integration else None, settle)
-    if isinstance(answer, Unstable):
-        unstable(answer)
+    if isinstance(answer, NoRun):
+        no_run(answer)
     if as_json:
         typer.echo(json.dumps(read_summary(results)["simulation"], indent=2, ensure_ascii=False))
     else:
@@ -161,6 +163,8 @@ def simulate(
             console.print(line)
         console.print(f"written to {results / 'simulation.csv'}")
     if plots is not None:
+        from trajopt_cli.iiwa_job.drawing import simulation_pictures
+
         pictures = simulation_pictures(answer)
         write_files(plots, pictures)
         typer.echo(f"drawn in {plots}: {len(pictures)} files", err=True)
@@ -193,50 +197,54 @@ def dose(
 
     from trajopt_cli.admittance.dose import CannotDose
     from trajopt_cli.cli.console import show, stdout
-    from trajopt_cli.cli.iiwa_tables import dose_line, dose_table
+    from trajopt_cli.cli.iiwa_tables import dose_lines, dose_table
     from trajopt_cli.files import write_files
     from trajopt_cli.iiwa.joints import Unfollowable
-    from trajopt_cli.iiwa_job.dosing import dose_folder
-    from trajopt_cli.iiwa_job.drawing import dose_pictures
-    from trajopt_cli.iiwa_job.folder import read_summary
-    from trajopt_cli.iiwa_job.simulation import Unstable
+    from trajopt_cli.iiwa_job.dosing import NotFollowed, dose_folder
+    from trajopt_cli.iiwa_job.folder import check_place, read_summary
+    from trajopt_cli.iiwa_job.simulation import NoRun
     from trajopt_cli.quantity import ANGLE, LENGTH, option_value
 
-    check_folder(plots, "--plots")
-    folder = output or results.with_name(f"{results.name}-dosed")
+    # '.' and '..' have no name of their own
+    beside = results if results.name not in ("", "..") else results.resolve()
+    folder = output or beside.with_name(f"{beside.name}-dosed")
+    check_place(plots, "--plots")
+    if plots is not None and plots.absolute() == folder.absolute():
+        raise InputError("--plots: is the folder of the results; choose another", file=str(plots))
     bound = option_value(max_lag, LENGTH, "--max-lag")
     turn = None if max_turn_lag is None else option_value(max_turn_lag, ANGLE, "--max-turn-lag")
     answer = dose_folder(results, folder, bound, turn)
-    if isinstance(answer, Unstable):
-        unstable(answer)
+    if isinstance(answer, NoRun):
+        no_run(answer)
     if isinstance(answer, CannotDose | Unfollowable):
         typer.echo(f"{results}: {answer.message}", err=True)
+        raise typer.Exit(1)
+    if isinstance(answer, NotFollowed):
+        for line in answer.sentences:
+            typer.echo(line, err=True)
+        typer.echo("NOTHING WRITTEN: the arm cannot follow; lower v_max or the bound, or move the path", err=True)
         raise typer.Exit(1)
     if as_json:
         typer.echo(json.dumps(read_summary(folder)["dosing"], indent=2, ensure_ascii=False))
     else:
         console = stdout()
         show(console, dose_table(results.name, answer))
-        console.print(dose_line(answer))
-        for note in answer.dosed.notes:
-            console.print(f"note: {note}")
+        for line in dose_lines(answer):
+            console.print(line)
         console.print(f"written to {folder}")
     if plots is not None:
+        from trajopt_cli.iiwa_job.drawing import dose_pictures
+
         pictures = dose_pictures(answer)
         write_files(plots, pictures)
         typer.echo(f"drawn in {plots}: {len(pictures)} files", err=True)
-    failed = [finding.message for finding in answer.joints.findings if not finding.passed]
-    if failed:
-        for line in failed:
-            typer.echo(line, err=True)
-        raise typer.Exit(1)
 
 
 @app.command("experiments", short_help="Chapter 6 of the second thesis, its numbers beside ours.")
 def experiments(
-    output: Annotated[
-        Path, typer.Option("--output", metavar="FOLDER", help="Folder for numbers and pictures.")
-    ] = Path("results/iiwa_experiments"),
+    output: Annotated[Path, typer.Option("--output", metavar="FOLDER", help="Folder for numbers and pictures.")] = Path(
+        "results/iiwa_experiments"
+    ),
     engine: Annotated[
         Literal["auto", "spring", "mujoco"], typer.Option("--engine", help="What moves the arm and answers the tool.")
     ] = "auto",
@@ -250,8 +258,10 @@ def experiments(
     from trajopt_cli.iiwa_experiments.catalogue import run_experiments
     from trajopt_cli.iiwa_experiments.folder import write_experiments
     from trajopt_cli.iiwa_experiments.record import record
+    from trajopt_cli.iiwa_job.folder import check_place
     from trajopt_cli.run_folder import check_replaceable
 
+    check_place(output, "--output")
     check_replaceable(output)
     answer = run_experiments(lambda name: typer.echo(f"experiment {name}", err=True), engine)
     if as_json:
@@ -267,17 +277,9 @@ def experiments(
     typer.echo(f"written to {output}: {count} files", err=True)
 
 
-def unstable(answer: Unstable) -> NoReturn:
-    """Say which axes do not settle, and stop with exit code 1."""
-    for axis in answer.axes:
-        typer.echo(axis.sentence, err=True)
-    typer.echo("NOTHING WRITTEN: the controller is unstable", err=True)
+def no_run(answer: NoRun) -> NoReturn:
+    """Say why there is nothing to show, and stop with exit code 1."""
+    for sentence in answer.sentences:
+        typer.echo(sentence, err=True)
+    typer.echo("NOTHING WRITTEN: the controller cannot run", err=True)
     raise typer.Exit(1)
-
-
-def check_folder(place: Path | None, option: str) -> None:
-    """Before the work: the place to write to can be a folder."""
-    from trajopt_cli.errors import InputError
-
-    if place is not None and place.exists() and not place.is_dir():
-        raise InputError(f"is a file; {option} names a folder", file=str(place))

@@ -60,6 +60,19 @@ def continuous(angles: ArrayLike) -> Array:
     return _counted_on(out)
 
 
+def angles_near(R: ArrayLike, near: ArrayLike) -> Array:
+    """Angles (n, 3) of R (n, 3, 3), each row written the way nearest to the row of near (n, 3): whole turns, and which
+    of the two ways to write an orientation; at the lock alpha is near's."""
+    R, near = np.asarray(R, dtype=np.float64), np.asarray(near, dtype=np.float64)
+    one = angles_of(R)
+    locked = np.abs(np.cos(one[:, 1])) < LOCKED
+    one[locked, 2] += np.sign(np.sin(one[locked, 1])) * near[locked, 0]
+    one[locked, 0] = near[locked, 0]
+    one, other = (near + _wrapped(rows - near) for rows in (one, _other_way(one)))
+    farther = np.linalg.norm(other - near, axis=1) < np.linalg.norm(one - near, axis=1) - 1e-9
+    return np.where(farther[:, None], other, one)
+
+
 def _nearer_way(angles: Array) -> Array:
     """Each row as it is or written the other way, whichever is nearer to the row before; whole turns left alone."""
     if len(angles) < 2:

@@ -7,11 +7,10 @@ from pathlib import Path
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.angles import angles_of, continuous
+from trajopt_cli.iiwa.angles import angles_near
 from trajopt_cli.iiwa.joints import Followed
-from trajopt_cli.iiwa.task import Feed
 from trajopt_cli.iiwa_job.dosing import DosedJob
-from trajopt_cli.iiwa_job.simulation import Simulated, run_controller
+from trajopt_cli.iiwa_job.simulation import Simulated, frames_change
 from trajopt_cli.report import compliance
 from trajopt_cli.report.compliance import Following
 
@@ -38,15 +37,7 @@ def simulation_pictures(run: Simulated) -> dict[str, bytes]:
 
 def dose_pictures(job: DosedJob) -> dict[str, bytes]:
     """Deviation, fed speed and path: as programmed, fed with the equilibrium's speed, and dosed."""
-    runs = []
-    for opened, feed, label in (
-        (job.before, Feed.POSITION, "as programmed"),
-        (job.before, Feed.VELOCITY, "with the equilibrium's speed"),
-        (job.after, Feed.POSITION, "dosed"),
-    ):
-        answer = run_controller(opened, None, None, feed, None, None)
-        if isinstance(answer, Simulated):
-            runs.append(_following(answer, label))
+    runs = [_following(way.run, way.name) for way in job.ways]
     title = f"{Path(job.before.task.file).stem}: lag of at most {job.dosed.bound * 1e3:g} mm"
     return compliance.dosing(runs[0], runs[1:], job.dosed.bound, title)
 
@@ -56,7 +47,8 @@ def _following(run: Simulated, label: str) -> Following:
     true = None
     if run.loop is not None:
         force = run.loop.contact_true if np.any(run.loop.contact_true) else force
-        true = _flange(run)
+        # poses in other frames later on: the flange's would have to be counted anew with every change
+        true = None if frames_change(run.opened.task) else _flange(run)
     return Following(label, run.t, run.x_e, run.x, force, true)
 
 
@@ -65,4 +57,4 @@ def _flange(run: Simulated) -> Array:
     assert run.loop is not None
     X = run.opened.robot.forward(run.loop.q) @ run.opened.task.X_FT
     turned = X[:, :3, :3] @ run.opened.X_start[:3, :3].T
-    return np.column_stack([X[:, :3, 3], continuous(angles_of(turned))])
+    return np.column_stack([X[:, :3, 3], angles_near(turned, run.x[:, 3:])])

@@ -7,8 +7,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from trajopt_cli.errors import InputError
 from trajopt_cli.iiwa.equilibrium import Equilibrium, Piece
 from trajopt_cli.iiwa.task import AngleMeaning, RotationLaw, Task
+from trajopt_cli.run_folder import RUN
 from trajopt_cli.task_folder import EQUILIBRIUM, QUATERNIONS, TaskFolder, read_task_folder, write_task_folder
 
 if TYPE_CHECKING:
@@ -31,6 +33,25 @@ class Opened:
         return self.robot.forward(self.task.start_joints) @ self.task.X_FT
 
 
+def check_place(place: Path | None, option: str) -> None:
+    """Before the work: place can be made, and lies in no results folder, which what it did not write would spoil.
+
+    Raises InputError naming the option.
+    """
+    if place is None:
+        return
+    full = place.absolute()
+    try:
+        for outer in (full, *full.parents):
+            if outer.exists() and not outer.is_dir():
+                raise InputError(f"is a file; {option} names a folder", file=str(outer))
+            if (outer / RUN).is_file() and (outer != full or option != "--output"):
+                message = f"{option}: lies in the results folder {outer}, which keeps to its own files; choose another"
+                raise InputError(message, file=str(place))
+    except OSError as error:
+        raise InputError(f"{option}: {error.strerror}", file=str(place)) from error
+
+
 def open_folder(folder: Path) -> Opened:
     """A folder read back: its task, and the sequence as its files have it. Raises InputError if it is none."""
     from trajopt_cli.iiwa.equilibrium_csv import read_angles_csv, read_quaternion_csv
@@ -46,6 +67,20 @@ def open_folder(folder: Path) -> Opened:
     _, _, R_WT = read_quaternion_csv(found.text(QUATERNIONS), str(folder / QUATERNIONS))
     opened = Opened(task, robot, _sequence(task, pose, R_WT, meaning, section), found)
     return opened if meaning is AngleMeaning.ABSOLUTE else _relative(opened, R_WT)
+
+
+def counted_from_start(opened: Opened) -> Opened:
+    """The same with angles counted from the start's orientation, as the controller means them.
+
+    Raises InputError where an angle then passes its limit.
+    """
+    from trajopt_cli.iiwa.meaning import counted
+
+    try:
+        sequence = counted(opened.equilibrium, AngleMeaning.RELATIVE, opened.X_start[:3, :3])
+    except InputError as error:
+        raise InputError(str(error), file=opened.task.file) from error
+    return replace(opened, equilibrium=sequence)
 
 
 def read_summary(folder: Path) -> Mapping[str, Any]:

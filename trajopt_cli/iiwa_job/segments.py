@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.iiwa.task import AngleMeaning, Task
-from trajopt_cli.iiwa_job.folder import Opened, sequence_files, sequence_record
+from trajopt_cli.iiwa_job.folder import Opened, check_place, sequence_files, sequence_record
 from trajopt_cli.run_folder import check_replaceable, read_bytes
 from trajopt_cli.task_folder import write_task_folder
 
@@ -59,6 +59,7 @@ def make_segments(path: Path, folder: Path, task: Path | None, angles: AngleMean
     from trajopt_cli.iiwa.segments import interpolate, summary
     from trajopt_cli.robot.srs import load_srs
 
+    check_place(folder, "--output")
     check_replaceable(folder)
     read, task_path, program = read_task(path, task)
     equilibrium = interpolate(read.route)
@@ -124,6 +125,8 @@ def _start_notes(opened: Opened) -> tuple[str, ...]:
 def _inputs(task: Task, task_path: Path, program: Path | None) -> dict[str, bytes]:
     """The files the task was read from, by the name they get in the folder."""
     inputs = {task_path.name: read_bytes(task_path)}
+    if program is not None and program.name == task_path.name:
+        raise InputError("--task has the program's own name; give the task file another", file=str(task_path))
     if program is not None:
         inputs[program.name] = read_bytes(program)
     for path in map(Path, task.sources):

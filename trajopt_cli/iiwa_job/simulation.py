@@ -10,9 +10,8 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
-from trajopt_cli.iiwa.angles import angles_of, continuous, rotation
+from trajopt_cli.iiwa.angles import angles_near, rotation, rotation_vector
 from trajopt_cli.iiwa.equilibrium import Equilibrium, Piece
-from trajopt_cli.iiwa.meaning import counted
 from trajopt_cli.iiwa.task import (
     COORDINATES,
     UNITS,
@@ -24,7 +23,7 @@ from trajopt_cli.iiwa.task import (
     Task,
     Zeroing,
 )
-from trajopt_cli.iiwa_job.folder import Opened, add_to_folder, open_folder
+from trajopt_cli.iiwa_job.folder import Opened, add_to_folder, counted_from_start, open_folder
 from trajopt_cli.iiwa_job.joints import joint_record
 from trajopt_cli.task_folder import SIMULATION
 
@@ -39,10 +38,10 @@ _FORCES = ("fx [N]", "fy [N]", "fz [N]", "mx [Nm]", "my [Nm]", "mz [Nm]")
 
 
 @dataclass(frozen=True, eq=False)
-class Unstable:
-    """The controller's law does not settle: the axes concerned, each with a sentence."""
+class NoRun:
+    """There is nothing to show: an unstable law, or a loop that stops before its first period. One sentence each."""
 
-    axes: tuple[AxisStability, ...]
+    sentences: tuple[str, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +50,7 @@ class Simulated:
 
     x_e, x (n, 6) [m, rad]: equilibrium and controller, angles from the start. force (n, 6) [N, Nm]: what the controller
     believes pushes the tool. lag: how far x stays behind. joints: the arm's, where it follows exactly. loop: the whole
-    controller against its world; None where neither contact nor sensor errors nor changes ask for it.
+    controller against its world, None where nothing asks for it; why: what does.
     """
 
     opened: Opened
@@ -65,6 +64,7 @@ class Simulated:
     contact: Contact | None
     feed: Feed
     settle: float
+    why: tuple[str, ...]
 
     @property
     def t(self) -> Array:
@@ -100,7 +100,7 @@ def simulate(
     feed: Feed = Feed.POSITION,
     integration: Integration | None = None,
     settle: float | None = None,
-) -> Simulated | Unstable:
+) -> Simulated | NoRun:
     """Run the controller on a folder's sequence and write simulation.csv into it.
 
     contact_file: what the tool may run into, None for what the task itself says. engine: "spring" or "mujoco", None for
@@ -125,33 +125,55 @@ def run_controller(
     feed: Feed,
     integration: Integration | None,
     settle: float | None,
-) -> Simulated | Unstable:
+) -> Simulated | NoRun:
     """As simulate, on a sequence at hand; nothing is written."""
     from trajopt_cli.admittance.lag import worst_lag
     from trajopt_cli.admittance.stability import Verdict, stability
 
     task = opened.task if integration is None else replace(opened.task, integration=integration)
-    sequence = counted(opened.equilibrium, AngleMeaning.RELATIVE, opened.X_start[:3, :3])
-    opened = replace(opened, task=task, equilibrium=sequence)
+    opened = counted_from_start(replace(opened, task=task))
+    sequence = opened.equilibrium
     axes = stability(task.compliance, sequence.h, task.integration)
+    unstable = [axis.sentence for axis in axes if axis.verdict is Verdict.UNSTABLE]
     for change in task.changes:
         if change.compliance is not None:
-            axes += stability(change.compliance, sequence.h, task.integration)
-    unstable = tuple(axis for axis in axes if axis.verdict is Verdict.UNSTABLE)
+            changed = stability(change.compliance, sequence.h, task.integration)
+            axes += changed
+            bad = (axis for axis in changed if axis.verdict is Verdict.UNSTABLE)
+            unstable += [f"with the change at {change.t:g} s {axis.sentence}" for axis in bad]
     if unstable:
-        return Unstable(unstable)
+        return NoRun(tuple(unstable))
     if settle is None:
         slowest = [axis.slowest for axis in axes if np.isfinite(axis.slowest) and axis.k > 0]
         settle = min(_LONGEST_SETTLING, 8 * max(slowest, default=0.0))
-    if _needs_loop(task, contact, engine):
+    why = _loop_needed(task, contact, engine)
+    if why:
         loop = _loop(opened, contact, engine, feed, settle)
-        x_e, x, force, joints = loop.x_e, loop.x, loop.force_believed, None
+        if len(loop.x) == 0:
+            assert loop.stop is not None
+            return NoRun((loop.stop.message,))
+        x_e, x, R, force, joints = loop.x_e, loop.x, loop.R, loop.force_believed, None
     else:
         loop = None
         x_e, x, R, force = _law_alone(opened, feed, settle)
-        joints = _joints(opened, x, R)
+        joints = _joints(opened, x, R @ opened.X_start[:3, :3].T)
     lag = worst_lag(x, x_e, sequence.h, sequence.pieces)
-    return Simulated(opened, x_e, x, force, lag, axes, joints, loop, contact, feed, settle)
+    turn = None
+    if sequence.rotation is RotationLaw.SLERP:
+        # differences of angles say little near the lock: the angle between the orientations is what slerp follows
+        R_e = sequence.rotations(opened.X_start[:3, :3])
+        R_e = R_e[np.minimum(np.arange(len(R)), len(R_e) - 1)]
+        turn = np.linalg.norm(rotation_vector(R @ np.swapaxes(R_e, 1, 2)), axis=1)
+        worst = int(np.argmax(turn))
+        lag = replace(lag, turn_maximum=float(turn[worst]), turn_time=worst * sequence.h)
+        if not frames_change(task):
+            x = np.column_stack([x[:, :3], angles_near(R @ opened.X_start[:3, :3].T, x_e[:, 3:])])
+    return Simulated(opened, x_e, x, force, lag, axes, joints, loop, contact, feed, settle, why)
+
+
+def frames_change(task: Task) -> bool:
+    """Whether poses are counted from other frames in the course of the run."""
+    return any(change.restart or change.X_FT is not None or change.X_WB is not None for change in task.changes)
 
 
 def simulation_csv(run: Simulated) -> str:
@@ -186,6 +208,7 @@ def simulation_record(run: Simulated) -> dict[str, Any]:
         "integration": run.opened.task.integration.value,
         "duration_s": float(run.t[-1]),
         "held_s": run.settle,
+        "loop_run_for": list(run.why),
         "lag": lag_record(run.lag),
         "largest_spring_force_N": float(np.linalg.norm(run.spring, axis=1).max()),
         "stability": [
@@ -284,10 +307,17 @@ def _finite(value: float) -> float | None:
     return value if np.isfinite(value) else None
 
 
-def _needs_loop(task: Task, contact: Contact | None, engine: str | None) -> bool:
-    """Whether more happens than the law alone can tell."""
+def _loop_needed(task: Task, contact: Contact | None, engine: str | None) -> tuple[str, ...]:
+    """What happens that the law alone cannot tell; empty where nothing does."""
     clamped = bool(np.isfinite(task.clamps.torque).any() or np.isfinite(task.clamps.force).any())
-    return contact is not None or engine is not None or task.sensor is not None or bool(task.changes) or clamped
+    asked = {
+        "contact": contact is not None,
+        "sensor errors": task.sensor is not None,
+        "clamps": clamped,
+        "changes": bool(task.changes),
+        "--engine": engine is not None,
+    }
+    return tuple(name for name, wanted in asked.items() if wanted)
 
 
 def _loop(opened: Opened, contact: Contact | None, engine: str | None, feed: Feed, settle: float) -> LoopRun:
@@ -311,12 +341,12 @@ def _loop(opened: Opened, contact: Contact | None, engine: str | None, feed: Fee
 
 
 def _law_alone(opened: Opened, feed: Feed, settle: float) -> tuple[Array, Array, Array, Array]:
-    """Equilibrium x_e, controller x (n, 6) with its R (n, 3, 3) from the start, and the forces pushed with (n, 6)."""
+    """Equilibrium x_e, controller x (n, 6) with its R (n, 3, 3) in the world, and the forces pushed with (n, 6)."""
     from trajopt_cli.admittance.forces import zero
     from trajopt_cli.admittance.lag import held
     from trajopt_cli.admittance.regulator import response, response_rotation
 
-    task, sequence = opened.task, opened.equilibrium
+    task, sequence, R_start = opened.task, opened.equilibrium, opened.X_start[:3, :3]
     h, law = sequence.h, task.compliance
     x_e = held(sequence.pose, settle, h)
     t = np.arange(len(x_e)) * h
@@ -327,15 +357,13 @@ def _law_alone(opened: Opened, feed: Feed, settle: float) -> tuple[Array, Array,
         force = zero(force, task.zeroing)
     x = response(x_e, h, law, integration=task.integration, feed=feed, force=force).x
     if sequence.rotation is not RotationLaw.SLERP:
-        return x_e, x, rotation(x[:, 3:]), force
-    R_start = opened.X_start[:3, :3]
+        return x_e, x, rotation(x[:, 3:]) @ R_start, force
     R_e = np.concatenate([sequence.R, np.broadcast_to(sequence.R[-1], (len(x_e) - len(sequence.R), 3, 3))])
     # in the world, whose axes the stiffness has
     turned = response_rotation(
         R_e @ R_start, h, law.K[3:], law.D[3:], law.M[3:], force[:, 3:], integration=task.integration, feed=feed
     )
-    R = turned.R @ R_start.T
-    return x_e, np.column_stack([x[:, :3], continuous(angles_of(R))]), R, force
+    return x_e, np.column_stack([x[:, :3], angles_near(turned.R @ R_start.T, x_e[:, 3:])]), turned.R, force
 
 
 def _joints(opened: Opened, x: Array, R: Array) -> Followed | Unfollowable:
