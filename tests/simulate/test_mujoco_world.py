@@ -3,14 +3,12 @@
 import numpy as np
 import pytest
 
-from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import pose
 from trajopt_cli.iiwa.task import Contact, Obstacle
 from trajopt_cli.robot.dynamics import Dynamics
 from trajopt_cli.shapes import Box
-from trajopt_cli.simulate import mujoco_world
 from trajopt_cli.simulate.contact import FRICTION_RISE, BallOnBoxes
-from trajopt_cli.simulate.mujoco_world import SERVO_DELAY, MujocoWorld, available
+from trajopt_cli.simulate.mujoco_world import SERVO_DELAY, MujocoWorld
 from trajopt_cli.simulate.spring_wall import SpringWorld
 from trajopt_cli.simulate.worlds import Engine, make_world
 
@@ -214,14 +212,6 @@ def test_equal_commands_give_equal_measurements_after_a_reset_too(iiwa7, X_FT, l
         rows.append([first] + [world.step(tuple(np.array(START) + 1e-4 * k)) for k in range(30)])
     assert rows[0] == rows[1] == rows[2]
     assert rows[0][-1].contact[2] > 0
-
-
-def test_a_missing_mujoco_says_what_to_do(iiwa7, X_FT, monkeypatch):
-    assert available() == mujoco.__version__
-    monkeypatch.setattr(mujoco_world.util, "find_spec", lambda name: None)
-    with pytest.raises(InputError, match=r"MuJoCo is not installed: pip install 'trajopt\[sim\]', or use the spring"):
-        make_world(Engine.MUJOCO, iiwa7, X_FT, None, None, H)
-    assert make_world(Engine.SPRING, iiwa7, X_FT, None, None, H).name == "ideal arm"
 
 
 def test_names_and_starts(iiwa7, X_FT, floor):

@@ -13,6 +13,12 @@ FRICTION_RISE = 2000.0
 
 Below that speed the tip creeps instead of sticking. An assumption: what real surfaces do there nobody measured here.
 """
+STIFFEST = 1e10
+"""Largest stiffness [N/m] and damping [N s/m] of an obstacle: 50 mm of steel, pressed as a cube, have the first."""
+LARGEST_TIP = 1.0
+"""Largest radius [m] of a tip: more than the arm reaches."""
+ROUGHEST = 100.0
+"""Largest friction coefficient; rubber has 1 to 2, racing tyres 4."""
 
 Three = tuple[float, float, float]
 
@@ -36,7 +42,8 @@ class BallOnBoxes:
     and rubs against the sliding with FRICTION_RISE * speed, at most friction * push. Both act half-way between the
     ball's deepest point and the box's surface. Boxes add up.
 
-    Raises ValueError for a tip or a stiffness that is not above zero, and for a negative damping or friction.
+    Raises ValueError for a tip or a stiffness that is not above zero, for a negative damping or friction, and for
+    numbers beyond LARGEST_TIP, STIFFEST and ROUGHEST.
     """
 
     def __init__(self, contact: Contact) -> None:
@@ -63,16 +70,18 @@ class BallOnBoxes:
 
 def check(contact: Contact) -> None:
     """Raise ValueError for numbers no contact can have."""
-    if not contact.tip > 0:
-        raise ValueError(f"contact: tip {contact.tip:g} m, wanted a radius above zero")
+    if not 0 < contact.tip <= LARGEST_TIP:
+        raise ValueError(f"contact: tip {contact.tip:g} m, wanted a radius above zero, at most {LARGEST_TIP:g} m")
     for obstacle in contact.obstacles:
         where = f"obstacle '{obstacle.box.name}'"
-        if not obstacle.stiffness > 0:
-            raise ValueError(f"{where}: stiffness {obstacle.stiffness:g} N/m, wanted a number above zero")
-        if not (obstacle.damping >= 0 and obstacle.friction >= 0):
+        if not 0 < obstacle.stiffness <= STIFFEST:
             raise ValueError(
-                f"{where}: damping {obstacle.damping:g} and friction {obstacle.friction:g}, wanted none < 0"
+                f"{where}: stiffness {obstacle.stiffness:g} N/m, wanted a number above zero, at most {STIFFEST:g} N/m"
             )
+        if not 0 <= obstacle.damping <= STIFFEST:
+            raise ValueError(f"{where}: damping {obstacle.damping:g} N s/m, wanted 0 to {STIFFEST:g} N s/m")
+        if not 0 <= obstacle.friction <= ROUGHEST:
+            raise ValueError(f"{where}: friction {obstacle.friction:g}, wanted 0 to {ROUGHEST:g}")
 
 
 class _Box:

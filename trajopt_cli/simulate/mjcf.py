@@ -21,6 +21,8 @@ MuJoCo's convex friction lifts a sliding body: here by friction * FRICTION_RISE 
 0.1 m/s. In return a sticking contact resists acceleration like SLIP_RATIO * SOFTEST = 0.1 of the tool's mass.
 """
 
+_Body = tuple[float, Array, Array]  # mass [kg], its centre [m], inertia about that [kg m2]
+
 
 def mjcf(
     robot: SrsRobot,
@@ -31,6 +33,7 @@ def mjcf(
 ) -> str:
     """The model: links with the inertias of pin's model of the robot, one motor per joint, the tip's ball, the boxes.
 
+    The load is part of the last link that moves: MuJoCo takes no body without inertia, such as a point mass.
     gains: each motor's stiffness [Nm/rad] and damping [Nm s/rad]; its torque is ctrl - stiffness q - damping qd. Only
     the ball and the boxes collide, in pairs named like the boxes' numbers. A joint's range is an end stop.
     """
@@ -45,23 +48,26 @@ def mjcf(
     obstacles = contact.obstacles if contact is not None else ()
     for i, obstacle in enumerate(obstacles):
         lines.append(f'<geom name="box_{i}" type="box" size="{_row(obstacle.box.size / 2)}" {_place(obstacle.box.X)}/>')
-    for i, joint in enumerate(robot.chain[:-1]):
+    *moving, last = robot.chain
+    for i, joint in enumerate(moving):
         lines.append(f'<body name="{joint.child}" {_place(robot.X_WB @ joint.X if i == 0 else joint.X)}>')
         inertia = robot.pin_model.inertias[i + 1]
-        lines.append(_inertial(inertia.mass, inertia.lever, inertia.inertia))
+        body = inertia.mass, inertia.lever, inertia.inertia
+        if load is not None and joint is moving[-1]:
+            R, p = last.X[:3, :3], last.X[:3, 3]
+            body = _joined(body, (load.mass, R @ load.com + p, R @ load.inertia @ R.T))
+        lines.append(_inertial(*body))
         lines.append(
             f'<joint name="{joint.name}" type="hinge" axis="{_row(joint.axis)}" limited="true" '
             f'range="{_row((joint.lower, joint.upper))}"/>'
         )
-    lines.append(f'<body name="{robot.chain[-1].child}" {_place(robot.chain[-1].X)}>')
-    if load is not None:
-        lines.append(_inertial(load.mass, load.com, load.inertia))
+    lines.append(f'<body name="{last.child}" {_place(last.X)}>')
     lines.append(f'<site name="{TCP}" {_place(X_FT)}/>')
     if contact is not None:
         lines.append(f'<geom name="{TIP}" type="sphere" size="{_number(contact.tip)}" {_place(X_FT)} mass="0"/>')
     lines += ["</body>"] * len(robot.chain)
     lines += ["</worldbody>", "<actuator>"]
-    for joint, (stiffness, damping) in zip(robot.chain[:-1], gains, strict=True):
+    for joint, (stiffness, damping) in zip(moving, gains, strict=True):
         lines.append(
             f'<general name="{joint.name}" joint="{joint.name}" gainprm="1" biastype="affine" '
             f'biasprm="{_row((0.0, -stiffness, -damping))}"/>'
@@ -73,6 +79,14 @@ def mjcf(
         lines.append(f'<pair name="box_{i}" geom1="{TIP}" geom2="box_{i}" {rub} solimp="{solimp}"/>')
     lines += ["</contact>", "</mujoco>"]
     return "\n".join(lines)
+
+
+def _joined(one: _Body, other: _Body) -> _Body:
+    """Two bodies as one, all about the same frame and axes: Steiner's share is the reduced mass times the distance."""
+    (m, c, A), (n, d, B) = one, other
+    mass, apart = m + n, d - c
+    steiner = m * n / mass * (apart @ apart * np.eye(3) - np.outer(apart, apart))
+    return mass, (m * c + n * d) / mass, A + B + steiner
 
 
 def _inertial(mass: float, com: Array, inertia: Array) -> str:

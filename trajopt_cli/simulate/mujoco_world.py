@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
-from importlib import metadata, util
-from math import ceil, sqrt
+from math import ceil, isfinite, nan, sqrt
 from typing import Any
 
 import numpy as np
@@ -28,13 +28,42 @@ Nm/rad in the shoulder, 4,000 at the wrist. An estimate of gears and servo toget
 _OMEGA = 2.0 / SERVO_DELAY  # a critically damped filter lags by two over its frequency
 SUBSTEP = 2.5e-4
 """Longest time step of the physics [s]; stiff contacts take shorter ones."""
+FINEST = 2e-5
+"""Shortest time step that a contact may need [s], 50 in a period of 1 ms: what needs a shorter one is refused."""
 _BENT = np.radians([0.0, 90.0, 0.0, -90.0, 0.0, 90.0, 0.0])  # every joint bears about as much inertia as it ever does
 _SPRING, _DAMPER = 0.2, 1.5  # longest step in time constants sqrt(m/k) and m/d of a contact; at 2 and 2 it blows up
 
 
 def available() -> str | None:
-    """The installed MuJoCo's version, None where there is none."""
-    return metadata.version("mujoco") if util.find_spec("mujoco") is not None else None
+    """The version of the MuJoCo that can be imported, None where there is none or where its import fails."""
+    try:
+        return str(_imported().__version__)
+    except InputError:
+        return None
+
+
+def _imported() -> Any:
+    """The module. Raises InputError where it is missing, broken or too old."""
+    try:
+        import mujoco
+        from mujoco import MjLogConfig  # noqa: F401  older than 4, or a folder left behind: no such name
+    except ModuleNotFoundError as error:
+        if error.name == "mujoco":
+            raise InputError("MuJoCo is not installed: pip install 'trajopt[sim]', or use the spring wall") from error
+        raise _broken(error) from error
+    except (ImportError, OSError, RuntimeError, AttributeError) as error:  # its own, of its libraries, of MUJOCO_GL
+        raise _broken(error) from error
+    return mujoco
+
+
+def _broken(error: Exception) -> InputError:
+    reason = " ".join(str(error).split())
+    return InputError(
+        f"MuJoCo cannot be imported: {reason}; pip install --force-reinstall 'trajopt[sim]', or use the spring wall"
+    )
+
+
+_NOTHING = Measured((nan,) * 7, (nan,) * 7, (nan,) * 7, (nan,) * 7, (nan,) * 6, nan)
 
 
 class MujocoWorld:
@@ -51,36 +80,45 @@ class MujocoWorld:
     A the compliance that MuJoCo ascribes to the tool's body. Boxes on springs would need masses that bounce.
 
     A measurement is MuJoCo's state at the period's end: tau are the motors' torques, what sensors at the joints see.
-    Equal commands give equal measurements, digit by digit.
+    Equal commands give equal measurements, digit by digit. Once MuJoCo warns that its state is none any more, all that
+    is measured is nan; it neither prints nor logs, and starts nothing anew.
 
-    Raises InputError where MuJoCo is not installed, ValueError for numbers no contact can have.
+    Raises InputError where MuJoCo cannot be imported or refuses the arm, ValueError for numbers no contact can have
+    and for contacts that need shorter time steps than FINEST.
     """
 
     def __init__(self, robot: SrsRobot, X_FT: Array, load: ToolLoad | None, contact: Contact | None, h: float) -> None:
-        version = available()
-        if version is None:
-            raise InputError("MuJoCo is not installed: pip install 'trajopt[sim]', or use the spring wall")
-        import mujoco
-
+        mujoco = _imported()
         if contact is not None:
             check(contact)
         self._mj: Any = mujoco
-        self._version, self._h = version, h
+        self._version, self._h = str(mujoco.__version__), h
         self._contact = contact
         stiffness = SERVO_STIFFNESS * robot.torque
-        bare = mujoco.MjModel.from_xml_string(mjcf(robot, X_FT, load, contact, [(0.0, 0.0)] * len(stiffness)))
-        inertia = np.diag(_mass_matrix(mujoco, bare, _BENT))
-        gains = [(k, 2.0 * sqrt(k * m)) for k, m in zip(stiffness.tolist(), inertia.tolist(), strict=True)]
-        self.model: Any = mujoco.MjModel.from_xml_string(mjcf(robot, X_FT, load, contact, gains))
+        bare = self._compiled(mjcf(robot, X_FT, load, contact, [(0.0, 0.0)] * len(stiffness)))
+        data = mujoco.MjData(bare)
+        with _Quiet(mujoco):
+            inertia = _mass_matrix(mujoco, bare, _BENT, data)
+        if data.warning.number.any() or not np.isfinite(inertia).all():
+            raise InputError(
+                "MuJoCo cannot resolve the inertia of the arm with this load: correct their masses and inertias, or "
+                "use the spring wall"
+            )
+        gains = [(k, 2.0 * sqrt(k * m)) for k, m in zip(stiffness.tolist(), np.diag(inertia).tolist(), strict=True)]
+        self.model: Any = self._compiled(mjcf(robot, X_FT, load, contact, gains))
+        # A state that is none any more is to be seen, not replaced by the model's first.
+        self.model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_AUTORESET)
         self._kp, self._kd = (np.array(column) for column in zip(*gains, strict=True))
         self._data, self._wanted = mujoco.MjData(self.model), mujoco.MjData(self.model)
         data = self._data
         self._ctrl = data.ctrl
         self._views = data.qpos, data.qvel, data.qacc, data.actuator_force
+        self._warnings = data.warning.number
         self._servo: _Servo | None = None
         self._tip = self.model.geom(TIP).id if contact is not None else -1
         self._tcp = self.model.site(TCP).id
         self._set_contacts()
+        self._check_resolution()
 
     @property
     def name(self) -> str:
@@ -88,7 +126,14 @@ class MujocoWorld:
         return f"MuJoCo {self._version}"
 
     def reset(self, q: Seven) -> Measured:
-        """Stand still at q [rad] (7,)."""
+        """Stand still at q [rad] (7,). Raises InputError where MuJoCo finds no state there."""
+        with _Quiet(self._mj):
+            measured = self._stand(q)
+        if not isfinite(sum((*measured.qdd, *measured.tau, *measured.contact))):
+            raise InputError("MuJoCo finds no forces at the start: start outside of the obstacles, or soften them")
+        return measured
+
+    def _stand(self, q: Seven) -> Measured:
         mj, model, data = self._mj, self.model, self._data
         mj.mj_resetData(model, data)
         data.qpos[:] = q
@@ -109,11 +154,12 @@ class MujocoWorld:
         controls += self._forward((before + after) / 2, (after - before) / h, (speed - before_speed) / h)
         self._filtered, self._speed = after, speed
         step, model, data, ctrl = self._mj.mj_step, self.model, self._data, self._ctrl
-        for control in controls[:-1]:
-            ctrl[:] = control
-            step(model, data)
-        ctrl[:] = controls[-1]
-        return self._measure()
+        with _Quiet(self._mj):
+            for control in controls[:-1]:
+                ctrl[:] = control
+                step(model, data)
+            ctrl[:] = controls[-1]
+            return self._measure()
 
     def _forward(self, q: Array, qd: Array, qdd: Array) -> Array:
         """Torques (7,) [Nm] of that motion with nothing touching the tool."""
@@ -127,6 +173,8 @@ class MujocoWorld:
         return out
 
     def _measure(self) -> Measured:
+        if any(self._warnings.tolist()):
+            return _NOTHING
         self._mj.mj_forward(self.model, self._data)
         q, qd, qdd, tau = (tuple(view.tolist()) for view in self._views)
         force, depth = self._touch() if self._data.ncon else (APART.force, APART.depth)
@@ -150,6 +198,18 @@ class MujocoWorld:
             depth = max(depth, -distance)
         return total, depth
 
+    def _compiled(self, text: str) -> Any:
+        mj = self._mj
+        try:
+            with _Quiet(mj):
+                return mj.MjModel.from_xml_string(text)
+        except (ValueError, mj.FatalError) as error:
+            reason = re.sub(r", id \d+, line \d+", "", " ".join(str(error).removeprefix("Error: ").split()))
+            raise InputError(
+                f"MuJoCo refuses the arm, its tool or an obstacle: {reason}; correct its mass, inertia or size, or use "
+                "the spring wall"
+            ) from error
+
     def _set_contacts(self) -> None:
         """Write the obstacles' stiffness and damping as reference accelerations; the tool's body sets the scale."""
         if self._contact is None:
@@ -167,15 +227,42 @@ class MujocoWorld:
         least = ceil(self._h / SUBSTEP - 1e-9)
         if self._contact is None:
             return least
-        mj, model, data = self._mj, self.model, self._wanted
-        inertia = _mass_matrix(mj, model, q, data)
-        J = np.zeros((3, model.nv))
-        mj.mj_jacSite(model, data, J, None, self._tcp)
-        mass = 1.0 / np.linalg.eigvalsh(J @ np.linalg.solve(inertia, J.T))[-1]
+        mass = self._tip_mass(q)
         for one in self._contact.obstacles:
             finest = min(_SPRING * sqrt(mass / one.stiffness), _DAMPER * mass / max(one.damping, FRICTION_RISE))
             least = max(least, ceil(self._h / finest))
         return least
+
+    def _check_resolution(self) -> None:
+        """Raise ValueError for a contact that needs shorter time steps than FINEST.
+
+        By the tip at one configuration: its lightest direction is a turn of the last links, much the same in all.
+        """
+        if self._contact is None:
+            return
+        mass = self._tip_mass(_BENT)
+        stiffest, strongest = mass * (_SPRING / FINEST) ** 2, _DAMPER * mass / FINEST
+        for one in self._contact.obstacles:
+            for what, value, bound, unit in (
+                ("stiffness", one.stiffness, stiffest, "N/m"),
+                ("damping", one.damping, strongest, "N s/m"),
+                ("rise of friction", FRICTION_RISE, strongest, "N s/m"),
+            ):
+                if value > bound:
+                    raise ValueError(
+                        f"obstacle '{one.box.name}': {what} {value:g} {unit}, at most {bound:.4g} {unit} with MuJoCo "
+                        f"and the {mass:.3g} kg of this tip, for time steps of {FINEST:g} s; lower it, give the tool "
+                        "its load, or use the spring wall"
+                    )
+
+    def _tip_mass(self, q: Sequence[float] | Array) -> float:
+        """What the tip's lightest direction weighs at q [kg]."""
+        mj, model, data = self._mj, self.model, self._wanted
+        with _Quiet(mj):
+            inertia = _mass_matrix(mj, model, q, data)
+        J = np.zeros((3, model.nv))
+        mj.mj_jacSite(model, data, J, None, self._tcp)
+        return float(1.0 / np.linalg.eigvalsh(J @ np.linalg.solve(inertia, J.T))[-1])
 
 
 class _Servo:
@@ -202,8 +289,21 @@ class _Servo:
         return controls, command + x_x * off + x_v * speed, v_x * off + v_v * speed
 
 
-def _mass_matrix(mj: Any, model: Any, q: Sequence[float] | Array, data: Any = None) -> Array:
-    data = mj.MjData(model) if data is None else data
+class _Quiet:
+    """While it lasts, MuJoCo's warnings are counted, but neither printed nor appended to a file where we stand."""
+
+    def __init__(self, mj: Any) -> None:
+        self._before, self._now = mj.MjLogConfig.get(), mj.MjLogConfig.get()
+        self._now.logto_console = self._now.logto_file = False
+
+    def __enter__(self) -> None:
+        self._now.set()
+
+    def __exit__(self, *_: object) -> None:
+        self._before.set()
+
+
+def _mass_matrix(mj: Any, model: Any, q: Sequence[float] | Array, data: Any) -> Array:
     data.qpos[:] = q
     mj.mj_forward(model, data)
     out, column = np.empty((model.nv, model.nv)), np.empty(model.nv)
