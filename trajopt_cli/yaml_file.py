@@ -2,28 +2,47 @@
 
 from __future__ import annotations
 
+import json
+import math
+import os
 from collections.abc import Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Any, TypeVar, get_type_hints
+from typing import Any, NoReturn, TypeVar, get_type_hints
 
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 from ruamel.yaml import YAML
-from ruamel.yaml.comments import CommentedMap, CommentedSeq
+from ruamel.yaml.composer import Composer
 from ruamel.yaml.error import MarkedYAMLError, YAMLError
+from ruamel.yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 from trajopt_cli.errors import InputError, InputErrorGroup
 
 Model = TypeVar("Model", bound=BaseModel)
 
+MAX_BYTES, MAX_NODES, MAX_DEPTH = 1_000_000, 200_000, 50
+"""Bounds of a file: its text, its values and keys once aliases are expanded, and sections or lists in each other."""
+_MAX_KEY, _MAX_PATH = 100, 500  # characters: a line about the key is to stay a line
+_MAX_DIGITS = 1000  # of a whole number; Python itself refuses to read or print more than 4300
+_MAX_SAID = 20  # mistakes that are printed of one file
+_SMALLER = "give the poses in a RAPID program or split the task"
+_TAG = "tag:yaml.org,2002:"
+_SCALARS = {_TAG + kind for kind in ("null", "bool", "int", "float")}
+_TEXTS = {_TAG + kind for kind in ("str", "value", "merge")}  # a lone = or << as a value is text
+
 
 def read_text(path: str | Path, what: str) -> str:
-    """The file's UTF-8 text; what names it in messages. Raises InputError where it cannot be read."""
+    """The file's UTF-8 text; what names it in messages. Raises InputError where it cannot be read or is too big."""
     try:
-        return Path(path).read_text(encoding="utf-8")
+        with open(path, "rb") as file:
+            content = file.read(MAX_BYTES + 1)  # no more of it: a device may have no end
+            size = max(os.fstat(file.fileno()).st_size, len(content))
     except OSError as error:
         raise InputError(f"cannot read the {what}: {error.strerror}", file=str(path)) from error
+    _check_size(size, str(path))
+    try:
+        return content.decode("utf-8").replace("\r\n", "\n").replace("\r", "\n")
     except UnicodeDecodeError as error:
         raise InputError(f"byte {error.start} is not UTF-8; save the {what} as UTF-8", file=str(path)) from error
 
@@ -31,10 +50,23 @@ def read_text(path: str | Path, what: str) -> str:
 def parse(text: str, file: str, needed: str) -> tuple[dict[str, Any], dict[str, int]]:
     """A YAML mapping as plain data, and the line of every key by its dotted path ("limits.joint_1", "poses.0").
 
-    file is for messages; needed says what an empty file lacks. Raises InputError for text that is not such a mapping.
+    file is for messages; needed says what an empty file lacks. Raises InputError for text that is not such a mapping,
+    is longer than MAX_BYTES, or holds more than MAX_NODES keys and values.
     """
-    lines: dict[str, int] = {}
-    return _plain(_tree(text, file, needed), "", lines, file), lines
+    _check_size(len(text.encode("utf-8", "replace")), file)
+    if text.count(",") > MAX_NODES:  # seen at once; ruamel takes seconds to come this far
+        raise _too_many(file, 1)
+    yaml = YAML(typ="safe", pure=True)
+    yaml.Composer = _BoundedComposer
+    reader = _Reader(file, yaml)
+    return reader.section(_tree(yaml, text, file, needed), "", 1), reader.lines
+
+
+def refuse_empty(content: Mapping[str, Any], lines: Mapping[str, int], file: str) -> None:
+    """Raise InputError for every key without a value (null) in what parse gave, at any depth."""
+    empty = sorted(_empty(content, ""), key=lambda path: line_of(path, lines))
+    if empty:
+        raise _all([_empty_error(path, lines, file) for path in empty], file)
 
 
 def validated(
@@ -47,9 +79,9 @@ def validated(
     try:
         return model.model_validate(content)
     except ValidationError as error:
-        found = [_input_error(model, detail, lines, file, wanted) for detail in error.errors()]
+        found = [_input_error(model, detail, lines, file, wanted) for detail in error.errors(include_url=False)]
         found.sort(key=lambda one: one.line or 0)
-        raise found[0] if len(found) == 1 else InputErrorGroup(found) from error
+        raise _all(found, file) from error
 
 
 def line_of(key: str, lines: Mapping[str, int]) -> int:
@@ -65,18 +97,68 @@ def hint(name: str, known: Sequence[str]) -> str:
     return f"did you mean '{close[0]}'?" if close else f"known: {', '.join(known)}"
 
 
-def _tree(text: str, file: str, needed: str) -> CommentedMap:
+def _check_size(size: int, file: str) -> None:
+    if size > MAX_BYTES:
+        bound = f"more than {MAX_BYTES / 1e6:g} MB"
+        raise InputError(f"holds {size / 1e6:.3g} MB of text, {bound}; {_SMALLER}", file=file)
+
+
+def _too_many(file: str, line: int) -> InputError:
+    return InputError(
+        f"holds more than {MAX_NODES} keys and values, aliases expanded; {_SMALLER}", file=file, line=line
+    )
+
+
+def _too_deep(file: str, line: int | None) -> InputError:
+    return InputError(
+        f"nests sections and lists deeper than {MAX_DEPTH} levels; no key needs that", file=file, line=line
+    )
+
+
+class _OutOfBounds(YAMLError):
+    """The text has more nodes, or deeper ones, than this reader takes."""
+
+    def __init__(self, deep: bool, line: int):
+        super().__init__()
+        self.deep, self.line = deep, line
+
+
+class _BoundedComposer(Composer):
+    """Stops at the bounds instead of after reading the whole text."""
+
+    def __init__(self, loader: Any = None):
+        super().__init__(loader)
+        self.warn_double_anchors = False  # a repeated anchor is legal; the warning would go to stderr
+        self._nodes = self._level = 0
+
+    def compose_node(self, parent: Any, index: Any) -> Any:
+        """Of the base class, counted."""
+        self._nodes, self._level = self._nodes + 1, self._level + 1
+        if self._nodes > MAX_NODES or self._level > MAX_DEPTH:
+            raise _OutOfBounds(self._level > MAX_DEPTH, self.parser.peek_event().start_mark.line + 1)
+        node = super().compose_node(parent, index)
+        self._level -= 1
+        return node
+
+
+def _tree(yaml: YAML, text: str, file: str, needed: str) -> MappingNode:
     try:
-        tree = YAML().load(text)
+        tree = yaml.compose(text)
+    except _OutOfBounds as error:
+        raise (_too_deep if error.deep else _too_many)(file, error.line) from error
     except MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         line = mark.line + 1 if mark else None
-        problem = str(error.problem or error.context).split(' with value "')[0]
-        said = "" if problem.startswith("found duplicate") else _unit_hint(text, line)
-        raise InputError(f"broken YAML: {problem}{said}", file=file, line=line) from error
+        parts = [str(error.problem or error.context)]
+        if error.context and parts[0].startswith("but "):
+            parts.insert(0, f"{error.context},")
+        problem = _short(" ".join(" ".join(parts).split()))
+        raise InputError(f"broken YAML: {problem}{_unit_hint(text, line)}", file=file, line=line) from error
     except YAMLError as error:
         raise InputError(f"broken YAML: {str(error).splitlines()[0]}", file=file) from error
-    if not isinstance(tree, CommentedMap):
+    except (ValueError, OverflowError) as error:  # "\UFFFFFFFF": ruamel hands the number to chr unseen
+        raise InputError("broken YAML: an escape after \\ is no character", file=file) from error
+    if not isinstance(tree, MappingNode) or tree.tag != _TAG + "map":
         raise InputError(f"holds no 'key: value' lines; {needed}", file=file, line=1)
     return tree
 
@@ -88,28 +170,113 @@ def _unit_hint(text: str, line: int | None) -> str:
     return '; a list with a unit goes in quotes, "[0, 30] deg"' if "]" in around and '"' not in around else ""
 
 
-def _plain(node: Any, path: str, lines: dict[str, int], file: str) -> Any:
-    """node as plain dicts, lists and scalars; lines learns the line of every key on the way."""
-    if isinstance(node, CommentedMap):
+class _Reader:
+    """Turns YAML's nodes into plain data; lines learns the line of every key on the way."""
+
+    def __init__(self, file: str, yaml: YAML):
+        self.file, self.lines = file, dict[str, int]()
+        self._yaml, self._count = yaml, 0
+
+    def section(self, node: MappingNode, path: str, depth: int) -> dict[str, Any]:
+        """A mapping at a dotted path, inside depth - 1 others."""
         out = {}
-        for key, value in node.items():
-            line = node.lc.data[key][0] + 1 if key in (node.lc.data or {}) else lines.get(path, 1)
-            inner = f"{path}.{key}" if path else str(key)
-            if not isinstance(key, str):
-                raise InputError(f"key {inner} is not text; put it in quotes", file=file, line=line)
-            lines[inner] = line
-            out[key] = _plain(value, inner, lines, file)
+        for name, (key, value) in self._pairs(node, path, depth).items():
+            inner = f"{path}.{name}" if path else name
+            if len(inner) > _MAX_PATH:
+                self._refuse(key, path[:_MAX_KEY], f"the keys together have more than {_MAX_PATH} characters")
+            self.lines[inner] = _line(key)
+            out[name] = self._value(value, inner, depth + 1)
         return out
-    if isinstance(node, CommentedSeq):
-        for i in range(len(node)):
-            lines[f"{path}.{i}"] = node.lc.data[i][0] + 1
-        return [_plain(value, f"{path}.{i}", lines, file) for i, value in enumerate(node)]
-    if isinstance(node, bool) or node is None:
-        return node
-    for kind in (int, float, str):  # ruamel's own scalars remember how they were written; nobody here needs that
-        if isinstance(node, kind):
-            return kind(node)
-    raise InputError(f"{path}: {node} is not a number, text, list or section", file=file, line=lines.get(path, 1))
+
+    def _value(self, node: Node, path: str, depth: int) -> Any:
+        if isinstance(node, MappingNode) and node.tag == _TAG + "map":
+            return self.section(node, path, depth)
+        self._tally(node, depth)
+        if isinstance(node, SequenceNode) and node.tag == _TAG + "seq":
+            for i, item in enumerate(node.value):
+                self.lines[f"{path}.{i}"] = _line(item)
+            return [self._value(item, f"{path}.{i}", depth + 1) for i, item in enumerate(node.value)]
+        if isinstance(node, ScalarNode) and node.tag in _TEXTS:
+            return self._text(node, path)
+        if isinstance(node, ScalarNode) and node.tag in _SCALARS:
+            return self._scalar(node, path)
+        if isinstance(node, ScalarNode) and node.tag == _TAG + "timestamp":
+            self._refuse(node, path, f"{_short(node.value)} is not a number, text, list or section")
+        self._refuse(node, path, f"has the tag {_short(str(node.tag).replace(_TAG, '!!'))}; remove it")
+
+    def _scalar(self, node: ScalarNode, path: str) -> Any:
+        kind = str(node.tag).removeprefix(_TAG)
+        if kind == "int" and len(node.value) > _MAX_DIGITS:
+            self._refuse(node, path, f"needs a finite number, not one of {len(node.value)} digits")
+        try:
+            return self._yaml.constructor.construct_object(node)
+        except (ValueError, KeyError, IndexError):  # a tag of the user's own, `!!int foo`
+            self._refuse(node, path, f"{_said(node.value)} is not of type !!{kind}; remove the tag")
+
+    def _text(self, node: ScalarNode, path: str) -> str:
+        text = str(node.value)
+        if any("\ud800" <= sign <= "\udfff" for sign in text):
+            self._refuse(node, path, f"{json.dumps(_short(text))} holds half of a character (a surrogate)")
+        return text
+
+    def _pairs(self, node: MappingNode, path: str, depth: int) -> dict[str, tuple[Node, Node]]:
+        """The nodes of every key and value by name, those that << takes over included."""
+        self._tally(node, depth)
+        own, taken = dict[str, tuple[Node, Node]](), dict[str, tuple[Node, Node]]()
+        for key, value in node.value:
+            if key.tag == _TAG + "merge":
+                for other in value.value if isinstance(value, SequenceNode) else [value]:
+                    if not isinstance(other, MappingNode):
+                        self._refuse(key, path, "<< takes over a section or a list of sections")
+                    for name, pair in self._pairs(other, path, depth + 1).items():
+                        taken.setdefault(name, pair)
+                continue
+            name = self._name(key, path)
+            if name in own:
+                raise InputError(f'broken YAML: found duplicate key "{name}"', file=self.file, line=_line(key))
+            own[name] = key, value
+        return taken | own
+
+    def _name(self, node: Node, path: str) -> str:
+        self._tally(node, 1)
+        if not isinstance(node, ScalarNode):
+            self._refuse(node, path, "a key is a list or a section; keys are text")
+        if node.tag not in _TEXTS:
+            said = _said(node.value)
+            inner = f"{path}.{said}" if path else said
+            raise InputError(f"key {inner} is not text; put it in quotes", file=self.file, line=_line(node))
+        name = self._text(node, path)
+        if not name.isprintable() or not name.strip() or len(name) > _MAX_KEY:
+            said = json.dumps(_short(name), ensure_ascii=False)
+            self._refuse(node, path, f"key {said} is empty, of more than {_MAX_KEY} characters, or not printable")
+        return name
+
+    def _tally(self, node: Node, depth: int) -> None:
+        self._count += 1
+        if self._count > MAX_NODES:
+            raise _too_many(self.file, _line(node))
+        if depth > MAX_DEPTH:
+            raise _too_deep(self.file, _line(node))
+
+    def _refuse(self, node: Node, path: str, message: str) -> NoReturn:
+        raise InputError(f"{path}: {message}" if path else message, file=self.file, line=_line(node))
+
+
+def _line(node: Node) -> int:
+    return int(node.start_mark.line) + 1
+
+
+def _empty(value: Any, path: str) -> Iterator[str]:
+    """The paths of all that is null."""
+    if value is None:
+        yield path
+    elif isinstance(value, Mapping | list):
+        for name, inner in value.items() if isinstance(value, Mapping) else enumerate(value):
+            yield from _empty(inner, f"{path}.{name}" if path else str(name))
+
+
+def _empty_error(path: str, lines: Mapping[str, int], file: str) -> InputError:
+    return InputError(f"{path}: is empty; give it a value or remove it", file=file, line=line_of(path, lines))
 
 
 def _keys(model: type[BaseModel], location: Sequence[str | int]) -> list[str]:
@@ -133,12 +300,12 @@ def _models(annotation: Any) -> Iterator[type[BaseModel]]:
 def _input_error(
     model: type[BaseModel], detail: ErrorDetails, lines: Mapping[str, int], file: str, wanted: Mapping[str, str]
 ) -> InputError:
-    key = ".".join(str(part) for part in detail["loc"]) or "file"
-    return InputError(f"{key}: {_message(model, detail, wanted)}", file=file, line=line_of(key, lines))
+    key, message = ".".join(str(part) for part in detail["loc"]), _message(model, detail, wanted)
+    return InputError(f"{key}: {message}" if key else message, file=file, line=line_of(key, lines))
 
 
 def _message(model: type[BaseModel], detail: ErrorDetails, wanted: Mapping[str, str]) -> str:
-    given, location = detail["input"], detail["loc"]
+    value, location, bounds = detail["input"], detail["loc"], detail.get("ctx", {})
     match detail["type"]:
         case "extra_forbidden":
             return f"unknown key; {hint(str(location[-1]), _keys(model, location))}"
@@ -146,15 +313,59 @@ def _message(model: type[BaseModel], detail: ErrorDetails, wanted: Mapping[str, 
             path = ".".join(str(part) for part in location)
             return f"is missing; {wanted.get(path) or wanted.get(str(location[-1]), 'add it')}"
         case "model_type" | "dict_type":
-            return f"needs a section of 'key: value' lines, not {given}"
-        case "tuple_type":
-            return f"needs a list, not {given}"
+            return f"needs a section of 'key: value' lines, not {_said(value)}"
+        case "tuple_type" | "list_type":
+            if isinstance(value, str) and value.strip().startswith("["):
+                return f"needs a list, not the text {json.dumps(_short(value))}; remove the quotes"
+            return f"needs a list, not {_said(value)}"
         case "string_type":
-            return f"needs text, not {given}"
+            return f"needs text, not {_said(value)}"
         case "bool_type":
-            return f"needs true or false, not {given}"
-        case "int_type" | "int_parsing" | "int_from_float" | "greater_than":
-            return f"needs a whole number above zero, not {given}"
+            return f"needs true or false, not {_said(value)}"
+        case "int_type" | "int_parsing" | "int_from_float" | "int_parsing_size":
+            return f"needs a whole number, not {_said(value)}"
+        case "greater_than":
+            return f"needs a whole number above {_bound(bounds['gt'])}, not {_said(value)}"
+        case "greater_than_equal":
+            return f"needs a whole number, {_bound(bounds['ge'])} or more, not {_said(value)}"
+        case "less_than":
+            return f"needs a whole number below {_bound(bounds['lt'])}, not {_said(value)}"
+        case "less_than_equal":
+            return f"needs a whole number, {_bound(bounds['le'])} or less, not {_said(value)}"
         case "literal_error":
-            return f"{given} is not one of {detail['ctx']['expected']}"
+            return f"{_said(value)} is not one of {bounds['expected']}"
     return detail["msg"]
+
+
+def _bound(value: float) -> str:
+    return f"{value:g}" if value else "zero"
+
+
+def _said(value: object) -> str:
+    """What a file gave, in words or as YAML writes it."""
+    match value:
+        case None:
+            return "nothing"
+        case bool():
+            return str(value).lower()
+        case dict():
+            return "a section"
+        case list():
+            few = 0 < len(value) <= 7 and all(type(item) in (int, float) for item in value)
+            return f"[{', '.join(_said(item) for item in value)}]" if few else "a list"
+        case int() if value.bit_length() > 64:
+            return f"a number of about {math.ceil(value.bit_length() * math.log10(2))} digits"
+        case str():
+            return _short(value) if value.isprintable() and value.strip() else json.dumps(_short(value))
+    return str(value)
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= 80 else f"{text[:77]}..."
+
+
+def _all(found: list[InputError], file: str) -> InputError:
+    """All mistakes as one error; of very many only the first."""
+    if len(found) > _MAX_SAID:
+        found = [*found[:_MAX_SAID], InputError(f"and {len(found) - _MAX_SAID} more mistakes", file=file)]
+    return found[0] if len(found) == 1 else InputErrorGroup(found)
