@@ -13,12 +13,12 @@ FRICTION_RISE = 2000.0
 
 Below that speed the tip creeps instead of sticking. An assumption: what real surfaces do there nobody measured here.
 """
-STIFFEST = 1e10
-"""Largest stiffness [N/m] and damping [N s/m] of an obstacle: 50 mm of steel, pressed as a cube, have the first."""
+STIFFEST = 1e9
+"""Largest stiffness [N/m] and damping [N s/m] of an obstacle: 5 mm of steel, pressed as a cube, have the first."""
 LARGEST_TIP = 1.0
 """Largest radius [m] of a tip: more than the arm reaches."""
-ROUGHEST = 100.0
-"""Largest friction coefficient; rubber has 1 to 2, racing tyres 4."""
+ROUGHEST = 1000.0
+"""Largest friction coefficient: nothing slides there."""
 
 Three = tuple[float, float, float]
 
