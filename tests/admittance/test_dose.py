@@ -6,6 +6,8 @@ On one line it is a linear program (SciPy), at corners a cone program (CasADi, I
 
 from __future__ import annotations
 
+from time import process_time
+
 import casadi as ca
 import numpy as np
 import pytest
@@ -14,13 +16,23 @@ from hypothesis import strategies as st
 from scipy.optimize import linprog
 
 from trajopt_cli.admittance.dose import CannotDose, Dosed, Feeding, compare, dose
-from trajopt_cli.admittance.dose_path import DosePath, Leg, dose_path
+from trajopt_cli.admittance.dose_path import DosePath, Leg, coarser, dose_path
 from trajopt_cli.admittance.dose_plan import plan
 from trajopt_cli.admittance.dose_walk import Walk
 from trajopt_cli.admittance.regulator import coefficients
 from trajopt_cli.geometry import rotation_about
 from trajopt_cli.iiwa.equilibrium import Equilibrium, Piece
-from trajopt_cli.iiwa.task import AngleMeaning, Compliance, Integration, RotationLaw, SegmentSpeeds
+from trajopt_cli.iiwa.segments import interpolate
+from trajopt_cli.iiwa.task import (
+    AngleMeaning,
+    Compliance,
+    Integration,
+    Profile,
+    RotationLaw,
+    Route,
+    SegmentSpeeds,
+    Waypoint,
+)
 
 V = 0.4  # m/s
 
@@ -259,6 +271,38 @@ def test_the_exact_law_is_dosed_too() -> None:
     assert made.duration == pytest.approx(dose(path, law, 5e-3, 0.005).duration, rel=0.01)
 
 
+def test_the_lower_bound_counts_turns_and_ways_by_what_binds_each_leg() -> None:
+    law, path = compliance(), polyline([[0, 0, 0, 0, 0, 0], [0, 0, 0, 1.5, 0, 0], [0.2, 0, 0, 1.5, 0, 0]])
+    made = dose(path, law, 2e-3, 0.005, turn_bound=0.02)
+    check(made, path, law, 2e-3, 0.005)
+    # 1.5 rad at turn_bound k/d = 0.02 30/20 rad/s from exactly the start, then 0.2 m at 0.005 1000/500 m/s
+    assert made.least == pytest.approx((1.5 - 0.02) / 0.03 + (0.2 - 0.01) / 0.01, rel=1e-3)
+    assert made.gap < 0.05
+    free = dose(path, law, 2e-3, 0.005)
+    check(free, path, law, 2e-3, 0.005)
+    assert free.least < 30
+    # one law for both makes both bounds the same
+    alike = Compliance(np.full(6, 1000.0), np.full(6, 500.0), np.full(6, 25.0))
+    ways = [polyline([np.roll([*corner, 0, 0, 0], shift) for corner in ([0, 0, 0], [0.1, 0, 0], [0.1, 0.1, 0])])
+            for shift in (0, 3)]  # fmt: skip
+    moved, turned = (dose(way, alike, 2e-3, 0.005, turn_bound=0.005) for way in ways)
+    assert isinstance(moved, Dosed)
+    assert isinstance(turned, Dosed)
+    assert turned.least == pytest.approx(moved.least)
+    assert turned.duration == pytest.approx(moved.duration)
+
+
+def test_the_arm_has_arrived_when_its_angles_have_too() -> None:
+    law = Compliance(compliance().K, np.r_[[500.0] * 3, [60.0] * 3], compliance().M)
+    path = polyline([[0, 0, 0, 0, 0, 0], [0.02, 0, 0, 0.5, 0, 0]], speed=0.2)
+    made = dose(path, law, 1e-3, 0.02)
+    x, _ = simulated(made.pose, law, 1e-3, 12_000)
+    turn, way = np.abs(x[:, 3] - 0.5), np.abs(x[:, 0] - 0.02)
+    arrived = 1 + np.flatnonzero(turn > np.radians(0.1))[-1]
+    assert made.arrived == pytest.approx(arrived * 1e-3)
+    assert way[arrived] < 1e-4  # the position was there long before
+
+
 def test_what_cannot_be_dosed_says_why() -> None:
     path = polyline([[0.0, 0.0], [0.02, 0.0], [0.02, 0.02]])
     guided = Compliance(np.array([1000.0, 0, 1000, 30, 30, 30]), compliance().D, compliance().M)
@@ -268,10 +312,74 @@ def test_what_cannot_be_dosed_says_why() -> None:
     assert isinstance(dose(polyline([[0.0], [0.02]]), guided, 1e-3, 0.005), Dosed)
     unstable = dose(path, compliance(1000.0, 0.9), 1e-3, 0.005)
     assert isinstance(unstable, CannotDose)
-    assert "h k < d" in unstable.message
-    tiny = dose(path, compliance(), 1e-3, 1e-7)
+    assert "x is unstable: d = 0.9 N s/m must be above h k = 1 N s/m" in unstable.message
+    tiny = dose(path, compliance(), 1e-3, 1e-6)
     assert isinstance(tiny, CannotDose)
     assert "3000000 rows" in tiny.message
+
+
+@pytest.mark.parametrize(
+    ("k", "d", "says"),
+    [
+        (
+            1e-3,
+            500.0,
+            "along x, where the controller takes 5e+05 s to lose two thirds of a deviation (k = 0.001, d = 500",
+        ),
+        (1e-300, 500.0, "as good as never loses two thirds of a deviation (k = 1e-300"),
+        (1.0, 500.0, "more than the 100 s that dosing allows; raise k or lower d"),
+        (1000.0, 1.0000001, "raise d, or lower m or h"),  # all but unstable, however fast the continuous law is
+    ],
+)
+def test_a_law_that_hardly_comes_to_rest_is_refused_at_once(k: float, d: float, says: str) -> None:
+    begin = process_time()
+    refused = dose(polyline([[0.0], [0.01]]), compliance(k, d), 1e-3, 0.005)
+    assert process_time() - begin < 0.5
+    assert isinstance(refused, CannotDose)
+    assert says in refused.message
+
+
+def test_a_slow_law_on_a_path_that_never_uses_it_is_none_of_dosings_business() -> None:
+    law = compliance()
+    slow = Compliance(np.r_[1000.0, 1e-3, 1000.0, [30.0] * 3], law.D, law.M)
+    made = dose(polyline([[0.0], [0.02]]), slow, 1e-3, 0.005)
+    assert isinstance(made, Dosed)
+    assert made.duration == dose(polyline([[0.0], [0.02]]), law, 1e-3, 0.005).duration
+
+
+def test_the_exact_law_is_refused_by_its_own_conditions() -> None:
+    path = polyline([[0.0], [0.02]])
+    assert isinstance(dose(path, compliance(1000.0, 0.9), 1e-3, 0.005), CannotDose)  # h k > d
+    swings = dose(path, compliance(1000.0, 0.0), 1e-3, 0.005, integration=Integration.EXACT)
+    assert isinstance(swings, CannotDose)
+    assert "x has d = 0 with k = 1000 N/m: it swings for ever; give it some damping" in swings.message
+    nearly = dose(path, compliance(1000.0, 0.1), 1e-3, 0.005, integration=Integration.EXACT)
+    assert isinstance(nearly, CannotDose)
+    assert nearly.message.endswith("raise d or lower m")
+    for message in (swings.message, nearly.message):
+        assert "above h k" not in message
+        assert "below 2 m/h" not in message
+    # where Euler is unstable the exact law may well be dosed
+    stiff = compliance(300_000.0, 250.0)
+    assert isinstance(dose(path, stiff, 1e-3, 0.005), CannotDose)
+    assert isinstance(dose(path, stiff, 1e-3, 0.005, integration=Integration.EXACT), Dosed)
+
+
+@pytest.mark.parametrize("bound", [1e-300, 9e-7, 10.1, 1e155, 1e300])
+def test_a_bound_out_of_all_proportion_is_refused_at_once(bound: float) -> None:
+    refused = dose(polyline([[0.0], [0.02]]), compliance(), 1e-3, bound)
+    assert isinstance(refused, CannotDose)
+    word = "small" if bound < 1 else "large"
+    assert refused.message.startswith(f"a lag of at most {bound:g} m is too {word} a bound; give one between 1e-06 m")
+    turn = dose(polyline([[0.0], [0.02]]), compliance(), 1e-3, 0.005, turn_bound=1e155)
+    assert isinstance(turn, CannotDose)
+    assert "a turn lag of at most 1e+155 rad" in turn.message
+
+
+def test_the_largest_bound_leaves_the_programmed_time() -> None:
+    made = dose(polyline([[0.0], [0.02]]), compliance(), 1e-3, 10.0, turn_bound=100.0)
+    assert isinstance(made, Dosed)
+    assert made.duration == pytest.approx(0.05)
 
 
 @pytest.mark.parametrize("bound", [0.0, -0.005, float("nan"), float("inf")])
@@ -312,6 +420,60 @@ def test_the_path_of_a_sequence_forgets_its_ramps_and_keeps_its_caps() -> None:
     assert old.least_time == pytest.approx(equilibrium.duration)
     with pytest.raises(ValueError, match="1 pairs of speed caps for 2 segments"):
         dose_path(equilibrium, [SegmentSpeeds(0.5, 0.8)])
+
+
+def route(profile, points, h=1e-3):
+    """Poses through points (n, 3) at up to 0.4 m/s with ramps."""
+    waypoints = [Waypoint(f"p{i}", np.r_[point, 0.0, 0.0, 0.0], f"poses[{i}]") for i, point in enumerate(points)]
+    speeds = (SegmentSpeeds(V, 1.0, 1.5, 5.0, 10.0, 50.0),) * (len(points) - 1)
+    return Route(tuple(waypoints), speeds, h, profile, RotationLaw.TAIT_BRYAN, AngleMeaning.RELATIVE)
+
+
+CORNERS = 0.1 * np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [1, 1, 1], [0, 1, 1]], dtype=float)
+
+
+@pytest.mark.parametrize("profile", list(Profile))
+def test_a_bound_that_does_not_bind_gives_back_the_programmed_sequence_ramps_and_all(profile: Profile) -> None:
+    equilibrium = interpolate(route(profile, CORNERS))
+    made = dose(dose_path(equilibrium), compliance(), equilibrium.h, 1.0)
+    assert isinstance(made, Dosed)
+    assert len(made.pose) == len(equilibrium.pose)  # not a period is lost at the ends of rows
+    assert np.max(np.abs(made.pose - equilibrium.pose)) < 1e-9
+    assert made.pieces == equilibrium.pieces
+
+
+@pytest.mark.parametrize("profile", [Profile.TRAPEZOID, Profile.S_CURVE])
+def test_ramps_are_nowhere_overtaken_and_cost_little_at_corners(profile: Profile) -> None:
+    equilibrium, law, bound = interpolate(route(profile, CORNERS)), compliance(), 0.005
+    path = dose_path(equilibrium)
+    assert len(path.s) > 500
+    begin = process_time()
+    made = dose(path, law, equilibrium.h, bound)
+    assert process_time() - begin < 5
+    check(made, path, law, equilibrium.h, bound)
+    # never on by more in a period than the programmed sequence was there: the faster of the rows it is in
+    old = np.linalg.norm(np.diff(path.pose[:, :3], axis=0), axis=1) / np.diff(path.s)
+    steps = np.linalg.norm(np.diff(made.pose[:, :3], axis=0), axis=1)
+    rows = np.searchsorted(path.s, made.s[:-1], "right") - 1, np.searchsorted(path.s, made.s[1:], "left") - 1
+    for step, first, last in zip(steps, *rows, strict=True):
+        assert step <= np.max(old[first : max(first, last) + 1]) * equilibrium.h * (1 + 1e-9) + 1e-12
+    # against the caps alone, without ramps: at each of the four starts an s-curve takes 0.1 s to its 0.05 m/s
+    free = dose(dose_path(equilibrium, [SegmentSpeeds(V, 1.0)] * 4), law, equilibrium.h, bound)
+    assert isinstance(free, Dosed)
+    assert free.duration <= made.duration <= free.duration + 4 * 0.12
+
+
+def test_brakes_are_searched_for_on_a_path_of_longer_rows() -> None:
+    path = dose_path(ramped(), joints=np.linspace(0, 1, 66)[:, None] ** 2, joint_speed=[2.0])
+    fewer = coarser(path, 0.05)
+    assert len(fewer.s) < 0.4 * len(path.s)
+    assert fewer.least_time == pytest.approx(path.least_time)
+    assert [(leg.origin, leg.goal, leg.dwell) for leg in fewer.legs] == [
+        (leg.origin, leg.goal, leg.dwell) for leg in path.legs
+    ]
+    for old, new in zip(path.legs, fewer.legs, strict=True):
+        assert path.s[old.last] == fewer.s[new.last]
+        assert np.array_equal(path.pose[old.last], fewer.pose[new.last])
 
 
 def test_a_joint_at_its_limit_slows_its_stretch() -> None:

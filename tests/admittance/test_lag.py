@@ -79,6 +79,9 @@ def test_held_and_settling() -> None:
         held(x_e, float("nan"), 1e-3)
     x = np.zeros((6, 6))
     x[:, 0] = [0.5, 0.05, 0.2, 0.05, 0.01, 0.0]
-    assert settling(x, np.zeros(6), 0.1, 0.01) == pytest.approx(0.03)
-    assert settling(x[:3], np.zeros(6), 0.1, 0.01) is None
-    assert settling(x[4:], np.zeros(6), 0.1, 0.01) == 0.0
+    assert settling(x, np.zeros(6), 0.1, 1.0, 0.01) == pytest.approx(0.03)
+    assert settling(x[:3], np.zeros(6), 0.1, 1.0, 0.01) is None
+    assert settling(x[4:], np.zeros(6), 0.1, 1.0, 0.01) == 0.0
+    x[4, 3:] = [0.6, 0.0, 0.8]  # a turn of norm 1
+    assert settling(x, np.zeros(6), 0.1, 1.0, 0.01) == pytest.approx(0.03)
+    assert settling(x, np.zeros(6), 0.1, 0.99, 0.01) == pytest.approx(0.05)

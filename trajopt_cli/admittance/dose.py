@@ -13,19 +13,29 @@ from enum import Enum
 from math import inf, isfinite
 
 import numpy as np
+from numpy.typing import NDArray
 
 from trajopt_cli.admittance.dose_bound import least_duration
-from trajopt_cli.admittance.dose_path import DosePath
+from trajopt_cli.admittance.dose_path import DosePath, coarser
 from trajopt_cli.admittance.dose_plan import ROWS, plan
-from trajopt_cli.admittance.dose_walk import State, Walk, moving_axes, stable
-from trajopt_cli.admittance.lag import Lag, held, lag_of, settling, time_constants, worst_lag
-from trajopt_cli.admittance.regulator import Coefficients, coefficients, response
+from trajopt_cli.admittance.dose_walk import State, Walk, moving_axes
+from trajopt_cli.admittance.lag import Lag, held, lag_of, settling, worst_lag
+from trajopt_cli.admittance.regulator import coefficients, response
+from trajopt_cli.admittance.stability import AxisStability, Verdict, stability
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.iiwa.equilibrium import Equilibrium, Piece
-from trajopt_cli.iiwa.task import COORDINATES, UNITS, Compliance, Feed, Integration
+from trajopt_cli.iiwa.task import Compliance, Feed, Integration
 
 ARRIVED = 1e-3
-"""Distance [m] from the last pose at which the arm counts as arrived."""
+"""Distance [m] from the last pose at which the arm counts as arrived, where its angles are there too."""
+ARRIVED_TURN = float(np.radians(0.1))
+"""Norm [rad] of the angles' differences from the last pose at which the arm counts as arrived."""
+SLOWEST = 100_000
+"""Periods that the slowest axis on the path may take to lose two thirds of a deviation; more is refused at once."""
+BOUNDS = (1e-6, 10.0)
+"""Least and greatest bound [m] on the lag that is looked at."""
+TURN_BOUNDS = (1e-6, 100.0)
+"""The same of the angles [rad]."""
 _TOLERANCE = 1e-9  # relative excess over the bound that the final check forgives as rounding
 _COARSE = 0.05  # period of the search for brakes, in 1/pulse of the axis that swings fastest
 _REST = 10.0  # slowest time constants after which the arm counts as at rest
@@ -43,8 +53,9 @@ class Dosed:
     """A retimed sequence: pose (m, 6) every h [s] at path parameter s (m,), and the arm's predicted x (m, 6).
 
     pieces: its rows by leg. lag: the worst deviation, the coming to rest after the end included. arrived [s]: from when
-    on the arm is within ARRIVED of the end, None when it takes longer than the simulation. least [s]: what no sequence
-    with this bound can go below. braked: how many periods the equilibrium had to hold back for a later corner or end.
+    on the arm is within ARRIVED and ARRIVED_TURN of the end, None when it takes longer than the simulation. least [s]:
+    what no sequence with these bounds can go below. braked: how many periods the equilibrium had to hold back for a
+    later corner or end.
     """
 
     h: float
@@ -81,20 +92,23 @@ def dose(
 ) -> Dosed | CannotDose:
     """The fastest sequence along path whose lag stays within bound [m], and turn_bound [rad] where one is given.
 
-    A bound of any size above zero can be kept, since the equilibrium may stand; what a small one costs is time, and
-    more than three million rows are refused. Raises ValueError for bounds or periods that are not above zero.
+    Any bound can be kept, since the equilibrium may stand; what a small one costs is time, and more than three million
+    rows are refused, as are bounds beyond BOUNDS and TURN_BOUNDS and laws slower than SLOWEST. Raises ValueError for
+    bounds or periods that are not finite and above zero.
     """
     for name, value in (("h", h), ("bound", bound), ("turn_bound", 1.0 if turn_bound is None else turn_bound)):
         if not (isfinite(value) and value > 0):
             raise ValueError(f"{name} is {value:g}: wanted a finite number above zero")
-    axes = coefficients(compliance.K, compliance.D, compliance.M, h, integration)
-    refusal = _unfollowed(path, compliance, h, axes)
+    laws = stability(compliance, h, integration)
+    refusal = _beyond(bound, turn_bound) or _unfollowed(path, laws, h, integration)
     if refusal is not None:
         return refusal
-    least = least_duration(path, h, axes, bound)
+    axes = coefficients(compliance.K, compliance.D, compliance.M, h, integration)
+    least = least_duration(path, h, axes, bound, turn_bound)
     if least / h > ROWS:
+        allowed = f"{bound:g} m" if turn_bound is None else f"{bound:g} m and {turn_bound:g} rad"
         return CannotDose(
-            f"a lag of at most {bound:g} m would take at least {least:.0f} s, more than {ROWS} rows of {h:g} s; "
+            f"a lag of at most {allowed} would take at least {least:.0f} s, more than {ROWS} rows of {h:g} s; "
             "allow more lag, or more stiffness or less damping"
         )
     walk = Walk(path, h, axes, bound, turn_bound)
@@ -105,7 +119,7 @@ def dose(
         longest, pulse = swinging
         longer = max(h, _COARSE / pulse)
         rough = coefficients(compliance.K, compliance.D, compliance.M, longer, Integration.EXACT)
-        states, braked = plan(walk, Walk(path, longer, rough, bound, turn_bound), longest)
+        states, braked = plan(walk, Walk(coarser(path, longer), longer, rough, bound, turn_bound), longest)
     if not walk.done(states[-1]):
         share = walk.s(states[-1]) / path.s[-1]
         return CannotDose(
@@ -114,7 +128,7 @@ def dose(
         )
     s = np.array([walk.s(state) for state in states])
     pose = np.stack([np.interp(s, path.s, column) for column in path.pose.T], axis=1)
-    rest = held(pose, _resting_time(path, compliance), h)
+    rest = held(pose, _resting_time(moving_axes(path), laws, h), h)
     x = response(rest, h, compliance, integration=integration).x
     pieces = _pieces(path, states, h)
     lag = worst_lag(x, pose, h, pieces)
@@ -131,7 +145,7 @@ def dose(
         pieces=pieces,
         bound=bound,
         lag=lag,
-        arrived=settling(x, pose[-1], ARRIVED, h),
+        arrived=settling(x, pose[-1], ARRIVED, ARRIVED_TURN, h),
         least=least,
         braked=braked,
         notes=tuple(notes),
@@ -148,7 +162,7 @@ class Feeding(Enum):
 
 @dataclass(frozen=True)
 class FeedRow:
-    """One way of feeding: duration of the sequence [s], when the arm arrived [s] (ARRIVED; None: not yet), its lag."""
+    """One way of feeding: duration of the sequence [s], arrived [s] as in Dosed (None: not yet), and the lag."""
 
     feeding: Feeding
     duration: float
@@ -165,34 +179,50 @@ def compare(
 ) -> tuple[FeedRow, ...]:
     """The sequence as it is, the same with its speed fed too (eq. 4.2), and the dosed one where there is one."""
     h = equilibrium.h
-    constants = time_constants(compliance)
-    moves = np.any(equilibrium.pose != equilibrium.pose[0], axis=0) & np.isfinite(constants)
-    x_e = held(equilibrium.pose, _REST * float(np.max(constants[moves], initial=h)), h)
+    moves = np.any(equilibrium.pose != equilibrium.pose[0], axis=0)
+    x_e = held(equilibrium.pose, _resting_time(moves, stability(compliance, h, integration), h), h)
     rows = []
     for feeding, feed in ((Feeding.UNDOSED, Feed.POSITION), (Feeding.VELOCITY, Feed.VELOCITY)):
         x = response(x_e, h, compliance, integration=integration, feed=feed).x
-        arrived = settling(x, x_e[-1], ARRIVED, h)
+        arrived = settling(x, x_e[-1], ARRIVED, ARRIVED_TURN, h)
         rows.append(FeedRow(feeding, equilibrium.duration, arrived, lag_of(x, equilibrium)))
     if dosed is not None:
         rows.append(FeedRow(Feeding.DOSED, dosed.duration, dosed.arrived, dosed.lag))
     return tuple(rows)
 
 
-def _unfollowed(path: DosePath, compliance: Compliance, h: float, axes: Sequence[Coefficients]) -> CannotDose | None:
-    """Why the arm would not follow along an axis that the path uses, or None."""
-    for i, moves in enumerate(moving_axes(path)):
+def _beyond(bound: float, turn_bound: float | None) -> CannotDose | None:
+    """Why no such bound is looked at, or None."""
+    for what, unit, value, (least, most) in (("", "m", bound, BOUNDS), ("turn ", "rad", turn_bound, TURN_BOUNDS)):
+        if value is not None and not least <= value <= most:
+            return CannotDose(
+                f"a {what}lag of at most {value:g} {unit} is {'too small' if value < least else 'too large'} a bound; "
+                f"give one between {least:g} {unit} and {most:g} {unit}"
+            )
+    return None
+
+
+def _unfollowed(path: DosePath, laws: Sequence[AxisStability], h: float, integration: Integration) -> CannotDose | None:
+    """Why the arm would not follow along an axis that the path uses, or not while anyone waits; or None."""
+    for law, moves in zip(laws, moving_axes(path), strict=True):
         if not moves:
             continue
-        k, d, m = compliance.K[i], compliance.D[i], compliance.M[i]
-        if k == 0:
+        if law.k == 0:
             return CannotDose(
-                f"the path moves along {COORDINATES[i]}, where the stiffness is 0: nothing pulls the arm after the "
-                f"equilibrium (hand guiding); give {COORDINATES[i]} a stiffness or a path without it"
+                f"the path moves along {law.axis}, where the stiffness is 0: nothing pulls the arm after the "
+                f"equilibrium (hand guiding); give {law.axis} a stiffness or a path without it"
             )
-        if not stable(axes[i]):
+        if law.verdict is not Verdict.STABLE:
+            return CannotDose(f"the path moves along {law.axis}, but {law.sentence}")
+        if law.slowest > SLOWEST * h:
+            takes = f"takes {law.slowest:.3g} s to lose" if isfinite(law.slowest) else "as good as never loses"
+            change = "raise k or lower d"
+            if law.damping_ratio < 1:
+                change = "raise d or lower m" if integration is Integration.EXACT else "raise d, or lower m or h"
             return CannotDose(
-                f"the controller does not come to rest along {COORDINATES[i]} with k = {k:g}, d = {d:g}, m = {m:g} and "
-                f"h = {h:g} s ({UNITS[i]}); it needs h k < d and h d/m < 2 + h^2 k/(2 m)"
+                f"the path moves along {law.axis}, where the controller {takes} two thirds of a deviation "
+                f"(k = {law.k:g}, d = {law.d:g}, m = {law.m:g}), more than the {SLOWEST * h:g} s that dosing allows; "
+                f"{change}"
             )
     return None
 
@@ -207,9 +237,10 @@ def _swinging(path: DosePath, compliance: Compliance, turns: bool) -> tuple[floa
     return float(np.max(2 * M[swings] / D[swings])), float(np.max(np.sqrt(K[swings] / M[swings])))
 
 
-def _resting_time(path: DosePath, compliance: Compliance) -> float:
-    constants = time_constants(compliance)[list(moving_axes(path))]
-    return _REST * float(np.max(constants))
+def _resting_time(moves: Sequence[bool] | NDArray[np.bool_], laws: Sequence[AxisStability], h: float) -> float:
+    """Time [s] until the arm counts as at rest along the axes that move and come to rest at all."""
+    slowest = (law.slowest for law, there in zip(laws, moves, strict=True) if there and isfinite(law.slowest))
+    return _REST * min(max(slowest, default=h), SLOWEST * h)
 
 
 def _pieces(path: DosePath, states: Sequence[State], h: float) -> tuple[Piece, ...]:

@@ -7,7 +7,7 @@ are functions of the one s, so that translation and rotation stay together as th
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import isfinite
 
 import numpy as np
@@ -113,6 +113,18 @@ def dose_path(
     if len(s) < 2:
         raise ValueError("nothing moves in this sequence: there is nothing to dose")
     return DosePath(np.array(s), np.array(poses), np.array(cap), tuple(legs))
+
+
+def coarser(path: DosePath, step: float) -> DosePath:
+    """The same path in stretches of about step [s] where it had shorter ones; waypoints and least time are kept."""
+    kept = np.r_[True, np.diff(np.floor(path.s / step)) > 0]
+    kept[[0, *(leg.last for leg in path.legs)]] = True
+    rows = np.flatnonzero(kept)
+    s = path.s[rows]
+    cap = np.diff(s) / np.add.reduceat(np.diff(path.s) / path.cap, rows[:-1])
+    place = np.cumsum(kept) - 1
+    legs = (replace(leg, first=int(place[leg.first]), last=int(place[leg.last])) for leg in path.legs)
+    return DosePath(s, path.pose[rows], cap, tuple(legs))
 
 
 def _least_times(equilibrium: Equilibrium, piece: Piece, speeds: SegmentSpeeds | None) -> Array:

@@ -128,6 +128,8 @@ def _brakes(walk: Walk, swings: float) -> list[Brake]:
     brakes: list[Brake] = []
     for row in sorted({leg.last for leg in walk.path.legs} - {0}):
         way.go(inf, until=float(walk.path.s[row]))
+        if walk.s(way.states[-1]) < walk.path.s[row]:
+            break  # too many rows on the longer period
         way.go(window)
         arrival = _arrival(way.states, row, earlier)
         better = _best_brake(way, earlier, arrival, row, window, swings)

@@ -21,12 +21,16 @@ from trajopt_cli.geometry import Array
 
 Three = tuple[float, float, float]
 
+SLIVER = 1e-10
+"""Share of a period's way by which one may go too far to end a stretch: rounding of s must not cost a row there."""
+
 _INSIDE = 1e-9  # share of the bound kept free for rounding
 _ROUNDING = 2e-10  # share of the squared bound that a standing equilibrium may seem over it by rounding
 _WINDOW = 3.0  # slowest time constants until which a free response is looked at sample by sample
 _LONGEST = 20_000  # rows of that window
 _PATIENCE = 400_000  # lazy periods after which a state counts as unsafe
-_LOOK = 32  # lazy periods between two looks whether standing still will do
+_LOOK = 32  # lazy periods between two looks whether standing still will do, at first
+_SPARSE = 16  # of that many rows of the window one is looked at first
 
 
 class State(NamedTuple):
@@ -109,7 +113,9 @@ class Walk:
             if not self._near(p, p_e, turn, turn_e):
                 return None
             return State(i, sigma, max(0, hold - 1), p, v, turn, w)
-        low, high = self._reach(i, sigma, p, turn)
+        if eagerness == 0.0 and self._near(p, p_e, turn, turn_e, 1.0):
+            return State(i, sigma, 0, p, v, turn, w)  # what _reach would find, in a fraction of its time
+        low, high = self._reach(i, sigma, p, turn, eagerness == 0.0)
         if low is None or high is None:
             # an arm that passes the path at the bound itself may miss it by rounding
             return State(i, sigma, 0, p, v, turn, w) if self._near(p, p_e, turn, turn_e) else None
@@ -134,9 +140,12 @@ class Walk:
 
     def unsafe_after(self, state: State) -> float:
         """inf for a safe state; else how many lazy periods it takes until the bound breaks."""
+        look = 0
         for k in range(_PATIENCE):
-            if k % _LOOK == 0 and self._may_stand(state):
-                return inf
+            if k == look:
+                if self._may_stand(state):
+                    return inf
+                look += max(_LOOK, k // 4)
             following = self.step(state, 0.0)
             if following is None:
                 return k
@@ -153,24 +162,29 @@ class Walk:
             (a[0] + sigma * da[0], a[1] + sigma * da[1], a[2] + sigma * da[2]),
         )
 
-    def _near(self, p: Three, p_e: Three, turn: Three, turn_e: Three) -> bool:
+    def _near(self, p: Three, p_e: Three, turn: Three, turn_e: Three, ease: float = 1 + _ROUNDING) -> bool:
         far = (p[0] - p_e[0]) ** 2 + (p[1] - p_e[1]) ** 2 + (p[2] - p_e[2]) ** 2
-        if far > self._square * (1 + _ROUNDING):
+        if far > self._square * ease:
             return False
         if self._turn_square is None:
             return True
         far = (turn[0] - turn_e[0]) ** 2 + (turn[1] - turn_e[1]) ** 2 + (turn[2] - turn_e[2]) ** 2
-        return far <= self._turn_square * (1 + _ROUNDING)
+        return far <= self._turn_square * ease
 
     def _reach(
-        self, i: int, sigma: float, p: Three, turn: Three
+        self, i: int, sigma: float, p: Three, turn: Three, nearest: bool
     ) -> tuple[tuple[int, float] | None, tuple[int, float] | None]:
-        """Nearest and farthest places of the first run of places within reach that keep the bound."""
+        """Nearest and farthest places of the first run of places within reach that keep the bound.
+
+        nearest: the first alone will do, and the second may be anywhere in that run.
+        """
         low = high = None
         time = self.h
         while True:
             stretch = self._stretches[i]
-            room = min(stretch.length, sigma + stretch.cap * time)
+            room = sigma + stretch.cap * time
+            if room > stretch.length - SLIVER * stretch.cap * self.h:
+                room = stretch.length
             near, far = _within(stretch.p, stretch.dp, p, self._square, sigma, room)
             if self._turn_square is not None and near <= far:
                 near, far = _within(stretch.turn, stretch.dturn, turn, self._turn_square, near, far)
@@ -178,9 +192,9 @@ class Walk:
                 if low is None:
                     low = (i, near)
                 high = (i, far)
-            if (low is not None and far < room) or room < stretch.length or stretch.mark:
+            if (low is not None and (nearest or far < room)) or room < stretch.length or stretch.mark:
                 return low, high
-            time -= (stretch.length - sigma) / stretch.cap
+            time = max(0.0, time - (stretch.length - sigma) / stretch.cap)
             i, sigma = i + 1, 0.0
 
     def _between(self, low: tuple[int, float], high: tuple[int, float], share: float) -> tuple[int, float]:
@@ -215,7 +229,10 @@ class _Rest:
             for (a, b, p, q), there in zip(axes, moves, strict=True)
         ]
         rows = min(_LONGEST, ceil(_WINDOW * max(_memory(A) for A in single)) + 2)
-        self._window = np.stack([_powers(A, rows) for A in single])
+        window = np.stack([_powers(A, rows) for A in single])
+        self._e = np.ascontiguousarray(window[:, 0::2])
+        self._sparse = np.ascontiguousarray(self._e[:, ::_SPARSE])
+        self._last = window[:, -2:].copy()
         self._after = [_peaks(A) for A in single]
 
     def keeps(self, x: Three, x_e: Three, v: Three, square: float) -> bool:
@@ -223,11 +240,12 @@ class _Rest:
         e = (x[0] - x_e[0], x[1] - x_e[1], x[2] - x_e[2])
         if self._bounded(e, v) <= square:
             return True
-        after = self._window @ np.array([[[e[0]], [v[0]]], [[e[1]], [v[1]]], [[e[2]], [v[2]]]])
-        e_n = after[:, 0::2, 0]
-        if float(np.max(np.einsum("in,in->n", e_n, e_n))) > square:
-            return False
-        last = after[:, -2:, 0].tolist()
+        start = np.array([[[e[0]], [v[0]]], [[e[1]], [v[1]]], [[e[2]], [v[2]]]])
+        for rows in (self._sparse, self._e):
+            e_n = (rows @ start)[:, :, 0]
+            if float(np.max(np.einsum("in,in->n", e_n, e_n))) > square:
+                return False
+        last = (self._last @ start)[:, :, 0].tolist()
         e, v = (last[0][0], last[1][0], last[2][0]), (last[0][1], last[1][1], last[2][1])
         return self._bounded(e, v) <= square
 
@@ -239,13 +257,6 @@ class _Rest:
 def moving_axes(path: DosePath) -> tuple[bool, ...]:
     """Along which of the six coordinates the path moves at all."""
     return tuple(bool(np.any(column != column[0])) for column in path.pose.T)
-
-
-def stable(axis: Coefficients) -> bool:
-    """Whether the free motion of an axis dies out: both poles of the discrete law are inside the unit circle."""
-    a, b, _, p, q, _ = axis
-    trace, product = a + 1 + q, a * (1 + q) - b * p
-    return abs(product) < 1 and abs(trace) < 1 + product
 
 
 def _answer(axes: Sequence[tuple[float, float, float, float]], x: Three, v: Three, x_e: Three) -> tuple[Three, Three]:

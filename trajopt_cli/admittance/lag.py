@@ -111,13 +111,14 @@ def held(x_e: ArrayLike, seconds: float, h: float) -> Array:
     return _longer(np.asarray(x_e, dtype=np.float64), ceil(seconds / h - 1e-9))
 
 
-def settling(x: ArrayLike, goal: ArrayLike, bound: float, h: float) -> float | None:
-    """Time [s] from which on the positions of x (n, 6), a row every h, stay within bound [m] of goal (6,).
+def settling(x: ArrayLike, goal: ArrayLike, bound: float, turn_bound: float, h: float) -> float | None:
+    """Time [s] from which on x (n, 6), a row every h, stays within bound [m] and turn_bound [rad] of goal (6,).
 
-    None when the last row is still farther away.
+    Both norms as in deviation and turn_deviation. None when the last row is still farther away.
     """
     x = np.asarray(x, dtype=np.float64)
-    far = np.flatnonzero(deviation(x, np.broadcast_to(np.asarray(goal, dtype=np.float64), x.shape)) > bound)
+    x_e = np.broadcast_to(np.asarray(goal, dtype=np.float64), x.shape)
+    far = np.flatnonzero((deviation(x, x_e) > bound) | (turn_deviation(x, x_e) > turn_bound))
     if len(far) == 0:
         return 0.0
     arrived = int(far[-1]) + 1
