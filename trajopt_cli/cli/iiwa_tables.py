@@ -143,7 +143,8 @@ def contact_lines(run: Simulated) -> list[str]:
 
     if run.loop is None:
         return ["contact not simulated: the task names no obstacles"] if run.contact is None else []
-    lines = [f"world: {run.loop.world}, the whole loop because of {', '.join(run.why)}"]
+    fallback = "" if "--engine" in run.why or run.loop.world.startswith("MuJoCo") else " (MuJoCo is not installed)"
+    lines = [f"world: {run.loop.world}{fallback}, the whole loop because of {', '.join(run.why)}"]
     touch = touches(run)
     if touch is None:
         return [*lines, "the tool touches nothing"] if run.contact is not None else lines

@@ -110,7 +110,8 @@ def simulate(
 
     opened = open_folder(folder)
     contact = load_contact(contact_file)[0] if contact_file is not None else opened.task.contact
-    answer = run_controller(opened, contact, engine, feed, integration, settle)
+    place = str(contact_file or opened.task.file)
+    answer = run_controller(opened, contact, engine, feed, integration, settle, place)
     if isinstance(answer, Simulated):
         add_to_folder(
             answer.opened, {SIMULATION: simulation_csv(answer).encode()}, {"simulation": simulation_record(answer)}
@@ -125,8 +126,9 @@ def run_controller(
     feed: Feed,
     integration: Integration | None,
     settle: float | None,
+    place: str | None = None,
 ) -> Simulated | NoRun:
-    """As simulate, on a sequence at hand; nothing is written."""
+    """As simulate, on a sequence at hand; nothing is written. place: the contact's file, for messages."""
     from trajopt_cli.admittance.lag import worst_lag
     from trajopt_cli.admittance.stability import Verdict, stability
 
@@ -148,7 +150,7 @@ def run_controller(
         settle = min(_LONGEST_SETTLING, 8 * max(slowest, default=0.0))
     why = _loop_needed(task, contact, engine)
     if why:
-        loop = _loop(opened, contact, engine, feed, settle)
+        loop = _loop(opened, contact, engine, feed, settle, place)
         if len(loop.x) == 0:
             assert loop.stop is not None
             return NoRun((loop.stop.message,))
@@ -320,7 +322,9 @@ def _loop_needed(task: Task, contact: Contact | None, engine: str | None) -> tup
     return tuple(name for name, wanted in asked.items() if wanted)
 
 
-def _loop(opened: Opened, contact: Contact | None, engine: str | None, feed: Feed, settle: float) -> LoopRun:
+def _loop(
+    opened: Opened, contact: Contact | None, engine: str | None, feed: Feed, settle: float, place: str | None
+) -> LoopRun:
     from trajopt_cli.admittance.controller import Controller
     from trajopt_cli.admittance.loop import run
     from trajopt_cli.admittance.parameters import Settings
@@ -332,7 +336,7 @@ def _loop(opened: Opened, contact: Contact | None, engine: str | None, feed: Fee
     try:
         world = make_world(chosen, opened.robot, task.X_FT, task.load, contact, sequence.h)
     except ValueError as error:
-        raise InputError(str(error), file=task.file) from error
+        raise InputError(str(error), file=place) from error
     q_0 = task.start_joints.tolist()
     controller = Controller(opened.robot, Settings.of(task, feed), tuple(q_0))
     R_e = sequence.rotations(opened.X_start[:3, :3])
