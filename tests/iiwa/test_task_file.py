@@ -138,6 +138,7 @@ MISTAKES = [
     ("tool: {position: [0, 0, 100]}\n" + MINIMAL, "t.yaml:1: tool.position: 100 m is farther than 10 m"),
     (changed("  - start\n", '  - {name: "a\\nb", at: start}\n'), "t.yaml:3: poses.0.name: holds a character"),
     (PROGRAM_TASK + "program: ../x.mod\n", "program: needs a file in the task file's folder or below it"),
+    ("sensor:\n" + MINIMAL, "t.yaml:1: sensor: is empty"),
     ("pushes: [{from: 2, to: 1, force: [1, 0, 0, 0, 0, 0]}]\n" + MINIMAL, "'from' comes first"),
 ]
 

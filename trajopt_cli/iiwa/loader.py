@@ -43,7 +43,7 @@ from trajopt_cli.robot.dynamics import ToolLoad
 from trajopt_cli.robot.srs import SrsRobot, load_srs
 from trajopt_cli.robot.srs_inverse import ArmAngle, singularities
 from trajopt_cli.shapes import Box
-from trajopt_cli.yaml_file import line_of, parse, read_text, validated
+from trajopt_cli.yaml_file import line_of, parse, read_text, refuse_empty, validated
 
 _COMPONENTS = ("fx", "fy", "fz", "mx", "my", "mz")
 _CAPS = ("v_max", "omega_max", "a_max", "epsilon_max", "jerk", "angular_jerk")
@@ -87,6 +87,7 @@ def load_task(path: str | Path, poses_from: str | Path | None = None) -> Task:
 def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Task:
     """The Task in a task file's text; file is its name in messages, programs are looked up beside it."""
     content, lines = parse(text, file, _NEEDED)
+    refuse_empty(content, lines, file)
     if poses_from is not None:
         content = {key: value for key, value in content.items() if key not in ("poses", "program")}
         content["program"] = str(Path(poses_from).name)
