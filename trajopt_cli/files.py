@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import errno
 import fcntl
 import glob
 import os
@@ -81,6 +82,7 @@ def recover(path: Path) -> None:
     path = Path(os.path.realpath(path))
     mark = glob.escape(_prefix(path))
     with _said(path):
+        (path.parent / f"{_prefix(path)}{'0' * 8}.old").exists()  # a name too long for its neighbours is said at once
         for aside in sorted(path.parent.glob(f"{mark}????????.old")):
             partner = aside.with_suffix("")
             if partner.exists() and _locked(partner):
@@ -100,7 +102,8 @@ def _said(path: Path) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        raise InputError(f"cannot write: {error.strerror}: {error.filename}", file=str(path)) from error
+        where = "" if error.errno == errno.ENAMETOOLONG else f": {error.filename}"
+        raise InputError(f"cannot write: {error.strerror}{where}", file=str(path)) from error
 
 
 def _prefix(path: Path) -> str:
