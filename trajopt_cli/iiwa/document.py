@@ -22,9 +22,11 @@ from trajopt_cli.quantity import (
     TURN_RATE,
     above_zero,
     complain,
+    not_a_list,
     not_negative,
     number,
     numbers,
+    shown,
 )
 
 FORCE, TORQUE = {"N": 1.0}, {"Nm": 1.0}
@@ -94,7 +96,9 @@ def _program(value: Any) -> Any:
     if isinstance(value, str):
         path = PurePath(value.strip())
         if path.is_absolute() or ".." in path.parts or not path.name:
-            raise complain(f"needs a file in the task file's folder or below it, which results can keep, not '{value}'")
+            raise complain(
+                f"needs a file in the task file's folder or below it, which results can keep, not {shown(value)}"
+            )
     return value
 
 
@@ -105,7 +109,7 @@ def _six_values(
 
     def validate(value: Any) -> tuple[float, ...]:
         if not isinstance(value, list):
-            raise complain(f"needs a list of 6 values, not {value}")
+            raise not_a_list(value, "a list of 6 values")
         if len(value) != 6:
             raise complain(f"needs 6 values, not {len(value)}")
         kinds = [_sane(first)] * 3 + [_sane(last)] * 3
@@ -135,7 +139,7 @@ PoseValues = Annotated[Six, _six(LENGTH, ANGLE)]
 
 def _pose_or_start(value: Any) -> Any:
     if isinstance(value, str) and value != "start":
-        raise complain(f"needs [x, y, z, alpha, beta, gamma] or 'start', not \"{value}\"")
+        raise complain(f"needs [x, y, z, alpha, beta, gamma] or 'start', not {shown(value)}")
     return value if value == "start" else _pose_values(value)
 
 

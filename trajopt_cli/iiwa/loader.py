@@ -156,6 +156,8 @@ def load_contact(path: str | Path) -> tuple[Contact, str]:
     """
     file, text = str(path), read_text(path, "contact file")
     content, lines = parse(text, file, "a contact section is needed")
+    if "contact" in content:
+        refuse_empty({"contact": content["contact"]}, lines, file)
     return _contact(validated(ContactDocument, content, lines, file, _WANTED).contact), text
 
 

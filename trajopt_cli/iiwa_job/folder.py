@@ -11,7 +11,15 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.iiwa.equilibrium import Equilibrium, Piece
 from trajopt_cli.iiwa.task import AngleMeaning, RotationLaw, Task
 from trajopt_cli.run_folder import RUN
-from trajopt_cli.task_folder import EQUILIBRIUM, QUATERNIONS, TaskFolder, read_task_folder, write_task_folder
+from trajopt_cli.task_folder import (
+    EQUILIBRIUM,
+    QUATERNIONS,
+    SequenceRecord,
+    TaskFolder,
+    read_task_folder,
+    sequence_of,
+    write_task_folder,
+)
 
 if TYPE_CHECKING:
     from trajopt_cli.geometry import Array
@@ -59,14 +67,16 @@ def open_folder(folder: Path) -> Opened:
     from trajopt_cli.robot.srs import load_srs
 
     found = read_task_folder(folder)
+    record = sequence_of(found)
     task = load_task(found.task_path, found.program_path)
     robot = load_srs(task.robot, task.X_WB)
-    section = found.summary["sequence"]
-    meaning = AngleMeaning(section["angles"])
     _, pose = read_angles_csv(found.text(EQUILIBRIUM), str(folder / EQUILIBRIUM))
     _, _, R_WT = read_quaternion_csv(found.text(QUATERNIONS), str(folder / QUATERNIONS))
-    opened = Opened(task, robot, _sequence(task, pose, R_WT, meaning, section), found)
-    return opened if meaning is AngleMeaning.ABSOLUTE else _relative(opened, R_WT)
+    if not len(pose) == len(R_WT) == record.rows:
+        rows = f"{len(pose)} and {len(R_WT)} rows, summary.json says {record.rows}"
+        raise InputError(f"{EQUILIBRIUM} and {QUATERNIONS} have {rows}; make the folder again", file=str(folder))
+    sequence = _sequence(record, pose, R_WT, robot.forward(task.start_joints) @ task.X_FT)
+    return Opened(task, robot, sequence, found)
 
 
 def counted_from_start(opened: Opened) -> Opened:
@@ -132,18 +142,13 @@ def sequence_record(opened: Opened) -> dict[str, Any]:
     }
 
 
-def _sequence(task: Task, pose: Array, R_WT: Array, meaning: AngleMeaning, section: Mapping[str, Any]) -> Equilibrium:
-    """A sequence from its files; R counts as the pose's angles do only where meaning is absolute."""
+def _sequence(record: SequenceRecord, pose: Array, R_WT: Array, X_start: Array) -> Equilibrium:
+    """A sequence from its files; its matrices count as its angles do."""
     from trajopt_cli.iiwa.angles import rotation
 
-    law = RotationLaw(section["rotation"])
-    pieces = tuple(Piece(one["first"], one["last"], one["from"], one["to"], one["dwell"]) for one in section["pieces"])
-    R = R_WT if law is RotationLaw.SLERP else rotation(pose[:, 3:])
-    return Equilibrium(float(section["period_s"]), pose, R, law, meaning, pieces)
-
-
-def _relative(opened: Opened, R_WT: Array) -> Opened:
-    """The sequence's matrices counted from the start's orientation, as its angles are."""
-    if opened.equilibrium.rotation is not RotationLaw.SLERP:
-        return opened
-    return replace(opened, equilibrium=replace(opened.equilibrium, R=R_WT @ opened.X_start[:3, :3].T))
+    law, meaning = RotationLaw(record.rotation), AngleMeaning(record.angles)
+    pieces = tuple(Piece(*piece) for piece in record.pieces)
+    R = rotation(pose[:, 3:])
+    if law is RotationLaw.SLERP:
+        R = R_WT @ X_start[:3, :3].T if meaning is AngleMeaning.RELATIVE else R_WT
+    return Equilibrium(record.period_s, pose, R, law, meaning, pieces)
