@@ -89,7 +89,7 @@ def _check(waypoint: Waypoint, law: RotationLaw) -> None:
     beta = float(waypoint.pose[4])
     if law is RotationLaw.TAIT_BRYAN and abs(beta) > BETA_LIMIT + SAME:
         message = (
-            f"pose {waypoint.name}: beta is {np.degrees(beta):.6g}°, at most {np.degrees(BETA_LIMIT):.6g}° in size: "
+            f"pose {waypoint.name}: beta is {np.degrees(beta):.10g}°, at most {np.degrees(BETA_LIMIT):.6g}° in size: "
             "nearer to 90° the angles lock; turn the pose, or take rotation: slerp, which has no such limit"
         )
         raise InputError(message, file=waypoint.place)
