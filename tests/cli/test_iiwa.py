@@ -147,9 +147,18 @@ def test_dosing_keeps_the_bound_and_leaves_the_source_alone(task: Path, capsys: 
     dosed = task.parent / "out-dosed"
     shown = capsys.readouterr().out
     assert "lower bound" in shown
+    assert "on a long line that lag allows 40 mm/s" in shown  # 20 mm times 1000 N/m over 500 N s/m
     assert run(["iiwa", "simulate", str(dosed)]) == 0
     heads, rows = table(dosed / "simulation.csv")
     assert 0.0199 < rows[:, heads.index("deviation [m]")].max() <= 0.02 * (1 + 1e-9)
+    end = rows[-1, 1:7]
+    there = (np.linalg.norm(rows[:, 7:10] - end[:3], axis=1) <= 1e-3) & (
+        np.linalg.norm(rows[:, 10:13] - end[3:], axis=1) <= np.radians(0.1)
+    )
+    ways = json.loads((dosed / "summary.json").read_text())["dosing"]["ways"]
+    assert [way["feed"] for way in ways] == ["as programmed", "with the equilibrium's speed", "dosed"]
+    assert ways[2]["arrived_s"] == pytest.approx(rows[np.flatnonzero(~there)[-1] + 1, 0], abs=1e-9)
+    assert ways[0]["lag"]["largest_m"] > ways[1]["lag"]["largest_m"]
     _, sequence = table(dosed / "equilibrium.csv")
     _, given = table(folder / "equilibrium.csv")
     np.testing.assert_array_equal(sequence[-1, 1:], given[-1, 1:])
