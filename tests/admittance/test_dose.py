@@ -15,6 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import linprog
 
+from trajopt_cli.admittance import dose_plan
 from trajopt_cli.admittance.dose import CannotDose, Dosed, Feeding, compare, dose
 from trajopt_cli.admittance.dose_path import DosePath, Leg, coarser, dose_path
 from trajopt_cli.admittance.dose_plan import plan
@@ -328,6 +329,7 @@ def test_what_cannot_be_dosed_says_why() -> None:
         ),
         (1e-300, 500.0, "as good as never loses two thirds of a deviation (k = 1e-300"),
         (1.0, 500.0, "more than the 100 s that dosing allows; raise k or lower d"),
+        (1.0, 1.0, "more than the 20 s that dosing allows; raise d, or lower m or h"),
         (1000.0, 1.0000001, "raise d, or lower m or h"),  # all but unstable, however fast the continuous law is
     ],
 )
@@ -337,6 +339,30 @@ def test_a_law_that_hardly_comes_to_rest_is_refused_at_once(k: float, d: float, 
     assert process_time() - begin < 0.5
     assert isinstance(refused, CannotDose)
     assert says in refused.message
+
+
+def test_a_search_without_end_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    path, law = polyline([[0.0, 0.0], [0.06, 0.0], [0.008, 0.03]]), compliance(500.0, 50.0)
+    monkeypatch.setattr(dose_plan, "LOOKED", 500)
+    refused = dose(path, law, 2e-3, 0.005)
+    assert isinstance(refused, CannotDose)
+    assert refused.message.startswith("given up after ")
+    assert refused.message.endswith("more damping, so that the arm swings less")
+    assert dose(path, compliance(), 2e-3, 0.005).duration > 0  # an arm that does not swing needs no looking ahead
+
+
+def test_standing_still_is_safe_up_to_the_peak_of_the_free_motion_and_not_beyond() -> None:
+    h, law = 1e-3, compliance(500.0, 50.0)
+    path, axes = polyline([[0.0, 0.0], [0.06, 0.0]]), coefficients(law.K, law.D, law.M, h, Integration.EULER)
+    for e, v in ((0.002, 0.04), (-0.003, -0.01), (0.0, 0.03)):
+        x, rate, peak = e, v, 0.0
+        for _ in range(5000):
+            peak = max(peak, abs(x))
+            x, rate = x + h * rate, rate + h / law.M[0] * (-law.D[0] * rate - law.K[0] * x)
+        for bound, safe in ((peak * (1 + 1e-6), True), (peak * (1 - 1e-6), False)):
+            walk = Walk(path, h, axes, bound, None)
+            end = walk.start()._replace(stretch=1, p=(0.06 + e, 0.0, 0.0), v=(v, 0.0, 0.0))
+            assert (walk.unsafe_after(end) == np.inf) is safe
 
 
 def test_a_slow_law_on_a_path_that_never_uses_it_is_none_of_dosings_business() -> None:

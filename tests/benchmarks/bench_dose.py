@@ -1,6 +1,7 @@
 """The edges of the 20 cm cube as programmed, with the speed fed, and dosed: python tests/benchmarks/bench_dose.py.
 
-Prints durations with their lower bound, when the arm arrives, the largest lag, and the seconds of computing.
+Once at once at full speed, and once as programs/iiwa_cube.yaml has it, with its ramps as caps. Prints durations with
+their lower bound, when the arm arrives, the largest lag, and the seconds of computing.
 """
 
 from __future__ import annotations
@@ -21,8 +22,10 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).parents[2]))  # run from a checkout without installing
 
 from trajopt_cli.admittance.dose import CannotDose, compare, dose
-from trajopt_cli.admittance.dose_path import dose_path
+from trajopt_cli.admittance.dose_path import DosePath, dose_path
 from trajopt_cli.iiwa.equilibrium import Equilibrium, Piece
+from trajopt_cli.iiwa.loader import load_task
+from trajopt_cli.iiwa.segments import interpolate
 from trajopt_cli.iiwa.task import AngleMeaning, Compliance, RotationLaw, SegmentSpeeds
 
 SIDE, H = 0.2, 1e-3  # m, s
@@ -50,12 +53,20 @@ def main() -> None:
     options = parser.parse_args()
     equilibrium = cube(options.speed)
     path = dose_path(equilibrium, [SegmentSpeeds(options.speed, 1.0)] * len(equilibrium.pieces))
-    for k, d in ((1000.0, 500.0), (1000.0, 100.0)):
+    measure("at once at full speed", equilibrium, path, options.bound)
+    ramped = interpolate(load_task(Path(__file__).parents[2] / "programs" / "iiwa_cube.yaml").route)
+    measure("programs/iiwa_cube.yaml", ramped, dose_path(ramped), options.bound)
+
+
+def measure(name: str, equilibrium: Equilibrium, path: DosePath, bound: float) -> None:
+    """Dose one path for three laws, and print what comes out."""
+    print(f"{name}: {len(path.s) - 1} straight stretches")
+    for k, d in ((1000.0, 500.0), (1000.0, 100.0), (500.0, 50.0)):
         law = Compliance(np.r_[[k] * 3, [30.0] * 3], np.r_[[d] * 3, [20.0] * 3], np.r_[[25.0] * 3, [3.0] * 3])
         start = perf_counter()
-        made = dose(path, law, H, options.bound)
+        made = dose(path, law, H, bound)
         seconds = perf_counter() - start
-        print(f"K = {k:g} N/m, D = {d:g} N s/m, M = 25 kg, lag at most {1000 * options.bound:g} mm")
+        print(f"K = {k:g} N/m, D = {d:g} N s/m, M = 25 kg, lag at most {1000 * bound:g} mm")
         if isinstance(made, CannotDose):
             print(f"  {made.message}")
             continue

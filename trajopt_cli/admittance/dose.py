@@ -32,6 +32,8 @@ ARRIVED_TURN = float(np.radians(0.1))
 """Norm [rad] of the angles' differences from the last pose at which the arm counts as arrived."""
 SLOWEST = 100_000
 """Periods that the slowest axis on the path may take to lose two thirds of a deviation; more is refused at once."""
+SLOWEST_SWING = 20_000
+"""The same of an axis that swings meanwhile, which takes far more looking ahead."""
 BOUNDS = (1e-6, 10.0)
 """Least and greatest bound [m] on the lag that is looked at."""
 TURN_BOUNDS = (1e-6, 100.0)
@@ -93,8 +95,8 @@ def dose(
     """The fastest sequence along path whose lag stays within bound [m], and turn_bound [rad] where one is given.
 
     Any bound can be kept, since the equilibrium may stand; what a small one costs is time, and more than three million
-    rows are refused, as are bounds beyond BOUNDS and TURN_BOUNDS and laws slower than SLOWEST. Raises ValueError for
-    bounds or periods that are not finite and above zero.
+    rows are refused, as are bounds beyond BOUNDS and TURN_BOUNDS and laws slower than SLOWEST or SLOWEST_SWING. Raises
+    ValueError for bounds or periods that are not finite and above zero.
     """
     for name, value in (("h", h), ("bound", bound), ("turn_bound", 1.0 if turn_bound is None else turn_bound)):
         if not (isfinite(value) and value > 0):
@@ -122,9 +124,12 @@ def dose(
         states, braked = plan(walk, Walk(coarser(path, longer), longer, rough, bound, turn_bound), longest)
     if not walk.done(states[-1]):
         share = walk.s(states[-1]) / path.s[-1]
+        change = "allow more lag, or more stiffness or less damping"
+        if swinging is not None:
+            change = "allow more lag, or more damping, so that the arm swings less"
         return CannotDose(
-            f"after {ROWS} rows the sequence is at {share:.0%} of its path; allow more lag, or more stiffness or less "
-            "damping"
+            f"given up after {len(states)} rows and {walk.looked} periods of looking ahead, at {share:.0%} of the "
+            f"path; {change}"
         )
     s = np.array([walk.s(state) for state in states])
     pose = np.stack([np.interp(s, path.s, column) for column in path.pose.T], axis=1)
@@ -214,14 +219,15 @@ def _unfollowed(path: DosePath, laws: Sequence[AxisStability], h: float, integra
             )
         if law.verdict is not Verdict.STABLE:
             return CannotDose(f"the path moves along {law.axis}, but {law.sentence}")
-        if law.slowest > SLOWEST * h:
+        most = h * (SLOWEST_SWING if law.damping_ratio < 1 else SLOWEST)
+        if law.slowest > most:
             takes = f"takes {law.slowest:.3g} s to lose" if isfinite(law.slowest) else "as good as never loses"
             change = "raise k or lower d"
             if law.damping_ratio < 1:
                 change = "raise d or lower m" if integration is Integration.EXACT else "raise d, or lower m or h"
             return CannotDose(
                 f"the path moves along {law.axis}, where the controller {takes} two thirds of a deviation "
-                f"(k = {law.k:g}, d = {law.d:g}, m = {law.m:g}), more than the {SLOWEST * h:g} s that dosing allows; "
+                f"(k = {law.k:g}, d = {law.d:g}, m = {law.m:g}), more than the {most:g} s that dosing allows; "
                 f"{change}"
             )
     return None

@@ -15,6 +15,8 @@ from trajopt_cli.admittance.dose_walk import State, Walk
 
 ROWS = 3_000_000
 """Rows a dosed sequence may have: 50 min at 1 ms."""
+LOOKED = 10_000_000
+"""Periods that one way from the first row to the last may look ahead in all: about a minute of computing."""
 _BLOCK, _LARGEST = 8, 256  # periods walked between two looks at safety
 _HALVINGS = 12  # of the last eager step before an unsafe state
 _WINDOW = 2.5  # time constants before and after a waypoint that a brake is judged by
@@ -42,11 +44,17 @@ class _Advance:
         self.braked = 0
         self.brakes = list(brakes)
         self._block = _BLOCK
+        self._looked = walk.looked
+
+    @property
+    def arrived(self) -> bool:
+        """Whether the path is at its end."""
+        return self.walk.done(self.states[-1])
 
     @property
     def done(self) -> bool:
-        """Whether the path is at its end, or there are too many rows."""
-        return self.walk.done(self.states[-1]) or len(self.states) > ROWS
+        """Whether the path is at its end, or there are too many rows, or it has looked ahead too far."""
+        return self.arrived or len(self.states) > ROWS or self.walk.looked - self._looked > LOOKED
 
     def go(self, most: float, until: float = inf) -> None:
         """Go on for at least most periods, or until s is past until, or to the end."""
@@ -105,18 +113,20 @@ class _Advance:
 
 
 def plan(walk: Walk, coarse: Walk | None, swings: float) -> tuple[list[State], int]:
-    """States from the first row to the last, or to row ROWS, and how many periods the equilibrium was held back.
+    """States from the first row to the last, or to where it was given up, and how many periods were held back.
+
+    It is given up after ROWS rows, or LOOKED periods of looking ahead.
 
     coarse: the same path with a longer period on which brakes are searched for, None where no axis swings. swings [s]:
     time constant of the axis that swings longest.
     """
     plain = _Advance(walk, walk.start())
     plain.go(inf)
-    if coarse is None or not plain.done or len(plain.states) > ROWS:
+    if coarse is None or not plain.arrived:
         return plain.states, plain.braked
     found = _Advance(walk, walk.start(), _brakes(coarse, swings))
     found.go(inf)
-    best = min((plain, found), key=lambda way: len(way.states))
+    best = found if found.arrived and len(found.states) < len(plain.states) else plain
     return best.states, best.braked
 
 
@@ -129,7 +139,7 @@ def _brakes(walk: Walk, swings: float) -> list[Brake]:
     for row in sorted({leg.last for leg in walk.path.legs} - {0}):
         way.go(inf, until=float(walk.path.s[row]))
         if walk.s(way.states[-1]) < walk.path.s[row]:
-            break  # too many rows on the longer period
+            break  # given up
         way.go(window)
         arrival = _arrival(way.states, row, earlier)
         better = _best_brake(way, earlier, arrival, row, window, swings)

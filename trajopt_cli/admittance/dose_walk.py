@@ -74,6 +74,7 @@ class Walk:
         turn_bound: float | None,
     ) -> None:
         self.path, self.h = path, h
+        self.looked = 0  # lazy periods that unsafe_after has walked so far
         self._square = (bound * (1 - _INSIDE)) ** 2
         self._turn_square = None if turn_bound is None else (turn_bound * (1 - _INSIDE)) ** 2
         self._axes = tuple((a, b, p, q) for a, b, _, p, q, _ in axes)
@@ -144,12 +145,15 @@ class Walk:
         for k in range(_PATIENCE):
             if k == look:
                 if self._may_stand(state):
+                    self.looked += k
                     return inf
                 look += max(_LOOK, k // 4)
             following = self.step(state, 0.0)
             if following is None:
+                self.looked += k
                 return k
             state = following
+        self.looked += _PATIENCE
         return _PATIENCE
 
     def _place(self, i: int, sigma: float) -> tuple[Three, Three]:
