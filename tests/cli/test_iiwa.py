@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from trajopt_cli.cli import run
 from trajopt_cli.joint_csv import read_csv_text
@@ -373,3 +374,58 @@ def test_accelerations_that_break_are_one_line_and_the_file_stands(
     assert shown.err.startswith("acceleration limits of joint_1, ")
     assert "profile trapezoid or s-curve" in shown.err
     assert (folder / "joints.csv").is_file()
+
+
+def test_a_first_pose_off_the_start_is_told(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    segments(task)
+    assert "note:" not in capsys.readouterr().out
+    task.write_text(TASK.replace("{name: start, at: start}", "[0.52, 0, 0.3032951178, 0, 0, 5 deg]"))
+    segments(task)
+    # the flange at the start stands at x = 0.5064177772 m
+    assert "the first pose is 13.58 mm and 5° from the tool at the start joints" in capsys.readouterr().out
+
+
+def test_absolute_angles_are_counted_from_the_start_on_request(task: Path) -> None:
+    # pointing down and tilted: half a turn about x (or y and z), written so that beta stays small
+    task.write_text(
+        TASK.replace("{name: start, at: start}", "[0.5, 0, 0.3, 180 deg, 0, 180 deg]")
+        .replace("by: [0, 0.1, 0, 0, 0, 20 deg]", "by: [0, 0.1, 0, 10 deg, 15 deg, 20 deg]")
+        .replace("poses:", "angles: absolute\nposes:")
+    )
+    given = contents(segments(task))
+    counted = contents(segments(task, "--angles", "relative"))
+    rows, quaternions = (
+        np.array([row.split(",") for row in counted[name].decode().splitlines()[1:]], dtype=float)
+        for name in ("equilibrium.csv", "equilibrium_quaternion.csv")
+    )
+    np.testing.assert_allclose(rows[0, 4:], 0, atol=1e-12)  # the start itself has these angles
+    a, b, g = rows[-1, 4:]
+    turned = Rotation.from_euler("xyz", [a, b, g]) * Rotation.from_euler("y", 180, degrees=True)
+    stored = Rotation.from_quat(np.roll(quaternions[-1, 4:], -1))
+    assert (turned * stored.inv()).magnitude() < 1e-9
+    wanted = Rotation.from_euler("xyz", [190, 15, 200], degrees=True)
+    assert (wanted * stored.inv()).magnitude() < 1e-9
+    assert given["equilibrium.csv"] != counted["equilibrium.csv"]
+
+
+def test_a_push_moves_the_tool_by_force_over_stiffness_while_it_lasts(task: Path) -> None:
+    task.write_text(
+        "".join(
+            line + "\n" for line in TASK.splitlines() if "name: side" not in line and "name: up" not in line
+        ).replace("{name: start, at: start}", "start\n  - {at: start, dwell: 12 s}")
+        + "pushes: [{from: 1 s, to: 8 s, force: [0, 0, 20, 0, 0, 0]}]\n"
+        + "zero: {components: [fx], frame: [0, 0, 0]}\n"
+    )
+    folder = segments(task)
+    assert run(["iiwa", "simulate", str(folder)]) == 0
+    heads, rows = table(folder / "simulation.csv")
+    force, away = (
+        rows[:, heads.index("believed fz [N]")],
+        rows[:, heads.index("z [m]")] - rows[:, heads.index("z_e [m]")],
+    )
+    t = rows[:, 0]
+    np.testing.assert_array_equal(force, np.where((t >= 1) & (t < 8), 20.0, 0.0))
+    assert away[t < 1].max() == 0
+    assert away[np.searchsorted(t, 7.999)] == pytest.approx(20 / 1000, rel=1e-4)
+    # the last pose is held until the controller has come to rest
+    assert t[-1] == pytest.approx(12 + 8 * 0.443, abs=0.01)
