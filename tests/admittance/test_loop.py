@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import gc
 from collections.abc import Callable
 from dataclasses import replace
+from typing import ClassVar
 
 import numpy as np
 import pytest
@@ -466,3 +468,20 @@ def test_wrong_rows_and_periods_are_refused(robot: SrsRobot) -> None:
         go(robot, SETTINGS, np.zeros((5, 3)))
     with pytest.raises(ValueError, match="h is 0 s, wanted a period above zero"):
         replace(SETTINGS, h=0.0)
+
+
+def test_nothing_is_collected_during_a_run_and_everything_afterwards(robot: SrsRobot) -> None:
+    class Watching(Ideal):
+        collects: ClassVar[list[bool]] = []
+
+        def step(self, q: Seven) -> Measured:
+            self.collects.append(gc.isenabled())
+            if len(self.collects) > 3:
+                raise RuntimeError("the arm broke")
+            return super().step(q)
+
+    assert gc.isenabled()
+    with pytest.raises(RuntimeError, match="broke"):
+        go(robot, SETTINGS, way(robot, 10, (0.001, 0, 0, 0, 0, 0)), Watching(robot))
+    assert gc.isenabled()
+    assert Watching.collects == [False] * 4

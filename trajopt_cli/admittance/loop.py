@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import gc
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import zip_longest
 from math import degrees
@@ -90,22 +92,35 @@ def run(
     times: list[Sequence[float]] = []
     stop: Stop | None = None
     guard = _Guard(limits, controller.settings.h)
-    for goal, following in zip_longest(goals, goals[1:]):
-        controller.adopt()
-        before = controller.seen(goal).x, controller.x, controller.v, controller.X_WT[0], q
-        answer = controller.feel(measured) if following is None else controller.step(goal, measured, following)
-        stop = answer if isinstance(answer, Stop) else None
-        if stop is None or stop.kind not in (StopKind.TORQUE, StopKind.SINGULAR):
-            rows.append(_Row(*before, controller.force, measured))
-        if not isinstance(answer, Command):
-            break
-        times.append(controller.times)
-        stop = guard.refused(answer.q, q, controller.t)
-        if stop is not None:
-            break
-        q = answer.q
-        measured = world.step(q)
+    with _no_collection():
+        for goal, following in zip_longest(goals, goals[1:]):
+            controller.adopt()
+            before = controller.seen(goal).x, controller.x, controller.v, controller.X_WT[0], q
+            answer = controller.feel(measured) if following is None else controller.step(goal, measured, following)
+            stop = answer if isinstance(answer, Stop) else None
+            if stop is None or stop.kind not in (StopKind.TORQUE, StopKind.SINGULAR):
+                rows.append(_Row(*before, controller.force, measured))
+            if not isinstance(answer, Command):
+                break
+            times.append(controller.times)
+            stop = guard.refused(answer.q, q, controller.t)
+            if stop is not None:
+                break
+            q = answer.q
+            measured = world.step(q)
     return _gathered(rows, times, stop, controller.settings.h, world.name)
+
+
+@contextmanager
+def _no_collection() -> Iterator[None]:
+    """Python's collector stops everything for tens of ms when many rows are kept; the loop leaves it nothing to do."""
+    collects = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if collects:
+            gc.enable()
 
 
 class _Guard:
