@@ -339,8 +339,11 @@ def test_dosing_refuses_what_would_be_lost_or_not_be_followed(
     for plots in (folder, folder / "plots"):
         assert run(["iiwa", "simulate", str(folder), "--plots", str(plots)]) == 2
         assert "--plots: lies in the results folder" in capsys.readouterr().err
-    assert run(["iiwa", "dose", str(folder), "--max-lag", "20mm", "--plots", f"{folder}-dosed"]) == 2
-    assert "is the folder of the results" in capsys.readouterr().err
+    for plots in (f"{folder}-dosed", f"{folder}-dosed/plots"):
+        assert run(["iiwa", "dose", str(folder), "--max-lag", "20mm", "--plots", plots]) == 2
+        assert "is the folder of the results or lies in it" in capsys.readouterr().err
+    assert run(["iiwa", "dose", str(folder), "--max-lag", "1e-9m"]) == 2
+    assert capsys.readouterr().err == "--max-lag: 1e-09 m is not within 1e-06 and 10 m\n"
     assert contents(folder) == before
     assert not Path(f"{folder}-dosed").exists()
     monkeypatch.chdir(folder)

@@ -138,6 +138,18 @@ MISTAKES = [
     ("tool: {position: [0, 0, 100]}\n" + MINIMAL, "t.yaml:1: tool.position: 100 m is farther than 10 m"),
     (changed("  - start\n", '  - {name: "a\\nb", at: start}\n'), "t.yaml:3: poses.0.name: holds a character"),
     (PROGRAM_TASK + "program: ../x.mod\n", "program: needs a file in the task file's folder or below it"),
+    (changed("M: [25,", "M: [1e-300,"), "t.yaml:9: M: 1e-300 is below anything a cell has"),
+    (changed("v_max: 0.2", "v_max: 1e-300"), "t.yaml:5: v_max: 1e-300 is below anything a cell has"),
+    (changed("  - start\n", f"  - {{name: {'a' * 101}, at: start}}\n"), "poses.0.name: needs a name of 1 to 100"),
+    (PROGRAM_TASK + "program: no.mod\n", "program: no.mod is no file"),
+    (
+        "contact: {tip: 20, obstacles: {b: {box: {size: [1, 1, 1]}, stiffness: 1}}}\n" + MINIMAL,
+        "t.yaml:1: contact.tip: 20 m is thicker than 1 m",
+    ),
+    (
+        "contact: {tip: 0.02, obstacles: {b: {box: {size: [1, 1e300, 1]}, stiffness: 1}}}\n" + MINIMAL,
+        "t.yaml:1: contact.obstacles.b.box.size: 1, 1e+300, 1 m; wanted three lengths",
+    ),
     ("sensor:\n" + MINIMAL, "t.yaml:1: sensor: is empty"),
     ("pushes: [{from: 2, to: 1, force: [1, 0, 0, 0, 0, 0]}]\n" + MINIMAL, "'from' comes first"),
 ]
@@ -184,6 +196,11 @@ def test_rapid_moves_are_poses_with_their_speeds_and_waits(tmp_path: Path) -> No
     assert load_task(path, tmp_path / "seam.mod").route.waypoints[1].name == "b"
     # the program's tool is the task's: 100 mm along the flange's z, and the start is where that tool is
     np.testing.assert_array_equal(task.X_FT[:3, 3], [0, 0, 0.1])
+    assert any("its load is not taken over" in note for note in task.notes)
+    (tmp_path / "seam.mod").write_text(MODULE.replace("[0,0,100]", "[0,0,1E12]"))
+    with pytest.raises(InputError, match=r"seam.mod: the moves' tool reaches 1e\+09 m from the flange, at most 10 m"):
+        load_task(path)
+    (tmp_path / "seam.mod").write_text(MODULE)
     path.write_text(PROGRAM_TASK + "program: seam.mod\ntool: {position: [0, 0, 0.1], load: {mass: 1}}\n")
     assert load_task(path).load is not None
 

@@ -209,8 +209,8 @@ def dose(
     beside = results if results.name not in ("", "..") else results.resolve()
     folder = output or beside.with_name(f"{beside.name}-dosed")
     check_place(plots, "--plots")
-    if plots is not None and plots.absolute() == folder.absolute():
-        raise InputError("--plots: is the folder of the results; choose another", file=str(plots))
+    if plots is not None and folder.absolute() in (plots.absolute(), *plots.absolute().parents):
+        raise InputError("--plots: is the folder of the results or lies in it; choose another", file=str(plots))
     bound = option_value(max_lag, LENGTH, "--max-lag")
     turn = None if max_turn_lag is None else option_value(max_turn_lag, ANGLE, "--max-turn-lag")
     answer = dose_folder(results, folder, bound, turn)

@@ -45,7 +45,9 @@ _MOST: tuple[tuple[dict[str, float], float], ...] = (
     (TURN_STIFFNESS, 1e9), (DAMPING, 1e9), (TURN_DAMPING, 1e9), (MASS, 1e6), (INERTIA, 1e6), (FREQUENCY, 1e6),
     (RATIO, 1e3),
 )  # fmt: skip
+_LEAST = 1e-9  # in SI: a cap, a mass or a stiffness below it is no number anybody meant
 _PERIOD = (1e-5, 1.0)  # s
+_LONGEST_NAME = 100
 
 
 def _sane(units: dict[str, float]) -> Callable[[Any], float]:
@@ -63,12 +65,18 @@ def _sane(units: dict[str, float]) -> Callable[[Any], float]:
     return validate
 
 
+def _not_tiny(value: float) -> float:
+    if 0 < abs(value) < _LEAST:
+        raise complain(f"{value:g} is below anything a cell has (at least {_LEAST:g}, or 0 where that is allowed)")
+    return value
+
+
 def _above(units: dict[str, float]) -> BeforeValidator:
-    return BeforeValidator(lambda value: above_zero(_sane(units)(value)))
+    return BeforeValidator(lambda value: _not_tiny(above_zero(_sane(units)(value))))
 
 
 def _from_zero(units: dict[str, float]) -> BeforeValidator:
-    return BeforeValidator(lambda value: not_negative(_sane(units)(value)))
+    return BeforeValidator(lambda value: _not_tiny(not_negative(_sane(units)(value))))
 
 
 def _period(value: Any) -> float:
@@ -89,6 +97,8 @@ def _line(value: Any) -> Any:
     """Text for a message on one line: no control characters, no halves of a character."""
     if isinstance(value, str) and not value.isprintable():
         raise complain("holds a character that cannot be printed; give it a plain name")
+    if isinstance(value, str) and not 0 < len(value.strip()) <= _LONGEST_NAME:
+        raise complain(f"needs a name of 1 to {_LONGEST_NAME} characters")
     return value
 
 
@@ -114,7 +124,7 @@ def _six_values(
             raise complain(f"needs 6 values, not {len(value)}")
         kinds = [_sane(first)] * 3 + [_sane(last)] * 3
         out = [kind(item) for kind, item in zip(kinds, value, strict=True)]
-        return tuple(rule(item) if rule else item for item in out)
+        return tuple(_not_tiny(rule(item)) if rule else item for item in out)
 
     return validate
 
@@ -129,7 +139,8 @@ def _per_segment(units: dict[str, float]) -> BeforeValidator:
     """One value for all segments, or a list of one each. What it must be above, the segments say."""
 
     def validate(value: Any) -> float | tuple[float, ...]:
-        return tuple(_sane(units)(item) for item in value) if isinstance(value, list) else _sane(units)(value)
+        one = _sane(units)
+        return tuple(_not_tiny(one(item)) for item in value) if isinstance(value, list) else _not_tiny(one(value))
 
     return BeforeValidator(validate)
 

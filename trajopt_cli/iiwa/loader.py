@@ -47,7 +47,7 @@ from trajopt_cli.yaml_file import line_of, parse, read_text, refuse_empty, valid
 
 _COMPONENTS = ("fx", "fy", "fz", "mx", "my", "mz")
 _CAPS = ("v_max", "omega_max", "a_max", "epsilon_max", "jerk", "angular_jerk")
-_FARTHEST, _LONGEST_TOOL = 1e3, 10.0  # m
+_FARTHEST, _LONGEST_TOOL, _THICKEST_TIP, _THINNEST = 1e3, 10.0, 1.0, 1e-6  # m
 _SINGULAR = 1e-6  # rad, m: a start this near has no configuration of its own
 _NEEDED = "start, poses, v_max, omega_max, K, D and M are needed at least"
 _WANTED = {
@@ -109,9 +109,19 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
     notes: tuple[str, ...] = ()
     if document.program is not None:
         program = Path(poses_from) if poses_from is not None else Path(file).parent / document.program
+        if not program.is_file():
+            message = f"program: {program} is no file; it stands in the task file's folder or below it"
+            raise InputError(message, file=file, line=line_of("program", lines))
         placed = document.tool.model_fields_set & {"position", "wxyz", "rpy"}
         found = program_route(program, meaning, X_WF[:3, :3], X_FT if placed else None)
         waypoints, X_FT, texts[str(program)], notes = found.waypoints, found.X_FT, found.text, found.notes
+        if np.abs(X_FT[:3, 3]).max() > _LONGEST_TOOL:
+            message = (
+                f"the moves' tool reaches {np.abs(X_FT[:3, 3]).max():g} m from the flange, at most {_LONGEST_TOOL:g} m"
+            )
+            raise InputError(message, file=str(program))
+        if not placed and document.tool.load is None:
+            notes += ("the tool is the program's; its load is not taken over, give it as tool.load where it matters",)
         speeds = _speeds(document, waypoints, lines, file, found.speeds)
     else:
         assert document.poses is not None
@@ -142,7 +152,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         )
         if document.sensor is not None
         else None,
-        contact=_contact(document.contact) if document.contact is not None else None,
+        contact=_contact(document.contact, lines, file) if document.contact is not None else None,
         notes=notes,
         lines=lines,
         sources=texts,
@@ -158,7 +168,7 @@ def load_contact(path: str | Path) -> tuple[Contact, str]:
     content, lines = parse(text, file, "a contact section is needed")
     if "contact" in content:
         refuse_empty({"contact": content["contact"]}, lines, file)
-    return _contact(validated(ContactDocument, content, lines, file, _WANTED).contact), text
+    return _contact(validated(ContactDocument, content, lines, file, _WANTED).contact, lines, file), text
 
 
 def _near(X: Array, key: str, most: float, lines: Mapping[str, int], file: str) -> Array:
@@ -266,12 +276,20 @@ def _changes(document: TaskDocument, lines: Mapping[str, int], file: str) -> tup
     return tuple(out)
 
 
-def _contact(section: ContactSection) -> Contact:
-    obstacles = tuple(
-        Obstacle(Box(name, _array(one.box.size), frame_pose(one.box)), one.stiffness, one.damping, one.friction)
-        for name, one in section.obstacles.items()
-    )
-    return Contact(obstacles, section.tip)
+def _contact(section: ContactSection, lines: Mapping[str, int], file: str) -> Contact:
+    if section.tip > _THICKEST_TIP:
+        message = f"contact.tip: {section.tip:g} m is thicker than {_THICKEST_TIP:g} m; check the unit"
+        raise InputError(message, file=file, line=line_of("contact.tip", lines))
+    obstacles = []
+    for name, one in section.obstacles.items():
+        key = f"contact.obstacles.{name}.box"
+        X = _near(frame_pose(one.box), key, _FARTHEST, lines, file)
+        if not all(_THINNEST <= size <= _FARTHEST for size in one.box.size):
+            sizes = ", ".join(f"{size:g}" for size in one.box.size)
+            message = f"{key}.size: {sizes} m; wanted three lengths of {_THINNEST:g} to {_FARTHEST:g} m"
+            raise InputError(message, file=file, line=line_of(f"{key}.size", lines))
+        obstacles.append(Obstacle(Box(name, _array(one.box.size), X), one.stiffness, one.damping, one.friction))
+    return Contact(tuple(obstacles), section.tip)
 
 
 def _array(values: tuple[float, ...]) -> Array:

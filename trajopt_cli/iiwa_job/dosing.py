@@ -77,10 +77,16 @@ def dose_folder(
     The sequence keeps its path and is nowhere faster than before, nor than the joints' speed limits. Nothing is written
     where there is no such sequence, or the arm cannot follow it. Raises InputError where output may not be replaced.
     """
-    from trajopt_cli.admittance.dose import CannotDose, dose
+    from trajopt_cli.admittance.dose import BOUNDS, TURN_BOUNDS, CannotDose, dose
     from trajopt_cli.admittance.dose_path import dose_path
     from trajopt_cli.iiwa.joints import Followed, follow
 
+    for option, value, (least, most), unit in (
+        ("--max-lag", bound, BOUNDS, "m"),
+        ("--max-turn-lag", turn_bound, TURN_BOUNDS, "rad"),
+    ):
+        if value is not None and not least <= value <= most:
+            raise InputError(f"{option}: {value:g} {unit} is not within {least:g} and {most:g} {unit}")
     check_place(output, "--output")
     if output.absolute() == folder.absolute() or output.resolve() == folder.resolve():
         raise InputError("--output: is RESULTS itself; the sequence to dose would be lost", file=str(output))

@@ -75,6 +75,11 @@ def open_folder(folder: Path) -> Opened:
     if not len(pose) == len(R_WT) == record.rows:
         rows = f"{len(pose)} and {len(R_WT)} rows, summary.json says {record.rows}"
         raise InputError(f"{EQUILIBRIUM} and {QUATERNIONS} have {rows}; make the folder again", file=str(folder))
+    if abs(record.period_s - task.route.h) > 1e-9 * task.route.h:
+        message = (
+            f"summary.json has a period of {record.period_s:g} s, the task {task.route.h:g} s; make the folder again"
+        )
+        raise InputError(message, file=str(folder))
     sequence = _sequence(record, pose, R_WT, robot.forward(task.start_joints) @ task.X_FT)
     return Opened(task, robot, sequence, found)
 
