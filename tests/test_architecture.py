@@ -51,7 +51,7 @@ STACK = {
     "shapes": {"geometry"},
     "findings": {"motion"},
     "quantity": {"errors", "units"},
-    "yaml_file": {"errors"},
+    "yaml_file": {"errors", "quantity"},
     "run_folder": {"errors", "files"},
 }
 # Where each third party may be imported, as patterns of paths inside the package.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from difflib import get_close_matches
@@ -18,6 +17,7 @@ from ruamel.yaml.error import MarkedYAMLError, YAMLError
 from ruamel.yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 from trajopt_cli.errors import InputError, InputErrorGroup
+from trajopt_cli.quantity import shown
 
 Model = TypeVar("Model", bound=BaseModel)
 
@@ -342,22 +342,13 @@ def _bound(value: float) -> str:
 
 
 def _said(value: object) -> str:
-    """What a file gave, in words or as YAML writes it."""
+    """What a file gave, in words or as YAML writes it; short lists of numbers and plain text as they stand."""
     match value:
-        case None:
-            return "nothing"
-        case bool():
-            return str(value).lower()
-        case dict():
-            return "a section"
-        case list():
-            few = 0 < len(value) <= 7 and all(type(item) in (int, float) for item in value)
-            return f"[{', '.join(_said(item) for item in value)}]" if few else "a list"
-        case int() if value.bit_length() > 64:
-            return f"a number of about {math.ceil(value.bit_length() * math.log10(2))} digits"
+        case list() if 0 < len(value) <= 7 and all(type(item) in (int, float) for item in value):
+            return f"[{', '.join(_said(item) for item in value)}]"
         case str():
             return _short(value) if value.isprintable() and value.strip() else json.dumps(_short(value))
-    return str(value)
+    return shown(value)
 
 
 def _short(text: str) -> str:
