@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from enum import Enum
 
 from trajopt_cli.geometry import Array, readonly
 
@@ -39,7 +40,8 @@ class Written:
 
     statement reaches from the instruction's name to its semicolon. target, speed: the argument in the statement.
     aggregate: the literal `[...]` that gives the target's value, in the statement or in a declaration. declaration: the
-    whole data declaration that holds it. None where the value is computed or given elsewhere.
+    whole data declaration that holds it. None where the value is computed or given elsewhere. once: the innermost
+    statement around it, itself included, that ran exactly once, in whichever routine; None where nothing did.
     """
 
     statement: Span
@@ -47,6 +49,7 @@ class Written:
     speed: Span | None = None
     aggregate: Span | None = None
     declaration: Span | None = None
+    once: Span | None = None
 
 
 @dataclass(frozen=True)
@@ -62,19 +65,46 @@ class Speed:
 
 @dataclass(frozen=True)
 class Zone:
-    """Programmed accuracy: a stop point, or a fly-by of radius [m] around the target."""
+    r"""Programmed accuracy: a stop point, or a fly-by of radius [m] around the target.
+
+    The extended zone, for reorientation and external axes: path_ori, path_eax, leax [m], ori, reax [rad]; the smallest
+    share counts. criterion: the stoppointdata of \Inpos, None for an ordinary stop.
+    """
 
     name: str
     stop: bool
     radius: float = 0.0
+    path_ori: float = 0.0
+    path_eax: float = 0.0
+    ori: float = 0.0
+    leax: float = 0.0
+    reax: float = 0.0
+    criterion: str | None = None
+
+
+@dataclass(frozen=True)
+class Load:
+    """mass [kg], cog: centre of gravity in the tool's flange frame [m], aom: its axes of moment (w, x, y, z),
+    inertia about them [kg m2]."""
+
+    name: str
+    mass: float
+    cog: tuple[float, float, float]
+    aom: tuple[float, float, float, float]
+    inertia: tuple[float, float, float]
 
 
 @dataclass(frozen=True, eq=False)
 class Tool:
-    """A tool by name; X_FT is its centre point in the flange frame."""
+    """A tool by name; X_FT is its centre point in the flange frame.
+
+    stationary: it stands in the world and the robot holds the work object; X_FT is then where the target, which is
+    brought to the tool, sits on the flange, so X_WF = X_WT inv(X_FT) holds for both.
+    """
 
     name: str
     X_FT: Array
+    stationary: bool = False
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "X_FT", readonly(self.X_FT))
@@ -95,9 +125,87 @@ ExternalAxes = tuple[float | None, float | None, float | None, float | None, flo
 NO_EXTERNAL_AXES: ExternalAxes = (None, None, None, None, None, None)
 
 
+class Singularity(Enum):
+    """What a line does near a singularity (SingArea)."""
+
+    OFF = "Off"
+    WRIST = "Wrist"
+    LOCK_AXIS_4 = "LockAxis4"
+
+
+@dataclass(frozen=True)
+class Settings:
+    r"""Modal state of a program, as it stands when a move is programmed.
+
+    conf_j, conf_l: joint moves and lines must end in the programmed configuration (ConfJ, ConfL \On). acceleration,
+    ramp: shares of what is possible (AccSet). path_acceleration, path_deceleration, world_acceleration: caps [m/s2] on
+    the TCP, None for none. override, v_max [m/s]: VelSet, already in every Speed. load: what the gripper holds
+    (GripLoad), None for nothing. eax_offset: what EOffs adds to the external axes, already in every extax; mm or deg.
+    displaced: whether a program displacement (PDisp) is active; it is already in every X_WT.
+    """
+
+    conf_j: bool = True
+    conf_l: bool = True
+    singularity: Singularity = Singularity.OFF
+    acceleration: float = 1.0
+    ramp: float = 1.0
+    path_acceleration: float | None = None
+    path_deceleration: float | None = None
+    world_acceleration: float | None = None
+    override: float = 1.0
+    v_max: float | None = None
+    load: Load | None = None
+    eax_offset: tuple[float, float, float, float, float, float] = (0.0,) * 6
+    displaced: bool = False
+
+
+DEFAULT_SETTINGS = Settings()
+
+
+class Happens(Enum):
+    """What a path event is."""
+
+    SIGNAL = "signal"
+    INTERRUPT = "interrupt"
+    PROCEDURE = "procedure"
+
+
+@dataclass(frozen=True)
+class PathEvent:
+    """Something that happens on the way (TriggL, MoveLDO, MoveLSync), without a stop.
+
+    name: of the signal (lower case), interrupt or procedure; value: what the signal is set to. distance [m] along the
+    path: before the end, or behind the start if from_start; time [s] before the end (or behind the start) where the
+    trigger is given in time, or the lag that is compensated.
+    """
+
+    kind: Happens
+    name: str
+    value: float | None = None
+    distance: float = 0.0
+    time: float = 0.0
+    from_start: bool = False
+
+
+@dataclass(frozen=True)
+class Process:
+    """A move that is written as another instruction: its name as in the manual, and its own data as written.
+
+    ArcL p1, v100, seam1, weld1, z1, tool: Process("ArcL", (("Seam", "seam1"), ("Weld", "weld1"))).
+    """
+
+    instruction: str
+    data: tuple[tuple[str, str], ...] = ()
+
+
 @dataclass(frozen=True, eq=False, kw_only=True)
 class _Move:
-    """What every move has. target: as written. duration: the programmed \\T in s. optional: it may be dropped."""
+    r"""What every move has.
+
+    target: as written. extax: as the controller drives them, offsets included. duration: the programmed \T in s.
+    optional: it may be dropped. settings: the modal state. events: what happens on the way. process: the instruction
+    where it is none of the four plain moves.
+    """
 
     source: Source
     written: Written
@@ -107,6 +215,9 @@ class _Move:
     extax: ExternalAxes
     duration: float | None = None
     optional: bool = False
+    settings: Settings = DEFAULT_SETTINGS
+    events: tuple[PathEvent, ...] = ()
+    process: Process | None = None
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -128,6 +239,17 @@ class MoveJ(_PoseMove):
 @dataclass(frozen=True, eq=False, kw_only=True)
 class MoveL(_PoseMove):
     """To the pose X_WT, the TCP on a straight line, orientation by slerp."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class MoveC(_PoseMove):
+    """To the pose X_WT on the arc through X_WV's position; the orientation turns evenly from start to end."""
+
+    X_WV: Array
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        object.__setattr__(self, "X_WV", readonly(self.X_WV))
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -166,7 +288,7 @@ class SignalEvent:
     value: float
 
 
-Move = MoveJ | MoveL | MoveAbsJ | MoveExtJ
+Move = MoveJ | MoveL | MoveC | MoveAbsJ | MoveExtJ
 Motion = Move | Wait | SignalEvent
 
 
@@ -181,9 +303,14 @@ class TextFile:
 
 @dataclass(frozen=True, eq=False)
 class Program:
-    """A program run once: its motions in order, the files they came from, and what the user should know."""
+    """A program run once: its motions in order, the files they came from, and what the user should know.
+
+    entry: the procedure that was run. ignored: instructions without effect on motion, with how often they ran.
+    """
 
     name: str
     motions: tuple[Motion, ...]
     files: Mapping[str, TextFile]
     warnings: tuple[str, ...] = field(default=())
+    entry: str = "main"
+    ignored: Mapping[str, int] = field(default_factory=dict)

@@ -334,7 +334,7 @@ def joint_export(folder: Path, rate: float) -> tuple[Results, Trajectory, str]:
 def rapid_export(folder: Path) -> tuple[dict[str, bytes], str]:
     """The optimised modules of a results folder by file name, and their difference from the program as given."""
     from trajopt_cli.export.rapid import RapidExport, unified_diff
-    from trajopt_cli.rapid.text import read_text
+    from trajopt_cli.rapid.language.text import read_text
 
     modules = read_results(folder).rapid
     given = {path: replace(read_text(copy), path=path) for path, copy, _ in modules}

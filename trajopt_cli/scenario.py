@@ -1,16 +1,74 @@
-"""What a program cannot know about its world: signal values and how long its waits last at least."""
+"""What a program cannot know about its world, as the user tells it, and what is still missing."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+
+from trajopt_cli.errors import InputError, InputErrorGroup
+from trajopt_cli.motion import Source
+
+Answer = float | bool | str
 
 
 @dataclass(frozen=True)
 class Scenario:
-    """signals: value per signal name in lower case. waits: least duration [s] per signal or condition, as written in
-    the program, blanks and case ignored. pass_limit: how often one loop may run before the reader gives up."""
+    """Everything by name; names are in lower case, blanks left out of conditions.
 
-    signals: Mapping[str, float] = field(default_factory=dict)
+    signals: value per signal, or a sequence of which each reading takes the next; the last one stays. answers: the same
+    for operator input, sockets, files and clocks, by the name of the variable that gets the answer, or of the function
+    where it has none. waits: least duration [s] per signal or condition as written. searches: where a search hits, as a
+    share 0..1 of its way, or None for never, by signal or by the name of its SearchPoint. endless_passes: how often a
+    loop that cannot end runs before the program is taken to be over. pass_limit: how often any other loop may run, and
+    statement_limit how many statements, before the reader gives up. assume_identity: tools, work objects and mechanical
+    units that are taken as the identity where the program does not declare them.
+    """
+
+    signals: Mapping[str, float | tuple[float, ...]] = field(default_factory=dict)
+    answers: Mapping[str, Answer | tuple[Answer, ...]] = field(default_factory=dict)
     waits: Mapping[str, float] = field(default_factory=dict)
+    searches: Mapping[str, float | None] = field(default_factory=dict)
+    endless_passes: int | None = None
     pass_limit: int = 100_000
+    statement_limit: int = 10_000_000
+    assume_identity: frozenset[str] = frozenset()
+
+
+@dataclass(frozen=True)
+class Lack:
+    """Something the scenario must say, once per name.
+
+    section: the key of the cell file it belongs under ("signals", "answers", "searches", "endless_passes",
+    "assume_identity"). name: as the program spells it. source: the place that asked first. reason: what asked, in
+    words. value: a value to begin with, as YAML.
+    """
+
+    section: str
+    name: str
+    source: Source
+    reason: str
+    value: str
+
+    @property
+    def line(self) -> str:
+        """The line to add to the cell file."""
+        if self.section == "endless_passes":
+            return f"endless_passes: {self.value}"
+        if self.section == "assume_identity":
+            return f"assume_identity: [{self.name}]"
+        return f"{self.section}: {{{self.name}: {self.value}}}"
+
+
+def lacking(lacks: Sequence[Lack]) -> InputErrorGroup:
+    """One error per lack, each with the line to add."""
+    return InputErrorGroup(
+        [
+            InputError(
+                f"{lack.reason}; add the line '{lack.line}' to the cell file",
+                file=lack.source.file,
+                line=lack.source.line,
+                column=lack.source.column,
+            )
+            for lack in lacks
+        ]
+    )

@@ -6,11 +6,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from trajopt_cli.rapid.expressions import parse_expression
-from trajopt_cli.rapid.lexer import KEYWORDS
-from trajopt_cli.rapid.parser import parse_module, parse_statement
-from trajopt_cli.rapid.printer import print_expression, print_file, print_statement
-from trajopt_cli.rapid.syntax import (
+from trajopt_cli.rapid.language.expressions import parse_expression
+from trajopt_cli.rapid.language.lexer import KEYWORDS
+from trajopt_cli.rapid.language.parser import parse_module, parse_statement
+from trajopt_cli.rapid.language.printer import print_expression, print_file, print_statement
+from trajopt_cli.rapid.language.syntax import (
     Aggregate,
     Argument,
     Assign,
@@ -38,7 +38,7 @@ from trajopt_cli.rapid.syntax import (
     Unary,
     While,
 )
-from trajopt_cli.rapid.syntax import Test as CaseNode
+from trajopt_cli.rapid.language.syntax import Test as CaseNode
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 

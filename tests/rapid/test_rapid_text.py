@@ -10,9 +10,9 @@ import pytest
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, SignalEvent, Span, TextFile, Wait
-from trajopt_cli.rapid.parser import parse_module
+from trajopt_cli.rapid.language.parser import parse_module
+from trajopt_cli.rapid.language.text import decode
 from trajopt_cli.rapid.reader import read_program, run_program
-from trajopt_cli.rapid.text import decode
 
 ROOT = Path(__file__).parents[2]
 MOVES = (MoveJ, MoveL, MoveAbsJ, MoveExtJ)
@@ -284,7 +284,7 @@ P = DATA.splitlines()[0] + "\n"
             "IF di1=1 WaitTime 1;",
             "",
             "3:4: 'di1' is not declared in the program and has no value as a signal; "
-            "add the line 'signals: {di1: 1}' to the cell file",
+            "add the line 'signals: {di1: 0}' to the cell file",
         ),
         (
             "WHILE TRUE DO\nENDWHILE",

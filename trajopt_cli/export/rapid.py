@@ -26,9 +26,9 @@ from trajopt_cli.export.rapid_text import Edits, Names, plain
 from trajopt_cli.motion import Move, MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, Source, Span, Wait
 from trajopt_cli.problem.plan import Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.rapid.parser import parse_module, parse_statement
+from trajopt_cli.rapid.language.parser import parse_module, parse_statement
+from trajopt_cli.rapid.language.syntax import Argument, If, ProcedureCall
 from trajopt_cli.rapid.reader import walk
-from trajopt_cli.rapid.syntax import Argument, If, ProcedureCall
 from trajopt_cli.scenario import Scenario
 
 _RAIL_STILL = 1e-9  # m

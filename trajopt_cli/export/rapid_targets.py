@@ -22,8 +22,8 @@ from trajopt_cli.motion import (
     Span,
 )
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.rapid.expressions import parse_expression
-from trajopt_cli.rapid.syntax import Aggregate, Expression
+from trajopt_cli.rapid.language.expressions import parse_expression
+from trajopt_cli.rapid.language.syntax import Aggregate, Expression
 from trajopt_cli.robot.inverse import confdata, confdata_admits
 from trajopt_cli.units import MM
 

@@ -7,8 +7,8 @@ from collections import defaultdict
 from collections.abc import Mapping
 
 from trajopt_cli.motion import Span, TextFile
-from trajopt_cli.rapid.lexer import scan
-from trajopt_cli.rapid.predefined import VARIABLES, predefined
+from trajopt_cli.rapid.data.predefined import VARIABLES, predefined
+from trajopt_cli.rapid.language.lexer import scan
 from trajopt_cli.rapid.reader import DROPPED
 from trajopt_cli.units import MM
 

@@ -7,30 +7,55 @@ from collections.abc import Sequence
 from dataclasses import fields, is_dataclass
 from pathlib import Path
 
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import InputError, InputErrorGroup
+from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, TextFile
-from trajopt_cli.rapid.interpreter import Run
-from trajopt_cli.rapid.loading import load
-from trajopt_cli.rapid.parser import parse_module
-from trajopt_cli.rapid.syntax import ModuleFile, Node, ProcedureCall
-from trajopt_cli.rapid.text import Places, read_text
-from trajopt_cli.scenario import Scenario
+from trajopt_cli.rapid.execution.interpreter import Run
+from trajopt_cli.rapid.execution.loading import load
+from trajopt_cli.rapid.language.parser import parse_module
+from trajopt_cli.rapid.language.syntax import ModuleFile, Node, ProcedureCall
+from trajopt_cli.rapid.language.text import Places, read_text
+from trajopt_cli.scenario import Lack, Scenario, lacking
 
 _MARK = re.compile(r"!\s*trajopt\s*:\s*(.*?)\s*$", re.IGNORECASE)
 DROPPED = "! dropped by trajopt: "  # how an export begins the comment that a dropped move becomes
 
 
-def read_program(path: str | Path, scenario: Scenario | None = None, entry: str = "main") -> Program:
+def read_program(
+    path: str | Path,
+    scenario: Scenario | None = None,
+    entry: str = "main",
+    kinematics: Kinematics | None = None,
+) -> Program:
     """Read one module file, run its entry procedure once, and return the motions in order.
 
-    scenario: signal values and least durations of waits. Raises InputError with file, line and column.
+    scenario: what the program cannot know. kinematics: the robot, for programs that ask where it is. Raises InputError
+    with file, line and column, and one for everything that the scenario lacks.
     """
-    return run_program([read_text(path)], scenario, entry)
+    return run_program([read_text(path)], scenario, entry, kinematics)
 
 
-def run_program(files: Sequence[TextFile], scenario: Scenario | None = None, entry: str = "main") -> Program:
+def run_program(
+    files: Sequence[TextFile],
+    scenario: Scenario | None = None,
+    entry: str = "main",
+    kinematics: Kinematics | None = None,
+) -> Program:
     """As read_program, from texts that are already read; the first one gives the program its name."""
-    run = Run(scenario or Scenario())
+    program, lacks = try_program(files, scenario, entry, kinematics)
+    if lacks:
+        raise lacking(lacks)
+    return program
+
+
+def try_program(
+    files: Sequence[TextFile],
+    scenario: Scenario | None = None,
+    entry: str = "main",
+    kinematics: Kinematics | None = None,
+) -> tuple[Program, tuple[Lack, ...]]:
+    """As run_program, with what the scenario lacks beside the motions that 0 in its place leads to."""
+    run = Run(scenario or Scenario(), kinematics)
     modules = []
     for file in files:
         places = Places(file.text, file.path)
@@ -46,14 +71,21 @@ def run_program(files: Sequence[TextFile], scenario: Scenario | None = None, ent
     try:
         load(run, modules)
         run.start(entry)
+    except InputError as error:
+        if not run.world.lacks:
+            raise
+        raise InputErrorGroup([*lacking([*run.world.lacks.values()]).errors, error]) from error
     except RecursionError:
         raise InputError("is nested too deeply to be run", file=files[0].path) from None
-    return Program(
+    program = Program(
         name=Path(files[0].path).stem,
         motions=tuple(run.motions),
         files={file.path: file for file in files},
         warnings=(*run.warnings, *_unused_marks(run)),
+        entry=entry,
+        ignored=dict(run.ignored),
     )
+    return program, tuple(run.world.lacks.values())
 
 
 def _marked(tree: ModuleFile, places: Places) -> list[int]:

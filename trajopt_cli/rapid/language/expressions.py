@@ -9,8 +9,8 @@ from __future__ import annotations
 import re
 from typing import NoReturn
 
-from trajopt_cli.rapid.lexer import scan
-from trajopt_cli.rapid.syntax import (
+from trajopt_cli.rapid.language.lexer import scan
+from trajopt_cli.rapid.language.syntax import (
     Aggregate,
     Argument,
     Binary,
@@ -25,7 +25,7 @@ from trajopt_cli.rapid.syntax import (
     String,
     Unary,
 )
-from trajopt_cli.rapid.text import Places
+from trajopt_cli.rapid.language.text import Places
 
 PRIORITY = {
     **dict.fromkeys(("OR", "XOR"), 0),

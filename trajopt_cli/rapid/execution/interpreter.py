@@ -12,16 +12,20 @@ from contextlib import contextmanager
 from math import floor
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.motion import Motion, Source
-from trajopt_cli.rapid.arguments import present
-from trajopt_cli.rapid.datatypes import NUM, SIGNALS, SWITCH, Array, Type, Value
-from trajopt_cli.rapid.evaluate import condition, convertible, evaluate, locate, number
-from trajopt_cli.rapid.functions import FUNCTIONS
-from trajopt_cli.rapid.instructions import INSTRUCTIONS
-from trajopt_cli.rapid.loading import declare, find_type
-from trajopt_cli.rapid.predefined import VARIABLES, predefined
-from trajopt_cli.rapid.scope import ABSENT, Absent, Datum, Frame, ModuleScope, Place, Scope
-from trajopt_cli.rapid.syntax import (
+from trajopt_cli.kinematics import Kinematics
+from trajopt_cli.motion import DEFAULT_SETTINGS, Motion, Source
+from trajopt_cli.rapid.data.datatypes import NUM, SIGNALS, SWITCH, Array, Type, Value
+from trajopt_cli.rapid.data.predefined import ERRORS, VARIABLES, predefined
+from trajopt_cli.rapid.data.scope import ABSENT, Absent, Datum, Frame, ModuleScope, Place, Scope
+from trajopt_cli.rapid.execution.arguments import present
+from trajopt_cli.rapid.execution.evaluate import condition, convertible, evaluate, locate, number
+from trajopt_cli.rapid.execution.faults import Fault
+from trajopt_cli.rapid.execution.functions.table import FUNCTIONS
+from trajopt_cli.rapid.execution.instructions.table import INSTRUCTIONS
+from trajopt_cli.rapid.execution.loading import declare, find_type
+from trajopt_cli.rapid.execution.position import Position
+from trajopt_cli.rapid.execution.world import World
+from trajopt_cli.rapid.language.syntax import (
     Argument,
     Assign,
     Block,
@@ -47,7 +51,7 @@ from trajopt_cli.rapid.syntax import (
     Test,
     While,
 )
-from trajopt_cli.rapid.text import Places
+from trajopt_cli.rapid.language.text import Places
 from trajopt_cli.scenario import Scenario
 
 CALL_LIMIT = 40  # routines inside routines; a controller's stack ends at a few dozen too
@@ -65,9 +69,12 @@ class Exit(Exception):
 class Run:
     """One execution of a program: its data as it stands now, and the motions so far."""
 
-    def __init__(self, scenario: Scenario):
+    def __init__(self, scenario: Scenario, kinematics: Kinematics | None = None):
         self.scenario = scenario
-        self.signals: dict[str, float] = dict(scenario.signals)
+        self.position = Position(kinematics)
+        self.settings = DEFAULT_SETTINGS
+        self.ignored: Counter[str] = Counter()  # instructions without effect on motion
+        self.world = World(scenario)
         self.motions: list[Motion] = []
         self.warnings: dict[str, None] = {}  # a set that keeps its order
         self.optional: set[tuple[str, int]] = set()  # file and start of the moves that are marked
@@ -98,6 +105,11 @@ class Run:
     def error(self, node: Node, message: str) -> InputError:
         """An InputError placed at a node of the code that runs now."""
         return self.places().error(node.start, message)
+
+    def fault(self, node: Node, name: str, message: str) -> Fault:
+        """An error that the program may handle, placed at a node; name is one of predefined.ERRORS."""
+        place = self.source(node)
+        return Fault(message, name, ERRORS[name], file=place.file, line=place.line, column=place.column)
 
     def warn(self, message: str) -> None:
         """Tell the user, once."""

@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from trajopt_cli.rapid.scope import Absent
-from trajopt_cli.rapid.syntax import Argument, Call, Expression, Name, ProcedureCall
+from trajopt_cli.rapid.data.datatypes import Value
+from trajopt_cli.rapid.data.scope import Absent
+from trajopt_cli.rapid.language.syntax import Argument, Call, Expression, Name, ProcedureCall
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Run
+
+
+# A handler of an instruction or of a function.
+Instruction = Callable[["Run", ProcedureCall], None]
+Function = Callable[["Run", Call], Value]
 
 
 @dataclass(frozen=True)

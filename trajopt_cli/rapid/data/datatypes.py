@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from trajopt_cli.motion import Span
-from trajopt_cli.rapid.syntax import Aggregate
+from trajopt_cli.rapid.language.syntax import Aggregate
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
-from trajopt_cli.rapid.lexer import NUMBER
+from trajopt_cli.rapid.language.lexer import NUMBER
 
 
 @dataclass(frozen=True, slots=True)

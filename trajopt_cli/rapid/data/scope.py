@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from trajopt_cli.rapid.datatypes import Array, Data, Record, Type, Value
-from trajopt_cli.rapid.syntax import AliasDeclaration, RecordDeclaration, Routine
-from trajopt_cli.rapid.text import Places
+from trajopt_cli.rapid.data.datatypes import Array, Data, Record, Type, Value
+from trajopt_cli.rapid.language.syntax import AliasDeclaration, RecordDeclaration, Routine
+from trajopt_cli.rapid.language.text import Places
 
 
 class Datum:

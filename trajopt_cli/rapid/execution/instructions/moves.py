@@ -23,9 +23,8 @@ from trajopt_cli.motion import (
     Written,
     Zone,
 )
-from trajopt_cli.rapid import frames
-from trajopt_cli.rapid.arguments import Arguments, bind
-from trajopt_cli.rapid.datatypes import (
+from trajopt_cli.rapid.data import frames
+from trajopt_cli.rapid.data.datatypes import (
     JOINTTARGET,
     LOADDATA,
     ROBTARGET,
@@ -35,12 +34,13 @@ from trajopt_cli.rapid.datatypes import (
     ZONEDATA,
     Value,
 )
-from trajopt_cli.rapid.evaluate import evaluate, number
-from trajopt_cli.rapid.syntax import Expression, Name, Node, ProcedureCall
+from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
+from trajopt_cli.rapid.execution.evaluate import evaluate, number
+from trajopt_cli.rapid.language.syntax import Expression, Name, Node, ProcedureCall
 from trajopt_cli.units import DEG, MM
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Run
 
 NO_POSITION = 8.9e9  # RAPID's 9E9, with room for rounding
 NORM_ERROR, NORM_WARNING = 1e-3, 1e-5  # how far a quaternion's length may be off: beyond is an error, a warning
@@ -266,3 +266,11 @@ def _zone(run: Run, node: Expression, args: Arguments) -> Zone:
     if not radius >= 0:
         raise run.error(override or node, f"zone radius {radius:.6g} mm must not be negative")
     return Zone(name, stop=False, radius=radius * MM)
+
+
+INSTRUCTIONS: dict[str, Instruction] = {
+    "MoveJ": move_j,
+    "MoveL": move_l,
+    "MoveAbsJ": move_abs_j,
+    "MoveExtJ": move_ext_j,
+}

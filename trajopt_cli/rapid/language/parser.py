@@ -8,8 +8,8 @@ building. Statement instructions are procedure calls, so no instruction is known
 
 from __future__ import annotations
 
-from trajopt_cli.rapid.expressions import ExpressionParser
-from trajopt_cli.rapid.syntax import (
+from trajopt_cli.rapid.language.expressions import ExpressionParser
+from trajopt_cli.rapid.language.syntax import (
     AliasDeclaration,
     Assign,
     Block,

@@ -5,8 +5,8 @@ from __future__ import annotations
 from math import fmod, trunc
 from typing import TYPE_CHECKING
 
-from trajopt_cli.rapid import frames
-from trajopt_cli.rapid.datatypes import (
+from trajopt_cli.rapid.data import frames
+from trajopt_cli.rapid.data.datatypes import (
     BOOL,
     NUM,
     ORIENT,
@@ -22,8 +22,8 @@ from trajopt_cli.rapid.datatypes import (
     is_number,
     same_type,
 )
-from trajopt_cli.rapid.scope import Absent, Part, Place, fits, item
-from trajopt_cli.rapid.syntax import (
+from trajopt_cli.rapid.data.scope import Absent, Part, Place, fits, item
+from trajopt_cli.rapid.language.syntax import (
     Aggregate,
     Binary,
     Boolean,
@@ -39,7 +39,7 @@ from trajopt_cli.rapid.syntax import (
 )
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Run
 
 
 def evaluate(run: Run, node: Expression, wanted: Type | None = None) -> Value:
@@ -116,24 +116,13 @@ def _read(run: Run, node: Name, wanted: Type | None) -> Value:
     if place is not None:
         value = place.value
         if value.type.name in SIGNALS:
-            return Value(NUM, _signal_value(run, node, str(value.data)))
+            return Value(NUM, run.world.signal(run, node, str(value.data)))
         if value.data is None:
             raise run.error(node, f"'{node.name}' is of type {value.type.name}, which has no value that can be read")
         return value
     if wanted is not None and not is_number(wanted):
         raise run.error(node, f"{wanted.name} '{node.name}' is not declared in the program")
-    return Value(NUM, _signal_value(run, node, node.name.lower()))
-
-
-def _signal_value(run: Run, node: Name, signal: str) -> float:
-    value = run.signals.get(signal)
-    if value is None:
-        raise run.error(
-            node,
-            f"'{node.name}' is not declared in the program and has no value as a signal; "
-            f"add the line 'signals: {{{node.name}: 1}}' to the cell file",
-        )
-    return value
+    return Value(NUM, run.world.signal(run, node, node.name))
 
 
 def locate(run: Run, node: Expression) -> Place:

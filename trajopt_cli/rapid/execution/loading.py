@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING, TypeVar
 
-from trajopt_cli.rapid.datatypes import TYPES, Array, Atomic, Record, Type, Value
-from trajopt_cli.rapid.evaluate import evaluate, integer
-from trajopt_cli.rapid.scope import Datum, Frame, ModuleScope, Scope
-from trajopt_cli.rapid.syntax import (
+from trajopt_cli.rapid.data.datatypes import TYPES, Array, Atomic, Record, Type, Value
+from trajopt_cli.rapid.data.scope import Datum, Frame, ModuleScope, Scope
+from trajopt_cli.rapid.execution.evaluate import evaluate, integer
+from trajopt_cli.rapid.language.syntax import (
     AliasDeclaration,
     DataDeclaration,
     Item,
@@ -17,10 +17,10 @@ from trajopt_cli.rapid.syntax import (
     RecordDeclaration,
     Routine,
 )
-from trajopt_cli.rapid.text import Places
+from trajopt_cli.rapid.language.text import Places
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.interpreter import Run
+    from trajopt_cli.rapid.execution.interpreter import Run
 
 _Thing = TypeVar("_Thing")
 

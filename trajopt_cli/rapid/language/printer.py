@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from math import inf
 
-from trajopt_cli.rapid.expressions import PRIORITY
-from trajopt_cli.rapid.syntax import (
+from trajopt_cli.rapid.language.expressions import PRIORITY
+from trajopt_cli.rapid.language.syntax import (
     Aggregate,
     AliasDeclaration,
     Argument,

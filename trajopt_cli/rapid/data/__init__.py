@@ -1,0 +1,1 @@
+"""What a RAPID program computes with: types, values, names, predefined data."""

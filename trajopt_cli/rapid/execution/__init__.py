@@ -1,0 +1,1 @@
+"""Runs a syntax tree: statements, expressions, instructions and functions."""

@@ -1,0 +1,1 @@
+"""Functions by topic; table.py lists them all."""

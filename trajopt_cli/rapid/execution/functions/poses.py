@@ -1,0 +1,101 @@
+"""Functions of frames, orientations and vectors. Angles in degrees, lengths in mm."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from trajopt_cli.rapid.data import frames
+from trajopt_cli.rapid.data.datatypes import NUM, ORIENT, POS, POSE, Value
+from trajopt_cli.rapid.execution.arguments import Function, bind
+from trajopt_cli.rapid.execution.evaluate import evaluate, number
+from trajopt_cli.rapid.language.syntax import Call, Expression
+from trajopt_cli.units import DEG
+
+if TYPE_CHECKING:
+    from trajopt_cli.rapid.execution.interpreter import Run
+
+
+def _frame(run: Run, node: Expression) -> frames.Frame:
+    p, q = evaluate(run, node, POSE).data
+    if frames.norm(q) == 0:
+        raise run.error(node, f"{run.text(node)} has orientation [0,0,0,0]: it was never given a value")
+    return p, frames.normalised(q)
+
+
+def _pose_mult(run: Run, node: Call) -> Value:
+    a, b = bind(run, node, ("Pose1", "Pose2")).required
+    return Value(POSE, frames.compose(_frame(run, a), _frame(run, b)))
+
+
+def _pose_inv(run: Run, node: Call) -> Value:
+    (a,) = bind(run, node, ("Pose",)).required
+    return Value(POSE, frames.inverse(_frame(run, a)))
+
+
+def _pose_vect(run: Run, node: Call) -> Value:
+    a, b = bind(run, node, ("Pose", "Pos")).required
+    point: frames.Vector = evaluate(run, b, POS).data
+    return Value(POS, frames.compose(_frame(run, a), (point, (1.0, 0.0, 0.0, 0.0)))[0])
+
+
+def _orient_zyx(run: Run, node: Call) -> Value:
+    z, y, x = (number(run, a) * DEG for a in bind(run, node, ("ZAngle", "YAngle", "XAngle")).required)
+    return Value(ORIENT, frames.product(frames.product(frames.about(2, z), frames.about(1, y)), frames.about(0, x)))
+
+
+def _n_orient(run: Run, node: Call) -> Value:
+    (argument,) = bind(run, node, ("Rotation",)).required
+    q: frames.Quaternion = evaluate(run, argument, ORIENT).data
+    if frames.norm(q) == 0:
+        raise run.error(argument, f"{run.text(argument)} is [0,0,0,0], which has no direction")
+    return Value(ORIENT, frames.normalised(q))
+
+
+def _euler_zyx(run: Run, node: Call) -> Value:
+    args = bind(run, node, ("Rotation",), ("X", "Y", "Z"))
+    if len(args.optional) != 1:
+        raise run.error(node, "EulerZYX takes exactly one of \\X, \\Y, \\Z")
+    q: frames.Quaternion = evaluate(run, args.required[0], ORIENT).data
+    R = frames.matrix(frames.normalised(q)) if frames.norm(q) else None
+    if R is None:
+        raise run.error(args.required[0], "EulerZYX of [0,0,0,0], which has no direction")
+    angles = {
+        "x": math.atan2(R[2][1], R[2][2]),
+        "y": math.atan2(-R[2][0], math.hypot(R[0][0], R[1][0])),
+        "z": math.atan2(R[1][0], R[0][0]),
+    }
+    return Value(NUM, angles[next(iter(args.optional))] / DEG)
+
+
+def _pos(run: Run, node: Expression) -> frames.Vector:
+    x, y, z = evaluate(run, node, POS).data
+    return x, y, z
+
+
+def _distance(run: Run, node: Call) -> Value:
+    a, b = (_pos(run, argument) for argument in bind(run, node, ("Point1", "Point2")).required)
+    return Value(NUM, math.dist(a, b))
+
+
+def _dot_prod(run: Run, node: Call) -> Value:
+    a, b = (_pos(run, argument) for argument in bind(run, node, ("Vector1", "Vector2")).required)
+    return Value(NUM, a[0] * b[0] + a[1] * b[1] + a[2] * b[2])
+
+
+def _vect_magn(run: Run, node: Call) -> Value:
+    (a,) = bind(run, node, ("Vector",)).required
+    return Value(NUM, frames.length(_pos(run, a)))
+
+
+FUNCTIONS: dict[str, Function] = {
+    "PoseMult": _pose_mult,
+    "PoseInv": _pose_inv,
+    "PoseVect": _pose_vect,
+    "OrientZYX": _orient_zyx,
+    "EulerZYX": _euler_zyx,
+    "NOrient": _n_orient,
+    "Distance": _distance,
+    "DotProd": _dot_prod,
+    "VectMagn": _vect_magn,
+}

@@ -1,0 +1,15 @@
+"""Every supported function by name: one handler and one line in the FUNCTIONS of its topic."""
+
+from __future__ import annotations
+
+from trajopt_cli.rapid.execution.arguments import Function
+from trajopt_cli.rapid.execution.functions import data, numbers, poses, signals, strings, targets
+
+FUNCTIONS: dict[str, Function] = {
+    **targets.FUNCTIONS,
+    **poses.FUNCTIONS,
+    **numbers.FUNCTIONS,
+    **data.FUNCTIONS,
+    **signals.FUNCTIONS,
+    **strings.FUNCTIONS,
+}

@@ -1,0 +1,1 @@
+"""Instructions by topic; table.py lists them all."""

@@ -1,0 +1,1 @@
+"""RAPID text to a syntax tree and back."""
