@@ -222,13 +222,19 @@ class _Move:
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class _PoseMove(_Move):
+    """X_WO: the frame in which the target is written, program displacement included, so X_WT = X_WO X_OT; shared by
+    the motions that have the same one. None where there is none (a work object that the robot holds)."""
+
     X_WT: Array
     conf: ConfData
     tool: Tool
     wobj: str = "wobj0"
+    X_WO: Array | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "X_WT", readonly(self.X_WT))
+        if self.X_WO is not None and self.X_WO.flags.writeable:  # a copy for each motion would be most of its memory
+            object.__setattr__(self, "X_WO", readonly(self.X_WO))
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

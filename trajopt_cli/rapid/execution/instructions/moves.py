@@ -6,11 +6,13 @@ External axes move the base under it and never the target. This is one of the tw
 
 from __future__ import annotations
 
+from functools import lru_cache
 from math import isfinite
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.motion import (
     ConfData,
     ExternalAxes,
@@ -118,10 +120,6 @@ def _pose_move(run: Run, node: ProcedureCall, kind: type[MoveJ] | type[MoveL]) -
     p, q = frames.compose(X_WO, (trans, q)) if X_WO else (trans, q)
     if not all(isfinite(value) and abs(value) < NO_POSITION for value in p):
         raise run.error(point, f"{run.text(point)} has no position: trans is [{', '.join(f'{v:.6g}' for v in p)}] mm")
-    X_WT = np.zeros((4, 4))
-    X_WT[:3, :3] = frames.matrix(q)
-    X_WT[:3, 3] = [value * MM for value in p]
-    X_WT[3, 3] = 1.0
     return kind(
         source=run.source(node),
         written=_written(run, node, point, speed, target),
@@ -131,11 +129,31 @@ def _pose_move(run: Run, node: ProcedureCall, kind: type[MoveJ] | type[MoveL]) -
         extax=_external(extax),
         duration=_duration(run, args),
         optional=(run.file, node.start) in run.optional,
-        X_WT=X_WT,
+        X_WT=_matrix((p, q)),
         conf=_configuration(run, point, conf),
         tool=_tool(run, tool),
         wobj=wobj,
+        X_WO=_pose(X_WO) if X_WO else _IDENTITY,
     )
+
+
+def _matrix(frame: frames.Frame) -> Array:
+    """A frame [mm] as a pose [m]."""
+    p, q = frame
+    X = np.zeros((4, 4))
+    X[:3, :3] = frames.matrix(q)
+    X[:3, 3] = [value * MM for value in p]
+    X[3, 3] = 1.0
+    return X
+
+
+@lru_cache(maxsize=64)
+def _pose(frame: frames.Frame) -> Array:
+    """As _matrix, one array for all motions in the same frame."""
+    return readonly(_matrix(frame))
+
+
+_IDENTITY = readonly(np.eye(4))
 
 
 def _written(run: Run, node: ProcedureCall, point: Expression, speed: Expression, target: Value) -> Written:
