@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from trajopt_cli.rapid.data.datatypes import NUM, Value
+from trajopt_cli.rapid.data.datatypes import BOOL, DNUM, NUM, Type, Value
 from trajopt_cli.rapid.execution.arguments import Function, bind
 from trajopt_cli.rapid.execution.evaluate import integer, number
 from trajopt_cli.rapid.language.syntax import Call
@@ -16,30 +16,30 @@ if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
 
 
-def _plain(name: str, compute: Callable[..., float], count: int = 1) -> Function:
-    """A function of numbers to a number."""
+def _plain(name: str, compute: Callable[..., float], count: int = 1, result: Type = NUM) -> Function:
+    """A function of numbers to a number of the type result."""
 
     def handler(run: Run, node: Call) -> Value:
         required = tuple(f"Value{i}" for i in range(1, count + 1)) if count > 1 else ("Value",)
         values = [number(run, argument) for argument in bind(run, node, required).required]
         try:
-            result = compute(*values)
+            value = compute(*values)
         except (ValueError, OverflowError, ZeroDivisionError) as error:
             shown = ", ".join(f"{value:.6g}" for value in values)
             raise run.error(node, f"{name}({shown}) is not defined: {error}") from error
-        return Value(NUM, float(result))
+        return Value(result, float(value))
 
     return handler
 
 
-def _rounding(exact: Callable[[float], float]) -> Function:
+def _rounding(exact: Callable[[float], float], result: Type = NUM) -> Function:
     def handler(run: Run, node: Call) -> Value:
         args = bind(run, node, ("Value",), ("Dec",))
         dec = args.value("dec")
         digits = integer(run, dec, "\\Dec") if dec is not None else 0
         if not 0 <= digits <= 15:
             raise run.error(node, f"\\Dec:={digits} lies outside 0..15")
-        return Value(NUM, exact(number(run, args.required[0]) * 10.0**digits) / 10.0**digits)
+        return Value(result, exact(number(run, args.required[0]) * 10.0**digits) / 10.0**digits)
 
     return handler
 
@@ -48,18 +48,110 @@ def _half_up(value: float) -> float:
     return math.copysign(math.floor(abs(value) + 0.5), value)
 
 
+def _dnum_to_num(run: Run, node: Call) -> Value:
+    r"""The dnum as a num; with \Integer only if it is a whole number that a num holds exactly."""
+    args = bind(run, node, ("Value",), ("Integer",))
+    value = number(run, args.required[0])
+    if "integer" in args.optional and (value != math.trunc(value) or abs(value) > _EXACT):
+        raise run.fault(node, "ERR_ARGVALERR", f"DnumToNum({value:.15g} \\Integer) takes whole numbers up to {_EXACT}")
+    return Value(NUM, value)
+
+
+_EXACT = 8388608  # 2^23
+
+
+# ----------------------------------------------------------------------------------------------------------- bits
+
+
+def _bits(name: str, compute: Callable[..., int], count: int, top: int, result: Type) -> Function:
+    """A function of whole numbers 0..top, the contents of a byte (or of 52 bits), to one of them."""
+
+    def handler(run: Run, node: Call) -> Value:
+        required = tuple(f"BitData{i}" for i in range(1, count + 1))
+        values = []
+        for argument in bind(run, node, required).required:
+            value = integer(run, argument, f"an argument of {name}")
+            if not 0 <= value <= top:
+                raise run.error(argument, f"an argument of {name} is {value}, and must lie in 0..{top}")
+            values.append(value)
+        return Value(result, float(compute(*values) & top))
+
+    return handler
+
+
+_BYTE, _LONG = 255, 2**52 - 1  # a dnum is exact to 52 bits
+
+
+def _bit_check(top: int) -> Function:
+    def handler(run: Run, node: Call) -> Value:
+        data, place = bind(run, node, ("BitData", "BitPos")).required
+        value, position = integer(run, data, "BitData"), integer(run, place, "BitPos")
+        if not 0 <= value <= top:
+            raise run.error(data, f"BitData is {value}, and must lie in 0..{top}")
+        if not 1 <= position <= top.bit_length():
+            raise run.error(place, f"BitPos {position} lies outside 1..{top.bit_length()}")
+        return Value(BOOL, bool(value >> (position - 1) & 1))
+
+    return handler
+
+
+def _sin(a: float) -> float:
+    return math.sin(a * DEG)
+
+
+def _cos(a: float) -> float:
+    return math.cos(a * DEG)
+
+
+def _tan(a: float) -> float:
+    return math.tan(a * DEG)
+
+
+def _atan2(y: float, x: float) -> float:
+    return math.atan2(y, x) / DEG
+
+
+# Of num and, with Dnum behind the name, of dnum.
+_OF_BOTH: dict[str, tuple[Callable[..., float], int]] = {
+    "Abs": (abs, 1),
+    "Sqrt": (math.sqrt, 1),
+    "Pow": (math.pow, 2),
+    "Sin": (_sin, 1),
+    "Cos": (_cos, 1),
+    "Tan": (_tan, 1),
+    "ASin": (lambda a: math.asin(a) / DEG, 1),
+    "ACos": (lambda a: math.acos(a) / DEG, 1),
+    "ATan": (lambda a: math.atan(a) / DEG, 1),
+    "ATan2": (_atan2, 2),
+}
+_OF_BITS: dict[str, tuple[Callable[..., int], int]] = {
+    "And": (lambda a, b: a & b, 2),
+    "Or": (lambda a, b: a | b, 2),
+    "XOr": (lambda a, b: a ^ b, 2),
+    "Neg": (lambda a: ~a, 1),
+    "LSh": (lambda a, n: a << min(n, 52), 2),
+    "RSh": (lambda a, n: a >> n, 2),
+}
+
+
 FUNCTIONS: dict[str, Function] = {
-    "Abs": _plain("Abs", abs),
-    "Sqrt": _plain("Sqrt", math.sqrt),
+    **{name: _plain(name, compute, count) for name, (compute, count) in _OF_BOTH.items()},
+    **{f"{name}Dnum": _plain(f"{name}Dnum", compute, count, DNUM) for name, (compute, count) in _OF_BOTH.items()},
     "Exp": _plain("Exp", math.exp),
-    "Pow": _plain("Pow", math.pow, 2),
-    "Sin": _plain("Sin", lambda a: math.sin(a * DEG)),
-    "Cos": _plain("Cos", lambda a: math.cos(a * DEG)),
-    "Tan": _plain("Tan", lambda a: math.tan(a * DEG)),
-    "ASin": _plain("ASin", lambda a: math.asin(a) / DEG),
-    "ACos": _plain("ACos", lambda a: math.acos(a) / DEG),
-    "ATan": _plain("ATan", lambda a: math.atan(a) / DEG),
-    "ATan2": _plain("ATan2", lambda y, x: math.atan2(y, x) / DEG, 2),
+    "ExpDnum": _plain("ExpDnum", math.exp, 1, DNUM),
+    "Max": _plain("Max", max, 2),
+    "Min": _plain("Min", min, 2),
     "Round": _rounding(_half_up),
+    "RoundDnum": _rounding(_half_up, DNUM),
     "Trunc": _rounding(lambda value: float(math.trunc(value))),
+    "TruncDnum": _rounding(lambda value: float(math.trunc(value)), DNUM),
+    "NumToDnum": _plain("NumToDnum", float, 1, DNUM),
+    "DnumToNum": _dnum_to_num,
+    **{f"Bit{name}": _bits(f"Bit{name}", compute, count, _BYTE, NUM) for name, (compute, count) in _OF_BITS.items()},
+    **{
+        f"Bit{name}Dnum": _bits(f"Bit{name}Dnum", compute, count, _LONG, DNUM)
+        for name, (compute, count) in _OF_BITS.items()
+    },
+    "BitCheck": _bit_check(_BYTE),
+    "BitCheckDnum": _bit_check(_LONG),
 }

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+import numpy as np
+
+from trajopt_cli.geometry import wxyz_from_rotation
 from trajopt_cli.rapid.data import frames
-from trajopt_cli.rapid.data.datatypes import NUM, ORIENT, POS, POSE, Value
+from trajopt_cli.rapid.data.datatypes import NUM, ORIENT, POS, POSE, ROBTARGET, Value
 from trajopt_cli.rapid.execution.arguments import Function, bind
-from trajopt_cli.rapid.execution.evaluate import evaluate, number
+from trajopt_cli.rapid.execution.evaluate import evaluate, integer, number
 from trajopt_cli.rapid.language.syntax import Call, Expression
 from trajopt_cli.units import DEG
 
@@ -68,6 +72,64 @@ def _euler_zyx(run: Run, node: Call) -> Value:
     return Value(NUM, angles[next(iter(args.optional))] / DEG)
 
 
+# ------------------------------------------------------------------------------------------- frames from points
+
+
+def _three_points(run: Run, nodes: Sequence[Expression], origin: int, call: Call) -> frames.Frame:
+    """The frame whose x axis points from the first to the second point and whose xy plane holds the third.
+
+    origin: 1 in the first point, 2 in the second, 3 on the line through both, opposite the third.
+    """
+    points: list[frames.Vector] = [evaluate(run, node, ROBTARGET).data[0] for node in nodes]
+    first, second, third = points
+    x = _unit(_difference(second, first))
+    across = _difference(third, first)
+    z = None if x is None else _unit(frames.cross(x, across))
+    if x is None or z is None:
+        names = ", ".join(run.text(node) for node in nodes)
+        raise run.fault(call, "ERR_FRAME", f"{call.name}: the points {names} lie on one line, so they give no frame")
+    y = frames.cross(z, x)
+    along = sum(a * b for a, b in zip(across, x, strict=True))
+    start = {
+        1: first,
+        2: second,
+        3: (first[0] + along * x[0], first[1] + along * x[1], first[2] + along * x[2]),
+    }
+    if origin not in start:
+        raise run.error(call, f"\\Origin:={origin} of {call.name} must be 1, 2 or 3")
+    R = np.array([x, y, z]).T
+    w, i, j, k = (float(part) for part in wxyz_from_rotation(R))
+    return start[origin], (w, i, j, k)
+
+
+def _difference(a: frames.Vector, b: frames.Vector) -> frames.Vector:
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
+def _unit(v: frames.Vector) -> frames.Vector | None:
+    """v at length 1, None where it has no direction to speak of."""
+    length = frames.length(v)
+    return None if length < _NO_LENGTH else (v[0] / length, v[1] / length, v[2] / length)
+
+
+_NO_LENGTH = 1e-3  # mm: nobody teaches a frame by points that close
+
+
+def _def_frame(run: Run, node: Call) -> Value:
+    """Where a work object lies, by three points on it."""
+    args = bind(run, node, ("NewP1", "NewP2", "NewP3"), ("Origin",))
+    chosen = args.value("origin")
+    origin = integer(run, chosen, "\\Origin") if chosen is not None else 1
+    return Value(POSE, _three_points(run, args.required, origin, node))
+
+
+def _def_d_frame(run: Run, node: Call) -> Value:
+    """The displacement that brings three points from where they were to where they are."""
+    points = bind(run, node, ("OldP1", "OldP2", "OldP3", "NewP1", "NewP2", "NewP3")).required
+    old, new = (_three_points(run, part, 1, node) for part in (points[:3], points[3:]))
+    return Value(POSE, frames.compose(new, frames.inverse(old)))
+
+
 def _pos(run: Run, node: Expression) -> frames.Vector:
     x, y, z = evaluate(run, node, POS).data
     return x, y, z
@@ -95,6 +157,8 @@ FUNCTIONS: dict[str, Function] = {
     "OrientZYX": _orient_zyx,
     "EulerZYX": _euler_zyx,
     "NOrient": _n_orient,
+    "DefFrame": _def_frame,
+    "DefDFrame": _def_d_frame,
     "Distance": _distance,
     "DotProd": _dot_prod,
     "VectMagn": _vect_magn,
