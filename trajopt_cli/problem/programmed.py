@@ -1,0 +1,58 @@
+"""The robot behind a program: what CalcRobT, CalcJointT, CRobT and CJointT ask, answered by the cell's own machine."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.motion import NO_EXTERNAL_AXES, ConfData, ExternalAxes
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.robot.inverse import confdata, confdata_admits, solutions
+from trajopt_cli.units import MM
+
+
+class PlantKinematics:
+    """trajopt_cli.kinematics.Kinematics on a plant: joint limits in force, turns included, the rail where extax says.
+
+    An external axis that does not drive the rail changes nothing.
+    """
+
+    def __init__(self, plant: Plant):
+        self.plant = plant
+
+    @cached_property
+    def start(self) -> tuple[Array, ExternalAxes]:
+        """Arm joints (6,) [rad] and external axes [mm] where the cycle begins."""
+        plant = self.plant
+        extax = list(NO_EXTERNAL_AXES)
+        if plant.rail_eax is not None:
+            extax[plant.rail_eax] = float(plant.start[0]) / MM
+        a, b, c, d, e, f = extax
+        return plant.start[-6:], (a, b, c, d, e, f)
+
+    def forward(self, q: Array, extax: ExternalAxes) -> Array:
+        """X_WF (4, 4) at arm joints q (6,) [rad]; the rail at its start where extax leaves it open."""
+        rail = self._rail(extax)
+        return self.plant.robot.forward(np.asarray(q) if rail is None else np.r_[rail, q])
+
+    def inverse(self, X_WF: Array, extax: ExternalAxes, conf: ConfData | None, near: Array | None) -> Array | None:
+        """Arm joints (6,) [rad] that bring the flange to X_WF in configuration conf, of several the nearest to near."""
+        robot = self.plant.robot
+        found = [q for _, q in solutions(robot, X_WF, self._rail(extax), self.plant.limits)]
+        if conf is not None:
+            found = [q for q in found if confdata_admits(robot, conf, q)]
+        centre = self.plant.start[-6:] if near is None else near
+        return min(found, key=lambda q: float(np.linalg.norm(q - centre)), default=None)
+
+    def confdata(self, q: Array) -> ConfData:
+        """Configuration of arm joints q (6,) [rad]."""
+        return confdata(self.plant.robot, q)
+
+    def _rail(self, extax: ExternalAxes) -> float | None:
+        """The rail [m], None for a robot without one."""
+        if self.plant.rail_eax is None:
+            return None
+        given = self.plant.rail_value(extax)
+        return float(self.plant.start[0]) if given is None else given
