@@ -1,25 +1,11 @@
-"""A program's motions as a table and as records, in the units of RAPID: mm, deg, mm/s."""
+"""A program's motions as a table, in the units of RAPID: mm, deg, mm/s."""
 
 from __future__ import annotations
-
-from collections.abc import Iterable
-from dataclasses import asdict
-from typing import Any
 
 from rich.table import Table
 
 from trajopt_cli.cli.layout import place, plain_table
 from trajopt_cli.rapid.listing import Listing, Row
-
-
-def listing_record(listing: Listing, warnings: Iterable[str]) -> dict[str, Any]:
-    """The listing as plain data; mm, deg, mm/s, quaternions scalar first."""
-    return {
-        "motions": [asdict(row) | {"source": str(row.source)} for row in listing.rows],
-        "line_length_mm": listing.line_length,
-        "fly_by_zones": listing.fly_by,
-        "warnings": list(warnings),
-    }
 
 
 def listing_table(program: str, listing: Listing) -> Table:

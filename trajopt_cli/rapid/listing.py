@@ -3,137 +3,266 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
 from trajopt_cli.geometry import Array, inverse_pose, wxyz_from_rotation
+from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import (
+    NO_EXTERNAL_AXES,
     ConfData,
     ExternalAxes,
+    Motion,
+    Move,
     MoveAbsJ,
+    MoveC,
     MoveExtJ,
     MoveJ,
     MoveL,
+    PathEvent,
     Program,
+    Settings,
     SignalEvent,
+    Singularity,
     Source,
     Wait,
 )
 from trajopt_cli.units import DEG, MM
 
+Triple = tuple[float, float, float]
+_WORD = re.compile(r"\w+")
+
 
 @dataclass(frozen=True)
 class Row:
-    """One motion. None where the motion has no such part.
+    """One motion in mm, deg, mm/s, deg/s. None where the motion has no such part.
 
-    index: its place in Program.motions. target: as written; of a wait its condition, of a signal event the signal.
-    position: world, mm. orientation: world, unit quaternion w x y z. joints: deg. speed: TCP speed, mm/s. duration:
-    seconds of a wait, or the programmed time of a move. value: what a signal is set to.
+    index: its place in Program.motions. instruction: as written; kind: what it is to the robot ("MoveL", "Wait",
+    "SignalEvent"). target: as written; of a wait its condition, of a signal event the signal. position: world.
+    orientation: world, unit quaternion w x y z. via: the point an arc goes through. joints: of the arm. speed, zone:
+    their names. v_tcp and the rest: their figures, VelSet and \\V included. radius: programmed, of a fly-by;
+    effective_radius: what the way to its neighbours leaves of it. extax: mm or deg. duration: seconds of a wait (at
+    least, where a condition ends it), or the programmed time of a move. value: what a signal is set to. length: of a
+    line or an arc whose start is known. settings: what differs from the default, by the name of the instruction.
     """
 
     index: int
     source: Source
     instruction: str
+    kind: str
     target: str | None = None
-    position: tuple[float, float, float] | None = None
+    position: Triple | None = None
     orientation: tuple[float, float, float, float] | None = None
+    via: Triple | None = None
     joints: tuple[float, ...] | None = None
     speed: str | None = None
     v_tcp: float | None = None
+    v_ori: float | None = None
+    v_leax: float | None = None
+    v_reax: float | None = None
     zone: str | None = None
     stop: bool | None = None
+    criterion: str | None = None
+    radius: float | None = None
+    effective_radius: float | None = None
     tool: str | None = None
     wobj: str | None = None
     extax: ExternalAxes | None = None
     conf: ConfData | None = None
     duration: float | None = None
-    optional: bool = False
     value: float | None = None
+    length: float | None = None
+    optional: bool = False
+    settings: Mapping[str, Any] = field(default_factory=dict)
+    events: tuple[PathEvent, ...] = ()
+    process: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True)
 class Listing:
-    """line_length: of all straight lines whose start the program tells, mm. fly_by: zones that are no stops."""
+    """line_length, arc_length: of all lines and arcs whose start is known, mm; unmeasured: how many are not.
+
+    fly_by: zones that are no stops.
+    """
 
     rows: tuple[Row, ...]
     line_length: float
+    arc_length: float
+    unmeasured: int
     fly_by: int
 
 
-def describe(program: Program) -> Listing:
-    """The program's motions as rows, the sum of its line lengths, and how many zones will be planned as stops.
+def describe(program: Program, kinematics: Kinematics | None = None) -> Listing:
+    """The program's motions as rows, and sums over them.
 
-    A line after a joint move has no start in the program's text, so its length is not counted.
+    A line after a joint move has no start in the program's text; only kinematics tell it.
     """
-    rows, length, fly_by = [], 0.0, 0
-    X_WF: Array | None = None  # the flange before the motion; another tool there has another centre point
+    lengths = _lengths(program, kinematics)
+    quaternions = _quaternions(program.motions)
+    radii = _radii(program, lengths)
+    settings: dict[int, dict[str, Any]] = {}  # by identity: thousands of motions share one
+    rows = []
     for index, motion in enumerate(program.motions):
-        match motion:
-            case MoveJ() | MoveL():
-                if isinstance(motion, MoveL) and X_WF is not None:
-                    chord = motion.X_WT[:3, 3] - (X_WF @ motion.tool.X_FT)[:3, 3]
-                    length += float(np.linalg.norm(chord)) / MM
-                X_WF = motion.X_WT @ inverse_pose(motion.tool.X_FT)
-                row = _pose_row(index, motion)
-            case MoveAbsJ() | MoveExtJ():
-                X_WF = None
-                row = _joint_row(index, motion)
-            case Wait():
-                name = _instruction(program, motion)
-                row = Row(index, motion.source, name, target=motion.condition, duration=motion.duration)
-            case SignalEvent():
-                name = _instruction(program, motion)
-                row = Row(index, motion.source, name, target=motion.signal, value=motion.value)
-        fly_by += row.stop is False
+        if isinstance(motion, Wait):
+            row = Row(
+                index, motion.source, _instruction(program, motion), "Wait",
+                target=motion.condition, duration=motion.duration,
+            )  # fmt: skip
+        elif isinstance(motion, SignalEvent):
+            row = Row(
+                index, motion.source, _instruction(program, motion), "SignalEvent",
+                target=motion.signal, value=motion.value,
+            )  # fmt: skip
+        else:
+            known = settings.get(id(motion.settings))
+            if known is None:
+                known = settings[id(motion.settings)] = differing(motion.settings)
+            row = _move_row(index, motion, quaternions.get(index), lengths[index], radii.get(index), known)
         rows.append(row)
-    return Listing(tuple(rows), length, fly_by)
+    lines = sum(row.length for row in rows if row.kind == "MoveL" and row.length is not None)
+    arcs = sum(row.length for row in rows if row.kind == "MoveC" and row.length is not None)
+    unmeasured = sum(row.kind in ("MoveL", "MoveC") and row.length is None for row in rows)
+    return Listing(tuple(rows), lines, arcs, unmeasured, sum(row.stop is False for row in rows))
+
+
+def differing(settings: Settings) -> dict[str, Any]:
+    """What differs from the default, by the name of the instruction that sets it, in its own units."""
+    out: dict[str, Any] = {}
+    for word, on in (("ConfJ", settings.conf_j), ("ConfL", settings.conf_l)):
+        if not on:
+            out[word] = "Off"
+    if settings.singularity is not Singularity.OFF:
+        out["SingArea"] = settings.singularity.value
+    if (settings.acceleration, settings.ramp) != (1.0, 1.0):
+        out["AccSet"] = [settings.acceleration * 100, settings.ramp * 100]
+    if (settings.path_acceleration, settings.path_deceleration) != (None, None):
+        out["PathAccLim"] = [settings.path_acceleration, settings.path_deceleration]
+    if settings.world_acceleration is not None:
+        out["WorldAccLim"] = settings.world_acceleration
+    if settings.override != 1.0 or settings.v_max is not None:
+        out["VelSet"] = [settings.override * 100, None if settings.v_max is None else settings.v_max / MM]
+    if settings.load is not None:
+        out["GripLoad"] = settings.load.name
+    if any(settings.eax_offset):
+        out["EOffs"] = list(settings.eax_offset)
+    if settings.displaced:
+        out["PDisp"] = "On"
+    return out
 
 
 def _instruction(program: Program, motion: Wait | SignalEvent) -> str:
     """The instruction's name as the program spells it."""
     statement = motion.written.statement
-    match = re.match(r"\w+", program.files[statement.file].text[statement.start :])
+    match = _WORD.match(program.files[statement.file].text, statement.start)
     return match[0] if match else type(motion).__name__
 
 
-def _pose_row(index: int, motion: MoveJ | MoveL) -> Row:
-    x, y, z = (float(value) / MM for value in motion.X_WT[:3, 3])
-    w, i, j, k = (float(value) for value in wxyz_from_rotation(motion.X_WT[:3, :3]))
+def _quaternions(motions: Sequence[Motion]) -> dict[int, list[float]]:
+    """Orientation w x y z by index, of all poses at once."""
+    poses = {i: m.X_WT for i, m in enumerate(motions) if isinstance(m, MoveJ | MoveL | MoveC)}
+    if not poses:
+        return {}
+    return dict(zip(poses, wxyz_from_rotation(np.array([*poses.values()])[:, :3, :3]).tolist(), strict=True))
+
+
+def _lengths(program: Program, kinematics: Kinematics | None) -> list[float | None]:
+    """Length [m] of each line and arc by index, None for other motions and where the start is not known."""
+    lengths: list[float | None] = []
+    X_WF: Array | None = None  # the flange before the motion; another tool there has another centre point
+    extax = NO_EXTERNAL_AXES
+    if kinematics is not None:
+        q, extax = kinematics.start
+        X_WF = kinematics.forward(q, extax)
+    for motion in program.motions:
+        lengths.append(None)
+        if isinstance(motion, Wait | SignalEvent):
+            continue
+        extax = _taken_over(extax, motion.extax)
+        if isinstance(motion, MoveJ | MoveL | MoveC):
+            if X_WF is not None and not isinstance(motion, MoveJ):
+                start = (X_WF @ motion.tool.X_FT)[:3, 3]
+                end = motion.X_WT[:3, 3]
+                via = motion.X_WV[:3, 3] if isinstance(motion, MoveC) else None
+                lengths[-1] = float(np.linalg.norm(end - start)) if via is None else arc_length(start, via, end)
+            X_WF = motion.X_WT @ inverse_pose(motion.tool.X_FT)
+        elif isinstance(motion, MoveAbsJ):
+            X_WF = None if kinematics is None else kinematics.forward(motion.q, extax)
+        else:
+            X_WF = None
+    return lengths
+
+
+def _taken_over(before: ExternalAxes, given: ExternalAxes) -> ExternalAxes:
+    a, b, c, d, e, f = (old if new is None else new for old, new in zip(before, given, strict=True))
+    return (a, b, c, d, e, f)
+
+
+def arc_length(start: Array, via: Array, end: Array) -> float:
+    """Length of the arc from start through via to end (3,); of the chord where the three lie on a line."""
+    a, b = via - start, end - start
+    area = float(np.linalg.norm(np.cross(a, b)))  # of the parallelogram
+    chords = (float(np.linalg.norm(a)), float(np.linalg.norm(end - via)))
+    chord = float(np.linalg.norm(b))
+    if area <= 1e-12 * max(chord, *chords) ** 2:
+        return sum(chords)
+    radius = chord * chords[0] * chords[1] / (2 * area)
+    # The angle at via stands on the arc that is not driven.
+    angle = float(np.arctan2(area, float((start - via) @ (end - via))))
+    return radius * (2 * np.pi - 2 * angle)
+
+
+def _radii(program: Program, lengths: Sequence[float | None]) -> dict[int, float]:
+    """Effective radius [m] of the fly-by zones by index."""
+    return {}
+
+
+def _point(p: Array) -> Triple:
+    x, y, z = p.tolist()
+    return (x / MM, y / MM, z / MM)
+
+
+def _move_row(
+    index: int,
+    motion: Move,
+    quaternion: list[float] | None,
+    length: float | None,
+    effective: float | None,
+    settings: Mapping[str, Any],
+) -> Row:
+    pose = motion if isinstance(motion, MoveJ | MoveL | MoveC) else None
+    w, x, y, z = quaternion or (0.0,) * 4
+    speed, zone = motion.speed, motion.zone
     return Row(
         index,
         motion.source,
+        motion.process.instruction if motion.process else type(motion).__name__,
         type(motion).__name__,
         target=motion.target,
-        position=(x, y, z),
-        orientation=(w, i, j, k),
-        speed=motion.speed.name,
-        v_tcp=motion.speed.v_tcp / MM,
-        zone=motion.zone.name,
-        stop=motion.zone.stop,
-        tool=motion.tool.name,
-        wobj=motion.wobj,
+        position=None if pose is None else _point(pose.X_WT[:3, 3]),
+        orientation=None if pose is None else (w, x, y, z),
+        via=_point(motion.X_WV[:3, 3]) if isinstance(motion, MoveC) else None,
+        joints=tuple(value / DEG for value in motion.q.tolist()) if isinstance(motion, MoveAbsJ) else None,
+        speed=speed.name,
+        v_tcp=None if isinstance(motion, MoveExtJ) else speed.v_tcp / MM,
+        v_ori=None if isinstance(motion, MoveExtJ) else speed.v_ori / DEG,
+        v_leax=speed.v_leax / MM,
+        v_reax=speed.v_reax / DEG,
+        zone=zone.name,
+        stop=zone.stop,
+        criterion=zone.criterion,
+        radius=None if zone.stop else zone.radius / MM,
+        effective_radius=None if effective is None else effective / MM,
+        tool=None if isinstance(motion, MoveExtJ) else motion.tool.name,
+        wobj=None if pose is None else pose.wobj,
         extax=motion.extax,
-        conf=motion.conf,
+        conf=None if pose is None else pose.conf,
         duration=motion.duration,
+        length=None if length is None else length / MM,
         optional=motion.optional,
-    )
-
-
-def _joint_row(index: int, motion: MoveAbsJ | MoveExtJ) -> Row:
-    arm = isinstance(motion, MoveAbsJ)
-    return Row(
-        index,
-        motion.source,
-        type(motion).__name__,
-        target=motion.target,
-        joints=tuple(float(value) / DEG for value in motion.q) if isinstance(motion, MoveAbsJ) else None,
-        speed=motion.speed.name,
-        v_tcp=motion.speed.v_tcp / MM if arm else None,
-        zone=motion.zone.name,
-        stop=motion.zone.stop,
-        tool=motion.tool.name if isinstance(motion, MoveAbsJ) else None,
-        extax=motion.extax,
-        duration=motion.duration,
-        optional=motion.optional,
+        settings=settings,
+        events=motion.events,
+        process=motion.process.data if motion.process else (),
     )

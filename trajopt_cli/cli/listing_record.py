@@ -1,0 +1,104 @@
+"""A program's motions as plain data, as `trajopt parse --json` prints them; PARSE.md documents every field.
+
+Rounded so that the float32 numbers of RAPID show no noise: 0.1 is 0.1 and not 0.10000000149.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from trajopt_cli.motion import ConfData, PathEvent, Program
+from trajopt_cli.rapid.listing import Listing, Row
+from trajopt_cli.units import MM
+
+SCHEMA = 1
+_MM, _QUATERNION, _DEG = 4, 7, 5  # digits behind the point
+
+
+def listing_record(program: Program, listing: Listing) -> dict[str, Any]:
+    """The listing as plain data without NaN; mm, deg, mm/s, s, quaternions scalar first."""
+    return {
+        "schema": SCHEMA,
+        "program": program.name,
+        "files": list(program.files),
+        "entry": program.entry,
+        "motions": [row_record(row) for row in listing.rows],
+        "line_length": _round(listing.line_length, _MM),
+        "arc_length": _round(listing.arc_length, _MM),
+        "unmeasured": listing.unmeasured,
+        "fly_by_zones": listing.fly_by,
+        "ignored": dict(program.ignored),
+        "warnings": list(program.warnings),
+    }
+
+
+def row_record(row: Row) -> dict[str, Any]:
+    """One motion; every key is always there, null where the motion has no such part."""
+    return {
+        "index": row.index,
+        "source": str(row.source),
+        "instruction": row.instruction,
+        "kind": row.kind,
+        "target": row.target,
+        "position": _rounded(row.position, _MM),
+        "orientation": _rounded(row.orientation, _QUATERNION),
+        "via": _rounded(row.via, _MM),
+        "joints": _rounded(row.joints, _DEG),
+        "speed": row.speed,
+        "v_tcp": _figure(row.v_tcp),
+        "v_ori": _figure(row.v_ori),
+        "v_leax": _figure(row.v_leax),
+        "v_reax": _figure(row.v_reax),
+        "zone": row.zone,
+        "stop": row.stop,
+        "criterion": row.criterion,
+        "radius": _figure(row.radius),
+        "effective_radius": _figure(row.effective_radius),
+        "tool": row.tool,
+        "wobj": row.wobj,
+        "extax": _rounded(row.extax, _DEG),
+        "conf": None if row.conf is None else four(row.conf),
+        "duration": _figure(row.duration),
+        "value": _figure(row.value),
+        "length": None if row.length is None else _round(row.length, _MM),
+        "optional": row.optional,
+        "settings": {word: _setting(value) for word, value in row.settings.items()},
+        "events": [_event(event) for event in row.events],
+        "process": dict(row.process),
+    }
+
+
+def four(conf: ConfData) -> list[int]:
+    """confdata in RAPID's order."""
+    return [conf.cf1, conf.cf4, conf.cf6, conf.cfx]
+
+
+def _event(event: PathEvent) -> dict[str, Any]:
+    return {
+        "kind": event.kind.value,
+        "name": event.name,
+        "value": _figure(event.value),
+        "distance": _figure(event.distance / MM),
+        "time": _figure(event.time),
+        "from_start": event.from_start,
+    }
+
+
+def _setting(value: Any) -> Any:
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return [_setting(one) for one in value]
+    return _figure(value) if isinstance(value, float) else value
+
+
+def _round(value: float, digits: int) -> float:
+    return round(value, digits) + 0.0  # takes the sign off a zero
+
+
+def _rounded(values: Iterable[float | None] | None, digits: int) -> list[float | None] | None:
+    return None if values is None else [None if value is None else _round(value, digits) for value in values]
+
+
+def _figure(value: float | None) -> float | None:
+    """To the seven digits a RAPID num has."""
+    return None if value is None else float(f"{value:.7g}") + 0.0
