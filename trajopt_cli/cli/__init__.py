@@ -55,7 +55,7 @@ def run(arguments: list[str]) -> int:
     try:
         code = app(arguments or ["--help"], prog_name="trajopt", standalone_mode=False)
     except InputError as error:
-        typer.echo(str(error).rstrip("\n"), err=True)
+        typer.echo(error.shown().rstrip("\n"), err=True)
         return 2
     except typer.TyperException as error:
         message = " ".join(error.format_message().replace("Value error, ", "").split()).rstrip(".")

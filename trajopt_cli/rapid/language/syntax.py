@@ -381,8 +381,12 @@ class Module(Node):
 
 @dataclass(frozen=True, slots=True)
 class ModuleFile(Node):
-    """A file's modules. leftovers: stretches of text outside modules, which never run. comments: their stretches."""
+    """A file's modules. leftovers: stretches of text outside modules, which never run. comments: their stretches.
+
+    warnings: (offset, sentence) for what is read although it is odd; each leftover has its own there.
+    """
 
     modules: tuple[Module, ...]
     leftovers: tuple[tuple[int, int], ...] = field(compare=False)
     comments: tuple[tuple[int, int], ...] = field(compare=False, repr=False)
+    warnings: tuple[tuple[int, str], ...] = field(default=(), compare=False)

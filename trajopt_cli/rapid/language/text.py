@@ -6,6 +6,7 @@ import re
 from bisect import bisect_right
 from functools import cached_property
 from pathlib import Path
+from unicodedata import combining, east_asian_width
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import Source, Span, TextFile
@@ -70,6 +71,39 @@ class Places:
         return Span(self.file, start, end)
 
     def error(self, offset: int, message: str) -> InputError:
-        """An InputError placed at an offset."""
+        """An InputError placed at an offset, with its line of text."""
         place = self.source(offset)
-        return InputError(message, file=place.file, line=place.line, column=place.column)
+        excerpt = self.excerpt(offset)
+        return InputError(message, file=place.file, line=place.line, column=place.column, excerpt=excerpt)
+
+    def excerpt(self, offset: int) -> str | None:
+        """The line around an offset, indented, and a caret below the character; of a long line only what is near.
+
+        None on an empty line.
+        """
+        line = self.line(offset) - 1
+        start = max(self._starts[line], offset - _BEFORE)
+        stop = self._starts[line + 1] if line + 1 < len(self._starts) else len(self.text)
+        cut_before, cut_behind = start > self._starts[line], stop > offset + _BEHIND
+        before = ("..." if cut_before else "") + _plain(self.text[start:offset])
+        behind = _plain(self.text[offset : min(stop, offset + _BEHIND)].rstrip("\r\n")) + ("..." if cut_behind else "")
+        shorter = before if cut_before else before.lstrip()
+        if not (shorter + behind).strip():
+            return None
+        return f"{_MARGIN}{shorter}{behind.rstrip()}\n{_MARGIN}{' ' * sum(map(_columns, shorter))}^"
+
+
+_BEFORE, _BEHIND = 70, 40  # characters of a long line that are shown before and behind the place
+_MARGIN = "    "
+
+
+def _plain(text: str) -> str:
+    """Every character a visible one or a blank, so that no terminal obeys it and the caret stands below its place."""
+    return "".join(" " if c.isspace() or c in "\x00\ufeff" else c if c.isprintable() else "?" for c in text)
+
+
+def _columns(character: str) -> int:
+    """How many columns of a terminal a character takes."""
+    if combining(character):
+        return 0
+    return 2 if east_asian_width(character) in "WF" else 1
