@@ -131,7 +131,7 @@ def test_program_comes_to(name: str) -> None:
             run(name)
         assert without_files(str(caught.value), modules(name)) == content["error"]
         return
-    program, plant = run(name)
+    program, _ = run(name)
     record = listing_record(program, describe(program))
     for key in ("motions", "line_length", "arc_length", "ignored", "configurations", "notes"):
         if key in content:

@@ -14,18 +14,18 @@ def parse(program: ProgramPath, cell: CellPath = None, as_json: AsJson = False) 
 
     import typer
 
-    from trajopt_cli.pipeline import read_flat, scenario_for
+    from trajopt_cli.job import cell_for, read_flat, scenario_of
     from trajopt_cli.rapid.listing import describe
 
-    flat = read_flat(program, scenario_for(program, cell))
+    flat = read_flat([program], scenario_of(cell_for([program], cell)))
     listing = describe(flat)
     if as_json:
         from trajopt_cli.cli.listing_record import listing_record
 
         typer.echo(json.dumps(listing_record(flat, listing), indent=2, ensure_ascii=False, allow_nan=False))
         return
-    from trajopt_cli.cli.listing import listing_table
     from trajopt_cli.cli.console import stdout
+    from trajopt_cli.cli.listing import listing_table
 
     console = stdout()
     console.print(listing_table(str(program), listing))

@@ -1,0 +1,168 @@
+"""What a program asks for that no plan can keep yet: said before any work, so that nothing is planned as if not asked.
+
+Programs are read whole (arcs, stationary tools, AccSet, ...); this is where planning ends.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+
+from trajopt_cli.errors import InputError, InputErrorGroup
+from trajopt_cli.motion import (
+    Move,
+    MoveAbsJ,
+    MoveC,
+    MoveExtJ,
+    MoveJ,
+    MoveL,
+    Program,
+    SignalEvent,
+    Singularity,
+    Source,
+    Wait,
+)
+from trajopt_cli.problem.plant import Plant
+
+SHOWN = 20  # lines of one error; a program of a thousand arcs needs no thousand lines
+STILL = 0.1  # mm or deg: backups hold measured values of axes that stand
+_STOP_POINTS = ("inpos20", "inpos50", "inpos100")  # stop points without a time of their own
+
+
+def check_plannable(program: Program, plant: Plant) -> None:
+    """Raise an InputErrorGroup that names each motion no plan can keep, what it asks for, and what to do.
+
+    A statement that runs many times is named once per thing it asks for.
+    """
+    found: dict[tuple[Source, str], InputError] = {}
+    axes = _OtherAxes(plant)
+    for motion in program.motions:
+        if isinstance(motion, Wait | SignalEvent):
+            continue
+        for kind, demand, advice in (*_demands(motion, plant), *axes.demands(motion)):
+            source = motion.source
+            found.setdefault(
+                (source, kind),
+                InputError(
+                    f"{name(motion)} {demand}; {advice}", file=source.file, line=source.line, column=source.column
+                ),
+            )
+    errors = [*found.values()]
+    if len(errors) > SHOWN:
+        rest = Counter(kind for _, kind in list(found)[SHOWN:])
+        told = ", ".join(f"{kind} {count}" for kind, count in rest.items())
+        errors = [*errors[:SHOWN], InputError(f"and {len(found) - SHOWN} more that cannot be planned: {told}")]
+    if errors:
+        raise InputErrorGroup(errors)
+
+
+def planned_otherwise(program: Program) -> tuple[str, ...]:
+    """What a plan takes lightly, one line each: for those who read its times."""
+    moves = [motion for motion in program.motions if not isinstance(motion, Wait | SignalEvent)]
+    lines = []
+    off = {
+        ("ConfL" if isinstance(move, MoveL | MoveC) else "ConfJ"): None
+        for move in moves
+        if not demands_configuration(move) and isinstance(move, MoveJ | MoveL | MoveC)
+    }
+    if off:
+        asked = ", ".join(rf"{word} \Off" for word in sorted(off))
+        lines.append(f"confdata is ignored as the program asks ({asked})")
+    if events := sum(len(move.events) for move in moves):
+        lines.append(f"{events} events on the path take no time: they change no plan")
+    if written := Counter(move.process.instruction for move in moves if move.process is not None):
+        told = ", ".join(f"{instruction} {count}" for instruction, count in written.items())
+        lines.append(f"process instructions are planned as the plain moves they make: {told}")
+    if loads := dict.fromkeys(move.settings.load.name for move in moves if move.settings.load is not None):
+        lines.append(
+            f"loads ({', '.join(loads)}) change nothing here: the cell's acceleration limits hold for any load"
+        )
+    return tuple(lines)
+
+
+def demands_configuration(motion: Move) -> bool:
+    r"""Whether a motion must end in its programmed configuration: ConfJ \On for joint moves, ConfL \On for lines."""
+    match motion:
+        case MoveJ():
+            return motion.settings.conf_j
+        case MoveL() | MoveC():
+            return motion.settings.conf_l
+        case _:
+            return False
+
+
+def name(motion: Move) -> str:
+    """A motion as the program spells it: instruction and target."""
+    instruction = motion.process.instruction if motion.process else type(motion).__name__
+    return f"{instruction} {motion.target}"
+
+
+def _demands(motion: Move, plant: Plant) -> Iterator[tuple[str, str, str]]:
+    """Kind, demand and advice, in words, of everything a motion asks for and no plan keeps."""
+    settings = motion.settings
+    if isinstance(motion, MoveC):
+        yield "arcs", "is an arc, which is read but not planned yet", "replace it by lines (MoveL) to be planned"
+    if isinstance(motion, MoveJ | MoveL | MoveC | MoveAbsJ) and motion.tool.stationary:
+        yield (
+            "stationary tools",
+            f"brings its work to tool {motion.tool.name}, which stands still (robhold FALSE)",
+            "plans hold to a tool on the flange (robhold TRUE)",
+        )
+    if isinstance(motion, MoveL | MoveC) and settings.singularity is not Singularity.OFF:
+        yield (
+            "SingArea",
+            f"may leave its orientation (SingArea \\{settings.singularity.value})",
+            "plans hold to exact orientation: set SingArea \\Off before it",
+        )
+    if settings.acceleration < 1.0 or settings.ramp < 1.0:
+        yield (
+            "AccSet",
+            f"is to accelerate softly (AccSet {settings.acceleration * 100:g}, {settings.ramp * 100:g})",
+            "plans hold to the cell file's limits: set AccSet 100, 100 before it and lower the accelerations there",
+        )
+    cap = plant.tcp.acceleration
+    if not isinstance(motion, MoveExtJ):
+        for word, value in (
+            ("PathAccLim", settings.path_acceleration),
+            ("PathAccLim", settings.path_deceleration),
+            ("WorldAccLim", settings.world_acceleration),
+        ):
+            if value is not None and value < cap:
+                yield (
+                    word,
+                    f"limits the TCP to {value:g} m/s² ({word})",
+                    f"plans hold to the cell's {cap:g} m/s²: lower tcp.acceleration in the cell file to {value:g}",
+                )
+    if motion.zone.criterion is not None and motion.zone.criterion.lower() not in _STOP_POINTS:
+        yield (
+            "stop times",
+            f"stops by {motion.zone.criterion}, whose time is not planned",
+            f"plans hold to a plain stop: use fine or \\Inpos with {', '.join(_STOP_POINTS)}, and a WaitTime",
+        )
+
+
+class _OtherAxes:
+    """External axes that no rail of the cell answers for: they may stand anywhere, but not move."""
+
+    def __init__(self, plant: Plant):
+        self._plant = plant
+        self._at: dict[int, float] = {}
+
+    def demands(self, motion: Move) -> Iterator[tuple[str, str, str]]:
+        """As _demands, for the axes that this motion moves; positions are taken over."""
+        for axis, value in enumerate(motion.extax):
+            if value is None or axis == self._plant.rail_eax:
+                continue
+            before = self._at.setdefault(axis, value)
+            self._at[axis] = value
+            if abs(value - before) > STILL:
+                yield "external axes", f"moves eax_{'abcdef'[axis]} from {before:g} to {value:g}", self._advice(axis)
+                return
+        if isinstance(motion, MoveExtJ) and self._plant.rail_eax is None:
+            yield "external axes", "moves external axes alone, and the cell has none", self._advice(0)
+
+    def _advice(self, axis: int) -> str:
+        if self._plant.rail_eax is None:
+            letter = "abcdef"[axis]
+            return f"the cell knows no external axis: add a rail section if eax_{letter} is one, else hold it still"
+        return f"the cell knows only its rail, eax_{'abcdef'[self._plant.rail_eax]}: hold the other axes still"
