@@ -9,8 +9,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trajopt_cli.beside import in_turns
+from trajopt_cli.job import Job
 from trajopt_cli.motion import Program, Wait
-from trajopt_cli.pipeline import Job, Listener, NoPlan, judge
+from trajopt_cli.pipeline import Listener, NoPlan, judge
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
@@ -99,7 +100,7 @@ def comparison_pictures(answer: Comparison) -> dict[str, bytes]:
     from trajopt_cli.pipeline import plan_pictures
     from trajopt_cli.report.pictures import comparison, savings
 
-    name = answer.job.program_path.name
+    name = answer.job.title
     tried = [(row.name, row.result) for row in answer.rows if isinstance(row.result, Tried)]
     bars = [(label, one.attempt.trajectory.duration, one.report.legal) for label, one in tried]
     out = comparison(bars, name) if bars else {}

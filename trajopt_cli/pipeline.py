@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING
 from trajopt_cli.beside import Beside, cores
 from trajopt_cli.errors import InputError
 from trajopt_cli.files import write_folder
-from trajopt_cli.motion import Move, Program, Wait
+from trajopt_cli.job import Job, read_results_job
+from trajopt_cli.motion import Program, Wait
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
@@ -23,6 +24,7 @@ from trajopt_cli.results import (
     InputFile,
     Judged,
     Results,
+    distinct_names,
     read_results,
     run_record,
     summary,
@@ -31,26 +33,12 @@ from trajopt_cli.results import (
 from trajopt_cli.run_folder import RUN, SUMMARY, check_replaceable
 
 if TYPE_CHECKING:
-    from trajopt_cli.cell.model import Cell
     from trajopt_cli.findings import Finding, Report
     from trajopt_cli.problem.plant import Plant
-    from trajopt_cli.scenario import Scenario
     from trajopt_cli.trajectory import Trajectory
 
 # What is being solved ("stream", "rapid", a baseline's name) and how far it is.
 Listener = Callable[[str, Progress], None]
-
-
-@dataclass(frozen=True, eq=False)
-class Job:
-    """A program on its cell, read and checked, where both came from, and how long that took [s]."""
-
-    program: Program
-    cell: Cell
-    plant: Plant
-    program_path: Path
-    cell_path: Path
-    read_seconds: float
 
 
 @dataclass(frozen=True)
@@ -106,71 +94,6 @@ class _Clock:
             self.seconds[name] = self.seconds.get(name, 0.0) + perf_counter() - start
 
 
-def cell_path_for(program: Path) -> Path:
-    """Where a program's cell file stands unless the user says otherwise: beside it, same name, .yaml."""
-    return program.with_suffix(".yaml")
-
-
-def read_job(program: Path, cell: Path | None = None) -> Job:
-    """Read a program and its cell file.
-
-    Raises InputError for a mistake in either and for a program that never moves; where there is no cell file, the
-    message holds the shortest useful one.
-    """
-    start = perf_counter()
-    from trajopt_cli.cell.loader import load_cell
-    from trajopt_cli.cell.model import minimal_cell
-    from trajopt_cli.problem.plant import build_plant
-    from trajopt_cli.robot.model import Structure, robot_names
-
-    path = cell or cell_path_for(program)
-    if not program.exists():
-        raise InputError("no such program", file=str(program))
-    if cell is None and not path.exists():
-        text = minimal_cell(program.name, robot_names(Structure.SIX_AXIS))
-        raise InputError(f"{program} has no cell file; save these lines there and adapt them:\n{text}", file=str(path))
-    loaded = load_cell(path)
-    flat = read_flat(program, loaded.scenario)
-    if not any(isinstance(motion, Move) for motion in flat.motions):
-        raise InputError(
-            "makes no move when run; signal values in the cell file decide its branches", file=str(program)
-        )
-    return Job(
-        program=flat,
-        cell=loaded,
-        plant=build_plant(loaded),
-        program_path=program,
-        cell_path=path,
-        read_seconds=perf_counter() - start,
-    )
-
-
-def read_program_or_results(path: Path, cell: Path | None = None) -> Job:
-    """The job of a program, or of a results folder: the inputs it was made from. Raises InputError as read_job."""
-    if not path.is_dir():
-        return read_job(path, cell)
-    if cell is not None:
-        raise InputError("a results folder brings its own cell file; leave --cell out", file=str(path))
-    results = read_results(path)
-    return read_job(results.program, results.cell)
-
-
-def read_flat(program: Path, scenario: Scenario) -> Program:
-    """The program's flat motions. Raises InputError with the place of what cannot be read or run."""
-    from trajopt_cli.rapid.reader import read_program
-
-    return read_program(program, scenario)
-
-
-def scenario_for(program: Path, cell: Path | None) -> Scenario:
-    """The scenario of the program's cell file; an empty one where there is no file and none was asked for."""
-    from trajopt_cli.cell.loader import load_cell
-    from trajopt_cli.scenario import Scenario
-
-    path = cell or cell_path_for(program)
-    return load_cell(path).scenario if cell or path.exists() else Scenario()
-
-
 def optimise(
     job: Job, target: Target, folder: Path, listen: Listener, plots: bool = False
 ) -> Optimised | Infeasible | NoPlan | Illegal | Collides:
@@ -208,8 +131,14 @@ def optimise(
         "finished": datetime.now(UTC).isoformat(),
         "seconds": {name: round(value, 3) for name, value in clock.seconds.items()},
     }
-    options = {"program": str(job.program_path), "cell": str(job.cell_path), "target": target.value}
-    starts = {"program": inputs[str(job.program_path)], "cell": inputs[str(job.cell_path)]}
+    options = {
+        "program": [str(path) for path in job.paths],
+        "cell": str(job.cell_path),
+        "entry": job.program.entry,
+        "assume_identity": list(job.assume_identity),
+        "target": target.value,
+    }
+    starts = {"program": inputs[next(iter(job.program.files))], "cell": inputs[str(job.cell_path)]}
     files[RUN] = run_record(options, starts, inputs.values(), files, timing)
     check_replaceable(folder)
     write_folder(folder, files)
@@ -226,7 +155,7 @@ def _files(
 
     rapid = judged[Target.RAPID].plan
     faster = faster_than_programmed(job.program, rapid, job.plant)
-    export = export_rapid(job.program, rapid, job.plant, faster, job.cell.scenario)
+    export = export_rapid(job.program, rapid, job.plant, faster, job.scenario, job.program.entry)
     files = {
         SUMMARY: summary(job.program, target, judged, _notices(job), job.plant.notes, job.plant.unchecked),
         CHOSEN: judged[target].csv.encode("ascii"),
@@ -244,7 +173,7 @@ def plan_pictures(job: Job, plan: Plan) -> dict[str, bytes]:
     from trajopt_cli.problem.stepwise import analyse
     from trajopt_cli.report.pictures import draw, stepwise
 
-    name = job.program_path.name
+    name = job.title
     pictures = draw(job.program, job.plant, plan, name)
     pictures |= stepwise(job.program, analyse(job.program, job.plant), name)
     return {f"plots/{place}": content for place, content in pictures.items()}
@@ -304,7 +233,7 @@ def solve(
 def verify_results(folder: Path) -> tuple[Job, dict[str, Report]]:
     """Judge the CSV files of a results folder against the program and cell inside it; reports by file name."""
     results = read_results(folder)
-    job = read_job(results.program, results.cell)
+    job = read_results_job(folder)
     texts = {CSV[target]: (target, results.texts[CSV[target]]) for target in Target}
     if results.texts[CHOSEN] != results.texts[CSV[results.target]]:
         texts[CHOSEN] = (results.target, results.texts[CHOSEN])
@@ -314,10 +243,9 @@ def verify_results(folder: Path) -> tuple[Job, dict[str, Report]]:
     return job, reports
 
 
-def verify_file(path: Path, program: Path, cell: Path | None) -> tuple[Job, Report]:
+def verify_file(path: Path, job: Job) -> Report:
     """Judge a CSV file that anybody wrote against a program and its cell."""
-    job = read_job(program, cell)
-    return job, judge(job.plant, job.program, _text(path), str(path))
+    return judge(job.plant, job.program, _text(path), str(path))
 
 
 def joint_export(folder: Path, rate: float) -> tuple[Results, Trajectory, str]:
@@ -332,7 +260,10 @@ def joint_export(folder: Path, rate: float) -> tuple[Results, Trajectory, str]:
 
 
 def rapid_export(folder: Path) -> tuple[dict[str, bytes], str]:
-    """The optimised modules of a results folder by file name, and their difference from the program as given."""
+    """The optimised modules of a results folder, and their difference from the program as given.
+
+    By file name; of several modules by their places in a folder, which differ where their names do not.
+    """
     from trajopt_cli.export.rapid import RapidExport, unified_diff
     from trajopt_cli.rapid.language.text import read_text
 
@@ -341,7 +272,9 @@ def rapid_export(folder: Path) -> tuple[dict[str, bytes], str]:
     contents = {path: place.read_bytes() for path, _, place in modules}
     texts = {path: content.decode(given[path].encoding) for path, content in contents.items()}
     difference = unified_diff(Program(folder.name, (), given), RapidExport(texts))
-    return {Path(path).name: content for path, content in contents.items()}, difference
+    places = {path: place.relative_to(folder) for path, _, place in modules}
+    names = {path: Path(*place.parts[1:]) if len(modules) > 1 else Path(path) for path, place in places.items()}
+    return {str(names[path]): content for path, content in contents.items()}, difference
 
 
 def _notices(job: Job) -> tuple[str, ...]:
@@ -381,11 +314,9 @@ def _worst(report: Report) -> Finding:
 
 def _inputs(job: Job) -> dict[str, InputFile]:
     """Every file the job was read from, by the path it was read under, with its exact bytes."""
-    modules = list(job.program.files)
-    names = [Path(path).name for path in modules]
     inputs = {}
-    for path, name in zip(modules, names, strict=True):
-        place = "program.mod" if len(modules) == 1 else f"program/{name}"
+    for path, name in distinct_names(list(job.program.files)).items():
+        place = "program.mod" if len(job.program.files) == 1 else f"program/{name}"
         inputs[path] = InputFile(path, f"input/{name}", Path(path).read_bytes(), place)
     for mesh in job.cell.mesh_files:
         copy = mesh.relative_to(job.cell_path.parent).as_posix()

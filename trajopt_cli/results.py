@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import platform
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
@@ -51,20 +52,36 @@ class InputFile:
 
 @dataclass(frozen=True)
 class Results:
-    """A results folder read back. program and cell are the copies of the run's inputs inside it.
+    """A results folder read back. modules and cell are the copies of the run's inputs inside it, in their order.
 
-    texts: the three CSV files by name. holds: when the chosen plan stands still until a signal comes [s], and for what.
-    rapid: each module's path as the user gave it, the copy of the program as it was, and the optimised one.
+    entry, assume_identity: as the run was asked for. texts: the three CSV files by name. holds: when the chosen plan
+    stands still until a signal comes [s], and for what. rapid: each module's path as the user gave it, the copy of the
+    program as it was, and the optimised one. added: the path and the place in the folder of each module that the export
+    added.
     """
 
     folder: Path
     target: Target
-    program: Path
+    modules: tuple[Path, ...]
     cell: Path
+    entry: str
+    assume_identity: tuple[str, ...]
     texts: Mapping[str, str]
     dropped: Mapping[Target, tuple[int, ...]]
     holds: tuple[tuple[float, str], ...]
     rapid: tuple[tuple[str, Path, Path], ...]
+    added: tuple[tuple[str, Path], ...] = ()
+
+
+def distinct_names(paths: Sequence[str]) -> dict[str, str]:
+    """A name for each file inside one folder: its own; where two are the same but for case, with the folders that
+    tell them apart."""
+    names = {path: Path(path).name for path in paths}
+    if len({name.lower() for name in names.values()}) == len(names):
+        return names
+    real = {path: os.path.realpath(path) for path in paths}
+    above = os.path.commonpath([os.path.dirname(place) for place in real.values()])
+    return {path: Path(place).relative_to(above).as_posix() for path, place in real.items()}
 
 
 def motion_label(program: Program, index: int) -> tuple[str, str]:
@@ -148,10 +165,12 @@ def run_record(
     others: Iterable[InputFile],
     files: Mapping[str, bytes],
     timing: Mapping[str, Any],
+    added: Mapping[str, str] | None = None,
 ) -> bytes:
     """run.json: what made this folder. The only file with clock times; files lists all others with their hashes.
 
-    inputs: "program" and "cell", the two that verify starts from (for a folder of modules the entry module).
+    added: the modules that the export added, the path each would have beside the program and its place in the folder.
+    inputs: "program" and "cell", the two that verify starts from (of several modules the first).
     """
     every = {one.copy: one for one in (*inputs.values(), *others)}
     return record(
@@ -168,6 +187,7 @@ def run_record(
                     for one in every.values()
                 ],
             },
+            "added": [{"path": path, "rapid": place} for path, place in (added or {}).items()],
             "files": {name: sha256(content) for name, content in sorted(files.items())},
             **timing,
         }
@@ -187,13 +207,17 @@ def read_results(folder: Path) -> Results:
         target: tuple(m["index"] for m in digest["plans"][target.value]["motions"] if m["dropped"]) for target in Target
     }
     chosen = digest["plans"][digest["target"]]["motions"]
+    options = run.get("options", {})
     return Results(
         folder=folder,
         target=Target(digest["target"]),
-        program=folder / run["inputs"]["program"],
+        modules=tuple(folder / one["copy"] for one in copies if one["rapid"]),
         cell=folder / run["inputs"]["cell"],
+        entry=options.get("entry", "main"),
+        assume_identity=tuple(options.get("assume_identity", ())),
         texts=texts,
         dropped=dropped,
         holds=tuple((m["start_s"] + m["time_s"], m["target"]) for m in chosen if m["instruction"] == _SIGNAL_WAIT),
         rapid=tuple((one["path"], folder / one["copy"], folder / one["rapid"]) for one in copies if one["rapid"]),
+        added=tuple((one["path"], folder / one["rapid"]) for one in run.get("added", ())),
     )

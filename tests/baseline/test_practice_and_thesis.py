@@ -19,8 +19,8 @@ from trajopt_cli.baseline.thesis import (
     thesis,
     work_points,
 )
+from trajopt_cli.job import Job, read_job
 from trajopt_cli.motion import Move, MoveAbsJ, MoveExtJ, MoveL, Program
-from trajopt_cli.pipeline import Job, read_job
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.workspace import reachable

@@ -11,10 +11,10 @@ import numpy as np
 
 from trajopt_cli.baseline.case import Answer, Attempt, Case
 from trajopt_cli.findings import Finding
+from trajopt_cli.job import read_job
 from trajopt_cli.limits import TcpCaps
 from trajopt_cli.motion import Program, TextFile
 from trajopt_cli.optimize import optimize
-from trajopt_cli.pipeline import read_job
 from trajopt_cli.problem.freedom import FIXED_RAIL, Freedom
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant

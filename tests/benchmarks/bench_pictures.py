@@ -17,8 +17,8 @@ from time import perf_counter, process_time
 
 sys.path.insert(0, str(Path(__file__).parents[2]))  # run from a checkout without installing
 
+from trajopt_cli.job import read_job
 from trajopt_cli.optimize import optimize
-from trajopt_cli.pipeline import read_job
 from trajopt_cli.problem.plan import Infeasible, Target
 
 HINGE_CELL = Path(__file__).parents[2] / "programs" / "hinge_cell.mod"

@@ -21,9 +21,9 @@ from trajopt_cli.baseline.case import Case
 from trajopt_cli.baseline.table import BASELINES
 from trajopt_cli.cli import run
 from trajopt_cli.cli.optimize import optimize
+from trajopt_cli.job import read_job
 from trajopt_cli.joint_csv import read_csv_text
 from trajopt_cli.motion import Source
-from trajopt_cli.pipeline import read_job
 from trajopt_cli.problem.plan import Infeasible, Target
 
 REPOSITORY = Path(__file__).parents[2]
@@ -96,7 +96,13 @@ def test_run_json_names_versions_inputs_and_files(program: Path, planner: Planne
     assert set(record["versions"]) == {"python", "casadi", "numpy", "pin", "ruckig", "scipy", "toppra"}
     assert set(record["files"]) == FILES - {"run.json"}
     assert [one["path"] for one in record["inputs"]["files"]] == ["tiny.mod", "tiny.yaml"]
-    assert record["options"] == {"program": "tiny.mod", "cell": "tiny.yaml", "target": "stream"}
+    assert record["options"] == {
+        "program": ["tiny.mod"],
+        "cell": "tiny.yaml",
+        "entry": "main",
+        "assume_identity": [],
+        "target": "stream",
+    }
 
 
 def test_progress_is_a_line_per_phase_when_piped(
@@ -341,7 +347,7 @@ def test_robot_show_prints_figures_with_grades(capsys: pytest.CaptureFixture[str
     ("arguments", "line"),
     [
         (["nonsense"], "trajopt: No such command 'nonsense'; see 'trajopt --help'"),
-        (["optimize"], "trajopt: Missing argument 'PROGRAM'; see 'trajopt --help'"),
+        (["optimize"], "trajopt: Missing argument 'PROGRAM...'; see 'trajopt --help'"),
         (["optimize", "none.mod"], "none.mod: no such program"),
         (
             ["optimize", "tiny.mod", "--target", "egm"],

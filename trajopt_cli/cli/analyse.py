@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
-from trajopt_cli.cli.options import AsJson, CellPath, ProgramPath
+from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, ProgramPaths
 
 
-def analyse(program: ProgramPath, cell: CellPath = None, as_json: AsJson = False) -> None:
+def analyse(
+    program: ProgramPaths,
+    cell: CellPath = None,
+    entry: Entry = None,
+    assume_identity: AssumeIdentity = None,
+    as_json: AsJson = False,
+) -> None:
     """Add up PROGRAM's times as written: every move straight as seen from the carriage, speed changing in steps.
 
     Waits are counted apart. No limit of a joint is asked, so this is not a motion a robot can do.
@@ -15,10 +21,10 @@ def analyse(program: ProgramPath, cell: CellPath = None, as_json: AsJson = False
     import typer
 
     from trajopt_cli.cli.analysis_table import MODEL, analysis_record, analysis_table, sums
-    from trajopt_cli.pipeline import read_job
+    from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.problem.stepwise import analyse
 
-    job = read_job(program, cell)
+    job = read_job(program, cell, entry or MAIN, assume_identity or ())
     analysis = analyse(job.program, job.plant)
     if as_json:
         typer.echo(json.dumps(analysis_record(job.program, analysis), indent=2, ensure_ascii=False))
@@ -26,7 +32,7 @@ def analyse(program: ProgramPath, cell: CellPath = None, as_json: AsJson = False
     from trajopt_cli.cli.console import show, stdout
 
     console = stdout()
-    show(console, analysis_table(str(program), job.program, analysis))
+    show(console, analysis_table(str(job.program_path), job.program, analysis))
     for line in sums(analysis):
         console.print(line)
     console.print(f"model: {MODEL}")

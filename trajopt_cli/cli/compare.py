@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from trajopt_cli.cli.options import AsJson, CellPath
+from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry
 
 _SHOWN = 3  # failed checks per row; an illegal plan breaks many at once
 
@@ -22,9 +22,15 @@ def _group() -> None:
 @app.command("baseline", short_help="Today's practice, textbook methods, both optima, and the saving by cause.")
 def baseline(
     program: Annotated[
-        Path, typer.Argument(metavar="PROGRAM|RESULTS", help="RAPID module, or a results folder of trajopt optimize.")
+        list[Path],
+        typer.Argument(
+            metavar="PROGRAM...|RESULTS",
+            help="RAPID module, several, a program list (.pgf), their folder, or a results folder of trajopt optimize.",
+        ),
     ],
     cell: CellPath = None,
+    entry: Entry = None,
+    assume_identity: AssumeIdentity = None,
     as_json: AsJson = False,
     csv: Annotated[Path | None, typer.Option("--csv", metavar="FILE.csv", help="Write the rows as CSV, too.")] = None,
     plots: Annotated[
@@ -53,10 +59,10 @@ def baseline(
     from trajopt_cli.cli.progress import ProgressView
     from trajopt_cli.comparison import compare, comparison_pictures
     from trajopt_cli.files import write_file, write_files
-    from trajopt_cli.pipeline import read_program_or_results
+    from trajopt_cli.job import read_program_or_results
     from trajopt_cli.units import DEG
 
-    job = read_program_or_results(program, cell)
+    job = read_program_or_results(program, cell, entry, assume_identity or ())
     _check_places(csv, plots)
     with ProgressView() as view:
         answer = compare(job, view.show, RailRule(phi_min * DEG, v_transfer, v_area))
@@ -67,7 +73,7 @@ def baseline(
         typer.echo(json.dumps(record, indent=2, ensure_ascii=False))
     else:
         console = stdout()
-        show(console, rows_table(program.name, answer.waits, record["rows"]))
+        show(console, rows_table(program[0].name or job.title, answer.waits, record["rows"]))
         for row in record["rows"]:
             console.print(f"{row['name']}: {row.get('why') or row['title']}; may move: {row['moves']}")
             for note in row.get("notes", ()):

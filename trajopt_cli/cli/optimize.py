@@ -7,12 +7,14 @@ from typing import Annotated, Literal
 
 import typer
 
-from trajopt_cli.cli.options import CellPath, ProgramPath
+from trajopt_cli.cli.options import AssumeIdentity, CellPath, Entry, ProgramPaths
 
 
 def optimize(
-    program: ProgramPath,
+    program: ProgramPaths,
     cell: CellPath = None,
+    entry: Entry = None,
+    assume_identity: AssumeIdentity = None,
     target: Annotated[
         Literal["stream", "rapid"],
         typer.Option(help="Whose plan trajectory.csv carries: a joint stream's or the RAPID controller's."),
@@ -31,12 +33,13 @@ def optimize(
     from trajopt_cli.cli.console import answer_no, stdout
     from trajopt_cli.cli.progress import ProgressView
     from trajopt_cli.cli.tables import cycle_line, motions_table
-    from trajopt_cli.pipeline import Optimised, optimise, read_job
+    from trajopt_cli.job import MAIN, read_job
+    from trajopt_cli.pipeline import Optimised, optimise
     from trajopt_cli.problem.plan import Target
     from trajopt_cli.verify.clearance import least_clearance
 
-    job = read_job(program, cell)
-    folder = output or Path("results") / program.stem
+    job = read_job(program, cell, entry or MAIN, assume_identity or ())
+    folder = output or Path("results") / job.program.name
     with ProgressView() as view:
         answer = optimise(job, Target(target), folder, view.show, plots)
     if not isinstance(answer, Optimised):

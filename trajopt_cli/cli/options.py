@@ -7,10 +7,32 @@ from typing import Annotated
 
 import typer
 
+ProgramPaths = Annotated[
+    list[Path],
+    typer.Argument(metavar="PROGRAM...", help="RAPID module, several, a program list (.pgf), or their folder."),
+]
 ProgramPath = Annotated[Path, typer.Argument(metavar="PROGRAM", help="RAPID module with the program's entry.")]
 CellPath = Annotated[
     Path | None,
-    typer.Option("--cell", metavar="FILE.yaml", help="Cell file; default: PROGRAM.yaml beside the program."),
+    typer.Option(
+        "--cell",
+        metavar="FILE.yaml",
+        help="Cell file; default: PROGRAM.yaml beside the program, or cell.yaml in its folder.",
+    ),
+]
+Entry = Annotated[
+    str | None,
+    typer.Option("--entry", metavar="PROC", help="The procedure to start with; default: main.", show_default=False),
+]
+AssumeIdentity = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--assume-identity",
+        metavar="NAME",
+        help="Take this tool, work object or mechanical unit as the identity where the program does not declare it; "
+        "may be repeated.",
+        show_default=False,
+    ),
 ]
 ResultsFolder = Annotated[Path, typer.Argument(metavar="RESULTS", help="Results folder of trajopt optimize.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")]

@@ -7,14 +7,19 @@ from typing import Annotated
 
 import typer
 
-from trajopt_cli.cli.options import CellPath
+from trajopt_cli.cli.options import AssumeIdentity, CellPath, Entry
 from trajopt_cli.errors import InputError
 
 
 def verify(
     what: Annotated[Path, typer.Argument(metavar="RESULTS|FILE.csv", help="A results folder, or a joint CSV file.")],
-    program: Annotated[Path | None, typer.Option(metavar="PROGRAM", help="The program a CSV file executes.")] = None,
+    program: Annotated[
+        list[Path] | None,
+        typer.Option(metavar="PROGRAM", help="The program a CSV file executes; repeat it for several modules."),
+    ] = None,
     cell: CellPath = None,
+    entry: Entry = None,
+    assume_identity: AssumeIdentity = None,
     everything: Annotated[
         bool, typer.Option("--all", help="List every case, not only the worst of each check.")
     ] = False,
@@ -22,18 +27,23 @@ def verify(
     """Judge trajectories against program and limits. Exit code 0: legal, 1: not."""
     from trajopt_cli.cli.console import stdout
     from trajopt_cli.cli.tables import advice_table, failures, findings_table, verdict
+    from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.pipeline import verify_file, verify_results
 
     if what.is_dir():
-        if program is not None or cell is not None:
+        if program or cell is not None:
             raise typer.BadParameter("a results folder holds its own program and cell; leave --program and --cell out")
+        if entry is not None or assume_identity:
+            message = "a results folder holds its own entry and assumptions; leave --entry and --assume-identity out"
+            raise typer.BadParameter(message)
         _, reports = verify_results(what)
     elif not what.exists():
         raise InputError("no such file or folder", file=str(what))
-    elif program is None:
+    elif not program:
         raise typer.BadParameter(f"{what} is a file: say which --program it executes")
     else:
-        reports = {what.name: verify_file(what, program, cell)[1]}
+        job = read_job(program, cell, entry or MAIN, assume_identity or ())
+        reports = {what.name: verify_file(what, job)}
     console = stdout()
     for name, report in reports.items():
         console.print(findings_table(name, report, everything))

@@ -63,9 +63,10 @@ def program_route(path: Path, meaning: AngleMeaning, R_WF: Array, X_FT: Array | 
     zones are left out and noted. Raises InputError with the place of any other motion, for tools that change on the
     way, and for a task's tool that is not the program's.
     """
-    from trajopt_cli.rapid.reader import read_program
+    from trajopt_cli.rapid.language.text import read_text
+    from trajopt_cli.rapid.reader import run_program
 
-    program = read_program(path)
+    program = run_program([read_text(path)])
     notes = list(program.warnings)
     tool = _one_tool(program.motions, X_FT)
     R_start = R_WF @ tool[:3, :3]

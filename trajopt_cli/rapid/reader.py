@@ -1,20 +1,23 @@
-"""A program file to the motions it asks for."""
+"""A program's files to the motions it asks for."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import fields, is_dataclass
+from dataclasses import fields, is_dataclass, replace
 from pathlib import Path
 
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.kinematics import Kinematics
-from trajopt_cli.motion import MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, TextFile
+from trajopt_cli.motion import Move, Program, Source, TextFile
+from trajopt_cli.rapid.entry import find_entry
 from trajopt_cli.rapid.execution.interpreter import Run
 from trajopt_cli.rapid.execution.loading import load
 from trajopt_cli.rapid.language.parser import parse_module
-from trajopt_cli.rapid.language.syntax import ModuleFile, Node, ProcedureCall
-from trajopt_cli.rapid.language.text import Places, read_text
+from trajopt_cli.rapid.language.syntax import Module, ModuleFile, Node, ProcedureCall
+from trajopt_cli.rapid.language.text import Places
+from trajopt_cli.rapid.neighbours import with_hints
+from trajopt_cli.rapid.sources import read_sources
 from trajopt_cli.scenario import Lack, Scenario, lacking
 
 _MARK = re.compile(r"!\s*trajopt\s*:\s*(.*?)\s*$", re.IGNORECASE)
@@ -22,17 +25,36 @@ DROPPED = "! dropped by trajopt: "  # how an export begins the comment that a dr
 
 
 def read_program(
-    path: str | Path,
+    paths: str | Path | Sequence[str | Path],
     scenario: Scenario | None = None,
     entry: str = "main",
     kinematics: Kinematics | None = None,
 ) -> Program:
-    """Read one module file, run its entry procedure once, and return the motions in order.
+    """Read a module, several, a program list or a folder, run its entry once, and return the motions in order.
 
     scenario: what the program cannot know. kinematics: the robot, for programs that ask where it is. Raises InputError
     with file, line and column, and one for everything that the scenario lacks.
     """
-    return run_program([read_text(path)], scenario, entry, kinematics)
+    program, lacks = try_paths(paths, scenario, entry, kinematics)
+    if lacks:
+        raise with_hints(lacking(lacks), [*program.files.values()])
+    return program
+
+
+def try_paths(
+    paths: str | Path | Sequence[str | Path],
+    scenario: Scenario | None = None,
+    entry: str = "main",
+    kinematics: Kinematics | None = None,
+) -> tuple[Program, tuple[Lack, ...]]:
+    """As read_program, with what the scenario lacks beside the motions that 0 in its place leads to."""
+    given = [paths] if isinstance(paths, (str, Path)) else paths
+    sources = read_sources([Path(path) for path in given], entry)
+    try:
+        program, lacks = try_program(sources.files, scenario, entry, kinematics, sources.name)
+    except InputError as error:
+        raise with_hints(error, sources.files) from error
+    return replace(program, warnings=(*sources.warnings, *program.warnings)), lacks
 
 
 def run_program(
@@ -53,39 +75,78 @@ def try_program(
     scenario: Scenario | None = None,
     entry: str = "main",
     kinematics: Kinematics | None = None,
+    name: str | None = None,
 ) -> tuple[Program, tuple[Lack, ...]]:
-    """As run_program, with what the scenario lacks beside the motions that 0 in its place leads to."""
+    """As run_program, with what the scenario lacks beside the motions that 0 in its place leads to.
+
+    name: of the program; the first file's where None.
+    """
+    name = name or Path(files[0].path).stem
+    subject = files[0].path if len(files) == 1 else name  # what messages about the whole program begin with
     run = Run(scenario or Scenario(), kinematics)
-    modules = []
-    for file in files:
-        places = Places(file.text, file.path)
-        tree = parse_module(file.text, file.path)
-        if not tree.modules:
-            raise InputError("holds no RAPID module", file=file.path)
-        modules += [(module, places) for module in tree.modules]
-        for start, _ in tree.leftovers:
-            run.warn(f"{places.source(start)}: text after ENDMODULE is not part of the program and does not run")
-        if "\x00" in file.text:
-            run.warn(f"{file.path}: NUL bytes between the tokens are read as blanks")
-        run.optional |= {(file.path, start) for start in _marked(tree, places)}
+    modules = _modules(run, files)
     try:
-        load(run, modules)
-        run.start(entry)
+        scopes = load(run, modules)
+        trees = [module for module, _ in modules]
+        routine, scope = find_entry([*zip(trees, scopes, strict=True)], entry, subject)
+        run.start(routine, scope)
     except InputError as error:
         if not run.world.lacks:
             raise
         raise InputErrorGroup([*lacking([*run.world.lacks.values()]).errors, error]) from error
     except RecursionError:
-        raise InputError("is nested too deeply to be run", file=files[0].path) from None
+        raise InputError("is nested too deeply to be run", file=subject) from None
     program = Program(
-        name=Path(files[0].path).stem,
+        name=name,
         motions=tuple(run.motions),
         files={file.path: file for file in files},
         warnings=(*run.warnings, *_unused_marks(run)),
-        entry=entry,
+        entry=routine.name,
         ignored=dict(run.ignored),
     )
     return program, tuple(run.world.lacks.values())
+
+
+def _modules(run: Run, files: Sequence[TextFile]) -> list[tuple[Module, Places]]:
+    """The modules of all files, with the warnings that their texts give rise to; the errors of all files at once."""
+    modules: list[tuple[Module, Places]] = []
+    known: dict[str, Source] = {}
+    errors: list[InputError] = []
+    for file in files:
+        places = Places(file.text, file.path)
+        try:
+            tree = parse_module(file.text, file.path)
+            if not tree.modules:
+                raise InputError("holds no RAPID module", file=file.path)
+            run.optional |= {(file.path, start) for start in _marked(tree, places)}
+            for module in tree.modules:
+                _name_once(module, places, known)
+        except InputError as error:
+            errors += error.errors if isinstance(error, InputErrorGroup) else [error]
+            continue
+        modules += [(module, places) for module in tree.modules]
+        _warn_of_text(run, tree, places)
+    if errors:
+        raise errors[0] if len(errors) == 1 else InputErrorGroup(errors)
+    return modules
+
+
+def _name_once(module: Module, places: Places, known: dict[str, Source]) -> None:
+    """A controller holds one module of a name; declarations outside modules have no name to share."""
+    here = places.source(module.start)
+    before = known.setdefault(module.name.lower(), here) if module.name else here
+    if before is not here:
+        message = f"module {module.name} is also in {before.file}:{before.line}; leave one of them out"
+        raise InputError(message, file=here.file, line=here.line, column=here.column)
+
+
+def _warn_of_text(run: Run, tree: ModuleFile, places: Places) -> None:
+    for start, end in tree.leftovers:
+        lines = places.line(end - 1) - places.line(start) + 1
+        count = f"{lines} line{'s' * (lines > 1)}"
+        run.warn(f"{places.source(start)}: text after ENDMODULE ({count}) is not part of the program and does not run")
+    if "\x00" in places.text:
+        run.warn(f"{places.file}: NUL bytes between the tokens are read as blanks")
 
 
 def _marked(tree: ModuleFile, places: Places) -> list[int]:
@@ -123,8 +184,7 @@ def _already_dropped(text: str, mark: int) -> bool:
 
 
 def _unused_marks(run: Run) -> list[str]:
-    moves = (MoveJ, MoveL, MoveAbsJ, MoveExtJ)
-    seen = {(m.written.statement.file, m.written.statement.start) for m in run.motions if isinstance(m, moves)}
+    seen = {(m.written.statement.file, m.written.statement.start) for m in run.motions if isinstance(m, Move)}
     unused = sorted(run.optional - seen)
     return [
         f"{run.files[file].source(start)}: marked as optional, but it is no move that ran" for file, start in unused

@@ -149,15 +149,11 @@ class Run:
 
     # ------------------------------------------------------------------------------------------------ statements
 
-    def start(self, entry: str) -> None:
-        """Run the entry procedure once. Raises InputError when there is none, or for what cannot be run."""
-        found = self.shared.routines.get(entry.lower())
-        if found is None or found[0].kind != "PROC":
-            file = next(iter(self.files), None)
-            raise InputError(f"there is no 'PROC {entry}()'; name the procedure to start with", file=file)
-        routine, scope = found
+    def start(self, routine: Routine, scope: ModuleScope) -> None:
+        """Run the entry procedure, which stands in scope, once. Raises InputError for what cannot be run."""
         if any(not parameter.optional for parameter in routine.parameters):
-            raise scope.places.error(routine.start, f"PROC {entry} needs arguments, so it cannot be started with")
+            message = f"PROC {routine.name} needs arguments, so it cannot be started with"
+            raise scope.places.error(routine.start, message)
         try:
             with self.inside(Frame(scope)):
                 self._enter(routine, scope, (), routine)

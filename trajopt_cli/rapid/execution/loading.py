@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 _Thing = TypeVar("_Thing")
 
 
-def load(run: Run, modules: Sequence[tuple[Module, Places]]) -> None:
-    """Enter the names of all modules, then compute the initial data of all.
+def load(run: Run, modules: Sequence[tuple[Module, Places]]) -> tuple[ModuleScope, ...]:
+    """Enter the names of all modules, then compute the initial data of all; the scope of each module, in order.
 
     Initial data is computed even where nobody uses it, as a controller does: a broken target must not hide. Raises
     InputError for a name declared twice and for data that does not fit its type.
@@ -49,6 +49,7 @@ def load(run: Run, modules: Sequence[tuple[Module, Places]]) -> None:
     for scope, _ in scopes:
         for datum in scope.data.values():
             _ = datum.value
+    return tuple(scope for scope, _ in scopes)
 
 
 def _targets(run: Run, scope: ModuleScope, written: str | None) -> tuple[Scope, ...]:

@@ -1,0 +1,166 @@
+"""What the user asked for, read and checked: the program in its files, its cell, and both together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.motion import Move, Program
+from trajopt_cli.results import read_results
+from trajopt_cli.run_folder import RUN
+
+if TYPE_CHECKING:
+    from trajopt_cli.cell.model import Cell
+    from trajopt_cli.kinematics import Kinematics
+    from trajopt_cli.problem.plant import Plant
+    from trajopt_cli.scenario import Scenario
+
+MAIN = "main"
+_INSIDE = "cell.yaml"  # a cell file in the program's folder
+
+
+@dataclass(frozen=True, eq=False)
+class Job:
+    """A program on its cell, read and checked, where both came from, and how long that took [s].
+
+    scenario: the cell's, with what the user said besides. paths: as the user gave them. assume_identity: the names
+    that the user, not the cell file, lets stand for the identity.
+    """
+
+    program: Program
+    cell: Cell
+    plant: Plant
+    scenario: Scenario
+    paths: tuple[Path, ...]
+    cell_path: Path
+    assume_identity: tuple[str, ...]
+    read_seconds: float
+
+    @property
+    def program_path(self) -> Path:
+        """The first of the paths."""
+        return self.paths[0]
+
+    @property
+    def title(self) -> str:
+        """The name of the first file or of the folder, for titles."""
+        return self.paths[0].name or self.paths[0].resolve().name
+
+
+def cell_path_for(programs: Sequence[Path]) -> Path:
+    """Where a program's cell file stands unless the user says otherwise.
+
+    Beside the first file or folder, same name, .yaml; for a folder also cell.yaml inside it. Raises InputError where
+    both exist.
+    """
+    first = programs[0]
+    if not first.is_dir():
+        return first.with_suffix(".yaml")
+    if first.name in ("", ".."):  # ".", "..": only the real path knows the name
+        beside = first / ".." / f"{first.resolve().name}.yaml"
+    else:
+        beside = first.with_name(f"{first.name}.yaml")
+    inside = first / _INSIDE
+    if inside.exists() and beside.exists():
+        raise InputError(f"has two cell files, {beside} and {inside}; say which by --cell", file=str(first))
+    return inside if inside.exists() else beside
+
+
+def cell_for(programs: Sequence[Path], cell: Path | None) -> Cell | None:
+    """The program's cell; None where it has no cell file and none was asked for."""
+    from trajopt_cli.cell.loader import load_cell
+
+    path = cell or cell_path_for(programs)
+    return load_cell(path) if cell or path.exists() else None
+
+
+def scenario_of(cell: Cell | None, assume_identity: Iterable[str] = ()) -> Scenario:
+    """The cell's scenario with the names that the user lets stand for the identity; an empty one without a cell."""
+    from trajopt_cli.scenario import Scenario
+
+    scenario = cell.scenario if cell is not None else Scenario()
+    names = {name.strip().lower() for name in assume_identity}
+    return replace(scenario, assume_identity=scenario.assume_identity | names)
+
+
+def read_flat(
+    programs: Sequence[Path], scenario: Scenario, entry: str = MAIN, kinematics: Kinematics | None = None
+) -> Program:
+    """The program's flat motions. Raises InputError with the place of what cannot be read or run."""
+    from trajopt_cli.rapid.reader import read_program
+
+    return read_program(programs, scenario, entry, kinematics)
+
+
+def read_job(
+    programs: Path | Sequence[Path], cell: Path | None = None, entry: str = MAIN, assume_identity: Sequence[str] = ()
+) -> Job:
+    """Read a program (a file, several, a program list or a folder) and its cell file.
+
+    Raises InputError for a mistake in either and for a program that never moves; where there is no cell file, the
+    message holds the shortest useful one.
+    """
+    start = perf_counter()
+    from trajopt_cli.cell.loader import load_cell
+    from trajopt_cli.cell.model import minimal_cell
+    from trajopt_cli.problem.plant import build_plant
+    from trajopt_cli.robot.model import Structure, robot_names
+
+    paths = (programs,) if isinstance(programs, Path) else tuple(programs)
+    for path in paths:
+        if not path.exists():
+            raise InputError("no such program", file=str(path))
+    path = cell or cell_path_for(paths)
+    if cell is None and not path.exists():
+        text = minimal_cell(paths[0].name or paths[0].resolve().name, robot_names(Structure.SIX_AXIS))
+        raise InputError(f"{paths[0]} has no cell file; save these lines there and adapt them:\n{text}", file=str(path))
+    loaded = load_cell(path)
+    scenario = scenario_of(loaded, assume_identity)
+    plant = build_plant(loaded)
+    flat = read_flat(paths, scenario, entry)
+    if not any(isinstance(motion, Move) for motion in flat.motions):
+        raise InputError(
+            "makes no move when run; signal values in the cell file decide its branches", file=str(paths[0])
+        )
+    return Job(
+        program=flat,
+        cell=loaded,
+        plant=plant,
+        scenario=scenario,
+        paths=paths,
+        cell_path=path,
+        assume_identity=tuple(sorted({name.strip().lower() for name in assume_identity})),
+        read_seconds=perf_counter() - start,
+    )
+
+
+def read_results_job(folder: Path) -> Job:
+    """The job of a results folder: the copies it holds, with the entry and the assumptions of its run."""
+    results = read_results(folder)
+    return read_job(results.modules, results.cell, results.entry, results.assume_identity)
+
+
+def read_program_or_results(
+    programs: Sequence[Path], cell: Path | None = None, entry: str | None = None, assume_identity: Sequence[str] = ()
+) -> Job:
+    """The job of a program, or of a results folder: the inputs it was made from. Raises InputError as read_job."""
+    results = [path for path in programs if is_results(path)]
+    if not results:
+        return read_job(programs, cell, entry or MAIN, assume_identity)
+    if len(programs) > 1:
+        raise InputError("is a results folder; give it alone", file=str(results[0]))
+    if cell is not None:
+        raise InputError("a results folder brings its own cell file; leave --cell out", file=str(results[0]))
+    if entry is not None or assume_identity:
+        message = "a results folder brings its own entry and assumptions; leave --entry and --assume-identity out"
+        raise InputError(message, file=str(results[0]))
+    return read_results_job(results[0])
+
+
+def is_results(path: Path) -> bool:
+    """Whether a path is a folder that trajopt wrote."""
+    return (path / RUN).is_file()

@@ -1,0 +1,66 @@
+"""Program lists (.pgf): the XML file in which a controller notes the modules of a program."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import NamedTuple
+from xml.parsers import expat
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.rapid.language.text import read_text
+
+
+class Listed(NamedTuple):
+    """A module file that a program list names, and the line that does (from 1)."""
+
+    name: str
+    line: int
+
+
+def read_list(path: Path) -> tuple[Listed, ...]:
+    """The modules of a program list in its order, each once.
+
+    Raises InputError with the line: broken XML, another root than Program, no modules, a name with a folder in it, and
+    document types or entities, which no controller writes and which can blow up a reader.
+    """
+    file = str(path)
+    text = read_text(path).text.lstrip("\ufeff")
+    # What the file says of its own encoding does not count: the text is decoded as every program file is.
+    parser = expat.ParserCreate("utf-8")
+    found: dict[str, Listed] = {}
+    open_tags: list[str] = []
+    parts: list[str] = []
+
+    def refuse(message: str) -> InputError:
+        return InputError(message, file=file, line=parser.CurrentLineNumber)
+
+    def start(tag: str, _: dict[str, str]) -> None:
+        if not open_tags and tag.lower() != "program":
+            raise refuse(f"is no program list: it begins with <{tag}>, a list begins with <Program>")
+        open_tags.append(tag.lower())
+        parts.clear()
+
+    def end(_: str) -> None:
+        if open_tags.pop() == "module":
+            name = "".join(parts).strip()
+            if not name or set(name) & set("/\\\0") or name == "..":
+                raise refuse(f"'{name}' is no name of a module file; a list names files beside it")
+            found.setdefault(name.lower(), Listed(name, parser.CurrentLineNumber))
+        parts.clear()
+
+    def refuse_declaration(*_: object) -> None:
+        raise refuse("declares a document type or an entity, which no controller writes; remove the declaration")
+
+    parser.StartElementHandler = start
+    parser.EndElementHandler = end
+    parser.CharacterDataHandler = parts.append
+    parser.StartDoctypeDeclHandler = refuse_declaration
+    parser.EntityDeclHandler = refuse_declaration
+    try:
+        parser.Parse(text.encode("utf-8", "surrogatepass"), True)
+    except expat.ExpatError as error:
+        message = f"is no readable program list: {expat.ErrorString(error.code)}"
+        raise InputError(message, file=file, line=error.lineno, column=error.offset + 1) from error
+    if not found:
+        raise InputError("lists no modules: a list holds <Program><Module>Name.mod</Module></Program>", file=file)
+    return tuple(found.values())

@@ -1,0 +1,258 @@
+"""The files of a program: one module, several, a program list, or a folder such as a controller's backup."""
+
+from __future__ import annotations
+
+import os
+import re
+import stat
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from trajopt_cli.errors import InputError, InputErrorGroup
+from trajopt_cli.motion import TextFile
+from trajopt_cli.rapid.foreign import foreign
+from trajopt_cli.rapid.language.text import read_text
+from trajopt_cli.rapid.program_list import read_list
+
+SUFFIXES = (".mod", ".prg", ".sys", ".modx", ".sysx")
+LIST_SUFFIX = ".pgf"
+MAX_FILES = 5_000
+MAX_BYTES = 200_000_000
+MAX_ENTRIES = 100_000  # of a folder tree; a whole disk given by mistake ends here
+_SYSTEM_SUFFIXES = (".sys", ".sysx")
+_NOISE = {"home", "syspar", "backinfo"}  # the parts of a backup that hold no loaded modules
+_IN_TASK = ("progmod", "sysmod")
+_TASK = re.compile(r"TASK\d+|T_\w+", re.IGNORECASE)
+
+
+@dataclass(frozen=True)
+class Sources:
+    """The texts of a program's files in a fixed order, the program's name, and what the user should know of them."""
+
+    files: tuple[TextFile, ...]
+    name: str
+    warnings: tuple[str, ...] = ()
+
+
+def read_sources(paths: Sequence[Path], entry: str = "main") -> Sources:
+    """Read the files that paths name: modules, program lists (.pgf), folders.
+
+    A folder is a controller's backup or holds modules in any arrangement; of several tasks in it the one that holds
+    the entry is taken. Raises InputError for what is missing, is no RAPID, or is too much, and for several tasks of
+    which none stands out.
+    """
+    if not paths:
+        raise InputError("give a RAPID module, several, or the folder that holds them")
+    chosen: dict[str, tuple[Path, bool]] = {}  # by real path; whether somebody asked for this very file
+    warnings: list[str] = []
+    for path in paths:
+        for found, asked in _files(path, entry, warnings):
+            chosen.setdefault(os.path.realpath(found), (found, asked))
+    if len(chosen) > MAX_FILES:
+        raise InputError(f"{len(chosen)} modules; at most {MAX_FILES} are supported", file=str(paths[0]))
+    _check_sizes([path for path, _ in chosen.values()], paths[0])
+    files = []
+    for path, asked in chosen.values():
+        file = read_text(path)
+        what = foreign(file.text)
+        if what is None:
+            files.append(file)
+        elif asked:
+            raise InputError(f"is no RAPID module: it {what}", file=str(path))
+        else:
+            warnings.append(f"{path}: is left out, it is no RAPID module: it {what}")
+    if not files:
+        raise InputError("none of its files is a RAPID module: " + "; ".join(warnings), file=str(paths[0]))
+    return Sources(tuple(files), name_of(paths), tuple(warnings))
+
+
+def name_of(paths: Sequence[Path]) -> str:
+    """The name of a program: of its first file without suffix, or of the folder."""
+    first = paths[0]
+    return (first.resolve().name or "root") if first.is_dir() else first.stem
+
+
+def is_module(path: Path) -> bool:
+    """Whether a file has the name of a RAPID module."""
+    return path.suffix.lower() in SUFFIXES
+
+
+def is_system(path: Path) -> bool:
+    """Whether a module is one that a controller loads with every program: by its folder SYSMOD or its suffix."""
+    return path.parent.name.lower() == "sysmod" or path.suffix.lower() in _SYSTEM_SUFFIXES
+
+
+def _files(path: Path, entry: str, warnings: list[str]) -> list[tuple[Path, bool]]:
+    if path.is_dir():
+        return [(found, False) for found in _of_folder(path, entry, warnings)]
+    if path.suffix.lower() == LIST_SUFFIX:
+        _check_regular(path)
+        beside = [found for found in _inside(path.parent) if is_system(found)]
+        if path.parent.name.lower() == "progmod":
+            beside += [found for folder in _folders(path.parent.parent, "sysmod") for found in _inside(folder)]
+        return [(found, True) for found in _of_list(path)] + [(found, False) for found in _sorted(beside)]
+    _check_regular(path)
+    return [(path, True)]
+
+
+def _of_list(path: Path) -> list[Path]:
+    """The files that a program list names; names are looked up in its own folder, in any case."""
+    beside = {found.name.lower(): found for found in reversed(_entries(path.parent))}
+    found, missing = [], []
+    for name, line in read_list(path):
+        place = beside.get(name.lower())
+        if place is None or not place.is_file():
+            message = f"lists {name}, which is not in {path.parent}; put it there or remove the line"
+            missing.append(InputError(message, file=str(path), line=line))
+        else:
+            found.append(place)
+    if missing:
+        raise InputErrorGroup(missing) if len(missing) > 1 else missing[0]
+    return found
+
+
+def _of_folder(folder: Path, entry: str, warnings: list[str]) -> list[Path]:
+    tasks: dict[tuple[str, ...], list[Path]] = {}
+    loose: list[Path] = []
+    for path in _walk(folder):
+        task = _task(folder, path)
+        (loose if task is None else tasks.setdefault(task, [])).append(path)
+    if not any(is_module(path) for files in (loose, *tasks.values()) for path in files):
+        raise InputError(
+            f"holds no RAPID module: looked for {', '.join(SUFFIXES)} in it and below, but not in HOME, SYSPAR and "
+            "BACKINFO",
+            file=str(folder),
+        )
+    tasks = {task: files for task, files in tasks.items() if any(is_module(path) for path in files)}
+    if not tasks:
+        return _program(folder, loose, warnings)
+    stray = [path for path in loose if is_module(path)]
+    if stray:
+        warnings.append(f"{folder}: {_some(stray, folder)} stand outside the task's folder and are not read")
+    return _program(folder, tasks[_one_task(folder, tasks, entry, warnings)], warnings)
+
+
+def _task(folder: Path, path: Path) -> tuple[str, ...] | None:
+    """The folder of the task that a file belongs to, as parts of its path; None where there is no such folder."""
+    inside = path.relative_to(folder).parts[:-1]
+    parts = (folder.resolve().name, *inside)
+    names = [part.lower() for part in parts]
+    for i, name in enumerate(names):
+        if name in _IN_TASK:
+            return parts[:i]
+        if _TASK.fullmatch(name):
+            return parts[: i + 1]
+        if name == "rapid" and i + 1 < len(names) and names[i + 1] not in _IN_TASK:
+            return parts[: i + 2]
+    return None
+
+
+def _one_task(
+    folder: Path, tasks: dict[tuple[str, ...], list[Path]], entry: str, warnings: list[str]
+) -> tuple[str, ...]:
+    if len(tasks) == 1:
+        return next(iter(tasks))
+    wanted = re.compile(rf"^\s*(LOCAL\s+)?PROC\s+{re.escape(entry)}\s*\(", re.IGNORECASE | re.MULTILINE)
+    modules = {task: [path for path in files if is_module(path)] for task, files in tasks.items()}
+    _check_sizes([path for files in modules.values() for path in files], folder)
+    holding = [task for task, files in modules.items() if any(wanted.search(read_text(path).text) for path in files)]
+    names = {task: "/".join(task[1:]) or task[0] for task in tasks}
+    if len(holding) != 1:
+        count = f"{len(holding)} of them hold" if holding else "none of them holds"
+        raise InputError(
+            f"holds {len(tasks)} tasks ({', '.join(names.values())}), and {count} a PROC {entry}; give the folder of "
+            "one of them",
+            file=str(folder),
+        )
+    others = ", ".join(name for task, name in names.items() if task != holding[0])
+    warnings.append(f"{folder}: of its tasks {names[holding[0]]} is read; {others} hold no PROC {entry}")
+    return holding[0]
+
+
+def _program(folder: Path, files: list[Path], warnings: list[str]) -> list[Path]:
+    """The modules of one program: all, or the ones of its program list and the system modules."""
+    modules = _sorted(path for path in files if is_module(path))
+    lists = _sorted(path for path in files if not is_module(path))
+    if not lists:
+        return modules
+    if len(lists) > 1:
+        names = ", ".join(str(path.relative_to(folder)) for path in lists)
+        raise InputError(f"holds {len(lists)} program lists ({names}); give one of them", file=str(folder))
+    listed = _of_list(lists[0])
+    rest = [path for path in modules if path not in listed]
+    unlisted = [path for path in rest if not is_system(path)]
+    if unlisted:
+        warnings.append(f"{lists[0]}: does not list {_some(unlisted, folder)}, which are not read")
+    return listed + [path for path in rest if is_system(path)]
+
+
+def _some(paths: Sequence[Path], folder: Path) -> str:
+    names = [str(path.relative_to(folder)) for path in paths]
+    return ", ".join(names[:10]) + (f" and {len(names) - 10} more" if len(names) > 10 else "")
+
+
+def _sorted(paths: Iterator[Path] | Sequence[Path]) -> list[Path]:
+    """Program modules first, then system modules; each by its path, whatever the file system's order."""
+    return sorted(paths, key=lambda path: (is_system(path), path.as_posix().lower(), path.as_posix()))
+
+
+def _walk(folder: Path) -> Iterator[Path]:
+    """Module files and program lists in a folder and below, every real folder once, so that links may go in circles.
+
+    Hidden folders, the noise of a backup and results folders of trajopt are left out.
+    """
+    count, seen, waiting = 0, {os.path.realpath(folder)}, [folder]
+    while waiting:
+        inside = _entries(waiting.pop())
+        count += len(inside)
+        if count > MAX_ENTRIES:
+            message = f"holds more than {MAX_ENTRIES} files and folders; give the folder of the program alone"
+            raise InputError(message, file=str(folder))
+        for path in inside:
+            if (is_module(path) or path.suffix.lower() == LIST_SUFFIX) and path.is_file():
+                yield path
+                continue
+            if path.name.startswith(".") or path.name.lower() in _NOISE or not path.is_dir():
+                continue
+            real = os.path.realpath(path)
+            if real not in seen and not (path / "run.json").is_file():
+                seen.add(real)
+                waiting.append(path)
+
+
+def _inside(folder: Path) -> list[Path]:
+    return [path for path in _entries(folder) if is_module(path) and path.is_file()]
+
+
+def _folders(folder: Path, name: str) -> list[Path]:
+    return [path for path in _entries(folder) if path.name.lower() == name and path.is_dir()]
+
+
+def _entries(folder: Path) -> list[Path]:
+    try:
+        return sorted(folder.iterdir())
+    except OSError as error:
+        raise InputError(f"cannot be read: {error.strerror}", file=str(folder)) from error
+
+
+def _check_regular(path: Path) -> None:
+    """A file that is there, and no device or pipe, which may have no end."""
+    try:
+        mode = path.stat().st_mode
+    except OSError as error:
+        raise InputError(f"cannot be read: {error.strerror}", file=str(path)) from error
+    if not stat.S_ISREG(mode):
+        raise InputError("is no regular file; save the program in one", file=str(path))
+
+
+def _check_sizes(paths: Sequence[Path], given: Path) -> None:
+    total = 0
+    for path in paths:
+        try:
+            total += path.stat().st_size
+        except OSError as error:
+            raise InputError(f"cannot be read: {error.strerror}", file=str(path)) from error
+    if total > MAX_BYTES:
+        message = f"{total / 1e6:.0f} MB of modules; at most {MAX_BYTES / 1e6:.0f} MB are supported"
+        raise InputError(message, file=str(given))
