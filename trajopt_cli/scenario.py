@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -17,16 +19,17 @@ class Scenario:
 
     signals: value per signal, or a sequence of which each reading takes the next; the last one stays. answers: the same
     for operator input, sockets, files and clocks, by the name of the variable that gets the answer, or of the function
-    where it has none. waits: least duration [s] per signal or condition as written. searches: where a search hits, as a
-    share 0..1 of its way, or None for never, by signal or by the name of its SearchPoint. endless_passes: how often a
-    loop that cannot end runs before the program is taken to be over. pass_limit: how often any other loop may run, and
-    statement_limit how many statements, before the reader gives up. assume_identity: tools, work objects and mechanical
-    units that are taken as the identity where the program does not declare them.
+    where it has none. waits: least duration [s] per signal or condition as written (see condition_key), or None for one
+    that never comes true, so that its time-out strikes. searches: where a search hits, as a share 0..1 of its way, or
+    None for never, by signal or by the name of its SearchPoint. endless_passes: how often a loop that cannot end runs
+    before the program is taken to be over. pass_limit: how often any other loop may run, and statement_limit how many
+    statements, before the reader gives up. assume_identity: tools, work objects and mechanical units that are taken as
+    the identity where the program does not declare them.
     """
 
     signals: Mapping[str, float | tuple[float, ...]] = field(default_factory=dict)
     answers: Mapping[str, Answer | tuple[Answer, ...]] = field(default_factory=dict)
-    waits: Mapping[str, float] = field(default_factory=dict)
+    waits: Mapping[str, float | None] = field(default_factory=dict)
     searches: Mapping[str, float | None] = field(default_factory=dict)
     endless_passes: int | None = None
     pass_limit: int = 100_000
@@ -55,8 +58,24 @@ class Lack:
         if self.section == "endless_passes":
             return f"endless_passes: {self.value}"
         if self.section == "assume_identity":
-            return f"assume_identity: [{self.name}]"
-        return f"{self.section}: {{{self.name}: {self.value}}}"
+            return f"assume_identity: [{yaml_name(self.name)}]"
+        return f"{self.section}: {{{yaml_name(self.name)}: {self.value}}}"
+
+
+def condition_key(text: str) -> str:
+    """A signal or condition as Scenario.waits has it: lower case, blanks left out."""
+    return "".join(text.split()).lower()
+
+
+def yaml_name(name: str) -> str:
+    """A name as YAML spells it: in quotes where it would be read as something else than a text."""
+    plain = re.fullmatch(r"[^\W\d]\w*", name) and name.lower() not in ("null", "true", "false")
+    return name if plain else json.dumps(name, ensure_ascii=False)
+
+
+def yaml_answer(value: Answer) -> str:
+    """An answer as YAML spells it."""
+    return f"{value:.15g}" if isinstance(value, float) else json.dumps(value, ensure_ascii=False)
 
 
 def lacking(lacks: Sequence[Lack]) -> InputErrorGroup:

@@ -14,6 +14,7 @@ from trajopt_cli.cell.model import minimal_cell
 from trajopt_cli.errors import InputError
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.problem.plant import build_plant
+from trajopt_cli.scenario import Scenario
 
 REPOSITORY = Path(__file__).parents[2]
 SHARED = REPOSITORY.parent / "shared"
@@ -333,3 +334,54 @@ def test_a_robot_without_jerks_needs_all_of_them_or_none() -> None:
     cell = parse_cell(RAIL + "limits:\n  joint_1: {jerk: 9000 deg/s3, source: measured}\n", "cell.yaml")
     with pytest.raises(InputError, match="robot irb140_rail gives no jerk"):
         cell.apply_limits(bare, bare.names)
+
+
+# --------------------------------------------------------------------------------------------------------- scenario
+
+
+def test_the_scenario_has_values_sequences_answers_waits_searches_and_limits() -> None:
+    text = (
+        "signals: {DI1: [0, true, 2], gi_1: 5}\n"
+        "answers: {nPart: [1, 2.5], Name: 'box', code: \"12\", bOk: true, UINumEntry: 3}\n"
+        "waits: {'DI1 = 1': Timeout, di2: 200 ms}\n"
+        "searches: {pFound: 0.4, pLost: never}\n"
+        "endless_passes: 2\npass_limit: 7\nstatement_limit: 900\nassume_identity: [tGrip, wTable]\n"
+    )
+    assert parse_cell(ARM + text, "c").scenario == Scenario(
+        signals={"di1": (0.0, 1.0, 2.0), "gi_1": 5.0},
+        answers={"npart": (1.0, 2.5), "name": "box", "code": "12", "bok": True, "uinumentry": 3.0},
+        waits={"di1=1": None, "di2": pytest.approx(0.2)},  # type: ignore[dict-item]
+        searches={"pfound": 0.4, "plost": None},
+        endless_passes=2,
+        pass_limit=7,
+        statement_limit=900,
+        assume_identity=frozenset({"tgrip", "wtable"}),
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("signals:\n  a: 1\n  A: 2\n", "5: signals.A: is the same to RAPID as signals.a; keep one"),
+        ("answers:\n  n: 1\n  N: 2\n", "5: answers.N: is the same to RAPID as answers.n; keep one"),
+        ("waits:\n  di1=1: 1\n  DI1 = 1: 2\n", "5: waits.DI1 = 1: is the same to RAPID as waits.di1=1; keep one"),
+        ("searches: {p: 1, P: 1}\n", "3: searches.P: is the same to RAPID as searches.p; keep one"),
+        ("assume_identity: [t, T]\n", "3: assume_identity.T: is the same to RAPID as assume_identity.t; keep one"),
+        ("signals: {a: []}\n", "3: signals.a: needs 1 to 10000 values in its list, not 0"),
+        (f"signals: {{a: {[1] * 10001}}}\n", "3: signals.a: needs 1 to 10000 values in its list, not 10001"),
+        ("signals: {a: [1, x]}\n", '3: signals.a: needs a number, not "x"'),
+        ("signals: {a: {b: 1}}\n", "3: signals.a: needs a number, not a section"),
+        ("answers: {a: }\n", "3: answers.a: needs a number, true or false, or a text, not nothing"),
+        ("answers: {a: [1, [2]]}\n", "3: answers.a: needs a number, true or false, or a text, not a list"),
+        ("answers: {a: .inf}\n", "3: answers.a: needs a finite number, not inf"),
+        ("waits: {a: later}\n", '3: waits.a: needs seconds, or timeout, not "later"'),
+        ("searches: {a: 1.5}\n", "3: searches.a: needs a share of the way from 0 to 1, or never, not 1.5"),
+        ("searches: {a: no}\n", '3: searches.a: needs a share of the way from 0 to 1, or never, not "no"'),
+        ("endless_passes: 0\n", "3: endless_passes: needs a whole number above zero, not 0"),
+        ("endless_passes: 10001\n", "3: endless_passes: needs a whole number, 10000 or less, not 10001"),
+        ("statement_limit: 1.5\n", "3: statement_limit: needs a whole number, not 1.5"),
+        ("assume_identity: tGrip\n", "3: assume_identity: needs a list, not tGrip"),
+    ],
+)
+def test_messages_of_the_scenario(text: str, expected: str) -> None:
+    assert message(ARM + text) == f"cell.yaml:{expected}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import PurePath
 from typing import Annotated, Any, Literal
 
@@ -24,11 +25,60 @@ from trajopt_cli.quantity import (
     number,
     numbers,
     positive,
+    shown,
 )
+from trajopt_cli.scenario import Scenario
+
+MAX_SEQUENCE = 10_000  # values of one signal or answer; a program that polls reads a few dozen
 
 
 def _signal(value: Any) -> float:
     return float(value) if isinstance(value, bool) else number(RATIO)(value)
+
+
+def _answer(value: Any) -> float | bool | str:
+    if isinstance(value, str | bool):
+        return value
+    if not isinstance(value, int | float):
+        raise complain(f"needs a number, true or false, or a text, not {shown(value)}")
+    return number(RATIO)(value)
+
+
+def _word(value: Any) -> str:
+    """A text that is one word, in lower case; empty for anything else."""
+    return value.strip().lower() if isinstance(value, str) and value.strip().isalpha() else ""
+
+
+def _share(value: Any) -> float | None:
+    if _word(value) == "never":
+        return None
+    if _word(value):
+        raise complain(f"needs a share of the way from 0 to 1, or never, not {shown(value)}")
+    share = number(RATIO)(value)
+    if not 0 <= share <= 1:
+        raise complain(f"needs a share of the way from 0 to 1, or never, not {share:g}")
+    return share
+
+
+def _least(value: Any) -> float | None:
+    if _word(value) == "timeout":
+        return None
+    if _word(value):
+        raise complain(f"needs seconds, or timeout, not {shown(value)}")
+    return from_zero(TIME)(value)
+
+
+def _each(one: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    """A validator: a value that one takes, or a list of them."""
+
+    def validate(value: Any) -> Any:
+        if not isinstance(value, list):
+            return one(value)
+        if not 0 < len(value) <= MAX_SEQUENCE:
+            raise complain(f"needs 1 to {MAX_SEQUENCE} values in its list, not {len(value)}")
+        return tuple(one(item) for item in value)
+
+    return validate
 
 
 def _said(value: str) -> str:
@@ -39,7 +89,6 @@ def _said(value: str) -> str:
 
 Length = Annotated[float, BeforeValidator(number(LENGTH))]
 Angle = Annotated[float, BeforeValidator(number(ANGLE))]
-Seconds = Annotated[float, BeforeValidator(from_zero(TIME))]
 Triple = tuple[float, float, float]
 SourceText = Annotated[StrictStr, BeforeValidator(lambda value: _said(value) if isinstance(value, str) else value)]
 
@@ -209,6 +258,11 @@ def _pair(value: Any) -> Any:
 
 
 Solids = dict[StrictStr, SolidSection]
+SignalValues = Annotated[float | tuple[float, ...], BeforeValidator(_each(_signal))]
+Answers = Annotated[
+    StrictBool | float | StrictStr | tuple[StrictBool | float | StrictStr, ...], BeforeValidator(_each(_answer))
+]
+MAX_ENDLESS_PASSES = 10_000  # an endless loop adds its motions once per pass
 
 
 class CellDocument(_Section):
@@ -225,8 +279,13 @@ class CellDocument(_Section):
     attached: Solids = Field(default_factory=dict)
     may_touch: tuple[Annotated[tuple[str, str], BeforeValidator(_pair)], ...] = ()
     clearance: Annotated[float, BeforeValidator(from_zero(LENGTH))] = 0.0
-    signals: dict[StrictStr, Annotated[float, BeforeValidator(_signal)]] = Field(default_factory=dict)
-    waits: dict[StrictStr, Seconds] = Field(default_factory=dict)
+    signals: dict[StrictStr, SignalValues] = Field(default_factory=dict)
+    answers: dict[StrictStr, Answers] = Field(default_factory=dict)
+    waits: dict[StrictStr, Annotated[float | None, BeforeValidator(_least)]] = Field(default_factory=dict)
+    searches: dict[StrictStr, Annotated[float | None, BeforeValidator(_share)]] = Field(default_factory=dict)
+    endless_passes: Annotated[int, Field(strict=True, gt=0, le=MAX_ENDLESS_PASSES)] | None = None
     optional: tuple[StrictStr, ...] = ()
     free_speed: StrictBool = False
-    pass_limit: Annotated[int, Field(strict=True, gt=0)] = 100_000
+    pass_limit: Annotated[int, Field(strict=True, gt=0)] = Scenario.pass_limit
+    statement_limit: Annotated[int, Field(strict=True, gt=0)] = Scenario.statement_limit
+    assume_identity: tuple[StrictStr, ...] = ()

@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import TypeVar
 
 import numpy as np
 
 from trajopt_cli.cell.document import CellDocument, FrameSection, SolidSection
 from trajopt_cli.cell.model import Cell, LimitOverride, Rail
+from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, pose, rotation_about, rotation_from_wxyz
 from trajopt_cli.limits import TcpCaps
-from trajopt_cli.scenario import Scenario
+from trajopt_cli.scenario import Scenario, condition_key
 from trajopt_cli.shapes import Box, Capsule, MeshFile, Solid
-from trajopt_cli.yaml_file import parse, read_text, validated
+from trajopt_cli.yaml_file import line_of, parse, read_text, validated
 
+_Value = TypeVar("_Value")
 _EXTERNAL_AXES = "abcdef"
 
 
@@ -70,6 +73,27 @@ def _solids(sections: Mapping[str, SolidSection], folder: Path) -> tuple[Solid, 
     return tuple(out)
 
 
+def _scenario(document: CellDocument, file: str, lines: Mapping[str, int]) -> Scenario:
+    def by(section: str, given: Mapping[str, _Value], key: Callable[[str], str] = str.lower) -> dict[str, _Value]:
+        spelled: dict[str, str] = {}
+        for name in given:
+            if (first := spelled.setdefault(key(name), name)) != name:
+                message = f"{section}.{name}: is the same to RAPID as {section}.{first}; keep one"
+                raise InputError(message, file=file, line=line_of(f"{section}.{name}", lines))
+        return {key(name): value for name, value in given.items()}
+
+    return Scenario(
+        signals=by("signals", document.signals),
+        answers=by("answers", document.answers),
+        waits=by("waits", document.waits, condition_key),
+        searches=by("searches", document.searches),
+        endless_passes=document.endless_passes,
+        pass_limit=document.pass_limit,
+        statement_limit=document.statement_limit,
+        assume_identity=frozenset(by("assume_identity", dict.fromkeys(document.assume_identity))),
+    )
+
+
 def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
     rail = document.rail
     overrides = tuple(
@@ -89,11 +113,7 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         tcp_source=document.tcp.source if document.tcp else None,
         start_joints=document.start.joints,
         start_rail=document.start.rail,
-        scenario=Scenario(
-            signals={name.lower(): value for name, value in document.signals.items()},
-            waits=document.waits,
-            pass_limit=document.pass_limit,
-        ),
+        scenario=_scenario(document, file, lines),
         free_speed=document.free_speed,
         droppable=frozenset(name.lower() for name in document.optional),
         obstacles=_solids(document.obstacles, Path(file).parent),
