@@ -286,12 +286,13 @@ class Wait:
 
 @dataclass(frozen=True, kw_only=True)
 class SignalEvent:
-    """An output set between two motions."""
+    """An output set between two motions; delay [s]: how long after the instruction it changes."""
 
     source: Source
     written: Written
     signal: str
     value: float
+    delay: float = 0.0
 
 
 Move = MoveJ | MoveL | MoveC | MoveAbsJ | MoveExtJ

@@ -1,17 +1,28 @@
 """What a running program finds out about its world: signals and answers as the scenario gives them.
 
-What the scenario lacks is noted once per name and stands in as 0, so that one run finds everything that is missing.
+A reading of a signal gives, in this order: what the program set it to, or a wait made sure of; the scenario's value, of
+a sequence the next one, the last one staying; else it lacks, is noted once per name, and 0 stands in, so that one run
+finds everything that is missing. Outputs begin at 0 where the scenario says nothing.
+
+A wait always comes true unless the scenario lets it time out. Of a sequence it drops the values before the first that
+fits; that one is what the next reading gives. A plain value that contradicts the wait gives way to what it waited for.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
-from trajopt_cli.scenario import Answer, Lack, Scenario
+from trajopt_cli.rapid.data.scope import Datum
+from trajopt_cli.rapid.language.syntax import Name
+from trajopt_cli.scenario import Answer, Lack, Scenario, condition_key, yaml_answer
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
     from trajopt_cli.rapid.language.syntax import Node
+
+_OUTPUTS = frozenset({"signaldo", "signalgo", "signalao"})
 
 
 class World:
@@ -20,47 +31,135 @@ class World:
     def __init__(self, scenario: Scenario):
         self.scenario = scenario
         self.lacks: dict[tuple[str, str], Lack] = {}
+        self._signals = {name.lower(): values for name, values in scenario.signals.items()}
+        self._answers = {name.lower(): values for name, values in scenario.answers.items()}
+        self._waits = {condition_key(text): seconds for text, seconds in scenario.waits.items()}
         self._values: dict[str, float] = {}
-        self._read: dict[tuple[str, str], int] = {}  # how often a sequence was read
+        self._taken: dict[tuple[str, str], int] = {}  # how many values of a sequence are behind
+        self._trying = 0
 
     def lack(self, run: Run, section: str, name: str, node: Node, reason: str, value: str) -> None:
         """Note that the scenario lacks something, once per name; see Lack for what the parts mean."""
         key = (section, name.lower())
-        if key not in self.lacks:
+        if key not in self.lacks and not self._trying:
             self.lacks[key] = Lack(section, name, run.source(node), reason, value)
+
+    @contextmanager
+    def trying(self) -> Iterator[None]:
+        """Nothing lacks inside: what is unknown stands in as 0 unsaid."""
+        self._trying += 1
+        try:
+            yield
+        finally:
+            self._trying -= 1
+
+    # --------------------------------------------------------------------------------------------------- signals
 
     def set(self, signal: str, value: float) -> None:
         """The program sets a signal, or a wait has made sure of its value."""
         self._values[signal] = value
-
-    def output(self, signal: str) -> float:
-        """What the program last set a signal to; 0 before."""
-        return self._values.get(signal, 0.0)
 
     def signal(self, run: Run, node: Node, name: str) -> float:
         """The value that a reading of a signal gives; name as the program spells it."""
         key = name.lower()
         if key in self._values:
             return self._values[key]
-        given = self.scenario.signals.get(key)
+        given = self._signals.get(key)
         if given is None:
+            if _is_output(run, node):
+                return 0.0
             reason = f"'{name}' is not declared in the program and has no value as a signal"
             self.lack(run, "signals", name, node, reason, "0")
             return 0.0
         return float(self._next("signals", key, given))
 
+    def output(self, signal: str) -> float:
+        """The value that a reading of an output gives; nothing lacks."""
+        if signal in self._values:
+            return self._values[signal]
+        return float(self._next("signals", signal, self._signals.get(signal, 0.0)))
+
+    def now(self, signal: str) -> float:
+        """An output's value without reading it: its sequence stays where it is."""
+        return self._values.get(signal, float(self._left("signals", signal, self._signals.get(signal, 0.0))[0]))
+
+    def awaited(self, signal: str, fits: Callable[[float], bool], value: float | None) -> tuple[float, ...]:
+        """A wait for a signal came true; from here on it reads as the module says.
+
+        value: the only one that fits, None where there are several; then a plain value that does not fit stays. Returns
+        what is left of a sequence of which no value fits, else nothing.
+        """
+        given = self._signals.get(signal)
+        if signal not in self._values and isinstance(given, tuple):
+            left = tuple(float(one) for one in self._left("signals", signal, given))
+            for count, one in enumerate(left):
+                if fits(one):
+                    self._taken["signals", signal] = self._taken.get(("signals", signal), 0) + count
+                    return ()
+            return left
+        if value is not None:
+            self._values[signal] = value
+        return ()
+
+    def poll(self, holds: Callable[[], bool]) -> bool:
+        """Whether a condition comes true on the way through the sequences that it reads.
+
+        If it does, the readings that made it true are the next ones; if not, the sequences stand where they stood.
+        """
+        first = dict(self._taken)
+        with self.trying():
+            while True:
+                before = dict(self._taken)
+                true = holds()
+                if true or not self._went_on(before):
+                    self._taken = before if true else first
+                    return true
+
+    def _went_on(self, before: dict[tuple[str, str], int]) -> bool:
+        """Whether a later reading can differ: some sequence has gone on to another of its values."""
+        for key, taken in self._taken.items():
+            given = (self._signals if key[0] == "signals" else self._answers)[key[1]]
+            assert isinstance(given, tuple)
+            if min(taken, len(given) - 1) != min(before.get(key, 0), len(given) - 1):
+                return True
+        return False
+
+    # --------------------------------------------------------------------------------------------------- the rest
+
+    def least(self, *texts: str) -> float | None:
+        """The least duration [s] of a wait: the first of texts that the scenario knows decides. None: it times out."""
+        for text in texts:
+            key = condition_key(text)
+            if key in self._waits:
+                return self._waits[key]
+        return 0.0
+
+    def known(self, name: str) -> bool:
+        """Whether the scenario has an answer under name."""
+        return name.lower() in self._answers
+
     def answer(self, run: Run, node: Node, name: str, reason: str, default: Answer) -> Answer:
         """The answer that is asked for under name; default stands in where the scenario has none."""
-        given = self.scenario.answers.get(name.lower())
+        given = self._answers.get(name.lower())
         if given is None:
-            shown = f'"{default}"' if isinstance(default, str) else f"{default:g}"
-            self.lack(run, "answers", name, node, reason, shown)
+            self.lack(run, "answers", name, node, reason, yaml_answer(default))
             return default
         return self._next("answers", name.lower(), given)
 
     def _next(self, section: str, key: str, given: Answer | tuple[Answer, ...]) -> Answer:
         if not isinstance(given, tuple):
             return given
-        count = self._read.get((section, key), 0)
-        self._read[section, key] = count + 1
+        count = self._taken.get((section, key), 0)
+        self._taken[section, key] = count + 1
         return given[min(count, len(given) - 1)]
+
+    def _left(self, section: str, key: str, given: Answer | tuple[Answer, ...]) -> tuple[Answer, ...]:
+        if not isinstance(given, tuple):
+            return (given,)
+        return given[min(self._taken.get((section, key), 0), len(given) - 1) :]
+
+
+def _is_output(run: Run, node: Node) -> bool:
+    """Whether a name is declared as an output of the program."""
+    place = run.find(node.name) if isinstance(node, Name) else None
+    return isinstance(place, Datum) and place.type.name in _OUTPUTS

@@ -1,38 +1,56 @@
-"""Functions that read signals."""
+"""Functions that read signals. Inputs lack where the scenario says nothing, outputs begin at 0."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from trajopt_cli.rapid.data.datatypes import BOOL, NUM, Value
+from trajopt_cli.rapid.data.datatypes import BOOL, DNUM, NUM, Type, Value
 from trajopt_cli.rapid.execution.arguments import Function, bind
-from trajopt_cli.rapid.execution.evaluate import number
 from trajopt_cli.rapid.language.syntax import Call
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
 
 
-def _signal_value(run: Run, node: Call) -> float:
+def _input(run: Run, node: Call) -> float:
     (argument,) = bind(run, node, ("Signal",)).required
-    run.signal(argument)
-    return number(run, argument)
+    signal, written = run.signal(argument), run.text(argument)
+    return run.world.signal(run, argument, written if written.lower() == signal else signal)
 
 
 def _test_di(run: Run, node: Call) -> Value:
-    return Value(BOOL, _signal_value(run, node) == 1.0)
+    return Value(BOOL, _input(run, node) == 1.0)
 
 
-def _signal(run: Run, node: Call) -> Value:
-    return Value(NUM, _signal_value(run, node))
+def _reads(type_: Type) -> Function:
+    return lambda run, node: Value(type_, _input(run, node))
+
+
+def _tells(type_: Type) -> Function:
+    """The state of an output."""
+
+    def handler(run: Run, node: Call) -> Value:
+        (argument,) = bind(run, node, ("Signal",)).required
+        return Value(type_, run.world.output(run.signal(argument)))
+
+    return handler
+
+
+def _valid(run: Run, node: Call) -> Value:
+    """Every signal works, inputs and outputs alike."""
+    bind(run, node, ("Signal",))
+    return Value(BOOL, True)
 
 
 FUNCTIONS: dict[str, Function] = {
     "TestDI": _test_di,
-    "DInput": _signal,
-    "DOutput": _signal,
-    "GInput": _signal,
-    "GOutput": _signal,
-    "AInput": _signal,
-    "AOutput": _signal,
+    "DInput": _reads(NUM),
+    "GInput": _reads(NUM),
+    "GInputDnum": _reads(DNUM),
+    "AInput": _reads(NUM),
+    "DOutput": _tells(NUM),
+    "GOutput": _tells(NUM),
+    "GOutputDnum": _tells(DNUM),
+    "AOutput": _tells(NUM),
+    "ValidIO": _valid,
 }

@@ -3,7 +3,16 @@
 from __future__ import annotations
 
 from trajopt_cli.rapid.execution.arguments import Function
-from trajopt_cli.rapid.execution.functions import data, numbers, poses, signals, strings, targets
+from trajopt_cli.rapid.execution.functions import (
+    data,
+    numbers,
+    poses,
+    signals,
+    strings,
+    system,
+    targets,
+    unknown,
+)
 
 FUNCTIONS: dict[str, Function] = {
     **targets.FUNCTIONS,
@@ -12,4 +21,6 @@ FUNCTIONS: dict[str, Function] = {
     **data.FUNCTIONS,
     **signals.FUNCTIONS,
     **strings.FUNCTIONS,
+    **system.FUNCTIONS,
+    **unknown.FUNCTIONS,
 }

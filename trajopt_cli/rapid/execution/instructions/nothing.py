@@ -1,4 +1,4 @@
-"""Instructions without effect on motion."""
+"""Instructions without effect on motion: counted in Run.ignored, their arguments not even looked at."""
 
 from __future__ import annotations
 
@@ -11,17 +11,34 @@ if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
 
 
-def _nothing(run: Run, node: ProcedureCall) -> None:
-    """No effect on motion; the arguments are not even looked at."""
+def nothing(name: str) -> Instruction:
+    """The handler of an instruction that does nothing here; name: as in the manual."""
+
+    def handler(run: Run, node: ProcedureCall) -> None:
+        run.ignored[name] += 1
+
+    return handler
 
 
-INSTRUCTIONS: dict[str, Instruction] = {
-    "WaitRob": _nothing,
-    "TPWrite": _nothing,
-    "TPErase": _nothing,
-    "TPShow": _nothing,
-    "ErrWrite": _nothing,
-    "ClkReset": _nothing,
-    "ClkStart": _nothing,
-    "ClkStop": _nothing,
-}
+_NAMES = """
+    TPErase TPShow TPWrite UIShow
+    BookErrNo ErrLog ErrWrite ProcerrRecovery ResetRetryCount
+
+    ClkReset ClkStart ClkStop
+
+    IDelete IDisable IEnable IError IPers ISleep IWatch ITimer ISignalAI ISignalAO ISignalDI ISignalDO ISignalGI
+    ISignalGO IRMQMessage IVarValue GetTrapData RMQEmptyQueue RMQFindSlot RMQReadWait RMQSendMessage RMQSendWait
+
+    ClearPath RestoPath StartMove StartMoveRetry StopMove StopMoveReset StorePath PathRecStart PathRecStop
+    CornerPathWarning MotionProcessModeSet MotionSup PathLengthReset PathLengthStart PathLengthStop
+    PathResol SoftAct SoftDeact
+    DropSensor DropWObj SupSyncSensorOff SupSyncSensorOn WaitSensorReset
+    SyncMoveOff SyncMoveOn SyncMoveResume SyncMoveSuspend SyncMoveUndo WaitSyncTask MotionPlannerSet
+
+    SpyStart SpyStop TestSignDefine TestSignReset TriggStopProc
+    IOBusStart IODisable IOEnable SaveSysData WriteCfgData SetDataSearch
+    CheckProgRef EraseModule Save TextTabInstall
+"""
+
+
+INSTRUCTIONS: dict[str, Instruction] = {name: nothing(name) for name in _NAMES.split()}

@@ -1,21 +1,27 @@
-"""Outputs set."""
+"""Outputs set, and signals under another name."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 from trajopt_cli.motion import SignalEvent, Written
-from trajopt_cli.rapid.execution.arguments import Instruction, bind
-from trajopt_cli.rapid.execution.evaluate import number
-from trajopt_cli.rapid.language.syntax import ProcedureCall
+from trajopt_cli.rapid.data.datatypes import SIGNALS, STRING, Value
+from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
+from trajopt_cli.rapid.execution.evaluate import evaluate, locate, number
+from trajopt_cli.rapid.language.syntax import Call, Expression, Name, ProcedureCall, String
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
 
 
-def _event(run: Run, node: ProcedureCall, signal: str, value: float) -> None:
+def _event(run: Run, node: ProcedureCall, signal: str, value: float, delay: float = 0.0) -> None:
     written = Written(statement=run.places().span(node.start, node.end))
-    run.motions.append(SignalEvent(source=run.source(node), written=written, signal=signal, value=value))
+    run.motions.append(SignalEvent(source=run.source(node), written=written, signal=signal, value=value, delay=delay))
+
+
+def _change(run: Run, node: ProcedureCall, signal: str, value: float, delay: float = 0.0) -> None:
+    run.world.set(signal, value)
+    _event(run, node, signal, value, delay)
 
 
 def _set(run: Run, node: ProcedureCall) -> None:
@@ -28,15 +34,24 @@ def _reset(run: Run, node: ProcedureCall) -> None:
     _change(run, node, run.signal(signal), 0.0)
 
 
-def _change(run: Run, node: ProcedureCall, signal: str, value: float) -> None:
-    run.world.set(signal, value)
-    _event(run, node, signal, value)
-
-
-def _set_output(run: Run, node: ProcedureCall) -> None:
+def _set_digital(run: Run, node: ProcedureCall) -> None:
+    """Everything but 0 is 1, as on a controller."""
     args = bind(run, node, ("Signal", "Value"), ("SDelay", "Sync"))
-    if "sdelay" in args.optional:
-        run.warn(f"{run.source(node)}: the delay \\SDelay of {node.name} is listed as no delay; it changes no motion")
+    signal, value = args.required
+    _change(run, node, run.signal(signal), float(number(run, value) != 0), _seconds(run, args, "SDelay"))
+
+
+def _set_group(run: Run, node: ProcedureCall) -> None:
+    args = bind(run, node, ("Signal", "Value"), ("SDelay",))
+    signal, value = run.signal(args.required[0]), number(run, args.required[1])
+    if value < 0 or value != int(value):
+        message = f"{node.name} {signal} needs a whole number, 0 or more, found {value:.15g}"
+        raise run.fault(args.required[1], "ERR_GO_LIM", message)
+    _change(run, node, signal, value, _seconds(run, args, "SDelay"))
+
+
+def _set_analog(run: Run, node: ProcedureCall) -> None:
+    args = bind(run, node, ("Signal", "Value"))
     signal, value = args.required
     _change(run, node, run.signal(signal), number(run, value))
 
@@ -45,22 +60,64 @@ def _pulse(run: Run, node: ProcedureCall) -> None:
     r"""The event is the pulse's own level; afterwards the signal is what it was. \PLength holds up nothing."""
     args = bind(run, node, ("Signal",), ("High", "PLength"))
     signal = run.signal(args.required[0])
-    before = run.world.output(signal)
-    _event(run, node, signal, 1.0 if "high" in args.optional else 1.0 - before)
+    _seconds(run, args, "PLength")
+    _event(run, node, signal, 1.0 if "high" in args.optional else 1.0 - run.world.now(signal))
 
 
 def _invert(run: Run, node: ProcedureCall) -> None:
     (argument,) = bind(run, node, ("Signal",)).required
     signal = run.signal(argument)
-    _change(run, node, signal, 1.0 - run.world.output(signal))
+    _change(run, node, signal, 1.0 - run.world.now(signal))
+
+
+def _seconds(run: Run, args: Arguments, name: str) -> float:
+    node = args.value(name.lower())
+    seconds = number(run, node) if node is not None else 0.0
+    if node is not None and not seconds >= 0:
+        raise run.error(node, f"\\{name} of {seconds:.6g} s must not be negative")
+    return seconds
+
+
+# ------------------------------------------------------------------------------------------------------ other names
+
+
+def _alias(run: Run, node: ProcedureCall) -> None:
+    """From here on the alias stands for the signal."""
+    original, alias = bind(run, node, ("FromSignal", "ToSignal")).required
+    _rename(run, alias, _signal_name(run, original))
+
+
+def _alias_reset(run: Run, node: ProcedureCall) -> None:
+    (alias,) = bind(run, node, ("Signal",)).required
+    _rename(run, alias, None)
+
+
+def _signal_name(run: Run, node: Expression) -> str:
+    """A signal given as such or by a text that is its name."""
+    if isinstance(node, Name):
+        place = run.find(node.name)
+        if place is None or getattr(place, "type", STRING) != STRING:
+            return run.signal(node)
+    if isinstance(node, (String, Call, Name)):
+        return str(evaluate(run, node, STRING).data).strip().lower()
+    return run.signal(node)
+
+
+def _rename(run: Run, alias: Expression, signal: str | None) -> None:
+    place = locate(run, alias)
+    if place.type.name not in SIGNALS:
+        raise run.error(alias, f"an alias is declared as a signal, 'VAR signaldi {run.text(alias)};'")
+    place.value = Value(place.type, signal)
 
 
 INSTRUCTIONS: dict[str, Instruction] = {
     "Set": _set,
     "Reset": _reset,
-    "SetDO": _set_output,
-    "SetGO": _set_output,
-    "SetAO": _set_output,
+    "SetDO": _set_digital,
+    "SetGO": _set_group,
+    "SetAO": _set_analog,
     "PulseDO": _pulse,
     "InvertDO": _invert,
+    "AliasIO": _alias,
+    "AliasIOReset": _alias_reset,
 }

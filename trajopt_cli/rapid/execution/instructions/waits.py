@@ -1,28 +1,45 @@
-"""Waits."""
+r"""Waits.
+
+A wait always comes true, after the least time that the scenario gives it; what it waited for then holds (see World).
+Where the scenario says `timeout`, a wait with \MaxTime lasts that long, and sets \TimeFlag or raises ERR_WAIT_MAXTIME.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from trajopt_cli.motion import Wait, Written
-from trajopt_cli.rapid.data.datatypes import BOOL, Value
-from trajopt_cli.rapid.execution.arguments import Instruction, bind
-from trajopt_cli.rapid.execution.evaluate import number
-from trajopt_cli.rapid.language.syntax import Binary, Call, Expression, Name, ProcedureCall, Unary
+from trajopt_cli.rapid.data.datatypes import BOOL, NUM, SIGNALS, Type, Value
+from trajopt_cli.rapid.data.scope import Place
+from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
+from trajopt_cli.rapid.execution.evaluate import condition, evaluate, locate, number
+from trajopt_cli.rapid.language.syntax import (
+    Binary,
+    Boolean,
+    Call,
+    Component,
+    Element,
+    Expression,
+    Name,
+    Number,
+    ProcedureCall,
+    String,
+    Unary,
+)
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
 
 
-def _least(waits: Mapping[str, float], keys: tuple[str, ...]) -> float:
-    known = {"".join(key.split()).lower(): seconds for key, seconds in waits.items()}
-    return next((known[key] for key in ("".join(key.split()).lower() for key in keys) if key in known), 0.0)
-
-
-def _wait(run: Run, node: ProcedureCall, duration: float, condition: str | None) -> None:
+def record(run: Run, node: ProcedureCall, duration: float, condition: str | None = None) -> None:
+    """Stand still; see motion.Wait."""
     written = Written(statement=run.places().span(node.start, node.end))
     run.motions.append(Wait(source=run.source(node), written=written, duration=duration, condition=condition))
+
+
+# ------------------------------------------------------------------------------------------------- time, standstill
 
 
 def _wait_time(run: Run, node: ProcedureCall) -> None:
@@ -30,24 +47,176 @@ def _wait_time(run: Run, node: ProcedureCall) -> None:
     seconds = number(run, args.required[0])
     if not seconds >= 0:
         raise run.error(args.required[0], f"WaitTime {seconds:.6g} s must not be negative")
-    _wait(run, node, seconds, None)
+    record(run, node, seconds)
 
 
-def _wait_signal(run: Run, node: ProcedureCall) -> None:
-    args = bind(run, node, ("Signal", "Value"), ("MaxTime", "TimeFlag"))
-    signal, wanted = run.signal(args.required[0]), number(run, args.required[1])
-    _no_timeout(run, args.value("timeflag"))
-    condition = f"{run.text(args.required[0])} = {wanted:.15g}"
-    _wait(run, node, _least(run.scenario.waits, (condition, signal)), condition)
+def _wait_robot(run: Run, node: ProcedureCall) -> None:
+    if bind(run, node, (), ("InPos", "ZeroSpeed")).optional:
+        record(run, node, 0.0)
+    else:
+        run.ignored["WaitRob"] += 1
+
+
+# ---------------------------------------------------------------------------------------------------------- signals
+
+_TESTS: dict[str, Callable[[float, float], bool]] = {
+    "=": lambda value, wanted: value == wanted,
+    "<": lambda value, wanted: value < wanted,
+    ">": lambda value, wanted: value > wanted,
+    "<>": lambda value, wanted: value != wanted,
+}
+_SWITCHES = {"lt": "<", "gt": ">", "noteq": "<>"}
+_TIMEOUT = ("MaxTime", "TimeFlag")
+
+
+def _signal_wait(*switches: str) -> Instruction:
+    options = (*switches, *_TIMEOUT, "ValueAtTimeout", "Visualize", "Header", "Message")
+
+    def handler(run: Run, node: ProcedureCall) -> None:
+        args = bind(run, node, ("Signal", "Value"), options)
+        signal, wanted = run.signal(args.required[0]), number(run, args.required[1])
+        test = next((_SWITCHES[name] for name in _SWITCHES if name in args.optional), "=")
+        text = f"{test} {wanted:.15g}"
+        shown = f"{run.text(args.required[0])} {text}"
+        if _over(run, node, args, shown, (shown, f"{signal} {text}", signal)):
+            _await(run, node, signal, test, wanted)
+
+    return handler
+
+
+def _await(run: Run, node: ProcedureCall, signal: str, test: str, wanted: float) -> None:
+    fits = _TESTS[test]
+    left = run.world.awaited(signal, lambda value: fits(value, wanted), wanted if test == "=" else None)
+    if left:
+        values = ", ".join(f"{value:.15g}" for value in left[:7]) + (", ..." if len(left) > 7 else "")
+        raise run.error(
+            node,
+            f"{node.name} waits for {signal} {test} {wanted:.15g}, and no value that is left of its sequence fits "
+            f"({values}); add one to signals.{signal} in the cell file, or let the wait end by its time: "
+            f"'waits: {{{signal} {test} {wanted:.15g}: timeout}}'",
+        )
+
+
+def _over(run: Run, node: ProcedureCall, args: Arguments, shown: str, names: tuple[str, ...]) -> bool:
+    r"""Record a wait and say whether it came true; if not, \TimeFlag is set. names: of the wait in the cell file."""
+    limit, flag = args.value("maxtime"), args.value("timeflag")
+    longest = number(run, limit) if limit is not None else None
+    least = run.world.least(*names)
+    record(run, node, (longest or 0.0) if least is None else least, shown)
+    if least is not None:
+        if flag is not None:
+            run.assign(flag, Value(BOOL, False))
+        return True
+    if longest is None:
+        raise run.error(node, f"waits for {shown} for ever: the cell file says timeout, and \\MaxTime is not given")
+    if flag is None:
+        raise run.fault(node, "ERR_WAIT_MAXTIME", f"{shown} has not come true within \\MaxTime of {longest:.6g} s")
+    run.assign(flag, Value(BOOL, True))
+    return False
+
+
+# ------------------------------------------------------------------------------------------------------- conditions
 
 
 def _wait_until(run: Run, node: ProcedureCall) -> None:
-    args = bind(run, node, ("Cond",), ("InPos", "MaxTime", "TimeFlag", "PollRate"))
-    condition = run.text(args.required[0])
-    _no_timeout(run, args.value("timeflag"))
-    names = {name.lower() for name in _names(args.required[0])}
-    keys = (condition, *(names if len(names) == 1 else ()))
-    _wait(run, node, _least(run.scenario.waits, keys), condition)
+    options = ("InPos", *_TIMEOUT, "PollRate", "Visualize", "Header", "Message")
+    args = bind(run, node, ("Cond",), options)
+    (wanted,) = args.required
+    shown = run.text(wanted)
+    names = {name.lower() for name in _names(wanted)}
+    if not _over(run, node, args, shown, (shown, *(names if len(names) == 1 else ()))):
+        return
+    terms = _terms(run, wanted)
+    if terms is None:
+        run.world.poll(lambda: condition(run, wanted))
+        return
+    for term in terms:
+        if term.signal is not None:
+            _await(run, node, term.signal, "=", term.value.data)
+        else:
+            run.assign(term.target, term.value)
+
+
+@dataclass(frozen=True)
+class _Term:
+    """`target = value` of a conjunction; signal: the target's name in lower case where it is one."""
+
+    target: Expression
+    value: Value
+    signal: str | None = None
+
+
+def _terms(run: Run, node: Expression) -> list[_Term] | None:
+    """The parts of a plain conjunction of `signal = value`, TestDI(signal), `variable = constant` and `flag`."""
+    match node:
+        case Binary(operator="AND"):
+            left, right = _terms(run, node.left), _terms(run, node.right)
+            return None if left is None or right is None else left + right
+        case Binary(operator="="):
+            return _equal(run, node.left, node.right)
+        case Unary(operator="NOT"):
+            return _true(run, node.operand, False)
+    return _true(run, node, True)
+
+
+_READERS = frozenset({"dinput", "doutput", "ginput", "goutput", "ainput", "aoutput"})
+
+
+def _true(run: Run, node: Expression, wanted: bool) -> list[_Term] | None:
+    if isinstance(node, Call):
+        signal = _argument(node, frozenset({"testdi"}))
+        return [_Term(signal, Value(NUM, float(wanted)), run.signal(signal))] if signal else None
+    return [_Term(node, Value(BOOL, wanted))] if _variable(run, node) == BOOL else None
+
+
+def _equal(run: Run, left: Expression, right: Expression) -> list[_Term] | None:
+    variable = _variable(run, left)
+    if variable is not None:
+        return [_Term(left, evaluate(run, right, variable))] if _steady(run, right, constant=True) else None
+    signal = _argument(left, _READERS) if isinstance(left, Call) else left
+    if not isinstance(signal, Name) or not _is_signal(run, signal) or not _steady(run, right, constant=False):
+        return None
+    return [_Term(signal, Value(NUM, number(run, right)), run.signal(signal))]
+
+
+def _argument(call: Call, functions: frozenset[str]) -> Expression | None:
+    """`signal` of DInput(signal) ..."""
+    return call.args[0].value if call.name.lower() in functions and len(call.args) == 1 else None
+
+
+def _variable(run: Run, node: Expression) -> Type | None:
+    """The type of data that the program may change; None for anything else."""
+    base = node
+    while isinstance(base, (Component, Element)):
+        base = base.base
+    if not isinstance(base, Name) or not isinstance(run.find(base.name), Place) or _is_signal(run, base):
+        return None
+    place = locate(run, node)
+    return None if place.constant else place.type
+
+
+def _is_signal(run: Run, node: Name) -> bool:
+    place = run.find(node.name)
+    return place is None or (isinstance(place, Place) and place.type.name in SIGNALS)
+
+
+def _steady(run: Run, node: Expression, constant: bool) -> bool:
+    """Whether an expression has one value during the wait: no signal in it, no call, only constants if wanted."""
+    match node:
+        case Number() | Boolean() | String():
+            return True
+        case Name():
+            place = run.find(node.name)
+            return isinstance(place, Place) and not _is_signal(run, node) and bool(place.constant or not constant)
+        case Unary():
+            return _steady(run, node.operand, constant)
+        case Binary():
+            return _steady(run, node.left, constant) and _steady(run, node.right, constant)
+        case Component():
+            return _steady(run, node.base, constant)
+        case Element():
+            return all(_steady(run, part, constant) for part in (node.base, *node.indices))
+    return False
 
 
 def _names(node: Expression) -> list[str]:
@@ -63,14 +232,40 @@ def _names(node: Expression) -> list[str]:
     return []
 
 
-def _no_timeout(run: Run, flag: Expression | None) -> None:
-    if flag is not None:
-        run.assign(flag, Value(BOOL, False))
+# -------------------------------------------------------------------------------------------------- the other waits
+
+
+def _test_and_set(run: Run, node: ProcedureCall) -> None:
+    """Waits until a flag that tasks share is FALSE, and sets it."""
+    (flag,) = bind(run, node, ("Object",)).required
+    shown = f"{run.text(flag)} = FALSE"
+    if condition(run, flag):
+        _over(run, node, Arguments((flag,), {}), shown, (shown, run.text(flag)))
+    run.assign(flag, Value(BOOL, True))
+
+
+def _other(name: str, required: tuple[str, ...], optional: tuple[str, ...]) -> Instruction:
+    """A wait for something that only the cell knows: a work object on a conveyor, a sensor."""
+
+    def handler(run: Run, node: ProcedureCall) -> None:
+        args = bind(run, node, required, (*optional, *_TIMEOUT))
+        shown = f"{name} {run.text(args.required[0])}"
+        _over(run, node, args, shown, (shown, run.text(args.required[0])))
+
+    return handler
 
 
 INSTRUCTIONS: dict[str, Instruction] = {
     "WaitTime": _wait_time,
-    "WaitDI": _wait_signal,
-    "WaitDO": _wait_signal,
+    "WaitDI": _signal_wait(),
+    "WaitDO": _signal_wait(),
+    "WaitGI": _signal_wait("NOTEQ", "LT", "GT"),
+    "WaitGO": _signal_wait("NOTEQ", "LT", "GT"),
+    "WaitAI": _signal_wait("LT", "GT"),
+    "WaitAO": _signal_wait("LT", "GT"),
     "WaitUntil": _wait_until,
+    "WaitRob": _wait_robot,
+    "WaitTestAndSet": _test_and_set,
+    "WaitWObj": _other("WaitWObj", ("WObj",), ("RelDist", "PosStop")),
+    "WaitSensor": _other("WaitSensor", ("MechUnit",), ("RelDist", "PredTime")),
 }

@@ -1,0 +1,110 @@
+"""Answers of the scenario as values of the type that the program asks for."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.rapid.data.datatypes import (
+    BOOL,
+    ORIENT,
+    STRING,
+    Array,
+    Atomic,
+    Data,
+    Record,
+    Type,
+    Value,
+    is_number,
+)
+from trajopt_cli.rapid.execution.evaluate import evaluate, locate
+from trajopt_cli.rapid.language.expressions import parse_expression
+from trajopt_cli.rapid.language.syntax import Aggregate, Component, Element, Expression, Name
+from trajopt_cli.scenario import Answer, yaml_answer
+
+if TYPE_CHECKING:
+    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.language.syntax import Node
+
+
+def root(run: Run, node: Expression) -> str:
+    """The name of the variable that an expression is, or is a part of: `p` of `p{2}.trans.x`."""
+    while isinstance(node, (Component, Element)):
+        node = node.base
+    if not isinstance(node, Name):
+        raise run.error(node, "needs the name of data here, found a value")
+    return node.name
+
+
+def fill(run: Run, target: Expression, reason: str, default: Answer | None = None) -> Value | None:
+    """Let a variable have the scenario's answer under its name; returns the value.
+
+    A type that nothing here computes with (rawbytes ...) stays as it is, and None is returned. reason: what asked, for
+    messages. default: stands in for a missing answer; None for 0, "", FALSE. Raises InputError for an answer of another
+    type than the variable's.
+    """
+    type_ = locate(run, target).type
+    element = type_.element if isinstance(type_, Array) else type_
+    if element.default is None:
+        return None
+    value = ask(run, target, root(run, target), type_, reason, default)
+    run.assign(target, value)
+    return value
+
+
+def ask(run: Run, node: Node, name: str, type_: Type, reason: str, default: Answer | None = None) -> Value:
+    """The scenario's answer under name, as a value of a type. Records and arrays are answered as RAPID writes them."""
+    if default is None:
+        default = type_.default if isinstance(type_, Atomic) else _literal(type_, _stand_in(type_))
+    answer = run.world.answer(run, node, name, reason, default)
+    if isinstance(answer, int | float) and not isinstance(answer, bool) and is_number(type_):
+        return Value(type_, float(answer))
+    if (isinstance(answer, bool) and type_ == BOOL) or (isinstance(answer, str) and type_ == STRING):
+        return Value(type_, answer)
+    if isinstance(answer, str) and not isinstance(type_, Atomic):
+        return Value(type_, _parsed(run, node, name, type_, answer))
+    wanted = _WANTED.get(type_.name, f"a {type_.name} as RAPID writes it, in quotes")
+    raise run.error(node, f"the answer {yaml_answer(answer)} to '{name}' in the cell file is not {wanted}")
+
+
+_WANTED = {
+    "num": "a number",
+    "dnum": "a number",
+    "bool": "true or false",
+    "string": "a text; put it in quotes",
+}
+
+
+def _parsed(run: Run, node: Node, name: str, type_: Type, text: str) -> Data:
+    try:
+        literal = parse_expression(text, "")
+        if isinstance(literal, Aggregate):
+            return evaluate(run, literal, type_).data
+        problem = "is no value in brackets"
+    except InputError as error:
+        problem = f"is not: {error.message}"
+    wanted = _literal(type_, _stand_in(type_))
+    raise run.error(
+        node, f"the answer to '{name}' in the cell file must be a {type_.name} such as {wanted}; it {problem}"
+    )
+
+
+def _stand_in(type_: Type) -> Data:
+    """The value that a type begins with, but turned by nothing where it has an orientation."""
+    if type_ == ORIENT:
+        return (1.0, 0.0, 0.0, 0.0)
+    if isinstance(type_, Record):
+        return tuple(_stand_in(part) for _, part in type_.components)
+    if isinstance(type_, Array):
+        return (_stand_in(type_.inner()),) * (type_.sizes[0] if type_.sizes else 1)
+    return type_.default
+
+
+def _literal(type_: Type, data: Data) -> str:
+    if isinstance(data, tuple):
+        parts = [part for _, part in type_.components] if isinstance(type_, Record) else None
+        inner = type_.inner() if isinstance(type_, Array) else type_
+        return f"[{','.join(_literal(parts[i] if parts else inner, one) for i, one in enumerate(data))}]"
+    if isinstance(data, bool):
+        return "TRUE" if data else "FALSE"
+    return f"{data:.15g}" if isinstance(data, float) else '"' + str(data).replace('"', '""') + '"'
