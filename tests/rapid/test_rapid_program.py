@@ -325,7 +325,7 @@ def test_joint_and_external_moves() -> None:
     assert isinstance(first, MoveAbsJ)
     np.testing.assert_allclose(first.q, np.radians([10, -20, 30, 0, 90, -180]), atol=1e-15)
     assert (first.extax[0], first.speed.v_tcp, first.speed.name) == (500.0, 0.075, "v50")
-    assert first.zone == Zone("z10", stop=False, radius=0.012)
+    assert first.zone == Zone("z10", False, 0.012, 0.015, 0.015, radians(1.5), 0.015, radians(1.5))
     assert isinstance(second, MoveExtJ)
     assert (second.extax[0], second.speed.v_leax) == (500.0, 0.1)
 
@@ -334,8 +334,8 @@ def test_joint_and_external_moves() -> None:
     ("zone", "wanted"),
     [
         ("fine", Zone("fine", stop=True)),
-        ("z0", Zone("z0", stop=False, radius=0.0003)),
-        ("z50\\Inpos:=inpos50", Zone("z50", stop=True)),
+        ("z0", Zone("z0", False, 3e-4, 3e-4, 3e-4, pytest.approx(radians(0.03)), 3e-4, pytest.approx(radians(0.03)))),
+        ("z50\\Inpos:=inpos50", Zone("z50", stop=True, criterion="inpos50")),
         ("[TRUE,0,0,0,0,0,0]", Zone("[TRUE,0,0,0,0,0,0]", stop=True)),
     ],
 )

@@ -1,16 +1,184 @@
 """Where the robot stands while a program is read: what CRobT, PDispOn, EOffsOn and searches start from.
 
-In RAPID's units: frames in mm, external axes in mm or deg. A move to a pose leaves the joints unknown until somebody
-asks, a move to joints leaves the pose unknown; what is not known is asked of the robot, if there is one.
+In RAPID's units: frames in mm, external axes in mm or deg; joints in rad. A move to a pose leaves the joints unknown
+until somebody asks, a move to joints leaves the pose unknown; what is not known is asked of the robot, if there is one.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple
+
+from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.kinematics import Kinematics
+from trajopt_cli.motion import NO_EXTERNAL_AXES, ConfData, ExternalAxes, Tool
+from trajopt_cli.rapid.data import frames
+from trajopt_cli.rapid.data.predefined import predefined
+from trajopt_cli.rapid.execution.equipment import IDENTITY, Equipment, Setup, frame, matrix
+
+if TYPE_CHECKING:
+    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.language.syntax import Node
+
+
+class _Pose(NamedTuple):
+    """The last pose: its setup and target, the configuration, and whether it must be that one."""
+
+    setup: Setup
+    target: frames.Frame
+    conf: ConfData
+    demanded: bool
+    extax: ExternalAxes
 
 
 class Position:
-    """The robot's place after the motions so far."""
+    """The robot's place after the motions so far.
 
-    def __init__(self, kinematics: Kinematics | None):
-        self.kinematics = kinematics
+    extax: of every external axis the last value given, offsets included; None where none was. setup: tool and work
+    object of the last move. equipment: what is shared between moves.
+    """
+
+    def __init__(self, kinematics: Kinematics | Callable[[], Kinematics] | None):
+        self._given = kinematics
+        self._robot: Kinematics | None = None
+        self.equipment = Equipment()
+        self.setup = _first_setup()
+        self.extax: ExternalAxes = NO_EXTERNAL_AXES
+        self._pose: _Pose | None = None  # where the flange is, unless _away
+        self._away = False  # external axes have moved since, alone
+        self._joints: Array | None = None
+        self._near: Array | None = None  # the last joints that were known
+
+    # ------------------------------------------------------------------------------------------------- what moves do
+
+    def to_pose(self, setup: Setup, target: frames.Frame, conf: ConfData, demanded: bool, extax: ExternalAxes) -> None:
+        """A move has ended at a target."""
+        self._keep_near()
+        if extax != self.extax:
+            self.extax = _merged(self.extax, extax)
+        self.setup = setup
+        self._pose = _Pose(setup, target, conf, demanded, self.extax)
+        self._joints, self._away = None, False
+
+    def to_joints(self, setup: Setup, q: Array, extax: ExternalAxes) -> None:
+        """A move has ended at arm joints (6,) in rad."""
+        self.setup = setup
+        self.extax = _merged(self.extax, extax)
+        self._pose, self._joints, self._near, self._away = None, q, q, False
+
+    def to_extax(self, extax: ExternalAxes) -> None:
+        """External axes have moved alone; the arm's joints hold."""
+        self.extax = _merged(self.extax, extax)
+        self._away = True
+
+    def _keep_near(self) -> None:
+        if self._joints is not None:
+            self._near = self._joints
+
+    # --------------------------------------------------------------------------------------------------- what is known
+
+    def kept(self, extax: ExternalAxes) -> ExternalAxes:
+        """extax with the last value of every axis that it leaves open."""
+        return _merged(self.extax, extax)
+
+    def robot(self, run: Run, node: Node, what: str) -> Kinematics:
+        """The robot. Raises InputError where there is none; what: who needs it, as the sentence's subject."""
+        if self._robot is None:
+            if self._given is None:
+                raise run.error(node, f"{what} needs the robot: give a cell file (--cell)")
+            self._robot = self._given() if callable(self._given) else self._given
+        return self._robot
+
+    def known_target(self, setup: Setup) -> frames.Frame | None:
+        """The target of a setup that the robot stands at, None where only the robot could tell."""
+        if self._pose is None or self._away:
+            return None
+        if self._pose.setup is setup:
+            return self._pose.target
+        return setup.target(self._pose.setup.flange(self._pose.target))
+
+    def flange(self, run: Run, node: Node, what: str) -> frames.Frame:
+        """X_WF [mm]."""
+        if self._pose is not None and not self._away:
+            return self._pose.setup.flange(self._pose.target)
+        q = self.joints(run, node, f"{what} {self._after}")
+        return frame(self.robot(run, node, what).forward(q, self.extax))
+
+    def target(self, run: Run, node: Node, what: str, setup: Setup) -> frames.Frame:
+        """The target of a setup that the robot stands at."""
+        known = self.known_target(setup)
+        return setup.target(self.flange(run, node, what)) if known is None else known
+
+    @property
+    def _after(self) -> str:
+        if self._pose is not None:
+            return "after a move of external axes alone" if self._away else "after a move to a pose"
+        return "before the first move" if self._joints is None else "after a move to joints"
+
+    def joints(self, run: Run, node: Node, what: str) -> Array:
+        """Arm joints (6,) in rad. Raises Fault when the last pose is out of reach."""
+        if self._joints is None:
+            robot = self.robot(run, node, what)
+            if self._pose is None:
+                self._joints, extax = robot.start
+                self.extax = _merged(extax, self.extax)
+            else:
+                setup, target, conf, demanded, extax = self._pose
+                self._joints = reach(
+                    run, node, f"the target before {what}", robot, setup.flange(target), conf, demanded, extax
+                )
+        return self._joints
+
+    def near(self) -> Array | None:
+        """The last joints that were known."""
+        return self._near if self._joints is None else self._joints
+
+    def conf(self, run: Run, node: Node, what: str) -> ConfData:
+        """The configuration: as programmed after a move to a pose, else that of the joints."""
+        if self._pose is not None and not self._away:
+            return self._pose.conf
+        q = self.joints(run, node, f"{what} {self._after}")
+        return self.robot(run, node, what).confdata(q)
+
+
+def reach(
+    run: Run,
+    node: Node,
+    what: str,
+    robot: Kinematics,
+    flange: frames.Frame,
+    conf: ConfData,
+    demanded: bool,
+    extax: ExternalAxes,
+) -> Array:
+    """Joints (6,) [rad] that bring the flange to X_WF [mm]; what: whose target, as the sentence's subject.
+
+    A configuration that cannot be had is given up for the nearest posture, and said. Raises Fault for a flange pose
+    that has none at all.
+    """
+    X_WF, near = matrix(flange), run.position.near()
+    if demanded:
+        q = robot.inverse(X_WF, extax, conf, near)
+        if q is not None:
+            return q
+    q = robot.inverse(X_WF, extax, None, near)
+    if q is None:
+        x, y, z = flange[0]
+        message = f"{what} cannot be reached: the flange would stand at [{x:.6g},{y:.6g},{z:.6g}] mm in the world"
+        raise run.fault(node, "ERR_ROBLIMIT", message)
+    if demanded:
+        shown = ",".join(str(part) for part in (conf.cf1, conf.cf4, conf.cf6, conf.cfx))
+        run.warn(f"{run.source(node)}: {what} has no posture with confdata [{shown}]; the nearest one is taken")
+    return q
+
+
+def _merged(last: ExternalAxes, new: ExternalAxes) -> ExternalAxes:
+    a, b, c, d, e, f = (before if now is None else now for before, now in zip(last, new, strict=True))
+    return (a, b, c, d, e, f)
+
+
+def _first_setup() -> Setup:
+    known = predefined()
+    tool = Tool("tool0", readonly(matrix(IDENTITY)))
+    data = known["tool0"].data, known["wobj0"].data
+    return Setup("tool0", "wobj0", *data, None, IDENTITY, None, False, tool, tool.X_FT)

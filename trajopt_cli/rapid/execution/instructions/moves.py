@@ -1,92 +1,129 @@
-r"""MoveJ, MoveL, MoveAbsJ and MoveExtJ: arguments to motions in SI units.
+r"""MoveJ, MoveL, MoveC, MoveAbsJ and MoveExtJ: arguments to motions in SI units.
 
-The pose of a robtarget in the world is X_WT = U O P: user frame and object frame of the work object, then the target.
-External axes move the base under it and never the target. This is one of the two places where mm and degrees live.
+External axes move the base under a robtarget and never the target; a jointtarget takes the target along. What other
+instructions that move have in common with these is here too: to_pose.
 """
 
 from __future__ import annotations
 
-from functools import lru_cache
-from math import isfinite
-from typing import TYPE_CHECKING
+from math import degrees, dist
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.geometry import Array
 from trajopt_cli.motion import (
     ConfData,
     ExternalAxes,
     MoveAbsJ,
+    MoveC,
     MoveExtJ,
     MoveJ,
     MoveL,
+    PathEvent,
+    Process,
+    Span,
     Speed,
     Tool,
     Written,
-    Zone,
 )
 from trajopt_cli.rapid.data import frames
-from trajopt_cli.rapid.data.datatypes import (
-    JOINTTARGET,
-    LOADDATA,
-    ROBTARGET,
-    SPEEDDATA,
-    TOOLDATA,
-    WOBJDATA,
-    ZONEDATA,
-    Value,
-)
+from trajopt_cli.rapid.data.courses import arc
+from trajopt_cli.rapid.data.datatypes import JOINTTARGET, LOADDATA, ROBTARGET, Data, Value
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
-from trajopt_cli.rapid.execution.evaluate import evaluate, number
-from trajopt_cli.rapid.language.syntax import Expression, Name, Node, ProcedureCall
-from trajopt_cli.units import DEG, MM
+from trajopt_cli.rapid.execution.equipment import IDENTITY, Setup, data_of, matrix, said
+from trajopt_cli.rapid.execution.evaluate import evaluate
+from trajopt_cli.rapid.execution.instructions import pace
+from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
+from trajopt_cli.units import DEG
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
 
 NO_POSITION = 8.9e9  # RAPID's 9E9, with room for rounding
-NORM_ERROR, NORM_WARNING = 1e-3, 1e-5  # how far a quaternion's length may be off: beyond is an error, a warning
-_STOP_POINTS = ("inpos20", "inpos50", "inpos100")
+_NEAR = 0.1  # mm; a controller refuses circles with points nearer than this
+_WIDEST_ARC = 240.0  # deg; beyond it a controller calls the circle uncertain
 
-_POSE_OPTIONS = ("Conc", "ID", "V", "T", "Z", "Inpos", "WObj", "TLoad")
+POSE_OPTIONS = ("Conc", "ID", "V", "T", "Z", "Inpos", "WObj", "Corr", "TLoad")
 _JOINT_OPTIONS = ("Conc", "ID", "NoEOffs", "V", "T", "Z", "Inpos", "WObj", "TLoad")
-_EXTERNAL_OPTIONS = ("Conc", "ID", "T", "Inpos")
+_EXTERNAL_OPTIONS = ("Conc", "ID", "UseEOffs", "T", "Inpos")
+
+PoseKind = type[MoveJ] | type[MoveL] | type[MoveC]
+
+
+class Target(NamedTuple):
+    """A robtarget as read: its frame [mm], orientation at length 1, external axes with offsets. value: as evaluated."""
+
+    frame: frames.Frame
+    conf: ConfData
+    extax: ExternalAxes
+    value: Value
+
+
+class Asked(NamedTuple):
+    """The arguments of an instruction that moves to a pose. zone None: a stop."""
+
+    point: Expression
+    speed: Expression
+    zone: Expression | None
+    tool: Expression
+    args: Arguments
+    via: Expression | None = None
+
+
+def asked(args: Arguments, via: bool) -> Asked:
+    """[CirPoint], ToPoint, Speed, Zone, Tool in this order."""
+    points = args.required[:2] if via else (None, args.required[0])
+    speed, zone, tool = args.required[1 + via : 4 + via]
+    circle, point = points
+    assert point is not None
+    return Asked(point, speed, zone, tool, args, circle)
 
 
 def move_j(run: Run, node: ProcedureCall) -> None:
     """MoveJ ToPoint, Speed, Zone, Tool."""
-    run.motions.append(_pose_move(run, node, MoveJ))
+    args = bind(run, node, ("ToPoint", "Speed", "Zone", "Tool"), POSE_OPTIONS)
+    to_pose(run, node, MoveJ, asked(args, via=False))
 
 
 def move_l(run: Run, node: ProcedureCall) -> None:
     """MoveL ToPoint, Speed, Zone, Tool."""
-    run.motions.append(_pose_move(run, node, MoveL))
+    args = bind(run, node, ("ToPoint", "Speed", "Zone", "Tool"), POSE_OPTIONS)
+    to_pose(run, node, MoveL, asked(args, via=False))
+
+
+def move_c(run: Run, node: ProcedureCall) -> None:
+    """MoveC CirPoint, ToPoint, Speed, Zone, Tool."""
+    args = bind(run, node, ("CirPoint", "ToPoint", "Speed", "Zone", "Tool"), POSE_OPTIONS)
+    to_pose(run, node, MoveC, asked(args, via=True))
 
 
 def move_abs_j(run: Run, node: ProcedureCall) -> None:
-    """MoveAbsJ JointPos, Speed, Zone, Tool. The work object means nothing to joints; it is checked all the same."""
+    """MoveAbsJ JointPos, Speed, Zone, Tool. Work object and displacement mean nothing to joints."""
     args = bind(run, node, ("JointPos", "Speed", "Zone", "Tool"), _JOINT_OPTIONS)
     point, speed, zone, tool = args.required
     target = evaluate(run, point, JOINTTARGET)
-    _work_object(run, args)
+    setup = run.position.equipment.setup(run, tool, args.optional.get("wobj"))
+    check_load(run, args)
     robax, extax = target.data
     for axis, value in enumerate(robax, 1):
         if abs(value) > NO_POSITION:
             raise run.error(point, f"jointtarget {run.text(point)} gives no position for axis {axis} (9E9)")
-    run.motions.append(
-        MoveAbsJ(
-            source=run.source(node),
-            written=_written(run, node, point, speed, target),
-            target=run.text(point),
-            speed=_speed(run, speed, args),
-            zone=_zone(run, zone, args),
-            extax=_external(extax),
-            duration=_duration(run, args),
-            optional=(run.file, node.start) in run.optional,
-            q=np.array(robax) * DEG,
-            tool=_tool(run, tool),
-        )
+    motion = MoveAbsJ(
+        source=run.source(node),
+        written=written(run, node, point, speed, target),
+        target=said(run, point),
+        speed=pace.speed(run, speed, args),
+        zone=pace.zone(run, zone, args),
+        extax=external(run, extax, offset="noeoffs" not in args.optional),
+        duration=pace.duration(run, args),
+        optional=marked(run, node),
+        settings=run.settings,
+        q=np.array(robax) * DEG,
+        tool=setup.tool or Tool(setup.name, matrix(setup.base or IDENTITY), stationary=True),
     )
+    run.motions.append(motion)
+    run.position.to_joints(setup, motion.q, motion.extax)
 
 
 def move_ext_j(run: Run, node: ProcedureCall) -> None:
@@ -94,201 +131,182 @@ def move_ext_j(run: Run, node: ProcedureCall) -> None:
     args = bind(run, node, ("JointPos", "Speed", "Zone"), _EXTERNAL_OPTIONS)
     point, speed, zone = args.required
     target = evaluate(run, point, JOINTTARGET)
+    motion = MoveExtJ(
+        source=run.source(node),
+        written=written(run, node, point, speed, target),
+        target=said(run, point),
+        speed=pace.speed(run, speed, args, external=True),
+        zone=pace.zone(run, zone, args),
+        extax=external(run, target.data[1], offset="useeoffs" in args.optional),
+        duration=pace.duration(run, args),
+        optional=marked(run, node),
+        settings=run.settings,
+    )
+    run.motions.append(motion)
+    run.position.to_extax(motion.extax)
+
+
+def to_pose(
+    run: Run,
+    node: ProcedureCall,
+    kind: PoseKind,
+    asked: Asked,
+    *,
+    events: tuple[PathEvent, ...] = (),
+    process: Process | None = None,
+    speed: Speed | None = None,
+    target: Target | None = None,
+) -> None:
+    """Append the motion of an instruction that moves to a pose, and stand there.
+
+    speed: in place of the instruction's own. target: in place of ToPoint's.
+    """
+    point, args, via = asked.point, asked.args, asked.via
+    if target is None:
+        target = robtarget(run, point)
+    setup = run.position.equipment.setup(run, asked.tool, args.optional.get("wobj"))
+    check_load(run, args)
+    place, conf, extax, value = target
+    placed = setup.placed(place)
+    if not all(abs(value) < NO_POSITION for value in placed[0]):
+        shown = ", ".join(f"{value:.6g}" for value in placed[0])
+        raise run.error(point, f"{run.text(point)} has no position: trans is [{shown}] mm")
+    X_WT, tool = matrix(placed), setup.tool
+    if tool is None:
+        X_WT, tool = matrix(setup.tcp), Tool(setup.name, X_WT, stationary=True)
+    circle = {} if via is None else {"X_WV": _via(run, via, point, setup, place, tool)}
+    settings = run.settings
     run.motions.append(
-        MoveExtJ(
+        kind(
             source=run.source(node),
-            written=_written(run, node, point, speed, target),
-            target=run.text(point),
-            speed=_speed(run, speed, args, external=True),
-            zone=_zone(run, zone, args),
-            extax=_external(target.data[1]),
-            duration=_duration(run, args),
-            optional=(run.file, node.start) in run.optional,
+            written=written(run, node, point, asked.speed, value),
+            target=said(run, point),
+            speed=speed or pace.speed(run, asked.speed, args),
+            zone=pace.FINE if asked.zone is None else pace.zone(run, asked.zone, args),
+            extax=extax,
+            duration=pace.duration(run, args),
+            optional=marked(run, node),
+            settings=settings,
+            events=events,
+            process=process,
+            X_WT=X_WT,
+            conf=conf,
+            tool=tool,
+            wobj=setup.wobj,
+            X_WO=setup.X_WO,
+            **circle,
         )
     )
+    run.position.to_pose(setup, place, conf, settings.conf_j if kind is MoveJ else settings.conf_l, extax)
 
 
-def _pose_move(run: Run, node: ProcedureCall, kind: type[MoveJ] | type[MoveL]) -> MoveJ | MoveL:
-    args = bind(run, node, ("ToPoint", "Speed", "Zone", "Tool"), _POSE_OPTIONS)
-    point, speed, zone, tool = args.required
-    target = evaluate(run, point, ROBTARGET)
-    trans, rot, conf, extax = target.data
-    literal = target.origin
-    where = literal.literal if literal else point
-    q = orientation(run, rot, f"{run.text(point)}", where, literal.file if literal else run.file)
-    wobj, X_WO = _work_object(run, args)
-    p, q = frames.compose(X_WO, (trans, q)) if X_WO else (trans, q)
-    if not all(isfinite(value) and abs(value) < NO_POSITION for value in p):
-        raise run.error(point, f"{run.text(point)} has no position: trans is [{', '.join(f'{v:.6g}' for v in p)}] mm")
-    return kind(
-        source=run.source(node),
-        written=_written(run, node, point, speed, target),
-        target=run.text(point),
-        speed=_speed(run, speed, args),
-        zone=_zone(run, zone, args),
-        extax=_external(extax),
-        duration=_duration(run, args),
-        optional=(run.file, node.start) in run.optional,
-        X_WT=_matrix((p, q)),
-        conf=_configuration(run, point, conf),
-        tool=_tool(run, tool),
-        wobj=wobj,
-        X_WO=_pose(X_WO) if X_WO else _IDENTITY,
-    )
+def _via(run: Run, node: Expression, end: Expression, setup: Setup, place: frames.Frame, tool: Tool) -> Array:
+    """X_WV of the circle point [m], which must be apart from start and end; seen as the flange sees it if the tool is
+    stationary. Its own orientation is carried along, and its configuration and external axes mean nothing."""
+    via = robtarget(run, node)
+    start = run.position.known_target(setup)
+    points = [("the start", None if start is None else start[0]), (said(run, node), via.frame[0])]
+    points.append((said(run, end), place[0]))
+    for (one, p), (other, q) in ((points[0], points[1]), (points[1], points[2]), (points[0], points[2])):
+        if p is not None and q is not None and dist(p, q) < _NEAR:
+            message = f"the circle is not determined: {one} and {other} are {dist(p, q):.3g} mm apart, least {_NEAR} mm"
+            raise run.error(node, f"{message}; move one of them, or use MoveL")
+    if start is not None:
+        course = arc(start[0], via.frame[0], place[0])
+        if course is None:
+            run.warn(
+                f"{run.source(node)}: start, {said(run, node)} and {said(run, end)} lie on one line, not on a circle"
+            )
+        elif degrees(course.angle) > _WIDEST_ARC:
+            run.warn(
+                f"{run.source(node)}: the arc through {said(run, node)} is {degrees(course.angle):.4g} deg long; "
+                f"a controller takes at most {_WIDEST_ARC:g} deg, so divide it in two"
+            )
+    if setup.tool is None:
+        X: Array = matrix(setup.flange(via.frame)) @ tool.X_FT
+        return X
+    return matrix(setup.placed(via.frame))
 
 
-def _matrix(frame: frames.Frame) -> Array:
-    """A frame [mm] as a pose [m]."""
-    p, q = frame
-    X = np.zeros((4, 4))
-    X[:3, :3] = frames.matrix(q)
-    X[:3, 3] = [value * MM for value in p]
-    X[3, 3] = 1.0
-    return X
-
-
-@lru_cache(maxsize=64)
-def _pose(frame: frames.Frame) -> Array:
-    """As _matrix, one array for all motions in the same frame."""
-    return readonly(_matrix(frame))
-
-
-_IDENTITY = readonly(np.eye(4))
-
-
-def _written(run: Run, node: ProcedureCall, point: Expression, speed: Expression, target: Value) -> Written:
-    places, origin = run.places(), target.origin
-    aggregate = run.places(origin.file).span(origin.literal.start, origin.literal.end) if origin else None
+def written(run: Run, node: ProcedureCall, point: Expression, speed: Expression, target: Value) -> Written:
+    """Where the parts of an instruction stand in the text."""
+    file, origin = run.file, target.origin
     return Written(
-        statement=places.span(node.start, node.end),
-        target=places.span(point.start, point.end),
-        speed=places.span(speed.start, speed.end),
-        aggregate=aggregate,
+        statement=Span(file, node.start, node.end),
+        target=Span(file, point.start, point.end),
+        speed=Span(file, speed.start, speed.end),
+        aggregate=Span(origin.file, origin.literal.start, origin.literal.end) if origin else None,
         declaration=origin.declaration if origin else None,
     )
+
+
+def marked(run: Run, node: ProcedureCall) -> bool:
+    """Whether a comment marks the move as one that may be dropped."""
+    return bool(run.optional) and (run.file, node.start) in run.optional
 
 
 # ------------------------------------------------------------------------------------------------------ the target
 
 
-def orientation(run: Run, q: frames.Quaternion, name: str, node: Node, file: str) -> frames.Quaternion:
-    """q at length 1, said when that changes it. name, node, file: whose orientation, and where it is written."""
-    n = frames.norm(q)
-    off = abs(n - 1.0)
-    if not off <= NORM_ERROR:
-        place = run.places(file)
-        shown = ",".join(f"{value:.7g}" for value in q)
-        hint = "it was never given a value" if n == 0 else "give a quaternion of length 1"
-        raise place.error(node.start, f"{name} has orientation [{shown}] of length {n:.6g}, limit 1 +- 0.001; {hint}")
-    if off > NORM_WARNING:
-        run.warn(f"{run.places(file).source(node.start)}: {name} has an orientation of length {n:.7g}; taken as 1")
-    return frames.normalised(q)
+def robtarget(run: Run, node: Expression) -> Target:
+    """A robtarget. Raises InputError for an orientation or a configuration that is none, at its literal."""
+    value = evaluate(run, node, ROBTARGET)
+    (x, y, z), q, conf, extax = value.data
+    w, i, j, k = q
+    if abs(w * w + i * i + j * j + k * k - 1.0) > _UNIT:
+        literal = value.origin
+        where, file = (literal.literal, literal.file) if literal else (node, run.file)
+        q = run.position.equipment.orientation(run, q, said(run, node), where, file)
+    return Target(((x, y, z), q), _configuration(run, node, conf), external(run, extax), value)
 
 
-def _configuration(run: Run, point: Expression, conf: tuple[float, float, float, float]) -> ConfData:
-    if any(value != int(value) or abs(value) > NO_POSITION for value in conf):
-        shown = ",".join(f"{value:.6g}" for value in conf)
-        raise run.error(point, f"{run.text(point)} has confdata [{shown}]; it takes four whole numbers")
-    cf1, cf4, cf6, cfx = (int(value) for value in conf)
-    return ConfData(cf1, cf4, cf6, cfx)
+def _configuration(run: Run, point: Expression, conf: Data) -> ConfData:
+    known = _CONFIGURATIONS.get(conf)
+    if known is None:
+        if any(abs(value) > NO_POSITION or value != int(value) for value in conf):
+            shown = ",".join(f"{value:.6g}" for value in conf)
+            raise run.error(point, f"{run.text(point)} has confdata [{shown}]; it takes four whole numbers")
+        known = ConfData(*(int(value) for value in conf))
+        if len(_CONFIGURATIONS) < _MANY:
+            _CONFIGURATIONS[conf] = known
+    return known
 
 
-def _external(extax: tuple[float, ...]) -> ExternalAxes:
-    a, b, c, d, e, f = (None if abs(value) > NO_POSITION else value for value in extax)
-    return (a, b, c, d, e, f)
+_UNIT = 1e-12  # of a squared length: rounding of the 16th digit, which nobody has to say or to mend
+_CONFIGURATIONS: dict[Data, ConfData] = {}
+_MANY = 4096
 
 
-def _identity(frame: object) -> bool:
-    return frame == ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0, 0.0))
+def external(run: Run, extax: Data, offset: bool = True) -> ExternalAxes:
+    """External axes as the controller drives them. offset: whether EOffs adds to them."""
+    offsets = run.settings.eax_offset
+    a, b, c, d, e, f = extax
+    if offset and offsets != _NO_OFFSET:
+        a, b, c, d, e, f = (value + more for value, more in zip(extax, offsets, strict=True))
+    return (
+        None if a > NO_POSITION or a < -NO_POSITION else a,
+        None if b > NO_POSITION or b < -NO_POSITION else b,
+        None if c > NO_POSITION or c < -NO_POSITION else c,
+        None if d > NO_POSITION or d < -NO_POSITION else d,
+        None if e > NO_POSITION or e < -NO_POSITION else e,
+        None if f > NO_POSITION or f < -NO_POSITION else f,
+    )
 
 
-def _work_object(run: Run, args: Arguments) -> tuple[str, frames.Frame | None]:
-    """Name and X_WO [mm], None for the identity."""
-    node = args.value("wobj")
-    if node is None:
-        return "wobj0", None
-    name = run.text(node)
-    robhold, fixed, unit, uframe, oframe = evaluate(run, node, WOBJDATA).data
-    if robhold:
-        raise run.error(node, f"work object {name} is held by the robot (robhold TRUE), which is not supported")
-    if not fixed:
-        raise run.error(node, f"work object {name} rides on the unit '{unit}' (ufprog FALSE), which is not supported")
-    if _identity(uframe) and _identity(oframe):
-        return name, None
-    (up, uq), (op, oq) = uframe, oframe
-    uq = orientation(run, uq, f"uframe of {name}", node, run.file)
-    oq = orientation(run, oq, f"oframe of {name}", node, run.file)
-    return name, frames.compose((up, uq), (op, oq))
+_NO_OFFSET = (0.0,) * 6
 
 
-def _tool(run: Run, node: Expression) -> Tool:
-    name = run.text(node)
-    robhold, tframe, _ = evaluate(run, node, TOOLDATA).data
-    if not robhold:
-        raise run.error(node, f"tool {name} is stationary (robhold FALSE), which is not supported")
-    p, q = tframe
-    q = orientation(run, q, f"tframe of {name}", node, run.file)
-    X_FT = np.eye(4)
-    X_FT[:3, :3] = frames.matrix(q)
-    X_FT[:3, 3] = [value * MM for value in p]
-    return Tool(name, X_FT)
-
-
-# ----------------------------------------------------------------------------------------------- speed and accuracy
-
-
-def _speed(run: Run, node: Expression, args: Arguments, external: bool = False) -> Speed:
-    r"""Speed in SI; \V replaces the TCP speed."""
-    name = run.text(node)
-    v_tcp, v_ori, v_leax, v_reax = evaluate(run, node, SPEEDDATA).data
-    override = args.value("v")
-    if override is not None:
-        v_tcp = number(run, override)
-    load = args.value("tload")
-    if load is not None:
-        evaluate(run, load, LOADDATA)
-    if not external and args.value("t") is None and not v_tcp > 0:
-        raise run.error(override or node, f"TCP speed {v_tcp:.6g} mm/s of {name} must be above 0")
-    speeds = (v_tcp * MM, v_ori * DEG, v_leax * MM, v_reax * DEG)
-    if not all(isfinite(v) and v >= 0 for v in speeds):
-        raise run.error(node, f"speeddata {name} has a negative speed")
-    return Speed(name, *speeds)
-
-
-def _duration(run: Run, args: Arguments) -> float | None:
-    node = args.value("t")
-    if node is None:
-        return None
-    seconds = number(run, node)
-    if not seconds > 0:
-        raise run.error(node, f"duration \\T:={seconds:.6g} s must be above 0")
-    return seconds
-
-
-def _zone(run: Run, node: Expression, args: Arguments) -> Zone:
-    r"""Accuracy; \Inpos makes a stop of any zone, \Z replaces the radius."""
-    name = run.text(node)
-    finep, radius = evaluate(run, node, ZONEDATA).data[:2]
-    stop_point = args.value("inpos")
-    if "inpos" in args.optional:
-        if not isinstance(stop_point, Name) or stop_point.name.lower() not in _STOP_POINTS:
-            raise run.error(
-                stop_point or node, f"\\Inpos takes one of {', '.join(_STOP_POINTS)}; others are not supported"
-            )
-        return Zone(name, stop=True)
-    if finep:
-        return Zone(name, stop=True)
-    override = args.value("z")
-    if override is not None:
-        radius = number(run, override)
-    if not radius >= 0:
-        raise run.error(override or node, f"zone radius {radius:.6g} mm must not be negative")
-    return Zone(name, stop=False, radius=radius * MM)
+def check_load(run: Run, args: Arguments) -> None:
+    r"""\TLoad is the total load of one move: it must be a load, and no plan looks at it."""
+    node = args.optional.get("tload")
+    if node is not None:
+        data_of(run, node, LOADDATA, "load", "load0")
 
 
 INSTRUCTIONS: dict[str, Instruction] = {
     "MoveJ": move_j,
     "MoveL": move_l,
+    "MoveC": move_c,
     "MoveAbsJ": move_abs_j,
     "MoveExtJ": move_ext_j,
 }

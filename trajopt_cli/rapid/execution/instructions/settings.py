@@ -1,56 +1,151 @@
-"""Settings that change how the robot moves."""
+"""Settings that change how the robot moves: modal state, shared by the motions between two changes."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from trajopt_cli.rapid.execution.arguments import Instruction, bind
-from trajopt_cli.rapid.execution.evaluate import number
-from trajopt_cli.rapid.language.syntax import Node, ProcedureCall
+from trajopt_cli.motion import Settings, Singularity
+from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
+from trajopt_cli.rapid.execution.equipment import load
+from trajopt_cli.rapid.execution.evaluate import condition, number
+from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
+from trajopt_cli.units import MM
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
 
-
-def _refuse(run: Run, node: Node, what: str, holds: str) -> None:
-    raise run.error(node, f"{what} is not supported; plans hold to {holds}, so remove it or ask for that")
+_LEAST_ACCELERATION, _LEAST_RAMP = 20.0, 10.0  # percent; a controller takes lower values as these
 
 
-def _configuration_on(run: Run, node: ProcedureCall) -> None:
+def change(run: Run, settings: Settings) -> None:
+    """Make settings those of the next moves; equal ones stay the same object."""
+    if settings != run.settings:
+        run.settings = settings
+
+
+def _on(run: Run, node: ProcedureCall) -> bool:
     args = bind(run, node, (), ("On", "Off"))
-    if "off" in args.optional:
-        _refuse(run, node, f"{node.name} \\Off", f"the programmed configuration ({node.name} \\On)")
+    _exclusive(run, node, args, "on", "off")
+    return "off" not in args.optional
+
+
+def _exclusive(run: Run, node: ProcedureCall, args: Arguments, *names: str) -> None:
+    given = [name for name in names if name in args.optional]
+    if len(given) > 1:
+        found = " and ".join(f"\\{name}" for name in given)
+        raise run.error(node, f"{node.name} takes one of these, found {found}")
+
+
+def _conf_j(run: Run, node: ProcedureCall) -> None:
+    change(run, replace(run.settings, conf_j=_on(run, node)))
+
+
+def _conf_l(run: Run, node: ProcedureCall) -> None:
+    change(run, replace(run.settings, conf_l=_on(run, node)))
+
+
+def _singularity(run: Run, node: ProcedureCall) -> None:
+    args = bind(run, node, (), ("Wrist", "LockAxis4", "Off"))
+    _exclusive(run, node, args, "wrist", "lockaxis4", "off")
+    kind = Singularity.OFF
+    if "wrist" in args.optional:
+        kind = Singularity.WRIST
+    elif "lockaxis4" in args.optional:
+        kind = Singularity.LOCK_AXIS_4
+    change(run, replace(run.settings, singularity=kind))
 
 
 def _acceleration(run: Run, node: ProcedureCall) -> None:
     args = bind(run, node, ("Acc", "Ramp"), ("FinePointRamp",))
-    if [number(run, value) for value in args.required] != [100.0, 100.0] or args.optional:
-        _refuse(run, node, run.text(node).rstrip(";"), "the cell's full acceleration (AccSet 100, 100)")
+    acc, ramp = args.required
+    change(
+        run,
+        replace(
+            run.settings,
+            acceleration=_percent(run, node, acc, _LEAST_ACCELERATION) / 100,
+            ramp=_percent(run, node, ramp, _LEAST_RAMP) / 100,
+        ),
+    )
+
+
+def _percent(run: Run, node: ProcedureCall, value: Expression, least: float) -> float:
+    given = number(run, value)
+    taken = min(max(given, least), 100.0)
+    if taken != given:
+        run.warn(f"{run.source(value)}: {node.name} takes {least:g}..100 %, found {given:.6g}; taken as {taken:g}")
+    return taken
 
 
 def _velocity(run: Run, node: ProcedureCall) -> None:
     args = bind(run, node, ("Override", "Max"))
     percent, highest = (number(run, value) for value in args.required)
-    if percent != 100.0 or highest < 5000.0:
-        _refuse(run, node, run.text(node).rstrip(";"), "the programmed speeds (VelSet 100, 5000)")
+    if not 0 < percent <= 100:
+        raise run.error(args.required[0], f"VelSet takes an override of 0..100 %, found {percent:.6g}")
+    if not highest > 0:
+        raise run.error(args.required[1], f"VelSet takes a highest speed above 0 mm/s, found {highest:.6g}")
+    change(run, replace(run.settings, override=percent / 100, v_max=highest * MM))
+    run.position.equipment.speeds.clear()
 
 
-def _singularity(run: Run, node: ProcedureCall) -> None:
-    args = bind(run, node, (), ("Off", "Wrist", "LockAxis4"))
-    if "off" not in args.optional:
-        _refuse(run, node, run.text(node).rstrip(";"), "exact orientation (SingArea \\Off)")
+def _path_limits(run: Run, node: ProcedureCall) -> None:
+    args = bind(run, node, ("AccLim", "DecelLim"), ("AccMax", "DecelMax"))
+    first, second = args.required
+    change(
+        run,
+        replace(
+            run.settings,
+            path_acceleration=_limit(run, node, first, args, "AccMax"),
+            path_deceleration=_limit(run, node, second, args, "DecelMax"),
+        ),
+    )
+
+
+def _limit(run: Run, node: ProcedureCall, switch: Expression, args: Arguments, name: str) -> float | None:
+    if not condition(run, switch):
+        return None
+    value = args.optional.get(name.lower())
+    if value is None:
+        raise run.error(switch, f"{node.name} TRUE needs \\{name} in m/s2")
+    return _positive(run, node, value)
+
+
+def _positive(run: Run, node: ProcedureCall, value: Expression) -> float:
+    limit = number(run, value)
+    if not limit > 0:
+        raise run.error(value, f"{node.name} takes an acceleration above 0 m/s2, found {limit:.6g}")
+    return limit
+
+
+def _world_limit(run: Run, node: ProcedureCall) -> None:
+    args = bind(run, node, (), ("On", "Off"))
+    value = args.optional.get("on")
+    if "on" in args.optional and value is None:
+        raise run.error(node, "WorldAccLim \\On needs a value in m/s2, such as WorldAccLim \\On:=3.5")
+    limit = None if value is None else _positive(run, node, value)
+    change(run, replace(run.settings, world_acceleration=limit))
 
 
 def _grip_load(run: Run, node: ProcedureCall) -> None:
-    bind(run, node, ("Load",))
-    run.warn(f"{run.source(node)}: GripLoad changes nothing here; the cell's acceleration limits hold for any load")
+    (argument,) = bind(run, node, ("Load",)).required
+    change(run, replace(run.settings, load=load(run, argument)))
+
+
+def _noted(run: Run, node: ProcedureCall) -> None:
+    """No effect on any plan; counted for the report."""
+    run.ignored[node.name] += 1
 
 
 INSTRUCTIONS: dict[str, Instruction] = {
-    "ConfJ": _configuration_on,
-    "ConfL": _configuration_on,
+    "ConfJ": _conf_j,
+    "ConfL": _conf_l,
     "AccSet": _acceleration,
     "VelSet": _velocity,
     "SingArea": _singularity,
+    "PathAccLim": _path_limits,
+    "WorldAccLim": _world_limit,
     "GripLoad": _grip_load,
+    "ActUnit": _noted,
+    "DeactUnit": _noted,
+    "CirPathMode": _noted,
 }

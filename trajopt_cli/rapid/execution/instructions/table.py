@@ -3,14 +3,38 @@
 from __future__ import annotations
 
 from trajopt_cli.rapid.execution.arguments import Instruction
-from trajopt_cli.rapid.execution.instructions import flow, moves, nothing, settings, signals, variables, waits
+from trajopt_cli.rapid.execution.instructions import (
+    displacement,
+    files,
+    flow,
+    moves,
+    nothing,
+    operator,
+    processes,
+    searches,
+    settings,
+    signals,
+    sockets,
+    symbols,
+    triggers,
+    variables,
+    waits,
+)
 
 INSTRUCTIONS: dict[str, Instruction] = {
     **moves.INSTRUCTIONS,
+    **triggers.INSTRUCTIONS,
+    **searches.INSTRUCTIONS,
+    **processes.INSTRUCTIONS,
+    **displacement.INSTRUCTIONS,
     **waits.INSTRUCTIONS,
     **signals.INSTRUCTIONS,
     **variables.INSTRUCTIONS,
     **settings.INSTRUCTIONS,
     **flow.INSTRUCTIONS,
+    **files.INSTRUCTIONS,
+    **operator.INSTRUCTIONS,
+    **sockets.INSTRUCTIONS,
+    **symbols.INSTRUCTIONS,
     **nothing.INSTRUCTIONS,
 }

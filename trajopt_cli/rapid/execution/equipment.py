@@ -1,0 +1,264 @@
+r"""Tools, work objects and loads of a running program: from RAPID's data to frames.
+
+A target P is written in W = U O D: user frame, object frame, program displacement. A held tool T sits on the flange,
+X_WT = U O D P. A stationary tool stands in the world and the robot brings the work object to it: U O D P is then seen
+from the flange. Frames are state: a program may write them between two moves, so what is shared between motions is
+found again only as long as its data is the very same.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import isfinite
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, readonly, wxyz_from_rotation
+from trajopt_cli.motion import Load, Speed, Tool, Zone
+from trajopt_cli.rapid.data import frames
+from trajopt_cli.rapid.data.datatypes import LOADDATA, TOOLDATA, WOBJDATA, Data, Record
+from trajopt_cli.rapid.data.predefined import predefined
+from trajopt_cli.rapid.execution.evaluate import evaluate
+from trajopt_cli.rapid.language.syntax import Expression, Name, Node
+from trajopt_cli.units import MM
+
+if TYPE_CHECKING:
+    from trajopt_cli.rapid.execution.interpreter import Run
+
+NORM_ERROR, NORM_WARNING = 2e-2, 1e-5  # how far a quaternion's length may be off: beyond is an error, a warning
+_TOLD = 20  # orientations off unit length that are told one by one
+_ORIGIN: frames.Vector = (0.0, 0.0, 0.0)
+_UPRIGHT: frames.Quaternion = (1.0, 0.0, 0.0, 0.0)
+IDENTITY: frames.Frame = (_ORIGIN, _UPRIGHT)
+X_IDENTITY = readonly(np.eye(4))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Setup:
+    """A tool and a work object together. Frames in mm.
+
+    name, wobj: as written. tool_data, wobj_data: what they were made from. displacement: the D that was active. tcp:
+    the tool's frame, seen from the flange, or from the world where it is stationary. base: U O D, seen from the world,
+    or from the flange where the tool is stationary; None for the identity. tool: shared by all motions; None for a
+    stationary one, which has another X_FT for each target. X_WO: base as a pose [m], None where it moves.
+    """
+
+    name: str
+    wobj: str
+    tool_data: Data
+    wobj_data: Data
+    displacement: frames.Frame | None
+    tcp: frames.Frame
+    base: frames.Frame | None
+    stationary: bool
+    tool: Tool | None
+    X_WO: Array | None
+
+    def placed(self, target: frames.Frame) -> frames.Frame:
+        """A target seen from the world, or from the flange where the tool is stationary."""
+        return frames.compose(self.base, target) if self.base else target
+
+    def flange(self, target: frames.Frame) -> frames.Frame:
+        """X_WF at a target."""
+        placed = self.placed(target)
+        if self.stationary:
+            return frames.compose(self.tcp, frames.inverse(placed))
+        return frames.compose(placed, frames.inverse(self.tcp))
+
+    def target(self, flange: frames.Frame) -> frames.Frame:
+        """The target that X_WF is at."""
+        if self.stationary:
+            placed = frames.compose(frames.inverse(flange), self.tcp)
+        else:
+            placed = frames.compose(flange, self.tcp)
+        return frames.compose(frames.inverse(self.base), placed) if self.base else placed
+
+
+class Equipment:
+    """What the moves of a run share: the program displacement D, setups, speeds and zones in use by name."""
+
+    def __init__(self) -> None:
+        self.displacement: frames.Frame | None = None
+        self.speeds: dict[str, tuple[Data, Speed]] = {}
+        self.zones: dict[str, tuple[Data, Zone]] = {}
+        self._setups: dict[tuple[str, str], Setup] = {}
+        self._rough = 0  # how many orientations were off unit length
+
+    def setup(self, run: Run, tool: Expression, wobj: Expression | None, displaced: bool = True) -> Setup:
+        """The setup of a move with these arguments. displaced False: as if no program displacement were active.
+
+        Raises InputError for frames without a valid orientation, and where neither or both are held by the robot.
+        """
+        tool_data = data_of(run, tool, TOOLDATA, "tool", "tool0")
+        wobj_data = _WOBJ0 if wobj is None else data_of(run, wobj, WOBJDATA, "work object", "wobj0")
+        name = said(run, tool)
+        wobj_name = "wobj0" if wobj is None else said(run, wobj)
+        displacement = self.displacement if displaced else None
+        known = self._setups.get((name, wobj_name))
+        if (
+            known is not None
+            and known.tool_data is tool_data
+            and known.wobj_data is wobj_data
+            and known.displacement is displacement
+        ):
+            return known
+        setup = _setup(run, (name, tool_data, tool), (wobj_name, wobj_data, wobj or tool), displacement)
+        self._setups[name, wobj_name] = setup
+        return setup
+
+    def current(self, run: Run, node: Node, last: Setup, tool: Expression | None, wobj: Expression | None) -> Setup:
+        """The setup of a question about where the robot is: what is not given is that of the last move.
+
+        node: the question, where messages point to.
+        """
+        if tool is None and wobj is None and last.displacement is self.displacement:
+            return last
+        name, tool_data = last.name, last.tool_data
+        if tool is not None:
+            name, tool_data = said(run, tool), data_of(run, tool, TOOLDATA, "tool", "tool0")
+        wobj_name, wobj_data = last.wobj, last.wobj_data
+        if wobj is not None:
+            wobj_name, wobj_data = said(run, wobj), data_of(run, wobj, WOBJDATA, "work object", "wobj0")
+        return _setup(run, (name, tool_data, tool or node), (wobj_name, wobj_data, wobj or node), self.displacement)
+
+    def orientation(self, run: Run, q: frames.Quaternion, name: str, node: Node, file: str) -> frames.Quaternion:
+        """q at length 1, said when that changes it. name, node, file: whose orientation, and where it is written."""
+        n = frames.norm(q)
+        off = abs(n - 1.0)
+        if off <= NORM_WARNING:
+            return (q[0] / n, q[1] / n, q[2] / n, q[3] / n)
+        if not off <= NORM_ERROR:
+            shown = ",".join(f"{value:.7g}" for value in q)
+            hint = "it was never given a value" if n == 0 else "give a quaternion of length 1"
+            message = f"{name} has orientation [{shown}] of length {n:.6g}, limit 1 +- {NORM_ERROR:g}; {hint}"
+            raise run.places(file).error(node.start, message)
+        message = f"{run.places(file).source(node.start)}: {name} has an orientation of length {n:.7g}; taken as 1"
+        if message not in run.warnings:
+            self._rough += 1
+            if self._rough <= _TOLD:
+                run.warn(message)
+            else:
+                run.warn(f"more than {_TOLD} orientations are not of length 1; the others are taken as 1 unsaid")
+        return frames.normalised(q)
+
+
+def said(run: Run, node: Expression) -> str:
+    """An argument as written."""
+    return node.name if type(node) is Name else run.text(node)
+
+
+def data_of(run: Run, node: Expression, type_: Record, what: str, stand_in: str) -> Data:
+    """The data of a tool, work object or load. One that no file declares is noted as lacking; stand_in is taken."""
+    if type(node) is Name and run.find(node.name) is None:
+        _undeclared(run, node, what)
+        return predefined()[stand_in].data
+    return evaluate(run, node, type_).data
+
+
+def _undeclared(run: Run, node: Name, what: str) -> None:
+    name = node.name
+    if assumed(run, name):
+        run.warn(f"{what} '{name}' is not declared in the files read; it is taken as the identity, as asked")
+        return
+    reason = (
+        f"{what} '{name}' is not declared in the files read; give the file that declares it, or take it as the "
+        f"identity with --assume-identity {name}"
+    )
+    run.world.lack(run, "assume_identity", name, node, reason, name)
+
+
+def assumed(run: Run, name: str) -> bool:
+    """Whether the user takes a tool, work object or unit as the identity."""
+    return name.lower() in {known.lower() for known in run.scenario.assume_identity}
+
+
+def _setup(
+    run: Run,
+    tool: tuple[str, Data, Node],
+    wobj: tuple[str, Data, Node],
+    displacement: frames.Frame | None,
+) -> Setup:
+    name, tool_data, node = tool
+    wobj_name, wobj_data, wobj_node = wobj
+    held, (p, q), _ = tool_data
+    if tool_data == TOOLDATA.default:
+        raise run.error(node, f"tool {name} was never given a value: robhold FALSE, tframe all zero")
+    _, fixed, unit, (up, uq), (op, oq) = wobj_data
+    if held == wobj_data[0]:
+        both = "are both held by the robot" if held else "both stand still: the robot holds neither"
+        value = "TRUE" if held else "FALSE"
+        raise run.error(node, f"tool {name} and work object {wobj_name} {both} (robhold {value}); change one")
+    orientation = run.position.equipment.orientation
+    tcp = (p, orientation(run, q, f"tframe of {name}", node, run.file))
+    object_frame = (op, orientation(run, oq, f"oframe of {wobj_name}", wobj_node, run.file))
+    if fixed:
+        user_frame = (up, orientation(run, uq, f"uframe of {wobj_name}", wobj_node, run.file))
+    else:
+        _unit(run, wobj_name, str(unit), wobj_node)
+        user_frame = IDENTITY
+    base: frames.Frame | None = frames.compose(user_frame, object_frame)
+    if displacement is not None:
+        assert base is not None
+        base = frames.compose(base, displacement)
+    if base == IDENTITY:
+        base = None
+    return Setup(
+        name=name,
+        wobj=wobj_name,
+        tool_data=tool_data,
+        wobj_data=wobj_data,
+        displacement=displacement,
+        tcp=tcp,
+        base=base,
+        stationary=not held,
+        tool=Tool(name, matrix(tcp)) if held else None,
+        X_WO=None if not held else readonly(matrix(base)) if base else X_IDENTITY,
+    )
+
+
+def _unit(run: Run, wobj: str, unit: str, node: Node) -> None:
+    """A user frame that a mechanical unit carries: only the user can say where it is."""
+    name = unit or wobj
+    if assumed(run, unit) or assumed(run, wobj):
+        run.warn(
+            f"work object {wobj} rides on the unit '{unit}' (ufprog FALSE), whose frame no program tells; its user "
+            "frame is taken as the identity, as asked"
+        )
+        return
+    reason = (
+        f"work object {wobj} rides on the unit '{unit}' (ufprog FALSE), whose frame no program tells; take the unit's "
+        f"frame as the identity with --assume-identity {name}"
+    )
+    run.world.lack(run, "assume_identity", name, node, reason, name)
+
+
+def matrix(frame: frames.Frame) -> Array:
+    """A frame [mm] as a pose [m]."""
+    (x, y, z), q = frame
+    a, b, c = frames.matrix(q)
+    return np.array(((*a, x * MM), (*b, y * MM), (*c, z * MM), (0.0, 0.0, 0.0, 1.0)))
+
+
+def frame(X: Array) -> frames.Frame:
+    """A pose [m] as a frame [mm]."""
+    x, y, z = (float(value) / MM for value in X[:3, 3])
+    w, i, j, k = (float(value) for value in wxyz_from_rotation(X[:3, :3]))
+    return (x, y, z), (w, i, j, k)
+
+
+def load(run: Run, node: Expression) -> Load | None:
+    """A load in SI units, None for no load (load0)."""
+    data = data_of(run, node, LOADDATA, "load", "load0")
+    if data == predefined()["load0"].data:
+        return None
+    mass, (x, y, z), aom, *inertia = data
+    name = said(run, node)
+    if not (isfinite(mass) and mass >= 0):
+        raise run.error(node, f"load {name} has a mass of {mass:.6g} kg; it must not be negative")
+    ix, iy, iz = inertia
+    axes = run.position.equipment.orientation(run, aom, f"aom of {name}", node, run.file)
+    return Load(name, mass, (x * MM, y * MM, z * MM), axes, (ix, iy, iz))
+
+
+_WOBJ0: Data = predefined()["wobj0"].data

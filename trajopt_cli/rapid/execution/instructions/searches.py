@@ -1,0 +1,119 @@
+r"""SearchJ, SearchL and SearchC: moves that stop or note where they are when a signal comes.
+
+Where the signal comes only the user knows: scenario.searches gives it as a share of the way.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from trajopt_cli.motion import ExternalAxes, MoveC, MoveJ, MoveL, Process
+from trajopt_cli.rapid.data import frames
+from trajopt_cli.rapid.data.courses import along, arc, between, turned
+from trajopt_cli.rapid.data.datatypes import ROBTARGET, Value
+from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
+from trajopt_cli.rapid.execution.equipment import Setup, frame, said
+from trajopt_cli.rapid.execution.instructions.moves import Asked, PoseKind, Target, robtarget, to_pose
+from trajopt_cli.rapid.execution.position import reach
+from trajopt_cli.rapid.language.syntax import Expression, Name, ProcedureCall
+
+if TYPE_CHECKING:
+    from trajopt_cli.rapid.execution.interpreter import Run
+
+_STOPS = ("stop", "pstop", "sstop")
+_FLANKS = ("Flanks", "PosFlank", "NegFlank", "HighLevel", "LowLevel")
+
+
+def _search(kind: PoseKind, name: str) -> Instruction:
+    via = ("CirPoint",) if kind is MoveC else ()
+    required = ("Signal", "SearchPoint", *via, "ToPoint", "Speed", "Tool")
+    options = ("Stop", "PStop", "SStop", "Sup", *_FLANKS, "ID", "V", "T", "WObj", "Corr", "TLoad")
+
+    def handler(run: Run, node: ProcedureCall) -> None:
+        args = bind(run, node, required, options)
+        signal, searched, *points, speed, tool = args.required
+        point, circle = points[-1], points[0] if via else None
+        request = Asked(point, speed, None, tool, Arguments((), args.optional), circle)
+        process = Process(name, (("Signal", said(run, signal)), ("SearchPoint", said(run, searched))))
+        share = _share(run, node, signal, searched)
+        setup = run.position.equipment.setup(run, tool, args.optional.get("wobj"))
+        end = robtarget(run, point)
+        if share is None:
+            to_pose(run, node, kind, request, process=process)
+            raise run.fault(
+                node, "ERR_WHLSEARCH", f"{name} finds nothing on its way, as the scenario says of '{said(run, signal)}'"
+            )
+        hit = _hit(run, node, kind, setup, circle, end, share)
+        if any(stop in args.optional for stop in _STOPS):
+            target = Target(hit.frame, hit.conf, hit.extax, Value(ROBTARGET, end.value.data))
+            to_pose(run, node, kind, request, process=process, target=target)
+        else:
+            to_pose(run, node, kind, request, process=process)
+        run.assign(searched, hit.value)
+
+    return handler
+
+
+def _share(run: Run, node: ProcedureCall, signal: Expression, searched: Expression) -> float | None:
+    """Where the signal comes, as a share of the way; None for never."""
+    known = {name.lower(): share for name, share in run.scenario.searches.items()}
+    for argument in (searched, signal):
+        key = said(run, argument).lower()
+        if key in known:
+            return known[key]
+    named = searched if isinstance(searched, Name) else signal
+    name = said(run, named)
+    reason = f"{node.name} ends where '{said(run, signal)}' comes, which no program tells; say at what share of the way"
+    run.world.lack(run, "searches", name, node, reason, "0.5")
+    return 0.5
+
+
+def _hit(
+    run: Run,
+    node: ProcedureCall,
+    kind: PoseKind,
+    setup: Setup,
+    circle: Expression | None,
+    end: Target,
+    share: float,
+) -> Target:
+    """The place at a share of the way, as a target of the setup."""
+    position, name = run.position, node.name
+    before = position.extax
+    extax = _share_of(before, end.extax, share)
+    conf = end.conf
+    place: frames.Frame
+    if kind is MoveJ:
+        robot = position.robot(run, node, name)
+        q_0 = position.joints(run, node, name)
+        flange = setup.flange(end.frame)
+        q_1 = reach(run, node, f"ToPoint of {name}", robot, flange, conf, run.settings.conf_j, end.extax)
+        q = q_0 + share * (q_1 - q_0)
+        place, conf = setup.target(frame(robot.forward(q, extax))), robot.confdata(q)
+    else:
+        start = position.target(run, node, name, setup)
+        place = between(start, end.frame, share)
+        if circle is not None:
+            course = arc(start[0], robtarget(run, circle).frame[0], end.frame[0])
+            if course is not None:
+                place = along(course, start[0], share), turned(start[1], end.frame[1], share)
+    written = tuple(float(part) for part in (conf.cf1, conf.cf4, conf.cf6, conf.cfx))
+    offsets = run.settings.eax_offset
+    axes = tuple(9e9 if value is None else value - more for value, more in zip(extax, offsets, strict=True))
+    return Target(place, conf, extax, Value(ROBTARGET, (*place, written, axes)))
+
+
+def _share_of(start: ExternalAxes, end: ExternalAxes, share: float) -> ExternalAxes:
+    """External axes on the way; one whose start or end is open stays what is known of it."""
+    a, b, c, d, e, f = (
+        last if first is None else first if last is None else first + share * (last - first)
+        for first, last in zip(start, end, strict=True)
+    )
+    return (a, b, c, d, e, f)
+
+
+INSTRUCTIONS: dict[str, Instruction] = {
+    "SearchJ": _search(MoveJ, "SearchJ"),
+    "SearchL": _search(MoveL, "SearchL"),
+    "SearchC": _search(MoveC, "SearchC"),
+}
