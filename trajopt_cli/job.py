@@ -101,13 +101,15 @@ def read_job(
 ) -> Job:
     """Read a program (a file, several, a program list or a folder) and its cell file.
 
-    Raises InputError for a mistake in either and for a program that never moves; where there is no cell file, the
-    message holds the shortest useful one.
+    Raises InputError for a mistake in either, for a program that never moves, and for motions that no plan can keep;
+    where there is no cell file, the message holds the shortest useful one.
     """
     start = perf_counter()
     from trajopt_cli.cell.loader import load_cell
     from trajopt_cli.cell.model import minimal_cell
+    from trajopt_cli.problem.plannable import check_plannable
     from trajopt_cli.problem.plant import build_plant
+    from trajopt_cli.problem.programmed import PlantKinematics
     from trajopt_cli.robot.model import Structure, robot_names
 
     paths = (programs,) if isinstance(programs, Path) else tuple(programs)
@@ -121,11 +123,12 @@ def read_job(
     loaded = load_cell(path)
     scenario = scenario_of(loaded, assume_identity)
     plant = build_plant(loaded)
-    flat = read_flat(paths, scenario, entry)
+    flat = read_flat(paths, scenario, entry, PlantKinematics(plant))
     if not any(isinstance(motion, Move) for motion in flat.motions):
         raise InputError(
             "makes no move when run; signal values in the cell file decide its branches", file=str(paths[0])
         )
+    check_plannable(flat, plant)
     return Job(
         program=flat,
         cell=loaded,

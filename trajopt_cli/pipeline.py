@@ -165,6 +165,8 @@ def _files(
         files[given.copy] = given.content
         if given.rapid is not None:
             files[given.rapid] = export.texts[given.path].encode(job.program.files[given.path].encoding)
+    for place, path in added_places(export).items():
+        files[place] = export.new[path].text.encode(export.new[path].encoding)
     return files, tuple(export.notes)
 
 
@@ -259,26 +261,76 @@ def joint_export(folder: Path, rate: float) -> tuple[Results, Trajectory, str]:
     return results, trajectory, write_csv_text(trajectory)
 
 
-def rapid_export(folder: Path) -> tuple[dict[str, bytes], str]:
-    """The optimised modules of a results folder, and their difference from the program as given.
+@dataclass(frozen=True)
+class RapidFile:
+    """A module with the rapid plan in it. path: as the user gave it, or beside the program for a new one. place: in a
+    folder of them all. given: the module as it was, None for a new one."""
 
-    By file name; of several modules by their places in a folder, which differ where their names do not.
-    """
-    from trajopt_cli.export.rapid import RapidExport, unified_diff
+    path: Path
+    place: Path
+    content: bytes
+    given: bytes | None
+
+
+@dataclass(frozen=True)
+class RapidFiles:
+    """The optimised modules of a results folder. patch: their difference from the program as given, for patch -p1;
+    difference: the same to read."""
+
+    modules: tuple[RapidFile, ...]
+    patch: bytes
+    difference: str
+
+
+def rapid_export(folder: Path) -> RapidFiles:
+    """The optimised modules of a results folder."""
+    from trajopt_cli.export.rapid_diff import patch, unified_diff
     from trajopt_cli.rapid.language.text import read_text
 
-    modules = read_results(folder).rapid
-    given = {path: replace(read_text(copy), path=path) for path, copy, _ in modules}
-    contents = {path: place.read_bytes() for path, _, place in modules}
+    results = read_results(folder)
+    given = {path: replace(read_text(copy), path=path) for path, copy, _ in results.rapid}
+    contents = {path: place.read_bytes() for path, _, place in results.rapid}
     texts = {path: content.decode(given[path].encoding) for path, content in contents.items()}
-    difference = unified_diff(Program(folder.name, (), given), RapidExport(texts))
-    places = {path: place.relative_to(folder) for path, _, place in modules}
-    names = {path: Path(*place.parts[1:]) if len(modules) > 1 else Path(path) for path, place in places.items()}
-    return {str(names[path]): content for path, content in contents.items()}, difference
+    new = {path: replace(read_text(place), path=path) for path, place in results.added}
+    modules = [
+        RapidFile(Path(path), place.relative_to(folder), contents[path], copy.read_bytes())
+        for path, copy, place in results.rapid
+    ]
+    modules += [
+        RapidFile(Path(path), place.relative_to(folder), place.read_bytes(), None) for path, place in results.added
+    ]
+    if len(modules) > 1:
+        modules = [replace(one, place=_inside_program(one)) for one in modules]
+    return RapidFiles(tuple(modules), patch(given, texts, new), unified_diff(given, texts, new))
+
+
+def _inside_program(module: RapidFile) -> Path:
+    """A module's place without the folder program/; program.mod alone is called as the user calls it."""
+    return Path(*module.place.parts[1:]) if len(module.place.parts) > 1 else Path(module.path.name)
+
+
+def write_in_place(modules: Sequence[RapidFile]) -> dict[Path, Path]:
+    """Write the optimised modules over the user's own; where each old one is kept, by its path.
+
+    Raises InputError, with every file as it was, where one is not what the results were made from, a new module's name
+    is taken, or a place cannot be written.
+    """
+    for one in modules:
+        if one.given is None:
+            if os.path.lexists(one.path):
+                raise InputError("is a new module of the plan, and the name is taken; move it away", file=str(one.path))
+        elif read_bytes(one.path) != one.given:
+            raise InputError(
+                "is not the file that the results were made from; run trajopt optimize again", file=str(one.path)
+            )
+    wanted = {one.path: (one.given, one.content) for one in modules if one.given is not None}
+    return replace_files(wanted, {one.path: one.content for one in modules if one.given is None})
 
 
 def _notices(job: Job) -> tuple[str, ...]:
-    """What a reader of the cycle times must know: the program's oddities, stops for zones, waits of unknown length."""
+    """What a reader of the cycle times must know: the program's oddities, what is planned otherwise than it asks."""
+    from trajopt_cli.problem.plannable import planned_otherwise
+
     zones = zones_as_stops(job.program)
     out = [f"{zones} fly-by zones are planned as stops: the cycle times are upper bounds"] if zones else []
     waits = [m for m in job.program.motions if isinstance(m, Wait) and m.condition is not None]
@@ -288,7 +340,7 @@ def _notices(job: Job) -> tuple[str, ...]:
             f"{len(waits)} waits for signals are counted with the least time the cell gives them, {least:g} s in all: "
             "the cycle times are plus waiting"
         )
-    return (*job.program.warnings, *out)
+    return (*job.program.warnings, *out, *planned_otherwise(job.program))
 
 
 def judge(

@@ -13,6 +13,10 @@ _SHOWN = 10
 Procedure = tuple[Routine, ModuleScope]
 
 
+class NoEntry(InputError):
+    """The program has no procedure of the wanted name."""
+
+
 def find_entry(modules: Sequence[tuple[Module, ModuleScope]], entry: str, name: str) -> Procedure:
     """The procedure of that name, in any case; a LOCAL one where no other has the name.
 
@@ -35,10 +39,10 @@ def find_entry(modules: Sequence[tuple[Module, ModuleScope]], entry: str, name: 
     ready = [one for one in procedures if all(parameter.optional for parameter in one[0].parameters)]
     if not ready:
         message = f"there is no PROC {entry}(), nor another procedure without arguments to start with"
-        raise InputError(message, file=name)
+        raise NoEntry(message, file=name)
     shown = ", ".join(f"{one[0].name} ({_place(one)})" for one in ready[:_SHOWN])
     more = f" and {len(ready) - _SHOWN} more" if len(ready) > _SHOWN else ""
-    raise InputError(f"there is no PROC {entry}(); start with another by --entry: {shown}{more}", file=name)
+    raise NoEntry(f"there is no PROC {entry}(); start with another by --entry: {shown}{more}", file=name)
 
 
 def _place(procedure: Procedure) -> str:

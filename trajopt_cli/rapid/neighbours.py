@@ -8,6 +8,7 @@ from pathlib import Path
 
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.motion import TextFile
+from trajopt_cli.rapid.entry import NoEntry
 from trajopt_cli.rapid.language.text import decode
 from trajopt_cli.rapid.sources import is_module
 
@@ -16,23 +17,23 @@ _NAME = re.compile(r"[^\W\d]\w*")
 _DECLARED = r"\b(?:(?:VAR|PERS|CONST|FUNC|ALIAS)\s+\w+|PROC|RECORD)\s+%s\b"
 
 
-def with_hints(error: InputError, files: Sequence[TextFile]) -> InputError:
+def with_hints(error: InputError, files: Sequence[TextFile], entry: str) -> InputError:
     """The error, each of its lines with the module near the given files that declares the name it stands at."""
     errors = error.errors if isinstance(error, InputErrorGroup) else (error,)
     beside = _Beside(files)
-    hinted = [_hinted(one, beside) for one in errors]
+    hinted = [_hinted(one, beside, entry) for one in errors]
     if all(new is old for new, old in zip(hinted, errors, strict=True)):
         return error
     return InputErrorGroup(hinted) if len(hinted) > 1 else hinted[0]
 
 
-def _hinted(error: InputError, beside: _Beside) -> InputError:
-    name = beside.name_at(error)
+def _hinted(error: InputError, beside: _Beside, entry: str) -> InputError:
+    name = entry if isinstance(error, NoEntry) else beside.name_at(error)
     place = name and beside.declaring(name)
     if not place:
         return error
     message = f"{error.message}; {place} declares {name}: give the folder {beside.folder(place)} instead"
-    return InputError(message, file=error.file, line=error.line, column=error.column)
+    return InputError(message, file=error.file, line=error.line, column=error.column, excerpt=error.excerpt)
 
 
 class _Beside:

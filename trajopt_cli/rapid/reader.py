@@ -37,7 +37,7 @@ def read_program(
     """
     program, lacks = try_paths(paths, scenario, entry, kinematics)
     if lacks:
-        raise with_hints(lacking(lacks), [*program.files.values()])
+        raise with_hints(lacking(lacks), [*program.files.values()], entry)
     return program
 
 
@@ -53,7 +53,10 @@ def try_paths(
     try:
         program, lacks = try_program(sources.files, scenario, entry, kinematics, sources.name)
     except InputError as error:
-        raise with_hints(error, sources.files) from error
+        hinted = with_hints(error, sources.files, entry)
+        if hinted is error:
+            raise
+        raise hinted from error
     return replace(program, warnings=(*sources.warnings, *program.warnings)), lacks
 
 

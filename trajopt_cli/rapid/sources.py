@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 import stat
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -115,7 +115,7 @@ def _of_list(path: Path) -> list[Path]:
 def _of_folder(folder: Path, entry: str, warnings: list[str]) -> list[Path]:
     tasks: dict[tuple[str, ...], list[Path]] = {}
     loose: list[Path] = []
-    for path in _walk(folder):
+    for path in _sorted(_walk(folder)):
         task = _task(folder, path)
         (loose if task is None else tasks.setdefault(task, [])).append(path)
     if not any(is_module(path) for files in (loose, *tasks.values()) for path in files):
@@ -124,7 +124,7 @@ def _of_folder(folder: Path, entry: str, warnings: list[str]) -> list[Path]:
             "BACKINFO",
             file=str(folder),
         )
-    tasks = {task: files for task, files in tasks.items() if any(is_module(path) for path in files)}
+    tasks = {task: files for task, files in sorted(tasks.items()) if any(is_module(path) for path in files)}
     if not tasks:
         return _program(folder, loose, warnings)
     stray = [path for path in loose if is_module(path)]
@@ -153,7 +153,7 @@ def _one_task(
 ) -> tuple[str, ...]:
     if len(tasks) == 1:
         return next(iter(tasks))
-    wanted = re.compile(rf"^\s*(LOCAL\s+)?PROC\s+{re.escape(entry)}\s*\(", re.IGNORECASE | re.MULTILINE)
+    wanted = re.compile(rf"(?:\A|[\r\n;])\s*(LOCAL\s+)?PROC\s+{re.escape(entry)}\s*\(", re.IGNORECASE)
     modules = {task: [path for path in files if is_module(path)] for task, files in tasks.items()}
     _check_sizes([path for files in modules.values() for path in files], folder)
     holding = [task for task, files in modules.items() if any(wanted.search(read_text(path).text) for path in files)]
@@ -172,8 +172,8 @@ def _one_task(
 
 def _program(folder: Path, files: list[Path], warnings: list[str]) -> list[Path]:
     """The modules of one program: all, or the ones of its program list and the system modules."""
-    modules = _sorted(path for path in files if is_module(path))
-    lists = _sorted(path for path in files if not is_module(path))
+    modules = [path for path in files if is_module(path)]
+    lists = [path for path in files if not is_module(path)]
     if not lists:
         return modules
     if len(lists) > 1:
@@ -192,7 +192,7 @@ def _some(paths: Sequence[Path], folder: Path) -> str:
     return ", ".join(names[:10]) + (f" and {len(names) - 10} more" if len(names) > 10 else "")
 
 
-def _sorted(paths: Iterator[Path] | Sequence[Path]) -> list[Path]:
+def _sorted(paths: Iterable[Path]) -> list[Path]:
     """Program modules first, then system modules; each by its path, whatever the file system's order."""
     return sorted(paths, key=lambda path: (is_system(path), path.as_posix().lower(), path.as_posix()))
 
