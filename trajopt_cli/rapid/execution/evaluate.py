@@ -116,7 +116,7 @@ def _read(run: Run, node: Name, wanted: Type | None) -> Value:
     if place is not None:
         value = place.value
         if value.type.name in SIGNALS:
-            return Value(NUM, run.world.signal(run, node, str(value.data)))
+            return Value(NUM, run.world.signal(run, node, str(value.data or node.name)))
         if value.data is None:
             raise run.error(node, f"'{node.name}' is of type {value.type.name}, which has no value that can be read")
         return value
