@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING
 
 from trajopt_cli.rapid.data.datatypes import Value
@@ -43,6 +44,12 @@ def present(run: Run, args: Sequence[Argument]) -> list[Argument]:
     return kept
 
 
+@cache
+def _lower(names: tuple[str, ...]) -> frozenset[str]:
+    """Names as arguments are compared; the same few tuples come with every call."""
+    return frozenset(name.lower() for name in names)
+
+
 def bind(
     run: Run, call: ProcedureCall | Call, required: tuple[str, ...], optional: tuple[str, ...] = (), more: int = 0
 ) -> Arguments:
@@ -52,13 +59,13 @@ def bind(
     """
     places: list[Expression] = []
     options: dict[str, Expression | None] = {}
-    known = {name.lower() for name in optional}
+    known = _lower(optional)
     for arg in present(run, call.args):
         if arg.name is None:
             assert arg.value is not None
             places.append(arg.value)
-        elif arg.name.lower() in known:
-            options[arg.name.lower()] = arg.value
+        elif (name := arg.name.lower()) in known:
+            options[name] = arg.value
         else:
             supported = ", ".join(f"\\{name}" for name in optional) or "none"
             raise run.error(arg, f"{call.name} \\{arg.name} is not supported; supported here: {supported}")
