@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
-from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.geometry import Array
 from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import NO_EXTERNAL_AXES, ConfData, ExternalAxes, Tool
 from trajopt_cli.rapid.data import frames
@@ -53,12 +53,13 @@ class Position:
 
     def to_pose(self, setup: Setup, target: frames.Frame, conf: ConfData, demanded: bool, extax: ExternalAxes) -> None:
         """A move has ended at a target."""
-        self._keep_near()
+        if self._joints is not None:
+            self._near, self._joints = self._joints, None
         if extax != self.extax:
             self.extax = _merged(self.extax, extax)
         self.setup = setup
         self._pose = _Pose(setup, target, conf, demanded, self.extax)
-        self._joints, self._away = None, False
+        self._away = False
 
     def to_joints(self, setup: Setup, q: Array, extax: ExternalAxes) -> None:
         """A move has ended at arm joints (6,) in rad."""
@@ -70,10 +71,6 @@ class Position:
         """External axes have moved alone; the arm's joints hold."""
         self.extax = _merged(self.extax, extax)
         self._away = True
-
-    def _keep_near(self) -> None:
-        if self._joints is not None:
-            self._near = self._joints
 
     # --------------------------------------------------------------------------------------------------- what is known
 
@@ -173,12 +170,20 @@ def reach(
 
 
 def _merged(last: ExternalAxes, new: ExternalAxes) -> ExternalAxes:
-    a, b, c, d, e, f = (before if now is None else now for before, now in zip(last, new, strict=True))
-    return (a, b, c, d, e, f)
+    a, b, c, d, e, f = new
+    p, q, r, s, t, u = last
+    return (
+        p if a is None else a,
+        q if b is None else b,
+        r if c is None else c,
+        s if d is None else d,
+        t if e is None else e,
+        u if f is None else f,
+    )
 
 
 def _first_setup() -> Setup:
     known = predefined()
-    tool = Tool("tool0", readonly(matrix(IDENTITY)))
+    tool = Tool("tool0", matrix(IDENTITY))
     data = known["tool0"].data, known["wobj0"].data
     return Setup("tool0", "wobj0", *data, None, IDENTITY, None, False, tool, tool.X_FT)

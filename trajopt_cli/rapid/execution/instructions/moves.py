@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from trajopt_cli.geometry import Array
+from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.motion import (
     ConfData,
     ExternalAxes,
@@ -31,9 +31,10 @@ from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.courses import arc
 from trajopt_cli.rapid.data.datatypes import JOINTTARGET, LOADDATA, ROBTARGET, Data, Value
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
-from trajopt_cli.rapid.execution.equipment import IDENTITY, Setup, data_of, matrix, said
+from trajopt_cli.rapid.execution.equipment import IDENTITY, Setup, data_of, matrix, said, value_of
 from trajopt_cli.rapid.execution.evaluate import evaluate
 from trajopt_cli.rapid.execution.instructions import pace
+from trajopt_cli.rapid.execution.making import made
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 from trajopt_cli.units import DEG
 
@@ -72,12 +73,12 @@ class Asked(NamedTuple):
 
 
 def asked(args: Arguments, via: bool) -> Asked:
-    """[CirPoint], ToPoint, Speed, Zone, Tool in this order."""
-    points = args.required[:2] if via else (None, args.required[0])
-    speed, zone, tool = args.required[1 + via : 4 + via]
-    circle, point = points
-    assert point is not None
-    return Asked(point, speed, zone, tool, args, circle)
+    """[CirPoint], ToPoint, Speed, Zone, Tool in this order; more may follow."""
+    if via:
+        circle, point, speed, zone, tool, *_ = args.required
+        return Asked(point, speed, zone, tool, args, circle)
+    point, speed, zone, tool, *_ = args.required
+    return Asked(point, speed, zone, tool, args)
 
 
 def move_j(run: Run, node: ProcedureCall) -> None:
@@ -174,29 +175,28 @@ def to_pose(
     X_WT, tool = matrix(placed), setup.tool
     if tool is None:
         X_WT, tool = matrix(setup.tcp), Tool(setup.name, X_WT, stationary=True)
-    circle = {} if via is None else {"X_WV": _via(run, via, point, setup, place, tool)}
     settings = run.settings
-    run.motions.append(
-        kind(
-            source=run.source(node),
-            written=written(run, node, point, asked.speed, value),
-            target=said(run, point),
-            speed=speed or pace.speed(run, asked.speed, args),
-            zone=pace.FINE if asked.zone is None else pace.zone(run, asked.zone, args),
-            extax=extax,
-            duration=pace.duration(run, args),
-            optional=marked(run, node),
-            settings=settings,
-            events=events,
-            process=process,
-            X_WT=X_WT,
-            conf=conf,
-            tool=tool,
-            wobj=setup.wobj,
-            X_WO=setup.X_WO,
-            **circle,
-        )
-    )
+    parts = {
+        "source": run.source(node),
+        "written": written(run, node, point, asked.speed, value),
+        "target": said(run, point),
+        "speed": speed or pace.speed(run, asked.speed, args),
+        "zone": pace.FINE if asked.zone is None else pace.zone(run, asked.zone, args),
+        "extax": extax,
+        "duration": pace.duration(run, args),
+        "optional": marked(run, node),
+        "settings": settings,
+        "events": events,
+        "process": process,
+        "X_WT": X_WT,
+        "conf": conf,
+        "tool": tool,
+        "wobj": setup.wobj,
+        "X_WO": setup.X_WO,
+    }
+    if via is not None:
+        parts["X_WV"] = _via(run, via, point, setup, place, tool)
+    run.motions.append(made(kind, parts))
     run.position.to_pose(setup, place, conf, settings.conf_j if kind is MoveJ else settings.conf_l, extax)
 
 
@@ -223,20 +223,23 @@ def _via(run: Run, node: Expression, end: Expression, setup: Setup, place: frame
                 f"a controller takes at most {_WIDEST_ARC:g} deg, so divide it in two"
             )
     if setup.tool is None:
-        X: Array = matrix(setup.flange(via.frame)) @ tool.X_FT
-        return X
+        return readonly(matrix(setup.flange(via.frame)) @ tool.X_FT)
     return matrix(setup.placed(via.frame))
 
 
 def written(run: Run, node: ProcedureCall, point: Expression, speed: Expression, target: Value) -> Written:
     """Where the parts of an instruction stand in the text."""
     file, origin = run.file, target.origin
-    return Written(
-        statement=Span(file, node.start, node.end),
-        target=Span(file, point.start, point.end),
-        speed=Span(file, speed.start, speed.end),
-        aggregate=Span(origin.file, origin.literal.start, origin.literal.end) if origin else None,
-        declaration=origin.declaration if origin else None,
+    return made(
+        Written,
+        {
+            "statement": made(Span, {"file": file, "start": node.start, "end": node.end}),
+            "target": made(Span, {"file": file, "start": point.start, "end": point.end}),
+            "speed": made(Span, {"file": file, "start": speed.start, "end": speed.end}),
+            "aggregate": Span(origin.file, origin.literal.start, origin.literal.end) if origin else None,
+            "declaration": origin.declaration if origin else None,
+            "once": None,
+        },
     )
 
 
@@ -250,7 +253,7 @@ def marked(run: Run, node: ProcedureCall) -> bool:
 
 def robtarget(run: Run, node: Expression) -> Target:
     """A robtarget. Raises InputError for an orientation or a configuration that is none, at its literal."""
-    value = evaluate(run, node, ROBTARGET)
+    value = value_of(run, node, ROBTARGET)
     (x, y, z), q, conf, extax = value.data
     w, i, j, k = q
     if abs(w * w + i * i + j * j + k * k - 1.0) > _UNIT:

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from trajopt_cli.motion import Speed, Zone
 from trajopt_cli.rapid.data.datatypes import SPEEDDATA, ZONEDATA, Data
 from trajopt_cli.rapid.execution.arguments import Arguments
-from trajopt_cli.rapid.execution.equipment import said
-from trajopt_cli.rapid.execution.evaluate import evaluate, number
+from trajopt_cli.rapid.execution.equipment import said, value_of
+from trajopt_cli.rapid.execution.evaluate import number
 from trajopt_cli.rapid.language.syntax import Expression, Name
 from trajopt_cli.units import DEG, MM
 
@@ -28,7 +28,7 @@ STOP_POINTS = frozenset(
 
 def speed(run: Run, node: Expression, args: Arguments, external: bool = False) -> Speed:
     r"""Speed in SI with VelSet applied; \V replaces the TCP speed. external: the TCP speed does not count."""
-    name, data = said(run, node), evaluate(run, node, SPEEDDATA).data
+    name, data = said(run, node), value_of(run, node, SPEEDDATA).data
     override = args.optional.get("v")
     shared = run.position.equipment.speeds
     if override is None:
@@ -71,7 +71,7 @@ def duration(run: Run, args: Arguments) -> float | None:
 
 def zone(run: Run, node: Expression, args: Arguments) -> Zone:
     r"""Accuracy; \Inpos makes a stop of any zone, \Z replaces the radius of the TCP's path."""
-    name, data = said(run, node), evaluate(run, node, ZONEDATA).data
+    name, data = said(run, node), value_of(run, node, ZONEDATA).data
     plain = "inpos" not in args.optional and "z" not in args.optional
     shared = run.position.equipment.zones
     if plain:
