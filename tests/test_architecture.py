@@ -33,7 +33,7 @@ FLOORS: tuple[tuple[str, ...], ...] = (
     # results is the folder's reader and writer: nouns in, bytes out, like its neighbours
     ("optimize", "baseline", "verify", "export", "report", "admittance", "simulate", "results", "task_folder"),
     # what is worked on: a program and its cell, or those of a results folder
-    ("job",),
+    ("job", "rapid_results"),
     ("pipeline", "iiwa_job"),
     # the widest composition: everything the pipeline can do, many times over
     ("comparison", "iiwa_experiments"),

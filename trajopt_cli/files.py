@@ -72,6 +72,59 @@ def write_files(folder: Path, files: Mapping[str, bytes]) -> None:
         write_file(folder / name, content)
 
 
+def replace_files(wanted: Mapping[Path, tuple[bytes, bytes]], added: Mapping[Path, bytes]) -> dict[Path, Path]:
+    """Give every file of wanted its new content and add the new files: all of it, or nothing.
+
+    wanted: by path, the content a file must have now and the one it shall get. Returns where the old ones are kept:
+    beside each file that changes, as NAME.bak, or NAME.bak2 and so on where that is taken. Symbolic links are followed,
+    mode bits kept. added: files that must not exist. Raises InputError, with everything as it was, where a file has
+    another content, an added one exists, or a place cannot be written. Each file is whole at every moment; a kill in
+    between leaves some of them old and some new, and every backup.
+    """
+    places = {Path(os.path.realpath(path)): pair for path, pair in wanted.items()}
+    for path, (old, _) in wanted.items():
+        with _said(path):
+            if path.read_bytes() != old:
+                raise InputError("is not what it was any more; nothing is written", file=str(path))
+    backups: dict[Path, Path] = {}
+    parts: dict[Path, Path] = {}
+    replaced: list[Path] = []
+    made: list[Path] = []
+    try:
+        for path, (old, new) in places.items():
+            if old != new:
+                with _said(path):
+                    parts[path] = path.with_name(f"{_prefix(path)}{secrets.token_hex(4)}")
+                    _write(parts[path], new)
+                    parts[path].chmod(path.stat().st_mode & 0o7777)
+                    backups[path] = _keep(path, old)
+        for path, content in added.items():
+            with _said(path):
+                parts[path] = path.with_name(f"{_prefix(path)}{secrets.token_hex(4)}")
+                _write(parts[path], content)
+                _give_name(parts.pop(path), path)
+                made.append(path)
+        for path, part in parts.items():
+            with _said(path):
+                os.replace(part, path)
+                replaced.append(path)
+                _sync(path.parent)
+    except BaseException:
+        for path in made:
+            path.unlink()
+        for path, backup in backups.items():
+            if path in replaced:
+                os.replace(backup, path)
+            else:
+                backup.unlink()
+        raise
+    finally:
+        for part in parts.values():
+            part.unlink(missing_ok=True)
+    kept = {path: backups.get(Path(os.path.realpath(path))) for path in wanted}
+    return {path: backup for path, backup in kept.items() if backup is not None}
+
+
 def recover(path: Path) -> None:
     """Tidy up after calls of write_folder(path) that were killed; calls still running are left alone.
 
@@ -171,3 +224,34 @@ def _exchange(one: Path, other: Path) -> bool:
         names = os.fsencode(one), os.fsencode(other)
         return bool(libc.renameat2(_AT_FDCWD, names[0], _AT_FDCWD, names[1], _RENAME_EXCHANGE) == 0)
     return False
+
+
+def _keep(path: Path, content: bytes) -> Path:
+    """A copy of a file beside it under a name that nobody has."""
+    number = 1
+    while True:
+        backup = path.with_name(f"{path.name}.bak{number if number > 1 else ''}")
+        try:
+            _write(backup, content)
+        except FileExistsError:
+            number += 1
+            continue
+        except BaseException:
+            backup.unlink(missing_ok=True)
+            raise
+        shutil.copystat(path, backup)
+        return backup
+
+
+def _give_name(part: Path, path: Path) -> None:
+    """Name a finished file path; FileExistsError where there is something of that name."""
+    try:
+        os.link(part, path)
+    except FileExistsError:
+        raise
+    except OSError:  # a file system without links
+        if os.path.lexists(path):
+            raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), str(path)) from None
+        os.rename(part, path)
+    finally:
+        part.unlink(missing_ok=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
 from time import perf_counter
@@ -33,6 +33,7 @@ from trajopt_cli.results import (
 from trajopt_cli.run_folder import RUN, SUMMARY, check_replaceable
 
 if TYPE_CHECKING:
+    from trajopt_cli.export.rapid_write import RapidExport
     from trajopt_cli.findings import Finding, Report
     from trajopt_cli.problem.plant import Plant
     from trajopt_cli.trajectory import Trajectory
@@ -121,7 +122,7 @@ def optimise(
         judged[one] = answer
     listen("results", Progress("write"))
     with clock.phase("export"):
-        files, notes = _files(job, target, judged, inputs)
+        files, export = _files(job, target, judged, inputs)
     if plots:
         listen("results", Progress("plots"))
         with clock.phase("plots"):
@@ -139,17 +140,18 @@ def optimise(
         "target": target.value,
     }
     starts = {"program": inputs[next(iter(job.program.files))], "cell": inputs[str(job.cell_path)]}
-    files[RUN] = run_record(options, starts, inputs.values(), files, timing)
+    added = {path: _place_of_new(path) for path in export.new}
+    files[RUN] = run_record(options, starts, inputs.values(), files, timing, added)
     check_replaceable(folder)
     write_folder(folder, files)
-    modules = tuple(given.rapid for given in inputs.values() if given.rapid is not None)
-    return Optimised(job, target, judged, _notices(job), notes, folder, modules, clock.seconds)
+    modules = (*(given.rapid for given in inputs.values() if given.rapid is not None), *added.values())
+    return Optimised(job, target, judged, _notices(job), export.notes, folder, modules, clock.seconds)
 
 
 def _files(
     job: Job, target: Target, judged: Mapping[Target, Judged], inputs: Mapping[str, InputFile]
-) -> tuple[dict[str, bytes], tuple[str, ...]]:
-    """The results folder's files but run.json, and what the RAPID export has to say."""
+) -> tuple[dict[str, bytes], RapidExport]:
+    """The results folder's files but run.json, and the RAPID export."""
     from trajopt_cli.export.faster import faster_than_programmed
     from trajopt_cli.export.rapid import export_rapid
 
@@ -165,9 +167,14 @@ def _files(
         files[given.copy] = given.content
         if given.rapid is not None:
             files[given.rapid] = export.texts[given.path].encode(job.program.files[given.path].encoding)
-    for place, path in added_places(export).items():
-        files[place] = export.new[path].text.encode(export.new[path].encoding)
-    return files, tuple(export.notes)
+    for path, new in export.new.items():
+        files[_place_of_new(path)] = new.text.encode(new.encoding)
+    return files, export
+
+
+def _place_of_new(path: str) -> str:
+    """Where the results folder keeps a module that the export added."""
+    return f"program/{Path(path).name}"
 
 
 def plan_pictures(job: Job, plan: Plan) -> dict[str, bytes]:
@@ -259,72 +266,6 @@ def joint_export(folder: Path, rate: float) -> tuple[Results, Trajectory, str]:
     recorded, _ = read_csv_text(results.texts[CHOSEN], str(folder / CHOSEN))
     trajectory = resample(recorded, rate)
     return results, trajectory, write_csv_text(trajectory)
-
-
-@dataclass(frozen=True)
-class RapidFile:
-    """A module with the rapid plan in it. path: as the user gave it, or beside the program for a new one. place: in a
-    folder of them all. given: the module as it was, None for a new one."""
-
-    path: Path
-    place: Path
-    content: bytes
-    given: bytes | None
-
-
-@dataclass(frozen=True)
-class RapidFiles:
-    """The optimised modules of a results folder. patch: their difference from the program as given, for patch -p1;
-    difference: the same to read."""
-
-    modules: tuple[RapidFile, ...]
-    patch: bytes
-    difference: str
-
-
-def rapid_export(folder: Path) -> RapidFiles:
-    """The optimised modules of a results folder."""
-    from trajopt_cli.export.rapid_diff import patch, unified_diff
-    from trajopt_cli.rapid.language.text import read_text
-
-    results = read_results(folder)
-    given = {path: replace(read_text(copy), path=path) for path, copy, _ in results.rapid}
-    contents = {path: place.read_bytes() for path, _, place in results.rapid}
-    texts = {path: content.decode(given[path].encoding) for path, content in contents.items()}
-    new = {path: replace(read_text(place), path=path) for path, place in results.added}
-    modules = [
-        RapidFile(Path(path), place.relative_to(folder), contents[path], copy.read_bytes())
-        for path, copy, place in results.rapid
-    ]
-    modules += [
-        RapidFile(Path(path), place.relative_to(folder), place.read_bytes(), None) for path, place in results.added
-    ]
-    if len(modules) > 1:
-        modules = [replace(one, place=_inside_program(one)) for one in modules]
-    return RapidFiles(tuple(modules), patch(given, texts, new), unified_diff(given, texts, new))
-
-
-def _inside_program(module: RapidFile) -> Path:
-    """A module's place without the folder program/; program.mod alone is called as the user calls it."""
-    return Path(*module.place.parts[1:]) if len(module.place.parts) > 1 else Path(module.path.name)
-
-
-def write_in_place(modules: Sequence[RapidFile]) -> dict[Path, Path]:
-    """Write the optimised modules over the user's own; where each old one is kept, by its path.
-
-    Raises InputError, with every file as it was, where one is not what the results were made from, a new module's name
-    is taken, or a place cannot be written.
-    """
-    for one in modules:
-        if one.given is None:
-            if os.path.lexists(one.path):
-                raise InputError("is a new module of the plan, and the name is taken; move it away", file=str(one.path))
-        elif read_bytes(one.path) != one.given:
-            raise InputError(
-                "is not the file that the results were made from; run trajopt optimize again", file=str(one.path)
-            )
-    wanted = {one.path: (one.given, one.content) for one in modules if one.given is not None}
-    return replace_files(wanted, {one.path: one.content for one in modules if one.given is None})
 
 
 def _notices(job: Job) -> tuple[str, ...]:

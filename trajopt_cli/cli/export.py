@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import Annotated
 
@@ -36,19 +37,36 @@ def rapid(
     output: Annotated[
         Path | None, typer.Option(metavar="FILE.mod", help="The module to write; a folder for several modules.")
     ] = None,
-    diff: Annotated[bool, typer.Option("--diff", help="Print what differs from the program as given.")] = False,
+    diff: Annotated[
+        bool, typer.Option("--diff", help="Print what differs from the program as given; patch -p1 takes it.")
+    ] = False,
+    in_place: Annotated[
+        bool, typer.Option("--in-place", help="Write over the program's own files; the old ones stay as NAME.bak.")
+    ] = False,
 ) -> None:
     """The program with the rapid plan in it; everything else is byte for byte as given."""
     from trajopt_cli.files import write_file
-    from trajopt_cli.pipeline import rapid_export
+    from trajopt_cli.rapid_results import rapid_export, write_in_place
 
-    if output is None and not diff:
-        raise typer.BadParameter("give --output, --diff or both")
-    modules, difference = rapid_export(results)
-    if diff:
-        typer.echo(difference, nl=False)
+    if output is None and not diff and not in_place:
+        raise typer.BadParameter("give --output, --diff, --in-place or several of them")
+    files = rapid_export(results)
+    if diff and sys.stdout.isatty():
+        typer.echo(files.difference, nl=False)
+    elif diff:
+        sys.stdout.flush()
+        sys.stdout.buffer.write(files.patch)  # in the files' own encodings and line ends
     if output is not None:
-        places = {name: output / name if len(modules) > 1 else output for name in modules}
-        for name, content in modules.items():
-            write_file(places[name], content)
-            typer.echo(f"{places[name]}: the rapid plan", err=diff)
+        for one in files.modules:
+            path = output / one.place if len(files.modules) > 1 else output
+            write_file(path, one.content)
+            typer.echo(f"{path}: the rapid plan", err=diff)
+    if in_place:
+        backups = write_in_place(files.modules)
+        for one in files.modules:
+            if one.given is None:
+                typer.echo(f"{one.path}: a new module; load it with the program", err=diff)
+            elif one.path in backups:
+                typer.echo(f"{one.path}: the rapid plan; as it was: {backups[one.path].name}", err=diff)
+            else:
+                typer.echo(f"{one.path}: stays as it is", err=diff)

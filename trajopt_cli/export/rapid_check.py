@@ -8,28 +8,52 @@ from dataclasses import replace
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.motion import Motion, Move, MoveAbsJ, MoveJ, MoveL, Program, SignalEvent, Wait
+from trajopt_cli.export.rapid_flat import Reader
+from trajopt_cli.export.rapid_targets import PoseMove, confdata_counts, is_nearest
+from trajopt_cli.geometry import Array
+from trajopt_cli.motion import Motion, Move, MoveAbsJ, MoveC, MoveExtJ, MoveL, Program, SignalEvent, TextFile, Wait
 from trajopt_cli.problem.plan import Plan, PlannedMotion
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.robot.inverse import confdata_admits
-from trajopt_cli.scenario import Scenario
 from trajopt_cli.units import MM
 
-_POSE = 1e-9  # m and rotation entries: a target's own numbers are not touched
+_POSE = 1e-9  # m, rad and rotation entries: computed targets are written with 6 decimals of a millimetre, 9 of a degree
 _RAIL = 1e-9  # m: eax is written to the nanometre
+_SPEED = 1e-8  # m/s, rad/s
 _NEW_POSE = 1e-8  # a target that was a jointtarget is written with 9 decimals of a millimetre and 15 of a quaternion
 
 
 def check_export(
-    program: Program, plan: Plan, plant: Plant, texts: Mapping[str, str], scenario: Scenario | None, entry: str
+    program: Program,
+    plan: Plan,
+    plant: Plant,
+    again: Reader,
+    texts: Mapping[str, str],
+    new: Mapping[str, TextFile] | None = None,
+    faster: frozenset[int] = frozenset(),
 ) -> None:
     """Raises InputError, placed in the given program, for the first motion that the texts do not give as planned."""
-    files = [replace(file, text=texts[path]) for path, file in program.files.items()]
+    for _, error in mismatches(program, plan, plant, again, texts, new or {}, faster):
+        raise error
+
+
+def mismatches(
+    program: Program,
+    plan: Plan,
+    plant: Plant,
+    again: Reader,
+    texts: Mapping[str, str],
+    new: Mapping[str, TextFile],
+    faster: frozenset[int] = frozenset(),
+) -> Iterator[tuple[int | None, InputError]]:
+    """Every motion, by index, that the texts do not give as planned, and why; None and the last word where they cannot
+    be read, or have lost step with the program."""
     try:
-        read = iter(run_program(files, scenario, entry).motions)
+        read = iter(again(texts, new).motions)
     except InputError as error:
-        raise InputError(f"the plan cannot be written into this program; edited, it reads: {error}") from error
+        message = f"the plan cannot be written into this program; edited, it reads: {error}"
+        yield None, InputError(message)
+        return
     by_index = {planned.index: planned for planned in plan.motions}
     before: Move | None = None
     for index, motion in enumerate(program.motions):
@@ -38,70 +62,143 @@ def check_export(
             continue
         match motion:
             case Wait() if planned is not None and _rail_moves(planned, plant):
-                _check_dwell(motion, before, planned, plant, next(read, None))
+                errors = _check_dwell(motion, before, planned, plant, next(read, None))
                 if motion.condition is not None:
-                    _check_same(motion, next(read, None))
+                    errors = [*errors, *_check_same(motion, next(read, None))]
             case Wait() | SignalEvent():
-                _check_same(motion, next(read, None))
+                errors = _check_same(motion, next(read, None))
             case _:
                 if planned is None:
                     raise ValueError(f"the plan leaves out motion {index} ({motion.source}) without dropping it")
-                _check_move(motion, planned, plant, next(read, None))
+                found = next(read, None)
+                errors = _check_move(motion, planned, plant, found, index in faster)
+                if type(found) is not type(motion):
+                    yield None, errors[0]
+                    return
                 before = motion
+        for found_error in errors:
+            yield index, found_error
     surplus = next(read, None)
     if surplus is not None:
-        raise InputError(f"the edited program has a motion too many at {surplus.source}")
+        yield None, InputError(f"the edited program has a motion too many at {surplus.source}")
+
+
+def first_difference(program: Program, read: Program) -> int | None:
+    """The first motion that another reading of a program gives otherwise; None where all are the same."""
+    for index, motion in enumerate(program.motions):
+        found = read.motions[index] if index < len(read.motions) else None
+        if isinstance(motion, Move):
+            if not isinstance(found, Move) or type(found) is not type(motion) or not _same_axes(motion, found):
+                return index
+            if any(_otherwise(motion, found)) or any(_elsewhere(motion, found)):
+                return index
+            if isinstance(motion, PoseMove) and isinstance(found, PoseMove) and motion.conf != found.conf:
+                return index
+        elif _check_same(motion, found):
+            return index
+    return len(program.motions) if len(read.motions) > len(program.motions) else None
 
 
 def _rail_moves(planned: PlannedMotion, plant: Plant) -> bool:
     return plant.rail_eax is not None and abs(float(planned.q_1[0] - planned.q_0[0])) > _RAIL
 
 
-def _differences(motion: Move, planned: PlannedMotion, plant: Plant, read: Move) -> Iterator[str]:
-    if plant.rail_eax is not None:
-        wanted, given = float(planned.q_1[0]), plant.rail_value(read.extax)
-        if given is None or not abs(wanted - given) <= _RAIL:
-            shown = "open" if given is None else f"{given / MM:.6f} mm"
-            yield f"the rail at {wanted / MM:.6f} mm, and the target says {shown}"
-    if isinstance(motion, (MoveJ, MoveL)) and isinstance(read, (MoveJ, MoveL)):
-        if not np.allclose(motion.X_WT, read.X_WT, rtol=0.0, atol=_POSE):
-            yield "the tool in the programmed place, and the target is elsewhere"
-        if not confdata_admits(plant.robot, read.conf, np.asarray(planned.q_1[-6:])):
-            conf = read.conf
-            yield f"another configuration than the target's [{conf.cf1},{conf.cf4},{conf.cf6},{conf.cfx}]"
-    if isinstance(motion, MoveAbsJ) and isinstance(read, MoveAbsJ) and not np.array_equal(motion.q, read.q):
+def _near(one: Array, other: Array) -> bool:
+    return np.allclose(one, other, rtol=0.0, atol=_POSE)
+
+
+def _same_axes(motion: Move, read: Move) -> bool:
+    return all(
+        one is other or (one is not None and other is not None and abs(one - other) * MM <= _RAIL)
+        for one, other in zip(motion.extax, read.extax, strict=True)
+    )
+
+
+def _elsewhere(motion: Move, read: Move) -> Iterator[str]:
+    if isinstance(motion, PoseMove) and isinstance(read, PoseMove) and not _near(motion.X_WT, read.X_WT):
+        yield "the tool in the programmed place, and the target is elsewhere"
+    if isinstance(motion, MoveC) and isinstance(read, MoveC) and not _near(motion.X_WV[:3, 3], read.X_WV[:3, 3]):
+        yield "the programmed circle point, and the edited one is elsewhere"
+    if isinstance(motion, MoveAbsJ) and isinstance(read, MoveAbsJ) and not _near(motion.q, read.q):
         yield "the programmed joints, and the target has others"
 
 
-def _check_move(motion: Move, planned: PlannedMotion, plant: Plant, read: Motion | None) -> None:
+def _otherwise(motion: Move, read: Move, fast: bool = False, monitored: bool = False) -> Iterator[str]:
+    """What else than its target a move says otherwise. fast, monitored: speed and ConfJ, ConfL were changed."""
+    # A stretch written flat spells a speed that only its routine knows in numbers of six decimals.
+    before, now = ((speed.v_tcp, speed.v_ori, speed.v_leax, speed.v_reax) for speed in (motion.speed, read.speed))
+    if not fast and not np.allclose(before, now, rtol=0.0, atol=_SPEED):
+        yield "the programmed speed, and the edited program has another"
+    if motion.duration != read.duration:
+        yield "the programmed duration, and the edited program has another"
+    if motion.zone != read.zone:
+        yield "the programmed zone, and the edited program has another"
+    tools = [one.tool.X_FT for one in (motion, read) if not isinstance(one, MoveExtJ)]
+    if len(tools) == 2 and not _near(*tools):
+        yield "the programmed tool, and the edited program has another"
+    settings = read.settings
+    if monitored:
+        settings = replace(settings, conf_j=motion.settings.conf_j, conf_l=motion.settings.conf_l)
+    if motion.settings != settings:
+        yield "the programmed settings, and the edited program has others"
+    if (motion.events, motion.process) != (read.events, read.process):
+        yield "what the program does on the way, and the edited program does something else"
+
+
+def _differences(motion: Move, planned: PlannedMotion, plant: Plant, read: Move) -> Iterator[str]:
+    if plant.rail_eax is not None:
+        wanted, given = float(planned.q_1[0]), plant.rail_value(read.extax)
+        stays = given is None and not _rail_moves(planned, plant)  # an open axis stays where it is
+        if not stays and (given is None or not abs(wanted - given) <= _RAIL):
+            shown = "open" if given is None else f"{given / MM:.6f} mm"
+            yield f"the rail at {wanted / MM:.6f} mm, and the target says {shown}"
+    yield from _elsewhere(motion, read)
+    if isinstance(motion, PoseMove) and isinstance(read, PoseMove):
+        if confdata_counts(read):
+            if not confdata_admits(plant.robot, read.conf, np.asarray(planned.q_1[-6:])):
+                conf = read.conf
+                yield f"another configuration than the target's [{conf.cf1},{conf.cf4},{conf.cf6},{conf.cfx}]"
+        elif read is not motion and not is_nearest(plant, planned):
+            yield "a configuration that is not the nearest, which the controller takes with confdata switched off"
+
+
+def _check_move(
+    motion: Move, planned: PlannedMotion, plant: Plant, read: Motion | None, fast: bool
+) -> list[InputError]:
     if not isinstance(read, Move) or type(read) is not type(motion):
-        raise _mismatch(motion, f"{type(motion).__name__} {motion.target} there")
-    for difference in _differences(motion, planned, plant, read):
-        raise _mismatch(motion, difference)
+        return [_mismatch(motion, f"{type(motion).__name__} {motion.target} there")]
+    monitored = isinstance(motion, PoseMove) and not confdata_counts(motion)
+    said = [*_differences(motion, planned, plant, read), *_otherwise(motion, read, fast, monitored)]
+    return [_mismatch(motion, difference) for difference in said]
 
 
-def _check_dwell(wait: Wait, before: Move | None, planned: PlannedMotion, plant: Plant, read: Motion | None) -> None:
+def _check_dwell(
+    wait: Wait, before: Move | None, planned: PlannedMotion, plant: Plant, read: Motion | None
+) -> list[InputError]:
     if not isinstance(read, MoveL) or before is None:
-        raise _mismatch(wait, "a MoveL there that takes the rail along")
-    for difference in _differences(read, planned, plant, read):
-        raise _mismatch(wait, difference)
-    if isinstance(before, (MoveJ, MoveL)):
-        same = np.allclose(before.X_WT, read.X_WT, rtol=0.0, atol=_POSE)
+        return [_mismatch(wait, "a MoveL there that takes the rail along")]
+    wanted, given = float(planned.q_1[0]), plant.rail_value(read.extax)
+    if given is None or not abs(wanted - given) <= _RAIL:
+        return [_mismatch(wait, difference) for difference in _differences(read, planned, plant, read)]
+    if confdata_counts(read) and not confdata_admits(plant.robot, read.conf, np.asarray(planned.q_1[-6:])):
+        return [_mismatch(wait, difference) for difference in _differences(read, planned, plant, read)]
+    if isinstance(before, PoseMove):
+        same = _near(before.X_WT, read.X_WT)
     else:
         X_WF = plant.robot.forward(planned.q_1)
         same = np.allclose(X_WF @ read.tool.X_FT, read.X_WT, rtol=0.0, atol=_NEW_POSE)
     if not same or read.duration is None or abs(read.duration - wait.duration) > 1e-6:
-        raise _mismatch(wait, "the tool to rest for the time of the wait")
+        return [_mismatch(wait, "the tool to rest for the time of the wait")]
+    return []
 
 
-def _check_same(motion: Wait | SignalEvent, read: Motion | None) -> None:
+def _check_same(motion: Wait | SignalEvent, read: Motion | None) -> list[InputError]:
     same = type(read) is type(motion)
     if isinstance(motion, Wait) and isinstance(read, Wait):
-        same = (motion.duration, motion.condition) == (read.duration, read.condition)
+        same = abs(motion.duration - read.duration) <= 1e-6 and motion.condition == read.condition
     if isinstance(motion, SignalEvent) and isinstance(read, SignalEvent):
-        same = (motion.signal, motion.value) == (read.signal, read.value)
-    if not same:
-        raise _mismatch(motion, "what the program says there")
+        same = motion.signal == read.signal and abs(motion.value - read.value) <= 1e-6
+    return [] if same else [_mismatch(motion, "what the program says there")]
 
 
 def _mismatch(motion: Motion, difference: str) -> InputError:
@@ -114,4 +211,4 @@ def _mismatch(motion: Motion, difference: str) -> InputError:
 
 
 def _kind(motion: Move) -> str:
-    return "robtarget" if isinstance(motion, (MoveJ, MoveL)) else "jointtarget"
+    return "robtarget" if isinstance(motion, PoseMove) else "jointtarget"

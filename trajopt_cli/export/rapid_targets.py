@@ -8,34 +8,35 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.export.rapid_text import Edits, Names, millimetres, plain
-from trajopt_cli.geometry import Array, wxyz_from_rotation
-from trajopt_cli.motion import (
-    ConfData,
-    ExternalAxes,
-    Move,
-    MoveAbsJ,
-    MoveExtJ,
-    MoveJ,
-    MoveL,
-    Program,
-    Span,
-)
+from trajopt_cli.export.rapid_call import read_move
+from trajopt_cli.export.rapid_scopes import Scopes
+from trajopt_cli.export.rapid_text import Edits, Names, plain
+from trajopt_cli.geometry import Array, inverse_pose, wxyz_from_rotation
+from trajopt_cli.motion import ConfData, Move, MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL, Program, Span
+from trajopt_cli.problem.plan import PlannedMotion
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.rapid.language.expressions import parse_expression
-from trajopt_cli.rapid.language.syntax import Aggregate, Expression
-from trajopt_cli.robot.inverse import confdata, confdata_admits
-from trajopt_cli.units import MM
+from trajopt_cli.rapid.language.syntax import Aggregate, Expression, Number
+from trajopt_cli.robot.inverse import confdata, confdata_admits, solutions
+from trajopt_cli.units import DEG, MM
 
 _SAME_RAIL = 5e-7  # mm: half of the last decimal that is written
+_RAIL_STILL = 1e-9  # m
+_NEARER = 1e-9  # rad: below, two configurations are equally near
+_MEASURES = (1, 2, np.inf)  # of joint turns: their sum, Euclid's length, the largest
+PoseMove = MoveJ | MoveL | MoveC
 
 
 @dataclass(frozen=True)
 class Wish:
-    """What a target must say: the rail position in mm as text (None without a rail), and the confdata."""
+    r"""What a target must say: the rail position in mm as text (None to leave it), and the confdata (None likewise).
+
+    monitored: confdata must be switched on (ConfJ \On, ConfL \On) for this move.
+    """
 
     rail: str | None
     conf: ConfData | None
+    monitored: bool = False
 
 
 @dataclass(eq=False)
@@ -45,105 +46,216 @@ class _Literal:
     versions: None stands for the literal itself, edited in place.
     """
 
-    move: Move
     versions: dict[Wish, str | None] = field(default_factory=dict)
 
 
 class Targets:
-    """Hands out, motion by motion, the name under which a target with the wished values is declared."""
+    """Hands out, motion by motion, the name under which a target with the wished values is declared.
 
-    def __init__(self, program: Program, plant: Plant, edits: Edits, names: Names):
+    isolated: declarations stay as they are, and every target with other values is a new one.
+    """
+
+    def __init__(
+        self, program: Program, plant: Plant, edits: Edits, names: Names, scopes: Scopes, isolated: bool = False
+    ):
         self._program, self._plant, self._edits, self._names = program, plant, edits, names
+        self._scopes, self._isolated = scopes, isolated
         self._literals: dict[Span, _Literal] = {}
-        self._declared: dict[tuple[str, Wish], str] = {}
+        self._declared: dict[tuple[str, str, str], str] = {}
         self.notes: list[str] = []
 
-    def wish(self, move: Move, q: Array) -> Wish:
-        """What the target of a move must say to be reached at axis positions q; as written where that already holds."""
-        rail = None
-        if self._plant.rail_eax is not None:
-            rail = millimetres(float(q[0]))
-            written = move.extax[self._plant.rail_eax]
-            if written is not None and abs(written - float(q[0]) / MM) <= _SAME_RAIL:
-                rail = f"{written!r}"
-        conf = None
-        if isinstance(move, (MoveJ, MoveL)):
-            arm = np.asarray(q[-6:])
-            robot = self._plant.robot
-            conf = move.conf if confdata_admits(robot, move.conf, arm) else confdata(robot, arm)
-        return Wish(rail, conf)
+    # -------------------------------------------------------------------------------------------------- the wishes
+
+    def wish(self, move: Move, planned: PlannedMotion, leave_open: bool = False, dwell: bool = False) -> Wish:
+        """What the target of a move must say to be reached as planned; as written where that already holds.
+
+        leave_open: an open rail (9E9) may stay open in a move that does not take the rail along. dwell: for a line
+        at the place of the move, along which only the rail moves, so that no configuration is nearer than the planned.
+        """
+        rail, q, eax = None, planned.q_1, self._plant.rail_eax
+        if eax is not None:
+            still = abs(float(q[0] - planned.q_0[0])) <= _RAIL_STILL
+            if not (leave_open and still and move.extax[eax] is None):
+                rail = plain(float(q[0]) / MM - self._offsets(move)[eax])
+        conf, monitored = None, False
+        if isinstance(move, PoseMove):
+            robot, arm = self._plant.robot, np.asarray(q[-6:])
+            monitored = not dwell and not confdata_counts(move) and not is_nearest(self._plant, planned)
+            if confdata_counts(move) or monitored or dwell:
+                conf = move.conf if confdata_admits(robot, move.conf, arm) else confdata(robot, arm)
+        return Wish(rail, conf, monitored)
+
+    def as_written(self, move: Move) -> Wish:
+        """The wish for what a target says now."""
+        eax = self._plant.rail_eax
+        value = None if eax is None else move.extax[eax]
+        rail = None if value is None or eax is None else plain(value - self._offsets(move)[eax])
+        return Wish(rail, move.conf if isinstance(move, PoseMove) else None)
+
+    def _offsets(self, move: Move) -> tuple[float, ...]:
+        r"""What EOffs adds to the external axes that this move's target says; mm or deg."""
+        offsets = move.settings.eax_offset
+        if any(offsets) and isinstance(move, MoveAbsJ | MoveExtJ):
+            switches = read_move(move, self._edits.text(move.written.statement)).switches
+            if "useeoffs" not in switches if isinstance(move, MoveExtJ) else "noeoffs" in switches:
+                return (0.0,) * 6
+        return offsets
+
+    # ------------------------------------------------------------------------------------------------ their targets
 
     def point(self, move: Move, wish: Wish) -> str | None:
         """The name that a move must refer to for this wish; None where it may keep what it refers to."""
         span = move.written.aggregate
         if span is None:
             return None  # a computed target; whether the plan can live with it is seen when the text is read back
-        return self._version(span, move, wish, "", 2)
+        return self._version(span, move, wish, "", 2, in_place=not (self._isolated and move.written.declaration))
 
-    def dwell(self, move: Move, wish: Wish) -> str:
-        """The name of a target at the place of a move's, with the wished values."""
+    def own(self, move: Move, wish: Wish) -> str:
+        """The name of a new target that says in numbers what a move computes, with the wished values."""
+        span = move.written.statement
+        name = self._new(move, self.in_numbers(move, wish), span, "", 2)
+        self.notes.append(f"{move.source}: {move.target} is computed; {name} is declared with its value")
+        return name
+
+    def dwell(self, move: Move, wish: Wish, wait: Span) -> str:
+        """The name of a target at the place of a move's, with the wished values, for a statement at wait."""
         span = move.written.aggregate
-        if span is None:
-            raise InputError(
-                f"the plan moves the rail while the program waits at {move.target}, which is computed; "
-                "declare it as a robtarget of its own",
-                file=move.source.file,
-                line=move.source.line,
-                column=move.source.column,
-            )
+        if span is None or not self._seen_from(move, wait):
+            return self._new(move, self.in_numbers(move, wish), wait, "b", 0)
         # None is the literal itself: the rail moves by less than the last decimal that is written.
         return self._version(span, move, wish, "b", 0, in_place=False) or move.target
 
-    def dwell_at(self, move: MoveAbsJ | MoveExtJ, q: Array, X_WT: Array) -> str:
-        """The name of a new robtarget at axis positions q, where the tool is at X_WT in the world."""
-        span = move.written.declaration or move.written.aggregate
-        rail = millimetres(float(q[0]))
+    def dwell_at(self, move: MoveAbsJ | MoveExtJ, planned: PlannedMotion, X_WT: Array, wait: Span) -> str:
+        """The name of a new robtarget at the axis positions planned, where the tool is at X_WT in the world."""
+        beside = move.written.declaration
+        if beside is not None and not self._seen_from(move, wait):
+            beside = None
+        return self._new(move, self.at_joints(move, planned, X_WT), beside or wait, "b", 0, "robtarget")
+
+    def at_joints(self, move: MoveAbsJ | MoveExtJ, planned: PlannedMotion, X_WT: Array) -> str:
+        """A robtarget's literal for the axis positions planned; in the world, so no displacement may be active."""
+        q, eax = planned.q_1, self._plant.rail_eax
+        if move.settings.displaced:
+            place = move.source
+            raise InputError(
+                f"the plan moves the rail while the program waits at {move.target}, which are joints, under a program "
+                "displacement; end it with PDispOff before, or move to a robtarget",
+                file=place.file,
+                line=place.line,
+                column=place.column,
+            )
+        rail = None if eax is None else plain(float(q[0]) / MM - move.settings.eax_offset[eax])
         wish = Wish(rail, confdata(self._plant.robot, np.asarray(q[-6:])))
-        base = _base_name(move.target)
-        key = (base, wish)
-        if span is None:
-            span = move.written.statement
-        if key not in self._declared:
-            name = self._declared[key] = self._names.new(base, "b", 0)
-            position = ",".join(plain(float(value) / MM, 9) for value in X_WT[:3, 3])
-            rotation = ",".join(plain(float(value), 15) for value in wxyz_from_rotation(X_WT[:3, :3]))
-            assert wish.conf is not None
-            literal = f"[[{position}],[{rotation}],{_conf(wish.conf)},{self._external(move.extax, rail)}]"
-            self._declare(span, move, name, "robtarget", literal)
-        return self._declared[key]
+        assert wish.conf is not None
+        return f"[{_pose(X_WT, 9, 15)},{_conf(wish.conf)},{self._external(move, wish, move.settings.eax_offset)}]"
+
+    def _seen_from(self, move: Move, place: Span) -> bool:
+        """Whether what is declared beside a move's target can be named at a place."""
+        beside = move.written.declaration
+        if beside is None:
+            span = move.written.aggregate
+            assert span is not None
+            return self._module_wide(span, place)
+        base = base_name(self._edits.text(beside).split(":=")[0].split()[-1])
+        owner = self._scopes.owner(base, beside.file, beside.start)
+        return owner is None or owner == self._scopes.owner(base, place.file, place.start)
+
+    def _module_wide(self, one: Span, other: Span) -> bool:
+        return one.file == other.file and self._scopes.head(one.file, one.start) == self._scopes.head(
+            other.file, other.start
+        )
 
     def _version(
         self, span: Span, move: Move, wish: Wish, suffix: str, first: int, in_place: bool = True
     ) -> str | None:
-        literal = self._literals.setdefault(span, _Literal(move))
-        if wish in literal.versions:
-            return literal.versions[wish]
-        text = self._written_with(self._edits.text(span), move, wish)
+        literal = self._literals.setdefault(span, _Literal())
+        key = Wish(wish.rail, wish.conf)
+        if key in literal.versions:
+            return literal.versions[key]
+        text = self.written_with(self._edits.text(span), move, wish)
+        if text == self._edits.text(span) and self._isolated:
+            return None
         if in_place and None not in literal.versions.values():
-            literal.versions[wish] = None
+            literal.versions[key] = None
             if text != self._edits.text(span):
                 self._edits.replace(span, text)
             return None
-        name = self._names.new(_base_name(move.target), suffix, first)
-        literal.versions[wish] = name
-        self._declare(move.written.declaration or span, move, name, self._type(move), text)
-        if in_place:
+        statement = move.written.statement
+        if self._seen_from(move, statement):
+            name = self._names.new(base_name(move.target), suffix, first)
+            self._declare(move.written.declaration, span, name, type_of(move), text)
+        else:
+            name = self._new(move, self.in_numbers(move, wish), statement, suffix, first)
+        literal.versions[key] = name
+        if not suffix:
             self.notes.append(f"{move.source}: {move.target} is wanted with other values; {name} is declared beside it")
         return name
 
-    @staticmethod
-    def _type(move: Move) -> str:
-        return "robtarget" if isinstance(move, (MoveJ, MoveL)) else "jointtarget"
+    def _new(self, move: Move, literal: str, beside: Span, suffix: str, first: int, type_: str | None = None) -> str:
+        """The name of a target declared as a constant at the head of the module around a place; one for each value."""
+        base = base_name(move.target)
+        key = (base, beside.file, literal)
+        if key not in self._declared:
+            self._declared[key] = self._names.new(base, suffix, first)
+            self._declare(
+                beside if beside == move.written.declaration else None, beside, self._declared[key],
+                type_ or type_of(move), literal,
+            )  # fmt: skip
+        return self._declared[key]
 
     # ----------------------------------------------------------------------------------------------- the literals
 
-    def _written_with(self, text: str, move: Move, wish: Wish) -> str:
+    def in_numbers(self, move: Move, wish: Wish) -> str:
+        """A move's target as a literal, from the values it has in the run. Raises InputError where they are unknown."""
+        if isinstance(move, PoseMove):
+            X_WO = self.frame(move)
+            conf = _conf(wish.conf or move.conf)
+            return f"[{_pose(inverse_pose(X_WO) @ move.X_WT)},{conf},{self._external(move, wish)}]"
+        joints = move.q / DEG if isinstance(move, MoveAbsJ) else np.zeros(6)  # MoveExtJ looks at no joints
+        return f"[[{','.join(plain(float(value), 9) for value in joints)}],{self._external(move, wish)}]"
+
+    def copied(self, move: Move, wish: Wish) -> str:
+        """The literal that gives a move's target, with the wish in it, for another module to hold."""
+        span = move.written.aggregate
+        assert span is not None
+        node = parse_expression(self._edits.text(span), span.file)
+        assert isinstance(node, Aggregate)
+        if node.numbers is None:
+            return self.in_numbers(move, wish)
+        return self.written_with(self._edits.text(span), move, wish)
+
+    def circle_point(self, move: MoveC, wish: Wish) -> str:
+        """The circle point of a move as a literal."""
+        return (
+            f"[{_pose(inverse_pose(self.frame(move)) @ move.X_WV)},{_conf(wish.conf or move.conf)},"
+            f"{self._external(move, wish)}]"
+        )
+
+    @staticmethod
+    def base(move: Move) -> str:
+        """A name to build others from, for a move's target."""
+        return base_name(move.target)
+
+    @staticmethod
+    def frame(move: PoseMove) -> Array:
+        """X_WO of a move. Raises InputError where it has none."""
+        if move.X_WO is None:
+            place = move.source
+            raise InputError(
+                f"{move.target} is computed, and its work object {move.wobj} is no fixed frame: declare it as a "
+                "robtarget of its own",
+                file=place.file,
+                line=place.line,
+                column=place.column,
+            )
+        return move.X_WO
+
+    def written_with(self, text: str, move: Move, wish: Wish) -> str:
         """A target's literal with the wish in it; a number that says so already keeps its spelling."""
         node = parse_expression(text, move.source.file)
         assert isinstance(node, Aggregate)
-        pose = isinstance(move, (MoveJ, MoveL))
         changes: list[tuple[Expression, str]] = []
-        if wish.conf is not None and isinstance(move, (MoveJ, MoveL)) and wish.conf != move.conf:
+        if wish.conf is not None and isinstance(move, PoseMove) and wish.conf != move.conf:
             part = node.items[2]
             if isinstance(part, Aggregate):
                 wanted, written = _four(wish.conf), _four(move.conf)
@@ -153,44 +265,87 @@ class Targets:
             else:
                 changes.append((part, _conf(wish.conf)))
         eax = self._plant.rail_eax
-        if eax is not None and wish.rail is not None and move.extax[eax] != float(wish.rail):
-            part = node.items[3 if pose else 1]
-            if isinstance(part, Aggregate):
-                changes.append((part.items[eax], wish.rail))
+        if eax is not None and wish.rail is not None:
+            part = node.items[3 if isinstance(move, PoseMove) else 1]
+            item = part.items[eax] if isinstance(part, Aggregate) else part
+            value = move.extax[eax]
+            if isinstance(item, Number):
+                said: float | None = item.value
             else:
-                changes.append((part, self._external(move.extax, wish.rail)))
+                said = None if value is None else value - self._offsets(move)[eax]
+            if said is None or not abs(said - float(wish.rail)) <= _SAME_RAIL:
+                changes.append((item, wish.rail if isinstance(part, Aggregate) else self._external(move, wish)))
         for item, new in sorted(changes, key=lambda change: -change[0].start):
             text = text[: item.start] + new + text[item.end :]
         return text
 
-    def _external(self, extax: ExternalAxes, rail: str) -> str:
-        values = ["9E9" if value is None else plain(value) for value in extax]
-        assert self._plant.rail_eax is not None
-        values[self._plant.rail_eax] = rail
+    def _external(self, move: Move, wish: Wish, offsets: tuple[float, ...] | None = None) -> str:
+        """External axes as a target must say them, EOffs taken out again, with the wished rail position."""
+        taken = self._offsets(move) if offsets is None else offsets
+        values = [
+            "9E9" if value is None else plain(value - offset) for value, offset in zip(move.extax, taken, strict=True)
+        ]
+        if self._plant.rail_eax is not None and wish.rail is not None:
+            values[self._plant.rail_eax] = wish.rail
         return f"[{','.join(values)}]"
 
-    def _declare(self, beside: Span, move: Move, name: str, type_: str, literal: str) -> None:
-        """Declare name beside a declaration, in its storage class; at the module's head for a target without one."""
-        if move.written.declaration is None:
-            head = _module_head(self._program.files[beside.file].text, beside)
-            line = f"{self._edits.line_end(beside.file)}    CONST {type_} {name}:={literal};"
-            self._edits.insert(beside.file, self._edits.line_of(beside.file, head)[1], line)
+    def _declare(self, beside: Span | None, place: Span, name: str, type_: str, literal: str) -> None:
+        """Declare name beside a declaration, in its storage class; else at the head of the module around place."""
+        if beside is None:
+            offset, alone = self._scopes.head(place.file, place.start)
+            declaration = f"CONST {type_} {name}:={literal};"
+            end = self._edits.line_of(place.file, offset)[1]
+            if not alone:
+                self._edits.insert(place.file, offset, declaration + self._edits.line_end(place.file))
+            elif self._edits.text(Span(place.file, offset, end)).strip()[:1] in ("", "!"):
+                self._edits.insert(place.file, end, f"{self._edits.line_end(place.file)}    {declaration}")
+            else:
+                self._edits.insert(place.file, offset, f" {declaration}")
             return
         storage = re.match(r"(?i)(?:(?:LOCAL|TASK)\s+)?(?:CONST|VAR|PERS)\b", self._edits.text(beside))
         assert storage is not None  # it parsed as a declaration
         self._edits.put_behind(beside, f"{' '.join(storage[0].split())} {type_} {name}:={literal};")
 
 
-def _module_head(text: str, span: Span) -> int:
-    """Where the line of the MODULE that span stands in ends, roughly: an offset on that line."""
-    heads = [match.end() for match in re.finditer(r"(?im)^[ \t]*MODULE\b", text) if match.end() <= span.start]
-    return heads[-1] if heads else 0
+def confdata_counts(move: PoseMove) -> bool:
+    r"""Whether the controller looks at a move's confdata (ConfJ, ConfL \On)."""
+    return move.settings.conf_j if isinstance(move, MoveJ) else move.settings.conf_l
 
 
-def _base_name(target: str) -> str:
-    """A name to build others from: the first name in a target as written."""
-    match = re.match(r"[^\W\d]\w*", target)
-    return match[0] if match else "p"
+def is_nearest(plant: Plant, planned: PlannedMotion) -> bool:
+    """Whether no other joints reach a motion's end, at its rail position, nearer to its start than the planned ones.
+
+    With confdata switched off the controller takes the nearest; nobody says in which measure, so nearest counts in the
+    largest turn of a joint, in the sum of all, and in the sum of squares.
+    """
+    q_0, q_1 = (np.asarray(q[-6:]) for q in (planned.q_0, planned.q_1))
+    rail = float(planned.q_1[0]) if plant.robot.has_rail else None
+    others = [q for _, q in solutions(plant.robot, plant.robot.forward(planned.q_1), rail, plant.limits)]
+    planned_turns = [float(np.linalg.norm(q_1 - q_0, measure)) for measure in _MEASURES]
+    return all(
+        mine <= np.linalg.norm(q - q_0, measure) + _NEARER
+        for q in others
+        for mine, measure in zip(planned_turns, _MEASURES, strict=True)
+    )
+
+
+def base_name(target: str) -> str:
+    """A name to build others from: the first name of data in a target as written."""
+    names = re.findall(r"(?<![\w.\\])([^\W\d]\w*+)\s*+(\()?", target)
+    found = [name for name, opens in names if not opens] or [name for name, _ in names]
+    return found[0] if found else "p"
+
+
+def type_of(move: Move) -> str:
+    """The data type of a move's target."""
+    return "robtarget" if isinstance(move, PoseMove) else "jointtarget"
+
+
+def _pose(X: Array, millimetre_digits: int = 6, quaternion_digits: int = 11) -> str:
+    """trans and rot of a pose as RAPID writes them."""
+    position = ",".join(plain(float(value) / MM, millimetre_digits) for value in X[:3, 3])
+    rotation = ",".join(plain(float(value), quaternion_digits) for value in wxyz_from_rotation(X[:3, :3]))
+    return f"[{position}],[{rotation}]"
 
 
 def _four(conf: ConfData) -> tuple[int, int, int, int]:

@@ -47,6 +47,10 @@ class Edits:
         assert end is not None  # \Z always matches
         return start, end.start()
 
+    def line_number(self, span: Span) -> int:
+        """The line that span begins on, from 1."""
+        return len(re.findall(r"\r\n|\r|\n", self._texts[span.file][: span.start])) + 1
+
     def before(self, span: Span) -> str:
         """What stands on span's first line before it."""
         return self._texts[span.file][self.line_of(span.file, span.start)[0] : span.start]
@@ -75,15 +79,24 @@ class Edits:
         gap = f"{self.line_end(span.file)}{self.indentation(span)}" if alone else " "
         self.insert(span.file, span.start, text + gap)
 
-    def comment_out(self, span: Span) -> None:
+    def comment_out(self, span: Span, beginning: str = DROPPED) -> None:
         """Make a statement a comment, line by line; code behind it on its last line moves to a line of its own."""
         for i, match in enumerate(re.finditer(r"(?m)^[ \t]*(?=\S)", self.text(span).replace("\r", "\n"))):
-            self.insert(span.file, span.start + match.end(), DROPPED if i == 0 else "! ")
+            self.insert(span.file, span.start + match.end(), beginning if i == 0 else "! ")
         behind = self.behind(span)
         if behind.strip() and not behind.strip().startswith("!"):
             gap = len(behind) - len(behind.lstrip())
             where = Span(span.file, span.end, span.end + gap)
             self.replace(where, self.line_end(span.file) + self.indentation(span))
+
+    def replace_by(self, span: Span, text: str, beginning: str) -> None:
+        """Make a statement a comment, and put another on a line of its own behind it."""
+        at = span.end
+        behind = self.behind(span)
+        if not behind.strip() or behind.strip().startswith("!"):
+            at = self.line_of(span.file, span.end)[1]
+        self.insert(span.file, at, f"{self.line_end(span.file)}{self.indentation(span)}{text}")
+        self.comment_out(span, beginning)
 
     def result(self) -> dict[str, str]:
         """All texts with the edits made."""

@@ -1,0 +1,247 @@
+"""Stretches of a program that cannot carry a plan in place, written out flat in a module of their own."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import PurePath
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.export.rapid_call import called, last_argument, read_move
+from trajopt_cli.export.rapid_scopes import Scopes
+from trajopt_cli.export.rapid_targets import Targets, Wish, type_of
+from trajopt_cli.export.rapid_text import Edits, Names, plain
+from trajopt_cli.motion import Motion, Move, MoveC, MoveExtJ, Program, SignalEvent, Span, TextFile, Wait
+from trajopt_cli.rapid.language.syntax import Assign, Node, ProcedureCall
+from trajopt_cli.units import DEG, MM
+
+# Reads edited texts, by path, as the program was read; new modules come behind its files.
+Reader = Callable[[Mapping[str, str], Mapping[str, TextFile]], Program]
+FLAT = "! written flat by trajopt: "
+_MARKS = "trajopt_mark_"
+_INDENT = "    "
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """A statement that ran exactly once, and the motions it made: those from first up to, not including, last."""
+
+    span: Span
+    first: int
+    last: int
+
+
+class Stretches:
+    """Where a motion's stretch is; found by running the program once with marks around the statements in question."""
+
+    def __init__(self, program: Program, scopes: Scopes, again: Reader):
+        self._program, self._scopes, self._again = program, scopes, again
+        self._found: dict[Span, Stretch] | None = None
+
+    def around(self, index: int) -> Stretch | None:
+        """The innermost stretch around a motion, None where there is none that could be written flat."""
+        if self._found is None:
+            self._found = self._find()
+        once = self._program.motions[index].written.once
+        return self._found.get(once) if once is not None else None
+
+    def every(self) -> list[Stretch]:
+        """The stretches around all motions whose statement ran several times."""
+        runs = Counter(motion.written.statement for motion in self._program.motions)
+        several = (i for i, motion in enumerate(self._program.motions) if runs[motion.written.statement] > 1)
+        return outermost(stretch for i in several if (stretch := self.around(i)) is not None)
+
+    def _find(self) -> dict[Span, Stretch]:
+        motions = self._program.motions
+        runs = Counter(motion.written.statement for motion in motions)
+        spans = {m.written.once for m in motions if m.written.once is not None and runs[m.written.statement] > 1}
+        marked = sorted(spans - self._scopes.compact, key=lambda span: (span.file, span.start))
+        if not marked:
+            return {}
+        edits = Edits(self._program.files)
+        for number, span in enumerate(marked):
+            edits.replace(Span(span.file, span.start, span.start), f"Set {_MARKS}{2 * number}; ")
+            edits.replace(Span(span.file, span.end, span.end), f" Set {_MARKS}{2 * number + 1};")
+        try:
+            read = self._again(edits.result(), {})
+        except InputError:
+            return {}  # the marks are in the program's way: nothing can be said of its statements
+        places: dict[int, list[int]] = {}
+        count = 0
+        for motion in read.motions:
+            if isinstance(motion, SignalEvent) and motion.signal.startswith(_MARKS):
+                places.setdefault(int(motion.signal.removeprefix(_MARKS)), []).append(count)
+            else:
+                count += 1
+        if count != len(motions):
+            return {}
+        found = {}
+        for number, span in enumerate(marked):
+            begin, end = places.get(2 * number, []), places.get(2 * number + 1, [])
+            if len(begin) == len(end) == 1:  # else control left the statement by RETURN, EXIT or GOTO
+                found[span] = Stretch(span, begin[0], end[0])
+        return found
+
+
+def outermost(stretches: Iterable[Stretch]) -> list[Stretch]:
+    """Stretches that lie in no other one, in the order they run."""
+    out: list[Stretch] = []
+    for stretch in sorted(set(stretches), key=lambda one: (one.first, -one.last, one.span.start, -one.span.end)):
+        if not out or stretch.first >= out[-1].last:
+            out.append(stretch)
+    return out
+
+
+@dataclass(frozen=True)
+class FlatMotion:
+    r"""What becomes of one motion. wish: of its target, None for what is no move. text: what stands in its place.
+
+    fast: at vmax. before, behind: statements around it.
+    """
+
+    wish: Wish | None = None
+    text: str | None = None
+    fast: bool = False
+    before: tuple[str, ...] = ()
+    behind: tuple[str, ...] = ()
+
+
+class FlatModule:
+    """The module that holds flat stretches: one procedure each, and the targets they need."""
+
+    def __init__(self, program: Program, edits: Edits, names: Names, scopes: Scopes, targets: Targets):
+        self._program, self._edits, self._names = program, edits, names
+        self._scopes, self._targets = scopes, targets
+        self._data: list[str] = []
+        self._known: dict[tuple[str, str], str] = {}
+        self._bodies: list[tuple[str, list[str]]] = []
+        self._beside: str | None = None  # the file whose folder, encoding and line end it takes
+
+    def declare(self, base: str, type_: str, literal: str) -> str:
+        """The name of a target in this module; one for each literal."""
+        if (type_, literal) not in self._known:
+            name = self._known[type_, literal] = self._names.new(base, "flat", 0)
+            self._data.append(f"{_INDENT}LOCAL CONST {type_} {name}:={literal};")
+        return self._known[type_, literal]
+
+    def add(self, stretch: Stretch, motions: Mapping[int, FlatMotion]) -> str:
+        """Write a stretch as a procedure and call it where the statement stood; what users should know.
+
+        motions: by index, without those that are dropped. Raises InputError for what another module cannot say.
+        """
+        self._beside = self._beside or stretch.span.file
+        name = self._names.new("trajopt_flat", "", len(self._bodies) + 1)
+        lines: list[str] = []
+        for index, how in motions.items():
+            motion = self._program.motions[index]
+            text = how.text if how.text is not None else self._statement(motion, how)
+            lines += [*how.before, text, *how.behind]
+        self._bodies.append((name, lines))
+        self._edits.replace_by(stretch.span, f"{name};", FLAT)
+        place = self._program.motions[stretch.first].source
+        written = " ".join(self._edits.text(stretch.span).split())
+        short = written if len(written) <= 40 else f"{written[:37]}..."
+        left = self._left_behind(stretch)
+        also = f"; not carried over: {', '.join(left)}" if left else ""
+        line = self._edits.line_number(stretch.span)
+        return f"{stretch.span.file}:{line}: '{short}' is written flat as {name}, from {place} on{also}"
+
+    def module(self, entry: str) -> tuple[str, TextFile] | None:
+        """Path and text of the module; None where no stretch was added."""
+        if self._beside is None:
+            return None
+        given, path = self._program.files[self._beside], PurePath(self._beside)
+        name = self._names.new(re.sub(r"\W", "_", entry), "flat", 0)
+        lines = [f"MODULE {name}", *self._data]
+        for proc, body in self._bodies:
+            lines += ["", f"{_INDENT}PROC {proc}()", *(f"{_INDENT * 2}{line}" for line in body), f"{_INDENT}ENDPROC"]
+        end = self._edits.line_end(self._beside)
+        text = end.join([*lines, "ENDMODULE", ""])
+        mark = "\ufeff" if given.text.startswith("\ufeff") else ""
+        place = str(path.with_name(f"{name}{'.modx' if path.suffix.lower() in ('.modx', '.sysx') else '.mod'}"))
+        return place, TextFile(place, mark + re.sub(r"\r\n|\r|\n", lambda _: end, text), given.encoding)
+
+    def _statement(self, motion: Motion, how: FlatMotion) -> str:
+        span = motion.written.statement
+        text = self._edits.text(span)
+        changes: list[tuple[Span, str]] = []
+        if isinstance(motion, Move):
+            assert how.wish is not None
+            changes = self._of_move(motion, how.wish, how.fast, text)
+        elif (name := self._scopes.shared(text, span.file, span.start)) is not None:
+            value = None
+            if isinstance(motion, SignalEvent) and called(text, span).lower() in ("setdo", "setgo", "setao"):
+                value = motion.value
+            elif isinstance(motion, Wait) and motion.condition is None and called(text, span).lower() == "waittime":
+                value = motion.duration
+            last = last_argument(motion, text) if value is not None else ""
+            start = text.rindex(last) if last else 0
+            rest = text[:start] + text[start + len(last) :]
+            if value is None or self._scopes.shared(rest, span.file, span.start) is not None:
+                raise self._unseen(motion, name)
+            changes = [(Span(span.file, span.start + start, span.start + start + len(last)), plain(value))]
+        for where, new in sorted(changes, key=lambda change: -change[0].start):
+            text = text[: where.start - span.start] + new + text[where.end - span.start :]
+        return re.sub(r"[ \t]*(\r\n|\r|\n)\s*", lambda match: match[1] + _INDENT * 3, text)
+
+    def _of_move(self, move: Move, wish: Wish, fast: bool, text: str) -> list[tuple[Span, str]]:
+        call, span = read_move(move, text), move.written.statement
+        targets = self._targets
+        type_ = type_of(move)
+        aggregate = move.written.aggregate
+        literal = targets.in_numbers(move, wish) if aggregate is None else targets.copied(move, wish)
+        name = self.declare(targets.base(move), type_, literal)
+        changes = [(call.target, name)]
+        if isinstance(move, MoveC) and call.via is not None:
+            changes.append(
+                (call.via, self.declare(f"{targets.base(move)}_via", type_, targets.circle_point(move, wish)))
+            )
+        if fast:
+            changes.append((call.speed, "vmax"))
+        elif self._scopes.shared(self._edits.text(call.speed), span.file, span.start) is not None:
+            settings, speed = move.settings, move.speed
+            if settings.override != 1.0 or settings.v_max is not None or isinstance(move, MoveExtJ):
+                raise self._unseen(move, self._edits.text(call.speed))
+            values = (speed.v_tcp / MM, speed.v_ori / DEG, speed.v_leax / MM, speed.v_reax / DEG)
+            changes.append((call.speed, f"[{','.join(plain(value) for value in values)}]"))
+            fast = True
+        if fast and call.override is not None:  # a literal has it, and it would hold vmax down
+            changes.append((call.override, ""))
+        rest = text
+        for where, new in sorted(changes, key=lambda change: -change[0].start):
+            gap = "" if new == "" else "0"
+            rest = rest[: where.start - span.start] + gap + rest[where.end - span.start :]
+        unseen = self._scopes.shared(rest, span.file, span.start)
+        if unseen is not None:
+            raise self._unseen(move, unseen)
+        return changes
+
+    @staticmethod
+    def _unseen(motion: Motion, name: str) -> InputError:
+        place = motion.source
+        message = (
+            f"cannot be written flat: {name} is known in its own routine or module only; declare it for all modules"
+        )
+        return InputError(message, file=place.file, line=place.line, column=place.column)
+
+    def _left_behind(self, stretch: Stretch) -> list[str]:
+        """What else the statement does, by the names of its instructions, each once."""
+        carried = {
+            called(self._edits.text(motion.written.statement), motion.written.statement).lower()
+            for motion in self._program.motions[stretch.first : stretch.last]
+        }
+        found: dict[str, str] = {}
+        for node in self._scopes.instructions(stretch.span):
+            name = _instruction(node)
+            known = name is None or name.lower() in carried or name.lower() in self._scopes.procedures
+            if name is not None and not known:
+                found.setdefault(name.lower(), name)
+        return list(found.values())
+
+
+def _instruction(node: Node) -> str | None:
+    if isinstance(node, Assign):
+        return "assignments"
+    return node.name if isinstance(node, ProcedureCall) else None

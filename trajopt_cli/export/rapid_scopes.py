@@ -1,0 +1,155 @@
+"""What names of a program stand for at a place of its text, and where new declarations may go."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, fields, is_dataclass
+
+from trajopt_cli.motion import Span, TextFile
+from trajopt_cli.rapid.language.lexer import scan
+from trajopt_cli.rapid.language.parser import parse_module
+from trajopt_cli.rapid.language.syntax import (
+    AliasDeclaration,
+    Call,
+    DataDeclaration,
+    For,
+    If,
+    Module,
+    Node,
+    ProcedureCall,
+    RecordDeclaration,
+    Routine,
+)
+
+# What a name stands for: something of the routine or of the module that begins at that offset of that file, or None
+# for what all modules share (predefined names and signals included).
+Owner = tuple[str, int] | None
+
+
+@dataclass(eq=False)
+class _Module:
+    node: Module
+    own: set[str] = field(default_factory=set)  # LOCAL names
+    routines: list[Routine] = field(default_factory=list)
+    locals: dict[int, set[str]] = field(default_factory=dict)  # by start of the routine
+
+
+class Scopes:
+    """The parsed files of a program."""
+
+    def __init__(self, files: Mapping[str, TextFile]):
+        self._files = files
+        self._modules: dict[str, list[_Module]] = {}
+        self._calls: dict[str, dict[int, Node]] = {}
+        self.compact: set[Span] = set()
+        self.procedures: dict[str, list[Routine]] = {}
+        for path, file in files.items():
+            self._modules[path] = [self._read(path, node) for node in parse_module(file.text, path).modules]
+
+    def _read(self, path: str, node: Module) -> _Module:
+        module = _Module(node)
+        for item in node.items:
+            if isinstance(item, Routine):
+                module.routines.append(item)
+                self.procedures.setdefault(item.name.lower(), []).append(item)
+                for inner in nodes(item.body):
+                    if isinstance(inner, If) and inner.compact:
+                        body = inner.branches[0][1][0]
+                        self.compact.add(Span(path, body.start, body.end))
+            if getattr(item, "scope", None) == "LOCAL":
+                module.own.add(getattr(item, "name", "").lower())
+        return module
+
+    def _module(self, path: str, offset: int) -> _Module | None:
+        modules = self._modules[path]
+        i = bisect_right([module.node.start for module in modules], offset) - 1
+        return modules[i] if i >= 0 else None
+
+    def routine(self, path: str, offset: int) -> Routine | None:
+        """The routine around an offset."""
+        module = self._module(path, offset)
+        if module is None:
+            return None
+        i = bisect_right([routine.start for routine in module.routines], offset) - 1
+        return module.routines[i] if i >= 0 and offset < module.routines[i].end else None
+
+    def owner(self, name: str, path: str, offset: int) -> Owner:
+        """What a name stands for at a place."""
+        module, routine, key = self._module(path, offset), self.routine(path, offset), name.lower()
+        if module is None:
+            return None
+        if routine is not None:
+            if routine.start not in module.locals:
+                module.locals[routine.start] = _names_of(routine)
+            if key in module.locals[routine.start]:
+                return path, routine.start
+        return (path, module.node.start) if key in module.own else None
+
+    def shared(self, text: str, path: str, offset: int) -> str | None:
+        """The first name in a piece of code that another module would not see as the code at this place does."""
+        return next((name for name in names_in(text) if self.owner(name, path, offset) is not None), None)
+
+    def same(self, text: str, one: tuple[str, int], other: tuple[str, int]) -> bool:
+        """Whether the names in a piece of code stand for the same at two places."""
+        return all(self.owner(name, *one) == self.owner(name, *other) for name in names_in(text))
+
+    def head(self, path: str, offset: int) -> tuple[int, bool]:
+        """Where a declaration for the whole module may be put, and whether that is the end of a line's code.
+
+        Behind the module's line, or behind its RECORDs and ALIASes, which RAPID wants first.
+        """
+        text, module = self._files[path].text, self._module(path, offset)
+        if module is None or not module.node.name:
+            return 0, False
+        first = [item for item in module.node.items if isinstance(item, RecordDeclaration | AliasDeclaration)]
+        if first:
+            return first[-1].end, True
+        tokens = scan(text[module.node.start : module.node.start + 400])
+        last = 1  # MODULE, its name, and what stands in parentheses
+        if tokens.kinds[2] == "(":
+            last = tokens.kinds.index(")", 2)
+        return module.node.start + tokens.starts[last] + len(tokens.texts[last]), True
+
+    def instructions(self, span: Span) -> Iterator[Node]:
+        """All nodes in a stretch of statements and in the procedures and functions that they call."""
+        routine = self.routine(span.file, span.start)
+        seen: set[int] = set()
+        bodies: list[Iterable[Node]] = []
+        if routine is not None:
+            bodies.append(node for node in nodes(routine.body) if span.start <= node.start and node.end <= span.end)
+        while bodies:
+            for node in bodies.pop():
+                yield node
+                if isinstance(node, ProcedureCall | Call):
+                    for called in self.procedures.get(node.name.lower(), ()):
+                        if id(called) not in seen:
+                            seen.add(id(called))
+                            bodies.append(nodes(called.body))
+
+
+def names_in(text: str) -> Iterator[str]:
+    r"""Names of data and routines in a piece of code; those of options (\WObj) and components (.x) are none."""
+    tokens = scan(text)
+    for i, kind in enumerate(tokens.kinds):
+        if kind == "name" and (i == 0 or tokens.kinds[i - 1] not in ("\\", ".")):
+            yield tokens.texts[i]
+
+
+def nodes(thing: object) -> Iterator[Node]:
+    """Every node under a node or a block, itself included, outer ones first."""
+    stack = [thing]
+    while stack:
+        top = stack.pop()
+        if isinstance(top, tuple):
+            stack += reversed(top)
+        elif isinstance(top, Node):
+            yield top
+            if is_dataclass(top):
+                stack += [getattr(top, part.name) for part in reversed(fields(top))]
+
+
+def _names_of(routine: Routine) -> set[str]:
+    names = {parameter.name.lower() for parameter in routine.parameters}
+    names |= {node.name.lower() for node in nodes(routine.body) if isinstance(node, DataDeclaration | For)}
+    return names
