@@ -75,7 +75,7 @@ def yaml_name(name: str) -> str:
 
 def yaml_answer(value: Answer) -> str:
     """An answer as YAML spells it."""
-    return f"{value:.15g}" if isinstance(value, float) else json.dumps(value, ensure_ascii=False)
+    return repr(value).removesuffix(".0") if isinstance(value, float) else json.dumps(value, ensure_ascii=False)
 
 
 def lacking(lacks: Sequence[Lack]) -> InputErrorGroup:
