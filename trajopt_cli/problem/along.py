@@ -1,0 +1,179 @@
+"""Lines followed with the joints changing continuously from a given start: where they end, and what is on the way.
+
+The arm stays in its branch (no line leads from one to another but through a singularity), so a line is one branch of
+the inverse, sampled, its whole turns removed between neighbours.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from trajopt_cli.geometry import (
+    Array,
+    BoolArray,
+    IndexArray,
+    inverse_pose,
+    pose,
+    rotation_from_wxyz,
+    wxyz_from_rotation,
+)
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.robot.inverse import inverse
+
+# Samples per line: short ones, all others, and again where a joint turns more than _FAST between two of them.
+_SHORT, _USUAL, _FINE = 5, 41, 641
+_SMALL = (0.03, 0.2)  # m and rad: a line this short has few samples
+_FAST = 0.8  # rad of a joint between two samples beyond which a turn may be missed
+_JUMP = 0.5 * np.pi  # rad between the finest samples: no joint follows that
+_WRIST = 1e-3  # |sin joint_5| below which joint_4 and joint_6 are no longer told apart
+_SAME = 1e-5  # rad between start joints and their branch
+_BEYOND = 1e-6  # rad a joint may be past its limit by rounding
+_AT_ONCE = 40_000  # samples: 30 MB of work arrays
+
+
+@dataclass(frozen=True, eq=False)
+class Line:
+    """X_WF_0, X_WF_1: the flange at both ends. X_FT: the tool. rail [m] at both ends. q (6,) [rad]: joints at the
+    start."""
+
+    X_WF_0: Array
+    X_WF_1: Array
+    X_FT: Array
+    rail: tuple[float, float]
+    q: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Followed:
+    """end (6,) [rad]: joints at the end, NaN where the line does not get there. chord [m].
+
+    At most one of three things, the first on the way, at shares 0..1 of it. lost: from where on the branch has no
+    solution. singular: where joints jump; jump (6,) [rad]: by how much in one sample. beyond: (joint, share, limit
+    [rad]) that is passed.
+    """
+
+    end: Array
+    chord: float
+    lost: float | None
+    singular: float | None
+    jump: Array
+    beyond: tuple[int, float, float] | None
+
+    @property
+    def whole(self) -> bool:
+        """Whether the arm gets to the end."""
+        return self.lost is None and self.singular is None and self.beyond is None
+
+    def at(self, share: float) -> str:
+        """A place on the way, in words."""
+        if self.chord < 1e-6:
+            return f"at {100 * share:.0f} % of its turn"
+        return f"at {share * self.chord * 1e3:.1f} mm of {self.chord * 1e3:.1f} mm"
+
+    def what(self, names: Sequence[str]) -> str:
+        """What the joints would have to do at the singularity, in words."""
+        parts = [
+            f"{name} turns by {np.degrees(value):.0f}° at once"
+            for name, value in zip(names, np.abs(self.jump), strict=True)
+            if value > _JUMP
+        ]
+        return ", ".join(parts) or f"{names[4]} is 0° and {names[3]} and {names[5]} turn about one axis"
+
+
+def follow(plant: Plant, lines: Sequence[Line]) -> list[Followed | None]:
+    """Each line followed; None where the start joints are on no branch (a singular start) or are not at the start."""
+    out: list[Followed | None] = [None] * len(lines)
+    todo = np.array([_short(line) for line in lines], dtype=bool)
+    short, rest = np.flatnonzero(todo), np.flatnonzero(~todo)
+    rest = np.r_[rest, _level(plant, lines, short, _SHORT, out)]
+    rest = _level(plant, lines, rest, _USUAL, out)
+    _level(plant, lines, rest, _FINE, out)
+    return out
+
+
+def _short(line: Line) -> bool:
+    X_0, X_1 = line.X_WF_0, line.X_WF_1
+    turn = np.arccos(np.clip((np.sum(X_0[:3, :3] * X_1[:3, :3]) - 1) / 2, -1, 1))
+    return bool(np.linalg.norm(X_1[:3, 3] - X_0[:3, 3]) < _SMALL[0] and turn < _SMALL[1])
+
+
+def _level(
+    plant: Plant, lines: Sequence[Line], which: IndexArray, samples: int, out: list[Followed | None]
+) -> IndexArray:
+    """Follow some lines with so many samples; gives those back that need more."""
+    again: list[int] = []
+    per = max(_AT_ONCE // samples, 1)
+    for start in range(0, len(which), per):
+        some = which[start : start + per]
+        chords, q, known = _sampled(plant, [lines[i] for i in some], samples)
+        steps = np.abs(np.diff(q, axis=1))
+        fast: BoolArray = np.asarray(~(steps <= _FAST).all(axis=(1, 2)))  # NaN is fast, too
+        weak: BoolArray = np.asarray(np.abs(np.sin(q[..., 4])) < _WRIST)
+        for j, i in enumerate(some.tolist()):
+            if not known[j]:
+                out[i] = None
+            elif samples < _FINE and (fast[j] or weak[j].any()):
+                again.append(i)
+            else:
+                out[i] = _followed(plant, float(chords[j]), q[j], steps[j], weak[j])
+    return np.array(again, dtype=np.intp)
+
+
+def _sampled(plant: Plant, lines: Sequence[Line], samples: int) -> tuple[Array, Array, Array]:
+    """Chords (m,), joints (m, samples, 6) along each line, and which of them have a branch at the start."""
+    m, s = len(lines), np.linspace(0, 1, samples)
+    X_FT = np.array([line.X_FT for line in lines])
+    X_0, X_1 = (np.array(ends) @ X_FT for ends in zip(*((n.X_WF_0, n.X_WF_1) for n in lines), strict=True))
+    way = X_1[:, :3, 3] - X_0[:, :3, 3]
+    w, v = np.split(wxyz_from_rotation(np.swapaxes(X_0[:, :3, :3], 1, 2) @ X_1[:, :3, :3]), [1], axis=1)
+    sine = np.linalg.norm(v, axis=1, keepdims=True)
+    half = np.arctan2(sine, w) * s  # (m, samples), of the angle turned so far
+    axis = v / np.where(sine < 1e-15, 1.0, sine)
+    part = rotation_from_wxyz(np.concatenate([np.cos(half)[..., None], np.sin(half)[..., None] * axis[:, None]], -1))
+    X = pose(X_0[:, None, :3, :3] @ part, X_0[:, None, :3, 3] + s[:, None] * way[:, None])
+    X_WF = X @ inverse_pose(X_FT)[:, None]
+    rail = np.array([line.rail for line in lines])
+    rails = rail[:, :1] + s * (rail[:, 1:] - rail[:, :1]) if plant.robot.has_rail else None
+    branches = inverse(plant.robot, X_WF.reshape(-1, 4, 4), None if rails is None else rails.reshape(-1))
+    branches = branches.reshape(m, samples, 8, 6)
+    start = np.array([line.q for line in lines])
+    away = branches[:, 0] - start[:, None]
+    away = np.abs(away - 2 * np.pi * np.round(away / (2 * np.pi))).max(axis=-1)
+    away = np.where(np.isnan(away), np.inf, away)
+    branch = np.argmin(away, axis=1)
+    each = np.arange(m)
+    q = np.unwrap(branches[each, :, branch], axis=1)
+    q += 2 * np.pi * np.round((start - q[:, 0]) / (2 * np.pi))[:, None]
+    return np.linalg.norm(way, axis=1), q, away[each, branch] <= _SAME
+
+
+def _followed(plant: Plant, chord: float, q: Array, steps: Array, weak: BoolArray) -> Followed:
+    """What joints (samples, 6) along one line come to. steps: between them; weak: where the wrist is straight."""
+    last = len(q) - 1
+    gone = np.flatnonzero(np.isnan(q[:, 0]))
+    lost = None if not len(gone) else int(gone[0]) / last
+    jumps = np.flatnonzero((steps > _JUMP).any(axis=1))
+    jump = np.nan_to_num(steps[jumps]).max(axis=0) if len(jumps) else np.zeros(6)
+    singular = (int(jumps[0]) + 0.5) / last if len(jumps) else None
+    if weak.any():
+        singular = int(np.nanargmin(np.abs(np.sin(q[:, 4])))) / last
+    low, high = plant.limits.lower[-6:], plant.limits.upper[-6:]
+    with np.errstate(invalid="ignore"):
+        out = (q < low - _BEYOND) | (q > high + _BEYOND)
+    beyond = None
+    if out.any():
+        sample = int(np.argmax(out.any(axis=1)))
+        joint = int(np.argmax(out[sample]))
+        beyond = (joint, sample / last, float(low[joint] if q[sample, joint] < low[joint] else high[joint]))
+    first = min(share for share in (lost, singular, None if beyond is None else beyond[1], 2.0) if share is not None)
+    return Followed(
+        q[-1],
+        chord,
+        lost if lost == first else None,
+        singular if singular == first else None,
+        jump,
+        beyond if beyond is not None and beyond[1] == first else None,
+    )
