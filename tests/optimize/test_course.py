@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from small_cells import HOME, course_of, plant_with_rail, plant_without_rail, rapid
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.motion import SignalEvent
+from trajopt_cli.motion import ConfData, MoveJ, MoveL, SignalEvent
 from trajopt_cli.optimize.course import LegKind, build_course, droppable
 from trajopt_cli.optimize.pieces import cut
 from trajopt_cli.optimize.search import Chain
@@ -286,3 +288,18 @@ MoveAbsJ j_home, v500, fine, tool0;"""
     # a stream may run the rail through a stop with speed even where its place is fixed
     assert lengths(EVERYTHING, False, rail_fixed=True) == [2, 3]
     assert lengths(AS_WRITTEN, False) == [1, 1, 1, 1, 1]
+
+
+def test_confdata_is_demanded_only_where_the_program_holds_to_it() -> None:
+    program = rapid(STATION)
+    for conf_j, conf_l in ((True, True), (True, False), (False, True), (False, False)):
+        motions = []
+        for m in program.motions:
+            if isinstance(m, MoveJ | MoveL):
+                m = replace(m, settings=replace(m.settings, conf_j=conf_j, conf_l=conf_l))
+            motions.append(m)
+        course = course_of(replace(program, motions=tuple(motions)), plant_with_rail(), freedom=AS_WRITTEN)
+        asked = [stop.conf for stop in course.stops]
+        j, line = (ConfData(0, 0, 0, 0) if on else None for on in (conf_j, conf_l))
+        # start, MoveJ, MoveL, the wait there, MoveL, MoveAbsJ
+        assert asked == [None, j, line, line, line, None]

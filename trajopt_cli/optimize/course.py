@@ -18,6 +18,7 @@ from trajopt_cli.geometry import Array, axis_angle, inverse_pose
 from trajopt_cli.motion import ConfData, Motion, MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, SignalEvent, Wait
 from trajopt_cli.problem.freedom import Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Target
+from trajopt_cli.problem.plannable import demands_configuration
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import confdata_admits, solutions
 
@@ -130,7 +131,7 @@ def build_course(
     stops = [Stop(-1, robot.forward(plant.start), plant.start, (written, written), written, True)]
     legs: list[Leg] = []
 
-    def pose_stop(index: int, X_WF: Array, conf: ConfData) -> Stop:
+    def pose_stop(index: int, X_WF: Array, conf: ConfData | None) -> Stop:
         rail = rail_range if index in free and not pinned_rail else (written, written)
         asked = None if freedom.configuration and index in free else conf
         return Stop(index, X_WF, None, rail, written, not freedom.through_stops, asked)
@@ -195,7 +196,7 @@ def build_course(
                     kind, moves = LegKind.LINE, freedom.lines and robot.has_rail
                     if chord < 1e-9 and angle < 1e-9:
                         kind, chord, angle, moves = LegKind.DWELL, 0.0, 0.0, robot.has_rail
-                stops.append(pose_stop(i, X_WF, motion.conf))
+                stops.append(pose_stop(i, X_WF, motion.conf if demands_configuration(motion) else None))
                 moves = moves or (robot.has_rail and _apart(stops[-2].rail, stops[-1].rail))
             legs.append(
                 Leg(
