@@ -29,7 +29,7 @@ def effective_radii(program: Program) -> tuple[float | None, ...]:
                 if motion.duration > 0 or motion.condition is not None:
                     last = None  # radii holds 0 for it
                 continue
-        way = _way(motion, X_WF)
+        way = way_length(motion, X_WF)
         if last is not None:
             before, wanted = last
             radii[before] = None if way is None or way_in is None else min(wanted, way / 2, way_in / 2)
@@ -48,7 +48,7 @@ def _flange(motion: Motion) -> Array | None:
             return None
 
 
-def _way(motion: Motion, X_WF: Array | None) -> float | None:
+def way_length(motion: Motion, X_WF: Array | None) -> float | None:
     """Length [m] of the tool's way over the work, from the flange at X_WF to the end of a motion."""
     match motion:
         case MoveAbsJ() | MoveExtJ():
