@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 from math import pi
 
+from trajopt_cli.rapid.data.constants import CONSTANTS
 from trajopt_cli.rapid.data.datatypes import (
     LOADDATA,
     NUM,
@@ -60,6 +61,7 @@ def predefined() -> dict[str, Value]:
         # Names for the states of signals.
         **{name: (NUM, 1.0) for name in ("high", "on")},
         **{name: (NUM, 0.0) for name in ("low", "off")},
+        **CONSTANTS,
     }
     table |= {f"v{v}": (SPEEDDATA, (float(v), _V_ORI, _V_LEAX, _V_REAX)) for v in _SPEEDS}
     table |= {f"vrot{v}": (SPEEDDATA, (0.0, 0.0, 0.0, float(v))) for v in (1, 2, 5, 10, 20, 50, 100)}
