@@ -37,6 +37,9 @@ class Scenario:
     assume_identity: frozenset[str] = frozenset()
 
 
+_SHOWN = 200  # characters of a value in a message; a template has all of it
+
+
 @dataclass(frozen=True)
 class Lack:
     """Something the scenario must say, once per name.
@@ -54,12 +57,13 @@ class Lack:
 
     @property
     def line(self) -> str:
-        """The line to add to the cell file."""
+        """The line to add to the cell file; a long value is shown by its beginning."""
         if self.section == "endless_passes":
             return f"endless_passes: {self.value}"
         if self.section == "assume_identity":
             return f"assume_identity: [{yaml_name(self.name)}]"
-        return f"{self.section}: {{{yaml_name(self.name)}: {self.value}}}"
+        value = self.value if len(self.value) <= _SHOWN else f"{self.value[:_SHOWN]}..."
+        return f"{self.section}: {{{yaml_name(self.name)}: {value}}}"
 
 
 def condition_key(text: str) -> str:
@@ -78,12 +82,18 @@ def yaml_answer(value: Answer) -> str:
     return repr(value).removesuffix(".0") if isinstance(value, float) else json.dumps(value, ensure_ascii=False)
 
 
+def _remedy(lack: Lack) -> str:
+    if lack.section == "assume_identity":  # the reason ends with the option that does the same
+        return f", or the line '{lack.line}' in the cell file"
+    return f"; add the line '{lack.line}' to the cell file"
+
+
 def lacking(lacks: Sequence[Lack]) -> InputErrorGroup:
     """One error per lack, each with the line to add."""
     return InputErrorGroup(
         [
             InputError(
-                f"{lack.reason}; add the line '{lack.line}' to the cell file",
+                f"{lack.reason}{_remedy(lack)}",
                 file=lack.source.file,
                 line=lack.source.line,
                 column=lack.source.column,

@@ -55,7 +55,7 @@ def fill(run: Run, target: Expression, reason: str, default: Answer | None = Non
 def ask(run: Run, node: Node, name: str, type_: Type, reason: str, default: Answer | None = None) -> Value:
     """The scenario's answer under name, as a value of a type. Records and arrays are answered as RAPID writes them."""
     if default is None:
-        default = type_.default if isinstance(type_, Atomic) else _literal(type_, _stand_in(type_))
+        default = type_.default if isinstance(type_, Atomic) else _example(run, node, name, type_)
     answer = run.world.answer(run, node, name, reason, default)
     if isinstance(answer, int | float) and not isinstance(answer, bool) and is_number(type_):
         return Value(type_, float(answer))
@@ -83,10 +83,22 @@ def _parsed(run: Run, node: Node, name: str, type_: Type, text: str) -> Data:
         problem = "is no value in brackets"
     except InputError as error:
         problem = f"is not: {error.message}"
-    wanted = _literal(type_, _stand_in(type_))
+    wanted = _example(run, node, name, type_)
+    wanted = wanted if len(wanted) <= 100 else f"{wanted[:97]}..."
     raise run.error(
         node, f"the answer to '{name}' in the cell file must be a {type_.name} such as {wanted}; it {problem}"
     )
+
+
+_LONGEST = 20_000  # characters of an answer; the whole cell file may have 1 MB
+
+
+def _example(run: Run, node: Node, name: str, type_: Type) -> str:
+    """A value of a record or an array as RAPID writes it."""
+    text = _literal(type_, _stand_in(type_), _LONGEST)
+    if len(text) > _LONGEST:
+        raise run.error(node, f"'{name}' is a {type_.name} of more values than the cell file can answer")
+    return text
 
 
 def _stand_in(type_: Type) -> Data:
@@ -100,11 +112,18 @@ def _stand_in(type_: Type) -> Data:
     return type_.default
 
 
-def _literal(type_: Type, data: Data) -> str:
+def _literal(type_: Type, data: Data, room: int) -> str:
+    """data as RAPID writes it, or more than room characters of it."""
     if isinstance(data, tuple):
         parts = [part for _, part in type_.components] if isinstance(type_, Record) else None
         inner = type_.inner() if isinstance(type_, Array) else type_
-        return f"[{','.join(_literal(parts[i] if parts else inner, one) for i, one in enumerate(data))}]"
+        texts: list[str] = []
+        for i, one in enumerate(data):
+            texts.append(_literal(parts[i] if parts else inner, one, room))
+            room -= len(texts[-1]) + 1
+            if room < 0:
+                break
+        return f"[{','.join(texts)}]"
     if isinstance(data, bool):
         return "TRUE" if data else "FALSE"
     return f"{data:.15g}" if isinstance(data, float) else '"' + str(data).replace('"', '""') + '"'

@@ -35,10 +35,25 @@ _NAMES = """
     DropSensor DropWObj SupSyncSensorOff SupSyncSensorOn WaitSensorReset
     SyncMoveOff SyncMoveOn SyncMoveResume SyncMoveSuspend SyncMoveUndo WaitSyncTask MotionPlannerSet
 
+    WZBoxDef WZCylDef WZDisable WZDOSet WZEnable WZFree WZHomeJointDef WZLimJointDef WZLimSup WZSphDef
+    EGMActJoint EGMActMove EGMActPose EGMGetId EGMReset EGMSetupAI EGMSetupAO EGMSetupGI EGMSetupLTAPP EGMSetupUC
+    EGMStop EGMStreamStart EGMStreamStop EGMWaitCond
+    DitherAct DitherDeact TuneReset TuneServo SetLeadThrough
+
+    ActEventBuffer DeactEventBuffer UIMsgWrite UIMsgWriteAbort
     SpyStart SpyStop TestSignDefine TestSignReset TriggStopProc
     IOBusStart IODisable IOEnable SaveSysData WriteCfgData SetDataSearch
     CheckProgRef EraseModule Save TextTabInstall
 """
 
 
-INSTRUCTIONS: dict[str, Instruction] = {name: nothing(name) for name in _NAMES.split()}
+def _guided(run: Run, node: ProcedureCall) -> None:
+    """Not nothing at all, but nothing that a program tells."""
+    raise run.error(node, f"{node.name} lets a sensor guide the robot: where it goes is in no program; leave it out")
+
+
+INSTRUCTIONS: dict[str, Instruction] = {
+    **{name: nothing(name) for name in _NAMES.split()},
+    "EGMRunJoint": _guided,
+    "EGMRunPose": _guided,
+}

@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from trajopt_cli.motion import SignalEvent, Written
-from trajopt_cli.rapid.data.datatypes import SIGNALS, STRING, Value
+from trajopt_cli.rapid.data.datatypes import SIGNALS, STRING, TYPES, Value
+from trajopt_cli.rapid.data.scope import Datum
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
 from trajopt_cli.rapid.execution.evaluate import evaluate, locate, number
 from trajopt_cli.rapid.language.syntax import Call, Expression, Name, ProcedureCall, String
@@ -104,6 +105,9 @@ def _signal_name(run: Run, node: Expression) -> str:
 
 
 def _rename(run: Run, alias: Expression, signal: str | None) -> None:
+    if isinstance(alias, Name) and run.find(alias.name) is None:
+        run.warn(f"{run.source(alias)}: alias '{alias.name}' is declared in none of the files read; it is a signal")
+        run.shared.data[alias.name.lower()] = Datum(TYPES["signaldi"], Value(TYPES["signaldi"], signal))
     place = locate(run, alias)
     if place.type.name not in SIGNALS:
         raise run.error(alias, f"an alias is declared as a signal, 'VAR signaldi {run.text(alias)};'")
