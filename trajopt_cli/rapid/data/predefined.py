@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from functools import cache
 from math import pi
+from string import ascii_lowercase, ascii_uppercase, digits
 
 from trajopt_cli.rapid.data.constants import CONSTANTS
 from trajopt_cli.rapid.data.datatypes import (
     LOADDATA,
     NUM,
     SPEEDDATA,
+    STRING,
     TOOLDATA,
     WOBJDATA,
     ZONEDATA,
@@ -44,6 +46,15 @@ _ZONES = {
     "z200": (200, 300, 300, 30, 300, 30),
 }
 
+# Sets of characters for StrFind, StrMap and StrOrder.
+_ACCENTED = "ÀÁÂÃÄÅÆÇÈÉÊËÌÍÎÏÑÒÓÔÕÖØÙÚÛÜ"
+_STRINGS = {
+    "str_digit": digits,
+    "str_lower": ascii_lowercase + _ACCENTED.lower(),
+    "str_upper": ascii_uppercase + _ACCENTED,
+    "str_white": " \t\r\n\f\v",
+}
+
 _IDENTITY: Data = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0, 0.0))
 _LOAD0: Data = (0.001, (0.0, 0.0, 0.001), (1.0, 0.0, 0.0, 0.0), 0.0, 0.0, 0.0)
 
@@ -61,6 +72,8 @@ def predefined() -> dict[str, Value]:
         # Names for the states of signals.
         **{name: (NUM, 1.0) for name in ("high", "on")},
         **{name: (NUM, 0.0) for name in ("low", "off")},
+        "edge": (NUM, 2.0),
+        **{name: (STRING, characters) for name, characters in _STRINGS.items()},
         **CONSTANTS,
     }
     table |= {f"v{v}": (SPEEDDATA, (float(v), _V_ORI, _V_LEAX, _V_REAX)) for v in _SPEEDS}

@@ -178,7 +178,7 @@ def _undeclared(run: Run, node: Name, what: str) -> None:
         return
     reason = (
         f"{what} '{name}' is not declared in the files read; give the file that declares it, or take it as the "
-        f"identity with --assume-identity {name}"
+        f"identity: --assume-identity {name}"
     )
     run.world.lack(run, "assume_identity", name, node, reason, name)
 
@@ -243,7 +243,7 @@ def _unit(run: Run, wobj: str, unit: str, node: Node) -> None:
         return
     reason = (
         f"work object {wobj} rides on the unit '{unit}' (ufprog FALSE), whose frame no program tells; take the unit's "
-        f"frame as the identity with --assume-identity {name}"
+        f"frame as the identity: --assume-identity {name}"
     )
     run.world.lack(run, "assume_identity", name, node, reason, name)
 

@@ -10,6 +10,7 @@ from trajopt_cli.rapid.data.datatypes import TYPES, Array, Atomic, Record, Type,
 from trajopt_cli.rapid.data.scope import Datum, Frame, ModuleScope, Scope
 from trajopt_cli.rapid.execution.evaluate import evaluate, integer
 from trajopt_cli.rapid.language.syntax import (
+    Aggregate,
     AliasDeclaration,
     DataDeclaration,
     Item,
@@ -98,7 +99,9 @@ def _count(sizes: Sequence[int]) -> int:
 
 
 def _initial(run: Run, node: DataDeclaration, type_: Type, frame: Frame) -> Value:
-    if node.value is None or _valueless(type_):
+    if _valueless(type_):
+        return Value(type_, node.value.numbers if isinstance(node.value, Aggregate) else None)
+    if node.value is None:
         return Value(type_, type_.default)
     if node in run.computing:
         raise run.error(node, f"the value of '{node.name}' refers to itself")
@@ -113,7 +116,7 @@ def _initial(run: Run, node: DataDeclaration, type_: Type, frame: Frame) -> Valu
 
 
 def _valueless(type_: Type) -> bool:
-    """Types of process options (welddata ...): their data is carried along unread and refused where it is used."""
+    """Types of process options (welddata ...): their data is carried along as bare numbers."""
     element = type_.element if isinstance(type_, Array) else type_
     return element.default is None
 

@@ -98,8 +98,8 @@ class Position:
         """X_WF [mm]."""
         if self._pose is not None and not self._away:
             return self._pose.setup.flange(self._pose.target)
-        q = self.joints(run, node, f"{what} {self._after}")
-        return frame(self.robot(run, node, what).forward(q, self.extax))
+        robot = self.robot(run, node, f"{what} {self._after}")
+        return frame(robot.forward(self.joints(run, node, what), self.extax))
 
     def target(self, run: Run, node: Node, what: str, setup: Setup) -> frames.Frame:
         """The target of a setup that the robot stands at."""
@@ -115,7 +115,7 @@ class Position:
     def joints(self, run: Run, node: Node, what: str) -> Array:
         """Arm joints (6,) in rad. Raises Fault when the last pose is out of reach."""
         if self._joints is None:
-            robot = self.robot(run, node, what)
+            robot = self.robot(run, node, f"{what} {self._after}")
             if self._pose is None:
                 self._joints, extax = robot.start
                 self.extax = _merged(extax, self.extax)
@@ -134,8 +134,8 @@ class Position:
         """The configuration: as programmed after a move to a pose, else that of the joints."""
         if self._pose is not None and not self._away:
             return self._pose.conf
-        q = self.joints(run, node, f"{what} {self._after}")
-        return self.robot(run, node, what).confdata(q)
+        robot = self.robot(run, node, f"{what} {self._after}")
+        return robot.confdata(self.joints(run, node, what))
 
 
 def reach(

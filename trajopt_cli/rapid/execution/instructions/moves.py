@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.motion import (
     ConfData,
     ExternalAxes,
@@ -31,7 +30,7 @@ from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.courses import arc
 from trajopt_cli.rapid.data.datatypes import JOINTTARGET, LOADDATA, ROBTARGET, Data, Value
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
-from trajopt_cli.rapid.execution.equipment import IDENTITY, Setup, data_of, matrix, said, value_of
+from trajopt_cli.rapid.execution.equipment import IDENTITY, data_of, matrix, said, value_of
 from trajopt_cli.rapid.execution.evaluate import evaluate
 from trajopt_cli.rapid.execution.instructions import pace
 from trajopt_cli.rapid.execution.making import made
@@ -157,12 +156,13 @@ def to_pose(
     process: Process | None = None,
     speed: Speed | None = None,
     target: Target | None = None,
+    via: frames.Frame | None = None,
 ) -> None:
     """Append the motion of an instruction that moves to a pose, and stand there.
 
-    speed: in place of the instruction's own. target: in place of ToPoint's.
+    speed: in place of the instruction's own. target, via: in place of ToPoint and CirPoint.
     """
-    point, args, via = asked.point, asked.args, asked.via
+    point, args = asked.point, asked.args
     if target is None:
         target = robtarget(run, point)
     setup = run.position.equipment.setup(run, asked.tool, args.optional.get("wobj"))
@@ -194,37 +194,40 @@ def to_pose(
         "wobj": setup.wobj,
         "X_WO": setup.X_WO,
     }
-    if via is not None:
-        parts["X_WV"] = _via(run, via, point, setup, place, tool)
+    if asked.via is not None:
+        through = via or robtarget(run, asked.via).frame
+        _check_circle(run, asked.via, point, run.position.known_target(setup), through, place)
+        # A stationary tool's via point as the flange passes it: X_WF = X_WV inv(X_FT) there too.
+        parts["X_WV"] = matrix(setup.placed(through) if setup.tool else frames.compose(setup.flange(through), placed))
     run.motions.append(made(kind, parts))
     run.position.to_pose(setup, place, conf, settings.conf_j if kind is MoveJ else settings.conf_l, extax)
 
 
-def _via(run: Run, node: Expression, end: Expression, setup: Setup, place: frames.Frame, tool: Tool) -> Array:
-    """X_WV of the circle point [m], which must be apart from start and end; seen as the flange sees it if the tool is
-    stationary. Its own orientation is carried along, and its configuration and external axes mean nothing."""
-    via = robtarget(run, node)
-    start = run.position.known_target(setup)
-    points = [("the start", None if start is None else start[0]), (said(run, node), via.frame[0])]
-    points.append((said(run, end), place[0]))
-    for (one, p), (other, q) in ((points[0], points[1]), (points[1], points[2]), (points[0], points[2])):
-        if p is not None and q is not None and dist(p, q) < _NEAR:
+def _check_circle(
+    run: Run,
+    node: Expression,
+    end: Expression,
+    start: frames.Frame | None,
+    via: frames.Frame,
+    place: frames.Frame,
+) -> None:
+    """The three points must be apart. start None: only the robot knows, and the check waits for it."""
+    at, through, to = None if start is None else start[0], said(run, node), said(run, end)
+    pairs = ((through, via[0], to, place[0]), ("the start", at, through, via[0]), ("the start", at, to, place[0]))
+    for one, p, other, q in pairs:
+        if p is not None and dist(p, q) < _NEAR:
             message = f"the circle is not determined: {one} and {other} are {dist(p, q):.3g} mm apart, least {_NEAR} mm"
             raise run.error(node, f"{message}; move one of them, or use MoveL")
-    if start is not None:
-        course = arc(start[0], via.frame[0], place[0])
-        if course is None:
-            run.warn(
-                f"{run.source(node)}: start, {said(run, node)} and {said(run, end)} lie on one line, not on a circle"
-            )
-        elif degrees(course.angle) > _WIDEST_ARC:
-            run.warn(
-                f"{run.source(node)}: the arc through {said(run, node)} is {degrees(course.angle):.4g} deg long; "
-                f"a controller takes at most {_WIDEST_ARC:g} deg, so divide it in two"
-            )
-    if setup.tool is None:
-        return readonly(matrix(setup.flange(via.frame)) @ tool.X_FT)
-    return matrix(setup.placed(via.frame))
+    if at is None:
+        return
+    course = arc(at, via[0], place[0])
+    if course is None:
+        run.warn(f"{run.source(node)}: start, {through} and {to} lie on one line, not on a circle")
+    elif degrees(course.angle) > _WIDEST_ARC:
+        run.warn(
+            f"{run.source(node)}: the arc through {through} is {degrees(course.angle):.4g} deg long; "
+            f"a controller takes at most {_WIDEST_ARC:g} deg, so divide it in two"
+        )
 
 
 def written(run: Run, node: ProcedureCall, point: Expression, speed: Expression, target: Value) -> Written:

@@ -46,7 +46,8 @@ def _search(kind: PoseKind, name: str) -> Instruction:
         hit = _hit(run, node, kind, setup, circle, end, share)
         if any(stop in args.optional for stop in _STOPS):
             target = Target(hit.frame, hit.conf, hit.extax, Value(ROBTARGET, end.value.data))
-            to_pose(run, node, kind, request, process=process, target=target)
+            half = _hit(run, node, kind, setup, circle, end, share / 2).frame if circle else None
+            to_pose(run, node, kind, request, process=process, target=target, via=half)
         else:
             to_pose(run, node, kind, request, process=process)
         run.assign(searched, hit.value)
