@@ -313,6 +313,7 @@ class Program:
     """A program run once: its motions in order, the files they came from, and what the user should know.
 
     entry: the procedure that was run. ignored: instructions without effect on motion, with how often they ran.
+    writable: indices of the motions whose text can carry other values, None where nobody has looked.
     """
 
     name: str
@@ -321,3 +322,4 @@ class Program:
     warnings: tuple[str, ...] = field(default=())
     entry: str = "main"
     ignored: Mapping[str, int] = field(default_factory=dict)
+    writable: frozenset[int] | None = None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from time import perf_counter
@@ -224,7 +224,8 @@ def solve(
     clock = clock or _Clock()
     with clock.phase(f"{label}: plan"):
         try:
-            plan = optimize(job.program, job.plant, target, freedom, lambda progress: listen(label, progress))
+            program = _writable(job) if target is Target.RAPID else job.program
+            plan = optimize(program, job.plant, target, freedom, lambda progress: listen(label, progress))
         except NoCleanPlan as failure:
             return NoPlan(label, str(failure))
     if isinstance(plan, Infeasible):
@@ -237,6 +238,15 @@ def solve(
         dropped = tuple(motion.index for motion in plan.motions if motion.dropped)
         report = judge(job.plant, job.program, text, CSV[target], dropped, target)
     return Judged(plan, text, report)
+
+
+def _writable(job: Job) -> Program:
+    """The program, knowing which of its motions the text lets change."""
+    from trajopt_cli.export.rapid import reader
+    from trajopt_cli.export.rapid_writable import writable
+
+    again = reader(job.program, job.plant, job.scenario, job.program.entry)
+    return replace(job.program, writable=writable(job.program, job.plant, again))
 
 
 def verify_results(folder: Path) -> tuple[Job, dict[str, Report]]:

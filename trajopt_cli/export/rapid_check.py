@@ -10,6 +10,7 @@ import numpy as np
 from trajopt_cli.errors import InputError
 from trajopt_cli.export.rapid_flat import Reader
 from trajopt_cli.export.rapid_targets import PoseMove, confdata_counts, is_nearest
+from trajopt_cli.export.rapid_text import refusal
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Motion, Move, MoveAbsJ, MoveC, MoveExtJ, MoveL, Program, SignalEvent, TextFile, Wait
 from trajopt_cli.problem.plan import Plan, PlannedMotion
@@ -202,12 +203,11 @@ def _check_same(motion: Wait | SignalEvent, read: Motion | None) -> list[InputEr
 
 
 def _mismatch(motion: Motion, difference: str) -> InputError:
-    place = motion.source
     hint = "this statement cannot carry the plan"
     if isinstance(motion, Move) and motion.written.aggregate is None:
         hint = f"{motion.target} is computed, so it cannot be edited: declare it as a {_kind(motion)} of its own"
     message = f"the plan wants {difference}; {hint}"
-    return InputError(message, file=place.file, line=place.line, column=place.column)
+    return refusal(motion.source, message)
 
 
 def _kind(motion: Move) -> str:

@@ -12,7 +12,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.export.rapid_call import called, last_argument, read_move
 from trajopt_cli.export.rapid_scopes import Scopes
 from trajopt_cli.export.rapid_targets import Targets, Wish, type_of
-from trajopt_cli.export.rapid_text import Edits, Names, plain
+from trajopt_cli.export.rapid_text import Edits, Names, plain, refusal
 from trajopt_cli.motion import Motion, Move, MoveC, MoveExtJ, Program, SignalEvent, Span, TextFile, Wait
 from trajopt_cli.rapid.language.syntax import Assign, Node, ProcedureCall
 from trajopt_cli.units import DEG, MM
@@ -140,13 +140,12 @@ class FlatModule:
             lines += [*how.before, text, *how.behind]
         self._bodies.append((name, lines))
         self._edits.replace_by(stretch.span, f"{name};", FLAT)
-        place = self._program.motions[stretch.first].source
         written = " ".join(self._edits.text(stretch.span).split())
         short = written if len(written) <= 40 else f"{written[:37]}..."
         left = self._left_behind(stretch)
         also = f"; not carried over: {', '.join(left)}" if left else ""
         line = self._edits.line_number(stretch.span)
-        return f"{stretch.span.file}:{line}: '{short}' is written flat as {name}, from {place} on{also}"
+        return f"{stretch.span.file}:{line}: '{short}' is written flat as {name}{also}"
 
     def module(self, entry: str) -> tuple[str, TextFile] | None:
         """Path and text of the module; None where no stretch was added."""
@@ -184,7 +183,8 @@ class FlatModule:
             changes = [(Span(span.file, span.start + start, span.start + start + len(last)), plain(value))]
         for where, new in sorted(changes, key=lambda change: -change[0].start):
             text = text[: where.start - span.start] + new + text[where.end - span.start :]
-        return re.sub(r"[ \t]*(\r\n|\r|\n)\s*", lambda match: match[1] + _INDENT * 3, text)
+        gap = (lambda match: match[1] + _INDENT * 3) if "!" in text else " "  # behind a comment the line must end
+        return re.sub(r"[ \t]*(\r\n|\r|\n)\s*", gap, text)
 
     def _of_move(self, move: Move, wish: Wish, fast: bool, text: str) -> list[tuple[Span, str]]:
         call, span = read_move(move, text), move.written.statement
@@ -220,11 +220,10 @@ class FlatModule:
 
     @staticmethod
     def _unseen(motion: Motion, name: str) -> InputError:
-        place = motion.source
-        message = (
-            f"cannot be written flat: {name} is known in its own routine or module only; declare it for all modules"
+        return refusal(
+            motion.source,
+            f"cannot be written flat: {name} is known in its own routine or module only; declare it for all modules",
         )
-        return InputError(message, file=place.file, line=place.line, column=place.column)
 
     def _left_behind(self, stretch: Stretch) -> list[str]:
         """What else the statement does, by the names of its instructions, each once."""

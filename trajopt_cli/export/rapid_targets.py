@@ -7,10 +7,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from trajopt_cli.errors import InputError
 from trajopt_cli.export.rapid_call import read_move
 from trajopt_cli.export.rapid_scopes import Scopes
-from trajopt_cli.export.rapid_text import Edits, Names, plain
+from trajopt_cli.export.rapid_text import Edits, Names, plain, refusal
 from trajopt_cli.geometry import Array, inverse_pose, wxyz_from_rotation
 from trajopt_cli.motion import ConfData, Move, MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL, Program, Span
 from trajopt_cli.problem.plan import PlannedMotion
@@ -103,12 +102,17 @@ class Targets:
 
     # ------------------------------------------------------------------------------------------------ their targets
 
-    def point(self, move: Move, wish: Wish) -> str | None:
-        """The name that a move must refer to for this wish; None where it may keep what it refers to."""
+    def point(self, move: Move, wish: Wish, several: bool = False) -> str | None:
+        """The name that a move must refer to for this wish; None where it may keep what it refers to.
+
+        several: its statement runs several times, so it can hardly refer to another.
+        """
         span = move.written.aggregate
         if span is None:
             return None  # a computed target; whether the plan can live with it is seen when the text is read back
-        return self._version(span, move, wish, "", 2, in_place=not (self._isolated and move.written.declaration))
+        return self._version(
+            span, move, wish, "", 2, in_place=several or not (self._isolated and move.written.declaration)
+        )
 
     def own(self, move: Move, wish: Wish) -> str:
         """The name of a new target that says in numbers what a move computes, with the wished values."""
@@ -136,13 +140,10 @@ class Targets:
         """A robtarget's literal for the axis positions planned; in the world, so no displacement may be active."""
         q, eax = planned.q_1, self._plant.rail_eax
         if move.settings.displaced:
-            place = move.source
-            raise InputError(
+            raise refusal(
+                move.source,
                 f"the plan moves the rail while the program waits at {move.target}, which are joints, under a program "
                 "displacement; end it with PDispOff before, or move to a robtarget",
-                file=place.file,
-                line=place.line,
-                column=place.column,
             )
         rail = None if eax is None else plain(float(q[0]) / MM - move.settings.eax_offset[eax])
         wish = Wish(rail, confdata(self._plant.robot, np.asarray(q[-6:])))
@@ -240,13 +241,10 @@ class Targets:
     def frame(move: PoseMove) -> Array:
         """X_WO of a move. Raises InputError where it has none."""
         if move.X_WO is None:
-            place = move.source
-            raise InputError(
+            raise refusal(
+                move.source,
                 f"{move.target} is computed, and its work object {move.wobj} is no fixed frame: declare it as a "
                 "robtarget of its own",
-                file=place.file,
-                line=place.line,
-                column=place.column,
             )
         return move.X_WO
 

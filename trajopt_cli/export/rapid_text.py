@@ -6,7 +6,8 @@ import re
 from collections import defaultdict
 from collections.abc import Mapping
 
-from trajopt_cli.motion import Span, TextFile
+from trajopt_cli.errors import InputError
+from trajopt_cli.motion import Source, Span, TextFile
 from trajopt_cli.rapid.data.predefined import VARIABLES, predefined
 from trajopt_cli.rapid.language.lexer import scan
 from trajopt_cli.rapid.reader import DROPPED
@@ -133,6 +134,11 @@ class Names:
                 self._used.add(name.lower())
                 return name
             number = max(number + 1, 2)
+
+
+def refusal(source: Source, message: str) -> InputError:
+    """An InputError at a place of the program."""
+    return InputError(message, file=source.file, line=source.line, column=source.column)
 
 
 def plain(value: float, digits: int = 6) -> str:

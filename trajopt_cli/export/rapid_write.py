@@ -6,12 +6,11 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
-from trajopt_cli.errors import InputError
 from trajopt_cli.export.rapid_call import MoveCall, last_argument, read_move
 from trajopt_cli.export.rapid_flat import FlatModule, FlatMotion, Stretch, Stretches, outermost
 from trajopt_cli.export.rapid_scopes import Scopes
 from trajopt_cli.export.rapid_targets import PoseMove, Targets, Wish
-from trajopt_cli.export.rapid_text import Edits, Names, plain
+from trajopt_cli.export.rapid_text import Edits, Names, plain, refusal
 from trajopt_cli.motion import (
     Motion,
     Move,
@@ -94,18 +93,13 @@ def write(
         for index in conflicts:
             stretch = stretches.around(index)
             if stretch is None:
-                raise place(
+                raise refusal(
                     program.motions[index].source,
                     "this statement runs more than once, and the plan wants something else of it each time; "
                     "write it out once for each time it runs",
                 )
             flat.append(stretch)
         flat = outermost(flat)
-
-
-def place(source: Source, message: str) -> InputError:
-    """An InputError at a place of the program."""
-    return InputError(message, file=source.file, line=source.line, column=source.column)
 
 
 class _Attempt:
@@ -126,7 +120,7 @@ class _Attempt:
         self._monitored: list[Source] = []
         self._actions: dict[Span, list[tuple[int, _Action]]] = {}
         covered = {index for stretch in flat for index in range(stretch.first, stretch.last)}
-        runs = Counter(motion.written.statement for motion in program.motions)
+        self._runs = runs = Counter(motion.written.statement for motion in program.motions)
         # Statements that run several times first: they cannot refer to a second target, so the literal is theirs.
         alone = [i for i in sorted(intents) if i not in covered]
         for index in sorted(alone, key=lambda i: runs[program.motions[i].written.statement] == 1):
@@ -139,7 +133,9 @@ class _Attempt:
             return _Action(drop=True)
         if isinstance(motion, Move) and intent.wish is not None:
             own = index in self._choices.own
-            point = self._targets.own(motion, intent.wish) if own else self._targets.point(motion, intent.wish)
+            several = self._runs[motion.written.statement] > 1
+            wish = intent.wish
+            point = self._targets.own(motion, wish) if own else self._targets.point(motion, wish, several)
             return _Action(point=point, fast=intent.fast, monitored=intent.wish.monitored)
         if isinstance(motion, Wait) and intent.dwell is not None:
             name = self._dwell_target(index, intent.dwell, motion.written.statement)
@@ -185,7 +181,7 @@ class _Attempt:
         motion = self._program.motions[index]
         doubled = action.dwell is not None and isinstance(motion, Wait) and motion.condition is not None
         if span in self._scopes.compact and (action.drop or action.monitored or doubled):
-            raise place(motion.source, "this statement hangs on an IF without THEN; write IF ... THEN ... ENDIF")
+            raise refusal(motion.source, "this statement hangs on an IF without THEN; write IF ... THEN ... ENDIF")
 
     def _apply(self, index: int, action: _Action) -> list[str]:
         motion, edits = self._program.motions[index], self._edits
@@ -258,7 +254,7 @@ class _Attempt:
         before = self._move_before(index)
         if before < 0:
             source = self._program.motions[index].source
-            raise place(source, "the plan moves the rail in a wait before the first move; begin with MoveAbsJ home")
+            raise refusal(source, "the plan moves the rail in a wait before the first move; begin with MoveAbsJ home")
         move = self._program.motions[before]
         targets = self._targets
         if isinstance(move, PoseMove):

@@ -94,11 +94,16 @@ class Course:
 
 
 def droppable(program: Program, plant: Plant) -> frozenset[int]:
-    """Motions the user marked and that can go without moving another path: the next motion is a joint move."""
+    """Motions the user marked and that can go without moving another path: the next motion is a joint move.
+
+    Where the plan must be written back (Program.writable), the text must let them go, too.
+    """
     out = set()
     motions = program.motions
     for i, motion in enumerate(motions[:-1]):
         if isinstance(motion, Wait | SignalEvent) or not isinstance(motions[i + 1], MoveJ | MoveAbsJ):
+            continue
+        if program.writable is not None and i not in program.writable:
             continue
         if motion.optional or motion.target.lower() in plant.droppable:
             out.add(i)
@@ -106,7 +111,12 @@ def droppable(program: Program, plant: Plant) -> frozenset[int]:
 
 
 def editable(program: Program) -> frozenset[int]:
-    """Motions whose text can carry a plan of their own: the target is a literal, and the statement runs only once."""
+    """Motions whose text can carry a plan of their own.
+
+    Where nobody has looked closer (Program.writable): the target is a literal, and the statement runs only once.
+    """
+    if program.writable is not None:
+        return program.writable
     runs = Counter(motion.written.statement for motion in program.motions)
     out = set()
     for i, motion in enumerate(program.motions):

@@ -1,0 +1,174 @@
+"""Which motions of a program can be given other rail positions and configurations, known before anything is planned."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Set
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.export.rapid_call import read_move
+from trajopt_cli.export.rapid_check import first_difference
+from trajopt_cli.export.rapid_flat import Reader, Stretch, Stretches
+from trajopt_cli.export.rapid_scopes import Scopes
+from trajopt_cli.export.rapid_targets import PoseMove, Targets, confdata_counts
+from trajopt_cli.export.rapid_text import Edits, Names
+from trajopt_cli.export.rapid_write import Choices, Intent, write
+from trajopt_cli.motion import Move, MoveAbsJ, MoveExtJ, Program, Span, Wait
+from trajopt_cli.problem.plant import Plant
+
+_TRIALS = 8  # of a long program each takes as long as reading it
+
+
+def writable(program: Program, plant: Plant, again: Reader) -> frozenset[int]:
+    """Indices of the moves and waits whose text can carry values of their own; all others must stay as programmed.
+
+    - A literal target whose statement runs once, or with another literal each time.
+    - A computed target whose statement runs once, if it can be said in numbers.
+    - Whatever lies in a stretch that can be written flat.
+    - A wait that runs once, where a line could stand in its place.
+
+    The last word on computed targets and flat stretches has a trial: they are written with the values of the program
+    itself, and what is read back must be the program. again: reads edited texts (see rapid.reader).
+    """
+    scopes = Scopes(program.files)
+    runs = Counter(motion.written.statement for motion in program.motions)
+    stretches = Stretches(program, scopes, again)
+    single = {i for i, motion in enumerate(program.motions) if runs[motion.written.statement] == 1}
+    computed = {i for i in single if _can_be_said(program, i)}
+    own, flat = _tried(program, plant, scopes, stretches, again, computed)
+    inside = {i for stretch in flat for i in range(stretch.first, stretch.last)}
+    out = {i for i in inside if isinstance(program.motions[i], Move | Wait)}
+    shared = _shared_literals(program)
+    dwells = _places_to_dwell(program, scopes, own | inside)
+    for i, motion in enumerate(program.motions):
+        if i in inside:
+            continue
+        if isinstance(motion, Wait):
+            if i in single and i in dwells:
+                out.add(i)
+        elif isinstance(motion, Move):
+            literal = motion.written.aggregate is not None
+            switched = isinstance(motion, PoseMove) and not confdata_counts(motion)
+            # What may be dropped or switched needs a line of its own, and one answer for all its runs.
+            alone = switched or motion.optional or motion.target.lower() in plant.droppable
+            if i in single:
+                if (literal or i in own) and not (alone and motion.written.statement in scopes.compact):
+                    out.add(i)
+            elif literal and not alone and motion.written.statement not in shared:
+                out.add(i)
+    return frozenset(out)
+
+
+def _can_be_said(program: Program, index: int) -> bool:
+    motion = program.motions[index]
+    if not isinstance(motion, Move) or motion.written.aggregate is not None:
+        return False
+    return motion.written.target is not None and not (isinstance(motion, PoseMove) and motion.X_WO is None)
+
+
+def _shared_literals(program: Program) -> set[Span]:
+    """Statements that run several times and meet one literal more than once, among themselves or with another such."""
+    runs = Counter(motion.written.statement for motion in program.motions)
+    several = [
+        m for m in program.motions if isinstance(m, Move) and runs[m.written.statement] > 1 and m.written.aggregate
+    ]
+    met = Counter(motion.written.aggregate for motion in several)
+    return {motion.written.statement for motion in several if met[motion.written.aggregate] > 1}
+
+
+def _places_to_dwell(program: Program, scopes: Scopes, known: Set[int]) -> set[int]:
+    """Waits in whose place a line to where the tool is could stand. known: computed targets that can be written."""
+    behind: list[Move | None] = [None] * len(program.motions)
+    following: Move | None = None
+    for i in range(len(program.motions) - 1, -1, -1):
+        behind[i] = following
+        motion = program.motions[i]
+        following = motion if isinstance(motion, Move) else following
+    out, before = set(), -1
+    for i, motion in enumerate(program.motions):
+        if isinstance(motion, Move):
+            before = i
+        elif isinstance(motion, Wait) and before >= 0:
+            compact = motion.condition is not None and motion.written.statement in scopes.compact
+            if not compact and _fits_behind(program, scopes, motion, before, behind[i], known):
+                out.add(i)
+    return out
+
+
+def _fits_behind(
+    program: Program, scopes: Scopes, wait: Wait, before: int, behind: Move | None, known: Set[int]
+) -> bool:
+    move = program.motions[before]
+    assert isinstance(move, Move)
+    if behind is not None and behind.settings != move.settings:
+        return False  # they change somewhere between, and the line would be read under others
+    if isinstance(move, MoveAbsJ | MoveExtJ) and move.settings.displaced:
+        return False
+    if isinstance(move, PoseMove) and move.written.aggregate is None and before not in known:
+        return False
+    at, to = move.written.statement, wait.written.statement
+    text = program.files[at.file].text
+    call = read_move(move, text[at.start : at.end])
+    here, there = (at.file, at.start), (to.file, to.start)
+    words = (call.speed, call.tool, call.wobj)
+    return all(scopes.same(text[word.start : word.end], here, there) for word in words if word is not None)
+
+
+def _tried(
+    program: Program, plant: Plant, scopes: Scopes, stretches: Stretches, again: Reader, computed: set[int]
+) -> tuple[set[int], list[Stretch]]:
+    """The computed targets and the stretches that come out as the program when written with its own values."""
+    own, flat = set(computed), stretches.every()
+    targets = Targets(program, plant, Edits(program.files), Names({}), scopes)
+    intents = {
+        i: Intent(targets.as_written(motion) if isinstance(motion, Move) else None)
+        for i, motion in enumerate(program.motions)
+        if isinstance(motion, Move | Wait)
+    }
+    reads = 0
+    while (own or flat) and reads < _TRIALS:
+        covered = {i for stretch in flat for i in range(stretch.first, stretch.last)}
+        choices = Choices(frozenset(own - covered), tuple(flat))
+        try:
+            export = write(program, plant, scopes, stretches, intents, choices)
+        except InputError as error:
+            wrong = _blamed(program, error)
+        else:
+            reads += 1
+            try:
+                difference = first_difference(program, again(export.texts, export.new))
+            except InputError:
+                difference = len(program.motions)
+            if difference is None:
+                return own - covered, flat
+            wrong = difference
+        # What is written nearest before the first difference made it.
+        last = max((i for i in own - covered if i <= wrong), default=-1)
+        stretch = max((one for one in flat if one.first <= wrong), key=lambda one: one.first, default=None)
+        if stretch is not None and stretch.first >= last:
+            flat = _without(program, flat, stretch, wrong)
+        elif last >= 0:
+            own.discard(last)
+        else:
+            break
+    return set(), []
+
+
+def _without(program: Program, flat: list[Stretch], culprit: Stretch, wrong: int) -> list[Stretch]:
+    """Stretches but the culprit, and but those that run the same statement as it does where it goes wrong."""
+    same = program.motions[wrong].written.statement if wrong < culprit.last else None
+    return [
+        one
+        for one in flat
+        if one is not culprit
+        and all(motion.written.statement != same for motion in program.motions[one.first : one.last])
+    ]
+
+
+def _blamed(program: Program, error: InputError) -> int:
+    """The motion an error is placed at; the last one where it has no place in the program as given."""
+    for index, motion in enumerate(program.motions):
+        source = motion.source
+        if (source.file, source.line, source.column) == (error.file, error.line, error.column):
+            return index
+    return len(program.motions)
