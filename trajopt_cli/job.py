@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import Move, Program
-from trajopt_cli.results import read_results
 from trajopt_cli.run_folder import RUN
 
 if TYPE_CHECKING:
@@ -72,10 +71,12 @@ def cell_path_for(programs: Sequence[Path]) -> Path:
 
 def cell_for(programs: Sequence[Path], cell: Path | None) -> Cell | None:
     """The program's cell; None where it has no cell file and none was asked for."""
-    from trajopt_cli.cell.loader import load_cell
-
     path = cell or cell_path_for(programs)
-    return load_cell(path) if cell or path.exists() else None
+    if cell is None and not path.exists():
+        return None
+    from trajopt_cli.cell.loader import load_cell  # half of what `trajopt parse` without a cell file takes
+
+    return load_cell(path)
 
 
 def scenario_of(cell: Cell | None, assume_identity: Iterable[str] = ()) -> Scenario:
@@ -143,6 +144,8 @@ def read_job(
 
 def read_results_job(folder: Path) -> Job:
     """The job of a results folder: the copies it holds, with the entry and the assumptions of its run."""
+    from trajopt_cli.results import read_results
+
     results = read_results(folder)
     return read_job(results.modules, results.cell, results.entry, results.assume_identity)
 
