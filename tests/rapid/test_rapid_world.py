@@ -135,6 +135,8 @@ def test_messages(body: str, message: str) -> None:
         ("WaitDI Di1,1;", {"di1=0": 3.0}, 0.0),
         ("WaitGI g\\NOTEQ,4;", {"g<>4": 0.5}, 0.5),
         ("WaitUntil Di1 = 1;", {"di1=1": 0.75}, 0.75),
+        ("WaitUntil DInput(Di1)>3;", {"di1": 0.75}, 0.75),
+        ("WaitUntil Di1=1 OR Di2=1;", {"di1": 0.75}, 0.0),
         ("WaitUntil f{2} AND x=1;", {"f{2}andx=1": 0.25}, 0.25),
         ("WaitWObj wConv\\RelDist:=100;", {"wconv": 1.5}, 1.5),
     ],
@@ -153,6 +155,7 @@ def test_a_wait_without_max_time_cannot_time_out() -> None:
 def test_a_condition_that_cannot_become_true_is_waited_for_and_leaves_the_sequences_where_they_were() -> None:
     assert times("WaitUntil a=7 OR b=7; WaitTime a; WaitTime b;", signals={"a": (1.0, 2.0), "b": 3.0}) == [1, 3]
     assert times("WaitUntil n>4; WaitTime n;", "VAR num n:=2;") == [2]
+    assert times("WaitUntil n=other; WaitTime n;", "VAR num n:=2; VAR num other:=5;") == [2]
 
 
 def test_conditions_with_calls_are_polled() -> None:
@@ -214,6 +217,11 @@ def test_arrays_are_asked_for_in_full_as_long_as_a_cell_file_can_hold_them() -> 
     assert lack.line == 'answers: {v: "[' + "0," * 99 + "...}"
     message = "m.mod:4:14: 'v' is a num{*} of more values than the cell file can answer"
     assert error("ReadAnyBin d,v;", "VAR iodev d; VAR num v{1000,1000};") == message.replace("{*}", "{*,*}")
+
+
+def test_the_first_key_that_is_labelled_stands_in() -> None:
+    _, (lack,) = try_program(text_of('TPReadFK n,"?",stEmpty,""," ","Go","Stop";', "VAR num n;"))
+    assert lack.value == "4"
 
 
 def test_an_alias_that_is_declared_nowhere_stands_for_its_signal() -> None:
