@@ -100,7 +100,7 @@ def _count(sizes: Sequence[int]) -> int:
 
 def _initial(run: Run, node: DataDeclaration, type_: Type, frame: Frame) -> Value:
     if _valueless(type_):
-        return Value(type_, node.value.numbers if isinstance(node.value, Aggregate) else None)
+        return Value(type_, node.value.numbers if isinstance(node.value, Aggregate) else type_.default)
     if node.value is None:
         return Value(type_, type_.default)
     if node in run.computing:
