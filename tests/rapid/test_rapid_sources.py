@@ -104,9 +104,10 @@ def test_every_layout_is_one_program(tmp_path: Path, places: tuple[str, str]) ->
 
 
 def test_the_order_is_the_same_whatever_the_file_system_says(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    folder = tree(tmp_path / "f", {f"{name}.mod": module(name) for name in ("b", "C", "a", "sub/d")})
+    places = ("b.mod", "C.mod", "a.mod", "sub/d.mod", "a_user.sys")
+    folder = tree(tmp_path / "f", {place: module(place[0]) for place in places})
     before = names(folder)
-    assert before == ["a.mod", "b.mod", "C.mod", "d.mod"]
+    assert before == ["a.mod", "b.mod", "C.mod", "d.mod", "a_user.sys"]
     listed = Path.iterdir
     monkeypatch.setattr(Path, "iterdir", lambda self: iter([*listed(self)][::-1]))
     assert names(folder) == before
@@ -151,7 +152,8 @@ def test_links_in_circles_end_and_results_are_not_read_again(tmp_path: Path) -> 
             ".git/a.mod": module("a"),
         },
     )
-    (folder / "again").symlink_to(folder, target_is_directory=True)
+    for name in ("again", "results/back", "once_more"):  # each round doubles the paths
+        (folder / name).symlink_to(folder, target_is_directory=True)
     (folder / "also.mod").symlink_to(folder / "a.mod")
     (folder / "broken.mod").symlink_to(folder / "nowhere")
     (folder / "me").symlink_to(folder / "me")
@@ -190,6 +192,14 @@ def test_several_tasks_with_the_entry_are_named(tmp_path: Path) -> None:
     assert error(folder) == f"{tasks}2 of them hold a PROC main; give the folder of one of them"
     assert error(folder, entry="go") == f"{tasks}none of them holds a PROC go; give the folder of one of them"
     assert waits(read_program(folder / "RAPID" / "T_ROB2")) == [3]
+
+
+def test_the_folders_of_rapid_are_tasks_whatever_their_names(tmp_path: Path) -> None:
+    folder = tree(
+        tmp_path / "b",
+        {f"RAPID/{name}/Main.mod": module("Main", main="WaitTime 3;\n") for name in ("Left", "Right")},
+    )
+    assert error(folder).startswith("b: holds 2 tasks (RAPID/Left, RAPID/Right), and 2 of them hold a PROC main")
 
 
 def test_modules_outside_the_task_are_not_read_and_said(tmp_path: Path) -> None:
@@ -237,6 +247,10 @@ BOMB = '<?xml version="1.0"?>\n<!DOCTYPE x [<!ENTITY a "ha"><!ENTITY b "&a;&a;">
 @pytest.mark.parametrize(
     ("text", "message"),
     [
+        (
+            '<!DOCTYPE Program SYSTEM "http://x/y.dtd">\n<Program><Module>Main.mod</Module></Program>',
+            ":1: declares a document type or an entity, which no controller writes; remove the declaration",
+        ),
         (BOMB, ":2: declares a document type or an entity, which no controller writes; remove the declaration"),
         ("<Program>\n<Module>Main.mod</Modul></Program>", ":2:19: is no readable program list: mismatched tag"),
         ("<Page>\n</Page>", ":1: is no program list: it begins with <Page>, a list begins with <Program>"),
@@ -294,7 +308,7 @@ def test_files_of_other_languages_get_one_sentence(tmp_path: Path, content: byte
     "text",
     [
         "%%%\n  VERSION:1\n  LANGUAGE:ENGLISH\n%%%\n\nMODULE a\nPROC main()\nWaitTime 1;\nENDPROC\nENDMODULE\n",
-        "! END a.\nmodule a\n! minimize x: go;\nproc main()\nWaitTime 1;\nendproc\nendmodule\n",
+        "module a\nproc main()\nset do1;\nWaitTime 1;\nendproc\nendmodule\n",
         "PROC main()\nWaitTime 1;\nENDPROC\n",
         "MODULE\x00 a\x00\nPROC main()\x00\nWaitTime 1;\nENDPROC\nENDMODULE\n",
     ],
@@ -392,6 +406,8 @@ def test_no_hint_where_nobody_declares_the_name_or_two_do(tmp_path: Path) -> Non
     assert "give the folder" not in error(folder / "Main.mod")
     tree(folder, {"a.mod": module("a", TOOL), "b.mod": module("b", TOOL)})
     assert "give the folder" not in error(folder / "Main.mod")
+    folder = tree(tmp_path / "g", {"x.mod": module("x", P), "own.mod": module("own", "VAR num p;\n", TOOL, main=MOVE)})
+    assert error(folder / "own.mod") == "own.mod:5:7: needs a value of type robtarget, found num"
 
 
 def test_the_entry_beside_is_hinted_at(tmp_path: Path) -> None:

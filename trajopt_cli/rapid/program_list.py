@@ -18,7 +18,7 @@ class Listed(NamedTuple):
 
 
 def read_list(path: Path) -> tuple[Listed, ...]:
-    """The modules of a program list in its order, each once.
+    """The modules of a program list, in its order.
 
     Raises InputError with the line: broken XML, another root than Program, no modules, a name with a folder in it, and
     document types or entities, which no controller writes and which can blow up a reader.
@@ -27,7 +27,7 @@ def read_list(path: Path) -> tuple[Listed, ...]:
     text = read_text(path).text.lstrip("\ufeff")
     # What the file says of its own encoding does not count: the text is decoded as every program file is.
     parser = expat.ParserCreate("utf-8")
-    found: dict[str, Listed] = {}
+    found: list[Listed] = []
     open_tags: list[str] = []
     parts: list[str] = []
 
@@ -45,7 +45,7 @@ def read_list(path: Path) -> tuple[Listed, ...]:
             name = "".join(parts).strip()
             if not name or set(name) & set("/\\\0") or name == "..":
                 raise refuse(f"'{name}' is no name of a module file; a list names files beside it")
-            found.setdefault(name.lower(), Listed(name, parser.CurrentLineNumber))
+            found.append(Listed(name, parser.CurrentLineNumber))
         parts.clear()
 
     def refuse_declaration(*_: object) -> None:
@@ -63,4 +63,4 @@ def read_list(path: Path) -> tuple[Listed, ...]:
         raise InputError(message, file=file, line=error.lineno, column=error.offset + 1) from error
     if not found:
         raise InputError("lists no modules: a list holds <Program><Module>Name.mod</Module></Program>", file=file)
-    return tuple(found.values())
+    return tuple(found)
