@@ -1,59 +1,205 @@
-"""A program's motions as a table, in the units of RAPID: mm, deg, mm/s."""
+"""A program's motions as text, in the units of RAPID: mm, deg, mm/s. As wide as the terminal, without rich.
+
+Columns that are empty everywhere are left out. Those that do not fit stand below each row, in the same order.
+"""
 
 from __future__ import annotations
 
-from rich.table import Table
+import re
+import shutil
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import PurePath
+from textwrap import wrap
+from typing import Any
 
-from trajopt_cli.cli.layout import place, plain_table
+from trajopt_cli.motion import Happens, PathEvent
 from trajopt_cli.rapid.listing import Listing, Row
 
+PIPED_WIDTH = 300  # columns when nobody tells; a log must not wrap
+_GAP = "  "
+_LONGEST = {
+    "target": 44,
+    "speed": 34,
+    "zone": 26,
+}  # figures and expressions written out in the program: cut in the middle
+_SAYABLE = ("speed", "zone", "conf", "ext. axes", "tool", "wobj", "orientation w x y z", "settings")  # once for all
+_OF_POSES = {"conf", "wobj", "orientation w x y z"}  # moves to joints have none
+_NAMED = re.compile(r"(v|vrot|vlin)(\d+)$", re.IGNORECASE)
+_ZONE = re.compile(r"z(\d+)$", re.IGNORECASE)
 
-def listing_table(program: str, listing: Listing) -> Table:
-    """One line per motion."""
-    title = f"{program}: positions in mm, world; joints in deg; external axes as written"
-    table = plain_table(
-        title,
-        "place",
-        "instruction",
-        "target",
-        "to",
-        "orientation w x y z",
-        "ext. axes",
-        "conf",
-        "speed",
-        "zone",
-        "tool",
-        "",
-    )
-    for row in listing.rows:
-        tool = " ".join(part for part in (row.tool, row.wobj) if part)
-        table.add_row(
-            place(row.source),
-            row.instruction,
-            row.target or "",
-            _figures(row.position or row.joints),
-            _figures(row.orientation, 5),
-            " ".join("-" if value is None else f"{value:g}" for value in row.extax or ()).rstrip(" -"),
-            "" if row.conf is None else f"{row.conf.cf1},{row.conf.cf4},{row.conf.cf6},{row.conf.cfx}",
-            row.speed or "",
-            row.zone or "",
-            tool,
-            _rest(row),
-        )
-    return table
+# What each column shows, the most telling first.
+COLUMNS: dict[str, Callable[[Row], str]] = {
+    "place": lambda row: f"{PurePath(row.source.file).name}:{row.source.line}",
+    "instruction": lambda row: row.instruction,
+    "target": lambda row: " ".join((row.target or "").split()),
+    "to": lambda row: _to(row),
+    "speed": lambda row: _speed(row),
+    "zone": lambda row: _zone(row),
+    "conf": lambda row: "" if row.conf is None else f"{row.conf.cf1},{row.conf.cf4},{row.conf.cf6},{row.conf.cfx}",
+    "ext. axes": lambda row: _external(row),
+    "tool": lambda row: row.tool or "",
+    "wobj": lambda row: row.wobj or "",
+    "orientation w x y z": lambda row: _figures(row.orientation, 5),
+    "by way of": lambda row: _figures(row.via),
+    "length": lambda row: "" if row.length is None else f"{round(row.length, 2) + 0.0:g}",
+    "events": lambda row: ", ".join(_event(event) for event in row.events),
+    "settings": lambda row: settings_text(row.settings),
+    "besides": lambda row: _besides(row),
+}
+
+
+def terminal_width() -> int:
+    """Columns of the terminal that stdout is; many where it is none."""
+    return shutil.get_terminal_size().columns if sys.stdout.isatty() else PIPED_WIDTH
+
+
+def listing_lines(program: str, listing: Listing, width: int) -> Iterator[str]:
+    """The table, line by line, none wider than width unless a single cell is."""
+    title = f"{program}: positions in mm, world; joints in deg; lengths in mm; external axes as written"
+    yield from wrap(title, width, break_long_words=False, break_on_hyphens=False)
+    yield ""
+    cells = {name: [_cut(name, show(row)) for row in listing.rows] for name, show in COLUMNS.items()}
+    cells = {name: column for name, column in cells.items() if any(column)}
+    widths = {name: max(len(name), *map(len, column)) for name, column in cells.items()}
+    beside, below = _fitting(widths, width)
+    if below and (same := _same_for_all_moves(cells, listing.rows)):
+        told = ", ".join(f"{name} {text}" for name, text in same.items())
+        yield from wrap(f"every move: {told}", width, subsequent_indent="    ", break_on_hyphens=False)
+        yield ""
+        beside, below = _fitting({name: widths[name] for name in widths if name not in same}, width)
+    yield _line([name.ljust(widths[name]) for name in beside])
+    if below:
+        yield from wrap("then " + ", ".join(below), width, initial_indent="    ", subsequent_indent="    ")
+    yield "─" * min(width, sum(widths[name] + len(_GAP) for name in beside) - len(_GAP))
+    for i in range(len(listing.rows)):
+        yield _line([cells[name][i].ljust(widths[name]) for name in beside])
+        rest = _GAP.join(_labelled(name, cells[name][i]) for name in below if cells[name][i])
+        yield from wrap(rest, width, initial_indent="    ", subsequent_indent="    ", break_on_hyphens=False)
+
+
+def _same_for_all_moves(cells: Mapping[str, Sequence[str]], rows: Sequence[Row]) -> dict[str, str]:
+    """What columns say that say the same for every move, by column."""
+    moves = [i for i, row in enumerate(rows) if row.zone is not None]
+    if len(moves) < 2:
+        return {}
+    texts = {name: {cells[name][i] for i in moves} for name in cells if name in _SAYABLE}
+    for name in texts.keys() & _OF_POSES:
+        texts[name].discard("")
+    return {name: text for name, (text, *more) in ((n, [*t]) for n, t in texts.items()) if text and not more}
+
+
+def _fitting(widths: Mapping[str, int], width: int) -> tuple[list[str], list[str]]:
+    """The columns that stand beside each other, and those that do not fit."""
+    names, used = list(widths), 0
+    for i, name in enumerate(names):
+        used += widths[name] + (len(_GAP) if i else 0)
+        if used > width:
+            return names[: max(i, 1)], names[max(i, 1) :]
+    return names, []
+
+
+def _line(parts: Sequence[str]) -> str:
+    return _GAP.join(parts).rstrip()
+
+
+def _labelled(name: str, text: str) -> str:
+    """A cell that stands under its row, with what it is where it does not tell itself."""
+    label = {"conf": "conf", "ext. axes": "eax", "orientation w x y z": "wxyz", "by way of": "via", "length": "length"}
+    return f"{label[name]} {text}" if name in label else text
+
+
+def _cut(name: str, text: str) -> str:
+    longest = _LONGEST.get(name)
+    if longest is None or len(text) <= longest:
+        return text
+    half = (longest - 1) // 2
+    return f"{text[:half]}…{text[-half:]}"
 
 
 def _figures(values: tuple[float, ...] | None, digits: int = 2) -> str:
     # + 0.0 takes the sign off a zero
-    return " ".join(f"{round(value, digits) + 0.0:g}" for value in values or ())
+    return " ".join(f"{round(value, digits) + 0.0:.10g}" for value in values or ())
 
 
-def _rest(row: Row) -> str:
-    parts = []
-    if row.duration is not None:
-        parts.append(f"{'at least ' if row.instruction == 'Wait' else ''}{row.duration:g} s")
+def _to(row: Row) -> str:
+    """Where a move ends, how long a wait lasts, what a signal is set to."""
+    if row.kind == "Wait":
+        return f"{'at least ' if row.target is not None else ''}{row.duration:.7g} s"
     if row.value is not None:
-        parts.append(f"= {row.value:g}")
-    if row.optional:
-        parts.append("optional")
-    return ", ".join(parts)
+        return f"= {row.value:.7g}"
+    return _figures(row.position or row.joints)
+
+
+def _external(row: Row) -> str:
+    return " ".join("-" if value is None else f"{value:.7g}" for value in row.extax or ()).rstrip(" -")
+
+
+def _speed(row: Row) -> str:
+    """The name, and the four figures where they are not those of the name; a programmed time."""
+    if row.speed is None:
+        return ""
+    figures = (row.v_tcp, row.v_ori, row.v_leax, row.v_reax)
+    text = row.speed
+    if not all(_same(figure, usual) for figure, usual in zip(figures, _usual(row.speed), strict=True)):
+        shown = f"[{','.join('-' if figure is None else f'{figure:.6g}' for figure in figures)}]"
+        text = shown if text.startswith("[") else f"{text} {shown}"
+    return text if row.duration is None else f"{text} in {row.duration:.7g} s"
+
+
+def _usual(name: str) -> tuple[float | None, ...]:
+    """The figures of predefined speeddata by its name, None where the name does not tell."""
+    match = _NAMED.match(name)
+    if match is None:
+        return (None,) * 4
+    n = float(match[2])
+    kinds = {"v": (n, 500.0, 5000.0, 1000.0), "vrot": (0.0, 0.0, 0.0, n), "vlin": (0.0, 0.0, n, 0.0)}
+    return kinds[match[1].lower()]
+
+
+def _same(figure: float | None, usual: float | None) -> bool:
+    return figure is None or (usual is not None and abs(figure - usual) <= 1e-4 * max(figure, 1.0))
+
+
+def _zone(row: Row) -> str:
+    """The name; the radius where the name does not tell it; what is left of it."""
+    if row.zone is None:
+        return ""
+    name = "" if row.zone.startswith("[") else row.zone
+    if row.stop:
+        return " ".join(part for part in (name or "fine", row.criterion) if part)
+    match, radius = _ZONE.match(row.zone), row.radius or 0.0
+    usual = match is not None and abs(radius - (float(match[1]) or 0.3)) <= 1e-4
+    left = row.effective_radius
+    if left is not None and left < radius - 1e-6:
+        return f"{name} {f'{left:.4g} of ' if left else 'stop, not '}{radius:.4g}".strip()
+    return name if usual else f"{name} {radius:.4g}".strip()
+
+
+def _event(event: PathEvent) -> str:
+    match event.kind:
+        case Happens.SIGNAL:
+            what = event.name if event.value is None else f"{event.name}={event.value:.7g}"
+        case Happens.INTERRUPT:
+            what = f"interrupt {event.name}"
+        case Happens.PROCEDURE:
+            what = f"{event.name}()"
+    parts = [f"{value:.5g} {unit}" for value, unit in ((event.distance * 1e3, "mm"), (event.time, "s")) if value]
+    place = ("behind the start" if event.from_start else "before the end") if parts else ""
+    return " ".join([what, *parts, place or ("at the start" if event.from_start else "at the end")])
+
+
+def settings_text(settings: Mapping[str, Any]) -> str:
+    """Settings that differ, as the program would write them, on one line."""
+    return ", ".join(
+        " ".join([word, *(_setting(one) for one in (value if isinstance(value, list) else [value]))])
+        for word, value in settings.items()
+    )
+
+
+def _setting(value: Any) -> str:
+    return "-" if value is None else value if isinstance(value, str) else f"{value:.6g}"
+
+
+def _besides(row: Row) -> str:
+    return ", ".join([*(f"{key} {value}" for key, value in row.process), *(["optional"] if row.optional else [])])

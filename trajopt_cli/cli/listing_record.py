@@ -6,18 +6,30 @@ Rounded so that the float32 numbers of RAPID show no noise: 0.1 is 0.1 and not 0
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from trajopt_cli.motion import ConfData, PathEvent, Program
 from trajopt_cli.rapid.listing import Listing, Row
 from trajopt_cli.units import MM
 
+if TYPE_CHECKING:
+    from trajopt_cli.problem.configurations import ConfigurationFinding
+
 SCHEMA = 1
 _MM, _QUATERNION, _DEG = 4, 7, 5  # digits behind the point
 
 
-def listing_record(program: Program, listing: Listing) -> dict[str, Any]:
-    """The listing as plain data without NaN; mm, deg, mm/s, s, quaternions scalar first."""
+def listing_record(
+    program: Program,
+    listing: Listing,
+    found: Sequence[ConfigurationFinding] | None = None,
+    notes: Sequence[str] = (),
+) -> dict[str, Any]:
+    """The listing as plain data without NaN; mm, deg, mm/s, s, quaternions scalar first.
+
+    found: what the robot cannot do as confdata says, None where nobody asked a robot. notes: what the text below the
+    table says.
+    """
     return {
         "schema": SCHEMA,
         "program": program.name,
@@ -29,7 +41,9 @@ def listing_record(program: Program, listing: Listing) -> dict[str, Any]:
         "unmeasured": listing.unmeasured,
         "fly_by_zones": listing.fly_by,
         "ignored": dict(program.ignored),
+        "notes": list(notes),
         "warnings": list(program.warnings),
+        "configurations": None if found is None else [_finding(one) for one in found],
     }
 
 
@@ -66,6 +80,19 @@ def row_record(row: Row) -> dict[str, Any]:
         "settings": {word: _setting(value) for word, value in row.settings.items()},
         "events": [_event(event) for event in row.events],
         "process": dict(row.process),
+    }
+
+
+def _finding(one: ConfigurationFinding) -> dict[str, Any]:
+    return {
+        "index": one.index,
+        "source": str(one.source),
+        "motion": one.motion,
+        "misfit": one.misfit.value,
+        "conf": four(one.programmed),
+        "reachable": [four(conf) for conf in one.reachable],
+        "rail": None if one.rail is None else _round(one.rail / MM, _MM),
+        "message": one.message,
     }
 
 

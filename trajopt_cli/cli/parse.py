@@ -2,35 +2,154 @@
 
 from __future__ import annotations
 
-from trajopt_cli.cli.options import AsJson, CellPath, ProgramPath
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, ProgramPaths
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from trajopt_cli.cell.model import Cell
+    from trajopt_cli.errors import InputError
+    from trajopt_cli.motion import Program
+    from trajopt_cli.problem.configurations import ConfigurationFinding
+    from trajopt_cli.problem.plant import Plant
+    from trajopt_cli.rapid.listing import Listing
+    from trajopt_cli.scenario import Lack
+
+_SHOWN = 20  # configuration findings in text; --json has them all
 
 
-def parse(program: ProgramPath, cell: CellPath = None, as_json: AsJson = False) -> None:
+def parse(
+    program: ProgramPaths,
+    cell: CellPath = None,
+    entry: Entry = None,
+    assume_identity: AssumeIdentity = None,
+    as_json: AsJson = False,
+    scenario_template: Annotated[
+        bool,
+        typer.Option(
+            "--scenario-template", help="Print what the cell file must still say about signals, answers, ... and stop."
+        ),
+    ] = False,
+) -> None:
     """Run PROGRAM on paper and print its motions in order, each with file and line, in the units of RAPID.
 
-    Needs no cell file; where there is one, its signal values and waits are used.
+    Needs no cell file; where there is one, its scenario is used, and confdata is held against its robot.
     """
-    import json
-
-    import typer
-
-    from trajopt_cli.job import cell_for, read_flat, scenario_of
+    from trajopt_cli.job import MAIN, cell_for, scenario_of
     from trajopt_cli.rapid.listing import describe
+    from trajopt_cli.rapid.reader import try_paths
 
-    flat = read_flat([program], scenario_of(cell_for([program], cell)))
-    listing = describe(flat)
+    loaded = cell_for(program, cell)
+    plant = None if loaded is None else _plant(loaded)
+    kinematics = None
+    if plant is not None:
+        from trajopt_cli.problem.programmed import PlantKinematics
+
+        kinematics = PlantKinematics(plant)
+    flat, lacks = try_paths(program, scenario_of(loaded, assume_identity or ()), entry or MAIN, kinematics)
+    if scenario_template:
+        _print_template(lacks)
+        return
+    if lacks:
+        raise _lacking(lacks, flat, program, entry or MAIN)
+    listing = describe(flat, kinematics)
+    found = None
+    if plant is not None:
+        from trajopt_cli.problem.configurations import check_configurations
+
+        found = check_configurations(flat, plant)
+    notes = [*notes_on(flat, listing, plant)]
     if as_json:
+        import json
+
         from trajopt_cli.cli.listing_record import listing_record
 
-        typer.echo(json.dumps(listing_record(flat, listing), indent=2, ensure_ascii=False, allow_nan=False))
+        record = listing_record(flat, listing, found, notes)
+        typer.echo(json.dumps(record, indent=2, ensure_ascii=False, allow_nan=False))
         return
-    from trajopt_cli.cli.console import stdout
-    from trajopt_cli.cli.listing import listing_table
+    from trajopt_cli.cli.listing import listing_lines, terminal_width
 
-    console = stdout()
-    console.print(listing_table(str(program), listing))
-    console.print(f"{len(listing.rows)} motions, {listing.line_length:.1f} mm of lines with a known start")
+    title = " ".join(str(path) for path in program)
+    lines = [*listing_lines(title, listing, terminal_width()), "", *_sums(listing), *notes]
+    lines += [f"warning: {warning}" for warning in flat.warnings]
+    typer.echo("\n".join([*lines, *_configurations(found)]))
+
+
+def _plant(cell: Cell) -> Plant:
+    """The cell's robot without the bodies around it: nothing is planned here, and their meshes take time to load."""
+    from dataclasses import replace
+
+    from trajopt_cli.problem.plant import build_plant
+
+    return build_plant(replace(cell, obstacles=(), attached=(), may_touch=()))
+
+
+def _print_template(lacks: Sequence[Lack]) -> None:
+    from trajopt_cli.rapid.template import template
+
+    if not lacks:
+        typer.echo("nothing lacking: the program runs with what the cell file says", err=True)
+        return
+    typer.echo(template(lacks), nl=False)
+
+
+def _lacking(lacks: Sequence[Lack], flat: Program, paths: Sequence[Path], entry: str) -> InputError:
+    """The error of a program whose world is not told, with the way to the lines that tell it."""
+    from trajopt_cli.errors import InputError, InputErrorGroup
+    from trajopt_cli.rapid.neighbours import with_hints
+    from trajopt_cli.scenario import lacking
+
+    error = with_hints(lacking(lacks), [*flat.files.values()], entry)
+    errors = error.errors if isinstance(error, InputErrorGroup) else (error,)
+    command = f"trajopt parse {' '.join(str(path) for path in paths)} --scenario-template"
+    return InputErrorGroup([*errors, InputError(f"'{command}' prints these lines for the cell file")])
+
+
+def _sums(listing: Listing) -> Iterator[str]:
+    parts = [f"{len(listing.rows)} motions, {listing.line_length:.1f} mm of lines"]
+    if any(row.kind == "MoveC" for row in listing.rows):
+        parts.append(f"{listing.arc_length:.1f} mm of arcs")
+    unknown = f", {listing.unmeasured} without" if listing.unmeasured else ""
+    yield f"{' and '.join(parts)} with a known start{unknown}"
+
+
+def notes_on(flat: Program, listing: Listing, plant: Plant | None) -> Iterator[str]:
+    """What a reader of the table should know: what has no effect, and what becomes of it in a plan."""
+    from collections import Counter
+
+    if flat.ignored:
+        told = ", ".join(f"{instruction} {count}" for instruction, count in flat.ignored.items())
+        yield f"no effect on motion: {told}"
     if listing.fly_by:
-        console.print(f"{listing.fly_by} fly-by zones; optimize plans them as stops")
-    for warning in flat.warnings:
-        console.print(f"warning: {warning}")
+        yield f"{listing.fly_by} fly-by zone{'s' * (listing.fly_by > 1)}; optimize plans them as stops"
+    if plant is None:
+        return
+    from trajopt_cli.problem.plannable import planned_otherwise, refusals
+
+    yield from planned_otherwise(flat)
+    if refused := Counter(one.kind for one in refusals(flat, plant)):
+        yield f"optimize will refuse this program: {', '.join(f'{kind} {count}' for kind, count in refused.items())}"
+
+
+def _configurations(found: Sequence[ConfigurationFinding] | None) -> Iterator[str]:
+    """What is wrong with confdata, each statement once per trouble."""
+    if found is None:
+        yield "configurations not checked: no cell file"
+        return
+    if not found:
+        yield "configurations: every point and line fits the robot"
+        return
+    first: dict[tuple[object, object], list[ConfigurationFinding]] = {}
+    for one in found:
+        first.setdefault((one.source, one.misfit), []).append(one)
+    yield f"configurations: {len(found)} motions do not fit the robot"
+    for group in list(first.values())[:_SHOWN]:
+        again = f" (and {len(group) - 1} more passes)" if len(group) > 1 else ""
+        yield f"  {group[0].source}: {group[0].message}{again}"
+    if len(first) > _SHOWN:
+        yield f"  and {len(first) - _SHOWN} more; --json lists them all"

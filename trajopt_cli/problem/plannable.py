@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.motion import (
@@ -29,29 +30,38 @@ STILL = 0.1  # mm or deg: backups hold measured values of axes that stand
 _STOP_POINTS = ("inpos20", "inpos50", "inpos100")  # stop points without a time of their own
 
 
-def check_plannable(program: Program, plant: Plant) -> None:
-    """Raise an InputErrorGroup that names each motion no plan can keep, what it asks for, and what to do.
+@dataclass(frozen=True)
+class Refusal:
+    """One thing that one statement asks for and no plan keeps. kind: in one word or two; message: with advice."""
 
-    A statement that runs many times is named once per thing it asks for.
-    """
-    found: dict[tuple[Source, str], InputError] = {}
+    kind: str
+    source: Source
+    message: str
+
+
+def refusals(program: Program, plant: Plant) -> tuple[Refusal, ...]:
+    """What no plan can keep, in program order; a statement that runs many times is named once per thing it asks for."""
+    found: dict[tuple[Source, str], Refusal] = {}
     axes = _OtherAxes(plant)
     for motion in program.motions:
         if isinstance(motion, Wait | SignalEvent):
             continue
         for kind, demand, advice in (*_demands(motion, plant), *axes.demands(motion)):
-            source = motion.source
-            found.setdefault(
-                (source, kind),
-                InputError(
-                    f"{name(motion)} {demand}; {advice}", file=source.file, line=source.line, column=source.column
-                ),
-            )
-    errors = [*found.values()]
-    if len(errors) > SHOWN:
-        rest = Counter(kind for _, kind in list(found)[SHOWN:])
+            key = (motion.source, kind)
+            found.setdefault(key, Refusal(kind, motion.source, f"{name(motion)} {demand}; {advice}"))
+    return tuple(found.values())
+
+
+def check_plannable(program: Program, plant: Plant) -> None:
+    """Raise an InputErrorGroup that names each motion no plan can keep, what it asks for, and what to do."""
+    found = refusals(program, plant)
+    errors = [
+        InputError(one.message, file=one.source.file, line=one.source.line, column=one.source.column)
+        for one in found[:SHOWN]
+    ]
+    if rest := Counter(one.kind for one in found[SHOWN:]):
         told = ", ".join(f"{kind} {count}" for kind, count in rest.items())
-        errors = [*errors[:SHOWN], InputError(f"and {len(found) - SHOWN} more that cannot be planned: {told}")]
+        errors.append(InputError(f"and {rest.total()} more that cannot be planned: {told}"))
     if errors:
         raise InputErrorGroup(errors)
 

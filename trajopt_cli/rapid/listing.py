@@ -30,6 +30,7 @@ from trajopt_cli.motion import (
     Source,
     Wait,
 )
+from trajopt_cli.rapid.zones import effective_radii, way_length
 from trajopt_cli.units import DEG, MM
 
 Triple = tuple[float, float, float]
@@ -44,9 +45,10 @@ class Row:
     "SignalEvent"). target: as written; of a wait its condition, of a signal event the signal. position: world.
     orientation: world, unit quaternion w x y z. via: the point an arc goes through. joints: of the arm. speed, zone:
     their names. v_tcp and the rest: their figures, VelSet and \\V included. radius: programmed, of a fly-by;
-    effective_radius: what the way to its neighbours leaves of it. extax: mm or deg. duration: seconds of a wait (at
-    least, where a condition ends it), or the programmed time of a move. value: what a signal is set to. length: of a
-    line or an arc whose start is known. settings: what differs from the default, by the name of the instruction.
+    effective_radius: what the ways to its neighbours leave of it, 0 at a stop, None where only the robot tells. extax:
+    mm or deg. duration: seconds of a wait (at least, where a condition ends it), or the programmed time of a move.
+    value: what a signal is set to. length: of a line or an arc whose start is known. settings: what differs from the
+    default, by the name of the instruction. process: what an instruction of a process has besides, by parameter.
     """
 
     index: int
@@ -102,7 +104,7 @@ def describe(program: Program, kinematics: Kinematics | None = None) -> Listing:
     """
     lengths = _lengths(program, kinematics)
     quaternions = _quaternions(program.motions)
-    radii = _radii(program, lengths)
+    radii = effective_radii(program)
     settings: dict[int, dict[str, Any]] = {}  # by identity: thousands of motions share one
     rows = []
     for index, motion in enumerate(program.motions):
@@ -120,7 +122,7 @@ def describe(program: Program, kinematics: Kinematics | None = None) -> Listing:
             known = settings.get(id(motion.settings))
             if known is None:
                 known = settings[id(motion.settings)] = differing(motion.settings)
-            row = _move_row(index, motion, quaternions.get(index), lengths[index], radii.get(index), known)
+            row = _move_row(index, motion, quaternions.get(index), lengths[index], radii[index], known)
         rows.append(row)
     lines = sum(row.length for row in rows if row.kind == "MoveL" and row.length is not None)
     arcs = sum(row.length for row in rows if row.kind == "MoveC" and row.length is not None)
@@ -182,11 +184,8 @@ def _lengths(program: Program, kinematics: Kinematics | None) -> list[float | No
             continue
         extax = _taken_over(extax, motion.extax)
         if isinstance(motion, MoveJ | MoveL | MoveC):
-            if X_WF is not None and not isinstance(motion, MoveJ):
-                start = (X_WF @ motion.tool.X_FT)[:3, 3]
-                end = motion.X_WT[:3, 3]
-                via = motion.X_WV[:3, 3] if isinstance(motion, MoveC) else None
-                lengths[-1] = float(np.linalg.norm(end - start)) if via is None else arc_length(start, via, end)
+            if not isinstance(motion, MoveJ):
+                lengths[-1] = way_length(motion, X_WF)
             X_WF = motion.X_WT @ inverse_pose(motion.tool.X_FT)
         elif isinstance(motion, MoveAbsJ):
             X_WF = None if kinematics is None else kinematics.forward(motion.q, extax)
@@ -198,25 +197,6 @@ def _lengths(program: Program, kinematics: Kinematics | None) -> list[float | No
 def _taken_over(before: ExternalAxes, given: ExternalAxes) -> ExternalAxes:
     a, b, c, d, e, f = (old if new is None else new for old, new in zip(before, given, strict=True))
     return (a, b, c, d, e, f)
-
-
-def arc_length(start: Array, via: Array, end: Array) -> float:
-    """Length of the arc from start through via to end (3,); of the chord where the three lie on a line."""
-    a, b = via - start, end - start
-    area = float(np.linalg.norm(np.cross(a, b)))  # of the parallelogram
-    chords = (float(np.linalg.norm(a)), float(np.linalg.norm(end - via)))
-    chord = float(np.linalg.norm(b))
-    if area <= 1e-12 * max(chord, *chords) ** 2:
-        return sum(chords)
-    radius = chord * chords[0] * chords[1] / (2 * area)
-    # The angle at via stands on the arc that is not driven.
-    angle = float(np.arctan2(area, float((start - via) @ (end - via))))
-    return radius * (2 * np.pi - 2 * angle)
-
-
-def _radii(program: Program, lengths: Sequence[float | None]) -> dict[int, float]:
-    """Effective radius [m] of the fly-by zones by index."""
-    return {}
 
 
 def _point(p: Array) -> Triple:
