@@ -242,11 +242,11 @@ def solve(
 
 def _writable(job: Job) -> Program:
     """The program, knowing which of its motions the text lets change."""
-    from trajopt_cli.export.rapid import reader
+    from trajopt_cli.export.rapid_reading import Reading
     from trajopt_cli.export.rapid_writable import writable
 
-    again = reader(job.program, job.plant, job.scenario, job.program.entry)
-    return replace(job.program, writable=writable(job.program, job.plant, again))
+    reading = Reading(job.program, job.plant, job.scenario, job.program.entry)
+    return replace(job.program, writable=writable(job.program, job.plant, reading))
 
 
 def verify_results(folder: Path) -> tuple[Job, dict[str, Report]]:

@@ -23,34 +23,22 @@ The edited text is read again and held against the plan, motion by motion, befor
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
 from dataclasses import replace
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.export.rapid_check import mismatches
-from trajopt_cli.export.rapid_flat import Reader, Stretches
+from trajopt_cli.export.rapid_reading import Reading
 from trajopt_cli.export.rapid_scopes import Scopes
+from trajopt_cli.export.rapid_stretches import Stretches
 from trajopt_cli.export.rapid_targets import Targets
-from trajopt_cli.export.rapid_text import Edits, Names
+from trajopt_cli.export.rapid_text import Edits, Names, refusal
 from trajopt_cli.export.rapid_write import Choices, Intent, RapidExport, write
-from trajopt_cli.motion import Move, Program, TextFile, Wait
+from trajopt_cli.motion import Move, Program, Wait
 from trajopt_cli.problem.plan import Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.programmed import PlantKinematics
-from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.scenario import Scenario
 
 _RAIL_STILL = 1e-9  # m
-
-
-def reader(program: Program, plant: Plant, scenario: Scenario | None = None, entry: str = "main") -> Reader:
-    """Reads edited texts of a program's files, and new modules, as the program itself was read."""
-
-    def again(texts: Mapping[str, str], new: Mapping[str, TextFile]) -> Program:
-        files = [replace(file, text=texts[path]) for path, file in program.files.items()]
-        return run_program([*files, *new.values()], scenario, entry, PlantKinematics(plant))
-
-    return again
 
 
 def export_rapid(
@@ -71,15 +59,15 @@ def export_rapid(
         raise ValueError(f"only a plan for the RAPID controller can be written as RAPID, not one for {plan.target}")
     if faster and not plant.free_speed:
         raise ValueError("motions faster than programmed need a plant with free_speed")
-    again = reader(program, plant, scenario, entry)
+    reading = Reading(program, plant, scenario or Scenario(), entry)
     scopes = Scopes(program.files)
-    stretches = Stretches(program, scopes, again)
+    stretches = Stretches(program, scopes, reading)
     intents = _intents(program, plan, plant, faster, scopes)
     choices = Choices()
     while True:
         try:
             export = write(program, plant, scopes, stretches, intents, choices)
-            found = list(mismatches(program, plan, plant, again, export.texts, export.new, faster))
+            found = list(mismatches(program, plan, plant, reading, export.texts, export.new, faster))
         except InputError:
             if not choices.own or choices.isolated:
                 raise
@@ -89,6 +77,15 @@ def export_rapid(
             return export
         # A computed target that the edits leave, or make, another than planned gets a declaration of its own.
         computed = frozenset(index for index, _ in found if index is not None and _is_computed(program, index))
+        for index in computed:
+            if not stretches.constant(index):
+                motion = program.motions[index]
+                assert isinstance(motion, Move)
+                raise refusal(
+                    motion.source,
+                    f"the plan wants other values for {motion.target}, which hangs on what only the scenario says; it "
+                    "cannot be written out",
+                )
         if computed - choices.own:
             choices = replace(choices, own=choices.own | computed)
         elif not choices.isolated:

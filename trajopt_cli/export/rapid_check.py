@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.export.rapid_flat import Reader
+from trajopt_cli.export.rapid_reading import Reading
 from trajopt_cli.export.rapid_targets import PoseMove, confdata_counts, is_nearest
 from trajopt_cli.export.rapid_text import refusal
 from trajopt_cli.geometry import Array
@@ -28,13 +28,13 @@ def check_export(
     program: Program,
     plan: Plan,
     plant: Plant,
-    again: Reader,
+    reading: Reading,
     texts: Mapping[str, str],
     new: Mapping[str, TextFile] | None = None,
     faster: frozenset[int] = frozenset(),
 ) -> None:
     """Raises InputError, placed in the given program, for the first motion that the texts do not give as planned."""
-    for _, error in mismatches(program, plan, plant, again, texts, new or {}, faster):
+    for _, error in mismatches(program, plan, plant, reading, texts, new or {}, faster):
         raise error
 
 
@@ -42,7 +42,7 @@ def mismatches(
     program: Program,
     plan: Plan,
     plant: Plant,
-    again: Reader,
+    reading: Reading,
     texts: Mapping[str, str],
     new: Mapping[str, TextFile],
     faster: frozenset[int] = frozenset(),
@@ -50,7 +50,7 @@ def mismatches(
     """Every motion, by index, that the texts do not give as planned, and why; None and the last word where they cannot
     be read, or have lost step with the program."""
     try:
-        read = iter(again(texts, new).motions)
+        read = iter(reading.again(texts, new).motions)
     except InputError as error:
         message = f"the plan cannot be written into this program; edited, it reads: {error}"
         yield None, InputError(message)
@@ -87,17 +87,20 @@ def mismatches(
 def first_difference(program: Program, read: Program) -> int | None:
     """The first motion that another reading of a program gives otherwise; None where all are the same."""
     for index, motion in enumerate(program.motions):
-        found = read.motions[index] if index < len(read.motions) else None
-        if isinstance(motion, Move):
-            if not isinstance(found, Move) or type(found) is not type(motion) or not _same_axes(motion, found):
-                return index
-            if any(_otherwise(motion, found)) or any(_elsewhere(motion, found)):
-                return index
-            if isinstance(motion, PoseMove) and isinstance(found, PoseMove) and motion.conf != found.conf:
-                return index
-        elif _check_same(motion, found):
+        if index >= len(read.motions) or not same_motion(motion, read.motions[index]):
             return index
     return len(program.motions) if len(read.motions) > len(program.motions) else None
+
+
+def same_motion(motion: Motion, other: Motion) -> bool:
+    """Whether two readings of a motion ask for the same, wherever they are written."""
+    if not isinstance(motion, Move):
+        return not _check_same(motion, other)
+    if not isinstance(other, Move) or type(other) is not type(motion) or not _same_axes(motion, other):
+        return False
+    if isinstance(motion, PoseMove) and isinstance(other, PoseMove) and motion.conf != other.conf:
+        return False
+    return not any(_otherwise(motion, other)) and not any(_elsewhere(motion, other))
 
 
 def _rail_moves(planned: PlannedMotion, plant: Plant) -> bool:

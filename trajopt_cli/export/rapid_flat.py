@@ -3,95 +3,22 @@
 from __future__ import annotations
 
 import re
-from collections import Counter
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import PurePath
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.export.rapid_call import called, last_argument, read_move
 from trajopt_cli.export.rapid_scopes import Scopes
+from trajopt_cli.export.rapid_stretches import Stretch
 from trajopt_cli.export.rapid_targets import Targets, Wish, type_of
 from trajopt_cli.export.rapid_text import Edits, Names, plain, refusal
 from trajopt_cli.motion import Motion, Move, MoveC, MoveExtJ, Program, SignalEvent, Span, TextFile, Wait
 from trajopt_cli.rapid.language.syntax import Assign, Node, ProcedureCall
 from trajopt_cli.units import DEG, MM
 
-# Reads edited texts, by path, as the program was read; new modules come behind its files.
-Reader = Callable[[Mapping[str, str], Mapping[str, TextFile]], Program]
 FLAT = "! written flat by trajopt: "
-_MARKS = "trajopt_mark_"
 _INDENT = "    "
-
-
-@dataclass(frozen=True)
-class Stretch:
-    """A statement that ran exactly once, and the motions it made: those from first up to, not including, last."""
-
-    span: Span
-    first: int
-    last: int
-
-
-class Stretches:
-    """Where a motion's stretch is; found by running the program once with marks around the statements in question."""
-
-    def __init__(self, program: Program, scopes: Scopes, again: Reader):
-        self._program, self._scopes, self._again = program, scopes, again
-        self._found: dict[Span, Stretch] | None = None
-
-    def around(self, index: int) -> Stretch | None:
-        """The innermost stretch around a motion, None where there is none that could be written flat."""
-        if self._found is None:
-            self._found = self._find()
-        once = self._program.motions[index].written.once
-        return self._found.get(once) if once is not None else None
-
-    def every(self) -> list[Stretch]:
-        """The stretches around all motions whose statement ran several times."""
-        runs = Counter(motion.written.statement for motion in self._program.motions)
-        several = (i for i, motion in enumerate(self._program.motions) if runs[motion.written.statement] > 1)
-        return outermost(stretch for i in several if (stretch := self.around(i)) is not None)
-
-    def _find(self) -> dict[Span, Stretch]:
-        motions = self._program.motions
-        runs = Counter(motion.written.statement for motion in motions)
-        spans = {m.written.once for m in motions if m.written.once is not None and runs[m.written.statement] > 1}
-        marked = sorted(spans - self._scopes.compact, key=lambda span: (span.file, span.start))
-        if not marked:
-            return {}
-        edits = Edits(self._program.files)
-        for number, span in enumerate(marked):
-            edits.replace(Span(span.file, span.start, span.start), f"Set {_MARKS}{2 * number}; ")
-            edits.replace(Span(span.file, span.end, span.end), f" Set {_MARKS}{2 * number + 1};")
-        try:
-            read = self._again(edits.result(), {})
-        except InputError:
-            return {}  # the marks are in the program's way: nothing can be said of its statements
-        places: dict[int, list[int]] = {}
-        count = 0
-        for motion in read.motions:
-            if isinstance(motion, SignalEvent) and motion.signal.startswith(_MARKS):
-                places.setdefault(int(motion.signal.removeprefix(_MARKS)), []).append(count)
-            else:
-                count += 1
-        if count != len(motions):
-            return {}
-        found = {}
-        for number, span in enumerate(marked):
-            begin, end = places.get(2 * number, []), places.get(2 * number + 1, [])
-            if len(begin) == len(end) == 1:  # else control left the statement by RETURN, EXIT or GOTO
-                found[span] = Stretch(span, begin[0], end[0])
-        return found
-
-
-def outermost(stretches: Iterable[Stretch]) -> list[Stretch]:
-    """Stretches that lie in no other one, in the order they run."""
-    out: list[Stretch] = []
-    for stretch in sorted(set(stretches), key=lambda one: (one.first, -one.last, one.span.start, -one.span.end)):
-        if not out or stretch.first >= out[-1].last:
-            out.append(stretch)
-    return out
 
 
 @dataclass(frozen=True)

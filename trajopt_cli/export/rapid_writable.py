@@ -8,8 +8,9 @@ from collections.abc import Set
 from trajopt_cli.errors import InputError
 from trajopt_cli.export.rapid_call import read_move
 from trajopt_cli.export.rapid_check import first_difference
-from trajopt_cli.export.rapid_flat import Reader, Stretch, Stretches
+from trajopt_cli.export.rapid_reading import Reading
 from trajopt_cli.export.rapid_scopes import Scopes
+from trajopt_cli.export.rapid_stretches import Stretch, Stretches
 from trajopt_cli.export.rapid_targets import PoseMove, Targets, confdata_counts
 from trajopt_cli.export.rapid_text import Edits, Names
 from trajopt_cli.export.rapid_write import Choices, Intent, write
@@ -19,7 +20,7 @@ from trajopt_cli.problem.plant import Plant
 _TRIALS = 8  # of a long program each takes as long as reading it
 
 
-def writable(program: Program, plant: Plant, again: Reader) -> frozenset[int]:
+def writable(program: Program, plant: Plant, reading: Reading) -> frozenset[int]:
     """Indices of the moves and waits whose text can carry values of their own; all others must stay as programmed.
 
     - A literal target whose statement runs once, or with another literal each time.
@@ -28,14 +29,15 @@ def writable(program: Program, plant: Plant, again: Reader) -> frozenset[int]:
     - A wait that runs once, where a line could stand in its place.
 
     The last word on computed targets and flat stretches has a trial: they are written with the values of the program
-    itself, and what is read back must be the program. again: reads edited texts (see rapid.reader).
+    itself, and what is read back must be the program. Nothing is written out that hangs on the scenario: what a
+    program does with a search, an answer or an input must stay its own.
     """
     scopes = Scopes(program.files)
     runs = Counter(motion.written.statement for motion in program.motions)
-    stretches = Stretches(program, scopes, again)
+    stretches = Stretches(program, scopes, reading)
     single = {i for i, motion in enumerate(program.motions) if runs[motion.written.statement] == 1}
-    computed = {i for i in single if _can_be_said(program, i)}
-    own, flat = _tried(program, plant, scopes, stretches, again, computed)
+    computed = {i for i in single if _can_be_said(program, i) and stretches.constant(i)}
+    own, flat = _tried(program, plant, scopes, stretches, reading, computed)
     inside = {i for stretch in flat for i in range(stretch.first, stretch.last)}
     out = {i for i in inside if isinstance(program.motions[i], Move | Wait)}
     shared = _shared_literals(program)
@@ -115,7 +117,7 @@ def _fits_behind(
 
 
 def _tried(
-    program: Program, plant: Plant, scopes: Scopes, stretches: Stretches, again: Reader, computed: set[int]
+    program: Program, plant: Plant, scopes: Scopes, stretches: Stretches, reading: Reading, computed: set[int]
 ) -> tuple[set[int], list[Stretch]]:
     """The computed targets and the stretches that come out as the program when written with its own values."""
     own, flat = set(computed), stretches.every()
@@ -136,7 +138,7 @@ def _tried(
         else:
             reads += 1
             try:
-                difference = first_difference(program, again(export.texts, export.new))
+                difference = first_difference(program, reading.again(export.texts, export.new))
             except InputError:
                 difference = len(program.motions)
             if difference is None:

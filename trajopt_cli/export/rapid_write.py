@@ -7,8 +7,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from trajopt_cli.export.rapid_call import MoveCall, last_argument, read_move
-from trajopt_cli.export.rapid_flat import FlatModule, FlatMotion, Stretch, Stretches, outermost
+from trajopt_cli.export.rapid_flat import FlatModule, FlatMotion
 from trajopt_cli.export.rapid_scopes import Scopes
+from trajopt_cli.export.rapid_stretches import Stretch, Stretches, outermost
 from trajopt_cli.export.rapid_targets import PoseMove, Targets, Wish
 from trajopt_cli.export.rapid_text import Edits, Names, plain, refusal
 from trajopt_cli.motion import (

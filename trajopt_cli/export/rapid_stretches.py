@@ -1,0 +1,150 @@
+"""Stretches of a program: what a statement that ran exactly once did, and whether that hangs on the scenario."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import islice
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.export.rapid_check import same_motion
+from trajopt_cli.export.rapid_reading import Reading
+from trajopt_cli.export.rapid_scopes import Scopes
+from trajopt_cli.export.rapid_text import Edits
+from trajopt_cli.motion import Motion, Move, Program, SignalEvent, Span
+from trajopt_cli.scenario import Scenario
+
+_MARKS = "trajopt_mark_"
+_THINGS = 40  # that the scenario says and that are looked at; each takes twice as long as reading the program
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """A statement that ran exactly once, and the motions it made: those from first up to, not including, last."""
+
+    span: Span
+    first: int
+    last: int
+
+
+class Stretches:
+    """The stretches of a program, and which of its computed targets are the same in any world.
+
+    Found when first asked, by running the program with marks around the statements in question: once as it was read,
+    and once for each other answer of the world, as a value that hangs on it must not be written out.
+    """
+
+    def __init__(self, program: Program, scopes: Scopes, reading: Reading):
+        self._program, self._scopes, self._reading = program, scopes, reading
+        self._found: dict[Span, Stretch] | None = None
+        self._changing: set[int] = set()  # single motions that are not the same in any world
+
+    def around(self, index: int) -> Stretch | None:
+        """The innermost stretch around a motion, None where there is none that could be written flat."""
+        once = self._program.motions[index].written.once
+        return self._known().get(once) if once is not None else None
+
+    def constant(self, index: int) -> bool:
+        """Whether a move whose statement ran once goes to the same place in any world."""
+        self._known()
+        return index not in self._changing
+
+    def every(self) -> list[Stretch]:
+        """The stretches around all motions whose statement ran several times."""
+        runs = Counter(motion.written.statement for motion in self._program.motions)
+        several = (i for i, motion in enumerate(self._program.motions) if runs[motion.written.statement] > 1)
+        return outermost(stretch for i in several if (stretch := self.around(i)) is not None)
+
+    def _known(self) -> dict[Span, Stretch]:
+        if self._found is None:
+            self._found = self._find()
+        return self._found
+
+    def _find(self) -> dict[Span, Stretch]:
+        motions = self._program.motions
+        runs = Counter(motion.written.statement for motion in motions)
+        spans = {m.written.once for m in motions if m.written.once is not None and runs[m.written.statement] > 1}
+        marked = sorted(spans - self._scopes.compact, key=lambda span: (span.file, span.start))
+        computed = {
+            i
+            for i, m in enumerate(motions)
+            if isinstance(m, Move) and m.written.aggregate is None and runs[m.written.statement] == 1
+        }
+        if not marked and not computed:
+            return {}
+        edits = Edits(self._program.files)
+        for number, span in enumerate(marked):
+            edits.replace(Span(span.file, span.start, span.start), f"Set {_MARKS}{2 * number}; ")
+            edits.replace(Span(span.file, span.end, span.end), f" Set {_MARKS}{2 * number + 1};")
+        texts = edits.result()
+        read = self._marked(texts)
+        if read is None or len(read.motions) != len(motions):
+            self._changing = computed  # the marks are in the program's way: nothing can be said of its statements
+            return {}
+        found = {}
+        for number, span in enumerate(marked):
+            place = read.between(2 * number)
+            if place is not None:
+                found[number] = Stretch(span, *place)
+        things = list(islice(self._reading.otherwise(), _THINGS + 1))
+        for worlds in things:
+            others = [other for scenario in worlds if (other := self._marked(texts, scenario)) is not None]
+            if not others or len(things) > _THINGS:
+                self._changing = computed  # nothing can be said of what hangs on this
+                return {}
+            for other in others:
+                for number, stretch in list(found.items()):
+                    if not other.agrees(2 * number, read.motions[stretch.first : stretch.last]):
+                        del found[number]
+                places = {motion.written.statement: motion for motion in other.motions}
+                for i in computed:
+                    there = places.get(read.motions[i].written.statement)
+                    if there is not None and not same_motion(read.motions[i], there):
+                        self._changing.add(i)
+        return {stretch.span: stretch for stretch in found.values()}
+
+    def _marked(self, texts: Mapping[str, str], scenario: Scenario | None = None) -> _Marked | None:
+        """What a marked program does; None where it does not run."""
+        try:
+            return _Marked(self._reading.again(texts, scenario=scenario).motions)
+        except InputError:
+            return None
+
+
+class _Marked:
+    """Motions of a marked program, and where between them the marks were met."""
+
+    def __init__(self, motions: Sequence[Motion]):
+        self.motions: list[Motion] = []
+        self._places: dict[int, list[int]] = {}
+        for motion in motions:
+            if isinstance(motion, SignalEvent) and motion.signal.startswith(_MARKS):
+                number = int(motion.signal.removeprefix(_MARKS))
+                self._places.setdefault(number, []).append(len(self.motions))
+            else:
+                self.motions.append(motion)
+
+    def between(self, mark: int) -> tuple[int, int] | None:
+        """First motion and end of what happened between a mark and the next; None unless both were met once."""
+        begin, end = self._places.get(mark, []), self._places.get(mark + 1, [])
+        return (begin[0], end[0]) if len(begin) == len(end) == 1 else None  # else RETURN, EXIT or GOTO left it
+
+    def agrees(self, mark: int, motions: Sequence[Motion]) -> bool:
+        """Whether the same motions, or none at all, were made between a mark and the next."""
+        if mark not in self._places:
+            return True
+        place = self.between(mark)
+        if place is None or place[1] - place[0] != len(motions):
+            return False
+        mine = self.motions[place[0] : place[1]]
+        return all(same_motion(one, other) for one, other in zip(motions, mine, strict=True))
+
+
+def outermost(stretches: Iterable[Stretch]) -> list[Stretch]:
+    """Stretches that lie in no other one, in the order they run."""
+    out: list[Stretch] = []
+    for stretch in sorted(set(stretches), key=lambda one: (one.first, -one.last, one.span.start, -one.span.end)):
+        if not out or stretch.first >= out[-1].last:
+            out.append(stretch)
+    return out
