@@ -231,6 +231,16 @@ def test_a_task_has_the_programs_one_tool_and_says_what_it_makes_of_zones(tmp_pa
         ),
         ("WaitTime 0.5;", "MoveJ a, v100, fine, tip;", "MoveJ is no straight segment"),
         ("MoveJ a", "WaitTime 1; MoveJ a", "a wait before the first pose"),
+        ("WaitTime 0.5;", "MoveC Offs(b,9,9,0), a, v100, fine, tip;", "MoveC is no straight segment"),
+        ("MoveJ a", "AccSet 50,100; MoveJ a", "6:20: AccSet is active here; a task's segments have none, so take it"),
+        ("MoveJ a", "PathAccLim TRUE\\AccMax:=2,FALSE; MoveJ a", "PathAccLim or WorldAccLim is active here"),
+        ("MoveJ a", "SingArea\\Wrist; MoveJ a", "SingArea is active here"),
+        (
+            "MoveL b, v100, fine, tip",
+            "MoveLDO b, v100, fine, tip, do1, 1",
+            "MoveLDO does more than move",
+        ),
+        ("WaitTime 0.5;", 'TPReadNum reg1, "?";', "a task has no cell file to tell it; leave it out of the program"),
     ],
 )
 def test_other_rapid_motions_are_refused_with_their_place(tmp_path: Path, old: str, new: str, said: str) -> None:

@@ -8,12 +8,12 @@ from pathlib import Path
 
 import numpy as np
 
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.geometry import Array
 from trajopt_cli.iiwa.angles import angles_of
 from trajopt_cli.iiwa.document import PoseSection
 from trajopt_cli.iiwa.task import AngleMeaning, Waypoint
-from trajopt_cli.motion import Motion, MoveJ, MoveL, SignalEvent, Source, Wait
+from trajopt_cli.motion import Motion, MoveJ, MoveL, Program, SignalEvent, Singularity, Source, Wait
 from trajopt_cli.yaml_file import line_of
 
 _SAME = 1e-12  # m, rad: rounding of one and the same target
@@ -60,13 +60,11 @@ def program_route(path: Path, meaning: AngleMeaning, R_WF: Array, X_FT: Array | 
 
     R_WF (3, 3): the flange's orientation where the controller is switched on. X_FT (4, 4): the task's tool, None for
     the program's. Speeds are the programmed v_tcp and v_ori. Waits of a given length become dwells; signals and fly-by
-    zones are left out and noted. Raises InputError with the place of any other motion, for tools that change on the
-    way, and for a task's tool that is not the program's.
+    zones are left out and noted. Raises InputError with the place of any other motion, for modal state that a segment
+    does not have, for tools that change on the way, for a task's tool that is not the program's, and for what a program
+    asks that only a cell's scenario tells.
     """
-    from trajopt_cli.rapid.language.text import read_text
-    from trajopt_cli.rapid.reader import run_program
-
-    program = run_program([read_text(path)])
+    program = _program(path)
     notes = list(program.warnings)
     tool = _one_tool(program.motions, X_FT)
     R_start = R_WF @ tool[:3, :3]
@@ -85,6 +83,7 @@ def program_route(path: Path, meaning: AngleMeaning, R_WF: Array, X_FT: Array | 
             case Wait():
                 raise _refused(motion.source, f"waits for {motion.condition}, which has no known length; remove it")
             case MoveL() | MoveJ() if isinstance(motion, MoveL) or not waypoints:
+                _check_plain(motion)
                 fly_by += not motion.zone.stop
                 R = motion.X_WT[:3, :3]
                 angles = angles_of(R @ R_start.T if meaning is AngleMeaning.RELATIVE else R)
@@ -105,6 +104,38 @@ def program_route(path: Path, meaning: AngleMeaning, R_WF: Array, X_FT: Array | 
         notes.append(f"{fly_by} fly-by zones are taken as stops: every pose is reached")
     text = program.files[next(iter(program.files))].text
     return ProgramPoses(tool, tuple(waypoints), tuple(speeds), text, tuple(notes))
+
+
+def _program(path: Path) -> Program:
+    from trajopt_cli.rapid.language.text import read_text
+    from trajopt_cli.rapid.reader import try_program
+
+    program, lacks = try_program([read_text(path)])
+    if lacks:
+        advice = "a task has no cell file to tell it; leave it out of the program"
+        errors = [_refused(lack.source, f"{lack.reason}; {advice}") for lack in lacks]
+        raise errors[0] if len(errors) == 1 else InputErrorGroup(errors)
+    return program
+
+
+def _check_plain(motion: MoveL | MoveJ) -> None:
+    """Raise InputError where a move asks for something besides its pose, its speed and its zone."""
+    settings = motion.settings
+    caps = (settings.path_acceleration, settings.path_deceleration, settings.world_acceleration)
+    asked = {
+        "AccSet": (settings.acceleration, settings.ramp) != (1.0, 1.0),
+        "PathAccLim or WorldAccLim": caps != (None, None, None),
+        "SingArea": settings.singularity is not Singularity.OFF,
+        "GripLoad": settings.load is not None,
+    }
+    for instruction, active in asked.items():
+        if active:
+            raise _refused(motion.source, f"{instruction} is active here; a task's segments have none, so take it out")
+    if motion.process is not None or motion.events:
+        name = motion.process.instruction if motion.process is not None else type(motion).__name__
+        raise _refused(motion.source, f"{name} does more than move; a task takes plain MoveL (and a first MoveJ) only")
+    if motion.tool.stationary:
+        raise _refused(motion.source, f"tool {motion.tool.name} stands still (robhold FALSE); a task's tool is carried")
 
 
 def _one_tool(motions: Sequence[Motion], X_FT: Array | None) -> Array:
