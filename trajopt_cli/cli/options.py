@@ -11,7 +11,6 @@ ProgramPaths = Annotated[
     list[Path],
     typer.Argument(metavar="PROGRAM...", help="RAPID module, several, a program list (.pgf), or their folder."),
 ]
-ProgramPath = Annotated[Path, typer.Argument(metavar="PROGRAM", help="RAPID module with the program's entry.")]
 CellPath = Annotated[
     Path | None,
     typer.Option(
