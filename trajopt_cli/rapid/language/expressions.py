@@ -7,9 +7,9 @@ Priorities, high to low: `* / DIV MOD`, `+ -`, comparisons, `AND`, `XOR OR NOT`;
 from __future__ import annotations
 
 import re
-from typing import NoReturn
+from math import inf
 
-from trajopt_cli.rapid.language.lexer import scan
+from trajopt_cli.rapid.language.cursor import Cursor, short
 from trajopt_cli.rapid.language.syntax import (
     Aggregate,
     Argument,
@@ -25,7 +25,6 @@ from trajopt_cli.rapid.language.syntax import (
     String,
     Unary,
 )
-from trajopt_cli.rapid.language.text import Places
 
 PRIORITY = {
     **dict.fromkeys(("OR", "XOR"), 0),
@@ -34,8 +33,8 @@ PRIORITY = {
     **dict.fromkeys(("+", "-"), 3),
     **dict.fromkeys(("*", "/", "DIV", "MOD"), 4),
 }
-NESTING_LIMIT = 60  # no program nests deeper; each level costs a dozen Python frames
 
+_LONGEST = 200  # characters of a number in base 16, 8 or 2
 _ESCAPE = re.compile(r'""|\\\\|\\([0-9a-fA-F]{2})')
 
 
@@ -44,71 +43,8 @@ def unescape(literal: str) -> str:
     return _ESCAPE.sub(lambda m: chr(int(m[1], 16)) if m[1] else m[0][0], literal[1:-1])
 
 
-class ExpressionParser:
-    """Holds the tokens of one file and reads expressions from the current one on."""
-
-    def __init__(self, text: str, file: str):
-        self.places = Places(text, file)
-        tokens = scan(text)
-        self.comments = tuple(tokens.comments)
-        self.kinds, self.texts, self.starts = tokens.kinds, tokens.texts, tokens.starts
-        self.i = 0
-        self.depth = 0
-
-    # ------------------------------------------------------------------------------------------------- the tokens
-
-    @property
-    def here(self) -> int:
-        """Where the current token starts."""
-        return self.starts[self.i]
-
-    @property
-    def behind(self) -> int:
-        """Where the previous token ends."""
-        return self.starts[self.i - 1] + len(self.texts[self.i - 1]) if self.i else 0
-
-    def found(self) -> str:
-        """The current token in words."""
-        kind, text = self.kinds[self.i], self.texts[self.i]
-        if kind == "end":
-            return "the end of the file"
-        if kind == "stray" and text == '"':
-            return "a string that is not closed on its line"
-        shown = text if len(text) <= 40 else text[:37] + "..."
-        return f"'{shown}'" if shown.isprintable() else repr(shown)
-
-    def fail(self, expected: str, offset: int | None = None) -> NoReturn:
-        """Raise the InputError at the current token (or at offset)."""
-        raise self.places.error(self.here if offset is None else offset, f"expected {expected}, found {self.found()}")
-
-    def accept(self, kind: str) -> bool:
-        """Step over the current token if it is of this kind."""
-        if self.kinds[self.i] == kind:
-            self.i += 1
-            return True
-        return False
-
-    def expect(self, kind: str, where: str) -> None:
-        """Step over a token of this kind; where completes "expected ';' ..."."""
-        if self.kinds[self.i] != kind:
-            # What is missing belongs behind the last token, not in front of the next line.
-            self.fail(f"'{kind}' {where}", self.behind if kind in (";", ",") else None)
-        self.i += 1
-
-    def identifier(self, what: str) -> str:
-        """Step over a name (or a placeholder for one); what says which kind of name."""
-        kind, text = self.kinds[self.i], self.texts[self.i]
-        if kind not in ("name", "placeholder"):
-            note = " (a reserved word)" if kind.isalpha() and kind.isupper() else ""
-            raise self.places.error(self.here, f"expected {what}, found {self.found()}{note}")
-        self.i += 1
-        return text
-
-    def deeper(self) -> None:
-        """Count one level of nesting; the caller takes it back."""
-        self.depth += 1
-        if self.depth > NESTING_LIMIT:
-            raise self.places.error(self.here, f"nested deeper than {NESTING_LIMIT} levels: split it up")
+class ExpressionParser(Cursor):
+    """Reads expressions from the current token on; each method leaves the current token behind what it read."""
 
     # -------------------------------------------------------------------------------------------- the expressions
 
@@ -117,6 +53,9 @@ class ExpressionParser:
         left = self._not() if self.kinds[self.i] == "NOT" else self._factor(level)
         while True:
             operator = self.kinds[self.i]
+            if operator == "==":
+                self.note(self.here, self.sentence("'=' to compare", "write '='"))
+                operator = "="
             priority = PRIORITY.get(operator, -1)
             if priority < level:
                 return left
@@ -151,9 +90,10 @@ class ExpressionParser:
         start, text = self.here, self.texts[self.i]
         self.i += 1
         based = text[:2].lower() in ("0x", "0o", "0b")
-        value = float(int(text, 0)) if based else float(text)
-        if value in (float("inf"), float("-inf")):
-            raise self.places.error(start, f"number {text} is too large")
+        # 0x1FF...F of 300 digits has no float either
+        value = inf if based and len(text) > _LONGEST else float(int(text, 0)) if based else float(text)
+        if value == inf:
+            raise self.error(start, f"number {short(text)} is too large")
         return Number(start, self.behind, value)
 
     def _primary(self) -> Expression:
@@ -162,7 +102,7 @@ class ExpressionParser:
             return self._suffixes(self._name())
         if kind == "aggregate":
             self.i += 1
-            return Aggregate(start, self.behind, text=self.texts[self.i - 1])
+            return Aggregate(start, self.behind, self.text)
         if kind == "number":
             return self._number()
         if kind == "string":
@@ -180,16 +120,23 @@ class ExpressionParser:
             inside = self.expression() if kind == "(" else self._aggregate(start)
             self.depth -= 1
             if kind == "(":
-                self.expect(")", "to close the '(' before")
+                if not self.accept(")"):
+                    self.fail(f"')' to close the '(' of column {self.places.source(start).column}", self.behind)
                 return self._suffixes(inside)
             return inside
-        self.fail("an expression")
+        self.fail("an expression", advice=self._trailing())
+
+    def _trailing(self) -> str:
+        """What to do about a comma that nothing follows."""
+        alone = self.i and self.kinds[self.i - 1] == "," and self.kind in (",", ";", ")", "]", "}")
+        return "one ',' is too many" if alone else ""
 
     def _aggregate(self, start: int) -> Aggregate:
         items = [self.expression()]
         while self.accept(","):
             items.append(self.expression())
-        self.expect("]", "or ',' in the aggregate")
+        if not self.accept("]"):
+            self.fail("']' or ',' in the aggregate", self.behind)
         return Aggregate(start, self.behind, given=tuple(items))
 
     def _name(self) -> Expression:
@@ -225,7 +172,7 @@ class ExpressionParser:
         self.depth -= 1
         self.expect("}", "after the indices")
         if len(indices) > 3:
-            raise self.places.error(opened, f"{len(indices)} dimensions; RAPID has at most 3")
+            raise self.error(opened, f"{len(indices)} dimensions; RAPID has at most 3")
         return tuple(indices)
 
     # ---------------------------------------------------------------------------------------------- the arguments
@@ -236,9 +183,11 @@ class ExpressionParser:
         while self.kinds[self.i] != closing:
             if args and self.kinds[self.i] != "\\":
                 if not self.accept(","):
+                    if closing == ";":
+                        return tuple(args)  # whoever asks for the semicolon says so
                     self.fail(f"',' or '{closing}' {where}", self.behind)
                 if self.kinds[self.i] == closing:
-                    self.fail("an argument after ','")
+                    self.fail("an argument after ','", advice=self._trailing())
             args.append(self._optional() if self.kinds[self.i] == "\\" else self._required())
         return tuple(args)
 
@@ -261,6 +210,8 @@ class ExpressionParser:
             at = self.here
             parameter = self.identifier("the name of an optional parameter after '?'")
             return Argument(start, self.behind, name, Name(at, self.behind, parameter), forward=True)
+        if self.kinds[self.i] in ("=", "=="):
+            self.fail(f"':=' after \\{name}")
         return Argument(start, self.behind, name, None)
 
 
@@ -270,4 +221,5 @@ def parse_expression(text: str, file: str) -> Expression:
     node = parser.expression()
     if parser.kinds[parser.i] != "end":
         parser.fail("the end of the expression")
+    parser.finish()
     return node

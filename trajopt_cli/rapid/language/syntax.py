@@ -8,13 +8,23 @@ from __future__ import annotations
 import json
 import re
 from dataclasses import dataclass, field
-from functools import cached_property
-from typing import Any
+from typing import Any, TypeVar, dataclass_transform
 
 from trajopt_cli.rapid.language.lexer import NUMBER
 
+_Class = TypeVar("_Class")
 
-@dataclass(frozen=True, slots=True)
+
+@dataclass_transform(frozen_default=True, field_specifiers=(field,))
+def _node(cls: type[_Class]) -> type[_Class]:
+    """A dataclass that the type checker holds to be frozen.
+
+    Python does not: a frozen one sets each field by a call of its own, which doubles the time a large program takes.
+    """
+    return dataclass(slots=True, unsafe_hash=True)(cls)
+
+
+@_node
 class Node:
     """start, end: offsets into the file's text."""
 
@@ -25,35 +35,35 @@ class Node:
 # ---------------------------------------------------------------------------------------------------- expressions
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Number(Node):
     """A numeric literal with the sign in front of it."""
 
     value: float
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class String(Node):
     """A string literal; value has its escapes resolved."""
 
     value: str
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Boolean(Node):
     """TRUE or FALSE."""
 
     value: bool
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Name(Node):
     """A name standing for data, a signal or a routine."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Component(Node):
     """`base.name`."""
 
@@ -61,7 +71,7 @@ class Component(Node):
     name: str
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Element(Node):
     """`base{index, ...}`."""
 
@@ -69,7 +79,7 @@ class Element(Node):
     indices: tuple[Expression, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Argument(Node):
     r"""One argument. name: of an optional one, without its backslash; value None for a bare switch.
 
@@ -81,7 +91,7 @@ class Argument(Node):
     forward: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Call(Node):
     """A function call, `name(args)`."""
 
@@ -89,7 +99,7 @@ class Call(Node):
     args: tuple[Argument, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Unary(Node):
     """operator: "-", "+" or "NOT"."""
 
@@ -97,7 +107,7 @@ class Unary(Node):
     operand: Expression
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Binary(Node):
     """operator: one of * / DIV MOD + - < > <= >= = <> AND XOR OR."""
 
@@ -106,31 +116,37 @@ class Binary(Node):
     right: Expression
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Placeholder(Node):
     """Unfinished code such as <EXP>; `*` for a target that the text does not hold. Legal to load, not to run."""
 
     name: str
 
 
-@dataclass(frozen=True, eq=False)
 class Aggregate(Node):
-    """`[a, [b, c]]`. Made from its items, or from the text of a plain numeric one, opened only when looked into."""
+    """`[a, [b, c]]`, made from its items. A plain numeric one keeps the file's text, opened when looked into."""
 
-    text: str | None = field(default=None, repr=False)
-    given: tuple[Expression, ...] = field(default=(), repr=False)
+    __slots__ = ("_file", "_items")
 
-    @cached_property
+    def __init__(self, start: int, end: int, file: str | None = None, given: tuple[Expression, ...] = ()):
+        """file: the whole text that start and end are offsets of."""
+        self.start, self.end = start, end  # type: ignore[misc]  # frozen for all others
+        self._file = file
+        self._items = None if file is not None else given
+
+    @property
     def items(self) -> tuple[Expression, ...]:
         """The items as nodes of their own."""
-        return self.given if self.text is None else _open(self.text, self.start)
+        if self._items is None:
+            self._items = _open(self._file or "", self.start, self.end)
+        return self._items
 
-    @cached_property
+    @property
     def numbers(self) -> Numbers | None:
-        """The values as nested tuples when every one is a number, else None."""
-        if self.text is not None:
+        """The values as nested tuples when every one is a number, else None. Computed anew each time."""
+        if self._file is not None:
             try:
-                return _tuples(json.loads(self.text))
+                return _tuples(_decode(self._file[self.start : self.end]))
             except json.JSONDecodeError:
                 pass  # `1.`, `.5` and `+5` are RAPID but not JSON
         values: list[Numbers | float] = []
@@ -148,37 +164,37 @@ class Aggregate(Node):
     def __hash__(self) -> int:
         return hash(self.items)
 
+    def __repr__(self) -> str:
+        return f"Aggregate({self.items!r})"
+
 
 Numbers = tuple["Numbers | float", ...]
 Expression = Number | String | Boolean | Name | Component | Element | Call | Unary | Binary | Placeholder | Aggregate
 
-_PART = re.compile(rf"[\[\],]|[+-]?{NUMBER.pattern}")
+_decode = json.JSONDecoder(parse_int=float).decode
+_ROW = r"\[[^\[\]]*+\]"
+_NEST = rf"\[(?:[^\[\]]++|{_ROW})*+\]"
+_PART = re.compile(rf"(?P<nested>\[(?:[^\[\]]++|{_NEST})*+\])|(?P<number>[+-]?{NUMBER})")
 
 
-def _open(text: str, start: int) -> tuple[Expression, ...]:
-    stack: list[tuple[int, list[Expression]]] = []
-    for match in _PART.finditer(text):
-        part, place = match[0], start + match.start()
-        if part == "[":
-            stack.append((place, []))
-        elif part == "]":
-            opened, items = stack.pop()
-            if not stack:
-                return tuple(items)
-            stack[-1][1].append(Aggregate(opened, place + 1, given=tuple(items)))
-        elif part != ",":
-            stack[-1][1].append(Number(place, start + match.end(), float(part)))
-    raise ValueError(f"not a plain numeric aggregate: {text!r}")
+def _open(file: str, start: int, end: int) -> tuple[Expression, ...]:
+    """The items of a plain numeric aggregate; the aggregates among them stay closed."""
+    items: list[Expression] = []
+    for match in _PART.finditer(file, start + 1, end - 1):
+        first, last = match.span()
+        number = match.lastgroup == "number"
+        items.append(Number(first, last, float(match[0])) if number else Aggregate(first, last, file))
+    return tuple(items)
 
 
 def _tuples(values: list[Any]) -> Numbers:
-    return tuple(_tuples(v) if isinstance(v, list) else float(v) for v in values)
+    return tuple([_tuples(v) if type(v) is list else v for v in values])
 
 
 # ----------------------------------------------------------------------------------------------------- statements
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Assign(Node):
     """`target := value;`."""
 
@@ -186,7 +202,7 @@ class Assign(Node):
     value: Expression
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class ProcedureCall(Node):
     """`name args;`: an instruction or a procedure of the program."""
 
@@ -194,7 +210,7 @@ class ProcedureCall(Node):
     args: tuple[Argument, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class LateCall(Node):
     """`%name% args;`: the procedure whose name is the value of an expression."""
 
@@ -202,7 +218,7 @@ class LateCall(Node):
     args: tuple[Argument, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class If(Node):
     """branches: conditions with their blocks. compact: `IF condition statement`, without THEN."""
 
@@ -211,7 +227,7 @@ class If(Node):
     compact: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class For(Node):
     """`FOR name FROM first TO last [STEP step] DO`."""
 
@@ -222,7 +238,7 @@ class For(Node):
     body: Block
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class While(Node):
     """`WHILE condition DO`."""
 
@@ -230,7 +246,7 @@ class While(Node):
     body: Block
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Test(Node):
     """`TEST subject CASE a,b: ... DEFAULT: ...`; default None where there is none."""
 
@@ -239,42 +255,42 @@ class Test(Node):
     default: Block | None
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Goto(Node):
     """`GOTO label;`."""
 
     label: str
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Label(Node):
     """`name:`."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Return(Node):
     """`RETURN [value];`."""
 
     value: Expression | None
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Raise(Node):
     """`RAISE [number];`."""
 
     value: Expression | None
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Simple(Node):
     """A statement that is one word: EXIT, RETRY, TRYNEXT."""
 
     word: str
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Connect(Node):
     """`CONNECT interrupt WITH trap;`."""
 
@@ -285,7 +301,7 @@ class Connect(Node):
 # --------------------------------------------------------------------------------------------------- declarations
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class DataDeclaration(Node):
     """scope: LOCAL, TASK or None. storage: VAR, PERS or CONST. sizes: up to three, constant expressions."""
 
@@ -297,7 +313,7 @@ class DataDeclaration(Node):
     value: Expression | None
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class RecordDeclaration(Node):
     """components: (type, name) in order."""
 
@@ -306,7 +322,7 @@ class RecordDeclaration(Node):
     components: tuple[tuple[str, str], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class AliasDeclaration(Node):
     """`ALIAS type name;`."""
 
@@ -315,7 +331,7 @@ class AliasDeclaration(Node):
     name: str
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Parameter(Node):
     """mode: None (a copy), INOUT, VAR or PERS. dimensions: 0 for a plain value. alternative: after a `|`."""
 
@@ -327,7 +343,7 @@ class Parameter(Node):
     alternative: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Handler(Node):
     """kind: ERROR, UNDO or BACKWARD. numbers: the error numbers an ERROR handler is for, empty for all."""
 
@@ -336,7 +352,7 @@ class Handler(Node):
     body: Block
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Routine(Node):
     """kind: PROC, FUNC or TRAP. type: what a FUNC returns. body holds data declarations and statements in order."""
 
@@ -370,7 +386,7 @@ Block = tuple[Statement, ...]
 Item = DataDeclaration | RecordDeclaration | AliasDeclaration | Routine | Placeholder
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class Module(Node):
     """One MODULE; name is empty for declarations that stand in a file without one."""
 
@@ -379,7 +395,7 @@ class Module(Node):
     items: tuple[Item, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@_node
 class ModuleFile(Node):
     """A file's modules. leftovers: stretches of text outside modules, which never run. comments: their stretches.
 

@@ -1,0 +1,371 @@
+"""What is said about broken text: each mistake its own sentence, at its place, and no sentence that only follows."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import pytest
+
+from trajopt_cli.cli import run
+from trajopt_cli.errors import InputError, InputErrorGroup
+from trajopt_cli.rapid.language.parser import parse_module, parse_statement
+from trajopt_cli.rapid.language.text import Places
+
+CHOOSE = "a name begins with a letter and has only letters, digits and '_', so rename it wherever it is used"
+EARLY = "remove it, or look for one closed too early"
+DECLARATION = "a declaration (VAR, PERS, CONST, PROC, FUNC, TRAP, RECORD, ALIAS) or ENDMODULE"
+
+
+def said(text: str) -> str:
+    with pytest.raises(InputError) as caught:
+        parse_module(text, "m.mod")
+    return str(caught.value)
+
+
+def in_main(body: str) -> str:
+    """The sentences about a procedure's body; its first line is line 3."""
+    return said(f"MODULE m\nPROC main()\n{body}\nENDPROC\nENDMODULE\n").replace("m.mod:", "")
+
+
+@pytest.mark.parametrize(
+    ("body", "message"),
+    [
+        # ---- blocks that are not closed, at their opener
+        (
+            "IF a THEN\nx:=1;",
+            "3:1: IF is not closed: expected ENDIF before 'ENDPROC' of line 5; write ENDIF where it ends",
+        ),
+        (
+            "FOR i FROM 1 TO 2 DO\nIF a THEN\nENDFOR",
+            "4:1: IF is not closed: expected ENDIF before 'ENDFOR' of line 5; write ENDIF where it ends",
+        ),
+        (
+            "IF a THEN\nFOR i FROM 1 TO 2 DO\nx:=1;\nENDIF",
+            "4:1: FOR is not closed: expected ENDFOR before 'ENDIF' of line 6; write ENDFOR where it ends",
+        ),
+        (
+            "WHILE a DO",
+            "3:1: WHILE is not closed: expected ENDWHILE before 'ENDPROC' of line 4; write ENDWHILE where it ends",
+        ),
+        (
+            "TEST a\nCASE 1:\nx:=1;",
+            "3:1: TEST is not closed: expected ENDTEST before 'ENDPROC' of line 6; write ENDTEST where it ends",
+        ),
+        (
+            "IF a THEN\nx:=1;\nELSE IF b THEN\nx:=2;\nENDIF",
+            "3:1: IF is not closed: expected ENDIF before 'ENDPROC' of line 8; "
+            "'ELSE IF' of line 5 opens an IF of its own, so write ELSEIF there or one more ENDIF",
+        ),
+        # ---- words that close nothing
+        ("ENDIF", f"3:1: ENDIF without IF: no IF is open here; {EARLY}"),
+        ("ELSE\nx:=1;\nENDIF", f"3:1: ELSE without IF: no IF is open here; {EARLY}"),
+        ("CASE 1:\nx:=1;", f"3:1: CASE without TEST: no TEST is open here; {EARLY}"),
+        (
+            "ENDFOR\nENDWHILE",
+            f"3:1: ENDFOR without FOR: no FOR is open here; {EARLY}\n"
+            f"4:1: ENDWHILE without WHILE: no WHILE is open here; {EARLY}",
+        ),
+        ("WHILE a DO\nx:=1;\nENDFOR", "5:1: expected ENDWHILE for WHILE of line 3, found 'ENDFOR'; write ENDWHILE"),
+        (
+            "IF a THEN\nELSE\nELSE\nENDIF",
+            "5:1: expected ENDIF, found 'ELSE'; ELSE comes last, and once",
+        ),
+        # ---- the head of a block
+        (
+            "IF a\nx:=1;\ny:=2;\nENDIF\nz:=3;",
+            "3:5: expected THEN after the condition of IF, which ENDIF of line 6 belongs to; write THEN here",
+        ),
+        (
+            "IF a\nx:=1;\nELSEIF b THEN\ny:=2;\nELSE\nENDIF",
+            "3:5: expected THEN after the condition of IF, which ELSEIF of line 5 belongs to; write THEN here",
+        ),
+        ("IF a\nENDIF", "3:5: expected THEN after the condition of IF, or a statement, found 'ENDIF'"),
+        ("IF a;", "3:5: expected THEN after the condition of IF, or a statement, found ';'"),
+        (
+            "IF a THEN x:=1; ELSEIF b x:=2; ENDIF",
+            "3:25: expected THEN after the condition of ELSEIF, found 'x'; write THEN here",
+        ),
+        ("WHILE a\nx:=1;\nENDWHILE", "3:8: expected DO after the condition of WHILE, found 'x'; write DO here"),
+        ("FOR i = 1 TO 3 DO\nENDFOR", "3:7: expected FROM after FOR i, found '='; write 'FOR i FROM first TO last DO'"),
+        ("FOR i FROM 1 DO\nENDFOR", "3:13: expected TO after the first value of FOR, found 'DO'"),
+        ("IF (a THEN\nENDIF", "3:6: expected ')' to close the '(' of column 4, found 'THEN'"),
+        ("WHILE (a\nx:=1;\nENDWHILE", "3:9: expected ')' to close the '(' of column 7, found 'x'"),
+        (
+            "TEST a\nx:=1;\nCASE 1:\nENDTEST",
+            "4:1: expected CASE, DEFAULT or ENDTEST after TEST, found 'x'; a statement belongs to a CASE",
+        ),
+        ("TEST a\nCASE 1\nx:=1;\nENDTEST", "4:7: expected ':' after the values of CASE, found 'x'; write ':' here"),
+        # ---- operators of other languages
+        ("IF a == b THEN\nENDIF", "3:6: expected '=' to compare, found '=='; write '='"),
+        (
+            "IF a != b THEN\nx:=1;\nENDIF",
+            "3:6: expected '<>' for 'not equal', found '!='; '!' begins a comment, so write '<>'",
+        ),
+        (
+            "WHILE a != b DO\nx:=1;\nENDWHILE",
+            "3:9: expected '<>' for 'not equal', found '!='; '!' begins a comment, so write '<>'",
+        ),
+        (
+            "IF a && b THEN\nENDIF",
+            "3:6: expected THEN after the condition of IF, or a statement, found '&&'; write AND",
+        ),
+        ("IF a || b THEN\nENDIF", "3:6: expected THEN after the condition of IF, or a statement, found '||'; write OR"),
+        (
+            "IF a := b THEN\nENDIF",
+            "3:6: expected THEN after the condition of IF, or a statement, found ':='; ':=' assigns, '=' compares",
+        ),
+        ("x = 1;", "3:3: expected ':=' in the assignment, found '='; ':=' assigns, '=' compares"),
+        ("a{1}.b == 1;", "3:8: expected ':=' in the assignment, found '=='; ':=' assigns, '=' compares"),
+        ("VAR num x = 1;", "3:11: expected ';' after the declaration of x, found '='; ':=' assigns, '=' compares"),
+        ("MoveL p,v1\\V=100,z1,t;", "3:13: expected ':=' after \\V, found '='; ':=' assigns, '=' compares"),
+        ("// note", "3:1: expected '!' before a comment, found '//'; write '!'"),
+        (
+            "x:=1; /* more\nof it */ y:=2;",
+            "3:7: expected '!' before a comment, found '/*'; write '!' on each of its lines",
+        ),
+        # ---- semicolons, commas, parentheses
+        ("x:=1\ny:=2;", "3:5: expected ';' after the assignment, found 'y'; write ';' here"),
+        ("x:=1 y:=2;", "3:5: expected ';' after the assignment, found 'y'"),
+        (
+            "MoveL p,v100\nMoveL p,v100;",
+            "3:13: expected ';' after the arguments of MoveL, found 'MoveL'; write ';' here",
+        ),
+        ("RETURN", "3:7: expected ';' after RETURN, found 'ENDPROC'; write ';' here"),
+        ("MoveL p10 v100, fine, tool0;", "3:10: expected ',' or ';' after the arguments of MoveL, found 'v100'"),
+        ("WaitTime\\InPos 0.1;", "3:15: expected ',' or ';' after the arguments of WaitTime, found '0.1'"),
+        ("MoveL p,,v100;", "3:9: expected an expression, found ','; one ',' is too many"),
+        ("MoveL p,v100,;", "3:14: expected an argument after ',', found ';'; one ',' is too many"),
+        ("x:=[1,2,];", "3:9: expected an expression, found ']'; one ',' is too many"),
+        ("x:=[1,2;", "3:8: expected ']' or ',' in the aggregate, found ';'"),
+        ("x:=a{1,2;", "3:9: expected '}' after the indices, found ';'"),
+        ("x:=f(1;", "3:7: expected ',' or ')' after the arguments of f, found ';'"),
+        ("x:=(1+2;", "3:8: expected ')' to close the '(' of column 4, found ';'"),
+        ("x:=1);", "3:5: expected ';' after the assignment, found ')'; no '(' opens it, so remove it"),
+        ("go();", "3:3: expected arguments or ';' after go, found '('; a procedure is called without parentheses: go;"),
+        ("f(1):=2;", "3:5: expected ',' or ';' after the arguments of f, found ':='; ':=' assigns, '=' compares"),
+        ("x:=1 # 2;", "3:5: expected ';' after the assignment, found '#'"),
+        # ---- strings, names, numbers
+        (
+            'TPWrite "abc;\nx:=1;',
+            "3:9: expected an expression, found a string that is not closed on its line; close it with '\"'",
+        ),
+        ("MoveL 10p,v100;", f"3:7: expected a name, found '10p'; {CHOOSE}"),
+        ("VAR num p(1);", f"3:9: expected a name, found 'p(1)'; {CHOOSE}"),
+        (
+            "VAR num if;",
+            "3:9: expected a name after VAR num, found 'if'; that is a reserved word, so choose another name",
+        ),
+        ("GOTO 1;", "3:6: expected a label after GOTO, found '1'"),
+        (
+            "LOCAL VAR num x;",
+            "3:1: expected a statement, found 'LOCAL'; only a module's declarations have it, so remove it",
+        ),
+        ("x:=1E999;", "3:4: number 1E999 is too large"),
+        ("x:=0x" + "F" * 300 + ";", "3:4: number 0x" + "F" * 35 + "... is too large"),
+        ("x:=a{1,2,3,4};", "3:5: 4 dimensions; RAPID has at most 3"),
+        # ---- nesting
+        *(
+            (text, f"3:{column}: nested deeper than 60 levels: split it up")
+            for text, column in (
+                ("x:=" + "f(" * 70, 126),
+                ("x:=" + "a{" * 70, 126),
+                ("x:=" + "-" * 70, 65),
+                ("x:=" + "(" * 70, 65),
+                ("IF a " * 70, 301),
+                ("IF a THEN " * 70, 601),
+            )
+        ),
+    ],
+)
+def test_a_mistake_in_a_body_is_one_sentence_at_its_place(body: str, message: str) -> None:
+    assert in_main(body) == message
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (
+            "MODULE m\nPROC a()\nx:=1;\nPROC b()\nENDPROC\nENDMODULE",
+            "2:1: PROC a is not closed: expected ENDPROC before 'PROC' of line 4; write ENDPROC where it ends",
+        ),
+        (
+            "MODULE m\nPROC a()\nENDPROC\n",
+            "1:1: MODULE m is not closed: expected ENDMODULE before the end of the file; write ENDMODULE where it ends",
+        ),
+        (
+            "MODULE m\nPROC a()\nIF b THEN\nx:=1;\n",
+            "3:1: IF is not closed: expected ENDIF ENDPROC ENDMODULE before the end of the file; "
+            "the file seems to be cut off",
+        ),
+        (
+            "MODULE m\nFUNC num f()\nRETURN 1;\nENDPROC\nENDMODULE",
+            "4:1: expected ENDFUNC for FUNC f of line 2, found 'ENDPROC'; write ENDFUNC",
+        ),
+        ("MODULE m\nENDPROC\nENDMODULE", f"2:1: ENDPROC without PROC: no PROC is open here; {EARLY}"),
+        ("ENDMODULE", "1:1: expected a declaration, found 'ENDMODULE'; no MODULE is open here"),
+        (
+            "MODULE m\nPROC main\nx:=1;\nENDPROC\nENDMODULE",
+            "2:10: expected '(' after PROC main, found 'x'; write 'PROC main()'",
+        ),
+        ("MODULE m\nPROC pick(1)()\nx:=1;\nENDPROC\nENDMODULE", f"2:6: expected a name, found 'pick(1)'; {CHOOSE}"),
+        ("MODULE 1st\nENDMODULE", f"1:8: expected a name, found '1st'; {CHOOSE}"),
+        ("MODULE my-program\nENDMODULE", f"1:8: expected a name, found 'my-program'; {CHOOSE}"),
+        (
+            "MODULE m(FAST)\nENDMODULE",
+            "1:10: expected a module attribute (SYSMODULE, NOVIEW, NOSTEPIN, VIEWONLY, READONLY), found 'FAST'",
+        ),
+        (
+            "MODULE m\nMoveL p,v100,fine,tool0;\nMoveL p,v100,fine,tool0;\nVAR num n;\nENDMODULE",
+            f"2:1: expected {DECLARATION}, found 'MoveL'; instructions belong in a PROC",
+        ),
+        ("RECORD r\nnum a\nENDRECORD", "2:6: expected ';' after the component, found 'ENDRECORD'; write ';' here"),
+        ("PROC main(num a num b)\nENDPROC", "1:16: expected ',' or ')' after a parameter of main, found 'num'"),
+    ],
+)
+def test_a_mistake_in_a_module_is_one_sentence_at_its_place(text: str, message: str) -> None:
+    assert said(text) == f"m.mod:{message}"
+
+
+def test_several_mistakes_are_told_in_one_run_and_in_order() -> None:
+    text = (
+        "MODULE m\nVAR num if;\nVAR num a\nVAR num b:=(1;\nPROC pick(1)()\nIF a THEN\nx = 1;\nENDPROC\n"
+        "PROC other()\nMoveL p10 v100;\ny:=[1,2;\nERROR (1\nRETRY;\nENDPROC\nENDMODULE\n"
+    )
+    with pytest.raises(InputErrorGroup) as caught:
+        parse_module(text, "m.mod")
+    assert [(error.line, error.column) for error in caught.value.errors] == [
+        (2, 9), (3, 10), (4, 14), (5, 6), (6, 1), (7, 3), (10, 10), (11, 8), (12, 9),
+    ]  # fmt: skip
+
+
+def test_of_very_many_mistakes_the_first_twenty_are_told_and_the_rest_counted() -> None:
+    lines = in_main("x:=);\n" * 30).splitlines()
+    assert len(lines) == 21
+    assert lines[19:] == ["22:4: expected an expression, found ')'", " and 10 more mistakes"]
+    assert in_main("x:=);\n" * 21).splitlines()[-1] == " and 1 more mistake"
+
+
+def test_one_mistake_is_no_group() -> None:
+    with pytest.raises(InputError) as caught:
+        parse_module("VAR num if;", "m.mod")
+    assert not isinstance(caught.value, InputErrorGroup)
+
+
+# --------------------------------------------------------------------------------------------------------- warnings
+
+
+def warnings(text: str) -> list[tuple[int, str]]:
+    return list(parse_module(text, "m.mod").warnings)
+
+
+def test_text_after_the_last_module_is_counted() -> None:
+    after = " is not part of the program and does not run"
+    text = "MODULE m\nENDMODULE\n"
+    assert warnings(text + "MoveL p,v,z,t;\n\n! no line\nMoveL p,v,z,t;\n" * 38) == [
+        (len(text), f"text after ENDMODULE (76 lines){after}")
+    ]
+    assert warnings(text + '"\n' + text) == [(len(text), f"text after ENDMODULE (1 line){after}")]
+    assert warnings(text + "! only a comment\n" + text) == []
+
+
+def test_odd_but_legal_text_is_a_warning() -> None:
+    name = "a" * 33
+    assert warnings(f"VAR num\x00{name};VAR num {'b' * 32}:=[1,2];CONST num {name}:=[1];") == [
+        (7, "NUL bytes between the tokens are read as blanks"),
+        (8, f"'{name}' has 33 characters; a controller takes at most 32 in a name"),
+        (100, f"'{name}' has 33 characters; a controller takes at most 32 in a name"),
+    ]
+
+
+def test_placeholders_are_legal_to_load() -> None:
+    marks = ("SMT", "EXP", "VAR", "ID", "ARG", "PAR", "ALT", "DIM", "EIT", "CSE", "DDN", "RDN", "TDN")
+    body = "".join(f"<{mark}>\nx:=<{mark}>;\n" for mark in marks)
+    assert (
+        warnings(
+            f"MODULE <ID>\n<DDN>\n<RDN>\nPROC <ID>(<PAR>)\n{body}<VAR>:=1;TEST x\n<CSE>\nENDTEST\nENDPROC\nENDMODULE"
+        )
+        == []
+    )
+
+
+# --------------------------------------------------------------------------------------------------------- excerpts
+
+
+@pytest.mark.parametrize(
+    ("text", "offset", "excerpt"),
+    [
+        ("x;\n  MoveL p10 v100, fine;\n", 14, "    MoveL p10 v100, fine;\n             ^"),
+        ("\tMoveL p10\tv100;\r\n", 10, "    MoveL p10 v100;\n             ^"),
+        ("x\x00y\x1bz", 4, "    x y?z\n        ^"),
+        ("日本:=é1", 4, "    日本:=é1\n          ^"),
+        ("a" * 100 + "b" + "c" * 100, 100, f"    ...{'a' * 70}b{'c' * 39}...\n    {' ' * 73}^"),
+        ("x:=1;\n\n", 6, None),
+    ],
+)
+def test_the_line_is_shown_with_a_caret_below_the_place(text: str, offset: int, excerpt: str | None) -> None:
+    error = Places(text, "m.mod").error(offset, "wrong")
+    assert error.excerpt == excerpt
+    assert error.shown() == (f"{error}\n{excerpt}" if excerpt else str(error))
+    assert "\n" not in str(error)
+
+
+def test_the_command_prints_every_mistake_with_its_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "m.mod"
+    file.write_text("MODULE m\n    VAR num if;\n    VAR num (;\nENDMODULE\n")
+    assert run(["parse", str(file)]) == 2
+    assert capsys.readouterr().err == (
+        f"{file}:2:13: expected a name after VAR num, found 'if'; that is a reserved word, so choose another name\n"
+        "    VAR num if;\n            ^\n"
+        f"{file}:3:13: expected a name after VAR num, found '('\n"
+        "    VAR num (;\n            ^\n"
+    )
+
+
+# ---------------------------------------------------------------------------------------------- text to choke on
+
+HEAD = "MODULE m\nPROC main()\n"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *(
+            HEAD + "x:=" + piece * 20_000
+            for piece in ("(", "[", "[1,", '"', "-", "f(", "a{", "1.", "[[[1,2]]],", '"\n', "[1,2\n")
+        ),
+        *(
+            HEAD + piece * 20_000
+            for piece in ("IF a THEN ", "IF a ", "x:=1;ENDIF ", "ELSE ", "CASE 1 ", "/* ", "#;", ");\n", ";a,b", "%")
+        ),
+        *(
+            piece * 20_000
+            for piece in (
+                "%%%(",
+                "%%% a:b ",
+                "MODULE m ",
+                "ENDMODULE ",
+                "PROC a(1)() ",
+                "RECORD r num a;",
+                "\x00(",
+                "å",
+            )
+        ),
+        HEAD + "x:=[" + " " * 300_000,
+        HEAD + "x" * 300_000,
+    ],
+    ids=lambda text: ascii(text[-12:]),
+)
+def test_hopeless_text_is_refused_at_once_and_briefly(text: str) -> None:
+    start = time.perf_counter()
+    with pytest.raises(InputError) as caught:
+        parse_module(text, "m.mod")
+    assert time.perf_counter() - start < 3  # measured below 0.3 s; what is not linear takes minutes
+    shown = caught.value.shown().splitlines()
+    assert len(shown) <= 61
+    assert max(map(len, shown)) < 300
+
+
+def test_a_statement_of_its_own_is_checked_too() -> None:
+    with pytest.raises(InputError, match="write '='"):
+        parse_statement("IF a == b x:=1;", "m.mod")
