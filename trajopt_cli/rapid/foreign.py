@@ -8,6 +8,7 @@ _FLAGS = re.IGNORECASE | re.MULTILINE
 _RAPID = re.compile(r"\b(ENDMODULE|ENDPROC|ENDFUNC|ENDTRAP)\b", re.IGNORECASE)
 _GZIP = ("\x1f\x8b", "\x1f\u2039")  # in Latin-1 and in cp1252
 _CONTROL = re.compile(r"[\x01-\x08\x0e-\x19\x1b-\x1f\x7f]")  # NUL and Ctrl-Z do stand in RAPID files
+_NEAR = 4096  # characters at either end that tell most files
 _LOOKS = (
     ("Modula-2 or Oberon", re.compile(r"^\s*((IMPLEMENTATION|DEFINITION)\s+MODULE\b|END\s+\w+\s*\.\s*\Z)", _FLAGS)),
     ("Fortran", re.compile(r"^\s*(END\s+MODULE\b|IMPLICIT\s+NONE\b|SUBROUTINE\s+\w+)|\AGFORTRAN module", _FLAGS)),
@@ -25,8 +26,8 @@ def foreign(text: str) -> str | None:
         return "is compressed (Fortran compilers write such .mod files)"
     if body.startswith("<") and not body.startswith("<SMT>"):
         return "is XML or HTML"
-    if len(_CONTROL.findall(body, 0, 4096)) > 0.02 * min(len(body), 4096):
+    if len(_CONTROL.findall(body, 0, _NEAR)) > 0.02 * min(len(body), _NEAR):
         return "is binary"
-    if _RAPID.search(body):
+    if _RAPID.search(body, max(0, len(body) - _NEAR)) or _RAPID.search(body):  # it mostly ends so: look there first
         return None
     return next((f"looks like {name}" for name, sign in _LOOKS if sign.search(body)), None)
