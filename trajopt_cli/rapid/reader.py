@@ -128,7 +128,8 @@ def _modules(run: Run, files: Sequence[TextFile]) -> list[tuple[Module, Places]]
             errors += error.errors if isinstance(error, InputErrorGroup) else [error]
             continue
         modules += [(module, places) for module in tree.modules]
-        _warn_of_text(run, tree, places)
+        for offset, sentence in tree.warnings:
+            run.warn(f"{places.source(offset)}: {sentence}")
     if errors:
         raise errors[0] if len(errors) == 1 else InputErrorGroup(errors)
     return modules
@@ -141,15 +142,6 @@ def _name_once(module: Module, places: Places, known: dict[str, Source]) -> None
     if before is not here:
         message = f"module {module.name} is also in {before.file}:{before.line}; leave one of them out"
         raise InputError(message, file=here.file, line=here.line, column=here.column)
-
-
-def _warn_of_text(run: Run, tree: ModuleFile, places: Places) -> None:
-    for start, end in tree.leftovers:
-        lines = places.line(end - 1) - places.line(start) + 1
-        count = f"{lines} line{'s' * (lines > 1)}"
-        run.warn(f"{places.source(start)}: text after ENDMODULE ({count}) is not part of the program and does not run")
-    if "\x00" in places.text:
-        run.warn(f"{places.file}: NUL bytes between the tokens are read as blanks")
 
 
 def _marked(tree: ModuleFile, places: Places) -> list[int]:
