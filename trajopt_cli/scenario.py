@@ -88,16 +88,23 @@ def _remedy(lack: Lack) -> str:
     return f"; add the line '{lack.line}' to the cell file"
 
 
-def lacking(lacks: Sequence[Lack]) -> InputErrorGroup:
-    """One error per lack, each with the line to add."""
-    return InputErrorGroup(
-        [
-            InputError(
-                f"{lack.reason}{_remedy(lack)}",
-                file=lack.source.file,
-                line=lack.source.line,
-                column=lack.source.column,
-            )
-            for lack in lacks
-        ]
-    )
+class Lacking(InputErrorGroup):
+    """A run that the scenario tells too little of. lacks: what it lacks."""
+
+    def __init__(self, errors: Sequence[InputError], lacks: Sequence[Lack]):
+        super().__init__(errors)
+        self.lacks = tuple(lacks)
+
+
+def lacking(lacks: Sequence[Lack], after: InputError | None = None) -> Lacking:
+    """One error per lack, each with the line to add. after: what the run with 0 in their place came to in the end."""
+    errors = [
+        InputError(
+            f"{lack.reason}; add the line '{lack.line}' to the cell file",
+            file=lack.source.file,
+            line=lack.source.line,
+            column=lack.source.column,
+        )
+        for lack in lacks
+    ]
+    return Lacking(errors if after is None else [*errors, after], lacks)

@@ -5,7 +5,8 @@ Rounded so that the float32 numbers of RAPID show no noise: 0.1 is 0.1 and not 0
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import json
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from trajopt_cli.motion import ConfData, PathEvent, Program
@@ -45,6 +46,20 @@ def listing_record(
         "warnings": list(program.warnings),
         "configurations": None if found is None else [_finding(one) for one in found],
     }
+
+
+def json_text(record: Mapping[str, Any]) -> str:
+    """A record as JSON with a line for each motion and finding, so that it can be searched and compared by lines."""
+    parts = []
+    for key, value in record.items():
+        objects = isinstance(value, list) and value and isinstance(value[0], dict)
+        lines = ",\n    ".join(_dumps(one) for one in value) if objects else ""
+        parts.append(f"  {_dumps(key)}: " + (f"[\n    {lines}\n  ]" if objects else _dumps(value)))
+    return "{\n" + ",\n".join(parts) + "\n}"
+
+
+def _dumps(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=False, allow_nan=False)
 
 
 def row_record(row: Row) -> dict[str, Any]:

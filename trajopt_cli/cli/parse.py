@@ -40,9 +40,12 @@ def parse(
 
     Needs no cell file; where there is one, its scenario is used, and confdata is held against its robot.
     """
+    from trajopt_cli.errors import InputError
     from trajopt_cli.job import MAIN, cell_for, scenario_of
     from trajopt_cli.rapid.listing import describe
+    from trajopt_cli.rapid.neighbours import with_hints
     from trajopt_cli.rapid.reader import try_paths
+    from trajopt_cli.scenario import lacking
 
     loaded = cell_for(program, cell)
     plant = None if loaded is None else _plant(loaded)
@@ -51,12 +54,19 @@ def parse(
         from trajopt_cli.problem.programmed import PlantKinematics
 
         kinematics = PlantKinematics(plant)
-    flat, lacks = try_paths(program, scenario_of(loaded, assume_identity or ()), entry or MAIN, kinematics)
+    try:
+        flat, lacks = try_paths(program, scenario_of(loaded, assume_identity or ()), entry or MAIN, kinematics)
+    except InputError as error:
+        lacks = _lacks_of(error)
+        if not lacks:
+            raise
+        if not scenario_template:
+            raise _with_template(error, program) from error
     if scenario_template:
         _print_template(lacks)
         return
     if lacks:
-        raise _lacking(lacks, flat, program, entry or MAIN)
+        raise _with_template(with_hints(lacking(lacks), [*flat.files.values()], entry or MAIN), program)
     listing = describe(flat, kinematics)
     found = None
     if plant is not None:
@@ -65,12 +75,9 @@ def parse(
         found = check_configurations(flat, plant)
     notes = [*notes_on(flat, listing, plant)]
     if as_json:
-        import json
+        from trajopt_cli.cli.listing_record import json_text, listing_record
 
-        from trajopt_cli.cli.listing_record import listing_record
-
-        record = listing_record(flat, listing, found, notes)
-        typer.echo(json.dumps(record, indent=2, ensure_ascii=False, allow_nan=False))
+        typer.echo(json_text(listing_record(flat, listing, found, notes)))
         return
     from trajopt_cli.cli.listing import listing_lines, terminal_width
 
@@ -98,16 +105,22 @@ def _print_template(lacks: Sequence[Lack]) -> None:
     typer.echo(template(lacks), nl=False)
 
 
-def _lacking(lacks: Sequence[Lack], flat: Program, paths: Sequence[Path], entry: str) -> InputError:
+def _lacks_of(error: BaseException | None) -> tuple[Lack, ...]:
+    """What the run lacked that ended with an error; the error may have been given hints since."""
+    from trajopt_cli.scenario import Lacking
+
+    while error is not None and not isinstance(error, Lacking):
+        error = error.__cause__
+    return error.lacks if error is not None else ()
+
+
+def _with_template(error: InputError, paths: Sequence[Path]) -> InputError:
     """The error of a program whose world is not told, with the way to the lines that tell it."""
     from trajopt_cli.errors import InputError, InputErrorGroup
-    from trajopt_cli.rapid.neighbours import with_hints
-    from trajopt_cli.scenario import lacking
 
-    error = with_hints(lacking(lacks), [*flat.files.values()], entry)
     errors = error.errors if isinstance(error, InputErrorGroup) else (error,)
     command = f"trajopt parse {' '.join(str(path) for path in paths)} --scenario-template"
-    return InputErrorGroup([*errors, InputError(f"'{command}' prints these lines for the cell file")])
+    return InputErrorGroup([*errors, InputError(f"'{command}' prints the lines that the cell file lacks")])
 
 
 def _sums(listing: Listing) -> Iterator[str]:
