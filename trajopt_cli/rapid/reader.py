@@ -96,7 +96,7 @@ def try_program(
     except InputError as error:
         if not run.world.lacks:
             raise
-        raise InputErrorGroup([*lacking([*run.world.lacks.values()]).errors, error]) from error
+        raise lacking([*run.world.lacks.values()], error) from error
     except RecursionError:
         raise InputError("is nested too deeply to be run", file=subject) from None
     program = Program(
