@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Mapping
 from dataclasses import replace
 
@@ -11,7 +10,7 @@ import numpy as np
 from trajopt_cli.export import rapid_diff
 from trajopt_cli.export.rapid_write import RapidExport
 from trajopt_cli.geometry import inverse_pose
-from trajopt_cli.motion import MoveAbsJ, MoveC, MoveJ, MoveL, Program, Span, TextFile, Wait
+from trajopt_cli.motion import MoveAbsJ, MoveC, MoveJ, MoveL, Program, TextFile, Wait
 from trajopt_cli.problem.plan import Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.rapid.reader import run_program
@@ -80,26 +79,3 @@ def changed_lines(program: Program, export: RapidExport) -> list[str]:
     """The lines of the diff that begin with + or -."""
     lines = unified_diff(program, export).splitlines()
     return [line for line in lines if line[:1] in ("+", "-") and line[:3] not in ("+++", "---")]
-
-
-def with_once(program: Program, *statements: str) -> Program:
-    """The program knowing that each of these statements ran once, and made the motions that ran several times.
-
-    A statement's motions are those of its share: the runs of one statement are dealt out evenly, in order.
-    """
-    runs = Counter(motion.written.statement for motion in program.motions)
-    spans = []
-    for path, file in program.files.items():
-        spans += [
-            Span(path, file.text.index(one), file.text.index(one) + len(one)) for one in statements if one in file.text
-        ]
-    met: Counter[Span] = Counter()
-    motions = []
-    for motion in program.motions:
-        statement = motion.written.statement
-        once = statement
-        if runs[statement] > 1:
-            once = spans[met[statement] * len(spans) // runs[statement]]
-            met[statement] += 1
-        motions.append(replace(motion, written=replace(motion.written, once=once)))
-    return replace(program, motions=tuple(motions))

@@ -41,7 +41,7 @@ def test_every_motion_of_the_hinge_cell_reads_back_as_planned(plant: Plant) -> N
     assert len(again.motions) == 13
     for old, new, planned in zip(program.motions, again.motions, plan.motions, strict=True):
         assert isinstance(new, MOVES)  # all three waits move the rail
-        assert plant.rail_value(new.extax) == pytest.approx(planned.q_1[0], abs=1e-9)
+        assert plant.rail_value(new.extax) == pytest.approx(planned.q_1[0], abs=1e-7)  # a num has 24 bits
         if isinstance(new, (MoveJ, MoveL)):
             assert new.conf == confdata(plant.robot, planned.q_1[1:])
         if isinstance(old, (MoveJ, MoveL)):
@@ -359,12 +359,10 @@ def test_a_computed_target_that_goes_along_with_its_base_is_fine(plant: Plant) -
     assert [m.extax[0] for m in again.motions if isinstance(m, MOVES)] == [300.0, 300.0]
 
 
-def test_a_statement_that_runs_twice_and_would_have_to_differ_is_named(plant: Plant) -> None:
+def test_a_statement_that_runs_twice_and_has_to_differ_is_written_out_where_it_is_called(plant: Plant) -> None:
     program = made("        go;\n        go;\n", rest=f"    PROC go()\n{J1}    ENDPROC\n")
-    assert error(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant) == (
-        "m.mod:10:9: this statement runs more than once, and the plan wants something else of it each time; "
-        "write it out once for each time it runs"
-    )
+    again = read_back(program, export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant))
+    assert [m.extax[0] for m in again.motions if isinstance(m, MOVES)] == [200.0, 300.0]
     export_rapid(program, plan_for(program, plant, {0: 0.3, 1: 0.3}), plant)
 
 

@@ -7,13 +7,14 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from rail_plans import J1, changed_lines, made, plan_for, read_back
+from rail_plans import J1, J2, changed_lines, made, plan_for, read_back
 
 from trajopt_cli.cell.loader import load_cell
 from trajopt_cli.export.rapid import export_rapid
 from trajopt_cli.motion import MoveAbsJ, MoveJ, MoveL, Program, TextFile
 from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.rapid.reader import read_program, run_program
+from trajopt_cli.robot.inverse import confdata
 from trajopt_cli.scenario import Scenario
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
@@ -208,3 +209,50 @@ def test_target_speed_and_tool_are_found_in_every_form_of_move(plant: Plant, bef
     export = export_rapid(program, plan, plant, scenario=scenario)
     assert f"        {line.replace(' p1,', ' p1_2,')}\n" in export.texts["m.mod"]
     assert "        MoveL p1_b, v100 \\T:=0.5, fine, tool0;\n" in export.texts["m.mod"]
+
+
+# ------------------------------------------------------------------------------------------- confdata switched off
+
+
+def test_confdata_that_is_switched_off_is_left_alone_where_the_nearest_is_planned(plant: Plant) -> None:
+    program = made("        ConfJ\\Off;\n        ConfL\\Off;\n" + J1 + "        MoveL p1,v50,fine,tool0;\n")
+    export = export_rapid(program, plan_for(program, plant, {0: 0.25, 1: 0.25}), plant)
+    assert changed_lines(program, export)[1:] == [
+        f"+    CONST robtarget p1:=[[500,200,450],[0,0,1,0],[0,0,0,0],[250,{OPEN}]]; ! first"
+    ]
+
+
+def test_another_configuration_than_the_nearest_is_switched_on(plant: Plant) -> None:
+    body = "        ConfJ\\Off;\n" + J1 + J2 + "        MoveJ p1,v50,fine,tool0;\n"
+    program = made(body)
+    plan = plan_for(program, plant, {0: 0.2, 1: 1.35, 2: 0.2}, cfx={1: 1, 2: 1})  # the wrist turned over, needlessly
+    export = export_rapid(program, plan, plant)
+    assert [line for line in changed_lines(program, export) if "Conf" in line] == [
+        "+        ConfJ \\On;",
+        "+        ConfJ \\Off;",
+    ]
+    assert (
+        "        ConfJ \\On;\n        MoveJ p2,v100,fine,tool0;\n        ConfJ \\Off;\n        MoveJ p1,v50"
+        in export.texts["m.mod"]
+    )
+    assert [note for note in export.notes if "nearest" in note] == [
+        "m.mod:8:9: the nearest configuration is not the planned one, so confdata is switched on for the move"
+    ]
+    moves = [m for m in read_back(program, export).motions if isinstance(m, MoveJ)]
+    assert [m.settings.conf_j for m in moves] == [False, True, False]
+    assert moves[1].conf == confdata(plant.robot, plan.motions[1].q_1[1:])
+
+
+# ---------------------------------------------------------------------------------- what is computed from a literal
+
+
+def test_a_literal_stays_where_something_that_must_stay_is_computed_from_it(plant: Plant) -> None:
+    """The two calls want p1's own rail for what they compute, so p1 itself cannot be edited."""
+    body = J1 + "        go 1;\n        IF TRUE go 2;\n"
+    rest = "    PROC go(num k)\n        MoveL Offs(p1,0,0,-10*k),v100,fine,tool0;\n    ENDPROC\n"
+    program = made(body, rest=rest)
+    export = export_rapid(program, plan_for(program, plant, {0: 0.3, 1: 0.2, 2: 0.2}), plant)
+    rails = [m.extax[0] for m in read_back(program, export).motions if isinstance(m, MoveJ | MoveL)]
+    assert rails == [300, 200, 200]
+    assert export.new == {}
+    assert "MoveJ p1_2,v100" in export.texts["m.mod"]

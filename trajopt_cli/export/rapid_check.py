@@ -18,10 +18,9 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import confdata_admits
 from trajopt_cli.units import MM
 
-_POSE = 1e-9  # m, rad and rotation entries: computed targets are written with 6 decimals of a millimetre, 9 of a degree
-_RAIL = 1e-9  # m: eax is written to the nanometre
+_POSE = 2e-7  # m, rad and rotation entries: a computed target, written out, is rounded to the 24 bits of a num
+_RAIL = 1e-7  # m: a num has 24 bits, which is half of this at 2 m
 _SPEED = 1e-8  # m/s, rad/s
-_NEW_POSE = 1e-8  # a target that was a jointtarget is written with 9 decimals of a millimetre and 15 of a quaternion
 
 
 def check_export(
@@ -190,7 +189,7 @@ def _check_dwell(
         same = _near(before.X_WT, read.X_WT)
     else:
         X_WF = plant.robot.forward(planned.q_1)
-        same = np.allclose(X_WF @ read.tool.X_FT, read.X_WT, rtol=0.0, atol=_NEW_POSE)
+        same = _near(X_WF @ read.tool.X_FT, read.X_WT)
     if not same or read.duration is None or abs(read.duration - wait.duration) > 1e-6:
         return [_mismatch(wait, "the tool to rest for the time of the wait")]
     return []

@@ -59,6 +59,14 @@ class FlatModule:
         motions: by index, without those that are dropped. Raises InputError for what another module cannot say.
         """
         self._beside = self._beside or stretch.span.file
+        moves = [motion for index in motions if isinstance(motion := self._program.motions[index], Move)]
+        for move in moves:
+            if move.settings != moves[0].settings:
+                raise refusal(
+                    move.source,
+                    "cannot be written flat: its settings (PDisp, EOffs, ConfJ, AccSet, ...) are not those of the "
+                    "moves before it in the stretch; set them before the stretch",
+                )
         name = self._names.new("trajopt_flat", "", len(self._bodies) + 1)
         lines: list[str] = []
         for index, how in motions.items():
