@@ -100,7 +100,7 @@ def lacking(lacks: Sequence[Lack], after: InputError | None = None) -> Lacking:
     """One error per lack, each with the line to add. after: what the run with 0 in their place came to in the end."""
     errors = [
         InputError(
-            f"{lack.reason}; add the line '{lack.line}' to the cell file",
+            f"{lack.reason}{_remedy(lack)}",
             file=lack.source.file,
             line=lack.source.line,
             column=lack.source.column,

@@ -120,7 +120,7 @@ def test_every_solution_of_the_truth_file_is_told_apart_by_its_confdata() -> Non
             target = f"[[{x:.12f},{y:.12f},{z:.12f}],[{rot}],[{conf}],{N}]"
             (motion,) = run_main(f"MoveAbsJ CalcJointT({target},tool0),v5,fine,tool0;", kinematics=robot()).motions
             assert isinstance(motion, MoveAbsJ)
-            np.testing.assert_allclose(motion.q, one["q"], atol=1e-7)
+            np.testing.assert_allclose(motion.q, one["q"], atol=1e-5)
             checked += 1
     assert checked > 20
 
@@ -174,7 +174,7 @@ def test_offsets_and_displacement_are_taken_out_of_where_the_robot_is() -> None:
     for motion in (second, third):
         assert isinstance(motion, MoveL)
         assert isinstance(first, MoveL)
-        np.testing.assert_allclose(motion.X_WT, first.X_WT, atol=1e-9)
+        np.testing.assert_allclose(motion.X_WT, first.X_WT, atol=1e-6)
         assert motion.extax[0] == pytest.approx(125)
     assert isinstance(joints, MoveAbsJ)
     assert joints.extax[0] == pytest.approx(125)
