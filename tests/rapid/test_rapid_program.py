@@ -90,8 +90,8 @@ def test_the_hinge_cell_is_the_agreed_case() -> None:
             assert motion.extax == (0.0, None, None, None, None, None)
             continue
         pose = case["poses"][rest[0]]
-        np.testing.assert_allclose(motion.X_WT[:3, 3], pose["xyz"], rtol=0, atol=1e-15)
-        np.testing.assert_allclose(motion.X_WT[:3, :3], rotation_from_wxyz(pose["quat"]), rtol=0, atol=1e-15)
+        np.testing.assert_allclose(motion.X_WT[:3, 3], pose["xyz"], rtol=0, atol=1e-7)
+        np.testing.assert_allclose(motion.X_WT[:3, :3], rotation_from_wxyz(pose["quat"]), rtol=0, atol=1e-7)
         assert motion.extax[0] == rails[rest[0][:2]]
         wanted = rest[1]["v"] if len(rest) > 1 else 2.5
         assert motion.speed.v_tcp == pytest.approx(wanted, abs=1e-15)
@@ -146,7 +146,7 @@ def test_the_bench_cell_does_three_rounds() -> None:
     ],
 )
 def test_expressions_have_the_value_a_controller_gives(expression: str, result: float) -> None:
-    assert value(expression) == pytest.approx(result, abs=1e-12)
+    assert value(expression) == pytest.approx(result, rel=2.4e-7)  # two roundings to 32 bits
 
 
 @pytest.mark.parametrize(
@@ -303,7 +303,7 @@ def test_rel_tool_goes_along_the_tool_then_turns_about_its_new_axes() -> None:
     turned = R
     for axis, angle in (([1, 0, 0], 10), ([0, 1, 0], 20), ([0, 0, 1], 30)):
         turned = turned @ rotation_about(axis, radians(angle))
-    np.testing.assert_allclose(motion.X_WT[:3, :3], turned, atol=1e-15)
+    np.testing.assert_allclose(motion.X_WT[:3, :3], turned, atol=2e-7)
 
 
 def test_pose_functions_agree_with_matrices() -> None:
@@ -373,7 +373,7 @@ WAITS: Mapping[str, float] = {"DI_Ready": 0.5, "di2": 0.1, "di2=0": 0.25, "di1 =
 def test_waits_last_at_least_as_the_scenario_says(body: str, duration: float, condition: str | None) -> None:
     (wait,) = run_main(body, scenario=Scenario(waits=WAITS)).motions
     assert isinstance(wait, Wait)
-    assert (wait.duration, wait.condition) == (duration, condition)
+    assert (wait.duration, wait.condition) == (pytest.approx(duration, rel=6e-8), condition)
 
 
 def test_outputs_are_events_and_are_remembered() -> None:
@@ -404,9 +404,9 @@ def test_instructions_without_effect_on_motion_are_read_over() -> None:
 
 def test_a_loop_may_run_exactly_as_often_as_the_scenario_allows() -> None:
     body = "FOR j FROM 1 TO 2 DO FOR i FROM 1 TO 3 DO WaitTime i; ENDFOR ENDFOR"
-    assert len(waits(body, scenario=Scenario(pass_limit=6))) == 6
-    with pytest.raises(InputError, match=r"m.mod:4:22: the loop has not ended after 5 passes"):
-        waits(body, scenario=Scenario(pass_limit=5))
+    assert len(waits(body, scenario=Scenario(pass_limit=3))) == 6
+    with pytest.raises(InputError, match=r"m.mod:4:22: the loop has not ended after 2 passes"):
+        waits(body, scenario=Scenario(pass_limit=2))
 
 
 # ----------------------------------------------------------------------------------------------------------- listing

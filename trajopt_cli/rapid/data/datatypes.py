@@ -1,54 +1,96 @@
 """RAPID's data types and values.
 
 A record's or array's data is a nested tuple; a component or an element is changed by building the tuple anew, so a
-value can be passed on freely. num is kept as float64 although the controller rounds it to float32: a rounding of 6e-8
-of the value moves no target by a micrometre, and numbers that nobody changes shall come out as they were written.
+value can be passed on freely. A num is a 32-bit float as on the controller, held as the Python float that it rounds to:
+every literal and every result is rounded (single, Layout). A dnum is a Python float.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain, pairwise
+from math import isfinite
+from struct import Struct
 from typing import Any, NamedTuple
 
 from trajopt_cli.motion import Span
 from trajopt_cli.rapid.language.syntax import Aggregate
 
+STRING_LIMIT = 80  # characters
+SIZE_LIMIT = 1_000_000  # plain values in one piece of data
+NUM_LIMIT = 3.4028235e38
 
-@dataclass(frozen=True, slots=True)
+_SINGLE = Struct("=f")
+
+
+def single(value: float) -> float:
+    """The num nearest to a number. Raises OverflowError beyond NUM_LIMIT."""
+    rounded: float = _SINGLE.unpack(_SINGLE.pack(value))[0]
+    if rounded - rounded:  # infinite
+        raise OverflowError
+    return rounded
+
+
+@dataclass(frozen=True)
 class Atomic:
-    """num, dnum, bool, string, and the types without a value of their own such as signals and clocks."""
+    """num, dnum, bool, string, and the types whose values mean nothing here, such as signals, clocks and welddata.
+
+    default: None for the latter. known: False for a type that is declared nowhere.
+    """
 
     name: str
     default: Any = None
+    known: bool = True
+
+    size = 1
+
+    @cached_property
+    def layout(self) -> Layout | None:
+        """None: only records and arrays have one."""
+        return None
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Record:
     """components: names (lower case) and types in order."""
 
     name: str
     components: tuple[tuple[str, Type], ...]
+    known = True
 
-    @property
+    @cached_property
     def default(self) -> Data:
         """All components at theirs: an uninitialised robtarget has no valid orientation."""
         return tuple(type_.default for _, type_ in self.components)
 
+    @cached_property
+    def size(self) -> int:
+        """How many plain values it holds."""
+        return sum(type_.size for _, type_ in self.components)
 
-@dataclass(frozen=True, slots=True)
+    @cached_property
+    def layout(self) -> Layout | None:
+        """How its numbers lie, None where it holds anything else."""
+        return Layout.of(self)
+
+
+@dataclass(frozen=True)
 class Array:
     """sizes: None where a parameter leaves them open."""
 
     element: Type
     sizes: tuple[int, ...] | None
     dimensions: int
+    known = True
 
     @property
     def name(self) -> str:
         """As in messages."""
         return f"{self.element.name}{{{','.join('*' * self.dimensions)}}}"
 
-    @property
+    @cached_property
     def default(self) -> Data:
         """All elements at theirs."""
         data = self.element.default
@@ -56,17 +98,41 @@ class Array:
             data = (data,) * size
         return data
 
-    def inner(self) -> Type:
+    @cached_property
+    def size(self) -> int:
+        """How many plain values it holds."""
+        count = self.element.size
+        for size in self.sizes or ():
+            count *= size
+        return count
+
+    @cached_property
+    def layout(self) -> Layout | None:
+        """How its numbers lie, None where it holds anything else or its size is open."""
+        return Layout.of(self)
+
+    @cached_property
+    def inside(self) -> Type:
         """The type one dimension further in."""
         if self.dimensions == 1:
             return self.element
         return Array(self.element, self.sizes[1:] if self.sizes else None, self.dimensions - 1)
+
+    def inner(self) -> Type:
+        """The type one dimension further in."""
+        return self.inside
 
 
 Type = Atomic | Record | Array
 # Whatever the type says: a float, a bool, a str, a nested tuple of them, None for a type without values. Checked
 # against the type when a value is made, so it is not checked again by Python's types.
 Data = Any
+
+
+class Opaque(str):
+    """The value of a type that means nothing here (welddata ...), as written, where it is not made of numbers only."""
+
+    __slots__ = ()
 
 
 class Origin(NamedTuple):
@@ -96,6 +162,107 @@ BOOL, STRING = Atomic("bool", False), Atomic("string", "")
 SWITCH = Atomic("switch", True)
 
 
+# --------------------------------------------------------------------------------------------------------- layouts
+
+# For str.translate: what numbers are written with is left out. What else there is stays, and spoils the shape.
+_SHAPE = dict.fromkeys(map(ord, "0123456789.eE+- \t\r\n"))
+
+
+class Layout:
+    """How the numbers of a record or array lie one after the other: literals of numbers are read and rounded at once.
+
+    A program of a hundred thousand targets is little else, so this must be quick.
+    """
+
+    __slots__ = ("_bounds", "_shape", "_struct", "_type")
+
+    def __init__(self, type_: Record | Array, formats: str, shape: str):
+        self._type, self._shape, self._struct = type_, shape, Struct(f"={formats}")
+        self._bounds: list[tuple[int, int]] | None = None  # of the parts, where every part is a plain record of numbers
+        parts = _parts(type_)
+        if all(
+            isinstance(part, Record) and all(inner in (NUM, DNUM) for _, inner in part.components) for part in parts
+        ):
+            ends = [0]
+            for part in parts:
+                ends.append(ends[-1] + part.size)
+            self._bounds = list(pairwise(ends))
+
+    @staticmethod
+    def of(type_: Record | Array) -> Layout | None:
+        """The layout of a type, None where it holds anything but numbers, or too many."""
+        if type_.size > SIZE_LIMIT or (isinstance(type_, Array) and not type_.sizes):
+            return None
+        formats = _formats(type_)
+        return None if formats is None else Layout(type_, formats, _shape(type_))
+
+    def read(self, text: str) -> Data | None:
+        """The value of an aggregate as written, None where it is anything but the type's numbers."""
+        if text.translate(_SHAPE) != self._shape:
+            return None
+        flat = map(float, text.replace("[", "").replace("]", "").split(","))
+        try:
+            values = self._struct.unpack(self._struct.pack(*flat))
+        except (OverflowError, ValueError):
+            return None
+        return self._nest(values) if isfinite(sum(values)) else None
+
+    def rounded(self, data: Data) -> Data:
+        """A value of the type with every num in it rounded. Raises OverflowError beyond NUM_LIMIT."""
+        return self._nest(self._struct.unpack(self._struct.pack(*_flat(data))))
+
+    def _nest(self, flat: tuple[float, ...]) -> Data:
+        if self._bounds is not None:
+            return tuple([flat[start:end] for start, end in self._bounds])
+        return _nested(self._type, iter(flat))
+
+
+def _parts(type_: Record | Array) -> Iterable[Type]:
+    if isinstance(type_, Record):
+        return [part for _, part in type_.components]
+    assert type_.sizes
+    return [type_.inside] * type_.sizes[0]
+
+
+def _formats(type_: Type) -> str | None:
+    if type_ is NUM:
+        return "f"
+    if type_ is DNUM:
+        return "d"
+    if isinstance(type_, Atomic):
+        return None
+    if isinstance(type_, Array):
+        inner = _formats(type_.inside)
+        return None if inner is None else inner * (type_.sizes or (0,))[0]
+    found = [_formats(part) for _, part in type_.components]
+    return None if None in found else "".join(part for part in found if part is not None)
+
+
+def _shape(type_: Type) -> str:
+    if isinstance(type_, Atomic):
+        return ""
+    if isinstance(type_, Array):
+        count = (type_.sizes or (1,))[0]
+        inner = _shape(type_.inside)
+        return f"[{f'{inner},' * (count - 1)}{inner}]"
+    return f"[{','.join(_shape(part) for _, part in type_.components)}]"
+
+
+def _flat(data: Data) -> Iterator[float]:
+    if data and isinstance(data[0], float) and all(isinstance(part, float) for part in data):
+        return iter(data)
+    return chain.from_iterable(_flat(part) if isinstance(part, tuple) else (part,) for part in data)
+
+
+def _nested(type_: Type, flat: Iterator[float]) -> Data:
+    if isinstance(type_, Atomic):
+        return next(flat)
+    return tuple([_nested(part, flat) for part in _parts(type_)])
+
+
+# ------------------------------------------------------------------------------------------------- predefined types
+
+
 def _record(name: str, **components: Type) -> Record:
     return Record(name, tuple(components.items()))
 
@@ -123,22 +290,57 @@ ZONEDATA = Record(
         *((name, NUM) for name in ("pzone_tcp", "pzone_ori", "pzone_eax", "zone_ori", "zone_leax", "zone_reax")),
     ),
 )
+PROGDISP = _record("progdisp", pdisp=POSE, eoffs=EXTJOINT)
+INPOSDATA = _nums("inposdata", "position speed mintime maxtime")
+STOPPOINTDATA = _record(
+    "stoppointdata",
+    type=NUM,
+    progsynch=BOOL,
+    inpos=INPOSDATA,
+    stoptime=NUM,
+    followtime=NUM,
+    signal=STRING,
+    relation=NUM,
+    checkvalue=NUM,
+)
+LISTITEM = _record("listitem", image=STRING, text=STRING)
+TASKS = _record("tasks", taskname=STRING)
 
 SIGNALS = frozenset({"signaldi", "signaldo", "signalgi", "signalgo", "signalai", "signalao"})
 _RECORDS = (
-    POS, ORIENT, POSE, CONFDATA, EXTJOINT, ROBJOINT, ROBTARGET, JOINTTARGET,
-    LOADDATA, TOOLDATA, WOBJDATA, SPEEDDATA, ZONEDATA,
+    POS, ORIENT, POSE, CONFDATA, EXTJOINT, ROBJOINT, ROBTARGET, JOINTTARGET, LOADDATA, TOOLDATA, WOBJDATA, SPEEDDATA,
+    ZONEDATA, PROGDISP, INPOSDATA, STOPPOINTDATA, LISTITEM, TASKS,
 )  # fmt: skip
-# Types the program can name; those without a default value exist, but nothing here can compute with them.
+# Other names of num.
+_NUMBERS = """
+    aiotrigg btnres busstate buttondata byte camerastatus capstopmode dionum egmframetype egmstate egmstopmode
+    errdomain errnum errtype event_type exec_level fcframe handler_type icondata identno intnum iounit_state
+    loadidnum opcalc opernum paridnum paridvalidnum signalorigin socketstatus stoppoint symnum taskid tpnum triggflag
+    triggmode tunetype uishownum
+"""
+# Types that exist, and that nothing here can compute with: their values are carried along as written.
+_OPAQUE = """
+    arcdata beaddata cameradev cameraextdata camerasortdata cameratarget capdata caplatrackdata capspeeddata
+    captrackdata capweavedata clock cnvcmd corrdescr cssframe datapos dir dispdata egm_minmax egmident equipdata
+    fcboxvol fccondstatus fccylindervol fcdamping fcforcevector fclindir fcprocessdata fcrotdir fcspeedvector
+    fcspherevol forcedata gundata iodev itmsrc itmtgt mecunit motsetdata percdata procdata rawbytes restartblkdata
+    restartdata rmqheader rmqmessage rmqslot seamdata selectiondata sensor shapedata simdata smeqdata socketdev
+    sortdata spotdata supervdata syncident trackdata trapdata triggdata triggios triggiosdnum triggstrgo veldata
+    weavedata weavestartdata welddata wzstationary wztemporary
+"""
+# Types the program can name.
 TYPES: dict[str, Type] = {
     **{type_.name: type_ for type_ in (NUM, DNUM, BOOL, STRING, SWITCH, *_RECORDS)},
-    **{name: Atomic(name) for name in (*sorted(SIGNALS), "clock", "triggdata", "iodev", "socketdev", "shapedata")},
-    **{name: NUM for name in ("intnum", "errnum", "tpnum")},
+    **{name: Atomic(name) for name in (*sorted(SIGNALS), *_OPAQUE.split())},
+    **dict.fromkeys(_NUMBERS.split(), NUM),
+    **dict.fromkeys(("errstr",), STRING),
 }
 
 
 def same_type(a: Type, b: Type) -> bool:
     """Whether a value of one type may stand for the other; open array sizes fit any."""
+    if a is b:
+        return True
     if isinstance(a, Array) and isinstance(b, Array):
         fits = a.sizes is None or b.sizes is None or a.sizes == b.sizes
         return fits and a.dimensions == b.dimensions and same_type(a.element, b.element)
@@ -147,4 +349,11 @@ def same_type(a: Type, b: Type) -> bool:
 
 def is_number(type_: Type) -> bool:
     """Whether it is num or dnum."""
-    return type_ is NUM or type_ is DNUM or type_ in (NUM, DNUM)
+    return type_ is NUM or type_ is DNUM
+
+
+def is_opaque(type_: Type) -> bool:
+    """Whether its values (or its elements') mean nothing here and are carried along as written."""
+    while isinstance(type_, Array):
+        type_ = type_.element
+    return isinstance(type_, Atomic) and type_.default is None

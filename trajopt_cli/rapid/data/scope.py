@@ -4,36 +4,63 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
-from trajopt_cli.rapid.data.datatypes import Array, Data, Record, Type, Value
-from trajopt_cli.rapid.language.syntax import AliasDeclaration, RecordDeclaration, Routine
+from trajopt_cli.rapid.data.datatypes import Array, Record, Type, Value
+from trajopt_cli.rapid.language.syntax import AliasDeclaration, Argument, RecordDeclaration, Routine
 from trajopt_cli.rapid.language.text import Places
+
+if TYPE_CHECKING:
+    from trajopt_cli.rapid.execution.faults import Fault
 
 
 class Datum:
     """One piece of data. Its initial value is computed when somebody first asks, so modules may refer to each other.
 
-    constant: why it may not be assigned to ("a CONST"), None where it may.
+    storage: VAR, PERS or CONST. constant: why it may not be assigned to ("a CONST (line 7)"), None where it may; given
+    as the declaration's place where that is enough to say it.
     """
 
-    __slots__ = ("_first", "_value", "constant", "type")
+    __slots__ = ("_constant", "_first", "storage", "type", "value")
+    type: Type
+    value: Value  # unset until asked for, then __getattr__ computes it
 
-    def __init__(self, type_: Type, first: Value | Callable[[], Value], constant: str | None = None):
-        self.type, self.constant = type_, constant
-        self._value: Value | None = first if isinstance(first, Value) else None
-        self._first = first
+    def __init__(
+        self,
+        type_: Type,
+        first: Value | Callable[[], Value],
+        constant: str | tuple[Places, int] | None = None,
+        storage: str = "VAR",
+    ):
+        self.type, self.storage, self._constant = type_, storage, constant
+        if type(first) is Value:
+            self.value = first
+        else:
+            self._first = first
+
+    def __getattr__(self, name: str) -> Value:
+        if name != "value":
+            raise AttributeError(name)
+        first = self._first
+        assert not isinstance(first, Value)
+        self.value = first()
+        return self.value
+
+    def take(self, other: Datum) -> None:
+        """Begin with another's initial value."""
+        if hasattr(other, "_first"):
+            self._first = other._first
+            del self.value
+        else:
+            self.value = other.value
 
     @property
-    def value(self) -> Value:
-        """The value now."""
-        if self._value is None:
-            assert not isinstance(self._first, Value)
-            self._value = self._first()
-        return self._value
-
-    @value.setter
-    def value(self, value: Value) -> None:
-        self._value = value
+    def constant(self) -> str | None:
+        """Why it may not be assigned to, None where it may."""
+        if isinstance(self._constant, tuple):
+            places, start = self._constant
+            return f"a CONST (line {places.line(start)})"
+        return self._constant
 
 
 class Part:
@@ -43,6 +70,11 @@ class Part:
 
     def __init__(self, base: Datum | Part, index: int, type_: Type):
         self.base, self.index, self.type = base, index, type_
+
+    @property
+    def storage(self) -> str:
+        """As of the whole datum."""
+        return self.base.storage
 
     @property
     def constant(self) -> str | None:
@@ -92,29 +124,31 @@ class Scope:
 
 @dataclass(eq=False)
 class ModuleScope(Scope):
-    """A module's own names and where its text stands."""
+    """A module's own names, where its text stands, and the types that it has named so far, as spelled."""
 
     places: Places = field(default_factory=lambda: Places("", ""))
+    name: str = ""
+    resolved: dict[str, Type] = field(default_factory=dict)
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, slots=True)
 class Frame:
-    """One call of a routine: the module it stands in, its local names in lower case, and what it must return."""
+    """One call of a routine: the module it stands in, its local names in lower case, and what it must return.
+
+    routine: None while a module's data is computed. given: the arguments as the caller wrote them, with the frame they
+    stand in. handling: the error that its ERROR handler is busy with. retried: the statement that was last tried again,
+    how often it had run then, and how many times it was tried again in a row. motions: how many there were when the
+    routine began. passes, turns: of its GOTO loops, by the GOTO's id: passes so far; motions before the present one and
+    passes that counted.
+    """
 
     scope: ModuleScope
     local: dict[str, Place | Absent] = field(default_factory=dict)
     returns: Type | None = None
-
-
-def fits(type_: Type, data: Data) -> bool:
-    """Whether nested tuples of finite numbers have the shape of a type made of numbers only."""
-    if isinstance(type_, Record):
-        if not isinstance(data, tuple) or len(data) != len(type_.components):
-            return False
-        return all(fits(part, value) for (_, part), value in zip(type_.components, data, strict=True))
-    if isinstance(type_, Array):
-        if not isinstance(data, tuple) or (type_.sizes and len(data) != type_.sizes[0]):
-            return False
-        inner = type_.inner()
-        return all(fits(inner, value) for value in data)
-    return isinstance(type_.default, float) and isinstance(data, float) and data - data == 0
+    routine: Routine | None = None
+    given: dict[str, tuple[Argument, Frame]] = field(default_factory=dict)
+    handling: Fault | None = None
+    retried: tuple[int, int, int] = (0, 0, 0)
+    motions: int = 0
+    passes: dict[int, int] = field(default_factory=dict)
+    turns: dict[int, tuple[int, int]] = field(default_factory=dict)

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from trajopt_cli.rapid.data.datatypes import Value
 from trajopt_cli.rapid.data.scope import Absent
@@ -20,8 +18,7 @@ Instruction = Callable[["Run", ProcedureCall], None]
 Function = Callable[["Run", Call], Value]
 
 
-@dataclass(frozen=True)
-class Arguments:
+class Arguments(NamedTuple):
     """required: in order. optional: by name in lower case; None for a bare switch."""
 
     required: tuple[Expression, ...]
@@ -44,12 +41,6 @@ def present(run: Run, args: Sequence[Argument]) -> list[Argument]:
     return kept
 
 
-@cache
-def _lower(names: tuple[str, ...]) -> frozenset[str]:
-    """Names as arguments are compared; the same few tuples come with every call."""
-    return frozenset(name.lower() for name in names)
-
-
 def bind(
     run: Run, call: ProcedureCall | Call, required: tuple[str, ...], optional: tuple[str, ...] = (), more: int = 0
 ) -> Arguments:
@@ -59,13 +50,20 @@ def bind(
     """
     places: list[Expression] = []
     options: dict[str, Expression | None] = {}
-    known = _lower(optional)
-    for arg in present(run, call.args):
-        if arg.name is None:
+    known = _KNOWN.get(optional)
+    if known is None:
+        known = _KNOWN[optional] = frozenset(name.lower() for name in optional)
+    for arg in call.args:
+        name = arg.name
+        if arg.forward:
+            assert isinstance(arg.value, Name)
+            if isinstance(run.find(arg.value.name), Absent):
+                continue
+        if name is None:
             assert arg.value is not None
             places.append(arg.value)
-        elif (name := arg.name.lower()) in known:
-            options[name] = arg.value
+        elif (key := name.lower()) in known:
+            options[key] = arg.value
         else:
             supported = ", ".join(f"\\{name}" for name in optional) or "none"
             raise run.error(arg, f"{call.name} \\{arg.name} is not supported; supported here: {supported}")
@@ -73,3 +71,6 @@ def bind(
         names = ", ".join(required) or "none"
         raise run.error(call, f"{call.name} takes {len(required)} argument(s) ({names}), found {len(places)}")
     return Arguments(tuple(places), options)
+
+
+_KNOWN: dict[tuple[str, ...], frozenset[str]] = {}  # names of optional arguments in lower case

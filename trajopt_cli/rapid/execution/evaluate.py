@@ -2,27 +2,37 @@
 
 from __future__ import annotations
 
-from math import fmod, trunc
+import operator as op
+from collections.abc import Callable
+from math import copysign, fmod, isfinite, trunc
 from typing import TYPE_CHECKING
 
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.datatypes import (
     BOOL,
+    CONFDATA,
+    DNUM,
     NUM,
+    NUM_LIMIT,
     ORIENT,
     POS,
     SIGNALS,
     STRING,
+    STRING_LIMIT,
     Array,
+    Atomic,
     Data,
+    Opaque,
     Origin,
     Record,
     Type,
     Value,
     is_number,
+    is_opaque,
     same_type,
+    single,
 )
-from trajopt_cli.rapid.data.scope import Absent, Part, Place, fits, item
+from trajopt_cli.rapid.data.scope import Absent, Datum, Part, Place, item
 from trajopt_cli.rapid.language.syntax import (
     Aggregate,
     Binary,
@@ -32,6 +42,7 @@ from trajopt_cli.rapid.language.syntax import (
     Element,
     Expression,
     Name,
+    Node,
     Number,
     Placeholder,
     String,
@@ -41,16 +52,40 @@ from trajopt_cli.rapid.language.syntax import (
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
 
+TRUE, FALSE = Value(BOOL, True), Value(BOOL, False)
+
 
 def evaluate(run: Run, node: Expression, wanted: Type | None = None) -> Value:
     """The value of an expression. wanted: the type the place asks for, checked; an aggregate gets its type from it.
 
     Raises InputError, placed at the part that is wrong.
     """
-    value = _evaluate(run, node, wanted)
-    if wanted is not None and value.type is not wanted and not convertible(wanted, value.type):
+    kind = type(node)
+    if kind is Name:
+        place = run.find(node.name)  # type: ignore[union-attr]
+        if type(place) is Datum:
+            value = place.value
+            if value.type is wanted:  # nearly always
+                return value
+        value = _read(run, node, place, wanted)  # type: ignore[arg-type]
+    else:
+        value = _EVALUATE[kind](run, node, wanted)
+    if wanted is None or value.type is wanted:
+        return value
+    return _converted(run, node, value, wanted)
+
+
+def _converted(run: Run, node: Expression, value: Value, wanted: Type) -> Value:
+    if is_number(wanted) and is_number(value.type):
+        _mixed(run, node)
+        return Value(DNUM, value.data) if wanted is DNUM else computed(run, node, NUM, value.data)
+    if not same_type(wanted, value.type):
         raise run.error(node, f"needs a value of type {wanted.name}, found {value.type.name}")
     return value
+
+
+def _mixed(run: Run, node: Node) -> None:
+    run.note("dnum", f"{run.source(node)}: num and dnum are mixed; a controller refuses that, here it is converted")
 
 
 def convertible(wanted: Type, given: Type) -> bool:
@@ -58,11 +93,28 @@ def convertible(wanted: Type, given: Type) -> bool:
     return (is_number(wanted) and is_number(given)) or same_type(wanted, given)
 
 
+def computed(run: Run, node: Node, type_: Type, data: Data) -> Value:
+    """A result as the controller keeps it: every num in it rounded to 32 bits. Raises Fault for what is too large."""
+    try:
+        if type_ is NUM:
+            data = single(data)
+        elif not isinstance(type_, Atomic) and type_.layout is not None:
+            data = type_.layout.rounded(data)
+    except OverflowError:
+        raise run.fault(node, "ERR_NUM_LIMIT", f"{run.text(node)} is too large for a num") from None
+    if isinstance(data, float) and data - data != 0:
+        raise run.fault(node, "ERR_NUM_LIMIT", f"{run.text(node)} is too large for a {type_.name}")
+    return Value(type_, data)
+
+
 def number(run: Run, node: Expression) -> float:
-    """The value of a num or dnum expression."""
-    data = evaluate(run, node, NUM).data
-    assert isinstance(data, (int, float))
-    return float(data)
+    """The value of a num or dnum expression. A literal keeps all its digits: whoever asks may take it as a dnum."""
+    if type(node) is Number and abs(node.value) <= NUM_LIMIT:
+        return node.value
+    value = evaluate(run, node)
+    if not is_number(value.type):
+        raise run.error(node, f"needs a value of type num, found {value.type.name}")
+    return float(value.data)
 
 
 def integer(run: Run, node: Expression, what: str) -> int:
@@ -78,51 +130,77 @@ def condition(run: Run, node: Expression) -> bool:
     return evaluate(run, node, BOOL).data is True
 
 
-def _evaluate(run: Run, node: Expression, wanted: Type | None) -> Value:
-    match node:
-        case Name():
-            return _read(run, node, wanted)
-        case Number():
-            return Value(NUM if wanted is None or not is_number(wanted) else wanted, node.value)
-        case Aggregate():
-            if wanted is None:
-                raise run.error(node, "an aggregate has no type here; declare it as data and use its name")
-            return aggregate(run, node, wanted)
-        case String():
-            return Value(STRING, node.value)
-        case Boolean():
-            return Value(BOOL, node.value)
-        case Component() | Element():
-            return _part_value(run, node)
-        case Call():
-            return run.call_function(node)
-        case Unary():
-            return _unary(run, node)
-        case Binary():
-            return _binary(run, node)
-        case Placeholder(name="*"):
-            raise run.error(node, "a target '*' has no coordinates in the text; declare it as a robtarget")
-        case Placeholder():
-            raise run.error(node, f"unfinished code {node.name} cannot be run")
+# -------------------------------------------------------------------------------------------------------- literals
+
+
+def _number(run: Run, node: Number, wanted: Type | None) -> Value:
+    if wanted is DNUM and isfinite(node.value):
+        return Value(DNUM, node.value)
+    try:
+        return Value(NUM, single(node.value))
+    except OverflowError:
+        raise run.fault(node, "ERR_NUM_LIMIT", f"number {run.text(node)} is too large for a num") from None
+
+
+def _string(run: Run, node: String, wanted: Type | None) -> Value:
+    return _text(run, node, node.value)
+
+
+def _text(run: Run, node: Node, text: str) -> Value:
+    if len(text) > STRING_LIMIT:
+        raise run.fault(
+            node, "ERR_STRTOOLNG", f"string of {len(text)} characters, limit {STRING_LIMIT}: '{text[:20]}...'"
+        )
+    return Value(STRING, text)
+
+
+def _boolean(run: Run, node: Boolean, wanted: Type | None) -> Value:
+    return TRUE if node.value else FALSE
+
+
+def _call(run: Run, node: Call, wanted: Type | None) -> Value:
+    return run.call_function(node)
+
+
+def _placeholder(run: Run, node: Placeholder, wanted: Type | None) -> Value:
+    if node.name == "*":
+        raise run.error(node, "a target '*' has no coordinates in the text; declare it as a robtarget")
+    raise run.error(node, f"unfinished code {node.name} cannot be run")
 
 
 # ------------------------------------------------------------------------------------------------------ data names
 
 
-def _read(run: Run, node: Name, wanted: Type | None) -> Value:
-    place = run.find(node.name)
+def _name(run: Run, node: Name, wanted: Type | None) -> Value:
+    return _read(run, node, run.find(node.name), wanted)
+
+
+def _read(run: Run, node: Name, place: Place | Absent | None, wanted: Type | None) -> Value:
+    if place is None:
+        if wanted is not None and not is_number(wanted):
+            raise run.undeclared(node, f"{wanted.name} ")
+        return Value(NUM, single(run.world.signal(run, node, node.name)))
     if isinstance(place, Absent):
-        raise run.error(node, f"optional parameter '{node.name}' was not given; ask Present({node.name}) before")
-    if place is not None:
-        value = place.value
-        if value.type.name in SIGNALS:
-            return Value(NUM, run.world.signal(run, node, str(value.data or node.name)))
-        if value.data is None:
-            raise run.error(node, f"'{node.name}' is of type {value.type.name}, which has no value that can be read")
-        return value
-    if wanted is not None and not is_number(wanted):
-        raise run.error(node, f"{wanted.name} '{node.name}' is not declared in the program")
-    return Value(NUM, run.world.signal(run, node, node.name))
+        raise _absent(run, node)
+    return _readable(run, node, place.value, wanted)
+
+
+def _readable(run: Run, node: Name | Component | Element, value: Value, wanted: Type | None) -> Value:
+    type_ = value.type
+    if type_.name in SIGNALS and type_ is not wanted:
+        name = value.data or (node.name if isinstance(node, Name) else run.text(node))
+        return Value(NUM, single(run.world.signal(run, node, str(name))))
+    if not type_.known:
+        raise run.error(node, f"'{run.text(node)}' is of type {type_.name}, which is declared nowhere")
+    return value
+
+
+def _absent(run: Run, node: Name) -> Exception:
+    return run.fault(
+        node,
+        "ERR_NOTPRES",
+        f"optional parameter '{node.name}' was not given; ask Present({node.name}) before",
+    )
 
 
 def locate(run: Run, node: Expression) -> Place:
@@ -130,9 +208,9 @@ def locate(run: Run, node: Expression) -> Place:
     if isinstance(node, Name):
         place = run.find(node.name)
         if place is None:
-            raise run.error(node, f"'{node.name}' is not declared in the program")
+            raise run.undeclared(node)
         if isinstance(place, Absent):
-            raise run.error(node, f"optional parameter '{node.name}' was not given; ask Present({node.name}) before")
+            raise _absent(run, node)
         return place
     if isinstance(node, Component):
         base = locate(run, node.base)
@@ -145,13 +223,29 @@ def locate(run: Run, node: Expression) -> Place:
     raise run.error(node, "needs the name of data here, found a value")
 
 
-def _part_value(run: Run, node: Component | Element) -> Value:
+def inside_opaque(run: Run, node: Expression) -> bool:
+    """Whether an expression names a part of data whose parts are not known here (`weld1.weld_speed`)."""
+    while isinstance(node, (Component, Element)):
+        component = isinstance(node, Component)
+        node = node.base
+        if component:
+            base = node
+            while isinstance(base, Element):
+                base = base.base
+            place = run.find(base.name) if isinstance(base, Name) else None
+            if place is not None and not isinstance(place, Absent) and is_opaque(place.type) and place.type.known:
+                return True
+    return False
+
+
+def _part_value(run: Run, node: Component | Element, wanted: Type | None) -> Value:
     base = evaluate(run, node.base)
     if isinstance(node, Component):
-        return item(base, *_component(run, node, base.type))
-    for index, type_ in _elements(run, node, base):
-        base = item(base, index, type_)
-    return base
+        base = item(base, *_component(run, node, base.type))
+    else:
+        for index, type_ in _elements(run, node, base):
+            base = item(base, index, type_)
+    return _readable(run, node, base, wanted) if is_opaque(base.type) else base
 
 
 def _component(run: Run, node: Component, type_: Type) -> tuple[int, Type]:
@@ -162,6 +256,8 @@ def _component(run: Run, node: Component, type_: Type) -> tuple[int, Type]:
                 return index, part
         known = ", ".join(name for name, _ in type_.components)
         raise run.error(node, f"{type_.name} has no component '{node.name}'; it has {known}")
+    if is_opaque(type_) and not isinstance(type_, Array):
+        raise run.error(node, f"the components of a {type_.name} are not known here, so '.{node.name}' cannot be read")
     raise run.error(node, f"a {type_.name} has no components, so '.{node.name}' means nothing")
 
 
@@ -176,8 +272,9 @@ def _elements(run: Run, node: Element, base: Value) -> list[tuple[int, Type]]:
         assert isinstance(type_, Array)
         index = integer(run, expression, "an index")
         if not 1 <= index <= len(data):
-            raise run.error(expression, f"index {index} lies outside the array's 1..{len(data)}")
-        type_, data = type_.inner(), data[index - 1]
+            message = f"index {index} lies outside the array's 1..{len(data)}"
+            raise run.fault(expression, "ERR_OUTOFBND", message)
+        type_, data = type_.inside, data[index - 1]
         path.append((index - 1, type_))
     return path
 
@@ -185,129 +282,205 @@ def _elements(run: Run, node: Element, base: Value) -> list[tuple[int, Type]]:
 # ------------------------------------------------------------------------------------------------------ aggregates
 
 
+def _aggregate(run: Run, node: Aggregate, wanted: Type | None) -> Value:
+    if wanted is None:
+        raise run.error(node, "an aggregate has no type here; declare it as data and use its name")
+    return aggregate(run, node, wanted)
+
+
 def aggregate(run: Run, node: Aggregate, wanted: Type) -> Value:
     """An aggregate as a value of the wanted type. Raises InputError when parts are missing or too many."""
-    numbers = node.numbers
-    if numbers is not None and fits(wanted, numbers):
-        return Value(wanted, numbers, Origin(run.file, node, None))
+    if wanted.layout is not None:
+        data = wanted.layout.read(run.places().text[node.start : node.end])
+        if data is not None:
+            return Value(wanted, data, Origin(run.file, node, None))
     parts: list[Type]
     if isinstance(wanted, Record):
         parts = [part for _, part in wanted.components]
         shape = f"[{','.join(name for name, _ in wanted.components)}]"
+        if wanted is CONFDATA and len(node.items) == len(parts) - 1:
+            return Value(wanted, (*(number(run, value) for value in node.items), 0.0))  # S4 wrote no cfx: it is 0
         if len(node.items) != len(parts):
             raise run.error(node, f"{wanted.name} needs {len(parts)} parts {shape}, found {len(node.items)}")
     elif isinstance(wanted, Array):
         size = wanted.sizes[0] if wanted.sizes else len(node.items)
         if len(node.items) != size:
             raise run.error(node, f"the array needs {size} elements, found {len(node.items)}")
-        parts = [wanted.inner()] * size
+        parts = [wanted.inside] * size
+    elif is_opaque(wanted):
+        return opaque(run, node, wanted)
     else:
         raise run.error(node, f"needs a value of type {wanted.name}, found an aggregate")
-    data: list[Data] = []
-    for part, inner in zip(parts, node.items, strict=True):
-        value = evaluate(run, inner, part)
-        if isinstance(value.data, float) and value.data - value.data != 0:
-            raise run.error(inner, "number is too large")
-        data.append(value.data)
-    return Value(wanted, tuple(data), Origin(run.file, node, None))
+    values = [evaluate(run, inner, part) for part, inner in zip(parts, node.items, strict=True)]
+    if isinstance(wanted, Array) and not wanted.sizes and values:
+        wanted = _closed(wanted, values[0].type, len(values))
+    return Value(wanted, tuple([value.data for value in values]), Origin(run.file, node, None))
+
+
+def opaque(run: Run, node: Expression, type_: Type) -> Value:
+    """A value of a type that means nothing here: its numbers where it is written with nothing else, else its text."""
+    if isinstance(node, Aggregate) and node.numbers is not None:
+        return Value(type_, node.numbers)
+    if isinstance(node, Name):
+        return _read(run, node, run.find(node.name), type_)
+    return Value(type_, Opaque(run.text(node)))
+
+
+def _closed(open_: Array, inner: Type, size: int) -> Array:
+    """An array type whose sizes were open, with those of a literal."""
+    rest = inner.sizes if isinstance(inner, Array) else ()
+    return Array(open_.element, None if rest is None else (size, *rest), open_.dimensions)
 
 
 # ------------------------------------------------------------------------------------------------------- operators
 
 
-def _unary(run: Run, node: Unary) -> Value:
+def _unary(run: Run, node: Unary, wanted: Type | None) -> Value:
     if node.operator == "NOT":
-        return Value(BOOL, not condition(run, node.operand))
-    value = evaluate(run, node.operand)
-    if node.operator == "+" and (is_number(value.type) or value.type == POS):
+        return FALSE if condition(run, node.operand) else TRUE
+    value = evaluate(run, node.operand) if wanted is not DNUM else _hinted(run, node.operand)
+    if node.operator == "+" and (is_number(value.type) or value.type is POS):
         return Value(value.type, value.data)
     if is_number(value.type):
         return Value(value.type, -value.data)
-    if value.type == POS:
+    if value.type is POS:
         x, y, z = value.data
         return Value(POS, (-x, -y, -z))
     raise run.error(node, f"'{node.operator}' needs a number or a pos, found {value.type.name}")
 
 
-def _binary(run: Run, node: Binary) -> Value:
+def _hinted(run: Run, node: Expression) -> Value:
+    """An operand where a dnum is asked for: its literals are dnums, and its type is not checked yet."""
+    return _EVALUATE[type(node)](run, node, DNUM) if isinstance(node, (Number, Unary, Binary)) else evaluate(run, node)
+
+
+def _literal(node: Expression) -> bool:
+    """Whether an expression is made of numbers only, so that it takes its type from the place it stands in."""
+    if isinstance(node, Binary):
+        return _literal(node.left) and _literal(node.right)
+    return isinstance(node, Number) or (isinstance(node, Unary) and _literal(node.operand))
+
+
+def _binary(run: Run, node: Binary, wanted: Type | None) -> Value:
     operator = node.operator
     if operator in ("AND", "OR", "XOR"):
         left = condition(run, node.left)
         if operator == "XOR":
-            return Value(BOOL, left != condition(run, node.right))
+            return TRUE if left != condition(run, node.right) else FALSE
         # The right side is only looked at where it matters, so a guarded index stays inside its array.
         decided = left == (operator == "OR")
-        return Value(BOOL, left if decided else condition(run, node.right))
-    if isinstance(node.left, Aggregate):
-        b = evaluate(run, node.right)
-        a = evaluate(run, node.left, b.type)
-    else:
-        a = evaluate(run, node.left)
-        b = evaluate(run, node.right, a.type if isinstance(node.right, Aggregate) else None)
-    if operator in ("=", "<>"):
-        if not convertible(a.type, b.type):
-            raise run.error(node, f"cannot compare {a.type.name} with {b.type.name}")
-        return Value(BOOL, (a.data == b.data) == (operator == "="))
+        return TRUE if (left if decided else condition(run, node.right)) else FALSE
+    a, b = _operands(run, node, wanted)
+    compare = _COMPARE.get(operator)
     if is_number(a.type) and is_number(b.type):
+        if compare is not None:
+            return TRUE if compare(a.data, b.data) else FALSE
         return _arithmetic(run, node, a, b)
-    value = _vectors(operator, a, b)
+    if operator in ("=", "<>"):
+        if not same_type(a.type, b.type):
+            raise run.error(node, f"cannot compare {a.type.name} with {b.type.name}")
+        if isinstance(a.data, tuple):
+            run.spend(node, len(a.data))
+        return TRUE if (a.data == b.data) == (operator == "=") else FALSE
+    value = _vectors(run, node, a, b)
     if value is None:
         raise run.error(node, f"'{operator}' is not defined for {a.type.name} and {b.type.name}")
     return value
 
 
+def _operands(run: Run, node: Binary, wanted: Type | None) -> tuple[Value, Value]:
+    """Both sides. An aggregate takes its type from the other one, and so do numbers beside a dnum."""
+    if isinstance(node.left, Aggregate):
+        b = evaluate(run, node.right)
+        return evaluate(run, node.left, b.type), b
+    if wanted is DNUM and node.operator not in _COMPARE:
+        a, b = _hinted(run, node.left), _hinted(run, node.right)
+    else:
+        a = evaluate(run, node.left)
+        b = evaluate(run, node.right, a.type if isinstance(node.right, Aggregate) else None)
+    if a.type is not b.type and is_number(a.type) and is_number(b.type):
+        if a.type is NUM and _literal(node.left):
+            a = _hinted(run, node.left)
+        elif b.type is NUM and _literal(node.right):
+            b = _hinted(run, node.right)
+        else:
+            _mixed(run, node)
+    return a, b
+
+
+_COMPARE: dict[str, Callable[[float, float], bool]] = {
+    "<": op.lt,
+    ">": op.gt,
+    "<=": op.le,
+    ">=": op.ge,
+    "=": op.eq,
+    "<>": op.ne,
+}
+
+
 def _arithmetic(run: Run, node: Binary, left: Value, right: Value) -> Value:
-    a, b = left.data, right.data
-    match node.operator:
-        case "<":
-            return Value(BOOL, a < b)
-        case ">":
-            return Value(BOOL, a > b)
-        case "<=":
-            return Value(BOOL, a <= b)
-        case ">=":
-            return Value(BOOL, a >= b)
-        case "+":
-            result = a + b
-        case "-":
-            result = a - b
-        case "*":
-            result = a * b
-        case operator:
-            if b == 0:
-                raise run.error(node, f"division by zero in '{operator}'")
-            if operator == "/":
-                result = a / b
-            else:
-                if a != trunc(a) or b != trunc(b):
-                    raise run.error(node, f"{operator} takes whole numbers, found {a:.6g} and {b:.6g}")
-                result = float(trunc(a / b)) if operator == "DIV" else fmod(a, b)
+    a, b, operator = left.data, right.data, node.operator
+    if operator == "+":
+        result = a + b
+    elif operator == "-":
+        result = a - b
+    elif operator == "*":
+        result = a * b
+    else:
+        if b == 0:
+            raise run.fault(node, "ERR_DIVZERO", f"division by zero in '{operator}'")
+        if operator == "/":
+            result = a / b
+        else:
+            if a != trunc(a) or b != trunc(b):
+                raise run.error(node, f"{operator} takes whole numbers, found {a:.6g} and {b:.6g}")
+            result = copysign(abs(int(a)) // abs(int(b)), a * b) if operator == "DIV" else fmod(a, b)
+    if left.type is NUM and right.type is NUM:
+        try:
+            return Value(NUM, single(result))
+        except OverflowError:
+            result = float("inf")
     if result - result != 0:
-        raise run.error(node, f"the result of '{node.operator}' is too large")
-    return Value(left.type, result)
+        raise run.fault(node, "ERR_NUM_LIMIT", f"the result of '{operator}' is too large for a {left.type.name}")
+    return Value(DNUM, result)
 
 
-def _vectors(operator: str, left: Value, right: Value) -> Value | None:
-    a, b = left.data, right.data
-    types = (left.type, right.type)
-    if types == (STRING, STRING) and operator == "+":
-        return Value(STRING, f"{a}{b}")
-    if types == (ORIENT, ORIENT) and operator == "*":
-        return Value(ORIENT, frames.product(a, b))
-    if types == (POS, POS):
+def _vectors(run: Run, node: Binary, left: Value, right: Value) -> Value | None:
+    a, b, operator = left.data, right.data, node.operator
+    if left.type is STRING and right.type is STRING and operator == "+":
+        return _text(run, node, f"{a}{b}")
+    if left.type is ORIENT and right.type is ORIENT and operator == "*":
+        return computed(run, node, ORIENT, frames.product(a, b))
+    if left.type is POS and right.type is POS:
         p: frames.Vector = a
         q: frames.Vector = b
         if operator == "+":
-            return Value(POS, (p[0] + q[0], p[1] + q[1], p[2] + q[2]))
+            return computed(run, node, POS, (p[0] + q[0], p[1] + q[1], p[2] + q[2]))
         if operator == "-":
-            return Value(POS, (p[0] - q[0], p[1] - q[1], p[2] - q[2]))
+            return computed(run, node, POS, (p[0] - q[0], p[1] - q[1], p[2] - q[2]))
         if operator == "*":
-            return Value(POS, frames.cross(p, q))
-    factor, vector = (a, b) if is_number(left.type) else (b, a)
-    if POS in types and (is_number(left.type) or is_number(right.type)) and isinstance(factor, float):
-        p = vector
+            return computed(run, node, POS, frames.cross(p, q))
+    elif (left.type is POS and is_number(right.type)) or (is_number(left.type) and right.type is POS):
+        factor, p = (b, a) if left.type is POS else (a, b)
         if operator == "*":
-            return Value(POS, (factor * p[0], factor * p[1], factor * p[2]))
-        if operator == "/" and left.type == POS and factor != 0:
-            return Value(POS, (p[0] / factor, p[1] / factor, p[2] / factor))
+            return computed(run, node, POS, (factor * p[0], factor * p[1], factor * p[2]))
+        if operator == "/" and left.type is POS:
+            if factor == 0:
+                raise run.fault(node, "ERR_DIVZERO", "division by zero in '/'")
+            return computed(run, node, POS, (p[0] / factor, p[1] / factor, p[2] / factor))
     return None
+
+
+_EVALUATE: dict[type, Callable[..., Value]] = {
+    Name: _name,
+    Number: _number,
+    Aggregate: _aggregate,
+    String: _string,
+    Boolean: _boolean,
+    Component: _part_value,
+    Element: _part_value,
+    Call: _call,
+    Unary: _unary,
+    Binary: _binary,
+    Placeholder: _placeholder,
+}

@@ -6,15 +6,29 @@ from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING, TypeVar
 
-from trajopt_cli.rapid.data.datatypes import TYPES, Array, Atomic, Record, Type, Value
+from trajopt_cli.motion import Span
+from trajopt_cli.rapid.data.datatypes import (
+    SIZE_LIMIT,
+    TYPES,
+    Array,
+    Atomic,
+    Origin,
+    Record,
+    Type,
+    Value,
+    is_opaque,
+    same_type,
+)
 from trajopt_cli.rapid.data.scope import Datum, Frame, ModuleScope, Scope
-from trajopt_cli.rapid.execution.evaluate import evaluate, integer
+from trajopt_cli.rapid.execution.evaluate import evaluate, integer, opaque
+from trajopt_cli.rapid.execution.room import room
 from trajopt_cli.rapid.language.syntax import (
     Aggregate,
     AliasDeclaration,
     DataDeclaration,
-    Item,
     Module,
+    Node,
+    Parameter,
     RecordDeclaration,
     Routine,
 )
@@ -23,7 +37,7 @@ from trajopt_cli.rapid.language.text import Places
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
 
-_Thing = TypeVar("_Thing")
+_Entry = TypeVar("_Entry", bound=tuple[Node, ModuleScope])
 
 
 def load(run: Run, modules: Sequence[tuple[Module, Places]]) -> tuple[ModuleScope, ...]:
@@ -32,21 +46,29 @@ def load(run: Run, modules: Sequence[tuple[Module, Places]]) -> tuple[ModuleScop
     Initial data is computed even where nobody uses it, as a controller does: a broken target must not hide. Raises
     InputError for a name declared twice and for data that does not fit its type.
     """
-    scopes = []
+    with room():
+        return _load(run, modules)
+
+
+def _load(run: Run, modules: Sequence[tuple[Module, Places]]) -> tuple[ModuleScope, ...]:
+    scopes: list[tuple[ModuleScope, Module]] = []
     for module, places in modules:
-        scope = ModuleScope(places=places)
+        scope = ModuleScope(places=places, name=module.name)
         scopes.append((scope, module))
         run.files[places.file] = places
         for node in module.items:
-            if not isinstance(node, DataDeclaration):
-                _enter(run, scope, node)
+            if isinstance(node, Routine):
+                for target in _targets(run, scope, node.scope):
+                    _enter(target.routines, node.name, (node, scope))
+            elif isinstance(node, (RecordDeclaration, AliasDeclaration)):
+                for target in _targets(run, scope, node.scope):
+                    _enter(target.types, node.name, (node, scope))
     for scope, module in scopes:  # sizes and values may need types and constants of every module
         frame = Frame(scope)
-        for node in module.items:
-            if isinstance(node, DataDeclaration):
-                datum = declare(run, node, frame)
-                for target in _targets(run, scope, node.scope):
-                    _add(scope, node, node.name, target.data, datum)
+        with run.inside(frame):
+            for item in module.items:
+                if type(item) is DataDeclaration:
+                    _add(run, scopes, scope, item, declare(run, item, frame))
     for scope, _ in scopes:
         for datum in scope.data.values():
             _ = datum.value
@@ -57,81 +79,159 @@ def _targets(run: Run, scope: ModuleScope, written: str | None) -> tuple[Scope, 
     return (scope,) if written == "LOCAL" else (scope, run.shared)
 
 
-def _add(scope: ModuleScope, node: Item, name: str, known: dict[str, _Thing], thing: _Thing) -> None:
-    if name.lower() in known:
-        raise scope.places.error(node.start, f"'{name}' is declared twice; rename one of them")
-    known[name.lower()] = thing
+def _enter(known: dict[str, _Entry], name: str, entry: _Entry) -> None:
+    key = name.lower()
+    if key in known:
+        first, module = known[key]
+        _refuse(name, (entry[1], entry[0]), (module, first))
+    known[key] = entry
 
 
-def _enter(run: Run, scope: ModuleScope, node: Item) -> None:
-    match node:
-        case Routine():
-            for target in _targets(run, scope, node.scope):
-                _add(scope, node, node.name, target.routines, (node, scope))
-        case RecordDeclaration() | AliasDeclaration():
-            for target in _targets(run, scope, node.scope):
-                _add(scope, node, node.name, target.types, (node, scope))
+def _refuse(name: str, second: tuple[ModuleScope, Node], first: tuple[ModuleScope, Node]) -> None:
+    (scope, node), (before, other) = second, first
+    places = before.places
+    where = f"line {places.line(other.start)}" if scope is before else str(places.source(other.start))
+    raise scope.places.error(node.start, f"'{name}' is declared twice, first in {where}; rename one of them")
 
 
-def declare(run: Run, node: DataDeclaration, frame: Frame) -> Datum:
-    """The data of a declaration. Its initial value is computed in frame, when first asked for."""
-    constant = f"a CONST (line {frame.scope.places.line(node.start)})" if node.storage == "CONST" else None
-    with run.inside(frame):
-        type_ = find_type(run, node.type)
-        if node.sizes:
-            sizes = tuple(integer(run, size, "an array size") for size in node.sizes)
-            if min(sizes) < 1:
-                raise run.error(node, f"{node.name} has an array size below 1")
-            if _count(sizes) > _ARRAY_LIMIT:
-                raise run.error(node, f"{node.name} has {_count(sizes)} elements; at most {_ARRAY_LIMIT} are supported")
-            type_ = Array(type_, sizes, len(sizes))
-    return Datum(type_, partial(_initial, run, node, type_, frame), constant)
+def _add(
+    run: Run, scopes: list[tuple[ModuleScope, Module]], scope: ModuleScope, node: DataDeclaration, datum: Datum
+) -> None:
+    """Enter data. A PERS that several modules declare is one and the same."""
+    key = node.name.lower()
+    shared = None if node.scope == "LOCAL" else run.shared.data.get(key)
+    if key in scope.data or shared is not None:
+        if key in scope.data or shared is None or not (shared.storage == node.storage == "PERS"):
+            first = _declaration(scopes, key, scope if key in scope.data else None)
+            _refuse(node.name, (scope, node), first)
+            return
+        if not same_type(shared.type, datum.type):
+            first = _declaration(scopes, key, None)
+            where = first[0].places.source(first[1].start)
+            message = f"PERS {node.name} is a {datum.type.name} here and a {shared.type.name} in {where}"
+            raise scope.places.error(node.start, f"{message}; rename one of them")
+        if node.value is not None:
+            if key not in run.valued:
+                shared.take(datum)
+            elif shared.value.data != datum.value.data:
+                place = scope.places.source(node.start)
+                run.warn(f"{place}: PERS {node.name} has another value in another module, which counts")
+        datum = shared
+    scope.data[key] = datum
+    if node.scope != "LOCAL":
+        run.shared.data[key] = datum
+        if node.value is not None and node.storage == "PERS":
+            run.valued.add(key)
 
 
-_ARRAY_LIMIT = 1_000_000
-
-
-def _count(sizes: Sequence[int]) -> int:
-    count = 1
-    for size in sizes:
-        count *= size
-    return count
-
-
-def _initial(run: Run, node: DataDeclaration, type_: Type, frame: Frame) -> Value:
-    if _valueless(type_):
-        return Value(type_, node.value.numbers if isinstance(node.value, Aggregate) else type_.default)
-    if node.value is None:
-        return Value(type_, type_.default)
-    if node in run.computing:
-        raise run.error(node, f"the value of '{node.name}' refers to itself")
-    run.computing.append(node)
-    with run.inside(frame):
-        value = evaluate(run, node.value, type_)
-        span = run.places().span(node.start, node.end)
-    run.computing.remove(node)
-    return Value(
-        type_, value.data, value.origin and value.origin._replace(declaration=value.origin.declaration or span)
+def _declaration(
+    scopes: list[tuple[ModuleScope, Module]], key: str, own: ModuleScope | None
+) -> tuple[ModuleScope, DataDeclaration]:
+    """The first declaration of data: in a module, or of those that all modules see."""
+    return next(
+        (scope, node)
+        for scope, module in scopes
+        for node in module.items
+        if isinstance(node, DataDeclaration)
+        and node.name.lower() == key
+        and (scope is own if own else node.scope != "LOCAL")
     )
 
 
-def _valueless(type_: Type) -> bool:
-    """Types of process options (welddata ...): their data is carried along as bare numbers."""
-    element = type_.element if isinstance(type_, Array) else type_
-    return element.default is None
+def declare(run: Run, node: DataDeclaration, frame: Frame) -> Datum:
+    """The data of a declaration that stands in frame, which runs. What needs other data is computed when asked for."""
+    scope = frame.scope
+    type_ = scope.resolved.get(node.type) or find_type(run, node.type, node)
+    if node.sizes:
+        sizes = tuple([integer(run, size, "an array size") for size in node.sizes])
+        if min(sizes) < 1:
+            raise run.error(node, f"{node.name} has an array size below 1")
+        type_ = Array(type_, sizes, len(sizes))
+        if type_.size > SIZE_LIMIT:
+            message = f"{node.name} has {type_.size} elements; at most {SIZE_LIMIT} are supported"
+            raise run.error(node, message)
+    constant = (scope.places, node.start) if node.storage == "CONST" else None
+    value, first = node.value, None
+    if value is None:
+        first = Value(type_, type_.default)
+    elif type(value) is Aggregate and type_.layout is not None:
+        data = type_.layout.read(scope.places.text[value.start : value.end])
+        if data is not None:
+            file = scope.places.file
+            first = Value(type_, data, Origin(file, value, Span(file, node.start, node.end)))
+    if first is not None:
+        return Datum(type_, first, constant, node.storage)
+    return Datum(type_, partial(_initial, run, node, type_, frame), constant, node.storage)
 
 
-def find_type(run: Run, name: str, above: tuple[str, ...] = ()) -> Type:
-    """The type of a name, by RAPID's order: own module, other modules, predefined. Unknown ones have no value."""
+def _initial(run: Run, node: DataDeclaration, type_: Type, frame: Frame) -> Value:
+    assert node.value is not None
+    if id(node) in run.computing:
+        raise frame.scope.places.error(node.start, f"the value of '{node.name}' refers to itself")
+    run.computing.add(id(node))
+    before, run.frame = run.frame, frame
+    try:
+        if is_opaque(type_):
+            return opaque(run, node.value, type_)
+        value = evaluate(run, node.value, type_)
+    finally:
+        run.frame = before
+        run.computing.discard(id(node))
+    if value.origin is None or value.origin.declaration is not None:
+        return Value(type_, value.data, value.origin)
+    span = frame.scope.places.span(node.start, node.end)
+    return Value(type_, value.data, value.origin._replace(declaration=span))
+
+
+def find_type(run: Run, name: str, node: DataDeclaration | Parameter | Routine | None = None) -> Type:
+    """The type of a name, by RAPID's order: own module, other modules, predefined.
+
+    An unknown one is no error as long as nothing uses it, so it is only noted; node: the declaration that asks.
+    """
+    scope = run.frame.scope
+    found = _type(run, scope, name, ())
+    if not found.known and node is not None:
+        what = getattr(node, "name", name)
+        message = f"type '{name}' of '{what}' is declared nowhere; that is fine as long as nothing uses '{what}'"
+        run.note(f"type {found.name}", f"{run.source(node)}: {message}")
+    scope.resolved[name] = found
+    return found
+
+
+def _type(run: Run, scope: ModuleScope, name: str, above: tuple[str, ...]) -> Type:
+    known = scope.resolved.get(name)
+    if known is not None:
+        return known
     key = name.lower()
-    found = run.frame.scope.types.get(key) or run.shared.types.get(key)
+    found = scope.types.get(key) or run.shared.types.get(key)
     if found is None:
-        return TYPES.get(key) or Atomic(key)
-    node, scope = found
-    if key in above:
-        raise scope.places.error(node.start, f"type '{node.name}' contains itself")
-    with run.inside(Frame(scope)):
-        if isinstance(node, AliasDeclaration):
-            return find_type(run, node.type, (*above, key))
-        components = tuple((part.lower(), find_type(run, type_, (*above, key))) for type_, part in node.components)
-    return Record(key, components)
+        return TYPES.get(key) or Atomic(key, known=False)
+    node, home = found
+    if home is not scope or key not in home.resolved:
+        if key in above:
+            raise home.places.error(node.start, f"type '{node.name}' contains itself")
+        made = home.resolved.get(key)
+        if made is None:
+            home.resolved[key] = made = _made(run, node, home, key, (*above, key))
+        return made
+    return home.resolved[key]
+
+
+def _made(
+    run: Run, node: RecordDeclaration | AliasDeclaration, home: ModuleScope, key: str, above: tuple[str, ...]
+) -> Type:
+    if isinstance(node, AliasDeclaration):
+        type_ = _type(run, home, node.type, above)
+        if not type_.known:
+            raise home.places.error(node.start, f"type '{node.type}' of ALIAS {node.name} is declared nowhere")
+        return type_
+    parts = []
+    for written, part in node.components:
+        type_ = _type(run, home, written, above)
+        if not type_.known:
+            raise home.places.error(node.start, f"type '{written}' in RECORD {node.name} is declared nowhere")
+        parts.append((part.lower(), type_))
+    record = Record(key, tuple(parts))
+    if record.size > SIZE_LIMIT:
+        raise home.places.error(node.start, f"RECORD {node.name} holds {record.size} values; at most {SIZE_LIMIT}")
+    return record

@@ -22,7 +22,7 @@ def nothing(name: str) -> Instruction:
 
 _NAMES = """
     TPErase TPShow TPWrite UIShow
-    BookErrNo ErrLog ErrWrite ProcerrRecovery ResetRetryCount
+    ErrLog ErrWrite ProcerrRecovery
 
     ClkReset ClkStart ClkStop
 

@@ -1,0 +1,229 @@
+"""Calls of the program's routines: which one, and its parameters."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from trajopt_cli.rapid.data.datatypes import SIGNALS, STRING, SWITCH, Array, Type, Value
+from trajopt_cli.rapid.data.scope import ABSENT, Absent, Datum, Frame, ModuleScope, Place
+from trajopt_cli.rapid.execution.arguments import present
+from trajopt_cli.rapid.execution.evaluate import computed, convertible, evaluate, locate
+from trajopt_cli.rapid.execution.functions.table import FUNCTIONS
+from trajopt_cli.rapid.execution.instructions.table import INSTRUCTIONS
+from trajopt_cli.rapid.execution.jumps import Jump, Return
+from trajopt_cli.rapid.execution.loading import find_type
+from trajopt_cli.rapid.language.syntax import (
+    Argument,
+    Call,
+    Goto,
+    Label,
+    LateCall,
+    Node,
+    Parameter,
+    ProcedureCall,
+    Routine,
+)
+
+if TYPE_CHECKING:
+    from trajopt_cli.rapid.execution.interpreter import Run
+
+CALL_LIMIT = 250  # routines inside routines
+_INSTRUCTIONS = {name.lower(): handler for name, handler in INSTRUCTIONS.items()}
+_FUNCTIONS = {name.lower(): handler for name, handler in FUNCTIONS.items()}
+_NAME = re.compile(r"(?:\w*:)?([^\W\d]\w*)")  # `module:procedure`, `:procedure`
+
+
+@dataclass(frozen=True)
+class Head:
+    """What a routine takes and gives, worked out once. groups: mutually exclusive optional parameters, as spelled."""
+
+    types: tuple[Type, ...]
+    returns: Type | None
+    required: tuple[str, ...]
+    groups: tuple[tuple[str, ...], ...]
+
+
+# ------------------------------------------------------------------------------------------------- calls by name
+
+
+def procedure(run: Run, node: ProcedureCall) -> None:
+    """An instruction, or a procedure of the program; the program's own goes first."""
+    found = run.routine(node.name)
+    if found is not None:
+        routine, scope = found
+        if routine.kind != "PROC":
+            raise run.error(node, f"{node.name} is a {routine.kind}; only a PROC is called as a statement")
+        enter(run, routine, scope, node.args, node)
+        return
+    instruction = _INSTRUCTIONS.get(node.name.lower())
+    if instruction is None:
+        raise run.unknown(
+            node,
+            f"{node.name} is neither a procedure of the program nor a supported instruction",
+            "supported",
+            INSTRUCTIONS,
+        )
+    instruction(run, node)
+    run.settle()
+
+
+def function(run: Run, node: Call) -> Value:
+    """The value of a function of the program, or of a predefined one."""
+    found = run.routine(node.name)
+    if found is not None:
+        routine, scope = found
+        if routine.kind != "FUNC":
+            raise run.error(node, f"{node.name} is a {routine.kind}; only a FUNC has a value")
+        value = enter(run, routine, scope, node.args, node)
+        assert value is not None
+        return value
+    handler = _FUNCTIONS.get(node.name.lower())
+    if handler is None:
+        raise run.unknown(
+            node, f"{node.name} is neither a function of the program nor a supported one", "supported", FUNCTIONS
+        )
+    value = handler(run, node)
+    return computed(run, node, value.type, value.data) if value.origin is None else value
+
+
+def late_call(run: Run, node: LateCall) -> None:
+    """`%expression% arguments;`."""
+    call_by_name(run, node, str(evaluate(run, node.name, STRING).data), node.args)
+
+
+def call_by_name(run: Run, node: Node, text: str, args: Sequence[Argument]) -> None:
+    """Call the procedure whose name a program has put together. Raises Fault where there is none."""
+    match = _NAME.fullmatch(text)
+    name = match[1] if match else text
+    found = run.routine(name)
+    if found is None:
+        if name.lower() not in _INSTRUCTIONS:
+            raise run.fault(node, "ERR_REFUNKPRC", f"there is no procedure '{text}' in the program")
+        return procedure(run, ProcedureCall(node.start, node.end, name, tuple(args)))
+    routine, scope = found
+    if routine.kind != "PROC":
+        raise run.fault(node, "ERR_CALLPROC", f"{text} is a {routine.kind}; only a PROC is called by its name")
+    required = sum(not parameter.optional for parameter in routine.parameters)
+    given = sum(arg.name is None for arg in args)
+    if required != given:
+        raise run.fault(node, "ERR_CALLPROC", f"{text} takes {required} argument(s), found {given}")
+    enter(run, routine, scope, args, node)
+
+
+# --------------------------------------------------------------------------------------------------- one routine
+
+
+def enter(run: Run, routine: Routine, scope: ModuleScope, args: Sequence[Argument], node: Node) -> Value | None:
+    """Run a routine with arguments that stand in the routine that runs now; the value that a FUNC returns."""
+    if run.depth >= CALL_LIMIT:
+        raise run.error(node, f"calls are nested deeper than {CALL_LIMIT} routines at {routine.name}")
+    head = _head(run, routine, scope)
+    frame = Frame(scope, returns=head.returns, routine=routine, motions=len(run.motions))
+    if args or routine.parameters:
+        _pass(run, routine, head, present(run, args), frame, node)
+    run.settle()
+    before, link = run.frame, run.link
+    run.frame, run.depth = frame, run.depth + 1
+    try:
+        run.block(routine.body)
+    except Return as result:
+        return result.value
+    except Jump as jump:
+        raise _lost(run, routine, jump.node) from None
+    finally:
+        run.frame, run.link, run.depth = before, link, run.depth - 1
+    if routine.kind == "FUNC":
+        raise run.fault(node, "ERR_FNCNORET", f"FUNC {routine.name} ended without RETURN")
+    return None
+
+
+def _lost(run: Run, routine: Routine, node: Goto) -> Exception:
+    stack: list[object] = list(routine.body)
+    while stack:
+        inner = stack.pop()
+        if isinstance(inner, Label) and inner.name.lower() == node.label.lower():
+            return run.error(node, f"GOTO {node.label} leads into a block; a label is reached from its own block only")
+        if isinstance(inner, tuple):
+            stack += inner
+        for part in ("body", "branches", "otherwise", "cases", "default"):
+            stack += getattr(inner, part, None) or ()
+    return run.error(node, f"there is no label {node.label} in {routine.kind} {routine.name}")
+
+
+def _head(run: Run, routine: Routine, scope: ModuleScope) -> Head:
+    head = run.heads.get(id(routine))
+    if head is not None:
+        return head
+    with run.inside(Frame(scope)):
+        types = []
+        for parameter in routine.parameters:
+            element = find_type(run, parameter.type, parameter)
+            types.append(Array(element, None, parameter.dimensions) if parameter.dimensions else element)
+        returns = find_type(run, routine.type, routine) if routine.type else None
+        for handler in routine.handlers:
+            if handler.kind == "UNDO":
+                run.warn(
+                    f"{run.source(handler)}: UNDO runs only where a user moves the program pointer; it is left out"
+                )
+    groups: list[list[str]] = []
+    for parameter in routine.parameters:
+        if parameter.alternative and groups:
+            groups[-1].append(parameter.name)
+        else:
+            groups.append([parameter.name])
+    required = tuple(parameter.name for parameter in routine.parameters if not parameter.optional)
+    head = Head(tuple(types), returns, required, tuple(tuple(group) for group in groups if len(group) > 1))
+    run.heads[id(routine)] = head
+    return head
+
+
+def _pass(run: Run, routine: Routine, head: Head, args: list[Argument], frame: Frame, node: Node) -> None:
+    """Fill a frame's parameters. args are evaluated where the call stands."""
+    required = [arg for arg in args if arg.name is None]
+    optional = {arg.name.lower(): arg for arg in args if arg.name is not None}
+    if len(required) != len(head.required):
+        names = ", ".join(head.required) or "none"
+        count = len(head.required)
+        raise run.error(node, f"{routine.name} takes {count} argument(s) ({names}), found {len(required)}")
+    for group in head.groups:
+        given = [name for name in group if name.lower() in optional]
+        if len(given) > 1:
+            both = " and ".join(f"\\{name}" for name in given[:2])
+            raise run.error(node, f"{routine.name} takes only one of {both}")
+    following = iter(required)
+    for parameter, type_ in zip(routine.parameters, head.types, strict=True):
+        key = parameter.name.lower()
+        arg = optional.pop(key, None) if parameter.optional else next(following)
+        if arg is None:
+            frame.local[key] = ABSENT
+        else:
+            frame.local[key] = _argument(run, parameter, type_, arg)
+            frame.given[key] = (arg, run.frame)
+    for arg in optional.values():
+        raise run.error(arg, f"{routine.name} has no optional parameter \\{arg.name}")
+
+
+def _argument(run: Run, parameter: Parameter, type_: Type, arg: Argument) -> Place | Absent:
+    if arg.value is None:
+        if type_ is not SWITCH:
+            raise run.error(arg, f"\\{parameter.name} needs a value of type {type_.name}")
+        return Datum(SWITCH, Value(SWITCH, True), "a switch", "CONST")
+    if type_.name in SIGNALS:
+        return Datum(type_, Value(type_, run.signal(arg.value)), "a signal", "CONST")
+    if parameter.mode is None:
+        value = evaluate(run, arg.value, type_)
+        return Datum(value.type if isinstance(type_, Array) else type_, value)
+    place = locate(run, arg.value)
+    if not convertible(type_, place.type):
+        raise run.error(arg, f"{parameter.name} is a {type_.name}, and {run.text(arg)} a {place.type.name}")
+    if parameter.mode == "PERS" and place.storage != "PERS":
+        raise run.error(arg, f"{run.text(arg)} is no PERS and cannot be given to PERS {parameter.name}")
+    if parameter.mode == "VAR" and place.storage == "PERS":
+        raise run.error(arg, f"{run.text(arg)} is a PERS and cannot be given to VAR {parameter.name}")
+    if place.constant and parameter.mode != "PERS":
+        text = f"{run.text(arg)} is {place.constant} and cannot be given to {parameter.mode} {parameter.name}"
+        raise run.error(arg, text)
+    return place

@@ -1,0 +1,180 @@
+"""Loops, and when one that does not end by itself is over."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.rapid.data.datatypes import DNUM, NUM, Type, Value, is_number, single
+from trajopt_cli.rapid.data.scope import Datum
+from trajopt_cli.rapid.execution.evaluate import condition, evaluate
+from trajopt_cli.rapid.execution.jumps import Exit
+from trajopt_cli.rapid.language.syntax import (
+    Binary,
+    Boolean,
+    Expression,
+    For,
+    Goto,
+    If,
+    Label,
+    Name,
+    Number,
+    ProcedureCall,
+    Raise,
+    Return,
+    Simple,
+    Statement,
+    String,
+    Test,
+    Unary,
+    While,
+)
+
+if TYPE_CHECKING:
+    from trajopt_cli.rapid.execution.interpreter import Run
+
+
+def run_for(run: Run, node: For) -> None:
+    """FOR: bounds evaluated once, a variable of its own that hides data of the same name as long as the loop runs."""
+    first, type_ = _bound(run, node.first)
+    last, last_type = _bound(run, node.last)
+    if last_type is DNUM:
+        type_ = DNUM
+    step = _bound(run, node.step)[0] if node.step else (1.0 if first <= last else -1.0)
+    if step == 0:
+        raise run.error(node, "FOR with STEP 0 never ends")
+    local, key = run.frame.local, node.name.lower()
+    hidden = local.get(key)
+    passes, value = 0, first
+    try:
+        while value <= last if step > 0 else value >= last:
+            passes += 1
+            count_pass(run, node, passes)
+            local[key] = Datum(type_, Value(type_, value), "a loop variable", "CONST")
+            run.block(node.body)
+            value = first + passes * step
+            if type_ is NUM:
+                value = single(value)
+    finally:
+        if hidden is None:
+            local.pop(key, None)
+        else:
+            local[key] = hidden
+
+
+def _bound(run: Run, node: Expression) -> tuple[float, Type]:
+    value = evaluate(run, node)
+    if not is_number(value.type):
+        raise run.error(node, f"needs a value of type num, found {value.type.name}")
+    return float(value.data), value.type
+
+
+def run_while(run: Run, node: While) -> None:
+    """WHILE; one whose condition is always true runs as often as the scenario says."""
+    if always(run, node.condition):
+        loop = f"WHILE {run.text(node.condition)}"
+        exits, passes, counted = leaves(node.body), 0, 0
+        while True:
+            motions = len(run.motions)
+            run.block(node.body)
+            passes += 1
+            counted = count_endless(run, node, loop, exits, passes, counted, motions)
+    passes = 0
+    while condition(run, node.condition):
+        passes += 1
+        count_pass(run, node, passes)
+        run.block(node.body)
+
+
+def backwards(run: Run, node: Goto, body: Sequence[Statement]) -> None:
+    """Count a GOTO to a label before it; body: from the label to the statement that holds the GOTO."""
+    seen = run.frame.passes
+    passes = seen[id(node)] = seen.get(id(node), 0) + 1
+    if body[-1] is not node:  # under a condition
+        return count_pass(run, node, passes)
+    # The motions of the pass that ends here: those since the last time, or all of the run's for the first pass.
+    key = -id(node)
+    motions, counted = run.frame.turns.get(key, (run.frame.motions, 0))
+    counted = count_endless(run, node, f"GOTO {node.label}", leaves(body[:-1]), passes, counted, motions)
+    run.frame.turns[key] = (len(run.motions), counted)
+
+
+def count_pass(run: Run, node: Statement, passes: int) -> None:
+    """Give up a loop that goes on and on. Raises InputError."""
+    if passes > run.scenario.pass_limit:
+        raise _too_many(run, node)
+
+
+def _too_many(run: Run, node: Statement) -> InputError:
+    return run.error(
+        node,
+        f"the loop has not ended after {run.scenario.pass_limit} passes (pass_limit); "
+        "give signal values that end it, or raise pass_limit in the cell file",
+    )
+
+
+def count_endless(run: Run, node: Statement, loop: str, exits: bool, passes: int, counted: int, motions: int) -> int:
+    """Count a pass of a loop without a condition, and end the program with the last one that the scenario wants.
+
+    A loop that has a way out (RETURN, EXIT ...) may be a search through data: only its passes that move count, and
+    without a number in the scenario it runs until it takes its way out. motions: how many there were before the pass.
+    Returns how many passes counted so far. Raises Exit.
+    """
+    wanted = run.scenario.endless_passes
+    if exits and (wanted is None or len(run.motions) == motions):
+        count_pass(run, node, passes)
+        return counted
+    counted += 1
+    if wanted is None:
+        run.world.lack(run, "endless_passes", "endless_passes", node, f"{loop} never ends by itself", "1")
+        raise Exit
+    if counted >= wanted:
+        run.warn(
+            f"{run.source(node)}: {loop} never ends by itself; the program is taken to be over after {counted} "
+            f"pass{'es' if counted > 1 else ''} (endless_passes)"
+        )
+        raise Exit
+    return counted
+
+
+def always(run: Run, node: Expression) -> bool:
+    """Whether a condition is TRUE whatever happens: made of literals and constants."""
+    return _constant(run, node) and condition(run, node)
+
+
+def _constant(run: Run, node: Expression) -> bool:
+    if isinstance(node, (Boolean, Number, String)):
+        return True
+    if isinstance(node, Binary):
+        return _constant(run, node.left) and _constant(run, node.right)
+    if isinstance(node, Unary):
+        return _constant(run, node.operand)
+    if isinstance(node, Name):
+        place = run.find(node.name)
+        return isinstance(place, Datum) and place.constant is not None and place.constant.startswith("a CONST")
+    return False
+
+
+def leaves(block: Sequence[Statement]) -> bool:
+    """Whether a loop's body holds a way out: RETURN, EXIT, RAISE, ExitCycle, or a GOTO to a label outside."""
+    labels: set[str] = set()
+    jumps: set[str] = set()
+    stack = list(block)
+    while stack:
+        node = stack.pop()
+        if isinstance(node, (Return, Raise)) or (isinstance(node, Simple) and node.word == "EXIT"):
+            return True
+        if isinstance(node, ProcedureCall) and node.name.lower() == "exitcycle":
+            return True
+        if isinstance(node, Label):
+            labels.add(node.name.lower())
+        elif isinstance(node, Goto):
+            jumps.add(node.label.lower())
+        elif isinstance(node, (For, While)):
+            stack += node.body
+        elif isinstance(node, If):
+            stack += [inner for _, body in node.branches for inner in body] + list(node.otherwise)
+        elif isinstance(node, Test):
+            stack += [inner for _, body in node.cases for inner in body] + list(node.default or ())
+    return not jumps <= labels

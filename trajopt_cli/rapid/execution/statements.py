@@ -1,0 +1,186 @@
+"""What each statement does."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from trajopt_cli.rapid.data.datatypes import NUM, Value
+from trajopt_cli.rapid.data.predefined import ERRORS
+from trajopt_cli.rapid.execution.calls import late_call, procedure
+from trajopt_cli.rapid.execution.evaluate import condition, evaluate, inside_opaque, locate
+from trajopt_cli.rapid.execution.faults import Fault, Handled, handle
+from trajopt_cli.rapid.execution.jumps import Exit, Jump, Retry, Return, TryNext
+from trajopt_cli.rapid.execution.loading import declare
+from trajopt_cli.rapid.execution.loops import backwards, run_for, run_while
+from trajopt_cli.rapid.language.syntax import (
+    Assign,
+    Block,
+    Connect,
+    DataDeclaration,
+    For,
+    Goto,
+    If,
+    Label,
+    LateCall,
+    Name,
+    Placeholder,
+    ProcedureCall,
+    Raise,
+    Simple,
+    Test,
+    While,
+)
+from trajopt_cli.rapid.language.syntax import Return as ReturnStatement
+
+if TYPE_CHECKING:
+    from trajopt_cli.rapid.execution.interpreter import Run
+
+USER_ERRORS = range(1, 91)  # the numbers that BookErrNo gives, and that older programs raise as they are
+
+
+def run_block(run: Run, block: Block) -> None:
+    """Run statements in order; where one fails or jumps, go on where the program says."""
+    outer, file, counts = run.link, run.file, run.counts
+    count, i = len(block), 0
+    while i < count:
+        try:
+            while i < count:
+                node = block[i]
+                i += 1
+                key = id(node)
+                counts[key] = counts.get(key, 0) + 1
+                run.budget -= 1
+                if run.budget < 0:
+                    raise run.exhausted(node)
+                run.link = (node, outer, file)
+                _STATEMENTS[type(node)](run, node)
+        except Jump as jump:
+            landing = run.labels(block).get(jump.node.label.lower())
+            if landing is None:
+                raise
+            if landing < i:
+                backwards(run, jump.node, block[landing:i])
+            i = landing
+        except Fault as fault:
+            run.link = outer
+            handled = handle(run, fault, block[i - 1])
+            if handled is Handled.PASSED:
+                raise
+            if handled is Handled.AGAIN:
+                i -= 1
+        except RecursionError:
+            raise run.error(block[i - 1], "calls and expressions are nested too deeply to be run") from None
+    run.link = outer
+
+
+def _assign(run: Run, node: Assign) -> None:
+    target = node.target
+    if type(target) is not Name and inside_opaque(run, target):
+        run.note("opaque", f"{run.source(node)}: {run.text(target)} is process data, which changes no motion here")
+        return
+    place = locate(run, target)
+    run.store(place, target, evaluate(run, node.value, place.type))
+
+
+def _if(run: Run, node: If) -> None:
+    for test, block in node.branches:
+        if condition(run, test):
+            return run_block(run, block)
+    if node.otherwise:
+        run_block(run, node.otherwise)
+
+
+def _test(run: Run, node: Test) -> None:
+    subject = evaluate(run, node.subject)
+    for values, block in node.cases:
+        for value in values:
+            if evaluate(run, value, subject.type).data == subject.data:
+                return run_block(run, block)
+    if node.default is not None:
+        run_block(run, node.default)
+
+
+def _declare(run: Run, node: DataDeclaration) -> None:
+    if node.storage == "PERS":
+        raise run.error(node, f"PERS {node.name} stands in a routine; PERS data belongs to a module")
+    key = node.name.lower()
+    before = run.frame.local.get(key)
+    if before is not None and key in run.frame.given:
+        raise run.error(node, f"'{node.name}' is a parameter of the routine already; rename one of them")
+    datum = declare(run, node, run.frame)
+    _ = datum.value
+    run.frame.local[key] = datum
+
+
+def _return(run: Run, node: ReturnStatement) -> None:
+    wanted = run.frame.returns
+    if (wanted is None) != (node.value is None):
+        raise run.error(node, "RETURN needs a value in a FUNC" if wanted else "RETURN with a value outside a FUNC")
+    raise Return(evaluate(run, node.value, wanted) if node.value is not None else None)
+
+
+def _goto(run: Run, node: Goto) -> None:
+    raise Jump(node)
+
+
+def _simple(run: Run, node: Simple) -> None:
+    if node.word == "EXIT":
+        raise Exit
+    if run.frame.handling is None:
+        raise run.error(node, f"{node.word} belongs in an ERROR handler")
+    raise Retry if node.word == "RETRY" else TryNext
+
+
+def _raise(run: Run, node: Raise) -> None:
+    handling = run.frame.handling
+    if node.value is None:
+        if handling is None:
+            raise run.fault(node, "ERR_ILLRAISE", "RAISE without a number belongs in an ERROR handler")
+        handling.passed = run.frame
+        raise handling
+    number = evaluate(run, node.value, NUM).data
+    name = next((name for name, known in ERRORS.items() if known == number), run.text(node.value))
+    if number not in USER_ERRORS and name not in ERRORS:
+        message = f"RAISE {run.text(node.value)}: {number:.6g} is no error number; give it one with BookErrNo"
+        raise run.fault(node, "ERR_ILLRAISE", message)
+    place = run.source(node)
+    message = f"RAISE {run.text(node.value)} is handled by no ERROR handler"
+    raise Fault(message, name, number, file=place.file, line=place.line, column=place.column)
+
+
+def _connect(run: Run, node: Connect) -> None:
+    found = run.routine(node.trap)
+    if found is None or found[0].kind != "TRAP":
+        raise run.error(node, f"there is no TRAP {node.trap} in the program")
+    run.ignored["CONNECT"] += 1
+    run.interrupts += 1
+    run.note("interrupts", f"{run.source(node)}: interrupts never come here, so TRAP {node.trap} does not run")
+    run.assign(node.interrupt, Value(NUM, float(run.interrupts)))
+
+
+def _label(run: Run, node: Label) -> None:
+    """Only a GOTO has a use for it."""
+
+
+def _placeholder(run: Run, node: Placeholder) -> None:
+    raise run.error(node, f"unfinished code {node.name} cannot be run")
+
+
+_STATEMENTS: dict[type, Callable[..., None]] = {
+    ProcedureCall: procedure,
+    Assign: _assign,
+    If: _if,
+    For: run_for,
+    While: run_while,
+    Test: _test,
+    DataDeclaration: _declare,
+    ReturnStatement: _return,
+    Goto: _goto,
+    Label: _label,
+    Raise: _raise,
+    Simple: _simple,
+    Connect: _connect,
+    LateCall: late_call,
+    Placeholder: _placeholder,
+}
