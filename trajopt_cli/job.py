@@ -111,12 +111,14 @@ def read_job(
     from trajopt_cli.problem.plannable import check_plannable
     from trajopt_cli.problem.plant import build_plant
     from trajopt_cli.problem.programmed import PlantKinematics
+    from trajopt_cli.rapid.sources import refuse_results
     from trajopt_cli.robot.model import Structure, robot_names
 
     paths = (programs,) if isinstance(programs, Path) else tuple(programs)
     for path in paths:
         if not path.exists():
             raise InputError("no such program", file=str(path))
+        refuse_results(path)
     path = cell or cell_path_for(paths)
     if cell is None and not path.exists():
         text = minimal_cell(paths[0].name or paths[0].resolve().name, robot_names(Structure.SIX_AXIS))

@@ -364,7 +364,10 @@ def test_robot_show_prints_figures_with_grades(capsys: pytest.CaptureFixture[str
             "trajopt: Invalid value: a results folder holds its own program and cell; leave --program and --cell out; "
             "see 'trajopt --help'",
         ),
-        (["export", "rapid", "x"], "trajopt: Invalid value: give --output, --diff, --in-place or several of them; see 'trajopt --help'"),
+        (
+            ["export", "rapid", "x"],
+            "trajopt: Invalid value: give --output, --diff, --in-place or several of them; see 'trajopt --help'",
+        ),
         (
             ["robot", "show", "irb14"],
             "unknown robot 'irb14': known are iiwa7, irb140, irb140_rail; or give the path of a robot's .yaml file",

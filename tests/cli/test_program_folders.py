@@ -130,6 +130,9 @@ def test_what_the_user_may_not_say_of_results(line: Path, planner: Planner, caps
     )
     assert said(["compare", "baseline", "out", "line"], capsys) == "out: is a results folder; give it alone\n"
     assert "leave --entry and --assume-identity out" in said(["verify", "out", *GO], capsys)
+    assert said(["analyse", "out"], capsys) == (
+        "out: is a results folder; the program it was made from lies in its folder input\n"
+    )
 
 
 def test_a_tool_that_nobody_declares_is_named_until_the_user_decides(

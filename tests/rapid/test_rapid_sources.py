@@ -158,6 +158,8 @@ def test_links_in_circles_end_and_results_are_not_read_again(tmp_path: Path) -> 
     (folder / "broken.mod").symlink_to(folder / "nowhere")
     (folder / "me").symlink_to(folder / "me")
     assert names(folder) == ["a.mod"]
+    said = "f: is a results folder; the program it was made from lies in its folder input"
+    assert error(folder / "results" / "f") == said
 
 
 def test_bounds_are_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -22,6 +22,7 @@ MAX_BYTES = 200_000_000
 MAX_ENTRIES = 100_000  # of a folder tree; a whole disk given by mistake ends here
 _SYSTEM_SUFFIXES = (".sys", ".sysx")
 _NOISE = {"home", "syspar", "backinfo"}  # the parts of a backup that hold no loaded modules
+_RECORD = "run.json"  # stands in every folder that trajopt wrote
 _IN_TASK = ("progmod", "sysmod")
 _TASK = re.compile(r"TASK\d+|T_\w+", re.IGNORECASE)
 
@@ -73,6 +74,12 @@ def name_of(paths: Sequence[Path]) -> str:
     return (first.resolve().name or "root") if first.is_dir() else first.stem
 
 
+def refuse_results(folder: Path) -> None:
+    """Raise InputError for a folder that trajopt wrote: its copies of one module are no program."""
+    if (folder / _RECORD).is_file():
+        raise InputError("is a results folder; the program it was made from lies in its folder input", file=str(folder))
+
+
 def is_module(path: Path) -> bool:
     """Whether a file has the name of a RAPID module."""
     return path.suffix.lower() in SUFFIXES
@@ -113,6 +120,7 @@ def _of_list(path: Path) -> list[Path]:
 
 
 def _of_folder(folder: Path, entry: str, warnings: list[str]) -> list[Path]:
+    refuse_results(folder)
     tasks: dict[tuple[str, ...], list[Path]] = {}
     loose: list[Path] = []
     for path in _sorted(_walk(folder)):
@@ -216,7 +224,7 @@ def _walk(folder: Path) -> Iterator[Path]:
             if path.name.startswith(".") or path.name.lower() in _NOISE or not path.is_dir():
                 continue
             real = os.path.realpath(path)
-            if real not in seen and not (path / "run.json").is_file():
+            if real not in seen and not (path / _RECORD).is_file():
                 seen.add(real)
                 waiting.append(path)
 
