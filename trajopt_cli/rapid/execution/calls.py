@@ -60,12 +60,9 @@ def procedure(run: Run, node: ProcedureCall) -> None:
         return
     instruction = _INSTRUCTIONS.get(node.name.lower())
     if instruction is None:
-        raise run.unknown(
-            node,
-            f"{node.name} is neither a procedure of the program nor a supported instruction",
-            "supported",
-            INSTRUCTIONS,
-        )
+        message = f"{node.name} is neither a procedure of the program nor a supported instruction"
+        names = [*INSTRUCTIONS, *run.routines("PROC")]
+        raise run.unknown(node, node.name, message, names, f"supported: {', '.join(INSTRUCTIONS)}")
     instruction(run, node)
     run.settle()
 
@@ -82,9 +79,9 @@ def function(run: Run, node: Call) -> Value:
         return value
     handler = _FUNCTIONS.get(node.name.lower())
     if handler is None:
-        raise run.unknown(
-            node, f"{node.name} is neither a function of the program nor a supported one", "supported", FUNCTIONS
-        )
+        message = f"{node.name} is neither a function of the program nor a supported one"
+        names = [*FUNCTIONS, *run.routines("FUNC")]
+        raise run.unknown(node, node.name, message, names, f"supported: {', '.join(FUNCTIONS)}")
     value = handler(run, node)
     return computed(run, node, value.type, value.data) if value.origin is None else value
 

@@ -114,16 +114,20 @@ class Run:
         known = (self.frame.local, scope.data, self.shared.data, self._predefined)
         message = f"{what}'{node.name}' is not declared in the program (looked for in {', '.join(where)}, "
         message += "the other modules' globals and the predefined data)"
-        return self.unknown(node, message, "", (name for names in known for name in names))
+        return self.unknown(node, node.name, message, [name for names in known for name in names])
 
-    def unknown(self, node: Call | Node, message: str, listed: str, names: Iterable[str]) -> InputError:
-        """An InputError for a name that is not one of names; they are listed unless one of them is meant for sure."""
-        name = getattr(node, "name", "")
+    def unknown(self, node: Node, name: str, message: str, names: Iterable[str], otherwise: str = "") -> InputError:
+        """An InputError for a name that is not one of names; otherwise is said where none of them is meant for sure."""
         spellings = {known.lower(): known for known in names}
-        close = get_close_matches(str(name).lower(), spellings, n=2, cutoff=0.85)
+        close = get_close_matches(name.lower(), spellings, n=2, cutoff=0.8)
         if len(close) == 1:
             return self.error(node, f"{message}; did you mean '{spellings[close[0]]}'?")
-        return self.error(node, f"{message}; {listed}: {', '.join(spellings.values())}" if listed else message)
+        return self.error(node, f"{message}; {otherwise}" if otherwise else message)
+
+    def routines(self, kind: str) -> list[str]:
+        """The names, as spelled, of the routines that the code that runs now can see."""
+        known = {**self.shared.routines, **self.frame.scope.routines}
+        return [routine.name for routine, _ in known.values() if routine.kind == kind]
 
     def warn(self, message: str) -> None:
         """Tell the user, once."""

@@ -1,0 +1,339 @@
+"""How programs go on: jumps, calls, errors and their handlers, loops without an end, and what ran exactly once."""
+
+from __future__ import annotations
+
+import gc
+import sys
+
+import pytest
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.motion import Program, TextFile, Wait
+from trajopt_cli.rapid.reader import run_program, try_program
+from trajopt_cli.scenario import Scenario
+
+
+def run(body: str, data: str = "", rest: str = "", scenario: Scenario | None = None) -> Program:
+    text = f"MODULE m\n{data}\nPROC main()\n{body}\nENDPROC\n{rest}\nENDMODULE\n"
+    return run_program([TextFile("m.mod", text, "utf-8")], scenario)
+
+
+def trace(body: str, data: str = "", rest: str = "", scenario: Scenario | None = None) -> list[float]:
+    """Values shown by a program as `WaitTime value;`, in order."""
+    return [m.duration for m in run(body, data, rest, scenario).motions if isinstance(m, Wait)]
+
+
+def error(body: str, data: str = "", rest: str = "", scenario: Scenario | None = None) -> str:
+    with pytest.raises(InputError) as caught:
+        run(body, data, rest, scenario)
+    return str(caught.value)
+
+
+# ------------------------------------------------------------------------------------------------------------- GOTO
+
+
+@pytest.mark.parametrize(
+    ("body", "values"),
+    [
+        ("GOTO on; WaitTime 1; on: WaitTime 2;", [2]),
+        ("GOTO On; WaitTime 1; oN: WaitTime 2;", [2]),
+        ("n:=0; again: Incr n; WaitTime n; IF n<3 GOTO again; WaitTime 9;", [1, 2, 3, 9]),
+        ("FOR i FROM 1 TO 5 DO WaitTime i; IF i=2 GOTO out; ENDFOR out: WaitTime 9;", [1, 2, 9]),
+        ("IF TRUE THEN WHILE n<9 DO Incr n; IF n=4 GOTO out; ENDWHILE ENDIF out: WaitTime n;", [4]),
+        ("FOR i FROM 1 TO 2 DO IF i=1 GOTO next; WaitTime i; next: ENDFOR", [2]),
+        ("TEST 1 CASE 1: GOTO inner; WaitTime 1; inner: WaitTime 2; ENDTEST", [2]),
+    ],
+)
+def test_goto_reaches_labels_of_its_own_and_of_outer_blocks(body: str, values: list[float]) -> None:
+    assert trace(body, "VAR num n;") == values
+
+
+def test_goto_out_of_a_loop_gives_the_hidden_data_back() -> None:
+    assert trace("VAR num i:=7; FOR i FROM 1 TO 5 DO GOTO out; ENDFOR out: WaitTime i;") == [7]
+
+
+def test_goto_into_a_block_or_to_nowhere_is_an_error() -> None:
+    assert error("GOTO x; IF TRUE THEN x: ENDIF") == (
+        "m.mod:4:1: GOTO x leads into a block; a label is reached from its own block only"
+    )
+    assert error("go;", rest="PROC go()\nGOTO x;\nENDPROC\nPROC other()\nx:\nENDPROC") == (
+        "m.mod:7:1: there is no label x in PROC go"
+    )
+
+
+# ---------------------------------------------------------------------------------------------------------- handlers
+
+
+@pytest.mark.parametrize(
+    ("body", "values"),
+    [
+        ("d:=0; WaitTime 1/d; WaitTime 2; ERROR WaitTime 3; d:=4; RETRY;", [3, 0.25, 2]),
+        ("WaitTime 1/d; WaitTime 2; ERROR WaitTime 3; TRYNEXT;", [3, 2]),
+        ("WaitTime 1/d; WaitTime 2; ERROR WaitTime 3; RETURN;", [3]),
+        ("FOR i FROM 0 TO 2 DO WaitTime 2/i; ENDFOR WaitTime 5; ERROR TRYNEXT;", [2, 1, 5]),
+        (
+            "FOR i FROM 0 TO 2 DO WaitTime 2/i; ENDFOR ERROR IF ERRNO=ERR_DIVZERO THEN WaitTime 8; TRYNEXT; ENDIF",
+            [8, 2, 1],
+        ),
+        ("WaitTime a{3}; ERROR (ERR_DIVZERO) WaitTime 1; TRYNEXT; ERROR (ERR_STRTOOLNG,ERR_OUTOFBND) TRYNEXT;", []),
+        ('s:=s+s; WaitTime 1; ERROR (ERR_STRTOOLNG) s:=""; RETRY;', [1]),
+        ("RAISE 14; WaitTime 2; ERROR WaitTime ERRNO; TRYNEXT;", [14, 2]),
+        ("BookErrNo ERR_MY; RAISE ERR_MY; ERROR IF ERRNO=ERR_MY WaitTime 6; TRYNEXT;", [6]),
+    ],
+)
+def test_a_handler_goes_on_where_the_program_says(body: str, values: list[float]) -> None:
+    data = 'VAR num d; VAR num a{2}; VAR errnum ERR_MY:=-1; VAR string s:="' + 50 * "x" + '";'
+    assert trace(body, data) == values
+
+
+def test_what_a_handler_does_not_take_goes_to_the_caller_who_repeats_the_call() -> None:
+    rest = "PROC go()\nWaitTime 1;\nWaitTime 6/d;\nERROR (ERR_OUTOFBND)\nTRYNEXT;\nENDPROC"
+    assert trace("go; WaitTime 9; ERROR d:=2; RETRY;", "VAR num d;", rest) == [1, 1, 3, 9]
+    assert trace("go; WaitTime 9; ERROR TRYNEXT;", "VAR num d;", rest) == [1, 9]
+
+
+def test_raise_passes_on_and_the_end_of_a_handler_does_too() -> None:
+    rest = "PROC go()\nWaitTime 1/0;\nERROR\nWaitTime 1;\n{}\nENDPROC"
+    for tail, values in (("RAISE;", [1, 2]), ("", [1, 2]), ("RAISE ERR_OUTOFBND;", [1, 3])):
+        body = "go; ERROR (ERR_DIVZERO) WaitTime 2; TRYNEXT; ERROR (ERR_OUTOFBND) WaitTime 3; TRYNEXT;"
+        assert trace(body, rest=rest.format(tail)) == values
+
+
+def test_an_error_in_a_handler_goes_to_the_caller() -> None:
+    rest = "PROC go()\nWaitTime 1/0;\nERROR\nWaitTime a{9};\nTRYNEXT;\nENDPROC"
+    assert trace("go; ERROR (ERR_OUTOFBND) WaitTime 7; TRYNEXT;", "VAR num a{2};", rest) == [7]
+
+
+def test_a_handler_of_a_function_gives_its_value() -> None:
+    rest = "FUNC num safe(num x)\nRETURN 1/x;\nERROR\nRETURN 5;\nENDFUNC"
+    assert trace("WaitTime safe(2)+safe(0);", rest=rest) == [5.5]
+
+
+def test_a_raise_out_of_a_loop_gives_the_hidden_data_back() -> None:
+    rest = "PROC go()\nVAR num i:=7;\nFOR i FROM 1 TO 2 DO\nRAISE 5;\nENDFOR\nERROR\nWaitTime i;\nRETURN;\nENDPROC"
+    assert trace("VAR num i:=4; FOR i FROM 8 TO 8 DO go; ENDFOR WaitTime i;", rest=rest) == [1, 4]
+
+
+@pytest.mark.parametrize(
+    ("body", "message"),
+    [
+        (
+            "WaitTime 1/0; ERROR RETRY;",
+            "4:1: fails every time: RETRY was tried 4 times (ERR_DIVZERO: division by zero in '/')",
+        ),
+        ("WaitTime 1/0; ERROR (ERR_OUTOFBND) TRYNEXT;", "4:10: division by zero in '/'"),
+        ("RETRY;", "4:1: RETRY belongs in an ERROR handler"),
+        ("TRYNEXT;", "4:1: TRYNEXT belongs in an ERROR handler"),
+        ("RAISE;", "4:1: RAISE without a number belongs in an ERROR handler"),
+        ("RAISE -1;", "4:1: RAISE -1: -1 is no error number; give it one with BookErrNo"),
+        ("RAISE ERR_WAIT_MAXTIME;", "4:1: RAISE ERR_WAIT_MAXTIME is handled by no ERROR handler"),
+        ("x: WaitTime 1/0; ERROR GOTO x;", "4:24: GOTO x leads out of the ERROR handler; use TRYNEXT or RETRY"),
+    ],
+)
+def test_what_nobody_handles_is_said_with_its_place(body: str, message: str) -> None:
+    assert error(body) == f"m.mod:{message}"
+
+
+def test_five_failures_in_five_passes_are_no_failure_in_a_row() -> None:
+    body = "FOR i FROM 1 TO 9 DO d:=0; WaitTime i/d; ENDFOR ERROR d:=1; RETRY;"
+    assert trace(body, "VAR num d;") == list(range(1, 10))
+
+
+def test_undo_does_not_run_and_that_is_said() -> None:
+    program = run("go;", rest="PROC go()\nWaitTime 1;\nUNDO\nWaitTime 2;\nENDPROC")
+    assert len(program.motions) == 1
+    assert program.warnings == ("m.mod:8:1: UNDO runs only where a user moves the program pointer; it is left out",)
+
+
+# ------------------------------------------------------------------------------------------------------------- calls
+
+
+def test_late_binding_calls_by_the_value_of_an_expression() -> None:
+    rest = "PROC go1(num x)\nWaitTime x;\nENDPROC\nPROC go2()\nWaitTime 20;\nENDPROC"
+    assert trace('%"go"+ValToStr(1)% 3; CallByVar "go",2; %"m:go1"% 4;', rest=rest) == [3, 20, 4]
+
+
+@pytest.mark.parametrize(
+    ("body", "handler", "message"),
+    [
+        ('%"go3"%;', "ERR_REFUNKPRC", "there is no procedure 'go3' in the program"),
+        ('CallByVar "go",3;', "ERR_REFUNKPRC", "there is no procedure 'go3' in the program"),
+        ('%"go1"% 1;', "ERR_CALLPROC", "go1 takes 0 argument(s), found 1"),
+        ('%"f"%;', "ERR_CALLPROC", "f is a FUNC; only a PROC is called by its name"),
+        ("WaitTime f(1);", "ERR_FNCNORET", "FUNC f ended without RETURN"),
+        ("opt;", "ERR_NOTPRES", "optional parameter 'x' was not given; ask Present(x) before"),
+        ("n:=1E30*1E30;", "ERR_NUM_LIMIT", "the result of '*' is too large for a num"),
+    ],
+)
+def test_errors_that_a_program_may_handle_have_their_names(body: str, handler: str, message: str) -> None:
+    rest = "PROC go1()\nENDPROC\nFUNC num f(num x)\nENDFUNC\nPROC opt(\\num x)\nWaitTime x;\nENDPROC"
+    assert trace(f"{body} ERROR ({handler}) WaitTime 1; TRYNEXT;", "VAR num n;", rest) == [1]
+    assert error(body, "VAR num n;", rest).endswith(f": {message}")
+
+
+def test_alternatives_exclude_each_other() -> None:
+    rest = "PROC go(\\num a | num b | switch c, num d)\nIF Present(a) WaitTime a; IF Present(b) WaitTime b;\nENDPROC"
+    assert trace("go\\a:=1,0; go\\b:=2,0; go\\c,0;", rest=rest) == [1, 2]
+    assert error("go\\a:=1\\c,0;", rest=rest) == "m.mod:4:1: go takes only one of \\a and \\c"
+
+
+def test_parameters_by_reference_reach_into_arrays_and_records() -> None:
+    rest = """PROC deep(INOUT num x, VAR num y, PERS num z, INOUT num open{*,*})
+        x:=x+1; y:=y+2; z:=z+3; open{2,1}:=9;
+    ENDPROC"""
+    data = "VAR num a{2,2}:=[[1,2],[3,4]]; VAR pos p:=[5,6,7]; PERS num q:=8; VAR num b{2,1}:=[[0],[0]];"
+    assert trace("deep a{2,1}, p.y, q, b; WaitTime a{2,1}; WaitTime p.y; WaitTime q; WaitTime b{2,1};", data, rest) == [
+        4, 8, 11, 9,
+    ]  # fmt: skip
+
+
+def test_modes_of_parameters_are_kept_apart() -> None:
+    rest = "PROC v(VAR num x)\nENDPROC\nPROC p(PERS num x)\nENDPROC\nPROC t(PERS tooldata x)\nx.robhold:=TRUE;\nENDPROC"
+    data = "VAR num a; PERS num b:=1;"
+    assert error("v b;", data, rest) == "m.mod:4:3: b is a PERS and cannot be given to VAR x"
+    assert error("p a;", data, rest) == "m.mod:4:3: a is no PERS and cannot be given to PERS x"
+    assert error("t tool0;", data, rest) == "m.mod:11:1: x.robhold is predefined and cannot be changed"
+
+
+def test_recursion_goes_two_hundred_deep_inside_expressions() -> None:
+    loop = "FOR i FROM 1 TO 1 DO RETURN Abs(n+(0+(0+sum(n-1)))); ENDFOR"
+    rest = f"FUNC num sum(num n)\nIF n=0 THEN RETURN 0; ELSE {loop}\nENDIF\nENDFUNC"
+    assert trace("WaitTime sum(200);", rest=rest) == [200 * 201 / 2]
+    limit, collecting = sys.getrecursionlimit(), gc.isenabled()
+    assert error("WaitTime sum(300);", rest=rest) == "m.mod:7:68: calls are nested deeper than 250 routines at sum"
+    assert (sys.getrecursionlimit(), gc.isenabled()) == (limit, collecting)
+
+
+def test_a_function_that_moves_runs_inside_an_expression() -> None:
+    rest = "FUNC num go(num x)\nWaitTime x;\nRETURN 10*x;\nENDFUNC"
+    assert trace("WaitTime go(1)+go(2); IF go(3)>0 WaitTime 4;", rest=rest) == [1, 2, 30, 3, 4]
+
+
+def test_a_routine_of_the_program_goes_before_an_instruction() -> None:
+    assert trace("WaitTime 1; SetDO do1,1;", rest="PROC SetDO(signaldo s, num v)\nWaitTime 5;\nENDPROC") == [1, 5]
+
+
+def test_stops_are_passed_and_said_once() -> None:
+    program = run("Stop; Stop\\NoRegain; Break; WaitTime 1;")
+    assert program.warnings == ("m.mod:4:1: Stop waits for the operator; the program goes on here",)
+    assert program.ignored == {"Stop": 2, "Break": 1}
+
+
+def test_connect_needs_a_trap_and_interrupts_never_come() -> None:
+    trap = "TRAP t\nWaitTime 1;\nENDTRAP"
+    program = run("CONNECT i WITH t; CONNECT i WITH t; WaitTime i;", "VAR intnum i;", trap)
+    assert [m.duration for m in program.motions if isinstance(m, Wait)] == [2]
+    assert program.warnings == ("m.mod:4:1: interrupts never come here, so TRAP t does not run",)
+    assert error("CONNECT i WITH u;", "VAR intnum i;", trap) == "m.mod:4:1: there is no TRAP u in the program"
+
+
+# ------------------------------------------------------------------------------------------------------------- loops
+
+
+@pytest.mark.parametrize(
+    ("loop", "values"),
+    [
+        ("FOR i FROM 1 TO 0 DO WaitTime i; ENDFOR", [1, 0]),
+        ("FOR i FROM 3 TO 1 DO WaitTime i; ENDFOR", [3, 2, 1]),
+        ("FOR i FROM 1 TO 3 STEP -1 DO WaitTime i; ENDFOR", []),
+        ("FOR i FROM 3 TO 1 STEP 1 DO WaitTime i; ENDFOR", []),
+        ("FOR i FROM 1 TO n DO n:=0; WaitTime i; ENDFOR", [1, 2]),
+        ("FOR n FROM 5 TO 5 DO WaitTime n; ENDFOR WaitTime n;", [5, 2]),
+        ("FOR i FROM 0 TO 1 STEP 0.1 DO Incr n; ENDFOR WaitTime n;", [13]),
+        ("FOR i FROM 1 TO 2 DO FOR i FROM 8 TO 9 DO ENDFOR WaitTime i; ENDFOR", [1, 2]),
+    ],
+)
+def test_for(loop: str, values: list[float]) -> None:
+    assert trace(loop, "VAR num n:=2;") == values
+
+
+@pytest.mark.parametrize(
+    ("loop", "name"),
+    [
+        ("WHILE TRUE DO WaitTime 1; ENDWHILE", "WHILE TRUE"),
+        ("WHILE 1=1 DO WaitTime 1; ENDWHILE", "WHILE 1=1"),
+        ("WHILE NOT FALSE DO WaitTime 1; ENDWHILE", "WHILE NOT FALSE"),
+        ("WHILE forever DO WaitTime 1; ENDWHILE", "WHILE forever"),
+        ("a: WaitTime 1; GOTO a;", "GOTO a"),
+        ("a: IF go WaitTime 1; GOTO a;", "GOTO a"),
+    ],
+)
+def test_a_loop_that_cannot_end_runs_as_often_as_the_scenario_says(loop: str, name: str) -> None:
+    data = "CONST bool forever:=TRUE; VAR bool go:=TRUE;"
+    program = run(f"{loop} WaitTime 9;", data, scenario=Scenario(endless_passes=3))
+    assert [m.duration for m in program.motions if isinstance(m, Wait)] == [1, 1, 1]
+    (warning,) = program.warnings
+    assert f"{name} never ends by itself; the program is taken to be over after 3 passes (endless_passes)" in warning
+
+
+def test_without_a_number_of_passes_one_is_run_and_the_number_is_asked_for() -> None:
+    text = "MODULE m\nPROC main()\nWHILE TRUE DO\nWaitTime 1;\nENDWHILE\nENDPROC\nENDMODULE"
+    program, lacks = try_program([TextFile("m.mod", text, "utf-8")])
+    assert len(program.motions) == 1
+    assert [(lack.section, lack.line, str(lack.source)) for lack in lacks] == [
+        ("endless_passes", "endless_passes: 1", "m.mod:3:1")
+    ]
+
+
+@pytest.mark.parametrize("way", ["RETURN;", "EXIT;", "GOTO out;", "RAISE 5;", "ExitCycle;"])
+def test_a_loop_with_a_way_out_takes_it(way: str) -> None:
+    body = f"WHILE TRUE DO WaitTime 1; Incr n; IF n=4 {way} ENDWHILE out: ERROR RETURN;"
+    assert trace(body, "VAR num n;") == [1, 1, 1, 1]
+    assert trace(body, "VAR num n;", scenario=Scenario(endless_passes=2)) == [1, 1]
+
+
+def test_a_search_in_an_endless_loop_is_no_pass_of_the_program() -> None:
+    rest = "FUNC num find(num x)\nVAR num i;\nWHILE TRUE DO\nIncr i;\nIF i=x RETURN i;\nENDWHILE\nENDFUNC"
+    assert trace("WaitTime find(50);", rest=rest, scenario=Scenario(endless_passes=1)) == [50]
+
+
+@pytest.mark.parametrize(
+    ("body", "scenario", "message"),
+    [
+        ("WHILE n<1 DO ENDWHILE", Scenario(pass_limit=9), "4:1: the loop has not ended after 9 passes (pass_limit)"),
+        ("x: IF n<1 GOTO x;", Scenario(pass_limit=9), "4:11: the loop has not ended after 9 passes (pass_limit)"),
+        ("FOR i FROM 1 TO 10 DO ENDFOR", Scenario(pass_limit=9), "4:1: the loop has not ended after 9 passes"),
+        ("FOR i FROM 1 TO 9 DO FOR j FROM 1 TO 9 DO n:=1; ENDFOR ENDFOR", Scenario(statement_limit=50),
+         "4:43: the program has not ended after 50 statements (statement_limit)"),
+        ("WHILE TRUE DO IF n=1 RETURN; ENDWHILE", Scenario(pass_limit=9), "4:1: the loop has not ended after 9 passes"),
+    ],
+)  # fmt: skip
+def test_budgets_end_what_does_not_end(body: str, scenario: Scenario, message: str) -> None:
+    assert error(body, "VAR num n;", scenario=scenario).startswith(f"m.mod:{message}")
+
+
+def test_a_large_array_counts_by_its_size() -> None:
+    body = "FOR i FROM 1 TO 100 DO a{i}:=i; ENDFOR"
+    assert "statement_limit" in error(body, "VAR num a{100000};", scenario=Scenario(statement_limit=10_000))
+    assert trace(body, "VAR num a{100};", scenario=Scenario(statement_limit=10_000)) == []
+
+
+# ------------------------------------------------------------------------------------------------- what ran once
+
+
+def once(body: str, rest: str = "", data: str = "") -> list[str | None]:
+    program = run(body, data, rest)
+    text = program.files["m.mod"].text
+    spans = [motion.written.once for motion in program.motions]
+    return [None if span is None else " ".join(text[span.start : span.end].split()) for span in spans]
+
+
+GO = "PROC go()\nWaitTime 1;\nENDPROC"
+
+
+@pytest.mark.parametrize(
+    ("body", "rest", "statements"),
+    [
+        ("WaitTime 1;", "", ["WaitTime 1;"]),
+        ("go;", GO, ["WaitTime 1;"]),
+        ("go; go ;", GO, ["go;", "go ;"]),
+        ("FOR i FROM 1 TO 2 DO go; ENDFOR", GO, ["FOR i FROM 1 TO 2 DO go; ENDFOR"] * 2),
+        ("FOR i FROM 1 TO 1 DO go; ENDFOR", GO, ["WaitTime 1;"]),
+        ("IF n=0 THEN FOR i FROM 1 TO 2 DO go; ENDFOR ENDIF", GO, ["FOR i FROM 1 TO 2 DO go; ENDFOR"] * 2),
+        ("n:=f()+f(); n:=f() ;", "FUNC num f()\nWaitTime 1;\nRETURN 1;\nENDFUNC", ["n:=f()+f();"] * 2 + ["n:=f() ;"]),
+        ("two; two ;", "PROC two()\ngo;\ngo;\nENDPROC\n" + GO, ["two;"] * 2 + ["two ;"] * 2),
+        ("x: Incr n; WaitTime 1; IF n<2 GOTO x;", "", [None, None]),
+    ],
+)  # fmt: skip
+def test_the_innermost_statement_that_ran_exactly_once(body: str, rest: str, statements: list[str | None]) -> None:
+    assert once(body, rest, "VAR num n;") == statements

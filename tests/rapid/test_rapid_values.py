@@ -1,0 +1,295 @@
+"""What data is: types, storage, sharing between modules, 32-bit numbers, names that are not there."""
+
+from __future__ import annotations
+
+import struct
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.motion import MoveL, Program, TextFile, Wait
+from trajopt_cli.rapid.data.datatypes import NUM, POSE, ROBTARGET, SPEEDDATA, Array, Layout, single
+from trajopt_cli.rapid.reader import run_program
+
+
+def run(body: str, data: str = "", rest: str = "") -> Program:
+    return run_text(f"MODULE m\n{data}\nPROC main()\n{body}\nENDPROC\n{rest}\nENDMODULE\n")
+
+
+def run_text(text: str) -> Program:
+    return run_program([TextFile("m.mod", text, "utf-8")])
+
+
+def trace(body: str, data: str = "", rest: str = "") -> list[float]:
+    return [m.duration for m in run(body, data, rest).motions if isinstance(m, Wait)]
+
+
+def holds(condition: str, data: str = "", rest: str = "") -> bool:
+    return trace(f"IF {condition} THEN WaitTime 1; ELSE WaitTime 0; ENDIF", data, rest) == [1]
+
+
+def error(body: str, data: str = "", rest: str = "") -> str:
+    with pytest.raises(InputError) as caught:
+        run(body, data, rest)
+    return str(caught.value)
+
+
+def error_text(text: str) -> str:
+    with pytest.raises(InputError) as caught:
+        run_text(text)
+    return str(caught.value)
+
+
+# ---------------------------------------------------------------------------------------------------------- numbers
+
+
+@given(st.floats(width=32, allow_nan=False, allow_infinity=False), st.floats(-3e38, 3e38))
+def test_single_is_the_nearest_32_bit_number(short: float, long: float) -> None:
+    assert single(short) == short
+    assert single(long) == float(np.float32(long))
+
+
+@pytest.mark.parametrize(
+    "condition",
+    [
+        "a + 1 = a",  # 24 bits
+        "a - 1 < a",
+        "0.1 + 0.2 = 0.3",  # true of 32 bits, not of 64
+        "b + 1 > b",  # a dnum has 53
+        "c + 0.2 <> 0.3",
+        "c = 0.1",
+        "10 * c = 1",
+        "-7 DIV 2 = -3 AND -7 MOD 2 = -1",
+        "Trunc(1E9 * 3) = 3E9",
+        "9E9 = 9E+09",
+        "2 * p = [0.2,0,0]",
+    ],
+)
+def test_num_has_32_bits_and_dnum_64(condition: str) -> None:
+    assert holds(condition, "VAR num a:=16777216; VAR dnum b:=16777216; VAR dnum c:=0.1; VAR pos p:=[0.1,0,0];")
+
+
+def test_mixing_num_and_dnum_is_said_once() -> None:
+    program = run("d:=n; n:=d; WaitTime n+d;", "VAR num n:=0.1; VAR dnum d;")
+    (wait,) = program.motions
+    assert isinstance(wait, Wait)
+    assert wait.duration == 2 * single(0.1)
+    assert program.warnings == ("m.mod:4:4: num and dnum are mixed; a controller refuses that, here it is converted",)
+    assert run("d:=0.5+1; WaitTime 2*d-1;", "VAR dnum d;").warnings == ()
+
+
+@pytest.mark.parametrize(
+    ("body", "message"),
+    [
+        ("n:=1E39;", "4:4: number 1E39 is too large for a num"),
+        ("n:=1E38*10;", "4:4: the result of '*' is too large for a num"),
+        ("p:=10*q;", "4:4: 10*q is too large for a num"),
+        ("n:=n MOD 0;", "4:4: division by zero in 'MOD'"),
+        ("p:=p/n;", "4:4: division by zero in '/'"),
+        ('s:=s+s;', "4:4: string of 100 characters, limit 80: 'xxxxxxxxxxxxxxxxxxxx...'"),
+        ("n:=TRUE;", "4:4: needs a value of type num, found bool"),
+        ("p:=[1,2];", "4:4: pos needs 3 parts [x,y,z], found 2"),
+        ("a:=[1,2];", "4:4: the array needs 3 elements, found 2"),
+        ("a:=b;", "4:4: needs a value of type num{*}, found num{*}"),
+        ("n:=a{1,1};", "4:4: the array has 1 dimension(s), found 2 index(es)"),
+        ("n:=a{1.5};", "4:6: an index must be a whole number, found 1.5"),
+        ("IF n THEN ENDIF", "4:4: needs a value of type bool, found num"),
+        ('IF s=1 THEN ENDIF', "4:4: cannot compare string with num"),
+        ("TEST n CASE TRUE: ENDTEST", "4:13: needs a value of type num, found bool"),
+    ],
+)  # fmt: skip
+def test_values_that_do_not_fit(body: str, message: str) -> None:
+    data = 'VAR num n; VAR pos p; VAR string s:="' + 50 * "x" + '"; VAR num a{3}; VAR num b{2}; VAR pos q:=[1E38,0,0];'
+    assert error(body, data) == f"m.mod:{message}"
+
+
+@pytest.mark.parametrize("type_", [ROBTARGET, SPEEDDATA, POSE, Array(POSE, (2, 3), 2), Array(NUM, (4,), 1)])
+def test_a_layout_reads_what_struct_packs(type_: Array) -> None:
+    layout = type_.layout
+    assert isinstance(layout, Layout)
+    flat = [0.1 * i - 3 for i in range(type_.size)]
+
+    def nest(kind: object, parts: list[float]) -> object:
+        if kind is NUM:
+            return parts.pop(0)
+        if isinstance(kind, Array):
+            assert kind.sizes
+            return [nest(kind.inside, parts) for _ in range(kind.sizes[0])]
+        return [nest(part, parts) for _, part in kind.components]  # type: ignore[attr-defined]
+
+    text = str(nest(type_, list(flat)))
+    data = layout.read(text)
+
+    def flatten(value: object) -> list[float]:
+        return [one for part in value for one in flatten(part)] if isinstance(value, tuple) else [value]  # type: ignore[list-item]
+
+    assert flatten(data) == list(struct.unpack(f"{type_.size}f", struct.pack(f"{type_.size}f", *flat)))
+    assert layout.rounded(data) == data
+    assert layout.read(text.replace("[", "[ ").replace(",", " ,\n")) == data
+
+
+@pytest.mark.parametrize(
+    "text", ["[1,2,3]", "[1,2,3,4,5]", "[1,2,3,a]", "[1,2,3,e5]", "[1,2,3,nan]", "[1,2,3,1_0]", "[[1,2],3,4]",
+             "[1,2,3,1E39]", "[1,2,3,0x1F]", "[1,2,3,1-2]", "[1,2,3,]", "[1,2,3,1E999]", "[1,2,3,inf]"],
+)  # fmt: skip
+def test_a_layout_reads_nothing_but_its_numbers(text: str) -> None:
+    assert SPEEDDATA.layout is not None
+    assert SPEEDDATA.layout.read("[1,2.,.5,-1E-1]") == (1.0, 2.0, 0.5, single(-0.1))
+    assert SPEEDDATA.layout.read(text) is None
+
+
+# ------------------------------------------------------------------------------------------------- records and arrays
+
+
+def test_whole_records_and_arrays_are_assigned_and_compared() -> None:
+    data = "RECORD part\nnum weight;\npos at;\nbool good;\nENDRECORD\nVAR part a; VAR part b{2}; VAR num c{2,2};"
+    body = """b:=[[1,[1,2,3],TRUE],[2,[4,5,6],FALSE]]; a:=b{2}; a.at:=[7,8,9]; c:=[[1,2],[3,4]];
+        WaitTime b{2}.at.x; WaitTime a.at.x; WaitTime c{2,1};
+        IF b{1}=[1,[1,2,3],TRUE] AND a<>b{2} WaitTime 50;
+        IF c=[[1,2],[3,4]] WaitTime 60;
+        TEST a.at CASE [1,1,1],[7,8,9]: WaitTime 70; ENDTEST"""
+    assert trace(body, data) == [4, 7, 3, 50, 60, 70]
+
+
+def test_records_hold_records_and_aliases_of_other_modules() -> None:
+    text = (
+        "MODULE a\nVAR outer x:=[[1,2],3];\nPROC main()\nx.in.b:=x.last+1; WaitTime x.in.b;\nENDPROC\nENDMODULE\n"
+        "MODULE b\nRECORD inner\nkilo a;\nkilo b;\nENDRECORD\nALIAS num kilo;\n"
+        "RECORD outer\ninner in;\nnum last;\nENDRECORD\nENDMODULE\n"
+    )
+    assert [m.duration for m in run_text(text).motions if isinstance(m, Wait)] == [4]
+    assert error_text(text.replace("num last", "outer last")) == "m.mod:13:1: type 'outer' contains itself"
+    assert (
+        error_text(text.replace("num last", "nume last"))
+        == "m.mod:13:1: type 'nume' in RECORD outer is declared nowhere"
+    )
+
+
+def test_records_that_grow_beyond_all_bounds_are_refused() -> None:
+    types = "".join(
+        f"RECORD r{i + 1}\n" + "".join(f"r{i} c{j};\n" for j in range(10)) + "ENDRECORD\n" for i in range(7)
+    )
+    data = "ALIAS num r0;\n" + types
+    assert "RECORD r7 holds 10000000 values; at most 1000000" in error("", data + "VAR r7 x;")
+    assert "x has 2000000 elements; at most 1000000 are supported" in error("", data + "VAR r5 x{20};")
+
+
+def test_variables_begin_anew_at_each_call_and_module_data_does_not() -> None:
+    rest = "PROC go()\nVAR num n:=5;\nCONST num c:=m+1;\nIncr n; Incr m; WaitTime n; WaitTime c;\nENDPROC"
+    assert trace("go; go;", "VAR num m;", rest) == [6, 1, 6, 2]
+    assert error("go;", rest="PROC go()\nPERS num n:=5;\nENDPROC").startswith("m.mod:7:1: PERS n stands in a routine")
+
+
+# ----------------------------------------------------------------------------------------------------- process types
+
+PROCESS = (
+    "welddata seamdata weavedata spotdata gundata shapedata clock triggdata iodev socketdev rawbytes "
+    "signaldi signaldo signalgi signalgo signalai signalao mecunit syncident"
+)
+
+
+def test_process_data_is_carried_along_unread() -> None:
+    data = "".join(f"VAR {name} x_{name}; " for name in PROCESS.split())
+    data += 'PERS welddata w:=[10,0,[5,0,"a",1],[0,0]]; PERS welddata ws{2}:=[[1],[2]]; TASK PERS seamdata s:=[1,2,3];'
+    body = "w:=ws{2}; w.weld_speed:=5; ws{1}.main.volt:=3; use w; WaitTime 1;"
+    program = run(body, data, "PROC use(PERS welddata x)\nVAR welddata y;\ny:=x;\nENDPROC")
+    assert len(program.motions) == 1
+    assert program.warnings == ("m.mod:4:11: w.weld_speed is process data, which changes no motion here",)
+    assert error("WaitTime w.weld_speed;", data) == (
+        "m.mod:4:10: the components of a welddata are not known here, so '.weld_speed' cannot be read"
+    )
+
+
+def test_numbers_by_another_name() -> None:
+    names = "intnum errnum tpnum identno dionum byte icondata btnres"
+    assert trace("WaitTime n_byte+n_intnum;", "".join(f"VAR {name} n_{name}:=2; " for name in names.split())) == [4]
+
+
+def test_a_type_nobody_declares_is_noted_and_an_error_only_where_it_is_used() -> None:
+    data = "PERS gizmo g:=[1,[2,x]]; PERS gizmo h:=[1]; VAR num n;"
+    program = run("WaitTime 1;", data)
+    assert program.warnings == (
+        "m.mod:2:1: type 'gizmo' of 'g' is declared nowhere; that is fine as long as nothing uses 'g'",
+    )
+    assert error("n:=g;", data) == "m.mod:4:4: 'g' is of type gizmo, which is declared nowhere"
+
+
+# ----------------------------------------------------------------------------------------------------------- modules
+
+
+def test_a_pers_of_several_modules_is_one() -> None:
+    text = (
+        "MODULE a\nPERS num shared;\nPROC main()\nWaitTime shared; shared:=7; show;\nENDPROC\nENDMODULE\n"
+        "MODULE b\nPERS num shared:=3;\nPROC show()\nWaitTime shared;\nENDPROC\nENDMODULE\n"
+        "MODULE c\nPERS num shared:=4;\nPERS num alone;\nENDMODULE\n"
+    )
+    program = run_text(text)
+    assert [m.duration for m in program.motions if isinstance(m, Wait)] == [3, 7]
+    assert program.warnings == ("m.mod:14:1: PERS shared has another value in another module, which counts",)
+    assert error_text(text.replace("PERS num shared:=4", "PERS dnum shared:=4")) == (
+        "m.mod:14:1: PERS shared is a dnum here and a num in m.mod:2:1; rename one of them"
+    )
+    assert error_text(text.replace("PERS num shared:=4", "VAR num shared:=4")) == (
+        "m.mod:14:1: 'shared' is declared twice, first in m.mod:2:1; rename one of them"
+    )
+    assert error_text(text.replace("PERS num alone", "PROC show()\nENDPROC")).startswith(
+        "m.mod:15:1: 'show' is declared twice, first in m.mod:9:1"
+    )
+
+
+def test_local_names_of_two_modules_do_not_meet() -> None:
+    text = (
+        "MODULE a\nLOCAL VAR num x:=1;\nLOCAL PERS num y:=2;\nPROC main()\nWaitTime x+y; show;\nENDPROC\nENDMODULE\n"
+        "MODULE b\nLOCAL VAR num x:=10;\nPERS num y:=20;\nPROC show()\nWaitTime x+y; help;\nENDPROC\n"
+        "LOCAL PROC help()\nWaitTime 5;\nENDPROC\nENDMODULE\n"
+    )
+    assert [m.duration for m in run_text(text).motions if isinstance(m, Wait)] == [3, 30, 5]
+    assert "help is neither a procedure" in error_text(
+        text.replace("show;\nENDPROC\nENDMODULE", "help;\nENDPROC\nENDMODULE")
+    )
+
+
+def test_names_of_the_program_hide_predefined_ones() -> None:
+    data = "CONST num v100:=5; CONST num pi:=3;"
+    assert trace(
+        "VAR num z10:=2; WaitTime v100+pi+z10; WaitTime show(1);",
+        data,
+        "FUNC num show(num fine)\nRETURN fine;\nENDFUNC",
+    ) == [10, 1]
+
+
+def test_predefined_variables_may_be_changed_and_errors_may_not() -> None:
+    assert trace("reg1:=4; WaitTime reg1;") == [4]
+    assert error("ERR_DIVZERO:=1;") == "m.mod:4:1: ERR_DIVZERO is predefined and cannot be changed"
+
+
+LOOKED = "in the program (looked for in PROC main, MODULE m, the other modules' globals and the predefined data)"
+NEITHER = "is neither a procedure of the program nor a supported instruction"
+
+
+@pytest.mark.parametrize(
+    ("body", "message"),
+    [
+        ("MoveL pPick,v100,fine,tool0;", f"4:7: robtarget 'pPick' is not declared {LOOKED}; did you mean 'ppick1'?"),
+        ("cuont:=1;", f"4:1: 'cuont' is not declared {LOOKED}; did you mean 'count'?"),
+        ("Elsewhere;", f"4:1: Elsewhere {NEITHER}; supported: MoveJ, MoveL, "),
+        ("showit;", f"4:1: showit {NEITHER}; did you mean 'ShowIt2'?"),
+    ],
+)  # fmt: skip
+def test_a_name_that_is_not_there_is_said_with_the_one_that_may_be_meant(body: str, message: str) -> None:
+    data = "CONST robtarget pPick1:=[[0,0,0],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]; VAR num count;"
+    assert error(body, data, "PROC ShowIt2()\nENDPROC").startswith(f"m.mod:{message}")
+
+
+def test_the_literal_of_a_target_stays_known_through_assignments() -> None:
+    target = "[[1,2,3],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
+    data = f"CONST robtarget a{{2}}:=[{target},{target.replace('1,2,3', '4,5,6')}]; VAR robtarget b;"
+    program = run("b:=a{2}; MoveL b,v100,fine,tool0; b.trans.x:=9; MoveL b,v100,fine,tool0;", data)
+    text = program.files["m.mod"].text
+    spans = [m.written.aggregate for m in program.motions if isinstance(m, MoveL)]
+    assert spans[0] is not None
+    assert text[spans[0].start : spans[0].end] == target.replace("1,2,3", "4,5,6")
+    assert spans[1] is None
