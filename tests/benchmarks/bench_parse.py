@@ -1,0 +1,106 @@
+"""A large generated program, read and interpreted: seconds by step, and memory; a small one as a whole process.
+
+python tests/benchmarks/bench_parse.py [--targets N] [--repeat N]
+
+Three shapes of the same targets: declared one by one and moved to, written inside the moves, and as one array in a
+loop. Each runs in a process of its own, so that the memory is its own. The yardstick, for machines of other speed: the
+json module reading the targets' numbers alone, in the same run.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import random
+import resource
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from statistics import median
+from time import perf_counter
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")  # before NumPy starts its threads
+REPOSITORY = Path(__file__).parents[2]
+sys.path.insert(0, str(REPOSITORY))  # run from a checkout without installing
+
+SHAPES = ("declared", "inline", "array")
+SMALL = REPOSITORY / "programs" / "bench_irb140.mod"
+
+
+def generate(shape, count):
+    """A module with so many targets, the same numbers in every shape."""
+    rng = random.Random(1)
+    targets = []
+    for i in range(count):
+        x, y, z = (rng.uniform(-900, 900) for _ in range(3))
+        targets.append(f"[[{x:.2f},{y:.2f},{z:.2f}],[0,0,1,0],[0,0,0,0],[{i % 2000},9E9,9E9,9E9,9E9,9E9]]")
+    lines = ["MODULE big"]
+    if shape == "declared":
+        lines += [f"CONST robtarget p{i}:={target};" for i, target in enumerate(targets)]
+        body = [f"MoveL p{i},v500,z10,tool0;" for i in range(count)]
+    elif shape == "inline":
+        body = [f"MoveL {target},v500,z10,tool0;" for target in targets]
+    else:
+        lines.append(f"CONST robtarget p{{{count}}}:=[{','.join(targets)}];")
+        body = [f"FOR i FROM 1 TO {count} DO", "MoveL p{i},v500,z10,tool0;", "ENDFOR"]
+    return "\n".join([*lines, "PROC main()", *body, "ENDPROC", "ENDMODULE", ""]), targets
+
+
+def measure(shape, count):
+    """Seconds of each step, peak memory [MiB], in this process."""
+    from trajopt_cli.motion import TextFile
+    from trajopt_cli.rapid.language.parser import parse_module
+    from trajopt_cli.rapid.reader import run_program
+
+    text, targets = generate(shape, count)
+    steps = {"bytes": len(text)}
+    start = perf_counter()
+    json.loads(f"[{','.join(targets)}]")
+    steps["json"] = perf_counter() - start
+    del targets
+    start = perf_counter()
+    parse_module(text, "big.mod")
+    steps["parse"] = perf_counter() - start
+    start = perf_counter()
+    program = run_program([TextFile("big.mod", text, "utf-8")])
+    steps["all"] = perf_counter() - start
+    assert len(program.motions) == count
+    steps["peak"] = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    return steps
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--targets", type=int, default=100_000)
+    parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--shape", choices=SHAPES, help=argparse.SUPPRESS)
+    options = parser.parse_args()
+    if options.shape:
+        print(json.dumps(measure(options.shape, options.targets)))
+        return
+    for shape in SHAPES:
+        command = [sys.executable, __file__, "--shape", shape, "--targets", str(options.targets)]
+        runs = [json.loads(subprocess.check_output(command)) for _ in range(options.repeat)]
+        mid = {key: median(run[key] for run in runs) for key in runs[0]}
+        print(
+            f"{shape}: {options.targets} targets, {mid['bytes'] / 1e6:.1f} MB: {mid['all']:.2f} s in all, of which "
+            f"scan and parse {mid['parse']:.2f} s, interpret {mid['all'] - mid['parse']:.2f} s; {mid['peak']:.0f} MiB; "
+            f"json alone {mid['json']:.2f} s, ratio {mid['all'] / mid['json']:.1f}"
+        )
+    with tempfile.TemporaryDirectory() as folder:
+        alone = Path(folder) / SMALL.name
+        alone.write_bytes(SMALL.read_bytes())
+        for name, program in (("with its cell file", SMALL), ("without", alone)):
+            seconds = []
+            for _ in range(max(options.repeat, 5)):
+                start = perf_counter()
+                command = [sys.executable, "-m", "trajopt_cli.cli", "parse", str(program)]
+                subprocess.run(command, check=True, cwd=REPOSITORY, stdout=subprocess.DEVNULL)
+                seconds.append(perf_counter() - start)
+            print(f"trajopt parse {SMALL.name}, whole process, {name}: {median(seconds):.2f} s")
+
+
+if __name__ == "__main__":
+    main()
