@@ -9,10 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, inverse_pose, wxyz_from_rotation
+from trajopt_cli.geometry import Array, wxyz_from_rotation
 from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import (
-    NO_EXTERNAL_AXES,
     ConfData,
     ExternalAxes,
     Motion,
@@ -30,7 +29,7 @@ from trajopt_cli.motion import (
     Source,
     Wait,
 )
-from trajopt_cli.rapid.zones import effective_radii, way_length
+from trajopt_cli.rapid.zones import effective_radii, ways
 from trajopt_cli.units import DEG, MM
 
 Triple = tuple[float, float, float]
@@ -102,9 +101,9 @@ def describe(program: Program, kinematics: Kinematics | None = None) -> Listing:
 
     A line after a joint move has no start in the program's text; only kinematics tell it.
     """
-    lengths = _lengths(program, kinematics)
+    lengths = ways(program, kinematics)
     quaternions = _quaternions(program.motions)
-    radii = effective_radii(program)
+    radii = effective_radii(program, lengths)
     settings: dict[int, dict[str, Any]] = {}  # by identity: thousands of motions share one
     rows = []
     for index, motion in enumerate(program.motions):
@@ -170,35 +169,6 @@ def _quaternions(motions: Sequence[Motion]) -> dict[int, list[float]]:
     return dict(zip(poses, wxyz_from_rotation(np.array([*poses.values()])[:, :3, :3]).tolist(), strict=True))
 
 
-def _lengths(program: Program, kinematics: Kinematics | None) -> list[float | None]:
-    """Length [m] of each line and arc by index, None for other motions and where the start is not known."""
-    lengths: list[float | None] = []
-    X_WF: Array | None = None  # the flange before the motion; another tool there has another centre point
-    extax = NO_EXTERNAL_AXES
-    if kinematics is not None:
-        q, extax = kinematics.start
-        X_WF = kinematics.forward(q, extax)
-    for motion in program.motions:
-        lengths.append(None)
-        if isinstance(motion, Wait | SignalEvent):
-            continue
-        extax = _taken_over(extax, motion.extax)
-        if isinstance(motion, MoveJ | MoveL | MoveC):
-            if not isinstance(motion, MoveJ):
-                lengths[-1] = way_length(motion, X_WF)
-            X_WF = motion.X_WT @ inverse_pose(motion.tool.X_FT)
-        elif isinstance(motion, MoveAbsJ):
-            X_WF = None if kinematics is None else kinematics.forward(motion.q, extax)
-        else:
-            X_WF = None
-    return lengths
-
-
-def _taken_over(before: ExternalAxes, given: ExternalAxes) -> ExternalAxes:
-    a, b, c, d, e, f = (old if new is None else new for old, new in zip(before, given, strict=True))
-    return (a, b, c, d, e, f)
-
-
 def _point(p: Array) -> Triple:
     x, y, z = p.tolist()
     return (x / MM, y / MM, z / MM)
@@ -240,7 +210,7 @@ def _move_row(
         extax=motion.extax,
         conf=None if pose is None else pose.conf,
         duration=motion.duration,
-        length=None if length is None else length / MM,
+        length=None if length is None or isinstance(motion, MoveJ) else length / MM,
         optional=motion.optional,
         settings=settings,
         events=motion.events,
