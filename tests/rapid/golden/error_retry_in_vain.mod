@@ -1,0 +1,7 @@
+MODULE error_retry_in_vain
+    PROC main()
+        WaitTime 1/0;
+    ERROR
+        RETRY;
+    ENDPROC
+ENDMODULE

@@ -1,0 +1,5 @@
+MODULE recursion_without_end
+    PROC main()
+        main;
+    ENDPROC
+ENDMODULE
