@@ -284,6 +284,12 @@ def test_settings_are_as_the_manual_says() -> None:
     assert {name.lower() for name in program.ignored} == {"pathresol", "actunit", "cirpathmode"}
 
 
+def test_a_speed_that_was_used_before_obeys_the_next_override() -> None:
+    go = f"MoveL {at(1, 2, 3)},v1000,fine,tool0; "
+    program = run_main(go + "VelSet 50,5000; " + go + "VelSet 100,300; " + go)
+    assert [move.speed.v_tcp for move in moves(program)] == [1.0, 0.5, 0.3]
+
+
 @pytest.mark.parametrize(
     ("body", "message"),
     [

@@ -186,6 +186,26 @@ def test_a_configuration_that_cannot_be_had_gives_the_nearest_and_says_so() -> N
     assert any("has no posture with confdata [3,3,3,3]; the nearest one is taken" in text for text in program.warnings)
 
 
+@pytest.mark.parametrize(("switch", "warnings"), [("ConfL\\On;", 1), ("ConfL\\Off;", 0), ("ConfJ\\Off;", 1)])
+def test_the_configuration_counts_where_the_move_holds_to_it(switch: str, warnings: int) -> None:
+    move = f"MoveL [[515,200,712],[0.7071,0,0.7071,0],[3,3,3,3],{N}],v100,fine,tool0;"
+    program = run_main(f"{switch} {move} j:=CJointT();", "VAR jointtarget j;", robot())
+    assert sum("has no posture with confdata" in text for text in program.warnings) == warnings
+
+
+def test_an_axis_without_a_position_stays_where_it_was() -> None:
+    body = (
+        "MoveL [[500,0,600],[0,0,1,0],[0,0,0,0],[100,9E9,9E9,9E9,9E9,-5]],v100,fine,tool0;"
+        "MoveL [[500,0,700],[0,0,1,0],[0,0,0,0],[9E9,20,9E9,9E9,9E9,9E9]],v100,fine,tool0;"
+        "MoveL CRobT(),v100,fine,tool0;"
+    )
+    _, second, third = run_main(body).motions
+    assert isinstance(second, MoveL)
+    assert isinstance(third, MoveL)
+    assert second.extax == (None, 20, None, None, None, None)
+    assert third.extax == (100, 20, None, None, None, -5)
+
+
 def test_out_of_reach_is_an_error_with_a_number_of_its_own() -> None:
     far = f"[[5000,0,600],[0,0,1,0],[0,0,0,0],{N}]"
     with pytest.raises(InputError, match="cannot be reached: the flange would stand at"):
