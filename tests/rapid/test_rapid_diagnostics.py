@@ -209,6 +209,16 @@ def test_a_mistake_in_a_body_is_one_sentence_at_its_place(body: str, message: st
             "2:10: expected '(' after PROC main, found 'x'; write 'PROC main()'",
         ),
         ("MODULE m\nPROC pick(1)()\nx:=1;\nENDPROC\nENDMODULE", f"2:6: expected a name, found 'pick(1)'; {CHOOSE}"),
+        (
+            "PERS tooldata grip(Closed) := [TRUE];\nPROC pick(left)()\nENDPROC",
+            f"1:15: expected a name, found 'grip(Closed)'; {CHOOSE}\n"
+            f"m.mod:2:6: expected a name, found 'pick(left)'; {CHOOSE}",
+        ),
+        (
+            "MODULE m(SYSMODULE READONLY) ENDMODULE",
+            "1:20: expected ')' after the module's attributes, found 'READONLY'",
+        ),
+        ("PROC type name ENDPROC", "1:10: expected '(' after PROC type, found 'name'; write 'PROC type()'"),
         ("MODULE 1st\nENDMODULE", f"1:8: expected a name, found '1st'; {CHOOSE}"),
         ("MODULE my-program\nENDMODULE", f"1:8: expected a name, found 'my-program'; {CHOOSE}"),
         (
@@ -299,7 +309,7 @@ def test_placeholders_are_legal_to_load() -> None:
         ("\tMoveL p10\tv100;\r\n", 10, "    MoveL p10 v100;\n             ^"),
         ("x\x00y\x1bz", 4, "    x y?z\n        ^"),
         ("日本:=é1", 4, "    日本:=é1\n          ^"),
-        ("a" * 100 + "b" + "c" * 100, 100, f"    ...{'a' * 70}b{'c' * 39}...\n    {' ' * 73}^"),
+        ("a" * 100 + "b" + "c" * 100, 100, f"    ...{'a' * 70}b{'c' * 46}...\n    {' ' * 73}^"),
         ("x:=1;\n\n", 6, None),
     ],
 )

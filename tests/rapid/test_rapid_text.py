@@ -123,6 +123,13 @@ def test_any_bytes_at_all_decode_and_encode_to_themselves() -> None:
         assert text.encode(encoding) == data
 
 
+@pytest.mark.parametrize("encoding", ["utf-16-le", "utf-16-be"])
+def test_utf_16_is_known_without_its_mark_too(encoding: str) -> None:
+    text = f"MODULE m\r\n! pörta\r\n{DATA}ENDMODULE\r\n"
+    assert decode(text.encode(encoding)) == (text, encoding)
+    assert decode(b"MODULE\x00m ENDMODULE" + b"\x00" * 8)[1] == "utf-8"
+
+
 def test_blanks_of_all_kinds_headers_and_nul_bytes_stand_between_tokens() -> None:
     text = (
         "\u3000%%%\n VERSION:1\n LANGUAGE:ENGLISH\n %%%\n! before\nMODULE\x00m\n"

@@ -18,12 +18,13 @@ STORAGE = ("VAR", "PERS", "CONST")
 HANDLERS = ("ERROR", "UNDO", "BACKWARD")
 # What a statement, a part of one, or a declaration begins or ends with: where reading can go on after a mistake.
 _DECLARATIONS = frozenset({"LOCAL", "TASK", *STORAGE, "PROC", "FUNC", "TRAP", "RECORD", "ALIAS", "MODULE", "ENDMODULE"})
+_ROUTINE_WORDS = frozenset({"PROC", "FUNC", "TRAP", "MODULE", *(word for word in KEYWORDS if word.startswith("END"))})
 RESTARTS = frozenset(
     {"IF", "FOR", "WHILE", "TEST", "GOTO", "RETURN", "RAISE", "EXIT", "RETRY", "TRYNEXT", "CONNECT", "ELSE", "ELSEIF"}
     | {"CASE", "DEFAULT", "whole", "end", *HANDLERS, *_DECLARATIONS}
     | {word for word in KEYWORDS if word.startswith("END")}
 )
-_ODD_NAME = re.compile(r"[\w.-]*(?:\(\d+\))?[\w.-]*")
+_ODD_NAME = re.compile(r"[\w.-]*+(?:\([\w.-]*+\))?+[\w.-]*+")
 OTHER_LANGUAGES = {"&": "AND", "|": "OR"}
 
 
@@ -110,12 +111,15 @@ class Cursor:
         self.i += 1
         return text
 
-    def new_name(self, what: str) -> str:
-        """As identifier, for a name that is given here; too long a one is worth a warning."""
+    def new_name(self, what: str, inside: tuple[str, ...] = ("number", "name")) -> str:
+        """As identifier, for a name that is given here; too long a one is worth a warning.
+
+        inside: kinds of token that in parentheses behind the name are taken as a part of it, which is a mistake.
+        """
         start = self.here
         name = self.identifier(what)
-        follows = self.kinds[self.i]
-        if follows in ("-", ".") or (follows == "(" and self.kinds[self.i + 1] == "number"):
+        follows = self.kinds[self.i : self.i + 3]
+        if follows[0] in ("-", ".") or (follows[0] == "(" and follows[1] in inside and follows[2] == ")"):
             self.odd_name(start)
         if len(name) > NAME_LIMIT:
             message = f"'{name}' has {len(name)} characters; a controller takes at most {NAME_LIMIT} in a name"
@@ -226,6 +230,11 @@ class Cursor:
             self.i += 1
             if kind in (";", "unclosed"):
                 return
+
+    def next_line(self) -> None:
+        """Go to the first token of the next line, or to a word before it that ends or begins a routine or a module."""
+        while not self.new_line() and self.kind not in _ROUTINE_WORDS:
+            self.i += 1
 
     def skip_to_declaration(self) -> None:
         """Go to the next declaration or the end of the module."""

@@ -50,6 +50,7 @@ class ExpressionParser(Cursor):
 
     def expression(self, level: int = 0) -> Expression:
         """An expression whose operators have at least the priority level."""
+        start = self.here
         left = self._not() if self.kinds[self.i] == "NOT" else self._factor(level)
         while True:
             operator = self.kinds[self.i]
@@ -61,7 +62,7 @@ class ExpressionParser(Cursor):
                 return left
             self.i += 1
             right = self.expression(priority + 1)
-            left = Binary(left.start, right.end, operator, left, right)
+            left = Binary(start, self.behind, operator, left, right)
 
     def _not(self) -> Expression:
         start = self.here
@@ -69,7 +70,7 @@ class ExpressionParser(Cursor):
         self.deeper()
         operand = self.expression(PRIORITY["AND"])
         self.depth -= 1
-        return Unary(start, operand.end, "NOT", operand)
+        return Unary(start, self.behind, "NOT", operand)
 
     def _factor(self, level: int) -> Expression:
         kind = self.kinds[self.i]
@@ -84,7 +85,7 @@ class ExpressionParser(Cursor):
         # By RAPID's grammar a leading sign stands before a whole term: -a*b is -(a*b).
         operand = self.expression(max(level, PRIORITY["*"]))
         self.depth -= 1
-        return Unary(start, operand.end, kind, operand)
+        return Unary(start, self.behind, kind, operand)
 
     def _number(self) -> Number:
         start, text = self.here, self.texts[self.i]
@@ -99,7 +100,7 @@ class ExpressionParser(Cursor):
     def _primary(self) -> Expression:
         kind, start = self.kinds[self.i], self.here
         if kind == "name":
-            return self._suffixes(self._name())
+            return self._suffixes(self._name(), start)
         if kind == "aggregate":
             self.i += 1
             return Aggregate(start, self.behind, self.text)
@@ -122,7 +123,7 @@ class ExpressionParser(Cursor):
             if kind == "(":
                 if not self.accept(")"):
                     self.fail(f"')' to close the '(' of column {self.places.source(start).column}", self.behind)
-                return self._suffixes(inside)
+                return self._suffixes(inside, start)
             return inside
         self.fail("an expression", advice=self._trailing())
 
@@ -150,14 +151,14 @@ class ExpressionParser(Cursor):
             return Call(start, self.behind, name, args)
         return Name(start, self.behind, name)
 
-    def _suffixes(self, base: Expression) -> Expression:
+    def _suffixes(self, base: Expression, start: int) -> Expression:
         while True:
             if self.accept("."):
                 name = self.identifier("the name of a component after '.'")
-                base = Component(base.start, self.behind, base, name)
+                base = Component(start, self.behind, base, name)
             elif self.kinds[self.i] == "{":
                 indices = self.indices()
-                base = Element(base.start, self.behind, base, indices)
+                base = Element(start, self.behind, base, indices)
             else:
                 return base
 
@@ -196,8 +197,9 @@ class ExpressionParser(Cursor):
             start = self.here
             self.i += 1
             return Argument(start, self.behind, None, Name(start, self.behind, self.texts[self.i - 1]))
+        start = self.here
         value = self.expression()
-        return Argument(value.start, value.end, None, value)
+        return Argument(start, self.behind, None, value)
 
     def _optional(self) -> Argument:
         start = self.here
@@ -205,7 +207,7 @@ class ExpressionParser(Cursor):
         name = self.identifier("the name of an optional argument after '\\'")
         if self.accept(":="):
             value = self.expression()
-            return Argument(start, value.end, name, value)
+            return Argument(start, self.behind, name, value)
         if self.accept("?"):
             at = self.here
             parameter = self.identifier("the name of an optional parameter after '?'")

@@ -91,12 +91,12 @@ class Parser(StatementParser):
         attributes: list[str] = []
         name = ""
         try:
-            name = self.new_name("the module's name")
+            name = self.new_name("the module's name", inside=("number",))
             if self.accept("("):
                 attributes = self._attributes()
         except InputError as error:
             self.keep(error)
-            self._next_line()
+            self.next_line()
         self.open_block("MODULE", start, name)
         items = self._items()
         self.close_block("ENDMODULE")
@@ -113,10 +113,6 @@ class Parser(StatementParser):
                 break
         self.expect(")", "after the module's attributes")
         return attributes
-
-    def _next_line(self) -> None:
-        while not self.new_line():
-            self.i += 1
 
     def _items(self, loose: bool = False) -> tuple[Item, ...]:
         """Declarations up to ENDMODULE, to the next MODULE or to the end of the file. loose: there is no MODULE."""
@@ -155,6 +151,8 @@ class Parser(StatementParser):
         scope = self.kind if self.kind in ("LOCAL", "TASK") else None
         if scope:
             self.i += 1
+            if scope == "LOCAL" and self.kind == "TASK" and self.kinds[self.i + 1] == "PERS":
+                self.i += 1  # LOCAL TASK PERS stands in real programs; a LOCAL one is the task's own anyway
         kind = self.kind
         if kind in STORAGE:
             return self.data(start, scope)
@@ -220,7 +218,7 @@ class Parser(StatementParser):
                 parameters = self._parameters(name)
         except InputError as error:
             self.keep(error)
-            self._next_line()
+            self.next_line()
             name = name or self.text[start : self.behind].partition("(")[0]
         return type_, name, parameters
 

@@ -12,6 +12,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.rapid.language.cursor import HANDLERS, OTHER_LANGUAGES, RESTARTS, STORAGE, WRONG
 from trajopt_cli.rapid.language.expressions import ExpressionParser
 from trajopt_cli.rapid.language.frequent import whole_statement
+from trajopt_cli.rapid.language.lexer import Whole
 from trajopt_cli.rapid.language.syntax import (
     Assign,
     Block,
@@ -58,8 +59,8 @@ _T = TypeVar("_T")
 class StatementParser(ExpressionParser):
     """Reads statements; each method leaves the current token behind what it read."""
 
-    def __init__(self, text: str, file: str):
-        super().__init__(text, file, whole_statement)
+    def __init__(self, text: str, file: str, whole: Whole | None = whole_statement):
+        super().__init__(text, file, whole)
         self._open: list[tuple[str, int, str]] = []  # the blocks around the current token: kind, start, name
         self._unclosed: list[tuple[str, int, str]] = []  # blocks that the file ends in, the innermost first
         self._crossed: set[str] = set()  # kinds of block that were told to be unclosed before the end of another
@@ -111,7 +112,10 @@ class StatementParser(ExpressionParser):
         statements: list[Statement] = []
         while (kind := self.kinds[self.i]) not in stops:
             if kind == "whole":
-                statements.append(self.wholes[self.i])
+                node = self.wholes[self.i]
+                if isinstance(node, DataDeclaration) and node.scope is not None:
+                    self._misplaced(node.scope)
+                statements.append(node)
                 self.i += 1
             elif kind == ";":  # tolerated after THEN, DO, ENDIF ...
                 self.i += 1
@@ -153,10 +157,11 @@ class StatementParser(ExpressionParser):
     def _stray(self, kind: str, before: list[Statement]) -> None:
         """Say what is wrong with a word that belongs to no open block, and step over it."""
         here = self.here
-        self.i += 1
         if kind in ("LOCAL", "TASK"):
-            self.note(here, f"expected a statement, found '{kind}'; only a module's declarations have it, so remove it")
+            self._misplaced(kind)
+            self.i += 1
             return
+        self.i += 1
         owners = _OWNERS[kind]
         if kind.startswith("END") and owners[0] in self._crossed:
             self._crossed.discard(owners[0])
@@ -179,6 +184,10 @@ class StatementParser(ExpressionParser):
             self.close_block("ENDIF")
         elif owners == ["TEST"] and self._reach(":"):
             self.i += 1
+
+    def _misplaced(self, scope: str) -> None:
+        advice = "only a module's declarations have it, so remove it"
+        self.note(self.here, f"expected a statement, found '{scope}'; {advice}")
 
     def _without_then(self, before: list[Statement], kind: str) -> If | None:
         """The last IF just before the current word that was read as a compact one but seems to lack its THEN."""
@@ -243,7 +252,7 @@ class StatementParser(ExpressionParser):
             self.i += 1
             return Label(start, self.behind, name)
         if follows in (":=", ".", "{"):
-            target = self._suffixes(self._name())
+            target = self._suffixes(self._name(), start)
             self._assigning()
             return self._assigned(start, target)
         self.i += 1

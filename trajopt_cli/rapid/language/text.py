@@ -17,6 +17,7 @@ _LINE_END = re.compile(r"\r\n|\r|\n")
 def decode(data: bytes) -> tuple[str, str]:
     """Text and the encoding that gives the bytes back: UTF-8 with or without a mark, else cp1252, else Latin-1.
 
+    UTF-16 is known by its mark, or by the zero that every second byte is in a text that is mostly ASCII.
     Latin-1 differs from cp1252 only where cp1252 has no character at all, and takes every byte.
     """
     if data.startswith(b"\xef\xbb\xbf"):
@@ -24,6 +25,8 @@ def decode(data: bytes) -> tuple[str, str]:
     elif data.startswith((b"\xff\xfe", b"\xfe\xff")):
         # The mark stays in the text as U+FEFF (a blank to the scanner), so that it is written back.
         encodings = ("utf-16-le" if data[0] == 0xFF else "utf-16-be", "cp1252", "latin-1")
+    elif (zeros := [data[half:2000:2].count(0) * 4 > len(data[half:2000:2]) * 3 for half in (0, 1)]) != [False, False]:
+        encodings = ("utf-16-le" if zeros[1] else "utf-16-be", "cp1252", "latin-1")
     else:
         encodings = ("utf-8", "cp1252", "latin-1")
     for encoding in encodings[:-1]:
@@ -82,18 +85,18 @@ class Places:
         None on an empty line.
         """
         line = self.line(offset) - 1
-        start = max(self._starts[line], offset - _BEFORE)
+        start = self._starts[line]
         stop = self._starts[line + 1] if line + 1 < len(self._starts) else len(self.text)
-        cut_before, cut_behind = start > self._starts[line], stop > offset + _BEHIND
-        before = ("..." if cut_before else "") + _plain(self.text[start:offset])
-        behind = _plain(self.text[offset : min(stop, offset + _BEHIND)].rstrip("\r\n")) + ("..." if cut_behind else "")
-        shorter = before if cut_before else before.lstrip()
-        if not (shorter + behind).strip():
+        before = _plain(self.text[max(start, offset - _BEFORE) : offset])
+        before = f"...{before}" if offset - start > _BEFORE else before.lstrip()
+        behind = _plain(self.text[offset : min(stop, offset + _BEHIND + 1)].rstrip("\r\n"))
+        behind = f"{behind[:-4]}..." if len(behind) > _BEHIND else behind.rstrip()
+        if not (before + behind).strip():
             return None
-        return f"{_MARGIN}{shorter}{behind.rstrip()}\n{_MARGIN}{' ' * sum(map(_columns, shorter))}^"
+        return f"{_MARGIN}{before}{behind}\n{_MARGIN}{' ' * sum(map(_columns, before))}^"
 
 
-_BEFORE, _BEHIND = 70, 40  # characters of a long line that are shown before and behind the place
+_BEFORE, _BEHIND = 70, 50  # characters of a long line that are shown before and behind the place
 _MARGIN = "    "
 
 
