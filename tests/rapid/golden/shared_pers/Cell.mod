@@ -1,8 +1,8 @@
 MODULE Cell
     PERS num height;
-    LOCAL VAR num step:=1;
+    LOCAL VAR num extra:=1;
     PROC main()
-        WaitTime height+step;
+        WaitTime height+extra;
         height:=20;
         show;
     ENDPROC
