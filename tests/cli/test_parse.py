@@ -139,6 +139,7 @@ def test_columns_that_nothing_fills_are_left_out(here: Path, capsys: pytest.Capt
     lines = printed(capsys, "w.mod").splitlines()
     assert lines[2].split() == ["place", "instruction", "to"]
     assert lines[4] == "w.mod:3  WaitTime     1 s"
+    assert "configurations" not in lines[-1]  # there are none
 
 
 def test_a_long_expression_is_cut_in_the_table_and_whole_in_json(

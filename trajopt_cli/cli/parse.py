@@ -84,7 +84,8 @@ def parse(
     title = " ".join(str(path) for path in program)
     lines = [*listing_lines(title, listing, terminal_width()), "", *_sums(listing), *notes]
     lines += [f"warning: {warning}" for warning in flat.warnings]
-    typer.echo("\n".join([*lines, *_configurations(found)]))
+    poses = any(row.conf is not None for row in listing.rows)
+    typer.echo("\n".join([*lines, *(_configurations(found) if poses else [])]))
 
 
 def _plant(cell: Cell) -> Plant:
