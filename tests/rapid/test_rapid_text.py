@@ -271,7 +271,13 @@ def test_an_unknown_instruction_is_named_with_all_supported_ones() -> None:
     [
         (
             "CONST robtarget q:=[[1,2,3],[1,0,0,0],[0,0,0,0]];\n",
-            "2:20: robtarget needs 4 parts [trans,rot,robconf,extax], found 3",
+            "2:20: robtarget needs 4 parts [trans,rot,robconf,extax], found 3; "
+            "the external axes are missing, write [9E9,9E9,9E9,9E9,9E9,9E9]",
+        ),
+        (
+            "CONST jointtarget q:=[[0,0,0,0,0,0]];\n",
+            "2:22: jointtarget needs 2 parts [robax,extax], found 1; "
+            "the external axes are missing, write [9E9,9E9,9E9,9E9,9E9,9E9]",
         ),
         (
             "CONST jointtarget q:=[[0,0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n",

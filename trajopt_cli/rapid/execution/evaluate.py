@@ -11,6 +11,7 @@ from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.datatypes import (
     BOOL,
     CONFDATA,
+    EXTJOINT,
     DNUM,
     NUM,
     NUM_LIMIT,
@@ -301,7 +302,10 @@ def aggregate(run: Run, node: Aggregate, wanted: Type) -> Value:
         if wanted is CONFDATA and len(node.items) == len(parts) - 1:
             return Value(wanted, (*(number(run, value) for value in node.items), 0.0))  # S4 wrote no cfx: it is 0
         if len(node.items) != len(parts):
-            raise run.error(node, f"{wanted.name} needs {len(parts)} parts {shape}, found {len(node.items)}")
+            text = f"{wanted.name} needs {len(parts)} parts {shape}, found {len(node.items)}"
+            if parts[-1] == EXTJOINT and len(node.items) == len(parts) - 1:
+                text += "; the external axes are missing, write [9E9,9E9,9E9,9E9,9E9,9E9]"
+            raise run.error(node, text)
     elif isinstance(wanted, Array):
         size = wanted.sizes[0] if wanted.sizes else len(node.items)
         if len(node.items) != size:
