@@ -9,7 +9,7 @@ import numpy as np
 
 from trajopt_cli.export.rapid_call import read_move
 from trajopt_cli.export.rapid_scopes import Scopes
-from trajopt_cli.export.rapid_text import Edits, Names, plain, refusal
+from trajopt_cli.export.rapid_text import Edits, Names, num, plain, refusal, same_num
 from trajopt_cli.geometry import Array, inverse_pose, wxyz_from_rotation
 from trajopt_cli.motion import ConfData, Move, MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL, Program, Span
 from trajopt_cli.problem.plan import PlannedMotion
@@ -148,7 +148,7 @@ class Targets:
         rail = None if eax is None else plain(float(q[0]) / MM - move.settings.eax_offset[eax])
         wish = Wish(rail, confdata(self._plant.robot, np.asarray(q[-6:])))
         assert wish.conf is not None
-        return f"[{_pose(X_WT, 9, 15)},{_conf(wish.conf)},{self._external(move, wish, move.settings.eax_offset)}]"
+        return f"[{_pose(X_WT)},{_conf(wish.conf)},{self._external(move, wish, move.settings.eax_offset)}]"
 
     def _seen_from(self, move: Move, place: Span) -> bool:
         """Whether what is declared beside a move's target can be named at a place."""
@@ -213,7 +213,7 @@ class Targets:
             conf = _conf(wish.conf or move.conf)
             return f"[{_pose(inverse_pose(X_WO) @ move.X_WT)},{conf},{self._external(move, wish)}]"
         joints = move.q / DEG if isinstance(move, MoveAbsJ) else np.zeros(6)  # MoveExtJ looks at no joints
-        return f"[[{','.join(plain(float(value), 9) for value in joints)}],{self._external(move, wish)}]"
+        return f"[[{','.join(num(float(value), 6) for value in joints)}],{self._external(move, wish)}]"
 
     def copied(self, move: Move, wish: Wish) -> str:
         """The literal that gives a move's target, with the wish in it, for another module to hold."""
@@ -271,7 +271,8 @@ class Targets:
                 said: float | None = item.value
             else:
                 said = None if value is None else value - self._offsets(move)[eax]
-            if said is None or not abs(said - float(wish.rail)) <= _SAME_RAIL:
+            wish_rail = float(wish.rail)
+            if said is None or not (abs(said - wish_rail) <= _SAME_RAIL or same_num(said, wish_rail)):
                 changes.append((item, wish.rail if isinstance(part, Aggregate) else self._external(move, wish)))
         for item, new in sorted(changes, key=lambda change: -change[0].start):
             text = text[: item.start] + new + text[item.end :]
@@ -281,7 +282,7 @@ class Targets:
         """External axes as a target must say them, EOffs taken out again, with the wished rail position."""
         taken = self._offsets(move) if offsets is None else offsets
         values = [
-            "9E9" if value is None else plain(value - offset) for value, offset in zip(move.extax, taken, strict=True)
+            "9E9" if value is None else num(value - offset, 6) for value, offset in zip(move.extax, taken, strict=True)
         ]
         if self._plant.rail_eax is not None and wish.rail is not None:
             values[self._plant.rail_eax] = wish.rail
@@ -339,10 +340,10 @@ def type_of(move: Move) -> str:
     return "robtarget" if isinstance(move, PoseMove) else "jointtarget"
 
 
-def _pose(X: Array, millimetre_digits: int = 6, quaternion_digits: int = 11) -> str:
+def _pose(X: Array) -> str:
     """trans and rot of a pose as RAPID writes them."""
-    position = ",".join(plain(float(value) / MM, millimetre_digits) for value in X[:3, 3])
-    rotation = ",".join(plain(float(value), quaternion_digits) for value in wxyz_from_rotation(X[:3, :3]))
+    position = ",".join(num(float(value) / MM, 6) for value in X[:3, 3])
+    rotation = ",".join(num(float(value), 9) for value in wxyz_from_rotation(X[:3, :3]))
     return f"[{position}],[{rotation}]"
 
 

@@ -6,12 +6,13 @@ import re
 from collections import defaultdict
 from collections.abc import Mapping
 
+import numpy as np
+
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import Source, Span, TextFile
 from trajopt_cli.rapid.data.predefined import VARIABLES, predefined
 from trajopt_cli.rapid.language.lexer import scan
 from trajopt_cli.rapid.reader import DROPPED
-from trajopt_cli.units import MM
 
 NAME_LIMIT = 32  # characters in a RAPID name
 
@@ -147,6 +148,12 @@ def plain(value: float, digits: int = 6) -> str:
     return "0" if text in ("-0", "") else text
 
 
-def millimetres(metres: float) -> str:
-    """A length in m as RAPID's mm, to the nanometre."""
-    return plain(metres / MM)
+def num(value: float, digits: int) -> str:
+    """A value that the controller holds as a num of 24 bits: the shortest number that it reads as the same."""
+    text = np.format_float_positional(np.float32(value), unique=True, trim="-")
+    return plain(value, digits) if len(text.partition(".")[2]) > digits else "0" if text == "-0" else text
+
+
+def same_num(one: float, other: float) -> bool:
+    """Whether the controller reads two numbers as the same."""
+    return bool(np.float32(one) == np.float32(other))
