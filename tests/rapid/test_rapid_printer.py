@@ -328,6 +328,66 @@ def test_the_whole_language_printed_and_read_is_the_same_tree() -> None:
     assert parse_module(print_file(tree), "printed.mod") == tree
 
 
+@pytest.mark.parametrize(
+    ("text", "meaning"),
+    [
+        ("x:=1.+.5+0x1F+0o17+0b101+1E-05+9e+09;", "x:=1+0.5+31+15+5+0.00001+9000000000;"),
+        ("WaitTime\\InPos,0.1;", "WaitTime \\InPos , 0.1 ;"),
+        ("MoveL p,v,z,t,\\WObj:=w;", "MoveL p,v,z,t \\WObj:=w;"),
+        ("MoveL p,v,z,t\\WObj:=w\\TLoad:=l;", "MoveL p , v , z , t , \\WObj := w , \\TLoad := l ;"),
+        ("IF a IF b IF c GOTO x;", "IF a\nIF b\nIF c\nGOTO x;"),
+        ("If a Then ; elseif b tHEN Else ; endIF", "IF a THEN ELSEIF b THEN ELSE ENDIF"),
+        ("FOR i FROM 1 to 3 DO ;; EndFor", "FOR i FROM 1 TO 3 DO ENDFOR"),
+        (
+            'TEST x ; CASE 1,2,-3: y:=1; CASE "a": DEFAULT: ENDTEST',
+            'TEST x CASE 1,2,-3: y:=1; CASE "a": DEFAULT: ENDTEST',
+        ),
+        ("VAR\u00a0num\u3000übergröße {2 , 3};", "VAR num übergröße{2,3};"),
+        ("x:=(a*b).trans.x;", "x:=((a*b).trans).x;"),
+        ("MoveL *,v,z,t;", "MoveL\n*\n,v,z,t;"),
+        ('%"p"+n% 1,2\\a?b;', '% ("p" + n) % 1 , 2 , \\a ? b ;'),
+    ],
+)
+def test_forms_found_in_the_field_mean_the_same(text: str, meaning: str) -> None:
+    assert parse_statement(text, "t") == parse_statement(meaning, "t")
+
+
+@pytest.mark.parametrize(
+    ("literal", "value"),
+    [('"a""b"', 'a"b'), (r'"a\\b"', "a\\b"), (r'"\41\0a"', "A\n"), (r'"\x"', "\\x"), ('""', ""), ('""""', '"')],
+)
+def test_escapes_of_strings(literal: str, value: str) -> None:
+    assert parse_expression(literal, "t") == String(0, 0, value)
+
+
+def test_declarations_found_in_the_field_are_read() -> None:
+    text = """
+        PERS num a; TASK PERS num b; LOCAL PERS num c:=2; LOCAL TASK PERS num d:=1; LOCAL RECORD r num x; ENDRECORD
+        PROC p(\\switch s|switch t|num u, VAR num v{*,*,*}, INOUT pos w, PERS tooldata g, \\PERS wobjdata WObj)
+            x := 1; VAR num late := 3; CONNECT i{1} WITH trap1;
+        ERROR (A, B) RETRY; ERROR TRYNEXT; UNDO x := 1; BACKWARD x := 2;
+        ENDPROC
+    """
+    (module,) = parse_module(text.replace("\\\\", "\\"), "t").modules
+    *data, record, routine = module.items
+    assert [item.scope for item in data if isinstance(item, DataDeclaration)] == [None, "TASK", "LOCAL", "LOCAL"]
+    assert isinstance(record, RecordDeclaration)
+    assert record.components == (("num", "x"),)
+    assert isinstance(routine, Routine)
+    assert [(p.mode, p.dimensions, p.optional, p.alternative) for p in routine.parameters] == [
+        (None, 0, True, False),
+        (None, 0, True, True),
+        (None, 0, True, True),
+        ("VAR", 3, False, False),
+        ("INOUT", 0, False, False),
+        ("PERS", 0, False, False),
+        ("PERS", 0, True, False),
+    ]
+    assert [(h.kind, len(h.numbers)) for h in routine.handlers] == [
+        ("ERROR", 2), ("ERROR", 0), ("UNDO", 0), ("BACKWARD", 0),
+    ]  # fmt: skip
+
+
 @pytest.mark.parametrize("name", ["hinge_cell", "bench_irb140"])
 def test_a_shipped_program_printed_and_read_is_the_same_tree(name: str) -> None:
     tree = parse_module((PROGRAMS / f"{name}.mod").read_text(), name)

@@ -11,8 +11,8 @@ from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.datatypes import (
     BOOL,
     CONFDATA,
-    EXTJOINT,
     DNUM,
+    EXTJOINT,
     NUM,
     NUM_LIMIT,
     ORIENT,

@@ -11,8 +11,9 @@ from __future__ import annotations
 import gc
 
 from trajopt_cli.errors import InputError
+from trajopt_cli.rapid.language.blocks import ROUTINES
 from trajopt_cli.rapid.language.cursor import HANDLERS, STORAGE
-from trajopt_cli.rapid.language.statements import ROUTINES, StatementParser
+from trajopt_cli.rapid.language.statements import StatementParser
 from trajopt_cli.rapid.language.syntax import (
     AliasDeclaration,
     DataDeclaration,
