@@ -3,10 +3,11 @@
 python tests/benchmarks/bench_fuzz.py [--minutes M] [--seed S] [--corpus FOLDER ...] [--keep FOLDER]
                                       [--case N [--print]]
 
-Every case is made from (seed, number) alone. Half are programs of the corpus (the shipped ones and the golden pairs,
+Every case is made from seed, number and corpus alone. Half are programs of the corpus (the shipped ones and the golden pairs,
 and any folder of modules given) with bytes or words changed; half are invented from the grammar, the tables of
 instructions and functions, and values that hurt. A case may end in motions or in an InputError, within SECONDS and
-within the memory limit; everything else is a finding, printed with its number and, with --keep, saved as a module.
+within the memory limit; everything else is a finding, printed with its number and, with --keep, saved as a module; so is what takes
+longer than 2 s.
 What is read is also listed and printed, and the print must read back as the same tree. What the scenario lacks is
 given, and the program run again, a few times. --case runs one again; --print shows its text.
 """
@@ -387,6 +388,9 @@ def main():
         data = case(options.seed, number, seeds)
         outcome, seconds, finding = guarded(data)
         outcomes[outcome] += 1
+        if seconds > 2 and options.keep and finding is None:
+            options.keep.mkdir(parents=True, exist_ok=True)
+            (options.keep / f"slow_{options.seed}_{number}.mod").write_bytes(data)
         slowest = sorted([*slowest, (seconds, number)], reverse=True)[:3]
         if finding is not None:
             lines = [line.strip() for line in finding.splitlines() if "File" in line and "trajopt_cli" in line]
