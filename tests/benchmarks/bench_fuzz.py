@@ -3,13 +3,12 @@
 python tests/benchmarks/bench_fuzz.py [--minutes M] [--seed S] [--corpus FOLDER ...] [--keep FOLDER]
                                       [--case N [--print]]
 
-Every case is made from seed, number and corpus alone. Half are programs of the corpus (the shipped ones and the golden pairs,
-and any folder of modules given) with bytes or words changed; half are invented from the grammar, the tables of
+Every case is made from seed, number and corpus alone. Half are programs of the corpus (the shipped ones and the golden
+pairs, and any folder of modules given) with bytes or words changed; half are invented from the grammar, the tables of
 instructions and functions, and values that hurt. A case may end in motions or in an InputError, within SECONDS and
-within the memory limit; everything else is a finding, printed with its number and, with --keep, saved as a module; so is what takes
-longer than 2 s.
-What is read is also listed and printed, and the print must read back as the same tree. What the scenario lacks is
-given, and the program run again, a few times. --case runs one again; --print shows its text.
+within the memory limit; everything else is a finding, printed with its number and, with --keep, saved as a module; so
+is what takes longer than 2 s. What is read is also listed and printed, and the print must read back as the same tree.
+What the scenario lacks is given, and the program run again, a few times. --case runs one again; --print shows its text.
 """
 
 from __future__ import annotations
