@@ -64,7 +64,10 @@ def _next_symbol(run: Run, node: Call) -> Value:
 def _socket_status(run: Run, node: Call) -> Value:
     """As the program itself has left the socket; one that it never made is closed."""
     (socket,) = bind(run, node, ("Socket",)).required
-    status = locate(run, socket).value.data
+    value = locate(run, socket).value
+    if value.type.name != "socketdev":
+        raise run.error(socket, f"SocketGetStatus takes a socketdev, and {run.text(socket)} is a {value.type.name}")
+    status = value.data
     return Value(NUM, CLOSED if status is None else status)
 
 

@@ -1,0 +1,21 @@
+"""What fuzzing found: programs that once ended in a traceback, a hang or a wrong tree."""
+
+from __future__ import annotations
+
+import pytest
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.motion import TextFile
+from trajopt_cli.rapid.reader import run_program
+
+
+def error(body: str, data: str = "") -> str:
+    text = f"MODULE m\n{data}\nPROC main()\n{body}\nENDPROC\nENDMODULE\n"
+    with pytest.raises(InputError) as caught:
+        run_program([TextFile("m.mod", text, "utf-8")])
+    return caught.value.message
+
+
+def test_a_socket_is_asked_for_where_other_data_is_given() -> None:
+    message = error("WaitTime SocketGetStatus(w);", "VAR wobjdata w;")
+    assert message == "SocketGetStatus takes a socketdev, and w is a wobjdata"
