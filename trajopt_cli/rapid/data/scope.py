@@ -124,11 +124,16 @@ class Scope:
 
 @dataclass(eq=False)
 class ModuleScope(Scope):
-    """A module's own names, where its text stands, and the types that it has named so far, as spelled."""
+    """A module's own names and where its text stands.
+
+    resolved: the types that it has named so far; outside: the data of other modules, and predefined data; both by the
+    name as spelled there.
+    """
 
     places: Places = field(default_factory=lambda: Places("", ""))
     name: str = ""
     resolved: dict[str, Type] = field(default_factory=dict)
+    outside: dict[str, Datum] = field(default_factory=dict)
 
 
 @dataclass(eq=False, slots=True)

@@ -64,7 +64,8 @@ def procedure(run: Run, node: ProcedureCall) -> None:
         names = [*INSTRUCTIONS, *run.routines("PROC")]
         raise run.unknown(node, node.name, message, names, f"supported: {', '.join(INSTRUCTIONS)}")
     instruction(run, node)
-    run.settle()
+    if len(run.motions) != len(run.links):
+        run.settle()
 
 
 def function(run: Run, node: Call) -> Value:

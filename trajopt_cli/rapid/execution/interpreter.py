@@ -78,7 +78,7 @@ class Run:
         self.budget = scenario.statement_limit
         self.counts: dict[int, int] = {}  # how often a statement ran, by its id
         self.link: Link | None = None  # the statement that runs now, and those around it
-        self._links: list[Link | None] = []  # of each motion
+        self.links: list[Link | None] = []  # of each motion
         self._labels: dict[int, dict[str, int]] = {}  # by the block's id
         self._noted: set[str] = set()
 
@@ -158,10 +158,20 @@ class Run:
 
     def find(self, name: str) -> Place | Absent | None:
         """The data of a name: routine, module, other modules, predefined."""
-        key, frame = name.lower(), self.frame
-        return (
-            frame.local.get(key) or frame.scope.data.get(key) or self.shared.data.get(key) or self._predefined.get(key)
-        )
+        frame = self.frame
+        scope, local = frame.scope, frame.local
+        if local and (place := local.get(name.lower())) is not None:
+            return place
+        known = scope.outside.get(name)
+        if known is not None:
+            return known
+        key = name.lower()
+        if (own := scope.data.get(key)) is not None:
+            return own
+        known = self.shared.data.get(key) or self._predefined.get(key)
+        if known is not None and self.depth:  # before that, modules are still being loaded
+            scope.outside[name] = known
+        return known
 
     def routine(self, name: str) -> tuple[Routine, ModuleScope] | None:
         """A routine of the program by name, with its module: the own module's, or a global one."""
@@ -204,7 +214,7 @@ class Run:
             raise scope.places.error(routine.start, message)
         with self.inside(Frame(scope)), room(), suppress(Exit):
             enter(self, routine, scope, (), routine)
-        fill_once(self.motions, self._links, self.counts)
+        fill_once(self.motions, self.links, self.counts)
 
     def block(self, block: Block) -> None:
         """Run statements in order."""
@@ -216,11 +226,11 @@ class Run:
 
     def settle(self) -> None:
         """Remember which statements the motions so far come from."""
-        missing = len(self.motions) - len(self._links)
+        missing = len(self.motions) - len(self.links)
         if missing == 1:
-            self._links.append(self.link)
+            self.links.append(self.link)
         elif missing > 0:
-            self._links += [self.link] * missing
+            self.links += [self.link] * missing
         if len(self.motions) > MOTION_LIMIT:
             message = f"the program makes more than {MOTION_LIMIT} motions"
             raise self.error(self.link[0], message) if self.link else InputError(message, file=self.file)

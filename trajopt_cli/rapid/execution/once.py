@@ -23,7 +23,11 @@ def fill_once(motions: Sequence[Motion], links: Sequence[Link | None], counts: M
     filled: dict[int, Written] = {}
     for motion, link in zip(motions, links, strict=True):
         written = motion.written
-        once = _once(link, counts, known, written.statement)
+        own = written.statement
+        if link is not None and counts[id(link[0])] == 1 and link[0].start == own.start and link[2] == own.file:
+            object.__setattr__(written, "once", own)  # nearly always
+            continue
+        once = _once(link, counts, known)
         if id(written) in filled and written.once != once:  # one Written for several runs of a statement
             object.__setattr__(motion, "written", replace(written, once=once))
             continue
@@ -31,7 +35,7 @@ def fill_once(motions: Sequence[Motion], links: Sequence[Link | None], counts: M
         filled[id(written)] = written
 
 
-def _once(link: Link | None, counts: Mapping[int, int], known: dict[int, Span | None], own: Span) -> Span | None:
+def _once(link: Link | None, counts: Mapping[int, int], known: dict[int, Span | None]) -> Span | None:
     passed = []
     span: Span | None = None
     while link is not None:
@@ -40,8 +44,7 @@ def _once(link: Link | None, counts: Mapping[int, int], known: dict[int, Span | 
             break
         node, outer, file = link
         if counts[id(node)] == 1:
-            same = (own.start, own.end, own.file) == (node.start, node.end, file)
-            span = own if same else Span(file, node.start, node.end)
+            span = Span(file, node.start, node.end)
             break
         passed.append(id(link))
         link = outer

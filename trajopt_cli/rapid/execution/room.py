@@ -20,5 +20,8 @@ def room() -> Iterator[None]:
         yield
     finally:
         sys.setrecursionlimit(limit)
+        # All goes to the collector's oldest generation: else its next look at the youngest is at all of it.
+        gc.freeze()
+        gc.unfreeze()
         if collecting:
             gc.enable()
