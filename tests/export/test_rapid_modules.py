@@ -108,14 +108,14 @@ def test_a_new_target_stands_behind_records_and_never_inside_a_line(plant: Plant
     rail = f"[200,{OPEN}]"
     head = "MODULE m(SYSMODULE) RECORD pair num a; num b; ENDRECORD CONST robtarget p1:=\n"
     text = (
-        f"{head}    [[500,200,450],[0,0,1,0],[0,0,0,0],{rail}];\nPROC main()\nMoveJ p1,v100,fine,tool0;\n"
-        "MoveL Offs(p1,0,0,-50),v100,fine,tool0;\nENDPROC\nENDMODULE\n"
+        f"{head}    [[500,200,450],[0,0,1,0],[0,0,0,0],{rail}];\nPROC main()\nVAR robtarget q;\nMoveJ p1,v100,fine,tool0;\nq:=p1;\n"
+        "MoveL Offs(q,0,0,-50),v100,fine,tool0;\nENDPROC\nENDMODULE\n"
     )
     program = run_program([TextFile("m.mod", text, "utf-8")])
     export = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant)
     first = export.texts["m.mod"].splitlines()[0]
     assert first.startswith(
-        "MODULE m(SYSMODULE) RECORD pair num a; num b; ENDRECORD CONST robtarget p1_2:=[[500,200,400],"
+        "MODULE m(SYSMODULE) RECORD pair num a; num b; ENDRECORD CONST robtarget q_2:=[[500,200,400],"
     )
     assert first.endswith("; CONST robtarget p1:=")
 

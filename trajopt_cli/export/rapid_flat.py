@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
 
@@ -53,13 +53,14 @@ class FlatModule:
             self._data.append(f"{_INDENT}LOCAL CONST {type_} {name}:={literal};")
         return self._known[type_, literal]
 
-    def add(self, stretch: Stretch, motions: Mapping[int, FlatMotion]) -> str:
+    def add(self, stretch: Stretch, indices: Sequence[int], how: Callable[[int], FlatMotion]) -> str:
         """Write a stretch as a procedure and call it where the statement stood; what users should know.
 
-        motions: by index, without those that are dropped. Raises InputError for what another module cannot say.
+        indices: its motions without those that are dropped. how: what becomes of each. Raises
+        InputError for what another module cannot say.
         """
         self._beside = self._beside or stretch.span.file
-        moves = [motion for index in motions if isinstance(motion := self._program.motions[index], Move)]
+        moves = [motion for index in indices if isinstance(motion := self._program.motions[index], Move)]
         for move in moves:
             if move.settings != moves[0].settings:
                 raise refusal(
@@ -69,10 +70,10 @@ class FlatModule:
                 )
         name = self._names.new("trajopt_flat", "", len(self._bodies) + 1)
         lines: list[str] = []
-        for index, how in motions.items():
-            motion = self._program.motions[index]
-            text = how.text if how.text is not None else self._statement(motion, how)
-            lines += [*how.before, text, *how.behind]
+        for index in indices:
+            motion, done = self._program.motions[index], how(index)
+            text = done.text if done.text is not None else self._statement(motion, done)
+            lines += [*done.before, text, *done.behind]
         self._bodies.append((name, lines))
         self._edits.replace_by(stretch.span, f"{name};", FLAT)
         written = " ".join(self._edits.text(stretch.span).split())

@@ -31,6 +31,7 @@ Owner = tuple[str, int] | None
 class _Module:
     node: Module
     own: set[str] = field(default_factory=set)  # LOCAL names
+    data: dict[str, Span] = field(default_factory=dict)  # where each is declared
     routines: list[Routine] = field(default_factory=list)
     locals: dict[int, set[str]] = field(default_factory=dict)  # by start of the routine
 
@@ -57,6 +58,8 @@ class Scopes:
                     if isinstance(inner, If) and inner.compact:
                         body = inner.branches[0][1][0]
                         self.compact.add(Span(path, body.start, body.end))
+            if isinstance(item, DataDeclaration):
+                module.data.setdefault(item.name.lower(), Span(path, item.start, item.end))
             if getattr(item, "scope", None) == "LOCAL":
                 module.own.add(getattr(item, "name", "").lower())
         return module
@@ -110,6 +113,13 @@ class Scopes:
         if tokens.kinds[2] == "(":
             last = tokens.kinds.index(")", 2)
         return module.node.start + tokens.starts[last] + len(tokens.texts[last]), True
+
+    def declaration(self, name: str, path: str, offset: int) -> Span | None:
+        """The declaration of a module's data that a name stands for at a place, if it is in the same module."""
+        module, routine, key = self._module(path, offset), self.routine(path, offset), name.lower()
+        if module is None or (routine is not None and self.owner(name, path, offset) == (path, routine.start)):
+            return None
+        return module.data.get(key)
 
     def instructions(self, span: Span) -> Iterator[Node]:
         """All nodes in a stretch of statements and in the procedures and functions that they call."""

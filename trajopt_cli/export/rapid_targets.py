@@ -193,15 +193,17 @@ class Targets:
         return name
 
     def _new(self, move: Move, literal: str, beside: Span, suffix: str, first: int, type_: str | None = None) -> str:
-        """The name of a target declared as a constant at the head of the module around a place; one for each value."""
+        """The name of a target declared anew; one for each value.
+
+        beside: the declaration of the move's own target, or a place: then it is a constant beside the data it is named
+        after, or at the head of the module around that place.
+        """
         base = base_name(move.target)
         key = (base, beside.file, literal)
         if key not in self._declared:
             self._declared[key] = self._names.new(base, suffix, first)
-            self._declare(
-                beside if beside == move.written.declaration else None, beside, self._declared[key],
-                type_ or type_of(move), literal,
-            )  # fmt: skip
+            given = beside if beside == move.written.declaration else None
+            self._declare(given, beside, self._declared[key], type_ or type_of(move), literal, base)
         return self._declared[key]
 
     # ----------------------------------------------------------------------------------------------- the literals
@@ -288,8 +290,13 @@ class Targets:
             values[self._plant.rail_eax] = wish.rail
         return f"[{','.join(values)}]"
 
-    def _declare(self, beside: Span | None, place: Span, name: str, type_: str, literal: str) -> None:
-        """Declare name beside a declaration, in its storage class; else at the head of the module around place."""
+    def _declare(self, beside: Span | None, place: Span, name: str, type_: str, literal: str, base: str = "") -> None:
+        """Declare name beside a declaration, in its storage class; else a constant, as _new says."""
+        relative = None if beside else self._scopes.declaration(base, place.file, place.start)
+        if relative is not None:
+            scope = "LOCAL " if re.match(r"(?i)LOCAL\b", self._edits.text(relative)) else ""
+            self._edits.put_behind(relative, f"{scope}CONST {type_} {name}:={literal};")
+            return
         if beside is None:
             offset, alone = self._scopes.head(place.file, place.start)
             declaration = f"CONST {type_} {name}:={literal};"

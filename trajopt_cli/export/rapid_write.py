@@ -161,8 +161,8 @@ class _Attempt:
                 self._notes += self._apply(index, action)
         flat = FlatModule(self._program, self._edits, self._names, self._scopes, self._targets)
         for stretch in self._flat:
-            motions = {i: self._flat_motion(i, flat) for i in range(stretch.first, stretch.last) if not self._drops(i)}
-            self._notes.append(flat.add(stretch, motions))
+            indices = [i for i in range(stretch.first, stretch.last) if not self._drops(i)]
+            self._notes.append(flat.add(stretch, indices, lambda i: self._flat_motion(i, flat)))
         new = {}
         if (module := flat.module(self._program.entry)) is not None:
             path, file = module
