@@ -71,6 +71,10 @@ def in_main(body: str) -> str:
             "IF a THEN\nELSE\nELSE\nENDIF",
             "5:1: expected ENDIF, found 'ELSE'; ELSE comes last, and once",
         ),
+        (
+            "IF a THEN\nFOR i FROM 1 TO 2 DO\nx:=1;\nENDIF\n    ENDFOR",
+            "4:1: FOR is not closed: expected ENDFOR before 'ENDIF' of line 6; write ENDFOR where it ends",
+        ),
         # ---- the head of a block
         (
             "IF a\nx:=1;\ny:=2;\nENDIF\nz:=3;",

@@ -10,7 +10,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.rapid.language.expressions import parse_expression
+from trajopt_cli.rapid.language.expressions import PRIORITY, parse_expression
 from trajopt_cli.rapid.language.lexer import KEYWORDS
 from trajopt_cli.rapid.language.parser import Parser, parse_module, parse_statement
 from trajopt_cli.rapid.language.printer import print_expression, print_file, print_statement
@@ -191,6 +191,18 @@ def test_a_statement_printed_and_read_is_the_same_tree(tree: Statement) -> None:
 @given(files)
 def test_a_file_printed_and_read_is_the_same_tree(tree: ModuleFile) -> None:
     assert parse_module(print_file(tree), "t") == tree
+
+
+def test_every_pair_of_operators_keeps_its_grouping() -> None:
+    a, b, c = (Name(0, 0, name) for name in "abc")
+    for one in PRIORITY:
+        signed: list[Expression] = [Unary(0, 0, sign, a) for sign in ("-", "+", "NOT")]
+        for two in PRIORITY:
+            signed += [Binary(0, 0, one, Binary(0, 0, two, a, b), c), Binary(0, 0, one, a, Binary(0, 0, two, b, c))]
+        signed += [Binary(0, 0, one, signed[0], signed[2]), Binary(0, 0, one, signed[2], signed[1])]
+        signed += [Unary(0, 0, sign, Binary(0, 0, one, a, b)) for sign in ("-", "+", "NOT")]
+        for tree in signed:
+            assert parse_expression(print_expression(tree), "t") == tree
 
 
 # ------------------------------------------------------------------------------------------------------ the stretches
