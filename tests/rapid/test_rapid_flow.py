@@ -302,6 +302,13 @@ def test_budgets_end_what_does_not_end(body: str, scenario: Scenario, message: s
     assert error(body, "VAR num n;", scenario=scenario).startswith(f"m.mod:{message}")
 
 
+def test_motions_have_a_limit_of_their_own(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("trajopt_cli.rapid.execution.interpreter.MOTION_LIMIT", 3)
+    assert len(trace("FOR i FROM 1 TO 3 DO WaitTime i; ENDFOR")) == 3
+    message = "m.mod:4:22: the program makes more than 3 motions"
+    assert error("FOR i FROM 1 TO 9 DO WaitTime i; ENDFOR") == message
+
+
 def test_a_large_array_counts_by_its_size() -> None:
     body = "FOR i FROM 1 TO 100 DO a{i}:=i; ENDFOR"
     assert "statement_limit" in error(body, "VAR num a{100000};", scenario=Scenario(statement_limit=10_000))

@@ -177,6 +177,32 @@ def test_records_that_grow_beyond_all_bounds_are_refused() -> None:
     assert "x has 2000000 elements; at most 1000000 are supported" in error("", data + "VAR r5 x{20};")
 
 
+@pytest.mark.parametrize(
+    ("links", "message"),
+    [
+        (
+            "CONST num a{0}:=a{1};",
+            "202:1: the value of 'a200' hangs on more than 200 others that are declared behind it",
+        ),
+        ("ALIAS a{1} a{0};", "202:1: type 'a200' comes behind a chain of more than 200 others"),
+        ("RECORD a{0} a{1} x; ENDRECORD", "202:1: type 'a200' comes behind a chain of more than 200 others"),
+    ],
+)
+def test_chains_of_declarations_have_an_end(links: str, message: str) -> None:
+    """Without one, a long enough file brings Python's own stack down."""
+    data = "".join(links.format(i, i + 1) + "\n" for i in range(20_000))
+    use = "" if "CONST" in links else "VAR a0 x;"
+    assert error_text(f"MODULE m\n{data}{use}PROC main()\nENDPROC\nENDMODULE") == f"m.mod:{message}"
+
+
+def test_records_in_records_have_an_end_whatever_their_order() -> None:
+    data = "".join(f"RECORD r{i + 1} r{i} x; ENDRECORD VAR r{i + 1} x{i};\n" for i in range(31))
+    assert error_text(f"MODULE m\nALIAS num r0;\n{data}PROC main()\nENDPROC\nENDMODULE") == (
+        "m.mod:33:1: RECORD r31 is nested deeper than 30 records"
+    )
+    assert error("", f"VAR num x:={50_000 * '1+'}1;") == "m.mod:2:1: the value of 'x' is nested too deeply"
+
+
 def test_variables_begin_anew_at_each_call_and_module_data_does_not() -> None:
     rest = "PROC go()\nVAR num n:=5;\nCONST num c:=m+1;\nIncr n; Incr m; WaitTime n; WaitTime c;\nENDPROC"
     assert trace("go; go;", "VAR num m;", rest) == [6, 1, 6, 2]

@@ -20,6 +20,7 @@ from trajopt_cli.rapid.language.syntax import Aggregate
 
 STRING_LIMIT = 80  # characters
 SIZE_LIMIT = 1_000_000  # plain values in one piece of data
+DEPTH_LIMIT = 30  # records in records
 NUM_LIMIT = 3.4028235e38
 
 _SINGLE = Struct("=f")
@@ -45,6 +46,7 @@ class Atomic:
     known: bool = True
 
     size = 1
+    depth = 0
 
     @cached_property
     def layout(self) -> Layout | None:
@@ -69,6 +71,11 @@ class Record:
     def size(self) -> int:
         """How many plain values it holds."""
         return sum(type_.size for _, type_ in self.components)
+
+    @cached_property
+    def depth(self) -> int:
+        """How many records deep it is."""
+        return 1 + max((type_.depth for _, type_ in self.components), default=0)
 
     @cached_property
     def layout(self) -> Layout | None:
@@ -105,6 +112,11 @@ class Array:
         for size in self.sizes or ():
             count *= size
         return count
+
+    @property
+    def depth(self) -> int:
+        """As its elements."""
+        return self.element.depth
 
     @cached_property
     def layout(self) -> Layout | None:

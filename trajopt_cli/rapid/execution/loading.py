@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from trajopt_cli.motion import Span
 from trajopt_cli.rapid.data.datatypes import (
+    DEPTH_LIMIT,
     SIZE_LIMIT,
     TYPES,
     Array,
@@ -38,6 +39,8 @@ if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
 
 _Entry = TypeVar("_Entry", bound=tuple[Node, ModuleScope])
+
+_CHAIN_LIMIT = 200  # declarations that need each other before any of them has a value
 
 
 def load(run: Run, modules: Sequence[tuple[Module, Places]]) -> tuple[ModuleScope, ...]:
@@ -168,12 +171,17 @@ def _initial(run: Run, node: DataDeclaration, type_: Type, frame: Frame) -> Valu
     assert node.value is not None
     if id(node) in run.computing:
         raise frame.scope.places.error(node.start, f"the value of '{node.name}' refers to itself")
+    if len(run.computing) >= _CHAIN_LIMIT:
+        message = f"the value of '{node.name}' hangs on more than {_CHAIN_LIMIT} others that are declared behind it"
+        raise frame.scope.places.error(node.start, message)
     run.computing.add(id(node))
     before, run.frame = run.frame, frame
     try:
         if is_opaque(type_):
             return opaque(run, node.value, type_)
         value = evaluate(run, node.value, type_)
+    except RecursionError:
+        raise frame.scope.places.error(node.start, f"the value of '{node.name}' is nested too deeply") from None
     finally:
         run.frame = before
         run.computing.discard(id(node))
@@ -207,6 +215,8 @@ def _type(run: Run, scope: ModuleScope, name: str, above: tuple[str, ...]) -> Ty
     if found is None:
         return TYPES.get(key) or Atomic(key, known=False)
     node, home = found
+    if len(above) >= _CHAIN_LIMIT:
+        raise home.places.error(node.start, f"type '{name}' comes behind a chain of more than {_CHAIN_LIMIT} others")
     if home is not scope or key not in home.resolved:
         if key in above:
             raise home.places.error(node.start, f"type '{node.name}' contains itself")
@@ -232,6 +242,8 @@ def _made(
             raise home.places.error(node.start, f"type '{written}' in RECORD {node.name} is declared nowhere")
         parts.append((part.lower(), type_))
     record = Record(key, tuple(parts))
+    if record.depth > DEPTH_LIMIT:
+        raise home.places.error(node.start, f"RECORD {node.name} is nested deeper than {DEPTH_LIMIT} records")
     if record.size > SIZE_LIMIT:
         raise home.places.error(node.start, f"RECORD {node.name} holds {record.size} values; at most {SIZE_LIMIT}")
     return record
