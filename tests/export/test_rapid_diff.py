@@ -82,3 +82,10 @@ def test_a_diff_to_read_is_text_whatever_the_encoding() -> None:
 )
 def test_a_patch_names_no_file_outside_the_folder_it_is_applied_in(paths: list[str], names: list[str]) -> None:
     assert [*relative_names(paths).values()] == names
+
+
+def test_texts_too_different_to_be_compared_line_by_line_are_replaced() -> None:
+    """600 equal lines against 1200: a search for what they share would look at every pair."""
+    old, new = "a\n" * 600, "b\na\n" * 600
+    lines = unified_diff({"m": TextFile("m", old, "utf-8")}, {"m": new}, {}).splitlines()
+    assert (lines.count("-a"), lines.count("+b"), lines.count(" a")) == (599, 600, 1)

@@ -108,8 +108,8 @@ def test_a_new_target_stands_behind_records_and_never_inside_a_line(plant: Plant
     rail = f"[200,{OPEN}]"
     head = "MODULE m(SYSMODULE) RECORD pair num a; num b; ENDRECORD CONST robtarget p1:=\n"
     text = (
-        f"{head}    [[500,200,450],[0,0,1,0],[0,0,0,0],{rail}];\nPROC main()\nVAR robtarget q;\nMoveJ p1,v100,fine,tool0;\nq:=p1;\n"
-        "MoveL Offs(q,0,0,-50),v100,fine,tool0;\nENDPROC\nENDMODULE\n"
+        f"{head}    [[500,200,450],[0,0,1,0],[0,0,0,0],{rail}];\nPROC main()\nVAR robtarget q;\n"
+        "MoveJ p1,v100,fine,tool0;\nq:=p1;\nMoveL Offs(q,0,0,-50),v100,fine,tool0;\nENDPROC\nENDMODULE\n"
     )
     program = run_program([TextFile("m.mod", text, "utf-8")])
     export = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant)
@@ -256,3 +256,23 @@ def test_a_literal_stays_where_something_that_must_stay_is_computed_from_it(plan
     assert rails == [300, 200, 200]
     assert export.new == {}
     assert "MoveJ p1_2,v100" in export.texts["m.mod"]
+
+
+def test_a_literal_stays_where_the_program_asks_for_its_rail(plant: Plant) -> None:
+    program = made(J1 + "        IF p1.extax.eax_a>250 THEN\n            Set do1;\n        ENDIF\n")
+    export = export_rapid(program, plan_for(program, plant, {0: 0.3}), plant)
+    assert "MoveJ p1_2,v100" in export.texts["m.mod"]
+    assert f"[200,{OPEN}]]; ! first" in export.texts["m.mod"]
+
+
+def test_a_literal_belongs_to_the_statement_that_cannot_name_another(plant: Plant) -> None:
+    """The loop reads both elements; the move before it can refer to a second target, the loop cannot."""
+    data = (
+        f"    CONST robtarget ps{{2}}:=[[[500,200,450],[0,0,1,0],[0,0,0,0],[200,{OPEN}]],"
+        f"[[500,300,450],[0,0,1,0],[0,0,0,0],[300,{OPEN}]]];\n"
+    )
+    loop = "        FOR i FROM 1 TO 2 DO\n            MoveJ ps{i},v100,fine,tool0;\n        ENDFOR\n"
+    program = made("        MoveJ ps{1},v100,fine,tool0;\n" + loop, data)
+    export = export_rapid(program, plan_for(program, plant, {0: 0.25, 1: 0.21, 2: 0.31}), plant)
+    assert export.new == {}
+    assert "        MoveJ ps_2,v100,fine,tool0;\n" + loop in export.texts["m.mod"]
