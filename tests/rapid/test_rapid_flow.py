@@ -99,6 +99,11 @@ def test_raise_passes_on_and_the_end_of_a_handler_does_too() -> None:
         assert trace(body, rest=rest.format(tail)) == values
 
 
+def test_a_handler_runs_once_for_an_error_deep_inside_its_routine() -> None:
+    rest = "PROC go()\nFOR i FROM 1 TO 2 DO\nIF TRUE WaitTime 1/0;\nENDFOR\nERROR\nWaitTime 1;\nRAISE;\nENDPROC"
+    assert trace("go; ERROR TRYNEXT;", rest=rest) == [1]
+
+
 def test_an_error_in_a_handler_goes_to_the_caller() -> None:
     rest = "PROC go()\nWaitTime 1/0;\nERROR\nWaitTime a{9};\nTRYNEXT;\nENDPROC"
     assert trace("go; ERROR (ERR_OUTOFBND) WaitTime 7; TRYNEXT;", "VAR num a{2};", rest) == [7]
@@ -266,8 +271,9 @@ def test_a_loop_that_cannot_end_runs_as_often_as_the_scenario_says(loop: str, na
     assert f"{name} never ends by itself; the program is taken to be over after 3 passes (endless_passes)" in warning
 
 
-def test_without_a_number_of_passes_one_is_run_and_the_number_is_asked_for() -> None:
-    text = "MODULE m\nPROC main()\nWHILE TRUE DO\nWaitTime 1;\nENDWHILE\nENDPROC\nENDMODULE"
+@pytest.mark.parametrize("body", ["WaitTime 1;", "IF TRUE GOTO next; next: WaitTime 1;"])
+def test_without_a_number_of_passes_one_is_run_and_the_number_is_asked_for(body: str) -> None:
+    text = f"MODULE m\nPROC main()\nWHILE TRUE DO\n{body}\nENDWHILE\nENDPROC\nENDMODULE"
     program, lacks = try_program([TextFile("m.mod", text, "utf-8")])
     assert len(program.motions) == 1
     assert [(lack.section, lack.line, str(lack.source)) for lack in lacks] == [
@@ -340,6 +346,10 @@ GO = "PROC go()\nWaitTime 1;\nENDPROC"
         ("n:=f()+f(); n:=f() ;", "FUNC num f()\nWaitTime 1;\nRETURN 1;\nENDFUNC", ["n:=f()+f();"] * 2 + ["n:=f() ;"]),
         ("two; two ;", "PROC two()\ngo;\ngo;\nENDPROC\n" + GO, ["two;"] * 2 + ["two ;"] * 2),
         ("x: Incr n; WaitTime 1; IF n<2 GOTO x;", "", [None, None]),
+        ("WaitTime 1/0; WaitTime 2/0; ERROR WaitTime 5; TRYNEXT;", "", [None, None]),
+        ("WaitTime f();", "FUNC num f()\nWaitTime 1;\nRETURN 1;\nENDFUNC", ["WaitTime 1;", "WaitTime f();"]),
+        ("FOR i FROM 1 TO 2 DO IF TRUE THEN go; go; ENDIF ENDFOR", GO,
+         ["FOR i FROM 1 TO 2 DO IF TRUE THEN go; go; ENDIF ENDFOR"] * 4),
     ],
 )  # fmt: skip
 def test_the_innermost_statement_that_ran_exactly_once(body: str, rest: str, statements: list[str | None]) -> None:

@@ -266,6 +266,15 @@ def test_a_pers_of_several_modules_is_one() -> None:
     )
 
 
+def test_sizes_may_come_from_below_and_from_other_modules() -> None:
+    text = (
+        "MODULE a\nVAR num x{rows,columns};\nCONST num rows:=2;\n"
+        "PROC main()\nWaitTime 10*Dim(x,1)+Dim(x,2);\nENDPROC\nENDMODULE\n"
+        "MODULE b\nCONST num columns:=rows+1;\nENDMODULE\n"
+    )
+    assert [m.duration for m in run_text(text).motions if isinstance(m, Wait)] == [23]
+
+
 def test_local_names_of_two_modules_do_not_meet() -> None:
     text = (
         "MODULE a\nLOCAL VAR num x:=1;\nLOCAL PERS num y:=2;\nPROC main()\nWaitTime x+y; show;\nENDPROC\nENDMODULE\n"

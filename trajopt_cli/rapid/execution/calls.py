@@ -122,7 +122,6 @@ def enter(run: Run, routine: Routine, scope: ModuleScope, args: Sequence[Argumen
     frame = Frame(scope, returns=head.returns, routine=routine, motions=len(run.motions))
     if args or routine.parameters:
         _pass(run, routine, head, present(run, args), frame, node)
-    run.settle()
     before, link = run.frame, run.link
     run.frame, run.depth = frame, run.depth + 1
     try:

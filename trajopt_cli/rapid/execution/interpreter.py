@@ -169,7 +169,7 @@ class Run:
         if (own := scope.data.get(key)) is not None:
             return own
         known = self.shared.data.get(key) or self._predefined.get(key)
-        if known is not None and self.depth:  # before that, modules are still being loaded
+        if known is not None:
             scope.outside[name] = known
         return known
 

@@ -66,12 +66,13 @@ def _load(run: Run, modules: Sequence[tuple[Module, Places]]) -> tuple[ModuleSco
             elif isinstance(node, (RecordDeclaration, AliasDeclaration)):
                 for target in _targets(run, scope, node.scope):
                     _enter(target.types, node.name, (node, scope))
-    for scope, module in scopes:  # sizes and values may need types and constants of every module
-        frame = Frame(scope)
-        with run.inside(frame):
-            for item in module.items:
-                if type(item) is DataDeclaration:
-                    _add(run, scopes, scope, item, declare(run, item, frame))
+    for arrays in (False, True):  # their sizes may need constants of every module
+        for scope, module in scopes:
+            frame = Frame(scope)
+            with run.inside(frame):
+                for item in module.items:
+                    if type(item) is DataDeclaration and bool(item.sizes) is arrays:
+                        _add(run, scopes, scope, item, declare(run, item, frame))
     for scope, _ in scopes:
         for datum in scope.data.values():
             _ = datum.value
