@@ -259,3 +259,14 @@ def test_the_same_input_gives_the_same_bytes() -> None:
     for name in ("t", "q", "qd"):
         assert getattr(one.trajectory, name).tobytes() == getattr(two.trajectory, name).tobytes()
     assert one.lower_bound == two.lower_bound
+
+
+@pytest.mark.parametrize("target", Target)
+def test_a_move_to_where_the_robot_stands_takes_no_time(target: Target) -> None:
+    moves = ["j_home", "j_off", "j_off", "j_home"]
+    program = rapid("\n".join(f"MoveAbsJ {name}, v2500, fine, tool0;" for name in moves), JOINTS)
+    plant = plant_with_rail(ROOMY)
+    plan = optimize(program, plant, target)
+    assert isinstance(plan, Plan)
+    assert [m.t_1 - m.t_0 for m in plan.motions][::2] == pytest.approx([0, 0], abs=1e-9)
+    assert illegal(program, plant, plan, target) == []

@@ -83,6 +83,8 @@ def cruise_profile(D: float, v0: float, v1: float, T: float, A: float) -> tuple[
 
 def gentlest_profile(D: float, v0: float, v1: float, T: float) -> tuple[Array, Array]:
     """The profile of duration T with the least acceleration: two ramps, no cruise. Breaks (4,), accelerations (3,)."""
+    if T == 0.0:
+        return np.zeros(4), np.zeros(3)
     excess = 2 * D - T * (v0 + v1)
     A = (abs(excess) + np.hypot(excess, T * (v0 - v1))) / T**2
     if A == 0.0:

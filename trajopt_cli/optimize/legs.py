@@ -188,8 +188,9 @@ class JointProfiles:
         return 3
 
     def breaks(self) -> Array:
-        """Times where some axis switches, ascending."""
-        return np.unique(self.times.ravel())
+        """Times where some axis switches, ascending; twice the start where no axis moves."""
+        times = np.unique(self.times.ravel())
+        return times if len(times) > 1 else np.repeat(times, 2)
 
     def sample(self, axes: Axes, t: Array, right: bool = True) -> Sample:
         """Exact polynomial values."""
