@@ -264,7 +264,7 @@ def test_the_same_input_gives_the_same_bytes() -> None:
 @pytest.mark.parametrize("target", Target)
 def test_a_move_to_where_the_robot_stands_takes_no_time(target: Target) -> None:
     moves = ["j_home", "j_off", "j_off", "j_home"]
-    program = rapid("\n".join(f"MoveAbsJ {name}, v2500, fine, tool0;" for name in moves), JOINTS)
+    program = rapid("\n".join(f"MoveAbsJ {name}, v2500, fine, tool0;" for name in moves), data=JOINTS)
     plant = plant_with_rail(ROOMY)
     plan = optimize(program, plant, target)
     assert isinstance(plan, Plan)
