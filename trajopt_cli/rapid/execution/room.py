@@ -12,7 +12,7 @@ _FRAMES = 30_000  # Python's own frames; a nested call of RAPID takes about ten
 
 @contextmanager
 def room() -> Iterator[None]:
-    """Deeper nesting, and no garbage collector: a run makes hundreds of thousands of objects and no cycles."""
+    """Deeper nesting, and no garbage collector: a run makes hundreds of thousands of objects that stay."""
     limit, collecting = sys.getrecursionlimit(), gc.isenabled()
     gc.disable()
     sys.setrecursionlimit(max(limit, _FRAMES))
@@ -20,8 +20,5 @@ def room() -> Iterator[None]:
         yield
     finally:
         sys.setrecursionlimit(limit)
-        # All goes to the collector's oldest generation: else its next look at the youngest is at all of it.
-        gc.freeze()
-        gc.unfreeze()
         if collecting:
             gc.enable()
