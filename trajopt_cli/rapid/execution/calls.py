@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING
 from trajopt_cli.rapid.data.datatypes import SIGNALS, STRING, SWITCH, Array, Type, Value
 from trajopt_cli.rapid.data.scope import ABSENT, Absent, Datum, Frame, ModuleScope, Place
 from trajopt_cli.rapid.execution.arguments import present
-from trajopt_cli.rapid.execution.evaluate import computed, convertible, evaluate, locate
+from trajopt_cli.rapid.execution.evaluate import convertible, evaluate, locate
 from trajopt_cli.rapid.execution.functions.table import FUNCTIONS
 from trajopt_cli.rapid.execution.instructions.table import INSTRUCTIONS
 from trajopt_cli.rapid.execution.jumps import Jump, Return
 from trajopt_cli.rapid.execution.loading import find_type
+from trajopt_cli.rapid.execution.operators import computed
 from trajopt_cli.rapid.language.syntax import (
     Argument,
     Call,

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import operator as op
 from collections.abc import Callable
-from math import copysign, fmod, isfinite, trunc
+from math import isfinite, trunc
 from typing import TYPE_CHECKING
 
-from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.datatypes import (
     BOOL,
     CONFDATA,
@@ -15,14 +13,9 @@ from trajopt_cli.rapid.data.datatypes import (
     EXTJOINT,
     NUM,
     NUM_LIMIT,
-    ORIENT,
     POS,
     SIGNALS,
-    STRING,
-    STRING_LIMIT,
     Array,
-    Atomic,
-    Data,
     Opaque,
     Origin,
     Record,
@@ -34,6 +27,7 @@ from trajopt_cli.rapid.data.datatypes import (
     single,
 )
 from trajopt_cli.rapid.data.scope import Absent, Datum, Part, Place, item
+from trajopt_cli.rapid.execution.operators import COMPARE, arithmetic, computed, string, vectors
 from trajopt_cli.rapid.language.syntax import (
     Aggregate,
     Binary,
@@ -94,20 +88,6 @@ def convertible(wanted: Type, given: Type) -> bool:
     return (is_number(wanted) and is_number(given)) or same_type(wanted, given)
 
 
-def computed(run: Run, node: Node, type_: Type, data: Data) -> Value:
-    """A result as the controller keeps it: every num in it rounded to 32 bits. Raises Fault for what is too large."""
-    try:
-        if type_ is NUM:
-            data = single(data)
-        elif not isinstance(type_, Atomic) and type_.layout is not None:
-            data = type_.layout.rounded(data)
-    except OverflowError:
-        raise run.fault(node, "ERR_NUM_LIMIT", f"{run.text(node)} is too large for a num") from None
-    if isinstance(data, float) and data - data != 0:
-        raise run.fault(node, "ERR_NUM_LIMIT", f"{run.text(node)} is too large for a {type_.name}")
-    return Value(type_, data)
-
-
 def number(run: Run, node: Expression) -> float:
     """The value of a num or dnum expression. A literal keeps all its digits: whoever asks may take it as a dnum."""
     if type(node) is Number and abs(node.value) <= NUM_LIMIT:
@@ -144,15 +124,7 @@ def _number(run: Run, node: Number, wanted: Type | None) -> Value:
 
 
 def _string(run: Run, node: String, wanted: Type | None) -> Value:
-    return _text(run, node, node.value)
-
-
-def _text(run: Run, node: Node, text: str) -> Value:
-    if len(text) > STRING_LIMIT:
-        raise run.fault(
-            node, "ERR_STRTOOLNG", f"string of {len(text)} characters, limit {STRING_LIMIT}: '{text[:20]}...'"
-        )
-    return Value(STRING, text)
+    return string(run, node, node.value)
 
 
 def _boolean(run: Run, node: Boolean, wanted: Type | None) -> Value:
@@ -375,18 +347,18 @@ def _binary(run: Run, node: Binary, wanted: Type | None) -> Value:
         decided = left == (operator == "OR")
         return TRUE if (left if decided else condition(run, node.right)) else FALSE
     a, b = _operands(run, node, wanted)
-    compare = _COMPARE.get(operator)
+    compare = COMPARE.get(operator)
     if is_number(a.type) and is_number(b.type):
         if compare is not None:
             return TRUE if compare(a.data, b.data) else FALSE
-        return _arithmetic(run, node, a, b)
+        return arithmetic(run, node, a, b)
     if operator in ("=", "<>"):
         if not same_type(a.type, b.type):
             raise run.error(node, f"cannot compare {a.type.name} with {b.type.name}")
         if isinstance(a.data, tuple):
             run.spend(node, len(a.data))
         return TRUE if (a.data == b.data) == (operator == "=") else FALSE
-    value = _vectors(run, node, a, b)
+    value = vectors(run, node, a, b)
     if value is None:
         raise run.error(node, f"'{operator}' is not defined for {a.type.name} and {b.type.name}")
     return value
@@ -397,7 +369,7 @@ def _operands(run: Run, node: Binary, wanted: Type | None) -> tuple[Value, Value
     if isinstance(node.left, Aggregate):
         b = evaluate(run, node.right)
         return evaluate(run, node.left, b.type), b
-    if wanted is DNUM and node.operator not in _COMPARE:
+    if wanted is DNUM and node.operator not in COMPARE:
         a, b = _hinted(run, node.left), _hinted(run, node.right)
     else:
         a = evaluate(run, node.left)
@@ -410,69 +382,6 @@ def _operands(run: Run, node: Binary, wanted: Type | None) -> tuple[Value, Value
         else:
             _mixed(run, node)
     return a, b
-
-
-_COMPARE: dict[str, Callable[[float, float], bool]] = {
-    "<": op.lt,
-    ">": op.gt,
-    "<=": op.le,
-    ">=": op.ge,
-    "=": op.eq,
-    "<>": op.ne,
-}
-
-
-def _arithmetic(run: Run, node: Binary, left: Value, right: Value) -> Value:
-    a, b, operator = left.data, right.data, node.operator
-    if operator == "+":
-        result = a + b
-    elif operator == "-":
-        result = a - b
-    elif operator == "*":
-        result = a * b
-    else:
-        if b == 0:
-            raise run.fault(node, "ERR_DIVZERO", f"division by zero in '{operator}'")
-        if operator == "/":
-            result = a / b
-        else:
-            if a != trunc(a) or b != trunc(b):
-                raise run.error(node, f"{operator} takes whole numbers, found {a:.6g} and {b:.6g}")
-            result = copysign(abs(int(a)) // abs(int(b)), a * b) if operator == "DIV" else fmod(a, b)
-    if left.type is NUM and right.type is NUM:
-        try:
-            return Value(NUM, single(result))
-        except OverflowError:
-            result = float("inf")
-    if result - result != 0:
-        raise run.fault(node, "ERR_NUM_LIMIT", f"the result of '{operator}' is too large for a {left.type.name}")
-    return Value(DNUM, result)
-
-
-def _vectors(run: Run, node: Binary, left: Value, right: Value) -> Value | None:
-    a, b, operator = left.data, right.data, node.operator
-    if left.type is STRING and right.type is STRING and operator == "+":
-        return _text(run, node, f"{a}{b}")
-    if left.type is ORIENT and right.type is ORIENT and operator == "*":
-        return computed(run, node, ORIENT, frames.product(a, b))
-    if left.type is POS and right.type is POS:
-        p: frames.Vector = a
-        q: frames.Vector = b
-        if operator == "+":
-            return computed(run, node, POS, (p[0] + q[0], p[1] + q[1], p[2] + q[2]))
-        if operator == "-":
-            return computed(run, node, POS, (p[0] - q[0], p[1] - q[1], p[2] - q[2]))
-        if operator == "*":
-            return computed(run, node, POS, frames.cross(p, q))
-    elif (left.type is POS and is_number(right.type)) or (is_number(left.type) and right.type is POS):
-        factor, p = (b, a) if left.type is POS else (a, b)
-        if operator == "*":
-            return computed(run, node, POS, (factor * p[0], factor * p[1], factor * p[2]))
-        if operator == "/" and left.type is POS:
-            if factor == 0:
-                raise run.fault(node, "ERR_DIVZERO", "division by zero in '/'")
-            return computed(run, node, POS, (p[0] / factor, p[1] / factor, p[2] / factor))
-    return None
 
 
 _EVALUATE: dict[type, Callable[..., Value]] = {

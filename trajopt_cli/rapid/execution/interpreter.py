@@ -18,10 +18,11 @@ from trajopt_cli.rapid.data.datatypes import NUM, SIGNALS, Value, is_opaque
 from trajopt_cli.rapid.data.predefined import ERRORS, VARIABLES, predefined
 from trajopt_cli.rapid.data.scope import Absent, Datum, Frame, ModuleScope, Part, Place, Scope
 from trajopt_cli.rapid.execution.calls import Head, enter, function
-from trajopt_cli.rapid.execution.evaluate import computed, convertible, locate
+from trajopt_cli.rapid.execution.evaluate import convertible, locate
 from trajopt_cli.rapid.execution.faults import Fault
 from trajopt_cli.rapid.execution.jumps import Exit
 from trajopt_cli.rapid.execution.once import Link, fill_once
+from trajopt_cli.rapid.execution.operators import computed
 from trajopt_cli.rapid.execution.position import Position
 from trajopt_cli.rapid.execution.room import room
 from trajopt_cli.rapid.execution.statements import run_block
