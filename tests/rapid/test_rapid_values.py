@@ -174,7 +174,8 @@ def test_records_that_grow_beyond_all_bounds_are_refused() -> None:
     )
     data = "ALIAS num r0;\n" + types
     assert "RECORD r7 holds 10000000 values; at most 1000000" in error("", data + "VAR r7 x;")
-    assert "x has 2000000 elements; at most 1000000 are supported" in error("", data + "VAR r5 x{20};")
+    assert "x holds 20000000 values; at most 10000000 are supported" in error("", data + "VAR r5 x{200};")
+    assert "x has 1000001 elements; at most 1000000 are supported" in error("", "VAR num x{1000001};")
 
 
 @pytest.mark.parametrize(

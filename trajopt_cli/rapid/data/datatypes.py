@@ -7,6 +7,7 @@ every literal and every result is rounded (single, Layout). A dnum is a Python f
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -19,7 +20,8 @@ from trajopt_cli.motion import Span
 from trajopt_cli.rapid.language.syntax import Aggregate
 
 STRING_LIMIT = 80  # characters
-SIZE_LIMIT = 1_000_000  # plain values in one piece of data
+SIZE_LIMIT = 1_000_000  # elements of an array; plain values in one record
+ARRAY_LIMIT = 10_000_000  # plain values in one array: elements that nobody has written yet are shared
 DEPTH_LIMIT = 30  # records in records
 NUM_LIMIT = 3.4028235e38
 
@@ -178,6 +180,7 @@ SWITCH = Atomic("switch", True)
 
 # For str.translate: what numbers are written with is left out. What else there is stays, and spoils the shape.
 _SHAPE = dict.fromkeys(map(ord, "0123456789.eE+- \t\r\n"))
+_RUN = re.compile(r"(.)\1*+")
 
 
 class Layout:
@@ -189,7 +192,9 @@ class Layout:
     __slots__ = ("_bounds", "_shape", "_struct", "_type")
 
     def __init__(self, type_: Record | Array, formats: str, shape: str):
-        self._type, self._shape, self._struct = type_, shape, Struct(f"={formats}")
+        # "17f" for "fff...": a format of its own for each number of a large array takes more room than the numbers.
+        counted = _RUN.sub(lambda run: f"{len(run[0])}{run[1]}", formats)
+        self._type, self._shape, self._struct = type_, shape, Struct(f"={counted}")
         self._bounds: list[tuple[int, int]] | None = None  # of the parts, where every part is a plain record of numbers
         parts = _parts(type_)
         if all(
@@ -203,7 +208,7 @@ class Layout:
     @staticmethod
     def of(type_: Record | Array) -> Layout | None:
         """The layout of a type, None where it holds anything but numbers, or too many."""
-        if type_.size > SIZE_LIMIT or (isinstance(type_, Array) and not type_.sizes):
+        if type_.size > ARRAY_LIMIT or (isinstance(type_, Array) and not type_.sizes):
             return None
         formats = _formats(type_)
         return None if formats is None else Layout(type_, formats, _shape(type_))
@@ -226,7 +231,11 @@ class Layout:
     def _nest(self, flat: tuple[float, ...]) -> Data:
         if self._bounds is not None:
             return tuple([flat[start:end] for start, end in self._bounds])
-        return _nested(self._type, iter(flat))
+        type_ = self._type
+        if isinstance(type_, Array) and type_.inside.layout is not None:
+            nest, step = type_.inside.layout._nest, type_.inside.size
+            return tuple([nest(flat[start : start + step]) for start in range(0, len(flat), step)])
+        return _nested(type_, iter(flat))
 
 
 def _parts(type_: Record | Array) -> Iterable[Type]:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
+from math import prod
 from typing import TYPE_CHECKING, TypeVar
 
 from trajopt_cli.motion import Span
 from trajopt_cli.rapid.data.datatypes import (
+    ARRAY_LIMIT,
     DEPTH_LIMIT,
     SIZE_LIMIT,
     TYPES,
@@ -151,9 +153,10 @@ def declare(run: Run, node: DataDeclaration, frame: Frame) -> Datum:
         if min(sizes) < 1:
             raise run.error(node, f"{node.name} has an array size below 1")
         type_ = Array(type_, sizes, len(sizes))
-        if type_.size > SIZE_LIMIT:
-            message = f"{node.name} has {type_.size} elements; at most {SIZE_LIMIT} are supported"
-            raise run.error(node, message)
+        if (count := prod(sizes)) > SIZE_LIMIT:
+            raise run.error(node, f"{node.name} has {count} elements; at most {SIZE_LIMIT} are supported")
+        if type_.size > ARRAY_LIMIT:
+            raise run.error(node, f"{node.name} holds {type_.size} values; at most {ARRAY_LIMIT} are supported")
     constant = (scope.places, node.start) if node.storage == "CONST" else None
     value, first = node.value, None
     if value is None:
