@@ -13,6 +13,7 @@ from trajopt_cli.motion import Move, Program, Source, TextFile
 from trajopt_cli.rapid.entry import find_entry
 from trajopt_cli.rapid.execution.interpreter import Run
 from trajopt_cli.rapid.execution.loading import load
+from trajopt_cli.rapid.execution.room import uncollected
 from trajopt_cli.rapid.language.parser import parse_module
 from trajopt_cli.rapid.language.syntax import Module, ModuleFile, Node, ProcedureCall
 from trajopt_cli.rapid.language.text import Places
@@ -84,9 +85,16 @@ def try_program(
 
     name: of the program; the first file's where None.
     """
+    with uncollected():
+        return _try_program(files, scenario or Scenario(), entry, kinematics, name)
+
+
+def _try_program(
+    files: Sequence[TextFile], scenario: Scenario, entry: str, kinematics: Kinematics | None, name: str | None
+) -> tuple[Program, tuple[Lack, ...]]:
     name = name or Path(files[0].path).stem
     subject = files[0].path if len(files) == 1 else name  # what messages about the whole program begin with
-    run = Run(scenario or Scenario(), kinematics)
+    run = Run(scenario, kinematics)
     modules = _modules(run, files)
     try:
         scopes = load(run, modules)
@@ -107,6 +115,9 @@ def try_program(
         entry=routine.name,
         ignored=dict(run.ignored),
     )
+    for scope in scopes:  # a scope knows itself by its routines: without that, all goes before the collector comes back
+        scope.routines.clear()
+        scope.types.clear()
     return program, tuple(run.world.lacks.values())
 
 

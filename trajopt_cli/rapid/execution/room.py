@@ -11,14 +11,24 @@ _FRAMES = 30_000  # Python's own frames; a nested call of RAPID takes about ten
 
 
 @contextmanager
-def room() -> Iterator[None]:
-    """Deeper nesting, and no garbage collector: a run makes hundreds of thousands of objects that stay."""
-    limit, collecting = sys.getrecursionlimit(), gc.isenabled()
+def uncollected() -> Iterator[None]:
+    """No garbage collector: a program makes millions of objects, nearly all without cycles, and most of them stay."""
+    collecting = gc.isenabled()
     gc.disable()
-    sys.setrecursionlimit(max(limit, _FRAMES))
     try:
         yield
     finally:
-        sys.setrecursionlimit(limit)
         if collecting:
             gc.enable()
+
+
+@contextmanager
+def room() -> Iterator[None]:
+    """Deeper nesting, and no garbage collector."""
+    limit = sys.getrecursionlimit()
+    sys.setrecursionlimit(max(limit, _FRAMES))
+    try:
+        with uncollected():
+            yield
+    finally:
+        sys.setrecursionlimit(limit)
