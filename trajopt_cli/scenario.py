@@ -24,7 +24,8 @@ class Scenario:
     None for never, by signal or by the name of its SearchPoint. endless_passes: how often a loop that cannot end runs
     before the program is taken to be over. pass_limit: how often any other loop may run, and statement_limit how many
     statements, before the reader gives up. assume_identity: tools, work objects and mechanical units that are taken as
-    the identity where the program does not declare them.
+    the identity where the program does not declare them. stubs: procedures that are taken as doing nothing where no
+    file declares them.
     """
 
     signals: Mapping[str, float | tuple[float, ...]] = field(default_factory=dict)
@@ -33,10 +34,12 @@ class Scenario:
     searches: Mapping[str, float | None] = field(default_factory=dict)
     endless_passes: int | None = None
     pass_limit: int = 100_000
-    statement_limit: int = 10_000_000
+    statement_limit: int = 2_000_000
     assume_identity: frozenset[str] = frozenset()
+    stubs: frozenset[str] = frozenset()
 
 
+NAME_LISTS = ("assume_identity", "stubs")  # sections that only name things
 _SHOWN = 200  # characters of a value in a message; a template has all of it
 
 
@@ -45,8 +48,8 @@ class Lack:
     """Something the scenario must say, once per name.
 
     section: the key of the cell file it belongs under ("signals", "answers", "searches", "endless_passes",
-    "assume_identity"). name: as the program spells it. source: the place that asked first. reason: what asked, in
-    words. value: a value to begin with, as YAML.
+    "assume_identity", "stubs"). name: as the program spells it. source: the place that asked first. reason: what asked,
+    in words. value: a value to begin with, as YAML.
     """
 
     section: str
@@ -60,8 +63,8 @@ class Lack:
         """The line to add to the cell file; a long value is shown by its beginning."""
         if self.section == "endless_passes":
             return f"endless_passes: {self.value}"
-        if self.section == "assume_identity":
-            return f"assume_identity: [{yaml_name(self.name)}]"
+        if self.section in NAME_LISTS:
+            return f"{self.section}: [{yaml_name(self.name)}]"
         value = self.value if len(self.value) <= _SHOWN else f"{self.value[:_SHOWN]}..."
         return f"{self.section}: {{{yaml_name(self.name)}: {value}}}"
 
@@ -85,7 +88,11 @@ def yaml_answer(value: Answer) -> str:
 def _remedy(lack: Lack) -> str:
     if lack.section == "assume_identity":  # the reason ends with the option that does the same
         return f", or the line '{lack.line}' in the cell file"
-    return f"; add the line '{lack.line}' to the cell file"
+    glue = " Else" if lack.reason.endswith("?") else ";"
+    if lack.section == "stubs":
+        line = f"the line '{lack.line}' in the cell file"
+        return f"{glue} give the file that declares it, or take it as doing nothing: {line}"
+    return f"{glue} add the line '{lack.line}' to the cell file"
 
 
 class Lacking(InputErrorGroup):

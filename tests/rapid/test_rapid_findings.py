@@ -19,3 +19,8 @@ def error(body: str, data: str = "") -> str:
 def test_a_socket_is_asked_for_where_other_data_is_given() -> None:
     message = error("WaitTime SocketGetStatus(w);", "VAR wobjdata w;")
     assert message == "SocketGetStatus takes a socketdev, and w is a wobjdata"
+
+
+def test_an_element_of_data_of_a_type_that_nobody_declares() -> None:
+    message = error("x:=s{2};", "VAR shelf s{2}:=[[1,TRUE],[2,FALSE]];\nVAR num x;")
+    assert message == "'s{2}' is of type shelf, which is declared nowhere"

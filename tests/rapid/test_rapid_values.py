@@ -303,7 +303,8 @@ def test_predefined_variables_may_be_changed_and_errors_may_not() -> None:
 
 
 LOOKED = "in the program (looked for in PROC main, MODULE m, the other modules' globals and the predefined data)"
-NEITHER = "is neither a procedure of the program nor a supported instruction"
+NEITHER = "is neither a procedure of the files read nor an instruction that is known"
+STUB = "give the file that declares it, or take it as doing nothing: the line 'stubs: [{}]' in the cell file"
 
 
 @pytest.mark.parametrize(
@@ -311,8 +312,8 @@ NEITHER = "is neither a procedure of the program nor a supported instruction"
     [
         ("MoveL pPick,v100,fine,tool0;", f"4:7: robtarget 'pPick' is not declared {LOOKED}; did you mean 'ppick1'?"),
         ("cuont:=1;", f"4:1: 'cuont' is not declared {LOOKED}; did you mean 'count'?"),
-        ("Elsewhere;", f"4:1: Elsewhere {NEITHER}; supported: MoveJ, MoveL, "),
-        ("showit;", f"4:1: showit {NEITHER}; did you mean 'ShowIt2'?"),
+        ("Elsewhere;", f"4:1: Elsewhere {NEITHER}; {STUB.format('Elsewhere')}"),
+        ("showit;", f"4:1: showit {NEITHER}; did you mean 'ShowIt2'? Else {STUB.format('showit')}"),
     ],
 )  # fmt: skip
 def test_a_name_that_is_not_there_is_said_with_the_one_that_may_be_meant(body: str, message: str) -> None:

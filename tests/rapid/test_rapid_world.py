@@ -336,3 +336,28 @@ def test_everything_without_effect_is_counted_and_nothing_else_happens() -> None
             continue
         program = run(f"{name} nobody; {name} \\x, nobody;")
         assert (program.motions, dict(program.ignored)) == ((), {name: 2})
+
+
+# ------------------------------------------------------------------------------------------------- missing routines
+
+
+def test_procedures_that_no_file_declares_do_nothing_where_the_cell_file_says_so() -> None:
+    body = "WaitTime 1;\nOpenDoor 3\\Fast;\nopendoor;\nWaitTime 2;"
+    assert [lack.name for lack in try_program(text_of(body))[1]] == ["OpenDoor"]
+    program = run(body, "", Scenario(stubs=frozenset({"opendoor"})))
+    assert [m.duration for m in program.motions if isinstance(m, Wait)] == [1, 2]
+    assert program.ignored == {"OpenDoor": 1, "opendoor": 1}
+    assert parse_cell(ARM + "stubs: [OpenDoor]\n", "cell.yaml").scenario.stubs == {"opendoor"}
+
+
+def test_functions_that_no_file_declares_are_answered_by_the_cell_file() -> None:
+    body = "IF DoorOpen(2) WaitTime Level();"
+    assert [lack.line for lack in try_program(text_of(body))[1]] == ["answers: {DoorOpen: false}"]
+    assert times(body, answers={"dooropen": True, "level": 2.5}) == [2.5]
+    assert error(body, answers={"dooropen": 1.0}) == (
+        "m.mod:4:4: the answer 1 to 'DoorOpen' in the cell file is not true or false"
+    )
+    assert error("WaitTime Ofs(1);") == (
+        "m.mod:4:10: Ofs is neither a function of the files read nor one that is known; did you mean 'Offs'? "
+        "Else add the line 'answers: {Ofs: 0}' to the cell file"
+    )

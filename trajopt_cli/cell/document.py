@@ -289,3 +289,4 @@ class CellDocument(_Section):
     pass_limit: Annotated[int, Field(strict=True, gt=0)] = Scenario.pass_limit
     statement_limit: Annotated[int, Field(strict=True, gt=0)] = Scenario.statement_limit
     assume_identity: tuple[StrictStr, ...] = ()
+    stubs: tuple[StrictStr, ...] = ()

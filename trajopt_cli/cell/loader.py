@@ -91,6 +91,7 @@ def _scenario(document: CellDocument, file: str, lines: Mapping[str, int]) -> Sc
         pass_limit=document.pass_limit,
         statement_limit=document.statement_limit,
         assume_identity=frozenset(by("assume_identity", dict.fromkeys(document.assume_identity))),
+        stubs=frozenset(by("stubs", dict.fromkeys(document.stubs))),
     )
 
 

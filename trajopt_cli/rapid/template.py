@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from trajopt_cli.scenario import Lack, yaml_name
+from trajopt_cli.scenario import NAME_LISTS, Lack, yaml_name
 
-_SECTIONS = ("signals", "answers", "searches", "endless_passes", "assume_identity")
+_SECTIONS = ("signals", "answers", "searches", "endless_passes", *NAME_LISTS)
 
 
 def template(lacks: Sequence[Lack]) -> str:
@@ -25,7 +25,7 @@ def template(lacks: Sequence[Lack]) -> str:
             continue
         lines.append(f"{section}:")
         for lack in found:
-            entry = f"- {yaml_name(lack.name)}" if section == "assume_identity" else _pair(lack)
+            entry = f"- {yaml_name(lack.name)}" if section in NAME_LISTS else _pair(lack)
             lines.append(f"  {entry}{_comment(lack)}")
     return "".join(f"{line}\n" for line in lines)
 

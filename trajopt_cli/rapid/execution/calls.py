@@ -7,8 +7,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from trajopt_cli.rapid.data.datatypes import SIGNALS, STRING, SWITCH, Array, Type, Value
+from trajopt_cli.rapid.data.datatypes import NUM, SIGNALS, STRING, SWITCH, Array, Type, Value
 from trajopt_cli.rapid.data.scope import ABSENT, Absent, Datum, Frame, ModuleScope, Place
+from trajopt_cli.rapid.execution.answers import ask
 from trajopt_cli.rapid.execution.arguments import present
 from trajopt_cli.rapid.execution.evaluate import convertible, evaluate, locate
 from trajopt_cli.rapid.execution.functions.table import FUNCTIONS
@@ -61,16 +62,27 @@ def procedure(run: Run, node: ProcedureCall) -> None:
         return
     instruction = _INSTRUCTIONS.get(node.name.lower())
     if instruction is None:
-        message = f"{node.name} is neither a procedure of the program nor a supported instruction"
-        names = [*INSTRUCTIONS, *run.routines("PROC")]
-        raise run.unknown(node, node.name, message, names, f"supported: {', '.join(INSTRUCTIONS)}")
+        return _stub(run, node)
     instruction(run, node)
     if len(run.motions) != len(run.links):
         run.settle()
 
 
-def function(run: Run, node: Call) -> Value:
-    """The value of a function of the program, or of a predefined one."""
+def _stub(run: Run, node: ProcedureCall) -> None:
+    """A procedure that no file declares: it does nothing, which is for the user to say."""
+    if node.name.lower() in run.scenario.stubs:
+        run.ignored[node.name] += 1
+        return
+    message = f"{node.name} is neither a procedure of the files read nor an instruction that is known"
+    reason = run.meant(node.name, message, [*INSTRUCTIONS, *run.routines("PROC")])
+    run.world.lack(run, "stubs", node.name, node, reason, "")
+
+
+def function(run: Run, node: Call, wanted: Type | None) -> Value:
+    """The value of a function of the program, of a predefined one, or of one that the scenario answers for.
+
+    wanted: the type that the place asks for.
+    """
     found = run.routine(node.name)
     if found is not None:
         routine, scope = found
@@ -81,9 +93,9 @@ def function(run: Run, node: Call) -> Value:
         return value
     handler = _FUNCTIONS.get(node.name.lower())
     if handler is None:
-        message = f"{node.name} is neither a function of the program nor a supported one"
-        names = [*FUNCTIONS, *run.routines("FUNC")]
-        raise run.unknown(node, node.name, message, names, f"supported: {', '.join(FUNCTIONS)}")
+        message = f"{node.name} is neither a function of the files read nor one that is known"
+        reason = run.meant(node.name, message, [*FUNCTIONS, *run.routines("FUNC")])
+        return ask(run, node, node.name, wanted or NUM, reason)
     value = handler(run, node)
     return computed(run, node, value.type, value.data) if value.origin is None else value
 

@@ -132,7 +132,7 @@ def _boolean(run: Run, node: Boolean, wanted: Type | None) -> Value:
 
 
 def _call(run: Run, node: Call, wanted: Type | None) -> Value:
-    return run.call_function(node)
+    return run.call_function(node, wanted)
 
 
 def _placeholder(run: Run, node: Placeholder, wanted: Type | None) -> Value:
@@ -238,6 +238,9 @@ def _elements(run: Run, node: Element, base: Value) -> list[tuple[int, Type]]:
     type_, data = base.type, base.data
     if not isinstance(type_, Array):
         raise run.error(node, f"a {type_.name} is no array, so it has no elements")
+    if not isinstance(data, tuple):  # of a type that means nothing here
+        message = f"'{run.text(node)}' is of type {type_.element.name}, which has no value that can be read"
+        raise run.error(node, message)
     if len(node.indices) != type_.dimensions:
         raise run.error(node, f"the array has {type_.dimensions} dimension(s), found {len(node.indices)} index(es)")
     path: list[tuple[int, Type]] = []
@@ -297,6 +300,8 @@ def opaque(run: Run, node: Expression, type_: Type) -> Value:
     """A value of a type that means nothing here: its numbers where it is written with nothing else, else its text."""
     if isinstance(node, Aggregate) and node.numbers is not None:
         return Value(type_, node.numbers)
+    if isinstance(node, Aggregate) and isinstance(type_, Array):
+        return Value(type_, tuple([opaque(run, item, type_.inside).data for item in node.items]))
     if isinstance(node, Name):
         return _read(run, node, run.find(node.name), type_)
     return Value(type_, Opaque(run.text(node)))

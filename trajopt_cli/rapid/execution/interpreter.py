@@ -14,7 +14,7 @@ from difflib import get_close_matches
 from trajopt_cli.errors import InputError
 from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import DEFAULT_SETTINGS, Motion, Source
-from trajopt_cli.rapid.data.datatypes import NUM, SIGNALS, Value, is_opaque
+from trajopt_cli.rapid.data.datatypes import NUM, SIGNALS, Type, Value, is_opaque
 from trajopt_cli.rapid.data.predefined import ERRORS, VARIABLES, predefined
 from trajopt_cli.rapid.data.scope import Absent, Datum, Frame, ModuleScope, Part, Place, Scope
 from trajopt_cli.rapid.execution.calls import Head, enter, function
@@ -117,13 +117,17 @@ class Run:
         message += "the other modules' globals and the predefined data)"
         return self.unknown(node, node.name, message, [name for names in known for name in names])
 
-    def unknown(self, node: Node, name: str, message: str, names: Iterable[str], otherwise: str = "") -> InputError:
-        """An InputError for a name that is not one of names; otherwise is said where none of them is meant for sure."""
+    def unknown(self, node: Node, name: str, message: str, names: Iterable[str]) -> InputError:
+        """An InputError for a name that is not one of names."""
+        return self.error(node, self.meant(name, message, names))
+
+    def meant(self, name: str, message: str, names: Iterable[str]) -> str:
+        """The message, with the one of names that is spelled nearly like name."""
         spellings = {known.lower(): known for known in names}
         close = get_close_matches(name.lower(), spellings, n=2, cutoff=0.8)
         if len(close) == 1:
-            return self.error(node, f"{message}; did you mean '{spellings[close[0]]}'?")
-        return self.error(node, f"{message}; {otherwise}" if otherwise else message)
+            return f"{message}; did you mean '{spellings[close[0]]}'?"
+        return message
 
     def routines(self, kind: str) -> list[str]:
         """The names, as spelled, of the routines that the code that runs now can see."""
@@ -221,9 +225,9 @@ class Run:
         """Run statements in order."""
         run_block(self, block)
 
-    def call_function(self, node: Call) -> Value:
-        """The value of a function of the program, or of a predefined one."""
-        return function(self, node)
+    def call_function(self, node: Call, wanted: Type | None = None) -> Value:
+        """The value of a function, where a type is wanted."""
+        return function(self, node, wanted)
 
     def settle(self) -> None:
         """Remember which statements the motions so far come from."""
