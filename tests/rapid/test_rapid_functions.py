@@ -194,3 +194,31 @@ def test_orientations_agree_with_scipy() -> None:
     assert durations("WaitTime VectMagn(a*b);", "CONST pos a:=[1,1,1];\nCONST pos b:=[1,0,0];") == [
         pytest.approx(sqrt(2), rel=1e-6)
     ]
+
+
+def called(body: str, rest: str, data: str = "") -> list[float]:
+    text = f"MODULE m\n{data}\nPROC main()\n{body}\nENDPROC\n{rest}\nENDMODULE\n"
+    program = run_program([TextFile("m.mod", text, "utf-8")])
+    return [motion.duration for motion in program.motions if isinstance(motion, Wait)]
+
+
+def test_a_parameter_knows_what_it_stands_for() -> None:
+    routine = (
+        "PROC show(INOUT num a,num b)\n"
+        'IF ArgName(a)="count" WaitTime 1;\nIF ArgName(b)="2*count" WaitTime 2;\n'
+        "IF IsPers(a) WaitTime 3;\nIF IsVar(a) WaitTime 4;\nENDPROC\n"
+        "PROC pass(INOUT num inner)\nshow inner,0;\nENDPROC"
+    )
+    assert called("show count,2*count;", routine, "VAR num count;") == [1, 2, 4]
+    assert called("show count,2*count;", routine, "PERS num count:=0;") == [1, 2, 3]
+    assert called("pass count;", routine, "VAR num count;") == [1, 4]
+    assert called("show c{2},0;", routine, "VAR num c{3};") == [4]
+    with pytest.raises(InputError, match="count is no parameter of the routine"):
+        called('IF ArgName(count)="" WaitTime 1;', "", "VAR num count;")
+
+
+def test_types_and_sizes_of_data() -> None:
+    data = "VAR robtarget p;\nVAR num a{2,3,4};\nVAR shelf s{5};\nVAR pos q{7};"
+    assert truth('Type(p)="robtarget" AND Type(p.trans)="pos" AND Type(q)="pos"', data)
+    assert durations("FOR i FROM 1 TO 3 DO WaitTime Dim(a,i); ENDFOR WaitTime Dim(s,1);", data) == [2, 3, 4, 5]
+    assert problem("Dim(q,2)", data) == "q has no dimension 2"
