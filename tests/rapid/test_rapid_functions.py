@@ -222,3 +222,11 @@ def test_types_and_sizes_of_data() -> None:
     assert truth('Type(p)="robtarget" AND Type(p.trans)="pos" AND Type(q)="pos"', data)
     assert durations("FOR i FROM 1 TO 3 DO WaitTime Dim(a,i); ENDFOR WaitTime Dim(s,1);", data) == [2, 3, 4, 5]
     assert problem("Dim(q,2)", data) == "q has no dimension 2"
+
+
+def test_bits_are_set_and_cleared() -> None:
+    data = "VAR byte b:=130;\nVAR dnum d:=0;"
+    assert durations("BitSet b,1; WaitTime b; BitClear b,8; WaitTime b;", data) == [131, 3]
+    assert durations("BitSet d,40; WaitTime d/BitLShDnum(1,39);", data) == [1]
+    with pytest.raises(InputError, match=r"BitPos 9 lies outside 1\.\.8"):
+        durations("BitSet b,9;", data)

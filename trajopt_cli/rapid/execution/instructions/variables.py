@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from trajopt_cli.rapid.data.datatypes import DNUM, NUM, Value, is_number
 from trajopt_cli.rapid.data.scope import Place
 from trajopt_cli.rapid.execution.arguments import Instruction, bind
-from trajopt_cli.rapid.execution.evaluate import evaluate, locate
+from trajopt_cli.rapid.execution.evaluate import evaluate, integer, locate
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 
 if TYPE_CHECKING:
@@ -43,9 +43,29 @@ def _clear(run: Run, node: ProcedureCall) -> None:
     run.store(place, target, Value(place.type, 0.0))
 
 
+def _bit(on: bool) -> Instruction:
+    """Set or clear a bit of a byte (of a dnum: of its 52 bits); the lowest is 1."""
+
+    def handler(run: Run, node: ProcedureCall) -> None:
+        target, where = bind(run, node, ("BitData", "BitPos")).required
+        place = _number(run, target)
+        bits = 52 if place.type is DNUM else 8
+        value, position = integer(run, target, "BitData"), integer(run, where, "BitPos")
+        if not 0 <= value < 2**bits:
+            raise run.fault(target, "ERR_ARGVALERR", f"BitData is {value}, and must lie in 0..{2**bits - 1}")
+        if not 1 <= position <= bits:
+            raise run.fault(where, "ERR_ARGVALERR", f"BitPos {position} lies outside 1..{bits}")
+        mask = 1 << (position - 1)
+        run.store(place, target, Value(place.type, float(value | mask if on else value & ~mask)))
+
+    return handler
+
+
 INSTRUCTIONS: dict[str, Instruction] = {
     "Incr": _step(1.0),
     "Decr": _step(-1.0),
     "Add": _add,
     "Clear": _clear,
+    "BitSet": _bit(True),
+    "BitClear": _bit(False),
 }
