@@ -9,12 +9,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
+from typing import NamedTuple
 
 from trajopt_cli.geometry import Array, readonly
 
 
-@dataclass(frozen=True)
-class Source:
+class Source(NamedTuple):
     """A place in a program: file as the user gave it, line and column counted from 1."""
 
     file: str
@@ -25,8 +25,7 @@ class Source:
         return f"{self.file}:{self.line}:{self.column}"
 
 
-@dataclass(frozen=True)
-class Span:
+class Span(NamedTuple):
     """A stretch of one file's decoded text, [start, end) in characters."""
 
     file: str

@@ -3,7 +3,7 @@ r"""Where the arguments of a motion's statement stand, whichever instruction it 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from trajopt_cli.motion import Motion, Move, Span
 from trajopt_cli.rapid.language.parser import parse_statement
@@ -79,7 +79,7 @@ def _parsed(text: str, span: Span) -> ProcedureCall:
 
 
 def _inside(span: Span, arg: Argument) -> Span:
-    return replace(span, start=span.start + arg.start, end=span.start + arg.end)
+    return span._replace(start=span.start + arg.start, end=span.start + arg.end)
 
 
 def _value(span: Span, arg: Argument, text: str) -> Span | None:
@@ -89,4 +89,4 @@ def _value(span: Span, arg: Argument, text: str) -> Span | None:
 
 def _with_comma(span: Span, arg: Argument, text: str) -> Span:
     start = len(text[: arg.start].rstrip().removesuffix(",").rstrip())
-    return replace(span, start=span.start + start, end=span.start + arg.end)
+    return span._replace(start=span.start + start, end=span.start + arg.end)

@@ -66,8 +66,9 @@ class Places:
 
     def source(self, offset: int) -> Source:
         """File, line and column of an offset, both from 1; a tab is one column."""
-        line = self.line(offset)
-        return Source(self.file, line, offset - self._starts[line - 1] + 1)
+        starts = self._starts
+        line = bisect_right(starts, offset)
+        return Source(self.file, line, offset - starts[line - 1] + 1)
 
     def span(self, start: int, end: int) -> Span:
         """The stretch [start, end) of this file."""
@@ -78,6 +79,10 @@ class Places:
         place = self.source(offset)
         excerpt = self.excerpt(offset)
         return InputError(message, file=place.file, line=place.line, column=place.column, excerpt=excerpt)
+
+    def offset(self, line: int, column: int) -> int:
+        """Offset of a place as source() gives it."""
+        return self._starts[line - 1] + column - 1
 
     def excerpt(self, offset: int) -> str | None:
         """The line around an offset, indented, and a caret below the character; of a long line only what is near.

@@ -236,9 +236,9 @@ def written(run: Run, node: ProcedureCall, point: Expression, speed: Expression,
     return made(
         Written,
         {
-            "statement": made(Span, {"file": file, "start": node.start, "end": node.end}),
-            "target": made(Span, {"file": file, "start": point.start, "end": point.end}),
-            "speed": made(Span, {"file": file, "start": speed.start, "end": speed.end}),
+            "statement": Span(file, node.start, node.end),
+            "target": Span(file, point.start, point.end),
+            "speed": Span(file, speed.start, speed.end),
             "aggregate": Span(origin.file, origin.literal.start, origin.literal.end) if origin else None,
             "declaration": origin.declaration if origin else None,
             "once": None,
