@@ -49,7 +49,7 @@ class Lack:
 
     section: the key of the cell file it belongs under ("signals", "answers", "searches", "endless_passes",
     "assume_identity", "stubs"). name: as the program spells it. source: the place that asked first. reason: what asked,
-    in words. value: a value to begin with, as YAML.
+    in words. value: a value to begin with, as YAML. excerpt: the line of the source with a caret, to be shown.
     """
 
     section: str
@@ -57,6 +57,7 @@ class Lack:
     source: Source
     reason: str
     value: str
+    excerpt: str | None = field(default=None, compare=False)
 
     @property
     def line(self) -> str:
@@ -111,6 +112,7 @@ def lacking(lacks: Sequence[Lack], after: InputError | None = None) -> Lacking:
             file=lack.source.file,
             line=lack.source.line,
             column=lack.source.column,
+            excerpt=lack.excerpt,
         )
         for lack in lacks
     ]

@@ -9,8 +9,11 @@ import pytest
 
 from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError, InputErrorGroup
+from trajopt_cli.motion import TextFile
 from trajopt_cli.rapid.language.parser import parse_module, parse_statement
 from trajopt_cli.rapid.language.text import Places
+from trajopt_cli.rapid.reader import run_program
+from trajopt_cli.scenario import Scenario
 
 CHOOSE = "a name begins with a letter and has only letters, digits and '_', so rename it wherever it is used"
 EARLY = "remove it, or look for one closed too early"
@@ -383,3 +386,38 @@ def test_hopeless_text_is_refused_at_once_and_briefly(text: str) -> None:
 def test_a_statement_of_its_own_is_checked_too() -> None:
     with pytest.raises(InputError, match="write '='"):
         parse_statement("IF a == b x:=1;", "m.mod")
+
+
+# ------------------------------------------------------------------------------------------------ programs that ran
+
+
+def refused(body: str, data: str = "", routines: str = "", scenario: Scenario | None = None) -> InputError:
+    """The error of a run; data is line 2, the body of main is line 4."""
+    text = f"MODULE m\n{data}\nPROC main()\n{body}\nENDPROC\n{routines}\nENDMODULE\n"
+    with pytest.raises(InputError) as caught:
+        run_program([TextFile("m.mod", text, "utf-8")], scenario)
+    return caught.value
+
+
+@pytest.mark.parametrize(
+    ("body", "line", "caret"),
+    [
+        ("WaitTime 1/(n-n);", "    WaitTime 1/(n-n);", 9),  # an error that a handler may handle
+        ("RAISE 7;", "    RAISE 7;", 0),
+        ("n:=diPart;", "    n:=diPart;", 3),  # what the scenario lacks
+        ("MoveAbsJ j,v100,fine,tGrip;", "    MoveAbsJ j,v100,fine,tGrip;", 21),
+    ],
+)
+def test_what_a_run_comes_to_is_shown_with_its_line(body: str, line: str, caret: int) -> None:
+    data = "VAR num n; CONST jointtarget j:=[[0,0,0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];"
+    assert refused(body, data).shown().splitlines()[1:] == [line, f"    {' ' * caret}^"]
+
+
+def test_an_error_in_another_module_is_shown_with_the_line_of_its_own_file() -> None:
+    files = [
+        TextFile("a.mod", "MODULE a\nPROC main()\nhelp;\nENDPROC\nENDMODULE\n", "utf-8"),
+        TextFile("b.mod", "MODULE b\nPROC help()\n\n  WaitTime 1/0;\nENDPROC\nENDMODULE\n", "utf-8"),
+    ]
+    with pytest.raises(InputError) as caught:
+        run_program(files)
+    assert caught.value.shown() == "b.mod:4:12: division by zero in '/'\n    WaitTime 1/0;\n             ^"

@@ -102,6 +102,7 @@ def _try_program(
         routine, scope = find_entry([*zip(trees, scopes, strict=True)], entry, subject)
         run.start(routine, scope)
     except InputError as error:
+        _show(run, error)
         if not run.world.lacks:
             raise
         raise lacking([*run.world.lacks.values()], error) from error
@@ -119,6 +120,13 @@ def _try_program(
         scope.routines.clear()
         scope.types.clear()
     return program, tuple(run.world.lacks.values())
+
+
+def _show(run: Run, error: InputError) -> None:
+    """Give an error the line it is about. Those that a program may handle come without: most are never shown."""
+    if error.excerpt is None and error.file in run.files and error.line and error.column:
+        places = run.files[error.file]
+        error.excerpt = places.excerpt(places.offset(error.line, error.column))
 
 
 def _modules(run: Run, files: Sequence[TextFile]) -> list[tuple[Module, Places]]:
@@ -152,7 +160,7 @@ def _name_once(module: Module, places: Places, known: dict[str, Source]) -> None
     before = known.setdefault(module.name.lower(), here) if module.name else here
     if before is not here:
         message = f"module {module.name} is also in {before.file}:{before.line}; leave one of them out"
-        raise InputError(message, file=here.file, line=here.line, column=here.column)
+        raise places.error(module.start, message)
 
 
 def _marked(tree: ModuleFile, places: Places) -> list[int]:

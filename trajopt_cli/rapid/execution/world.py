@@ -42,7 +42,8 @@ class World:
         """Note that the scenario lacks something, once per name; see Lack for what the parts mean."""
         key = (section, name.lower())
         if key not in self.lacks and not self._trying:
-            self.lacks[key] = Lack(section, name, run.source(node), reason, value)
+            excerpt = run.places().excerpt(node.start)
+            self.lacks[key] = Lack(section, name, run.source(node), reason, value, excerpt)
 
     @contextmanager
     def trying(self) -> Iterator[None]:
