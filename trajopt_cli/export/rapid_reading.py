@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from typing import Any
 
+from trajopt_cli.export.rapid_scopes import nodes
 from trajopt_cli.motion import Program, TextFile
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.programmed import PlantKinematics
+from trajopt_cli.rapid.language.parser import parse_module
+from trajopt_cli.rapid.language.syntax import Binary, Call, Name, Node, Number, String, Test
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.scenario import Answer, Scenario
+
+_NEAR = 6  # values that a program compares something with and that are tried
+_WAYS = 4  # other values that are tried besides
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,31 +36,69 @@ class Reading:
         kinematics = PlantKinematics(self.plant)
         return run_program([*files, *(new or {}).values()], scenario or self.scenario, self.entry, kinematics)
 
-    def otherwise(self) -> Iterator[list[Scenario]]:
-        """Scenarios that differ in one thing: a signal, an answer, a hit, the passes of an endless loop; by thing."""
+    def otherwise(self) -> Iterator[tuple[str, list[Scenario]]]:
+        """For each thing that the scenario says, its name, and scenarios in which it alone is otherwise.
+
+        Values that the program compares it with come first. Not all that are tried suit what asks: a key is one of
+        1..5, a text may have to be a number.
+        """
         given = self.scenario
+        compared = _compared(self.program) if given.signals or given.answers else {}
         for name, value in given.signals.items():
-            later = (*value[:1], *value) if isinstance(value, tuple) else (_number(value), value)
-            other = tuple(map(_number, value)) if isinstance(value, tuple) else _number(value)
-            yield [replace(given, signals={**given.signals, name: one}) for one in (later, other)]
+            near = [one for one in compared.get(name.lower(), ()) if not isinstance(one, str)]
+            signals = [{**given.signals, name: one} for one in _others(value, near)]
+            yield f"signal {name}", [replace(given, signals=one) for one in signals]
         for name, answer in given.answers.items():
-            after = (*answer[:1], *answer) if isinstance(answer, tuple) else (_other(answer), answer)
-            changed = tuple(map(_other, answer)) if isinstance(answer, tuple) else _other(answer)
-            yield [replace(given, answers={**given.answers, name: reply}) for reply in (after, changed)]
+            answers = [{**given.answers, name: one} for one in _others(answer, compared.get(name.lower(), ()))]
+            yield f"answer {name}", [replace(given, answers=one) for one in answers]
         for name, share in given.searches.items():
-            yield [replace(given, searches={**given.searches, name: 0.5 if share is None else 0.25 + share / 2})]
+            other = 0.5 if share is None else 0.25 + share / 2
+            yield f"search {name}", [replace(given, searches={**given.searches, name: other})]
         if given.endless_passes is not None:
-            yield [replace(given, endless_passes=given.endless_passes + 1)]
+            yield "endless_passes", [replace(given, endless_passes=given.endless_passes + 1)]
 
 
-def _other(value: Answer) -> Answer:
+def _others(value: Any, compared: Iterable[Answer]) -> list[Any]:
+    """Other values, and the given one a reading later; compared: what the program holds it against."""
+    if isinstance(value, tuple):
+        changed = [tuple(_other(one, i) for one in value) for i in range(2)]
+        return [(*value[:1], *value), *changed]
+    near = [one for one in compared if type(one) is type(value) and one != value][:_NEAR]
+    out = list(dict.fromkeys([*near, *(_other(value, i) for i in range(_WAYS))]))
+    return [out[0], (out[0], value), *out[1:]]
+
+
+def _other(value: Any, way: int) -> Any:
+    """Another value of the same kind; way: which, of several."""
     match value:
         case bool():
             return not value
         case str():
-            return f"{value}x"
-    return _number(value)
+            return (f"{value}x", f"{value}1", "1", "")[way % 4]
+    first = 1.0 - value if value in (0.0, 1.0) else value + 1.0
+    keys = [float(key) for key in range(1, 6) if key != value]  # of a question with five keys
+    return [first, *(key for key in keys if key != first)][way % 4]
 
 
-def _number(value: float) -> float:
-    return 1.0 - value if value in (0.0, 1.0) else value + 1.0
+def _compared(program: Program) -> dict[str, list[Answer]]:
+    """The literals that each name is compared with, in IF, WHILE and TEST; of numbers their neighbours, too."""
+    out: dict[str, list[Answer]] = {}
+
+    def note(subject: Node, other: Node) -> None:
+        if isinstance(subject, Call) and len(subject.args) == 1 and subject.args[0].value is not None:
+            subject = subject.args[0].value  # DInput(di1)
+        if isinstance(subject, Name) and isinstance(other, Number | String):
+            found = out.setdefault(subject.name.lower(), [])
+            values = [other.value] if isinstance(other, String) else [other.value + step for step in (0.0, 1.0, -1.0)]
+            found += [value for value in values if value not in found]
+
+    for file in program.files.values():
+        for node in nodes(tuple(parse_module(file.text, file.path).modules)):
+            if isinstance(node, Binary) and node.operator in ("=", "<>", "<", "<=", ">", ">="):
+                note(node.left, node.right)
+                note(node.right, node.left)
+            elif isinstance(node, Test):
+                for values, _ in node.cases:
+                    for value in values:
+                        note(node.subject, value)
+    return out

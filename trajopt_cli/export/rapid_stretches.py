@@ -16,7 +16,8 @@ from trajopt_cli.motion import Motion, Move, Program, SignalEvent, Span
 from trajopt_cli.scenario import Scenario
 
 _MARKS = "trajopt_mark_"
-_THINGS = 40  # that the scenario says and that are looked at; each takes twice as long as reading the program
+_THINGS = 40  # that the scenario says and that are looked at
+_WORLDS = 3  # for each of them; each takes as long as reading the program
 
 
 @dataclass(frozen=True)
@@ -38,7 +39,8 @@ class Stretches:
     def __init__(self, program: Program, scopes: Scopes, reading: Reading):
         self._program, self._scopes, self._reading = program, scopes, reading
         self._found: dict[Span, Stretch] | None = None
-        self._changing: set[int] = set()  # single motions that are not the same in any world
+        self._changing: dict[int, str] = {}  # single motions that are not the same in any world, and what they hang on
+        self._rejected: dict[Span, str] = {}  # stretches, likewise
 
     def around(self, index: int) -> Stretch | None:
         """The innermost stretch around a motion, None where there is none that could be written flat."""
@@ -49,6 +51,12 @@ class Stretches:
         """Whether a move whose statement ran once goes to the same place in any world."""
         self._known()
         return index not in self._changing
+
+    def hangs_on(self, index: int) -> str | None:
+        """What of the scenario a motion hangs on, as far as that was looked for."""
+        self._known()
+        once = self._program.motions[index].written.once
+        return self._changing.get(index) or (self._rejected.get(once) if once is not None else None)
 
     def every(self) -> list[Stretch]:
         """The stretches around all motions whose statement ran several times."""
@@ -80,7 +88,7 @@ class Stretches:
         texts = edits.result()
         read = self._marked(texts)
         if read is None or len(read.motions) != len(motions):
-            self._changing = computed  # the marks are in the program's way: nothing can be said of its statements
+            self._changing = dict.fromkeys(computed, "what cannot be told")  # the marks are in the program's way
             return {}
         found = {}
         for number, span in enumerate(marked):
@@ -88,20 +96,23 @@ class Stretches:
             if place is not None:
                 found[number] = Stretch(span, *place)
         things = list(islice(self._reading.otherwise(), _THINGS + 1))
-        for worlds in things:
-            others = [other for scenario in worlds if (other := self._marked(texts, scenario)) is not None]
-            if not others or len(things) > _THINGS:
-                self._changing = computed  # nothing can be said of what hangs on this
-                return {}
-            for other in others:
+        if len(things) > _THINGS:
+            self._changing = dict.fromkeys(computed, "the scenario")  # too many to look at
+            self._rejected = dict.fromkeys((found[number].span for number in found), "the scenario")
+            return {}
+        for name, scenarios in things:
+            # A world in which the program fails is no evidence: what asks may take no such answer.
+            worlds = (other for one in scenarios if (other := self._marked(texts, one)) is not None)
+            for other in islice(worlds, _WORLDS):
                 for number, stretch in list(found.items()):
                     if not other.agrees(2 * number, read.motions[stretch.first : stretch.last]):
+                        self._rejected[stretch.span] = name
                         del found[number]
                 places = {motion.written.statement: motion for motion in other.motions}
                 for i in computed:
                     there = places.get(read.motions[i].written.statement)
                     if there is not None and not same_motion(read.motions[i], there):
-                        self._changing.add(i)
+                        self._changing.setdefault(i, name)
         return {stretch.span: stretch for stretch in found.values()}
 
     def _marked(self, texts: Mapping[str, str], scenario: Scenario | None = None) -> _Marked | None:
