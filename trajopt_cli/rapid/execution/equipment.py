@@ -8,7 +8,9 @@ found again only as long as its data is the very same.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import chain
 from math import isfinite
 from struct import Struct
 from typing import TYPE_CHECKING
@@ -26,6 +28,7 @@ from trajopt_cli.rapid.language.syntax import Expression, Name, Node
 from trajopt_cli.units import MM
 
 if TYPE_CHECKING:
+    from trajopt_cli.rapid.execution.instructions.manner import Known
     from trajopt_cli.rapid.execution.interpreter import Run
 
 NORM_ERROR, NORM_WARNING = 2e-2, 1e-5  # how far a quaternion's length may be off: beyond is an error, a warning
@@ -84,6 +87,7 @@ class Equipment:
         self.displacement: frames.Frame | None = None
         self.speeds: dict[str, tuple[Data, Speed]] = {}
         self.zones: dict[str, tuple[Data, Zone]] = {}
+        self.manners: dict[tuple[str, ...], Known] = {}  # by the names of speed, zone, tool and work object
         self._setups: dict[tuple[str, str], Setup] = {}
         self._rough = 0  # how many orientations were off unit length
 
@@ -263,6 +267,19 @@ def matrix(frame: frames.Frame) -> Array:
 
 
 _pack = Struct("16d").pack
+
+
+def matrices(given: Iterable[frames.Frame], count: int) -> Array:
+    """So many frames [mm] as poses [m] (count, 4, 4), read-only: as matrix, in a tenth of its time."""
+    numbers = chain.from_iterable(chain.from_iterable(given))
+    x, y, z, w, i, j, k = np.fromiter(numbers, float, 7 * count).reshape(count, 7).T
+    X = np.zeros((count, 4, 4))
+    X[:, 0] = np.stack((1 - 2 * (j * j + k * k), 2 * (i * j - w * k), 2 * (i * k + w * j), x * MM), axis=1)
+    X[:, 1] = np.stack((2 * (i * j + w * k), 1 - 2 * (i * i + k * k), 2 * (j * k - w * i), y * MM), axis=1)
+    X[:, 2] = np.stack((2 * (i * k - w * j), 2 * (j * k + w * i), 1 - 2 * (i * i + j * j), z * MM), axis=1)
+    X[:, 3, 3] = 1.0
+    X.flags.writeable = False
+    return X
 
 
 def frame(X: Array) -> frames.Frame:

@@ -220,6 +220,7 @@ class Run:
         with self.inside(Frame(scope)), room(), suppress(Exit):
             enter(self, routine, scope, (), routine)
         fill_once(self.motions, self.links, self.counts)
+        self.position.place()
 
     def block(self, block: Block) -> None:
         """Run statements in order."""

@@ -13,7 +13,10 @@ _new = object.__new__
 
 
 def made(kind: type[_Thing], parts: dict[str, Any]) -> _Thing:
-    """An instance of a frozen dataclass without slots from all of its fields; arrays among them must be read-only."""
+    """An instance of a frozen dataclass without slots from its fields; arrays among them must be read-only.
+
+    A field that is left out must be set before anybody else sees the instance.
+    """
     thing = _new(kind)
     thing.__dict__.update(parts)
     return thing

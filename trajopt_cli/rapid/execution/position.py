@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.kinematics import Kinematics
-from trajopt_cli.motion import NO_EXTERNAL_AXES, ConfData, ExternalAxes, Tool
+from trajopt_cli.motion import NO_EXTERNAL_AXES, ConfData, ExternalAxes, MoveC, MoveJ, MoveL, Tool
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.predefined import predefined
-from trajopt_cli.rapid.execution.equipment import IDENTITY, Equipment, Setup, frame, matrix
+from trajopt_cli.rapid.execution.equipment import IDENTITY, Equipment, Setup, frame, matrices, matrix
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
@@ -35,7 +35,8 @@ class Position:
     """The robot's place after the motions so far.
 
     extax: of every external axis the last value given, offsets included; None where none was. setup: tool and work
-    object of the last move. equipment: what is shared between moves.
+    object of the last move. equipment: what is shared between moves. unplaced: the moves to a pose so far, with where
+    each goes; their X_WT is made for all at once, as one by one it is a tenth of a run.
     """
 
     def __init__(self, kinematics: Kinematics | Callable[[], Kinematics] | None):
@@ -44,6 +45,7 @@ class Position:
         self.equipment = Equipment()
         self.setup = _first_setup()
         self.extax: ExternalAxes = NO_EXTERNAL_AXES
+        self.unplaced: list[tuple[MoveJ | MoveL | MoveC, frames.Frame]] = []
         self._pose: _Pose | None = None  # where the flange is, unless _away
         self._away = False  # external axes have moved since, alone
         self._joints: Array | None = None
@@ -71,6 +73,13 @@ class Position:
         """External axes have moved alone; the arm's joints hold."""
         self.extax = _merged(self.extax, extax)
         self._away = True
+
+    def place(self) -> None:
+        """The run is over: give every move to a pose its X_WT."""
+        poses = matrices([frame for _, frame in self.unplaced], len(self.unplaced))
+        for (motion, _), X_WT in zip(self.unplaced, poses, strict=True):
+            object.__setattr__(motion, "X_WT", X_WT)
+        self.unplaced.clear()
 
     # --------------------------------------------------------------------------------------------------- what is known
 

@@ -28,11 +28,12 @@ from trajopt_cli.motion import (
 )
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.courses import arc
-from trajopt_cli.rapid.data.datatypes import JOINTTARGET, LOADDATA, ROBTARGET, Data, Value
+from trajopt_cli.rapid.data.datatypes import JOINTTARGET, ROBTARGET, Data, Value
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
-from trajopt_cli.rapid.execution.equipment import IDENTITY, data_of, matrix, said, value_of
+from trajopt_cli.rapid.execution.equipment import IDENTITY, matrix, said, value_of
 from trajopt_cli.rapid.execution.evaluate import evaluate
 from trajopt_cli.rapid.execution.instructions import pace
+from trajopt_cli.rapid.execution.instructions.manner import manner
 from trajopt_cli.rapid.execution.making import made
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 from trajopt_cli.units import DEG
@@ -103,8 +104,7 @@ def move_abs_j(run: Run, node: ProcedureCall) -> None:
     args = bind(run, node, ("JointPos", "Speed", "Zone", "Tool"), _JOINT_OPTIONS)
     point, speed, zone, tool = args.required
     target = evaluate(run, point, JOINTTARGET)
-    setup = run.position.equipment.setup(run, tool, args.optional.get("wobj"))
-    check_load(run, args)
+    setup, caps, accuracy, duration = manner(run, speed, zone, tool, args)
     robax, extax = target.data
     for axis, value in enumerate(robax, 1):
         if abs(value) > NO_POSITION:
@@ -113,10 +113,10 @@ def move_abs_j(run: Run, node: ProcedureCall) -> None:
         source=run.source(node),
         written=written(run, node, point, speed, target),
         target=said(run, point),
-        speed=pace.speed(run, speed, args),
-        zone=pace.zone(run, zone, args),
+        speed=caps,
+        zone=accuracy,
         extax=external(run, extax, offset="noeoffs" not in args.optional),
-        duration=pace.duration(run, args),
+        duration=duration,
         optional=marked(run, node),
         settings=run.settings,
         q=np.array(robax) * DEG,
@@ -165,32 +165,28 @@ def to_pose(
     point, args = asked.point, asked.args
     if target is None:
         target = robtarget(run, point)
-    setup = run.position.equipment.setup(run, asked.tool, args.optional.get("wobj"))
-    check_load(run, args)
+    setup, caps, zone, duration = manner(run, asked.speed, asked.zone, asked.tool, args, speed)
     place, conf, extax, value = target
     placed = setup.placed(place)
-    if not all(abs(value) < NO_POSITION for value in placed[0]):
+    x, y, z = placed[0]
+    if not (abs(x) < NO_POSITION and abs(y) < NO_POSITION and abs(z) < NO_POSITION):
         shown = ", ".join(f"{value:.6g}" for value in placed[0])
         raise run.error(point, f"{run.text(point)} has no position: trans is [{shown}] mm")
-    X_WT, tool = matrix(placed), setup.tool
-    if tool is None:
-        X_WT, tool = matrix(setup.tcp), Tool(setup.name, X_WT, stationary=True)
     settings = run.settings
     parts = {
         "source": run.source(node),
         "written": written(run, node, point, asked.speed, value),
         "target": said(run, point),
-        "speed": speed or pace.speed(run, asked.speed, args),
-        "zone": pace.FINE if asked.zone is None else pace.zone(run, asked.zone, args),
+        "speed": caps,
+        "zone": zone,
         "extax": extax,
-        "duration": pace.duration(run, args),
+        "duration": duration,
         "optional": marked(run, node),
         "settings": settings,
         "events": events,
         "process": process,
-        "X_WT": X_WT,
         "conf": conf,
-        "tool": tool,
+        "tool": setup.tool or Tool(setup.name, matrix(placed), stationary=True),
         "wobj": setup.wobj,
         "X_WO": setup.X_WO,
     }
@@ -199,8 +195,10 @@ def to_pose(
         _check_circle(run, asked.via, point, run.position.known_target(setup), through, place)
         # A stationary tool's via point as the flange passes it: X_WF = X_WV inv(X_FT) there too.
         parts["X_WV"] = matrix(setup.placed(through) if setup.tool else frames.compose(setup.flange(through), placed))
-    run.motions.append(made(kind, parts))
+    motion = made(kind, parts)
+    run.motions.append(motion)
     run.position.to_pose(setup, place, conf, settings.conf_j if kind is MoveJ else settings.conf_l, extax)
+    run.position.unplaced.append((motion, placed if setup.tool else setup.tcp))
 
 
 def _check_circle(
@@ -300,13 +298,6 @@ def external(run: Run, extax: Data, offset: bool = True) -> ExternalAxes:
 
 
 _NO_OFFSET = (0.0,) * 6
-
-
-def check_load(run: Run, args: Arguments) -> None:
-    r"""\TLoad is the total load of one move: it must be a load, and no plan looks at it."""
-    node = args.optional.get("tload")
-    if node is not None:
-        data_of(run, node, LOADDATA, "load", "load0")
 
 
 INSTRUCTIONS: dict[str, Instruction] = {
