@@ -27,6 +27,7 @@ FLOORS: tuple[tuple[str, ...], ...] = (
         "quantity",
         "yaml_file",
         "run_folder",
+        "plan_record",
     ),
     ("rapid", "robot", "cell", "timing", "collision"),
     ("problem", "iiwa"),
@@ -57,6 +58,7 @@ STACK = {
     "quantity": {"errors", "units"},
     "yaml_file": {"errors", "quantity"},
     "run_folder": {"errors", "files"},
+    "plan_record": {"errors", "run_folder"},
 }
 # Where each third party may be imported, as patterns of paths inside the package.
 ADDRESSES: dict[str, tuple[str, ...]] = {

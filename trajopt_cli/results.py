@@ -14,8 +14,9 @@ from trajopt_cli import __version__
 from trajopt_cli.errors import InputError
 from trajopt_cli.findings import Report, finding_record
 from trajopt_cli.motion import Move, Program, SignalEvent, Wait
+from trajopt_cli.plan_record import read_plan_record
 from trajopt_cli.problem.plan import Plan, Target
-from trajopt_cli.run_folder import FORMAT, PLAN, SUMMARY, read_bytes, read_record, read_run, record, sha256
+from trajopt_cli.run_folder import FORMAT, SUMMARY, parse_record, record, sha256
 
 CHOSEN = "trajectory.csv"
 CSV = {Target.STREAM: "stream.csv", Target.RAPID: "rapid.csv"}
@@ -195,29 +196,28 @@ def run_record(
 
 
 def read_results(folder: Path) -> Results:
-    """Read a results folder. Raises InputError for a folder that is none, is newer, or whose inputs were changed."""
-    run = read_run(folder, PLAN)
-    copies = run["inputs"]["files"]
-    for name, digits in [(SUMMARY, run["files"][SUMMARY]), *((one["copy"], one["sha256"]) for one in copies)]:
-        if sha256(read_bytes(folder / name)) != digits:
-            raise InputError("was changed since the run; run trajopt optimize again", file=str(folder / name))
-    digest = read_record(folder / SUMMARY)
-    texts = {name: read_bytes(folder / name).decode("ascii", "replace") for name in (CHOSEN, *CSV.values())}
-    dropped = {
-        target: tuple(m["index"] for m in digest["plans"][target.value]["motions"] if m["dropped"]) for target in Target
-    }
-    chosen = digest["plans"][digest["target"]]["motions"]
-    options = run.get("options", {})
+    """Read a results folder. Raises InputError for a folder that is none or is newer, or where any file was changed."""
+    run = read_plan_record(folder, (SUMMARY, CHOSEN, *CSV.values()))
+    digest = parse_record(run.contents[SUMMARY], str(folder / SUMMARY))
+    try:
+        target = Target(digest["target"])
+        plans = {one: digest["plans"][one.value]["motions"] for one in Target}
+        dropped = {one: tuple(m["index"] for m in motions if m["dropped"]) for one, motions in plans.items()}
+        waits = [m for m in plans[target] if m["instruction"] == _SIGNAL_WAIT]
+        holds = tuple((float(m["start_s"] + m["time_s"]), str(m["target"])) for m in waits)
+    except (KeyError, TypeError, ValueError) as error:
+        raise InputError("is not what trajopt wrote; run trajopt optimize again", file=str(folder / SUMMARY)) from error
+    rapid = tuple((one.path, folder / one.copy, folder / one.rapid) for one in run.inputs if one.rapid is not None)
     return Results(
         folder=folder,
-        target=Target(digest["target"]),
-        modules=tuple(folder / one["copy"] for one in copies if one["rapid"]),
-        cell=folder / run["inputs"]["cell"],
-        entry=options.get("entry", "main"),
-        assume_identity=tuple(options.get("assume_identity", ())),
-        texts=texts,
+        target=target,
+        modules=tuple(copy for _, copy, _ in rapid),
+        cell=folder / run.cell,
+        entry=run.entry,
+        assume_identity=run.assume_identity,
+        texts={name: run.contents[name].decode("ascii", "replace") for name in (CHOSEN, *CSV.values())},
         dropped=dropped,
-        holds=tuple((m["start_s"] + m["time_s"], m["target"]) for m in chosen if m["instruction"] == _SIGNAL_WAIT),
-        rapid=tuple((one["path"], folder / one["copy"], folder / one["rapid"]) for one in copies if one["rapid"]),
-        added=tuple((one["path"], folder / one["rapid"]) for one in run.get("added", ())),
+        holds=holds,
+        rapid=rapid,
+        added=tuple((path, folder / place) for path, place in run.added),
     )

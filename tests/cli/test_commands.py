@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import hashlib
 import json
 import os
 import re
@@ -142,6 +143,22 @@ def test_an_infeasible_program_is_told_and_nothing_is_written(
     assert not Path("results").exists()
 
 
+def test_what_only_the_written_program_cannot_do_is_told_before_any_solving(
+    program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A statement that runs again by GOTO keeps its confdata in the RAPID plan; the stream could choose another."""
+    point = "[[500,100,400],[0,0,1,0],[1,1,1,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
+    loop = f"again: MoveJ Offs({point},0,0,n), v1000, fine, tool0; n:=n+1; IF n<2 GOTO again;"
+    text = program.read_text().replace("WaitTime 0.5;", loop)
+    program.write_text(text.replace("    PROC", "    VAR num n:=0;\n    PROC"))
+    assert run(["optimize", str(program)]) == 1
+    last = capsys.readouterr().err.splitlines()[-1]
+    assert last.startswith("tiny.mod:8:16: MoveJ Offs(")
+    assert "not with confdata [1,1,1,0]; there would be [" in last
+    assert planner.asked == []
+    assert not Path("results").exists()
+
+
 def test_an_illegal_plan_is_never_a_result(program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["optimize", str(program)]) == 0
     before = content(Path("results/tiny"))
@@ -186,6 +203,11 @@ def test_results_are_judged_again_alone_and_spoiled_ones_are_caught(
     spoiled = Path("moved/rapid.csv")
     header, *rows = spoiled.read_text().splitlines()
     spoiled.write_text("\n".join([header, *rows[: len(rows) // 2]]) + "\n")
+    assert run(["verify", "moved"]) == 2
+    assert capsys.readouterr().err == "moved/rapid.csv: was changed since the run; run trajopt optimize again\n"
+    record = json.loads(Path("moved/run.json").read_text())
+    record["files"]["rapid.csv"] = hashlib.sha256(spoiled.read_bytes()).hexdigest()
+    Path("moved/run.json").write_text(json.dumps(record))
     assert run(["verify", "moved"]) == 1
     out = capsys.readouterr().out
     assert re.search(r"^rapid\.csv: ILLEGAL", out, re.MULTILINE)

@@ -1,10 +1,12 @@
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import shutil
 import stat
 import subprocess
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import pytest
@@ -106,8 +108,20 @@ def edited(program: Path) -> bytes:
     assert run(["optimize", str(program)]) == 0
     folder = Path("results/tiny")
     content = (folder / "program.mod").read_bytes().replace(b"j_side:=[[20,", b"j_side:=[[20.5,")
-    (folder / "program.mod").write_bytes(content)
+    recorded({"program.mod": content})
     return content
+
+
+def recorded(files: dict[str, bytes], added: Sequence[Mapping[str, str]] = ()) -> None:
+    """Put files into the results of the tiny program as if the run had written them."""
+    folder = Path("results/tiny")
+    record = json.loads((folder / "run.json").read_text())
+    for name, content in files.items():
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_bytes(content)
+        record["files"][name] = hashlib.sha256(content).hexdigest()
+    record["added"] = [*record["added"], *added]
+    (folder / "run.json").write_text(json.dumps(record))
 
 
 def test_in_place_writes_over_the_users_own_file(
@@ -148,12 +162,8 @@ def test_the_printed_diff_can_be_applied(
 
 def test_new_modules_are_kept_in_the_results(planner: Planner, program: Path) -> None:
     content = edited(program)
-    record = json.loads(Path("results/tiny/run.json").read_text())
-    assert record["added"] == []
-    record["added"] = [{"path": "main_flat.mod", "rapid": "program/main_flat.mod"}]
-    Path("results/tiny/run.json").write_text(json.dumps(record))
-    Path("results/tiny/program").mkdir()
-    Path("results/tiny/program/main_flat.mod").write_bytes(NEW)
+    assert json.loads(Path("results/tiny/run.json").read_text())["added"] == []
+    recorded({"program/main_flat.mod": NEW}, [{"path": "main_flat.mod", "rapid": "program/main_flat.mod"}])
     files = rapid_export(Path("results/tiny"))
     assert [(one.path, one.place, one.content) for one in files.modules] == [
         (Path("tiny.mod"), Path("tiny.mod"), content),

@@ -1,0 +1,146 @@
+"""A results folder is what the run wrote, file by file, or it is refused in one line."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from fake_planner import Planner
+
+from trajopt_cli.cli import run
+from trajopt_cli.errors import InputError
+from trajopt_cli.results import read_results
+
+FOLDER = Path("results/tiny")
+READERS = (
+    ["export", "rapid", "results/tiny", "--output", "o.mod"],
+    ["export", "rapid", "results/tiny", "--in-place"],
+    ["export", "rapid", "results/tiny", "--diff"],
+    ["export", "joint", "results/tiny", "--output", "o.csv"],
+    ["verify", "results/tiny"],
+    ["compare", "baseline", "results/tiny"],
+)
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("made") / "results"
+
+
+@pytest.fixture
+def results(made: Path, planner: Planner, program: Path) -> Path:
+    if not made.exists():
+        assert run(["optimize", str(program)]) == 0
+        shutil.copytree("results", made)
+    else:
+        shutil.copytree(made, "results")
+    return FOLDER
+
+
+def test_every_file_is_held_by_every_reader(results: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    given = Path("tiny.mod").read_bytes()
+    for name in json.loads((results / "run.json").read_text())["files"]:
+        content = (results / name).read_bytes()
+        (results / name).write_bytes(content + b" ")
+        for command in READERS if name == "program.mod" else READERS[:1]:
+            capsys.readouterr()
+            assert run(command) == 2
+            expected = f"results/tiny/{name}: was changed since the run; run trajopt optimize again\n"
+            assert capsys.readouterr().err == expected
+        (results / name).write_bytes(content)
+    read_results(results)
+    assert Path("tiny.mod").read_bytes() == given
+    assert not Path("o.mod").exists()
+    assert not Path("o.csv").exists()
+
+
+@pytest.mark.parametrize("name", ["program.mod", "input/tiny.mod", "input/tiny.yaml", "rapid.csv", "summary.json"])
+def test_a_file_that_is_read_must_be_listed(results: Path, name: str) -> None:
+    record = json.loads((results / "run.json").read_text())
+    del record["files"][name]
+    (results / "run.json").write_text(json.dumps(record))
+    with pytest.raises(InputError, match=rf'^results/tiny/run\.json: was not written by trajopt: .* is "{name}"'):
+        read_results(results)
+
+
+def at(*keys: Any) -> Callable[[Any, Any], None]:
+    def put(record: Any, value: Any) -> None:
+        for key in keys[:-1]:
+            record = record[key]
+        record[keys[-1]] = value
+
+    return put
+
+
+@pytest.mark.parametrize(
+    ("put", "what"),
+    [
+        (at("inputs", "files"), "inputs.files"),
+        (at("inputs", "files", 0), "inputs.files[0]"),
+        (at("inputs", "files", 0, "path"), "inputs.files[0].path"),
+        (at("inputs", "files", 0, "copy"), "inputs.files[0].copy"),
+        (at("inputs", "files", 0, "rapid"), "inputs."),  # null: no module
+        (at("inputs", "files", 0, "sha256"), "inputs.files[0].sha256"),
+        (at("inputs", "program"), "inputs.program"),
+        (at("inputs", "cell"), "inputs.cell"),
+        (at("options"), "options"),
+        (at("options", "program"), "options.program[0]"),
+        (at("options", "entry"), "options.entry"),
+        (at("options", "assume_identity"), "options.assume_identity"),
+        (at("added"), "added"),
+    ],
+)
+@pytest.mark.parametrize("value", [None, 3, 1.5, True, [3], [None], {"a": 1}, "../../x", "/etc/passwd", "", "a\0b"])
+def test_each_damage_is_one_line(results: Path, put: Callable[[Any, Any], None], what: str, value: Any) -> None:
+    if what == "options" and value == {"a": 1}:
+        return  # those of an older run name no entry
+    if isinstance(value, str) and what in ("options.program[0]", "options.entry", "inputs.files[0].path"):
+        return  # texts that a user may have given; an input is held against its content before it is written
+    record = json.loads((results / "run.json").read_text())
+    put(record, value)
+    (results / "run.json").write_text(json.dumps(record))
+    with pytest.raises(InputError) as caught:
+        read_results(results)
+    assert str(caught.value).startswith(f"results/tiny/run.json: was not written by trajopt: {what}")
+    assert len(str(caught.value).splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    "path",
+    ["/etc/new.mod", "../new.mod", "sub/new.mod", "sub/../new.mod", "tiny.mod", "", "..", "other.mod", "a\0b", 3],
+)
+def test_a_new_module_lies_beside_the_program_or_nowhere(results: Path, path: str | int) -> None:
+    record = json.loads((results / "run.json").read_text())
+    record["files"]["program/new.mod"] = record["files"]["program.mod"]
+    (results / "program").mkdir()
+    shutil.copy(results / "program.mod", results / "program/new.mod")
+    record["added"] = [{"path": "new.mod", "rapid": "program/new.mod"}]
+    (results / "run.json").write_text(json.dumps(record))
+    assert read_results(results).added == (("new.mod", results / "program/new.mod"),)
+    record["added"][0]["path"] = path
+    (results / "run.json").write_text(json.dumps(record))
+    with pytest.raises(InputError, match=r"run\.json: was not written by trajopt: added\[0\]\.(path|rapid) is "):
+        read_results(results)
+
+
+def test_a_link_out_of_the_folder_is_not_followed(results: Path) -> None:
+    (results / "program.mod").rename("elsewhere.mod")
+    (results / "program.mod").symlink_to(Path("elsewhere.mod").resolve())
+    with pytest.raises(InputError, match=r"program\.mod: is not a file that trajopt wrote"):
+        read_results(results)
+
+
+@pytest.mark.parametrize("content", ["{}", '{"target": 3}', '{"target": "stream", "plans": []}', "[]", "{"])
+def test_a_summary_that_trajopt_did_not_write(results: Path, content: str) -> None:
+    import hashlib
+
+    record = json.loads((results / "run.json").read_text())
+    record["files"]["summary.json"] = hashlib.sha256(content.encode()).hexdigest()
+    (results / "run.json").write_text(json.dumps(record))
+    (results / "summary.json").write_text(content)
+    with pytest.raises(InputError, match=r"summary\.json: is not "):
+        read_results(results)
