@@ -421,3 +421,47 @@ def test_an_error_in_another_module_is_shown_with_the_line_of_its_own_file() -> 
     with pytest.raises(InputError) as caught:
         run_program(files)
     assert caught.value.shown() == "b.mod:4:12: division by zero in '/'\n    WaitTime 1/0;\n             ^"
+
+
+@pytest.mark.parametrize(
+    ("body", "message"),
+    [
+        ("n:=a{k+3};", "index 4 of a{k+3} lies outside 1..3"),
+        ("n:=m{1,k+2};", "index 3 in dimension 2 of m{1,k+2} lies outside 1..2"),
+        ("n:=a{1,2};", "a is an array of 1 dimension(s), found 2 index(es)"),
+    ],
+)
+def test_an_index_says_of_which_array(body: str, message: str) -> None:
+    assert refused(body, "VAR num n; VAR num k:=1; VAR num a{3}; VAR num m{3,2};").message == message
+
+
+def test_a_target_without_external_axes_is_told_about_the_rail() -> None:
+    message = refused("", "CONST robtarget p:=[[500,0,600],[0,0,1,0],[0,0,0,0]];").message
+    assert message.endswith(
+        "; the external axes are missing, write [9E9,9E9,9E9,9E9,9E9,9E9], with the rail's position in its place if "
+        "the robot rides on one"
+    )
+
+
+@pytest.mark.parametrize("name", ["pPick", "m.x", "x{1}"])
+def test_a_name_that_is_declared_nowhere_asks_for_its_file(name: str) -> None:
+    message = refused(f"MoveL {name},v100,fine,tool0;").message
+    assert message.startswith(("robtarget 'pPick' is not declared in the program", "'m' is", "'x' is"))
+    assert message.endswith("; give the file that declares it")
+
+
+@pytest.mark.parametrize(
+    ("body", "message"),
+    [
+        ("dice;", "dice is a FUNC; only a PROC is called as a statement; write 'x:=dice();', or make it a PROC"),
+        ("dice 6;", "dice is a FUNC; only a PROC is called as a statement; write 'x:=dice(...);', or make it a PROC"),
+        (
+            "halt;",
+            "halt is a TRAP; only a PROC is called as a statement; move what it does into a PROC that TRAP halt calls "
+            "too",
+        ),
+    ],
+)
+def test_what_to_do_about_a_call_of_what_is_no_procedure(body: str, message: str) -> None:
+    routines = "FUNC num dice(\\num top)\nRETURN 4;\nENDFUNC\nTRAP halt\nENDTRAP"
+    assert refused(body, routines=routines).message == message

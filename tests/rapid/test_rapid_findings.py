@@ -24,3 +24,8 @@ def test_a_socket_is_asked_for_where_other_data_is_given() -> None:
 def test_an_element_of_data_of_a_type_that_nobody_declares() -> None:
     message = error("x:=s{2};", "VAR shelf s{2}:=[[1,TRUE],[2,FALSE]];\nVAR num x;")
     assert message == "'s{2}' is of type shelf, which is declared nowhere"
+
+
+def test_the_sizes_of_an_array_of_process_data() -> None:
+    message = error("VAR socketdev s{2,3};\nFOR k FROM 1 TO Dim(s,2) DO\nWaitTime 1/(3-k);\nENDFOR")
+    assert message == "division by zero in '/'"  # in the third pass

@@ -194,7 +194,10 @@ def test_a_mark_that_marks_nothing_is_an_error_and_one_on_no_move_is_said() -> N
 # -------------------------------------------------------------------------------------------------- broken meaning
 
 P = DATA.splitlines()[0] + "\n"
-LOOKED = " (looked for in PROC main, MODULE m, the other modules' globals and the predefined data)"
+LOOKED = (
+    " (looked for in PROC main, MODULE m, the other modules' globals and the predefined data); "
+    "give the file that declares it"
+)
 
 
 @pytest.mark.parametrize(
@@ -231,7 +234,7 @@ LOOKED = " (looked for in PROC main, MODULE m, the other modules' globals and th
         ("tool0.robhold:=FALSE;", "", "3:1: tool0.robhold is predefined and cannot be changed"),
         ("FOR i FROM 1 TO 2 DO\ni:=3;\nENDFOR", "", "4:1: i is a loop variable and cannot be changed"),
         ("x:=TRUE;", "VAR num x;\n", "4:4: needs a value of type num, found bool"),
-        ("WaitTime x{3};", "VAR num x{2};\n", "4:12: index 3 lies outside the array's 1..2"),
+        ("WaitTime x{3};", "VAR num x{2};\n", "4:12: index 3 of x{3} lies outside 1..2"),
         ("WaitTime x.y;", "VAR num x;\n", "4:10: a num has no components, so '.y' means nothing"),
         ("WaitTime p.robconf.cf2;", P, "4:10: confdata has no component 'cf2'; it has cf1, cf4, cf6, cfx"),
         ("WaitTime 1/0;", "", "3:10: division by zero in '/'"),
@@ -267,18 +270,20 @@ def test_an_unknown_instruction_is_named_with_what_to_do() -> None:
     )
 
 
+RAIL = "[9E9,9E9,9E9,9E9,9E9,9E9], with the rail's position in its place if the robot rides on one"
+
+
 @pytest.mark.parametrize(
     ("data", "message"),
     [
         (
             "CONST robtarget q:=[[1,2,3],[1,0,0,0],[0,0,0,0]];\n",
             "2:20: robtarget needs 4 parts [trans,rot,robconf,extax], found 3; "
-            "the external axes are missing, write [9E9,9E9,9E9,9E9,9E9,9E9]",
+            f"the external axes are missing, write {RAIL}",
         ),
         (
             "CONST jointtarget q:=[[0,0,0,0,0,0]];\n",
-            "2:22: jointtarget needs 2 parts [robax,extax], found 1; "
-            "the external axes are missing, write [9E9,9E9,9E9,9E9,9E9,9E9]",
+            f"2:22: jointtarget needs 2 parts [robax,extax], found 1; the external axes are missing, write {RAIL}",
         ),
         (
             "CONST jointtarget q:=[[0,0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n",

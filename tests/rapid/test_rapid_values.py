@@ -94,7 +94,7 @@ def test_mixing_num_and_dnum_is_said_once() -> None:
         ("p:=[1,2];", "4:4: pos needs 3 parts [x,y,z], found 2"),
         ("a:=[1,2];", "4:4: the array needs 3 elements, found 2"),
         ("a:=b;", "4:4: needs a value of type num{*}, found num{*}"),
-        ("n:=a{1,1};", "4:4: the array has 1 dimension(s), found 2 index(es)"),
+        ("n:=a{1,1};", "4:4: a is an array of 1 dimension(s), found 2 index(es)"),
         ("n:=a{1.5};", "4:6: an index must be a whole number, found 1.5"),
         ("IF n THEN ENDIF", "4:4: needs a value of type bool, found num"),
         ('IF s=1 THEN ENDIF', "4:4: cannot compare string with num"),
@@ -303,6 +303,7 @@ def test_predefined_variables_may_be_changed_and_errors_may_not() -> None:
 
 
 LOOKED = "in the program (looked for in PROC main, MODULE m, the other modules' globals and the predefined data)"
+FILE = "Else give the file that declares it"
 NEITHER = "is neither a procedure of the files read nor an instruction that is known"
 STUB = "give the file that declares it, or take it as doing nothing: the line 'stubs: [{}]' in the cell file"
 
@@ -310,8 +311,8 @@ STUB = "give the file that declares it, or take it as doing nothing: the line 's
 @pytest.mark.parametrize(
     ("body", "message"),
     [
-        ("MoveL pPick,v100,fine,tool0;", f"4:7: robtarget 'pPick' is not declared {LOOKED}; did you mean 'ppick1'?"),
-        ("cuont:=1;", f"4:1: 'cuont' is not declared {LOOKED}; did you mean 'count'?"),
+        ("MoveL pPick,v100,fine,tool0;", f"4:7: robtarget 'pPick' is not declared {LOOKED}; did you mean 'ppick1'? {FILE}"),
+        ("cuont:=1;", f"4:1: 'cuont' is not declared {LOOKED}; did you mean 'count'? {FILE}"),
         ("Elsewhere;", f"4:1: Elsewhere {NEITHER}; {STUB.format('Elsewhere')}"),
         ("showit;", f"4:1: showit {NEITHER}; did you mean 'ShowIt2'? Else {STUB.format('showit')}"),
     ],

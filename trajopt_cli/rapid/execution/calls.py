@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
 
 CALL_LIMIT = 250  # routines inside routines
+CALL_COST = 3  # statements that take as long as a call
 _INSTRUCTIONS = {name.lower(): handler for name, handler in INSTRUCTIONS.items()}
 _FUNCTIONS = {name.lower(): handler for name, handler in FUNCTIONS.items()}
 _NAME = re.compile(r"(?:\w*:)?([^\W\d]\w*)")  # `module:procedure`, `:procedure`
@@ -57,7 +58,7 @@ def procedure(run: Run, node: ProcedureCall) -> None:
     if found is not None:
         routine, scope = found
         if routine.kind != "PROC":
-            raise run.error(node, f"{node.name} is a {routine.kind}; only a PROC is called as a statement")
+            raise run.error(node, f"{node.name} is a {routine.kind}; {_remedy(node, routine)}")
         enter(run, routine, scope, node.args, node)
         return
     instruction = _INSTRUCTIONS.get(node.name.lower())
@@ -66,6 +67,14 @@ def procedure(run: Run, node: ProcedureCall) -> None:
     instruction(run, node)
     if len(run.motions) != len(run.links):
         run.settle()
+
+
+def _remedy(node: ProcedureCall, routine: Routine) -> str:
+    """What to do about a call, as a statement, of what is no procedure."""
+    if routine.kind == "TRAP":
+        return f"only a PROC is called as a statement; move what it does into a PROC that TRAP {node.name} calls too"
+    taken = "..." if node.args else ""
+    return f"only a PROC is called as a statement; write 'x:={node.name}({taken});', or make it a PROC"
 
 
 def _stub(run: Run, node: ProcedureCall) -> None:
@@ -91,6 +100,7 @@ def function(run: Run, node: Call, wanted: Type | None) -> Value:
         value = enter(run, routine, scope, node.args, node)
         assert value is not None
         return value
+    run.budget -= 1
     handler = _FUNCTIONS.get(node.name.lower())
     if handler is None:
         message = f"{node.name} is neither a function of the files read nor one that is known"
@@ -131,6 +141,9 @@ def enter(run: Run, routine: Routine, scope: ModuleScope, args: Sequence[Argumen
     """Run a routine with arguments that stand in the routine that runs now; the value that a FUNC returns."""
     if run.depth >= CALL_LIMIT:
         raise run.error(node, f"calls are nested deeper than {CALL_LIMIT} routines at {routine.name}")
+    run.budget -= CALL_COST
+    if run.budget < 0:
+        raise run.exhausted(node)
     head = _head(run, routine, scope)
     frame = Frame(scope, returns=head.returns, routine=routine, motions=len(run.motions))
     if args or routine.parameters:

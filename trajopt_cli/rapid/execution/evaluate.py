@@ -212,6 +212,8 @@ def inside_opaque(run: Run, node: Expression) -> bool:
 
 
 def _part_value(run: Run, node: Component | Element, wanted: Type | None) -> Value:
+    if type(node.base) is Name and run.find(node.base.name) is None:  # no signal: those have no parts
+        raise run.undeclared(node.base)
     base = evaluate(run, node.base)
     if isinstance(node, Component):
         base = item(base, *_component(run, node, base.type))
@@ -242,13 +244,15 @@ def _elements(run: Run, node: Element, base: Value) -> list[tuple[int, Type]]:
         message = f"'{run.text(node)}' is of type {type_.element.name}, which has no value that can be read"
         raise run.error(node, message)
     if len(node.indices) != type_.dimensions:
-        raise run.error(node, f"the array has {type_.dimensions} dimension(s), found {len(node.indices)} index(es)")
+        array = f"{run.text(node.base)} is an array of {type_.dimensions} dimension(s)"
+        raise run.error(node, f"{array}, found {len(node.indices)} index(es)")
     path: list[tuple[int, Type]] = []
     for expression in node.indices:
         assert isinstance(type_, Array)
         index = integer(run, expression, "an index")
         if not 1 <= index <= len(data):
-            message = f"index {index} lies outside the array's 1..{len(data)}"
+            which = f"index {index}" if len(node.indices) == 1 else f"index {index} in dimension {len(path) + 1}"
+            message = f"{which} of {run.text(node)} lies outside 1..{len(data)}"
             raise run.fault(expression, "ERR_OUTOFBND", message)
         type_, data = type_.inside, data[index - 1]
         path.append((index - 1, type_))
@@ -279,7 +283,8 @@ def aggregate(run: Run, node: Aggregate, wanted: Type) -> Value:
         if len(node.items) != len(parts):
             text = f"{wanted.name} needs {len(parts)} parts {shape}, found {len(node.items)}"
             if parts[-1] == EXTJOINT and len(node.items) == len(parts) - 1:
-                text += "; the external axes are missing, write [9E9,9E9,9E9,9E9,9E9,9E9]"
+                text += "; the external axes are missing, write [9E9,9E9,9E9,9E9,9E9,9E9], "
+                text += "with the rail's position in its place if the robot rides on one"
             raise run.error(node, text)
     elif isinstance(wanted, Array):
         size = wanted.sizes[0] if wanted.sizes else len(node.items)

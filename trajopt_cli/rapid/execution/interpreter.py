@@ -14,7 +14,7 @@ from difflib import get_close_matches
 from trajopt_cli.errors import InputError
 from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import DEFAULT_SETTINGS, Motion, Source
-from trajopt_cli.rapid.data.datatypes import NUM, SIGNALS, Type, Value, is_opaque
+from trajopt_cli.rapid.data.datatypes import NUM, SIGNALS, Array, Type, Value, is_opaque
 from trajopt_cli.rapid.data.predefined import ERRORS, VARIABLES, predefined
 from trajopt_cli.rapid.data.scope import Absent, Datum, Frame, ModuleScope, Part, Place, Scope
 from trajopt_cli.rapid.execution.calls import Head, enter, function
@@ -43,7 +43,7 @@ from trajopt_cli.scenario import Scenario
 
 __all__ = ["Exit", "Run"]
 
-MOTION_LIMIT = 1_000_000
+MOTION_LIMIT = 300_000
 _PERS = ("tool0", "wobj0", "load0")  # predefined, and PERS on a controller: they may be given to PERS parameters
 
 
@@ -115,7 +115,9 @@ class Run:
         known = (self.frame.local, scope.data, self.shared.data, self._predefined)
         message = f"{what}'{node.name}' is not declared in the program (looked for in {', '.join(where)}, "
         message += "the other modules' globals and the predefined data)"
-        return self.unknown(node, node.name, message, [name for names in known for name in names])
+        message = self.meant(node.name, message, [name for names in known for name in names])
+        remedy = "give the file that declares it"
+        return self.error(node, f"{message} Else {remedy}" if message.endswith("?") else f"{message}; {remedy}")
 
     def unknown(self, node: Node, name: str, message: str, names: Iterable[str]) -> InputError:
         """An InputError for a name that is not one of names."""
@@ -276,7 +278,7 @@ class Run:
             if not convertible(type_, value.type):
                 raise self.error(target, f"{self.text(target)} is a {type_.name}, and the value a {value.type.name}")
             value = Value(type_, value.data, value.origin)
-        if value.origin is None and not is_opaque(type_):
+        if value.origin is None and type(type_) is not Array and not is_opaque(type_):  # arrays are only copied
             value = computed(self, target, type_, value.data)
         if type(place) is Part:
             whole: Place = place
