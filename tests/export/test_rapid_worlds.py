@@ -5,9 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from rail_plans import J1, made
+from rail_plans import J1, made, plan_for
 
 from trajopt_cli.cell.loader import load_cell
+from trajopt_cli.export.rapid import export_rapid
 from trajopt_cli.export.rapid_reading import Reading
 from trajopt_cli.export.rapid_writable import writable
 from trajopt_cli.motion import Program
@@ -44,7 +45,7 @@ def asking(body: str, scenario: Scenario, data: str = "    VAR num n;\n", rest: 
         (f"{ASK}        go;\n{J1}", 5.0, {0, 1}),
         (f"{ASK}{UP.replace('50', '50*n')}{J1}", 1.0, {1}),
         (f"{ASK}        IF n=4 h:=80;\n{UP.replace('50', 'h')}{J1}", 1.0, {1}),
-        (f"{ASK}        TEST n\n        CASE 3:\n            h:=80;\n        ENDTEST\n{UP.replace('50', 'h')}", 2.0, set()),
+        (f"{ASK}        TEST n\n        CASE 3:\n        h:=80;\n        ENDTEST\n{UP.replace('50', 'h')}", 2, set()),
         (f'        TPReadNum n,"?";\n        IF n>700 h:=80;\n{UP.replace("50", "h")}{J1}', 1.0, {1}),
     ],
 )  # fmt: skip
@@ -52,3 +53,33 @@ def test_a_target_is_pinned_by_what_it_hangs_on_only(plant: Plant, body: str, an
     scenario = Scenario(answers={"n": answer})
     program = asking(body, scenario, "    VAR num n;\n    VAR num h:=50;\n")
     assert writable(program, plant, Reading(program, plant, scenario)) == free
+    rails = {i: 0.2 if i not in free else 0.3 + i / 10 for i in range(len(program.motions))}
+    assert export_rapid(program, plan_for(program, plant, rails), plant, scenario=scenario).texts
+
+
+ARRAY = (
+    "    CONST robtarget ps{2}:=[[[500,200,450],[0,0,1,0],[0,0,0,0],[200,9E9,9E9,9E9,9E9,9E9]],"
+    "[[500,300,450],[0,0,1,0],[0,0,0,0],[300,9E9,9E9,9E9,9E9,9E9]]];\n    VAR num n;\n"
+)
+EACH = "        IF TRUE each;\n"
+LEFT = """    PROC each()
+        VAR num i;
+        WHILE TRUE DO
+            i:=i+1;
+            IF i>2 RETURN;
+            MoveJ ps{i},v100,fine,tool0;
+        ENDWHILE
+    ENDPROC
+"""
+
+
+def test_a_literal_that_cannot_get_another_beside_it_is_pinned_by_what_is_computed_from_it(plant: Plant) -> None:
+    scenario = Scenario(answers={"n": 10.0})
+    ask = '        TPReadNum n,"?";\n'
+    hanging = "        MoveL Offs(ps{2},0,0,n),v100,fine,tool0;\n"
+    several = asking(f"{ask}{EACH}", scenario, ARRAY, LEFT)
+    assert writable(several, plant, Reading(several, plant, scenario)) == {0, 1}
+    program = asking(f"{ask}{EACH}{hanging}{J1}", scenario, ARRAY, LEFT)
+    assert writable(program, plant, Reading(program, plant, scenario)) == {3}
+    plan = plan_for(program, plant, {0: 0.2, 1: 0.3, 2: 0.3, 3: 0.35})
+    assert "[350,9E9" in export_rapid(program, plan, plant, scenario=scenario).texts["m.mod"]

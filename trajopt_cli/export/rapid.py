@@ -32,6 +32,7 @@ from trajopt_cli.export.rapid_scopes import Scopes
 from trajopt_cli.export.rapid_stretches import Stretches
 from trajopt_cli.export.rapid_targets import Targets
 from trajopt_cli.export.rapid_text import Edits, Names, refusal
+from trajopt_cli.export.rapid_writable import safest
 from trajopt_cli.export.rapid_write import Choices, Intent, RapidExport, write
 from trajopt_cli.motion import Move, Program, Wait
 from trajopt_cli.problem.plan import Plan, PlannedMotion, Target
@@ -63,35 +64,40 @@ def export_rapid(
     scopes = Scopes(program.files)
     stretches = Stretches(program, scopes, reading)
     intents = _intents(program, plan, plant, faster, scopes)
-    choices = Choices()
+    choices, last = Choices(), False
+    refused: InputError | None = None
     while True:
+        found: list[tuple[int | None, InputError]] = []
         try:
             export = write(program, plant, scopes, stretches, intents, choices)
             found = list(mismatches(program, plan, plant, reading, export.texts, export.new, faster))
-        except InputError:
-            if not choices.own or choices.isolated:
-                raise
-            choices = Choices(isolated=True)
-            continue
-        if not found:
-            return export
+        except InputError as error:
+            refused = failure = refused or error
+        else:
+            if not found:
+                return export
+            failure = found[0][1]
         # A computed target that the edits leave, or make, another than planned gets a declaration of its own.
-        computed = frozenset(index for index, _ in found if index is not None and _is_computed(program, index))
-        for index in computed:
-            if not stretches.constant(index):
-                motion = program.motions[index]
-                assert isinstance(motion, Move)
-                raise refusal(
-                    motion.source,
-                    f"the plan wants other values for {motion.target}, which hangs on what only the scenario says; it "
-                    "cannot be written out",
-                )
-        if computed - choices.own:
-            choices = replace(choices, own=choices.own | computed)
+        computed = {index for index, _ in found if index is not None and _is_computed(program, index)}
+        own = {index for index in computed if stretches.constant(index)} - choices.own
+        if own:
+            choices = replace(choices, own=choices.own | own)
         elif not choices.isolated:
             choices = Choices(isolated=True)
+        elif not last:
+            choices, last = safest(program, plant, scopes, stretches, reading), True
         else:
-            raise found[0][1]
+            raise refused or (_hanging(program, min(computed)) if computed - choices.own else failure)
+
+
+def _hanging(program: Program, index: int) -> InputError:
+    motion = program.motions[index]
+    assert isinstance(motion, Move)
+    return refusal(
+        motion.source,
+        f"the plan wants other values for {motion.target}, which hangs on what only the scenario says; it cannot be "
+        "written out",
+    )
 
 
 def rail_moves(planned: PlannedMotion, plant: Plant) -> bool:

@@ -175,6 +175,7 @@ class Targets:
             return literal.versions[key]
         text = self.written_with(self._edits.text(span), move, wish)
         if text == self._edits.text(span) and self._isolated:
+            literal.versions[key] = None
             return None
         if in_place and None not in literal.versions.values():
             literal.versions[key] = None

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Set
+from dataclasses import replace
+from typing import cast
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.export.rapid_call import read_move
@@ -14,9 +16,10 @@ from trajopt_cli.export.rapid_stretches import Stretch, Stretches
 from trajopt_cli.export.rapid_targets import PoseMove, Targets, confdata_counts
 from trajopt_cli.export.rapid_text import Edits, Names
 from trajopt_cli.export.rapid_write import Choices, Intent, write
-from trajopt_cli.motion import Move, MoveAbsJ, MoveExtJ, Program, Span, Wait
+from trajopt_cli.motion import ExternalAxes, Move, MoveAbsJ, MoveExtJ, Program, Span, Wait
 from trajopt_cli.problem.plant import Plant
 
+_STEP, _STEPS = 0.01, 997  # mm; how far targets are moved along the rail to see what else moves, and how many ways
 _TRIALS = 8  # of a long program each takes as long as reading it
 
 
@@ -28,8 +31,9 @@ def writable(program: Program, plant: Plant, reading: Reading) -> frozenset[int]
     - Whatever lies in a stretch that can be written flat.
     - A wait that runs once, where a line could stand in its place.
 
-    The last word on computed targets and flat stretches has a trial: they are written with the values of the program
-    itself, and what is read back must be the program. Nothing is written out that hangs on the scenario: what a
+    The last word has a trial: computed targets and flat stretches are written with the values of the program itself,
+    and what is read back must be the program; then everything is written with other values, in the way that an export
+    falls back on, and what is read back must have those. Nothing is written out that hangs on the scenario: what a
     program does with a search, an answer or an input must stay its own.
     """
     scopes = Scopes(program.files)
@@ -38,7 +42,34 @@ def writable(program: Program, plant: Plant, reading: Reading) -> frozenset[int]
     single = {i for i, motion in enumerate(program.motions) if runs[motion.written.statement] == 1}
     computed = {i for i in single if _can_be_said(program, i) and stretches.constant(i)}
     own, flat = _tried(program, plant, scopes, stretches, reading, computed)
-    inside = {i for stretch in flat for i in range(stretch.first, stretch.last)}
+    out = _free(program, plant, scopes, own, flat)
+    several = {i for i in out if i not in single} - _inside(flat)  # edited in place, so others may compute with them
+    for less, fewer, rest in ((out, own, flat), (out - several, own, flat)):
+        if not (less & several or fewer or rest):
+            return less  # each target by itself, or a new one that nothing else reads
+        if _carries_others(program, plant, scopes, stretches, reading, less, Choices(frozenset(fewer), tuple(rest))):
+            return less
+    return _free(program, plant, scopes, set(), []) - several
+
+
+def safest(program: Program, plant: Plant, scopes: Scopes, stretches: Stretches, reading: Reading) -> Choices:
+    """How to write what other ways cannot: no declaration is edited where a new one will do, and all is written out."""
+    runs = Counter(motion.written.statement for motion in program.motions)
+    single = {i for i, motion in enumerate(program.motions) if runs[motion.written.statement] == 1}
+    computed = {i for i in single if _can_be_said(program, i) and stretches.constant(i)}
+    own, flat = _tried(program, plant, scopes, stretches, reading, computed)
+    return Choices(frozenset(own), tuple(flat), isolated=True)
+
+
+def _inside(flat: list[Stretch]) -> set[int]:
+    return {i for stretch in flat for i in range(stretch.first, stretch.last)}
+
+
+def _free(program: Program, plant: Plant, scopes: Scopes, own: set[int], flat: list[Stretch]) -> frozenset[int]:
+    """What can carry values of its own. own, flat: computed targets and stretches that can be written out."""
+    runs = Counter(motion.written.statement for motion in program.motions)
+    single = {i for i, motion in enumerate(program.motions) if runs[motion.written.statement] == 1}
+    inside = _inside(flat)
     out = {i for i in inside if isinstance(program.motions[i], Move | Wait)}
     shared = _shared_literals(program)
     dwells = _places_to_dwell(program, scopes, own | inside)
@@ -59,6 +90,41 @@ def writable(program: Program, plant: Plant, reading: Reading) -> frozenset[int]
             elif literal and not alone and motion.written.statement not in shared:
                 out.add(i)
     return frozenset(out)
+
+
+def _carries_others(
+    program: Program,
+    plant: Plant,
+    scopes: Scopes,
+    stretches: Stretches,
+    reading: Reading,
+    free: Set[int],
+    choices: Choices,
+) -> bool:
+    """Whether every free move can be given a rail position of its own without anything else becoming another."""
+    eax = plant.rail_eax
+    if eax is None:
+        return True
+    targets = Targets(program, plant, Edits(program.files), Names({}), scopes)
+    intents, wanted = {}, list(program.motions)
+    for i, motion in enumerate(program.motions):
+        if isinstance(motion, Wait):
+            intents[i] = Intent()
+        elif isinstance(motion, Move):
+            wish = targets.as_written(motion)
+            if i in free:
+                value = round((motion.extax[eax] or 0.0) + _STEP * (i % _STEPS + 1), 3)
+                axes = list(motion.extax)
+                axes[eax] = value
+                wanted[i] = other = replace(motion, extax=cast(ExternalAxes, tuple(axes)))
+                wish = targets.as_written(other)
+            intents[i] = Intent(wish)
+    try:
+        export = write(program, plant, scopes, stretches, intents, replace(choices, isolated=True))
+        read = reading.again(export.texts, export.new)
+    except InputError:
+        return False
+    return first_difference(replace(program, motions=tuple(wanted)), read) is None
 
 
 def _can_be_said(program: Program, index: int) -> bool:
