@@ -68,7 +68,10 @@ class Collides:
 
 @dataclass(frozen=True, eq=False)
 class Optimised:
-    """The answer of optimize: both targets' judged plans, what the user should know, and where the files are."""
+    """The answer of optimize: both targets' judged plans, what the user should know, and where the files are.
+
+    no_rapid: why the RAPID plan could not be written as RAPID; then rapid_files is empty.
+    """
 
     job: Job
     target: Target
@@ -77,6 +80,7 @@ class Optimised:
     notes: tuple[str, ...]
     folder: Path
     rapid_files: tuple[str, ...]
+    no_rapid: str | None
     seconds: Mapping[str, float]
 
 
@@ -110,6 +114,8 @@ def optimise(
     if hits := collisions(check_start(job.program, job.plant, start)):
         return Collides("", hits)
     clock, started = _Clock({"read": job.read_seconds}), datetime.now(UTC)
+    if (infeasible := _out_of_reach(job, clock)) is not None:
+        return infeasible
     inputs = _inputs(job)
     judged: dict[Target, Judged] = {}
     for one, answer in _both(job, listen, clock).items():
@@ -122,7 +128,9 @@ def optimise(
         judged[one] = answer
     listen("results", Progress("write"))
     with clock.phase("export"):
-        files, export = _files(job, target, judged, inputs)
+        export, no_rapid = _export(job, judged[Target.RAPID].plan)
+        notices = (*_notices(job), *((f"no RAPID text: {no_rapid}",) if no_rapid is not None else ()))
+        files = _files(job, target, judged, inputs, export, notices)
     if plots:
         listen("results", Progress("plots"))
         with clock.phase("plots"):
@@ -140,36 +148,49 @@ def optimise(
         "target": target.value,
     }
     starts = {"program": inputs[next(iter(job.program.files))], "cell": inputs[str(job.cell_path)]}
-    added = {path: _place_of_new(path) for path in export.new}
-    files[RUN] = run_record(options, starts, inputs.values(), files, timing, added)
+    added = {path: _place_of_new(path) for path in export.new} if export is not None else {}
+    files[RUN] = run_record(options, starts, inputs.values(), files, timing, added, no_rapid)
     check_replaceable(folder)
     write_folder(folder, files)
-    modules = (*(given.rapid for given in inputs.values() if given.rapid is not None), *added.values())
-    return Optimised(job, target, judged, _notices(job), export.notes, folder, modules, clock.seconds)
+    modules = (*(given.rapid for given in inputs.values() if given.rapid in files), *added.values())
+    notes = export.notes if export is not None else ()
+    return Optimised(job, target, judged, notices, notes, folder, modules, no_rapid, clock.seconds)
 
 
-def _files(
-    job: Job, target: Target, judged: Mapping[Target, Judged], inputs: Mapping[str, InputFile]
-) -> tuple[dict[str, bytes], RapidExport]:
-    """The results folder's files but run.json, and the RAPID export."""
+def _export(job: Job, rapid: Plan) -> tuple[RapidExport | None, str | None]:
+    """The RAPID export; None, and why, where the program's text cannot carry the plan, which is as good without."""
     from trajopt_cli.export.faster import faster_than_programmed
     from trajopt_cli.export.rapid import export_rapid
 
-    rapid = judged[Target.RAPID].plan
     faster = faster_than_programmed(job.program, rapid, job.plant)
-    export = export_rapid(job.program, rapid, job.plant, faster, job.scenario, job.program.entry)
+    try:
+        return export_rapid(job.program, rapid, job.plant, faster, job.scenario, job.program.entry), None
+    except InputError as error:
+        return None, str(error)
+
+
+def _files(
+    job: Job,
+    target: Target,
+    judged: Mapping[Target, Judged],
+    inputs: Mapping[str, InputFile],
+    export: RapidExport | None,
+    notices: tuple[str, ...],
+) -> dict[str, bytes]:
+    """The results folder's files but run.json."""
+    notes = export.notes if export is not None else ()
     files = {
-        SUMMARY: summary(job.program, target, judged, _notices(job), job.plant.notes, job.plant.unchecked),
+        SUMMARY: summary(job.program, target, judged, notices, job.plant.notes, job.plant.unchecked, notes),
         CHOSEN: judged[target].csv.encode("ascii"),
         **{CSV[one]: judged[one].csv.encode("ascii") for one in Target},
     }
     for given in inputs.values():
         files[given.copy] = given.content
-        if given.rapid is not None:
+        if given.rapid is not None and export is not None:
             files[given.rapid] = export.texts[given.path].encode(job.program.files[given.path].encoding)
-    for path, new in export.new.items():
+    for path, new in export.new.items() if export is not None else ():
         files[_place_of_new(path)] = new.text.encode(new.encoding)
-    return files, export
+    return files
 
 
 def _place_of_new(path: str) -> str:
@@ -186,6 +207,18 @@ def plan_pictures(job: Job, plan: Plan) -> dict[str, bytes]:
     pictures = draw(job.program, job.plant, plan, name)
     pictures |= stepwise(job.program, analyse(job.program, job.plant), name)
     return {f"plots/{place}": content for place, content in pictures.items()}
+
+
+def _out_of_reach(job: Job, clock: _Clock) -> Infeasible | None:
+    """What one of the two targets cannot do, known before either is solved."""
+    from trajopt_cli.optimize import check_feasible
+
+    with clock.phase("reach"):
+        for target in Target:
+            program = _writable(job) if target is Target.RAPID else job.program
+            if (infeasible := check_feasible(program, job.plant, target)) is not None:
+                return infeasible
+    return None
 
 
 def _both(job: Job, listen: Listener, clock: _Clock) -> dict[Target, Judged | Infeasible | NoPlan]:

@@ -136,7 +136,7 @@ def test_the_same_line_with_the_rail_held_still_is_named(long_line: Program) -> 
 
 
 @pytest.mark.parametrize("rail_fixed", [True, False])
-def test_confdata_that_cannot_be_had_lists_those_that_could(rail_fixed: bool) -> None:
+def test_confdata_that_cannot_be_had_lists_the_nearest_that_could(rail_fixed: bool) -> None:
     """Held to the program's confdata (a freedom that keeps it); the list is that of the inverse kinematics."""
     plant = plant_with_rail(rail_fixed=rail_fixed)
     data = target("p_c", (0.5, 0.5, 0.4), conf="1,1,1,0", eax="500")
@@ -146,12 +146,36 @@ def test_confdata_that_cannot_be_had_lists_those_that_could(rail_fixed: bool) ->
     for cfx, q in solutions(plant.robot, pose(DOWN, (0.5, 0.5, 0.4)), 0.5, plant.limits):
         cf = [int(np.floor(q[i] / (np.pi / 2) + 1e-9)) for i in (0, 3, 5)]
         confs.add((*cf, cfx))
-    listed = ", ".join(f"[{','.join(map(str, conf))}]" for conf in sorted(confs))
-    assert len(confs) > 3
+    away = {conf: [abs(a - b) for a, b in zip(conf, (1, 1, 1, 0), strict=True)] for conf in confs}
+    near = sorted(confs, key=lambda conf: (4 - away[conf].count(0), sum(away[conf]), conf))
+    listed = ", ".join(f"[{','.join(map(str, conf))}]" for conf in near[:4])
+    assert len(confs) > 4
     assert answer.message == (
-        f"t.mod:5:1: MoveJ p_c cannot be reached at rail 500.0 mm: not with confdata [1,1,1,0]; there would be {listed}"
+        "t.mod:5:1: MoveJ p_c cannot be reached at rail 500.0 mm: not with confdata [1,1,1,0]; "
+        f"there would be {listed} and {len(confs) - 4} more; correct the confdata, or set ConfJ \\Off before it"
     )
     assert check_feasible(program, plant) is None
+
+
+def test_the_places_of_confdata_that_cannot_be_had_are_told_together() -> None:
+    """Five by name; neither a wait nor a second pass is a place of its own."""
+    data = target("p_c", (0.5, 0.1, 0.4), conf="1,1,1,0") + target("p_d", (0.5, 0.1, 0.4))
+    moves = ["MoveJ p_c, v500, fine, tool0;", "WaitTime 1;", "MoveJ p_d, v500, fine, tool0;"]
+    program = rapid("\n".join([*moves, *["MoveJ p_c, v500, fine, tool0;"] * 6]), data=data)
+    message = said(program, plant_without_rail(), AS_WRITTEN).message
+    assert message.startswith("t.mod:5:1: MoveJ p_c cannot be reached: not with confdata [1,1,1,0]; there would be [")
+    assert message.endswith("; likewise t.mod:8:1, t.mod:9:1, t.mod:10:1, t.mod:11:1 and 2 more")
+    again = rapid("FOR i FROM 1 TO 3 DO\nMoveJ p_c, v500, fine, tool0;\nENDFOR", data=data)
+    assert "likewise" not in said(again, plant_without_rail(), AS_WRITTEN).message
+    off = rapid("ConfJ \\Off;\nMoveJ p_c, v500, fine, tool0;", data=data)
+    assert check_feasible(off, plant_without_rail(), Target.STREAM, AS_WRITTEN) is None
+
+
+def test_a_program_can_be_done_where_the_user_lets_the_bad_motion_go() -> None:
+    lines = ["MoveJ p_far, v500, fine, tool0; ! trajopt: optional", "MoveAbsJ j_home, v500, fine, tool0;"]
+    program = rapid("\n".join(lines), data=target("p_far", (1.5, 0, 0.4)))
+    assert check_feasible(program, plant_without_rail(), Target.STREAM, AS_WRITTEN) is not None
+    assert check_feasible(program, plant_without_rail()) is None
 
 
 def test_one_of_the_listed_confdata_passes() -> None:

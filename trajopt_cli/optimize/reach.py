@@ -12,7 +12,7 @@ import numpy as np
 from scipy import ndimage
 
 from trajopt_cli.geometry import Array, BoolArray, inverse_pose, line_pose
-from trajopt_cli.motion import Motion
+from trajopt_cli.motion import Motion, MoveJ, MoveL
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.course import Course, LegKind, Stop
 from trajopt_cli.optimize.stages import REACH, WRIST
@@ -20,6 +20,8 @@ from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.robot.inverse import confdata, confdata_admits, solutions, why_unreachable
 
 LINE_NODES = 13
+_LISTED = 4  # confdata in a message
+_PLACES = 5  # in a message
 TURNS = np.array(
     [[2 * np.pi * i, 0, 0, 2 * np.pi * j, 0, 2 * np.pi * k] for i in (0, -1, 1) for j in (0, -1, 1) for k in (0, -1, 1)]
 )
@@ -158,13 +160,10 @@ def check_reach(axes: Axes, course: Course, n: int = 193) -> Infeasible | None:
     for first, last in course.stations:
         d = rail_grid(course, first, last, n)
         table = station_table(axes, course, first, last, d)
-        for k in range(first, last + 1):
-            stop = course.stops[k]
-            if stop.q is not None or stop.motion < 0:
-                continue
-            alone = station_table(axes, course_at(course, k), 0, 0, d)
-            if not alone.labels:
-                return _unreachable(axes, course, k, d)
+        if not table.labels:  # else one configuration reaches all of its stops
+            for k in range(first, last + 1):
+                if _out_of_reach(axes, course, k, d):
+                    return _unreachable(axes, course, k, d)
         for i, line in enumerate(table.lines):
             leg = course.legs[first + i]
             if leg.kind is LegKind.LINE and (line is None or not _passable(course, table, i)):
@@ -172,6 +171,14 @@ def check_reach(axes: Axes, course: Course, n: int = 193) -> Infeasible | None:
         if not table.labels:
             return _no_common(axes, course, first, last)
     return None
+
+
+def _out_of_reach(axes: Axes, course: Course, k: int, d: Array) -> bool:
+    """Whether no rail position and branch reach a stop, whatever stands around it."""
+    stop = course.stops[k]
+    if stop.q is not None or stop.motion < 0:
+        return False
+    return not station_table(axes, course_at(course, k), 0, 0, d).labels
 
 
 def course_at(course: Course, k: int) -> Course:
@@ -223,6 +230,8 @@ def _unreachable(axes: Axes, course: Course, k: int, d: Array) -> Infeasible:
     where = f" at rail {near * 1e3:.1f} mm" if axes.has_rail else ""
     if not reason:
         reason = _other_configurations(axes, course, stop, float(near))
+        if stop.conf is not None:
+            reason += _remedy(axes, course, k)
     text = f"{motion.source}: {_title(motion)} cannot be reached{where}: {reason}"
     return Infeasible(stop.motion, motion.source, text)
 
@@ -236,13 +245,54 @@ def _why(axes: Axes, course: Course, X_WF: Array, rail: float) -> str:
 
 
 def _other_configurations(axes: Axes, course: Course, stop: Stop, rail: float) -> str:
-    """The pose is in reach, but not with the confdata asked for."""
+    """The pose is in reach, but not with the confdata asked for; those that are to be had, the nearest to it first."""
     robot = axes.robot
     found = solutions(robot, stop.X_WF, rail if axes.has_rail else None, course.plant.limits)
-    confs = sorted({astuple(confdata(robot, q)) for _, q in found})
-    text = ", ".join(f"[{','.join(map(str, conf))}]" for conf in confs)
-    asked = f" with confdata [{','.join(map(str, astuple(stop.conf)))}]" if stop.conf else ""
-    return f"not{asked}; there would be {text}" if confs else "too near a singularity"
+    confs = {astuple(confdata(robot, q)) for _, q in found}
+    if not confs:
+        return "too near a singularity"
+    asked = None if stop.conf is None else astuple(stop.conf)
+
+    def away(conf: tuple[int, ...]) -> tuple[int, int, tuple[int, ...]]:
+        apart = [abs(a - b) for a, b in zip(conf, asked or conf, strict=True)]
+        return sum(map(bool, apart)), sum(apart), conf
+
+    nearest = sorted(confs, key=away)
+    text = ", ".join(_written(conf) for conf in nearest[:_LISTED])
+    more = f" and {len(nearest) - _LISTED} more" if len(nearest) > _LISTED else ""
+    return f"not{'' if asked is None else f' with confdata {_written(asked)}'}; there would be {text}{more}"
+
+
+def _written(conf: tuple[int, ...]) -> str:
+    """confdata as RAPID writes it."""
+    return f"[{','.join(map(str, conf))}]"
+
+
+def _remedy(axes: Axes, course: Course, k: int) -> str:
+    """What to do about confdata that cannot be had at stop k, and the places behind it where it is the same."""
+    motion = course.motion(course.stops[k].motion)
+    word = "ConfL" if isinstance(motion, MoveL) else "ConfJ"
+    text = f"; correct the confdata, or set {word} \\Off before it"
+    places = dict.fromkeys(
+        str(course.motion(stop.motion).source) for stop in course.stops[k + 1 :] if _wrong_confdata(axes, course, stop)
+    )
+    places.pop(str(motion.source), None)
+    if not places:
+        return text
+    named = [*places][: _PLACES - 1]
+    more = f" and {len(places) - len(named)} more" if len(places) > len(named) else ""
+    return f"{text}; likewise {', '.join(named)}{more}"
+
+
+def _wrong_confdata(axes: Axes, course: Course, stop: Stop) -> bool:
+    """Whether a move ends where the pose can be had, but not as its confdata says, which counts; the rail is given."""
+    if stop.conf is None or stop.q is not None or stop.rail[0] != stop.rail[1]:
+        return False
+    if not isinstance(course.motion(stop.motion), MoveJ | MoveL):
+        return False
+    rail = stop.written if axes.has_rail else None
+    found = solutions(axes.robot, stop.X_WF, rail, course.plant.limits)
+    return bool(found) and not any(confdata_admits(axes.robot, stop.conf, q) for _, q in found)
 
 
 def _abreast(axes: Axes, X_WF: Array) -> float:

@@ -46,9 +46,13 @@ class NoCleanPlan(Exception):
 def check_feasible(
     program: Program, plant: Plant, target: Target = Target.STREAM, freedom: Freedom = EVERYTHING
 ) -> Infeasible | None:
-    """The first motion that cannot be done, by name, or None. Takes a fraction of a second; optimises nothing."""
-    course = _courses(program, plant, freedom, target)[0]
-    return course if isinstance(course, Infeasible) else None
+    """The first motion that cannot be done, by name, or None. Takes seconds at most; optimises nothing.
+
+    Motions that the user lets go are left out where that helps.
+    """
+    courses = _courses(program, plant, freedom, target)
+    first = courses[0]
+    return first if isinstance(first, Infeasible) and not any(isinstance(one, Course) for one in courses) else None
 
 
 def optimize(
