@@ -33,7 +33,7 @@ def write_file(path: Path, content: bytes) -> None:
             os.replace(part, path)
             _sync(path.parent)
         finally:
-            part.unlink(missing_ok=True)
+            _discard(part)
 
 
 def write_folder(path: Path, files: Mapping[str, bytes]) -> None:
@@ -111,16 +111,18 @@ def replace_files(wanted: Mapping[Path, tuple[bytes, bytes]], added: Mapping[Pat
                 _sync(path.parent)
     except BaseException:
         for path in made:
-            path.unlink()
+            with _said(path):
+                path.unlink()
         for path, backup in backups.items():
-            if path in replaced:
-                os.replace(backup, path)
-            else:
-                backup.unlink()
+            with _said(path):
+                if path in replaced:
+                    os.replace(backup, path)
+                else:
+                    backup.unlink()
         raise
     finally:
         for part in parts.values():
-            part.unlink(missing_ok=True)
+            _discard(part)
     kept = {path: backups.get(Path(os.path.realpath(path))) for path in wanted}
     return {path: backup for path, backup in kept.items() if backup is not None}
 
@@ -155,8 +157,14 @@ def _said(path: Path) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        where = "" if error.errno == errno.ENAMETOOLONG else f": {error.filename}"
+        where = "" if error.errno == errno.ENAMETOOLONG or error.filename is None else f": {error.filename}"
         raise InputError(f"cannot write: {error.strerror}{where}", file=str(path)) from error
+
+
+def _discard(part: Path) -> None:
+    """Remove a half-made file, if there is one."""
+    with suppress(OSError):  # a read-only disk refuses even where there is nothing; what went wrong before is the news
+        part.unlink()
 
 
 def _prefix(path: Path) -> str:
@@ -237,7 +245,7 @@ def _keep(path: Path, content: bytes) -> Path:
             number += 1
             continue
         except BaseException:
-            backup.unlink(missing_ok=True)
+            _discard(backup)
             raise
         shutil.copystat(path, backup)
         return backup
@@ -254,4 +262,4 @@ def _give_name(part: Path, path: Path) -> None:
             raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), str(path)) from None
         os.rename(part, path)
     finally:
-        part.unlink(missing_ok=True)
+        _discard(part)

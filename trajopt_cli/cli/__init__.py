@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 import sys
+from contextlib import suppress
 from typing import Annotated
 
 import typer
@@ -54,6 +55,7 @@ def run(arguments: list[str]) -> int:
         os.environ.setdefault(library, "1")
     try:
         code = app(arguments or ["--help"], prog_name="trajopt", standalone_mode=False)
+        sys.stdout.flush()
     except InputError as error:
         typer.echo(error.shown().rstrip("\n"), err=True)
         return 2
@@ -61,11 +63,29 @@ def run(arguments: list[str]) -> int:
         message = " ".join(error.format_message().replace("Value error, ", "").split()).rstrip(".")
         typer.echo(f"trajopt: {message}; see 'trajopt --help'", err=True)
         return 2
+    except OSError as error:
+        if error.filename is None:
+            typer.echo(f"cannot write the output: {error.strerror}", err=True)
+            _give_up_stdout()
+        else:
+            typer.echo(f"{os.fsdecode(error.filename)}: {error.strerror}", err=True)
+        return 2
     if code == 130:
         typer.echo("interrupted: nothing half-written, earlier results stand", err=True)
     return int(code or 0)
 
 
+def _give_up_stdout() -> None:
+    """What stdout still holds goes nowhere: Python would try again at its end, and report that by a traceback."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    with suppress(ValueError, OSError):  # a stdout without a file behind it holds nothing back
+        os.dup2(nowhere, sys.stdout.fileno())
+    os.close(nowhere)
+
+
 def main() -> None:
     """The entry point of the console script."""
+    if sys.stdout is None:  # `trajopt ... >&-`
+        typer.echo("cannot write the output: it is closed", err=True)
+        sys.exit(2)
     sys.exit(run(sys.argv[1:]))

@@ -91,7 +91,7 @@ def is_system(path: Path) -> bool:
 
 
 def _files(path: Path, entry: str, warnings: list[str]) -> list[tuple[Path, bool]]:
-    if path.is_dir():
+    if stat.S_ISDIR(_mode(path)):
         return [(found, False) for found in _of_folder(path, entry, warnings)]
     if path.suffix.lower() == LIST_SUFFIX:
         _check_regular(path)
@@ -246,12 +246,15 @@ def _entries(folder: Path) -> list[Path]:
 
 def _check_regular(path: Path) -> None:
     """A file that is there, and no device or pipe, which may have no end."""
+    if not stat.S_ISREG(_mode(path)):
+        raise InputError("is no regular file; save the program in one", file=str(path))
+
+
+def _mode(path: Path) -> int:
     try:
-        mode = path.stat().st_mode
+        return path.stat().st_mode
     except OSError as error:
         raise InputError(f"cannot be read: {error.strerror}", file=str(path)) from error
-    if not stat.S_ISREG(mode):
-        raise InputError("is no regular file; save the program in one", file=str(path))
 
 
 def _check_sizes(paths: Sequence[Path], given: Path) -> None:
