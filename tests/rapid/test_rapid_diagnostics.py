@@ -465,3 +465,31 @@ def test_a_name_that_is_declared_nowhere_asks_for_its_file(name: str) -> None:
 def test_what_to_do_about_a_call_of_what_is_no_procedure(body: str, message: str) -> None:
     routines = "FUNC num dice(\\num top)\nRETURN 4;\nENDFUNC\nTRAP halt\nENDTRAP"
     assert refused(body, routines=routines).message == message
+
+
+@pytest.mark.parametrize(
+    ("body", "data", "hint"),
+    [
+        ("MoveL p,v100,fine,tool0;", "VAR robtarget p;", "it was never given a value"),
+        ("MoveL RelTool(p,0,0,1),v100,fine,tool0;", "VAR robtarget p;", "it was never given a value"),
+        ("MoveL p,v100,fine,tool0;", "CONST robtarget p:={};", "give a quaternion of length 1"),
+        ("MoveL RelTool(p,0,0,1),v100,fine,tool0;", "CONST robtarget p:={};", "give a quaternion of length 1"),
+        ("MoveL {},v100,fine,tool0;", "", "give a quaternion of length 1"),
+        ("MoveL p,v100,fine,t;", f"PERS tooldata t:=[TRUE,[[0,0,9],{'[0,0,0,0]'}],[0,[0,0,0],[1,0,0,0],0,0,0]];", ""),
+    ],
+)
+def test_zeros_that_were_written_are_no_value_that_was_never_given(body: str, data: str, hint: str) -> None:
+    zeros = "[[500,0,600],[0,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
+    if not hint:
+        data, hint = f"CONST robtarget p:={zeros.replace('0,0,0,0', '0,0,1,0', 1)};{data}", "a quaternion of length 1"
+    message = refused(body.replace("{}", zeros), data.replace("{}", zeros)).message
+    assert "has orientation [0,0,0,0]" in message
+    assert message.endswith(hint)
+
+
+def test_one_rough_orientation_is_told_once_however_often_it_is_shifted() -> None:
+    target = "[[500,0,600],[0,0.71,0.71,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
+    text = f"MODULE m\nCONST robtarget p:={target};\nPROC main()\n"
+    text += "".join(f"MoveL Offs(p,{shift},0,0),v100,fine,tool0;\n" for shift in range(3))
+    program = run_program([TextFile("m.mod", f"{text}ENDPROC\nENDMODULE\n", "utf-8")])
+    assert program.warnings == ("m.mod:4:7: Offs(p,0,0,0) has an orientation of length 1.004092; taken as 1",)

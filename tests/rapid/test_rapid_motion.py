@@ -314,7 +314,7 @@ def test_settings_that_make_no_sense(body: str, message: str) -> None:
 
 
 def test_orientations_off_unit_are_told_up_to_a_point() -> None:
-    body = "".join(f"MoveL {at(i, 0, 500, '[0,0.707,0.707,0]')},v100,fine,tool0;\n" for i in range(30))
+    body = "".join(f"MoveL {at(i, 0, 500, f'[0,0.71,0.70{i + 10},0]')},v100,fine,tool0;\n" for i in range(30))
     program = run_main(body)
     assert len(program.warnings) == 21
     assert program.warnings[-1] == "more than 20 orientations are not of length 1; the others are taken as 1 unsaid"

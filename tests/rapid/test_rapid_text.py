@@ -307,7 +307,7 @@ def test_broken_data_is_found_even_where_nobody_uses_it(data: str, message: str)
 @pytest.mark.parametrize(
     ("rot", "message"),
     [
-        ("[0,0,0,0]", "orientation [0,0,0,0] of length 0, limit 1 +- 0.02; it was never given a value"),
+        ("[0,0,0,0]", "orientation [0,0,0,0] of length 0, limit 1 +- 0.02; give a quaternion of length 1"),
         ("[0,0,1.03,0]", "orientation [0,0,1.03,0] of length 1.03, limit 1 +- 0.02; give a quaternion of length 1"),
     ],
 )
@@ -319,9 +319,9 @@ def test_an_orientation_that_is_none_is_an_error_at_its_literal(rot: str, messag
 
 def test_a_rounded_orientation_is_taken_as_unit_and_said_once() -> None:
     body = "MoveL p,v100,fine,tool0; MoveL p,v100,fine,tool0;"
-    assert run_main(body, P.replace("[0,0,1,0]", "[0,0.7071,0.7071,0]")).warnings == ()
-    assert run_main(body, P.replace("[0,0,1,0]", "[0,0.707,0.707,0]")).warnings == (
-        "m.mod:2:20: p has an orientation of length 0.999849; taken as 1",
+    assert run_main(body, P.replace("[0,0,1,0]", "[0,0.707,0.707,0]")).warnings == ()
+    assert run_main(body, P.replace("[0,0,1,0]", "[0,0.708,0.707,0]")).warnings == (
+        "m.mod:2:20: p has an orientation of length 1.000556; taken as 1",
     )
 
 

@@ -311,7 +311,7 @@ STUB = "give the file that declares it, or take it as doing nothing: the line 's
 @pytest.mark.parametrize(
     ("body", "message"),
     [
-        ("MoveL pPick,v100,fine,tool0;", f"4:7: robtarget 'pPick' is not declared {LOOKED}; did you mean 'ppick1'? {FILE}"),
+        ("MoveL pPick,v9,z1,tool0;", f"4:7: robtarget 'pPick' is not declared {LOOKED}; did you mean 'ppick1'? {FILE}"),
         ("cuont:=1;", f"4:1: 'cuont' is not declared {LOOKED}; did you mean 'count'? {FILE}"),
         ("Elsewhere;", f"4:1: Elsewhere {NEITHER}; {STUB.format('Elsewhere')}"),
         ("showit;", f"4:1: showit {NEITHER}; did you mean 'ShowIt2'? Else {STUB.format('showit')}"),

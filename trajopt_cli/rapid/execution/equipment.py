@@ -24,15 +24,18 @@ from trajopt_cli.rapid.data.datatypes import LOADDATA, TOOLDATA, WOBJDATA, Data,
 from trajopt_cli.rapid.data.predefined import predefined
 from trajopt_cli.rapid.data.scope import Datum
 from trajopt_cli.rapid.execution.evaluate import evaluate
-from trajopt_cli.rapid.language.syntax import Expression, Name, Node
+from trajopt_cli.rapid.language.syntax import Component, Element, Expression, Name, Node
 from trajopt_cli.units import MM
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.instructions.manner import Known
     from trajopt_cli.rapid.execution.interpreter import Run
 
-NORM_ERROR, NORM_WARNING = 2e-2, 1e-5  # how far a quaternion's length may be off: beyond is an error, a warning
+# How far a quaternion's length may be off: beyond is an error, a warning. Four numbers rounded to four decimals are off
+# by 1e-4 at most, and 0.707 for the root of a half, as people write it, by 1.5e-4: nobody can mend more than spell it.
+NORM_ERROR, NORM_WARNING = 2e-2, 2e-4
 _TOLD = 20  # orientations off unit length that are told one by one
+NEVER = "it was never given a value"
 _ORIGIN: frames.Vector = (0.0, 0.0, 0.0)
 _UPRIGHT: frames.Quaternion = (1.0, 0.0, 0.0, 0.0)
 IDENTITY: frames.Frame = (_ORIGIN, _UPRIGHT)
@@ -89,7 +92,7 @@ class Equipment:
         self.zones: dict[str, tuple[Data, Zone]] = {}
         self.manners: dict[tuple[str, ...], Known] = {}  # by the names of speed, zone, tool and work object
         self._setups: dict[tuple[str, str], Setup] = {}
-        self._rough = 0  # how many orientations were off unit length
+        self._rough: set[frames.Quaternion] = set()  # the orientations off unit length that were told
 
     def setup(self, run: Run, tool: Expression, wobj: Expression | None, displaced: bool = True) -> Setup:
         """The setup of a move with these arguments. displaced False: as if no program displacement were active.
@@ -128,25 +131,38 @@ class Equipment:
             wobj_name, wobj_data = said(run, wobj), data_of(run, wobj, WOBJDATA, "work object", "wobj0")
         return _setup(run, (name, tool_data, tool or node), (wobj_name, wobj_data, wobj or node), self.displacement)
 
-    def orientation(self, run: Run, q: frames.Quaternion, name: str, node: Node, file: str) -> frames.Quaternion:
-        """q at length 1, said when that changes it. name, node, file: whose orientation, and where it is written."""
+    def orientation(
+        self, run: Run, q: frames.Quaternion, name: str, node: Node, file: str, given: bool = False
+    ) -> frames.Quaternion:
+        """q at length 1, said when that changes it, once per orientation.
+
+        name, node, file: whose orientation, and where it is written. given: whether data that it belongs to was given
+        a value, so that zeros are not what nobody wrote.
+        """
         n = frames.norm(q)
         off = abs(n - 1.0)
         if off <= NORM_WARNING:
             return (q[0] / n, q[1] / n, q[2] / n, q[3] / n)
         if not off <= NORM_ERROR:
             shown = ",".join(f"{value:.7g}" for value in q)
-            hint = "it was never given a value" if n == 0 else "give a quaternion of length 1"
+            never = n == 0 and not given and isinstance(node, (Name, Element, Component))
+            hint = NEVER if never else "give a quaternion of length 1"
             message = f"{name} has orientation [{shown}] of length {n:.6g}, limit 1 +- {NORM_ERROR:g}; {hint}"
             raise run.places(file).error(node.start, message)
-        message = f"{run.places(file).source(node.start)}: {name} has an orientation of length {n:.7g}; taken as 1"
-        if message not in run.warnings:
-            self._rough += 1
-            if self._rough <= _TOLD:
-                run.warn(message)
+        if q not in self._rough:
+            if len(self._rough) < _TOLD:
+                self._rough.add(q)
+                place = run.places(file).source(node.start)
+                run.warn(f"{place}: {name} has an orientation of length {n:.7g}; taken as 1")
             else:
                 run.warn(f"more than {_TOLD} orientations are not of length 1; the others are taken as 1 unsaid")
         return frames.normalised(q)
+
+
+def unoriented(run: Run, node: Expression, value: Value) -> str:
+    """What to say of a target or a pose without an orientation: [0,0,0,0] that was written, or that nobody wrote."""
+    hint = NEVER if value.data == value.type.default else "give a quaternion of length 1"
+    return f"{run.text(node)} has orientation [0,0,0,0], which is none; {hint}"
 
 
 def said(run: Run, node: Expression) -> str:
@@ -209,10 +225,11 @@ def _setup(
         value = "TRUE" if held else "FALSE"
         raise run.error(node, f"tool {name} and work object {wobj_name} {both} (robhold {value}); change one")
     orientation = run.position.equipment.orientation
-    tcp = (p, orientation(run, q, f"tframe of {name}", node, run.file))
-    object_frame = (op, orientation(run, oq, f"oframe of {wobj_name}", wobj_node, run.file))
+    tcp = (p, orientation(run, q, f"tframe of {name}", node, run.file, True))
+    written = wobj_data != WOBJDATA.default
+    object_frame = (op, orientation(run, oq, f"oframe of {wobj_name}", wobj_node, run.file, written))
     if fixed:
-        user_frame = (up, orientation(run, uq, f"uframe of {wobj_name}", wobj_node, run.file))
+        user_frame = (up, orientation(run, uq, f"uframe of {wobj_name}", wobj_node, run.file, written))
     else:
         _unit(run, wobj_name, str(unit), wobj_node)
         user_frame = IDENTITY
@@ -299,7 +316,7 @@ def load(run: Run, node: Expression) -> Load | None:
     if not (isfinite(mass) and mass >= 0):
         raise run.error(node, f"load {name} has a mass of {mass:.6g} kg; it must not be negative")
     ix, iy, iz = inertia
-    axes = run.position.equipment.orientation(run, aom, f"aom of {name}", node, run.file)
+    axes = run.position.equipment.orientation(run, aom, f"aom of {name}", node, run.file, data != LOADDATA.default)
     return Load(name, mass, (x * MM, y * MM, z * MM), axes, (ix, iy, iz))
 
 

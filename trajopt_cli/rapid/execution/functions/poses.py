@@ -12,6 +12,7 @@ from trajopt_cli.geometry import wxyz_from_rotation
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.datatypes import NUM, ORIENT, POS, POSE, ROBTARGET, Value
 from trajopt_cli.rapid.execution.arguments import Function, bind
+from trajopt_cli.rapid.execution.equipment import unoriented
 from trajopt_cli.rapid.execution.evaluate import evaluate, integer, number
 from trajopt_cli.rapid.language.syntax import Call, Expression
 from trajopt_cli.units import DEG
@@ -21,9 +22,10 @@ if TYPE_CHECKING:
 
 
 def _frame(run: Run, node: Expression) -> frames.Frame:
-    p, q = evaluate(run, node, POSE).data
+    pose = evaluate(run, node, POSE)
+    p, q = pose.data
     if frames.norm(q) == 0:
-        raise run.error(node, f"{run.text(node)} has orientation [0,0,0,0]: it was never given a value")
+        raise run.error(node, unoriented(run, node, pose))
     return p, frames.normalised(q)
 
 

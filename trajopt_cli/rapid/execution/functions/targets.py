@@ -26,7 +26,7 @@ from trajopt_cli.rapid.data.datatypes import (
     Value,
 )
 from trajopt_cli.rapid.execution.arguments import Arguments, Function, bind
-from trajopt_cli.rapid.execution.equipment import IDENTITY, Setup, frame
+from trajopt_cli.rapid.execution.equipment import IDENTITY, Setup, frame, unoriented
 from trajopt_cli.rapid.execution.evaluate import evaluate, number
 from trajopt_cli.rapid.execution.faults import Fault
 from trajopt_cli.rapid.execution.instructions.moves import NO_POSITION, external, robtarget
@@ -53,9 +53,10 @@ def _rel_tool(run: Run, node: Call) -> Value:
     """The target shifted along its own tool axes, then turned about the new x, the new y and the new z."""
     args = bind(run, node, ("Point", "Dx", "Dy", "Dz"), ("Rx", "Ry", "Rz"))
     point, *shifts = args.required
-    p, q, *rest = evaluate(run, point, ROBTARGET).data
+    target = evaluate(run, point, ROBTARGET)
+    p, q, *rest = target.data
     if frames.norm(q) == 0:
-        raise run.error(point, f"{run.text(point)} has orientation [0,0,0,0]: it was never given a value")
+        raise run.error(point, unoriented(run, point, target))
     dx, dy, dz = (number(run, shift) for shift in shifts)
     moved = frames.compose((p, frames.normalised(q)), ((dx, dy, dz), (1.0, 0.0, 0.0, 0.0)))[0]
     for axis, name in enumerate(("rx", "ry", "rz")):
@@ -86,10 +87,11 @@ def _mir_pos(run: Run, node: Call) -> Value:
 
 def _object(run: Run, node: Expression) -> frames.Frame:
     """U O of a work object, without the program displacement."""
-    _, _, _, (up, uq), (op, oq) = evaluate(run, node, WOBJDATA).data
-    orientation, name = run.position.equipment.orientation, run.text(node)
-    user = (up, orientation(run, uq, f"uframe of {name}", node, run.file))
-    return frames.compose(user, (op, orientation(run, oq, f"oframe of {name}", node, run.file)))
+    data = evaluate(run, node, WOBJDATA).data
+    _, _, _, (up, uq), (op, oq) = data
+    orientation, name, written = run.position.equipment.orientation, run.text(node), data != WOBJDATA.default
+    user = (up, orientation(run, uq, f"uframe of {name}", node, run.file, written))
+    return frames.compose(user, (op, orientation(run, oq, f"oframe of {name}", node, run.file, written)))
 
 
 def _o_rob_t(run: Run, node: Call) -> Value:

@@ -43,8 +43,9 @@ def _on(run: Run, node: ProcedureCall) -> None:
 
 
 def _pose(run: Run, node: Expression) -> frames.Frame:
-    p, q = evaluate(run, node, POSE).data
-    return p, run.position.equipment.orientation(run, q, run.text(node), node, run.file)
+    data = evaluate(run, node, POSE).data
+    written = data != POSE.default
+    return data[0], run.position.equipment.orientation(run, data[1], run.text(node), node, run.file, written)
 
 
 def _set(run: Run, node: ProcedureCall) -> None:
