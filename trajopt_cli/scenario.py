@@ -23,9 +23,9 @@ class Scenario:
     that never comes true, so that its time-out strikes. searches: where a search hits, as a share 0..1 of its way, or
     None for never, by signal or by the name of its SearchPoint. endless_passes: how often a loop that cannot end runs
     before the program is taken to be over. pass_limit: how often any other loop may run, and statement_limit how many
-    statements, before the reader gives up. assume_identity: tools, work objects and mechanical units that are taken as
-    the identity where the program does not declare them. stubs: procedures that are taken as doing nothing where no
-    file declares them.
+    statements, passes, calls and changes of large data in all, before the reader gives up. assume_identity: tools, work
+    objects and mechanical units that are taken as the identity where the program does not declare them. stubs:
+    procedures that are taken as doing nothing where no file declares them.
     """
 
     signals: Mapping[str, float | tuple[float, ...]] = field(default_factory=dict)
@@ -34,7 +34,7 @@ class Scenario:
     searches: Mapping[str, float | None] = field(default_factory=dict)
     endless_passes: int | None = None
     pass_limit: int = 100_000
-    statement_limit: int = 2_000_000
+    statement_limit: int = 1_000_000
     assume_identity: frozenset[str] = frozenset()
     stubs: frozenset[str] = frozenset()
 

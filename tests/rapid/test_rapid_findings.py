@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from time import perf_counter
+
 import pytest
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import TextFile
 from trajopt_cli.rapid.reader import run_program
+from trajopt_cli.scenario import Scenario
 
 
 def error(body: str, data: str = "") -> str:
@@ -29,3 +32,32 @@ def test_an_element_of_data_of_a_type_that_nobody_declares() -> None:
 def test_the_sizes_of_an_array_of_process_data() -> None:
     message = error("VAR socketdev s{2,3};\nFOR k FROM 1 TO Dim(s,2) DO\nWaitTime 1/(3-k);\nENDFOR")
     assert message == "division by zero in '/'"  # in the third pass
+
+
+@pytest.mark.parametrize(
+    ("data", "body"),
+    [
+        ("", "FOR i FROM 1 TO 90000 DO FOR j FROM 1 TO 90000 DO ENDFOR ENDFOR"),
+        ("VAR num n; FUNC num f(num k) IF k<2 RETURN 1; RETURN f(k-1)+f(k-1); ENDFUNC", "n:=f(60);"),
+        ("VAR num n;", "FOR i FROM 1 TO 90000 DO FOR j FROM 1 TO 90000 DO n:=Abs(n)+Abs(n); ENDFOR ENDFOR"),
+        ("VAR num n;", f"FOR i FROM 1 TO 90000 DO n:={'+'.join(['1'] * 5000)}; ENDFOR"),
+        ("PROC q() VAR num n{50}:=[" + "1," * 49 + "1]; ENDPROC", "FOR i FROM 1 TO 90000 DO q; ENDFOR"),
+    ],
+)
+def test_all_work_is_charged_to_one_budget(data: str, body: str) -> None:
+    run = Scenario(statement_limit=5_000)
+    text = f"MODULE m\n{data}\nPROC main()\n{body}\nENDPROC\nENDMODULE\n"
+    begun = perf_counter()
+    with pytest.raises(InputError, match=r"has not ended after 5000 statements \(statement_limit\)"):
+        run_program([TextFile("m.mod", text, "utf-8")], run)
+    assert perf_counter() - begun < 5
+
+
+def test_a_copy_of_a_large_array_costs_no_more_than_a_number() -> None:
+    text = (
+        "MODULE m\nVAR robtarget a{50000};\nVAR robtarget c{50000};\nPROC main()\nFOR i FROM 1 TO 300 DO c:=a; ENDFOR\n"
+        "WaitTime c{1}.trans.x;\nENDPROC\nENDMODULE\n"
+    )
+    begun = perf_counter()
+    assert len(run_program([TextFile("m.mod", text, "utf-8")]).motions) == 1
+    assert perf_counter() - begun < 5

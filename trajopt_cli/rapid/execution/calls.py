@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 from trajopt_cli.rapid.data.datatypes import NUM, SIGNALS, STRING, SWITCH, Array, Type, Value
 from trajopt_cli.rapid.data.scope import ABSENT, Absent, Datum, Frame, ModuleScope, Place
 from trajopt_cli.rapid.execution.answers import ask
-from trajopt_cli.rapid.execution.arguments import present
-from trajopt_cli.rapid.execution.evaluate import convertible, evaluate, locate
+from trajopt_cli.rapid.execution.arguments import present, subject
+from trajopt_cli.rapid.execution.evaluate import Mismatch, convertible, evaluate, locate
 from trajopt_cli.rapid.execution.functions.table import FUNCTIONS
 from trajopt_cli.rapid.execution.instructions.table import INSTRUCTIONS
 from trajopt_cli.rapid.execution.jumps import Jump, Return
@@ -33,7 +33,8 @@ if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
 
 CALL_LIMIT = 250  # routines inside routines
-CALL_COST = 3  # statements that take as long as a call
+CALL_COST = 6  # statements that take as long as a call
+FUNCTION_COST = 2  # and as long as a predefined function
 _INSTRUCTIONS = {name.lower(): handler for name, handler in INSTRUCTIONS.items()}
 _FUNCTIONS = {name.lower(): handler for name, handler in FUNCTIONS.items()}
 _NAME = re.compile(r"(?:\w*:)?([^\W\d]\w*)")  # `module:procedure`, `:procedure`
@@ -64,7 +65,10 @@ def procedure(run: Run, node: ProcedureCall) -> None:
     instruction = _INSTRUCTIONS.get(node.name.lower())
     if instruction is None:
         return _stub(run, node)
-    instruction(run, node)
+    try:
+        instruction(run, node)
+    except Mismatch as error:
+        raise _told(run, node, error) from None
     if len(run.motions) != len(run.links):
         run.settle()
 
@@ -100,14 +104,25 @@ def function(run: Run, node: Call, wanted: Type | None) -> Value:
         value = enter(run, routine, scope, node.args, node)
         assert value is not None
         return value
-    run.budget -= 1
+    run.budget -= FUNCTION_COST
+    if run.budget < 0:
+        raise run.exhausted(node)
     handler = _FUNCTIONS.get(node.name.lower())
     if handler is None:
         message = f"{node.name} is neither a function of the files read nor one that is known"
         reason = run.meant(node.name, message, [*FUNCTIONS, *run.routines("FUNC")])
         return ask(run, node, node.name, wanted or NUM, reason)
-    value = handler(run, node)
+    try:
+        value = handler(run, node)
+    except Mismatch as error:
+        raise _told(run, node, error) from None
     return computed(run, node, value.type, value.data) if value.origin is None else value
+
+
+def _told(run: Run, call: ProcedureCall | Call, error: Mismatch) -> Mismatch:
+    """The error, with the argument that it is about."""
+    name = subject(run, call, error.node)
+    return error.about(error.node, name) if name else error
 
 
 def late_call(run: Run, node: LateCall) -> None:
@@ -223,13 +238,13 @@ def _pass(run: Run, routine: Routine, head: Head, args: list[Argument], frame: F
         if arg is None:
             frame.local[key] = ABSENT
         else:
-            frame.local[key] = _argument(run, parameter, type_, arg)
+            frame.local[key] = _argument(run, routine, parameter, type_, arg)
             frame.given[key] = (arg, run.frame)
     for arg in optional.values():
         raise run.error(arg, f"{routine.name} has no optional parameter \\{arg.name}")
 
 
-def _argument(run: Run, parameter: Parameter, type_: Type, arg: Argument) -> Place | Absent:
+def _argument(run: Run, routine: Routine, parameter: Parameter, type_: Type, arg: Argument) -> Place | Absent:
     if arg.value is None:
         if type_ is not SWITCH:
             raise run.error(arg, f"\\{parameter.name} needs a value of type {type_.name}")
@@ -237,11 +252,15 @@ def _argument(run: Run, parameter: Parameter, type_: Type, arg: Argument) -> Pla
     if type_.name in SIGNALS:
         return Datum(type_, Value(type_, run.signal(arg.value)), "a signal", "CONST")
     if parameter.mode is None:
-        value = evaluate(run, arg.value, type_)
+        try:
+            value = evaluate(run, arg.value, type_)
+        except Mismatch as error:
+            raise error.about(arg.value, f"parameter {parameter.name} of {routine.name}") from None
         return Datum(value.type if isinstance(type_, Array) else type_, value)
     place = locate(run, arg.value)
     if not convertible(type_, place.type):
-        raise run.error(arg, f"{parameter.name} is a {type_.name}, and {run.text(arg)} a {place.type.name}")
+        name = f"parameter {parameter.name} of {routine.name}"
+        raise run.error(arg, f"{name} is a {type_.name}, and {run.text(arg)} a {place.type.name}")
     if parameter.mode == "PERS" and place.storage != "PERS":
         raise run.error(arg, f"{run.text(arg)} is no PERS and cannot be given to PERS {parameter.name}")
     if parameter.mode == "VAR" and place.storage == "PERS":

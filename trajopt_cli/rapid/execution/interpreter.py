@@ -80,6 +80,7 @@ class Run:
         self.counts: dict[int, int] = {}  # how often a statement ran, by its id
         self.link: Link | None = None  # the statement that runs now, and those around it
         self.links: list[Link | None] = []  # of each motion
+        self.takes: dict[str, tuple[str, ...]] = {}  # the required arguments of instructions and functions that ran
         self._labels: dict[int, dict[str, int]] = {}  # by the block's id
         self._noted: set[str] = set()
 

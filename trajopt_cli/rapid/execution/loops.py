@@ -101,7 +101,10 @@ def backwards(run: Run, node: Goto, body: Sequence[Statement]) -> None:
 
 
 def count_pass(run: Run, node: Statement, passes: int) -> None:
-    """Give up a loop that goes on and on. Raises InputError."""
+    """Give up a loop that goes on and on; each pass is charged as a statement. Raises InputError."""
+    run.budget -= 1
+    if run.budget < 0:
+        raise run.exhausted(node)
     if passes > run.scenario.pass_limit:
         raise _too_many(run, node)
 

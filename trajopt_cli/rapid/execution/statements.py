@@ -36,6 +36,7 @@ from trajopt_cli.rapid.language.syntax import Return as ReturnStatement
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
 
+_LONG = 64  # characters that are charged as one more statement
 USER_ERRORS = range(1, 91)  # the numbers that BookErrNo gives, and that older programs raise as they are
 
 
@@ -76,6 +77,7 @@ def run_block(run: Run, block: Block) -> None:
 
 def _assign(run: Run, node: Assign) -> None:
     target = node.target
+    run.budget -= (node.end - node.start) // _LONG  # a long expression takes as long as many statements
     if type(target) is not Name and inside_opaque(run, target):
         run.note("opaque", f"{run.source(node)}: {run.text(target)} is process data, which changes no motion here")
         return
@@ -109,6 +111,9 @@ def _declare(run: Run, node: DataDeclaration) -> None:
     if before is not None and key in run.frame.given:
         raise run.error(node, f"'{node.name}' is a parameter of the routine already; rename one of them")
     datum = declare(run, node, run.frame)
+    run.budget -= (node.end - node.start) // _LONG
+    if node.sizes:
+        run.spend(node, datum.type.size)
     _ = datum.value
     run.frame.local[key] = datum
 
