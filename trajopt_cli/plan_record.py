@@ -17,19 +17,21 @@ _SHOWN = 60  # characters of a wrong value
 
 @dataclass(frozen=True)
 class RecordedInput:
-    """A file the run was made from. path: as the user gave it; copy and rapid: places in the folder, rapid None for a
-    file that is no RAPID module."""
+    """A file the run was made from. path: as the user gave it; copy and rapid: places in the folder. module: whether
+    it is a RAPID module; rapid None where not, and where the plan could not be written as RAPID."""
 
     path: str
     copy: str
     rapid: str | None
+    module: bool
 
 
 @dataclass(frozen=True)
 class PlanRecord:
     """What run.json says, and contents: every file that it lists, by name, each with the hash that it lists.
 
-    added: path beside the program and place in the folder of each module that the export added.
+    added: path beside the program and place in the folder of each module that the export added. no_rapid: why the plan
+    could not be written as RAPID.
     """
 
     inputs: tuple[RecordedInput, ...]
@@ -37,6 +39,7 @@ class PlanRecord:
     entry: str
     assume_identity: tuple[str, ...]
     added: tuple[tuple[str, str], ...]
+    no_rapid: str | None
     contents: Mapping[str, bytes]
 
 
@@ -50,12 +53,13 @@ def read_plan_record(folder: Path, needed: tuple[str, ...]) -> PlanRecord:
     record = _Checked(str(folder / RUN), run)
     for name in needed:
         record.listed(name, name)
-    inputs = tuple(_inputs(record))
-    modules = [one.copy for one in inputs if one.rapid is not None]
+    no_rapid = None if run.get("no_rapid") is None else record.text(run["no_rapid"], "no_rapid")
+    inputs = tuple(_inputs(record, no_rapid is not None))
+    modules = [one.copy for one in inputs if one.module]
     if record.listed(run["inputs"].get("program"), "inputs.program") not in modules:
         raise record.wrong("inputs.program", run["inputs"]["program"], "one of the modules in inputs.files")
     cell = record.listed(run["inputs"].get("cell"), "inputs.cell")
-    if cell not in [one.copy for one in inputs if one.rapid is None]:
+    if cell not in [one.copy for one in inputs if not one.module]:
         raise record.wrong("inputs.cell", cell, "one of inputs.files that is no module")
     options = record.mapping(run.get("options", {}), "options")
     program = options.get("program", "")
@@ -68,6 +72,7 @@ def read_plan_record(folder: Path, needed: tuple[str, ...]) -> PlanRecord:
         entry=record.text(options.get("entry", "main"), "options.entry"),
         assume_identity=tuple(record.text(name, f"options.assume_identity[{i}]") for i, name in enumerate(names)),
         added=tuple(_added(record, inputs)),
+        no_rapid=no_rapid,
         contents=_held(folder, run["files"]),
     )
     for i, (one, entry) in enumerate(zip(inputs, run["inputs"]["files"], strict=True)):
@@ -121,7 +126,7 @@ class _Checked:
         return name
 
 
-def _inputs(record: _Checked) -> Iterator[RecordedInput]:
+def _inputs(record: _Checked, no_rapid: bool) -> Iterator[RecordedInput]:
     seen: set[str] = set()
     for i, one in enumerate(record.items(record.run["inputs"].get("files"), "inputs.files")):
         what = f"inputs.files[{i}]"
@@ -133,13 +138,16 @@ def _inputs(record: _Checked) -> Iterator[RecordedInput]:
             if place in seen:
                 raise record.wrong(f"{what}.{key}", place, "a place that no other file has")
         seen |= {place for place in (copy, rapid) if place is not None}
-        yield RecordedInput(path, copy, rapid)
+        module = entry.get("module", rapid is not None)
+        if not isinstance(module, bool) or (rapid is not None) != (module and not no_rapid):
+            raise record.wrong(f"{what}.module", module, "true for a RAPID module, whose rapid is a place")
+        yield RecordedInput(path, copy, rapid, module)
 
 
 def _added(record: _Checked, inputs: tuple[RecordedInput, ...]) -> Iterator[tuple[str, str]]:
     """New modules: each called as in the folder, and beside one of the program's own files."""
     own = {Path(one.path) for one in inputs}
-    beside = {Path(one.path).parent for one in inputs if one.rapid is not None}
+    beside = {Path(one.path).parent for one in inputs if one.module}
     for i, one in enumerate(record.items(record.run.get("added", []), "added")):
         entry = record.mapping(one, f"added[{i}]")
         path = record.path(entry.get("path"), f"added[{i}].path")

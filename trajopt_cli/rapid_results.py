@@ -35,11 +35,13 @@ class RapidFiles:
 
 
 def rapid_export(folder: Path) -> RapidFiles:
-    """The optimised modules of a results folder."""
+    """The optimised modules of a results folder. Raises InputError where the plan could not be written as RAPID."""
     from trajopt_cli.export.rapid_diff import patch, unified_diff
     from trajopt_cli.rapid.language.text import read_text
 
     results = read_results(folder)
+    if results.no_rapid is not None:
+        raise InputError(f"holds no RAPID text: {results.no_rapid}", file=str(folder))
     given = {path: replace(read_text(copy), path=path) for path, copy, _ in results.rapid}
     contents = {path: place.read_bytes() for path, _, place in results.rapid}
     texts = {path: content.decode(given[path].encoding) for path, content in contents.items()}

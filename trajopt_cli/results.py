@@ -58,7 +58,7 @@ class Results:
     entry, assume_identity: as the run was asked for. texts: the three CSV files by name. holds: when the chosen plan
     stands still until a signal comes [s], and for what. rapid: each module's path as the user gave it, the copy of the
     program as it was, and the optimised one. added: the path and the place in the folder of each module that the export
-    added.
+    added. no_rapid: why there is no optimised program. notes: what the program's text changes, and what it could not.
     """
 
     folder: Path
@@ -72,6 +72,8 @@ class Results:
     holds: tuple[tuple[float, str], ...]
     rapid: tuple[tuple[str, Path, Path], ...]
     added: tuple[tuple[str, Path], ...] = ()
+    no_rapid: str | None = None
+    notes: tuple[str, ...] = ()
 
 
 def distinct_names(paths: Sequence[str]) -> dict[str, str]:
@@ -110,10 +112,12 @@ def summary(
     warnings: Iterable[str],
     limits: Iterable[str],
     unchecked: Iterable[str],
+    notes: Iterable[str] = (),
 ) -> bytes:
     """summary.json: the answer in numbers, SI, the same bytes for the same inputs.
 
-    limits: how sure they are. unchecked: what the judge was given nothing to hold the motion against.
+    limits: how sure they are. unchecked: what the judge was given nothing to hold the motion against. notes: what the
+    RAPID text changes, and what it could not.
     """
     return record(
         {
@@ -123,6 +127,7 @@ def summary(
             "warnings": list(warnings),
             "limits": list(limits),
             "unchecked": list(unchecked),
+            "notes": list(notes),
         }
     )
 
@@ -167,10 +172,12 @@ def run_record(
     files: Mapping[str, bytes],
     timing: Mapping[str, Any],
     added: Mapping[str, str] | None = None,
+    no_rapid: str | None = None,
 ) -> bytes:
     """run.json: what made this folder. The only file with clock times; files lists all others with their hashes.
 
     added: the modules that the export added, the path each would have beside the program and its place in the folder.
+    no_rapid: why the plan could not be written as RAPID; then there are no such modules.
     inputs: "program" and "cell", the two that verify starts from (of several modules the first).
     """
     every = {one.copy: one for one in (*inputs.values(), *others)}
@@ -184,10 +191,17 @@ def run_record(
                 "program": inputs["program"].copy,
                 "cell": inputs["cell"].copy,
                 "files": [
-                    {"path": one.path, "copy": one.copy, "sha256": one.sha256, "rapid": one.rapid}
+                    {
+                        "path": one.path,
+                        "copy": one.copy,
+                        "sha256": one.sha256,
+                        "rapid": one.rapid if no_rapid is None else None,
+                        "module": one.rapid is not None,
+                    }
                     for one in every.values()
                 ],
             },
+            "no_rapid": no_rapid,
             "added": [{"path": path, "rapid": place} for path, place in (added or {}).items()],
             "files": {name: sha256(content) for name, content in sorted(files.items())},
             **timing,
@@ -205,13 +219,14 @@ def read_results(folder: Path) -> Results:
         dropped = {one: tuple(m["index"] for m in motions if m["dropped"]) for one, motions in plans.items()}
         waits = [m for m in plans[target] if m["instruction"] == _SIGNAL_WAIT]
         holds = tuple((float(m["start_s"] + m["time_s"]), str(m["target"])) for m in waits)
+        notes = tuple(str(note) for note in digest.get("notes", ()))
     except (KeyError, TypeError, ValueError) as error:
         raise InputError("is not what trajopt wrote; run trajopt optimize again", file=str(folder / SUMMARY)) from error
     rapid = tuple((one.path, folder / one.copy, folder / one.rapid) for one in run.inputs if one.rapid is not None)
     return Results(
         folder=folder,
         target=target,
-        modules=tuple(copy for _, copy, _ in rapid),
+        modules=tuple(folder / one.copy for one in run.inputs if one.module),
         cell=folder / run.cell,
         entry=run.entry,
         assume_identity=run.assume_identity,
@@ -220,4 +235,6 @@ def read_results(folder: Path) -> Results:
         holds=holds,
         rapid=rapid,
         added=tuple((path, folder / place) for path, place in run.added),
+        no_rapid=run.no_rapid,
+        notes=notes,
     )

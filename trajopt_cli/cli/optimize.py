@@ -28,7 +28,8 @@ def optimize(
 ) -> None:
     """Find the fastest legal motion for PROGRAM, have it judged, and write it as joint CSV and as RAPID.
 
-    Both targets are solved in every run. Exit code 1: the program cannot be done, and why.
+    Both targets are solved in every run. Exit code 1: the program cannot be done, and why; or, with --target rapid, its
+    text cannot carry the plan.
     """
     from trajopt_cli.cli.console import answer_no, stdout
     from trajopt_cli.cli.progress import ProgressView
@@ -60,8 +61,11 @@ def optimize(
         console.print(f"limits: {line}")
     for note in answer.notes:
         console.print(f"note: {note}")
+    rapid = f"{', '.join(answer.rapid_files)} (always the rapid plan), " if answer.no_rapid is None else ""
     console.print(
-        f"written to {answer.folder}: trajectory.csv (the {target} plan), stream.csv, rapid.csv, "
-        f"{', '.join(answer.rapid_files)} (always the rapid plan), summary.json, run.json"
-        f"{', plots/' if plots else ''}"
+        f"written to {answer.folder}: trajectory.csv (the {target} plan), stream.csv, rapid.csv, {rapid}summary.json, "
+        f"run.json{', plots/' if plots else ''}"
     )
+    if answer.no_rapid is not None and answer.target is Target.RAPID:
+        typer.echo(f"no RAPID text: {answer.no_rapid}", err=True)
+        raise typer.Exit(1)

@@ -1,0 +1,46 @@
+"""A plan that the program's text cannot carry: nothing of it is lost."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from fake_planner import Planner
+
+from trajopt_cli.cli import run
+from trajopt_cli.errors import InputError
+
+REASON = "tiny.mod:6:9: cannot carry it"
+
+
+@pytest.fixture
+def refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*_: object) -> None:
+        raise InputError("cannot carry it", file="tiny.mod", line=6, column=9)
+
+    monkeypatch.setattr("trajopt_cli.export.rapid.export_rapid", refuse)
+
+
+@pytest.mark.parametrize(("target", "code"), [("stream", 0), ("rapid", 1)])
+def test_a_plan_without_rapid_text_is_kept(
+    program: Path, planner: Planner, refused: None, target: str, code: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["optimize", str(program), "--target", target]) == code
+    folder = Path("results/tiny")
+    out, err = capsys.readouterr()
+    assert f"warning: no RAPID text: {REASON}\n" in out
+    assert "program.mod" not in out
+    assert (f"no RAPID text: {REASON}\n" in err) == (target == "rapid")
+    assert f"no RAPID text: {REASON}" in json.loads((folder / "summary.json").read_text())["warnings"]
+    names = {path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()}
+    assert names == {
+        "trajectory.csv", "stream.csv", "rapid.csv", "summary.json", "run.json", "input/tiny.mod", "input/tiny.yaml",
+    }  # fmt: skip
+
+    assert run(["verify", str(folder)]) == 0
+    assert run(["export", "joint", str(folder), "--output", "joints.csv"]) == 0
+    capsys.readouterr()
+    assert run(["export", "rapid", str(folder), "--diff"]) == 2
+    assert capsys.readouterr() == ("", f"results/tiny: holds no RAPID text: {REASON}\n")
+    assert run(["optimize", str(program), "--target", target]) == code  # such a folder may be replaced
