@@ -39,6 +39,8 @@ class Scenario:
     stubs: frozenset[str] = frozenset()
 
 
+LONGEST_WAIT = 1_000_000  # [s]; what is longer is a slip, and swamps every other time of the cycle
+NUM_LIMIT = 3.4028235e38  # of a num, and of a signal: 32-bit floats
 NAME_LISTS = ("assume_identity", "stubs")  # sections that only name things
 _SHOWN = 200  # characters of a value in a message; a template has all of it
 

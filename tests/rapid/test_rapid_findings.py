@@ -6,8 +6,9 @@ from time import perf_counter
 
 import pytest
 
+from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.errors import InputError
-from trajopt_cli.motion import TextFile
+from trajopt_cli.motion import Program, TextFile, Wait
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.scenario import Scenario
 
@@ -61,3 +62,40 @@ def test_a_copy_of_a_large_array_costs_no_more_than_a_number() -> None:
     begun = perf_counter()
     assert len(run_program([TextFile("m.mod", text, "utf-8")]).motions) == 1
     assert perf_counter() - begun < 5
+
+
+DATA = "VAR robtarget g; VAR num n; VAR bool f; VAR bool s{2}; CONST num k:=1;\n"
+
+
+def read(body: str, scenario: Scenario | None = None) -> Program:
+    text = f"MODULE m\n{DATA}PROC main()\n{body}\nENDPROC\nENDMODULE\n"
+    return run_program([TextFile("m.mod", text, "utf-8")], scenario)
+
+
+def waits(program: Program) -> list[float]:
+    return [motion.duration for motion in program.motions if isinstance(motion, Wait)]
+
+
+def test_a_wait_makes_up_no_position() -> None:
+    program = read("WaitUntil g.trans.y=1500 AND n=4 AND s{2}\\PollRate:=1; IF s{2} WaitTime g.trans.y+n;")
+    assert waits(program) == [0, 4]
+    assert program.warnings == ("m.mod:4:1: WaitUntil g.trans.y=1500 AND n=4 AND s{2} is taken to come true; g is not "
+                                "changed",)  # fmt: skip
+    assert read("WaitUntil g.trans.y=0;").warnings == ()
+
+
+@pytest.mark.parametrize(
+    "wait", ["FALSE", "n=1 AND n=2", "do1=1 AND do1=0", "k=2", "f AND NOT f", "TestDI(do1) AND do1=0", "NOT TRUE"]
+)
+def test_a_wait_that_cannot_come_true(wait: str) -> None:
+    message = f"waits for {wait}: this condition can never come true, and \\MaxTime is not given"
+    assert error(f"WaitUntil {wait};", DATA) == message
+    assert waits(read(f"WaitUntil {wait} \\MaxTime:=3 \\TimeFlag:=f; IF f WaitTime 1;")) == [3, 1]
+
+
+def test_waits_that_no_cycle_has() -> None:
+    assert error("WaitTime 1E30;") == "WaitTime 1e+30 s: more than 1,000,000 s (11 days); check the value"
+    with pytest.raises(InputError, match=r"1e\+07 s is more than 1,000,000 s \(11 days\); check the value"):
+        parse_cell("robot: irb140\nstart: {joints: [0,0,0,0,0,0]}\nwaits: {di1: 1e7}\n", "c.yaml")
+    with pytest.raises(InputError, match=r"c.yaml:3: signals.di1.*1e\+40 is too large for a num"):
+        parse_cell("robot: irb140\nstart: {joints: [0,0,0,0,0,0]}\nsignals: {di1: 1e+40}\n", "c.yaml")

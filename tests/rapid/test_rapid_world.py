@@ -163,9 +163,9 @@ def test_conditions_with_calls_are_polled() -> None:
     assert times("WaitUntil Ready(); WaitTime s; WaitTime s;", functions, signals={"s": (0.0, 1.0, 2.0, 9.0)}) == [2, 9]
 
 
-def test_parts_of_records_and_arrays_come_true() -> None:
-    declared = "VAR bool f{2}; VAR pos p; CONST num c:=3;"
-    assert times("WaitUntil f{2} AND p.x=c; IF f{2} AND NOT f{1} WaitTime p.x;", declared) == [3]
+def test_flags_in_arrays_come_true_and_parts_of_records_do_not() -> None:
+    declared = "VAR bool f{2}; VAR pos p; CONST num c:=3; VAR num x:=2;"
+    assert times("WaitUntil f{2} AND p.x=c; IF f{2} AND NOT f{1} WaitTime x+p.x;", declared) == [2]
 
 
 # ---------------------------------------------------------------------------------------------------------- answers

@@ -27,13 +27,16 @@ from trajopt_cli.quantity import (
     positive,
     shown,
 )
-from trajopt_cli.scenario import Scenario
+from trajopt_cli.scenario import LONGEST_WAIT, NUM_LIMIT, Scenario
 
 MAX_SEQUENCE = 10_000  # values of one signal or answer; a program that polls reads a few dozen
 
 
 def _signal(value: Any) -> float:
-    return float(value) if isinstance(value, bool) else number(RATIO)(value)
+    read = float(value) if isinstance(value, bool) else number(RATIO)(value)
+    if abs(read) > NUM_LIMIT:
+        raise complain(f"{read:g} is too large for a num")
+    return read
 
 
 def _answer(value: Any) -> float | bool | str:
@@ -65,7 +68,10 @@ def _least(value: Any) -> float | None:
         return None
     if _word(value):
         raise complain(f"needs seconds, or timeout, not {shown(value)}")
-    return from_zero(TIME)(value)
+    seconds = from_zero(TIME)(value)
+    if seconds > LONGEST_WAIT:
+        raise complain(f"{seconds:g} s is more than {LONGEST_WAIT:,} s (11 days); check the value")
+    return seconds
 
 
 def _each(one: Callable[[Any], Any]) -> Callable[[Any], Any]:

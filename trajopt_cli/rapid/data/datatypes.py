@@ -18,12 +18,12 @@ from typing import Any, NamedTuple
 
 from trajopt_cli.motion import Span
 from trajopt_cli.rapid.language.syntax import Aggregate
+from trajopt_cli.scenario import NUM_LIMIT as NUM_LIMIT
 
 STRING_LIMIT = 80  # characters
 SIZE_LIMIT = 1_000_000  # elements of an array; plain values in one record
 ARRAY_LIMIT = 10_000_000  # plain values in one array: elements that nobody has written yet are shared
 DEPTH_LIMIT = 30  # records in records
-NUM_LIMIT = 3.4028235e38
 
 _SINGLE = Struct("=f")
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from trajopt_cli.errors import InputError
 from trajopt_cli.rapid.data.datatypes import DNUM, NUM, Type, Value, is_number, single
 from trajopt_cli.rapid.data.scope import Datum
-from trajopt_cli.rapid.execution.evaluate import condition, evaluate
+from trajopt_cli.rapid.execution.evaluate import condition, evaluate, mismatch
 from trajopt_cli.rapid.execution.jumps import Exit
 from trajopt_cli.rapid.language.syntax import (
     Binary,
@@ -66,7 +66,7 @@ def run_for(run: Run, node: For) -> None:
 def _bound(run: Run, node: Expression) -> tuple[float, Type]:
     value = evaluate(run, node)
     if not is_number(value.type):
-        raise run.error(node, f"needs a value of type num, found {value.type.name}")
+        raise mismatch(run, node, NUM, value).about(node, "a bound of FOR")
     return float(value.data), value.type
 
 
@@ -144,6 +144,11 @@ def count_endless(run: Run, node: Statement, loop: str, exits: bool, passes: int
 def always(run: Run, node: Expression) -> bool:
     """Whether a condition is TRUE whatever happens: made of literals and constants."""
     return _constant(run, node) and condition(run, node)
+
+
+def never(run: Run, node: Expression) -> bool:
+    """Whether a condition is FALSE whatever happens: made of literals and constants."""
+    return _constant(run, node) and not condition(run, node)
 
 
 def _constant(run: Run, node: Expression) -> bool:

@@ -1,6 +1,7 @@
 r"""Waits.
 
-A wait always comes true, after the least time that the scenario gives it; what it waited for then holds (see World).
+A wait always comes true, after the least time that the scenario gives it; what it waited for then holds (see World) of
+signals, flags and counters. Parts of targets and other records stay as they are: a wait makes up no positions.
 Where the scenario says `timeout`, a wait with \MaxTime lasts that long, and sets \TimeFlag or raises ERR_WAIT_MAXTIME.
 """
 
@@ -11,10 +12,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from trajopt_cli.motion import Wait, Written
-from trajopt_cli.rapid.data.datatypes import BOOL, NUM, SIGNALS, Type, Value
+from trajopt_cli.rapid.data.datatypes import BOOL, NUM, SIGNALS, Atomic, Data, Type, Value
 from trajopt_cli.rapid.data.scope import Place
+from trajopt_cli.rapid.execution.answers import root
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
 from trajopt_cli.rapid.execution.evaluate import condition, evaluate, locate, number
+from trajopt_cli.rapid.execution.loops import never
 from trajopt_cli.rapid.language.syntax import (
     Binary,
     Boolean,
@@ -28,6 +31,7 @@ from trajopt_cli.rapid.language.syntax import (
     String,
     Unary,
 )
+from trajopt_cli.scenario import LONGEST_WAIT, condition_key
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
@@ -47,6 +51,9 @@ def _wait_time(run: Run, node: ProcedureCall) -> None:
     seconds = number(run, args.required[0])
     if not seconds >= 0:
         raise run.error(args.required[0], f"WaitTime {seconds:.6g} s must not be negative")
+    if seconds > LONGEST_WAIT:
+        message = f"WaitTime {seconds:.6g} s: more than {LONGEST_WAIT:,} s (11 days); check the value"
+        raise run.error(args.required[0], message)
     record(run, node, seconds)
 
 
@@ -97,11 +104,20 @@ def _await(run: Run, node: ProcedureCall, signal: str, test: str, wanted: float)
         )
 
 
-def _over(run: Run, node: ProcedureCall, args: Arguments, shown: str, names: tuple[str, ...]) -> bool:
-    r"""Record a wait and say whether it came true; if not, \TimeFlag is set. names: of the wait in the cell file."""
+def _over(
+    run: Run, node: ProcedureCall, args: Arguments, shown: str, names: tuple[str, ...], possible: bool = True
+) -> bool:
+    r"""Record a wait and say whether it came true; if not, \TimeFlag is set.
+
+    names: of the wait in the cell file. possible: whether it can come true at all.
+    """
     limit, flag = args.value("maxtime"), args.value("timeflag")
     longest = number(run, limit) if limit is not None else None
-    least = run.world.least(*names)
+    if longest is not None and longest > LONGEST_WAIT:
+        raise run.error(node, f"\\MaxTime of {longest:.6g} s: more than {LONGEST_WAIT:,} s (11 days); check the value")
+    least = run.world.least(*names) if possible else None
+    if not possible and longest is None:
+        raise run.error(node, f"waits for {shown}: this condition can never come true, and \\MaxTime is not given")
     record(run, node, (longest or 0.0) if least is None else least, shown)
     if least is not None:
         if flag is not None:
@@ -124,9 +140,10 @@ def _wait_until(run: Run, node: ProcedureCall) -> None:
     (wanted,) = args.required
     shown = run.text(wanted)
     names = {name.lower() for name in _names(wanted)}
-    if not _over(run, node, args, shown, (shown, *(names if len(names) == 1 else ()))):
-        return
     terms = _terms(run, wanted)
+    possible = not (never(run, wanted) or _contradictory(run, terms or []))
+    if not _over(run, node, args, shown, (shown, *(names if len(names) == 1 else ())), possible):
+        return
     if terms is None:
         run.world.poll(lambda: condition(run, wanted))
         return
@@ -134,7 +151,31 @@ def _wait_until(run: Run, node: ProcedureCall) -> None:
         if term.signal is not None:
             _await(run, node, term.signal, "=", term.value.data)
         else:
-            run.assign(term.target, term.value)
+            _assume(run, node, term, shown)
+
+
+def _contradictory(run: Run, terms: list[_Term]) -> bool:
+    """Whether a conjunction asks one signal or variable for two values."""
+    values: dict[str, Data] = {}
+    for term in terms:
+        key = term.signal or condition_key(run.text(term.target))
+        if values.setdefault(key, term.value.data) != term.value.data:
+            return True
+    return False
+
+
+def _assume(run: Run, node: ProcedureCall, term: _Term, shown: str) -> None:
+    """Let a variable have the value that was waited for, where it is a flag or a counter."""
+    place = locate(run, term.target)
+    if place.value.data == term.value.data:
+        return
+    counter = isinstance(term.target, Name) and isinstance(place.type, Atomic)
+    flag = isinstance(term.target, Element) and isinstance(term.target.base, Name) and place.type is BOOL
+    if counter or flag:
+        run.assign(term.target, term.value)
+        return
+    name = root(run, term.target)
+    run.warn(f"{run.source(node)}: {node.name} {shown} is taken to come true; {name} is not changed")
 
 
 @dataclass(frozen=True)
