@@ -8,6 +8,8 @@ from __future__ import annotations
 import os
 import sys
 from contextlib import suppress
+from io import TextIOWrapper
+from itertools import pairwise
 from typing import Annotated
 
 import typer
@@ -54,6 +56,7 @@ def run(arguments: list[str]) -> int:
         # both targets are solved side by side on two cores; more threads inside would only wait for each other
         os.environ.setdefault(library, "1")
     try:
+        _check_arguments(arguments)
         code = app(arguments or ["--help"], prog_name="trajopt", standalone_mode=False)
         sys.stdout.flush()
     except InputError as error:
@@ -75,6 +78,17 @@ def run(arguments: list[str]) -> int:
     return int(code or 0)
 
 
+def _check_arguments(arguments: list[str]) -> None:
+    """Nothing that trajopt takes is empty; an empty path would be the current folder, an empty entry the default."""
+    for before, argument in pairwise(["", *arguments]):
+        option = before if before.startswith("--") else ""
+        if argument.startswith("--") and argument.endswith("="):
+            option, argument = argument[:-1], ""
+        if not argument.strip():
+            advice = f"give {option} a value or leave it out" if option else "give one or leave it out"
+            raise InputError(f"an empty name{f' for {option}' if option else ''}; {advice}")
+
+
 def _give_up_stdout() -> None:
     """What stdout still holds goes nowhere: Python would try again at its end, and report that by a traceback."""
     nowhere = os.open(os.devnull, os.O_WRONLY)
@@ -88,4 +102,6 @@ def main() -> None:
     if sys.stdout is None:  # `trajopt ... >&-`
         typer.echo("cannot write the output: it is closed", err=True)
         sys.exit(2)
+    if isinstance(sys.stdout, TextIOWrapper):  # bytes of a file's name that are no text: as JSON spells them, \udc80
+        sys.stdout.reconfigure(errors="backslashreplace")
     sys.exit(run(sys.argv[1:]))
