@@ -493,3 +493,43 @@ def test_one_rough_orientation_is_told_once_however_often_it_is_shifted() -> Non
     text += "".join(f"MoveL Offs(p,{shift},0,0),v100,fine,tool0;\n" for shift in range(3))
     program = run_program([TextFile("m.mod", f"{text}ENDPROC\nENDMODULE\n", "utf-8")])
     assert program.warnings == ("m.mod:4:7: Offs(p,0,0,0) has an orientation of length 1.004092; taken as 1",)
+
+
+@pytest.mark.parametrize(
+    ("body", "message"),
+    [
+        ("MoveL p,z10,v100,tool0;", "Speed of MoveL needs a speeddata, found zonedata z10"),
+        ("MoveL 5,v100,fine,tool0;", "ToPoint of MoveL needs a robtarget, found num 5"),
+        ('MoveL p,v100\\V:="x",fine,tool0;', '\\V of MoveL needs a num, found string "x"'),
+        ("MoveL Offs(p,1,TRUE,0),v100,fine,tool0;", "YOffset of Offs needs a num, found bool TRUE"),
+        (
+            "MoveL [[1,2,3],b,[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;",
+            "rot of a robtarget needs an orient",
+        ),
+        ("n:=fUp(b);", "parameter a of fUp needs a num, found bool b"),
+        ("n:=fUp([1,2]);", "parameter a of fUp needs a num, found an aggregate"),
+        ("n:=fUp(fUp(b));", "parameter a of fUp needs a num, found bool b"),
+        ("n:=fUp(fBad());", "RETURN of fBad needs a num, found bool TRUE"),
+        ('n:="one";', 'n needs a num, found string "one"'),
+        ('n:="a" + "b of forty characters and more, so that it is cut";', 'n needs a num, found string "a" + "b of'),
+        ("b:=TRUE AND n;", "the right side of AND needs a bool, found num n"),
+        ("b:=n OR b;", "the left side of OR needs a bool, found num n"),
+        ("b:=NOT n;", "the right side of NOT needs a bool, found num n"),
+        ("IF n THEN ENDIF", "a condition needs a bool, found num n"),
+        ("FOR i FROM b TO 3 DO ENDFOR", "a bound of FOR needs a num, found bool b"),
+        ("TEST n CASE 2,TRUE: ENDTEST", "a CASE of n needs a num, found bool TRUE"),
+        ("n:=list{b};", "an index needs a num, found bool b"),
+    ],
+)
+def test_a_value_of_the_wrong_type_is_said_with_what_needs_it(body: str, message: str) -> None:
+    data = "CONST robtarget p:=[[500,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]; VAR num n:=1; VAR bool b; "
+    data += "VAR num list{2};"
+    routines = "FUNC num fUp(num a)\nRETURN a+1;\nENDFUNC\nFUNC num fBad()\nRETURN TRUE;\nENDFUNC"
+    error = refused(body, data, routines)
+    assert error.message.startswith(message)
+    assert error.excerpt is not None
+
+
+def test_initial_data_of_the_wrong_type_is_said_with_its_name() -> None:
+    assert refused("", "VAR bool b; VAR num n:=b;").message == "n needs a num, found bool b"
+    assert refused("", "VAR bool b; VAR num n{2}:=[1,b];").message == "element 2 of a num{*} needs a num, found bool b"

@@ -409,7 +409,41 @@ def test_no_hint_where_nobody_declares_the_name_or_two_do(tmp_path: Path) -> Non
     tree(folder, {"a.mod": module("a", TOOL), "b.mod": module("b", TOOL)})
     assert "give the folder" not in error(folder / "Main.mod")
     folder = tree(tmp_path / "g", {"x.mod": module("x", P), "own.mod": module("own", "VAR num p;\n", TOOL, main=MOVE)})
-    assert error(folder / "own.mod") == "own.mod:5:7: needs a value of type robtarget, found num"
+    assert error(folder / "own.mod") == "own.mod:5:7: ToPoint of MoveL needs a robtarget, found num p"
+
+
+@pytest.mark.parametrize(
+    "beside",
+    [
+        "LOCAL PERS tooldata tGun:=[TRUE,[[0,0,0],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];\n",
+        "PROC p()\nVAR tooldata tGun;\nENDPROC\n",
+        "PROC p(PERS tooldata tGun)\nENDPROC\n",
+        "LOCAL PROC p()\nVAR tooldata tGun;\nENDPROC\n",
+        "FUNC num f()\nVAR tooldata tGun;\nRETURN 1;\nENDFUNC\nTRAP t\nVAR tooldata tGun;\nENDTRAP\n",
+        "! PERS tooldata tGun;\n",
+        'CONST string s:="PERS tooldata tGun";\n',
+    ],
+)
+def test_only_what_a_module_shares_is_hinted_at(tmp_path: Path, beside: str) -> None:
+    folder = tree(tmp_path / "f", {"Main.mod": module("Main", P, main=MOVE), "Calib.mod": module("Calib", beside)})
+    assert "give the folder" not in error(folder / "Main.mod")
+    tree(folder, {"Calib.mod": module("Calib", beside, f"TASK {TOOL}")})
+    assert error(folder / "Main.mod").endswith("Calib.mod declares tGun: give the folder f instead")
+
+
+@pytest.mark.parametrize(
+    ("text", "mistake"),
+    [
+        ("VAR string s;\nFOR i FROM 1 TO 2 DO\ns:=i;\nENDFOR\n", "string"),
+        ("VAR num n;\nFOR i FROM 1 TO 2 DO\ni:=3;\nENDFOR\n", "i"),
+        ("VAR num n;\nn:=STEPS{7}+i;\n", "signal"),
+    ],
+)
+def test_only_undeclared_names_are_hinted_at(tmp_path: Path, text: str, mistake: str) -> None:
+    files = {"Main.mod": module("Main", main=text), "x.mod": module("x", "VAR num i;\nVAR num n;\n")}
+    told = error(tree(tmp_path / "f", files) / "Main.mod")
+    assert mistake in told
+    assert ("x.mod declares i" in told) == (mistake == "signal")
 
 
 def test_the_entry_beside_is_hinted_at(tmp_path: Path) -> None:

@@ -212,7 +212,7 @@ LOOKED = (
             "4:24: MoveL \\Cor is not supported; "
             "supported here: \\Conc, \\ID, \\V, \\T, \\Z, \\Inpos, \\WObj, \\Corr, \\TLoad",
         ),
-        ("MoveL p,fine,v100,tool0;", P, "4:9: needs a value of type speeddata, found zonedata"),
+        ("MoveL p,fine,v100,tool0;", P, "4:9: Speed of MoveL needs a speeddata, found zonedata fine"),
         ("MoveL *,v100,fine,tool0;", "", "3:7: a target '*' has no coordinates in the text; declare it as a robtarget"),
         ("MoveL <EXP>,v100,fine,tool0;", "", "3:7: unfinished code <EXP> cannot be run"),
         ("<SMT>", "", "3:1: unfinished code <SMT> cannot be run"),
@@ -233,7 +233,7 @@ LOOKED = (
         ("x:=1;", "CONST num x:=2;\n", "4:1: x is a CONST (line 2) and cannot be changed"),
         ("tool0.robhold:=FALSE;", "", "3:1: tool0.robhold is predefined and cannot be changed"),
         ("FOR i FROM 1 TO 2 DO\ni:=3;\nENDFOR", "", "4:1: i is a loop variable and cannot be changed"),
-        ("x:=TRUE;", "VAR num x;\n", "4:4: needs a value of type num, found bool"),
+        ("x:=TRUE;", "VAR num x;\n", "4:4: x needs a num, found bool TRUE"),
         ("WaitTime x{3};", "VAR num x{2};\n", "4:12: index 3 of x{3} lies outside 1..2"),
         ("WaitTime x.y;", "VAR num x;\n", "4:10: a num has no components, so '.y' means nothing"),
         ("WaitTime p.robconf.cf2;", P, "4:10: confdata has no component 'cf2'; it has cf1, cf4, cf6, cfx"),

@@ -48,6 +48,7 @@ def bind(
 
     Raises InputError for a missing or surplus argument and for an optional one that is not supported.
     """
+    run.takes[call.name] = required
     places: list[Expression] = []
     options: dict[str, Expression | None] = {}
     known = _KNOWN.get(optional)
@@ -71,6 +72,19 @@ def bind(
         names = ", ".join(required) or "none"
         raise run.error(call, f"{call.name} takes {len(required)} argument(s) ({names}), found {len(places)}")
     return Arguments(tuple(places), options)
+
+
+def subject(run: Run, call: ProcedureCall | Call, node: Expression) -> str | None:
+    """What an argument is called in messages: "Speed of MoveL". None where node is no argument of the call."""
+    count = 0
+    for arg in call.args:
+        if arg.value is node:
+            names = run.takes.get(call.name, ())
+            if arg.name is not None:
+                return f"\\{arg.name} of {call.name}"
+            return f"{names[count]} of {call.name}" if count < len(names) else f"argument {count + 1} of {call.name}"
+        count += arg.name is None
+    return None
 
 
 _KNOWN: dict[tuple[str, ...], frozenset[str]] = {}  # names of optional arguments in lower case

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from math import isfinite, trunc
 from typing import TYPE_CHECKING
 
+from trajopt_cli.errors import InputError
 from trajopt_cli.rapid.data.datatypes import (
     BOOL,
     CONFDATA,
@@ -47,6 +48,39 @@ from trajopt_cli.rapid.language.syntax import (
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
 
+_SHOWN = 40  # characters of an expression in a message
+
+
+class Mismatch(InputError):
+    """A value of another type than its place asks for. node: the expression. claim: "needs a num, found bool TRUE".
+
+    Who knows what the place is called says so: the nearest one.
+    """
+
+    def __init__(self, node: Expression, claim: str, place: InputError):
+        super().__init__(f"needs {claim}", file=place.file, line=place.line, column=place.column, excerpt=place.excerpt)
+        self.node, self._claim, self._said = node, claim, False
+
+    def about(self, node: Expression | None, subject: str) -> Mismatch:
+        """Itself, with what needs the value where that is the place of node."""
+        if node is self.node and not self._said:
+            self.message, self._said = f"{subject} needs {self._claim}", True
+            self.args = (self.message,)
+        return self
+
+
+def mismatch(run: Run, node: Expression, wanted: Type, found: Value | None) -> Mismatch:
+    """The error for an expression that is not of the type its place asks for. found: its value; None: an aggregate."""
+    text = run.text(node)
+    shown = text if len(text) <= _SHOWN else f"{text[:_SHOWN]}..."
+    claim = f"{_article(wanted.name)} {wanted.name}, found {f'{found.type.name} {shown}' if found else 'an aggregate'}"
+    return Mismatch(node, claim, run.error(node, ""))
+
+
+def _article(name: str) -> str:
+    return "an" if name[0] in "aeio" else "a"
+
+
 TRUE, FALSE = Value(BOOL, True), Value(BOOL, False)
 
 
@@ -75,7 +109,7 @@ def _converted(run: Run, node: Expression, value: Value, wanted: Type) -> Value:
         _mixed(run, node)
         return Value(DNUM, value.data) if wanted is DNUM else computed(run, node, NUM, value.data)
     if not same_type(wanted, value.type):
-        raise run.error(node, f"needs a value of type {wanted.name}, found {value.type.name}")
+        raise mismatch(run, node, wanted, value)
     return value
 
 
@@ -94,13 +128,16 @@ def number(run: Run, node: Expression) -> float:
         return node.value
     value = evaluate(run, node)
     if not is_number(value.type):
-        raise run.error(node, f"needs a value of type num, found {value.type.name}")
+        raise mismatch(run, node, NUM, value)
     return float(value.data)
 
 
 def integer(run: Run, node: Expression, what: str) -> int:
     """The value of an expression that must be a whole number; what names it in the message."""
-    value = number(run, node)
+    try:
+        value = number(run, node)
+    except Mismatch as error:
+        raise error.about(node, what) from None
     if value != trunc(value):
         raise run.error(node, f"{what} must be a whole number, found {value:.6g}")
     return int(value)
@@ -108,7 +145,10 @@ def integer(run: Run, node: Expression, what: str) -> int:
 
 def condition(run: Run, node: Expression) -> bool:
     """The value of a bool expression."""
-    return evaluate(run, node, BOOL).data is True
+    try:
+        return evaluate(run, node, BOOL).data is True
+    except Mismatch as error:
+        raise error.about(node, "a condition") from None
 
 
 # -------------------------------------------------------------------------------------------------------- literals
@@ -294,8 +334,15 @@ def aggregate(run: Run, node: Aggregate, wanted: Type) -> Value:
     elif is_opaque(wanted):
         return opaque(run, node, wanted)
     else:
-        raise run.error(node, f"needs a value of type {wanted.name}, found an aggregate")
-    values = [evaluate(run, inner, part) for part, inner in zip(parts, node.items, strict=True)]
+        raise mismatch(run, node, wanted, None)
+    try:
+        values = [evaluate(run, inner, part) for part, inner in zip(parts, node.items, strict=True)]
+    except Mismatch as error:
+        which = next((i for i, inner in enumerate(node.items) if inner is error.node), None)
+        if which is None:
+            raise
+        name = f"element {which + 1}" if isinstance(wanted, Array) else wanted.components[which][0]
+        raise error.about(error.node, f"{name} of a {wanted.name}") from None
     if isinstance(wanted, Array) and not wanted.sizes and values:
         wanted = _closed(wanted, values[0].type, len(values))
     return Value(wanted, tuple([value.data for value in values]), Origin(run.file, node, None))
@@ -323,7 +370,10 @@ def _closed(open_: Array, inner: Type, size: int) -> Array:
 
 def _unary(run: Run, node: Unary, wanted: Type | None) -> Value:
     if node.operator == "NOT":
-        return FALSE if condition(run, node.operand) else TRUE
+        try:
+            return FALSE if evaluate(run, node.operand, BOOL).data is True else TRUE
+        except Mismatch as error:
+            raise error.about(node.operand, "the right side of NOT") from None
     value = evaluate(run, node.operand) if wanted is not DNUM else _hinted(run, node.operand)
     if node.operator == "+" and (is_number(value.type) or value.type is POS):
         return Value(value.type, value.data)
@@ -350,12 +400,16 @@ def _literal(node: Expression) -> bool:
 def _binary(run: Run, node: Binary, wanted: Type | None) -> Value:
     operator = node.operator
     if operator in ("AND", "OR", "XOR"):
-        left = condition(run, node.left)
-        if operator == "XOR":
-            return TRUE if left != condition(run, node.right) else FALSE
-        # The right side is only looked at where it matters, so a guarded index stays inside its array.
-        decided = left == (operator == "OR")
-        return TRUE if (left if decided else condition(run, node.right)) else FALSE
+        try:
+            left = evaluate(run, node.left, BOOL).data is True
+            if operator == "XOR":
+                return TRUE if left != (evaluate(run, node.right, BOOL).data is True) else FALSE
+            # The right side is only looked at where it matters, so a guarded index stays inside its array.
+            decided = left == (operator == "OR")
+            return TRUE if (left if decided else evaluate(run, node.right, BOOL).data is True) else FALSE
+        except Mismatch as error:
+            side = "left" if error.node is node.left else "right"
+            raise error.about(node.left if side == "left" else node.right, f"the {side} side of {operator}") from None
     a, b = _operands(run, node, wanted)
     compare = COMPARE.get(operator)
     if is_number(a.type) and is_number(b.type):

@@ -23,7 +23,7 @@ from trajopt_cli.rapid.data.datatypes import (
     same_type,
 )
 from trajopt_cli.rapid.data.scope import Datum, Frame, ModuleScope, Scope
-from trajopt_cli.rapid.execution.evaluate import evaluate, integer, opaque
+from trajopt_cli.rapid.execution.evaluate import Mismatch, evaluate, integer, opaque
 from trajopt_cli.rapid.execution.room import room
 from trajopt_cli.rapid.language.syntax import (
     Aggregate,
@@ -184,6 +184,8 @@ def _initial(run: Run, node: DataDeclaration, type_: Type, frame: Frame) -> Valu
         if is_opaque(type_):
             return opaque(run, node.value, type_)
         value = evaluate(run, node.value, type_)
+    except Mismatch as error:
+        raise error.about(node.value, node.name) from None
     except RecursionError:
         raise frame.scope.places.error(node.start, f"the value of '{node.name}' is nested too deeply") from None
     finally:

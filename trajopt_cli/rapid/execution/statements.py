@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from trajopt_cli.rapid.data.datatypes import NUM, Value
 from trajopt_cli.rapid.data.predefined import ERRORS
 from trajopt_cli.rapid.execution.calls import late_call, procedure
-from trajopt_cli.rapid.execution.evaluate import condition, evaluate, inside_opaque, locate
+from trajopt_cli.rapid.execution.evaluate import Mismatch, condition, evaluate, inside_opaque, locate
 from trajopt_cli.rapid.execution.faults import Fault, Handled, handle
 from trajopt_cli.rapid.execution.jumps import Exit, Jump, Retry, Return, TryNext
 from trajopt_cli.rapid.execution.loading import declare
@@ -82,7 +82,11 @@ def _assign(run: Run, node: Assign) -> None:
         run.note("opaque", f"{run.source(node)}: {run.text(target)} is process data, which changes no motion here")
         return
     place = locate(run, target)
-    run.store(place, target, evaluate(run, node.value, place.type))
+    try:
+        value = evaluate(run, node.value, place.type)
+    except Mismatch as error:
+        raise error.about(node.value, run.text(target)) from None
+    run.store(place, target, value)
 
 
 def _if(run: Run, node: If) -> None:
@@ -97,7 +101,11 @@ def _test(run: Run, node: Test) -> None:
     subject = evaluate(run, node.subject)
     for values, block in node.cases:
         for value in values:
-            if evaluate(run, value, subject.type).data == subject.data:
+            try:
+                same = evaluate(run, value, subject.type).data == subject.data
+            except Mismatch as error:
+                raise error.about(value, f"a CASE of {run.text(node.subject)}") from None
+            if same:
                 return run_block(run, block)
     if node.default is not None:
         run_block(run, node.default)
@@ -122,7 +130,14 @@ def _return(run: Run, node: ReturnStatement) -> None:
     wanted = run.frame.returns
     if (wanted is None) != (node.value is None):
         raise run.error(node, "RETURN needs a value in a FUNC" if wanted else "RETURN with a value outside a FUNC")
-    raise Return(evaluate(run, node.value, wanted) if node.value is not None else None)
+    if node.value is None:
+        raise Return(None)
+    try:
+        value = evaluate(run, node.value, wanted)
+    except Mismatch as error:
+        name = run.frame.routine.name if run.frame.routine else ""
+        raise error.about(node.value, f"RETURN of {name}") from None
+    raise Return(value)
 
 
 def _goto(run: Run, node: Goto) -> None:
