@@ -114,11 +114,13 @@ def optimise(
     if hits := collisions(check_start(job.program, job.plant, start)):
         return Collides("", hits)
     clock, started = _Clock({"read": job.read_seconds}), datetime.now(UTC)
-    if (infeasible := _out_of_reach(job, clock)) is not None:
+    with clock.phase("rapid: text"):
+        free, kept = _writable(job)
+    if (infeasible := _out_of_reach(job, clock, free)) is not None:
         return infeasible
     inputs = _inputs(job)
     judged: dict[Target, Judged] = {}
-    for one, answer in _both(job, listen, clock).items():
+    for one, answer in _both(job, listen, clock, free).items():
         if not isinstance(answer, Judged):
             return answer
         if not answer.report.legal:
@@ -130,7 +132,8 @@ def optimise(
     with clock.phase("export"):
         export, no_rapid = _export(job, judged[Target.RAPID].plan)
         notices = (*_notices(job), *((f"no RAPID text: {no_rapid}",) if no_rapid is not None else ()))
-        files = _files(job, target, judged, inputs, export, notices)
+        notes = (*(export.notes if export is not None else ()), *kept)
+        files = _files(job, target, judged, inputs, export, notices, notes)
     if plots:
         listen("results", Progress("plots"))
         with clock.phase("plots"):
@@ -153,7 +156,6 @@ def optimise(
     check_replaceable(folder)
     write_folder(folder, files)
     modules = (*(given.rapid for given in inputs.values() if given.rapid in files), *added.values())
-    notes = export.notes if export is not None else ()
     return Optimised(job, target, judged, notices, notes, folder, modules, no_rapid, clock.seconds)
 
 
@@ -176,9 +178,9 @@ def _files(
     inputs: Mapping[str, InputFile],
     export: RapidExport | None,
     notices: tuple[str, ...],
+    notes: tuple[str, ...],
 ) -> dict[str, bytes]:
     """The results folder's files but run.json."""
-    notes = export.notes if export is not None else ()
     files = {
         SUMMARY: summary(job.program, target, judged, notices, job.plant.notes, job.plant.unchecked, notes),
         CHOSEN: judged[target].csv.encode("ascii"),
@@ -209,29 +211,31 @@ def plan_pictures(job: Job, plan: Plan) -> dict[str, bytes]:
     return {f"plots/{place}": content for place, content in pictures.items()}
 
 
-def _out_of_reach(job: Job, clock: _Clock) -> Infeasible | None:
+def _out_of_reach(job: Job, clock: _Clock, free: frozenset[int]) -> Infeasible | None:
     """What one of the two targets cannot do, known before either is solved."""
     from trajopt_cli.optimize import check_feasible
 
     with clock.phase("reach"):
         for target in Target:
-            program = _writable(job) if target is Target.RAPID else job.program
+            program = replace(job.program, writable=free) if target is Target.RAPID else job.program
             if (infeasible := check_feasible(program, job.plant, target)) is not None:
                 return infeasible
     return None
 
 
-def _both(job: Job, listen: Listener, clock: _Clock) -> dict[Target, Judged | Infeasible | NoPlan]:
+def _both(
+    job: Job, listen: Listener, clock: _Clock, free: frozenset[int]
+) -> dict[Target, Judged | Infeasible | NoPlan]:
     """Both targets, beside each other where there are two cores; a stream that cannot be done ends the run at once."""
     stream, rapid = Target.STREAM, Target.RAPID
     if cores() == 1:
         first = solve(job, stream, EVERYTHING, stream.value, listen, clock)
-        second = solve(job, rapid, EVERYTHING, rapid.value, listen, clock) if isinstance(first, Judged) else first
+        second = solve(job, rapid, EVERYTHING, rapid.value, listen, clock, free) if isinstance(first, Judged) else first
         return {stream: first, rapid: second}
 
     def second_target(tell: Callable[[Progress], None]) -> tuple[Judged | Infeasible | NoPlan, dict[str, float]]:
         own = _Clock()
-        return solve(job, rapid, EVERYTHING, rapid.value, lambda _, progress: tell(progress), own), own.seconds
+        return solve(job, rapid, EVERYTHING, rapid.value, lambda _, progress: tell(progress), own, free), own.seconds
 
     with Beside(second_target, lambda progress: listen(rapid.value, progress)) as beside:
 
@@ -248,16 +252,27 @@ def _both(job: Job, listen: Listener, clock: _Clock) -> dict[Target, Judged | In
 
 
 def solve(
-    job: Job, target: Target, freedom: Freedom, label: str, listen: Listener, clock: _Clock | None = None
+    job: Job,
+    target: Target,
+    freedom: Freedom,
+    label: str,
+    listen: Listener,
+    clock: _Clock | None = None,
+    writable: frozenset[int] | None = None,
 ) -> Judged | Infeasible | NoPlan:
-    """Plan one target, write its trajectory as CSV text, and let the judge read that text."""
+    """Plan one target, write its trajectory as CSV text, and let the judge read that text.
+
+    writable: the motions that the program's text lets change, where that is known already.
+    """
     from trajopt_cli.joint_csv import write_csv_text
     from trajopt_cli.optimize import NoCleanPlan, optimize
 
     clock = clock or _Clock()
     with clock.phase(f"{label}: plan"):
         try:
-            program = _writable(job) if target is Target.RAPID else job.program
+            program = job.program
+            if target is Target.RAPID:
+                program = replace(program, writable=_writable(job)[0] if writable is None else writable)
             plan = optimize(program, job.plant, target, freedom, lambda progress: listen(label, progress))
         except NoCleanPlan as failure:
             return NoPlan(label, str(failure))
@@ -273,13 +288,14 @@ def solve(
     return Judged(plan, text, report)
 
 
-def _writable(job: Job) -> Program:
-    """The program, knowing which of its motions the text lets change."""
+def _writable(job: Job) -> tuple[frozenset[int], tuple[str, ...]]:
+    """Which motions the text lets change, and what users should know of the others."""
     from trajopt_cli.export.rapid_reading import Reading
-    from trajopt_cli.export.rapid_writable import writable
+    from trajopt_cli.export.rapid_writable import kept_notes, writable
 
     reading = Reading(job.program, job.plant, job.scenario, job.program.entry)
-    return replace(job.program, writable=writable(job.program, job.plant, reading))
+    free = writable(job.program, job.plant, reading)
+    return free, kept_notes(job.program, job.plant, reading, free)
 
 
 def verify_results(folder: Path) -> tuple[Job, dict[str, Report]]:

@@ -27,16 +27,19 @@ class RapidFile:
 @dataclass(frozen=True)
 class RapidFiles:
     """The optimised modules of a results folder. patch: their difference from the program as given, for patch -p1;
-    difference: the same to read."""
+    difference: the same to read. kept: what the plan had to leave as programmed, and why.
+    """
 
     modules: tuple[RapidFile, ...]
     patch: bytes
     difference: str
+    kept: tuple[str, ...] = ()
 
 
 def rapid_export(folder: Path) -> RapidFiles:
     """The optimised modules of a results folder. Raises InputError where the plan could not be written as RAPID."""
     from trajopt_cli.export.rapid_diff import patch, unified_diff
+    from trajopt_cli.export.rapid_writable import KEPT
     from trajopt_cli.rapid.language.text import read_text
 
     results = read_results(folder)
@@ -53,9 +56,10 @@ def rapid_export(folder: Path) -> RapidFiles:
     modules += [
         RapidFile(Path(path), place.relative_to(folder), place.read_bytes(), None) for path, place in results.added
     ]
+    kept = tuple(note for note in results.notes if note.startswith(KEPT))
     if len(modules) > 1:
         modules = [replace(one, place=_inside_program(one)) for one in modules]
-    return RapidFiles(tuple(modules), patch(given, texts, new), unified_diff(given, texts, new))
+    return RapidFiles(tuple(modules), patch(given, texts, new), unified_diff(given, texts, new), kept)
 
 
 def _inside_program(module: RapidFile) -> Path:

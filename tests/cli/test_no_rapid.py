@@ -44,3 +44,10 @@ def test_a_plan_without_rapid_text_is_kept(
     assert run(["export", "rapid", str(folder), "--diff"]) == 2
     assert capsys.readouterr() == ("", f"results/tiny: holds no RAPID text: {REASON}\n")
     assert run(["optimize", str(program), "--target", target]) == code  # such a folder may be replaced
+
+
+def test_a_diff_without_changes_says_why(program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["optimize", str(program)]) == 0
+    capsys.readouterr()
+    assert run(["export", "rapid", "results/tiny", "--diff"]) == 0
+    assert capsys.readouterr() == ("", "no change: the plan needs nothing else than the program says\n")

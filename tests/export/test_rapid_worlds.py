@@ -10,7 +10,7 @@ from rail_plans import J1, made, plan_for
 from trajopt_cli.cell.loader import load_cell
 from trajopt_cli.export.rapid import export_rapid
 from trajopt_cli.export.rapid_reading import Reading
-from trajopt_cli.export.rapid_writable import writable
+from trajopt_cli.export.rapid_writable import KEPT, kept_notes, writable
 from trajopt_cli.motion import Program
 from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.rapid.reader import run_program
@@ -83,3 +83,28 @@ def test_a_literal_that_cannot_get_another_beside_it_is_pinned_by_what_is_comput
     assert writable(program, plant, Reading(program, plant, scenario)) == {3}
     plan = plan_for(program, plant, {0: 0.2, 1: 0.3, 2: 0.3, 3: 0.35})
     assert "[350,9E9" in export_rapid(program, plan, plant, scenario=scenario).texts["m.mod"]
+
+
+def kept(body: str, plant: Plant, scenario: Scenario) -> list[str]:
+    program = asking(body, scenario)
+    reading = Reading(program, plant, scenario)
+    notes = kept_notes(program, plant, reading, writable(program, plant, reading))
+    return [note.removeprefix(f"{KEPT}: ") for note in notes]
+
+
+def test_what_stays_as_programmed_is_said_with_the_reason(plant: Plant) -> None:
+    moves = f"        WHILE TRUE DO\n            IF di1=1 THEN\n{UP}{J1}            ENDIF\n        ENDWHILE\n"
+    assert kept(moves, plant, Scenario(signals={"di1": 1.0}, endless_passes=2)) == [
+        "m.mod:9, 10 (run 2 times in one loop or routine); a statement of its own for each time would free them, for "
+        "an endless loop endless_passes: 1"
+    ]
+    loop = moves.replace("WHILE TRUE DO", "FOR i FROM 1 TO 2 DO").replace("ENDWHILE", "ENDFOR")
+    assert kept(loop, plant, Scenario(signals={"di1": 1.0})) == [
+        "m.mod:9, 10 (run 2 times and hang on signal di1); a statement with a declared target, for each time it runs, "
+        "would free them"
+    ]
+    many = ASK + "".join(UP.replace("50", f"{k}*n") for k in range(1, 8))
+    assert [note.split(";")[0] for note in kept(many, plant, Scenario(answers={"n": 1.0}))] == [
+        "m.mod:8, 9, 10, 11, 12 and 2 more (hang on answer n)"
+    ]
+    assert kept(J1, plant, Scenario()) == []

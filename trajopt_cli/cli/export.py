@@ -51,6 +51,9 @@ def rapid(
     if output is None and not diff and not in_place:
         raise typer.BadParameter("give --output, --diff, --in-place or several of them")
     files = rapid_export(results)
+    if diff and not files.patch:
+        for why in files.kept or ("the plan needs nothing else than the program says",):
+            typer.echo(f"no change: {why}", err=True)
     if diff and sys.stdout.isatty():
         typer.echo(files.difference, nl=False)
     elif diff:

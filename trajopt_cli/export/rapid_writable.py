@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Set
+from collections.abc import Iterable, Mapping, Set
 from dataclasses import replace
 from typing import cast
 
@@ -20,6 +20,8 @@ from trajopt_cli.motion import ExternalAxes, Move, MoveAbsJ, MoveExtJ, Program, 
 from trajopt_cli.problem.plant import Plant
 
 _STEP, _STEPS = 0.01, 997  # mm; how far targets are moved along the rail to see what else moves, and how many ways
+KEPT = "kept as programmed on the RAPID target"
+_PLACES = 5  # that a note names
 _TRIALS = 8  # of a long program each takes as long as reading it
 
 
@@ -50,6 +52,50 @@ def writable(program: Program, plant: Plant, reading: Reading) -> frozenset[int]
         if _carries_others(program, plant, scopes, stretches, reading, less, Choices(frozenset(fewer), tuple(rest))):
             return less
     return _free(program, plant, scopes, set(), []) - several
+
+
+def kept_notes(program: Program, plant: Plant, reading: Reading, free: Set[int]) -> tuple[str, ...]:
+    """What users should know of the moves that are no free ones: where they are, why they stay, what would free them.
+
+    free: as writable gives it. Moves of joints have nothing to change where there is no rail.
+    """
+    runs = Counter(motion.written.statement for motion in program.motions)
+    scopes = Scopes(program.files)
+    stretches = Stretches(program, scopes, reading)
+    places: dict[tuple[str, str], dict[str, dict[int, None]]] = {}
+    for i, motion in enumerate(program.motions):
+        bound = isinstance(motion, MoveAbsJ | MoveExtJ) and plant.rail_eax is None
+        if not isinstance(motion, Move) or i in free or bound:
+            continue
+        span = motion.written.statement
+        why, remedy = _why_kept(motion, runs[span], stretches.hangs_on(i), span in scopes.compact)
+        lines = places.setdefault((why, remedy), {}).setdefault(motion.source.file, {})
+        lines[motion.source.line] = None
+    return tuple(f"{KEPT}: {_shown(files)} ({why}); {remedy}" for (why, remedy), files in places.items())
+
+
+def _why_kept(move: Move, runs: int, thing: str | None, compact: bool) -> tuple[str, str]:
+    """Why a move stays as programmed, and what would free it."""
+    often = f"run {runs} times" if runs > 1 else ""
+    if thing == "endless_passes" or (runs > 1 and thing is None):
+        why = f"{often} in one loop or routine" if often else "hang on endless_passes"
+        return why, "a statement of its own for each time would free them, for an endless loop endless_passes: 1"
+    if thing is not None:
+        both = " and ".join(part for part in (often, f"hang on {thing}") if part)
+        return both, "a statement with a declared target, for each time it runs, would free them"
+    if compact:
+        return "hang on an IF without THEN", "IF ... THEN ... ENDIF would free them"
+    return "cannot be edited without moving others", "declared targets of their own would free them"
+
+
+def _shown(files: Mapping[str, Iterable[int]]) -> str:
+    """Places by file, a few of them; and how many more."""
+    every = [(file, line) for file, lines in files.items() for line in sorted(lines)]
+    by_file: dict[str, list[str]] = {}
+    for file, line in every[:_PLACES]:
+        by_file.setdefault(file, []).append(str(line))
+    text = "; ".join(f"{file}:{', '.join(lines)}" for file, lines in by_file.items())
+    return f"{text} and {len(every) - _PLACES} more" if len(every) > _PLACES else text
 
 
 def safest(program: Program, plant: Plant, scopes: Scopes, stretches: Stretches, reading: Reading) -> Choices:
