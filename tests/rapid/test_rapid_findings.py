@@ -99,3 +99,38 @@ def test_waits_that_no_cycle_has() -> None:
         parse_cell("robot: irb140\nstart: {joints: [0,0,0,0,0,0]}\nwaits: {di1: 1e7}\n", "c.yaml")
     with pytest.raises(InputError, match=r"c.yaml:3: signals.di1.*1e\+40 is too large for a num"):
         parse_cell("robot: irb140\nstart: {joints: [0,0,0,0,0,0]}\nsignals: {di1: 1e+40}\n", "c.yaml")
+
+
+@pytest.mark.parametrize("body", ["WaitDI d,1;", "IF TestDI(d) n:=1;", "n:=DInput(d);", "SetDO d,1;"])
+def test_a_digital_signal_is_0_or_1(body: str) -> None:
+    for value in (0.5, (1.0, 0.5)):
+        (warning,) = read(body, Scenario(signals={"d": value})).warnings
+        assert warning.endswith("d is 0.5 in the cell file, and a digital signal is 0 or 1")
+    assert read(body, Scenario(signals={"d": (0.0, 1.0)})).warnings == ()
+    assert waits(read("WaitTime AInput(d);", Scenario(signals={"d": 0.5}))) == [0.5]
+
+
+def test_a_signal_too_large_for_a_num_is_an_error() -> None:
+    with pytest.raises(InputError, match=r"the value 1e\+40 of signal 'd' is too large for a num"):
+        read("n:=d;", Scenario(signals={"d": 1e40}))
+
+
+def test_names_in_the_cell_file_that_nobody_asks_for() -> None:
+    scenario = Scenario(
+        signals={"d": 1, "Unknown": 3, "other": 2},
+        waits={"d": 1, "nope": 2, "d = 0": 1},
+        answers={"n": 1, "no": 2},
+        searches={"x": 0.5},
+        stubs=frozenset({"theirs", "mine"}),
+    )
+    program = read('WaitDI d,1; TPReadNum n,"n?"; theirs;', scenario)
+    assert program.warnings == (
+        "the program never asks for: Unknown, other (signals in the cell file)",
+        "the program never asks for: no (answers in the cell file)",
+        "the program never asks for: d = 0, nope (waits in the cell file)",
+        "the program never asks for: x (searches in the cell file)",
+        "the program never asks for: mine (stubs in the cell file)",
+    )
+    with pytest.raises(InputError) as caught:
+        read("WaitTime e;", scenario)
+    assert "never asks" not in str(caught.value)

@@ -84,6 +84,7 @@ def _remedy(node: ProcedureCall, routine: Routine) -> str:
 def _stub(run: Run, node: ProcedureCall) -> None:
     """A procedure that no file declares: it does nothing, which is for the user to say."""
     if node.name.lower() in run.scenario.stubs:
+        run.world.asked("stubs", node.name.lower())
         run.ignored[node.name] += 1
         return
     message = f"{node.name} is neither a procedure of the files read nor an instruction that is known"

@@ -222,6 +222,9 @@ class Run:
             raise scope.places.error(routine.start, message)
         with self.inside(Frame(scope)), room(), suppress(Exit):
             enter(self, routine, scope, (), routine)
+        if not self.world.lacks:
+            for sentence in self.world.unused():
+                self.warn(sentence)
         fill_once(self.motions, self.links, self.counts)
         self.position.place()
 

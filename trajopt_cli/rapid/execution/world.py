@@ -10,18 +10,19 @@ fits; that one is what the next reading gives. A plain value that contradicts th
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from trajopt_cli.rapid.data.scope import Datum
 from trajopt_cli.rapid.language.syntax import Name
-from trajopt_cli.scenario import Answer, Lack, Scenario, condition_key, yaml_answer
+from trajopt_cli.scenario import NUM_LIMIT, Answer, Lack, Scenario, condition_key, yaml_answer
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
     from trajopt_cli.rapid.language.syntax import Node
 
+_SHOWN = 7  # names in a warning
 _OUTPUTS = frozenset({"signaldo", "signalgo", "signalao"})
 
 
@@ -37,6 +38,14 @@ class World:
         self._values: dict[str, float] = {}
         self._taken: dict[tuple[str, str], int] = {}  # how many values of a sequence are behind
         self._trying = 0
+        self._asked: set[tuple[str, str]] = set()  # section and name of all that the program asked for or set
+        # Of a digital signal that would be a slip, which only the instruction that uses it can tell.
+        self._not_digital = {
+            name: value
+            for name, given in self._signals.items()
+            for value in (given if isinstance(given, tuple) else (given,))
+            if value not in (0, 1)
+        }
 
     def lack(self, run: Run, section: str, name: str, node: Node, reason: str, value: str) -> None:
         """Note that the scenario lacks something, once per name; see Lack for what the parts mean."""
@@ -59,12 +68,49 @@ class World:
     def set(self, signal: str, value: float) -> None:
         """The program sets a signal, or a wait has made sure of its value."""
         self._values[signal] = value
+        self._asked.add(("signals", signal))
+
+    def digital(self, run: Run, node: Node, signal: str) -> None:
+        """A digital signal is used, name in lower case: warn where the scenario's values are not 0 or 1."""
+        if signal in self._not_digital:
+            value = self._not_digital[signal]
+            message = f"{signal} is {value:.15g} in the cell file, and a digital signal is 0 or 1"
+            run.note(f"digital {signal}", f"{run.source(node)}: {message}")
+
+    def unused(self) -> list[str]:
+        """A sentence for each section of the scenario with names that the program never asked for."""
+        given: dict[str, Iterable[str]] = {
+            "signals": self.scenario.signals,
+            "answers": self.scenario.answers,
+            "waits": self.scenario.waits,
+            "searches": self.scenario.searches,
+            "stubs": self.scenario.stubs,
+        }
+        sentences = []
+        for section, names in given.items():
+            key = condition_key if section == "waits" else str.lower
+            left = sorted(name for name in names if (section, key(name)) not in self._asked)
+            if left:
+                shown = ", ".join(left[:_SHOWN]) + (f" and {len(left) - _SHOWN} more" if len(left) > _SHOWN else "")
+                sentences.append(f"the program never asks for: {shown} ({section} in the cell file)")
+        return sentences
+
+    def asked(self, section: str, name: str) -> None:
+        """The program asks for something of the scenario; name in lower case."""
+        self._asked.add((section, name))
 
     def signal(self, run: Run, node: Node, name: str) -> float:
         """The value that a reading of a signal gives; name as the program spells it."""
         key = name.lower()
-        if key in self._values:
-            return self._values[key]
+        value = self._values.get(key)
+        if value is None:
+            value = self._given(run, node, name, key)
+        if abs(value) > NUM_LIMIT:
+            raise run.fault(node, "ERR_NUM_LIMIT", f"the value {value:g} of signal '{name}' is too large for a num")
+        return value
+
+    def _given(self, run: Run, node: Node, name: str, key: str) -> float:
+        self._asked.add(("signals", key))
         given = self._signals.get(key)
         if given is None:
             if _is_output(run, node):
@@ -76,12 +122,14 @@ class World:
 
     def output(self, signal: str) -> float:
         """The value that a reading of an output gives; nothing lacks."""
+        self._asked.add(("signals", signal))
         if signal in self._values:
             return self._values[signal]
         return float(self._next("signals", signal, self._signals.get(signal, 0.0)))
 
     def now(self, signal: str) -> float:
         """An output's value without reading it: its sequence stays where it is."""
+        self._asked.add(("signals", signal))
         return self._values.get(signal, float(self._left("signals", signal, self._signals.get(signal, 0.0))[0]))
 
     def awaited(self, signal: str, fits: Callable[[float], bool], value: float | None) -> tuple[float, ...]:
@@ -90,6 +138,7 @@ class World:
         value: the only one that fits, None where there are several; then a plain value that does not fit stays. Returns
         what is left of a sequence of which no value fits, else nothing.
         """
+        self._asked.add(("signals", signal))
         given = self._signals.get(signal)
         if signal not in self._values and isinstance(given, tuple):
             left = tuple(float(one) for one in self._left("signals", signal, given))
@@ -129,18 +178,20 @@ class World:
 
     def least(self, *texts: str) -> float | None:
         """The least duration [s] of a wait: the first of texts that the scenario knows decides. None: it times out."""
-        for text in texts:
-            key = condition_key(text)
-            if key in self._waits:
-                return self._waits[key]
-        return 0.0
+        if not self._waits:
+            return 0.0
+        keys = [condition_key(text) for text in texts]
+        self._asked.update(("waits", key) for key in keys)
+        return next((self._waits[key] for key in keys if key in self._waits), 0.0)
 
     def known(self, name: str) -> bool:
         """Whether the scenario has an answer under name."""
+        self._asked.add(("answers", name.lower()))
         return name.lower() in self._answers
 
     def answer(self, run: Run, node: Node, name: str, reason: str, default: Answer) -> Answer:
         """The answer that is asked for under name; default stands in where the scenario has none."""
+        self._asked.add(("answers", name.lower()))
         given = self._answers.get(name.lower())
         if given is None:
             self.lack(run, "answers", name, node, reason, yaml_answer(default))

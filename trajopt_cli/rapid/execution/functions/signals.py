@@ -18,8 +18,14 @@ def _input(run: Run, node: Call) -> float:
     return run.world.signal(run, argument, written if written.lower() == signal else signal)
 
 
+def _digital(run: Run, node: Call) -> float:
+    (argument,) = bind(run, node, ("Signal",)).required
+    run.world.digital(run, argument, run.signal(argument))
+    return _input(run, node)
+
+
 def _test_di(run: Run, node: Call) -> Value:
-    return Value(BOOL, _input(run, node) == 1.0)
+    return Value(BOOL, _digital(run, node) == 1.0)
 
 
 def _reads(type_: Type) -> Function:
@@ -44,7 +50,7 @@ def _valid(run: Run, node: Call) -> Value:
 
 FUNCTIONS: dict[str, Function] = {
     "TestDI": _test_di,
-    "DInput": _reads(NUM),
+    "DInput": lambda run, node: Value(NUM, _digital(run, node)),
     "GInput": _reads(NUM),
     "GInputDnum": _reads(DNUM),
     "AInput": _reads(NUM),

@@ -58,10 +58,13 @@ def _search(kind: PoseKind, name: str) -> Instruction:
 def _share(run: Run, node: ProcedureCall, signal: Expression, searched: Expression) -> float | None:
     """Where the signal comes, as a share of the way; None for never."""
     known = {name.lower(): share for name, share in run.scenario.searches.items()}
-    for argument in (searched, signal):
-        key = said(run, argument).lower()
-        if key in known:
-            return known[key]
+    keys = [said(run, argument).lower() for argument in (searched, signal)]
+    for key in keys:
+        run.world.asked("searches", key)
+        run.world.asked("signals", key)
+    found = [known[key] for key in keys if key in known]
+    if found:
+        return found[0]
     named = searched if isinstance(searched, Name) else signal
     name = said(run, named)
     reason = f"{node.name} ends where '{said(run, signal)}' comes, which no program tells; say at what share of the way"

@@ -39,6 +39,7 @@ def _set_digital(run: Run, node: ProcedureCall) -> None:
     """Everything but 0 is 1, as on a controller."""
     args = bind(run, node, ("Signal", "Value"), ("SDelay", "Sync"))
     signal, value = args.required
+    run.world.digital(run, signal, run.signal(signal))
     _change(run, node, run.signal(signal), float(number(run, value) != 0), _seconds(run, args, "SDelay"))
 
 

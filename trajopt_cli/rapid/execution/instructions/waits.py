@@ -76,12 +76,14 @@ _SWITCHES = {"lt": "<", "gt": ">", "noteq": "<>"}
 _TIMEOUT = ("MaxTime", "TimeFlag")
 
 
-def _signal_wait(*switches: str) -> Instruction:
+def _signal_wait(*switches: str, digital: bool = False) -> Instruction:
     options = (*switches, *_TIMEOUT, "ValueAtTimeout", "Visualize", "Header", "Message")
 
     def handler(run: Run, node: ProcedureCall) -> None:
         args = bind(run, node, ("Signal", "Value"), options)
         signal, wanted = run.signal(args.required[0]), number(run, args.required[1])
+        if digital:
+            run.world.digital(run, args.required[0], signal)
         test = next((_SWITCHES[name] for name in _SWITCHES if name in args.optional), "=")
         text = f"{test} {wanted:.15g}"
         shown = f"{run.text(args.required[0])} {text}"
@@ -298,8 +300,8 @@ def _other(name: str, required: tuple[str, ...], optional: tuple[str, ...]) -> I
 
 INSTRUCTIONS: dict[str, Instruction] = {
     "WaitTime": _wait_time,
-    "WaitDI": _signal_wait(),
-    "WaitDO": _signal_wait(),
+    "WaitDI": _signal_wait(digital=True),
+    "WaitDO": _signal_wait(digital=True),
     "WaitGI": _signal_wait("NOTEQ", "LT", "GT"),
     "WaitGO": _signal_wait("NOTEQ", "LT", "GT"),
     "WaitAI": _signal_wait("LT", "GT"),
