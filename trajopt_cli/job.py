@@ -108,7 +108,7 @@ def read_job(
     start = perf_counter()
     from trajopt_cli.cell.loader import load_cell
     from trajopt_cli.cell.model import minimal_cell
-    from trajopt_cli.problem.plannable import check_plannable
+    from trajopt_cli.problem.plannable import check_plannable, rail_doubts
     from trajopt_cli.problem.plant import build_plant
     from trajopt_cli.problem.programmed import PlantKinematics
     from trajopt_cli.rapid.sources import refuse_results
@@ -128,12 +128,13 @@ def read_job(
     plant = build_plant(loaded)
     flat = read_flat(paths, scenario, entry, PlantKinematics(plant))
     if not any(isinstance(motion, Move) for motion in flat.motions):
-        raise InputError(
-            "makes no move when run; signal values in the cell file decide its branches", file=str(paths[0])
-        )
+        from trajopt_cli.rapid.startable import moves_nothing
+
+        message = f"{moves_nothing(flat)}; signal values in the cell file decide branches"
+        raise InputError(message, file=str(paths[0]))
     check_plannable(flat, plant)
     return Job(
-        program=flat,
+        program=replace(flat, warnings=(*flat.warnings, *rail_doubts(flat, plant))),
         cell=loaded,
         plant=plant,
         scenario=scenario,

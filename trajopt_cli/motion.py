@@ -312,7 +312,8 @@ class Program:
     """A program run once: its motions in order, the files they came from, and what the user should know.
 
     entry: the procedure that was run. ignored: instructions without effect on motion, with how often they ran.
-    writable: indices of the motions whose text can carry other values, None where nobody has looked.
+    uncalled: the routines that never ran, with their kind: "PROC Reset". writable: indices of the motions whose text
+    can carry other values, None where nobody has looked.
     """
 
     name: str
@@ -321,4 +322,5 @@ class Program:
     warnings: tuple[str, ...] = field(default=())
     entry: str = "main"
     ignored: Mapping[str, int] = field(default_factory=dict)
+    uncalled: tuple[str, ...] = ()
     writable: frozenset[int] | None = None

@@ -82,11 +82,11 @@ def test_each_motion_is_a_row_with_what_it_has(here: Path, capsys: pytest.Captur
     assert row(text, 11) == f"e.mod:11  MoveL  p_b  450 100 647  v100 in 2.5 s  z50  {conf}  100"
     arc = f"e.mod:14  MoveC  p_a  450 0 647  v100  fine  {conf}  400 50 647  157.08  ConfL Off, AccSet 50 80"
     assert row(text, 14) == arc
-    glue = f"e.mod:15  MoveLDO  p_b  450 100 647  v100  z10 stop, not 10  {conf}  100  doglue=1 at the end"
+    glue = f"e.mod:15  MoveLDO  p_b  450 100 647  v100  z10, stops here  {conf}  100  doGlue=1 at the end"
     assert row(text, 15) == f"{glue}  ConfL Off, AccSet 50 80"
     assert row(text, 16) == "e.mod:16  WaitTime  0.25 s"
     assert row(text, 17) == "e.mod:17  WaitDI  di_ready = 1  at least 0 s"
-    assert row(text, 18) == "e.mod:18  SetDO  doglue  = 0"
+    assert row(text, 18) == "e.mod:18  SetDO  doGlue  = 0"
     below = text.split("\n\n")[-1].splitlines()
     assert below[0] == "8 motions, 200.0 mm of lines and 157.1 mm of arcs with a known start"
     assert "no effect on motion: TPWrite 1" in below
@@ -98,7 +98,7 @@ def test_the_robot_adds_what_only_it_knows(here: Path, capsys: pytest.CaptureFix
     write("e.mod", EVERYTHING)
     write("e.yaml", CELL)
     below = printed(capsys, "e.mod").split("\n\n")[-1].splitlines()
-    assert "confdata is ignored as the program asks (ConfL \\Off)" in below
+    assert "confdata is ignored on lines (ConfL \\Off), as the program asks" in below
     assert "optimize will refuse this program: arcs 1, AccSet 2" in below
     assert below[-1] == "configurations: every point and line fits the robot"
     write("line.mod", EVERYTHING.replace("MoveJ p_a", "MoveL p_a"))
@@ -132,6 +132,83 @@ def test_what_is_the_same_for_every_move_is_said_once_where_room_is_short(
     text = printed(capsys, "e.mod")
     assert "\nevery move: conf 0,0,0,0, tool tool0, wobj wobj0, orientation w x y z 0 0 1 0\n" in text
     assert text.count("wobj0") == 1
+
+
+def test_where_the_rail_stands_meanwhile_is_in_brackets(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    points = [POINT.format("450,0,647", 0, 0, 0).replace("[9E9,9E9", f"[{eax}") for eax in ("9E9,7", "300,8", "9E9,9")]
+    moves = "\n".join(f"MoveJ {point},v100,fine,tool0;" for point in points)
+    write("r.mod", f"MODULE M\nPROC main()\n{moves}\nENDPROC\nENDMODULE\n")
+    assert [one["extax_kept"] for one in record(capsys, "r.mod")["motions"]] == [None] * 3
+    rail = "rail: {eax: a, stroke: [-0.2, 2.2]}\nlimits: {rail: {acceleration: 1, source: 'a test'}}\n"
+    write("r.yaml", f"robot: irb140_rail\n{rail}start: {{joints: '[0, 0, 0, 0, 30, 0] deg', rail: 0.2}}\n")
+    open_ = [None] * 5
+    assert [one["extax_kept"] for one in record(capsys, "r.mod")["motions"]] == [[200, *open_], None, [300, *open_]]
+    lines = printed(capsys, "r.mod").splitlines()
+    rows = [re.split(r"  +", line) for line in lines if line.startswith("r.mod:") and "MoveJ" in line]
+    assert [row[7] for row in rows] == ["(200) 7", "300 8", "(300) 9"]
+    (warning,) = [line for line in lines if line.startswith("warning: ")]
+    said = "r.mod:3:1: 2 targets give no position for the rail (9E9 on axis a): it keeps its last one"
+    assert warning == f"warning: {said}"
+
+
+def test_a_corner_that_is_cut_says_how_much_is_left(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Three lines of 23.12 mm, two whole zones of 20 mm between them: 11.56 mm each."""
+    moves = [f"MoveL {POINT.format(f'{450 + 23.12 * i},0,647', 0, 0, 0)},v100,z20,tool0;" for i in range(4)]
+    write("z.mod", "\n".join(["MODULE M", "PROC main()", *moves, "ENDPROC", "ENDMODULE"]))
+    lines = [re.split(r"  +", line) for line in printed(capsys, "z.mod").splitlines() if "MoveL" in line]
+    assert [line[5] for line in lines] == ["z20", "z20, 11.6 mm", "z20, 11.6 mm", "z20, stops here"]
+
+
+def test_what_did_not_run_is_told(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    routines = "PROC Sub()\nWaitTime 1;\nENDPROC\nPROC Tot()\nSub;\nENDPROC\nFUNC num f()\nRETURN 1;\nENDFUNC\n"
+    write("u.mod", f"MODULE M\nPROC main()\nSub;\nENDPROC\n{routines}ENDMODULE\n")
+    assert "\nnot run: PROC Tot, FUNC f (names in them are not checked)\n" in printed(capsys, "u.mod")
+    assert record(capsys, "u.mod")["uncalled"] == ["PROC Tot", "FUNC f"]
+    write("all.mod", "MODULE M\nPROC main()\nWaitTime 1;\nENDPROC\nENDMODULE\n")
+    assert "not run" not in printed(capsys, "all.mod")
+    more = "".join(f"PROC p{i}()\nENDPROC\n" for i in range(12))
+    write("all.mod", f"MODULE M\nPROC main()\nENDPROC\n{more}ENDMODULE\n")
+    assert "PROC p9 and 2 more (names in them are not checked)" in printed(capsys, "all.mod")
+
+
+def test_a_program_that_moves_nothing_names_what_would(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Moves of called procedures count; a procedure with arguments cannot be started."""
+    moves = f"MoveJ {POINT.format('450,0,647', 0, 0, 0)},v100,fine,tool0;\n"
+    paths = f"PROC Path_10()\n{moves * 3}ENDPROC\nPROC One()\n{moves}Idle;\nENDPROC\n"
+    more = f"PROC All()\nPath_10;\nOne;\nEND_;\nENDPROC\nPROC END_()\nAll;\nENDPROC\nPROC At(num n)\n{moves}ENDPROC\n"
+    text = f"MODULE M\nPROC main()\nIdle;\nENDPROC\nPROC Idle()\nENDPROC\n{paths}{more}ENDMODULE\n"
+    write("n.mod", text)
+    said = "main moves nothing when run; other procedures that can be started (--entry): "
+    said += "Path_10 (3 moves), One (1 move), All (4 moves), END_ (4 moves)"
+    assert f"\n{said}\n" in printed(capsys, "n.mod")
+    write("n.yaml", CELL)
+    assert run(["optimize", "n.mod"]) == 2
+    assert f"n.mod: {said}; signal values" in capsys.readouterr().err
+
+
+def test_signals_are_listed_as_the_program_spells_them(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    point = POINT.format("450,0,647", 0, 0, 0)
+    code = f"TriggIO tg,0\\DOp:=doCut,1;\nTriggL {point},v100,tg,fine,tool0;\nSet dogreifer;\nReset doGreifer;\n"
+    write("s.mod", f"MODULE M\nVAR triggdata tg;\nPROC main()\n{code}ENDPROC\nENDMODULE\n")
+    cut, first, second = record(capsys, "s.mod")["motions"]
+    assert [event["name"] for event in cut["events"]] == ["doCut"]
+    assert (first["target"], second["target"]) == ("dogreifer", "dogreifer")  # one signal, one spelling
+
+
+def test_below_the_table_places_are_as_short_as_in_it(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    point = POINT.format("450,0,647", 0, 2, 0)
+    text = f"MODULE {{}}\nPROC {{}}()\nMoveJ {point},v100,fine,tool0;\nENDPROC\nENDMODULE\n"
+    for name in ("a", "b"):
+        Path(name).mkdir()
+    write("a/one.mod", text.format("A", "main"))
+    write("b/two.mod", text.format("B", "other"))
+    write("cell.yaml", CELL)
+    paths = [str(here / "a/one.mod"), str(here / "b/two.mod"), "--cell", "cell.yaml"]
+    last = printed(capsys, *paths).splitlines()[-1]
+    assert last.startswith("  one.mod:3:1: MoveJ ")
+    (here / "b/two.mod").rename(here / "b/one.mod")  # the name alone does not tell which
+    paths[1] = str(here / "b/one.mod")
+    assert printed(capsys, *paths).splitlines()[-1].startswith(f"  {here / 'a/one.mod'}:3:1: MoveJ ")
 
 
 def test_columns_that_nothing_fills_are_left_out(here: Path, capsys: pytest.CaptureFixture[str]) -> None:

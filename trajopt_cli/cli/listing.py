@@ -132,7 +132,11 @@ def _to(row: Row) -> str:
 
 
 def _external(row: Row) -> str:
-    return " ".join("-" if value is None else f"{value:.7g}" for value in row.extax or ()).rstrip(" -")
+    """Positions as programmed; in brackets those that the motion leaves as they are."""
+    kept = row.extax_kept or (None,) * 6
+    texts = ["-" if value is None else f"{value:.7g}" for value in row.extax or ()]
+    both = (text if old is None else f"({old:.7g})" for text, old in zip(texts, kept, strict=False))
+    return " ".join(both).rstrip(" -")
 
 
 def _speed(row: Row) -> str:
@@ -170,10 +174,11 @@ def _zone(row: Row) -> str:
         return " ".join(part for part in (name or "fine", row.criterion) if part)
     match, radius = _ZONE.match(row.zone), row.radius or 0.0
     usual = match is not None and abs(radius - (float(match[1]) or 0.3)) <= 1e-4
+    told = name if usual else f"{name} {radius:.4g}".strip()
     left = row.effective_radius
     if left is not None and left < radius - 1e-6:
-        return f"{name} {f'{left:.4g} of ' if left else 'stop, not '}{radius:.4g}".strip()
-    return name if usual else f"{name} {radius:.4g}".strip()
+        return f"{told}, {f'{left:.3g} mm' if left else 'stops here'}"
+    return told
 
 
 def _event(event: PathEvent) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from trajopt_cli.scenario import Lack
 
 _SHOWN = 20  # configuration findings in text; --json has them all
+_UNCALLED = 10  # routines that did not run
 
 
 def parse(
@@ -71,8 +73,10 @@ def parse(
     found = None
     if plant is not None:
         from trajopt_cli.problem.configurations import check_configurations
+        from trajopt_cli.problem.plannable import rail_doubts
 
         found = check_configurations(flat, plant)
+        flat = replace(flat, warnings=(*flat.warnings, *rail_doubts(flat, plant)))
     notes = [*notes_on(flat, listing, plant)]
     if as_json:
         from trajopt_cli.cli.listing_record import json_text, listing_record
@@ -83,15 +87,24 @@ def parse(
 
     title = " ".join(str(path) for path in program)
     lines = [*listing_lines(title, listing, terminal_width()), "", *_sums(listing), *notes]
-    lines += [f"warning: {warning}" for warning in flat.warnings]
-    poses = any(row.conf is not None for row in listing.rows)
-    typer.echo("\n".join([*lines, *(_configurations(found) if poses else [])]))
+    lines += [f"warning: {_short(warning, flat)}" for warning in flat.warnings]
+    if any(row.conf is not None for row in listing.rows):
+        lines += [_short(line, flat) for line in _configurations(found)]
+    typer.echo("\n".join(lines))
+
+
+def _short(text: str, program: Program) -> str:
+    """A message with its places as the table has them: the file's name alone, where no two files share it."""
+    names = {path: Path(path).name for path in program.files}
+    if len(set(names.values())) < len(names):
+        return text
+    for path in sorted(names, key=len, reverse=True):  # a path may be the end of another
+        text = text.replace(f"{path}:", f"{names[path]}:")
+    return text
 
 
 def _plant(cell: Cell) -> Plant:
     """The cell's robot without the bodies around it: nothing is planned here, and their meshes take time to load."""
-    from dataclasses import replace
-
     from trajopt_cli.problem.plant import build_plant
 
     return build_plant(replace(cell, obstacles=(), attached=(), may_touch=()))
@@ -136,6 +149,14 @@ def notes_on(flat: Program, listing: Listing, plant: Plant | None) -> Iterator[s
     """What a reader of the table should know: what has no effect, and what becomes of it in a plan."""
     from collections import Counter
 
+    from trajopt_cli.motion import Move
+    from trajopt_cli.rapid.startable import moves_nothing
+
+    if not any(isinstance(motion, Move) for motion in flat.motions):
+        yield moves_nothing(flat)
+    if flat.uncalled:
+        more = f" and {len(flat.uncalled) - _UNCALLED} more" if len(flat.uncalled) > _UNCALLED else ""
+        yield f"not run: {', '.join(flat.uncalled[:_UNCALLED])}{more} (names in them are not checked)"
     if flat.ignored:
         told = ", ".join(f"{instruction} {count}" for instruction, count in flat.ignored.items())
         yield f"no effect on motion: {told}"

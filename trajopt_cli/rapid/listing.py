@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -12,8 +12,10 @@ import numpy as np
 from trajopt_cli.geometry import Array, wxyz_from_rotation
 from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import (
+    NO_EXTERNAL_AXES,
     ConfData,
     ExternalAxes,
+    Happens,
     Motion,
     Move,
     MoveAbsJ,
@@ -45,9 +47,10 @@ class Row:
     orientation: world, unit quaternion w x y z. via: the point an arc goes through. joints: of the arm. speed, zone:
     their names. v_tcp and the rest: their figures, VelSet and \\V included. radius: programmed, of a fly-by;
     effective_radius: what the ways to its neighbours leave of it, 0 at a stop, None where only the robot tells. extax:
-    mm or deg. duration: seconds of a wait (at least, where a condition ends it), or the programmed time of a move.
-    value: what a signal is set to. length: of a line or an arc whose start is known. settings: what differs from the
-    default, by the name of the instruction. process: what an instruction of a process has besides, by parameter.
+    mm or deg; extax_kept: where axes stand meanwhile that the robot has and extax leaves open. duration: seconds of
+    a wait (at least, where a condition ends it), or the programmed time of a move. value: what a signal is set to.
+    length: of a line or an arc whose start is known. settings: what differs from the default, by the name of the
+    instruction. process: what an instruction of a process has besides, by parameter.
     """
 
     index: int
@@ -72,6 +75,7 @@ class Row:
     tool: str | None = None
     wobj: str | None = None
     extax: ExternalAxes | None = None
+    extax_kept: ExternalAxes | None = None
     conf: ConfData | None = None
     duration: float | None = None
     value: float | None = None
@@ -103,8 +107,10 @@ def describe(program: Program, kinematics: Kinematics | None = None) -> Listing:
     """
     lengths = ways(program, kinematics)
     quaternions = _quaternions(program.motions)
+    spelled = _Spelling(program)
     radii = effective_radii(program, lengths)
     settings: dict[int, dict[str, Any]] = {}  # by identity: thousands of motions share one
+    at = NO_EXTERNAL_AXES if kinematics is None else kinematics.start[1]
     rows = []
     for index, motion in enumerate(program.motions):
         if isinstance(motion, Wait):
@@ -115,13 +121,20 @@ def describe(program: Program, kinematics: Kinematics | None = None) -> Listing:
         elif isinstance(motion, SignalEvent):
             row = Row(
                 index, motion.source, _instruction(program, motion), "SignalEvent",
-                target=motion.signal, value=motion.value,
+                target=spelled.signal(motion.signal, motion), value=motion.value,
             )  # fmt: skip
         else:
             known = settings.get(id(motion.settings))
             if known is None:
                 known = settings[id(motion.settings)] = differing(motion.settings)
             row = _move_row(index, motion, quaternions.get(index), lengths[index], radii[index], known)
+            if motion.events:
+                row = replace(row, events=tuple(spelled.event(event, motion) for event in motion.events))
+            if at is not NO_EXTERNAL_AXES and any(
+                value is not None and given is None for value, given in zip(at, motion.extax, strict=True)
+            ):
+                row = replace(row, extax_kept=_kept(at, motion.extax))
+            at = _taken_over(at, motion.extax)
         rows.append(row)
     lines = sum(row.length for row in rows if row.kind == "MoveL" and row.length is not None)
     arcs = sum(row.length for row in rows if row.kind == "MoveC" and row.length is not None)
@@ -152,6 +165,45 @@ def differing(settings: Settings) -> dict[str, Any]:
     if settings.displaced:
         out["PDisp"] = "On"
     return out
+
+
+def _kept(at: ExternalAxes, given: ExternalAxes) -> ExternalAxes:
+    """Where axes stand that are left open, None for the others."""
+    a, b, c, d, e, f = (old if new is None else None for old, new in zip(at, given, strict=True))
+    return (a, b, c, d, e, f)
+
+
+def _taken_over(at: ExternalAxes, given: ExternalAxes) -> ExternalAxes:
+    """Where the robot's own axes stand after a move; those that it does not have stay None."""
+    if at is NO_EXTERNAL_AXES:
+        return at
+    a, b, c, d, e, f = (old if new is None or old is None else new for old, new in zip(at, given, strict=True))
+    return (a, b, c, d, e, f)
+
+
+class _Spelling:
+    """Signals as the program spells them; the run knows them in lower case only."""
+
+    def __init__(self, program: Program):
+        self._files = program.files
+        self._known: dict[str, str] = {}
+
+    def signal(self, name: str, motion: Motion) -> str:
+        """As its first statement has it, else as any file has it first; lower case where none does (an alias' own)."""
+        found = self._known.get(name)
+        if found is None:
+            span = motion.written.statement
+            texts = [self._files[span.file].text[span.start : span.end]]
+            texts += [file.text for file in self._files.values()]
+            word = re.compile(rf"\b{re.escape(name)}\b", re.IGNORECASE)
+            found = next((match[0] for text in texts if (match := word.search(text))), name)
+            self._known[name] = found
+        return found
+
+    def event(self, event: PathEvent, motion: Motion) -> PathEvent:
+        if event.kind is not Happens.SIGNAL:
+            return event
+        return replace(event, name=self.signal(event.name, motion))
 
 
 def _instruction(program: Program, motion: Wait | SignalEvent) -> str:

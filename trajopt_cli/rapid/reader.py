@@ -15,7 +15,7 @@ from trajopt_cli.rapid.execution.interpreter import Run
 from trajopt_cli.rapid.execution.loading import load
 from trajopt_cli.rapid.execution.room import uncollected
 from trajopt_cli.rapid.language.parser import parse_module
-from trajopt_cli.rapid.language.syntax import Module, ModuleFile, Node, ProcedureCall
+from trajopt_cli.rapid.language.syntax import Module, ModuleFile, Node, ProcedureCall, Routine
 from trajopt_cli.rapid.language.text import Places
 from trajopt_cli.rapid.neighbours import with_hints
 from trajopt_cli.rapid.sources import read_sources
@@ -115,6 +115,12 @@ def _try_program(
         warnings=(*run.warnings, *_unused_marks(run)),
         entry=routine.name,
         ignored=dict(run.ignored),
+        uncalled=tuple(
+            f"{item.kind} {item.name}"
+            for tree in trees
+            for item in tree.items
+            if isinstance(item, Routine) and id(item) not in run.heads
+        ),
     )
     for scope in scopes:  # a scope knows itself by its routines: without that, all goes before the collector comes back
         scope.routines.clear()
