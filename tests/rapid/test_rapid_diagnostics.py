@@ -533,3 +533,29 @@ def test_a_value_of_the_wrong_type_is_said_with_what_needs_it(body: str, message
 def test_initial_data_of_the_wrong_type_is_said_with_its_name() -> None:
     assert refused("", "VAR bool b; VAR num n:=b;").message == "n needs a num, found bool b"
     assert refused("", "VAR bool b; VAR num n{2}:=[1,b];").message == "element 2 of a num{*} needs a num, found bool b"
+
+
+@pytest.mark.parametrize(
+    ("body", "message"),
+    [
+        (
+            "WHILE NOT flag DO ENDWHILE",
+            "its condition reads flag, which is FALSE: see what should change it, or raise pass_limit in the cell file",
+        ),
+        (
+            "WHILE n<k AND n<2 DO n:=n-1; ENDWHILE",
+            "its condition reads n, which is -4 and k, which is 2: see what should change them, or raise pass_limit in "
+            "the cell file",
+        ),
+        (
+            "WHILE diGo=0 AND n=0 DO ENDWHILE",
+            "its condition reads diGo: give a sequence of values that ends it under signals, or raise pass_limit in "
+            "the cell file",
+        ),
+        ("back: IF NOT flag GOTO back;", "give signal values that end it, or raise pass_limit in the cell file"),
+    ],
+)
+def test_a_loop_that_does_not_end_says_what_it_reads(body: str, message: str) -> None:
+    data = "PERS bool flag:=FALSE; VAR num n; VAR num k:=2;"
+    error = refused(body, data, scenario=Scenario(pass_limit=4, signals={"diGo": 0.0}))
+    assert error.message == f"the loop has not ended after 4 passes (pass_limit); {message}"

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.rapid.data.datatypes import DNUM, NUM, Type, Value, is_number, single
+from trajopt_cli.rapid.data.datatypes import DNUM, NUM, SIGNALS, Type, Value, is_number, single
 from trajopt_cli.rapid.data.scope import Datum
 from trajopt_cli.rapid.execution.evaluate import condition, evaluate, mismatch
 from trajopt_cli.rapid.execution.jumps import Exit
@@ -110,11 +110,38 @@ def count_pass(run: Run, node: Statement, passes: int) -> None:
 
 
 def _too_many(run: Run, node: Statement) -> InputError:
-    return run.error(
-        node,
-        f"the loop has not ended after {run.scenario.pass_limit} passes (pass_limit); "
-        "give signal values that end it, or raise pass_limit in the cell file",
-    )
+    message = f"the loop has not ended after {run.scenario.pass_limit} passes (pass_limit); "
+    signals: dict[str, None] = {}
+    values: dict[str, str] = {}
+    if isinstance(node, While):
+        _reads(run, node.condition, signals, values)
+    if signals:
+        message += f"its condition reads {', '.join(signals)}: give a sequence of values that ends it under signals"
+    elif values:
+        now = " and ".join(f"{name}, which is {value}" for name, value in values.items())
+        message += f"its condition reads {now}: see what should change {'it' if len(values) == 1 else 'them'}"
+    else:
+        message += "give signal values that end it"
+    return run.error(node, f"{message}, or raise pass_limit in the cell file")
+
+
+def _reads(run: Run, node: Expression, signals: dict[str, None], values: dict[str, str]) -> None:
+    """The names that a condition reads: signals, and data with their plain values; each once, as spelled."""
+    if isinstance(node, Binary):
+        _reads(run, node.left, signals, values)
+        _reads(run, node.right, signals, values)
+    elif isinstance(node, Unary):
+        _reads(run, node.operand, signals, values)
+    elif isinstance(node, Name):
+        place = run.find(node.name)
+        if place is None or (isinstance(place, Datum) and place.type.name in SIGNALS):
+            signals[node.name] = None
+        elif isinstance(place, Datum) and place.constant is None:
+            data = place.value.data
+            if isinstance(data, bool):
+                values[node.name] = "TRUE" if data else "FALSE"
+            elif isinstance(data, float):
+                values[node.name] = f"{data:.6g}"
 
 
 def count_endless(run: Run, node: Statement, loop: str, exits: bool, passes: int, counted: int, motions: int) -> int:
