@@ -428,7 +428,7 @@ def test_only_what_a_module_shares_is_hinted_at(tmp_path: Path, beside: str) -> 
     folder = tree(tmp_path / "f", {"Main.mod": module("Main", P, main=MOVE), "Calib.mod": module("Calib", beside)})
     assert "give the folder" not in error(folder / "Main.mod")
     tree(folder, {"Calib.mod": module("Calib", beside, f"TASK {TOOL}")})
-    assert error(folder / "Main.mod").endswith("Calib.mod declares tGun: give the folder f instead")
+    assert f"Calib.mod declares tGun: give the folder {folder} instead" in error(folder / "Main.mod")
 
 
 @pytest.mark.parametrize(
@@ -436,7 +436,7 @@ def test_only_what_a_module_shares_is_hinted_at(tmp_path: Path, beside: str) -> 
     [
         ("VAR string s;\nFOR i FROM 1 TO 2 DO\ns:=i;\nENDFOR\n", "string"),
         ("VAR num n;\nFOR i FROM 1 TO 2 DO\ni:=3;\nENDFOR\n", "i"),
-        ("VAR num n;\nn:=STEPS{7}+i;\n", "signal"),
+        ("VAR num n;\nn:=1+i;\n", "signal"),
     ],
 )
 def test_only_undeclared_names_are_hinted_at(tmp_path: Path, text: str, mistake: str) -> None:

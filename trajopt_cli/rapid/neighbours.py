@@ -9,26 +9,39 @@ from pathlib import Path
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.motion import TextFile
 from trajopt_cli.rapid.entry import NoEntry
+from trajopt_cli.rapid.execution.faults import Undeclared
 from trajopt_cli.rapid.language.text import decode
 from trajopt_cli.rapid.sources import is_module
+from trajopt_cli.scenario import Lacking
 
 _MAX_FILES, _MAX_BYTES = 200, 10_000_000  # looked at for a hint; an error must not take longer than the program
 _NAME = re.compile(r"[^\W\d]\w*")
-_DECLARED = r"\b(?:(?:VAR|PERS|CONST|FUNC|ALIAS)\s+\w+|PROC|RECORD)\s+%s\b"
+_TOKEN = re.compile(  # what can hold or end a declaration, and what only looks like one: comments and texts
+    r'![^\r\n]*|"[^"\r\n]*"|\b(?:(?P<end>END(?:PROC|FUNC|TRAP))|(?P<local>LOCAL\s+)?(?:TASK\s+)?'
+    r"(?:(?P<routine>PROC|TRAP|FUNC\s+\w+)|VAR\s+\w+|PERS\s+\w+|CONST\s+\w+|ALIAS\s+\w+|RECORD)\s+(?P<name>\w+))\b",
+    re.IGNORECASE,
+)
+_UNTOLD = ("signals", "answers", "assume_identity", "stubs")  # lacks of a name that a file might declare
 
 
 def with_hints(error: InputError, files: Sequence[TextFile], entry: str) -> InputError:
-    """The error, each of its lines with the module near the given files that declares the name it stands at."""
+    """The error; of its lines those about undeclared names with the module near the given files that declares each."""
     errors = error.errors if isinstance(error, InputErrorGroup) else (error,)
+    lacks = error.lacks if isinstance(error, Lacking) else ()
+    sections = (*(lack.section for lack in lacks), *[""] * (len(errors) - len(lacks)))
     beside = _Beside(files)
-    hinted = [_hinted(one, beside, entry) for one in errors]
+    hinted = [_hinted(one, section, beside, entry) for one, section in zip(errors, sections, strict=True)]
     if all(new is old for new, old in zip(hinted, errors, strict=True)):
         return error
     return InputErrorGroup(hinted) if len(hinted) > 1 else hinted[0]
 
 
-def _hinted(error: InputError, beside: _Beside, entry: str) -> InputError:
-    name = entry if isinstance(error, NoEntry) else beside.name_at(error)
+def _hinted(error: InputError, section: str, beside: _Beside, entry: str) -> InputError:
+    name = None
+    if isinstance(error, NoEntry):
+        name = entry
+    elif isinstance(error, Undeclared) or section in _UNTOLD:
+        name = beside.name_at(error)
     place = name and beside.declaring(name)
     if not place:
         return error
@@ -41,24 +54,24 @@ class _Beside:
 
     def __init__(self, files: Sequence[TextFile]):
         self._given = {file.path: file.text for file in files}
-        self._texts: dict[Path, str] | None = None
+        self._shared: dict[Path, set[str]] | None = None
 
     def name_at(self, error: InputError) -> str | None:
-        """The name that stands at an error's place, unless the given files declare it."""
+        """The name that stands at an error's place, unless the given files share it."""
         text = self._given.get(error.file or "")
         if text is None or not error.line or not error.column:
             return None
         lines = re.split(r"\r\n|\r|\n", text)
         match = _NAME.match(lines[error.line - 1], error.column - 1) if error.line <= len(lines) else None
-        if match is None or any(_declares(text, match[0]) for text in self._given.values()):
+        if match is None or any(match[0].lower() in _shared(text) for text in self._given.values()):
             return None
         return match[0]
 
     def declaring(self, name: str) -> Path | None:
-        """The module that declares a name, if exactly one does."""
-        if self._texts is None:
-            self._texts = dict(self._read())
-        found = [path for path, text in self._texts.items() if _declares(text, name)]
+        """The module that shares a name, if exactly one does."""
+        if self._shared is None:
+            self._shared = {path: _shared(text) for path, text in self._read()}
+        found = [path for path, names in self._shared.items() if name.lower() in names]
         return found[0] if len(found) == 1 else None
 
     def folder(self, place: Path) -> Path:
@@ -93,5 +106,15 @@ def _entries(folder: Path) -> list[Path]:
         return []  # as above
 
 
-def _declares(text: str, name: str) -> bool:
-    return re.search(_DECLARED % re.escape(name), text, re.IGNORECASE) is not None
+def _shared(text: str) -> set[str]:
+    """The names, in lower case, that a module shares with others: declared outside its routines, and not LOCAL."""
+    names = set()
+    inside = False
+    for token in _TOKEN.finditer(text):
+        if token["end"]:
+            inside = False
+        elif token["name"] and not inside:
+            inside = token["routine"] is not None
+            if not token["local"]:
+                names.add(token["name"].lower())
+    return names

@@ -95,3 +95,7 @@ def _count_retry(run: Run, statement: Statement, fault: Fault) -> None:
         error = run.fault(statement, "ERR_EXCRTYMAX", message)
         error.passed = frame
         raise error
+
+
+class Undeclared(InputError):
+    """A name that stands for nothing in the files read: another file may declare it."""

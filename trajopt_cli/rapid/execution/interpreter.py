@@ -19,7 +19,7 @@ from trajopt_cli.rapid.data.predefined import ERRORS, VARIABLES, predefined
 from trajopt_cli.rapid.data.scope import Absent, Datum, Frame, ModuleScope, Part, Place, Scope
 from trajopt_cli.rapid.execution.calls import Head, enter, function
 from trajopt_cli.rapid.execution.evaluate import convertible, locate
-from trajopt_cli.rapid.execution.faults import Fault
+from trajopt_cli.rapid.execution.faults import Fault, Undeclared
 from trajopt_cli.rapid.execution.jumps import Exit
 from trajopt_cli.rapid.execution.once import Link, fill_once
 from trajopt_cli.rapid.execution.operators import computed
@@ -108,8 +108,8 @@ class Run:
         place = self.source(node)
         return Fault(message, name, ERRORS[name], file=place.file, line=place.line, column=place.column)
 
-    def undeclared(self, node: Name, what: str = "") -> InputError:
-        """An InputError for a name that stands for nothing; what: "robtarget " and the like."""
+    def undeclared(self, node: Name, what: str = "") -> Undeclared:
+        """The error for a name that stands for nothing; what: "robtarget " and the like."""
         scope, routine = self.frame.scope, self.frame.routine
         where = [f"{routine.kind} {routine.name}"] if routine else []
         where += [f"MODULE {scope.name}"] if scope.name else []
@@ -118,7 +118,8 @@ class Run:
         message += "the other modules' globals and the predefined data)"
         message = self.meant(node.name, message, [name for names in known for name in names])
         remedy = "give the file that declares it"
-        return self.error(node, f"{message} Else {remedy}" if message.endswith("?") else f"{message}; {remedy}")
+        error = self.error(node, f"{message} Else {remedy}" if message.endswith("?") else f"{message}; {remedy}")
+        return Undeclared(error.message, file=error.file, line=error.line, column=error.column, excerpt=error.excerpt)
 
     def unknown(self, node: Node, name: str, message: str, names: Iterable[str]) -> InputError:
         """An InputError for a name that is not one of names."""
