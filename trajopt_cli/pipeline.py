@@ -132,7 +132,7 @@ def optimise(
     with clock.phase("export"):
         export, no_rapid = _export(job, judged[Target.RAPID].plan)
         notices = (*_notices(job), *((f"no RAPID text: {no_rapid}",) if no_rapid is not None else ()))
-        notes = (*(export.notes if export is not None else ()), *kept)
+        notes = (*(_placed(export, folder) if export is not None else ()), *kept)
         files = _files(job, target, judged, inputs, export, notices, notes)
     if plots:
         listen("results", Progress("plots"))
@@ -193,6 +193,13 @@ def _files(
     for path, new in export.new.items() if export is not None else ():
         files[_place_of_new(path)] = new.text.encode(new.encoding)
     return files
+
+
+def _placed(export: RapidExport, folder: Path) -> Iterator[str]:
+    """The notes of an export, with each new module called by the place where it is now."""
+    for note in export.notes:
+        path = next((path for path in export.new if note.startswith(f"{path}:")), None)
+        yield note if path is None else f"{folder / _place_of_new(path)}{note.removeprefix(path)}"
 
 
 def _place_of_new(path: str) -> str:

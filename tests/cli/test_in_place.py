@@ -160,7 +160,9 @@ def test_the_printed_diff_can_be_applied(
     assert program.read_bytes() == content
 
 
-def test_new_modules_are_kept_in_the_results(planner: Planner, program: Path) -> None:
+def test_new_modules_are_kept_in_the_results(
+    planner: Planner, program: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     content = edited(program)
     assert json.loads(Path("results/tiny/run.json").read_text())["added"] == []
     recorded({"program/main_flat.mod": NEW}, [{"path": "main_flat.mod", "rapid": "program/main_flat.mod"}])
@@ -173,3 +175,5 @@ def test_new_modules_are_kept_in_the_results(planner: Planner, program: Path) ->
     assert run(["export", "rapid", "results/tiny", "--output", "out", "--in-place"]) == 0
     assert tree(Path("out")) == {"tiny.mod": content, "main_flat.mod": NEW}
     assert Path("main_flat.mod").read_bytes() == NEW
+    said = capsys.readouterr().out
+    assert said.endswith("from now on give the folder, or all files: trajopt parse tiny.mod main_flat.mod\n")

@@ -10,6 +10,8 @@ from fake_planner import Planner
 
 from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError
+from trajopt_cli.export.rapid_write import RapidExport
+from trajopt_cli.motion import TextFile
 
 REASON = "tiny.mod:6:9: cannot carry it"
 
@@ -51,3 +53,16 @@ def test_a_diff_without_changes_says_why(program: Path, planner: Planner, capsys
     capsys.readouterr()
     assert run(["export", "rapid", "results/tiny", "--diff"]) == 0
     assert capsys.readouterr() == ("", "no change: the plan needs nothing else than the program says\n")
+
+
+def test_a_new_module_is_called_by_its_place(
+    program: Path, planner: Planner, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    flat = TextFile("main_flat.mod", "MODULE main_flat\nENDMODULE\n", "utf-8")
+    notes = ("main_flat.mod: a new module; load it with the program",)
+    export = RapidExport({"tiny.mod": program.read_text()}, notes, {flat.path: flat})
+    monkeypatch.setattr("trajopt_cli.export.rapid.export_rapid", lambda *_: export)
+    assert run(["optimize", str(program)]) == 0
+    place = "results/tiny/program/main_flat.mod"
+    assert f"note: {place}: a new module; load it with the program\n" in capsys.readouterr().out
+    assert Path(place).read_text() == flat.text

@@ -73,3 +73,6 @@ def rapid(
                 typer.echo(f"{one.path}: the rapid plan; as it was: {backups[one.path].name}", err=diff)
             else:
                 typer.echo(f"{one.path}: stays as it is", err=diff)
+        if any(one.given is None for one in files.modules):
+            every = " ".join(str(one.path) for one in files.modules)
+            typer.echo(f"from now on give the folder, or all files: trajopt parse {every}", err=diff)
