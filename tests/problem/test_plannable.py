@@ -21,6 +21,7 @@ from some_motions import (
 from trajopt_cli.errors import InputErrorGroup
 from trajopt_cli.motion import (
     DEFAULT_SETTINGS,
+    ExternalAxes,
     Happens,
     Load,
     Motion,
@@ -32,7 +33,7 @@ from trajopt_cli.motion import (
     Tool,
     Zone,
 )
-from trajopt_cli.problem.plannable import SHOWN, check_plannable, demands_configuration, planned_otherwise
+from trajopt_cli.problem.plannable import SHOWN, check_plannable, demands_configuration, planned_otherwise, rail_doubts
 
 STATIONARY = Tool("tGlue", np.eye(4), stationary=True)
 
@@ -182,7 +183,7 @@ def test_what_is_planned_otherwise_is_said_once() -> None:
     load = Load("part", 2.0, (0, 0, 0.1), (1, 0, 0, 0), (0, 0, 0))
     assert planned_otherwise(program(move_j(), move_l(), wait())) == ()
     assert planned_otherwise(program(move_l(settings=off), move_l(settings=off))) == (
-        "confdata is ignored as the program asks (ConfL \\Off)",
+        "confdata is ignored on lines (ConfL \\Off), as the program asks",
     )
     many = program(
         move_j(settings=off),
@@ -192,11 +193,35 @@ def test_what_is_planned_otherwise_is_said_once() -> None:
         move_l(process=Process("SearchL")),
     )
     assert planned_otherwise(many) == (
-        "confdata is ignored as the program asks (ConfJ \\Off, ConfL \\Off)",
+        "confdata is ignored on joint moves (ConfJ \\Off) and on lines (ConfL \\Off), as the program asks",
         "2 events on the path take no time: they change no plan",
         "process instructions are planned as the plain moves they make: ArcL 2, SearchL 1",
         "loads (part) change nothing here: the cell's acceleration limits hold for any load",
     )
+
+
+def eax(**given: float) -> ExternalAxes:
+    a, b, c, d, e, f = (given.get(letter) for letter in "abcdef")
+    return (a, b, c, d, e, f)
+
+
+def test_targets_that_speak_of_another_axis_than_the_rail_are_doubted() -> None:
+    """The rail of the cell is axis b."""
+    said = "targets give external axis a, the cell's rail is axis b, for which none gives a value"
+    on_a = program(move_j(extax=eax(a=100)), move_l(extax=eax(a=200)), wait(), move_l())
+    assert rail_doubts(on_a, plant(RAIL)) == (said,)
+    assert rail_doubts(on_a, plant()) == ()
+    both = program(move_j(extax=eax(a=100, f=1)))
+    assert rail_doubts(both, plant(RAIL)) == (said.replace("axis a", "axes a and f"),)
+
+
+def test_targets_without_a_place_for_the_rail_are_counted() -> None:
+    some = program(move_j(extax=eax(b=100)), move_l(extax=eax(a=5)), move_l(), move_abs_j(extax=eax(b=0)))
+    said = "m.mod:2:5: 2 targets give no position for the rail (9E9 on axis b): it keeps its last one"
+    assert rail_doubts(some, plant(RAIL)) == (said,)
+    assert rail_doubts(program(wait(), move_j(extax=eax(b=1)), wait()), plant(RAIL)) == ()
+    one = "m.mod:1:5: 1 target gives no position for the rail (9E9 on axis b): it keeps its last one"
+    assert rail_doubts(program(move_j()), plant(RAIL)) == (one,)
 
 
 def test_the_two_switches_for_confdata_are_each_for_their_own_moves() -> None:

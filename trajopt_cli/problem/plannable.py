@@ -66,18 +66,36 @@ def check_plannable(program: Program, plant: Plant) -> None:
         raise InputErrorGroup(errors)
 
 
+def rail_doubts(program: Program, plant: Plant) -> tuple[str, ...]:
+    """What is odd about where the program wants the rail: targets that speak of another axis, or of none."""
+    axis = plant.rail_eax
+    if axis is None:
+        return ()
+    moves = [motion for motion in program.motions if not isinstance(motion, Wait | SignalEvent)]
+    letters = "abcdef"
+    given = [letters[i] for i in range(6) if any(move.extax[i] is not None for move in moves)]
+    if given and letters[axis] not in given:
+        axes = f"external ax{'es' if len(given) > 1 else 'is'} {' and '.join(given)}"
+        return (f"targets give {axes}, the cell's rail is axis {letters[axis]}, for which none gives a value",)
+    open_ = dict.fromkeys(move.source for move in moves if move.extax[axis] is None)
+    if not open_:
+        return ()
+    n, place = len(open_), next(iter(open_))
+    targets = "targets give" if n > 1 else "target gives"
+    return (f"{place}: {n} {targets} no position for the rail (9E9 on axis {letters[axis]}): it keeps its last one",)
+
+
 def planned_otherwise(program: Program) -> tuple[str, ...]:
     """What a plan takes lightly, one line each: for those who read its times."""
     moves = [motion for motion in program.motions if not isinstance(motion, Wait | SignalEvent)]
     lines = []
     off = {
-        ("ConfL" if isinstance(move, MoveL | MoveC) else "ConfJ"): None
+        (r"on lines (ConfL \Off)" if isinstance(move, MoveL | MoveC) else r"on joint moves (ConfJ \Off)"): None
         for move in moves
         if not demands_configuration(move) and isinstance(move, MoveJ | MoveL | MoveC)
     }
     if off:
-        asked = ", ".join(rf"{word} \Off" for word in sorted(off))
-        lines.append(f"confdata is ignored as the program asks ({asked})")
+        lines.append(f"confdata is ignored {' and '.join(sorted(off))}, as the program asks")
     if events := sum(len(move.events) for move in moves):
         lines.append(f"{events} events on the path take no time: they change no plan")
     if written := Counter(move.process.instruction for move in moves if move.process is not None):
