@@ -153,6 +153,22 @@ def test_settings_that_change_inside_are_refused(plant: Plant) -> None:
     assert writable(program, plant, Reading(program, plant)) == frozenset({2})
 
 
+def test_flat_targets_are_called_after_the_data_they_come_from(plant: Plant) -> None:
+    data = (
+        "    CONST robtarget aZiel{2}:=[[[500,200,450],[0,0,1,0],[0,0,0,0],[200,9E9,9E9,9E9,9E9,9E9]],"
+        "[[500,300,450],[0,0,1,0],[0,0,0,0],[300,9E9,9E9,9E9,9E9,9E9]]];\n"
+        "    CONST robtarget pF:=[[500,250,450],[0,0,1,0],[0,0,0,0],[200,9E9,9E9,9E9,9E9,9E9]];\n"
+    )
+    moves = "        MoveJ Offs(p,0,0,h),v100,fine,tool0;\n        MoveL p,v100,fine,tool0;\n"
+    rest = f"    PROC go(num h,robtarget p)\n{moves}    ENDPROC\n"
+    program = made("        go 10,pF;\n        go 20,aZiel{2};\n", data, rest)
+    plan = plan_for(program, plant, {0: 0.2, 1: 0.21, 2: 0.22, 3: 0.23})
+    lines = export_rapid(program, plan, plant).new["main_flat.mod"].text.splitlines()
+    assert [line.split(":=")[0].split()[-1] for line in lines if "CONST" in line] == [
+        "pF_flat", "pF_flat2", "aZiel_flat", "aZiel_flat2",
+    ]  # fmt: skip
+
+
 @pytest.mark.parametrize(
     ("condition", "scenario"),
     [

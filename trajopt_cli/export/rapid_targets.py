@@ -15,7 +15,8 @@ from trajopt_cli.motion import ConfData, Move, MoveAbsJ, MoveC, MoveExtJ, MoveJ,
 from trajopt_cli.problem.plan import PlannedMotion
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.rapid.language.expressions import parse_expression
-from trajopt_cli.rapid.language.syntax import Aggregate, Expression, Number
+from trajopt_cli.rapid.language.parser import parse_statement
+from trajopt_cli.rapid.language.syntax import Aggregate, Expression, Number, ProcedureCall
 from trajopt_cli.robot.inverse import confdata, confdata_admits, solutions
 from trajopt_cli.units import DEG, MM
 
@@ -157,7 +158,7 @@ class Targets:
             span = move.written.aggregate
             assert span is not None
             return self._module_wide(span, place)
-        base = base_name(self._edits.text(beside).split(":=")[0].split()[-1])
+        base = _declared_name(self._edits.text(beside))
         owner = self._scopes.owner(base, beside.file, beside.start)
         return owner is None or owner == self._scopes.owner(base, place.file, place.start)
 
@@ -235,10 +236,23 @@ class Targets:
             f"{self._external(move, wish)}]"
         )
 
-    @staticmethod
-    def base(move: Move) -> str:
-        """A name to build others from, for a move's target."""
-        return base_name(move.target)
+    def base(self, move: Move) -> str:
+        """A name to build others from, for a move's target: of the data it comes from, as far as that can be told."""
+        if move.written.declaration is not None:
+            return _declared_name(self._edits.text(move.written.declaration))
+        name, at = base_name(move.target), move.written.statement
+        routine, once = self._scopes.routine(at.file, at.start), move.written.once
+        parameters = [] if routine is None else [parameter.name.lower() for parameter in routine.parameters]
+        if routine is None or once is None or name.lower() not in parameters:
+            return name
+        call = parse_statement(self._edits.text(once), once.file)
+        required = [one for one in getattr(call, "args", ()) if one.name is None]
+        place = parameters.index(name.lower())
+        optional = any(parameter.optional for parameter in routine.parameters[: place + 1])
+        if not isinstance(call, ProcedureCall) or call.name.lower() != routine.name.lower() or optional:
+            return name  # called from somewhere further inside
+        argument = required[place]
+        return base_name(self._edits.text(once)[argument.start : argument.end])
 
     @staticmethod
     def frame(move: PoseMove) -> Array:
@@ -341,6 +355,11 @@ def base_name(target: str) -> str:
     names = re.findall(r"(?<![\w.\\])([^\W\d]\w*+)\s*+(\()?", target)
     found = [name for name, opens in names if not opens] or [name for name, _ in names]
     return found[0] if found else "p"
+
+
+def _declared_name(declaration: str) -> str:
+    """The name in a data declaration, without the dimensions of an array."""
+    return declaration.split(":=")[0].split("{")[0].split()[-1]
 
 
 def type_of(move: Move) -> str:
