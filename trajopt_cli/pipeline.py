@@ -131,7 +131,9 @@ def optimise(
     listen("results", Progress("write"))
     with clock.phase("export"):
         export, no_rapid = _export(job, judged[Target.RAPID].plan)
-        notices = (*_notices(job), *((f"no RAPID text: {no_rapid}",) if no_rapid is not None else ()))
+        notices = (*_notices(job), *_one_way(job, export))
+        if no_rapid is not None:
+            notices = (*notices, f"no RAPID text: {no_rapid}")
         notes = (*(_placed(export, folder) if export is not None else ()), *kept)
         files = _files(job, target, judged, inputs, export, notices, notes)
     if plots:
@@ -193,6 +195,14 @@ def _files(
     for path, new in export.new.items() if export is not None else ():
         files[_place_of_new(path)] = new.text.encode(new.encoding)
     return files
+
+
+def _one_way(job: Job, export: RapidExport | None) -> Iterator[str]:
+    """A word on an endless loop that was run once, where the plan changes the program."""
+    once = any(warning.endswith("after 1 pass (endless_passes)") for warning in job.program.warnings)
+    changed = export is None or any(text != job.program.files[path].text for path, text in export.texts.items())
+    if once and changed:
+        yield "the way from the end of the loop back to its beginning is planned only with endless_passes: 2 or more"
 
 
 def _placed(export: RapidExport, folder: Path) -> Iterator[str]:
