@@ -11,11 +11,12 @@ from trajopt_cli.rapid.data.datatypes import NUM, SIGNALS, STRING, SWITCH, Array
 from trajopt_cli.rapid.data.scope import ABSENT, Absent, Datum, Frame, ModuleScope, Place
 from trajopt_cli.rapid.execution.answers import ask
 from trajopt_cli.rapid.execution.arguments import present, subject
-from trajopt_cli.rapid.execution.evaluate import Mismatch, convertible, evaluate, locate
+from trajopt_cli.rapid.execution.evaluate import convertible, evaluate, locate
 from trajopt_cli.rapid.execution.functions.table import FUNCTIONS
 from trajopt_cli.rapid.execution.instructions.table import INSTRUCTIONS
 from trajopt_cli.rapid.execution.jumps import Jump, Return
 from trajopt_cli.rapid.execution.loading import find_type
+from trajopt_cli.rapid.execution.mismatch import Mismatch
 from trajopt_cli.rapid.execution.operators import computed
 from trajopt_cli.rapid.language.syntax import (
     Argument,

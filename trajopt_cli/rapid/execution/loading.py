@@ -23,7 +23,8 @@ from trajopt_cli.rapid.data.datatypes import (
     same_type,
 )
 from trajopt_cli.rapid.data.scope import Datum, Frame, ModuleScope, Scope
-from trajopt_cli.rapid.execution.evaluate import Mismatch, evaluate, integer, opaque
+from trajopt_cli.rapid.execution.evaluate import evaluate, integer, opaque
+from trajopt_cli.rapid.execution.mismatch import Mismatch
 from trajopt_cli.rapid.execution.room import room
 from trajopt_cli.rapid.language.syntax import (
     Aggregate,

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 from trajopt_cli.errors import InputError
 from trajopt_cli.rapid.data.datatypes import DNUM, NUM, SIGNALS, Type, Value, is_number, single
 from trajopt_cli.rapid.data.scope import Datum
-from trajopt_cli.rapid.execution.evaluate import condition, evaluate, mismatch
+from trajopt_cli.rapid.execution.evaluate import condition, evaluate
 from trajopt_cli.rapid.execution.jumps import Exit
+from trajopt_cli.rapid.execution.mismatch import mismatch
 from trajopt_cli.rapid.language.syntax import (
     Binary,
     Boolean,

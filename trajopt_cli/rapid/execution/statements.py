@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING
 from trajopt_cli.rapid.data.datatypes import NUM, Value
 from trajopt_cli.rapid.data.predefined import ERRORS
 from trajopt_cli.rapid.execution.calls import late_call, procedure
-from trajopt_cli.rapid.execution.evaluate import Mismatch, condition, evaluate, inside_opaque, locate
+from trajopt_cli.rapid.execution.evaluate import condition, evaluate, inside_opaque, locate
 from trajopt_cli.rapid.execution.faults import Fault, Handled, handle
 from trajopt_cli.rapid.execution.jumps import Exit, Jump, Retry, Return, TryNext
 from trajopt_cli.rapid.execution.loading import declare
 from trajopt_cli.rapid.execution.loops import backwards, run_for, run_while
+from trajopt_cli.rapid.execution.mismatch import Mismatch
 from trajopt_cli.rapid.language.syntax import (
     Assign,
     Block,
