@@ -205,6 +205,7 @@ def _undeclared(run: Run, node: Name, what: str) -> None:
 
 def assumed(run: Run, name: str) -> bool:
     """Whether the user takes a tool, work object or unit as the identity."""
+    run.world.asked("assume_identity", name.lower())
     return name.lower() in {known.lower() for known in run.scenario.assume_identity}
 
 
@@ -256,7 +257,7 @@ def _setup(
 def _unit(run: Run, wobj: str, unit: str, node: Node) -> None:
     """A user frame that a mechanical unit carries: only the user can say where it is."""
     name = unit or wobj
-    if assumed(run, unit) or assumed(run, wobj):
+    if any([assumed(run, unit), assumed(run, wobj)]):  # both are asked for
         run.warn(
             f"work object {wobj} rides on the unit '{unit}' (ufprog FALSE), whose frame no program tells; its user "
             "frame is taken as the identity, as asked"

@@ -93,6 +93,9 @@ class World:
             if left:
                 shown = ", ".join(left[:_SHOWN]) + (f" and {len(left) - _SHOWN} more" if len(left) > _SHOWN else "")
                 sentences.append(f"the program never asks for: {shown} ({section} in the cell file)")
+        for name in sorted(self.scenario.assume_identity):
+            if ("assume_identity", name.lower()) not in self._asked:
+                sentences.append(f"--assume-identity {name}: the program asks for no such tool, work object or unit")
         return sentences
 
     def asked(self, section: str, name: str) -> None:
