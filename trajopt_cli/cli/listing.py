@@ -58,6 +58,8 @@ def listing_lines(program: str, listing: Listing, width: int) -> Iterator[str]:
     """The table, line by line, none wider than width unless a single cell is."""
     title = f"{program}: positions in mm, world; joints in deg; lengths in mm; external axes as written"
     yield from wrap(title, width, break_long_words=False, break_on_hyphens=False)
+    if not listing.rows:
+        return
     yield ""
     cells = {name: [_cut(name, show(row)) for row in listing.rows] for name, show in COLUMNS.items()}
     cells = {name: column for name, column in cells.items() if any(column)}
