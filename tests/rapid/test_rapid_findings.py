@@ -134,3 +134,40 @@ def test_names_in_the_cell_file_that_nobody_asks_for() -> None:
     with pytest.raises(InputError) as caught:
         read("WaitTime e;", scenario)
     assert "never asks" not in str(caught.value)
+
+
+TARGET = "CONST robtarget p:=[[450,0,647],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\nVAR robtarget g;\n"
+
+
+@pytest.mark.parametrize(
+    ("body", "message"),
+    [
+        ("MoveL p,v100\\V:=50\\T:=2,fine,tool0;", "MoveL takes only one of \\V and \\T"),
+        ("SearchL\\Stop\\Sup,di1,g,p,v100,tool0;", "SearchL takes only one of \\Stop and \\Sup"),
+        ("ConfL\\On\\Off;", "ConfL takes only one of \\On and \\Off"),
+        ("WaitGI gi1\\LT\\GT,2;", "WaitGI takes only one of \\LT and \\GT"),
+        ("MoveL p,v100\\V:=-2,fine,tool0;", "TCP speed -2 mm/s of \\V must be above 0"),
+        ("MoveL p,v100\\T?k,fine,tool0;", "\\T?k passes on a parameter, and k is none of PROC main"),
+        ("again:\nWaitTime 1;\nIF TRUE THEN\nAgain:\nENDIF",
+         "label Again stands in line 6 of this routine already; rename one of them"),
+    ],
+)  # fmt: skip
+def test_arguments_and_labels_that_exclude_each_other(body: str, message: str) -> None:
+    assert error(body, TARGET) == message
+
+
+def test_labels_are_a_routines_own() -> None:
+    assert error("again:\nWaitTime -1;", "PROC q()\nagain:\nENDPROC") == "WaitTime -1 s must not be negative"
+
+
+def test_nul_bytes_in_a_string_are_told_of() -> None:
+    program = read('WaitTime StrLen("a\x00b");')
+    assert waits(program) == [3]
+    assert program.warnings == ("m.mod:4:17: NUL bytes inside a string stay in it",)
+
+
+def test_answers_keep_to_the_limits_of_literals() -> None:
+    with pytest.raises(InputError, match="the answer to 'UIAlphaEntry' in the cell file has 81 characters, limit 80"):
+        read("WaitTime StrLen(UIAlphaEntry());", Scenario(answers={"uialphaentry": "x" * 81}))
+    with pytest.raises(InputError, match=r"the answer 1e\+40 to 'n' in the cell file is too large for a num"):
+        read('TPReadNum n,"";', Scenario(answers={"n": 1e40}))

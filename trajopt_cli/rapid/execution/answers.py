@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING
 from trajopt_cli.errors import InputError
 from trajopt_cli.rapid.data.datatypes import (
     BOOL,
+    NUM,
     ORIENT,
     STRING,
+    STRING_LIMIT,
     Array,
     Atomic,
     Data,
@@ -16,11 +18,12 @@ from trajopt_cli.rapid.data.datatypes import (
     Type,
     Value,
     is_number,
+    single,
 )
 from trajopt_cli.rapid.execution.evaluate import evaluate, locate
 from trajopt_cli.rapid.language.expressions import parse_expression
 from trajopt_cli.rapid.language.syntax import Aggregate, Component, Element, Expression, Name
-from trajopt_cli.scenario import Answer, yaml_answer
+from trajopt_cli.scenario import NUM_LIMIT, Answer, yaml_answer
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
@@ -58,8 +61,15 @@ def ask(run: Run, node: Node, name: str, type_: Type, reason: str, default: Answ
         default = type_.default if isinstance(type_, Atomic) else _example(run, node, name, type_)
     answer = run.world.answer(run, node, name, reason, default)
     if isinstance(answer, int | float) and not isinstance(answer, bool) and is_number(type_):
-        return Value(type_, float(answer))
-    if (isinstance(answer, bool) and type_ == BOOL) or (isinstance(answer, str) and type_ == STRING):
+        if type_ is NUM and abs(answer) > NUM_LIMIT:
+            raise run.error(node, f"the answer {answer:g} to '{name}' in the cell file is too large for a num")
+        return Value(type_, single(float(answer)) if type_ is NUM else float(answer))
+    if isinstance(answer, str) and type_ == STRING:
+        if len(answer) > STRING_LIMIT:
+            message = f"the answer to '{name}' in the cell file has {len(answer)} characters, limit {STRING_LIMIT}"
+            raise run.error(node, message)
+        return Value(type_, answer)
+    if isinstance(answer, bool) and type_ == BOOL:
         return Value(type_, answer)
     if isinstance(answer, str) and not isinstance(type_, Atomic):
         return Value(type_, _parsed(run, node, name, type_, answer))

@@ -35,10 +35,18 @@ def present(run: Run, args: Sequence[Argument]) -> list[Argument]:
     for arg in args:
         if arg.forward:
             assert isinstance(arg.value, Name)
+            _parameter(run, arg, arg.value)
             if isinstance(run.find(arg.value.name), Absent):
                 continue
         kept.append(arg)
     return kept
+
+
+def _parameter(run: Run, arg: Argument, node: Name) -> None:
+    routine = run.frame.routine
+    if routine is None or node.name.lower() not in {parameter.name.lower() for parameter in routine.parameters}:
+        where = f"{routine.kind} {routine.name}" if routine else "a routine"
+        raise run.error(arg, f"\\{arg.name}?{node.name} passes on a parameter, and {node.name} is none of {where}")
 
 
 def bind(
@@ -58,6 +66,7 @@ def bind(
         name = arg.name
         if arg.forward:
             assert isinstance(arg.value, Name)
+            _parameter(run, arg, arg.value)
             if isinstance(run.find(arg.value.name), Absent):
                 continue
         if name is None:
@@ -71,6 +80,11 @@ def bind(
     if not len(required) <= len(places) <= len(required) + more:
         names = ", ".join(required) or "none"
         raise run.error(call, f"{call.name} takes {len(required)} argument(s) ({names}), found {len(places)}")
+    if len(options) > 1:
+        for group in _EXCLUSIVE:
+            both = [arg for arg in call.args if arg.name is not None and arg.name.lower() in group & options.keys()]
+            if len(both) > 1:
+                raise run.error(call, f"{call.name} takes only one of \\{both[0].name} and \\{both[1].name}")
     return Arguments(tuple(places), options)
 
 
@@ -87,4 +101,13 @@ def subject(run: Run, call: ProcedureCall | Call, node: Expression) -> str | Non
     return None
 
 
+# `[\V] | [\T]` of the manual: optional arguments that exclude each other wherever they are known.
+_EXCLUSIVE = (
+    frozenset({"v", "t"}),
+    frozenset({"stop", "pstop", "sstop", "sup"}),
+    frozenset({"start", "time"}),
+    frozenset({"on", "off"}),
+    frozenset({"noteq", "lt", "gt"}),
+    frozenset({"flanks", "posflank", "negflank", "highlevel", "lowlevel"}),
+)
 _KNOWN: dict[tuple[str, ...], frozenset[str]] = {}  # names of optional arguments in lower case

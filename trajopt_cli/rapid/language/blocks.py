@@ -13,7 +13,7 @@ from trajopt_cli.rapid.language.cursor import HANDLERS, RESTARTS
 from trajopt_cli.rapid.language.expressions import ExpressionParser
 from trajopt_cli.rapid.language.frequent import whole_statement
 from trajopt_cli.rapid.language.lexer import Whole
-from trajopt_cli.rapid.language.syntax import Block, DataDeclaration, Expression, If, Statement
+from trajopt_cli.rapid.language.syntax import Block, DataDeclaration, Expression, If, Label, Statement
 
 ROUTINES = ("PROC", "FUNC", "TRAP")
 # What belongs to each kind of block: its parts and its end.
@@ -40,6 +40,7 @@ class BlockParser(ExpressionParser):
         super().__init__(text, file, whole)
         self._open: list[tuple[str, int, str]] = []  # the blocks around the current token: kind, start, name
         self._unclosed: list[tuple[str, int, str]] = []  # blocks that the file ends in, the innermost first
+        self._labels: dict[str, int] = {}  # of the routine so far, in lower case, with where they start
         self._crossed: set[str] = set()  # kinds of block that were told to be unclosed before the end of another
 
     def statement(self) -> Statement:
@@ -52,6 +53,8 @@ class BlockParser(ExpressionParser):
 
     def open_block(self, kind: str, start: int, name: str = "") -> None:
         """Enter a block; close_block leaves it."""
+        if kind in ROUTINES:
+            self._labels = {}
         self._open.append((kind, start, name))
 
     def close_block(self, end: str, advice: str = "") -> None:
@@ -113,7 +116,10 @@ class BlockParser(ExpressionParser):
     def _try(self, statements: list[Statement]) -> None:
         before, depth, blocks = self.i, self.depth, len(self._open)
         try:
-            statements.append(self.statement())
+            node = self.statement()
+            statements.append(node)
+            if type(node) is Label:
+                self._label_once(node)
         except InputError as error:
             self.keep(error)
             self.depth = depth
@@ -121,6 +127,14 @@ class BlockParser(ExpressionParser):
             if self.i == before:
                 self.i += 1
             self.skip()
+
+    def _label_once(self, node: Label) -> None:
+        first = self._labels.setdefault(node.name.lower(), node.start)
+        if first != node.start:
+            line = self.places.line(first)
+            self.note(
+                node.start, f"label {node.name} stands in line {line} of this routine already; rename one of them"
+            )
 
     def _is_ours(self, kind: str) -> bool:
         """Whether the current word belongs to a block around this one, or to the module."""

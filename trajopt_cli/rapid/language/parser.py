@@ -72,7 +72,10 @@ class Parser(StatementParser):
                 leftovers.append(self._leftover())
         self.finish()
         if (nul := self.text.find("\x00")) >= 0:
-            self.warnings.append((nul, "NUL bytes between the tokens are read as blanks"))
+            strings = [start for start, text in zip(self.starts, self.texts, strict=True) if "\x00" in text]
+            self.warnings += [(start, "NUL bytes inside a string stay in it") for start in strings[:1]]
+            if self.text.count("\x00") > sum(text.count("\x00") for text in self.texts):
+                self.warnings.append((nul, "NUL bytes between the tokens are read as blanks"))
         warnings = tuple(sorted(self.warnings))
         return ModuleFile(0, len(self.text), tuple(modules), tuple(leftovers), self.comments, warnings)
 

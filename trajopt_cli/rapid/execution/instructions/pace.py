@@ -39,7 +39,8 @@ def speed(run: Run, node: Expression, args: Arguments, external: bool = False) -
     if override is not None:
         v_tcp = number(run, override)
     if not external and "t" not in args.optional and not v_tcp > 0:
-        raise run.error(override or node, f"TCP speed {v_tcp:.6g} mm/s of {name} must be above 0")
+        of = name if override is None else "\\V"
+        raise run.error(override or node, f"TCP speed {v_tcp:.6g} mm/s of {of} must be above 0")
     made = _speed(run, node, name, (v_tcp, v_ori, v_leax, v_reax))
     if override is None:
         shared[name] = (data, made)
