@@ -298,7 +298,7 @@ def test_a_speed_that_was_used_before_obeys_the_next_override() -> None:
         ("PathAccLim TRUE,FALSE;", "4:12: PathAccLim TRUE needs \\AccMax in m/s2"),
         ("PathAccLim TRUE\\AccMax:=-1,FALSE;", "4:25: PathAccLim takes an acceleration above 0 m/s2, found -1"),
         ("WorldAccLim\\On;", "4:1: WorldAccLim \\On needs a value in m/s2, such as WorldAccLim \\On:=3.5"),
-        ("ConfL\\On\\Off;", "4:1: ConfL takes one of these, found \\on and \\off"),
+        ("ConfL\\On\\Off;", "4:1: ConfL takes only one of \\On and \\Off"),
         (
             f"MoveL {at(1, 2, 3)},v100,z10\\Inpos:=nowhere,tool0;",
             "is not declared in the program; predefined: fll",

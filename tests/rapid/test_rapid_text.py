@@ -243,7 +243,7 @@ LOOKED = (
         ("WaitTime -1;", "", "3:10: WaitTime -1 s must not be negative"),
         ("WaitTime 1E30*1E30;", "", "3:10: the result of '*' is too large for a num"),
         ("WaitTime 1E300;", "", "3:10: number 1E300 is too large for a num"),
-        ("MoveL p,v100\\V:=0,fine,tool0;", P, "4:17: TCP speed 0 mm/s of v100 must be above 0"),
+        ("MoveL p,v100\\V:=0,fine,tool0;", P, "4:17: TCP speed 0 mm/s of \\V must be above 0"),
         ("MoveL p,v100\\T:=0,fine,tool0;", P, "4:17: duration \\T:=0 s must be above 0"),
         ("WaitTime a;", "CONST num a:=b;\nCONST num b:=a;\n", "2:1: the value of 'a' refers to itself"),
         ("", "VAR num a;\nVAR num A;\n", "3:1: 'A' is declared twice, first in line 2; rename one of them"),
