@@ -145,11 +145,14 @@ def read_job(
     )
 
 
-def read_results_job(folder: Path) -> Job:
-    """The job of a results folder: the copies it holds, with the entry and the assumptions of its run."""
+def read_results_job(folder: Path, judged: bool = False) -> Job:
+    """The job of a results folder: the copies it holds, with the entry and the assumptions of its run.
+
+    judged: as in read_results.
+    """
     from trajopt_cli.results import read_results
 
-    results = read_results(folder)
+    results = read_results(folder, judged)
     return read_job(results.modules, results.cell, results.entry, results.assume_identity)
 
 

@@ -317,8 +317,8 @@ def _writable(job: Job) -> tuple[frozenset[int], tuple[str, ...]]:
 
 def verify_results(folder: Path) -> tuple[Job, dict[str, Report]]:
     """Judge the CSV files of a results folder against the program and cell inside it; reports by file name."""
-    results = read_results(folder)
-    job = read_results_job(folder)
+    results = read_results(folder, judged=True)
+    job = read_results_job(folder, judged=True)
     texts = {CSV[target]: (target, results.texts[CSV[target]]) for target in Target}
     if results.texts[CHOSEN] != results.texts[CSV[results.target]]:
         texts[CHOSEN] = (results.target, results.texts[CHOSEN])

@@ -43,8 +43,9 @@ class PlanRecord:
     contents: Mapping[str, bytes]
 
 
-def read_plan_record(folder: Path, needed: tuple[str, ...]) -> PlanRecord:
-    """Read run.json and all files that it lists. needed: names it must list.
+def read_plan_record(folder: Path, needed: tuple[str, ...], judged: tuple[str, ...] = ()) -> PlanRecord:
+    """Read run.json and all files that it lists. needed: names it must list. judged: names whose content may differ
+    from what the run wrote, because a judge looks at it.
 
     Raises InputError for a folder that is none, for a run.json that trajopt cannot have written, and for a file that
     was changed.
@@ -73,7 +74,7 @@ def read_plan_record(folder: Path, needed: tuple[str, ...]) -> PlanRecord:
         assume_identity=tuple(record.text(name, f"options.assume_identity[{i}]") for i, name in enumerate(names)),
         added=tuple(_added(record, inputs)),
         no_rapid=no_rapid,
-        contents=_held(folder, run["files"]),
+        contents=_held(folder, run["files"], judged),
     )
     for i, (one, entry) in enumerate(zip(inputs, run["inputs"]["files"], strict=True)):
         if entry.get("sha256") != run["files"][one.copy]:
@@ -159,11 +160,11 @@ def _added(record: _Checked, inputs: tuple[RecordedInput, ...]) -> Iterator[tupl
         yield path, place
 
 
-def _held(folder: Path, files: Mapping[str, str]) -> dict[str, bytes]:
+def _held(folder: Path, files: Mapping[str, str], judged: tuple[str, ...]) -> dict[str, bytes]:
     """Every listed file, each with the hash that the run wrote."""
     contents = {}
     for name, digits in files.items():
         contents[name] = read_listed(folder, name)
-        if sha256(contents[name]) != digits:
+        if name not in judged and sha256(contents[name]) != digits:
             raise InputError("was changed since the run; run trajopt optimize again", file=str(folder / name))
     return contents

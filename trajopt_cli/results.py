@@ -209,15 +209,19 @@ def run_record(
     )
 
 
-def read_results(folder: Path) -> Results:
-    """Read a results folder. Raises InputError for a folder that is none or is newer, or where any file was changed."""
-    run = read_plan_record(folder, (SUMMARY, CHOSEN, *CSV.values()))
+def read_results(folder: Path, judged: bool = False) -> Results:
+    """Read a results folder; judged: its CSV files as they stand, for who decides whether they are legal.
+
+    Raises InputError for a folder that is none or is newer, or where any other file was changed since the run.
+    """
+    plans = (CHOSEN, *CSV.values())
+    run = read_plan_record(folder, (SUMMARY, *plans), plans if judged else ())
     digest = parse_record(run.contents[SUMMARY], str(folder / SUMMARY))
     try:
         target = Target(digest["target"])
-        plans = {one: digest["plans"][one.value]["motions"] for one in Target}
-        dropped = {one: tuple(m["index"] for m in motions if m["dropped"]) for one, motions in plans.items()}
-        waits = [m for m in plans[target] if m["instruction"] == _SIGNAL_WAIT]
+        rows = {one: digest["plans"][one.value]["motions"] for one in Target}
+        dropped = {one: tuple(m["index"] for m in motions if m["dropped"]) for one, motions in rows.items()}
+        waits = [m for m in rows[target] if m["instruction"] == _SIGNAL_WAIT]
         holds = tuple((float(m["start_s"] + m["time_s"]), str(m["target"])) for m in waits)
         notes = tuple(str(note) for note in digest.get("notes", ()))
     except (KeyError, TypeError, ValueError) as error:
@@ -230,7 +234,7 @@ def read_results(folder: Path) -> Results:
         cell=folder / run.cell,
         entry=run.entry,
         assume_identity=run.assume_identity,
-        texts={name: run.contents[name].decode("ascii", "replace") for name in (CHOSEN, *CSV.values())},
+        texts={name: run.contents[name].decode("ascii", "replace") for name in plans},
         dropped=dropped,
         holds=holds,
         rapid=rapid,
