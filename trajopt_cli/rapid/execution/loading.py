@@ -24,6 +24,7 @@ from trajopt_cli.rapid.data.datatypes import (
 )
 from trajopt_cli.rapid.data.scope import Datum, Frame, ModuleScope, Scope
 from trajopt_cli.rapid.execution.evaluate import evaluate, integer, opaque
+from trajopt_cli.rapid.execution.making import maker
 from trajopt_cli.rapid.execution.mismatch import Mismatch
 from trajopt_cli.rapid.execution.room import room
 from trajopt_cli.rapid.language.syntax import (
@@ -145,6 +146,9 @@ def _declaration(
     )
 
 
+_value, _origin, _span = maker(Value), maker(Origin), maker(Span)
+
+
 def declare(run: Run, node: DataDeclaration, frame: Frame) -> Datum:
     """The data of a declaration that stands in frame, which runs. What needs other data is computed when asked for."""
     scope = frame.scope
@@ -166,7 +170,7 @@ def declare(run: Run, node: DataDeclaration, frame: Frame) -> Datum:
         data = type_.layout.read(scope.places.text[value.start : value.end])
         if data is not None:
             file = scope.places.file
-            first = Value(type_, data, Origin(file, value, Span(file, node.start, node.end)))
+            first = _value((type_, data, _origin((file, value, _span((file, node.start, node.end))))))
     if first is not None:
         return Datum(type_, first, constant, node.storage)
     return Datum(type_, partial(_initial, run, node, type_, frame), constant, node.storage)

@@ -1,14 +1,18 @@
-"""Frozen dataclasses made in bulk.
+"""Frozen dataclasses and named tuples made in bulk.
 
-Their own constructor sets field by field through object.__setattr__, which is most of the time that a motion costs. A
-program has a hundred thousand motions, each with its places in the text.
+Their own constructors are most of the time that a motion costs: a frozen dataclass sets field by field through
+object.__setattr__, a named tuple sorts its arguments first. A program has a hundred thousand motions, each with its
+places in the text.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from typing import Any, TypeVar
 
 _Thing = TypeVar("_Thing")
+_Tuple = TypeVar("_Tuple", bound=tuple[Any, ...])
 _new = object.__new__
 
 
@@ -20,3 +24,8 @@ def made(kind: type[_Thing], parts: dict[str, Any]) -> _Thing:
     thing = _new(kind)
     thing.__dict__.update(parts)
     return thing
+
+
+def maker(kind: type[_Tuple]) -> Callable[[tuple[Any, ...]], _Tuple]:
+    """What makes a named tuple from the plain tuple of all its fields, in half the time."""
+    return partial(tuple.__new__, kind)

@@ -15,6 +15,7 @@ from trajopt_cli.motion import NO_EXTERNAL_AXES, ConfData, ExternalAxes, MoveC, 
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.predefined import predefined
 from trajopt_cli.rapid.execution.equipment import IDENTITY, Equipment, Setup, frame, matrices, matrix
+from trajopt_cli.rapid.execution.making import maker
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
@@ -29,6 +30,9 @@ class _Pose(NamedTuple):
     conf: ConfData
     demanded: bool
     extax: ExternalAxes
+
+
+_pose = maker(_Pose)
 
 
 class Position:
@@ -60,7 +64,7 @@ class Position:
         if extax != self.extax:
             self.extax = _merged(self.extax, extax)
         self.setup = setup
-        self._pose = _Pose(setup, target, conf, demanded, self.extax)
+        self._pose = _pose((setup, target, conf, demanded, self.extax))
         self._away = False
 
     def to_joints(self, setup: Setup, q: Array, extax: ExternalAxes) -> None:

@@ -34,7 +34,7 @@ from trajopt_cli.rapid.execution.equipment import IDENTITY, matrix, said, value_
 from trajopt_cli.rapid.execution.evaluate import evaluate
 from trajopt_cli.rapid.execution.instructions import pace
 from trajopt_cli.rapid.execution.instructions.manner import manner
-from trajopt_cli.rapid.execution.making import made
+from trajopt_cli.rapid.execution.making import made, maker
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 from trajopt_cli.units import DEG
 
@@ -61,6 +61,9 @@ class Target(NamedTuple):
     value: Value
 
 
+_target = maker(Target)
+
+
 class Asked(NamedTuple):
     """The arguments of an instruction that moves to a pose. zone None: a stop."""
 
@@ -72,13 +75,16 @@ class Asked(NamedTuple):
     via: Expression | None = None
 
 
+_asked = maker(Asked)
+
+
 def asked(args: Arguments, via: bool) -> Asked:
     """[CirPoint], ToPoint, Speed, Zone, Tool in this order; more may follow."""
     if via:
         circle, point, speed, zone, tool, *_ = args.required
         return Asked(point, speed, zone, tool, args, circle)
     point, speed, zone, tool, *_ = args.required
-    return Asked(point, speed, zone, tool, args)
+    return _asked((point, speed, zone, tool, args, None))
 
 
 def move_j(run: Run, node: ProcedureCall) -> None:
@@ -234,14 +240,17 @@ def written(run: Run, node: ProcedureCall, point: Expression, speed: Expression,
     return made(
         Written,
         {
-            "statement": Span(file, node.start, node.end),
-            "target": Span(file, point.start, point.end),
-            "speed": Span(file, speed.start, speed.end),
-            "aggregate": Span(origin.file, origin.literal.start, origin.literal.end) if origin else None,
+            "statement": _span((file, node.start, node.end)),
+            "target": _span((file, point.start, point.end)),
+            "speed": _span((file, speed.start, speed.end)),
+            "aggregate": _span((origin.file, origin.literal.start, origin.literal.end)) if origin else None,
             "declaration": origin.declaration if origin else None,
             "once": None,
         },
     )
+
+
+_span = maker(Span)
 
 
 def marked(run: Run, node: ProcedureCall) -> bool:
@@ -261,7 +270,7 @@ def robtarget(run: Run, node: Expression) -> Target:
         literal = value.origin
         where, file = (literal.literal, literal.file) if literal else (node, run.file)
         q = run.position.equipment.orientation(run, q, said(run, node), where, file)
-    return Target(((x, y, z), q), _configuration(run, node, conf), external(run, extax), value)
+    return _target((((x, y, z), q), _configuration(run, node, conf), external(run, extax), value))
 
 
 def _configuration(run: Run, point: Expression, conf: Data) -> ConfData:
