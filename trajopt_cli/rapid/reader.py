@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import re
 from collections.abc import Sequence
 from dataclasses import fields, is_dataclass, replace
@@ -21,6 +22,7 @@ from trajopt_cli.rapid.neighbours import with_hints
 from trajopt_cli.rapid.sources import read_sources
 from trajopt_cli.scenario import Lack, Scenario, lacking
 
+_MANY = 10_000  # motions
 _MARK = re.compile(r"!\s*trajopt\s*:\s*(.*?)\s*$", re.IGNORECASE)
 DROPPED = "! dropped by trajopt: "  # how an export begins the comment that a dropped move becomes
 
@@ -122,6 +124,8 @@ def _try_program(
             if isinstance(item, Routine) and id(item) not in run.heads
         ),
     )
+    if len(run.motions) >= _MANY:  # all that stays: seconds of looking at it again and again, in vain
+        gc.freeze()
     for scope in scopes:  # a scope knows itself by its routines: without that, all goes before the collector comes back
         scope.routines.clear()
         scope.types.clear()
