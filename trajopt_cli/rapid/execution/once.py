@@ -44,7 +44,7 @@ def _once(link: Link | None, counts: Mapping[int, int], known: dict[int, Span | 
             break
         node, outer, file = link
         if counts[id(node)] == 1:
-            span = Span(file, node.start, node.end)
+            span = known[id(link)] = Span(file, node.start, node.end)
             break
         passed.append(id(link))
         link = outer
