@@ -276,3 +276,20 @@ def test_a_literal_belongs_to_the_statement_that_cannot_name_another(plant: Plan
     export = export_rapid(program, plan_for(program, plant, {0: 0.25, 1: 0.21, 2: 0.31}), plant)
     assert export.new == {}
     assert "        MoveJ ps_2,v100,fine,tool0;\n" + loop in export.texts["m.mod"]
+
+
+def test_a_target_that_two_modules_declare_stays_in_both(plant: Plant) -> None:
+    declared = f"PERS robtarget g:=[[500,600,450],[0,0,1,0],[0,0,0,0],[0,{OPEN}]];"
+    other = TextFile("b.mod", f"MODULE b\n    {declared}\n    PROC other()\n    ENDPROC\nENDMODULE\n", "utf-8")
+    main = f"MODULE m\n    {declared}\n    PROC main()\n        MoveJ g,v100,fine,tool0;\n    ENDPROC\nENDMODULE\n"
+    program = run_program([TextFile("m.mod", main, "utf-8"), other])
+    export = export_rapid(program, plan_for(program, plant, {0: 0.2}), plant)
+    assert export.texts["b.mod"] == other.text
+    assert declared in export.texts["m.mod"]
+    assert "MoveJ g_2,v100,fine,tool0;" in export.texts["m.mod"]
+    assert export.notes == (
+        "m.mod:4:9: g is wanted with other values; g_2 is declared beside it, and does not follow g if it changes",
+    )
+    assert [m.extax[0] for m in read_back(program, export).motions if isinstance(m, MoveJ)] == [200]
+    alone = run_program([TextFile("m.mod", main, "utf-8")])
+    assert "MoveJ g,v100" in export_rapid(alone, plan_for(alone, plant, {0: 0.2}), plant).texts["m.mod"]

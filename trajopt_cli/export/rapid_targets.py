@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
@@ -49,10 +51,15 @@ class _Literal:
     versions: dict[Wish, str | None] = field(default_factory=dict)
 
 
+_STORAGE = ("CONST", "PERS", "VAR")
+_PERS = re.compile(r"^[ \t]*(?:TASK\s+)?PERS\s+\w+\s+(\w+)", re.IGNORECASE | re.MULTILINE)
+
+
 class Targets:
     """Hands out, motion by motion, the name under which a target with the wished values is declared.
 
-    isolated: declarations stay as they are, and every target with other values is a new one.
+    isolated: declarations stay as they are, and every target with other values is a new one. So do, in any case, those
+    of a PERS that several modules declare: they are one piece of data, and edited in one place they would disagree.
     """
 
     def __init__(
@@ -175,7 +182,9 @@ class Targets:
         if key in literal.versions:
             return literal.versions[key]
         text = self.written_with(self._edits.text(span), move, wish)
-        if text == self._edits.text(span) and self._isolated:
+        shared = self._shared(move.written.declaration)
+        in_place = in_place and not shared
+        if text == self._edits.text(span) and (self._isolated or shared):
             literal.versions[key] = None
             return None
         if in_place and None not in literal.versions.values():
@@ -191,8 +200,28 @@ class Targets:
             name = self._new(move, self.in_numbers(move, wish), statement, suffix, first)
         literal.versions[key] = name
         if not suffix:
-            self.notes.append(f"{move.source}: {move.target} is wanted with other values; {name} is declared beside it")
+            note = f"{move.source}: {move.target} is wanted with other values; {name} is declared beside it"
+            variable = move.written.declaration is not None and self._storage(move.written.declaration) != "CONST"
+            self.notes.append(f"{note}, and does not follow {move.target} if it changes" if variable else note)
         return name
+
+    def _storage(self, declaration: Span) -> str:
+        return next((word for word in self._edits.text(declaration).upper().split() if word in _STORAGE), "")
+
+    def _shared(self, declaration: Span | None) -> bool:
+        """Whether a declaration is one of several modules' for the same PERS."""
+        if declaration is None or self._storage(declaration) != "PERS":
+            return False
+        match = _PERS.match(self._edits.text(declaration))
+        return match is not None and self._modules_of_pers[match[1].lower()] > 1
+
+    @cached_property
+    def _modules_of_pers(self) -> Counter[str]:
+        """How many files declare a PERS that is not LOCAL, by name in lower case."""
+        found: Counter[str] = Counter()
+        for file in self._program.files.values():
+            found.update({match[1].lower() for match in _PERS.finditer(file.text)})
+        return found
 
     def _new(self, move: Move, literal: str, beside: Span, suffix: str, first: int, type_: str | None = None) -> str:
         """The name of a target declared anew; one for each value.
