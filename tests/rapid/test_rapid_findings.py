@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from time import perf_counter
+from time import process_time
 
 import pytest
 
@@ -48,10 +48,10 @@ def test_the_sizes_of_an_array_of_process_data() -> None:
 def test_all_work_is_charged_to_one_budget(data: str, body: str) -> None:
     run = Scenario(statement_limit=5_000)
     text = f"MODULE m\n{data}\nPROC main()\n{body}\nENDPROC\nENDMODULE\n"
-    begun = perf_counter()
+    begun = process_time()
     with pytest.raises(InputError, match=r"has not ended after 5000 statements \(statement_limit\)"):
         run_program([TextFile("m.mod", text, "utf-8")], run)
-    assert perf_counter() - begun < 5
+    assert process_time() - begun < 5
 
 
 def test_a_copy_of_a_large_array_costs_no_more_than_a_number() -> None:
@@ -59,9 +59,9 @@ def test_a_copy_of_a_large_array_costs_no_more_than_a_number() -> None:
         "MODULE m\nVAR robtarget a{50000};\nVAR robtarget c{50000};\nPROC main()\nFOR i FROM 1 TO 300 DO c:=a; ENDFOR\n"
         "WaitTime c{1}.trans.x;\nENDPROC\nENDMODULE\n"
     )
-    begun = perf_counter()
+    begun = process_time()
     assert len(run_program([TextFile("m.mod", text, "utf-8")]).motions) == 1
-    assert perf_counter() - begun < 5
+    assert process_time() - begun < 5
 
 
 DATA = "VAR robtarget g; VAR num n; VAR bool f; VAR bool s{2}; CONST num k:=1;\n"
