@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from trajopt_cli.rapid.data.datatypes import Value
 from trajopt_cli.rapid.data.scope import Absent
+from trajopt_cli.rapid.execution.making import maker
 from trajopt_cli.rapid.language.syntax import Argument, Call, Expression, Name, ProcedureCall
 
 if TYPE_CHECKING:
@@ -59,20 +60,21 @@ def bind(
     run.takes[call.name] = required
     places: list[Expression] = []
     options: dict[str, Expression | None] = {}
-    known = _KNOWN.get(optional)
-    if known is None:
-        known = _KNOWN[optional] = frozenset(name.lower() for name in optional)
     for arg in call.args:
         name = arg.name
+        if name is None:  # nearly always
+            assert arg.value is not None
+            places.append(arg.value)
+            continue
         if arg.forward:
             assert isinstance(arg.value, Name)
             _parameter(run, arg, arg.value)
             if isinstance(run.find(arg.value.name), Absent):
                 continue
-        if name is None:
-            assert arg.value is not None
-            places.append(arg.value)
-        elif (key := name.lower()) in known:
+        known = _KNOWN.get(optional)
+        if known is None:
+            known = _KNOWN[optional] = frozenset(name.lower() for name in optional)
+        if (key := name.lower()) in known:
             options[key] = arg.value
         else:
             supported = ", ".join(f"\\{name}" for name in optional) or "none"
@@ -85,7 +87,10 @@ def bind(
             both = [arg for arg in call.args if arg.name is not None and arg.name.lower() in group & options.keys()]
             if len(both) > 1:
                 raise run.error(call, f"{call.name} takes only one of \\{both[0].name} and \\{both[1].name}")
-    return Arguments(tuple(places), options)
+    return _arguments((tuple(places), options))
+
+
+_arguments = maker(Arguments)
 
 
 def subject(run: Run, call: ProcedureCall | Call, node: Expression) -> str | None:

@@ -27,6 +27,7 @@ from trajopt_cli.rapid.data.datatypes import (
     single,
 )
 from trajopt_cli.rapid.data.scope import Absent, Datum, Part, Place, item
+from trajopt_cli.rapid.execution.making import maker
 from trajopt_cli.rapid.execution.mismatch import Mismatch, mismatch
 from trajopt_cli.rapid.execution.operators import COMPARE, arithmetic, computed, string, vectors
 from trajopt_cli.rapid.language.syntax import (
@@ -219,9 +220,12 @@ def inside_opaque(run: Run, node: Expression) -> bool:
 
 
 def _part_value(run: Run, node: Component | Element, wanted: Type | None) -> Value:
-    if type(node.base) is Name and run.find(node.base.name) is None:  # no signal: those have no parts
-        raise run.undeclared(node.base)
-    base = evaluate(run, node.base)
+    whole, place = node.base, None
+    if isinstance(whole, Name):
+        place = run.find(whole.name)
+        if place is None:  # no signal: those have no parts
+            raise run.undeclared(whole)
+    base = place.value if type(place) is Datum and type(place.type) is Array else evaluate(run, whole)
     if isinstance(node, Component):
         base = item(base, *_component(run, node, base.type))
     else:
@@ -275,12 +279,16 @@ def _aggregate(run: Run, node: Aggregate, wanted: Type | None) -> Value:
     return aggregate(run, node, wanted)
 
 
+_value, _origin = maker(Value), maker(Origin)
+
+
 def aggregate(run: Run, node: Aggregate, wanted: Type) -> Value:
     """An aggregate as a value of the wanted type. Raises InputError when parts are missing or too many."""
     if wanted.layout is not None:
-        data = wanted.layout.read(run.places().text[node.start : node.end])
+        places = run.places()
+        data = wanted.layout.read(places.text[node.start : node.end])
         if data is not None:
-            return Value(wanted, data, Origin(run.file, node, None))
+            return _value((wanted, data, _origin((places.file, node, None))))
     parts: list[Type]
     if isinstance(wanted, Record):
         parts = [part for _, part in wanted.components]
