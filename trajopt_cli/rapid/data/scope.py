@@ -44,6 +44,7 @@ class Datum:
         first = self._first
         assert not isinstance(first, Value)
         self.value = first()
+        del self._first  # it knows the run, and so the run itself: a circle that would keep every tree
         return self.value
 
     def take(self, other: Datum) -> None:
