@@ -383,3 +383,15 @@ def test_joint_moves_with_a_stationary_tool_keep_it() -> None:
     (move,) = moves(run_main(f"MoveAbsJ [[0,0,0,0,0,0],{N}],v100,fine,t\\WObj:=w;", data))
     assert isinstance(move, MoveAbsJ)
     assert move.tool.stationary
+
+
+def test_what_no_plan_looks_at_is_told_once() -> None:
+    body = r"MoveL p,v100,fine,tool0\Corr; MoveL p,v100,fine,tool0\Corr\TLoad:=load0;"
+    text = (
+        "MODULE m\nCONST robtarget p:=[[1,2,3],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+        f"PROC main()\n{body}\nENDPROC\nENDMODULE\n"
+    )
+    assert run_program([TextFile("m.mod", text, "utf-8")]).warnings == (
+        r"m.mod:4:9: \Corr adds what a sensor finds to the path, which is not known here: the path is the one written",
+        r"m.mod:4:67: \TLoad changes nothing here; the cell's limits hold for any load",
+    )

@@ -73,7 +73,7 @@ def _manner(
     run: Run, speed: Expression, zone: Expression | None, tool: Expression, args: Arguments, fixed: Speed | None
 ) -> Manner:
     setup = run.position.equipment.setup(run, tool, args.optional.get("wobj"))
-    check_load(run, args)
+    _note_unplanned(run, speed, args)
     return Manner(
         setup,
         fixed or pace.speed(run, speed, args),
@@ -82,8 +82,12 @@ def _manner(
     )
 
 
-def check_load(run: Run, args: Arguments) -> None:
-    r"""\TLoad is the total load of one move: it must be a load, and no plan looks at it."""
+def _note_unplanned(run: Run, place: Expression, args: Arguments) -> None:
+    r"""\TLoad, the total load of one move, and \Corr, a sensor's correction of its path: no plan looks at them."""
     node = args.optional.get("tload")
     if node is not None:
         data_of(run, node, LOADDATA, "load", "load0")
+        run.note("tload", f"{run.source(node)}: \\TLoad changes nothing here; the cell's limits hold for any load")
+    if "corr" in args.optional:
+        what = "\\Corr adds what a sensor finds to the path, which is not known here: the path is the one written"
+        run.note("corr", f"{run.source(place)}: {what}")
