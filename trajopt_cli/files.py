@@ -109,7 +109,7 @@ def replace_files(wanted: Mapping[Path, tuple[bytes, bytes]], added: Mapping[Pat
                 os.replace(part, path)
                 replaced.append(path)
                 _sync(path.parent)
-    except BaseException:
+    except BaseException:  # Ctrl-C too: all files or none, then it goes on
         for path in made:
             with _said(path):
                 path.unlink()
@@ -244,7 +244,7 @@ def _keep(path: Path, content: bytes) -> Path:
         except FileExistsError:
             number += 1
             continue
-        except BaseException:
+        except BaseException:  # Ctrl-C too leaves no half of a copy
             _discard(backup)
             raise
         shutil.copystat(path, backup)
