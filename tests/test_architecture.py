@@ -26,18 +26,16 @@ FLOORS: tuple[tuple[str, ...], ...] = (
         "findings",
         "quantity",
         "yaml_file",
-        "run_folder",
-        "plan_record",
     ),
     ("rapid", "robot", "cell", "timing", "collision"),
-    ("problem", "iiwa"),
-    # results is the folder's reader and writer: nouns in, bytes out, like its neighbours
-    ("optimize", "baseline", "verify", "export", "report", "admittance", "simulate", "results", "task_folder"),
+    ("problem",),
+    ("runs",),
+    ("optimize", "verify", "export", "report"),
     # what is worked on: a program and its cell, or those of a results folder
     ("job", "rapid_results"),
-    ("pipeline", "iiwa_job"),
+    ("pipeline", "compliance"),
     # the widest composition: everything the pipeline can do, many times over
-    ("comparison", "iiwa_experiments"),
+    ("study",),
     ("cli",),
 )
 # The plain data on floors 0 and 1 is a short stack of its own.
@@ -57,8 +55,6 @@ STACK = {
     "findings": {"motion"},
     "quantity": {"errors", "units"},
     "yaml_file": {"errors", "quantity"},
-    "run_folder": {"errors", "files"},
-    "plan_record": {"errors", "run_folder"},
 }
 # Where each third party may be imported, as patterns of paths inside the package.
 ADDRESSES: dict[str, tuple[str, ...]] = {
@@ -67,13 +63,13 @@ ADDRESSES: dict[str, tuple[str, ...]] = {
     "coal": ("collision/*",),
     "toppra": ("timing/*",),
     "ruckig": ("timing/*",),
-    "scipy": ("optimize/*", "timing/*", "admittance/*"),
+    "scipy": ("optimize/*", "timing/*", "compliance/controller/*"),
     "typer": ("cli/*",),
     "rich": ("cli/*",),
-    "matplotlib": ("report/*",),
-    "mujoco": ("simulate/*",),
+    "matplotlib": ("report/*", "compliance/report/*"),
+    "mujoco": ("compliance/world/*",),
     # The rooms that read files people write by hand: cell files, robot descriptions, task files.
-    "pydantic": ("cell/*", "robot/*", "iiwa/*", "yaml_file.py"),
+    "pydantic": ("cell/*", "robot/*", "compliance/task/*", "yaml_file.py"),
     "pydantic_core": ("cell/*", "quantity.py", "yaml_file.py"),
     "ruamel": ("robot/*", "yaml_file.py"),
     "numpy": ("*",),

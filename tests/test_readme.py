@@ -14,7 +14,7 @@ from typer.testing import CliRunner
 from trajopt_cli.cell.document import CellDocument
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.cli import app
-from trajopt_cli.iiwa.document import TaskDocument
+from trajopt_cli.compliance.task.document import TaskDocument
 from trajopt_cli.problem.plant import build_plant
 
 REPOSITORY = Path(__file__).parents[1]

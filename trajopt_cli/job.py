@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import Move, Program
-from trajopt_cli.run_folder import RUN
+from trajopt_cli.runs.folder import RUN
 
 if TYPE_CHECKING:
     from trajopt_cli.cell.model import Cell
@@ -150,7 +150,7 @@ def read_results_job(folder: Path, judged: bool = False) -> Job:
 
     judged: as in read_results.
     """
-    from trajopt_cli.results import read_results
+    from trajopt_cli.runs.results import read_results
 
     results = read_results(folder, judged)
     return read_job(results.modules, results.cell, results.entry, results.assume_identity)

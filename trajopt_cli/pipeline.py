@@ -18,7 +18,8 @@ from trajopt_cli.motion import Program, Wait
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
-from trajopt_cli.results import (
+from trajopt_cli.runs.folder import RUN, SUMMARY, check_replaceable
+from trajopt_cli.runs.results import (
     CHOSEN,
     CSV,
     InputFile,
@@ -30,7 +31,6 @@ from trajopt_cli.results import (
     summary,
     zones_as_stops,
 )
-from trajopt_cli.run_folder import RUN, SUMMARY, check_replaceable
 
 if TYPE_CHECKING:
     from trajopt_cli.export.rapid_write import RapidExport

@@ -9,8 +9,8 @@ from pathlib import Path
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.files import replace_files
-from trajopt_cli.results import read_results
-from trajopt_cli.run_folder import read_bytes
+from trajopt_cli.runs.folder import read_bytes
+from trajopt_cli.runs.results import read_results
 
 
 @dataclass(frozen=True)

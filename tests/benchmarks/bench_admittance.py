@@ -19,12 +19,12 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[2]))  # run from a checkout without installing
 
-from trajopt_cli.admittance.controller import Controller
-from trajopt_cli.admittance.loop import PARTS, run
-from trajopt_cli.admittance.parameters import Settings
-from trajopt_cli.admittance.regulator import response, response_rotation
-from trajopt_cli.iiwa.task import Compliance, Feed, Integration, RotationLaw, Sensor
-from trajopt_cli.iiwa.world import Measured
+from trajopt_cli.compliance.controller.admittance import Controller
+from trajopt_cli.compliance.controller.loop import PARTS, run
+from trajopt_cli.compliance.controller.parameters import Settings
+from trajopt_cli.compliance.controller.regulator import response, response_rotation
+from trajopt_cli.compliance.task.model import Compliance, Feed, Integration, RotationLaw, Sensor
+from trajopt_cli.compliance.task.world import Measured
 from trajopt_cli.robot.dynamics import Dynamics
 from trajopt_cli.robot.srs import load_srs
 from trajopt_cli.robot.srs_inverse import ArmAngle

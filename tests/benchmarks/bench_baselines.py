@@ -9,14 +9,14 @@ import sys
 from pathlib import Path
 from time import perf_counter
 
-from trajopt_cli.baseline.cartesian import bang_bang_row
-from trajopt_cli.baseline.case import Attempt, Case
-from trajopt_cli.baseline.ruckig_row import ruckig, ruckig_jerk
-from trajopt_cli.baseline.toppra_row import toppra
 from trajopt_cli.job import read_job
 from trajopt_cli.optimize import optimize
 from trajopt_cli.problem.freedom import FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Target
+from trajopt_cli.study.cartesian import bang_bang_row
+from trajopt_cli.study.case import Attempt, Case
+from trajopt_cli.study.ruckig_row import ruckig, ruckig_jerk
+from trajopt_cli.study.toppra_row import toppra
 from trajopt_cli.verify.judge import verify
 
 PROGRAMS = Path(__file__).parents[2] / "programs"

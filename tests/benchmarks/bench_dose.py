@@ -21,12 +21,12 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[2]))  # run from a checkout without installing
 
-from trajopt_cli.admittance.dose import CannotDose, compare, dose
-from trajopt_cli.admittance.dose_path import DosePath, dose_path
-from trajopt_cli.iiwa.equilibrium import Equilibrium, Piece
-from trajopt_cli.iiwa.loader import load_task
-from trajopt_cli.iiwa.segments import interpolate
-from trajopt_cli.iiwa.task import AngleMeaning, Compliance, RotationLaw, SegmentSpeeds
+from trajopt_cli.compliance.controller.dose import CannotDose, compare, dose
+from trajopt_cli.compliance.controller.dose_path import DosePath, dose_path
+from trajopt_cli.compliance.task.equilibrium import Equilibrium, Piece
+from trajopt_cli.compliance.task.loader import load_task
+from trajopt_cli.compliance.task.model import AngleMeaning, Compliance, RotationLaw, SegmentSpeeds
+from trajopt_cli.compliance.task.segments import interpolate
 
 SIDE, H = 0.2, 1e-3  # m, s
 CORNERS = "000 100 110 010 000 001 101 100 101 111 110 111 011 010 011 001"  # every edge, three of them twice

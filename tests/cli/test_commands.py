@@ -17,14 +17,14 @@ import numpy as np
 import pytest
 from fake_planner import ACCELERATION, CELL, TEXT, Planner
 
-from trajopt_cli.baseline.case import Case
-from trajopt_cli.baseline.table import BASELINES
 from trajopt_cli.cli import run
 from trajopt_cli.cli.optimize import optimize
 from trajopt_cli.job import read_job
 from trajopt_cli.joint_csv import read_csv_text
 from trajopt_cli.motion import Source
 from trajopt_cli.problem.plan import Infeasible, Target
+from trajopt_cli.study.case import Case
+from trajopt_cli.study.table import BASELINES
 
 REPOSITORY = Path(__file__).parents[2]
 FILES = {

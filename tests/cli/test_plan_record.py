@@ -13,7 +13,7 @@ from fake_planner import Planner
 
 from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError
-from trajopt_cli.results import read_results
+from trajopt_cli.runs.results import read_results
 
 FOLDER = Path("results/tiny")
 READERS = (

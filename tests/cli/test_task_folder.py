@@ -11,9 +11,9 @@ from typing import Any
 
 import pytest
 
+from trajopt_cli.compliance.job.task_folder import SequenceRecord, read_task_folder, sequence_of, write_task_folder
 from trajopt_cli.errors import InputError
-from trajopt_cli.run_folder import EXPERIMENTS, PLAN, TASK, check_replaceable, read_run, record, sha256
-from trajopt_cli.task_folder import SequenceRecord, read_task_folder, sequence_of, write_task_folder
+from trajopt_cli.runs.folder import EXPERIMENTS, PLAN, TASK, check_replaceable, read_run, record, sha256
 
 SEQUENCE = {
     "period_s": 0.001,

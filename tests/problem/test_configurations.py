@@ -18,7 +18,7 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.programmed import PlantKinematics
 from trajopt_cli.robot.inverse import confdata
 
-TRUTH = Path(__file__).parents[3] / "shared" / "truth"
+TRUTH = Path(__file__).parents[1] / "data" / "truth"
 DOWN = rotation_about([0, 1, 0], np.pi)
 AHEAD = rotation_about([0, 1, 0], np.pi / 2)
 BENCH_PLANT, RAIL_PLANT = plant(BENCH), plant(RAIL)

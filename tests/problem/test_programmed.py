@@ -16,7 +16,7 @@ from trajopt_cli.motion import NO_EXTERNAL_AXES, ConfData, ExternalAxes
 from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.problem.programmed import PlantKinematics
 
-TRUTH = Path(__file__).parents[3] / "shared" / "truth"
+TRUTH = Path(__file__).parents[1] / "data" / "truth"
 BENCH = "robot: irb140\nstart: {joints: '[0, 0, 0, 0, 30, 0] deg'}\n"
 RAIL = """robot: irb140_rail
 rail: {eax: b, stroke: [-0.2, 2.2], frame: {position: [0.1, 0.2, 0.3], rpy: "[0, 0, 90] deg"}}

@@ -22,7 +22,7 @@ from trajopt_cli.rapid.execution.position import Position
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.scenario import Scenario
 
-TRUTH = Path(__file__).parents[3] / "shared" / "truth"
+TRUTH = Path(__file__).parents[1] / "data" / "truth"
 N = "[9E9,9E9,9E9,9E9,9E9,9E9]"
 
 # Joints, tool0, its orientation and confdata: eight of an offline simulator, four of one pose's branches.

@@ -6,7 +6,7 @@ import numpy as np
 
 from trajopt_cli.geometry import rotation_about
 
-TRUTH = Path(__file__).parents[2].parent / "shared" / "truth"
+TRUTH = Path(__file__).parents[1] / "data" / "truth"
 
 
 def crooked_pose(seed):

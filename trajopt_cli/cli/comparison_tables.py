@@ -11,10 +11,10 @@ from rich.table import Table
 
 from trajopt_cli.cli.layout import plain_table
 from trajopt_cli.cli.tables import failures
-from trajopt_cli.comparison import Comparison, Step, Tried
 from trajopt_cli.findings import Report
 from trajopt_cli.pipeline import NoPlan
 from trajopt_cli.problem.plan import Infeasible
+from trajopt_cli.study.comparison import Comparison, Step, Tried
 
 _COLUMNS = (
     "name", "target", "cycle_time_s", "saving", "cycle_time_without_waits_s", "saving_without_waits", "legal",

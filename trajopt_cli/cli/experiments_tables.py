@@ -12,16 +12,16 @@ from trajopt_cli.cli.layout import plain_table
 from trajopt_cli.units import MM
 
 if TYPE_CHECKING:
-    from trajopt_cli.iiwa_experiments.bench import Tracking
-    from trajopt_cli.iiwa_experiments.catalogue import Experiments
-    from trajopt_cli.iiwa_experiments.collision import Collision
-    from trajopt_cli.iiwa_experiments.dosing import Dosing
-    from trajopt_cli.iiwa_experiments.following import FollowTable
-    from trajopt_cli.iiwa_experiments.force_error import ForceErrors
-    from trajopt_cli.iiwa_experiments.guiding import Guided, Zeroed
-    from trajopt_cli.iiwa_experiments.loop_time import LoopTimes
-    from trajopt_cli.iiwa_experiments.stability import StabilityMap
-    from trajopt_cli.iiwa_experiments.steps import Steps
+    from trajopt_cli.compliance.experiments.bench import Tracking
+    from trajopt_cli.compliance.experiments.catalogue import Experiments
+    from trajopt_cli.compliance.experiments.collision import Collision
+    from trajopt_cli.compliance.experiments.dosing import Dosing
+    from trajopt_cli.compliance.experiments.following import FollowTable
+    from trajopt_cli.compliance.experiments.force_error import ForceErrors
+    from trajopt_cli.compliance.experiments.guiding import Guided, Zeroed
+    from trajopt_cli.compliance.experiments.loop_time import LoopTimes
+    from trajopt_cli.compliance.experiments.stability import StabilityMap
+    from trajopt_cli.compliance.experiments.steps import Steps
 
 _MICRO = 1e-6
 _TURNS = ("alpha", "beta", "gamma")
@@ -29,7 +29,7 @@ _TURNS = ("alpha", "beta", "gamma")
 
 def tables(experiments: Experiments) -> Iterator[Table | str]:
     """Section by section: a table, then its notes."""
-    from trajopt_cli.iiwa_experiments.steps import worst_tracking
+    from trajopt_cli.compliance.experiments.steps import worst_tracking
 
     one = experiments
     for steps in one.stepped:

@@ -11,7 +11,7 @@ from trajopt_cli.cli.options import AsJson
 from trajopt_cli.errors import InputError
 
 if TYPE_CHECKING:
-    from trajopt_cli.iiwa_job.simulation import NoRun
+    from trajopt_cli.compliance.job.simulation import NoRun
 
 app = typer.Typer(help="Cartesian segments for a compliant KUKA LBR iiwa 7.", rich_markup_mode=None)
 
@@ -46,9 +46,9 @@ def segments(
 
     from trajopt_cli.cli.console import show, stdout
     from trajopt_cli.cli.iiwa_tables import segments_table, sequence_line
-    from trajopt_cli.iiwa.task import AngleMeaning
-    from trajopt_cli.iiwa_job.folder import read_summary
-    from trajopt_cli.iiwa_job.segments import make_segments
+    from trajopt_cli.compliance.job.folder import read_summary
+    from trajopt_cli.compliance.job.segments import make_segments
+    from trajopt_cli.compliance.task.model import AngleMeaning
 
     folder = output or Path("results") / task.stem
     made = make_segments(task, folder, task_file, AngleMeaning(angles) if angles else None)
@@ -81,9 +81,9 @@ def joints(
 
     from trajopt_cli.cli.console import show, stdout
     from trajopt_cli.cli.iiwa_tables import arm_line, failure_lines, joints_table
-    from trajopt_cli.iiwa.joints import Unfollowable
-    from trajopt_cli.iiwa_job.folder import read_summary
-    from trajopt_cli.iiwa_job.joints import follow_joints, stops_nothing
+    from trajopt_cli.compliance.job.folder import read_summary
+    from trajopt_cli.compliance.job.joints import follow_joints, stops_nothing
+    from trajopt_cli.compliance.task.joints import Unfollowable
 
     opened, answer = follow_joints(results, arm_angle == "free")
     if isinstance(answer, Unfollowable):
@@ -142,11 +142,11 @@ def simulate(
 
     from trajopt_cli.cli.console import show, stdout
     from trajopt_cli.cli.iiwa_tables import contact_lines, lag_lines, loop_time_line, stability_table
+    from trajopt_cli.compliance.job.folder import check_place, read_summary
+    from trajopt_cli.compliance.job.simulation import NoRun
+    from trajopt_cli.compliance.job.simulation import simulate as run
+    from trajopt_cli.compliance.task.model import Feed, Integration
     from trajopt_cli.files import write_files
-    from trajopt_cli.iiwa.task import Feed, Integration
-    from trajopt_cli.iiwa_job.folder import check_place, read_summary
-    from trajopt_cli.iiwa_job.simulation import NoRun
-    from trajopt_cli.iiwa_job.simulation import simulate as run
 
     check_place(plots, "--plots")
     if settle is not None and not settle < float("inf"):
@@ -163,7 +163,7 @@ def simulate(
             console.print(line)
         console.print(f"written to {results / 'simulation.csv'}")
     if plots is not None:
-        from trajopt_cli.iiwa_job.drawing import simulation_pictures
+        from trajopt_cli.compliance.job.drawing import simulation_pictures
 
         pictures = simulation_pictures(answer)
         write_files(plots, pictures)
@@ -195,14 +195,14 @@ def dose(
     """
     import json
 
-    from trajopt_cli.admittance.dose import CannotDose
     from trajopt_cli.cli.console import show, stdout
     from trajopt_cli.cli.iiwa_tables import dose_lines, dose_table
+    from trajopt_cli.compliance.controller.dose import CannotDose
+    from trajopt_cli.compliance.job.dosing import NotFollowed, dose_folder
+    from trajopt_cli.compliance.job.folder import check_place, read_summary
+    from trajopt_cli.compliance.job.simulation import NoRun
+    from trajopt_cli.compliance.task.joints import Unfollowable
     from trajopt_cli.files import write_files
-    from trajopt_cli.iiwa.joints import Unfollowable
-    from trajopt_cli.iiwa_job.dosing import NotFollowed, dose_folder
-    from trajopt_cli.iiwa_job.folder import check_place, read_summary
-    from trajopt_cli.iiwa_job.simulation import NoRun
     from trajopt_cli.quantity import ANGLE, LENGTH, option_value
 
     # '.' and '..' have no name of their own
@@ -233,7 +233,7 @@ def dose(
             console.print(line)
         console.print(f"written to {folder}")
     if plots is not None:
-        from trajopt_cli.iiwa_job.drawing import dose_pictures
+        from trajopt_cli.compliance.job.drawing import dose_pictures
 
         pictures = dose_pictures(answer)
         write_files(plots, pictures)
@@ -255,11 +255,11 @@ def experiments(
 
     from trajopt_cli.cli.console import show, stdout
     from trajopt_cli.cli.experiments_tables import tables
-    from trajopt_cli.iiwa_experiments.catalogue import run_experiments
-    from trajopt_cli.iiwa_experiments.folder import write_experiments
-    from trajopt_cli.iiwa_experiments.record import record
-    from trajopt_cli.iiwa_job.folder import check_place
-    from trajopt_cli.run_folder import check_replaceable
+    from trajopt_cli.compliance.experiments.catalogue import run_experiments
+    from trajopt_cli.compliance.experiments.folder import write_experiments
+    from trajopt_cli.compliance.experiments.record import record
+    from trajopt_cli.compliance.job.folder import check_place
+    from trajopt_cli.runs.folder import check_replaceable
 
     check_place(output, "--output")
     check_replaceable(output)

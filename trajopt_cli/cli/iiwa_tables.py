@@ -9,16 +9,16 @@ import numpy as np
 from rich.table import Table
 
 from trajopt_cli.cli.layout import plain_table
+from trajopt_cli.compliance.task.equilibrium import Equilibrium
 from trajopt_cli.findings import Finding
-from trajopt_cli.iiwa.equilibrium import Equilibrium
 from trajopt_cli.units import MM
 
 if TYPE_CHECKING:
-    from trajopt_cli.admittance.stability import AxisStability
-    from trajopt_cli.iiwa.joints import Followed
-    from trajopt_cli.iiwa.segments import SegmentFacts
-    from trajopt_cli.iiwa_job.dosing import DosedJob
-    from trajopt_cli.iiwa_job.simulation import Simulated
+    from trajopt_cli.compliance.controller.stability import AxisStability
+    from trajopt_cli.compliance.job.dosing import DosedJob
+    from trajopt_cli.compliance.job.simulation import Simulated
+    from trajopt_cli.compliance.task.joints import Followed
+    from trajopt_cli.compliance.task.segments import SegmentFacts
 
 _SEEN = 1e-9  # rad: a smaller turn is rounding
 _TURNING = {"rad": "°", "rad/s": "°/s", "rad/s2": "°/s²"}
@@ -139,7 +139,7 @@ def lag_lines(run: Simulated) -> list[str]:
 
 def contact_lines(run: Simulated) -> list[str]:
     """What the tool ran into."""
-    from trajopt_cli.iiwa_job.simulation import touches
+    from trajopt_cli.compliance.job.simulation import touches
 
     if run.loop is None:
         return ["contact not simulated: the task names no obstacles"] if run.contact is None else []
@@ -164,7 +164,7 @@ def loop_time_line(run: Simulated) -> list[str]:
     """What one period of the controller cost here, beside the thesis'."""
     if run.loop is None or not len(run.loop.step_times):
         return []
-    from trajopt_cli.admittance.loop import PARTS
+    from trajopt_cli.compliance.controller.loop import PARTS
 
     means = ", ".join(
         f"{name} {1e6 * value:.0f}" for name, value in zip(PARTS, run.loop.step_times.mean(axis=0), strict=True)

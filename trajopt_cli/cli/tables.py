@@ -13,9 +13,9 @@ from trajopt_cli.findings import Finding, Report
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.pipeline import Optimised
 from trajopt_cli.problem.plan import Plan, Target
-from trajopt_cli.results import motion_label
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.srs import SrsRobot
+from trajopt_cli.runs.results import motion_label
 from trajopt_cli.units import DEG, MM
 
 

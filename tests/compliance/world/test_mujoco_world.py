@@ -1,0 +1,237 @@
+"""MuJoCo's arm against the truth and pin, its servo, and its contacts against the law they are to follow."""
+
+import numpy as np
+import pytest
+
+from trajopt_cli.compliance.task.model import Contact, Obstacle
+from trajopt_cli.compliance.world.contact import FRICTION_RISE, BallOnBoxes
+from trajopt_cli.compliance.world.mujoco_world import SERVO_DELAY, MujocoWorld
+from trajopt_cli.compliance.world.spring_wall import SpringWorld
+from trajopt_cli.compliance.world.worlds import Engine, make_world
+from trajopt_cli.geometry import pose
+from trajopt_cli.robot.dynamics import Dynamics
+from trajopt_cli.shapes import Box
+
+mujoco = pytest.importorskip("mujoco")
+H = 1e-3
+START = (0.0, *np.radians([30.0, 0.0, -100.0, 0.0, 50.0, 0.0]).tolist())
+
+
+def wait(world, q, periods):
+    for _ in range(periods):
+        measured = world.step(q)
+    return measured
+
+
+def inverse(world, q, qd, qdd):
+    data = mujoco.MjData(world.model)
+    data.qpos[:], data.qvel[:], data.qacc[:] = q, qd, qdd
+    mujoco.mj_inverse(world.model, data)
+    return np.array(data.qfrc_inverse)
+
+
+def test_torques_are_the_truths(iiwa7, X_FT, truth):
+    world = MujocoWorld(iiwa7, X_FT, None, None, H)
+    cases = truth("iiwa7_rnea.json")
+    assert len(cases) == 25
+    for case in cases:
+        np.testing.assert_allclose(inverse(world, *(case[k] for k in ("q", "qd", "qdd"))), case["tau"], atol=1e-9)
+
+
+def test_torques_with_a_load_on_an_arm_hung_askew_are_pins(crooked, X_FT, load):
+    world, dynamics = MujocoWorld(crooked, X_FT, load, None, H), Dynamics(crooked, load)
+    rng = np.random.default_rng(3)
+    for _ in range(10):
+        state = rng.uniform(-1.5, 1.5, (3, 7))  # within the joints' ranges, whose end stops would push
+        np.testing.assert_allclose(inverse(world, *state), dynamics.torque(*state), rtol=0, atol=1e-9)
+
+
+def test_the_tool_is_where_our_forward_kinematics_has_it(crooked, X_FT):
+    world = MujocoWorld(crooked, X_FT, None, None, H)
+    data = mujoco.MjData(world.model)
+    for q in np.random.default_rng(5).uniform(-2, 2, (20, 7)):
+        data.qpos[:] = q
+        mujoco.mj_forward(world.model, data)
+        X = pose(data.site("tcp").xmat.reshape(3, 3), data.site("tcp").xpos)
+        np.testing.assert_allclose(X, crooked.forward(q) @ X_FT, rtol=0, atol=1e-9)
+
+
+def test_it_stands_still_under_gravity(crooked, X_FT, load):
+    world = MujocoWorld(crooked, X_FT, load, None, H)
+    for measured in (world.reset(START), wait(world, START, 500)):
+        np.testing.assert_allclose(measured.q, START, rtol=0, atol=1e-9)
+        np.testing.assert_allclose(measured.qd, 0, rtol=0, atol=1e-8)
+        np.testing.assert_allclose(
+            measured.tau, Dynamics(crooked, load).gravity_torque(np.array(START)), rtol=0, atol=1e-6
+        )
+        assert measured.contact == (0.0,) * 6
+        assert measured.depth == 0.0
+
+
+def test_it_follows_a_moving_command_by_the_servos_delay_and_its_torques_move_rigid_bodies(iiwa7, X_FT, load):
+    world, dynamics = MujocoWorld(iiwa7, X_FT, load, None, H), Dynamics(iiwa7, load)
+    world.reset(START)
+    rate = 3.0
+
+    def wanted(t):
+        return np.array(START) + 0.1 * (1 - np.cos(rate * t)) * np.array([1, 1, -1, 1, 1, -1, 1])
+
+    worst = 0.0
+    for k in range(1, 1500):
+        measured = world.step(tuple(wanted(k * H)))
+        # a command holds for its period: half of one later than a course through the commands
+        late = wanted(k * H + H - SERVO_DELAY - H / 2) if k > 50 else np.array(measured.q)
+        worst = max(worst, float(np.abs(measured.q - late).max()))
+        if k % 250 == 0:
+            state = (np.array(row) for row in (measured.q, measured.qd, measured.qdd))
+            np.testing.assert_allclose(measured.tau, dynamics.torque(*state), rtol=0, atol=1e-6)
+    # 0.3 rad/s: 1.5 mrad behind, that within 2 %
+    assert worst < 0.02 * 0.3 * SERVO_DELAY
+
+
+@pytest.mark.parametrize("stiffness", [3e3, 3e4, 3e5])
+def test_a_static_press_is_stiffness_times_depth_and_the_motors_bear_it(iiwa7, X_FT, load, floor, stiffness):
+    world = MujocoWorld(iiwa7, X_FT, load, floor(0.002, stiffness, 200.0), H)
+    world.reset(START)
+    measured = wait(world, START, 1500)
+    F = np.array(measured.contact)
+    assert F[2] == pytest.approx(stiffness * measured.depth, rel=1e-6)
+    q = np.array(measured.q)
+    borne = Dynamics(iiwa7, load).gravity_torque(q) - measured.tau
+    np.testing.assert_allclose(borne, iiwa7.jacobian(q, X_FT).T @ F, rtol=0, atol=1e-5)
+    # the arm gives way like a spring behind the wall's: between 20 and 200 kN/m here
+    give = 0.002 - measured.depth
+    assert 2e4 < F[2] / give < 2e5
+
+
+def test_a_soft_press_is_the_spring_worlds(iiwa7, X_FT, load, floor):
+    """Soft against the arm's own give: 1 kN/m, 5 mm deep."""
+    contact = floor(0.005, 1e3, 100.0)
+    here = SpringWorld(iiwa7, X_FT, load, contact, H).reset(START)
+    world = make_world(Engine.MUJOCO, iiwa7, X_FT, load, contact, H)
+    world.reset(START)
+    there = wait(world, START, 1500)
+    assert there.contact[2] == pytest.approx(here.contact[2], rel=0.04)
+    np.testing.assert_allclose(there.tau, here.tau, rtol=0, atol=0.5)
+
+
+def test_sliding_rubs_as_the_spring_world_does(iiwa7, X_FT, load, floor, ball_at):
+    contact = floor(0.004, 5e3, 50.0, 0.3)
+    worlds = [make_world(engine, iiwa7, X_FT, load, contact, H) for engine in Engine]
+    p = (iiwa7.forward(np.array(START)) @ X_FT)[:3, 3]
+    for world in worlds:
+        world.reset(START)
+        wait(world, START, 300)
+    q = START
+    for k in range(1, 301):
+        q = ball_at(p + np.array([0.0, 0.1 * k * H, 0.0]), q, steps=2)  # 0.1 m/s along y
+        spring, physics = (world.step(q) for world in worlds)
+        for measured in (spring, physics):
+            x, y, z = measured.contact[:3]
+            assert z > 0
+            assert np.hypot(x, y) <= 0.3 * z * (1 + 1e-6)
+    assert spring.contact[1] == pytest.approx(-0.3 * spring.contact[2], rel=1e-6)
+    for one, other in zip(spring.contact, physics.contact, strict=True):
+        assert other == pytest.approx(one, rel=0.15, abs=0.05)  # the arm gives way
+    # held against the law at MuJoCo's own state: what convex friction lifts is under 1 %
+    q, qd = np.array(physics.q), np.array(physics.qd)
+    twist = iiwa7.jacobian(q, X_FT) @ qd
+    law = BallOnBoxes(contact).touch(tuple((iiwa7.forward(q) @ X_FT)[:3, 3]), tuple(twist[:3]), tuple(twist[3:]))
+    np.testing.assert_allclose(physics.contact, law.force, rtol=0, atol=0.01 * law.force[2])
+    assert physics.depth == pytest.approx(law.depth, abs=1e-12)
+
+
+@pytest.mark.parametrize("order", [1, -1])
+def test_boxes_add_up_and_a_centre_inside_is_pushed_out_of_the_nearest_face(iiwa7, X_FT, load, order):
+    x, y, z = (iiwa7.forward(np.array(START)) @ X_FT)[:3, 3]
+    tip = 0.02
+    floor = Box("floor", np.array([0.5, 0.5, 0.2]), pose(np.eye(3), [x, y, z - 0.1 - tip + 0.001]))
+    block = Box("block", np.array([0.3, 0.3, 0.3]), pose(np.eye(3), [x, y + 0.15 - 0.003, z + 0.05]))
+    contact = Contact((Obstacle(floor, 5e3, 50.0, 0.0), Obstacle(block, 1e3, 50.0, 0.0))[::order], tip)
+    world = MujocoWorld(iiwa7, X_FT, load, contact, H)
+    world.reset(START)
+    measured = wait(world, START, 1500)
+    q = np.array(measured.q)
+    still = (0.0, 0.0, 0.0)
+    law = BallOnBoxes(contact).touch(tuple((iiwa7.forward(q) @ X_FT)[:3, 3]), still, still)
+    assert law.force[1] < -20
+    assert law.force[2] > 4
+    np.testing.assert_allclose(measured.contact, law.force, rtol=0, atol=1e-4)
+    assert measured.depth == pytest.approx(law.depth, abs=1e-9)
+
+
+@pytest.mark.parametrize("speed", [-0.3, 0.05, 0.2])
+def test_an_approach_is_damped_and_leaving_does_not_pull(iiwa7, X_FT, load, floor, speed):
+    """20 N of spring at 1 mm, 200 N s/m of damper, at one instant."""
+    contact = floor(0.001, 2e4, 200.0)
+    world = MujocoWorld(iiwa7, X_FT, load, contact, H)
+    world.reset(START)
+    qd = np.linalg.pinv(iiwa7.jacobian(np.array(START), X_FT)) @ [0.0, 0.0, speed, 0.0, 0.0, 0.0]
+    world.model.actuator_biasprm[:] = 0.0  # motors off
+    data = mujoco.MjData(world.model)
+    data.qpos[:], data.qvel[:] = START, qd
+    mujoco.mj_forward(world.model, data)
+    force = np.zeros(6)
+    mujoco.mj_contactForce(world.model, data, 0, force)
+    # beside the contact's small inertia times what the free arm accelerates with
+    assert force[0] == pytest.approx(max(0.0, 20.0 - 200.0 * speed), abs=0.02)
+
+
+def test_a_fall_onto_the_floor_never_gains_energy(iiwa7, X_FT, load, floor):
+    """A frictionless spring without damper, motors off: what leaves it is at most what went in."""
+    world = MujocoWorld(iiwa7, X_FT, load, floor(-0.02, 2e4, 0.0, 0.0), H)
+    world.reset(START)
+    model, data = world.model, mujoco.MjData(world.model)
+    model.actuator_biasprm[:], model.actuator_gainprm[:] = 0.0, 0.0
+    data.qpos[:] = START
+    dynamics = Dynamics(iiwa7, load)
+    low, drop, start = 0.0, [], None
+    for k in range(800):
+        mujoco.mj_step(model, data)
+        if k % 20 == 0:
+            mujoco.mj_forward(model, data)
+            q, qd = np.array(data.qpos), np.array(data.qvel)
+            depth = -data.contact[0].dist if data.ncon else 0.0
+            low = max(low, depth)
+            kinetic = qd @ dynamics.mass_matrix(q) @ qd / 2
+            potential = -sum(model.body_mass[i] * model.opt.gravity @ data.xipos[i] for i in range(model.nbody))
+            energy = kinetic + potential + 2e4 * depth**2 / 2
+            start = energy if start is None else start
+            drop.append(energy - start)
+    assert low > 0.001
+    assert max(drop) < 0.02
+    assert min(drop) > -0.2
+
+
+def test_equal_commands_give_equal_measurements_after_a_reset_too(iiwa7, X_FT, load, floor):
+    contact = floor(0.001)
+    rows = []
+    worlds = [MujocoWorld(iiwa7, X_FT, load, contact, H) for _ in range(2)]
+    for world in (*worlds, worlds[0]):
+        first = world.reset(START)
+        rows.append([first] + [world.step(tuple(np.array(START) + 1e-4 * k)) for k in range(30)])
+    assert rows[0] == rows[1] == rows[2]
+    assert rows[0][-1].contact[2] > 0
+
+
+def test_names_and_starts(iiwa7, X_FT, floor):
+    world = MujocoWorld(iiwa7, X_FT, None, floor(0.001), H)
+    assert world.name == f"MuJoCo {mujoco.__version__}"
+    with pytest.raises(ValueError, match="reset comes before"):
+        world.step(START)
+    with pytest.raises(ValueError, match="stiffness -1"):
+        MujocoWorld(iiwa7, X_FT, None, floor(0.001, stiffness=-1.0), H)
+
+
+def test_friction_creeps_under_coulombs_bound_with_the_laws_rise(iiwa7, X_FT, load, floor):
+    """A slow tip: MuJoCo's friction is the law's viscous rise, but for the small inertia it adds."""
+    world = MujocoWorld(iiwa7, X_FT, load, floor(0.002, 1e4, 50.0, 0.5), H)
+    world.reset(START)
+    wait(world, START, 500)
+    for k in range(1, 401):
+        measured = world.step((1e-6 * k, *START[1:]))  # the base turns at 1 mrad/s
+    q, qd = np.array(measured.q), np.array(measured.qd)
+    twist = iiwa7.jacobian(q, X_FT) @ qd
+    v = twist[1] + np.cross(twist[3:], [0.0, 0.0, -(0.02 - measured.depth / 2)])[1]
+    assert 1e-4 < v < 1e-3
+    assert measured.contact[1] == pytest.approx(-FRICTION_RISE * v, rel=0.02)

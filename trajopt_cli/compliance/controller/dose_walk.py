@@ -1,0 +1,362 @@
+"""One period after another along a path, the arm's answer beside it: as far ahead as the lag allows, or as little.
+
+With the equilibrium at P(s) and the arm at p, the bound |P(s) - p| <= b leaves an interval of s on every straight
+stretch, the roots of a quadratic. Eager takes its far end, lazy its near end, never back. A state is safe when lazy
+steps from it keep the bound for ever; lazy steps from a safe state lead to safe states, so a walk that only enters
+safe states can always go on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import ceil, inf, sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from trajopt_cli.compliance.controller.dose_path import DosePath
+from trajopt_cli.compliance.controller.regulator import Coefficients
+from trajopt_cli.geometry import Array
+
+Three = tuple[float, float, float]
+
+SLIVER = 1e-10
+"""Share of a period's way by which one may go too far to end a stretch: rounding of s must not cost a row there."""
+
+_INSIDE = 1e-9  # share of the bound kept free for rounding
+_ROUNDING = 2e-10  # share of the squared bound that a standing equilibrium may seem over it by rounding
+_WINDOW = 3.0  # slowest time constants until which a free response is looked at sample by sample
+_LONGEST = 20_000  # rows of that window
+_PATIENCE = 400_000  # lazy periods after which a state counts as unsafe
+_LOOK = 32  # lazy periods between two looks whether standing still will do, at first
+_SPARSE = 16  # of that many rows of the window one is looked at first
+
+
+class State(NamedTuple):
+    """Where the equilibrium is (sigma past the start of stretch, standing for hold more periods), and the arm."""
+
+    stretch: int
+    sigma: float
+    hold: int
+    p: Three
+    v: Three
+    turn: Three
+    w: Three
+
+
+@dataclass(frozen=True, slots=True)
+class _Stretch:
+    """A straight piece of the path: X(sigma) = origin + slope sigma, 0 <= sigma <= length, d sigma / dt <= cap."""
+
+    length: float
+    cap: float
+    p: Three
+    dp: Three
+    turn: Three
+    dturn: Three
+    mark: bool  # a waypoint ends it, which must become a row
+    hold: int  # periods of standing there
+
+
+class Walk:
+    """A path walked with period h [s]. axes: coefficients of the controller's law for the six coordinates.
+
+    bound [m] and turn_bound [rad], or None: greatest norms of the lag of position and angles.
+    """
+
+    def __init__(
+        self,
+        path: DosePath,
+        h: float,
+        axes: Sequence[Coefficients],
+        bound: float,
+        turn_bound: float | None,
+    ) -> None:
+        self.path, self.h = path, h
+        self.looked = 0  # lazy periods that unsafe_after has walked so far
+        self._square = (bound * (1 - _INSIDE)) ** 2
+        self._turn_square = None if turn_bound is None else (turn_bound * (1 - _INSIDE)) ** 2
+        self._axes = tuple((a, b, p, q) for a, b, _, p, q, _ in axes)
+        self._stretches = _stretches(path, h)
+        last = path.pose[-1].tolist()
+        self._end: tuple[Three, Three] = (_three(last[:3]), _three(last[3:]))
+        moves = moving_axes(path)
+        self._rest = _Rest(self._axes[:3], moves[:3])
+        self._turn_rest = None if turn_bound is None else _Rest(self._axes[3:], moves[3:])
+
+    def start(self) -> State:
+        """Arm and equilibrium at rest in the first pose."""
+        first = self.path.pose[0].tolist()
+        still = (0.0, 0.0, 0.0)
+        hold = sum(_periods(leg.dwell, self.h) for leg in self.path.legs if leg.last == 0)
+        return State(0, 0.0, hold, _three(first[:3]), still, _three(first[3:]), still)
+
+    def done(self, state: State) -> bool:
+        """Whether the equilibrium is in the last pose and has stood there for as long as it should."""
+        return state.stretch == len(self._stretches) and state.hold == 0
+
+    def s(self, state: State) -> float:
+        """The path parameter."""
+        return float(self.path.s[state.stretch]) + state.sigma
+
+    def step(self, state: State, eagerness: float) -> State | None:
+        """The next period's state; eagerness 0 goes on as little as the lag demands, 1 as far as it allows.
+
+        None where no equilibrium ahead within reach keeps the lag's bound.
+        """
+        i, sigma, hold, p, v, turn, w = state
+        p_e, turn_e = self._place(i, sigma)
+        p, v = _answer(self._axes[0:3], p, v, p_e)
+        if self._turn_square is not None:
+            turn, w = _answer(self._axes[3:6], turn, w, turn_e)
+        if hold or i == len(self._stretches):
+            if not self._near(p, p_e, turn, turn_e):
+                return None
+            return State(i, sigma, max(0, hold - 1), p, v, turn, w)
+        if eagerness == 0.0 and self._near(p, p_e, turn, turn_e, 1.0):
+            return State(i, sigma, 0, p, v, turn, w)  # what _reach would find, in a fraction of its time
+        low, high = self._reach(i, sigma, p, turn, eagerness == 0.0)
+        if low is None or high is None:
+            # an arm that passes the path at the bound itself may miss it by rounding
+            return State(i, sigma, 0, p, v, turn, w) if self._near(p, p_e, turn, turn_e) else None
+        i, sigma = high if eagerness == 1.0 else low if eagerness == 0.0 else self._between(low, high, eagerness)
+        stretch = self._stretches[i]
+        if sigma >= stretch.length:
+            return State(i + 1, 0.0, stretch.hold, p, v, turn, w)
+        return State(i, sigma, 0, p, v, turn, w)
+
+    def run(self, state: State, periods: int, eagerness: float) -> list[State]:
+        """The states after each of so many periods; fewer where the path ends, or where the bound would break."""
+        out: list[State] = []
+        for _ in range(periods):
+            if self.done(state):
+                break
+            following = self.step(state, eagerness)
+            if following is None:
+                break
+            out.append(following)
+            state = following
+        return out
+
+    def unsafe_after(self, state: State) -> float:
+        """inf for a safe state; else how many lazy periods it takes until the bound breaks."""
+        look = 0
+        for k in range(_PATIENCE):
+            if k == look:
+                if self._may_stand(state):
+                    self.looked += k
+                    return inf
+                look += max(_LOOK, k // 4)
+            following = self.step(state, 0.0)
+            if following is None:
+                self.looked += k
+                return k
+            state = following
+        self.looked += _PATIENCE
+        return _PATIENCE
+
+    def _place(self, i: int, sigma: float) -> tuple[Three, Three]:
+        if i == len(self._stretches):
+            return self._end
+        x, dx = self._stretches[i].p, self._stretches[i].dp
+        a, da = self._stretches[i].turn, self._stretches[i].dturn
+        return (
+            (x[0] + sigma * dx[0], x[1] + sigma * dx[1], x[2] + sigma * dx[2]),
+            (a[0] + sigma * da[0], a[1] + sigma * da[1], a[2] + sigma * da[2]),
+        )
+
+    def _near(self, p: Three, p_e: Three, turn: Three, turn_e: Three, ease: float = 1 + _ROUNDING) -> bool:
+        far = (p[0] - p_e[0]) ** 2 + (p[1] - p_e[1]) ** 2 + (p[2] - p_e[2]) ** 2
+        if far > self._square * ease:
+            return False
+        if self._turn_square is None:
+            return True
+        far = (turn[0] - turn_e[0]) ** 2 + (turn[1] - turn_e[1]) ** 2 + (turn[2] - turn_e[2]) ** 2
+        return far <= self._turn_square * ease
+
+    def _reach(
+        self, i: int, sigma: float, p: Three, turn: Three, nearest: bool
+    ) -> tuple[tuple[int, float] | None, tuple[int, float] | None]:
+        """Nearest and farthest places of the first run of places within reach that keep the bound.
+
+        nearest: the first alone will do, and the second may be anywhere in that run.
+        """
+        low = high = None
+        time = self.h
+        while True:
+            stretch = self._stretches[i]
+            room = sigma + stretch.cap * time
+            if room > stretch.length - SLIVER * stretch.cap * self.h:
+                room = stretch.length
+            near, far = _within(stretch.p, stretch.dp, p, self._square, sigma, room)
+            if self._turn_square is not None and near <= far:
+                near, far = _within(stretch.turn, stretch.dturn, turn, self._turn_square, near, far)
+            if near <= far:
+                if low is None:
+                    low = (i, near)
+                high = (i, far)
+            if (low is not None and (nearest or far < room)) or room < stretch.length or stretch.mark:
+                return low, high
+            time = max(0.0, time - (stretch.length - sigma) / stretch.cap)
+            i, sigma = i + 1, 0.0
+
+    def _between(self, low: tuple[int, float], high: tuple[int, float], share: float) -> tuple[int, float]:
+        """The place a share of the way from low to high."""
+        lengths = [self._stretches[i].length for i in range(low[0], high[0])]
+        sigma = low[1] + share * (sum(lengths) + high[1] - low[1])
+        for i, length in enumerate(lengths, low[0]):
+            if sigma < length:
+                return i, sigma
+            sigma -= length
+        return high[0], min(sigma, high[1])
+
+    def _may_stand(self, state: State) -> bool:
+        """Whether the bound holds for ever if the equilibrium stays where it is."""
+        p_e, turn_e = self._place(state.stretch, state.sigma)
+        if not self._rest.keeps(state.p, p_e, state.v, self._square * (1 + _ROUNDING / 2)):
+            return False
+        if self._turn_rest is None or self._turn_square is None:
+            return True
+        return self._turn_rest.keeps(state.turn, turn_e, state.w, self._turn_square * (1 + _ROUNDING / 2))
+
+
+class _Rest:
+    """Free responses of three axes: e_n = phi_n e + psi_n v for n = 0, 1, ..., and what holds after the window.
+
+    An axis along which the path never moves (moves is False) has no deviation at any time.
+    """
+
+    def __init__(self, axes: Sequence[tuple[float, float, float, float]], moves: Sequence[bool]) -> None:
+        single = [
+            np.array([[1 + q, p], [b, a]]) if there else np.zeros((2, 2))
+            for (a, b, p, q), there in zip(axes, moves, strict=True)
+        ]
+        rows = min(_LONGEST, ceil(_WINDOW * max(_memory(A) for A in single)) + 2)
+        window = np.stack([_powers(A, rows) for A in single])
+        self._e = np.ascontiguousarray(window[:, 0::2])
+        self._sparse = np.ascontiguousarray(self._e[:, ::_SPARSE])
+        self._last = window[:, -2:].copy()
+        self._after = [_peaks(A) for A in single]
+
+    def keeps(self, x: Three, x_e: Three, v: Three, square: float) -> bool:
+        """Whether ||e_n||^2 <= square for every n, from deviation x - x_e and speed v."""
+        e = (x[0] - x_e[0], x[1] - x_e[1], x[2] - x_e[2])
+        if self._bounded(e, v) <= square:
+            return True
+        start = np.array([[[e[0]], [v[0]]], [[e[1]], [v[1]]], [[e[2]], [v[2]]]])
+        for rows in (self._sparse, self._e):
+            e_n = (rows @ start)[:, :, 0]
+            if float(np.max(np.einsum("in,in->n", e_n, e_n))) > square:
+                return False
+        last = (self._last @ start)[:, :, 0].tolist()
+        e, v = (last[0][0], last[1][0], last[2][0]), (last[0][1], last[1][1], last[2][1])
+        return self._bounded(e, v) <= square
+
+    def _bounded(self, e: Three, v: Three) -> float:
+        """A bound of ||e_n||^2 over all n."""
+        return sum((G * abs(a) + H * abs(b)) ** 2 for (G, H), a, b in zip(self._after, e, v, strict=True))
+
+
+def moving_axes(path: DosePath) -> tuple[bool, ...]:
+    """Along which of the six coordinates the path moves at all."""
+    return tuple(bool(np.any(column != column[0])) for column in path.pose.T)
+
+
+def _answer(axes: Sequence[tuple[float, float, float, float]], x: Three, v: Three, x_e: Three) -> tuple[Three, Three]:
+    """The arm one period later, of three axes without force."""
+    (a0, b0, p0, q0), (a1, b1, p1, q1), (a2, b2, p2, q2) = axes
+    x0, x1, x2 = x
+    v0, v1, v2 = v
+    e0, e1, e2 = x0 - x_e[0], x1 - x_e[1], x2 - x_e[2]
+    return (
+        (x0 + p0 * v0 + q0 * e0, x1 + p1 * v1 + q1 * e1, x2 + p2 * v2 + q2 * e2),
+        (a0 * v0 + b0 * e0, a1 * v1 + b1 * e1, a2 * v2 + b2 * e2),
+    )
+
+
+def _within(origin: Three, slope: Three, x: Three, square: float, low: float, high: float) -> tuple[float, float]:
+    """The part of [low, high] where ||origin + slope sigma - x||^2 <= square; empty as (inf, -inf)."""
+    r0, r1, r2 = x[0] - origin[0], x[1] - origin[1], x[2] - origin[2]
+    d0, d1, d2 = slope
+    A = d0 * d0 + d1 * d1 + d2 * d2
+    C = r0 * r0 + r1 * r1 + r2 * r2 - square
+    if A == 0.0:
+        return (low, high) if square * _ROUNDING >= C else (inf, -inf)
+    B = d0 * r0 + d1 * r1 + d2 * r2
+    under = B * B - A * C
+    if under < 0.0:
+        return inf, -inf
+    root = sqrt(under)
+    low, high = max(low, (B - root) / A), min(high, (B + root) / A)
+    return (low, high) if low <= high else (inf, -inf)
+
+
+def _stretches(path: DosePath, h: float) -> list[_Stretch]:
+    marks = {leg.last for leg in path.legs}
+    holds: dict[int, int] = {}
+    for leg in path.legs:
+        if leg.dwell:
+            holds[leg.last] = holds.get(leg.last, 0) + _periods(leg.dwell, h)
+    ds = np.diff(path.s)
+    slopes = (np.diff(path.pose, axis=0) / ds[:, None]).tolist()
+    return [
+        _Stretch(
+            length=length,
+            cap=cap,
+            p=_three(pose[:3]),
+            dp=_three(slope[:3]),
+            turn=_three(pose[3:]),
+            dturn=_three(slope[3:]),
+            mark=row + 1 in marks,
+            hold=holds.get(row + 1, 0),
+        )
+        for row, (length, cap, pose, slope) in enumerate(
+            zip(ds.tolist(), path.cap.tolist(), path.pose[:-1].tolist(), slopes, strict=True)
+        )
+    ]
+
+
+def _periods(seconds: float, h: float) -> int:
+    """A dwell in whole periods, as the equilibrium had it."""
+    return round(seconds / h)
+
+
+def _memory(A: Array) -> float:
+    """Time constant of A^n in periods."""
+    radius = float(np.max(np.abs(np.linalg.eigvals(A))))
+    return 0.0 if radius >= 1 or radius == 0 else -1 / float(np.log(radius))
+
+
+def _powers(A: Array, rows: int) -> Array:
+    """The matrices A^0 .. A^(rows - 1) under one another, (2 rows, 2)."""
+    out = np.empty((rows, 2, 2))
+    out[0] = np.eye(2)
+    filled = 1
+    while filled < rows:  # doubling: A^(filled + j) = A^filled A^j
+        more = min(filled, rows - filled)
+        out[filled : filled + more] = (A @ out[filled - 1]) @ out[:more]
+        filled += more
+    return out.reshape(2 * rows, 2)
+
+
+def _peaks(A: Array) -> tuple[float, float]:
+    """G, H with |e_n| <= G |e_0| + H |v_0| for all n, of an axis that comes to rest; H in s."""
+    rows = 64
+    while True:
+        powers = _powers(A, rows).reshape(rows, 2, 2)
+        G, H = float(np.max(np.abs(powers[:, 0, 0]))), float(np.max(np.abs(powers[:, 0, 1])))
+        if H == 0.0:
+            return G, H
+        # e in units of G and v of G / H: once a block of rows is a contraction there that makes up for the largest
+        # power before it, no later power is beyond G and H.
+        scaled = np.abs(powers) * np.array([[1.0, G / H], [H / G, 1.0]])
+        sums = np.sum(scaled, axis=2)
+        if float(np.max(sums[-1])) * float(np.max(sums)) <= 1.0:
+            return G, H
+        rows *= 2
+
+
+def _three(values: Sequence[float]) -> Three:
+    x, y, z = values
+    return (x, y, z)

@@ -1,0 +1,29 @@
+"""The experiments as a folder: numbers, pictures, and apart from them what a clock measured."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from trajopt_cli.compliance.experiments.catalogue import Experiments
+from trajopt_cli.compliance.experiments.pictures import pictures
+from trajopt_cli.compliance.experiments.record import record
+from trajopt_cli.runs.folder import EXPERIMENTS, write_run
+from trajopt_cli.runs.folder import record as as_json
+
+_MEASURED = "measured"
+
+
+def write_experiments(folder: Path, experiments: Experiments) -> int:
+    """Write experiments.json, measured.json and the pictures; how many files that are.
+
+    Everything but measured.json, its picture and run.json is the same bytes each time. Raises InputError where folder
+    may not be replaced.
+    """
+    numbers = record(experiments)
+    files = {
+        "experiments.json": as_json({name: part for name, part in numbers.items() if name != _MEASURED}),
+        "measured.json": as_json(numbers[_MEASURED]),
+        **pictures(experiments),
+    }
+    write_run(folder, EXPERIMENTS, ("numpy", "pin", "scipy"), files, {})
+    return len(files)

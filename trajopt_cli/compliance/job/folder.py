@@ -1,0 +1,159 @@
+"""A task with its sequence, as read from a folder and written into one."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from trajopt_cli.compliance.job.task_folder import (
+    EQUILIBRIUM,
+    QUATERNIONS,
+    SequenceRecord,
+    TaskFolder,
+    read_task_folder,
+    sequence_of,
+    write_task_folder,
+)
+from trajopt_cli.compliance.task.equilibrium import Equilibrium, Piece
+from trajopt_cli.compliance.task.model import AngleMeaning, RotationLaw, Task
+from trajopt_cli.errors import InputError
+from trajopt_cli.runs.folder import RUN
+
+if TYPE_CHECKING:
+    from trajopt_cli.geometry import Array
+    from trajopt_cli.robot.srs import SrsRobot
+
+
+@dataclass(frozen=True, eq=False)
+class Opened:
+    """A task, its robot, mounted, and its equilibrium sequence; folder: where it came from, None for a fresh one."""
+
+    task: Task
+    robot: SrsRobot
+    equilibrium: Equilibrium
+    folder: TaskFolder | None = None
+
+    @property
+    def X_start(self) -> Array:
+        """The tool in the world (4, 4) where the controller is switched on."""
+        return self.robot.forward(self.task.start_joints) @ self.task.X_FT
+
+
+def check_place(place: Path | None, option: str) -> None:
+    """Before the work: place can be made, and lies in no results folder, which what it did not write would spoil.
+
+    Raises InputError naming the option.
+    """
+    if place is None:
+        return
+    full = place.absolute()
+    try:
+        for outer in (full, *full.parents):
+            if outer.exists() and not outer.is_dir():
+                raise InputError(f"is a file; {option} names a folder", file=str(outer))
+            if (outer / RUN).is_file() and (outer != full or option != "--output"):
+                message = f"{option}: lies in the results folder {outer}, which keeps to its own files; choose another"
+                raise InputError(message, file=str(place))
+    except OSError as error:
+        raise InputError(f"{option}: {error.strerror}", file=str(place)) from error
+
+
+def open_folder(folder: Path) -> Opened:
+    """A folder read back: its task, and the sequence as its files have it. Raises InputError if it is none."""
+    from trajopt_cli.compliance.task.equilibrium_csv import read_angles_csv, read_quaternion_csv
+    from trajopt_cli.compliance.task.loader import load_task
+    from trajopt_cli.robot.srs import load_srs
+
+    found = read_task_folder(folder)
+    record = sequence_of(found)
+    task = load_task(found.task_path, found.program_path)
+    robot = load_srs(task.robot, task.X_WB)
+    _, pose = read_angles_csv(found.text(EQUILIBRIUM), str(folder / EQUILIBRIUM))
+    _, _, R_WT = read_quaternion_csv(found.text(QUATERNIONS), str(folder / QUATERNIONS))
+    if not len(pose) == len(R_WT) == record.rows:
+        rows = f"{len(pose)} and {len(R_WT)} rows, summary.json says {record.rows}"
+        raise InputError(f"{EQUILIBRIUM} and {QUATERNIONS} have {rows}; make the folder again", file=str(folder))
+    if abs(record.period_s - task.route.h) > 1e-9 * task.route.h:
+        message = (
+            f"summary.json has a period of {record.period_s:g} s, the task {task.route.h:g} s; make the folder again"
+        )
+        raise InputError(message, file=str(folder))
+    sequence = _sequence(record, pose, R_WT, robot.forward(task.start_joints) @ task.X_FT)
+    return Opened(task, robot, sequence, found)
+
+
+def counted_from_start(opened: Opened) -> Opened:
+    """The same with angles counted from the start's orientation, as the controller means them.
+
+    Raises InputError where an angle then passes its limit.
+    """
+    from trajopt_cli.compliance.task.meaning import counted
+
+    try:
+        sequence = counted(opened.equilibrium, AngleMeaning.RELATIVE, opened.X_start[:3, :3])
+    except InputError as error:
+        raise InputError(str(error), file=opened.task.file) from error
+    return replace(opened, equilibrium=sequence)
+
+
+def read_summary(folder: Path) -> Mapping[str, Any]:
+    """summary.json of a folder: one section per command."""
+    return read_task_folder(folder).summary
+
+
+def add_to_folder(opened: Opened, files: Mapping[str, bytes], sections: Mapping[str, Any]) -> None:
+    """Write the folder anew with these files and these sections of its summary added or replaced."""
+    found = opened.folder
+    assert found is not None
+    write_task_folder(
+        found.folder,
+        {**found.files, **files},
+        {**found.summary, **sections},
+        found.task,
+        found.program,
+        found.options,
+    )
+
+
+def sequence_files(opened: Opened) -> dict[str, bytes]:
+    """The sequence as CSV: angles, and quaternions of the tool in the world."""
+    from trajopt_cli.compliance.task.equilibrium_csv import write_angles_csv, write_quaternion_csv
+
+    sequence = opened.equilibrium
+    R_WT = sequence.rotations(opened.X_start[:3, :3])
+    return {
+        EQUILIBRIUM: write_angles_csv(sequence).encode(),
+        QUATERNIONS: write_quaternion_csv(sequence.t, sequence.pose[:, :3], R_WT).encode(),
+    }
+
+
+def sequence_record(opened: Opened) -> dict[str, Any]:
+    """What summary.json says of a sequence."""
+    sequence, route = opened.equilibrium, opened.task.route
+    return {
+        "robot": opened.task.robot,
+        "period_s": sequence.h,
+        "duration_s": sequence.duration,
+        "rows": len(sequence.pose),
+        "profile": route.profile.value,
+        "rotation": sequence.rotation.value,
+        "angles": sequence.meaning.value,
+        "pieces": [
+            {"first": one.first, "last": one.last, "from": one.origin, "to": one.goal, "dwell": one.dwell}
+            for one in sequence.pieces
+        ],
+    }
+
+
+def _sequence(record: SequenceRecord, pose: Array, R_WT: Array, X_start: Array) -> Equilibrium:
+    """A sequence from its files; its matrices count as its angles do."""
+    from trajopt_cli.compliance.task.angles import rotation
+
+    law, meaning = RotationLaw(record.rotation), AngleMeaning(record.angles)
+    pieces = tuple(Piece(*piece) for piece in record.pieces)
+    R = rotation(pose[:, 3:])
+    if law is RotationLaw.SLERP:
+        R = R_WT @ X_start[:3, :3].T if meaning is AngleMeaning.RELATIVE else R_WT
+    return Equilibrium(record.period_s, pose, R, law, meaning, pieces)

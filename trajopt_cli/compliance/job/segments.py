@@ -1,0 +1,135 @@
+"""`trajopt iiwa segments`: a task's poses to the sequence the controller is fed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from trajopt_cli.compliance.job.folder import Opened, check_place, sequence_files, sequence_record
+from trajopt_cli.compliance.job.task_folder import write_task_folder
+from trajopt_cli.compliance.task.model import AngleMeaning, Task
+from trajopt_cli.errors import InputError
+from trajopt_cli.runs.folder import check_replaceable, read_bytes
+
+if TYPE_CHECKING:
+    from trajopt_cli.compliance.task.segments import SegmentFacts
+
+_RAPID = (".mod", ".prg", ".sys")
+_AT_START = 1e-6  # m, rad: nearer counts as the same pose
+
+
+@dataclass(frozen=True, eq=False)
+class Segments:
+    """What `segments` made: the sequence and, per segment, its facts."""
+
+    opened: Opened
+    facts: tuple[SegmentFacts, ...]
+    notes: tuple[str, ...]
+    folder: Path
+
+
+def read_task(path: Path, task: Path | None = None) -> tuple[Task, Path, Path | None]:
+    """A task, its file, and the RAPID program that gives its poses where path is one (task: its file, else beside it).
+
+    Raises InputError for mistakes in either.
+    """
+    from trajopt_cli.compliance.task.loader import load_task, minimal_task
+
+    if path.suffix.lower() not in _RAPID:
+        if task is not None:
+            raise InputError("--task goes with a RAPID program; this is a task file itself", file=str(path))
+        return load_task(path), path, None
+    beside = task or path.with_suffix(".yaml")
+    if not path.is_file():
+        raise InputError("no such program", file=str(path))
+    if not beside.is_file():
+        message = f"{path} has no task file; name one with --task, or save these lines there and adapt them"
+        raise InputError(f"{message}:\n{minimal_task(path.name)}", file=str(beside))
+    return load_task(beside, path), beside, path
+
+
+def make_segments(path: Path, folder: Path, task: Path | None, angles: AngleMeaning | None) -> Segments:
+    """Interpolate a task file's (or RAPID program's) poses and write folder.
+
+    angles: how the sequence counts them, None for the task's own way. Raises InputError for mistakes, and nothing is
+    written then.
+    """
+    from trajopt_cli.compliance.task.meaning import counted
+    from trajopt_cli.compliance.task.segments import interpolate, summary
+    from trajopt_cli.robot.srs import load_srs
+
+    check_place(folder, "--output")
+    check_replaceable(folder)
+    read, task_path, program = read_task(path, task)
+    equilibrium = interpolate(read.route)
+    robot = load_srs(read.robot, read.X_WB)
+    opened = Opened(read, robot, equilibrium)
+    facts = summary(equilibrium, read.route)
+    if angles is not None:
+        try:
+            equilibrium = counted(equilibrium, angles, opened.X_start[:3, :3])
+        except InputError as error:
+            raise InputError(str(error), file=str(task_path)) from error
+        opened = replace(opened, equilibrium=equilibrium)
+    notes = (*read.notes, *equilibrium.notes, *_start_notes(opened))
+    inputs = _inputs(read, task_path, program)
+    files = {f"input/{name}": content for name, content in inputs.items()} | sequence_files(opened)
+    section = sequence_record(opened) | {
+        "segments": [_fact_record(one) for one in facts],
+        "notes": list(notes),
+    }
+    write_task_folder(
+        folder,
+        files,
+        {"task": task_path.name, "sequence": section},
+        f"input/{task_path.name}",
+        None if program is None else f"input/{program.name}",
+        {"command": "segments", "angles": equilibrium.meaning.value},
+    )
+    return Segments(opened, facts, notes, folder)
+
+
+def _fact_record(fact: SegmentFacts) -> dict[str, Any]:
+    return {
+        "from": fact.origin,
+        "to": fact.goal,
+        "length_m": fact.L_p,
+        "turn_rad": fact.L_theta,
+        "duration_s": fact.duration,
+        "top_speed_m_s": fact.v_top,
+        "top_turn_rate_rad_s": fact.omega_top,
+        "binding": fact.binds,
+        "dwell_s": fact.dwell,
+    }
+
+
+def _start_notes(opened: Opened) -> tuple[str, ...]:
+    """What the controller would do where the sequence does not begin where it is switched on."""
+    import numpy as np
+
+    from trajopt_cli.geometry import axis_angle
+    from trajopt_cli.units import MM
+
+    X, sequence = opened.X_start, opened.equilibrium
+    away = float(np.linalg.norm(sequence.pose[0, :3] - X[:3, 3]))
+    turned = axis_angle(X[:3, :3].T @ sequence.rotations(X[:3, :3])[0])[1]
+    if away < _AT_START and turned < _AT_START:
+        return ()
+    return (
+        f"the first pose is {away / MM:.4g} mm and {np.degrees(turned):.4g}° from the tool at the start joints:"
+        " a controller switched on there is pulled to it at once",
+    )
+
+
+def _inputs(task: Task, task_path: Path, program: Path | None) -> dict[str, bytes]:
+    """The files the task was read from, by the name they get in the folder."""
+    inputs = {task_path.name: read_bytes(task_path)}
+    if program is not None and program.name == task_path.name:
+        raise InputError("--task has the program's own name; give the task file another", file=str(task_path))
+    if program is not None:
+        inputs[program.name] = read_bytes(program)
+    for path in map(Path, task.sources):
+        if path not in (task_path, program):
+            inputs[path.relative_to(task_path.parent).as_posix()] = read_bytes(path)
+    return inputs

@@ -1,0 +1,1 @@
+"""Pictures of compliant runs: forces, following, dosing, stability, space."""

@@ -1,0 +1,1 @@
+"""Results folders: one format, one atomic writer, records checked when they are read back."""

@@ -1,0 +1,284 @@
+"""Row `bang-bang`: the thesis' generator as a plan (Krotký 2014, 3.1 and 5.1), whatever the joints make of it.
+
+Every Cartesian axis of the TCP, seen from the carriage, runs on its own at the tool's caps, 20 m/s2 and 2.5 m/s each;
+the orientation turns by slerp under the programmed reorientation speed, reached as soon as an axis reaches its own; the
+rail is one more axis. All axes of a move start together and arrive together: in the least time that all of them can
+take, the faster ones cruising more slowly, so the arm waits for the rail or the rail for the arm without standing.
+Lines keep their path and their programmed speed, as the thesis does in its functional areas; for other moves it takes
+the axes' limits. At a point without a wait an axis keeps speed v if it goes on the same way, v^2 <= a D for the ways D
+of both moves: so each can still come to rest on its way, and no time a slower axis needs is out of reach. Into and out
+of a line it keeps what runs along the line, if every axis of it goes on. Else, and where the program waits, it stops.
+
+Rail positions at the points and the arm's configuration are the fixed-rail plan's. The joints' motion is the inverse
+kinematics of all that. Joint limits play no part in it: as a rule the result is not legal.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import partial
+from itertools import pairwise
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, axis_angle, inverse_pose, pose, rotation_about
+from trajopt_cli.motion import SignalEvent, Wait
+from trajopt_cli.problem.plan import Infeasible
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.robot.inverse import inverse, solutions, why_unreachable
+from trajopt_cli.study.bang_bang import AxisMotion, common_time, in_time
+from trajopt_cli.study.case import Answer, Attempt, Case
+from trajopt_cli.study.legs import Leg, LegKind, Line, fixed_rail
+from trajopt_cli.study.rows import LONGER, Piece, apart, hold, rows_of
+
+_STEP = 1e-3  # s between places where the motion is looked at before it is accepted
+_POINT = 1e-9  # m, rad: no way at all
+_SAME = 1e-6  # rad: the arm arrives in the configuration of the plan
+_ATTEMPTS = 250  # so that a move is lengthened by a millisecond at most
+
+
+def bang_bang_row(case: Case) -> Answer:
+    """The program by the thesis' generator. Infeasible where the Cartesian motion leaves the workspace or would have to
+    change the configuration on its way, where a programmed time is too short, or where there is no fixed-rail plan."""
+    given = fixed_rail(case)
+    if isinstance(given, Infeasible):
+        return given
+    moves = [_move(case.plant, leg) for leg in given.legs]
+    pieces = []
+    speeds = _speeds(moves)
+    for move, v_0, v_1 in zip(moves, speeds, speeds[1:], strict=False):
+        piece = _piece(case.plant, move, v_0, v_1)
+        if isinstance(piece, Infeasible):
+            return piece
+        pieces.append(piece)
+    end = given.legs[-1].q_1 if given.legs else case.plant.start
+    trajectory = rows_of(case.plant.robot.axis_names, pieces or [hold(end, 1e-3)], end)
+    caps = case.plant.tcp
+    notes = (
+        f"each Cartesian axis by itself at {caps.acceleration:g} m/s² and {caps.speed:g} m/s; joint limits are ignored",
+        "points without a wait are passed at speed where the way goes on",
+        *given.notes,
+    )
+    return Attempt(given.program, trajectory, notes=notes)
+
+
+@dataclass(frozen=True, eq=False)
+class _Move:
+    """A leg as the generator sees it. way (m,): displacement of its axes; v_max, a_max (m,): their limits.
+
+    Joint moves: x, y, z of the TCP seen from the carriage [m], the turn [rad], the rail [m]. Lines: one axis, the
+    length [m] (or turn [rad]) along the line. Holds: none. X_0 (4, 4): the TCP at the begin as if the rail stood at 0.
+    along (3,): the line's direction, None for other moves and for lines that turn only or carry the rail along.
+    """
+
+    leg: Leg
+    X_0: Array
+    turn_axis: Array
+    way: Array
+    v_max: Array
+    a_max: Array
+    along: Array | None = None
+
+
+def _move(plant: Plant, leg: Leg) -> _Move:
+    X_0, X_1 = (_from_carriage(plant, q) @ leg.X_FT for q in (leg.q_0, leg.q_1))
+    axis, angle = axis_angle(X_0[:3, :3].T @ X_1[:3, :3])
+    caps, motion = plant.tcp, leg.motion
+    if leg.kind is LegKind.HOLD or isinstance(motion, Wait | SignalEvent):
+        return _Move(leg, X_0, axis, np.zeros(0), np.zeros(0), np.zeros(0))
+    turning = motion.speed.v_ori
+    softly = turning * (caps.acceleration / caps.speed)
+    rail = plant.robot.has_rail
+    way_rail = float(leg.q_1[0] - leg.q_0[0]) if rail else 0.0
+    if leg.kind is LegKind.JOINT:
+        way = np.r_[X_1[:3, 3] - X_0[:3, 3], angle, way_rail]
+        way[np.abs(way) < _POINT] = 0.0
+        v_rail, a_rail = (plant.limits.velocity[0], plant.limits.acceleration[0]) if rail else (1.0, 1.0)
+        return _Move(
+            leg,
+            X_0,
+            axis,
+            way,
+            np.r_[[caps.speed] * 3, turning, v_rail],
+            np.r_[[caps.acceleration] * 3, softly, a_rail],
+        )
+    line = Line.of(plant, leg)
+    chord = line.X_1[:3, 3] - line.X_0[:3, 3]
+    length = line.chord if line.chord > _POINT else max(line.angle, abs(way_rail))
+    steepest = float(np.abs(chord).max()) / length
+    v = [leg.v_tcp * length / max(line.chord, _POINT), caps.speed / max(steepest, _POINT)]
+    a = [caps.acceleration / max(steepest, _POINT)]
+    if line.angle > _POINT:
+        v.append(turning * length / line.angle)
+        a.append(softly * length / line.angle)
+    if abs(way_rail) > _POINT:
+        v.append(float(plant.limits.velocity[0]) * length / abs(way_rail))
+        a.append(float(plant.limits.acceleration[0]) * length / abs(way_rail))
+    plain = line.chord > _POINT and abs(way_rail) <= _POINT
+    return _Move(
+        leg, X_0, axis, np.array([length]), np.array([min(v)]), np.array([min(a)]), chord / length if plain else None
+    )
+
+
+def _from_carriage(plant: Plant, q: Array) -> Array:
+    """Flange pose (4, 4) as if the rail stood at 0."""
+    return plant.robot.forward(np.r_[[0.0] if plant.robot.has_rail else [], q[-6:]])
+
+
+def _speeds(moves: Sequence[_Move]) -> list[tuple[Array, Array]]:
+    """At every point the speeds with which the move before it ends and the one after it begins, in each move's own
+    axes; element k + 1 belongs to the point after move k."""
+    none = np.zeros(0)
+    out = [(none, np.zeros(len(moves[0].way)) if moves else none)]
+    for before, after in pairwise(moves):
+        out.append(_through(before, after))
+    out.append((np.zeros(len(moves[-1].way)) if moves else none, none))
+    return out
+
+
+def _through(before: _Move, after: _Move) -> tuple[Array, Array]:
+    """Speeds at the point between two moves, in the axes of the one and of the other."""
+    rest = np.zeros(len(before.way)), np.zeros(len(after.way))
+    timed = before.leg.duration is not None or after.leg.duration is not None
+    if timed or not len(before.way) or not len(after.way) or not np.array_equal(before.leg.X_FT, after.leg.X_FT):
+        return rest
+    kinds = before.leg.kind, after.leg.kind
+    if kinds == (LegKind.JOINT, LegKind.JOINT):
+        goes_on = before.way * after.way > 0
+        goes_on[3] = False  # the two turns have axes of their own
+        kept = np.where(goes_on, np.sign(after.way) * np.minimum(_able(before), _able(after)), 0.0)
+        return kept, kept
+    if kinds == (LegKind.LINE, LegKind.LINE):
+        if before.along is None or after.along is None or before.along @ after.along < 1 - _POINT:
+            return rest
+        both = np.minimum(_able(before), _able(after))
+        return both, both
+    line, joint = (before, after) if kinds[0] is LegKind.LINE else (after, before)
+    if line.along is None:
+        return rest
+    used = np.abs(line.along) > _POINT
+    if np.any(joint.way[:3][used] * line.along[used] <= 0):
+        return rest
+    v = float(min(_able(line)[0], np.min(_able(joint)[:3][used] / np.abs(line.along[used]))))
+    at_joint = np.r_[v * np.where(used, line.along, 0.0), 0.0, 0.0]
+    return (np.array([v]), at_joint) if line is before else (at_joint, np.array([v]))
+
+
+def _able(move: _Move) -> Array:
+    """The speeds (m,) a move's axes may have at its ends: half the way each to brake, (2 ends) v^2 / 2a <= D."""
+    return np.minimum(move.v_max, np.sqrt(move.a_max * np.abs(move.way)))
+
+
+def _piece(plant: Plant, move: _Move, begin: tuple[Array, Array], end: tuple[Array, Array]) -> Piece | Infeasible:
+    leg = move.leg
+    if leg.kind is LegKind.HOLD:
+        return hold(leg.q_0, leg.lasts)
+    task = 0.0, begin[1], move.way, end[0], move.v_max, move.a_max
+    T = common_time(*task)
+    if leg.duration is not None:
+        if leg.duration * (1 + 1e-9) < T:
+            return leg.refusal(f"cannot be made in {leg.duration:g} s: the generator needs {T:.4f} s")
+        T = max(T, leg.duration)
+    motion = in_time(*task, T)
+    for attempt in range(1, _ATTEMPTS):
+        if leg.duration is not None or apart(_switches(motion)):
+            break
+        motion = in_time(*task, T + attempt * LONGER)
+    duration = float(motion.duration.max())
+    if leg.kind is LegKind.LINE:
+        return Piece(duration, _switches(motion), partial(_on_line, Line.of(plant, leg), move, motion))
+    space = _Space(plant, move, motion, duration, _branch(plant, leg))
+    refused = space.refusal()
+    return refused or Piece(duration, _switches(motion), space.at)
+
+
+def _switches(motion: AxisMotion) -> Array:
+    """All switches of axes that move; the ends are those of the move."""
+    moving = np.any(motion.accelerations * motion.phases != 0, axis=1) | (motion.v_0 != 0)
+    times = motion.switches[moving] if moving.any() else motion.switches[:1]
+    times = np.minimum(times, motion.duration.max())
+    return np.unique(np.r_[0.0, times.ravel(), motion.duration.max()])
+
+
+def _on_line(line: Line, move: _Move, motion: AxisMotion, t: Array) -> tuple[Array, Array]:
+    s, v, _ = motion.at(t)
+    q = line.positions(np.clip(s[0] / move.way[0], 0.0, 1.0))
+    return q, line.slopes(q) * (v[0] / move.way[0])[:, None]
+
+
+def _branch(plant: Plant, leg: Leg) -> int:
+    """The branch (cfx) that a leg begins on."""
+    X_WF = plant.robot.forward(leg.q_0)
+    found = inverse(plant.robot, X_WF[None], leg.q_0[:1] if plant.robot.has_rail else None)[0]
+    off = found - leg.q_0[-6:]
+    return int(np.nanargmin(np.abs(off - 2 * np.pi * np.round(off / (2 * np.pi))).max(axis=1)))
+
+
+@dataclass(frozen=True, eq=False)
+class _Space:
+    """A joint move through space: axes' motion of x, y, z, turn and rail, on one branch of the arm."""
+
+    plant: Plant
+    move: _Move
+    motion: AxisMotion
+    duration: float
+    cfx: int
+
+    def arm(self, t: Array) -> Array:
+        """Arm joints (n, 6) at times (n,) in order, NaN out of reach; turns as near as can be from each to the next."""
+        s = self.motion.at(t)[0]
+        X_0 = self.move.X_0
+        X_BT = pose(X_0[:3, :3] @ rotation_about(self.move.turn_axis, s[3]), X_0[:3, 3] + s[:3].T)
+        X_BF = X_BT @ inverse_pose(self.move.leg.X_FT)
+        found = inverse(self.plant.robot, X_BF, np.zeros(len(t)) if self.plant.robot.has_rail else None)[:, self.cfx]
+        return np.unwrap(np.vstack([self.move.leg.q_0[-6:], found]), axis=0)[1:]
+
+    def at(self, t: Array) -> tuple[Array, Array]:
+        """Axes and their speeds (n, k) at times (n,)."""
+        dense = np.union1d(t, np.arange(0.0, self.duration, _STEP))  # for the turns, should rows be few
+        arm = self.arm(dense)[np.searchsorted(dense, t)]
+        s, v, _ = self.motion.at(t)
+        robot, leg = self.plant.robot, self.move.leg
+        q = np.column_stack([leg.q_0[0] + s[4], arm]) if robot.has_rail else arm
+        axis_W = self.move.X_0[:3, :3] @ self.move.turn_axis
+        V = np.vstack([v[:3], axis_W[:, None] * v[3]]).T  # of the TCP, seen from the carriage
+        # the pseudo-inverse has an answer at a singularity too
+        qd = (np.linalg.pinv(robot.jacobian(q, leg.X_FT)[..., -6:], rcond=1e-12) @ V[..., None])[..., 0]
+        return q, np.column_stack([v[4], qd]) if robot.has_rail else qd
+
+    def refusal(self) -> Infeasible | None:
+        """Why the arm cannot follow, if so: the first place out of reach, or another configuration at the end."""
+        leg, robot = self.move.leg, self.plant.robot
+        t = np.r_[np.arange(0.0, self.duration, _STEP), self.duration]
+        arm = self.arm(t)
+        lost = np.flatnonzero(np.isnan(arm).any(axis=1))
+        if lost.size:
+            i = int(lost[0])
+            s = self.motion.at(t[i : i + 1])[0][:, 0]
+            rail = float(leg.q_0[0] + s[4]) if robot.has_rail else None
+            X_BT = self.move.X_0 @ pose(rotation_about(self.move.turn_axis, s[3]), np.zeros(3))
+            X_BT[:3, 3] += s[:3]
+            X_WT = (
+                X_BT
+                if robot.rail_axis_W is None
+                else pose(X_BT[:3, :3], X_BT[:3, 3] + (rail or 0.0) * robot.rail_axis_W)
+            )
+            X_WF = X_WT @ inverse_pose(leg.X_FT)
+            others = solutions(robot, X_WF, rail, self.plant.limits)
+            why = (
+                f"configuration {self.cfx} ends there"
+                if others
+                else why_unreachable(robot, X_WF, rail, self.plant.limits)
+            )
+            x, y, z = X_WT[:3, 3] * 1e3
+            where = "" if rail is None else f" at rail {rail * 1e3:.1f} mm"
+            return leg.refusal(
+                f"leaves the workspace after {t[i]:.3f} of {self.duration:.3f} s, point [{x:.1f}, {y:.1f}, {z:.1f}]"
+                f" mm{where}: {why}"
+            )
+        if np.abs(arm[-1] - leg.q_1[-6:]).max() > _SAME:
+            return leg.refusal(
+                "ends in another configuration than it begins in; an arm that follows the TCP through space keeps one"
+            )
+        return None

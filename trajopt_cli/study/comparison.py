@@ -1,0 +1,230 @@
+"""`compare`: every baseline on one job, judged, and the saving by cause; composes engines as the pipeline does."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from trajopt_cli.beside import in_turns
+from trajopt_cli.job import Job
+from trajopt_cli.motion import Program, Wait
+from trajopt_cli.pipeline import Listener, NoPlan, judge
+from trajopt_cli.problem.freedom import EVERYTHING, Freedom, RailFreedom
+from trajopt_cli.problem.plan import Infeasible, Plan, Target
+from trajopt_cli.problem.progress import Progress
+
+if TYPE_CHECKING:
+    from trajopt_cli.findings import Report
+    from trajopt_cli.study.case import Answer, Attempt, Case, RailRule, Solve
+    from trajopt_cli.study.table import Baseline
+
+_EQUAL = 1e-6  # s: two plans this close are equally fast
+
+
+@dataclass(frozen=True, eq=False)
+class Tried:
+    """A baseline's motion and what the judge said of its CSV text."""
+
+    attempt: Attempt
+    report: Report
+
+
+Result = Tried | Infeasible | NoPlan | str  # the text says why there is nothing to say
+Tell = Callable[[tuple[str, Progress]], None]
+Question = tuple[Target, Freedom]
+
+
+@dataclass(frozen=True, eq=False)
+class Row:
+    """One line of a comparison."""
+
+    name: str
+    baseline: Baseline
+    result: Result
+
+
+@dataclass(frozen=True, eq=False)
+class Step:
+    """One cause of the saving. plan: the fastest legal one up to here. saved: seconds against the step before.
+
+    why_not: what became of the step's own plan where the one before stands; empty where the plan is its own.
+    """
+
+    name: str
+    plan: Plan
+    saved: float
+    why_not: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Comparison:
+    """waits: seconds of programmed waiting in every row. steps: the saving by cause, or why it cannot be told."""
+
+    job: Job
+    rows: tuple[Row, ...]
+    steps: tuple[Step, ...] | str
+    waits: float
+
+
+def compare(job: Job, listen: Listener, rule: RailRule | None = None) -> Comparison:
+    """Every baseline on this job, judged, in the table's order, and the saving by cause. rule: of the row `thesis`."""
+    from trajopt_cli.study.causes import causes
+    from trajopt_cli.study.table import BASELINES
+
+    study = _Study(job, rule)
+    reasons = causes(job.plant, study.optional)
+    names = {study.question(cause.target, cause.freedom): cause.name for cause in reasons}
+    asks = {name: study.question(one.target, one.freedom) for name, one in BASELINES.items() if one.freedom}
+    names |= {question: name for name, question in asks.items()}
+
+    tasks: dict[str, Callable[[Tell], dict[Question | str, Result]]] = {}
+    for question, name in sorted(names.items(), key=_effort):
+        following = [later for later, one in BASELINES.items() if one.after and asks[one.after] == question]
+        tasks[name] = partial(study.answer, name, question, following)
+    alone = [name for name, one in BASELINES.items() if not one.freedom and not one.after]
+    tasks |= {name: partial(study.make, name) for name in alone}
+    results: dict[Question | str, Result] = {}
+    for found in in_turns(tasks, lambda told: listen(*told)).values():
+        results |= found
+    rows = tuple(Row(name, one, results[asks.get(name, name)]) for name, one in BASELINES.items())
+    steps = _steps([(cause.name, results[study.question(cause.target, cause.freedom)]) for cause in reasons])
+    waits = sum(motion.duration for motion in job.program.motions if isinstance(motion, Wait))
+    return Comparison(job, rows, steps, waits)
+
+
+def comparison_pictures(answer: Comparison) -> dict[str, bytes]:
+    """Bars of all rows, the saving by cause, and the pictures of the fastest legal plan, by file name."""
+    from trajopt_cli.pipeline import plan_pictures
+    from trajopt_cli.report.pictures import comparison, savings
+
+    name = answer.job.title
+    tried = [(row.name, row.result) for row in answer.rows if isinstance(row.result, Tried)]
+    bars = [(label, one.attempt.trajectory.duration, one.report.legal) for label, one in tried]
+    out = comparison(bars, name) if bars else {}
+    if not isinstance(answer.steps, str):
+        out |= savings([(step.name, step.plan.duration) for step in answer.steps], name)
+    own = [
+        one.attempt.plan
+        for _, one in tried
+        if one.attempt.plan and one.report.legal and len(one.attempt.plan.motions) == len(answer.job.program.motions)
+    ]
+    if own:
+        pictures = plan_pictures(answer.job, min(own, key=lambda plan: plan.duration))
+        out |= {Path(place).name: content for place, content in pictures.items()}
+    return out
+
+
+def _effort(item: tuple[Question, str]) -> int:
+    """Orders the longest solves first, so that two processes end together: the more may move, the longer it takes, and
+    rows wait for the rail that stands still."""
+    target, free = item[0]
+    moves = (free.rail is not RailFreedom.PROGRAMMED) + free.lines + free.dwells + free.through_stops
+    return -2 * moves - (target is Target.STREAM) - 3 * (free.rail is RailFreedom.STATION)
+
+
+class _Study:
+    """What is asked of the optimiser about one job, and what it answered. optional: some motions may be dropped."""
+
+    def __init__(self, job: Job, rule: RailRule | None):
+        from trajopt_cli.study.case import RailRule, is_detour
+
+        self.job, self.rule = job, rule or RailRule()
+        self.optional = any(is_detour(motion, job.plant) for motion in job.program.motions)
+        self._known: dict[Question, Result] = {}
+
+    def question(self, target: Target, freedom: Freedom) -> Question:
+        """A question in the form that is equal for all that ask for the same plan."""
+        from trajopt_cli.study.causes import asked
+
+        return target, asked(freedom, self.job.plant, self.optional)
+
+    def answer(
+        self, name: str, question: Question, following: Sequence[str], tell: Tell
+    ) -> dict[Question | str, Result]:
+        """The answer to a question, and the rows that start from its plan."""
+        from trajopt_cli.study.table import solved
+
+        self._known[question] = self._tried(name, question[0], solved(*question), tell)
+        out: dict[Question | str, Result] = {question: self._known[question]}
+        for row in following:
+            out |= self.make(row, tell)
+        return out
+
+    def make(self, name: str, tell: Tell) -> dict[Question | str, Result]:
+        """A row that makes a motion of its own."""
+        from trajopt_cli.study.table import BASELINES
+
+        return {name: self._tried(name, BASELINES[name].target, BASELINES[name].make, tell)}
+
+    def _tried(self, name: str, target: Target, make: Callable[[Case], Answer], tell: Tell) -> Result:
+        """What make gives, judged as the CSV text it would be written as."""
+        from trajopt_cli.joint_csv import write_csv_text
+        from trajopt_cli.optimize import NoCleanPlan
+        from trajopt_cli.study.case import Case, NotApplicable
+
+        try:
+            answer = make(Case(self.job.program, self.job.plant, self._solver(name, tell), self.rule))
+        except NoCleanPlan as failure:
+            return NoPlan(name, str(failure))
+        if isinstance(answer, NotApplicable):
+            return f"n/a: {answer.why}"
+        if isinstance(answer, Infeasible):
+            return answer
+        tell((name, Progress("judge", answer.trajectory.duration)))
+        text = write_csv_text(answer.trajectory)
+        report = judge(self.job.plant, answer.program, text, name, answer.dropped, target, advice=False)
+        return Tried(answer, report)
+
+    def _solver(self, name: str, tell: Tell) -> Solve:
+        """The optimiser, that does not answer twice; a plan gets a bound where everything is free."""
+        from trajopt_cli.optimize import NoCleanPlan, optimize
+
+        def solve(program: Program, target: Target, freedom: Freedom) -> Plan | Infeasible:
+            question = self.question(target, freedom)
+            if program is self.job.program and question in self._known:
+                match self._known[question]:
+                    case Tried(attempt=attempt) if attempt.plan is not None:
+                        return attempt.plan
+                    case Infeasible() as no:
+                        return no
+                    case NoPlan(message=message):
+                        raise NoCleanPlan(message)
+            bounded = program is self.job.program and question == self.question(target, EVERYTHING)
+            listen = lambda progress: tell((name, progress))  # noqa: E731
+            return optimize(program, self.job.plant, target, freedom, listen, bounded)
+
+        return solve
+
+
+def _steps(answers: list[tuple[str, Result]]) -> tuple[Step, ...] | str:
+    """The saving by cause. A legal plan stays legal when more may move: where a step's own is no faster, or there is
+    none, the plan before it stands."""
+    (name, start), *others = answers
+    if not (isinstance(start, Tried) and start.report.legal and start.attempt.plan):
+        return f"{name}: {_nothing(start)}"
+    steps = [Step(name, start.attempt.plan, 0.0)]
+    for name, result in others:
+        best = steps[-1].plan
+        if isinstance(result, Tried) and result.report.legal and result.attempt.plan:
+            saved = best.duration - result.attempt.plan.duration
+            if saved > _EQUAL:
+                steps.append(Step(name, result.attempt.plan, saved))
+            else:
+                steps.append(Step(name, best, 0.0, "nothing gained"))
+        else:
+            steps.append(Step(name, best, 0.0, _nothing(result)))
+    return tuple(steps)
+
+
+def _nothing(result: Result) -> str:
+    match result:
+        case Tried():
+            return "its plan is not legal"
+        case Infeasible(message=message):
+            return message
+        case NoPlan(message=message):
+            return f"no plan found: {message}"
+    return result

@@ -1,0 +1,226 @@
+"""Rows `ruckig` and `ruckig jerk`: what a good engineer does with a point-to-point library and an inverse kinematics.
+
+Rail positions and configurations are the fixed-rail plan's. Joint moves: all axes from rest to rest, together, at full
+limits; where the TCP would pass a cap, the move's limits are scaled down until it does not. Lines: one axis along the
+line at one speed and one acceleration (and jerk), the best that all axes and the TCP allow everywhere on it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.problem.plan import Infeasible
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.study.case import Answer, Attempt, Case, NotApplicable
+from trajopt_cli.study.legs import Leg, LegKind, Line, Use, fixed_rail, speed_limits, use_of
+from trajopt_cli.study.rows import LONGER, Piece, apart, hold, rows_of
+from trajopt_cli.timing.point_to_point import PointToPoint, point_to_point
+
+SAFE = 1 - 1e-4  # share of limits used: between two samples, and between rows of a line, there is a little more
+STEP = 2e-3  # s between samples of a joint move; all its switches are sampled from both sides besides
+_HALVINGS = 12  # of a bisection: scales good to 2e-4
+_LINE_SAMPLES = 250
+_SPEEDS = (1.0, 0.95, 0.9, 0.85, 0.8, 0.7, 0.6, 0.45, 0.3)  # shares of a line's top speed that are tried
+_JERKS = (1.0, 0.8, 0.6, 0.4)  # shares of the jerk at a line's ends that are tried
+_FLOOR = 1e-4  # the least scale that a search looks at
+_ATTEMPTS = 250  # so that a move is lengthened by a millisecond at most
+_BESIDE = 1e-9  # s from a switch: its other side
+
+
+def ruckig(case: Case) -> Answer:
+    """The program timed with Ruckig, jerk free. Infeasible where a programmed time is too short for it."""
+    return _row(case, None)
+
+
+def ruckig_jerk(case: Case) -> Answer:
+    """The program timed with Ruckig under the profile's jerk limits; NotApplicable where it gives none."""
+    if case.plant.limits.jerk is None:
+        return NotApplicable("the robot's profile gives no jerk limits")
+    return _row(case, np.asarray(case.plant.limits.jerk))
+
+
+def _row(case: Case, jerk: Array | None) -> Answer:
+    given = fixed_rail(case)
+    if isinstance(given, Infeasible):
+        return given
+    known: dict[bytes, Piece | Infeasible] = {}
+    pieces = []
+    for leg in given.legs:
+        key = leg.key
+        if key not in known:
+            known[key] = _piece(case.plant, leg, jerk)
+        piece = known[key]
+        if isinstance(piece, Infeasible):
+            return piece
+        pieces.append(piece)
+    end = given.legs[-1].q_1 if given.legs else case.plant.start
+    trajectory = rows_of(case.plant.robot.axis_names, pieces or [hold(end, 1e-3)], end)
+    note = "rail positions and configurations are the fixed-rail plan's; one speed and acceleration per line"
+    return Attempt(given.program, trajectory, notes=(note, *given.notes))
+
+
+def _piece(plant: Plant, leg: Leg, jerk: Array | None) -> Piece | Infeasible:
+    if leg.kind is LegKind.HOLD:
+        return hold(leg.q_0, leg.lasts)
+    line = Line.of(plant, leg) if leg.kind is LegKind.LINE else None
+    motion = _joint_move(plant, leg, jerk) if line is None else _along(line, jerk)
+    if leg.duration is not None:
+        if motion.duration > leg.duration * (1 + 1e-9):
+            return leg.refusal(f"cannot be made in {leg.duration:g} s: Ruckig needs {motion.duration:.4f} s")
+        motion = motion.slowed(leg.duration / motion.duration)
+    if line is None:
+        return Piece(motion.duration, motion.switches, lambda t: motion.at(t)[:2])
+    return Piece(motion.duration, motion.switches, partial(_on_line, line, motion))
+
+
+def _on_line(line: Line, motion: PointToPoint, t: Array) -> tuple[Array, Array]:
+    s, rate, _ = motion.at(t)
+    q = line.positions(s[:, 0])
+    return q, line.slopes(q) * rate
+
+
+@dataclass(frozen=True, eq=False)
+class _JointMove:
+    """A joint move with its limits scaled; straight: along the straight line in the joints."""
+
+    plant: Plant
+    leg: Leg
+    jerk: Array | None
+    straight: bool
+
+    def made(self, v: float, a: float) -> PointToPoint:
+        """Ruckig's motion at shares v of the speeds and a of accelerations and jerks; a hair longer where switches of
+        two axes would stand too near for rows of their own."""
+        speed, acceleration = speed_limits(self.plant, self.leg) * v, self.plant.limits.acceleration * a
+        jerk = None if self.jerk is None else self.jerk * a
+        ends = self.leg.q_0, self.leg.q_1
+        move = point_to_point(*ends, speed, acceleration, jerk, straight=self.straight)
+        fastest = move.duration
+        for attempt in range(1, _ATTEMPTS):
+            if apart(move.switches):
+                break
+            move = point_to_point(*ends, speed, acceleration, jerk, fastest + attempt * LONGER, self.straight)
+        return move
+
+    def use(self, move: PointToPoint) -> Use:
+        """Use of the limits over the whole move, both sides of every switch included."""
+        t = np.linspace(0.0, move.duration, int(np.ceil(move.duration / STEP)) + 2)
+        return use_of(self.plant, self.leg, *move.at(np.concatenate([t, _beside(move)])))
+
+    def slow(self, v: float) -> bool:
+        """Whether the TCP's speeds hold with the axes' speeds at share v."""
+        return float(self.use(self.made(v, 1.0)).tcp_speed.max()) <= SAFE
+
+    def soft(self, v: float, a: float) -> bool:
+        """Whether all the TCP's caps hold at shares v and a."""
+        use = self.use(self.made(v, a))
+        return max(float(use.tcp_speed.max()), float(use.tcp_acceleration.max())) <= SAFE
+
+    def candidates(self) -> list[PointToPoint]:
+        """The move at full limits where the TCP's caps hold; else slowed down as a whole, and with speeds scaled until
+        its speeds hold and then accelerations until its acceleration does."""
+        full = self.made(1.0, 1.0)
+        if self.soft(1.0, 1.0):
+            return [full]
+        out = [full.slowed(max(1.0, self.use(full).slowing / SAFE))]
+        v = _largest(self.slow)
+        a = None if v is None else _largest(partial(self.soft, v))
+        if v is not None and a is not None:
+            out.append(self.made(v, a))
+        return out
+
+
+def _joint_move(plant: Plant, leg: Leg, jerk: Array | None) -> PointToPoint:
+    """The shortest of the candidates, axes on their own or straight."""
+    moves = [move for straight in (False, True) for move in _JointMove(plant, leg, jerk, straight).candidates()]
+    return min([move for move in moves if apart(move.switches)] or moves, key=lambda move: move.duration)
+
+
+def _beside(motion: PointToPoint) -> Array:
+    """Times just before and just after every switch."""
+    return np.clip(motion.switches[:, None] + [-_BESIDE, _BESIDE], 0.0, motion.duration).ravel()
+
+
+def _largest(fits: Callable[[float], bool]) -> float | None:
+    """The largest scale up to 1 that fits, by bisection from the first halving that does; None where none does."""
+    if fits(1.0):
+        return 1.0
+    low, high = 0.5, 1.0
+    while not fits(low):
+        low, high = low / 2, low
+        if low < _FLOOR:
+            return None
+    for _ in range(_HALVINGS):
+        middle = (low + high) / 2
+        low, high = (middle, high) if fits(middle) else (low, middle)
+    return low
+
+
+def _along(line: Line, jerk: Array | None) -> PointToPoint:
+    """The shortest profile of the share s: for every speed of a short list (and jerk), the largest acceleration."""
+    plant, leg = line.plant, line.leg
+    slopes = line.slopes(line.q)
+    bends = line.bends(line.q, slopes)
+    twists = np.gradient(bends, line.s, axis=0)
+    speed, acceleration = speed_limits(plant, leg), plant.limits.acceleration
+    way, turn = max(line.chord, 1e-12), max(line.angle, 1e-12)
+    steepest = np.maximum(np.abs(slopes), 1e-12)
+    top_v = min(float(np.min(speed / steepest)), leg.v_tcp / way, leg.v_ori / turn) * SAFE
+    top_a = min(float(np.min(acceleration / steepest[[0, -1]])), leg.a_tcp / way) * SAFE
+    top_j = None if jerk is None else float(np.min(jerk / steepest[[0, -1]])) * SAFE
+    table = np.concatenate([slopes, bends, twists], axis=1)
+    k = slopes.shape[1]
+
+    def made(v: float, a: float, j: float | None) -> PointToPoint:
+        return point_to_point(
+            np.zeros(1), np.ones(1), np.array([v]), np.array([a]), None if j is None else np.array([j])
+        )
+
+    def fits(v: float, a: float, j: float | None) -> bool:
+        motion = made(v, a, j)
+        t = np.concatenate([np.linspace(0.0, motion.duration, _LINE_SAMPLES), _beside(motion)])
+        s, s_1, s_2 = motion.at(t)
+        place = np.clip(s[:, 0], 0.0, 1.0) * (len(line.s) - 1)
+        i = np.minimum(place.astype(np.intp), len(line.s) - 2)
+        share = (place - i)[:, None]
+        first, second, third = np.split(table[i] * (1 - share) + table[i + 1] * share, [k, 2 * k], axis=1)
+        good = bool(np.all(np.abs(first * s_2 + second * s_1**2) <= acceleration * SAFE))
+        if jerk is not None and j is not None:
+            jerks = third * s_1**3 + 3 * second * s_1 * s_2 + first * motion.jerks(t)
+            good = good and bool(np.all(np.abs(jerks) <= jerk * SAFE))
+        return good
+
+    best: tuple[float, float, float | None] | None = None
+    shortest = np.inf
+    for share_j in _JERKS if top_j is not None else (1.0,):
+        j = None if top_j is None else top_j * share_j
+        for share_v in _SPEEDS:
+            v = top_v * share_v
+            if 1 / v >= shortest:
+                break
+            a = _largest(partial(_fits_scaled, fits, v, top_a, j))
+            if a is None:
+                continue
+            duration = made(v, top_a * a, j).duration
+            if duration < shortest:
+                best, shortest = (v, top_a * a, j), duration
+    if best is None:
+        raise ValueError(f"ruckig: {leg.name} finds no speed under all limits, although the fixed-rail plan has one")
+    v, a, j = best
+    for attempt in range(_ATTEMPTS):
+        # a hair slower and, more so, softer: no phase of the profile gets shorter by that
+        motion = made(v * (1 - 1e-3 * attempt), a * (1 - 1.7e-3 * attempt), j)
+        if apart(motion.switches):
+            break
+    return motion
+
+
+def _fits_scaled(
+    fits: Callable[[float, float, float | None], bool], v: float, top_a: float, j: float | None, share: float
+) -> bool:
+    return fits(v, top_a * share, j)
