@@ -31,7 +31,7 @@ INERTIA = (25.0, 25.0, 25.0, 3.0, 3.0, 3.0)
 FORCE, MOMENT = 10.0, 2.0
 """Our steps [N, Nm]: the thesis shows its own in figures only."""
 
-_PACKAGE = Path(__file__).parents[1]
+_PACKAGE = Path(__file__).parents[2]
 # In a checkout the programs stand beside the package, a wheel carries them inside it.
 _PROGRAMS = _PACKAGE.parent / "programs" if (_PACKAGE.parent / "pyproject.toml").is_file() else _PACKAGE / "programs"
 
