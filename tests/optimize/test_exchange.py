@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from small_cells import HOME, course_of, plant_with_rail, rapid
+from small_cells import HOME, plant_with_rail, problem_of, rapid
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
@@ -39,25 +39,25 @@ class Spike:
 @pytest.mark.parametrize("at", np.linspace(0.0, 1.0, 23))
 def test_an_excess_as_wide_as_a_fortieth_of_an_interval_is_seen_anywhere(at: float) -> None:
     axes = Axes.of(plant_with_rail())
-    leg = course_of(rapid(PROGRAM), plant_with_rail()).legs[1]
+    leg = problem_of(rapid(PROGRAM), plant_with_rail()).legs[1]
     ratios = check_leg(axes, leg, Spike(at, 0.0251, 2 * axes.acceleration[3]))  # type: ignore[arg-type]
     assert ratios.worst == pytest.approx(2.0)
 
 
 def test_joints_that_do_not_exist_are_an_excess_too() -> None:
     axes = Axes.of(plant_with_rail())
-    leg = course_of(rapid(PROGRAM), plant_with_rail()).legs[1]
+    leg = problem_of(rapid(PROGRAM), plant_with_rail()).legs[1]
     assert check_leg(axes, leg, Spike(0.5, 0.1, np.nan)).worst > 1.5  # type: ignore[arg-type]
 
 
 def test_in_a_dwell_the_push_of_the_passing_interval_alone_is_scaled() -> None:
     axes = Axes.of(plant_with_rail())
-    course = course_of(rapid(PROGRAM), plant_with_rail())
-    X = course.stops[1].X_WF
+    problem = problem_of(rapid(PROGRAM), plant_with_rail())
+    X = problem.waypoints[1].X_WF
     grid = np.linspace(0, 1, 7)
     s, v, a = parabola(grid)
     leg = PathLeg(0.8, X, X, np.eye(4), 0, HOME, grid, s, v, a, 0.5 + 0.4 * s, 0.4 * v, 0.4 * a)
-    ratios = check_leg(axes, course.legs[1], leg)
+    ratios = check_leg(axes, problem.legs[1], leg)
     ratios.acceleration[:] = 0.5
     ratios.acceleration[2, 4] = 1.25
     margins = Margins.full(6, START)

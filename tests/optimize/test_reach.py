@@ -6,7 +6,7 @@ from itertools import product
 
 import numpy as np
 import pytest
-from small_cells import DOWN, course_of, plant_with_rail, plant_without_rail, rapid
+from small_cells import DOWN, plant_with_rail, plant_without_rail, problem_of, rapid
 
 from trajopt_cli.geometry import line_pose, pose, wxyz_from_rotation
 from trajopt_cli.motion import Program
@@ -211,11 +211,11 @@ def test_station_tables_hold_every_configuration_and_none_else(turning: bool) ->
     turned = np.array([[0, 1, 0], [1, 0, 0], [0, 0, -1.0]]) if turning else DOWN
     a, b = (0.5, 0.5, 0.45), (0.45, 0.6, 0.35)
     data = target("p_a", a) + target("p_b", b, R=turned)
-    course = course_of(rapid("MoveJ p_a, v500, fine, tool0;\nMoveL p_b, v500, fine, tool0;", data=data), plant)
+    problem = problem_of(rapid("MoveJ p_a, v500, fine, tool0;\nMoveL p_b, v500, fine, tool0;", data=data), plant)
     axes = Axes.of(plant)
-    d = rail_grid(course, 1, 2, 31)
-    table = station_table(axes, course, 1, 2, d)
-    X = line_pose(course.stops[1].X_WF, course.stops[2].X_WF, np.linspace(0, 1, LINE_NODES))
+    d = rail_grid(problem, 1, 2, 31)
+    table = station_table(axes, problem, 1, 2, d)
+    X = line_pose(problem.waypoints[1].X_WF, problem.waypoints[2].X_WF, np.linspace(0, 1, LINE_NODES))
     line = table.lines[0]
     assert line is not None
     held = 0
@@ -238,7 +238,7 @@ def test_station_tables_hold_every_configuration_and_none_else(turning: bool) ->
     for i, rail in enumerate(d):
         wanted = {
             tuple(np.round(q, 6))
-            for _, q in solutions(plant.robot, course.stops[1].X_WF, float(rail), plant.limits)
+            for _, q in solutions(plant.robot, problem.waypoints[1].X_WF, float(rail), plant.limits)
             if abs(np.sin(q[2])) <= 0.9999 and abs(np.sin(q[4])) >= 1e-3
         }
         have = {tuple(np.round(q, 6)) for q in table.stops[0][:, i] if not np.isnan(q[0])}
@@ -250,9 +250,9 @@ def test_station_tables_hold_every_configuration_and_none_else(turning: bool) ->
 
 def test_grids_hold_fixed_rail_values_exactly() -> None:
     body = "MoveJ p_in, v500, fine, tool0;\nMoveL p_low, v500, fine, tool0;\nMoveAbsJ j_home, v500, fine, tool0;"
-    course = course_of(rapid(body), plant_with_rail(rail_fixed=True))
-    assert rail_grid(course, 1, 2, 33).tolist() == [0.6]
-    free = course_of(rapid(body), plant_with_rail())
+    problem = problem_of(rapid(body), plant_with_rail(rail_fixed=True))
+    assert rail_grid(problem, 1, 2, 33).tolist() == [0.6]
+    free = problem_of(rapid(body), plant_with_rail())
     grid = rail_grid(free, 1, 2, 33)
     assert (len(grid), grid[0], grid[-1]) == (33, -0.2, 2.2)
     near = rail_grid(free, 1, 2, 25, (0.4, 3.0))
@@ -267,9 +267,9 @@ def test_programs_that_can_be_done_are_not_refused() -> None:
     seen = set()
     for x, y in product((-0.75, -0.4, 0.35, 0.6, 0.72, 0.9), (0.5, 2.4)):
         p = (x, y, rng.uniform(0.0, 0.8))
-        course = course_of(rapid("MoveJ p_x, v500, fine, tool0;", data=target("p_x", p)), plant)
+        problem = problem_of(rapid("MoveJ p_x, v500, fine, tool0;", data=target("p_x", p)), plant)
         found = any(solutions(plant.robot, pose(DOWN, p), float(rail), plant.limits) for rail in d)
-        answer = check_reach(Axes.of(plant), course)
+        answer = check_reach(Axes.of(plant), problem)
         assert (answer is None) == found, (p, answer)
         seen.add(found)
     assert seen == {True, False}

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.course import Leg, LegKind
 from trajopt_cli.optimize.exchange import tool_ratios
 from trajopt_cli.optimize.legs import LegMotion
+from trajopt_cli.problem.problem import Leg, LegKind
 
 AT_LIMIT = 0.99
 SAMPLES = 400

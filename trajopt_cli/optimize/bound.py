@@ -16,9 +16,9 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.course import Course, Leg, LegKind, Stop
 from trajopt_cli.optimize.double_integrator import reach, trapezoid_time
 from trajopt_cli.optimize.enclose import Enclosure, Range, enclose
+from trajopt_cli.problem.problem import Leg, LegKind, Problem, Waypoint
 
 BASE = 2.5e-3  # m, rail interval of the enclosures
 LEVELS = 6
@@ -40,19 +40,19 @@ class _Cells:
     key: IndexArray
 
 
-def lower_bound(axes: Axes, course: Course, tied: bool, incumbent: float) -> float:
-    """No legal motion of this course and target is faster [s].
+def lower_bound(axes: Axes, problem: Problem, tied: bool, incumbent: float) -> float:
+    """No legal motion of this problem and target is faster [s].
 
     incumbent: a legal cycle time. Cells through which no chain is faster than the value aimed at are dropped; when none
     are left, that value is the bound, whatever the incumbent's quality.
     """
     cache: dict[bytes, Enclosure] = {}
-    grids = [_grid(stop) for stop in course.stops]
-    keep: list[IndexArray | None] = [None] * len(course.stops)
-    ahead: list[Array | None] = [None] * len(course.stops)
+    grids = [_grid(stop) for stop in problem.waypoints]
+    keep: list[IndexArray | None] = [None] * len(problem.waypoints)
+    ahead: list[Array | None] = [None] * len(problem.waypoints)
     best, aim = 0.0, incumbent
     for level in range(LEVELS):
-        cells = [_cells(axes, stop, grids[k], level, keep[k], tied, cache) for k, stop in enumerate(course.stops)]
+        cells = [_cells(axes, stop, grids[k], level, keep[k], tied, cache) for k, stop in enumerate(problem.waypoints)]
         if any(not len(c.key) for c in cells):
             return aim
         pairs = max(len(a.key) * len(b.key) for a, b in pairwise(cells))
@@ -64,7 +64,7 @@ def lower_bound(axes: Axes, course: Course, tied: bool, incumbent: float) -> flo
         ]
         forward = [np.zeros(len(cells[0].key))]
         edges = []
-        for k, leg in enumerate(course.legs):
+        for k, leg in enumerate(problem.legs):
             T = _edge(axes, leg, cells[k], cells[k + 1], tied, forward[-1], parents[k + 1], aim)
             edges.append(T)
             forward.append(np.min(forward[-1][:, None] + T, axis=0))
@@ -84,7 +84,7 @@ def lower_bound(axes: Axes, course: Course, tied: bool, incumbent: float) -> flo
     return best
 
 
-def _grid(stop: Stop) -> Array:
+def _grid(stop: Waypoint) -> Array:
     low, high = stop.rail
     if stop.q is not None or low == high:
         return np.array([low, high])
@@ -106,7 +106,13 @@ def _children(keys: IndexArray) -> IndexArray:
 
 
 def _cells(
-    axes: Axes, stop: Stop, grid: Array, level: int, kept: IndexArray | None, tied: bool, cache: dict[bytes, Enclosure]
+    axes: Axes,
+    stop: Waypoint,
+    grid: Array,
+    level: int,
+    kept: IndexArray | None,
+    tied: bool,
+    cache: dict[bytes, Enclosure],
 ) -> _Cells:
     if stop.q is not None:
         q = axes.seven(stop.q)[:4, None]

@@ -13,13 +13,13 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.blocks import NlpResult
-from trajopt_cli.optimize.course import Course, LegKind
 from trajopt_cli.optimize.exchange import SAFE, check_leg, tighten
 from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, parabola, share_of, straight
 from trajopt_cli.optimize.profiles import hold
 from trajopt_cli.optimize.search import Chain
 from trajopt_cli.optimize.stages import Stages
 from trajopt_cli.optimize.transcription import EXACT, START, Draft, Margins, Transcription
+from trajopt_cli.problem.problem import LegKind, Problem
 
 FIRST, LAST = 6, 24  # intervals of a path, doubled from solve to solve
 LAST_TIED = 12  # rapid: every line is timed again by itself afterwards
@@ -30,10 +30,10 @@ ROUNDS = 12
 MOST = 100  # iterations; a start that converges needs 25 to 60
 
 
-def first_draft(axes: Axes, course: Course, chain: Chain) -> Draft:
+def first_draft(axes: Axes, problem: Problem, chain: Chain) -> Draft:
     """Rest-to-rest parabolas between the chain's stops."""
     legs: list[LegMotion | None] = []
-    for k, leg in enumerate(course.legs):
+    for k, leg in enumerate(problem.legs):
         q_0, q_1 = chain.q[k], chain.q[k + 1]
         T = max(float(chain.times[k]), 2e-3)
         if leg.kind is LegKind.JOINT:
@@ -45,7 +45,7 @@ def first_draft(axes: Axes, course: Course, chain: Chain) -> Draft:
         grid = np.linspace(0, 1, FIRST + 1)
         s, v, a = parabola(grid)
         way = q_1[0] - q_0[0]
-        X_0, X_1 = (course.stops[i].X_WF @ leg.X_FT for i in (k, k + 1))
+        X_0, X_1 = (problem.waypoints[i].X_WF @ leg.X_FT for i in (k, k + 1))
         cfx = chain.labels[k].cfx if chain.labels[k].cfx >= 0 else chain.labels[k + 1].cfx
         legs.append(PathLeg(T, X_0, X_1, leg.X_FT, cfx, q_0[1:], grid, s, v, a, q_0[0] + way * s, way * v, way * a))
     return Draft(chain.q, chain.w, tuple(label.cfx for label in chain.labels), tuple(legs))
@@ -56,11 +56,11 @@ class NotConverged(Exception):
 
 
 class Refiner:
-    """Solves one target of one course from a chain."""
+    """Solves one target of one problem from a chain."""
 
-    def __init__(self, axes: Axes, stages: Stages, flange: ca.Function, course: Course, tied: bool):
-        self.axes, self.stages, self.flange, self.course, self.tied = axes, stages, flange, course, tied
-        self.last = LAST_ALONE if len(course.legs) == 1 else LAST_TIED if tied else LAST
+    def __init__(self, axes: Axes, stages: Stages, flange: ca.Function, problem: Problem, tied: bool):
+        self.axes, self.stages, self.flange, self.problem, self.tied = axes, stages, flange, problem, tied
+        self.last = LAST_ALONE if len(problem.legs) == 1 else LAST_TIED if tied else LAST
         self.seconds = {"build": 0.0, "solve": 0.0, "check": 0.0}
 
     def _solve(
@@ -68,7 +68,7 @@ class Refiner:
         warm: Sequence[Any] | None = None,
     ) -> tuple[Draft, Transcription, NlpResult | None]:  # fmt: skip
         start = perf_counter()
-        t = Transcription(self.axes, self.stages, self.flange, self.course, draft, margins, self.tied)
+        t = Transcription(self.axes, self.stages, self.flange, self.problem, draft, margins, self.tied)
         if t.nlp.empty:
             return t.read(t.nlp.guess), t, None
         if warm is None:
@@ -136,7 +136,7 @@ class Refiner:
             start = perf_counter()
             worst, changed, opened = 0.0, False, self._open_grids(draft, margins)
             draft = self._with_grids(draft, margins)
-            for leg, motion, m in zip(self.course.legs, draft.legs, margins, strict=True):
+            for leg, motion, m in zip(self.problem.legs, draft.legs, margins, strict=True):
                 if motion is None:
                     continue
                 ratios = check_leg(self.axes, leg, motion)
@@ -162,7 +162,7 @@ class Refiner:
         """Joint moves whose closed-form profiles break a tool cap or a range go on a grid."""
         start = perf_counter()
         opened = False
-        for k, (leg, motion) in enumerate(zip(self.course.legs, draft.legs, strict=True)):
+        for k, (leg, motion) in enumerate(zip(self.problem.legs, draft.legs, strict=True)):
             if leg.kind is LegKind.JOINT and isinstance(motion, JointProfiles):
                 ratios = check_leg(self.axes, leg, motion, 40)
                 if max(np.max(ratios.tool), np.max(ratios.position)) > 1 + 1e-6:
@@ -174,7 +174,7 @@ class Refiner:
     def _watch(self, draft: Draft, margins: list[Margins | None], share: float = NEAR_CAP) -> bool:
         """Put tool caps in force at nodes of gridded joint moves that use this share of them; True when any is new."""
         added = False
-        for k, (leg, motion) in enumerate(zip(self.course.legs, draft.legs, strict=True)):
+        for k, (leg, motion) in enumerate(zip(self.problem.legs, draft.legs, strict=True)):
             m = margins[k]
             if isinstance(motion, JointNodes) and m is not None:
                 near = check_leg(self.axes, leg, motion).tool > share

@@ -12,9 +12,9 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.course import Leg
 from trajopt_cli.optimize.legs import LegMotion, PathLeg
 from trajopt_cli.optimize.transcription import Margins
+from trajopt_cli.problem.problem import Leg
 
 DENSE = 40  # samples per interval besides both ends; an axis that turns round passes its limit for a moment only
 SAFE = 1.0 - 3e-5  # what a clean grid may use of a limit: Hermite between written rows is not quite the motion

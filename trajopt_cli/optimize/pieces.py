@@ -1,4 +1,4 @@
-"""A course cut where nothing is left to choose: between fixed stops the pieces can be solved one by one.
+"""A problem cut where nothing is left to choose: between fixed stops the pieces can be solved one by one.
 
 A cell without a rail falls into single legs this way, and equal pieces are solved once.
 """
@@ -11,38 +11,38 @@ from itertools import pairwise
 
 import numpy as np
 
-from trajopt_cli.optimize.course import Course
 from trajopt_cli.optimize.legs import LegMotion
 from trajopt_cli.optimize.search import Chain
 from trajopt_cli.optimize.transcription import Draft
+from trajopt_cli.problem.problem import Problem
 
 
-def _pinned(course: Course, k: int, tied: bool) -> bool:
-    stop = course.stops[k]
-    rests = stop.rest or tied or not course.rail_may_pass(k)
+def _pinned(problem: Problem, k: int, tied: bool) -> bool:
+    stop = problem.waypoints[k]
+    rests = stop.rest or tied or not problem.rail_may_pass(k)
     return stop.q is not None or (stop.rail[0] == stop.rail[1] and rests)
 
 
-def cut(course: Course, chain: Chain, tied: bool) -> Iterator[tuple[Course, Chain]]:
-    """The pieces of a course with their part of the chain, in order."""
-    marks = [k for k in range(len(course.stops)) if _pinned(course, k, tied)]
-    ends = sorted({0, *marks, len(course.stops) - 1})
+def cut(problem: Problem, chain: Chain, tied: bool) -> Iterator[tuple[Problem, Chain]]:
+    """The pieces of a problem with their part of the chain, in order."""
+    marks = [k for k in range(len(problem.waypoints)) if _pinned(problem, k, tied)]
+    ends = sorted({0, *marks, len(problem.waypoints) - 1})
     for first, last in pairwise(ends):
-        legs = tuple(replace(leg, start=leg.start - first) for leg in course.legs[first:last])
-        stops = course.stops[first : last + 1]
+        legs = tuple(replace(leg, start=leg.start - first) for leg in problem.legs[first:last])
+        stops = problem.waypoints[first : last + 1]
         part = Chain(
             chain.q[first : last + 1], chain.w[first : last + 1], chain.labels[first : last + 1],
             chain.times[first:last], float(np.sum(chain.times[first:last])),
         )  # fmt: skip
-        yield replace(course, stops=stops, legs=legs, stations=()), part
+        yield replace(problem, waypoints=stops, legs=legs, stations=()), part
 
 
-def key(course: Course, chain: Chain) -> bytes:
+def key(problem: Problem, chain: Chain) -> bytes:
     """Equal for pieces that ask for the same motion."""
     parts: list[bytes] = [np.round(chain.q, 12).tobytes(), np.round(chain.w, 12).tobytes()]
-    for stop in course.stops:
+    for stop in problem.waypoints:
         parts += [np.round(stop.X_WF, 12).tobytes(), repr((stop.rail, stop.rest, stop.q is None)).encode()]
-    for leg in course.legs:
+    for leg in problem.legs:
         numbers = (leg.v_tcp, leg.a_tcp, leg.v_ori, leg.v_rail, leg.duration, leg.rail_moves)
         parts += [leg.kind.value.encode(), np.round(leg.X_FT, 12).tobytes(), repr(numbers).encode()]
     parts.append(repr([label.cfx for label in chain.labels]).encode())
@@ -50,13 +50,13 @@ def key(course: Course, chain: Chain) -> bytes:
 
 
 def solve_pieces(
-    course: Course, chain: Chain, tied: bool, solve: Callable[[Course, Chain], Draft],
+    problem: Problem, chain: Chain, tied: bool, solve: Callable[[Problem, Chain], Draft],
     report: Callable[[list[LegMotion | None]], None],
 ) -> Draft:  # fmt: skip
     """Solve every different piece once and join the drafts; report: the legs found so far."""
     known: dict[bytes, Draft] = {}
     drafts: list[Draft] = []
-    for piece, part in cut(course, chain, tied):
+    for piece, part in cut(problem, chain, tied):
         name = key(piece, part)
         if name not in known:
             known[name] = solve(piece, part)
@@ -68,10 +68,10 @@ def solve_pieces(
     return Draft(q, qd, cfx, tuple(leg for d in drafts for leg in d.legs))
 
 
-def alone(course: Course, draft: Draft, k: int) -> tuple[Course, Draft]:
+def alone(problem: Problem, draft: Draft, k: int) -> tuple[Problem, Draft]:
     """Leg k between its stops as the draft has them, the rail fixed there."""
-    stops = tuple(replace(course.stops[i], rail=(float(draft.q[i, 0]),) * 2, rest=True) for i in (k, k + 1))
-    piece = replace(course, stops=stops, legs=(replace(course.legs[k], start=0),), stations=())
+    stops = tuple(replace(problem.waypoints[i], rail=(float(draft.q[i, 0]),) * 2, rest=True) for i in (k, k + 1))
+    piece = replace(problem, waypoints=stops, legs=(replace(problem.legs[k], start=0),), stations=())
     return piece, Draft(draft.q[k : k + 2], draft.qd[k : k + 2], draft.cfx[k : k + 2], (draft.legs[k],))
 
 

@@ -14,9 +14,9 @@ from scipy import ndimage
 from trajopt_cli.geometry import Array, BoolArray, inverse_pose, line_pose
 from trajopt_cli.motion import Motion, MoveJ, MoveL
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.course import Course, LegKind, Stop
 from trajopt_cli.optimize.stages import REACH, WRIST
 from trajopt_cli.problem.plan import Infeasible
+from trajopt_cli.problem.problem import LegKind, Problem, Waypoint
 from trajopt_cli.robot.inverse import confdata, confdata_admits, solutions, why_unreachable
 
 LINE_NODES = 13
@@ -50,9 +50,9 @@ class StationTable:
     lines: tuple[Array | None, ...]
 
 
-def rail_grid(course: Course, first: int, last: int, n: int, window: tuple[float, float] | None = None) -> Array:
+def rail_grid(problem: Problem, first: int, last: int, n: int, window: tuple[float, float] | None = None) -> Array:
     """Grid of rail positions for the stops first..last, fixed values included exactly."""
-    ranges = [course.stops[k].rail for k in range(first, last + 1)]
+    ranges = [problem.waypoints[k].rail for k in range(first, last + 1)]
     fixed = [low for low, high in ranges if low == high]
     free = [r for r in ranges if r[0] != r[1]]
     if not free:
@@ -81,24 +81,24 @@ def _usable(arm: Array) -> Array:
 
 
 def station_table(
-    axes: Axes, course: Course, first: int, last: int, d: Array, keep: tuple[Label, ...] | None = None
+    axes: Axes, problem: Problem, first: int, last: int, d: Array, keep: tuple[Label, ...] | None = None
 ) -> StationTable:
     """Tables of one station; keep restricts the labels."""
     n = len(d)
     stops_raw: list[Array] = []  # (8, n, 6)
     lines_raw: list[Array | None] = []
     for k in range(first, last + 1):
-        stop = course.stops[k]
+        stop = problem.waypoints[k]
         if k == first:
             raw = _usable(np.moveaxis(axes.inverse(np.broadcast_to(stop.X_WF, (n, 4, 4)), d), 1, 0))
             stops_raw.append(_unwrap(raw, 1))
             continue
-        leg = course.legs[k - 1]
+        leg = problem.legs[k - 1]
         if leg.kind is LegKind.DWELL:
             stops_raw.append(stops_raw[-1])
             lines_raw.append(None)
             continue
-        X_0, X_1 = course.stops[k - 1].X_WF @ leg.X_FT, stop.X_WF @ leg.X_FT
+        X_0, X_1 = problem.waypoints[k - 1].X_WF @ leg.X_FT, stop.X_WF @ leg.X_FT
         X = line_pose(X_0, X_1, np.linspace(0, 1, LINE_NODES)) @ inverse_pose(leg.X_FT)
         raw = axes.inverse(np.broadcast_to(X[:, None], (LINE_NODES, n, 4, 4)).reshape(-1, 4, 4), np.tile(d, LINE_NODES))
         raw = _usable(np.moveaxis(raw.reshape(LINE_NODES, n, 8, 6), 2, 0))
@@ -121,12 +121,12 @@ def station_table(
         for i, raw in enumerate(stops_raw):
             q = raw[cfx] + turn
             ok = np.all((q >= limits_low) & (q <= limits_high), axis=-1)
-            stop = course.stops[first + i]
+            stop = problem.waypoints[first + i]
             if stop.rail[0] == stop.rail[1]:
                 ok &= np.abs(d - stop.rail[0]) < 1e-12
             if stop.conf is not None:
                 for j in np.flatnonzero(ok & (np.abs(d - stop.written) < 1e-12)):
-                    ok[j] = confdata_admits(course.plant.robot, stop.conf, q[j])
+                    ok[j] = confdata_admits(problem.plant.robot, stop.conf, q[j])
             if stop.q is not None:
                 ok &= np.all(np.abs(q - axes.seven(stop.q)[1:]) < 1e-6, axis=-1)
             tables.append(np.where(ok[:, None], q, np.nan))
@@ -142,7 +142,7 @@ def station_table(
             q = line_raw[cfx] + turn
             ok = np.all((q >= limits_low) & (q <= limits_high), axis=-1)
             lines[i].append(np.where(ok[..., None], q, np.nan))
-    alone = course.stops[first].q if first == last else None
+    alone = problem.waypoints[first].q if first == last else None
     if alone is not None:
         fixed = axes.seven(alone)
         return StationTable(first, fixed[:1], (Label(-1, np.zeros(6)),), (fixed[None, None, 1:],), ())
@@ -155,41 +155,43 @@ def station_table(
     )
 
 
-def check_reach(axes: Axes, course: Course, n: int = 193) -> Infeasible | None:
+def check_reach(axes: Axes, problem: Problem, n: int = 193) -> Infeasible | None:
     """The first stop that no rail position and branch reaches, or line that none can serve, by name."""
-    for first, last in course.stations:
-        d = rail_grid(course, first, last, n)
-        table = station_table(axes, course, first, last, d)
+    for first, last in problem.stations:
+        d = rail_grid(problem, first, last, n)
+        table = station_table(axes, problem, first, last, d)
         if not table.labels:  # else one configuration reaches all of its stops
             for k in range(first, last + 1):
-                if _out_of_reach(axes, course, k, d):
-                    return _unreachable(axes, course, k, d)
+                if _out_of_reach(axes, problem, k, d):
+                    return _unreachable(axes, problem, k, d)
         for i, line in enumerate(table.lines):
-            leg = course.legs[first + i]
-            if leg.kind is LegKind.LINE and (line is None or not _passable(course, table, i)):
-                return _broken_line(axes, course, first, i, d)
+            leg = problem.legs[first + i]
+            if leg.kind is LegKind.LINE and (line is None or not _passable(problem, table, i)):
+                return _broken_line(axes, problem, first, i, d)
         if not table.labels:
-            return _no_common(axes, course, first, last)
+            return _no_common(axes, problem, first, last)
     return None
 
 
-def _out_of_reach(axes: Axes, course: Course, k: int, d: Array) -> bool:
+def _out_of_reach(axes: Axes, problem: Problem, k: int, d: Array) -> bool:
     """Whether no rail position and branch reach a stop, whatever stands around it."""
-    stop = course.stops[k]
+    stop = problem.waypoints[k]
     if stop.q is not None or stop.motion < 0:
         return False
-    return not station_table(axes, course_at(course, k), 0, 0, d).labels
+    return not station_table(axes, problem_at(problem, k), 0, 0, d).labels
 
 
-def course_at(course: Course, k: int) -> Course:
-    """The course of one stop alone."""
-    return Course(course.plant, course.program, course.freedom, (course.stops[k],), (), ((0, 0),), course.dropped)
+def problem_at(problem: Problem, k: int) -> Problem:
+    """The problem of one stop alone."""
+    return Problem(
+        problem.plant, problem.program, problem.freedom, (problem.waypoints[k],), (), ((0, 0),), problem.dropped
+    )
 
 
-def _passable(course: Course, table: StationTable, i: int) -> bool:
+def _passable(problem: Problem, table: StationTable, i: int) -> bool:
     """Some label runs the whole line: with the rail moving if it may, else at one rail position."""
     line = table.lines[i]
-    leg = course.legs[table.first + i]
+    leg = problem.legs[table.first + i]
     assert line is not None
     open_ = ~np.isnan(line[..., 0])
     open_[:, 0] &= ~np.isnan(table.stops[i][..., 0])
@@ -219,35 +221,35 @@ def _crosses(open_: BoolArray) -> bool:
     return bool(held.any())
 
 
-def _unreachable(axes: Axes, course: Course, k: int, d: Array) -> Infeasible:
-    stop = course.stops[k]
-    motion = course.motion(stop.motion)
+def _unreachable(axes: Axes, problem: Problem, k: int, d: Array) -> Infeasible:
+    stop = problem.waypoints[k]
+    motion = problem.motion(stop.motion)
     rails = d if axes.has_rail else np.zeros(1)
     near = rails[int(np.argmin(np.abs(rails - _abreast(axes, stop.X_WF))))]
     if stop.rail[0] == stop.rail[1]:
         near = stop.rail[0]
-    reason = _why(axes, course, stop.X_WF, float(near))
+    reason = _why(axes, problem, stop.X_WF, float(near))
     where = f" at rail {near * 1e3:.1f} mm" if axes.has_rail else ""
     if not reason:
-        reason = _other_configurations(axes, course, stop, float(near))
+        reason = _other_configurations(axes, problem, stop, float(near))
         if stop.conf is not None:
-            reason += _remedy(axes, course, k)
+            reason += _remedy(axes, problem, k)
     text = f"{motion.source}: {_title(motion)} cannot be reached{where}: {reason}"
     return Infeasible(stop.motion, motion.source, text)
 
 
-def _why(axes: Axes, course: Course, X_WF: Array, rail: float) -> str:
+def _why(axes: Axes, problem: Problem, X_WF: Array, rail: float) -> str:
     """Why a pose is out of reach at a rail position; empty when it is not."""
     at = rail if axes.has_rail else None
-    if solutions(axes.robot, X_WF, at, course.plant.limits):
+    if solutions(axes.robot, X_WF, at, problem.plant.limits):
         return ""
-    return why_unreachable(axes.robot, X_WF, at, course.plant.limits)
+    return why_unreachable(axes.robot, X_WF, at, problem.plant.limits)
 
 
-def _other_configurations(axes: Axes, course: Course, stop: Stop, rail: float) -> str:
+def _other_configurations(axes: Axes, problem: Problem, stop: Waypoint, rail: float) -> str:
     """The pose is in reach, but not with the confdata asked for; those that are to be had, the nearest to it first."""
     robot = axes.robot
-    found = solutions(robot, stop.X_WF, rail if axes.has_rail else None, course.plant.limits)
+    found = solutions(robot, stop.X_WF, rail if axes.has_rail else None, problem.plant.limits)
     confs = {astuple(confdata(robot, q)) for _, q in found}
     if not confs:
         return "too near a singularity"
@@ -268,13 +270,15 @@ def _written(conf: tuple[int, ...]) -> str:
     return f"[{','.join(map(str, conf))}]"
 
 
-def _remedy(axes: Axes, course: Course, k: int) -> str:
+def _remedy(axes: Axes, problem: Problem, k: int) -> str:
     """What to do about confdata that cannot be had at stop k, and the places behind it where it is the same."""
-    motion = course.motion(course.stops[k].motion)
+    motion = problem.motion(problem.waypoints[k].motion)
     word = "ConfL" if isinstance(motion, MoveL) else "ConfJ"
     text = f"; correct the confdata, or set {word} \\Off before it"
     places = dict.fromkeys(
-        str(course.motion(stop.motion).source) for stop in course.stops[k + 1 :] if _wrong_confdata(axes, course, stop)
+        str(problem.motion(stop.motion).source)
+        for stop in problem.waypoints[k + 1 :]
+        if _wrong_confdata(axes, problem, stop)
     )
     places.pop(str(motion.source), None)
     if not places:
@@ -284,14 +288,14 @@ def _remedy(axes: Axes, course: Course, k: int) -> str:
     return f"{text}; likewise {', '.join(named)}{more}"
 
 
-def _wrong_confdata(axes: Axes, course: Course, stop: Stop) -> bool:
+def _wrong_confdata(axes: Axes, problem: Problem, stop: Waypoint) -> bool:
     """Whether a move ends where the pose can be had, but not as its confdata says, which counts; the rail is given."""
     if stop.conf is None or stop.q is not None or stop.rail[0] != stop.rail[1]:
         return False
-    if not isinstance(course.motion(stop.motion), MoveJ | MoveL):
+    if not isinstance(problem.motion(stop.motion), MoveJ | MoveL):
         return False
     rail = stop.written if axes.has_rail else None
-    found = solutions(axes.robot, stop.X_WF, rail, course.plant.limits)
+    found = solutions(axes.robot, stop.X_WF, rail, problem.plant.limits)
     return bool(found) and not any(confdata_admits(axes.robot, stop.conf, q) for _, q in found)
 
 
@@ -305,15 +309,17 @@ def _title(motion: Motion) -> str:
     return f"{type(motion).__name__} {getattr(motion, 'target', '')}".strip()
 
 
-def _broken_line(axes: Axes, course: Course, first: int, i: int, d: Array) -> Infeasible:
+def _broken_line(axes: Axes, problem: Problem, first: int, i: int, d: Array) -> Infeasible:
     """Name the point on the line that serves no rail position and branch which served everything before it."""
-    leg, k = course.legs[first + i], first + i
-    motion = course.motion(leg.motion)
-    X_0, X_1 = course.stops[k].X_WF @ leg.X_FT, course.stops[k + 1].X_WF @ leg.X_FT
+    leg, k = problem.legs[first + i], first + i
+    motion = problem.motion(leg.motion)
+    X_0, X_1 = problem.waypoints[k].X_WF @ leg.X_FT, problem.waypoints[k + 1].X_WF @ leg.X_FT
     shares = np.linspace(0, 1, 101)
     X = line_pose(X_0, X_1, shares)
     rails = d if axes.has_rail else np.zeros(1)
-    fixed = [course.stops[j].rail[0] for j in (k, k + 1) if course.stops[j].rail[0] == course.stops[j].rail[1]]
+    fixed = [
+        problem.waypoints[j].rail[0] for j in (k, k + 1) if problem.waypoints[j].rail[0] == problem.waypoints[j].rail[1]
+    ]
     if fixed and not leg.rail_moves:
         rails = np.array(fixed[:1])
     alive: BoolArray | None = None
@@ -332,7 +338,7 @@ def _broken_line(axes: Axes, course: Course, first: int, i: int, d: Array) -> In
     X_WT = X[round(bad * 100)]
     X_WF = X_WT @ inverse_pose(leg.X_FT)
     near = rails[int(np.argmin(np.abs(rails - _abreast(axes, X_WF))))]
-    reason = _why(axes, course, X_WF, float(near))
+    reason = _why(axes, problem, X_WF, float(near))
     where = f" at rail {near * 1e3:.1f} mm" if axes.has_rail else ""
     if not reason:
         reason = "no single configuration serves the whole line without crossing a singularity or a joint limit"
@@ -352,10 +358,10 @@ def _in_limits(axes: Axes, arm: Array) -> BoolArray:
     return ok
 
 
-def _no_common(axes: Axes, course: Course, first: int, last: int) -> Infeasible:
-    index = course.stops[last].motion
-    motion = course.motion(index)
-    start = course.motion(course.stops[first].motion) if course.stops[first].motion >= 0 else None
+def _no_common(axes: Axes, problem: Problem, first: int, last: int) -> Infeasible:
+    index = problem.waypoints[last].motion
+    motion = problem.motion(index)
+    start = problem.motion(problem.waypoints[first].motion) if problem.waypoints[first].motion >= 0 else None
     begin = f"{start.source}" if start else "the start"
     text = (
         f"{motion.source}: {_title(motion)}: no configuration serves all points from {begin} to here; the lines between"

@@ -13,10 +13,10 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.course import Course, Leg, LegKind
 from trajopt_cli.optimize.double_integrator import reach, shortest_time, trapezoid_time
 from trajopt_cli.optimize.reach import LINE_NODES, Label, StationTable, rail_grid, station_table
 from trajopt_cli.problem.freedom import RailFreedom
+from trajopt_cli.problem.problem import Leg, LegKind, Problem
 
 COARSE, FINE = 33, 25
 SPEEDS = np.array([-0.5, 0.0, 0.5])  # shares of the rail's top speed tried at a stop
@@ -45,10 +45,10 @@ class _Layer:
     rail: IndexArray
 
 
-def _layer(axes: Axes, course: Course, table: StationTable, k: int, speeds: Array) -> _Layer:
+def _layer(axes: Axes, problem: Problem, table: StationTable, k: int, speeds: Array) -> _Layer:
     arm = table.stops[k - table.first]
     labels, rails = np.nonzero(~np.isnan(arm[..., 0]))
-    stop = course.stops[k]
+    stop = problem.waypoints[k]
     q = np.concatenate([table.d[rails][:, None], arm[labels, rails]], axis=1)
     if stop.rest or stop.q is not None or stop.rail[0] == stop.rail[1] or len(speeds) == 1:
         return _Layer(q, np.zeros_like(q), labels, rails)
@@ -161,11 +161,11 @@ def _dwell_time(axes: Axes, leg: Leg, a: _Layer, b: _Layer, tied: bool) -> Array
 
 
 def _edges(
-    axes: Axes, course: Course, tables: list[StationTable], where: list[int], layers: list[_Layer], tied: bool
+    axes: Axes, problem: Problem, tables: list[StationTable], where: list[int], layers: list[_Layer], tied: bool
 ) -> list[Array]:
     edges = []
     cache: dict[tuple[object, ...], Array] = {}
-    for k, leg in enumerate(course.legs):
+    for k, leg in enumerate(problem.legs):
         a, b = layers[k], layers[k + 1]
         if leg.kind is LegKind.JOINT:
             edges.append(_joint_time(axes, leg, a, b, tied))
@@ -175,7 +175,7 @@ def _edges(
             T = _line_time(axes, leg, table, k - table.first, a, b)
         else:
             T = _dwell_time(axes, leg, a, b, tied)
-        if course.freedom.rail is RailFreedom.STATION:
+        if problem.freedom.rail is RailFreedom.STATION:
             T = np.where(a.rail[:, None] == b.rail[None], T, np.inf)
         edges.append(T)
     del cache
@@ -200,29 +200,29 @@ def _best(layers: list[_Layer], edges: list[Array]) -> tuple[float, list[int], l
     return float(forward[-1][end]), path[::-1], forward, backward
 
 
-def search(axes: Axes, course: Course, tied: bool) -> Chain | None:
+def search(axes: Axes, problem: Problem, tied: bool) -> Chain | None:
     """The best chain found, or None when no chain of stops is connected on the grid."""
-    where = _station_of(course)
+    where = _station_of(problem)
     tables = [
-        station_table(axes, course, first, last, rail_grid(course, first, last, COARSE))
-        for first, last in course.stations
+        station_table(axes, problem, first, last, rail_grid(problem, first, last, COARSE))
+        for first, last in problem.stations
     ]
     if not all(t.labels for t in tables):
         return None
     still = np.zeros(1)
-    layers = [_layer(axes, course, tables[where[k]], k, still) for k in range(len(course.stops))]
-    edges = _edges(axes, course, tables, where, layers, tied)
+    layers = [_layer(axes, problem, tables[where[k]], k, still) for k in range(len(problem.waypoints))]
+    edges = _edges(axes, problem, tables, where, layers, tied)
     cost, path, forward, backward = _best(layers, edges)
     if not np.isfinite(cost):
         return None
-    coarse = _chain(course, tables, where, layers, edges, path, cost)
-    if all(s.rail[0] == s.rail[1] for s in course.stops):
+    coarse = _chain(problem, tables, where, layers, edges, path, cost)
+    if all(s.rail[0] == s.rail[1] for s in problem.waypoints):
         return coarse
     # the fine search: labels near the best, rail near the best
     V0 = float(axes.velocity[0])
-    speeds = still if tied or not course.freedom.through_stops else V0 * SPEEDS
+    speeds = still if tied or not problem.freedom.through_stops else V0 * SPEEDS
     fine_tables = []
-    for (first, last), table in zip(course.stations, tables, strict=True):
+    for (first, last), table in zip(problem.stations, tables, strict=True):
         keep: set[int] = set()
         low, high = np.inf, -np.inf
         for k in range(first, last + 1):
@@ -232,23 +232,23 @@ def search(axes: Axes, course: Course, tied: bool) -> Chain | None:
             low, high = min(low, layers[k].q[path[k], 0]), max(high, layers[k].q[path[k], 0])
         spacing = (table.d[-1] - table.d[0]) / max(len(table.d) - 1, 1)
         margin = max(2 * spacing, 0.1)
-        d = rail_grid(course, first, last, FINE, (low - margin, high + margin))
-        fine = station_table(axes, course, first, last, d)
+        d = rail_grid(problem, first, last, FINE, (low - margin, high + margin))
+        fine = station_table(axes, problem, first, last, d)
         labels = [i for i in range(len(fine.labels)) if _like(fine, i, table, keep)]
         fine_tables.append(_restrict(fine, labels) if labels else fine)
     if not all(t.labels for t in fine_tables):
         return coarse
-    layers = [_layer(axes, course, fine_tables[where[k]], k, speeds) for k in range(len(course.stops))]
+    layers = [_layer(axes, problem, fine_tables[where[k]], k, speeds) for k in range(len(problem.waypoints))]
     if not all(len(layer.q) for layer in layers):
         return coarse
-    edges = _edges(axes, course, fine_tables, where, layers, tied)
+    edges = _edges(axes, problem, fine_tables, where, layers, tied)
     cost, path, _, _ = _best(layers, edges)
-    return _chain(course, fine_tables, where, layers, edges, path, cost) if np.isfinite(cost) else coarse
+    return _chain(problem, fine_tables, where, layers, edges, path, cost) if np.isfinite(cost) else coarse
 
 
-def _station_of(course: Course) -> list[int]:
+def _station_of(problem: Problem) -> list[int]:
     where = []
-    for i, (first, last) in enumerate(course.stations):
+    for i, (first, last) in enumerate(problem.stations):
         where += [i] * (last - first + 1)
     return where
 
@@ -278,11 +278,11 @@ def _restrict(table: StationTable, labels: list[int]) -> StationTable:
 
 
 def _chain(
-    course: Course, tables: list[StationTable], where: list[int], layers: list[_Layer], edges: list[Array],
+    problem: Problem, tables: list[StationTable], where: list[int], layers: list[_Layer], edges: list[Array],
     path: list[int], cost: float,
 ) -> Chain:  # fmt: skip
     q = np.array([layers[k].q[i] for k, i in enumerate(path)])
     w = np.array([layers[k].qd[i] for k, i in enumerate(path)])
     labels = tuple(tables[where[k]].labels[layers[k].label[i]] for k, i in enumerate(path))
-    times = np.array([edges[k][path[k], path[k + 1]] for k in range(len(course.legs))])
+    times = np.array([edges[k][path[k], path[k + 1]] for k in range(len(problem.legs))])
     return Chain(q, w, labels, times, cost)

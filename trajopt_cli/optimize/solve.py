@@ -15,7 +15,6 @@ from trajopt_cli.optimize.assemble import LEAST, rows_of
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.binding import binding_limit
 from trajopt_cli.optimize.bound import lower_bound
-from trajopt_cli.optimize.course import Course, LegKind, build_course, droppable
 from trajopt_cli.optimize.driver import LAST_ALONE, NotConverged, Refiner, first_draft
 from trajopt_cli.optimize.legs import JointProfiles, LegMotion, PathLeg
 from trajopt_cli.optimize.pieces import alone, cut, solve_pieces, with_leg
@@ -26,6 +25,7 @@ from trajopt_cli.optimize.transcription import Draft
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.problem import LegKind, Problem, build_problem, droppable
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.robot.symbolic import forward
 from trajopt_cli.trajectory import Trajectory, hermite
@@ -50,9 +50,9 @@ def check_feasible(
 
     Motions that the user lets go are left out where that helps.
     """
-    courses = _courses(program, plant, freedom, target)
-    first = courses[0]
-    return first if isinstance(first, Infeasible) and not any(isinstance(one, Course) for one in courses) else None
+    problems = _problems(program, plant, freedom, target)
+    first = problems[0]
+    return first if isinstance(first, Infeasible) and not any(isinstance(one, Problem) for one in problems) else None
 
 
 def optimize(
@@ -73,35 +73,35 @@ def optimize(
     tied = target is Target.RAPID
     axes = Axes.of(plant)
     tell(Progress("reach"))
-    courses = _courses(program, plant, freedom, target)
-    open_ = [c for c in courses if isinstance(c, Course)]
+    problems = _problems(program, plant, freedom, target)
+    open_ = [c for c in problems if isinstance(c, Problem)]
     if not open_:
-        assert isinstance(courses[0], Infeasible)
-        return courses[0]
+        assert isinstance(problems[0], Infeasible)
+        return problems[0]
     seconds["reach"] = perf_counter() - start
     tell(Progress("search"))
     start = perf_counter()
-    found = [(chain, course) for course in open_ if (chain := search(axes, course, tied)) is not None]
+    found = [(chain, problem) for problem in open_ if (chain := search(axes, problem, tied)) is not None]
     seconds["search"] = perf_counter() - start
     if not found:
         return _disconnected(program, plant)
-    chain, course = min(found, key=lambda pair: pair[0].cost)
-    draft, legs, trajectory, bounds = _clean_plan(axes, course, chain, tied, tell, seconds)
+    chain, problem = min(found, key=lambda pair: pair[0].cost)
+    draft, legs, trajectory, bounds = _clean_plan(axes, problem, chain, tied, tell, seconds)
     bound = None
     if bounded:
         start = perf_counter()
         tell(Progress("bound", incumbent=trajectory.duration))
-        bound = _checked_bound(axes, course, tied, trajectory.duration)
+        bound = _checked_bound(axes, problem, tied, trajectory.duration)
         seconds["bound"] = perf_counter() - start
     tell(Progress("done", incumbent=trajectory.duration, bound=bound))
-    grid = _grid(legs, course)
-    motions = _planned(axes, program, course, draft, legs, bounds)
+    grid = _grid(legs, problem)
+    motions = _planned(axes, program, problem, draft, legs, bounds)
     return Plan(target, trajectory, motions, bound, grid, seconds)
 
 
-def _checked_bound(axes: Axes, course: Course, tied: bool, duration: float) -> float:
+def _checked_bound(axes: Axes, problem: Problem, tied: bool, duration: float) -> float:
     """The lower bound; it aims a hair above the plan, so that a bound the plan itself refutes shows."""
-    bound = lower_bound(axes, course, tied, duration * 1.001)
+    bound = lower_bound(axes, problem, tied, duration * 1.001)
     if bound > duration * (1 + 1e-6):
         raise NoCleanPlan(f"an error in trajopt: the lower bound {bound:.6f} s lies above the plan, {duration:.6f} s")
     return min(bound, duration)  # equal up to rounding where the bound is exact
@@ -110,7 +110,9 @@ def _checked_bound(axes: Axes, course: Course, tied: bool, duration: float) -> f
 Clean = tuple[Draft, list[LegMotion], Trajectory, Array]
 
 
-def _clean_plan(axes: Axes, course: Course, chain: Chain, tied: bool, tell: Report, seconds: dict[str, float]) -> Clean:
+def _clean_plan(
+    axes: Axes, problem: Problem, chain: Chain, tied: bool, tell: Report, seconds: dict[str, float]
+) -> Clean:
     """The draft, its legs, rows and leg boundaries. A stream may also rest at every stop and run straight, as a rapid
     plan does: that is tried where the freer problem finds nothing, or nothing near what the search promised."""
     failure = None
@@ -118,19 +120,19 @@ def _clean_plan(axes: Axes, course: Course, chain: Chain, tied: bool, tell: Repo
     for straight in (tied,) if tied else (False, True):
         if straight and not tied:
             good = best is not None and best[2].duration <= DISAPPOINTING * chain.cost
-            if good and course.freedom.rail is not RailFreedom.STATION:  # few stations: two basins are worth a look
+            if good and problem.freedom.rail is not RailFreedom.STATION:  # few stations: two basins are worth a look
                 break
-            other = search(axes, course, True)
+            other = search(axes, problem, True)
             if other is None:
                 break
             chain = other
         try:
-            draft = _refine(axes, course, chain, straight, tell, seconds)
+            draft = _refine(axes, problem, chain, straight, tell, seconds)
         except NoCleanPlan as said:
             failure = said
             continue
-        legs = _final_legs(course, draft, straight)
-        rows = _rows(axes, legs, axes.seven(_end(axes, course, draft)))
+        legs = _final_legs(problem, draft, straight)
+        rows = _rows(axes, legs, axes.seven(_end(axes, problem, draft)))
         if rows is None:
             failure = NoCleanPlan("the written rows would pass a limit between each other")
             continue
@@ -172,17 +174,17 @@ def _passing(axes: Axes, trajectory: Trajectory) -> IndexArray:
     return np.flatnonzero(over)
 
 
-def _courses(program: Program, plant: Plant, freedom: Freedom, target: Target) -> list[Course | Infeasible]:
+def _problems(program: Program, plant: Plant, freedom: Freedom, target: Target) -> list[Problem | Infeasible]:
     """The whole program, and without the motions the user lets go if there are any; each checked for reach."""
     axes = Axes.of(plant)
     optional = droppable(program, plant) if freedom.drop else frozenset()
-    out: list[Course | Infeasible] = []
+    out: list[Problem | Infeasible] = []
     for dropped in [frozenset[int]()] + ([optional] if optional else []):
-        course = build_course(program, plant, freedom, target, dropped)
-        if isinstance(course, Course):
-            out.append(check_reach(axes, course) or course)
+        problem = build_problem(program, plant, freedom, target, dropped)
+        if isinstance(problem, Problem):
+            out.append(check_reach(axes, problem) or problem)
         else:
-            out.append(course)
+            out.append(problem)
     return out
 
 
@@ -192,7 +194,7 @@ def _disconnected(program: Program, plant: Plant) -> Infeasible:
     return Infeasible(index, source, f"{source}: no chain of configurations connects the start with the program's end")
 
 
-def _refine(axes: Axes, course: Course, chain: Chain, tied: bool, tell: Report, seconds: dict[str, float]) -> Draft:
+def _refine(axes: Axes, problem: Problem, chain: Chain, tied: bool, tell: Report, seconds: dict[str, float]) -> Draft:
     robot = axes.robot
     q = ca.SX.sym("q", 7)
     p, R = forward(robot, q if axes.has_rail else q[1:])
@@ -202,14 +204,14 @@ def _refine(axes: Axes, course: Course, chain: Chain, tied: bool, tell: Report, 
     def report(phase: str, legs: Sequence[LegMotion | None]) -> None:
         """The time of the legs at hand and the search's estimate for the others; a rapid dwell counts in full."""
         total = float(np.sum(chain.times))
-        for leg, estimate, motion in zip(course.legs, chain.times, legs, strict=False):
+        for leg, estimate, motion in zip(problem.legs, chain.times, legs, strict=False):
             if motion is not None and not (leg.kind is LegKind.DWELL and leg.duration is not None):
                 total += motion.T - float(estimate)
         tell(Progress(phase, incumbent=total))
 
-    whole = sum(1 for _ in cut(course, chain, tied)) == 1
+    whole = sum(1 for _ in cut(problem, chain, tied)) == 1
 
-    def solve(piece: Course, part: Chain) -> Draft:
+    def solve(piece: Problem, part: Chain) -> Draft:
         said = []
         for start in _starts(part):
             refiner = Refiner(axes, stages, flange, piece, tied)
@@ -220,14 +222,14 @@ def _refine(axes: Axes, course: Course, chain: Chain, tied: bool, tell: Report, 
                 said.append(str(failure))
             finally:
                 _add(seconds, refiner.seconds)
-        raise NoCleanPlan(f"{course.motion(piece.legs[0].motion).source}: {'; '.join(said)}")
+        raise NoCleanPlan(f"{problem.motion(piece.legs[0].motion).source}: {'; '.join(said)}")
 
-    draft = solve_pieces(course, chain, tied, solve, lambda legs: report("solve", legs))
+    draft = solve_pieces(problem, chain, tied, solve, lambda legs: report("solve", legs))
     if tied:  # every axis rests at every stop: once the rail's positions are chosen, each line can be timed by itself
-        for k, leg in enumerate(course.legs):
+        for k, leg in enumerate(problem.legs):
             if leg.kind is LegKind.LINE and draft.legs[k].N < LAST_ALONE:  # type: ignore[union-attr]
-                tell(Progress("retime", incumbent=_time(course, draft)))
-                piece, part = alone(course, draft, k)
+                tell(Progress("retime", incumbent=_time(problem, draft)))
+                piece, part = alone(problem, draft, k)
                 refiner = Refiner(axes, stages, flange, piece, tied)
                 draft = with_leg(draft, k, _finer(refiner, part))
                 _add(seconds, refiner.seconds)
@@ -253,10 +255,10 @@ def _add(total: dict[str, float], part: dict[str, float]) -> None:
         total[name] = total.get(name, 0.0) + spent
 
 
-def _time(course: Course, draft: Draft) -> float:
+def _time(problem: Problem, draft: Draft) -> float:
     """Cycle time of a draft: a rapid dwell counts in full, whatever its own profile needs."""
     total = 0.0
-    for leg, motion in zip(course.legs, draft.legs, strict=True):
+    for leg, motion in zip(problem.legs, draft.legs, strict=True):
         if leg.kind is LegKind.DWELL and leg.duration is not None:
             total += leg.duration
         elif motion is not None:
@@ -270,15 +272,15 @@ def _starts(chain: Chain) -> list[Chain]:
     return [chain, still, replace(still, times=chain.times * 1.5)]
 
 
-def _end(axes: Axes, course: Course, draft: Draft) -> Array:
-    stop = course.stops[-1]
+def _end(axes: Axes, problem: Problem, draft: Draft) -> Array:
+    stop = problem.waypoints[-1]
     return stop.q if stop.q is not None else axes.plant_axes(draft.q[-1])
 
 
-def _final_legs(course: Course, draft: Draft, tied: bool) -> list[LegMotion]:
+def _final_legs(problem: Problem, draft: Draft, tied: bool) -> list[LegMotion]:
     """A rapid dwell's profile is played as slowly as the dwell is long."""
     legs = []
-    for leg, motion in zip(course.legs, draft.legs, strict=True):
+    for leg, motion in zip(problem.legs, draft.legs, strict=True):
         assert motion is not None
         if tied and isinstance(motion, PathLeg) and leg.kind is LegKind.DWELL and leg.duration is not None:
             motion = replace(motion, T=leg.duration)
@@ -286,9 +288,9 @@ def _final_legs(course: Course, draft: Draft, tied: bool) -> list[LegMotion]:
     return legs
 
 
-def _grid(legs: list[LegMotion], course: Course) -> str:
+def _grid(legs: list[LegMotion], problem: Problem) -> str:
     sizes = {
-        name: sorted({m.N for leg, m in zip(course.legs, legs, strict=True) if pick(leg.kind, m)})
+        name: sorted({m.N for leg, m in zip(problem.legs, legs, strict=True) if pick(leg.kind, m)})
         for name, pick in {
             "lines": lambda kind, m: kind is LegKind.LINE,
             "dwells": lambda kind, m: kind is LegKind.DWELL and isinstance(m, PathLeg),
@@ -297,7 +299,7 @@ def _grid(legs: list[LegMotion], course: Course) -> str:
     }
     parts = [f"{'/'.join(map(str, n))} intervals per {name[:-1]}" for name, n in sizes.items() if n]
     closed = sum(
-        isinstance(m, JointProfiles) and leg.kind is LegKind.JOINT for leg, m in zip(course.legs, legs, strict=True)
+        isinstance(m, JointProfiles) and leg.kind is LegKind.JOINT for leg, m in zip(problem.legs, legs, strict=True)
     )
     if closed:
         parts.append(f"{closed} joint moves in closed form")
@@ -305,18 +307,18 @@ def _grid(legs: list[LegMotion], course: Course) -> str:
 
 
 def _planned(
-    axes: Axes, program: Program, course: Course, draft: Draft, legs: list[LegMotion], bounds: Array
+    axes: Axes, program: Program, problem: Problem, draft: Draft, legs: list[LegMotion], bounds: Array
 ) -> tuple[PlannedMotion, ...]:
-    by_motion = {leg.motion: k for k, leg in enumerate(course.legs)}
+    by_motion = {leg.motion: k for k, leg in enumerate(problem.legs)}
     out = []
     now, q_now = 0.0, axes.plant_axes(draft.q[0])
     for i, motion in enumerate(program.motions):
         k = by_motion.get(i)
         if k is None:
-            out.append(PlannedMotion(i, motion.source, now, now, q_now, q_now, "", i in course.dropped))
+            out.append(PlannedMotion(i, motion.source, now, now, q_now, q_now, "", i in problem.dropped))
             continue
         q_1 = axes.plant_axes(draft.q[k + 1])
-        binding = binding_limit(axes, course.legs[k], legs[k])
+        binding = binding_limit(axes, problem.legs[k], legs[k])
         out.append(PlannedMotion(i, motion.source, float(bounds[k]), float(bounds[k + 1]), q_now, q_1, binding))
         now, q_now = float(bounds[k + 1]), q_1
     return tuple(out)

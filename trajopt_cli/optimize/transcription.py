@@ -16,11 +16,11 @@ import numpy as np
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, axis_angle, inverse_pose
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.blocks import BlockNlp
-from trajopt_cli.optimize.course import Course, Leg, LegKind
 from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, share_of, straight
 from trajopt_cli.optimize.profiles import hold, profiles
 from trajopt_cli.optimize.stages import PathConstants, Stages, ToolRow
 from trajopt_cli.problem.freedom import RailFreedom
+from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.robot.symbolic_inverse import BranchSigns
 
 START = 1.0 - 5e-5  # share of every limit a grid starts with; rounding and Hermite rows need a hair of room
@@ -124,14 +124,14 @@ class Transcription:
     """Builds the program for one draft's structure (branches, grids, which joint moves are on a grid) and solves it."""
 
     def __init__(
-        self, axes: Axes, stages: Stages, flange: ca.Function, course: Course, draft: Draft,
+        self, axes: Axes, stages: Stages, flange: ca.Function, problem: Problem, draft: Draft,
         margins: Sequence[Margins | None], tied: bool,
     ):  # fmt: skip
-        self.axes, self.stages, self.flange, self.course = axes, stages, flange, course
+        self.axes, self.stages, self.flange, self.problem = axes, stages, flange, problem
         self.draft, self.margins, self.tied = draft, margins, tied
         self.nlp = BlockNlp()
         self._stops()
-        self._legs = [self._leg(leg, draft.legs[k], margins[k]) for k, leg in enumerate(course.legs)]
+        self._legs = [self._leg(leg, draft.legs[k], margins[k]) for k, leg in enumerate(problem.legs)]
         self._stations()
 
     # ---- stops
@@ -140,14 +140,14 @@ class Transcription:
         self.stop_q: list[IndexArray] = []
         self.stop_v: list[IndexArray] = []
         V = axes.velocity
-        for k, stop in enumerate(self.course.stops):
+        for k, stop in enumerate(self.problem.waypoints):
             q, qd = self.draft.q[k], self.draft.qd[k]
             if stop.q is not None:
                 fixed = axes.seven(stop.q)
                 self.stop_q.append(nlp.variables(fixed, fixed, fixed))
                 self.stop_v.append(nlp.variables(np.zeros(7), 0.0, 0.0))
                 continue
-            rest = stop.rest or self.tied or not self.course.rail_may_pass(k)
+            rest = stop.rest or self.tied or not self.problem.rail_may_pass(k)
             low, high = self._stop_range(k, stop.rail)
             d = nlp.variables(np.clip(q[:1], low, high), low, high)
             arm = nlp.variables(q[1:], axes.lower[1:], axes.upper[1:])
@@ -184,11 +184,11 @@ class Transcription:
 
     def _stations(self) -> None:
         """Stops of a station share one rail position where the freedom says so."""
-        for k, leg in enumerate(self.course.legs):
+        for k, leg in enumerate(self.problem.legs):
             hold = leg.kind is not LegKind.JOINT and not leg.rail_moves
-            if self.course.freedom.rail is RailFreedom.STATION and leg.kind is not LegKind.JOINT:
+            if self.problem.freedom.rail is RailFreedom.STATION and leg.kind is not LegKind.JOINT:
                 hold = True
-            a, b = self.course.stops[k], self.course.stops[k + 1]
+            a, b = self.problem.waypoints[k], self.problem.waypoints[k + 1]
             if hold and not (a.rail[0] == a.rail[1] and b.rail[0] == b.rail[1]):
                 self.nlp.add(self.stages.equal(), [self.stop_q[k][0], self.stop_q[k + 1][0]])
 
@@ -398,7 +398,7 @@ class Transcription:
         """The draft that variables x describe."""
         q, qd = self._polished(np.array([x[i] for i in self.stop_q]), np.array([x[i] for i in self.stop_v]))
         legs: list[LegMotion | None] = []
-        for leg, motion, var in zip(self.course.legs, self.draft.legs, self._legs, strict=True):
+        for leg, motion, var in zip(self.problem.legs, self.draft.legs, self._legs, strict=True):
             if motion is None:
                 legs.append(None)
                 continue
@@ -420,9 +420,9 @@ class Transcription:
         return Draft(q, qd, self.draft.cfx, tuple(legs))
 
     def _polished(self, q: Array, qd: Array) -> tuple[Array, Array]:
-        """Stop states with the arm exactly where the rail puts it; the solver leaves a residual."""
+        """Waypoint states with the arm exactly where the rail puts it; the solver leaves a residual."""
         q, qd = q.copy(), qd.copy()
-        for k, stop in enumerate(self.course.stops):
+        for k, stop in enumerate(self.problem.waypoints):
             if stop.q is not None:
                 continue
             arm = self.axes.inverse(stop.X_WF[None], q[k, :1])[0, self.draft.cfx[k]]

@@ -23,6 +23,13 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import confdata_admits, solutions
 
 
+class Coupling(Enum):
+    """How the axes of a leg are bound to each other on the way."""
+
+    FREE = "free"  # each axis of a joint move has its own profile, the rail moves freely along lines and waits
+    COORDINATED = "coordinated"  # as a RAPID controller drives: one share of the way for all axes, rest at every stop
+
+
 class LegKind(Enum):
     """How a leg moves."""
 
@@ -32,7 +39,7 @@ class LegKind(Enum):
 
 
 @dataclass(frozen=True, eq=False)
-class Stop:
+class Waypoint:
     """A point where the TCP rests. motion: index of the motion that ends here, -1 for the start.
 
     X_WF: flange pose, None where joints decide. q: all axes (k,) if the program fixes them. rail: range allowed [m].
@@ -72,13 +79,13 @@ class Leg:
 
 
 @dataclass(frozen=True, eq=False)
-class Course:
+class Problem:
     """Stops and legs in order; stations as (first stop, last stop); motions that take no time at all."""
 
     plant: Plant
     program: Program
     freedom: Freedom
-    stops: tuple[Stop, ...]
+    waypoints: tuple[Waypoint, ...]
     legs: tuple[Leg, ...]
     stations: tuple[tuple[int, int], ...]
     dropped: frozenset[int]
@@ -126,9 +133,9 @@ def editable(program: Program) -> frozenset[int]:
     return frozenset(out)
 
 
-def build_course(
+def build_problem(
     program: Program, plant: Plant, freedom: Freedom, target: Target, dropped: Collection[int] = ()
-) -> Course | Infeasible:
+) -> Problem | Infeasible:
     """Stops and legs of a program under a freedom, or why a fixed position is out of range.
 
     A rapid plan must be written back into the program: motions that cannot be edited keep their rail and confdata.
@@ -138,19 +145,19 @@ def build_course(
     rail_range = (float(plant.limits.lower[0]), float(plant.limits.upper[0])) if robot.has_rail else (0.0, 0.0)
     pinned_rail = freedom.rail is RailFreedom.PROGRAMMED or plant.rail_fixed
     written = float(plant.start[0]) if robot.has_rail else 0.0
-    stops = [Stop(-1, robot.forward(plant.start), plant.start, (written, written), written, True)]
+    stops = [Waypoint(-1, robot.forward(plant.start), plant.start, (written, written), written, True)]
     legs: list[Leg] = []
 
-    def pose_stop(index: int, X_WF: Array, conf: ConfData | None) -> Stop:
+    def pose_stop(index: int, X_WF: Array, conf: ConfData | None) -> Waypoint:
         rail = rail_range if index in free and not pinned_rail else (written, written)
         asked = None if freedom.configuration and index in free else conf
-        return Stop(index, X_WF, None, rail, written, not freedom.through_stops, asked)
+        return Waypoint(index, X_WF, None, rail, written, not freedom.through_stops, asked)
 
-    def joint_stop(index: int, q: Array, source: object) -> Stop:
+    def joint_stop(index: int, q: Array, source: object) -> Waypoint:
         for name, value, low, high in zip(plant.limits.names, q, plant.limits.lower, plant.limits.upper, strict=True):
             if not low - 1e-9 <= value <= high + 1e-9:
                 raise _OutOfRange(index, name, value, low, high)
-        return Stop(index, robot.forward(q), q, (written, written), written, True)
+        return Waypoint(index, robot.forward(q), q, (written, written), written, True)
 
     try:
         for i, motion in enumerate(program.motions):
@@ -171,7 +178,7 @@ def build_course(
                     )
                 )  # fmt: skip
                 stops.append(
-                    Stop(i, previous.X_WF, previous.q, previous.rail, written, rest or previous.rest, previous.conf)
+                    Waypoint(i, previous.X_WF, previous.q, previous.rail, written, rest or previous.rest, previous.conf)
                 )
                 continue
             given = plant.rail_value(motion.extax)
@@ -192,7 +199,7 @@ def build_course(
                 arm = _arm_as_written(stops[-1], plant)
                 if isinstance(arm, Infeasible):
                     return arm
-                stops[-1] = Stop(
+                stops[-1] = Waypoint(
                     stops[-1].motion, stops[-1].X_WF, arm, (float(arm[0]),) * 2, float(arm[0]), stops[-1].rest
                 )
                 stops.append(joint_stop(i, np.r_[written, arm[1:]], motion.source))
@@ -218,7 +225,7 @@ def build_course(
         source = program.motions[out.index].source
         return Infeasible(out.index, source, f"{source}: {_name(program.motions[out.index])} {out}")
     stops[-1] = _resting(stops[-1])
-    return Course(plant, program, freedom, tuple(stops), tuple(legs), _stations(legs, len(stops)), frozenset(dropped))
+    return Problem(plant, program, freedom, tuple(stops), tuple(legs), _stations(legs, len(stops)), frozenset(dropped))
 
 
 class _OutOfRange(Exception):
@@ -239,18 +246,18 @@ def _name(motion: Motion) -> str:
     return f"{type(motion).__name__} {getattr(motion, 'target', '')}".strip()
 
 
-def _resting(stop: Stop) -> Stop:
-    return Stop(stop.motion, stop.X_WF, stop.q, stop.rail, stop.written, True, stop.conf)
+def _resting(stop: Waypoint) -> Waypoint:
+    return Waypoint(stop.motion, stop.X_WF, stop.q, stop.rail, stop.written, True, stop.conf)
 
 
-def _arm_as_written(stop: Stop, plant: Plant) -> Array | Infeasible:
+def _arm_as_written(stop: Waypoint, plant: Plant) -> Array | Infeasible:
     """All axes at a stop as the program writes it: its rail value and its confdata."""
     if stop.q is not None:
         return stop.q
     rail = stop.written if plant.robot.has_rail else None
     for _, q in solutions(plant.robot, stop.X_WF, rail, plant.limits):
         if stop.conf is None or confdata_admits(plant.robot, stop.conf, q):
-            return np.r_[[] if rail is None else [rail], q]
+            return np.asarray(np.r_[[] if rail is None else [rail], q])
     raise InputError(
         "MoveExtJ holds the arm's joints, but the point before it cannot be reached with its confdata at its own rail"
         " value; correct eax or confdata there"

@@ -6,15 +6,15 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from small_cells import HOME, course_of, plant_with_rail, plant_without_rail, rapid
+from small_cells import HOME, plant_with_rail, plant_without_rail, problem_of, rapid
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import ConfData, MoveJ, MoveL, SignalEvent
-from trajopt_cli.optimize.course import LegKind, build_course, droppable
 from trajopt_cli.optimize.pieces import cut
 from trajopt_cli.optimize.search import Chain
 from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom
 from trajopt_cli.problem.plan import Infeasible, Target
+from trajopt_cli.problem.problem import LegKind, build_problem, droppable
 from trajopt_cli.scenario import Scenario
 
 J, L, D = LegKind.JOINT, LegKind.LINE, LegKind.DWELL
@@ -30,67 +30,67 @@ MoveAbsJ j_home, v1000, fine, tool0;"""
 
 def test_a_station_becomes_stops_legs_and_one_configuration() -> None:
     program = rapid(STATION)
-    course = course_of(program, plant_with_rail())
+    problem = problem_of(program, plant_with_rail())
     assert isinstance(program.motions[2], SignalEvent)
-    assert [leg.kind for leg in course.legs] == [J, L, D, L, J]
-    assert [leg.motion for leg in course.legs] == [0, 1, 3, 4, 5]
-    assert [leg.start for leg in course.legs] == [0, 1, 2, 3, 4]
-    assert [stop.motion for stop in course.stops] == [-1, 0, 1, 3, 4, 5]
-    assert course.stations == ((0, 0), (1, 4), (5, 5))
-    assert [stop.rest for stop in course.stops] == [True, False, False, False, False, True]
-    assert course.stops[2].X_WF is course.stops[3].X_WF
-    np.testing.assert_allclose(course.stops[1].X_WF[:3, 3], [0.5, 0.6, 0.45], atol=1e-15)
-    np.testing.assert_array_equal(course.stops[5].q, np.r_[0.0, HOME])
-    assert {stop.rail for stop in course.stops[1:5]} == {(-0.2, 2.2)}
-    assert [stop.written for stop in course.stops] == [0.0, 0.6, 0.6, 0.6, 0.6, 0.0]
-    line = course.legs[1]
+    assert [leg.kind for leg in problem.legs] == [J, L, D, L, J]
+    assert [leg.motion for leg in problem.legs] == [0, 1, 3, 4, 5]
+    assert [leg.start for leg in problem.legs] == [0, 1, 2, 3, 4]
+    assert [stop.motion for stop in problem.waypoints] == [-1, 0, 1, 3, 4, 5]
+    assert problem.stations == ((0, 0), (1, 4), (5, 5))
+    assert [stop.rest for stop in problem.waypoints] == [True, False, False, False, False, True]
+    assert problem.waypoints[2].X_WF is problem.waypoints[3].X_WF
+    np.testing.assert_allclose(problem.waypoints[1].X_WF[:3, 3], [0.5, 0.6, 0.45], atol=1e-15)
+    np.testing.assert_array_equal(problem.waypoints[5].q, np.r_[0.0, HOME])
+    assert {stop.rail for stop in problem.waypoints[1:5]} == {(-0.2, 2.2)}
+    assert [stop.written for stop in problem.waypoints] == [0.0, 0.6, 0.6, 0.6, 0.6, 0.0]
+    line = problem.legs[1]
     assert line.chord == pytest.approx(0.06, abs=1e-15)
     assert line.angle == pytest.approx(0.0, abs=1e-12)
-    assert course.legs[2].duration == 0.3
-    assert all(leg.rail_moves for leg in course.legs)
+    assert problem.legs[2].duration == 0.3
+    assert all(leg.rail_moves for leg in problem.legs)
 
 
 def test_programmed_speeds_cap_each_kind_of_motion() -> None:
     """v2500 over a cap of 2 m/s is held to it; v500 has 500 deg/s and 5 m/s; a wait has none."""
     plant = plant_with_rail()
-    course = course_of(rapid(STATION), plant)
+    problem = problem_of(rapid(STATION), plant)
     turn = np.radians(500)
-    caps = [(leg.v_tcp, leg.v_ori, leg.v_rail) for leg in course.legs]
+    caps = [(leg.v_tcp, leg.v_ori, leg.v_rail) for leg in problem.legs]
     wanted = [(2.5, turn, 5.0), (0.5, turn, 5.0), (INF, INF, INF), (0.5, turn, 5.0), (1.0, turn, 5.0)]
     np.testing.assert_allclose(caps, wanted)
-    assert [leg.a_tcp for leg in course.legs] == [20.0, 20.0, INF, 20.0, 20.0]
+    assert [leg.a_tcp for leg in problem.legs] == [20.0, 20.0, INF, 20.0, 20.0]
 
 
 def test_free_speed_lifts_the_programmed_cap_of_joint_moves_only() -> None:
-    course = course_of(rapid(STATION), plant_with_rail(free_speed=True))
-    assert [(leg.v_tcp, leg.v_ori) for leg in course.legs if leg.kind is J] == [(2.5, INF), (2.5, INF)]
-    assert [leg.v_tcp for leg in course.legs if leg.kind is L] == [0.5, 0.5]
+    problem = problem_of(rapid(STATION), plant_with_rail(free_speed=True))
+    assert [(leg.v_tcp, leg.v_ori) for leg in problem.legs if leg.kind is J] == [(2.5, INF), (2.5, INF)]
+    assert [leg.v_tcp for leg in problem.legs if leg.kind is L] == [0.5, 0.5]
 
 
 def test_rail_fixed_keeps_every_programmed_value() -> None:
-    course = course_of(rapid(STATION), plant_with_rail(rail_fixed=True))
-    assert [stop.rail for stop in course.stops] == [(w, w) for w in (0.0, 0.6, 0.6, 0.6, 0.6, 0.0)]
+    problem = problem_of(rapid(STATION), plant_with_rail(rail_fixed=True))
+    assert [stop.rail for stop in problem.waypoints] == [(w, w) for w in (0.0, 0.6, 0.6, 0.6, 0.6, 0.0)]
     # nothing to move: the dwell holds
-    assert not course.legs[2].rail_moves
+    assert not problem.legs[2].rail_moves
 
 
 def test_a_target_without_a_rail_value_stays_where_the_rail_was() -> None:
     body = "MoveJ p_in, v500, fine, tool0;\nMoveL p_open, v500, fine, tool0;\nMoveAbsJ j_home, v500, fine, tool0;"
     data = "CONST robtarget p_open:=[[500,600,400],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];"
-    course = course_of(rapid(body, data=data), plant_with_rail(rail_fixed=True))
-    assert course.stops[2].rail == (0.6, 0.6)
+    problem = problem_of(rapid(body, data=data), plant_with_rail(rail_fixed=True))
+    assert problem.waypoints[2].rail == (0.6, 0.6)
 
 
 def test_freedoms_reach_the_legs() -> None:
     program, plant = rapid(STATION), plant_with_rail()
-    fixed = course_of(program, plant, freedom=FIXED_RAIL)
+    fixed = problem_of(program, plant, freedom=FIXED_RAIL)
     assert [leg.rail_moves for leg in fixed.legs] == [True, False, False, False, True]
-    assert all(stop.rest for stop in fixed.stops)
-    assert {stop.rail for stop in fixed.stops[1:5]} == {(-0.2, 2.2)}
-    written = course_of(program, plant, freedom=AS_WRITTEN)
-    assert all(stop.rail[0] == stop.rail[1] for stop in written.stops)
-    assert [stop.conf is not None for stop in written.stops] == [False, True, True, True, True, False]
-    assert all(stop.conf is None for stop in course_of(program, plant).stops)
+    assert all(stop.rest for stop in fixed.waypoints)
+    assert {stop.rail for stop in fixed.waypoints[1:5]} == {(-0.2, 2.2)}
+    written = problem_of(program, plant, freedom=AS_WRITTEN)
+    assert all(stop.rail[0] == stop.rail[1] for stop in written.waypoints)
+    assert [stop.conf is not None for stop in written.waypoints] == [False, True, True, True, True, False]
+    assert all(stop.conf is None for stop in problem_of(program, plant).waypoints)
 
 
 def test_a_line_of_no_length_to_another_rail_value_is_a_dwell_that_takes_as_long_as_it_needs() -> None:
@@ -101,21 +101,21 @@ MoveL p_b, v500, fine, tool0;
 MoveL p_low, v500, \\T:=0.7, fine, tool0;
 MoveAbsJ j_home, v500, fine, tool0;"""
     body = body.replace("v500, \\T:=0.7,", "v500\\T:=0.7,")
-    course = course_of(rapid(body, data=data), plant_with_rail())
-    assert [leg.kind for leg in course.legs] == [J, L, D, D, J]
-    assert [leg.duration for leg in course.legs] == [None, None, None, 0.7, None]
-    assert course.legs[2].rail_moves
-    assert course.stops[3].written == 0.9
-    held = course_of(rapid(body, data=data), plant_with_rail(rail_fixed=True))
-    assert held.stops[3].rail == (0.9, 0.9)
+    problem = problem_of(rapid(body, data=data), plant_with_rail())
+    assert [leg.kind for leg in problem.legs] == [J, L, D, D, J]
+    assert [leg.duration for leg in problem.legs] == [None, None, None, 0.7, None]
+    assert problem.legs[2].rail_moves
+    assert problem.waypoints[3].written == 0.9
+    held = problem_of(rapid(body, data=data), plant_with_rail(rail_fixed=True))
+    assert held.waypoints[3].rail == (0.9, 0.9)
     assert held.legs[2].rail_moves
 
 
 def test_a_programmed_duration_stays_with_its_line() -> None:
     body = "MoveJ p_in, v500\\T:=2.5, fine, tool0;\nMoveL p_low, v500\\T:=1.5, fine, tool0;"
-    course = course_of(rapid(body), plant_with_rail())
-    assert [(leg.kind, leg.duration) for leg in course.legs] == [(J, 2.5), (L, 1.5)]
-    assert course.stops[-1].rest
+    problem = problem_of(rapid(body), plant_with_rail())
+    assert [(leg.kind, leg.duration) for leg in problem.legs] == [(J, 2.5), (L, 1.5)]
+    assert problem.waypoints[-1].rest
 
 
 def test_joints_given_in_the_middle_are_kept_and_divide_the_stations() -> None:
@@ -124,17 +124,17 @@ def test_joints_given_in_the_middle_are_kept_and_divide_the_stations() -> None:
 MoveAbsJ j_mid, v500, fine, tool0;
 WaitTime 0.2;
 MoveJ p_in, v500, fine, tool0;"""
-    course = course_of(rapid(body, data=data), plant_with_rail())
+    problem = problem_of(rapid(body, data=data), plant_with_rail())
     q = np.r_[0.3, HOME]
     q[1] = np.radians(10)
-    np.testing.assert_allclose(course.stops[2].q, q, atol=1e-15)
-    np.testing.assert_allclose(course.stops[3].q, q, atol=1e-15)
-    assert course.stops[2].rail == (0.3, 0.3)
-    assert course.stops[2].rest
-    assert course.stops[3].rest
-    assert not course.legs[2].rail_moves
-    assert course.stations == ((0, 0), (1, 1), (2, 3), (4, 4))
-    np.testing.assert_allclose(course.plant.robot.forward(q), course.stops[2].X_WF, atol=1e-15)
+    np.testing.assert_allclose(problem.waypoints[2].q, q, atol=1e-15)
+    np.testing.assert_allclose(problem.waypoints[3].q, q, atol=1e-15)
+    assert problem.waypoints[2].rail == (0.3, 0.3)
+    assert problem.waypoints[2].rest
+    assert problem.waypoints[3].rest
+    assert not problem.legs[2].rail_moves
+    assert problem.stations == ((0, 0), (1, 1), (2, 3), (4, 4))
+    np.testing.assert_allclose(problem.plant.robot.forward(q), problem.waypoints[2].X_WF, atol=1e-15)
 
 
 def test_external_axes_alone_hold_the_arm_that_the_point_before_has() -> None:
@@ -142,13 +142,13 @@ def test_external_axes_alone_hold_the_arm_that_the_point_before_has() -> None:
     body = "MoveJ p_in, v500, fine, tool0;\nMoveExtJ j_rail, vrot10, fine;\nMoveAbsJ j_home, v500, fine, tool0;"
     body = body.replace("vrot10", "v500")
     plant = plant_with_rail()
-    course = course_of(rapid(body, data=data), plant)
-    before, after = course.stops[1], course.stops[2]
+    problem = problem_of(rapid(body, data=data), plant)
+    before, after = problem.waypoints[1], problem.waypoints[2]
     assert (before.q[0], after.q[0]) == pytest.approx((0.6, 0.9), abs=1e-15)
     np.testing.assert_array_equal(before.q[1:], after.q[1:])
     np.testing.assert_allclose(plant.robot.forward(before.q), before.X_WF, atol=1e-12)
     assert before.rail == (0.6, 0.6)
-    leg = course.legs[1]
+    leg = problem.legs[1]
     assert leg.kind is J
     # only the external axes' cap counts; the tool is carried along under the robot's own
     assert (leg.v_ori, leg.v_rail) == (INF, 5.0)
@@ -159,7 +159,7 @@ def test_external_axes_alone_need_a_point_before_that_can_be_had() -> None:
 CONST robtarget p_off:=[[500,600,450],[0,0,1,0],[0,0,0,0],[2000,9E9,9E9,9E9,9E9,9E9]];"""
     body = "MoveJ p_off, v500, fine, tool0;\nMoveExtJ j_rail, v500, fine;"
     with pytest.raises(InputError, match="MoveExtJ holds the arm's joints, but the point before it cannot be reached"):
-        build_course(rapid(body, data=data), plant_with_rail(), EVERYTHING, Target.STREAM)
+        build_problem(rapid(body, data=data), plant_with_rail(), EVERYTHING, Target.STREAM)
 
 
 @pytest.mark.parametrize(("waits", "kinds"), [({}, [J, L, L]), ({"di_ok": 0.4}, [J, L, D, L])])
@@ -167,20 +167,20 @@ def test_a_wait_for_a_signal_ends_at_rest(waits: dict[str, float], kinds: list[L
     """Without a least duration there is no leg, but the point before must be at rest; with one the dwell's end is."""
     body = "MoveJ p_in, v500, fine, tool0;\nMoveL p_low, v500, fine, tool0;\nWaitDI di_ok, 1;"
     body += "\nMoveL p_in, v500, fine, tool0;"
-    course = course_of(rapid(body, Scenario(signals={"di_ok": 1}, waits=waits)), plant_with_rail())
-    assert [leg.kind for leg in course.legs] == kinds
-    rests = [stop.rest for stop in course.stops]
+    problem = problem_of(rapid(body, Scenario(signals={"di_ok": 1}, waits=waits)), plant_with_rail())
+    assert [leg.kind for leg in problem.legs] == kinds
+    rests = [stop.rest for stop in problem.waypoints]
     assert rests == ([True, False, True, True] if not waits else [True, False, False, True, True])
     if waits:
-        assert course.legs[2].duration == 0.4
-        assert course.legs[2].rail_moves
+        assert problem.legs[2].duration == 0.4
+        assert problem.legs[2].rail_moves
 
 
 def test_a_wait_of_no_time_leaves_no_trace() -> None:
     body = "MoveJ p_in, v500, fine, tool0;\nWaitTime 0;\nMoveL p_low, v500, fine, tool0;"
-    course = course_of(rapid(body), plant_with_rail())
-    assert [leg.kind for leg in course.legs] == [J, L]
-    assert not course.stops[1].rest
+    problem = problem_of(rapid(body), plant_with_rail())
+    assert [leg.kind for leg in problem.legs] == [J, L]
+    assert not problem.waypoints[1].rest
 
 
 def test_only_what_precedes_a_joint_move_may_go() -> None:
@@ -193,15 +193,15 @@ MoveAbsJ j_home, v500, fine, tool0; ! trajopt: optional"""
     assert droppable(program, plant_with_rail()) == {1, 2}
     marked = droppable(rapid(body.replace("! trajopt: optional", "")), plant_with_rail(droppable=frozenset({"p_in"})))
     assert marked == {2}
-    course = course_of(program, plant_with_rail(), dropped={2})
-    assert [leg.motion for leg in course.legs] == [0, 1, 3]
-    assert course.dropped == {2}
+    problem = problem_of(program, plant_with_rail(), dropped={2})
+    assert [leg.motion for leg in problem.legs] == [0, 1, 3]
+    assert problem.dropped == {2}
 
 
 def test_joints_out_of_range_are_named_with_motion_value_and_range() -> None:
     data = "CONST jointtarget j_bad:=[[0,0,0,0,130,0],[0,9E9,9E9,9E9,9E9,9E9]];"
     program = rapid("MoveAbsJ j_bad, v500, fine, tool0;", data=data)
-    answer = build_course(program, plant_with_rail(), EVERYTHING, Target.STREAM)
+    answer = build_problem(program, plant_with_rail(), EVERYTHING, Target.STREAM)
     assert isinstance(answer, Infeasible)
     assert answer.index == 0
     assert answer.message == "t.mod:5:1: MoveAbsJ j_bad asks for joint_5 = 130 deg, range -115..115 deg"
@@ -210,7 +210,7 @@ def test_joints_out_of_range_are_named_with_motion_value_and_range() -> None:
 @pytest.mark.parametrize("move", ["MoveAbsJ j_far, v500, fine, tool0;", "MoveExtJ j_far, v500, fine;"])
 def test_a_rail_out_of_its_stroke_is_named(move: str) -> None:
     data = "CONST jointtarget j_far:=[[0,0,0,0,30,0],[2500,9E9,9E9,9E9,9E9,9E9]];"
-    answer = build_course(rapid(move, data=data), plant_with_rail(), EVERYTHING, Target.STREAM)
+    answer = build_problem(rapid(move, data=data), plant_with_rail(), EVERYTHING, Target.STREAM)
     assert isinstance(answer, Infeasible)
     assert answer.message == f"t.mod:5:1: {move.split()[0]} j_far asks for rail = 2500 mm, range -200..2200 mm"
 
@@ -218,9 +218,9 @@ def test_a_rail_out_of_its_stroke_is_named(move: str) -> None:
 def test_a_free_rail_may_be_written_out_of_its_stroke_and_a_fixed_one_may_not() -> None:
     data = "CONST robtarget p_off:=[[500,600,450],[0,0,1,0],[0,0,0,0],[2500,9E9,9E9,9E9,9E9,9E9]];"
     program = rapid("MoveJ p_off, v500, fine, tool0;", data=data)
-    assert course_of(program, plant_with_rail()).stops[1].rail == (-0.2, 2.2)
+    assert problem_of(program, plant_with_rail()).waypoints[1].rail == (-0.2, 2.2)
     for plant, freedom in ((plant_with_rail(rail_fixed=True), EVERYTHING), (plant_with_rail(), AS_WRITTEN)):
-        answer = build_course(program, plant, freedom, Target.STREAM)
+        answer = build_problem(program, plant, freedom, Target.STREAM)
         assert isinstance(answer, Infeasible)
         assert answer.message == "t.mod:5:1: MoveJ p_off asks for rail = 2500 mm, range -200..2200 mm"
 
@@ -235,31 +235,31 @@ MoveL p_in, v500, fine, tool0;
 ENDFOR
 MoveAbsJ j_home, v500, fine, tool0;"""
     program, plant = rapid(body), plant_with_rail()
-    course = course_of(program, plant, Target.RAPID)
-    free = [stop.rail[0] < stop.rail[1] for stop in course.stops]
+    problem = problem_of(program, plant, Target.RAPID)
+    free = [stop.rail[0] < stop.rail[1] for stop in problem.waypoints]
     assert free == [False, True, False, False, False, False, False, False]
-    assert [stop.conf is not None for stop in course.stops[1:-1]] == [False, True, True, True, True, True]
-    stream = course_of(program, plant)
-    assert [stop.rail[0] < stop.rail[1] for stop in stream.stops] == [False, *[True] * 6, False]
+    assert [stop.conf is not None for stop in problem.waypoints[1:-1]] == [False, True, True, True, True, True]
+    stream = problem_of(program, plant)
+    assert [stop.rail[0] < stop.rail[1] for stop in stream.waypoints] == [False, *[True] * 6, False]
 
 
 def test_the_tool_is_taken_off_the_target() -> None:
     data = "PERS tooldata t_grip:=[TRUE,[[10,20,120],[0.8,0,0.6,0]],[1,[0,0,60],[1,0,0,0],0,0,0]];"
     body = "MoveJ p_in, v500, fine, t_grip;\nMoveL p_low, v500, fine, t_grip;"
-    course = course_of(rapid(body, data=data), plant_with_rail())
-    X_FT = course.legs[0].X_FT
+    problem = problem_of(rapid(body, data=data), plant_with_rail())
+    X_FT = problem.legs[0].X_FT
     np.testing.assert_allclose(X_FT[:3, 3], [0.01, 0.02, 0.12], atol=1e-15)
-    np.testing.assert_allclose((course.stops[1].X_WF @ X_FT)[:3, 3], [0.5, 0.6, 0.45], atol=1e-15)
-    assert course.legs[1].chord == pytest.approx(0.06, abs=1e-12)
+    np.testing.assert_allclose((problem.waypoints[1].X_WF @ X_FT)[:3, 3], [0.5, 0.6, 0.45], atol=1e-15)
+    assert problem.legs[1].chord == pytest.approx(0.06, abs=1e-12)
 
 
 def test_without_a_rail_nothing_of_it_is_left() -> None:
     data = "CONST robtarget p_here:=[[500,100,450],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];"
     body = "MoveJ p_here, v500, fine, tool0;\nWaitTime 0.1;\nMoveAbsJ j_home\\NoEOffs, v500, fine, tool0;"
-    course = course_of(rapid(body, data=data), plant_without_rail())
-    assert {stop.rail for stop in course.stops} == {(0.0, 0.0)}
-    assert course.stops[3].q.shape == (6,)
-    assert not course.legs[1].rail_moves
+    problem = problem_of(rapid(body, data=data), plant_without_rail())
+    assert {stop.rail for stop in problem.waypoints} == {(0.0, 0.0)}
+    assert problem.waypoints[3].q.shape == (6,)
+    assert not problem.legs[1].rail_moves
 
 
 def test_a_course_is_cut_only_where_nothing_is_left_to_choose() -> None:
@@ -271,15 +271,15 @@ MoveL p_low, v500, fine, tool0;
 MoveAbsJ j_home, v500, fine, tool0;"""
 
     def lengths(freedom: Freedom, tied: bool, **plant: object) -> list[int]:
-        course = course_of(rapid(body, data=data), plant_with_rail(**plant), freedom=freedom)
-        n = len(course.stops)
+        problem = problem_of(rapid(body, data=data), plant_with_rail(**plant), freedom=freedom)
+        n = len(problem.waypoints)
         chain = Chain(np.zeros((n, 7)), np.zeros((n, 7)), (None,) * n, np.ones(n - 1), n - 1.0)
-        pieces = list(cut(course, chain, tied))
+        pieces = list(cut(problem, chain, tied))
         assert [leg.start for piece, _ in pieces for leg in piece.legs] == [
             i for piece, _ in pieces for i in range(len(piece.legs))
         ]
-        assert all(len(part.q) == len(piece.stops) for piece, part in pieces)
-        assert [leg.motion for piece, _ in pieces for leg in piece.legs] == [leg.motion for leg in course.legs]
+        assert all(len(part.q) == len(piece.waypoints) for piece, part in pieces)
+        assert [leg.motion for piece, _ in pieces for leg in piece.legs] == [leg.motion for leg in problem.legs]
         return [len(piece.legs) for piece, _ in pieces]
 
     assert lengths(EVERYTHING, False) == [2, 3]
@@ -298,8 +298,8 @@ def test_confdata_is_demanded_only_where_the_program_holds_to_it() -> None:
             if isinstance(m, MoveJ | MoveL):
                 m = replace(m, settings=replace(m.settings, conf_j=conf_j, conf_l=conf_l))
             motions.append(m)
-        course = course_of(replace(program, motions=tuple(motions)), plant_with_rail(), freedom=AS_WRITTEN)
-        asked = [stop.conf for stop in course.stops]
+        problem = problem_of(replace(program, motions=tuple(motions)), plant_with_rail(), freedom=AS_WRITTEN)
+        asked = [stop.conf for stop in problem.waypoints]
         j, line = (ConfData(0, 0, 0, 0) if on else None for on in (conf_j, conf_l))
         # start, MoveJ, MoveL, the wait there, MoveL, MoveAbsJ
         assert asked == [None, j, line, line, line, None]

@@ -10,10 +10,10 @@ from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.motion import Program, TextFile
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.course import Course, build_course
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.problem import Problem, build_problem
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.robot.model import load_robot
 from trajopt_cli.scenario import Scenario
@@ -59,12 +59,12 @@ def down(x: float, y: float, z: float, turn: float = 0.0) -> Array:
     return pose(rotation_about([0, 0, 1], turn) @ DOWN, [x, y, z])
 
 
-def course_of(
+def problem_of(
     program: Program, plant: Plant, target: Target = Target.STREAM, freedom: Freedom = EVERYTHING, **more: object
-) -> Course:
-    course = build_course(program, plant, freedom, target, **more)
-    assert isinstance(course, Course), course
-    return course
+) -> Problem:
+    problem = build_problem(program, plant, freedom, target, **more)
+    assert isinstance(problem, Problem), problem
+    return problem
 
 
 MOUNTS = ("as it is", "turned", "slanted")
