@@ -107,10 +107,17 @@ class LineSymbols:
             {"p": X_B0[:3, 3], "chord": X_B1[:3, 3] - X_B0[:3, 3], **turn_parts(X_B0, X_B1, X_BF, X_FT)}
         )
 
+    def tool(self, p: ca.SX, s: ca.SX) -> ca.SX:
+        """Position (3,) of the tool centre point in the arm's base frame."""
+        part = self.layout.split(p)
+        return part["p"] + s * part["chord"]
+
+    def rotation(self, p: ca.SX, s: ca.SX) -> ca.SX:
+        """Rotation (3, 3) of the flange there."""
+        part = self.layout.split(p)
+        return part["R"] @ about(part["axis"], part["angle"] * s) if self.turning else part["R"]
+
     def flange(self, p: ca.SX, s: ca.SX) -> Flange:
         """The flange in the arm's base frame at share s of the line with parameters p (size,)."""
-        part = self.layout.split(p)
-        R = part["R"]
-        if self.turning:
-            R = R @ about(part["axis"], part["angle"] * s)
-        return Flange(part["p"] + s * part["chord"] - R @ part["offset"], R)
+        R = self.rotation(p, s)
+        return Flange(self.tool(p, s) - R @ self.layout.split(p)["offset"], R)
