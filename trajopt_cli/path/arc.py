@@ -13,7 +13,7 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
-from trajopt_cli.path.circle import Point, circle
+from trajopt_cli.path.circle import Point, circle_through
 from trajopt_cli.path.line import Line
 from trajopt_cli.path.symbols import TURN, Flange, Layout, about, flange_at_start, turn_parts
 
@@ -39,7 +39,7 @@ class Arc:
             InputError: the three points lie on one line, or two of them in one place.
         """
         points = X_0[:3, 3], via, X_1[:3, 3]
-        found = circle(*(_point(p) for p in points))
+        found = circle_through(*(_point(p) for p in points))
         if found is None:
             places = ", ".join("[" + ", ".join(f"{x * 1e3:.3f}" for x in p) + "]" for p in points)
             raise InputError(

@@ -19,7 +19,7 @@ class Circle(NamedTuple):
     angle: float
 
 
-def circle(start: Point, via: Point, end: Point) -> Circle | None:
+def circle_through(start: Point, via: Point, end: Point) -> Circle | None:
     """The arc from start through via to end; None for points on one line or in one place."""
     u, v = _minus(via, start), _minus(end, start)
     n = _cross(u, v)
