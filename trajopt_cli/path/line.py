@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, ClassVar
@@ -73,9 +72,11 @@ class Line:
         return np.zeros((len(s), 6))
 
 
-def poses_of_many(lines: Sequence[Line], s: Array) -> Array:
-    """Tool poses (m, n, 4, 4) of m lines at the same shares s (n,): what Line.pose gives, but much faster."""
-    X_0, X_1 = (np.array(ends) for ends in zip(*((line.X_0, line.X_1) for line in lines), strict=True))
+def poses_of_many(X_0: Array, X_1: Array, s: Array) -> Array:
+    """Tool poses (m, n, 4, 4) of the lines from X_0 to X_1 (m, 4, 4) at shares s (n,).
+
+    What Line.pose gives up to rounding, 6 (41 shares) to 20 times (5 shares) faster.
+    """
     w, v = np.split(wxyz_from_rotation(np.swapaxes(X_0[:, :3, :3], 1, 2) @ X_1[:, :3, :3]), [1], axis=1)
     sine = np.linalg.norm(v, axis=1, keepdims=True)
     half = np.arctan2(sine, w) * s  # (m, n), of the angle turned so far

@@ -11,15 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trajopt_cli.geometry import (
-    Array,
-    BoolArray,
-    IndexArray,
-    inverse_pose,
-    pose,
-    rotation_from_wxyz,
-    wxyz_from_rotation,
-)
+from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
+from trajopt_cli.path.line import poses_of_many
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import inverse
 
@@ -127,14 +120,7 @@ def _sampled(plant: Plant, lines: Sequence[Line], samples: int) -> tuple[Array, 
     m, s = len(lines), np.linspace(0, 1, samples)
     X_FT = np.array([line.X_FT for line in lines])
     X_0, X_1 = (np.array(ends) @ X_FT for ends in zip(*((n.X_WF_0, n.X_WF_1) for n in lines), strict=True))
-    way = X_1[:, :3, 3] - X_0[:, :3, 3]
-    w, v = np.split(wxyz_from_rotation(np.swapaxes(X_0[:, :3, :3], 1, 2) @ X_1[:, :3, :3]), [1], axis=1)
-    sine = np.linalg.norm(v, axis=1, keepdims=True)
-    half = np.arctan2(sine, w) * s  # (m, samples), of the angle turned so far
-    axis = v / np.where(sine < 1e-15, 1.0, sine)
-    part = rotation_from_wxyz(np.concatenate([np.cos(half)[..., None], np.sin(half)[..., None] * axis[:, None]], -1))
-    X = pose(X_0[:, None, :3, :3] @ part, X_0[:, None, :3, 3] + s[:, None] * way[:, None])
-    X_WF = X @ inverse_pose(X_FT)[:, None]
+    X_WF = poses_of_many(X_0, X_1, s) @ inverse_pose(X_FT)[:, None]
     rail = np.array([line.rail for line in lines])
     rails = rail[:, :1] + s * (rail[:, 1:] - rail[:, :1]) if plant.robot.has_rail else None
     branches = inverse(plant.robot, X_WF.reshape(-1, 4, 4), None if rails is None else rails.reshape(-1))
@@ -147,7 +133,7 @@ def _sampled(plant: Plant, lines: Sequence[Line], samples: int) -> tuple[Array, 
     each = np.arange(m)
     q = np.unwrap(branches[each, :, branch], axis=1)
     q += 2 * np.pi * np.round((start - q[:, 0]) / (2 * np.pi))[:, None]
-    return np.linalg.norm(way, axis=1), q, away[each, branch] <= _SAME
+    return np.linalg.norm(X_1[:, :3, 3] - X_0[:, :3, 3], axis=1), q, away[each, branch] <= _SAME
 
 
 def _followed(plant: Plant, chord: float, q: Array, steps: Array, weak: BoolArray) -> Followed:
