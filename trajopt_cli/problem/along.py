@@ -28,9 +28,11 @@ _AT_ONCE = 40_000  # samples: 30 MB of work arrays
 
 
 @dataclass(frozen=True, eq=False)
-class Line:
-    """X_WF_0, X_WF_1: the flange at both ends. X_FT: the tool. rail [m] at both ends. q (6,) [rad]: joints at the
-    start."""
+class ArmLine:
+    """A line and where the arm begins it.
+
+    X_WF_0, X_WF_1: the flange at both ends. X_FT: the tool. rail [m] at both ends. q (6,) [rad]: joints at the start.
+    """
 
     X_WF_0: Array
     X_WF_1: Array
@@ -76,7 +78,7 @@ class Followed:
         return ", ".join(parts) or f"{names[4]} is 0° and {names[3]} and {names[5]} turn about one axis"
 
 
-def follow(plant: Plant, lines: Sequence[Line]) -> list[Followed | None]:
+def follow(plant: Plant, lines: Sequence[ArmLine]) -> list[Followed | None]:
     """Each line followed; None where the start joints are on no branch (a singular start) or are not at the start."""
     out: list[Followed | None] = [None] * len(lines)
     todo = np.array([_short(line) for line in lines], dtype=bool)
@@ -87,14 +89,14 @@ def follow(plant: Plant, lines: Sequence[Line]) -> list[Followed | None]:
     return out
 
 
-def _short(line: Line) -> bool:
+def _short(line: ArmLine) -> bool:
     X_0, X_1 = line.X_WF_0, line.X_WF_1
     turn = np.arccos(np.clip((np.sum(X_0[:3, :3] * X_1[:3, :3]) - 1) / 2, -1, 1))
     return bool(np.linalg.norm(X_1[:3, 3] - X_0[:3, 3]) < _SMALL[0] and turn < _SMALL[1])
 
 
 def _level(
-    plant: Plant, lines: Sequence[Line], which: IndexArray, samples: int, out: list[Followed | None]
+    plant: Plant, lines: Sequence[ArmLine], which: IndexArray, samples: int, out: list[Followed | None]
 ) -> IndexArray:
     """Follow some lines with so many samples; gives those back that need more."""
     again: list[int] = []
@@ -115,7 +117,7 @@ def _level(
     return np.array(again, dtype=np.intp)
 
 
-def _sampled(plant: Plant, lines: Sequence[Line], samples: int) -> tuple[Array, Array, Array]:
+def _sampled(plant: Plant, lines: Sequence[ArmLine], samples: int) -> tuple[Array, Array, Array]:
     """Chords (m,), joints (m, samples, 6) along each line, and which of them have a branch at the start."""
     m, s = len(lines), np.linspace(0, 1, samples)
     X_FT = np.array([line.X_FT for line in lines])
