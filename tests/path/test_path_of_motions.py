@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 from small_cells import rapid
@@ -53,3 +56,14 @@ def test_lines_arcs_and_waits_are_segments_one_after_the_other() -> None:
 def test_three_points_on_a_line_are_told_with_their_place() -> None:
     with pytest.raises(InputError, match=r"^t\.mod:6:1: MoveC .*: no circle leads through three points on one line"):
         ways(f"MoveL {at(500, 0, 500)},v100,fine,tool0;\nMoveC {at(500, 50, 500)},{at(500, 90, 500)},v100,fine,tool0;")
+
+
+def test_numbers_need_no_casadi() -> None:
+    """Reading a program measures arcs, and must start at once."""
+    script = (
+        "import sys, numpy as np, trajopt_cli.path.corner, trajopt_cli.path.joint_corner, trajopt_cli.path.joint_move\n"
+        "from trajopt_cli.path.line import Line\n"
+        "Line(np.eye(4), np.eye(4)).pose(np.zeros(3))\n"
+        "print('casadi' in sys.modules)"
+    )
+    assert subprocess.run([sys.executable, "-c", script], capture_output=True, text=True).stdout == "False\n"
