@@ -11,8 +11,9 @@ from typing import Literal
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, axis_angle, inverse_pose, line_pose
+from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.path.line import Line
 
 
 def integrate(grid: Array, x: Array, v: Array, tau: Array, right: bool = True) -> tuple[Array, Array, Array]:
@@ -100,7 +101,7 @@ class PathLeg:
 
     def node_arm(self, axes: Axes) -> Array:
         """Arm joints (N+1, 6) at the nodes."""
-        X_WT = line_pose(self.X_0, self.X_1, self.s)
+        X_WT = Line(self.X_0, self.X_1).pose(self.s)
         arm = axes.inverse(X_WT @ inverse_pose(self.X_FT), self.d)[:, self.cfx, :]
         return unwind(arm, self.reference)
 
@@ -110,14 +111,13 @@ class PathLeg:
         s, sv, sa = integrate(self.grid, self.s, self.v, tau, right)
         d, dv, da = integrate(self.grid, self.d, self.w, tau, right)
         sv, dv, sa, da = sv / self.T, dv / self.T, sa / self.T**2, da / self.T**2
-        X_WT = line_pose(self.X_0, self.X_1, s)
+        line = Line(self.X_0, self.X_1)
+        X_WT = line.pose(s)
         X_TF = inverse_pose(self.X_FT)
         arm = axes.inverse(X_WT @ X_TF, d)[:, self.cfx, :]
         arm = unwind(arm, self.reference)
         q = np.concatenate([d[:, None], arm], axis=1)
-        chord = self.X_1[:3, 3] - self.X_0[:3, 3]
-        turn = _turn(self.X_0, self.X_1)
-        twist = np.concatenate([chord, turn])
+        twist = np.concatenate([line.chord, line.turn])
         J = axes.jacobian(q, self.X_FT)
         Ja = J[:, :, 1:]
         rhs = sv[:, None] * twist - J[:, :, 0] * dv[:, None]
@@ -127,12 +127,6 @@ class PathLeg:
         rhs = sa[:, None] * twist - J[:, :, 0] * da[:, None] - (Jd @ qd[..., None])[..., 0]
         qdd = np.concatenate([da[:, None], np.linalg.solve(Ja, rhs[..., None])[..., 0]], axis=1)
         return Sample(t, q, qd, qdd)
-
-
-def _turn(X_0: Array, X_1: Array) -> Array:
-    """Rotation vector (3,) in world axes from X_0 to X_1, the shorter way; its direction is constant on the slerp."""
-    axis, angle = axis_angle(X_0[:3, :3].T @ X_1[:3, :3])
-    return X_0[:3, :3] @ axis * angle
 
 
 def unwind(arm: Array, reference: Array) -> Array:
