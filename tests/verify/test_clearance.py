@@ -485,9 +485,7 @@ def test_without_obstacles_only_the_robot_itself_is_watched_and_without_shapes_n
 
 
 def test_the_programs_home_is_clear_of_itself() -> None:
-    case_file = Path(__file__).parents[2].parent / "shared" / "cases" / "hinge_cell.json"
-    if not case_file.is_file():
-        pytest.skip("the case file does not stand beside this repository")
+    case_file = Path(__file__).parents[1] / "data" / "cases" / "hinge_cell.json"
     q = np.array(json.loads(case_file.read_text())["home_q"])
     plant = plant_with_rail()
     rest = Trajectory(plant.limits.names, np.array([0.0, 1.0]), np.array([q, q]))
