@@ -85,6 +85,13 @@ def test_a_reorientation_is_counted_in_its_angle(angle: float) -> None:
     assert (line.way, line.only_turns) == (pytest.approx(angle, abs=1e-12), True)
 
 
+def test_the_shortest_line_is_no_reorientation() -> None:
+    X_0, X_1 = np.eye(4), pose(np.eye(3), [0, 0, 5e-7])
+    line = Line.between(X_0, X_1, X_0[None, :3, :3])
+    s = np.linspace(0, 1, 5)
+    np.testing.assert_allclose(line.progress(*line.at(s)), s, rtol=0, atol=1e-9)
+
+
 @pytest.mark.parametrize("side", [1, -1])
 @pytest.mark.parametrize("short_of", [0.0, 1e-8, -1e-8])
 def test_half_a_turn_may_go_either_way(side: int, short_of: float) -> None:

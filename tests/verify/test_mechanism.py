@@ -57,6 +57,7 @@ def test_poses_and_jacobians_are_the_truths(X_WR: Array, rail: float | None) -> 
     X, J = mechanism.flange(q)
     np.testing.assert_allclose(X, X_WB @ X_BF, rtol=0, atol=2e-15)
     np.testing.assert_allclose(mechanism.flange_pose(q[7]), X_WB @ X_BF[7], rtol=0, atol=2e-15)
+    np.testing.assert_allclose(mechanism.links(q)[0][:, 0], np.tile(X_WB, (len(q), 1, 1)), rtol=0, atol=1e-15)
     known = [c["jacobian_base_v_then_w_rowmajor_6x6"] for c in cases if "jacobian_base_v_then_w_rowmajor_6x6" in c]
     true = np.array(known).reshape(-1, 6, 6)
     wanted = np.concatenate([X_WB[:3, :3] @ true[:, :3], X_WB[:3, :3] @ true[:, 3:]], axis=1)
