@@ -1,6 +1,6 @@
 """The robot as the judge knows it: pin's model of its URDF, mounted in the cell. No closed form, no code of ours.
 
-pin is asked row by row, 1 to 5 us each. Axis order: as the URDF has them from its root to tool0, a rail first.
+pin is asked row by row, 2 to 4 us each. Axis order: as the URDF has them from its root to tool0, a rail first.
 """
 
 from __future__ import annotations
@@ -90,11 +90,12 @@ class Mechanism:
         """Poses (n, 8, 4, 4) of the links in link_names order and of the flange, at q (n, k); and the unit axes
         (n, 6, 3) of the arm's joints in the world. A joint's axis runs through the origin of the link behind it."""
         model, data = self._model, self._model.createData()
+        placed = [data.oMf[frame] for frame in self._frames]  # pin's own memory: each row's poses appear in it
         X, axes = np.empty((len(q), FLANGE + 1, 4, 4)), np.empty((len(q), _ARM, 3))
         for i, row in enumerate(q):
             axes[i] = pin.computeJointJacobians(model, data, row)[3:, -_ARM:].T
             pin.updateFramePlacements(model, data)
-            X[i] = [data.oMf[frame].homogeneous for frame in self._frames]
+            X[i] = [pose.homogeneous for pose in placed]
         return X, axes
 
 
