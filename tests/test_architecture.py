@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import sys
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from fnmatch import fnmatch
 from pathlib import Path
 
@@ -61,7 +61,7 @@ STACK = {
 # Where each third party may be imported, as patterns of paths inside the package.
 ADDRESSES: dict[str, tuple[str, ...]] = {
     "casadi": ("robot/symbolic*.py", "path/*", "optimize/*"),
-    "pinocchio": ("robot/*",),
+    "pinocchio": ("robot/*", "verify/geometry.py", "verify/mechanism.py"),
     "coal": ("collision/*",),
     "toppra": ("timing/*",),
     "ruckig": ("timing/*",),
@@ -82,19 +82,26 @@ def floor_of(room: str) -> int:
     return next(i for i, rooms in enumerate(FLOORS) if room in rooms)
 
 
-def imports(text: str, module: str) -> Iterator[tuple[int, str]]:
-    """Line and dotted name of every import in a module's text; `from a import b` gives a and a.b."""
+def statements(text: str, module: str) -> Iterator[tuple[int, str, str]]:
+    """Line, dotted name and what is taken from it of every import in a module's text; "" for `import a.b` itself."""
     package = module.split(".")[:-1]
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.Import):
             for alias in node.names:
-                yield node.lineno, alias.name
+                yield node.lineno, alias.name, ""
         elif isinstance(node, ast.ImportFrom):
             base = package[: len(package) - node.level + 1] if node.level else []
             name = ".".join([*base, *([node.module] if node.module else [])])
-            yield node.lineno, name
             for alias in node.names:
-                yield node.lineno, f"{name}.{alias.name}"
+                yield node.lineno, name, alias.name
+
+
+def imports(text: str, module: str) -> Iterator[tuple[int, str]]:
+    """Line and dotted name of every import in a module's text; `from a import b` gives a and a.b."""
+    for line, name, what in statements(text, module):
+        yield line, name
+        if what:
+            yield line, f"{name}.{what}"
 
 
 def violations(path: str, text: str) -> list[str]:
@@ -164,3 +171,134 @@ def test_every_room_stands_on_a_floor() -> None:
 )
 def test_the_rules_see_what_they_forbid(path: str, text: str, expected: str) -> None:
     assert any(expected in line for line in violations(path, text)), violations(path, text)
+
+
+# ---------------------------------------------------------------------------------------------------------- the judge
+
+# What the judge may import of this package, by module; the names where not all of a module is data. All of these the
+# optimiser uses too: data types and units.
+SHARED: dict[str, tuple[str, ...]] = {
+    "errors": (),
+    "geometry": ("Array", "BoolArray", "IndexArray"),
+    "limits": (),
+    "motion": (),
+    "problem.plan": ("Target",),
+    "shapes": (),
+    "trajectory": ("Trajectory",),
+    "units": (),
+}
+# What else it may import: its own answer, the reader of files, distances, and libraries for advice. Nothing of the
+# optimiser leads there.
+APART: dict[str, tuple[str, ...]] = {
+    "collision.pair": ("Pair",),
+    "findings": (),
+    "joint_csv": ("Resolution", "read_csv_text"),
+    "timing.point_to_point": ("rest_to_rest", "straight_rest_to_rest"),
+    "timing.topp": ("shortest_time",),
+}
+# Meshes are read into the plant, where the judge finds them, and looked into by collision.pair.
+MESHES = "collision.meshes"
+# Of a module with computing names, what the shared modules themselves may use.
+PLAIN = {"geometry": (*SHARED["geometry"], "readonly"), "trajectory": SHARED["trajectory"]}
+OPTIMISERS = ("optimize", "path")
+
+
+def sources(package: Path = PACKAGE) -> dict[str, str]:
+    """The text of every module by its dotted name inside the package; a package's own is that of its __init__."""
+    names = {p: str(p.relative_to(package).with_suffix("")).replace("/", ".") for p in package.rglob("*.py")}
+    return {name.removesuffix(".__init__"): p.read_text(encoding="utf-8") for p, name in names.items()}
+
+
+def inner_imports(module: str, text: str, modules: Collection[str]) -> Iterator[tuple[int, str, str]]:
+    """Line, module and what is taken from it ("" for the module as a whole) of a module's imports of this package."""
+    own = f"{module}.__init__" if any(other.startswith(f"{module}.") for other in modules) else module
+    for line, dotted, what in statements(text, f"trajopt_cli.{own}"):
+        if dotted.partition(".")[0] == "trajopt_cli":
+            name = dotted.partition(".")[2]
+            inside = f"{name}.{what}".strip(".")
+            yield (line, inside, "") if inside in modules else (line, name, what)
+
+
+def reached(starts: Collection[str], modules: dict[str, str]) -> set[str]:
+    """The modules that importing these brings along, TYPE_CHECKING and functions included, packages on the way too;
+    of the answer the packages are left out."""
+    seen: set[str] = set()
+    todo = list(starts)
+    while todo:
+        module = todo.pop()
+        if module in seen or module not in modules:
+            continue
+        seen.add(module)
+        parts = module.split(".")
+        todo += [".".join(parts[:i]) for i in range(1, len(parts))]
+        todo += [name for _, name, _ in inner_imports(module, modules[module], modules)]
+    return {m for m in seen if not any(other.startswith(f"{m}.") for other in modules)}
+
+
+def rooms(modules: dict[str, str], *names: str) -> set[str]:
+    return {module for module in modules if module.split(".")[0] in names}
+
+
+def judge_violations(modules: dict[str, str]) -> list[str]:
+    """What ties the judge to the optimiser, or to anything that no list above allows."""
+    judge = rooms(modules, "verify")
+    allowed = SHARED | APART
+    found = []
+    for module in sorted(judge):
+        for line, name, what in inner_imports(module, modules[module], modules):
+            if name.split(".")[0] == "verify":
+                continue
+            if name not in allowed or what == "*" or (allowed[name] and what not in allowed[name]):
+                found.append(f"{module}:{line}: the judge may not import {what or 'anything'} from {name}")
+    everything = reached(judge, modules)
+    for module in sorted(everything):
+        for line, name in imports(modules[module], f"trajopt_cli.{module}"):
+            if name.split(".")[0] in ("casadi", "importlib", "runpy"):
+                found.append(f"{module}:{line}: {name} is out of the judge's reach")
+        for line, name, what in inner_imports(module, modules[module], modules):
+            if name in PLAIN and what not in PLAIN[name]:
+                found.append(f"{module}:{line}: {name}.{what} computes, and the judge reaches this module")
+    found += [f"the judge reaches {m}" for m in sorted(everything - judge - set(allowed) - {MESHES})]
+    both = everything & reached(rooms(modules, *OPTIMISERS), modules)
+    return found + [f"judge and optimiser both reach {m}" for m in sorted(both - set(SHARED) - {MESHES})]
+
+
+def test_the_judge_shares_data_with_the_optimiser_and_nothing_that_computes() -> None:
+    modules = sources()
+    assert judge_violations(modules) == []
+    # and the lists say no more than is true
+    judge, optimiser = (reached(rooms(modules, *names), modules) for names in (("verify",), OPTIMISERS))
+    assert judge - rooms(modules, "verify") == {*SHARED, *APART, MESHES}
+    assert judge & optimiser == {*SHARED, MESHES}
+
+
+@pytest.mark.parametrize(
+    ("module", "text", "expected"),
+    [
+        ("verify.judge", "from trajopt_cli.geometry import axis_angle", "may not import axis_angle from geometry"),
+        ("verify.judge", "from trajopt_cli import geometry", "may not import anything from geometry"),
+        ("verify.rows", "from trajopt_cli.trajectory import hermite", "may not import hermite from trajectory"),
+        ("verify.rows", "import trajopt_cli.robot.arm", "may not import anything from robot.arm"),
+        ("verify.rows", "from ..robot import kinematics", "may not import anything from robot.kinematics"),
+        ("verify.rows", "def f():\n    from trajopt_cli.path.line import Line", "may not import Line from path.line"),
+        ("verify.rows", "from trajopt_cli.problem.along import follow", "may not import follow from problem.along"),
+        ("verify.rows", "from trajopt_cli.motion import *", "may not import * from motion"),
+        (
+            "verify.machine",
+            "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from trajopt_cli.problem.plant import Plant",
+            "may not import Plant from problem.plant",
+        ),
+        ("verify.machine", "import importlib", "importlib is out of the judge's reach"),
+        ("motion", "from trajopt_cli.geometry import rotation_about", "geometry.rotation_about computes"),
+        ("findings", "from trajopt_cli import trajectory", "trajectory. computes"),
+        ("collision.pair", "from trajopt_cli.robot.chain import link_poses", "the judge reaches robot.chain"),
+        ("timing.topp", "import casadi", "casadi is out of the judge's reach"),
+        ("optimize.solve", "from trajopt_cli.timing.topp import x", "judge and optimiser both reach timing.topp"),
+        ("problem", "from trajopt_cli.robot.model import RobotModel", "the judge reaches robot.model"),
+    ],
+)
+def test_the_judges_rule_sees_what_it_forbids(module: str, text: str, expected: str) -> None:
+    """One import more in one module; path may or may not be there."""
+    modules = {"path": "", "path.line": ""} | sources()
+    modules[module] += f"\n{text}\n"
+    assert any(expected in line for line in judge_violations(modules)), judge_violations(modules)

@@ -96,14 +96,6 @@ def inverse_pose(X: ArrayLike) -> Array:
     return pose(R_t, -(R_t @ X[..., :3, 3:])[..., 0])
 
 
-def line_pose(X_0: ArrayLike, X_1: ArrayLike, s: ArrayLike) -> Array:
-    """Poses (n, 4, 4) at shares s (n,) of the straight line from X_0 to X_1: chord and slerp, the shorter way."""
-    X_0, X_1, s = (np.asarray(a, dtype=np.float64) for a in (X_0, X_1, s))
-    axis, angle = axis_angle(X_0[:3, :3].T @ X_1[:3, :3])
-    p = X_0[:3, 3] + s[..., None] * (X_1[:3, 3] - X_0[:3, 3])
-    return pose(X_0[:3, :3] @ rotation_about(axis, s * angle), p)
-
-
 def rotation_xyz(alpha: ArrayLike, beta: ArrayLike, gamma: ArrayLike) -> Array:
     """R = Rx(alpha) Ry(beta) Rz(gamma), intrinsic x-y'-z'' angles in rad (spec rail-arm, eq. 1.9)."""
     return rotation_about([1, 0, 0], alpha) @ rotation_about([0, 1, 0], beta) @ rotation_about([0, 0, 1], gamma)

@@ -17,7 +17,6 @@ from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.scenario import Scenario
 
 REPOSITORY = Path(__file__).parents[2]
-SHARED = REPOSITORY.parent / "shared"
 HOME = math.radians(30.0)
 ARM = "robot: irb140\nstart: {joints: [0, 0, 0, 0, 0.5, 0]}\n"
 RAIL = "robot: irb140_rail\nstart: {joints: [0, 0, 0, 0, 0.5, 0], rail: 0}\nrail: {eax: a, stroke: [-0.2, 2.2]}\n"
@@ -31,9 +30,7 @@ def message(text: str, plant: bool = False) -> str:
 
 
 def test_hinge_cell_is_the_case() -> None:
-    case_file = SHARED / "cases" / "hinge_cell.json"
-    if not case_file.exists():
-        pytest.skip("the case file does not stand beside this repository")
+    case_file = REPOSITORY / "tests" / "data" / "cases" / "hinge_cell.json"
     case = json.loads(case_file.read_text())
     plant = build_plant(load_cell(REPOSITORY / "programs" / "hinge_cell.yaml"))
     assert list(plant.limits.names) == case["limits"]["order"]

@@ -93,8 +93,6 @@ def test_encoding_line_ends_and_everything_else_survive(plant: Plant, tmp_path: 
 
 
 def test_a_six_axis_cell_that_is_planned_as_written_changes_no_byte() -> None:
-    if not (PROGRAMS / "bench_irb140.yaml").exists():
-        pytest.skip("programs/bench_irb140.yaml is not there")
     cell = load_cell(PROGRAMS / "bench_irb140.yaml")
     plant = build_plant(cell)
     program = read_program(PROGRAMS / "bench_irb140.mod", cell.scenario)

@@ -16,8 +16,8 @@ from trajopt_cli.robot.model import load_robot
 from trajopt_cli.shapes import Box
 
 ROBOTS = Path(__file__).parents[2] / "robots"
-SHARED = Path(__file__).parents[2].parent / "shared"
-TRUTH = SHARED / "truth" / "collision_primitives.json"
+DATA = Path(__file__).parents[1] / "data"
+TRUTH = DATA / "truth" / "collision_primitives.json"
 LINKS = ("base_link", *(f"link_{i}" for i in range(1, 7)))
 LEFT_OUT = {("base_link", "link_2"), ("link_1", "link_3"), ("link_2", "link_4"), ("link_4", "link_6")}
 NEVER = {("link_2", "link_5"), ("link_2", "link_6"), ("link_3", "link_5"), ("link_3", "link_6")}
@@ -69,8 +69,6 @@ def test_axes_are_those_the_links_turn_about(mounted, rng):
 
 @pytest.mark.parametrize("name", ["irb140", "irb140_rail"])
 def test_capsules_are_the_truths(name):
-    if not TRUTH.is_file():
-        pytest.skip("collision_primitives.json stands in shared/truth beside the repository, and is not there")
     truth = json.loads(TRUTH.read_text())["irb140"]
     robot = load_robot(name)
     assert set(robot.capsules) == set(truth) == set(LINKS)
@@ -96,9 +94,7 @@ def overlaps(robot, q):
 
 def test_the_pairs_are_chosen_by_what_is_measured(irb140, rng):
     """The shares the robot files print, and that every other pair is checked."""
-    case_file = SHARED / "cases" / "hinge_cell.json"
-    if not case_file.is_file():
-        pytest.skip("the case file does not stand beside this repository")
+    case_file = DATA / "cases" / "hinge_cell.json"
     case = json.loads(case_file.read_text())
     limits = irb140.profile()
     X = [pose(rotation_from_wxyz(p["quat"]), p["xyz"]) for p in case["poses"].values()]
@@ -130,8 +126,6 @@ def test_the_pairs_are_chosen_by_what_is_measured(irb140, rng):
 
 def test_two_in_five_overlaps_of_the_column_with_the_wrist_are_none(irb140, rng):
     """Boxes around the links are apart: the file says so beside the pairs."""
-    if not TRUTH.is_file():
-        pytest.skip("collision_primitives.json stands in shared/truth beside the repository, and is not there")
     truth = json.loads(TRUTH.read_text())["irb140"]
     limits = irb140.profile()
     X = irb140.link_poses(rng.uniform(limits.lower, limits.upper, (6000, 6)))

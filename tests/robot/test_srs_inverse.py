@@ -80,8 +80,6 @@ def test_arm_angle_and_configuration_are_the_truths(iiwa7, truth):
 
 def test_singular_and_boundary_postures_of_the_truth(iiwa7):
     path = TRUTH / "iiwa7_singular_unreachable.json"
-    if not path.is_file():
-        pytest.skip("iiwa7_singular_unreachable.json stands in shared/truth beside the repository, and is not there")
     import json
 
     cases = json.loads(path.read_text())["singular_and_boundary"]
@@ -111,8 +109,6 @@ def test_singular_and_boundary_postures_of_the_truth(iiwa7):
 
 def test_unreachable_poses_of_the_truth_are_told_with_figures(iiwa7):
     path = TRUTH / "iiwa7_singular_unreachable.json"
-    if not path.is_file():
-        pytest.skip("iiwa7_singular_unreachable.json stands in shared/truth beside the repository, and is not there")
     import json
 
     cases = json.loads(path.read_text())["unreachable"]

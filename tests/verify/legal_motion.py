@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, axis_angle, line_pose, pose, rotation_about
+from trajopt_cli.geometry import Array, axis_angle, pose, rotation_about
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.motion import (
     NO_EXTERNAL_AXES,
@@ -29,6 +29,7 @@ from trajopt_cli.motion import (
     Written,
     Zone,
 )
+from trajopt_cli.path.line import Line
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import inverse
 from trajopt_cli.robot.kinematics import forward_acceleration, inverse_velocity
@@ -194,7 +195,7 @@ def line_move(
     def q_at(t: Array) -> tuple[Array, Array]:
         s, sd = at(t)
         d, dd = (None, None) if rail is None else rail(t, np.c_[s, sd])
-        q = arm_at(plant, line_pose(X_0, X_1, s), d, branch)
+        q = arm_at(plant, Line(X_0, X_1).pose(s), d, branch)
         return q, inverse_velocity(plant.robot, q, sd[:, None] * np.r_[chord, omega], dd)
 
     return Piece(T, q_at, switches)
@@ -374,7 +375,7 @@ def tool_line(plant: Plant, X_0: Array, X_1: Array, tool: Tool, v: float, a: flo
 
     def q_at(t: Array) -> tuple[Array, Array]:
         s, sd = at(t)
-        q = arm_at(plant, line_pose(X_0, X_1, s) @ np.linalg.inv(tool.X_FT), None)
+        q = arm_at(plant, Line(X_0, X_1).pose(s) @ np.linalg.inv(tool.X_FT), None)
         return q, inverse_velocity(plant.robot, q, sd[:, None] * twist, None, tool.X_FT)
 
     return Piece(T, q_at, switches)

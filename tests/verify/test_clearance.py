@@ -24,6 +24,7 @@ from trajopt_cli.shapes import Box, Capsule, Mesh, Shape, Solid
 from trajopt_cli.trajectory import Trajectory, hermite
 from trajopt_cli.verify.clearance import CLEARANCE, SELF_CLEARANCE, check_clearance, collisions, least_clearance
 from trajopt_cli.verify.judge import verify
+from trajopt_cli.verify.mechanism import Mechanism, mechanism_of
 from trajopt_cli.verify.sweep import COARSE, OVERLOOKED, Body, Course, Near, Sweep, _Look
 
 EVERY_LINK = frozenset({"base_link", *(f"link_{i}" for i in range(1, 7))})
@@ -345,7 +346,7 @@ def test_no_point_moves_farther_than_the_bound(rng: np.random.Generator) -> None
             trajectory = Trajectory(robot.axis_names, t, q, rng.normal(size=(n, k)) * 3)
             course = Course(trajectory)
             nodes = np.array([[0, 5], [1, 3], [2, 3], [2.25, 2.5], [3.5, 4], [4.875, 5]], dtype=float)
-            look = _Look(robot, course, nodes)
+            look = _Look(Mechanism(robot.urdf, robot.X_WR), course, nodes)
             bodies = [Body(n, robot.capsules[n], i) for i, n in enumerate(robot.link_names)]
             for i, (s_0, s_1) in enumerate(nodes):
                 s = np.r_[look.middle[i], np.linspace(s_0, s_1, 200)]
@@ -484,9 +485,7 @@ def test_without_obstacles_only_the_robot_itself_is_watched_and_without_shapes_n
 
 
 def test_the_programs_home_is_clear_of_itself() -> None:
-    case_file = Path(__file__).parents[2].parent / "shared" / "cases" / "hinge_cell.json"
-    if not case_file.is_file():
-        pytest.skip("the case file does not stand beside this repository")
+    case_file = Path(__file__).parents[1] / "data" / "cases" / "hinge_cell.json"
     q = np.array(json.loads(case_file.read_text())["home_q"])
     plant = plant_with_rail()
     rest = Trajectory(plant.limits.names, np.array([0.0, 1.0]), np.array([q, q]))
@@ -500,7 +499,7 @@ def test_the_sweep_finds_no_first_miss_where_there_is_none() -> None:
     trajectory = quintic_move(plant, [HOME, HOME * 0.5])
     body = Body("link_6", plant.robot.capsules["link_6"], 6)
     group = [Near(body, FAR.shape)]
-    sweep = Sweep(plant.robot, trajectory)
+    sweep = Sweep(mechanism_of(plant), trajectory)
     least = sweep.least(group)
     assert sweep.first_below(group, least.distance - 0.01) is None
     first = sweep.first_below(group, least.distance + 0.01)

@@ -9,7 +9,7 @@ import coal  # type: ignore[import-untyped]
 import numpy as np
 
 from trajopt_cli.collision.meshes import inside
-from trajopt_cli.geometry import Array, inverse_pose
+from trajopt_cli.geometry import Array
 from trajopt_cli.shapes import Box, Capsule, Mesh, Shape
 
 _ALONG = 1e-12  # m: a segment shorter than this has no direction
@@ -52,18 +52,18 @@ class Pair:
 
     def distance(self, X_WA: Array, X_WB: Array) -> float:
         """Distance of a at X_WA and b at X_WB, (4, 4) each."""
-        return float(self.distances((inverse_pose(X_WB) @ X_WA)[None])[0])
+        return float(self.distances((np.linalg.inv(X_WB) @ X_WA)[None])[0])
 
     def nearest(self, X_WA: Array, X_WB: Array) -> tuple[Array, Array]:
         """The nearest points (3,) of a and of b in the world; where they overlap, the deepest ones."""
-        self.distances((inverse_pose(X_WB) @ X_WA)[None])
+        self.distances((np.linalg.inv(X_WB) @ X_WA)[None])
         p_a, p_b = (np.asarray(point()) for point in (self._result.getNearestPoint1, self._result.getNearestPoint2))
         return X_WB[:3, :3] @ p_a + X_WB[:3, 3], X_WB[:3, :3] @ p_b + X_WB[:3, 3]
 
     def _inside(self, X_BA: Array, surface: Array) -> Array:
         """surface distances, negative where one shape lies inside the other's mesh without touching its surface."""
         out = surface
-        for mesh, other, X in ((self.b, self.a, X_BA), (self.a, self.b, inverse_pose(X_BA))):
+        for mesh, other, X in ((self.b, self.a, X_BA), (self.a, self.b, np.linalg.inv(X_BA))):
             if isinstance(mesh, Mesh):
                 points = X[:, :3, :3] @ _some_point(other) + X[:, :3, 3]
                 apart = np.flatnonzero(out > 0)

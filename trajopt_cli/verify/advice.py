@@ -10,14 +10,14 @@ from __future__ import annotations
 import numpy as np
 
 from trajopt_cli.findings import Finding
-from trajopt_cli.geometry import Array, axis_angle
+from trajopt_cli.geometry import Array
 from trajopt_cli.motion import MoveAbsJ, MoveJ, MoveL
 from trajopt_cli.timing.point_to_point import rest_to_rest, straight_rest_to_rest
 from trajopt_cli.timing.topp import shortest_time
 from trajopt_cli.verify.course import obeys_programmed_speed
 from trajopt_cli.verify.findings import finding
 from trajopt_cli.verify.frame import Frame
-from trajopt_cli.verify.lines import progress
+from trajopt_cli.verify.geometry import Line
 from trajopt_cli.verify.rows import Rows
 from trajopt_cli.verify.timeline import Timeline, Visit
 from trajopt_cli.verify.tolerances import REST_JOINT
@@ -66,16 +66,16 @@ def _line(rows: Rows, before: Visit, visit: Visit, frame: Frame) -> Finding:
     part = slice(before.depart, visit.arrive + 1)
     t, q, qd, V = rows.t[part], rows.q[part], rows.qd[part], frame.V[part]
     X_0, X_1 = before.X_WF @ stop.X_FT, stop.X_WF @ stop.X_FT
-    s, length, is_angle = progress(X_0, X_1, frame.p[part], frame.R[part])
-    axis, angle = axis_angle(X_0[:3, :3].T @ X_1[:3, :3])
-    chord = X_1[:3, 3] - X_0[:3, 3]
-    rate = V[:, 3:] @ (X_0[:3, :3] @ axis) / length if is_angle else V[:, :3] @ chord / length**2
-    way = float(np.linalg.norm(chord))
+    line = Line.between(X_0, X_1, frame.R[part])
+    s = line.progress(frame.p[part], frame.R[part])
+    along = X_0[:3, :3] @ line.turn if line.only_turns else line.chord
+    rate = (V[:, 3:] if line.only_turns else V[:, :3]) @ along / line.way**2
+    length, angle = line.length, line.angle
     obeys = obeys_programmed_speed(stop, rows.plant)
     v_tcp, v_ori = (stop.move.speed.v_tcp, stop.move.speed.v_ori) if obeys else (np.inf, np.inf)
     v_rail = np.r_[stop.move.speed.v_leax if obeys else np.inf, [np.inf] * (len(limits.names) - 1)]
-    speed_axes = np.minimum(limits.velocity, v_rail) if rows.plant.robot.has_rail else limits.velocity
-    z, zd = np.c_[q, s * way, s * angle], np.c_[qd, rate * way, rate * angle]
+    speed_axes = np.minimum(limits.velocity, v_rail) if rows.mechanism.has_rail else limits.velocity
+    z, zd = np.c_[q, s * length, s * angle], np.c_[qd, rate * length, rate * angle]
     speed = np.r_[speed_axes, min(v_tcp, caps.speed), v_ori]
     acceleration = np.r_[limits.acceleration, caps.acceleration, np.inf]
     best = _retimed(t - t[0], z, zd, speed, acceleration)
@@ -116,7 +116,7 @@ def _caps_inactive(rows: Rows, visit: Visit, frame: Frame, first: int, last: int
     used = max(v / caps.speed, float(a.max()) / caps.acceleration)
     if obeys_programmed_speed(visit.stop, rows.plant):
         used = max(used, v / speed.v_tcp, frame.least_turning[part].max() / speed.v_ori)
-        if rows.plant.robot.has_rail:
+        if rows.mechanism.has_rail:
             used = max(used, float(np.abs(rows.qd[part, 0]).max()) / speed.v_leax)
     return bool(used < INACTIVE)
 

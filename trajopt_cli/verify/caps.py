@@ -9,10 +9,10 @@ import numpy as np
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Move, MoveExtJ
-from trajopt_cli.problem.plant import Plant
 from trajopt_cli.verify.course import Stop, obeys_programmed_speed
 from trajopt_cli.verify.findings import Worst, finding, worse
-from trajopt_cli.verify.frame import Frame
+from trajopt_cli.verify.frame import Frame, carried
+from trajopt_cli.verify.machine import Machine
 from trajopt_cli.verify.rows import INNER, LAGS, Rows, second_differences
 from trajopt_cli.verify.timeline import Timeline
 from trajopt_cli.verify.tolerances import JOINT, TCP
@@ -23,19 +23,17 @@ class _Inner:
 
     def __init__(self, frame: Frame, first: int, last: int):
         rows, n = frame.rows, len(INNER)
-        robot, part = rows.plant.robot, slice(first * n, last * n)
-        times, q, qd, qdd = (values[part] for values in rows.hermite_places)
-        J = robot.jacobian(q, frame.X_FT)
-        V = (J @ qd[..., None])[..., 0]
-        A = (J @ qdd[..., None])[..., 0] + (robot.jacobian_rate(q, qd, frame.X_FT) @ qd[..., None])[..., 0]
+        times = rows.hermite_places[0][first * n : last * n]
+        X, V_F, A_F = (values[first * n : last * n] for values in rows.hermite_motion)
+        V, A = carried(V_F, A_F, X, frame.X_FT)
         assert rows.qd is not None
         h = np.diff(rows.t[first : last + 1])
         # at the ends of an interval only the axes' accelerations differ from its neighbours'
-        rate = robot.jacobian_rate(rows.q[first : last + 1], rows.qd[first : last + 1], frame.X_FT)
-        turning = (rate @ rows.qd[first : last + 1][..., None])[..., 0]
-        v = rows.qd[first : last + 1]
+        part = slice(first, last + 1)
+        turning = carried(frame.V[part], rows.turning[part], rows.X_WF[part], frame.X_FT)[1]
+        v = rows.qd[part]
         mean, swing = np.diff(v, axis=0) / h[:, None], 6 * rows.mismatch[0][first:last] / h[:, None]
-        J_rows = frame.J[first : last + 1]
+        J_rows = frame.J[part]
         begin = (J_rows[:-1] @ (mean + swing)[..., None])[..., 0] + turning[:-1]
         end = (J_rows[1:] @ (mean - swing)[..., None])[..., 0] + turning[1:]
         columns = np.linalg.norm(frame.J[first:last, :3], axis=1)
@@ -137,7 +135,7 @@ def _accelerations(frame: Frame, first: int, last: int, inner: _Inner | None) ->
 
 
 def _programmed(
-    frame: Frame, stop: Stop, a: int, b: int, offset: int, inner: _Inner | None, plant: Plant
+    frame: Frame, stop: Stop, a: int, b: int, offset: int, inner: _Inner | None, plant: Machine
 ) -> list[Finding]:
     """TCP speed, reorientation and rail speed of one move against its speeddata; rows beside its ends left out where
     they may belong to another motion."""
@@ -161,7 +159,7 @@ def _programmed(
             turns.append((inner.t[within], inner.turning[within]))
         checks.append(("programmed speed", "TCP", speeds, move.speed.v_tcp, "m/s", TCP))
         checks.append(("programmed reorientation", "TCP", turns, move.speed.v_ori, "rad/s", TCP))
-    if plant.robot.has_rail and stop.duration is None and _rail_obeys(move, stop, plant):
+    if rows.mechanism.has_rail and stop.duration is None and _rail_obeys(move, stop, plant):
         rail = [(rows.t[a : b + 1 - m], _rail_speed(rows, a, b, m)) for m in LAGS if a + m <= b]
         if rows.qd is not None:
             rail.append((rows.t[a : b + 1], np.abs(rows.qd[a : b + 1, 0]) - rows.doubt_v[0]))
@@ -179,7 +177,7 @@ def _programmed(
     return out
 
 
-def _rail_obeys(move: Move, stop: Stop, plant: Plant) -> bool:
+def _rail_obeys(move: Move, stop: Stop, plant: Machine) -> bool:
     """External axes alone always know v_leax; other moves where they obey their speed at all."""
     return isinstance(move, MoveExtJ) or obeys_programmed_speed(stop, plant)
 

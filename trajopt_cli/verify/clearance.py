@@ -13,11 +13,12 @@ import numpy as np
 
 from trajopt_cli.findings import Finding
 from trajopt_cli.motion import Program, Source
-from trajopt_cli.problem.plant import Plant
 from trajopt_cli.shapes import MeshFile, Shape, Solid
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.findings import SourceAt
-from trajopt_cli.verify.sweep import FLANGE, OVERLOOKED, Body, Closest, Near, Sweep
+from trajopt_cli.verify.machine import Machine
+from trajopt_cli.verify.mechanism import FLANGE, Mechanism, mechanism_of
+from trajopt_cli.verify.sweep import OVERLOOKED, Body, Closest, Near, Sweep
 
 CLEARANCE = "clearance"
 SELF_CLEARANCE = "self clearance"
@@ -34,22 +35,23 @@ def least_clearance(findings: Iterable[Finding]) -> Finding | None:
     return min((one for one in findings if one.check == CLEARANCE), key=lambda one: one.value, default=None)
 
 
-def check_start(program: Program, plant: Plant, start: str) -> list[Finding]:
+def check_start(program: Program, plant: Machine, start: str) -> list[Finding]:
     """What check_clearance says of the robot standing at its start; start names that for people."""
     q = np.tile(plant.start, (2, 1))
-    still = Trajectory(plant.robot.axis_names, np.array([0.0, 1e-3]), q, np.zeros_like(q))
+    still = Trajectory(plant.limits.names, np.array([0.0, 1e-3]), q, np.zeros_like(q))
     return check_clearance(program, plant, still, lambda _: None, start)
 
 
 def check_clearance(
-    program: Program, plant: Plant, trajectory: Trajectory, source_at: SourceAt, start: str = ""
+    program: Program, plant: Machine, trajectory: Trajectory, source_at: SourceAt, start: str = ""
 ) -> list[Finding]:
     """One finding per obstacle and one for the robot against itself; none where the plant has no shapes for it."""
-    sweep = Sweep(plant.robot, trajectory)
-    bodies = _bodies(plant)
+    mechanism = mechanism_of(plant)
+    sweep = Sweep(mechanism, trajectory)
+    bodies = _bodies(plant, mechanism)
     out = []
     for solid in plant.obstacles:
-        group = [Near(body, _shape(solid)) for body in bodies if _meet(plant, body, solid)]
+        group = [Near(body, _shape(solid)) for body in bodies if _meet(mechanism, body, solid)]
         if group:
             out.append(_finding(CLEARANCE, program, sweep, group, plant.clearance, source_at, start))
     named = {body.name: body for body in bodies}
@@ -59,10 +61,10 @@ def check_clearance(
     return out
 
 
-def _bodies(plant: Plant) -> list[Body]:
+def _bodies(plant: Machine, mechanism: Mechanism) -> list[Body]:
     """The robot's links that have a shape, base first, then what its flange carries."""
-    robot = plant.robot
-    links = [Body(n, robot.capsules[n], i) for i, n in enumerate(robot.link_names) if n in robot.capsules]
+    capsules = plant.robot.capsules
+    links = [Body(n, capsules[n], i) for i, n in enumerate(mechanism.link_names) if n in capsules]
     return links + [Body(solid.name, _shape(solid), FLANGE) for solid in plant.attached]
 
 
@@ -72,9 +74,9 @@ def _shape(solid: Solid) -> Shape:
     return solid.shape
 
 
-def _meet(plant: Plant, body: Body, solid: Solid) -> bool:
+def _meet(mechanism: Mechanism, body: Body, solid: Solid) -> bool:
     """Whether an axis moves the body, and nobody allowed it to touch the solid."""
-    return body.name not in solid.ignore and (body.joints > 0 or plant.robot.has_rail)
+    return body.name not in solid.ignore and (body.joints > 0 or mechanism.has_rail)
 
 
 def _finding(

@@ -7,9 +7,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, axis_angle, inverse_pose
-from trajopt_cli.motion import Move, MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, SignalEvent, Source, Wait
-from trajopt_cli.problem.plant import Plant
+from trajopt_cli.geometry import Array
+from trajopt_cli.motion import ExternalAxes, Move, MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, SignalEvent, Source, Wait
+from trajopt_cli.units import MM
+from trajopt_cli.verify.geometry import angle_between, inverse_pose
+from trajopt_cli.verify.machine import Machine
+from trajopt_cli.verify.mechanism import mechanism_of
 
 _SAME_POINT = 1e-9  # m and rad: a line to the pose where it starts, a move of the redundant axis alone
 
@@ -40,7 +43,7 @@ class Stop:
         return None if self.move is None else self.move.duration
 
 
-def may_drop(program: Program, plant: Plant, index: int) -> bool:
+def may_drop(program: Program, plant: Machine, index: int) -> bool:
     """Whether the user allowed motion number index to be left out."""
     if not 0 <= index < len(program.motions):
         return False
@@ -50,13 +53,14 @@ def may_drop(program: Program, plant: Plant, index: int) -> bool:
     return motion.optional or motion.target.lower() in plant.droppable
 
 
-def stops_of(program: Program, plant: Plant, dropped: Collection[int] | None) -> list[Stop]:
+def stops_of(program: Program, plant: Machine, dropped: Collection[int] | None) -> list[Stop]:
     """Start and stops in program order. dropped: motions left out; None: the file may leave out optional ones."""
     moves = [m for m in program.motions if not isinstance(m, Wait | SignalEvent | MoveExtJ)]
     X_FT = np.asarray(moves[0].tool.X_FT) if moves else np.eye(4)
-    has_rail = plant.robot.has_rail
+    mechanism = mechanism_of(plant)
+    has_rail = mechanism.has_rail
     rail = float(plant.start[0]) if has_rail else None
-    start = Stop(-1, None, None, "start", plant.robot.forward(plant.start), X_FT, plant.start[-6:], rail, False)
+    start = Stop(-1, None, None, "start", mechanism.flange_pose(plant.start), X_FT, plant.start[-6:], rail, False)
     stops, holds = [start], list[list[tuple[int, Wait]]]([[]])
     for i, motion in enumerate(program.motions):
         if isinstance(motion, SignalEvent) or (dropped is not None and i in dropped):
@@ -66,7 +70,7 @@ def stops_of(program: Program, plant: Plant, dropped: Collection[int] | None) ->
             continue
         name = f"{type(motion).__name__} {motion.target}"
         optional = dropped is None and may_drop(program, plant, i)
-        wanted = plant.rail_value(motion.extax)
+        wanted = _rail(plant, motion.extax)
         arm: Array | None = None
         X_WF: Array | None = None
         if isinstance(motion, MoveExtJ):
@@ -77,7 +81,7 @@ def stops_of(program: Program, plant: Plant, dropped: Collection[int] | None) ->
             X_FT, arm, rail = motion.tool.X_FT, motion.q, wanted
             known = rail is not None or not has_rail
             if known:
-                X_WF = plant.robot.forward(np.r_[[rail] if has_rail else [], arm])
+                X_WF = mechanism.flange_pose(np.r_[[rail] if has_rail else [], arm])
         else:
             X_FT, rail = motion.tool.X_FT, wanted if plant.rail_fixed else None
             X_WF = motion.X_WT @ inverse_pose(X_FT)
@@ -91,11 +95,17 @@ def stays(stop: Stop, X_WF_before: Array) -> bool:
     if not isinstance(stop.move, MoveL) or stop.X_WF is None:
         return False
     X, Y = X_WF_before @ stop.X_FT, stop.X_WF @ stop.X_FT
-    angle = axis_angle(X[:3, :3].T @ Y[:3, :3])[1]
+    angle = angle_between(X[:3, :3], Y[:3, :3])
     return bool(np.linalg.norm(X[:3, 3] - Y[:3, 3]) < _SAME_POINT and angle < _SAME_POINT)
 
 
-def obeys_programmed_speed(stop: Stop, plant: Plant) -> bool:
+def _rail(plant: Machine, extax: ExternalAxes) -> float | None:
+    """The rail [m] that external axes ask for, None where they leave it open or there is none."""
+    value = None if plant.rail_eax is None else extax[plant.rail_eax]
+    return None if value is None else value * MM
+
+
+def obeys_programmed_speed(stop: Stop, plant: Machine) -> bool:
     """Whether the move's programmed TCP speed and reorientation cap it.
 
     A programmed time replaces the speed; external axes alone know only v_leax (RAPID reference: MoveL \\T, MoveExtJ).

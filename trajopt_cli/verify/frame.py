@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from trajopt_cli.geometry import Array
+from trajopt_cli.verify.geometry import angle_between
 from trajopt_cli.verify.rows import INNER, Rows, both_sides
 
 
@@ -100,7 +101,7 @@ class Frame:
         if not rows.exact or last <= first:
             return at_rows
         n = len(INNER)
-        times, X = rows.hermite_places[0], rows.hermite_poses
+        times, X = rows.hermite_places[0], rows.hermite_motion[0]
         inner, left = slice(first * n, last * n), np.repeat(np.arange(first, last), n)
         linear, angular = (
             np.einsum("ij,ij->i", columns[first:last], self._inner_doubt[first:last]) for columns in self._columns
@@ -143,12 +144,6 @@ def angular_acceleration(rows: Rows) -> float:
     return float(sum(a for name, a in zip(limits.names, limits.acceleration, strict=True) if name != "rail"))
 
 
-def angle_between(A: Array, B: Array) -> Array:
-    """Angle (...) in rad between rotations (..., 3, 3); exact to rounding near zero."""
-    chord = np.linalg.norm(np.asarray(B) - np.asarray(A), axis=(-2, -1)) / (2 * np.sqrt(2.0))
-    return np.asarray(2 * np.arcsin(np.minimum(chord, 1.0)))
-
-
 def shifted(J: Array, X_WF: Array, X_FT: Array) -> Array:
     """Jacobians (..., 6, k) at the TCP from those at the flange: v_T = v_F + omega x (p_T - p_F)."""
     lever = X_WF[..., :3, :3] @ X_FT[:3, 3]
@@ -157,3 +152,14 @@ def shifted(J: Array, X_WF: Array, X_FT: Array) -> Array:
     out = np.array(J)
     out[..., :3, :] += np.cross(J[..., 3:, :], lever[..., None], axis=-2)
     return out
+
+
+def carried(V: Array, A: Array, X_WF: Array, X_FT: Array) -> tuple[Array, Array]:
+    """Velocities and accelerations (m, 6) at the TCP from those at the flange: a_T = a_F + alpha x r + omega x v_r."""
+    lever = X_WF[:, :3, :3] @ X_FT[:3, 3]
+    if not lever.any():
+        return V, A
+    omega, alpha = V[:, 3:], A[:, 3:]
+    v_r = np.cross(omega, lever)
+    a_r = np.cross(alpha, lever) + np.cross(omega, v_r)
+    return np.hstack([V[:, :3] + v_r, omega]), np.hstack([A[:, :3] + a_r, alpha])

@@ -11,7 +11,6 @@ from trajopt_cli.findings import Finding, Report
 from trajopt_cli.joint_csv import Resolution
 from trajopt_cli.motion import Program
 from trajopt_cli.problem.plan import Target
-from trajopt_cli.problem.plant import Plant
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.advice import advise
 from trajopt_cli.verify.caps import check_caps
@@ -21,6 +20,8 @@ from trajopt_cli.verify.findings import finding
 from trajopt_cli.verify.frame import Frame
 from trajopt_cli.verify.joints import check_joints
 from trajopt_cli.verify.lines import check_shapes
+from trajopt_cli.verify.machine import Machine
+from trajopt_cli.verify.mechanism import mechanism_of
 from trajopt_cli.verify.rows import Rows, look
 from trajopt_cli.verify.stops import check_stops
 from trajopt_cli.verify.timeline import build_timeline
@@ -30,7 +31,7 @@ from trajopt_cli.verify.visits import match
 
 def verify(
     program: Program,
-    plant: Plant,
+    plant: Machine,
     trajectory: Trajectory,
     resolution: Resolution | None = None,
     dropped: Collection[int] | None = None,
@@ -47,7 +48,7 @@ def verify(
     Raises InputError when the file's axes are not the robot's, or its rows are no motion: fewer than two, a time that
     does not follow the one before, a number that is not finite.
     """
-    names = plant.robot.axis_names
+    names = mechanism_of(plant).names
     if trajectory.names != names:
         raise InputError(f"the file's axes are {', '.join(trajectory.names)}; the robot's are {', '.join(names)}")
     _check_rows(trajectory)
@@ -98,7 +99,7 @@ def _file(rows: Rows, frame: Frame) -> list[Finding]:
     ]  # fmt: skip
 
 
-def _dropped(program: Program, plant: Plant, dropped: Collection[int]) -> list[Finding]:
+def _dropped(program: Program, plant: Machine, dropped: Collection[int]) -> list[Finding]:
     """Every motion the plan left out must be one that the user marked."""
     out = []
     for index in sorted(dropped):

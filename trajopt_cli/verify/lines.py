@@ -5,15 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from trajopt_cli.findings import Finding
-from trajopt_cli.geometry import Array, axis_angle, line_pose
+from trajopt_cli.geometry import Array
 from trajopt_cli.motion import MoveAbsJ, MoveExtJ, MoveJ, MoveL
 from trajopt_cli.verify.findings import axis_unit, finding
-from trajopt_cli.verify.frame import Frame, Places, angle_between
+from trajopt_cli.verify.frame import Frame, Places
+from trajopt_cli.verify.geometry import Line, angle_between
 from trajopt_cli.verify.rows import Rows
 from trajopt_cli.verify.timeline import Timeline, Visit
 from trajopt_cli.verify.tolerances import BACKWARD, JOINT_TARGET, LINE_POSITION, LINE_ROTATION
-
-_POINT = 1e-6  # m: a line shorter than this is a reorientation, its progress is an angle
 
 
 def check_shapes(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> list[Finding]:
@@ -31,23 +30,6 @@ def check_shapes(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> lis
     return out
 
 
-def progress(X_0: Array, X_1: Array, p: Array, R: Array) -> tuple[Array, float, bool]:
-    """Share of the way (m,) along the line from X_0 to X_1, not clipped; the way's length; whether it is an angle."""
-    chord = X_1[:3, 3] - X_0[:3, 3]
-    length = float(np.linalg.norm(chord))
-    if length >= _POINT:
-        return (p - X_0[:3, 3]) @ chord / length**2, length, False
-    axis, angle = axis_angle(X_0[:3, :3].T @ X_1[:3, :3])
-    turned = np.swapaxes(np.broadcast_to(X_0[:3, :3], R.shape), -1, -2) @ R
-    # signed angle about the line's own axis: what is not about it shows in the deviation
-    skew = np.stack(
-        [turned[:, 2, 1] - turned[:, 1, 2], turned[:, 0, 2] - turned[:, 2, 0], turned[:, 1, 0] - turned[:, 0, 1]],
-        axis=1,
-    )
-    cosine = (np.trace(turned, axis1=1, axis2=2) - 1) / 2
-    return np.arctan2(skew @ axis / 2, cosine) / angle, angle, True
-
-
 def _stretch(rows: Rows, before: Visit, visit: Visit) -> tuple[int, int]:
     """Rows of the move alone: between rests. Where no row stands at a rest, its nearest row is not on the line yet."""
     first, last = before.depart, visit.arrive
@@ -63,19 +45,18 @@ def _line(rows: Rows, before: Visit, visit: Visit, frame: Frame, rapid: bool) ->
     X_0, X_1 = before.X_WF @ stop.X_FT, stop.X_WF @ stop.X_FT
     first, last = _stretch(rows, before, visit)
     places = frame.places(first, last)
-    s, length, is_angle = progress(X_0, X_1, places.p, places.R)
-    share = np.clip(s, 0.0, 1.0)
-    wanted = line_pose(X_0, X_1, share)
-    off = np.linalg.norm(places.p - wanted[:, :3, 3], axis=1)
-    turned = angle_between(places.R, wanted[:, :3, :3])
-    angle = axis_angle(X_0[:3, :3].T @ X_1[:3, :3])[1]
+    line = Line.between(X_0, X_1, places.R)
+    s = line.progress(places.p, places.R)
+    wanted_p, wanted_R = line.at(np.clip(s, 0.0, 1.0))
+    off = np.linalg.norm(places.p - wanted_p, axis=1)
+    turned = angle_between(places.R, wanted_R)
     # a doubt about the place on the line is one about the wanted angle there
-    doubt_R = places.doubt_angle + (0.0 if is_angle else angle / length) * places.doubt_p
+    doubt_R = places.doubt_angle + (0.0 if line.only_turns else line.angle / line.length) * places.doubt_p
     out = []
     for check, value, doubt, limit, unit in (
         ("line position", off, places.doubt_p, LINE_POSITION, "m"),
         ("line rotation", turned, doubt_R, LINE_ROTATION, "rad"),
-        ("line progress", *_way_back(s * length, places, is_angle), BACKWARD, "rad" if is_angle else "m"),
+        ("line progress", *_way_back(line, s, places)),
     ):
         least = np.maximum(value - doubt, 0.0)
         i = int(np.argmax(least))
@@ -84,15 +65,16 @@ def _line(rows: Rows, before: Visit, visit: Visit, frame: Frame, rapid: bool) ->
             finding(check, "TCP", float(least[i]), limit, unit, bool(least[i] <= limit), time=float(places.t[i]),
                     source=stop.source, note=f" {words[check]} to {stop.move.target}" if stop.move else "")
         )  # fmt: skip
-    if rapid and rows.plant.robot.has_rail:
+    if rapid and rows.mechanism.has_rail:
         out.append(_rail_share(rows, before, visit, frame, (first, last)))
     return out
 
 
-def _way_back(way: Array, places: Places, is_angle: bool) -> tuple[Array, Array]:
-    """How far every place lies behind the farthest one before it, and the doubt about that."""
-    doubt = places.doubt_angle if is_angle else places.doubt_p
-    return np.maximum.accumulate(way) - way, 2 * doubt
+def _way_back(line: Line, s: Array, places: Places) -> tuple[Array, Array, float, str]:
+    """How far every place lies behind the farthest one before it, the doubt about that, limit and unit."""
+    way = s * line.way
+    doubt, unit = (places.doubt_angle, "rad") if line.only_turns else (places.doubt_p, "m")
+    return np.maximum.accumulate(way) - way, 2 * doubt, BACKWARD, unit
 
 
 def _rail_share(rows: Rows, before: Visit, visit: Visit, frame: Frame, part: tuple[int, int]) -> Finding:
@@ -102,9 +84,10 @@ def _rail_share(rows: Rows, before: Visit, visit: Visit, frame: Frame, part: tup
     first, last = part
     where = slice(first, last + 1)
     X_0, X_1 = before.X_WF @ stop.X_FT, stop.X_WF @ stop.X_FT
-    s, length, is_angle = progress(X_0, X_1, frame.p[where], frame.R[where])
+    line = Line.between(X_0, X_1, frame.R[where])
+    s = line.progress(frame.p[where], frame.R[where])
     d_0, d_1 = (float(rows.q[row, 0]) for row in (before.depart, visit.arrive))
-    doubt = (frame.doubt_R if is_angle else frame.doubt_p)[where] / max(length, _POINT)
+    doubt = (frame.doubt_R if line.only_turns else frame.doubt_p)[where] / line.way
     granted = _end_doubt(rows, before, visit)[0] + rows.doubt_q[0] / 2 + abs(d_1 - d_0) * doubt
     off = np.maximum(np.abs(rows.q[where, 0] - (d_0 + np.clip(s, 0, 1) * (d_1 - d_0))) - granted, 0.0)
     i = int(np.argmax(off))

@@ -27,8 +27,9 @@ from numpy.typing import NDArray
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.joint_csv import Resolution
-from trajopt_cli.problem.plant import Plant
-from trajopt_cli.trajectory import Trajectory, hermite
+from trajopt_cli.trajectory import Trajectory
+from trajopt_cli.verify.machine import Machine
+from trajopt_cli.verify.mechanism import Mechanism, mechanism_of
 from trajopt_cli.verify.tolerances import COMPUTED, REST_JOINT
 
 LAGS = (1, 2, 4, 8, 16, 32)
@@ -49,7 +50,7 @@ class Rows:
     0 where marked.
     """
 
-    plant: Plant
+    plant: Machine
     trajectory: Trajectory
     doubt_t: float
     doubt_q: Array
@@ -78,14 +79,29 @@ class Rows:
         return self.marked and self.qd is not None
 
     @cached_property
-    def X_WF(self) -> Array:
-        """Flange poses (n, 4, 4)."""
-        return self.plant.robot.forward(self.q)
+    def mechanism(self) -> Mechanism:
+        """What the axes move."""
+        return mechanism_of(self.plant)
 
     @cached_property
+    def _flange(self) -> tuple[Array, Array]:
+        return self.mechanism.flange(self.q)
+
+    @property
+    def X_WF(self) -> Array:
+        """Flange poses (n, 4, 4)."""
+        return self._flange[0]
+
+    @property
     def J(self) -> Array:
         """Flange Jacobians (n, 6, k)."""
-        return self.plant.robot.jacobian(self.q)
+        return self._flange[1]
+
+    @cached_property
+    def turning(self) -> Array:
+        """Flange accelerations J' qd (n, 6) of the rows' speeds alone, no axis accelerating."""
+        assert self.qd is not None
+        return self.mechanism.flange_motion(self.q, self.qd, np.zeros_like(self.qd))[2]
 
     @cached_property
     def least_axis_speed(self) -> Array:
@@ -146,17 +162,23 @@ class Rows:
     @cached_property
     def hermite_places(self) -> tuple[Array, Array, Array, Array]:
         """Times (m,) at the INNER places of every interval and the Hermite's q, qd, qdd (m, k) there, in order."""
-        h = np.diff(self.t)
-        times = (self.t[:-1, None] + np.array(INNER) * h[:, None]).ravel()
-        return times, *hermite(self.trajectory, times)
+        assert self.qd is not None
+        h, u = np.diff(self.t)[:, None, None], np.array(INNER)[:, None]
+        q_0, way = self.q[:-1, None], np.diff(self.q, axis=0)[:, None]
+        v_0, v_1 = self.qd[:-1, None], self.qd[1:, None]
+        q = q_0 + u * u * (3 - 2 * u) * way + h * u * (1 - u) * ((1 - u) * v_0 - u * v_1)
+        qd = 6 * u * (1 - u) * way / h + (1 - u) * (1 - 3 * u) * v_0 + u * (3 * u - 2) * v_1
+        qdd = ((6 - 12 * u) * way / h + (6 * u - 4) * v_0 + (6 * u - 2) * v_1) / h
+        times, k = self.t[:-1, None] + np.array(INNER) * h[:, 0], len(self.trajectory.names)
+        return times.ravel(), q.reshape(-1, k), qd.reshape(-1, k), qdd.reshape(-1, k)
 
     @cached_property
-    def hermite_poses(self) -> Array:
-        """Flange poses (m, 4, 4) at hermite_places."""
-        return self.plant.robot.forward(self.hermite_places[1])
+    def hermite_motion(self) -> tuple[Array, Array, Array]:
+        """Flange poses (m, 4, 4), velocities and accelerations (m, 6) at hermite_places."""
+        return self.mechanism.flange_motion(*self.hermite_places[1:])
 
 
-def look(plant: Plant, trajectory: Trajectory, resolution: Resolution | None, marks: int = 1) -> Rows:
+def look(plant: Machine, trajectory: Trajectory, resolution: Resolution | None, marks: int = 1) -> Rows:
     """Rows as the judge uses them; resolution None: every digit is there. marks: how many a marked file has at least,
     one for every move."""
     eps = float(np.finfo(np.float64).eps)

@@ -15,10 +15,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from trajopt_cli.collision.pair import Pair
-from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
-from trajopt_cli.robot.model import RobotModel
+from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.shapes import Capsule, Shape, outline
 from trajopt_cli.trajectory import Trajectory
+from trajopt_cli.verify.geometry import inverse_pose
+from trajopt_cli.verify.mechanism import FLANGE, Mechanism
 
 OVERLOOKED = 1e-4
 """No overlap deeper than this slips through, m: nothing thicker can be jumped over."""
@@ -27,13 +28,10 @@ COARSE = 0.01
 """Share of what a distance is above the wanted one that it may be off by: a body that slides past far away would take
 thousands of looks to say to OVERLOOKED how far."""
 
-FLANGE = 7
-"""Index of the flange among a robot's frames, after the seven links."""
-
 
 @dataclass(frozen=True, eq=False)
 class Body:
-    """A shape that a frame of the robot carries: a link by its index, or FLANGE."""
+    """A shape that a frame of the mechanism carries: a link by its index, or FLANGE."""
 
     name: str
     shape: Shape
@@ -128,18 +126,16 @@ class Course:
 class _Look:
     """The robot in the middle of intervals (m, 2) of s, and how far its axes go from there within them."""
 
-    def __init__(self, robot: RobotModel, course: Course, nodes: Array):
+    def __init__(self, mechanism: Mechanism, course: Course, nodes: Array):
         s_0, s_1 = nodes.T
         middle = (s_0 + s_1) / 2
         self.middle = np.where(s_1 - s_0 > 1, np.floor(middle), middle)
         q = course.at(self.middle)
         swing = course.swing(s_0, s_1, q)
-        links = robot.link_poses(q)
-        self.X_WL = np.concatenate([links, (links[:, 6] @ robot.chain[6].X)[:, None]], axis=1)
+        self.X_WL, self._axes = mechanism.links(q)
         self._arm = swing[:, -6:]
-        self._rail = swing[:, 0] if robot.has_rail else np.zeros(len(q))
-        self._axes = np.einsum("mjab,jb->mja", links[:, 1:, :3, :3], robot.link_axes)
-        self._origins = links[:, 1:, :3, 3]
+        self._rail = swing[:, 0] if mechanism.has_rail else np.zeros(len(q))
+        self._origins = self.X_WL[:, 1:FLANGE, :3, 3]
         self._bodies: dict[str, tuple[Array, Array]] = {}
 
     def points(self, body: Body) -> Array:
@@ -211,8 +207,8 @@ class _Placed:
 class Sweep:
     """A robot's bodies along a course: the least distance of a group of pairs, and when it is first too small."""
 
-    def __init__(self, robot: RobotModel, trajectory: Trajectory):
-        self._robot, self._course = robot, Course(trajectory)
+    def __init__(self, mechanism: Mechanism, trajectory: Trajectory):
+        self._mechanism, self._course = mechanism, Course(trajectory)
 
     def least(self, group: Sequence[Near], wanted: float = 0.0) -> Closest:
         """Where the group comes nearest; its distance is more than the least there is by OVERLOOKED at most, or by
@@ -221,7 +217,7 @@ class Sweep:
         best = self._at_start(group, pairs)
         nodes, alive = self._whole(len(pairs))
         while len(nodes):
-            look = _Look(self._robot, self._course, nodes)
+            look = _Look(self._mechanism, self._course, nodes)
             bounds = []
             for column, pair in enumerate(pairs):
                 rows = np.flatnonzero(alive[:, column])
@@ -248,7 +244,7 @@ class Sweep:
         before = np.inf  # s of the first
         nodes, alive = self._whole(len(pairs))
         while len(nodes):
-            look = _Look(self._robot, self._course, nodes)
+            look = _Look(self._mechanism, self._course, nodes)
             for column, pair in enumerate(pairs):
                 rows = np.flatnonzero(alive[:, column] & (nodes[:, 0] < before))
                 alive[:, column] = False
@@ -271,7 +267,7 @@ class Sweep:
 
     def _at_start(self, group: Sequence[Near], pairs: Sequence[_Placed]) -> Closest:
         """The nearest pair in the first row, meshes filled: later a body comes inside through the surface only."""
-        look = _Look(self._robot, self._course, np.zeros((1, 2)))
+        look = _Look(self._mechanism, self._course, np.zeros((1, 2)))
         distances = [float(pair.distances(look, np.zeros(1, dtype=np.intp), solid=True)[0]) for pair in pairs]
         i = int(np.argmin(distances))
         return Closest(group[i], distances[i], self._course.time(0.0))

@@ -25,7 +25,8 @@ from numpy.typing import NDArray
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import MoveExtJ
 from trajopt_cli.verify.course import Stop
-from trajopt_cli.verify.frame import Frame, angle_between, angular_acceleration
+from trajopt_cli.verify.frame import Frame, angular_acceleration
+from trajopt_cli.verify.geometry import angle_between
 from trajopt_cli.verify.rows import Rows
 from trajopt_cli.verify.tolerances import (
     JOINT_TARGET,

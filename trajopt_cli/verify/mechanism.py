@@ -1,0 +1,114 @@
+"""The robot as the judge knows it: pin's model of its URDF, mounted in the cell. No closed form, no code of ours.
+
+pin is asked row by row, 2 to 4 us each. Axis order: as the URDF has them from its root to tool0, a rail first.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+import pinocchio as pin
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array
+from trajopt_cli.verify.machine import Machine
+
+FLANGE = 7
+"""Index of the flange among a mechanism's frames, after the arm's base and the six links."""
+
+_ARM = 6
+_WORLD_AXES = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
+
+
+class Mechanism:
+    """The chain from a URDF's root to tool0, its root mounted at X_WR (4, 4) in the world; other joints hold.
+
+    names: of the k axes. link_names: the arm's base, then the link behind each of its six joints. Raises InputError for
+    a file that pin does not read.
+    """
+
+    def __init__(self, urdf: Path, X_WR: Array):
+        try:
+            model = pin.buildModelFromUrdf(str(urdf))
+        except ValueError as error:
+            message = "the judge's URDF reader takes it for none; parent and child of every joint need their <link>"
+            raise InputError(message, file=str(urdf)) from error
+        chain = set(model.supports[model.frames[_flange(model)].parentJoint])
+        others = [joint for joint in range(1, model.njoints) if joint not in chain]
+        if others:
+            model = pin.buildReducedModel(model, others, pin.neutral(model))
+        mount = pin.SE3(np.array(X_WR))
+        model.jointPlacements[1] = mount * model.jointPlacements[1]
+        for fixed in (frame for frame in model.frames if frame.parentJoint == 0):
+            fixed.placement = mount * fixed.placement
+        self._model, self._flange = model, _flange(model)
+        bodies: list[int] = []
+        frame = self._flange
+        while len(bodies) <= FLANGE:
+            if model.frames[frame].type == pin.FrameType.BODY:
+                bodies.append(frame)
+            frame = model.frames[frame].parentFrame
+        self._frames = bodies[::-1]
+        self.names: tuple[str, ...] = tuple(model.names)[1:]
+        self.link_names: tuple[str, ...] = tuple(model.frames[i].name for i in self._frames[:FLANGE])
+
+    @property
+    def has_rail(self) -> bool:
+        """Whether an axis stands before the arm's six."""
+        return len(self.names) > _ARM
+
+    def flange(self, q: Array) -> tuple[Array, Array]:
+        """Flange poses X_WF (n, 4, 4) and Jacobians (n, 6, k) in world axes, linear rows first, at q (n, k)."""
+        model, data, frame = self._model, self._model.createData(), self._flange
+        X, J = np.empty((len(q), 4, 4)), np.empty((len(q), 6, len(self.names)))
+        for i, row in enumerate(q):
+            J[i] = pin.computeFrameJacobian(model, data, row, frame, _WORLD_AXES)
+            X[i] = pin.updateFramePlacement(model, data, frame).homogeneous
+        return X, J
+
+    def flange_pose(self, q: Array) -> Array:
+        """The flange pose X_WF (4, 4) at q (k,)."""
+        return np.asarray(self.flange(q[None])[0][0])
+
+    def flange_motion(self, q: Array, qd: Array, qdd: Array) -> tuple[Array, Array, Array]:
+        """Poses X_WF (n, 4, 4), velocities and accelerations (n, 6) of the flange's origin in world axes, linear first.
+
+        q, qd, qdd (n, k). The acceleration is J qdd + J' qd.
+        """
+        model, data, frame = self._model, self._model.createData(), self._flange
+        X, V, A = np.empty((len(q), 4, 4)), np.empty((len(q), 6)), np.empty((len(q), 6))
+        for i in range(len(q)):
+            pin.forwardKinematics(model, data, q[i], qd[i], qdd[i])
+            X[i] = pin.updateFramePlacement(model, data, frame).homogeneous
+            V[i] = pin.getFrameVelocity(model, data, frame, _WORLD_AXES).vector
+            A[i] = pin.getFrameClassicalAcceleration(model, data, frame, _WORLD_AXES).vector
+        return X, V, A
+
+    def links(self, q: Array) -> tuple[Array, Array]:
+        """Poses (n, 8, 4, 4) of the links in link_names order and of the flange, at q (n, k); and the unit axes
+        (n, 6, 3) of the arm's joints in the world. A joint's axis runs through the origin of the link behind it."""
+        model, data = self._model, self._model.createData()
+        placed = [data.oMf[frame] for frame in self._frames]  # pin's own memory: each row's poses appear in it
+        X, axes = np.empty((len(q), FLANGE + 1, 4, 4)), np.empty((len(q), _ARM, 3))
+        for i, row in enumerate(q):
+            axes[i] = pin.computeJointJacobians(model, data, row)[3:, -_ARM:].T
+            pin.updateFramePlacements(model, data)
+            X[i] = [pose.homogeneous for pose in placed]
+        return X, axes
+
+
+def mechanism_of(machine: Machine) -> Mechanism:
+    """The mechanism of a machine's URDF on its mount; read once for each."""
+    return _mechanism(machine.robot.urdf.resolve(), np.asarray(machine.robot.X_WR).tobytes())
+
+
+def _flange(model: pin.Model) -> int:
+    """The frame of the link tool0; a joint may have the same name."""
+    return int(model.getFrameId("tool0", pin.FrameType.BODY))
+
+
+@lru_cache(maxsize=8)
+def _mechanism(urdf: Path, X_WR: bytes) -> Mechanism:
+    return Mechanism(urdf, np.frombuffer(X_WR).reshape(4, 4))
