@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import hashlib
 import json
 import os
 from collections.abc import Callable
@@ -86,6 +87,34 @@ def test_a_folder_comes_back(folder: Path) -> None:
         (0, 5, "a", "b", False), (5, 5, "b", "b", True), (5, 9, "b", "c", False)
     ]  # fmt: skip
     assert sequence.rows == 10
+
+
+def test_the_record_says_what_it_was_given_and_no_more(folder: Path) -> None:
+    run = json.loads((folder / "run.json").read_text())
+    assert list(run) == [
+        "trajopt", "format", "kind", "command", "versions", "options", "inputs", "files", "finished",
+    ]  # fmt: skip
+    assert set(run["inputs"]) == {"task", "program", "files"}
+    assert run["files"] == {
+        path.relative_to(folder).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
+        for path in folder.rglob("*")
+        if path.is_file() and path.name != "run.json"
+    }
+    again = folder.parent / "again"
+    found = read_task_run(folder)
+    files = {name: content for name, content in found.contents.items() if name != "summary.json"}
+    write_task_run(again, "iiwa segments", found.record.options, found.record.inputs, files, found.sections())
+    other = json.loads((again / "run.json").read_text())
+    assert {**other, "finished": ""} == {**run, "finished": ""}
+    assert (again / "summary.json").read_bytes() == (folder / "summary.json").read_bytes()
+
+
+def test_what_was_put_into_a_folder_meanwhile_is_not_lost(folder: Path) -> None:
+    (folder / "mine.txt").write_text("kept")
+    found, before = read_task_run(folder), (folder / "run.json").read_bytes()
+    expected = f"{folder}: holds mine.txt, which trajopt did not write; move it away or choose another --output"
+    assert said(lambda: write_task_run(folder, "x", {}, found.record.inputs, found.contents, {})) == expected
+    assert ((folder / "mine.txt").read_text(), (folder / "run.json").read_bytes()) == ("kept", before)
 
 
 def drop(name: str) -> Callable[[dict[str, Any]], None]:
