@@ -1,3 +1,58 @@
-"""trajopt: the fastest legal motion for the robot program a cell already runs."""
+"""trajopt: the fastest legal motion for the robot program a cell already runs.
+
+The data's journey, each step a function: read_program, load_cell, build_plant, build_problem, optimize, verify,
+export. What they need is imported when they are first asked for.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from trajopt_cli.cell.loader import load_cell
+    from trajopt_cli.errors import InputError
+    from trajopt_cli.export.files import export
+    from trajopt_cli.optimize import optimize
+    from trajopt_cli.problem.plan import Infeasible, Target
+    from trajopt_cli.problem.plant import build_plant
+    from trajopt_cli.rapid.reader import read_program
+    from trajopt_cli.verify.judge import verify
 
 __version__ = "0.1.0"
+__all__ = [
+    "Infeasible",
+    "InputError",
+    "Target",
+    "build_plant",
+    "build_problem",
+    "export",
+    "load_cell",
+    "optimize",
+    "read_program",
+    "verify",
+]
+
+# Where each stands. A step without a colon is a package that can be called, see trajopt_cli.door.
+_DOORS = {
+    "read_program": "trajopt_cli.rapid.reader:read_program",
+    "load_cell": "trajopt_cli.cell.loader:load_cell",
+    "build_plant": "trajopt_cli.problem.plant:build_plant",
+    "build_problem": "trajopt_cli.problem.problem:build_problem",
+    "optimize": "trajopt_cli.optimize",
+    "verify": "trajopt_cli.verify",
+    "export": "trajopt_cli.export",
+    "Target": "trajopt_cli.problem.plan:Target",
+    "Infeasible": "trajopt_cli.problem.plan:Infeasible",
+    "InputError": "trajopt_cli.errors:InputError",
+}
+
+
+def __getattr__(name: str) -> object:
+    if name not in _DOORS:
+        raise AttributeError(f"module 'trajopt_cli' has no attribute '{name}'")
+    module, _, attribute = _DOORS[name].partition(":")
+    found = import_module(module)
+    return getattr(found, attribute) if attribute else found
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

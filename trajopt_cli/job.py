@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import Move, Program
-from trajopt_cli.runs.folder import RUN
+from trajopt_cli.runs import RUN
 
 if TYPE_CHECKING:
     from trajopt_cli.cell.model import Cell

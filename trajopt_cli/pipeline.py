@@ -12,22 +12,25 @@ from typing import TYPE_CHECKING
 
 from trajopt_cli.beside import Beside, cores
 from trajopt_cli.errors import InputError
-from trajopt_cli.files import write_folder
 from trajopt_cli.job import Job, read_results_job
-from trajopt_cli.motion import Program, Wait
+from trajopt_cli.motion import Program, TextFile, Wait
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
-from trajopt_cli.runs.folder import RUN, SUMMARY, check_replaceable
+from trajopt_cli.runs import SUMMARY
+from trajopt_cli.runs.folder import check_replaceable, write_run
+from trajopt_cli.runs.record import INPUT, InputFile, Inputs
 from trajopt_cli.runs.results import (
     CHOSEN,
     CSV,
-    InputFile,
+    AddedModule,
     Judged,
+    PlanOptions,
+    PlanRecord,
+    RapidModule,
     Results,
     distinct_names,
     read_results,
-    run_record,
     summary,
     zones_as_stops,
 )
@@ -84,6 +87,18 @@ class Optimised:
     seconds: Mapping[str, float]
 
 
+@dataclass(frozen=True)
+class RapidFiles:
+    """The optimised modules of a results folder. patch: their difference from the program as given, for patch -p1;
+    difference: the same to read. kept: what the plan had to leave as programmed, and why.
+    """
+
+    modules: tuple[RapidModule, ...]
+    patch: bytes
+    difference: str
+    kept: tuple[str, ...]
+
+
 @dataclass
 class _Clock:
     """Seconds per phase, added up by name."""
@@ -135,28 +150,35 @@ def optimise(
         if no_rapid is not None:
             notices = (*notices, f"no RAPID text: {no_rapid}")
         notes = (*(_placed(export, folder) if export is not None else ()), *kept)
-        files = _files(job, target, judged, inputs, export, notices, notes)
+        files = _files(job, target, judged, inputs, export, notices, notes, kept)
     if plots:
         listen("results", Progress("plots"))
         with clock.phase("plots"):
             files |= plan_pictures(job, judged[target].plan)
-    timing = {
-        "started": started.isoformat(),
-        "finished": datetime.now(UTC).isoformat(),
-        "seconds": {name: round(value, 3) for name, value in clock.seconds.items()},
-    }
-    options = {
-        "program": [str(path) for path in job.paths],
-        "cell": str(job.cell_path),
-        "entry": job.program.entry,
-        "assume_identity": list(job.assume_identity),
-        "target": target.value,
-    }
-    starts = {"program": inputs[next(iter(job.program.files))], "cell": inputs[str(job.cell_path)]}
     added = {path: _place_of_new(path) for path in export.new} if export is not None else {}
-    files[RUN] = run_record(options, starts, inputs.values(), files, timing, added, no_rapid)
-    check_replaceable(folder)
-    write_folder(folder, files)
+    first, cell = inputs[next(iter(job.program.files))], inputs[str(job.cell_path)]
+    write_run(
+        folder,
+        PlanRecord,
+        files,
+        command="optimize",
+        options=PlanOptions(
+            program=[str(path) for path in job.paths],
+            cell=str(job.cell_path),
+            entry=job.program.entry,
+            assume_identity=list(job.assume_identity),
+            target=target.value,
+        ),
+        inputs=Inputs(
+            program=first.place,
+            cell=cell.place,
+            files=[one.record(rapid=export is not None) for one in dict.fromkeys((first, cell, *inputs.values()))],
+        ),
+        no_rapid=no_rapid,
+        added=[AddedModule(path=path, rapid=place) for path, place in added.items()],
+        started=started.isoformat(),
+        seconds={name: round(value, 3) for name, value in clock.seconds.items()},
+    )
     modules = (*(given.rapid for given in inputs.values() if given.rapid in files), *added.values())
     return Optimised(job, target, judged, notices, notes, folder, modules, no_rapid, clock.seconds)
 
@@ -181,15 +203,16 @@ def _files(
     export: RapidExport | None,
     notices: tuple[str, ...],
     notes: tuple[str, ...],
+    kept: tuple[str, ...],
 ) -> dict[str, bytes]:
     """The results folder's files but run.json."""
     files = {
-        SUMMARY: summary(job.program, target, judged, notices, job.plant.notes, job.plant.unchecked, notes),
+        SUMMARY: summary(job.program, target, judged, notices, job.plant.notes, job.plant.unchecked, notes, kept),
         CHOSEN: judged[target].csv.encode("ascii"),
         **{CSV[one]: judged[one].csv.encode("ascii") for one in Target},
     }
     for given in inputs.values():
-        files[given.copy] = given.content
+        files[given.place] = given.content
         if given.rapid is not None and export is not None:
             files[given.rapid] = export.texts[given.path].encode(job.program.files[given.path].encoding)
     for path, new in export.new.items() if export is not None else ():
@@ -344,6 +367,25 @@ def joint_export(folder: Path, rate: float) -> tuple[Results, Trajectory, str]:
     return results, trajectory, write_csv_text(trajectory)
 
 
+def rapid_export(folder: Path) -> RapidFiles:
+    """The optimised modules of a results folder. Raises InputError where the plan could not be written as RAPID."""
+    from trajopt_cli.export.rapid_diff import patch, unified_diff
+    from trajopt_cli.rapid.language.text import decode
+
+    results = read_results(folder)
+    if results.no_rapid is not None:
+        raise InputError(f"holds no RAPID text: {results.no_rapid}", file=str(folder))
+    given, texts, new = dict[str, TextFile](), dict[str, str](), dict[str, TextFile]()
+    for one in results.rapid:
+        path = str(one.path)
+        if one.given is None:
+            new[path] = TextFile(path, *decode(one.content))
+        else:
+            given[path] = TextFile(path, *decode(one.given))
+            texts[path] = one.content.decode(given[path].encoding)
+    return RapidFiles(results.rapid, patch(given, texts, new), unified_diff(given, texts, new), results.kept)
+
+
 def _notices(job: Job) -> tuple[str, ...]:
     """What a reader of the cycle times must know: the program's oddities, what is planned otherwise than it asks."""
     from trajopt_cli.problem.plannable import planned_otherwise
@@ -386,12 +428,12 @@ def _inputs(job: Job) -> dict[str, InputFile]:
     inputs = {}
     for path, name in distinct_names(list(job.program.files)).items():
         place = "program.mod" if len(job.program.files) == 1 else f"program/{name}"
-        inputs[path] = InputFile(path, f"input/{name}", Path(path).read_bytes(), place)
+        inputs[path] = InputFile(path, f"{INPUT}{name}", Path(path).read_bytes(), place)
     for mesh in job.cell.mesh_files:
         copy = mesh.relative_to(job.cell_path.parent).as_posix()
-        inputs[str(mesh)] = InputFile(str(mesh), f"input/{copy}", mesh.read_bytes())
+        inputs[str(mesh)] = InputFile(str(mesh), f"{INPUT}{copy}", mesh.read_bytes())
     cell = str(job.cell_path)
-    inputs[cell] = InputFile(cell, f"input/{job.cell_path.name}", job.cell_path.read_bytes())
+    inputs[cell] = InputFile(cell, f"{INPUT}{job.cell_path.name}", job.cell_path.read_bytes())
     return inputs
 
 

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterator, Mapping, Sequence
-from difflib import get_close_matches
+from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Any, NoReturn, TypeVar, get_type_hints
+from typing import Any, NoReturn, TypeVar
 
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
@@ -17,7 +16,7 @@ from ruamel.yaml.error import MarkedYAMLError, YAMLError
 from ruamel.yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 from trajopt_cli.errors import InputError, InputErrorGroup
-from trajopt_cli.quantity import shown
+from trajopt_cli.validation import in_words, short, spelled
 
 Model = TypeVar("Model", bound=BaseModel)
 
@@ -91,12 +90,6 @@ def line_of(key: str, lines: Mapping[str, int]) -> int:
     return next((lines[parent] for parent in parents if parent in lines), 1)
 
 
-def hint(name: str, known: Sequence[str]) -> str:
-    """What to do about an unknown name: the closest known one, else all of them."""
-    close = get_close_matches(name, known, n=1)
-    return f"did you mean '{close[0]}'?" if close else f"known: {', '.join(known)}"
-
-
 def _check_size(size: int, file: str) -> None:
     if size > MAX_BYTES:
         bound = f"more than {MAX_BYTES / 1e6:g} MB"
@@ -152,7 +145,7 @@ def _tree(yaml: YAML, text: str, file: str, needed: str) -> MappingNode:
         parts = [str(error.problem or error.context)]
         if error.context and parts[0].startswith("but "):
             parts.insert(0, f"{error.context},")
-        problem = _short(" ".join(" ".join(parts).split()))
+        problem = short(" ".join(" ".join(parts).split()))
         raise InputError(f"broken YAML: {problem}{_unit_hint(text, line)}", file=file, line=line) from error
     except YAMLError as error:
         raise InputError(f"broken YAML: {str(error).splitlines()[0]}", file=file) from error
@@ -201,8 +194,8 @@ class _Reader:
         if isinstance(node, ScalarNode) and node.tag in _SCALARS:
             return self._scalar(node, path)
         if isinstance(node, ScalarNode) and node.tag == _TAG + "timestamp":
-            self._refuse(node, path, f"{_short(node.value)} is not a number, text, list or section")
-        self._refuse(node, path, f"has the tag {_short(str(node.tag).replace(_TAG, '!!'))}; remove it")
+            self._refuse(node, path, f"{short(node.value)} is not a number, text, list or section")
+        self._refuse(node, path, f"has the tag {short(str(node.tag).replace(_TAG, '!!'))}; remove it")
 
     def _scalar(self, node: ScalarNode, path: str) -> Any:
         kind = str(node.tag).removeprefix(_TAG)
@@ -211,12 +204,12 @@ class _Reader:
         try:
             return self._yaml.constructor.construct_object(node)
         except (ValueError, KeyError, IndexError):  # a tag of the user's own, `!!int foo`
-            self._refuse(node, path, f"{_said(node.value)} is not of type !!{kind}; remove the tag")
+            self._refuse(node, path, f"{spelled(node.value)} is not of type !!{kind}; remove the tag")
 
     def _text(self, node: ScalarNode, path: str) -> str:
         text = str(node.value)
         if any("\ud800" <= sign <= "\udfff" for sign in text):
-            self._refuse(node, path, f"{json.dumps(_short(text))} holds half of a character (a surrogate)")
+            self._refuse(node, path, f"{json.dumps(short(text))} holds half of a character (a surrogate)")
         return text
 
     def _pairs(self, node: MappingNode, path: str, depth: int) -> dict[str, tuple[Node, Node]]:
@@ -242,12 +235,12 @@ class _Reader:
         if not isinstance(node, ScalarNode):
             self._refuse(node, path, "a key is a list or a section; keys are text")
         if node.tag not in _TEXTS:
-            said = _said(node.value)
+            said = spelled(node.value)
             inner = f"{path}.{said}" if path else said
             raise InputError(f"key {inner} is not text; put it in quotes", file=self.file, line=_line(node))
         name = self._text(node, path)
         if not name.isprintable() or not name.strip() or len(name) > _MAX_KEY:
-            said = json.dumps(_short(name), ensure_ascii=False)
+            said = json.dumps(short(name), ensure_ascii=False)
             self._refuse(node, path, f"key {said} is empty, of more than {_MAX_KEY} characters, or not printable")
         return name
 
@@ -279,80 +272,11 @@ def _empty_error(path: str, lines: Mapping[str, int], file: str) -> InputError:
     return InputError(f"{path}: is empty; give it a value or remove it", file=file, line=line_of(path, lines))
 
 
-def _keys(model: type[BaseModel], location: Sequence[str | int]) -> list[str]:
-    """The keys of the section that holds location."""
-    for part in location[:-1]:
-        field = model.model_fields.get(str(part))
-        # else a name of the user's own: a key that the section admits, or one of a field that maps names
-        annotation = field.annotation if field is not None else get_type_hints(model).get("__pydantic_extra__")
-        for choice in _models(annotation):
-            model = choice
-    return [field.alias or name for name, field in model.model_fields.items()]
-
-
-def _models(annotation: Any) -> Iterator[type[BaseModel]]:
-    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        yield annotation
-    for inner in getattr(annotation, "__args__", ()):
-        yield from _models(inner)
-
-
 def _input_error(
     model: type[BaseModel], detail: ErrorDetails, lines: Mapping[str, int], file: str, wanted: Mapping[str, str]
 ) -> InputError:
-    key, message = ".".join(str(part) for part in detail["loc"]), _message(model, detail, wanted)
+    key, message = ".".join(str(part) for part in detail["loc"]), in_words(model, detail, wanted)
     return InputError(f"{key}: {message}" if key else message, file=file, line=line_of(key, lines))
-
-
-def _message(model: type[BaseModel], detail: ErrorDetails, wanted: Mapping[str, str]) -> str:
-    value, location, bounds = detail["input"], detail["loc"], detail.get("ctx", {})
-    match detail["type"]:
-        case "extra_forbidden":
-            return f"unknown key; {hint(str(location[-1]), _keys(model, location))}"
-        case "missing":
-            path = ".".join(str(part) for part in location)
-            return f"is missing; {wanted.get(path) or wanted.get(str(location[-1]), 'add it')}"
-        case "model_type" | "dict_type":
-            return f"needs a section of 'key: value' lines, not {_said(value)}"
-        case "tuple_type" | "list_type":
-            if isinstance(value, str) and value.strip().startswith("["):
-                return f"needs a list, not the text {json.dumps(_short(value))}; remove the quotes"
-            return f"needs a list, not {_said(value)}"
-        case "string_type":
-            return f"needs text, not {_said(value)}"
-        case "bool_type":
-            return f"needs true or false, not {_said(value)}"
-        case "int_type" | "int_parsing" | "int_from_float" | "int_parsing_size":
-            return f"needs a whole number, not {_said(value)}"
-        case "greater_than":
-            return f"needs a whole number above {_bound(bounds['gt'])}, not {_said(value)}"
-        case "greater_than_equal":
-            return f"needs a whole number, {_bound(bounds['ge'])} or more, not {_said(value)}"
-        case "less_than":
-            return f"needs a whole number below {_bound(bounds['lt'])}, not {_said(value)}"
-        case "less_than_equal":
-            return f"needs a whole number, {_bound(bounds['le'])} or less, not {_said(value)}"
-        case "literal_error":
-            return f"{_said(value)} is not one of {bounds['expected']}"
-    return detail["msg"]
-
-
-def _bound(value: float) -> str:
-    return f"{value:g}" if value else "zero"
-
-
-def _said(value: object) -> str:
-    """What a file gave, in words or as YAML writes it; short lists of numbers and plain text as they stand."""
-    match value:
-        case list() if 0 < len(value) <= 7 and all(type(item) in (int, float) for item in value):
-            return f"[{', '.join(_said(item) for item in value)}]"
-        case str():
-            return _short(value) if value.isprintable() and value.strip() else json.dumps(_short(value))
-    return shown(value)
-
-
-def _short(text: str) -> str:
-    return text if len(text) <= 80 else f"{text[:77]}..."
 
 
 def _all(found: list[InputError], file: str) -> InputError:

@@ -264,7 +264,7 @@ def test_folders_of_other_commands_are_told_apart(task: Path, capsys: pytest.Cap
     assert "is not a results folder of trajopt" in capsys.readouterr().err
     (folder / "equilibrium.csv").write_text("changed")
     assert run(["iiwa", "joints", str(folder)]) == 2
-    assert "equilibrium.csv: was changed since it was written" in capsys.readouterr().err
+    assert "equilibrium.csv: was changed since the run; make the folder again" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

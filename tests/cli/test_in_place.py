@@ -14,8 +14,9 @@ from fake_planner import Planner
 
 from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError
-from trajopt_cli.files import replace_files
-from trajopt_cli.rapid_results import RapidFile, rapid_export, write_in_place
+from trajopt_cli.pipeline import rapid_export
+from trajopt_cli.runs.files import replace_files
+from trajopt_cli.runs.results import RapidModule, write_in_place
 
 OLD, NEW = b"MODULE m\r\nENDMODULE", b"MODULE m\r\n! edited\r\nENDMODULE"
 
@@ -66,7 +67,7 @@ def test_what_fails_half_way_leaves_everything_as_it_was(
             raise PermissionError(13, "Permission denied", str(target))
         real(source, target)
 
-    monkeypatch.setattr("trajopt_cli.files.os.replace", replace)
+    monkeypatch.setattr("trajopt_cli.runs.files.os.replace", replace)
     change = {path: (OLD, NEW) for path in paths}
     if fails > len(paths):
         replace_files(change, {})
@@ -90,7 +91,7 @@ def test_a_new_file_replaces_nothing(tmp_path: Path) -> None:
 def test_modules_of_results_go_in_place_together(tmp_path: Path) -> None:
     main, flat = tmp_path / "m.mod", tmp_path / "main_flat.mod"
     main.write_bytes(OLD)
-    modules = [RapidFile(main, Path("m.mod"), NEW, OLD), RapidFile(flat, Path("main_flat.mod"), NEW, None)]
+    modules = [RapidModule(main, Path("m.mod"), NEW, OLD), RapidModule(flat, Path("main_flat.mod"), NEW, None)]
     flat.write_bytes(b"somebody's")
     with pytest.raises(InputError) as caught:
         write_in_place(modules)

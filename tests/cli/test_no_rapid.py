@@ -55,6 +55,19 @@ def test_a_diff_without_changes_says_why(program: Path, planner: Planner, capsys
     assert capsys.readouterr() == ("", "no change: the plan needs nothing else than the program says\n")
 
 
+def test_moves_kept_as_programmed_are_told_by_a_diff_without_changes(
+    program: Path, planner: Planner, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    kept = "any words: tiny.mod:6 (hangs on signal di1); a statement of its own would free it"
+    monkeypatch.setattr("trajopt_cli.export.rapid_writable.kept_notes", lambda *_: (kept,))
+    assert run(["optimize", str(program)]) == 0
+    summary = json.loads(Path("results/tiny/summary.json").read_text())
+    assert (summary["notes"], summary["kept"]) == ([kept], [kept])
+    capsys.readouterr()
+    assert run(["export", "rapid", "results/tiny", "--diff"]) == 0
+    assert capsys.readouterr() == ("", f"no change: {kept}\n")
+
+
 def test_a_new_module_is_called_by_its_place(
     program: Path, planner: Planner, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

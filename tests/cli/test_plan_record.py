@@ -63,7 +63,7 @@ def test_a_file_that_is_read_must_be_listed(results: Path, name: str) -> None:
     record = json.loads((results / "run.json").read_text())
     del record["files"][name]
     (results / "run.json").write_text(json.dumps(record))
-    with pytest.raises(InputError, match=rf'^results/tiny/run\.json: was not written by trajopt: .* is "{name}"'):
+    with pytest.raises(InputError, match=rf'^results/tiny/run\.json: was not written by trajopt: .*: "{name}" is '):
         read_results(results)
 
 
@@ -88,7 +88,7 @@ def at(*keys: Any) -> Callable[[Any, Any], None]:
         (at("inputs", "program"), "inputs.program"),
         (at("inputs", "cell"), "inputs.cell"),
         (at("options"), "options"),
-        (at("options", "program"), "options.program[0]"),
+        (at("options", "program"), "options.program"),
         (at("options", "entry"), "options.entry"),
         (at("options", "assume_identity"), "options.assume_identity"),
         (at("added"), "added"),
@@ -98,7 +98,7 @@ def at(*keys: Any) -> Callable[[Any, Any], None]:
 def test_each_damage_is_one_line(results: Path, put: Callable[[Any, Any], None], what: str, value: Any) -> None:
     if what == "options" and value == {"a": 1}:
         return  # those of an older run name no entry
-    if isinstance(value, str) and what in ("options.program[0]", "options.entry", "inputs.files[0].path"):
+    if isinstance(value, str) and what in ("options.program", "options.entry", "inputs.files[0].path"):
         return  # texts that a user may have given; an input is held against its content before it is written
     record = json.loads((results / "run.json").read_text())
     put(record, value)
@@ -106,6 +106,7 @@ def test_each_damage_is_one_line(results: Path, put: Callable[[Any, Any], None],
     with pytest.raises(InputError) as caught:
         read_results(results)
     assert str(caught.value).startswith(f"results/tiny/run.json: was not written by trajopt: {what}")
+    assert str(caught.value).endswith("; move the folder away and make it again")
     assert len(str(caught.value).splitlines()) == 1
 
 
@@ -120,10 +121,12 @@ def test_a_new_module_lies_beside_the_program_or_nowhere(results: Path, path: st
     shutil.copy(results / "program.mod", results / "program/new.mod")
     record["added"] = [{"path": "new.mod", "rapid": "program/new.mod"}]
     (results / "run.json").write_text(json.dumps(record))
-    assert read_results(results).added == (("new.mod", results / "program/new.mod"),)
+    *_, new = read_results(results).rapid
+    assert (new.path, new.place, new.given) == (Path("new.mod"), Path("new.mod"), None)
+    assert new.content == (results / "program.mod").read_bytes()
     record["added"][0]["path"] = path
     (results / "run.json").write_text(json.dumps(record))
-    with pytest.raises(InputError, match=r"run\.json: was not written by trajopt: added\[0\]\.(path|rapid) is "):
+    with pytest.raises(InputError, match=r"run\.json: was not written by trajopt: added\[0\]\.(path|rapid): "):
         read_results(results)
 
 

@@ -16,7 +16,7 @@ import pytest
 
 from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError
-from trajopt_cli.files import replace_files, write_file
+from trajopt_cli.runs.files import replace_files, write_file
 
 
 def refusal(number: int, path: Path | None = None) -> OSError:
@@ -86,7 +86,7 @@ def test_a_full_disk_names_no_file_that_is_none(tmp_path: Path) -> None:
     def full(*_: object) -> None:
         raise refusal(errno.ENOSPC)
 
-    with patch("trajopt_cli.files.os.fsync", full), pytest.raises(InputError) as caught:
+    with patch("trajopt_cli.runs.files.os.fsync", full), pytest.raises(InputError) as caught:
         write_file(tmp_path / "a", b"x")
     assert str(caught.value) == f"{tmp_path}/a: cannot write: No space left on device"
     assert [*tmp_path.iterdir()] == []

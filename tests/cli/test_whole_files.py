@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from trajopt_cli import files
 from trajopt_cli.errors import InputError
+from trajopt_cli.runs import files
 
 OLD = {"run.json": b"old", "input/a.mod": b"old module", "gone.csv": b"only in the old one"}
 NEW = {"run.json": b"new", "input/a.mod": b"new module", "stream.csv": b"1,2\n"}
@@ -19,7 +19,7 @@ NEW = {"run.json": b"new", "input/a.mod": b"new module", "stream.csv": b"1,2\n"}
 KILLED = """
 import os, shutil, sys
 from pathlib import Path
-from trajopt_cli import files
+from trajopt_cli.runs import files
 
 left = int(sys.argv[2])
 

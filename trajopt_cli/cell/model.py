@@ -13,7 +13,8 @@ from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.scenario import Scenario
 from trajopt_cli.shapes import MeshFile, Solid
-from trajopt_cli.yaml_file import hint, line_of
+from trajopt_cli.validation import hint
+from trajopt_cli.yaml_file import line_of
 
 
 @dataclass(frozen=True, eq=False)

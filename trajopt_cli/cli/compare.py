@@ -56,8 +56,8 @@ def baseline(
     from trajopt_cli.cli.comparison_tables import causes_table, comparison_record, rows_csv, rows_table
     from trajopt_cli.cli.console import show, stdout
     from trajopt_cli.cli.progress import ProgressView
-    from trajopt_cli.files import write_file, write_files
     from trajopt_cli.job import read_program_or_results
+    from trajopt_cli.runs.files import write_file, write_files
     from trajopt_cli.study.case import RailRule
     from trajopt_cli.study.comparison import compare, comparison_pictures
     from trajopt_cli.units import DEG

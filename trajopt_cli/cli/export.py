@@ -20,8 +20,8 @@ def joint(
     rate: Annotated[float, typer.Option(metavar="HZ", help="Rows per second.")] = 1000.0,
 ) -> None:
     """Joint positions and speeds of trajectory.csv's target at a fixed rate, the exact end as last row."""
-    from trajopt_cli.files import write_file
     from trajopt_cli.pipeline import joint_export
+    from trajopt_cli.runs.files import write_file
 
     source, trajectory, text = joint_export(results, rate)
     write_file(output, text.encode("ascii"))
@@ -45,8 +45,9 @@ def rapid(
     ] = False,
 ) -> None:
     """The program with the rapid plan in it; everything else is byte for byte as given."""
-    from trajopt_cli.files import write_file
-    from trajopt_cli.rapid_results import rapid_export, write_in_place
+    from trajopt_cli.pipeline import rapid_export
+    from trajopt_cli.runs.files import write_file
+    from trajopt_cli.runs.results import write_in_place
 
     if output is None and not diff and not in_place:
         raise typer.BadParameter("give --output, --diff, --in-place or several of them")

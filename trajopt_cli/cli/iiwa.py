@@ -146,7 +146,7 @@ def simulate(
     from trajopt_cli.compliance.job.simulation import NoRun
     from trajopt_cli.compliance.job.simulation import simulate as run
     from trajopt_cli.compliance.task.model import Feed, Integration
-    from trajopt_cli.files import write_files
+    from trajopt_cli.runs.files import write_files
 
     check_place(plots, "--plots")
     if settle is not None and not settle < float("inf"):
@@ -202,8 +202,8 @@ def dose(
     from trajopt_cli.compliance.job.folder import check_place, read_summary
     from trajopt_cli.compliance.job.simulation import NoRun
     from trajopt_cli.compliance.task.joints import Unfollowable
-    from trajopt_cli.files import write_files
     from trajopt_cli.quantity import ANGLE, LENGTH, option_value
+    from trajopt_cli.runs.files import write_files
 
     # '.' and '..' have no name of their own
     beside = results if results.name not in ("", "..") else results.resolve()

@@ -15,7 +15,7 @@ from trajopt_cli.motion import ExternalAxes
 from trajopt_cli.robot.model import RobotModel, load_robot
 from trajopt_cli.shapes import ATTACHED, MeshFile, Solid
 from trajopt_cli.units import MM
-from trajopt_cli.yaml_file import hint
+from trajopt_cli.validation import hint
 
 _GRADE = re.compile(r"\(grade ([A-D])\)$")  # how robot files end a source
 

@@ -1,1 +1,4 @@
-"""Results folders: one format, one atomic writer, records checked when they are read back."""
+"""Results folders: one format, written whole or not at all, records checked when they are read back."""
+
+RUN, SUMMARY = "run.json", "summary.json"
+"""In every folder: what made it and what it holds; what came out, in numbers."""

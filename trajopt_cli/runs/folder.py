@@ -1,78 +1,106 @@
-"""What every folder that trajopt writes has in common: run.json, which says what made it and lists its other files."""
+"""Folders that trajopt writes, whole, and reads back only as they were written."""
 
 from __future__ import annotations
 
-import hashlib
-import json
 import os
 import platform
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from importlib.metadata import version
-from pathlib import Path, PurePosixPath
-from typing import Any
+from pathlib import Path
+from typing import Any, Generic, TypeVar
 
 from trajopt_cli import __version__
 from trajopt_cli.errors import InputError
-from trajopt_cli.files import recover, write_folder
+from trajopt_cli.runs import RUN, SUMMARY
+from trajopt_cli.runs.files import recover, write_folder
+from trajopt_cli.runs.record import Model, RunRecord, as_json, checked, parse_record, quoted, sha256
 
-RUN, SUMMARY = "run.json", "summary.json"
-PLAN, TASK, EXPERIMENTS = "plan", "iiwa", "experiments"
-"""Kinds of folders: of trajopt optimize, of trajopt iiwa on a task, and of the thesis' experiments."""
 FORMAT = 1
 """Of the folders; a reader refuses a newer one."""
+PLAN, TASK, EXPERIMENTS = "plan", "iiwa", "experiments"
 _COMMANDS = {PLAN: "optimize", TASK: "iiwa segments", EXPERIMENTS: "iiwa experiments"}
+"""What makes a folder of each kind."""
+_FOREIGN, _ANEW = "was not written by trajopt", "move the folder away and make it again"
+Record = TypeVar("Record", bound=RunRecord[Any])
 
 
-def read_run(folder: Path, kind: str) -> dict[str, Any]:
-    """run.json of a folder of this kind; its files are names inside the folder to hashes, its inputs a dict.
+@dataclass(frozen=True, eq=False)
+class Run(Generic[Record]):
+    """A folder read back: its record, and the content of every other file by name, each with the hash recorded."""
 
-    Raises InputError for a folder that is none, is another, or is newer.
+    folder: Path
+    record: Record
+    contents: Mapping[str, bytes]
+
+    def text(self, name: str) -> str:
+        """A file's text. Raises InputError where the command that makes it has not run."""
+        if name not in self.contents:
+            raise InputError(f"has no {name}", file=str(self.folder))
+        return self.contents[name].decode("ascii", "replace")
+
+    def summary(self, model: type[Model]) -> Model:
+        """summary.json as far as model has it. Raises InputError where it is not what trajopt writes."""
+        file = str(self.folder / SUMMARY)
+        return checked(model, self.sections(), file, "is not what trajopt wrote", self.record.REMEDY)
+
+    def sections(self) -> dict[str, Any]:
+        """summary.json as it stands."""
+        return parse_record(self.contents[SUMMARY], str(self.folder / SUMMARY))
+
+
+def read_run(
+    folder: Path, model: type[Record], needed: tuple[str, ...] = (), judged: tuple[str, ...] = ()
+) -> Run[Record]:
+    """Read a folder of model's kind with all files that its run.json lists.
+
+    needed: names it must list. judged: names whose content may differ from what the run wrote, because a judge looks at
+    it. Raises InputError for a folder that is none, is another or newer, for a record that trajopt cannot have written,
+    and for a file that was changed.
     """
-    with _read(folder):
+    with _reading(folder):
         try:
             folder.stat()
         except (FileNotFoundError, NotADirectoryError) as error:
-            message = f"does not exist; make it with trajopt {_COMMANDS[kind]}"
+            message = f"does not exist; make it with trajopt {_COMMANDS[model.KIND]}"
             raise InputError(message, file=str(folder)) from error
-    run = _run(folder)
-    made = run.get("kind", PLAN)
-    if made != kind:
-        by = (
-            f"made by trajopt {_COMMANDS[made]}"
-            if made in _COMMANDS
-            else f"written as an unknown kind, {_quoted(made)}"
-        )
-        raise InputError(f"was {by}; this needs a folder of {_COMMANDS[kind]}", file=str(folder))
-    return run
+    record = _record(folder, model)
+    for name in needed:
+        if name not in record.files:
+            raise InputError(f"{_FOREIGN}: files: {quoted(name)} is missing; {_ANEW}", file=str(folder / RUN))
+    contents = {}
+    for name, digits in record.files.items():
+        contents[name] = _read_listed(folder, name)
+        if name not in judged and sha256(contents[name]) != digits:
+            raise InputError(f"was changed since the run; {model.REMEDY}", file=str(folder / name))
+    return Run(folder, record, contents)
 
 
-def write_run(
-    folder: Path, kind: str, libraries: Iterable[str], files: Mapping[str, bytes], more: Mapping[str, Any]
-) -> None:
-    """Write a folder of this kind whole: files, and run.json with the versions of libraries and what more says.
+def write_run(folder: Path, model: type[RunRecord[Any]], files: Mapping[str, bytes], command: str, **said: Any) -> None:
+    """Write a folder of model's kind whole: files, and run.json with what is said of them.
 
-    Raises InputError where folder may not be replaced.
+    command: that made the folder. said: the model's other fields. Raises InputError where folder may not be replaced.
     """
-    run = {
-        "trajopt": __version__,
-        "format": FORMAT,
-        "kind": kind,
-        "versions": {"python": platform.python_version(), **{name: version(name) for name in libraries}},
-        "inputs": {},
-        **more,
-        "files": {name: sha256(content) for name, content in sorted(files.items())},
-        "written": datetime.now(UTC).isoformat(),
-    }
+    record = model(
+        trajopt=__version__,
+        format=FORMAT,
+        kind=model.KIND,
+        command=command,
+        versions={"python": platform.python_version(), **{name: version(name) for name in model.LIBRARIES}},
+        files={name: sha256(content) for name, content in sorted(files.items())},
+        finished=datetime.now(UTC).isoformat(),
+        **said,
+    )
     check_replaceable(folder)
-    write_folder(folder, {**files, RUN: record(run)})
+    write_folder(folder, {**files, RUN: as_json(record)})
 
 
 def check_replaceable(folder: Path) -> None:
     """Raise InputError unless folder is absent, empty, or a folder that holds only what trajopt wrote."""
     recover(folder)
-    with _read(folder):
+    with _reading(folder):
         if not folder.exists():
             return
         if not folder.is_dir():
@@ -85,7 +113,7 @@ def check_replaceable(folder: Path) -> None:
                 "is not a results folder of trajopt (no run.json) and is not replaced; choose another --output",
                 file=str(folder),
             )
-        known = {RUN, *_run(folder)["files"]}
+        known = {RUN, *_record(folder, RunRecord[Any]).files}
         strangers = sorted({path.relative_to(folder).as_posix() for path in content} - known)
     if strangers:
         raise InputError(
@@ -96,89 +124,38 @@ def check_replaceable(folder: Path) -> None:
 
 def read_bytes(path: Path) -> bytes:
     """A file's content. Raises InputError where it cannot be read."""
-    try:
+    with _reading(path):
         return path.read_bytes()
-    except OSError as error:
-        raise InputError(f"cannot read: {error.strerror}", file=str(path)) from error
 
 
-def read_listed(folder: Path, name: str) -> bytes:
-    """A file that run.json lists. Raises InputError where it cannot be read, or is a link or a device."""
+def _record(folder: Path, model: type[Record]) -> Record:
+    """run.json, of this kind if the model has one."""
+    with _reading(folder):
+        if not (folder / RUN).is_file():
+            raise InputError("is not a results folder of trajopt (no run.json)", file=str(folder))
+    file = str(folder / RUN)
+    content = parse_record(read_bytes(folder / RUN), file)
+    number, made, kind = content.get("format"), content.get("kind", PLAN), model.KIND
+    if type(number) is int and number > FORMAT:
+        raise InputError(f"is of format {quoted(number)}; this trajopt reads up to {FORMAT}", file=file)
+    if kind and "trajopt" in content and isinstance(made, str) and made != kind:
+        known = made in _COMMANDS
+        by = f"made by trajopt {_COMMANDS[made]}" if known else f"written as an unknown kind, {quoted(made)}"
+        raise InputError(f"was {by}; this needs a folder of {_COMMANDS[kind]}", file=str(folder))
+    return checked(model, content, file, _FOREIGN, _ANEW)
+
+
+def _read_listed(folder: Path, name: str) -> bytes:
     path = folder / name
-    with _read(path):
+    with _reading(path):
         inside = os.path.realpath(path) == os.path.join(os.path.realpath(folder), name)
         if path.exists() and not (inside and path.is_file()):
             raise InputError("is not a file that trajopt wrote; make the folder again", file=str(path))
     return read_bytes(path)
 
 
-def read_record(path: Path) -> dict[str, Any]:
-    """A JSON object in a file. Raises InputError for anything else."""
-    return parse_record(read_bytes(path), str(path))
-
-
-def parse_record(text: bytes, file: str) -> dict[str, Any]:
-    """The JSON object in text; file is its name in messages. Raises InputError for anything else."""
-    try:
-        content = json.loads(text)
-    except ValueError as error:
-        raise InputError(f"is not JSON: {error}", file=file) from error
-    except RecursionError as error:
-        raise InputError("is not JSON that trajopt wrote: nested too deep", file=file) from error
-    if not isinstance(content, dict):
-        raise InputError("is not a JSON object", file=file)
-    return content
-
-
-def sha256(content: bytes) -> str:
-    """Of the exact bytes, in hexadecimal."""
-    return hashlib.sha256(content).hexdigest()
-
-
-def record(content: Mapping[str, Any]) -> bytes:
-    """JSON for a person and for programs; raises ValueError for numbers that are not finite."""
-    text = json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
-    return text.encode(errors="backslashreplace")  # a lone surrogate, \udc80, is written as JSON's own escape
-
-
-def _run(folder: Path) -> dict[str, Any]:
-    with _read(folder):
-        if not (folder / RUN).is_file():
-            raise InputError("is not a results folder of trajopt (no run.json)", file=str(folder))
-    run, file = read_record(folder / RUN), str(folder / RUN)
-    number = run.get("format")
-    if type(number) is not int or number < 1 or not {"trajopt", "inputs", "files"} <= run.keys():
-        raise InputError("was not written by trajopt", file=file)
-    if number > FORMAT:
-        raise InputError(f"is of format {_quoted(number)}; this trajopt reads up to {FORMAT}", file=file)
-    files, kind = run["files"], run.get("kind", PLAN)
-    if not isinstance(files, dict) or not isinstance(run["inputs"], dict) or not isinstance(kind, str):
-        raise InputError("was not written by trajopt", file=file)
-    for name, digits in files.items():
-        if not isinstance(digits, str) or not _stays_inside(name):
-            raise InputError(f"was not written by trajopt: its files have {_quoted(name)}", file=file)
-    return run
-
-
-def _stays_inside(name: str) -> bool:
-    """Whether a folder may have a file of this name: relative, as write_run spells it, nothing above the folder."""
-    try:
-        os.fsencode(name)
-    except UnicodeEncodeError:
-        return False
-    path = PurePosixPath(name)
-    spelled = name == str(path) and bool(path.name) and not any(sign < " " for sign in name)
-    return spelled and not path.is_absolute() and ".." not in path.parts
-
-
-def _quoted(value: object) -> str:
-    """For a message: JSON, of bounded length."""
-    text = json.dumps(value) if not isinstance(value, int) or value.bit_length() < 64 else "a very large number"
-    return text if len(text) <= 80 else f"{text[:77]}..."
-
-
 @contextmanager
-def _read(path: Path) -> Iterator[None]:
+def _reading(path: Path) -> Iterator[None]:
     """What the system refuses inside is told in one line about path."""
     try:
         yield

@@ -1,27 +1,28 @@
-"""The results folder: what is in it, when it may be replaced, and how it is read back."""
+"""The results folder of `trajopt optimize`: what is in it, how it is read back, and put over the user's own files."""
 
 from __future__ import annotations
 
 import os
-import platform
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from importlib.metadata import version
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any, ClassVar
 
-from trajopt_cli import __version__
+from pydantic import BeforeValidator, Field, model_validator
+
 from trajopt_cli.errors import InputError
 from trajopt_cli.findings import Report, finding_record
 from trajopt_cli.motion import Move, Program, SignalEvent, Wait
 from trajopt_cli.problem.plan import Plan, Target
-from trajopt_cli.runs.folder import FORMAT, SUMMARY, parse_record, record, sha256
-from trajopt_cli.runs.plan_record import read_plan_record
+from trajopt_cli.quantity import complain
+from trajopt_cli.runs import SUMMARY
+from trajopt_cli.runs.files import replace_files
+from trajopt_cli.runs.folder import PLAN, Run, read_bytes, read_run
+from trajopt_cli.runs.record import RunRecord, Section, UserPath, as_json, quoted
 
 CHOSEN = "trajectory.csv"
 CSV = {Target.STREAM: "stream.csv", Target.RAPID: "rapid.csv"}
 _SIGNAL_WAIT = "Wait"
-_LIBRARIES = ("casadi", "numpy", "pin", "ruckig", "scipy", "toppra")
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,32 +34,123 @@ class Judged:
     report: Report
 
 
+def _as_list(value: object) -> object:
+    return [value] if isinstance(value, str) else value  # as older runs wrote a single program
+
+
+class PlanOptions(Section):
+    """As the user gave them, and the name of the target whose plan was chosen."""
+
+    program: Annotated[list[str], BeforeValidator(_as_list)] = Field(default_factory=list)
+    cell: str = ""
+    entry: str = "main"
+    assume_identity: list[str] = Field(default_factory=list)
+    target: str = ""
+
+
+class AddedModule(Section):
+    """A module that the export added: its path beside the program, and its place in the folder."""
+
+    path: UserPath
+    rapid: str
+
+
+class PlanRecord(RunRecord[PlanOptions]):
+    """run.json of trajopt optimize. no_rapid: why the plan could not be written as RAPID. seconds: per phase."""
+
+    KIND: ClassVar[str] = PLAN
+    LIBRARIES: ClassVar[tuple[str, ...]] = ("casadi", "numpy", "pin", "ruckig", "scipy", "toppra")
+    REMEDY: ClassVar[str] = "run trajopt optimize again"
+
+    options: PlanOptions = PlanOptions()
+    no_rapid: str | None = None
+    added: list[AddedModule] = Field(default_factory=list)
+    started: str = ""
+    seconds: dict[str, float] = Field(default_factory=dict)
+
+    @model_validator(mode="after")
+    def _modules_have_places(self) -> PlanRecord:
+        """Every module has an optimised version, or none has one."""
+        for i, one in enumerate(self.inputs.files):
+            if (one.rapid is not None) != (one.module and self.no_rapid is None):
+                wanted = "none" if one.rapid is not None else "the place of the optimised module"
+                raise complain(f"inputs.files[{i}].rapid: {quoted(one.rapid)}, wanted {wanted}")
+        for key, module in (("program", True), ("cell", False)):
+            place = getattr(self.inputs, key)
+            if place not in [one.place for one in self.inputs.files if one.module is module]:
+                kind = "a module" if module else "no module"
+                raise complain(f"inputs.{key}: {quoted(place)} is not one of inputs.files that is {kind}")
+        return self
+
+    @model_validator(mode="after")
+    def _added_lie_beside_the_program(self) -> PlanRecord:
+        """New modules: each called as in the folder, and beside one of the program's own files."""
+        own = {Path(one.path) for one in self.inputs.files}
+        beside = {Path(one.path).parent for one in self.inputs.files if one.module}
+        for i, one in enumerate(self.added):
+            path = Path(one.path)
+            self.listed(f"added[{i}].rapid", one.rapid)
+            if path.parent not in beside or path in own or path.name in ("..", "."):
+                raise complain(f"added[{i}].path: {quoted(one.path)} is no new file in a folder of the program")
+            if Path(one.rapid).name != path.name:
+                raise complain(f"added[{i}].rapid: {quoted(one.rapid)} is no file called {path.name}")
+        return self
+
+
+class MotionRow(Section):
+    """A motion in summary.json, as far as it is read back; times in s from the start."""
+
+    index: int
+    instruction: str
+    target: str
+    start_s: float
+    time_s: float
+    dropped: bool
+
+
+class PlanSummary(Section):
+    """A plan in summary.json, as far as it is read back."""
+
+    motions: list[MotionRow]
+
+
+class Plans(Section):
+    """The plans of both targets."""
+
+    stream: PlanSummary
+    rapid: PlanSummary
+
+    def of(self, target: Target) -> PlanSummary:
+        """The plan of one of them."""
+        return self.stream if target is Target.STREAM else self.rapid
+
+
+class Summary(Section):
+    """summary.json, as far as it is read back. kept: what the RAPID text keeps as programmed, and why."""
+
+    target: Annotated[Target, Field(strict=False)]
+    plans: Plans
+    kept: list[str] = Field(default_factory=list)
+
+
 @dataclass(frozen=True)
-class InputFile:
-    """A file the run was made from: path as the user gave it, copy: its place in the results folder.
+class RapidModule:
+    """A module with the rapid plan in it. path: as the user gave it, or beside the program for a new one. place: in a
+    folder of them all. given: the module as it was, None for a new one."""
 
-    rapid: the place of its optimised version there, None for a file that is no RAPID module.
-    """
-
-    path: str
-    copy: str
+    path: Path
+    place: Path
     content: bytes
-    rapid: str | None = None
-
-    @property
-    def sha256(self) -> str:
-        """Of the exact bytes."""
-        return sha256(self.content)
+    given: bytes | None
 
 
 @dataclass(frozen=True)
 class Results:
     """A results folder read back. modules and cell are the copies of the run's inputs inside it, in their order.
 
-    entry, assume_identity: as the run was asked for. texts: the three CSV files by name. holds: when the chosen plan
-    stands still until a signal comes [s], and for what. rapid: each module's path as the user gave it, the copy of the
-    program as it was, and the optimised one. added: the path and the place in the folder of each module that the export
-    added. no_rapid: why there is no optimised program. notes: what the program's text changes, and what it could not.
+    entry, assume_identity: as the run was asked for. texts: the three CSV files by name. dropped: by target, the
+    indices of the motions left out. holds: when the chosen plan stands still until a signal comes [s], and for what.
+    rapid: the optimised modules; none where no_rapid says why. kept: what they keep as programmed, and why.
     """
 
     folder: Path
@@ -70,10 +162,9 @@ class Results:
     texts: Mapping[str, str]
     dropped: Mapping[Target, tuple[int, ...]]
     holds: tuple[tuple[float, str], ...]
-    rapid: tuple[tuple[str, Path, Path], ...]
-    added: tuple[tuple[str, Path], ...] = ()
+    rapid: tuple[RapidModule, ...]
     no_rapid: str | None = None
-    notes: tuple[str, ...] = ()
+    kept: tuple[str, ...] = ()
 
 
 def distinct_names(paths: Sequence[str]) -> dict[str, str]:
@@ -113,13 +204,14 @@ def summary(
     limits: Iterable[str],
     unchecked: Iterable[str],
     notes: Iterable[str] = (),
+    kept: Iterable[str] = (),
 ) -> bytes:
     """summary.json: the answer in numbers, SI, the same bytes for the same inputs.
 
     limits: how sure they are. unchecked: what the judge was given nothing to hold the motion against. notes: what the
-    RAPID text changes, and what it could not.
+    RAPID text changes, and what it could not; kept: those of the latter.
     """
-    return record(
+    return as_json(
         {
             "target": target.value,
             "plans": {one.value: _plan(program, judged[one]) for one in Target},
@@ -128,6 +220,7 @@ def summary(
             "limits": list(limits),
             "unchecked": list(unchecked),
             "notes": list(notes),
+            "kept": list(kept),
         }
     )
 
@@ -165,80 +258,52 @@ def _plan(program: Program, judged: Judged) -> dict[str, Any]:
     }
 
 
-def run_record(
-    options: Mapping[str, Any],
-    inputs: Mapping[str, InputFile],
-    others: Iterable[InputFile],
-    files: Mapping[str, bytes],
-    timing: Mapping[str, Any],
-    added: Mapping[str, str] | None = None,
-    no_rapid: str | None = None,
-) -> bytes:
-    """run.json: what made this folder. The only file with clock times; files lists all others with their hashes.
-
-    added: the modules that the export added, the path each would have beside the program and its place in the folder.
-    no_rapid: why the plan could not be written as RAPID; then there are no such modules.
-    inputs: "program" and "cell", the two that verify starts from (of several modules the first).
-    """
-    every = {one.copy: one for one in (*inputs.values(), *others)}
-    return record(
-        {
-            "trajopt": __version__,
-            "format": FORMAT,
-            "versions": {"python": platform.python_version(), **{name: version(name) for name in _LIBRARIES}},
-            "options": dict(options),
-            "inputs": {
-                "program": inputs["program"].copy,
-                "cell": inputs["cell"].copy,
-                "files": [
-                    {
-                        "path": one.path,
-                        "copy": one.copy,
-                        "sha256": one.sha256,
-                        "rapid": one.rapid if no_rapid is None else None,
-                        "module": one.rapid is not None,
-                    }
-                    for one in every.values()
-                ],
-            },
-            "no_rapid": no_rapid,
-            "added": [{"path": path, "rapid": place} for path, place in (added or {}).items()],
-            "files": {name: sha256(content) for name, content in sorted(files.items())},
-            **timing,
-        }
-    )
-
-
 def read_results(folder: Path, judged: bool = False) -> Results:
     """Read a results folder; judged: its CSV files as they stand, for who decides whether they are legal.
 
     Raises InputError for a folder that is none or is newer, or where any other file was changed since the run.
     """
     plans = (CHOSEN, *CSV.values())
-    run = read_plan_record(folder, (SUMMARY, *plans), plans if judged else ())
-    digest = parse_record(run.contents[SUMMARY], str(folder / SUMMARY))
-    try:
-        target = Target(digest["target"])
-        rows = {one: digest["plans"][one.value]["motions"] for one in Target}
-        dropped = {one: tuple(m["index"] for m in motions if m["dropped"]) for one, motions in rows.items()}
-        waits = [m for m in rows[target] if m["instruction"] == _SIGNAL_WAIT]
-        holds = tuple((float(m["start_s"] + m["time_s"]), str(m["target"])) for m in waits)
-        notes = tuple(str(note) for note in digest.get("notes", ()))
-    except (KeyError, TypeError, ValueError) as error:
-        raise InputError("is not what trajopt wrote; run trajopt optimize again", file=str(folder / SUMMARY)) from error
-    rapid = tuple((one.path, folder / one.copy, folder / one.rapid) for one in run.inputs if one.rapid is not None)
+    run = read_run(folder, PlanRecord, (SUMMARY, *plans), plans if judged else ())
+    inputs, options, digest = run.record.inputs, run.record.options, run.summary(Summary)
+    waits = [row for row in digest.plans.of(digest.target).motions if row.instruction == _SIGNAL_WAIT]
     return Results(
         folder=folder,
-        target=target,
-        modules=tuple(folder / one.copy for one in run.inputs if one.module),
-        cell=folder / run.cell,
-        entry=run.entry,
-        assume_identity=run.assume_identity,
-        texts={name: run.contents[name].decode("ascii", "replace") for name in plans},
-        dropped=dropped,
-        holds=holds,
-        rapid=rapid,
-        added=tuple((path, folder / place) for path, place in run.added),
-        no_rapid=run.no_rapid,
-        notes=notes,
+        target=digest.target,
+        modules=tuple(folder / one.place for one in inputs.files if one.module),
+        cell=folder / str(inputs.cell),
+        entry=options.entry,
+        assume_identity=tuple(options.assume_identity),
+        texts={name: run.text(name) for name in plans},
+        dropped={one: tuple(row.index for row in digest.plans.of(one).motions if row.dropped) for one in Target},
+        holds=tuple((row.start_s + row.time_s, row.target) for row in waits),
+        rapid=tuple(_rapid(run)),
+        no_rapid=run.record.no_rapid,
+        kept=tuple(digest.kept),
     )
+
+
+def _rapid(run: Run[PlanRecord]) -> Iterator[RapidModule]:
+    """The optimised modules: each without the folder program/; program.mod alone is called as the user calls it."""
+    given = [(one.path, one.rapid, run.contents[one.place]) for one in run.record.inputs.files if one.rapid is not None]
+    for path, place, before in (*given, *((one.path, one.rapid, None) for one in run.record.added)):
+        inner = Path(place).parts[1:]
+        yield RapidModule(Path(path), Path(*inner) if inner else Path(Path(path).name), run.contents[place], before)
+
+
+def write_in_place(modules: Sequence[RapidModule]) -> dict[Path, Path]:
+    """Write the optimised modules over the user's own; where each old one is kept, by its path.
+
+    Raises InputError, with every file as it was, where one is not what the results were made from, a new module's name
+    is taken, or a place cannot be written.
+    """
+    for one in modules:
+        if one.given is None:
+            if os.path.lexists(one.path):
+                raise InputError("is a new module of the plan, and the name is taken; move it away", file=str(one.path))
+        elif read_bytes(one.path) != one.given:
+            raise InputError(
+                "is not the file that the results were made from; run trajopt optimize again", file=str(one.path)
+            )
+    wanted = {one.path: (one.given, one.content) for one in modules if one.given is not None}
+    return replace_files(wanted, {one.path: one.content for one in modules if one.given is None})

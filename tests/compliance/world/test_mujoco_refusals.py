@@ -32,7 +32,7 @@ def test_a_missing_mujoco_says_what_to_do(iiwa7, X_FT, monkeypatch):
     assert available() == mujoco.__version__
     monkeypatch.setitem(sys.modules, "mujoco", None)
     assert available() is None
-    with pytest.raises(InputError, match=r"^MuJoCo is not installed: pip install 'trajopt\[sim\]', or use the spring"):
+    with pytest.raises(InputError, match=r"^MuJoCo is not installed: pip install 'trajopt-cli\[sim\]', or use the"):
         make_world(Engine.MUJOCO, iiwa7, X_FT, None, None, H)
     assert make_world(Engine.SPRING, iiwa7, X_FT, None, None, H).name == "ideal arm"
 

@@ -3,14 +3,22 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any, ClassVar
 
 from trajopt_cli.compliance.experiments.catalogue import Experiments
 from trajopt_cli.compliance.experiments.pictures import pictures
 from trajopt_cli.compliance.experiments.record import record
 from trajopt_cli.runs.folder import EXPERIMENTS, write_run
-from trajopt_cli.runs.folder import record as as_json
+from trajopt_cli.runs.record import Inputs, RunRecord, as_json
 
 _MEASURED = "measured"
+
+
+class ExperimentsRecord(RunRecord[dict[str, Any]]):
+    """run.json of trajopt iiwa experiments, which reads no files."""
+
+    KIND: ClassVar[str] = EXPERIMENTS
+    LIBRARIES: ClassVar[tuple[str, ...]] = ("numpy", "pin", "scipy")
 
 
 def write_experiments(folder: Path, experiments: Experiments) -> int:
@@ -25,5 +33,5 @@ def write_experiments(folder: Path, experiments: Experiments) -> int:
         "measured.json": as_json(numbers[_MEASURED]),
         **pictures(experiments),
     }
-    write_run(folder, EXPERIMENTS, ("numpy", "pin", "scipy"), files, {})
+    write_run(folder, ExperimentsRecord, files, "iiwa experiments", options={}, inputs=Inputs())
     return len(files)

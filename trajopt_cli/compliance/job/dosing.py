@@ -15,15 +15,16 @@ from trajopt_cli.compliance.job.folder import (
     open_folder,
     sequence_files,
     sequence_record,
+    write_task_run,
 )
 from trajopt_cli.compliance.job.joints import joint_record
 from trajopt_cli.compliance.job.simulation import NoRun, Simulated, lag_record, run_controller
-from trajopt_cli.compliance.job.task_folder import write_task_folder
 from trajopt_cli.compliance.task.angles import rotation
 from trajopt_cli.compliance.task.equilibrium import Equilibrium
 from trajopt_cli.compliance.task.model import Clamps, Feed, Task
 from trajopt_cli.errors import InputError
 from trajopt_cli.runs.folder import check_replaceable
+from trajopt_cli.runs.record import INPUT
 
 if TYPE_CHECKING:
     from trajopt_cli.compliance.controller.dose import CannotDose, Dosed
@@ -176,7 +177,7 @@ def _dosed_sequence(sequence: Equilibrium, dosed: Dosed) -> Equilibrium:
 def _write(job: DosedJob) -> None:
     found = job.before.folder
     assert found is not None
-    inputs = {name: content for name, content in found.files.items() if name.startswith("input/")}
+    inputs = {name: content for name, content in found.contents.items() if name.startswith(INPUT)}
     dosing = {
         "bound_m": job.dosed.bound,
         "least_duration_s": job.dosed.least,
@@ -195,11 +196,11 @@ def _write(job: DosedJob) -> None:
         "joints": joint_record(job.joints),
         "notes": list(job.dosed.notes),
     }
-    write_task_folder(
+    write_task_run(
         job.folder,
+        "iiwa dose",
+        {"max_lag_m": job.dosed.bound},
+        found.record.inputs,
         inputs | sequence_files(job.after),
-        {"task": found.summary["task"], "sequence": sequence_record(job.after), "dosing": dosing},
-        found.task,
-        found.program,
-        {"command": "dose", "max_lag_m": job.dosed.bound},
+        {"task": found.sections()["task"], "sequence": sequence_record(job.after), "dosing": dosing},
     )

@@ -1,29 +1,93 @@
-"""A task with its sequence, as read from a folder and written into one."""
+"""The results folder of `trajopt iiwa`: a task, the sequence made from it, and what later commands added.
+
+summary.json has one section per command. A command that adds to a folder writes the whole folder anew, in one step.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
-from trajopt_cli.compliance.job.task_folder import (
-    EQUILIBRIUM,
-    QUATERNIONS,
-    SequenceRecord,
-    TaskFolder,
-    read_task_folder,
-    sequence_of,
-    write_task_folder,
-)
+from pydantic import Field, model_validator
+
 from trajopt_cli.compliance.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.compliance.task.model import AngleMeaning, RotationLaw, Task
 from trajopt_cli.errors import InputError
-from trajopt_cli.runs.folder import RUN
+from trajopt_cli.quantity import complain
+from trajopt_cli.runs import RUN, SUMMARY
+from trajopt_cli.runs.folder import TASK, Run, read_run, write_run
+from trajopt_cli.runs.record import Inputs, RunRecord, Section, as_json
 
 if TYPE_CHECKING:
     from trajopt_cli.geometry import Array
     from trajopt_cli.robot.srs import SrsRobot
+
+EQUILIBRIUM, QUATERNIONS, JOINTS, SIMULATION = (
+    "equilibrium.csv",
+    "equilibrium_quaternion.csv",
+    "joints.csv",
+    "simulation.csv",
+)
+
+
+class TaskRecord(RunRecord[dict[str, Any]]):
+    """run.json of trajopt iiwa. inputs.task: the task file; inputs.program: the RAPID program in place of its poses."""
+
+    KIND: ClassVar[str] = TASK
+    LIBRARIES: ClassVar[tuple[str, ...]] = ("numpy", "pin", "ruckig")
+
+    @model_validator(mode="after")
+    def _has_a_task(self) -> TaskRecord:
+        if self.inputs.task is None:
+            raise complain("inputs.task: is missing")
+        return self
+
+
+class PieceSection(Section):
+    """A leg or a dwell of a sequence: first row, last row (both included), the poses' names."""
+
+    first: int
+    last: int
+    origin: str = Field(alias="from")
+    goal: str = Field(alias="to")
+    dwell: bool
+
+
+class SequenceSection(Section):
+    """What summary.json says of the sequence and its CSV files do not.
+
+    Each piece begins at the row where the one before ends, the first at 0.
+    """
+
+    period_s: Annotated[float, Field(gt=0, allow_inf_nan=False)]
+    rotation: Annotated[RotationLaw, Field(strict=False)]
+    angles: Annotated[AngleMeaning, Field(strict=False)]
+    pieces: Annotated[list[PieceSection], Field(min_length=1)]
+
+    @property
+    def rows(self) -> int:
+        """How many rows the sequence has."""
+        return self.pieces[-1].last + 1
+
+    @model_validator(mode="after")
+    def _joined(self) -> SequenceSection:
+        row = 0
+        for i, piece in enumerate(self.pieces):
+            if not row == piece.first <= piece.last:
+                raise complain(f"pieces[{i}]: rows {piece.first} to {piece.last} do not go on from row {row}")
+            row = piece.last
+        return self
+
+
+class TaskSummary(Section):
+    """summary.json, as far as it is read back."""
+
+    sequence: SequenceSection
+
+
+TaskRun = Run[TaskRecord]
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +97,7 @@ class Opened:
     task: Task
     robot: SrsRobot
     equilibrium: Equilibrium
-    folder: TaskFolder | None = None
+    folder: TaskRun | None = None
 
     @property
     def X_start(self) -> Array:
@@ -66,9 +130,10 @@ def open_folder(folder: Path) -> Opened:
     from trajopt_cli.compliance.task.loader import load_task
     from trajopt_cli.robot.srs import load_srs
 
-    found = read_task_folder(folder)
-    record = sequence_of(found)
-    task = load_task(found.task_path, found.program_path)
+    found = read_task_run(folder)
+    record, inputs = found.summary(TaskSummary).sequence, found.record.inputs
+    program = None if inputs.program is None else folder / inputs.program
+    task = load_task(folder / str(inputs.task), program)
     robot = load_srs(task.robot, task.X_WB)
     _, pose = read_angles_csv(found.text(EQUILIBRIUM), str(folder / EQUILIBRIUM))
     _, _, R_WT = read_quaternion_csv(found.text(QUATERNIONS), str(folder / QUATERNIONS))
@@ -98,23 +163,38 @@ def counted_from_start(opened: Opened) -> Opened:
     return replace(opened, equilibrium=sequence)
 
 
+def read_task_run(folder: Path) -> TaskRun:
+    """A folder read back. Raises InputError for a folder that is none, or whose files were changed since."""
+    return read_run(folder, TaskRecord, (SUMMARY,))
+
+
 def read_summary(folder: Path) -> Mapping[str, Any]:
     """summary.json of a folder: one section per command."""
-    return read_task_folder(folder).summary
+    return read_task_run(folder).sections()
+
+
+def write_task_run(
+    folder: Path,
+    command: str,
+    options: Mapping[str, Any],
+    inputs: Inputs,
+    files: Mapping[str, bytes],
+    sections: Mapping[str, Any],
+) -> None:
+    """Write a folder whole; files: everything but summary.json, which gets the sections, and run.json.
+
+    Raises InputError where folder may not be replaced.
+    """
+    content = {**files, SUMMARY: as_json(sections)}
+    write_run(folder, TaskRecord, content, command, options=dict(options), inputs=inputs)
 
 
 def add_to_folder(opened: Opened, files: Mapping[str, bytes], sections: Mapping[str, Any]) -> None:
     """Write the folder anew with these files and these sections of its summary added or replaced."""
     found = opened.folder
     assert found is not None
-    write_task_folder(
-        found.folder,
-        {**found.files, **files},
-        {**found.summary, **sections},
-        found.task,
-        found.program,
-        found.options,
-    )
+    record, sections = found.record, {**found.sections(), **sections}
+    write_task_run(found.folder, record.command, record.options, record.inputs, {**found.contents, **files}, sections)
 
 
 def sequence_files(opened: Opened) -> dict[str, bytes]:
@@ -147,12 +227,12 @@ def sequence_record(opened: Opened) -> dict[str, Any]:
     }
 
 
-def _sequence(record: SequenceRecord, pose: Array, R_WT: Array, X_start: Array) -> Equilibrium:
+def _sequence(record: SequenceSection, pose: Array, R_WT: Array, X_start: Array) -> Equilibrium:
     """A sequence from its files; its matrices count as its angles do."""
     from trajopt_cli.compliance.task.angles import rotation
 
-    law, meaning = RotationLaw(record.rotation), AngleMeaning(record.angles)
-    pieces = tuple(Piece(*piece) for piece in record.pieces)
+    law, meaning = record.rotation, record.angles
+    pieces = tuple(Piece(one.first, one.last, one.origin, one.goal, one.dwell) for one in record.pieces)
     R = rotation(pose[:, 3:])
     if law is RotationLaw.SLERP:
         R = R_WT @ X_start[:3, :3].T if meaning is AngleMeaning.RELATIVE else R_WT

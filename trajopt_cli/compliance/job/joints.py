@@ -5,8 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from trajopt_cli.compliance.job.folder import Opened, add_to_folder, open_folder
-from trajopt_cli.compliance.job.task_folder import JOINTS
+from trajopt_cli.compliance.job.folder import JOINTS, Opened, add_to_folder, open_folder
 from trajopt_cli.findings import finding_record
 
 if TYPE_CHECKING:

@@ -6,11 +6,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from trajopt_cli.compliance.job.folder import Opened, check_place, sequence_files, sequence_record
-from trajopt_cli.compliance.job.task_folder import write_task_folder
+from trajopt_cli.compliance.job.folder import Opened, check_place, sequence_files, sequence_record, write_task_run
 from trajopt_cli.compliance.task.model import AngleMeaning, Task
 from trajopt_cli.errors import InputError
 from trajopt_cli.runs.folder import check_replaceable, read_bytes
+from trajopt_cli.runs.record import INPUT, InputFile, Inputs
 
 if TYPE_CHECKING:
     from trajopt_cli.compliance.task.segments import SegmentFacts
@@ -74,18 +74,22 @@ def make_segments(path: Path, folder: Path, task: Path | None, angles: AngleMean
         opened = replace(opened, equilibrium=equilibrium)
     notes = (*read.notes, *equilibrium.notes, *_start_notes(opened))
     inputs = _inputs(read, task_path, program)
-    files = {f"input/{name}": content for name, content in inputs.items()} | sequence_files(opened)
+    files = {one.place: one.content for one in inputs} | sequence_files(opened)
     section = sequence_record(opened) | {
         "segments": [_fact_record(one) for one in facts],
         "notes": list(notes),
     }
-    write_task_folder(
+    write_task_run(
         folder,
+        "iiwa segments",
+        {"angles": equilibrium.meaning.value},
+        Inputs(
+            task=f"{INPUT}{task_path.name}",
+            program=None if program is None else f"{INPUT}{program.name}",
+            files=[one.record() for one in inputs],
+        ),
         files,
         {"task": task_path.name, "sequence": section},
-        f"input/{task_path.name}",
-        None if program is None else f"input/{program.name}",
-        {"command": "segments", "angles": equilibrium.meaning.value},
     )
     return Segments(opened, facts, notes, folder)
 
@@ -122,14 +126,11 @@ def _start_notes(opened: Opened) -> tuple[str, ...]:
     )
 
 
-def _inputs(task: Task, task_path: Path, program: Path | None) -> dict[str, bytes]:
-    """The files the task was read from, by the name they get in the folder."""
-    inputs = {task_path.name: read_bytes(task_path)}
+def _inputs(task: Task, task_path: Path, program: Path | None) -> list[InputFile]:
+    """The files the task was read from: the task file, the program, and what the task names beside it."""
     if program is not None and program.name == task_path.name:
         raise InputError("--task has the program's own name; give the task file another", file=str(task_path))
-    if program is not None:
-        inputs[program.name] = read_bytes(program)
+    given = {path: path.name for path in (task_path, program) if path is not None}
     for path in map(Path, task.sources):
-        if path not in (task_path, program):
-            inputs[path.relative_to(task_path.parent).as_posix()] = read_bytes(path)
-    return inputs
+        given.setdefault(path, path.relative_to(task_path.parent).as_posix())
+    return [InputFile(str(path), f"{INPUT}{name}", read_bytes(path)) for path, name in given.items()]

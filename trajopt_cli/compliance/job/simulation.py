@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from trajopt_cli.compliance.job.folder import Opened, add_to_folder, counted_from_start, open_folder
+from trajopt_cli.compliance.job.folder import SIMULATION, Opened, add_to_folder, counted_from_start, open_folder
 from trajopt_cli.compliance.job.joints import joint_record
-from trajopt_cli.compliance.job.task_folder import SIMULATION
 from trajopt_cli.compliance.task.angles import angles_near, rotation, rotation_vector
 from trajopt_cli.compliance.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.compliance.task.model import (

@@ -49,7 +49,9 @@ def _imported() -> Any:
         from mujoco import MjLogConfig  # noqa: F401  older than 4, or a folder left behind: no such name
     except ModuleNotFoundError as error:
         if error.name == "mujoco":
-            raise InputError("MuJoCo is not installed: pip install 'trajopt[sim]', or use the spring wall") from error
+            raise InputError(
+                "MuJoCo is not installed: pip install 'trajopt-cli[sim]', or use the spring wall"
+            ) from error
         raise _broken(error) from error
     except (ImportError, OSError, RuntimeError, AttributeError) as error:  # its own, of its libraries, of MUJOCO_GL
         raise _broken(error) from error
@@ -59,7 +61,7 @@ def _imported() -> Any:
 def _broken(error: Exception) -> InputError:
     reason = " ".join(str(error).split())
     return InputError(
-        f"MuJoCo cannot be imported: {reason}; pip install --force-reinstall 'trajopt[sim]', or use the spring wall"
+        f"MuJoCo cannot be imported: {reason}; pip install --force-reinstall 'trajopt-cli[sim]', or use the spring wall"
     )
 
 

@@ -1,0 +1,98 @@
+"""What pydantic finds wrong in a file, in words for the person who has the file."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from difflib import get_close_matches
+from typing import Any, get_type_hints
+
+from pydantic import BaseModel
+from pydantic_core import ErrorDetails
+
+from trajopt_cli.quantity import shown
+
+
+def in_words(model: type[BaseModel], detail: ErrorDetails, wanted: Mapping[str, str]) -> str:
+    """One finding of pydantic's, without its place. wanted: as in yaml_file.validated."""
+    value, location, bounds = detail["input"], detail["loc"], detail.get("ctx", {})
+    match detail["type"]:
+        case "extra_forbidden":
+            return f"unknown key; {hint(str(location[-1]), _keys(model, location))}"
+        case "missing":
+            path = ".".join(str(part) for part in location)
+            return f"is missing; {wanted.get(path) or wanted.get(str(location[-1]), 'add it')}"
+        case "model_type" | "dict_type":
+            return f"needs a section of 'key: value' lines, not {spelled(value)}"
+        case "tuple_type" | "list_type":
+            if isinstance(value, str) and value.strip().startswith("["):
+                return f"needs a list, not the text {json.dumps(short(value))}; remove the quotes"
+            return f"needs a list, not {spelled(value)}"
+        case "too_short":
+            return f"needs at least {bounds['min_length']}, not {bounds['actual_length']}"
+        case "string_type":
+            return f"needs text, not {spelled(value)}"
+        case "bool_type":
+            return f"needs true or false, not {spelled(value)}"
+        case "int_type" | "int_parsing" | "int_from_float" | "int_parsing_size":
+            return f"needs a whole number, not {spelled(value)}"
+        case "float_type" | "finite_number":
+            return f"needs a finite number, not {spelled(value)}"
+        case "greater_than":
+            return f"needs a {_kind(value)} above {_bound(bounds['gt'])}, not {spelled(value)}"
+        case "greater_than_equal":
+            return f"needs a {_kind(value)}, {_bound(bounds['ge'])} or more, not {spelled(value)}"
+        case "less_than":
+            return f"needs a {_kind(value)} below {_bound(bounds['lt'])}, not {spelled(value)}"
+        case "less_than_equal":
+            return f"needs a {_kind(value)}, {_bound(bounds['le'])} or less, not {spelled(value)}"
+        case "literal_error" | "enum":
+            return f"{spelled(value)} is not one of {bounds['expected']}"
+    return detail["msg"]
+
+
+def _kind(value: object) -> str:
+    return "number" if isinstance(value, float) else "whole number"
+
+
+def _bound(value: float) -> str:
+    return f"{value:g}" if value else "zero"
+
+
+def spelled(value: object) -> str:
+    """What a file gave, in words or as YAML writes it; short lists of numbers and plain text as they stand."""
+    match value:
+        case list() if 0 < len(value) <= 7 and all(type(item) in (int, float) for item in value):
+            return f"[{', '.join(spelled(item) for item in value)}]"
+        case str():
+            return short(value) if value.isprintable() and value.strip() else json.dumps(short(value))
+    return shown(value)
+
+
+def short(text: str) -> str:
+    """At most 80 characters of a text."""
+    return text if len(text) <= 80 else f"{text[:77]}..."
+
+
+def hint(name: str, known: Sequence[str]) -> str:
+    """What to do about an unknown name: the closest known one, else all of them."""
+    close = get_close_matches(name, known, n=1)
+    return f"did you mean '{close[0]}'?" if close else f"known: {', '.join(known)}"
+
+
+def _keys(model: type[BaseModel], location: Sequence[str | int]) -> list[str]:
+    """The keys of the section that holds location."""
+    for part in location[:-1]:
+        field = model.model_fields.get(str(part))
+        # else a name of the user's own: a key that the section admits, or one of a field that maps names
+        annotation = field.annotation if field is not None else get_type_hints(model).get("__pydantic_extra__")
+        for choice in _models(annotation):
+            model = choice
+    return [field.alias or name for name, field in model.model_fields.items()]
+
+
+def _models(annotation: Any) -> Iterator[type[BaseModel]]:
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        yield annotation
+    for inner in getattr(annotation, "__args__", ()):
+        yield from _models(inner)
