@@ -249,6 +249,8 @@ APART: dict[str, tuple[str, ...]] = {
 MESHES = "collision.meshes"
 # Of a module with computing names, what the shared modules themselves may use.
 PLAIN = {"geometry": (*SHARED["geometry"], "readonly"), "trajectory": SHARED["trajectory"]}
+# Lets a package be called; what it opens is the package's own function, named by the package itself.
+DOOR = "door"
 OPTIMISERS = ("optimize", "path")
 
 
@@ -295,11 +297,11 @@ def judge_violations(modules: dict[str, str]) -> list[str]:
     found = []
     for module in sorted(judge):
         for line, name, what in inner_imports(module, modules[module], modules):
-            if name.split(".")[0] == "verify":
+            if name.split(".")[0] == "verify" or (module, name) == ("verify", DOOR):
                 continue
             if name not in allowed or what == "*" or (allowed[name] and what not in allowed[name]):
                 found.append(f"{module}:{line}: the judge may not import {what or 'anything'} from {name}")
-    everything = reached(judge, modules)
+    everything = reached(judge, modules) - {DOOR}
     for module in sorted(everything):
         for line, name in imports(modules[module], f"trajopt_cli.{module}"):
             if name.split(".")[0] in ("casadi", "importlib", "runpy"):
@@ -309,6 +311,8 @@ def judge_violations(modules: dict[str, str]) -> list[str]:
                 found.append(f"{module}:{line}: {name}.{what} computes, and the judge reaches this module")
     found += [f"the judge reaches {m}" for m in sorted(everything - judge - set(allowed) - {MESHES})]
     both = everything & reached(rooms(modules, *OPTIMISERS), modules)
+    doors = [text for module in ("verify",) if "open_door" in (text := modules.get(module, ""))]
+    found += ["verify's door leads elsewhere" for text in doors if '"trajopt_cli.verify.judge:verify"' not in text]
     return found + [f"judge and optimiser both reach {m}" for m in sorted(both - set(SHARED) - {MESHES})]
 
 
@@ -316,7 +320,7 @@ def test_the_judge_shares_data_with_the_optimiser_and_nothing_that_computes() ->
     modules = sources()
     assert judge_violations(modules) == []
     # and the lists say no more than is true
-    judge, optimiser = (reached(rooms(modules, *names), modules) for names in (("verify",), OPTIMISERS))
+    judge, optimiser = (reached(rooms(modules, *names), modules) - {DOOR} for names in (("verify",), OPTIMISERS))
     assert judge - rooms(modules, "verify") == {*SHARED, *APART, MESHES}
     assert judge & optimiser == {*SHARED, MESHES}
 

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from trajopt_cli.optimize import optimize
     from trajopt_cli.problem.plan import Infeasible, Target
     from trajopt_cli.problem.plant import build_plant
+    from trajopt_cli.problem.problem import build_problem
     from trajopt_cli.rapid.reader import read_program
     from trajopt_cli.verify.judge import verify
 
