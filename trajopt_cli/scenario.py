@@ -14,6 +14,14 @@ Answer = float | bool | str
 
 
 @dataclass(frozen=True)
+class Given:
+    """A value of data, or a sequence. type: RAPID's name for it, None where the program or the value itself tells."""
+
+    value: Answer | tuple[Answer, ...]
+    type: str | None = None
+
+
+@dataclass(frozen=True)
 class HoldRail:
     """Where the rail must stand still, because a process runs or a gripper works.
 
@@ -34,17 +42,19 @@ class Scenario:
 
     signals: value per signal, or a sequence of which each reading takes the next; the last one stays. answers: the same
     for operator input, sockets, files and clocks, by the name of the variable that gets the answer, or of the function
-    where it has none. waits: least duration [s] per signal or condition as written (see condition_key), or None for one
-    that never comes true, so that its time-out strikes. searches: where a search hits, as a share 0..1 of its way, or
-    None for never, by signal or by the name of its SearchPoint. endless_passes: how often a loop that cannot end runs
-    before the program is taken to be over. pass_limit: how often any other loop may run, and statement_limit how many
-    statements, passes, calls and changes of large data in all, before the reader gives up. assume_identity: tools, work
-    objects and mechanical units that are taken as the identity where the program does not declare them. stubs:
-    procedures that are taken as doing nothing where no file declares them. hold_rail: where the rail stands still.
+    where it has none. data: the same for data that the program does not declare, or that somebody outside writes.
+    waits: least duration [s] per signal or condition as written (see condition_key), or None for one that never comes
+    true, so that its time-out strikes. searches: where a search hits, as a share 0..1 of its way, or None for never, by
+    signal or by the name of its SearchPoint. endless_passes: how often a loop that cannot end runs before the program
+    is taken to be over. pass_limit: how often any other loop may run, and statement_limit how many statements, passes,
+    calls and changes of large data in all, before the reader gives up. assume_identity: tools, work objects and
+    mechanical units that are taken as the identity where the program does not declare them. stubs: procedures that are
+    taken as doing nothing where no file declares them. hold_rail: where the rail stands still.
     """
 
     signals: Mapping[str, float | tuple[float, ...]] = field(default_factory=dict)
     answers: Mapping[str, Answer | tuple[Answer, ...]] = field(default_factory=dict)
+    data: Mapping[str, Given] = field(default_factory=dict)
     waits: Mapping[str, float | None] = field(default_factory=dict)
     searches: Mapping[str, float | None] = field(default_factory=dict)
     endless_passes: int | None = None
@@ -65,9 +75,10 @@ _SHOWN = 200  # characters of a value in a message; a template has all of it
 class Lack:
     """Something the scenario must say, once per name.
 
-    section: the key of the cell file it belongs under ("signals", "answers", "searches", "endless_passes",
+    section: the key of the cell file it belongs under ("signals", "answers", "data", "searches", "endless_passes",
     "assume_identity", "stubs"). name: as the program spells it. source: the place that asked first. reason: what asked,
     in words. value: a value to begin with, as YAML. excerpt: the line of the source with a caret, to be shown.
+    declared: whether the program declares it, so that no other file can.
     """
 
     section: str
@@ -76,6 +87,7 @@ class Lack:
     reason: str
     value: str
     excerpt: str | None = field(default=None, compare=False)
+    declared: bool = False
 
     @property
     def line(self) -> str:
@@ -111,6 +123,8 @@ def _remedy(lack: Lack) -> str:
     if lack.section == "stubs":
         line = f"the line '{lack.line}' in the cell file"
         return f"{glue} give the file that declares it, or take it as doing nothing: {line}"
+    if lack.section == "data" and not lack.declared:
+        return f"{glue} give the file that declares it, or its value: the line '{lack.line}' in the cell file"
     return f"{glue} add the line '{lack.line}' to the cell file"
 
 

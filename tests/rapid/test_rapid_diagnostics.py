@@ -446,8 +446,15 @@ def test_a_target_without_external_axes_is_told_about_the_rail() -> None:
 @pytest.mark.parametrize("name", ["pPick", "m.x", "x{1}"])
 def test_a_name_that_is_declared_nowhere_asks_for_its_file(name: str) -> None:
     message = refused(f"MoveL {name},v100,fine,tool0;").message
-    assert message.startswith(("robtarget 'pPick' is not declared in the program", "'m' is", "'x' is"))
-    assert message.endswith("; give the file that declares it")
+    value = "[[0,0,0],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
+    beginning, line = {
+        "pPick": ("robtarget 'pPick'", f'data: {{pPick: "{value}"}}'),
+        "m.x": ("'m'", None),  # no record has an x that is a robtarget
+        "x{1}": ("array of unknown size 'x'", f'data: {{x: "[{value}]"}}'),
+    }[name]
+    assert message.startswith(f"{beginning} is not declared in the program")
+    end = f", or its value: the line '{line}' in the cell file" if line else ""
+    assert message.endswith(f"; give the file that declares it{end}")
 
 
 @pytest.mark.parametrize(

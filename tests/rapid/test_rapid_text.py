@@ -203,8 +203,19 @@ LOOKED = (
 @pytest.mark.parametrize(
     ("body", "data", "message"),
     [
-        ("MoveL q,v100,fine,tool0;", "", f"3:7: robtarget 'q' is not declared in the program{LOOKED}"),
-        ("MoveL p,v123,fine,tool0;", P, f"4:9: speeddata 'v123' is not declared in the program{LOOKED}"),
+        (
+            "MoveL q,v100,fine,tool0;",
+            "",
+            f"3:7: robtarget 'q' is not declared in the program{LOOKED}"
+            """, or its value: the line 'data: {q: "[[0,0,0],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"}' """
+            "in the cell file",
+        ),
+        (
+            "MoveL p,v123,fine,tool0;",
+            P,
+            f"4:9: speeddata 'v123' is not declared in the program{LOOKED}"
+            """, or its value: the line 'data: {v123: "[100,500,5000,1000]"}' in the cell file""",
+        ),
         ("MoveL p,v100,fine;", P, "4:1: MoveL takes 4 argument(s) (ToPoint, Speed, Zone, Tool), found 3"),
         (
             "MoveL p,v100,fine,tool0\\Cor;",

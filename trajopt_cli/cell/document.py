@@ -289,6 +289,19 @@ SignalValues = Annotated[float | tuple[float, ...], BeforeValidator(_each(_signa
 Answers = Annotated[
     StrictBool | float | StrictStr | tuple[StrictBool | float | StrictStr, ...], BeforeValidator(_each(_answer))
 ]
+
+
+class DataSection(_Section):
+    """Data that no file declares or that somebody outside writes. type: RAPID's name for it, where it must be said."""
+
+    value: Answers
+    type: StrictStr | None = None
+
+
+def _data(value: Any) -> Any:
+    return value if isinstance(value, dict) else {"value": value}
+
+
 MAX_ENDLESS_PASSES = 10_000  # an endless loop adds its motions once per pass
 
 
@@ -308,6 +321,7 @@ class CellDocument(_Section):
     clearance: Annotated[float, BeforeValidator(from_zero(LENGTH))] = 0.0
     signals: dict[StrictStr, SignalValues] = Field(default_factory=dict)
     answers: dict[StrictStr, Answers] = Field(default_factory=dict)
+    data: dict[StrictStr, Annotated[DataSection, BeforeValidator(_data)]] = Field(default_factory=dict)
     waits: dict[StrictStr, Annotated[float | None, BeforeValidator(_least)]] = Field(default_factory=dict)
     searches: dict[StrictStr, Annotated[float | None, BeforeValidator(_share)]] = Field(default_factory=dict)
     endless_passes: Annotated[int, Field(strict=True, gt=0, le=MAX_ENDLESS_PASSES)] | None = None

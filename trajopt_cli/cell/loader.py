@@ -13,7 +13,7 @@ from trajopt_cli.cell.model import Cell, LimitOverride, Rail
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, pose, rotation_about, rotation_from_wxyz
 from trajopt_cli.limits import TcpCaps
-from trajopt_cli.scenario import HoldRail, Scenario, condition_key
+from trajopt_cli.scenario import Given, HoldRail, Scenario, condition_key
 from trajopt_cli.shapes import Box, Capsule, MeshFile, Solid
 from trajopt_cli.yaml_file import line_of, parse, read_text, validated
 
@@ -85,6 +85,7 @@ def _scenario(document: CellDocument, file: str, lines: Mapping[str, int]) -> Sc
     return Scenario(
         signals=by("signals", document.signals),
         answers=by("answers", document.answers),
+        data=by("data", {name: Given(one.value, one.type) for name, one in document.data.items()}),
         waits=by("waits", document.waits, condition_key),
         searches=by("searches", document.searches),
         endless_passes=document.endless_passes,

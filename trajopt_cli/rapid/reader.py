@@ -126,6 +126,7 @@ def _try_program(
     )
     if len(run.motions) >= _MANY:  # all that stays: seconds of looking at it again and again, in vain
         gc.freeze()
+    run.outside.data.clear()  # as below
     for scope in scopes:  # a scope knows itself by its routines: without that, all goes before the collector comes back
         scope.routines.clear()
         scope.types.clear()

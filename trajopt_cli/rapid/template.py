@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from trajopt_cli.scenario import NAME_LISTS, Lack, yaml_name
 
-_SECTIONS = ("signals", "answers", "searches", "endless_passes", *NAME_LISTS)
+_SECTIONS = ("signals", "answers", "data", "searches", "endless_passes", *NAME_LISTS)
 
 
 def template(lacks: Sequence[Lack]) -> str:

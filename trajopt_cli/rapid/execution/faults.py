@@ -98,4 +98,10 @@ def _count_retry(run: Run, statement: Statement, fault: Fault) -> None:
 
 
 class Undeclared(InputError):
-    """A name that stands for nothing in the files read: another file may declare it."""
+    """A name that stands for nothing in the files read: another file may declare it. reason: without the remedy."""
+
+    def __init__(self, reason: str, *, file: str | None, line: int | None, column: int | None, excerpt: str | None):
+        glue = " Else" if reason.endswith("?") else ";"
+        message = f"{reason}{glue} give the file that declares it"
+        super().__init__(message, file=file, line=line, column=column, excerpt=excerpt)
+        self.reason = reason

@@ -23,6 +23,7 @@ from trajopt_cli.rapid.execution.faults import Fault, Undeclared
 from trajopt_cli.rapid.execution.jumps import Exit
 from trajopt_cli.rapid.execution.once import Link, fill_once
 from trajopt_cli.rapid.execution.operators import computed
+from trajopt_cli.rapid.execution.outside import Outside
 from trajopt_cli.rapid.execution.position import Position
 from trajopt_cli.rapid.execution.room import room
 from trajopt_cli.rapid.execution.statements import run_block
@@ -56,6 +57,7 @@ class Run:
         self.settings = DEFAULT_SETTINGS
         self.ignored: Counter[str] = Counter()  # instructions without effect on motion
         self.world = World(scenario)
+        self.outside = Outside(scenario, self.world)
         self.motions: list[Motion] = []
         self.warnings: dict[str, None] = {}  # a set that keeps its order
         self.optional: set[tuple[str, int]] = set()  # file and start of the moves that are marked
@@ -117,10 +119,9 @@ class Run:
         known = (self.frame.local, scope.data, self.shared.data, self._predefined)
         message = f"{what}'{node.name}' is not declared in the program (looked for in {', '.join(where)}, "
         message += "the other modules' globals and the predefined data)"
-        message = self.meant(node.name, message, [name for names in known for name in names])
-        remedy = "give the file that declares it"
-        error = self.error(node, f"{message} Else {remedy}" if message.endswith("?") else f"{message}; {remedy}")
-        return Undeclared(error.message, file=error.file, line=error.line, column=error.column, excerpt=error.excerpt)
+        reason = self.meant(node.name, message, [name for names in known for name in names])
+        error = self.error(node, "")
+        return Undeclared(reason, file=error.file, line=error.line, column=error.column, excerpt=error.excerpt)
 
     def unknown(self, node: Node, name: str, message: str, names: Iterable[str]) -> InputError:
         """An InputError for a name that is not one of names."""
@@ -179,6 +180,8 @@ class Run:
         if (own := scope.data.get(key)) is not None:
             return own
         known = self.shared.data.get(key) or self._predefined.get(key)
+        if known is None:
+            return self.outside.data.get(key)
         if known is not None:
             scope.outside[name] = known
         return known

@@ -22,7 +22,7 @@ from trajopt_cli.rapid.data.datatypes import (
     is_opaque,
     same_type,
 )
-from trajopt_cli.rapid.data.scope import Datum, Frame, ModuleScope, Scope
+from trajopt_cli.rapid.data.scope import Datum, Frame, ModuleScope, Scope, Told
 from trajopt_cli.rapid.execution.evaluate import evaluate, integer, opaque
 from trajopt_cli.rapid.execution.making import maker
 from trajopt_cli.rapid.execution.mismatch import Mismatch
@@ -31,13 +31,17 @@ from trajopt_cli.rapid.language.syntax import (
     Aggregate,
     AliasDeclaration,
     DataDeclaration,
+    Expression,
     Module,
+    Name,
     Node,
+    Number,
     Parameter,
     RecordDeclaration,
     Routine,
 )
 from trajopt_cli.rapid.language.text import Places
+from trajopt_cli.rapid.language.walk import walk
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
@@ -79,7 +83,8 @@ def _load(run: Run, modules: Sequence[tuple[Module, Places]]) -> tuple[ModuleSco
                         _add(run, scopes, scope, item, declare(run, item, frame))
     for scope, _ in scopes:
         for datum in scope.data.values():
-            _ = datum.value
+            if type(datum) is not Told:  # its values are read already, and reading it takes one of a sequence
+                _ = datum.value
     return tuple(scope for scope, _ in scopes)
 
 
@@ -107,6 +112,9 @@ def _add(
 ) -> None:
     """Enter data. A PERS that several modules declare is one and the same."""
     key = node.name.lower()
+    if run.outside.gives(key):
+        before = None if node.scope == "LOCAL" else run.shared.data.get(key)
+        datum = before if type(before) is Told else run.outside.declared(run, node, node.name, datum)
     shared = None if node.scope == "LOCAL" else run.shared.data.get(key)
     if key in scope.data or shared is not None:
         if key in scope.data or shared is None or not (shared.storage == node.storage == "PERS"):
@@ -118,7 +126,7 @@ def _add(
             where = first[0].places.source(first[1].start)
             message = f"PERS {node.name} is a {datum.type.name} here and a {shared.type.name} in {where}"
             raise scope.places.error(node.start, f"{message}; rename one of them")
-        if node.value is not None:
+        if node.value is not None and shared is not datum:
             if key not in run.valued:
                 shared.take(datum)
             elif shared.value.data != datum.value.data:
@@ -154,6 +162,8 @@ def declare(run: Run, node: DataDeclaration, frame: Frame) -> Datum:
     scope = frame.scope
     type_ = scope.resolved.get(node.type) or find_type(run, node.type, node)
     if node.sizes:
+        for depth, size in enumerate(node.sizes):
+            _ask_size(run, node, size, depth)
         sizes = tuple([integer(run, size, "an array size") for size in node.sizes])
         if min(sizes) < 1:
             raise run.error(node, f"{node.name} has an array size below 1")
@@ -174,6 +184,17 @@ def declare(run: Run, node: DataDeclaration, frame: Frame) -> Datum:
     if first is not None:
         return Datum(type_, first, constant, node.storage)
     return Datum(type_, partial(_initial, run, node, type_, frame), constant, node.storage)
+
+
+def _ask_size(run: Run, node: DataDeclaration, size: Expression, depth: int) -> None:
+    """Ask for an array size that nothing declares; the array's own value tells one that fits."""
+    for name in walk(size) if type(size) is not Number else ():
+        if isinstance(name, Name) and run.find(name.name) is None:
+            value: Expression | None = node.value
+            for _ in range(depth):
+                value = value.items[0] if isinstance(value, Aggregate) and value.items else None
+            count = len(value.items) if isinstance(value, Aggregate) and size is name else 1
+            run.outside.size(run, name, node.name, count)
 
 
 def _initial(run: Run, node: DataDeclaration, type_: Type, frame: Frame) -> Value:

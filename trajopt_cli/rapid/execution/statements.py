@@ -9,12 +9,13 @@ from trajopt_cli.rapid.data.datatypes import NUM, Value
 from trajopt_cli.rapid.data.predefined import ERRORS
 from trajopt_cli.rapid.execution.calls import late_call, procedure
 from trajopt_cli.rapid.execution.evaluate import condition, evaluate, inside_opaque, locate
-from trajopt_cli.rapid.execution.faults import Fault, Handled, handle
+from trajopt_cli.rapid.execution.faults import Fault, Handled, Undeclared, handle
 from trajopt_cli.rapid.execution.jumps import Exit, Jump, Retry, Return, TryNext
 from trajopt_cli.rapid.execution.loading import declare
 from trajopt_cli.rapid.execution.loops import backwards, run_for, run_while
 from trajopt_cli.rapid.execution.mismatch import Mismatch
 from trajopt_cli.rapid.language.syntax import (
+    Aggregate,
     Assign,
     Block,
     Connect,
@@ -33,6 +34,7 @@ from trajopt_cli.rapid.language.syntax import (
     While,
 )
 from trajopt_cli.rapid.language.syntax import Return as ReturnStatement
+from trajopt_cli.rapid.language.walk import walk
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
@@ -82,12 +84,27 @@ def _assign(run: Run, node: Assign) -> None:
     if type(target) is not Name and inside_opaque(run, target):
         run.note("opaque", f"{run.source(node)}: {run.text(target)} is process data, which changes no motion here")
         return
-    place = locate(run, target)
+    try:
+        place = locate(run, target)
+    except Undeclared:
+        if type(target) is not Name:
+            raise
+        return _assign_undeclared(run, node, target)
     try:
         value = evaluate(run, node.value, place.type)
     except Mismatch as error:
         raise error.about(node.value, run.text(target)) from None
     run.store(place, target, value)
+
+
+def _assign_undeclared(run: Run, node: Assign, target: Name) -> None:
+    """What is assigned tells the type; a name that is counted up is a number."""
+    if isinstance(node.value, Aggregate):
+        raise run.undeclared(target)
+    counted = any(isinstance(one, Name) and one.name.lower() == target.name.lower() for one in walk(node.value))
+    value = None if counted else evaluate(run, node.value)
+    place = run.outside.assigned(run, target, NUM if value is None else value.type)
+    run.store(place, target, evaluate(run, node.value, NUM) if value is None else value)
 
 
 def _if(run: Run, node: If) -> None:
