@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry
+from trajopt_cli.cli.process import reading
 
 _SHOWN = 3  # failed checks per row; an illegal plan breaks many at once
 
@@ -62,7 +63,8 @@ def baseline(
     from trajopt_cli.study.comparison import compare, comparison_pictures
     from trajopt_cli.units import DEG
 
-    job = read_program_or_results(program, cell, entry, assume_identity or ())
+    with reading():
+        job = read_program_or_results(program, cell, entry, assume_identity or ())
     _check_places(csv, plots)
     with ProgressView() as view:
         answer = compare(job, view.show, RailRule(phi_min * DEG, v_transfer, v_area))

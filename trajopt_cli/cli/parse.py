@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, ProgramPaths
+from trajopt_cli.cli.process import reading
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -57,7 +58,8 @@ def parse(
 
         kinematics = PlantKinematics(plant)
     try:
-        flat, lacks = try_paths(program, scenario_of(loaded, assume_identity or ()), entry or MAIN, kinematics)
+        with reading():
+            flat, lacks = try_paths(program, scenario_of(loaded, assume_identity or ()), entry or MAIN, kinematics)
     except InputError as error:
         lacks = _lacks_of(error)
         if not lacks:

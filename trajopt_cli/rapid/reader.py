@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -14,7 +13,6 @@ from trajopt_cli.rapid.entry import find_entry
 from trajopt_cli.rapid.execution.holding import fill_holds
 from trajopt_cli.rapid.execution.interpreter import Run
 from trajopt_cli.rapid.execution.loading import load
-from trajopt_cli.rapid.execution.room import uncollected
 from trajopt_cli.rapid.language.parser import parse_module
 from trajopt_cli.rapid.language.syntax import Module, Routine
 from trajopt_cli.rapid.language.text import Places
@@ -22,8 +20,6 @@ from trajopt_cli.rapid.marks import find_marks
 from trajopt_cli.rapid.neighbours import with_hints
 from trajopt_cli.rapid.sources import read_sources
 from trajopt_cli.scenario import Lack, Scenario, lacking
-
-_MANY = 10_000  # motions
 
 
 def read_program(
@@ -35,7 +31,8 @@ def read_program(
     """Read a module, several, a program list or a folder, run its entry once, and return the motions in order.
 
     scenario: what the program cannot know. kinematics: the robot, for programs that ask where it is. Raises InputError
-    with file, line and column, and one for everything that the scenario lacks.
+    with file, line and column, and one for everything that the scenario lacks. Leaves the process as it was; with
+    thousands of targets, half of the time is the garbage collector's (see cli/process.py).
     """
     program, lacks = try_paths(paths, scenario, entry, kinematics)
     if lacks:
@@ -86,16 +83,9 @@ def try_program(
 
     name: of the program; the first file's where None.
     """
-    with uncollected():
-        return _try_program(files, scenario or Scenario(), entry, kinematics, name)
-
-
-def _try_program(
-    files: Sequence[TextFile], scenario: Scenario, entry: str, kinematics: Kinematics | None, name: str | None
-) -> tuple[Program, tuple[Lack, ...]]:
     name = name or Path(files[0].path).stem
     subject = files[0].path if len(files) == 1 else name  # what messages about the whole program begin with
-    run = Run(scenario, kinematics)
+    run = Run(scenario or Scenario(), kinematics)
     modules = _modules(run, files)
     try:
         scopes = load(run, modules)
@@ -124,8 +114,6 @@ def _try_program(
             if isinstance(item, Routine) and id(item) not in run.heads
         ),
     )
-    if len(run.motions) >= _MANY:  # all that stays: seconds of looking at it again and again, in vain
-        gc.freeze()
     run.outside.data.clear()  # as below
     for scope in scopes:  # a scope knows itself by its routines: without that, all goes before the collector comes back
         scope.routines.clear()

@@ -8,8 +8,6 @@ building. Statement instructions are procedure calls, so no instruction is known
 
 from __future__ import annotations
 
-import gc
-
 from trajopt_cli.errors import InputError
 from trajopt_cli.rapid.language.blocks import ROUTINES
 from trajopt_cli.rapid.language.cursor import HANDLERS, STORAGE
@@ -37,13 +35,7 @@ def parse_module(text: str, file: str) -> ModuleFile:
     file: the name for messages. Raises InputError with file, line and column, what was expected and what was found; an
     InputErrorGroup where there is more than one mistake.
     """
-    collecting = gc.isenabled()
-    gc.disable()  # a hundred thousand targets make a million nodes, all of which stay: nothing to collect
-    try:
-        return Parser(text, file).file()
-    finally:
-        if collecting:
-            gc.enable()
+    return Parser(text, file).file()
 
 
 def parse_statement(text: str, file: str) -> Statement:
