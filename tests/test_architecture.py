@@ -17,6 +17,7 @@ FLOORS: tuple[tuple[str, ...], ...] = (
     ("errors", "units", "geometry", "files", "beside"),
     (
         "motion",
+        "notices",
         "limits",
         "trajectory",
         "scenario",
@@ -42,7 +43,8 @@ FLOORS: tuple[tuple[str, ...], ...] = (
 STACK = {
     "files": {"errors"},
     "beside": {"errors"},
-    "motion": {"geometry"},
+    "motion": {"geometry", "notices"},
+    "notices": set[str](),
     "limits": {"geometry"},
     "trajectory": {"geometry"},
     "joint_csv": {"errors", "geometry", "trajectory", "units"},

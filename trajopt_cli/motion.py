@@ -1,7 +1,7 @@
 """What a robot program asks for, as flat data: moves, waits and signals in program order, each with its place.
 
 SI units. Frames: W world, F flange (tool0), T tool centre point, O work object; X_AB is frame B seen from A, (4, 4).
-Floor 1: no project imports but geometry.
+Floor 1: no project imports but geometry and notices.
 """
 
 from __future__ import annotations
@@ -12,17 +12,8 @@ from enum import Enum
 from typing import NamedTuple
 
 from trajopt_cli.geometry import Array, readonly
-
-
-class Source(NamedTuple):
-    """A place in a program: file as the user gave it, line and column counted from 1."""
-
-    file: str
-    line: int
-    column: int
-
-    def __str__(self) -> str:
-        return f"{self.file}:{self.line}:{self.column}"
+from trajopt_cli.notices import Notice
+from trajopt_cli.notices import Source as Source
 
 
 class Span(NamedTuple):
@@ -333,7 +324,7 @@ class Program:
     name: str
     motions: tuple[Motion, ...]
     files: Mapping[str, TextFile]
-    warnings: tuple[str, ...] = field(default=())
+    warnings: tuple[Notice, ...] = field(default=())
     entry: str = "main"
     ignored: Mapping[str, int] = field(default_factory=dict)
     uncalled: tuple[str, ...] = ()

@@ -7,7 +7,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from trajopt_cli.errors import InputError, InputErrorGroup
+from trajopt_cli.errors import ErrorKind, InputError, InputErrorGroup
 from trajopt_cli.motion import Source
 
 Answer = float | bool | str
@@ -145,6 +145,7 @@ def lacking(lacks: Sequence[Lack], after: InputError | None = None) -> Lacking:
             line=lack.source.line,
             column=lack.source.column,
             excerpt=lack.excerpt,
+            kind=ErrorKind.CELL,
         )
         for lack in lacks
     ]

@@ -162,11 +162,15 @@ def test_reading_leaves_the_process_as_it_was(tmp_path: Path, body: str, count: 
 
 
 def test_the_limit_of_nesting_is_back_once_the_last_thread_has_left() -> None:
-    limit = sys.getrecursionlimit()
-    first, second = room(), room()
-    first.__enter__()
-    second.__enter__()
-    first.__exit__(None, None, None)
-    assert sys.getrecursionlimit() > limit  # the second still needs it
-    second.__exit__(None, None, None)
-    assert sys.getrecursionlimit() == limit
+    before = sys.getrecursionlimit()  # a command that ran in this process has raised it for good
+    sys.setrecursionlimit(5_000)
+    try:
+        first, second = room(), room()
+        first.__enter__()
+        second.__enter__()
+        first.__exit__(None, None, None)
+        assert sys.getrecursionlimit() > 5_000  # the second still needs it
+        second.__exit__(None, None, None)
+        assert sys.getrecursionlimit() == 5_000
+    finally:
+        sys.setrecursionlimit(before)

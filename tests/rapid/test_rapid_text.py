@@ -137,7 +137,7 @@ def test_blanks_of_all_kinds_headers_and_nul_bytes_stand_between_tokens() -> Non
     )
     program = run(text)
     assert len(program.motions) == 1
-    assert program.warnings == ("m.mod:6:7: NUL bytes between the tokens are read as blanks",)
+    assert tuple(map(str, program.warnings)) == ("m.mod:6:7: NUL bytes between the tokens are read as blanks",)
 
 
 @pytest.mark.parametrize(
@@ -158,7 +158,9 @@ def test_optional_arguments_in_every_spelling(call: str) -> None:
 def test_text_after_the_module_is_reported_and_never_run() -> None:
     program = run(f'MODULE m\n{DATA}PROC main()\nENDPROC\nENDMODULE\nMoveL p,v100,fine,tool0; " ENDPROC\n')
     assert program.motions == ()
-    assert program.warnings == ("m.mod:9:1: text after ENDMODULE (1 line) is not part of the program and does not run",)
+    assert tuple(map(str, program.warnings)) == (
+        "m.mod:9:1: text after ENDMODULE (1 line) is not part of the program and does not run",
+    )
 
 
 def test_a_file_of_loose_declarations_is_read() -> None:
@@ -186,8 +188,8 @@ def test_a_mark_that_marks_nothing_is_an_error_and_one_on_no_move_is_said() -> N
     assert error_main("WaitTime 1; ! trajopt: optinal") == (
         "m.mod:3:13: trajopt knows no mark 'optinal'; it knows 'optional' and 'hold rail'"
     )
-    assert run_main("WaitTime 1; ! trajopt: optional").warnings == (
-        "m.mod:7:1: marked as optional, but it is no move that ran",
+    assert tuple(map(str, run_main("WaitTime 1; ! trajopt: optional").warnings)) == (
+        "m.mod:7:1: marked as optional, but no move ran there",
     )
 
 
@@ -330,8 +332,8 @@ def test_an_orientation_that_is_none_is_an_error_at_its_literal(rot: str, messag
 
 def test_a_rounded_orientation_is_taken_as_unit_and_said_once() -> None:
     body = "MoveL p,v100,fine,tool0; MoveL p,v100,fine,tool0;"
-    assert run_main(body, P.replace("[0,0,1,0]", "[0,0.707,0.707,0]")).warnings == ()
-    assert run_main(body, P.replace("[0,0,1,0]", "[0,0.708,0.707,0]")).warnings == (
+    assert tuple(map(str, run_main(body, P.replace("[0,0,1,0]", "[0,0.707,0.707,0]")).warnings)) == ()
+    assert tuple(map(str, run_main(body, P.replace("[0,0,1,0]", "[0,0.708,0.707,0]")).warnings)) == (
         "m.mod:2:20: p has an orientation of length 1.000556; taken as 1",
     )
 

@@ -228,7 +228,9 @@ def test_an_alias_that_is_declared_nowhere_stands_for_its_signal() -> None:
     (event,) = program.motions
     assert isinstance(event, SignalEvent)
     assert event.signal == "doreal"
-    assert program.warnings == ("m.mod:4:16: alias 'lamp' is declared in none of the files read; it is a signal",)
+    assert tuple(map(str, program.warnings)) == (
+        "m.mod:4:16: alias 'lamp' is declared in none of the files read; it is a signal",
+    )
 
 
 def test_what_stands_in_ends_the_loops_that_read_files() -> None:

@@ -10,7 +10,7 @@ import numpy as np
 
 from trajopt_cli.cell.document import CellDocument, FrameSection, SolidSection
 from trajopt_cli.cell.model import Cell, LimitOverride, Rail
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, pose, rotation_about, rotation_from_wxyz
 from trajopt_cli.limits import TcpCaps
 from trajopt_cli.scenario import Given, HoldRail, Scenario, condition_key
@@ -21,6 +21,7 @@ _Value = TypeVar("_Value")
 _EXTERNAL_AXES = "abcdef"
 
 
+@of_kind(ErrorKind.CELL)
 def load_cell(path: str | Path) -> Cell:
     """Read the cell file at path (UTF-8 YAML).
 
@@ -31,6 +32,7 @@ def load_cell(path: str | Path) -> Cell:
     return parse_cell(read_text(path, "cell file"), file)
 
 
+@of_kind(ErrorKind.CELL)
 def parse_cell(text: str, file: str) -> Cell:
     """The Cell in a cell file's text; file is its name in messages. Raises InputError as load_cell does."""
     content, lines = parse(text, file, "robot and start are needed at least")

@@ -44,7 +44,7 @@ def listing_record(
         "ignored": dict(program.ignored),
         "uncalled": list(program.uncalled),
         "notes": list(notes),
-        "warnings": list(program.warnings),
+        "warnings": [str(warning) for warning in program.warnings],
         "configurations": None if found is None else [_finding(one) for one in found],
     }
 

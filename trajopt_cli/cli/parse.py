@@ -10,6 +10,7 @@ import typer
 
 from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, ProgramPaths
 from trajopt_cli.cli.process import reading
+from trajopt_cli.notices import Notice, NoticeKind
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -78,7 +79,8 @@ def parse(
         from trajopt_cli.problem.plannable import rail_doubts
 
         found = check_configurations(flat, plant)
-        flat = replace(flat, warnings=(*flat.warnings, *rail_doubts(flat, plant)))
+        doubts = (Notice(NoticeKind.DOUBTFUL, text) for text in rail_doubts(flat, plant))
+        flat = replace(flat, warnings=(*flat.warnings, *doubts))
     notes = [*notes_on(flat, listing, plant)]
     if as_json:
         from trajopt_cli.cli.listing_record import json_text, listing_record
@@ -89,7 +91,7 @@ def parse(
 
     title = " ".join(str(path) for path in program)
     lines = [*listing_lines(title, listing, terminal_width()), "", *_sums(listing), *notes]
-    lines += [f"warning: {_short(warning, flat)}" for warning in flat.warnings]
+    lines += [f"warning: {_short(str(warning), flat)}" for warning in flat.warnings]
     if any(row.conf is not None for row in listing.rows):
         lines += [_short(line, flat) for line in _configurations(found)]
     typer.echo("\n".join(lines))

@@ -46,7 +46,7 @@ def _hinted(error: InputError, section: str, beside: _Beside, entry: str) -> Inp
     if not place:
         return error
     message = f"{error.message}; {place} declares {name}: give the folder {beside.folder(place)} instead"
-    return InputError(message, file=error.file, line=error.line, column=error.column, excerpt=error.excerpt)
+    return error.saying(message)
 
 
 class _Beside:

@@ -6,9 +6,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from trajopt_cli.errors import InputError, InputErrorGroup
+from trajopt_cli.errors import ErrorKind, InputError, InputErrorGroup, of_kind
 from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import Move, Program, Source, Span, TextFile
+from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.rapid.entry import find_entry
 from trajopt_cli.rapid.execution.holding import fill_holds
 from trajopt_cli.rapid.execution.interpreter import Run
@@ -22,6 +23,7 @@ from trajopt_cli.rapid.sources import read_sources
 from trajopt_cli.scenario import Lack, Scenario, lacking
 
 
+@of_kind(ErrorKind.PROGRAM)
 def read_program(
     paths: str | Path | Sequence[str | Path],
     scenario: Scenario | None = None,
@@ -40,6 +42,7 @@ def read_program(
     return program
 
 
+@of_kind(ErrorKind.PROGRAM)
 def try_paths(
     paths: str | Path | Sequence[str | Path],
     scenario: Scenario | None = None,
@@ -59,6 +62,7 @@ def try_paths(
     return replace(program, warnings=(*sources.warnings, *program.warnings)), lacks
 
 
+@of_kind(ErrorKind.PROGRAM)
 def run_program(
     files: Sequence[TextFile],
     scenario: Scenario | None = None,
@@ -72,6 +76,7 @@ def run_program(
     return program
 
 
+@of_kind(ErrorKind.PROGRAM)
 def try_program(
     files: Sequence[TextFile],
     scenario: Scenario | None = None,
@@ -149,7 +154,7 @@ def _modules(run: Run, files: Sequence[TextFile]) -> list[tuple[Module, Places]]
             continue
         modules += [(module, places) for module in tree.modules]
         for offset, sentence in tree.warnings:
-            run.warn(f"{places.source(offset)}: {sentence}")
+            run.warn(NoticeKind.UNUSUAL, sentence, places.source(offset))
     if errors:
         raise errors[0] if len(errors) == 1 else InputErrorGroup(errors)
     return modules
@@ -164,9 +169,8 @@ def _name_once(module: Module, places: Places, known: dict[str, Source]) -> None
         raise places.error(module.start, message)
 
 
-def _unused_marks(run: Run) -> list[str]:
+def _unused_marks(run: Run) -> list[Notice]:
     seen = {(m.written.statement.file, m.written.statement.start) for m in run.motions if isinstance(m, Move)}
     unused = sorted(run.optional - seen)
-    return [
-        f"{run.files[file].source(start)}: marked as optional, but it is no move that ran" for file, start in unused
-    ]
+    text = "marked as optional, but no move ran there"
+    return [Notice(NoticeKind.UNUSED, text, run.files[file].source(start)) for file, start in unused]

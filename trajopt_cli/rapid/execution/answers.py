@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.rapid.data.datatypes import (
     BOOL,
     EXTJOINT,
@@ -68,6 +68,7 @@ def ask(run: Run, node: Node, name: str, type_: Type, reason: str, default: Answ
     return typed(run, node, name, type_, run.world.answer(run, node, name, reason, default), "answer", "to")
 
 
+@of_kind(ErrorKind.CELL)
 def typed(run: Run, node: Node, name: str, type_: Type, answer: Answer, what: str, of: str) -> Value:
     """What the cell file gives under name as a value of a type. what, of: "answer", "to" and the like, for messages."""
     if isinstance(answer, int | float) and not isinstance(answer, bool) and is_number(type_):

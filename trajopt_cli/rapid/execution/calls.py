@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import NUM, SIGNALS, STRING, SWITCH, Array, Type, Value
 from trajopt_cli.rapid.data.scope import ABSENT, Absent, Datum, Frame, ModuleScope, Place
 from trajopt_cli.rapid.execution.answers import ask
@@ -205,9 +206,8 @@ def _head(run: Run, routine: Routine, scope: ModuleScope) -> Head:
         returns = find_type(run, routine.type, routine) if routine.type else None
         for handler in routine.handlers:
             if handler.kind == "UNDO":
-                run.warn(
-                    f"{run.source(handler)}: UNDO runs only where a user moves the program pointer; it is left out"
-                )
+                what = "UNDO runs only where a user moves the program pointer; it is left out"
+                run.warn(NoticeKind.NO_EFFECT, what, run.source(handler))
     groups: list[list[str]] = []
     for parameter in routine.parameters:
         if parameter.alternative and groups:

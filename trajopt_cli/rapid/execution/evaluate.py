@@ -6,6 +6,7 @@ from collections.abc import Callable
 from math import isfinite, trunc
 from typing import TYPE_CHECKING
 
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import (
     BOOL,
     CONFDATA,
@@ -82,7 +83,9 @@ def _converted(run: Run, node: Expression, value: Value, wanted: Type) -> Value:
 
 
 def _mixed(run: Run, node: Node) -> None:
-    run.note("dnum", f"{run.source(node)}: num and dnum are mixed; a controller refuses that, here it is converted")
+    run.note(
+        "dnum", NoticeKind.UNUSUAL, "num and dnum are mixed; a controller refuses that, here it is converted", node
+    )
 
 
 def convertible(wanted: Type, given: Type) -> bool:

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from pathlib import PurePath
 from typing import TYPE_CHECKING
 
-from trajopt_cli.errors import InputError
-from trajopt_cli.motion import Happens, Hold, Motion, PathEvent, Program, SignalEvent, Span, Wait
+from trajopt_cli.errors import ErrorKind, InputError
+from trajopt_cli.motion import Happens, Hold, Motion, PathEvent, Program, SignalEvent, Source, Span, Wait
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.execution.once import Link
 from trajopt_cli.rapid.language.syntax import Module, Routine, Statement
 from trajopt_cli.rapid.language.text import Places
@@ -29,6 +30,7 @@ class _Entry:
     hold: Hold
     spans: tuple[Span, ...]
     unused: str
+    place: Source | None = None
 
 
 def fill_holds(run: Run, modules: Sequence[tuple[Module, Places]]) -> None:
@@ -65,7 +67,7 @@ def held_after_outputs(program: Program) -> str | None:
 def _marked(run: Run) -> Iterator[_Entry]:
     for span in run.held:
         place = run.files[span.file].source(span.start)
-        yield _Entry(Hold.PROGRAM, (span,), f"{place}: marked 'hold rail', but no move and no wait ran there")
+        yield _Entry(Hold.PROGRAM, (span,), "marked 'hold rail', but no move and no wait ran there", place)
 
 
 def _named(run: Run, modules: Sequence[tuple[Module, Places]]) -> Iterator[_Entry]:
@@ -82,13 +84,13 @@ def _named(run: Run, modules: Sequence[tuple[Module, Places]]) -> Iterator[_Entr
             spans = tuple(span for span, spelled in routines if spelled.lower() == name)
             if not spans:
                 message = f"hold_rail in the cell file: the program has no procedure '{name}'"
-                raise InputError(run.meant(name, message, [spelled for _, spelled in routines]))
+                raise InputError(run.meant(name, message, [spelled for _, spelled in routines]), kind=ErrorKind.CELL)
             yield _Entry(Hold.CELL, spans, f"hold_rail in the cell file: no move and no wait ran in {name}")
     for file, line in sorted(wish.lines, key=lambda one: (one[0] or "", one[1])):
         shown = f"{file}:{line}" if file else str(line)
         spans = tuple(_statements(file, line, shown, modules))
         if not spans:
-            raise InputError(f"hold_rail in the cell file: no statement begins in line {shown}")
+            raise InputError(f"hold_rail in the cell file: no statement begins in line {shown}", kind=ErrorKind.CELL)
         yield _Entry(Hold.CELL, spans, f"hold_rail in the cell file: no move and no wait ran in line {shown}")
 
 
@@ -98,7 +100,7 @@ def _statements(file: str | None, line: int, shown: str, modules: Sequence[tuple
     if file is None and len(files) > 1:
         example = f"{PurePath(files[0]).name}:{line}"
         message = f"line {shown} could be in any of {len(files)} files; name one, '{example}'"
-        raise InputError(f"hold_rail in the cell file: {message}")
+        raise InputError(f"hold_rail in the cell file: {message}", kind=ErrorKind.CELL)
     for module, places in modules:
         if file is None or PurePath(places.file).name.lower() == file.lower():
             for node in walk(module):
@@ -118,7 +120,7 @@ def _held(run: Run, entries: Sequence[_Entry]) -> dict[int, Hold]:
             out[index] = entries[min(found)].hold  # the program's own marks come first
     for number, entry in enumerate(entries):
         if number not in used:
-            run.warn(entry.unused)
+            run.warn(NoticeKind.UNUSED, entry.unused, entry.place)
     return out
 
 

@@ -14,6 +14,7 @@ from difflib import get_close_matches
 from trajopt_cli.errors import InputError
 from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import DEFAULT_SETTINGS, Motion, Source, Span
+from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.rapid.data.datatypes import NUM, SIGNALS, Array, Type, Value, is_opaque
 from trajopt_cli.rapid.data.predefined import ERRORS, VARIABLES, predefined
 from trajopt_cli.rapid.data.scope import Absent, Datum, Frame, ModuleScope, Part, Place, Scope
@@ -59,7 +60,7 @@ class Run:
         self.world = World(scenario)
         self.outside = Outside(scenario, self.world)
         self.motions: list[Motion] = []
-        self.warnings: dict[str, None] = {}  # a set that keeps its order
+        self.warnings: dict[Notice, None] = {}  # a set that keeps its order
         self.optional: set[tuple[str, int]] = set()  # file and start of the moves that are marked
         self.held: list[Span] = []  # what is marked so that the rail stands still in it
         self.files: dict[str, Places] = {}
@@ -140,15 +141,15 @@ class Run:
         known = {**self.shared.routines, **self.frame.scope.routines}
         return [routine.name for routine, _ in known.values() if routine.kind == kind]
 
-    def warn(self, message: str) -> None:
+    def warn(self, kind: NoticeKind, text: str, place: Source | None = None) -> None:
         """Tell the user, once."""
-        self.warnings[message] = None
+        self.warnings[Notice(kind, text, place)] = None
 
-    def note(self, topic: str, message: str) -> None:
+    def note(self, topic: str, kind: NoticeKind, text: str, node: Node) -> None:
         """Tell the user, once per topic: the first place that met it speaks for all."""
         if topic not in self._noted:
             self._noted.add(topic)
-            self.warn(message)
+            self.warn(kind, text, self.source(node))
 
     def text(self, node: Node) -> str:
         """A node as written, on one line."""
@@ -229,7 +230,7 @@ class Run:
             enter(self, routine, scope, (), routine)
         if not self.world.lacks:
             for sentence in self.world.unused():
-                self.warn(sentence)
+                self.warn(NoticeKind.UNUSED, sentence)
         fill_once(self.motions, self.links, self.counts)
         self.position.place()
 

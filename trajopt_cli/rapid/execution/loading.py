@@ -8,6 +8,7 @@ from math import prod
 from typing import TYPE_CHECKING, TypeVar
 
 from trajopt_cli.motion import Span
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import (
     ARRAY_LIMIT,
     DEPTH_LIMIT,
@@ -131,7 +132,9 @@ def _add(
                 shared.take(datum)
             elif shared.value.data != datum.value.data:
                 place = scope.places.source(node.start)
-                run.warn(f"{place}: PERS {node.name} has another value in another module, which counts")
+                run.warn(
+                    NoticeKind.UNUSUAL, f"PERS {node.name} has another value in another module, which counts", place
+                )
         datum = shared
     scope.data[key] = datum
     if node.scope != "LOCAL":
@@ -233,7 +236,7 @@ def find_type(run: Run, name: str, node: DataDeclaration | Parameter | Routine |
     if not found.known and node is not None:
         what = getattr(node, "name", name)
         message = f"type '{name}' of '{what}' is declared nowhere; that is fine as long as nothing uses '{what}'"
-        run.note(f"type {found.name}", f"{run.source(node)}: {message}")
+        run.note(f"type {found.name}", NoticeKind.UNUSUAL, message, node)
     scope.resolved[name] = found
     return found
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import NUM, Value
 from trajopt_cli.rapid.data.predefined import ERRORS
 from trajopt_cli.rapid.execution.calls import late_call, procedure
@@ -82,7 +83,9 @@ def _assign(run: Run, node: Assign) -> None:
     target = node.target
     run.budget -= (node.end - node.start) // _LONG  # a long expression takes as long as many statements
     if type(target) is not Name and inside_opaque(run, target):
-        run.note("opaque", f"{run.source(node)}: {run.text(target)} is process data, which changes no motion here")
+        run.note(
+            "opaque", NoticeKind.NO_EFFECT, f"{run.text(target)} is process data, which changes no motion here", node
+        )
         return
     try:
         place = locate(run, target)
@@ -193,7 +196,7 @@ def _connect(run: Run, node: Connect) -> None:
         raise run.error(node, f"there is no TRAP {node.trap} in the program")
     run.ignored["CONNECT"] += 1
     run.interrupts += 1
-    run.note("interrupts", f"{run.source(node)}: interrupts never come here, so TRAP {node.trap} does not run")
+    run.note("interrupts", NoticeKind.NO_EFFECT, f"interrupts never come here, so TRAP {node.trap} does not run", node)
     run.assign(node.interrupt, Value(NUM, float(run.interrupts)))
 
 

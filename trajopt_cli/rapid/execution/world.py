@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.scope import Datum
 from trajopt_cli.rapid.language.syntax import Name
 from trajopt_cli.scenario import NUM_LIMIT, Answer, Lack, Scenario, condition_key, yaml_answer
@@ -95,7 +96,7 @@ class World:
         if signal in self._not_digital:
             value = self._not_digital[signal]
             message = f"{signal} is {value:.15g} in the cell file, and a digital signal is 0 or 1"
-            run.note(f"digital {signal}", f"{run.source(node)}: {message}")
+            run.note(f"digital {signal}", NoticeKind.UNUSUAL, message, node)
 
     def unused(self) -> list[str]:
         """A sentence for each section of the scenario with names that the program never asked for."""

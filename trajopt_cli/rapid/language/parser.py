@@ -8,7 +8,7 @@ building. Statement instructions are procedure calls, so no instruction is known
 
 from __future__ import annotations
 
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.rapid.language.blocks import ROUTINES
 from trajopt_cli.rapid.language.cursor import HANDLERS, STORAGE
 from trajopt_cli.rapid.language.statements import StatementParser
@@ -29,6 +29,7 @@ from trajopt_cli.rapid.language.syntax import (
 _ATTRIBUTES = ("SYSMODULE", "NOVIEW", "NOSTEPIN", "VIEWONLY", "READONLY")
 
 
+@of_kind(ErrorKind.PROGRAM)
 def parse_module(text: str, file: str) -> ModuleFile:
     """The syntax tree of one file: usually one module, sometimes several, or loose declarations.
 

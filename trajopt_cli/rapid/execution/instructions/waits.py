@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from trajopt_cli.motion import Wait, Written
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import BOOL, NUM, SIGNALS, Atomic, Data, Type, Value
 from trajopt_cli.rapid.data.scope import Place, Told
 from trajopt_cli.rapid.execution.answers import root
@@ -243,7 +244,7 @@ def _assume(run: Run, node: ProcedureCall, term: _Term, shown: str) -> None:
         run.assign(term.target, term.value)
         return
     name = root(run, term.target)
-    run.warn(f"{run.source(node)}: {node.name} {shown} is taken to come true; {name} is not changed")
+    run.warn(NoticeKind.ASSUMED, f"{node.name} {shown} is taken to come true; {name} is not changed", run.source(node))
 
 
 @dataclass(frozen=True)
