@@ -177,7 +177,7 @@ def test_a_target_wanted_twice_gets_a_second_declaration(plant: Plant) -> None:
     assert "CONST robtarget p1:=" not in "".join(changes)
     assert any(line.startswith("+    CONST robtarget p1_2:=[[500,200,450],[0,0,1,0],") for line in changes)
     assert "+        MoveL p1_2,v100,fine,tool0;" in changes
-    assert tuple(map(str, export.notes)) == ("m.mod:8:9: p1 is wanted with other values; p1_2 is declared beside it",)
+    assert tuple(map(str, export.notes)) == ("m.mod:8:9: p1 gets other values here; p1_2 is declared beside it",)
 
 
 def test_a_new_name_is_nobodys_and_at_most_32_characters(plant: Plant) -> None:
@@ -328,7 +328,7 @@ def test_faster_than_programmed_becomes_vmax(plant: Plant) -> None:
         ("Set do1;", "", "8:9: the plan wants what the program says there"),
         ("30,0],[0,", "31,0],[0,", "9:9: the plan wants the programmed joints"),
         ("MoveAbsJ home,v100,fine,tool0;", "", "9:9: the plan wants MoveAbsJ home there"),
-        ("ENDPROC", "Set do1;ENDPROC", "the edited program has a motion too many at m.mod:"),
+        ("ENDPROC", "Set do1;ENDPROC", "the edited program has one motion too many at m.mod:"),
         ("ENDPROC", "ENDPRC", "the plan cannot be written into this program; edited, it reads: m.mod:"),
     ],
 )
@@ -369,7 +369,7 @@ def test_a_statement_that_runs_twice_and_has_to_differ_is_written_out_where_it_i
 def test_a_move_under_a_compact_if_cannot_be_dropped(plant: Plant) -> None:
     program = made(J1 + "        IF TRUE MoveJ p2,v100,fine,tool0;\n")
     assert error(program, plan_for(program, plant, {0: 0.2}, frozenset({1})), plant) == (
-        "m.mod:7:17: this statement hangs on an IF without THEN; write IF ... THEN ... ENDIF"
+        "m.mod:7:17: this statement is part of an IF without THEN; write IF ... THEN ... ENDIF"
     )
 
 

@@ -288,7 +288,7 @@ def test_a_target_that_two_modules_declare_stays_in_both(plant: Plant) -> None:
     assert declared in export.texts["m.mod"]
     assert "MoveJ g_2,v100,fine,tool0;" in export.texts["m.mod"]
     assert tuple(map(str, export.notes)) == (
-        "m.mod:4:9: g is wanted with other values; g_2 is declared beside it, and does not follow g if it changes",
+        "m.mod:4:9: g gets other values here; g_2 is declared beside it, and does not follow g if it changes",
     )
     assert [m.extax[0] for m in read_back(program, export).motions if isinstance(m, MoveJ)] == [200]
     alone = run_program([TextFile("m.mod", main, "utf-8")])

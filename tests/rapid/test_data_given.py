@@ -195,10 +195,10 @@ def test_shared_data_is_one_in_all_modules() -> None:
         ("{n: true}", "WaitTime n;", "m.mod:2:17: the value true of 'n' in the cell file is not a number"),
         ("{b: 1}", "IF b WaitTime 1;", "m.mod:4:4: the value 1 of 'b' in the cell file is not true or false"),
         ("{n: [1, 2]}", "WaitUntil n>2;",
-         "m.mod:4:1: WaitUntil waits for n>2, and no value that the cell file has left for n makes it true; "
+         "m.mod:4:1: WaitUntil waits for n>2, and none of the values that the cell file has left for n makes it true; "
          "add one under data, or let the wait end by its time: 'waits: {\"n>2\": timeout}'"),
         ("{n: [1, 2]}", "WaitUntil n=3;",
-         "m.mod:4:1: WaitUntil waits for n=3, and no value that the cell file has left for n makes it true; "
+         "m.mod:4:1: WaitUntil waits for n=3, and none of the values that the cell file has left for n makes it true; "
          "add one under data, or let the wait end by its time: 'waits: {\"n=3\": timeout}'"),
         ('{x: "[a,b]"}', "WaitTime x{1};",
          "m.mod:4:10: the value of 'x' in the cell file does not tell its type; "
@@ -213,7 +213,7 @@ def test_values_that_do_not_fit(data: str, body: str, message: str) -> None:
 
 def test_data_that_the_program_never_asks_for_is_said() -> None:
     (warning,) = tuple(map(str, run_program(text_of("WaitTime 1;"), of("{x: 1, y: 2}")).warnings))
-    assert warning == "the program never asks for: x, y (data in the cell file)"
+    assert warning == "the program never uses x, y (data in the cell file)"
 
 
 def test_the_cell_file_takes_plain_values_sequences_and_types() -> None:

@@ -76,7 +76,7 @@ def test_a_mark_at_nothing_is_an_error_and_one_where_nothing_ran_a_warning() -> 
         run(f"{L}\n! trajopt: hold rail\n\n{L}")
     assert str(caught.value) == (
         "cell/m.mod:5:1: '! trajopt: hold rail' marks no instruction; "
-        "put it behind a move, a wait, a block or a routine or above it"
+        "put it after a move, a wait, a block or a routine or on the line above it"
     )
     assert tuple(map(str, run(f"IF FALSE THEN\n{L} ! trajopt: hold rail\nENDIF").warnings)) == (
         "cell/m.mod:5:1: marked 'hold rail', but no move and no wait ran there",

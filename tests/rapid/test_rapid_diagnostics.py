@@ -500,7 +500,7 @@ def test_one_rough_orientation_is_told_once_however_often_it_is_shifted() -> Non
     text += "".join(f"MoveL Offs(p,{shift},0,0),v100,fine,tool0;\n" for shift in range(3))
     program = run_program([TextFile("m.mod", f"{text}ENDPROC\nENDMODULE\n", "utf-8")])
     assert tuple(map(str, program.warnings)) == (
-        "m.mod:4:7: Offs(p,0,0,0) has an orientation of length 1.004092; taken as 1",
+        "m.mod:4:7: Offs(p,0,0,0) has an orientation of length 1.004092; it is normalised",
     )
 
 

@@ -27,7 +27,7 @@ def test_a_socket_is_asked_for_where_other_data_is_given() -> None:
 
 def test_an_element_of_data_of_a_type_that_nobody_declares() -> None:
     message = error("x:=s{2};", "VAR shelf s{2}:=[[1,TRUE],[2,FALSE]];\nVAR num x;")
-    assert message == "'s{2}' is of type shelf, which is declared nowhere"
+    assert message == "'s{2}' is of type shelf, which is not declared anywhere"
 
 
 def test_the_sizes_of_an_array_of_process_data() -> None:
@@ -126,11 +126,11 @@ def test_names_in_the_cell_file_that_nobody_asks_for() -> None:
     )
     program = read('WaitDI d,1; TPReadNum n,"n?"; theirs;', scenario)
     assert tuple(map(str, program.warnings)) == (
-        "the program never asks for: Unknown, other (signals in the cell file)",
-        "the program never asks for: no (answers in the cell file)",
-        "the program never asks for: d = 0, nope (waits in the cell file)",
-        "the program never asks for: x (searches in the cell file)",
-        "the program never asks for: mine (stubs in the cell file)",
+        "the program never uses Unknown, other (signals in the cell file)",
+        "the program never uses no (answers in the cell file)",
+        "the program never uses d = 0, nope (waits in the cell file)",
+        "the program never uses x (searches in the cell file)",
+        "the program never uses mine (stubs in the cell file)",
     )
     with pytest.raises(InputError) as caught:
         read("WaitTime e;", scenario)
@@ -148,7 +148,7 @@ TARGET = "CONST robtarget p:=[[450,0,647],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9
         ("ConfL\\On\\Off;", "ConfL takes only one of \\On and \\Off"),
         ("WaitGI gi1\\LT\\GT,2;", "WaitGI takes only one of \\LT and \\GT"),
         ("MoveL p,v100\\V:=-2,fine,tool0;", "TCP speed -2 mm/s of \\V must be above 0"),
-        ("MoveL p,v100\\T?k,fine,tool0;", "\\T?k passes on a parameter, and k is none of PROC main"),
+        ("MoveL p,v100\\T?k,fine,tool0;", "\\T?k passes on a parameter, and k is not one of PROC main"),
         ("again:\nWaitTime 1;\nIF TRUE THEN\nAgain:\nENDIF",
          "label Again stands in line 6 of this routine already; rename one of them"),
     ],

@@ -130,8 +130,8 @@ def test_a_raise_out_of_a_loop_gives_the_hidden_data_back() -> None:
         ("RETRY;", "4:1: RETRY belongs in an ERROR handler"),
         ("TRYNEXT;", "4:1: TRYNEXT belongs in an ERROR handler"),
         ("RAISE;", "4:1: RAISE without a number belongs in an ERROR handler"),
-        ("RAISE -1;", "4:1: RAISE -1: -1 is no error number; give it one with BookErrNo"),
-        ("RAISE ERR_WAIT_MAXTIME;", "4:1: RAISE ERR_WAIT_MAXTIME is handled by no ERROR handler"),
+        ("RAISE -1;", "4:1: RAISE -1: -1 is not an error number; get one with BookErrNo"),
+        ("RAISE ERR_WAIT_MAXTIME;", "4:1: RAISE ERR_WAIT_MAXTIME is not handled by any ERROR handler"),
         ("x: WaitTime 1/0; ERROR GOTO x;", "4:24: GOTO x leads out of the ERROR handler; use TRYNEXT or RETRY"),
     ],
 )
@@ -198,7 +198,7 @@ def test_modes_of_parameters_are_kept_apart() -> None:
     rest = "PROC v(VAR num x)\nENDPROC\nPROC p(PERS num x)\nENDPROC\nPROC t(PERS tooldata x)\nx.robhold:=TRUE;\nENDPROC"
     data = "VAR num a; PERS num b:=1;"
     assert error("v b;", data, rest) == "m.mod:4:3: b is a PERS and cannot be given to VAR x"
-    assert error("p a;", data, rest) == "m.mod:4:3: a is no PERS and cannot be given to PERS x"
+    assert error("p a;", data, rest) == "m.mod:4:3: a is not a PERS and cannot be given to PERS x"
     assert error("t tool0;", data, rest) == "m.mod:11:1: x.robhold is predefined and cannot be changed"
 
 
@@ -230,7 +230,7 @@ def test_connect_needs_a_trap_and_interrupts_never_come() -> None:
     trap = "TRAP t\nWaitTime 1;\nENDTRAP"
     program = run("CONNECT i WITH t; CONNECT i WITH t; WaitTime i;", "VAR intnum i;", trap)
     assert [m.duration for m in program.motions if isinstance(m, Wait)] == [2]
-    assert tuple(map(str, program.warnings)) == ("m.mod:4:1: interrupts never come here, so TRAP t does not run",)
+    assert tuple(map(str, program.warnings)) == ("m.mod:4:1: interrupts are not simulated, so TRAP t does not run",)
     assert error("CONNECT i WITH u;", "VAR intnum i;", trap) == "m.mod:4:1: there is no TRAP u in the program"
 
 

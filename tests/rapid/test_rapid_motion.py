@@ -319,7 +319,7 @@ def test_orientations_off_unit_are_told_up_to_a_point() -> None:
     assert len(program.warnings) == 21
     assert (
         tuple(map(str, program.warnings))[-1]
-        == "more than 20 orientations are not of length 1; the others are taken as 1 unsaid"
+        == "more than 20 orientations are not unit quaternions; the others are normalised without a message"
     )
 
 
@@ -397,6 +397,6 @@ def test_what_no_plan_looks_at_is_told_once() -> None:
         f"PROC main()\n{body}\nENDPROC\nENDMODULE\n"
     )
     assert tuple(map(str, run_program([TextFile("m.mod", text, "utf-8")]).warnings)) == (
-        r"m.mod:4:9: \Corr adds what a sensor finds to the path, which is not known here: the path is the one written",
+        r"m.mod:4:9: \Corr adds what a sensor finds to the path, which is not known here: the path stays as written",
         r"m.mod:4:67: \TLoad changes nothing here; the cell's limits hold for any load",
     )

@@ -253,18 +253,18 @@ BOMB = '<?xml version="1.0"?>\n<!DOCTYPE x [<!ENTITY a "ha"><!ENTITY b "&a;&a;">
     [
         (
             '<!DOCTYPE Program SYSTEM "http://x/y.dtd">\n<Program><Module>Main.mod</Module></Program>',
-            ":1: declares a document type or an entity, which no controller writes; remove the declaration",
+            ":1: declares a document type or an entity, which controllers never write; remove the declaration",
         ),
-        (BOMB, ":2: declares a document type or an entity, which no controller writes; remove the declaration"),
-        ("<Program>\n<Module>Main.mod</Modul></Program>", ":2:19: is no readable program list: mismatched tag"),
-        ("<Page>\n</Page>", ":1: is no program list: it begins with <Page>, a list begins with <Program>"),
+        (BOMB, ":2: declares a document type or an entity, which controllers never write; remove the declaration"),
+        ("<Program>\n<Module>Main.mod</Modul></Program>", ":2:19: is not a readable program list: mismatched tag"),
+        ("<Page>\n</Page>", ":1: is not a program list: it begins with <Page>, a list begins with <Program>"),
         ("<Program>\n</Program>", ": lists no modules: a list holds <Program><Module>Name.mod</Module></Program>"),
         (
             "<Program>\n<Module>../../Main.mod</Module></Program>",
-            ":2: '../../Main.mod' is no name of a module file; a list names files beside it",
+            ":2: '../../Main.mod' is not the name of a module file; a list names files beside it",
         ),
-        ("", ":1:1: is no readable program list: no element found"),
-        ("<Program><Module>&other;</Module></Program>", ":1:18: is no readable program list: undefined entity"),
+        ("", ":1:1: is not a readable program list: no element found"),
+        ("<Program><Module>&other;</Module></Program>", ":1:18: is not a readable program list: undefined entity"),
     ],
 )
 def test_a_program_list_that_is_none(tmp_path: Path, text: str, message: str) -> None:
@@ -301,11 +301,11 @@ def test_a_program_list_is_read_in_the_encoding_it_has_not_the_one_it_claims(tmp
 def test_files_of_other_languages_get_one_sentence(tmp_path: Path, content: bytes, what: str) -> None:
     folder = tree(tmp_path / "f", {"x.mod": content, "a.mod": module("a", main="WaitTime 1;\n")})
     said = error(folder / "x.mod")
-    assert said.startswith(f"x.mod: is no RAPID module: it {what}")
+    assert said.startswith(f"x.mod: is not a RAPID module: it {what}")
     assert "\n" not in said
     program = read_program(folder)
     assert waits(program) == [1]
-    assert str(program.warnings[0]).startswith(f"{folder}/x.mod: is left out, it is no RAPID module: it {what}")
+    assert str(program.warnings[0]).startswith(f"{folder}/x.mod: is left out: it is not a RAPID module, it {what}")
 
 
 @pytest.mark.parametrize(
@@ -333,7 +333,7 @@ def test_folders_without_a_program_say_what_was_looked_for(tmp_path: Path) -> No
 def test_what_is_no_file_is_not_read(tmp_path: Path) -> None:
     assert error(tmp_path / "none.mod") == "none.mod: cannot be read: No such file or directory"
     os.mkfifo(tmp_path / "pipe.mod")
-    assert error(tmp_path / "pipe.mod") == "pipe.mod: is no regular file; save the program in one"
+    assert error(tmp_path / "pipe.mod") == "pipe.mod: is not a regular file; save the program in one"
     tree(tmp_path, {"a.mod": module("a")})
     assert names(tmp_path) == ["a.mod"]
     with pytest.raises(InputError, match="give a RAPID module, several, or the folder that holds them"):
@@ -365,7 +365,9 @@ def test_the_entry_may_be_any_procedure(tmp_path: Path) -> None:
     assert waits(read_program(folder, entry="inner")) == [2]
     said = "f: there are 2 LOCAL PROC twice (f/b.mod:5, f/c.mod:2); rename all but one"
     assert error(folder, entry="twice") == said
-    assert error(folder, entry="takes") == "f/a.mod:5:1: PROC takes needs arguments, so it cannot be started with"
+    assert (
+        error(folder, entry="takes") == "f/a.mod:5:1: PROC takes needs arguments, so the program cannot start with it"
+    )
     assert error(folder) == (
         "f: there is no PROC main(); start with another by --entry: go (f/a.mod:2), may (f/a.mod:7), "
         "Inner (f/b.mod:2), twice (f/b.mod:5), twice (f/c.mod:2), go (f/c.mod:5)"

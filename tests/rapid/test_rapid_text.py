@@ -183,10 +183,10 @@ def test_a_mark_stands_behind_the_move_or_alone_above_it() -> None:
 
 def test_a_mark_that_marks_nothing_is_an_error_and_one_on_no_move_is_said() -> None:
     assert error_main("WaitTime 1;\n! trajopt: optional\n\nWaitTime 1;") == (
-        "m.mod:4:1: '! trajopt: optional' marks no instruction; put it behind a move or above it"
+        "m.mod:4:1: '! trajopt: optional' marks no instruction; put it after a move or on the line above it"
     )
     assert error_main("WaitTime 1; ! trajopt: optinal") == (
-        "m.mod:3:13: trajopt knows no mark 'optinal'; it knows 'optional' and 'hold rail'"
+        "m.mod:3:13: there is no mark 'optinal'; the marks are 'optional' and 'hold rail'"
     )
     assert tuple(map(str, run_main("WaitTime 1; ! trajopt: optional").warnings)) == (
         "m.mod:7:1: marked as optional, but no move ran there",
@@ -248,7 +248,7 @@ LOOKED = (
         ("FOR i FROM 1 TO 2 DO\ni:=3;\nENDFOR", "", "4:1: i is a loop variable and cannot be changed"),
         ("x:=TRUE;", "VAR num x;\n", "4:4: x needs a num, found bool TRUE"),
         ("WaitTime x{3};", "VAR num x{2};\n", "4:12: index 3 of x{3} lies outside 1..2"),
-        ("WaitTime x.y;", "VAR num x;\n", "4:10: a num has no components, so '.y' means nothing"),
+        ("WaitTime x.y;", "VAR num x;\n", "4:10: a num has no components, so it has no '.y'"),
         ("WaitTime p.robconf.cf2;", P, "4:10: confdata has no component 'cf2'; it has cf1, cf4, cf6, cfx"),
         ("WaitTime 1/0;", "", "3:10: division by zero in '/'"),
         ("WaitTime 7.5 MOD 2;", "", "3:10: MOD takes whole numbers, found 7.5 and 2"),
@@ -274,11 +274,11 @@ def test_what_cannot_be_run_is_described_with_its_place(body: str, data: str, me
 
 def test_an_unknown_instruction_is_named_with_what_to_do() -> None:
     assert error_main("GlueL p,v100,s,g,tool0;") == (
-        "m.mod:3:1: GlueL is neither a procedure of the files read nor an instruction that is known; give the file "
+        "m.mod:3:1: GlueL is neither a procedure of the files read nor a known instruction; give the file "
         "that declares it, or take it as doing nothing: the line 'stubs: [GlueL]' in the cell file"
     )
     assert error_main("WaitTime Guess();") == (
-        "m.mod:3:10: Guess is neither a function of the files read nor one that is known; "
+        "m.mod:3:10: Guess is neither a function of the files read nor a known function; "
         "add the line 'answers: {Guess: 0}' to the cell file"
     )
 
@@ -334,7 +334,7 @@ def test_a_rounded_orientation_is_taken_as_unit_and_said_once() -> None:
     body = "MoveL p,v100,fine,tool0; MoveL p,v100,fine,tool0;"
     assert tuple(map(str, run_main(body, P.replace("[0,0,1,0]", "[0,0.707,0.707,0]")).warnings)) == ()
     assert tuple(map(str, run_main(body, P.replace("[0,0,1,0]", "[0,0.708,0.707,0]")).warnings)) == (
-        "m.mod:2:20: p has an orientation of length 1.000556; taken as 1",
+        "m.mod:2:20: p has an orientation of length 1.000556; it is normalised",
     )
 
 

@@ -35,7 +35,7 @@ def load_cell(path: str | Path) -> Cell:
 @of_kind(ErrorKind.CELL)
 def parse_cell(text: str, file: str) -> Cell:
     """The Cell in a cell file's text; file is its name in messages. Raises InputError as load_cell does."""
-    content, lines = parse(text, file, "robot and start are needed at least")
+    content, lines = parse(text, file, "at least robot and start are needed")
     document = validated(CellDocument, content, lines, file, _WANTED)
     return _cell(document, file, lines)
 

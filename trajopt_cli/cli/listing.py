@@ -193,7 +193,7 @@ def _event(event: PathEvent) -> str:
         case Happens.PROCEDURE:
             what = f"{event.name}()"
     parts = [f"{value:.5g} {unit}" for value, unit in ((event.distance * 1e3, "mm"), (event.time, "s")) if value]
-    place = ("behind the start" if event.from_start else "before the end") if parts else ""
+    place = ("after the start" if event.from_start else "before the end") if parts else ""
     return " ".join([what, *parts, place or ("at the start" if event.from_start else "at the end")])
 
 

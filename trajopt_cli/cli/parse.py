@@ -118,7 +118,7 @@ def _print_template(lacks: Sequence[Lack]) -> None:
     from trajopt_cli.rapid.template import template
 
     if not lacks:
-        typer.echo("nothing lacking: the program runs with what the cell file says", err=True)
+        typer.echo("nothing is missing: the program runs with this cell file", err=True)
         return
     typer.echo(template(lacks), nl=False)
 
@@ -138,7 +138,7 @@ def _with_template(error: InputError, paths: Sequence[Path]) -> InputError:
 
     errors = error.errors if isinstance(error, InputErrorGroup) else (error,)
     command = f"trajopt parse {' '.join(str(path) for path in paths)} --scenario-template"
-    return InputErrorGroup([*errors, InputError(f"'{command}' prints the lines that the cell file lacks")])
+    return InputErrorGroup([*errors, InputError(f"'{command}' prints the lines missing from the cell file")])
 
 
 def _sums(listing: Listing) -> Iterator[str]:

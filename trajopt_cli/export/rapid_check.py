@@ -80,7 +80,7 @@ def mismatches(
             yield index, found_error
     surplus = next(read, None)
     if surplus is not None:
-        yield None, InputError(f"the edited program has a motion too many at {surplus.source}")
+        yield None, InputError(f"the edited program has one motion too many at {surplus.source}")
 
 
 def first_difference(program: Program, read: Program) -> int | None:

@@ -202,7 +202,7 @@ class Targets:
             name = self._new(move, self.in_numbers(move, wish), statement, suffix, first)
         literal.versions[key] = name
         if not suffix:
-            note = f"{move.target} is wanted with other values; {name} is declared beside it"
+            note = f"{move.target} gets other values here; {name} is declared beside it"
             variable = move.written.declaration is not None and self._storage(move.written.declaration) != "CONST"
             note += f", and does not follow {move.target} if it changes" if variable else ""
             self.notes.append(Notice(NoticeKind.CHANGED, note, move.source))

@@ -181,7 +181,7 @@ class _Attempt:
         motion = self._program.motions[index]
         doubled = action.dwell is not None and isinstance(motion, Wait) and motion.condition is not None
         if span in self._scopes.compact and (action.drop or action.monitored or doubled):
-            raise refusal(motion.source, "this statement hangs on an IF without THEN; write IF ... THEN ... ENDIF")
+            raise refusal(motion.source, "this statement is part of an IF without THEN; write IF ... THEN ... ENDIF")
 
     def _apply(self, index: int, action: _Action) -> list[Notice]:
         motion, edits = self._program.motions[index], self._edits

@@ -36,7 +36,7 @@ def find_marks(tree: ModuleFile, places: Places) -> Marks:
         if match := _MARK.match(places.text[start:end]):
             word = " ".join(match[1].lower().split())
             if word not in found:
-                message = f"trajopt knows no mark '{match[1]}'; it knows '{_OPTIONAL}' and '{_HOLD}'"
+                message = f"there is no mark '{match[1]}'; the marks are '{_OPTIONAL}' and '{_HOLD}'"
                 raise places.error(start, message)
             found[word].append(start)
     if not any(found.values()):
@@ -64,7 +64,9 @@ def _at(mark: int, places: Places, stretches: Sequence[_Stretch], word: str) -> 
             found = [one for one in stretches if one[0] < mark < one[1] and places.line(one[0]) == line][-1:]
     if not found and not _already_dropped(places.text, mark):
         what = "a move" if word == _OPTIONAL else "a move, a wait, a block or a routine"
-        raise places.error(mark, f"'! trajopt: {word}' marks no instruction; put it behind {what} or above it")
+        raise places.error(
+            mark, f"'! trajopt: {word}' marks no instruction; put it after {what} or on the line above it"
+        )
     return found
 
 

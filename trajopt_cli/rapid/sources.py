@@ -65,9 +65,9 @@ def read_sources(paths: Sequence[Path], entry: str = "main") -> Sources:
         if what is None:
             files.append(file)
         elif asked:
-            raise InputError(f"is no RAPID module: it {what}", file=str(path))
+            raise InputError(f"is not a RAPID module: it {what}", file=str(path))
         else:
-            warnings.append(_unread(path, f"is left out, it is no RAPID module: it {what}"))
+            warnings.append(_unread(path, f"is left out: it is not a RAPID module, it {what}"))
     if not files:
         raise InputError("none of its files is a RAPID module: " + "; ".join(map(str, warnings)), file=str(paths[0]))
     return Sources(tuple(files), name_of(paths), tuple(warnings))
@@ -252,7 +252,7 @@ def _entries(folder: Path) -> list[Path]:
 def _check_regular(path: Path) -> None:
     """A file that is there, and no device or pipe, which may have no end."""
     if not stat.S_ISREG(_mode(path)):
-        raise InputError("is no regular file; save the program in one", file=str(path))
+        raise InputError("is not a regular file; save the program in one", file=str(path))
 
 
 def _mode(path: Path) -> int:

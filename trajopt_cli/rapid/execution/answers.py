@@ -103,7 +103,7 @@ def _parsed(run: Run, node: Node, subject: str, type_: Type, text: str) -> Value
         if isinstance(literal, Aggregate) and not names:
             value = evaluate(run, literal, type_)
             return Value(value.type, value.data)
-        problem = f"has the name {names[0]} in it" if names else "is no value in brackets"
+        problem = f"has the name {names[0]} in it" if names else "is not a value in brackets"
     except InputError as error:
         problem = f"is not: {error.message}"
     wanted = _literal(type_, stand_in(type_), _LONGEST)
@@ -131,7 +131,7 @@ def _example(run: Run, node: Node, name: str, type_: Type) -> str:
 def _whole(run: Run, node: Node, name: str, value: Value) -> str:
     text = _literal(value.type, value.data, _LONGEST)
     if len(text) > _LONGEST:
-        raise run.error(node, f"'{name}' is a {value.type.name} of more values than the cell file can hold")
+        raise run.error(node, f"'{name}' is a {value.type.name} with more values than a cell file can hold")
     return text
 
 

@@ -89,7 +89,7 @@ def _stub(run: Run, node: ProcedureCall) -> None:
         run.world.asked("stubs", node.name.lower())
         run.ignored[node.name] += 1
         return
-    message = f"{node.name} is neither a procedure of the files read nor an instruction that is known"
+    message = f"{node.name} is neither a procedure of the files read nor a known instruction"
     reason = run.meant(node.name, message, [*INSTRUCTIONS, *run.routines("PROC")])
     run.world.lack(run, "stubs", node.name, node, reason, "")
 
@@ -112,7 +112,7 @@ def function(run: Run, node: Call, wanted: Type | None) -> Value:
         raise run.exhausted(node)
     handler = _FUNCTIONS.get(node.name.lower())
     if handler is None:
-        message = f"{node.name} is neither a function of the files read nor one that is known"
+        message = f"{node.name} is neither a function of the files read nor a known function"
         reason = run.meant(node.name, message, [*FUNCTIONS, *run.routines("FUNC")])
         return ask(run, node, node.name, wanted or NUM, reason)
     try:
@@ -264,7 +264,7 @@ def _argument(run: Run, routine: Routine, parameter: Parameter, type_: Type, arg
         name = f"parameter {parameter.name} of {routine.name}"
         raise run.error(arg, f"{name} is a {type_.name}, and {run.text(arg)} a {place.type.name}")
     if parameter.mode == "PERS" and place.storage != "PERS":
-        raise run.error(arg, f"{run.text(arg)} is no PERS and cannot be given to PERS {parameter.name}")
+        raise run.error(arg, f"{run.text(arg)} is not a PERS and cannot be given to PERS {parameter.name}")
     if parameter.mode == "VAR" and place.storage == "PERS":
         raise run.error(arg, f"{run.text(arg)} is a PERS and cannot be given to VAR {parameter.name}")
     if place.constant and parameter.mode != "PERS":

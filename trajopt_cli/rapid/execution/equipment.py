@@ -154,11 +154,12 @@ class Equipment:
             if len(self._rough) < _TOLD:
                 self._rough.add(q)
                 place = run.places(file).source(node.start)
-                run.warn(NoticeKind.ASSUMED, f"{name} has an orientation of length {n:.7g}; taken as 1", place)
+                run.warn(NoticeKind.ASSUMED, f"{name} has an orientation of length {n:.7g}; it is normalised", place)
             else:
                 run.warn(
                     NoticeKind.ASSUMED,
-                    f"more than {_TOLD} orientations are not of length 1; the others are taken as 1 unsaid",
+                    f"more than {_TOLD} orientations are not unit quaternions; the others are normalised "
+                    "without a message",
                 )
         return frames.normalised(q)
 
@@ -166,7 +167,7 @@ class Equipment:
 def unoriented(run: Run, node: Expression, value: Value) -> str:
     """What to say of a target or a pose without an orientation: [0,0,0,0] that was written, or that nobody wrote."""
     hint = NEVER if value.data == value.type.default else "give a quaternion of length 1"
-    return f"{run.text(node)} has orientation [0,0,0,0], which is none; {hint}"
+    return f"{run.text(node)} has orientation [0,0,0,0], which is not a rotation; {hint}"
 
 
 def said(run: Run, node: Expression) -> str:
@@ -267,13 +268,13 @@ def _unit(run: Run, wobj: str, unit: str, node: Node) -> None:
     if any([assumed(run, unit), assumed(run, wobj)]):  # both are asked for
         run.warn(
             NoticeKind.ASSUMED,
-            f"work object {wobj} rides on the unit '{unit}' (ufprog FALSE), whose frame no program tells; its user "
-            "frame is taken as the identity, as asked",
+            f"work object {wobj} rides on the unit '{unit}' (ufprog FALSE), whose frame is not in the program; its "
+            "user frame is taken as the identity, as asked",
         )
         return
     reason = (
-        f"work object {wobj} rides on the unit '{unit}' (ufprog FALSE), whose frame no program tells; take the unit's "
-        f"frame as the identity: --assume-identity {name}"
+        f"work object {wobj} rides on the unit '{unit}' (ufprog FALSE), whose frame is not in the program; take the "
+        f"unit's frame as the identity: --assume-identity {name}"
     )
     run.world.lack(run, "assume_identity", name, node, reason, name)
 

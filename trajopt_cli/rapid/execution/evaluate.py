@@ -84,7 +84,10 @@ def _converted(run: Run, node: Expression, value: Value, wanted: Type) -> Value:
 
 def _mixed(run: Run, node: Node) -> None:
     run.note(
-        "dnum", NoticeKind.UNUSUAL, "num and dnum are mixed; a controller refuses that, here it is converted", node
+        "dnum",
+        NoticeKind.UNUSUAL,
+        "num and dnum are mixed: a controller refuses this, here the value is converted",
+        node,
     )
 
 
@@ -177,7 +180,7 @@ def _readable(run: Run, node: Name | Component | Element, value: Value, wanted: 
         name = value.data or (node.name if isinstance(node, Name) else run.text(node))
         return Value(NUM, single(run.world.signal(run, node, str(name))))
     if not type_.known:
-        raise run.error(node, f"'{run.text(node)}' is of type {type_.name}, which is declared nowhere")
+        raise run.error(node, f"'{run.text(node)}' is of type {type_.name}, which is not declared anywhere")
     return value
 
 
@@ -272,13 +275,13 @@ def _component(run: Run, node: Component, type_: Type) -> tuple[int, Type]:
         raise run.error(node, f"{type_.name} has no component '{node.name}'; it has {known}")
     if is_opaque(type_) and not isinstance(type_, Array):
         raise run.error(node, f"the components of a {type_.name} are not known here, so '.{node.name}' cannot be read")
-    raise run.error(node, f"a {type_.name} has no components, so '.{node.name}' means nothing")
+    raise run.error(node, f"a {type_.name} has no components, so it has no '.{node.name}'")
 
 
 def _elements(run: Run, node: Element, base: Value) -> list[tuple[int, Type]]:
     type_, data = base.type, base.data
     if not isinstance(type_, Array):
-        raise run.error(node, f"a {type_.name} is no array, so it has no elements")
+        raise run.error(node, f"a {type_.name} is not an array, so it has no elements")
     if not isinstance(data, tuple):  # of a type that means nothing here
         message = f"'{run.text(node)}' is of type {type_.element.name}, which has no value that can be read"
         raise run.error(node, message)

@@ -224,7 +224,7 @@ class Run:
     def start(self, routine: Routine, scope: ModuleScope) -> None:
         """Run the entry procedure, which stands in scope, once. Raises InputError for what cannot be run."""
         if any(not parameter.optional for parameter in routine.parameters):
-            message = f"PROC {routine.name} needs arguments, so it cannot be started with"
+            message = f"PROC {routine.name} needs arguments, so the program cannot start with it"
             raise scope.places.error(routine.start, message)
         with self.inside(Frame(scope)), room(), suppress(Exit):
             enter(self, routine, scope, (), routine)

@@ -133,7 +133,9 @@ def _add(
             elif shared.value.data != datum.value.data:
                 place = scope.places.source(node.start)
                 run.warn(
-                    NoticeKind.UNUSUAL, f"PERS {node.name} has another value in another module, which counts", place
+                    NoticeKind.UNUSUAL,
+                    f"PERS {node.name} has a different value in another module, and that one is used",
+                    place,
                 )
         datum = shared
     scope.data[key] = datum
@@ -205,7 +207,7 @@ def _initial(run: Run, node: DataDeclaration, type_: Type, frame: Frame) -> Valu
     if id(node) in run.computing:
         raise frame.scope.places.error(node.start, f"the value of '{node.name}' refers to itself")
     if len(run.computing) >= _CHAIN_LIMIT:
-        message = f"the value of '{node.name}' hangs on more than {_CHAIN_LIMIT} others that are declared behind it"
+        message = f"the value of '{node.name}' depends on more than {_CHAIN_LIMIT} other data declared after it"
         raise frame.scope.places.error(node.start, message)
     run.computing.add(id(node))
     before, run.frame = run.frame, frame
@@ -235,7 +237,7 @@ def find_type(run: Run, name: str, node: DataDeclaration | Parameter | Routine |
     found = _type(run, scope, name, ())
     if not found.known and node is not None:
         what = getattr(node, "name", name)
-        message = f"type '{name}' of '{what}' is declared nowhere; that is fine as long as nothing uses '{what}'"
+        message = f"type '{name}' of '{what}' is not declared; this does no harm unless something uses '{what}'"
         run.note(f"type {found.name}", NoticeKind.UNUSUAL, message, node)
     scope.resolved[name] = found
     return found
@@ -251,7 +253,9 @@ def _type(run: Run, scope: ModuleScope, name: str, above: tuple[str, ...]) -> Ty
         return TYPES.get(key) or Atomic(key, known=False)
     node, home = found
     if len(above) >= _CHAIN_LIMIT:
-        raise home.places.error(node.start, f"type '{name}' comes behind a chain of more than {_CHAIN_LIMIT} others")
+        raise home.places.error(
+            node.start, f"type '{name}' is at the end of a chain of more than {_CHAIN_LIMIT} others"
+        )
     if home is not scope or key not in home.resolved:
         if key in above:
             raise home.places.error(node.start, f"type '{node.name}' contains itself")
@@ -268,13 +272,13 @@ def _made(
     if isinstance(node, AliasDeclaration):
         type_ = _type(run, home, node.type, above)
         if not type_.known:
-            raise home.places.error(node.start, f"type '{node.type}' of ALIAS {node.name} is declared nowhere")
+            raise home.places.error(node.start, f"type '{node.type}' of ALIAS {node.name} is not declared anywhere")
         return type_
     parts = []
     for written, part in node.components:
         type_ = _type(run, home, written, above)
         if not type_.known:
-            raise home.places.error(node.start, f"type '{written}' in RECORD {node.name} is declared nowhere")
+            raise home.places.error(node.start, f"type '{written}' in RECORD {node.name} is not declared anywhere")
         parts.append((part.lower(), type_))
     record = Record(key, tuple(parts))
     if record.depth > DEPTH_LIMIT:

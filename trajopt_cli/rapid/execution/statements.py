@@ -84,7 +84,10 @@ def _assign(run: Run, node: Assign) -> None:
     run.budget -= (node.end - node.start) // _LONG  # a long expression takes as long as many statements
     if type(target) is not Name and inside_opaque(run, target):
         run.note(
-            "opaque", NoticeKind.NO_EFFECT, f"{run.text(target)} is process data, which changes no motion here", node
+            "opaque",
+            NoticeKind.NO_EFFECT,
+            f"{run.text(target)} is process data, which does not affect the motion",
+            node,
         )
         return
     try:
@@ -183,10 +186,10 @@ def _raise(run: Run, node: Raise) -> None:
     number = evaluate(run, node.value, NUM).data
     name = next((name for name, known in ERRORS.items() if known == number), run.text(node.value))
     if number not in USER_ERRORS and name not in ERRORS:
-        message = f"RAISE {run.text(node.value)}: {number:.6g} is no error number; give it one with BookErrNo"
+        message = f"RAISE {run.text(node.value)}: {number:.6g} is not an error number; get one with BookErrNo"
         raise run.fault(node, "ERR_ILLRAISE", message)
     place = run.source(node)
-    message = f"RAISE {run.text(node.value)} is handled by no ERROR handler"
+    message = f"RAISE {run.text(node.value)} is not handled by any ERROR handler"
     raise Fault(message, name, number, file=place.file, line=place.line, column=place.column)
 
 
@@ -196,7 +199,9 @@ def _connect(run: Run, node: Connect) -> None:
         raise run.error(node, f"there is no TRAP {node.trap} in the program")
     run.ignored["CONNECT"] += 1
     run.interrupts += 1
-    run.note("interrupts", NoticeKind.NO_EFFECT, f"interrupts never come here, so TRAP {node.trap} does not run", node)
+    run.note(
+        "interrupts", NoticeKind.NO_EFFECT, f"interrupts are not simulated, so TRAP {node.trap} does not run", node
+    )
     run.assign(node.interrupt, Value(NUM, float(run.interrupts)))
 
 

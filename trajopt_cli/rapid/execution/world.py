@@ -114,10 +114,10 @@ class World:
             left = sorted(name for name in names if (section, key(name)) not in self._asked)
             if left:
                 shown = ", ".join(left[:_SHOWN]) + (f" and {len(left) - _SHOWN} more" if len(left) > _SHOWN else "")
-                sentences.append(f"the program never asks for: {shown} ({section} in the cell file)")
+                sentences.append(f"the program never uses {shown} ({section} in the cell file)")
         for name in sorted(self.scenario.assume_identity):
             if ("assume_identity", name.lower()) not in self._asked:
-                sentences.append(f"--assume-identity {name}: the program asks for no such tool, work object or unit")
+                sentences.append(f"--assume-identity {name}: the program uses no such tool, work object or unit")
         return sentences
 
     def asked(self, section: str, name: str) -> None:

@@ -92,5 +92,5 @@ def _note_unplanned(run: Run, place: Expression, args: Arguments) -> None:
             "tload", NoticeKind.NO_EFFECT, "\\TLoad changes nothing here; the cell's limits hold for any load", node
         )
     if "corr" in args.optional:
-        what = "\\Corr adds what a sensor finds to the path, which is not known here: the path is the one written"
+        what = "\\Corr adds what a sensor finds to the path, which is not known here: the path stays as written"
         run.note("corr", NoticeKind.NO_EFFECT, what, place)

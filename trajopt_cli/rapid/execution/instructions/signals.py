@@ -110,7 +110,7 @@ def _rename(run: Run, alias: Expression, signal: str | None) -> None:
     if isinstance(alias, Name) and run.find(alias.name) is None:
         run.warn(
             NoticeKind.ASSUMED,
-            f"alias '{alias.name}' is declared in none of the files read; it is a signal",
+            f"alias '{alias.name}' is not declared in the files read; it is taken as a signal",
             run.source(alias),
         )
         run.shared.data[alias.name.lower()] = Datum(TYPES["signaldi"], Value(TYPES["signaldi"], signal))

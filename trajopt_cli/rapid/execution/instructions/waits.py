@@ -102,7 +102,7 @@ def _await(run: Run, node: ProcedureCall, signal: str, test: str, wanted: float)
         values = ", ".join(f"{value:.15g}" for value in left[:7]) + (", ..." if len(left) > 7 else "")
         raise run.error(
             node,
-            f"{node.name} waits for {signal} {test} {wanted:.15g}, and no value that is left of its sequence fits "
+            f"{node.name} waits for {signal} {test} {wanted:.15g}, and none of the values left in its sequence fits "
             f"({values}); add one to signals.{signal} in the cell file, or let the wait end by its time: "
             f"'waits: {{{signal} {test} {wanted:.15g}: timeout}}'",
         )
@@ -128,7 +128,7 @@ def _over(
             run.assign(flag, Value(BOOL, False))
         return True
     if longest is None:
-        raise run.error(node, f"waits for {shown} for ever: the cell file says timeout, and \\MaxTime is not given")
+        raise run.error(node, f"waits for {shown} forever: the cell file says timeout, and \\MaxTime is not given")
     if flag is None:
         raise run.fault(node, "ERR_WAIT_MAXTIME", f"{shown} has not come true within \\MaxTime of {longest:.6g} s")
     run.assign(flag, Value(BOOL, True))
@@ -175,8 +175,8 @@ def _from_outside(run: Run, node: ProcedureCall, wanted: Expression, terms: list
         names = ", ".join(one.name for one in told)
         raise run.error(
             node,
-            f"{node.name} waits for {shown}, and no value that the cell file has left for {names} makes it true; add "
-            f"one under data, or let the wait end by its time: 'waits: {{{yaml_name(shown)}: timeout}}'",
+            f"{node.name} waits for {shown}, and none of the values that the cell file has left for {names} makes it "
+            f"true; add one under data, or let the wait end by its time: 'waits: {{{yaml_name(shown)}: timeout}}'",
         )
     return False
 
