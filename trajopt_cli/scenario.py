@@ -78,7 +78,7 @@ class Lack:
     section: the key of the cell file it belongs under ("signals", "answers", "data", "searches", "endless_passes",
     "assume_identity", "stubs"). name: as the program spells it. source: the place that asked first. reason: what asked,
     in words. value: a value to begin with, as YAML. excerpt: the line of the source with a caret, to be shown.
-    declared: whether the program declares it, so that no other file can.
+    declared: whether the program declares it, so that no other file can. close: the known name that may be meant.
     """
 
     section: str
@@ -88,6 +88,7 @@ class Lack:
     value: str
     excerpt: str | None = field(default=None, compare=False)
     declared: bool = False
+    close: str | None = None
 
     @property
     def line(self) -> str:
@@ -116,16 +117,21 @@ def yaml_answer(value: Answer) -> str:
     return repr(value).removesuffix(".0") if isinstance(value, float) else json.dumps(value, ensure_ascii=False)
 
 
-def _remedy(lack: Lack) -> str:
+def _message(lack: Lack) -> str:
     if lack.section == "assume_identity":  # the reason ends with the option that does the same
-        return f", or the line '{lack.line}' in the cell file"
-    glue = " Else" if lack.reason.endswith("?") else ";"
+        return f"{lack.reason}, or the line '{lack.line}' in the cell file"
+    told = asked(lack.reason, lack.close)
     if lack.section == "stubs":
         line = f"the line '{lack.line}' in the cell file"
-        return f"{glue} give the file that declares it, or take it as doing nothing: {line}"
+        return f"{told} give the file that declares it, or take it as doing nothing: {line}"
     if lack.section == "data" and not lack.declared:
-        return f"{glue} give the file that declares it, or its value: the line '{lack.line}' in the cell file"
-    return f"{glue} add the line '{lack.line}' to the cell file"
+        return f"{told} give the file that declares it, or its value: the line '{lack.line}' in the cell file"
+    return f"{told} add the line '{lack.line}' to the cell file"
+
+
+def asked(reason: str, close: str | None) -> str:
+    """What lacks and the name that may be meant, up to where the remedy begins."""
+    return f"{reason};" if close is None else f"{reason}; did you mean '{close}'? Else"
 
 
 class Lacking(InputErrorGroup):
@@ -140,7 +146,7 @@ def lacking(lacks: Sequence[Lack], after: InputError | None = None) -> Lacking:
     """One error per lack, each with the line to add. after: what the run with 0 in their place came to in the end."""
     errors = [
         InputError(
-            f"{lack.reason}{_remedy(lack)}",
+            _message(lack),
             file=lack.source.file,
             line=lack.source.line,
             column=lack.source.column,

@@ -36,5 +36,6 @@ def _pair(lack: Lack) -> str:
 
 def _comment(lack: Lack) -> str:
     """On one line, of signs that YAML takes in a comment."""
-    text = " ".join(f"{lack.source}, {lack.reason}".split())
+    meant = "" if lack.close is None else f"; did you mean '{lack.close}'?"
+    text = " ".join(f"{lack.source}, {lack.reason}{meant}".split())
     return "  # " + "".join(sign if sign.isprintable() else "?" for sign in text)

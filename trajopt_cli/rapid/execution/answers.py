@@ -61,11 +61,22 @@ def fill(run: Run, target: Expression, reason: str, default: Answer | None = Non
     return value
 
 
-def ask(run: Run, node: Node, name: str, type_: Type, reason: str, default: Answer | None = None) -> Value:
-    """The scenario's answer under name, as a value of a type. Records and arrays are answered as RAPID writes them."""
+def ask(
+    run: Run,
+    node: Node,
+    name: str,
+    type_: Type,
+    reason: str,
+    default: Answer | None = None,
+    close: str | None = None,
+) -> Value:
+    """The scenario's answer under name, as a value of a type. Records and arrays are answered as RAPID writes them.
+
+    reason, close: see Lack.
+    """
     if default is None:
         default = type_.default if isinstance(type_, Atomic) else _example(run, node, name, type_)
-    return typed(run, node, name, type_, run.world.answer(run, node, name, reason, default), "answer", "to")
+    return typed(run, node, name, type_, run.world.answer(run, node, name, reason, default, close), "answer", "to")
 
 
 @of_kind(ErrorKind.CELL)

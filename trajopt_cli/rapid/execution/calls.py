@@ -90,8 +90,8 @@ def _stub(run: Run, node: ProcedureCall) -> None:
         run.ignored[node.name] += 1
         return
     message = f"{node.name} is neither a procedure of the files read nor a known instruction"
-    reason = run.meant(node.name, message, [*INSTRUCTIONS, *run.routines("PROC")])
-    run.world.lack(run, "stubs", node.name, node, reason, "")
+    close = run.close(node.name, [*INSTRUCTIONS, *run.routines("PROC")])
+    run.world.lack(run, "stubs", node.name, node, message, "", close=close)
 
 
 def function(run: Run, node: Call, wanted: Type | None) -> Value:
@@ -113,8 +113,8 @@ def function(run: Run, node: Call, wanted: Type | None) -> Value:
     handler = _FUNCTIONS.get(node.name.lower())
     if handler is None:
         message = f"{node.name} is neither a function of the files read nor a known function"
-        reason = run.meant(node.name, message, [*FUNCTIONS, *run.routines("FUNC")])
-        return ask(run, node, node.name, wanted or NUM, reason)
+        close = run.close(node.name, [*FUNCTIONS, *run.routines("FUNC")])
+        return ask(run, node, node.name, wanted or NUM, message, close=close)
     try:
         value = handler(run, node)
     except Mismatch as error:

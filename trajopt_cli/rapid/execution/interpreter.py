@@ -120,9 +120,9 @@ class Run:
         known = (self.frame.local, scope.data, self.shared.data, self._predefined)
         message = f"{what}'{node.name}' is not declared in the program (looked for in {', '.join(where)}, "
         message += "the other modules' globals and the predefined data)"
-        reason = self.meant(node.name, message, [name for names in known for name in names])
+        close = self.close(node.name, [name for names in known for name in names])
         error = self.error(node, "")
-        return Undeclared(reason, file=error.file, line=error.line, column=error.column, excerpt=error.excerpt)
+        return Undeclared(message, close, file=error.file, line=error.line, column=error.column, excerpt=error.excerpt)
 
     def unknown(self, node: Node, name: str, message: str, names: Iterable[str]) -> InputError:
         """An InputError for a name that is not one of names."""
@@ -130,11 +130,14 @@ class Run:
 
     def meant(self, name: str, message: str, names: Iterable[str]) -> str:
         """The message, with the one of names that is spelled nearly like name."""
+        close = self.close(name, names)
+        return message if close is None else f"{message}; did you mean '{close}'?"
+
+    def close(self, name: str, names: Iterable[str]) -> str | None:
+        """The one of names that is spelled nearly like name; None for none, and for several."""
         spellings = {known.lower(): known for known in names}
         close = get_close_matches(name.lower(), spellings, n=2, cutoff=0.8)
-        if len(close) == 1:
-            return f"{message}; did you mean '{spellings[close[0]]}'?"
-        return message
+        return spellings[close[0]] if len(close) == 1 else None
 
     def routines(self, kind: str) -> list[str]:
         """The names, as spelled, of the routines that the code that runs now can see."""

@@ -60,6 +60,7 @@ class World:
         value: str,
         declared: bool = False,
         again: bool = False,
+        close: str | None = None,
     ) -> None:
         """Note that the scenario lacks something, once per name; see Lack for what the parts mean.
 
@@ -68,7 +69,7 @@ class World:
         key = (section, name.lower())
         if (again or key not in self.lacks) and not self._trying:
             excerpt = run.places().excerpt(node.start)
-            self.lacks[key] = Lack(section, name, run.source(node), reason, value, excerpt, declared)
+            self.lacks[key] = Lack(section, name, run.source(node), reason, value, excerpt, declared, close)
 
     @property
     def trying_now(self) -> bool:
@@ -221,12 +222,12 @@ class World:
         self._asked.add(("answers", name.lower()))
         return name.lower() in self._answers
 
-    def answer(self, run: Run, node: Node, name: str, reason: str, default: Answer) -> Answer:
+    def answer(self, run: Run, node: Node, name: str, reason: str, default: Answer, close: str | None = None) -> Answer:
         """The answer that is asked for under name; default stands in where the scenario has none."""
         self._asked.add(("answers", name.lower()))
         given = self._answers.get(name.lower())
         if given is None:
-            self.lack(run, "answers", name, node, reason, yaml_answer(default))
+            self.lack(run, "answers", name, node, reason, yaml_answer(default), close=close)
             return default
         return self._next("answers", name.lower(), given)
 
