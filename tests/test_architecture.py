@@ -17,6 +17,7 @@ FLOORS: tuple[tuple[str, ...], ...] = (
     ("errors", "units", "geometry", "beside", "door"),
     (
         "motion",
+        "notices",
         "limits",
         "trajectory",
         "scenario",
@@ -45,7 +46,8 @@ FLOORS: tuple[tuple[str, ...], ...] = (
 STACK = {
     "beside": {"errors"},
     "door": set[str](),
-    "motion": {"geometry"},
+    "motion": {"geometry", "notices"},
+    "notices": set[str](),
     "limits": {"geometry"},
     "trajectory": {"geometry"},
     "joint_csv": {"errors", "geometry", "trajectory", "units"},
@@ -231,6 +233,7 @@ SHARED: dict[str, tuple[str, ...]] = {
     "geometry": ("Array", "BoolArray", "IndexArray"),
     "limits": (),
     "motion": (),
+    "notices": (),
     "problem.plan": ("Target",),
     "shapes": (),
     "trajectory": ("Trajectory",),

@@ -2,14 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from enum import Enum
+
+
+class ErrorKind(Enum):
+    """What is wrong, so that nobody has to read it out of the words."""
+
+    PROGRAM = "program"  # its text, or what it does when run
+    CELL = "cell"  # the cell file, or what it does not say
+    ROBOT = "robot"  # a robot's own files
+    RESULTS = "results"  # a results folder, or a trajectory file
+    UNPLANNABLE = "unplannable"  # a program that can be read, with motions that no plan keeps
+    OPTION = "option"  # what was asked for: an argument, an option, a place to write to
 
 
 class InputError(Exception):
     """Something the user gave is wrong: one line with place, value, bound and next step. Exit code 2.
 
     file, line and column (1-based) are None where they do not apply. str() is the line to print. excerpt: the line of
-    the file with a caret below the place, where there is one; shown() has both.
+    the file with a caret below the place, where there is one; shown() has both. kind: where it is raised, or of the
+    innermost of_kind around that place; OPTION where neither says.
     """
 
     def __init__(
@@ -20,9 +34,25 @@ class InputError(Exception):
         line: int | None = None,
         column: int | None = None,
         excerpt: str | None = None,
+        kind: ErrorKind | None = None,
     ):
         super().__init__(message)
         self.message, self.file, self.line, self.column, self.excerpt = message, file, line, column, excerpt
+        self._kind = kind
+
+    @property
+    def kind(self) -> ErrorKind:
+        """What is wrong."""
+        return self._kind or ErrorKind.OPTION
+
+    def take(self, kind: ErrorKind) -> None:
+        """Be of a kind, unless it is of one already."""
+        self._kind = self._kind or kind
+
+    def saying(self, message: str) -> InputError:
+        """The same error in other words."""
+        place = {"file": self.file, "line": self.line, "column": self.column}
+        return InputError(message, **place, excerpt=self.excerpt, kind=self._kind)  # type: ignore[arg-type]
 
     def __str__(self) -> str:
         place = ":".join(str(part) for part in (self.file, self.line, self.column) if part is not None)
@@ -41,9 +71,29 @@ class InputErrorGroup(InputError):
         super().__init__(first.message, file=first.file, line=first.line, column=first.column, excerpt=first.excerpt)
         self.errors = tuple(errors)
 
+    @property
+    def kind(self) -> ErrorKind:
+        """Of the first of them."""
+        return self.errors[0].kind
+
+    def take(self, kind: ErrorKind) -> None:
+        """Let those of them that are of no kind yet be of this one."""
+        for error in self.errors:
+            error.take(kind)
+
     def __str__(self) -> str:
         return "\n".join(str(error) for error in self.errors)
 
     def shown(self) -> str:
         """All of them, each with its excerpt."""
         return "\n".join(error.shown() for error in self.errors)
+
+
+@contextmanager
+def of_kind(kind: ErrorKind) -> Iterator[None]:
+    """InputErrors that leave the block, or the function that this decorates, are of a kind unless they are of one."""
+    try:
+        yield
+    except InputError as error:
+        error.take(kind)
+        raise

@@ -34,11 +34,6 @@ def rotation_from_wxyz(quaternion: ArrayLike) -> Array:
     return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
 
 
-def rotation_from_xyzw(quaternion: ArrayLike) -> Array:
-    """Rotation matrix (..., 3, 3) of a unit quaternion (..., 4), scalar last (pin's order)."""
-    return rotation_from_wxyz(np.roll(np.asarray(quaternion, dtype=np.float64), 1, axis=-1))
-
-
 def wxyz_from_rotation(R: ArrayLike) -> Array:
     """Unit quaternion (..., 4), scalar first and not negative, of a rotation matrix (..., 3, 3)."""
     R = np.asarray(R, dtype=np.float64)

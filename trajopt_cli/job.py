@@ -8,8 +8,9 @@ from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING
 
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.motion import Move, Program
+from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.runs import RUN
 
 if TYPE_CHECKING:
@@ -65,7 +66,9 @@ def cell_path_for(programs: Sequence[Path]) -> Path:
         beside = first.with_name(f"{first.name}.yaml")
     inside = first / _INSIDE
     if inside.exists() and beside.exists():
-        raise InputError(f"has two cell files, {beside} and {inside}; say which by --cell", file=str(first))
+        raise InputError(
+            f"has two cell files, {beside} and {inside}; say which by --cell", file=str(first), kind=ErrorKind.CELL
+        )
     return inside if inside.exists() else beside
 
 
@@ -122,7 +125,8 @@ def read_job(
     path = cell or cell_path_for(paths)
     if cell is None and not path.exists():
         text = minimal_cell(paths[0].name or paths[0].resolve().name, robot_names(Structure.SIX_AXIS))
-        raise InputError(f"{paths[0]} has no cell file; save these lines there and adapt them:\n{text}", file=str(path))
+        message = f"{paths[0]} has no cell file; save these lines there and adapt them:\n{text}"
+        raise InputError(message, file=str(path), kind=ErrorKind.CELL)
     loaded = load_cell(path)
     scenario = scenario_of(loaded, assume_identity)
     plant = build_plant(loaded)
@@ -131,10 +135,12 @@ def read_job(
         from trajopt_cli.rapid.startable import moves_nothing
 
         message = f"{moves_nothing(flat)}; signal values in the cell file decide branches"
-        raise InputError(message, file=str(paths[0]))
-    check_plannable(flat, plant)
+        raise InputError(message, file=str(paths[0]), kind=ErrorKind.UNPLANNABLE)
+    with of_kind(ErrorKind.UNPLANNABLE):
+        check_plannable(flat, plant)
+    doubts = (Notice(NoticeKind.DOUBTFUL, text) for text in rail_doubts(flat, plant))
     return Job(
-        program=replace(flat, warnings=(*flat.warnings, *rail_doubts(flat, plant))),
+        program=replace(flat, warnings=(*flat.warnings, *doubts)),
         cell=loaded,
         plant=plant,
         scenario=scenario,
@@ -152,7 +158,8 @@ def read_results_job(folder: Path, judged: bool = False) -> Job:
     """
     from trajopt_cli.runs.results import read_results
 
-    results = read_results(folder, judged)
+    with of_kind(ErrorKind.RESULTS):
+        results = read_results(folder, judged)
     return read_job(results.modules, results.cell, results.entry, results.assume_identity)
 
 

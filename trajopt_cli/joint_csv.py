@@ -14,7 +14,7 @@ from decimal import Decimal, InvalidOperation
 
 import numpy as np
 
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.units import DEG, MM
@@ -63,6 +63,7 @@ def write_csv_text(trajectory: Trajectory) -> str:
     return "\n".join(lines) + "\n"
 
 
+@of_kind(ErrorKind.RESULTS)
 def read_csv_text(text: str, file: str) -> tuple[Trajectory, Resolution]:
     """The trajectory of a CSV text in SI, and how finely it is printed. file is for messages.
 

@@ -15,7 +15,8 @@ class JointLimits:
     """Limits of all axes in the robot's order (rail first), rad or m: position, speed [1/s], acceleration [1/s2].
 
     jerk [1/s3]: None where the robot's profile gives none; it binds nothing but the motions made with it.
-    sources maps "joint_3.acceleration" to where the number comes from and its grade.
+    sources maps "joint_3.acceleration" to where the number comes from and its grade in words; grades to the grade, A to
+    D, of a number of the robot's own files.
     """
 
     names: tuple[str, ...]
@@ -25,6 +26,7 @@ class JointLimits:
     acceleration: Array
     sources: Mapping[str, str] = field(default_factory=dict)
     jerk: Array | None = None
+    grades: Mapping[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         for name in ("lower", "upper", "velocity", "acceleration", "jerk"):

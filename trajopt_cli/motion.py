@@ -1,7 +1,7 @@
 """What a robot program asks for, as flat data: moves, waits and signals in program order, each with its place.
 
 SI units. Frames: W world, F flange (tool0), T tool centre point, O work object; X_AB is frame B seen from A, (4, 4).
-Floor 1: no project imports but geometry.
+Floor 1: no project imports but geometry and notices.
 """
 
 from __future__ import annotations
@@ -12,17 +12,8 @@ from enum import Enum
 from typing import NamedTuple
 
 from trajopt_cli.geometry import Array, readonly
-
-
-class Source(NamedTuple):
-    """A place in a program: file as the user gave it, line and column counted from 1."""
-
-    file: str
-    line: int
-    column: int
-
-    def __str__(self) -> str:
-        return f"{self.file}:{self.line}:{self.column}"
+from trajopt_cli.notices import Notice
+from trajopt_cli.notices import Source as Source
 
 
 class Span(NamedTuple):
@@ -161,6 +152,14 @@ class Settings:
 DEFAULT_SETTINGS = Settings()
 
 
+class Hold(Enum):
+    """Who says that the rail stands still during a motion: a comment, the cell file, or an output set just before."""
+
+    PROGRAM = "program"
+    CELL = "cell"
+    GRIPPER = "gripper"
+
+
 class Happens(Enum):
     """What a path event is."""
 
@@ -203,7 +202,8 @@ class _Move:
 
     target: as written. extax: as the controller drives them, offsets included. duration: the programmed \T in s.
     optional: it may be dropped. settings: the modal state. events: what happens on the way. process: the instruction
-    where it is none of the four plain moves.
+    where it is none of the four plain moves. hold: why the rail must stand still from this move's start to its end,
+    None where it may move.
     """
 
     source: Source
@@ -217,6 +217,7 @@ class _Move:
     settings: Settings = DEFAULT_SETTINGS
     events: tuple[PathEvent, ...] = ()
     process: Process | None = None
+    hold: Hold | None = None
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -275,12 +276,16 @@ class MoveExtJ(_Move):
 
 @dataclass(frozen=True, kw_only=True)
 class Wait:
-    """Standing still. duration [s]: exact when condition is None; else the least time until the condition holds."""
+    """Standing still. duration [s]: exact when condition is None; else the least time until the condition holds.
+
+    hold: why the rail must stand still as well, None where it may move.
+    """
 
     source: Source
     written: Written
     duration: float
     condition: str | None = None
+    hold: Hold | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -319,7 +324,7 @@ class Program:
     name: str
     motions: tuple[Motion, ...]
     files: Mapping[str, TextFile]
-    warnings: tuple[str, ...] = field(default=())
+    warnings: tuple[Notice, ...] = field(default=())
     entry: str = "main"
     ignored: Mapping[str, int] = field(default_factory=dict)
     uncalled: tuple[str, ...] = ()

@@ -11,9 +11,10 @@ from time import perf_counter
 from typing import TYPE_CHECKING
 
 from trajopt_cli.beside import Beside, cores
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.job import Job, read_results_job
 from trajopt_cli.motion import Program, TextFile, Wait
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
@@ -222,7 +223,8 @@ def _files(
 
 def _one_way(job: Job, export: RapidExport | None) -> Iterator[str]:
     """A word on an endless loop that was run once, where the plan changes the program."""
-    once = any(warning.endswith("after 1 pass (endless_passes)") for warning in job.program.warnings)
+    ended = any(warning.kind is NoticeKind.ENDLESS for warning in job.program.warnings)
+    once = ended and job.scenario.endless_passes == 1
     changed = export is None or any(text != job.program.files[path].text for path, text in export.texts.items())
     if once and changed:
         yield "the way from the end of the loop back to its beginning is planned only with endless_passes: 2 or more"
@@ -231,8 +233,8 @@ def _one_way(job: Job, export: RapidExport | None) -> Iterator[str]:
 def _placed(export: RapidExport, folder: Path) -> Iterator[str]:
     """The notes of an export, with each new module called by the place where it is now."""
     for note in export.notes:
-        path = next((path for path in export.new if note.startswith(f"{path}:")), None)
-        yield note if path is None else f"{folder / _place_of_new(path)}{note.removeprefix(path)}"
+        new = note.kind is NoticeKind.NEW_MODULE
+        yield str(replace(note, place=f"{folder / _place_of_new(str(note.place))}") if new else note)
 
 
 def _place_of_new(path: str) -> str:
@@ -338,6 +340,7 @@ def _writable(job: Job) -> tuple[frozenset[int], tuple[str, ...]]:
     return free, kept_notes(job.program, job.plant, reading, free)
 
 
+@of_kind(ErrorKind.RESULTS)
 def verify_results(folder: Path) -> tuple[Job, dict[str, Report]]:
     """Judge the CSV files of a results folder against the program and cell inside it; reports by file name."""
     results = read_results(folder, judged=True)
@@ -356,6 +359,7 @@ def verify_file(path: Path, job: Job) -> Report:
     return judge(job.plant, job.program, _text(path), str(path))
 
 
+@of_kind(ErrorKind.RESULTS)
 def joint_export(folder: Path, rate: float) -> tuple[Results, Trajectory, str]:
     """The chosen target's motion of a results folder at rate [Hz], as trajectory and as CSV text."""
     from trajopt_cli.export.joint import resample
@@ -399,7 +403,7 @@ def _notices(job: Job) -> tuple[str, ...]:
             f"{len(waits)} waits for signals are counted with the least time the cell gives them, {least:g} s in all: "
             "the cycle times are plus waiting"
         )
-    return (*job.program.warnings, *out, *planned_otherwise(job.program))
+    return (*map(str, job.program.warnings), *out, *planned_otherwise(job.program))
 
 
 def judge(

@@ -7,10 +7,33 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from trajopt_cli.errors import InputError, InputErrorGroup
+from trajopt_cli.errors import ErrorKind, InputError, InputErrorGroup
 from trajopt_cli.motion import Source
 
 Answer = float | bool | str
+
+
+@dataclass(frozen=True)
+class Given:
+    """A value of data, or a sequence. type: RAPID's name for it, None where the program or the value itself tells."""
+
+    value: Answer | tuple[Answer, ...]
+    type: str | None = None
+
+
+@dataclass(frozen=True)
+class HoldRail:
+    """Where the rail must stand still, because a process runs or a gripper works.
+
+    procedures: while these run, with all that they call; names in lower case. lines: while the statements that begin
+    there run; (file, line), file as a path or the end of one, None for the only file. waits: during every wait.
+    gripper: during a wait that begins at most 0.1 s after an output was set.
+    """
+
+    procedures: frozenset[str] = frozenset()
+    lines: frozenset[tuple[str | None, int]] = frozenset()
+    waits: bool = False
+    gripper: bool = True
 
 
 @dataclass(frozen=True)
@@ -19,17 +42,19 @@ class Scenario:
 
     signals: value per signal, or a sequence of which each reading takes the next; the last one stays. answers: the same
     for operator input, sockets, files and clocks, by the name of the variable that gets the answer, or of the function
-    where it has none. waits: least duration [s] per signal or condition as written (see condition_key), or None for one
-    that never comes true, so that its time-out strikes. searches: where a search hits, as a share 0..1 of its way, or
-    None for never, by signal or by the name of its SearchPoint. endless_passes: how often a loop that cannot end runs
-    before the program is taken to be over. pass_limit: how often any other loop may run, and statement_limit how many
-    statements, passes, calls and changes of large data in all, before the reader gives up. assume_identity: tools, work
-    objects and mechanical units that are taken as the identity where the program does not declare them. stubs:
-    procedures that are taken as doing nothing where no file declares them.
+    where it has none. data: the same for data that the program does not declare, or that somebody outside writes.
+    waits: least duration [s] per signal or condition as written (see condition_key), or None for one that never comes
+    true, so that its time-out strikes. searches: where a search hits, as a share 0..1 of its way, or None for never, by
+    signal or by the name of its SearchPoint. endless_passes: how often a loop that cannot end runs before the program
+    is taken to be over. pass_limit: how often any other loop may run, and statement_limit how many statements, passes,
+    calls and changes of large data in all, before the reader gives up. assume_identity: tools, work objects and
+    mechanical units that are taken as the identity where the program does not declare them. stubs: procedures that are
+    taken as doing nothing where no file declares them. hold_rail: where the rail stands still.
     """
 
     signals: Mapping[str, float | tuple[float, ...]] = field(default_factory=dict)
     answers: Mapping[str, Answer | tuple[Answer, ...]] = field(default_factory=dict)
+    data: Mapping[str, Given] = field(default_factory=dict)
     waits: Mapping[str, float | None] = field(default_factory=dict)
     searches: Mapping[str, float | None] = field(default_factory=dict)
     endless_passes: int | None = None
@@ -37,6 +62,7 @@ class Scenario:
     statement_limit: int = 1_000_000
     assume_identity: frozenset[str] = frozenset()
     stubs: frozenset[str] = frozenset()
+    hold_rail: HoldRail = HoldRail()
 
 
 LONGEST_WAIT = 1_000_000  # [s]; what is longer is a slip, and swamps every other time of the cycle
@@ -49,9 +75,10 @@ _SHOWN = 200  # characters of a value in a message; a template has all of it
 class Lack:
     """Something the scenario must say, once per name.
 
-    section: the key of the cell file it belongs under ("signals", "answers", "searches", "endless_passes",
+    section: the key of the cell file it belongs under ("signals", "answers", "data", "searches", "endless_passes",
     "assume_identity", "stubs"). name: as the program spells it. source: the place that asked first. reason: what asked,
     in words. value: a value to begin with, as YAML. excerpt: the line of the source with a caret, to be shown.
+    declared: whether the program declares it, so that no other file can. close: the known name that may be meant.
     """
 
     section: str
@@ -60,6 +87,8 @@ class Lack:
     reason: str
     value: str
     excerpt: str | None = field(default=None, compare=False)
+    declared: bool = False
+    close: str | None = None
 
     @property
     def line(self) -> str:
@@ -88,14 +117,21 @@ def yaml_answer(value: Answer) -> str:
     return repr(value).removesuffix(".0") if isinstance(value, float) else json.dumps(value, ensure_ascii=False)
 
 
-def _remedy(lack: Lack) -> str:
+def _message(lack: Lack) -> str:
     if lack.section == "assume_identity":  # the reason ends with the option that does the same
-        return f", or the line '{lack.line}' in the cell file"
-    glue = " Else" if lack.reason.endswith("?") else ";"
+        return f"{lack.reason}, or the line '{lack.line}' in the cell file"
+    told = asked(lack.reason, lack.close)
     if lack.section == "stubs":
         line = f"the line '{lack.line}' in the cell file"
-        return f"{glue} give the file that declares it, or take it as doing nothing: {line}"
-    return f"{glue} add the line '{lack.line}' to the cell file"
+        return f"{told} give the file that declares it, or take it as doing nothing: {line}"
+    if lack.section == "data" and not lack.declared:
+        return f"{told} give the file that declares it, or its value: the line '{lack.line}' in the cell file"
+    return f"{told} add the line '{lack.line}' to the cell file"
+
+
+def asked(reason: str, close: str | None) -> str:
+    """What lacks and the name that may be meant, up to where the remedy begins."""
+    return f"{reason};" if close is None else f"{reason}; did you mean '{close}'? Else"
 
 
 class Lacking(InputErrorGroup):
@@ -110,11 +146,12 @@ def lacking(lacks: Sequence[Lack], after: InputError | None = None) -> Lacking:
     """One error per lack, each with the line to add. after: what the run with 0 in their place came to in the end."""
     errors = [
         InputError(
-            f"{lack.reason}{_remedy(lack)}",
+            _message(lack),
             file=lack.source.file,
             line=lack.source.line,
             column=lack.source.column,
             excerpt=lack.excerpt,
+            kind=ErrorKind.CELL,
         )
         for lack in lacks
     ]

@@ -27,6 +27,9 @@ from pathlib import Path
 from time import perf_counter
 
 sys.path.insert(0, str(Path(__file__).parents[2]))  # run from a checkout without installing
+sys.path.insert(0, str(Path(__file__).parents[1] / "rapid"))
+
+from rapid_printer import print_file
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import TextFile
@@ -36,7 +39,6 @@ from trajopt_cli.rapid.execution.functions.table import FUNCTIONS
 from trajopt_cli.rapid.execution.instructions.table import INSTRUCTIONS
 from trajopt_cli.rapid.language.lexer import KEYWORDS
 from trajopt_cli.rapid.language.parser import parse_module
-from trajopt_cli.rapid.language.printer import print_file
 from trajopt_cli.rapid.language.text import decode
 from trajopt_cli.rapid.listing import describe
 from trajopt_cli.rapid.reader import try_program

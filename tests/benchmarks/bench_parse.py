@@ -51,6 +51,7 @@ def generate(shape, count):
 
 def measure(shape, count):
     """Seconds of processor of each step, peak memory [MiB], in this process."""
+    from trajopt_cli.cli.process import reading
     from trajopt_cli.motion import TextFile
     from trajopt_cli.rapid.language.parser import parse_module
     from trajopt_cli.rapid.reader import run_program
@@ -61,12 +62,13 @@ def measure(shape, count):
     json.loads(f"[{','.join(targets)}]")
     steps["json"] = process_time() - start
     del targets
-    start = process_time()
-    parse_module(text, "big.mod")
-    steps["parse"] = process_time() - start
-    start = process_time()
-    program = run_program([TextFile("big.mod", text, "utf-8")])
-    steps["all"] = process_time() - start
+    with reading():  # as the command does
+        start = process_time()
+        parse_module(text, "big.mod")
+        steps["parse"] = process_time() - start
+        start = process_time()
+        program = run_program([TextFile("big.mod", text, "utf-8")])
+        steps["all"] = process_time() - start
     assert len(program.motions) == count
     steps["peak"] = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
     return steps

@@ -224,7 +224,7 @@ def test_estimated_accelerations_are_said_and_measured_ones_are_not() -> None:
             "cell.yaml:1: broken YAML: expected <block end>, but found '<scalar>'; a list with a unit goes in quotes, "
             '"[0, 30] deg"',
         ),
-        ("", "cell.yaml:1: holds no 'key: value' lines; robot and start are needed at least"),
+        ("", "cell.yaml:1: holds no 'key: value' lines; at least robot and start are needed"),
         ("1: 2\n", "cell.yaml:1: key 1 is not text; put it in quotes"),
         ("robot: 2020-01-02\n", "cell.yaml:1: robot: 2020-01-02 is not a number, text, list or section"),
         (

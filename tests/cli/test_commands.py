@@ -163,7 +163,7 @@ def test_an_illegal_plan_is_never_a_result(program: Path, planner: Planner, caps
     before = content(Path("results/tiny"))
     planner.speed = 2.0
     assert run(["optimize", str(program)]) == 1
-    assert "NOTHING WRITTEN: the judge forbids the stream plan:" in capsys.readouterr().err
+    assert "NOTHING WRITTEN: the judge rejects the stream plan:" in capsys.readouterr().err
     assert content(Path("results/tiny")) == before
 
 
@@ -597,7 +597,7 @@ def test_pictures_are_drawn_on_request_and_belong_to_the_folder(
     ("options", "line"),
     [
         (["--csv", "."], ".: is a folder; --csv names a file"),
-        (["--csv", "nowhere/x.csv"], "nowhere: is no folder to write into; make it or correct --csv"),
+        (["--csv", "nowhere/x.csv"], "nowhere: is not a folder to write to; make it or correct --csv"),
         (["--plots", "tiny.mod"], "tiny.mod: is a file; --plots names a folder"),
     ],
 )

@@ -53,4 +53,4 @@ def test_a_name_that_nothing_asks_for_is_said(program: Path, capsys: pytest.Capt
     program.write_text(program.read_text().replace("fine, tool0", "fine, tGun"))
     assert run(["parse", str(program), "--assume-identity", "TGUN", "--assume-identity", "tGum"]) == 0
     said = [line for line in capsys.readouterr().out.splitlines() if "--assume-identity" in line]
-    assert said == ["warning: --assume-identity tgum: the program asks for no such tool, work object or unit"]
+    assert said == ["warning: --assume-identity tgum: the program uses no such tool, work object or unit"]

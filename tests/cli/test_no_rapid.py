@@ -12,6 +12,7 @@ from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError
 from trajopt_cli.export.rapid_write import RapidExport
 from trajopt_cli.motion import TextFile
+from trajopt_cli.notices import Notice, NoticeKind
 
 REASON = "tiny.mod:6:9: cannot carry it"
 
@@ -52,7 +53,7 @@ def test_a_diff_without_changes_says_why(program: Path, planner: Planner, capsys
     assert run(["optimize", str(program)]) == 0
     capsys.readouterr()
     assert run(["export", "rapid", "results/tiny", "--diff"]) == 0
-    assert capsys.readouterr() == ("", "no change: the plan needs nothing else than the program says\n")
+    assert capsys.readouterr() == ("", "no change: the plan needs no change to the program\n")
 
 
 def test_moves_kept_as_programmed_are_told_by_a_diff_without_changes(
@@ -72,7 +73,7 @@ def test_a_new_module_is_called_by_its_place(
     program: Path, planner: Planner, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     flat = TextFile("main_flat.mod", "MODULE main_flat\nENDMODULE\n", "utf-8")
-    notes = ("main_flat.mod: a new module; load it with the program",)
+    notes = (Notice(NoticeKind.NEW_MODULE, "a new module; load it with the program", "main_flat.mod"),)
     export = RapidExport({"tiny.mod": program.read_text()}, notes, {flat.path: flat})
     monkeypatch.setattr("trajopt_cli.export.rapid.export_rapid", lambda *_: export)
     assert run(["optimize", str(program)]) == 0

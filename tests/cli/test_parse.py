@@ -325,7 +325,7 @@ def test_what_lacks_is_named_once_each_and_the_template_is_offered(
     assert captured.out == ""
     *lines, last = captured.err.splitlines()
     assert re.findall(r"^a\.mod:\d+:\d+:", "\n".join(lines), re.MULTILINE) == ["a.mod:4:12:", "a.mod:5:12:"]
-    assert last == "'trajopt parse a.mod --scenario-template' prints the lines that the cell file lacks"
+    assert last == "'trajopt parse a.mod --scenario-template' prints the lines missing from the cell file"
 
 
 def test_the_template_makes_the_program_run(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -337,7 +337,7 @@ def test_the_template_makes_the_program_run(here: Path, capsys: pytest.CaptureFi
     assert run(["parse", "a.mod", "--scenario-template"]) == 0
     captured = capsys.readouterr()
     assert captured.out == ""
-    assert captured.err == "nothing lacking: the program runs with what the cell file says\n"
+    assert captured.err == "nothing is missing: the program runs with this cell file\n"
 
 
 def test_a_run_that_ends_in_an_error_still_tells_what_lacks(here: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -347,7 +347,7 @@ def test_a_run_that_ends_in_an_error_still_tells_what_lacks(here: Path, capsys: 
     lines = capsys.readouterr().err.splitlines()
     assert lines[0].startswith("a.mod:4:15: 'di_left' is not declared")
     assert any("WaitTime -1 s must not be negative" in line for line in lines)
-    assert lines[-1].endswith("--scenario-template' prints the lines that the cell file lacks")
+    assert lines[-1].endswith("--scenario-template' prints the lines missing from the cell file")
     assert "di_left: 0" in printed(capsys, "a.mod", "--scenario-template")
 
 

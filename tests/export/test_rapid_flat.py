@@ -71,7 +71,7 @@ def test_a_loop_that_cannot_carry_the_plan_is_written_flat(plant: Plant) -> None
         "        trajopt_flat_1;",
     ]
     assert "            ! n:=n+1; ! count\n" in export.texts["m.mod"]
-    assert export.notes[-2:] == (
+    assert tuple(map(str, export.notes))[-2:] == (
         "m.mod:8: 'FOR i FROM 0 TO 1 DO MoveJ Offs(p1,0,...' is written flat as trajopt_flat_1; "
         "not carried over: assignments, TPWrite",
         "main_flat.mod: a new module; load it with the program",

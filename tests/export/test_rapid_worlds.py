@@ -14,7 +14,7 @@ from trajopt_cli.export.rapid_writable import KEPT, kept_notes, writable
 from trajopt_cli.motion import Program
 from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.rapid.reader import run_program
-from trajopt_cli.scenario import Answer, Scenario
+from trajopt_cli.scenario import Answer, Given, Scenario
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 ASK = '        TPReadFK n,"?","a",stEmpty,stEmpty,stEmpty,"b";\n'
@@ -55,6 +55,16 @@ def test_a_target_is_pinned_by_what_it_hangs_on_only(plant: Plant, body: str, an
     assert writable(program, plant, Reading(program, plant, scenario)) == free
     rails = {i: 0.2 if i not in free else 0.3 + i / 10 for i in range(len(program.motions))}
     assert export_rapid(program, plan_for(program, plant, rails), plant, scenario=scenario).texts
+
+
+@pytest.mark.parametrize(
+    ("value", "up"),
+    [(Given(30.0), "h"), (Given((30.0, 40.0)), "h"), (Given("[30,40]"), "h{1}"), (Given("[30,40]"), "h{2}")],
+)
+def test_a_target_that_hangs_on_data_of_the_cell_file_is_pinned(plant: Plant, value: Given, up: str) -> None:
+    scenario = Scenario(data={"h": value})
+    program = asking(UP.replace("50", up) + J1, scenario)
+    assert writable(program, plant, Reading(program, plant, scenario)) == {1}
 
 
 ARRAY = (

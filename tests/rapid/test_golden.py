@@ -142,7 +142,7 @@ def test_program_comes_to(name: str) -> None:
         if key in content:
             assert differs(record[key], content[key], key, False) == [], json.dumps(record[key], indent=1)
     if "warnings" in content:
-        assert unmatched(list(program.warnings), content["warnings"]) == [], program.warnings
+        assert unmatched([*map(str, program.warnings)], content["warnings"]) == [], tuple(map(str, program.warnings))
 
 
 def test_every_program_has_its_expectation_and_the_other_way_round() -> None:

@@ -446,8 +446,15 @@ def test_a_target_without_external_axes_is_told_about_the_rail() -> None:
 @pytest.mark.parametrize("name", ["pPick", "m.x", "x{1}"])
 def test_a_name_that_is_declared_nowhere_asks_for_its_file(name: str) -> None:
     message = refused(f"MoveL {name},v100,fine,tool0;").message
-    assert message.startswith(("robtarget 'pPick' is not declared in the program", "'m' is", "'x' is"))
-    assert message.endswith("; give the file that declares it")
+    value = "[[0,0,0],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
+    beginning, line = {
+        "pPick": ("robtarget 'pPick'", f'data: {{pPick: "{value}"}}'),
+        "m.x": ("'m'", None),  # no record has an x that is a robtarget
+        "x{1}": ("array of unknown size 'x'", f'data: {{x: "[{value}]"}}'),
+    }[name]
+    assert message.startswith(f"{beginning} is not declared in the program")
+    end = f", or its value: the line '{line}' in the cell file" if line else ""
+    assert message.endswith(f"; give the file that declares it{end}")
 
 
 @pytest.mark.parametrize(
@@ -492,7 +499,9 @@ def test_one_rough_orientation_is_told_once_however_often_it_is_shifted() -> Non
     text = f"MODULE m\nCONST robtarget p:={target};\nPROC main()\n"
     text += "".join(f"MoveL Offs(p,{shift},0,0),v100,fine,tool0;\n" for shift in range(3))
     program = run_program([TextFile("m.mod", f"{text}ENDPROC\nENDMODULE\n", "utf-8")])
-    assert program.warnings == ("m.mod:4:7: Offs(p,0,0,0) has an orientation of length 1.004092; taken as 1",)
+    assert tuple(map(str, program.warnings)) == (
+        "m.mod:4:7: Offs(p,0,0,0) has an orientation of length 1.004092; it is normalised",
+    )
 
 
 @pytest.mark.parametrize(

@@ -132,11 +132,11 @@ def test_a_pose_written_as_a_string_is_what_one_would_write() -> None:
     [
         ("BitAnd(256,1)", "an argument of BitAnd is 256, and must lie in 0..255"),
         ("BitAnd(1.5,1)", "an argument of BitAnd must be a whole number, found 1.5"),
-        ('StrFind("abc",5,"a")', "position 5 lies outside the string's 1..3"),
-        ('StrLen(StrPart("abc",2,3))', "3 characters from 2 lie outside the string's 1..3"),
-        ('StrToByte("999")', 'StrToByte: "999" is no byte 0..255'),
-        ('StrToByte("AB"\\Char)', 'StrToByte: "AB" is no byte 0..255'),
-        ('StrLen(HexToDec("XY"))', 'HexToDec: "XY" is no whole number to the base 16'),
+        ('StrFind("abc",5,"a")', "position 5 lies outside the string, 1..3"),
+        ('StrLen(StrPart("abc",2,3))', "3 characters from 2 lie outside the string, 1..3"),
+        ('StrToByte("999")', 'StrToByte: "999" is not a byte from 0 to 255'),
+        ('StrToByte("AB"\\Char)', 'StrToByte: "AB" is not a byte from 0 to 255'),
+        ('StrLen(HexToDec("XY"))', 'HexToDec: "XY" is not a whole number in base 16'),
         (
             'StrLen(StrMap("a","ab","x"))',
             "FromMap has 2 characters and ToMap 1; they stand for each other one by one",
@@ -213,7 +213,7 @@ def test_a_parameter_knows_what_it_stands_for() -> None:
     assert called("show count,2*count;", routine, "PERS num count:=0;") == [1, 2, 3]
     assert called("pass count;", routine, "VAR num count;") == [1, 4]
     assert called("show c{2},0;", routine, "VAR num c{3};") == [4]
-    with pytest.raises(InputError, match="count is no parameter of the routine"):
+    with pytest.raises(InputError, match="count is not a parameter of the routine"):
         called('IF ArgName(count)="" WaitTime 1;', "", "VAR num count;")
 
 

@@ -179,14 +179,17 @@ def test_offsets_and_displacement_are_taken_out_of_where_the_robot_is() -> None:
 def test_a_configuration_that_cannot_be_had_gives_the_nearest_and_says_so() -> None:
     body = f"j:=CalcJointT([[515,200,712],[0.7071,0,0.7071,0],[3,3,3,3],{N}],tool0); MoveAbsJ j,v100,fine,tool0;"
     program = run_main(body, "VAR jointtarget j;", robot())
-    assert any("has no posture with confdata [3,3,3,3]; the nearest one is taken" in text for text in program.warnings)
+    assert any(
+        "has no posture with confdata [3,3,3,3]; the nearest one is taken" in text
+        for text in tuple(map(str, program.warnings))
+    )
 
 
 @pytest.mark.parametrize(("switch", "warnings"), [("ConfL\\On;", 1), ("ConfL\\Off;", 0), ("ConfJ\\Off;", 1)])
 def test_the_configuration_counts_where_the_move_holds_to_it(switch: str, warnings: int) -> None:
     move = f"MoveL [[515,200,712],[0.7071,0,0.7071,0],[3,3,3,3],{N}],v100,fine,tool0;"
     program = run_main(f"{switch} {move} j:=CJointT();", "VAR jointtarget j;", robot())
-    assert sum("has no posture with confdata" in text for text in program.warnings) == warnings
+    assert sum("has no posture with confdata" in text for text in tuple(map(str, program.warnings))) == warnings
 
 
 def test_an_axis_without_a_position_stays_where_it_was() -> None:

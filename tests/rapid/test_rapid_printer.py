@@ -9,12 +9,12 @@ from typing import Any, TypeVar
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from rapid_printer import print_expression, print_file, print_statement
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.rapid.language.expressions import PRIORITY, parse_expression
 from trajopt_cli.rapid.language.lexer import KEYWORDS
 from trajopt_cli.rapid.language.parser import Parser, parse_module, parse_statement
-from trajopt_cli.rapid.language.printer import print_expression, print_file, print_statement
 from trajopt_cli.rapid.language.syntax import (
     Aggregate,
     AliasDeclaration,

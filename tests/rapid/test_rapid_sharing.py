@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 import gc
+import os
+import signal
+import sys
+import threading
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,7 +15,8 @@ from scipy.spatial.transform import Rotation
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import MoveL, Program, TextFile
-from trajopt_cli.rapid.reader import run_program
+from trajopt_cli.rapid.execution.room import room
+from trajopt_cli.rapid.reader import read_program, run_program
 
 _DATA = """
 CONST robtarget p:=[[100,200,300],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
@@ -122,16 +128,49 @@ def test_a_run_leaves_nothing_to_the_collector(count: int) -> None:
         gc.enable()
 
 
-@pytest.mark.parametrize("body", [_MOVE, "MoveL nowhere,s,z,t;\n", "MoveL p s;\n"])
+def _process() -> list[object]:
+    """What a library must leave to the process that it runs in."""
+    handlers = [signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM, signal.SIGALRM)]
+    collector = (gc.isenabled(), gc.get_threshold(), gc.get_freeze_count())
+    return [collector, sys.getrecursionlimit(), dict(os.environ), handlers, np.geterr(), threading.active_count()]
+
+
+@pytest.mark.parametrize(
+    ("body", "count"),
+    [
+        (_MOVE, 1),
+        ("FOR i FROM 1 TO 10001 DO WaitTime 0; ENDFOR", 10_001),
+        ("MoveL nowhere,s,z,t;", 0),
+        ("MoveL p s;", 0),
+    ],
+)
 @pytest.mark.parametrize("collecting", [True, False])
-def test_the_collector_is_left_as_it_was(body: str, collecting: bool) -> None:
+def test_reading_leaves_the_process_as_it_was(tmp_path: Path, body: str, count: int, collecting: bool) -> None:
+    path = tmp_path / "m.mod"
+    path.write_text(f"MODULE m\n{_DATA}PROC main()\n{body}\nENDPROC\nENDMODULE\n")
     if not collecting:
         gc.disable()
     try:
+        before = _process()
         try:
-            _run(body)
+            assert len(read_program(path).motions) == count
         except InputError:
-            assert body != _MOVE
-        assert gc.isenabled() is collecting
+            assert count == 0
+        assert _process() == before
     finally:
         gc.enable()
+
+
+def test_the_limit_of_nesting_is_back_once_the_last_thread_has_left() -> None:
+    before = sys.getrecursionlimit()  # a command that ran in this process has raised it for good
+    sys.setrecursionlimit(5_000)
+    try:
+        first, second = room(), room()
+        first.__enter__()
+        second.__enter__()
+        first.__exit__(None, None, None)
+        assert sys.getrecursionlimit() > 5_000  # the second still needs it
+        second.__exit__(None, None, None)
+        assert sys.getrecursionlimit() == 5_000
+    finally:
+        sys.setrecursionlimit(before)

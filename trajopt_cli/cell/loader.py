@@ -10,10 +10,10 @@ import numpy as np
 
 from trajopt_cli.cell.document import CellDocument, FrameSection, SolidSection
 from trajopt_cli.cell.model import Cell, LimitOverride, Rail
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, pose, rotation_about, rotation_from_wxyz
 from trajopt_cli.limits import TcpCaps
-from trajopt_cli.scenario import Scenario, condition_key
+from trajopt_cli.scenario import Given, HoldRail, Scenario, condition_key
 from trajopt_cli.shapes import Box, Capsule, MeshFile, Solid
 from trajopt_cli.yaml_file import line_of, parse, read_text, validated
 
@@ -21,6 +21,7 @@ _Value = TypeVar("_Value")
 _EXTERNAL_AXES = "abcdef"
 
 
+@of_kind(ErrorKind.CELL)
 def load_cell(path: str | Path) -> Cell:
     """Read the cell file at path (UTF-8 YAML).
 
@@ -31,9 +32,10 @@ def load_cell(path: str | Path) -> Cell:
     return parse_cell(read_text(path, "cell file"), file)
 
 
+@of_kind(ErrorKind.CELL)
 def parse_cell(text: str, file: str) -> Cell:
     """The Cell in a cell file's text; file is its name in messages. Raises InputError as load_cell does."""
-    content, lines = parse(text, file, "robot and start are needed at least")
+    content, lines = parse(text, file, "at least robot and start are needed")
     document = validated(CellDocument, content, lines, file, _WANTED)
     return _cell(document, file, lines)
 
@@ -85,6 +87,7 @@ def _scenario(document: CellDocument, file: str, lines: Mapping[str, int]) -> Sc
     return Scenario(
         signals=by("signals", document.signals),
         answers=by("answers", document.answers),
+        data=by("data", {name: Given(one.value, one.type) for name, one in document.data.items()}),
         waits=by("waits", document.waits, condition_key),
         searches=by("searches", document.searches),
         endless_passes=document.endless_passes,
@@ -92,6 +95,12 @@ def _scenario(document: CellDocument, file: str, lines: Mapping[str, int]) -> Sc
         statement_limit=document.statement_limit,
         assume_identity=frozenset(by("assume_identity", dict.fromkeys(document.assume_identity))),
         stubs=frozenset(by("stubs", dict.fromkeys(document.stubs))),
+        hold_rail=HoldRail(
+            frozenset(name.lower() for name in document.hold_rail.procedures),
+            frozenset(document.hold_rail.lines),
+            document.hold_rail.waits,
+            document.hold_rail.gripper,
+        ),
     )
 
 
@@ -127,6 +136,8 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         raise cell.error("base", "a robot on a rail is placed by rail.frame; remove one of the two")
     if cell.rail is not None and cell.start_rail is None:
         raise cell.error("start.rail", "is missing; give the rail's position at the start, in m")
+    if cell.rail is None and "hold_rail" in document.model_fields_set:
+        raise cell.error("hold_rail", "there is no rail; remove it or add a rail section")
     if cell.rail is None and cell.start_rail is not None:
         raise cell.error("start.rail", "there is no rail; remove it or add a rail section")
     for name in document.attached:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.scenario import Scenario
@@ -78,7 +78,7 @@ class Cell:
 
     def error(self, key: str, message: str) -> InputError:
         """The error message about key, placed at its line in the cell file (or at its closest parent's)."""
-        return InputError(f"{key}: {message}", file=self.file, line=line_of(key, self.lines))
+        return InputError(f"{key}: {message}", file=self.file, line=line_of(key, self.lines), kind=ErrorKind.CELL)
 
     @property
     def mesh_files(self) -> tuple[Path, ...]:
@@ -94,7 +94,7 @@ class Cell:
         values = {kind: np.array(getattr(limits, kind)) for kind in ("lower", "upper", "velocity", "acceleration")}
         if limits.jerk is not None or any(change.kind == "jerk" for change in self.overrides):
             values["jerk"] = np.full(len(axis_names), np.nan) if limits.jerk is None else np.array(limits.jerk)
-        sources = dict(limits.sources)
+        sources, grades = dict(limits.sources), dict(limits.grades)
         changes = list(self.overrides)
         if self.rail is not None:
             place = f"rail.stroke of {self.file}"
@@ -107,6 +107,7 @@ class Cell:
             values[change.kind][axis_names.index(change.axis)] = change.value
             topic = "position" if change.kind in ("lower", "upper") else change.kind
             sources[f"{change.axis}.{topic}"] = change.source
+            grades.pop(f"{change.axis}.{topic}", None)
         for i, axis in enumerate(axis_names):
             for kind, column in values.items():
                 if not np.isfinite(column[i]):
@@ -114,7 +115,7 @@ class Cell:
             if not values["lower"][i] < values["upper"][i]:
                 low, high = values["lower"][i], values["upper"][i]
                 raise self.error(f"limits.{axis}", f"lower {low:.6g} is not below upper {high:.6g}")
-        return JointLimits(names=limits.names, **values, sources=sources)
+        return JointLimits(names=limits.names, **values, sources=sources, grades=grades)
 
 
 def minimal_cell(program: str, robots: Sequence[str]) -> str:

@@ -16,6 +16,7 @@ import typer
 
 from trajopt_cli import __version__
 from trajopt_cli.cli import analyse, compare, export, iiwa, optimize, parse, robot, verify
+from trajopt_cli.cli.process import own_process
 from trajopt_cli.errors import InputError
 
 app = typer.Typer(
@@ -52,9 +53,7 @@ def _root(
 
 def run(arguments: list[str]) -> int:
     """Run one command line and give its exit code; every expected mistake is a line on stderr, never a traceback."""
-    for library in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
-        # both targets are solved side by side on two cores; more threads inside would only wait for each other
-        os.environ.setdefault(library, "1")
+    own_process()
     try:
         _check_arguments(arguments)
         code = app(arguments or ["--help"], prog_name="trajopt", standalone_mode=False)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, ProgramPaths
+from trajopt_cli.cli.process import reading
 
 
 def analyse(
@@ -24,7 +25,8 @@ def analyse(
     from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.problem.stepwise import analyse
 
-    job = read_job(program, cell, entry or MAIN, assume_identity or ())
+    with reading():
+        job = read_job(program, cell, entry or MAIN, assume_identity or ())
     analysis = analyse(job.program, job.plant)
     if as_json:
         typer.echo(json.dumps(analysis_record(job.program, analysis), indent=2, ensure_ascii=False))

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry
+from trajopt_cli.cli.process import reading
 
 _SHOWN = 3  # failed checks per row; an illegal plan breaks many at once
 
@@ -62,7 +63,8 @@ def baseline(
     from trajopt_cli.study.comparison import compare, comparison_pictures
     from trajopt_cli.units import DEG
 
-    job = read_program_or_results(program, cell, entry, assume_identity or ())
+    with reading():
+        job = read_program_or_results(program, cell, entry, assume_identity or ())
     _check_places(csv, plots)
     with ProgressView() as view:
         answer = compare(job, view.show, RailRule(phi_min * DEG, v_transfer, v_area))
@@ -85,7 +87,7 @@ def baseline(
                 console.print(f"    {len(failed) - _SHOWN} checks more failed; --json lists them")
         console.print()
         if isinstance(answer.steps, str):
-            console.print(f"saving by cause: not told, there is no plan to start from ({answer.steps})")
+            console.print(f"saving by cause: not available, there is no plan to start from ({answer.steps})")
         else:
             show(console, causes_table(answer.steps))
         for line in job.plant.unchecked:
@@ -105,6 +107,6 @@ def _check_places(csv: Path | None, plots: Path | None) -> None:
     if csv is not None and csv.is_dir():
         raise InputError("is a folder; --csv names a file", file=str(csv))
     if csv is not None and not csv.parent.is_dir():
-        raise InputError("is no folder to write into; make it or correct --csv", file=str(csv.parent))
+        raise InputError("is not a folder to write to; make it or correct --csv", file=str(csv.parent))
     if plots is not None and plots.exists() and not plots.is_dir():
         raise InputError("is a file; --plots names a folder", file=str(plots))

@@ -117,7 +117,11 @@ def rows_csv(records: list[dict[str, Any]]) -> str:
 def rows_table(program: str, waits: float, records: list[dict[str, Any]]) -> Table:
     """The rows for people."""
     against = next((record["name"] for record in records if record["legal"]), None)
-    saving = f"savings count against {against}, the first legal row" if against else "no row is legal: nothing is saved"
+    saving = (
+        f"savings are relative to {against}, the first legal row"
+        if against
+        else "no row is legal, so there is no saving to show"
+    )
     table = plain_table(
         f"{program}: {saving}; T holds {waits:g} s of programmed waits",
         *("plan", "target", ">T [s]", ">saving", ">no waits [s]", ">saving", "legal", ">worst value/limit"),
@@ -148,7 +152,7 @@ def _share(value: float | None) -> str:
 def causes_table(steps: tuple[Step, ...]) -> Table:
     """Where the seconds went: every step frees one thing more, and the last line is their sum."""
     table = plain_table(
-        "saving by cause: each line frees one thing more, is solved again and judged",
+        "saving by cause: each line frees one more thing and is solved and judged anew",
         *("freed", ">T [s]", ">saved [s]", ">of T", ""),
     )
     start = steps[0].plan.duration

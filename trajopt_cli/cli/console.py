@@ -64,7 +64,7 @@ def answer_no(answer: Infeasible | NoPlan | Illegal | Collides) -> NoReturn:
         case Illegal(label=label, finding=finding):
             what = finding.message or f"{finding.check} of {finding.subject} failed"
             typer.echo(
-                f"NOTHING WRITTEN: the judge forbids the {label} plan: {what}. "
+                f"NOTHING WRITTEN: the judge rejects the {label} plan: {what}. "
                 "This is an error in trajopt; please report it with program and cell file.",
                 err=True,
             )

@@ -53,7 +53,7 @@ def rapid(
         raise typer.BadParameter("give --output, --diff, --in-place or several of them")
     files = rapid_export(results)
     if diff and not files.patch:
-        for why in files.kept or ("the plan needs nothing else than the program says",):
+        for why in files.kept or ("the plan needs no change to the program",):
             typer.echo(f"no change: {why}", err=True)
     if diff and sys.stdout.isatty():
         typer.echo(files.difference, nl=False)

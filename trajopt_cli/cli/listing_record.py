@@ -44,7 +44,7 @@ def listing_record(
         "ignored": dict(program.ignored),
         "uncalled": list(program.uncalled),
         "notes": list(notes),
-        "warnings": list(program.warnings),
+        "warnings": [str(warning) for warning in program.warnings],
         "configurations": None if found is None else [_finding(one) for one in found],
     }
 
@@ -97,6 +97,7 @@ def row_record(row: Row) -> dict[str, Any]:
         "settings": {word: _setting(value) for word, value in row.settings.items()},
         "events": [_event(event) for event in row.events],
         "process": dict(row.process),
+        "hold": None if row.hold is None else row.hold.value,
     }
 
 

@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 import typer
 
 from trajopt_cli.cli.options import AssumeIdentity, CellPath, Entry, ProgramPaths
+from trajopt_cli.cli.process import reading
 
 
 def optimize(
@@ -39,7 +40,8 @@ def optimize(
     from trajopt_cli.problem.plan import Target
     from trajopt_cli.verify.clearance import least_clearance
 
-    job = read_job(program, cell, entry or MAIN, assume_identity or ())
+    with reading():
+        job = read_job(program, cell, entry or MAIN, assume_identity or ())
     folder = output or Path("results") / job.program.name
     with ProgressView() as view:
         answer = optimise(job, Target(target), folder, view.show, plots)

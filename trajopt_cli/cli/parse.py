@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, ProgramPaths
+from trajopt_cli.cli.process import reading
+from trajopt_cli.notices import Notice, NoticeKind
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -57,7 +59,8 @@ def parse(
 
         kinematics = PlantKinematics(plant)
     try:
-        flat, lacks = try_paths(program, scenario_of(loaded, assume_identity or ()), entry or MAIN, kinematics)
+        with reading():
+            flat, lacks = try_paths(program, scenario_of(loaded, assume_identity or ()), entry or MAIN, kinematics)
     except InputError as error:
         lacks = _lacks_of(error)
         if not lacks:
@@ -76,7 +79,8 @@ def parse(
         from trajopt_cli.problem.plannable import rail_doubts
 
         found = check_configurations(flat, plant)
-        flat = replace(flat, warnings=(*flat.warnings, *rail_doubts(flat, plant)))
+        doubts = (Notice(NoticeKind.DOUBTFUL, text) for text in rail_doubts(flat, plant))
+        flat = replace(flat, warnings=(*flat.warnings, *doubts))
     notes = [*notes_on(flat, listing, plant)]
     if as_json:
         from trajopt_cli.cli.listing_record import json_text, listing_record
@@ -87,7 +91,7 @@ def parse(
 
     title = " ".join(str(path) for path in program)
     lines = [*listing_lines(title, listing, terminal_width()), "", *_sums(listing), *notes]
-    lines += [f"warning: {_short(warning, flat)}" for warning in flat.warnings]
+    lines += [f"warning: {_short(str(warning), flat)}" for warning in flat.warnings]
     if any(row.conf is not None for row in listing.rows):
         lines += [_short(line, flat) for line in _configurations(found)]
     typer.echo("\n".join(lines))
@@ -114,7 +118,7 @@ def _print_template(lacks: Sequence[Lack]) -> None:
     from trajopt_cli.rapid.template import template
 
     if not lacks:
-        typer.echo("nothing lacking: the program runs with what the cell file says", err=True)
+        typer.echo("nothing is missing: the program runs with this cell file", err=True)
         return
     typer.echo(template(lacks), nl=False)
 
@@ -134,7 +138,7 @@ def _with_template(error: InputError, paths: Sequence[Path]) -> InputError:
 
     errors = error.errors if isinstance(error, InputErrorGroup) else (error,)
     command = f"trajopt parse {' '.join(str(path) for path in paths)} --scenario-template"
-    return InputErrorGroup([*errors, InputError(f"'{command}' prints the lines that the cell file lacks")])
+    return InputErrorGroup([*errors, InputError(f"'{command}' prints the lines missing from the cell file")])
 
 
 def _sums(listing: Listing) -> Iterator[str]:
@@ -165,7 +169,10 @@ def notes_on(flat: Program, listing: Listing, plant: Plant | None) -> Iterator[s
     if plant is None:
         return
     from trajopt_cli.problem.plannable import planned_otherwise, refusals
+    from trajopt_cli.rapid.execution.holding import held_after_outputs
 
+    if plant.rail_eax is not None and (held := held_after_outputs(flat)):
+        yield held
     yield from planned_otherwise(flat)
     if refused := Counter(one.kind for one in refusals(flat, plant)):
         yield f"optimize will refuse this program: {', '.join(f'{kind} {count}' for kind, count in refused.items())}"

@@ -53,7 +53,7 @@ def findings_table(name: str, report: Report, everything: bool) -> Table:
 
 def advice_table(name: str, report: Report, everything: bool) -> Table:
     """What else the judge noticed; it decides nothing."""
-    return _findings(f"{name}: advice, decides nothing", report.advice, everything)
+    return _findings(f"{name}: advice, which does not affect the verdict", report.advice, everything)
 
 
 def failures(findings: tuple[Finding, ...]) -> list[str]:

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from trajopt_cli.cli.options import AssumeIdentity, CellPath, Entry
+from trajopt_cli.cli.process import reading
 from trajopt_cli.errors import InputError
 
 
@@ -36,13 +37,15 @@ def verify(
         if entry is not None or assume_identity:
             message = "a results folder holds its own entry and assumptions; leave --entry and --assume-identity out"
             raise typer.BadParameter(message)
-        _, reports = verify_results(what)
+        with reading():
+            _, reports = verify_results(what)
     elif not what.exists():
         raise InputError("no such file or folder", file=str(what))
     elif not program:
         raise typer.BadParameter(f"{what} is a file: say which --program it executes")
     else:
-        job = read_job(program, cell, entry or MAIN, assume_identity or ())
+        with reading():
+            job = read_job(program, cell, entry or MAIN, assume_identity or ())
         reports = {what.name: verify_file(what, job)}
     console = stdout()
     for name, report in reports.items():

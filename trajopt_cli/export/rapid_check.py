@@ -23,20 +23,6 @@ _RAIL = 1e-7  # m: a num has 24 bits, which is half of this at 2 m
 _SPEED = 1e-8  # m/s, rad/s
 
 
-def check_export(
-    program: Program,
-    plan: Plan,
-    plant: Plant,
-    reading: Reading,
-    texts: Mapping[str, str],
-    new: Mapping[str, TextFile] | None = None,
-    faster: frozenset[int] = frozenset(),
-) -> None:
-    """Raises InputError, placed in the given program, for the first motion that the texts do not give as planned."""
-    for _, error in mismatches(program, plan, plant, reading, texts, new or {}, faster):
-        raise error
-
-
 def mismatches(
     program: Program,
     plan: Plan,
@@ -80,7 +66,7 @@ def mismatches(
             yield index, found_error
     surplus = next(read, None)
     if surplus is not None:
-        yield None, InputError(f"the edited program has a motion too many at {surplus.source}")
+        yield None, InputError(f"the edited program has one motion too many at {surplus.source}")
 
 
 def first_difference(program: Program, read: Program) -> int | None:

@@ -14,6 +14,7 @@ from trajopt_cli.export.rapid_stretches import Stretch
 from trajopt_cli.export.rapid_targets import Targets, Wish, type_of
 from trajopt_cli.export.rapid_text import Edits, Names, plain, refusal
 from trajopt_cli.motion import Motion, Move, MoveC, MoveExtJ, Program, SignalEvent, Span, TextFile, Wait
+from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.rapid.language.syntax import Assign, Node, ProcedureCall
 from trajopt_cli.units import DEG, MM
 
@@ -53,7 +54,7 @@ class FlatModule:
             self._data.append(f"{_INDENT}LOCAL CONST {type_} {name}:={literal};")
         return self._known[type_, literal]
 
-    def add(self, stretch: Stretch, indices: Sequence[int], how: Callable[[int], FlatMotion]) -> str:
+    def add(self, stretch: Stretch, indices: Sequence[int], how: Callable[[int], FlatMotion]) -> Notice:
         """Write a stretch as a procedure and call it where the statement stood; what users should know.
 
         indices: its motions without those that are dropped. how: what becomes of each. Raises
@@ -81,7 +82,8 @@ class FlatModule:
         left = self._left_behind(stretch)
         also = f"; not carried over: {', '.join(left)}" if left else ""
         line = self._edits.line_number(stretch.span)
-        return f"{stretch.span.file}:{line}: '{short}' is written flat as {name}{also}"
+        text = f"'{short}' is written flat as {name}{also}"
+        return Notice(NoticeKind.CHANGED, text, f"{stretch.span.file}:{line}")
 
     def module(self, entry: str) -> tuple[str, TextFile] | None:
         """Path and text of the module; None where no stretch was added."""

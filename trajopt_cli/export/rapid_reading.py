@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from itertools import islice
 from typing import Any
 
 from trajopt_cli.export.rapid_scopes import nodes
@@ -13,8 +15,9 @@ from trajopt_cli.problem.programmed import PlantKinematics
 from trajopt_cli.rapid.language.parser import parse_module
 from trajopt_cli.rapid.language.syntax import Binary, Call, Name, Node, Number, String, Test
 from trajopt_cli.rapid.reader import run_program
-from trajopt_cli.scenario import Answer, Scenario
+from trajopt_cli.scenario import Answer, HoldRail, Scenario
 
+_NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?![\w.])")
 _NEAR = 6  # values that a program compares something with and that are tried
 _WAYS = 4  # other values that are tried besides
 
@@ -34,7 +37,8 @@ class Reading:
         """The program of edited texts, by path, and of new modules. Raises InputError as reading does."""
         files = [replace(file, text=texts[path]) for path, file in self.program.files.items()]
         kinematics = PlantKinematics(self.plant)
-        return run_program([*files, *(new or {}).values()], scenario or self.scenario, self.entry, kinematics)
+        world = replace(scenario or self.scenario, hold_rail=HoldRail())  # its lines are those of the text as it was
+        return run_program([*files, *(new or {}).values()], world, self.entry, kinematics)
 
     def otherwise(self) -> Iterator[tuple[str, list[Scenario]]]:
         """For each thing that the scenario says, its name, and scenarios in which it alone is otherwise.
@@ -43,7 +47,7 @@ class Reading:
         1..5, a text may have to be a number.
         """
         given = self.scenario
-        compared = _compared(self.program) if given.signals or given.answers else {}
+        compared = _compared(self.program) if given.signals or given.answers or given.data else {}
         for name, value in given.signals.items():
             near = [one for one in compared.get(name.lower(), ()) if not isinstance(one, str)]
             signals = [{**given.signals, name: one} for one in _others(value, near)]
@@ -51,6 +55,9 @@ class Reading:
         for name, answer in given.answers.items():
             answers = [{**given.answers, name: one} for one in _others(answer, compared.get(name.lower(), ()))]
             yield f"answer {name}", [replace(given, answers=one) for one in answers]
+        for name, datum in given.data.items():
+            others = [replace(datum, value=one) for one in _others(datum.value, compared.get(name.lower(), ()))]
+            yield f"data {name}", [replace(given, data={**given.data, name: one}) for one in others]
         for name, share in given.searches.items():
             other = 0.5 if share is None else 0.25 + share / 2
             yield f"search {name}", [replace(given, searches={**given.searches, name: other})]
@@ -73,6 +80,9 @@ def _other(value: Any, way: int) -> Any:
     match value:
         case bool():
             return not value
+        case str() if value.lstrip().startswith("["):  # a record or an array: another first, second, ... number
+            place = next(islice(_NUMBER.finditer(value), way, None), None)
+            return value if place is None else f"{value[: place.start()]}{float(place[0]) + 1:g}{value[place.end() :]}"
         case str():
             return (f"{value}x", f"{value}1", "1", "")[way % 4]
     first = 1.0 - value if value in (0.0, 1.0) else value + 1.0

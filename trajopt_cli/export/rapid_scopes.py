@@ -42,7 +42,6 @@ class Scopes:
     def __init__(self, files: Mapping[str, TextFile]):
         self._files = files
         self._modules: dict[str, list[_Module]] = {}
-        self._calls: dict[str, dict[int, Node]] = {}
         self.compact: set[Span] = set()
         self.procedures: dict[str, list[Routine]] = {}
         for path, file in files.items():

@@ -14,6 +14,7 @@ from trajopt_cli.export.rapid_scopes import Scopes
 from trajopt_cli.export.rapid_text import Edits, Names, num, plain, refusal, same_num
 from trajopt_cli.geometry import Array, inverse_pose, wxyz_from_rotation
 from trajopt_cli.motion import ConfData, Move, MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL, Program, Span
+from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.problem.plan import PlannedMotion
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.rapid.language.expressions import parse_expression
@@ -69,7 +70,7 @@ class Targets:
         self._scopes, self._isolated = scopes, isolated
         self._literals: dict[Span, _Literal] = {}
         self._declared: dict[tuple[str, str, str], str] = {}
-        self.notes: list[str] = []
+        self.notes: list[Notice] = []
 
     # -------------------------------------------------------------------------------------------------- the wishes
 
@@ -126,7 +127,8 @@ class Targets:
         """The name of a new target that says in numbers what a move computes, with the wished values."""
         span = move.written.statement
         name = self._new(move, self.in_numbers(move, wish), span, "", 2)
-        self.notes.append(f"{move.source}: {move.target} is computed; {name} is declared with its value")
+        text = f"{move.target} is computed; {name} is declared with its value"
+        self.notes.append(Notice(NoticeKind.CHANGED, text, move.source))
         return name
 
     def dwell(self, move: Move, wish: Wish, wait: Span) -> str:
@@ -200,9 +202,10 @@ class Targets:
             name = self._new(move, self.in_numbers(move, wish), statement, suffix, first)
         literal.versions[key] = name
         if not suffix:
-            note = f"{move.source}: {move.target} is wanted with other values; {name} is declared beside it"
+            note = f"{move.target} gets other values here; {name} is declared beside it"
             variable = move.written.declaration is not None and self._storage(move.written.declaration) != "CONST"
-            self.notes.append(f"{note}, and does not follow {move.target} if it changes" if variable else note)
+            note += f", and does not follow {move.target} if it changes" if variable else ""
+            self.notes.append(Notice(NoticeKind.CHANGED, note, move.source))
         return name
 
     def _storage(self, declaration: Span) -> str:

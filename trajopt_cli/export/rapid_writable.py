@@ -84,7 +84,7 @@ def _why_kept(move: Move, runs: int, thing: str | None, compact: bool) -> tuple[
         both = " and ".join(part for part in (often, f"hang on {thing}") if part)
         return both, "a statement with a declared target, for each time it runs, would free them"
     if compact:
-        return "hang on an IF without THEN", "IF ... THEN ... ENDIF would free them"
+        return "are part of an IF without THEN", "IF ... THEN ... ENDIF would free them"
     return "cannot be edited without moving others", "declared targets of their own would free them"
 
 

@@ -24,6 +24,7 @@ from trajopt_cli.motion import (
     TextFile,
     Wait,
 )
+from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.problem.plan import PlannedMotion
 from trajopt_cli.problem.plant import Plant
 
@@ -36,7 +37,7 @@ class RapidExport:
     """
 
     texts: Mapping[str, str]
-    notes: tuple[str, ...] = ()
+    notes: tuple[Notice, ...] = ()
     new: Mapping[str, TextFile] = field(default_factory=dict)
 
 
@@ -117,7 +118,7 @@ class _Attempt:
         self._choices, self._flat = choices, list(flat)
         self._edits, self._names = Edits(program.files), Names(program.files)
         self._targets = Targets(program, plant, self._edits, self._names, scopes, choices.isolated)
-        self._notes: list[str] = []
+        self._notes: list[Notice] = []
         self._monitored: list[Source] = []
         self._actions: dict[Span, list[tuple[int, _Action]]] = {}
         covered = {index for stretch in flat for index in range(stretch.first, stretch.last)}
@@ -167,13 +168,11 @@ class _Attempt:
         if (module := flat.module(self._program.entry)) is not None:
             path, file = module
             new[path] = file
-            self._notes.append(f"{path}: a new module; load it with the program")
+            self._notes.append(Notice(NoticeKind.NEW_MODULE, "a new module; load it with the program", path))
         if self._monitored:
             more = f" and {len(self._monitored) - 1} more" if len(self._monitored) > 1 else ""
-            self._notes.append(
-                f"{self._monitored[0]}{more}: the nearest configuration is not the planned one, so "
-                "confdata is switched on for the move"
-            )
+            what = "the nearest configuration is not the planned one, so confdata is switched on for the move"
+            self._notes.append(Notice(NoticeKind.CHANGED, what, f"{self._monitored[0]}{more}"))
         return RapidExport(self._edits.result(), (*self._notes, *self._targets.notes), new)
 
     # ------------------------------------------------------------------------------------------------ in their place
@@ -182,14 +181,14 @@ class _Attempt:
         motion = self._program.motions[index]
         doubled = action.dwell is not None and isinstance(motion, Wait) and motion.condition is not None
         if span in self._scopes.compact and (action.drop or action.monitored or doubled):
-            raise refusal(motion.source, "this statement hangs on an IF without THEN; write IF ... THEN ... ENDIF")
+            raise refusal(motion.source, "this statement is part of an IF without THEN; write IF ... THEN ... ENDIF")
 
-    def _apply(self, index: int, action: _Action) -> list[str]:
+    def _apply(self, index: int, action: _Action) -> list[Notice]:
         motion, edits = self._program.motions[index], self._edits
         span = motion.written.statement
         if action.drop:
             edits.comment_out(span)
-            return [f"{motion.source}: dropped, as the program allows"]
+            return [Notice(NoticeKind.CHANGED, "dropped, as the program allows", motion.source)]
         if action.dwell is not None:
             assert isinstance(motion, Wait)
             text = self._dwell(index, motion, action.dwell, self._seconds(motion))
@@ -211,15 +210,15 @@ class _Attempt:
             edits.replace(call.speed, "vmax")
             if call.override is not None:  # it would hold vmax down
                 edits.replace(call.override, "")
-            notes.append(f"{motion.source}: at vmax, as the cell allows (free_speed)")
+            notes.append(Notice(NoticeKind.CHANGED, "at vmax, as the cell allows (free_speed)", motion.source))
         return notes
 
     def _seconds(self, wait: Wait) -> str:
         return plain(wait.duration) if wait.condition else last_argument(wait, self._edits.text(wait.written.statement))
 
     @staticmethod
-    def _dwell_note(wait: Wait, name: str) -> str:
-        return f"{wait.source}: the rail moves while the tool waits, to {name}"
+    def _dwell_note(wait: Wait, name: str) -> Notice:
+        return Notice(NoticeKind.CHANGED, f"the rail moves while the tool waits, to {name}", wait.source)
 
     # ---------------------------------------------------------------------------------------------------------- flat
 

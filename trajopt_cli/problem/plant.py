@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -16,8 +15,6 @@ from trajopt_cli.robot.model import RobotModel, load_robot
 from trajopt_cli.shapes import ATTACHED, MeshFile, Solid
 from trajopt_cli.units import MM
 from trajopt_cli.validation import hint
-
-_GRADE = re.compile(r"\(grade ([A-D])\)$")  # how robot files end a source
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,8 +170,8 @@ def _solid(cell: Cell, robot: RobotModel, section: str, solid: Solid) -> Solid:
 
 def _notes(cell: Cell, robot: RobotModel, limits: JointLimits) -> tuple[str, ...]:
     """How sure the limits are: estimated accelerations with their grade, TCP caps with their source."""
-    graded = {axis: _GRADE.search(limits.sources.get(f"{axis}.acceleration", "")) for axis in limits.names}
-    estimated = {axis: found[1] for axis, found in graded.items() if found and found[1] in "CD"}
+    graded = {axis: limits.grades.get(f"{axis}.acceleration", "") for axis in limits.names}
+    estimated = {axis: grade for axis, grade in graded.items() if grade in ("C", "D")}
     notes = []
     if estimated:
         about = robot.notes[f"profiles.{cell.profile}"]

@@ -21,7 +21,7 @@ _TOKEN = re.compile(  # what can hold or end a declaration, and what only looks 
     r"(?:(?P<routine>PROC|TRAP|FUNC\s+\w+)|VAR\s+\w+|PERS\s+\w+|CONST\s+\w+|ALIAS\s+\w+|RECORD)\s+(?P<name>\w+))\b",
     re.IGNORECASE,
 )
-_UNTOLD = ("signals", "answers", "assume_identity", "stubs")  # lacks of a name that a file might declare
+_UNTOLD = ("signals", "answers", "data", "assume_identity", "stubs")  # lacks of a name that a file might declare
 
 
 def with_hints(error: InputError, files: Sequence[TextFile], entry: str) -> InputError:
@@ -46,7 +46,7 @@ def _hinted(error: InputError, section: str, beside: _Beside, entry: str) -> Inp
     if not place:
         return error
     message = f"{error.message}; {place} declares {name}: give the folder {beside.folder(place)} instead"
-    return InputError(message, file=error.file, line=error.line, column=error.column, excerpt=error.excerpt)
+    return error.saying(message)
 
 
 class _Beside:

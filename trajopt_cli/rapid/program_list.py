@@ -21,7 +21,7 @@ def read_list(path: Path) -> tuple[Listed, ...]:
     """The modules of a program list, in its order.
 
     Raises InputError with the line: broken XML, another root than Program, no modules, a name with a folder in it, and
-    document types or entities, which no controller writes and which can blow up a reader.
+    document types or entities, which controllers never write and which can blow up a reader.
     """
     file = str(path)
     text = read_text(path).text.lstrip("\ufeff")
@@ -36,7 +36,7 @@ def read_list(path: Path) -> tuple[Listed, ...]:
 
     def start(tag: str, _: dict[str, str]) -> None:
         if not open_tags and tag.lower() != "program":
-            raise refuse(f"is no program list: it begins with <{tag}>, a list begins with <Program>")
+            raise refuse(f"is not a program list: it begins with <{tag}>, a list begins with <Program>")
         open_tags.append(tag.lower())
         parts.clear()
 
@@ -44,12 +44,12 @@ def read_list(path: Path) -> tuple[Listed, ...]:
         if open_tags.pop() == "module":
             name = "".join(parts).strip()
             if not name or set(name) & set("/\\\0") or name == "..":
-                raise refuse(f"'{name}' is no name of a module file; a list names files beside it")
+                raise refuse(f"'{name}' is not the name of a module file; a list names files beside it")
             found.append(Listed(name, parser.CurrentLineNumber))
         parts.clear()
 
     def refuse_declaration(*_: object) -> None:
-        raise refuse("declares a document type or an entity, which no controller writes; remove the declaration")
+        raise refuse("declares a document type or an entity, which controllers never write; remove the declaration")
 
     parser.StartElementHandler = start
     parser.EndElementHandler = end
@@ -59,7 +59,7 @@ def read_list(path: Path) -> tuple[Listed, ...]:
     try:
         parser.Parse(text.encode("utf-8", "surrogatepass"), True)
     except expat.ExpatError as error:
-        message = f"is no readable program list: {expat.ErrorString(error.code)}"
+        message = f"is not a readable program list: {expat.ErrorString(error.code)}"
         raise InputError(message, file=file, line=error.lineno, column=error.offset + 1) from error
     if not found:
         raise InputError("lists no modules: a list holds <Program><Module>Name.mod</Module></Program>", file=file)

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.motion import TextFile
+from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.rapid.foreign import foreign
 from trajopt_cli.rapid.language.text import read_text
 from trajopt_cli.rapid.program_list import read_list
@@ -33,7 +34,11 @@ class Sources:
 
     files: tuple[TextFile, ...]
     name: str
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Notice, ...] = ()
+
+
+def _unread(place: Path, text: str) -> Notice:
+    return Notice(NoticeKind.NOT_READ, text, str(place))
 
 
 def read_sources(paths: Sequence[Path], entry: str = "main") -> Sources:
@@ -46,7 +51,7 @@ def read_sources(paths: Sequence[Path], entry: str = "main") -> Sources:
     if not paths:
         raise InputError("give a RAPID module, several, or the folder that holds them")
     chosen: dict[str, tuple[Path, bool]] = {}  # by real path; whether somebody asked for this very file
-    warnings: list[str] = []
+    warnings: list[Notice] = []
     for path in paths:
         for found, asked in _files(path, entry, warnings):
             chosen.setdefault(os.path.realpath(found), (found, asked))
@@ -60,11 +65,11 @@ def read_sources(paths: Sequence[Path], entry: str = "main") -> Sources:
         if what is None:
             files.append(file)
         elif asked:
-            raise InputError(f"is no RAPID module: it {what}", file=str(path))
+            raise InputError(f"is not a RAPID module: it {what}", file=str(path))
         else:
-            warnings.append(f"{path}: is left out, it is no RAPID module: it {what}")
+            warnings.append(_unread(path, f"is left out: it is not a RAPID module, it {what}"))
     if not files:
-        raise InputError("none of its files is a RAPID module: " + "; ".join(warnings), file=str(paths[0]))
+        raise InputError("none of its files is a RAPID module: " + "; ".join(map(str, warnings)), file=str(paths[0]))
     return Sources(tuple(files), name_of(paths), tuple(warnings))
 
 
@@ -90,7 +95,7 @@ def is_system(path: Path) -> bool:
     return path.parent.name.lower() == "sysmod" or path.suffix.lower() in _SYSTEM_SUFFIXES
 
 
-def _files(path: Path, entry: str, warnings: list[str]) -> list[tuple[Path, bool]]:
+def _files(path: Path, entry: str, warnings: list[Notice]) -> list[tuple[Path, bool]]:
     if stat.S_ISDIR(_mode(path)):
         return [(found, False) for found in _of_folder(path, entry, warnings)]
     if path.suffix.lower() == LIST_SUFFIX:
@@ -119,7 +124,7 @@ def _of_list(path: Path) -> list[Path]:
     return found
 
 
-def _of_folder(folder: Path, entry: str, warnings: list[str]) -> list[Path]:
+def _of_folder(folder: Path, entry: str, warnings: list[Notice]) -> list[Path]:
     refuse_results(folder)
     tasks: dict[tuple[str, ...], list[Path]] = {}
     loose: list[Path] = []
@@ -137,7 +142,7 @@ def _of_folder(folder: Path, entry: str, warnings: list[str]) -> list[Path]:
         return _program(folder, loose, warnings)
     stray = [path for path in loose if is_module(path)]
     if stray:
-        warnings.append(f"{folder}: {_some(stray, folder)} stand outside the task's folder and are not read")
+        warnings.append(_unread(folder, f"{_some(stray, folder)} stand outside the task's folder and are not read"))
     return _program(folder, tasks[_one_task(folder, tasks, entry, warnings)], warnings)
 
 
@@ -157,7 +162,7 @@ def _task(folder: Path, path: Path) -> tuple[str, ...] | None:
 
 
 def _one_task(
-    folder: Path, tasks: dict[tuple[str, ...], list[Path]], entry: str, warnings: list[str]
+    folder: Path, tasks: dict[tuple[str, ...], list[Path]], entry: str, warnings: list[Notice]
 ) -> tuple[str, ...]:
     if len(tasks) == 1:
         return next(iter(tasks))
@@ -174,11 +179,11 @@ def _one_task(
             file=str(folder),
         )
     others = ", ".join(name for task, name in names.items() if task != holding[0])
-    warnings.append(f"{folder}: of its tasks {names[holding[0]]} is read; {others} hold no PROC {entry}")
+    warnings.append(_unread(folder, f"of its tasks {names[holding[0]]} is read; {others} hold no PROC {entry}"))
     return holding[0]
 
 
-def _program(folder: Path, files: list[Path], warnings: list[str]) -> list[Path]:
+def _program(folder: Path, files: list[Path], warnings: list[Notice]) -> list[Path]:
     """The modules of one program: all, or the ones of its program list and the system modules."""
     modules = [path for path in files if is_module(path)]
     lists = [path for path in files if not is_module(path)]
@@ -191,7 +196,7 @@ def _program(folder: Path, files: list[Path], warnings: list[str]) -> list[Path]
     rest = [path for path in modules if path not in listed]
     unlisted = [path for path in rest if not is_system(path)]
     if unlisted:
-        warnings.append(f"{lists[0]}: does not list {_some(unlisted, folder)}, which are not read")
+        warnings.append(_unread(lists[0], f"does not list {_some(unlisted, folder)}, which are not read"))
     return listed + [path for path in rest if is_system(path)]
 
 
@@ -247,7 +252,7 @@ def _entries(folder: Path) -> list[Path]:
 def _check_regular(path: Path) -> None:
     """A file that is there, and no device or pipe, which may have no end."""
     if not stat.S_ISREG(_mode(path)):
-        raise InputError("is no regular file; save the program in one", file=str(path))
+        raise InputError("is not a regular file; save the program in one", file=str(path))
 
 
 def _mode(path: Path) -> int:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from trajopt_cli.scenario import NAME_LISTS, Lack, yaml_name
 
-_SECTIONS = ("signals", "answers", "searches", "endless_passes", *NAME_LISTS)
+_SECTIONS = ("signals", "answers", "data", "searches", "endless_passes", *NAME_LISTS)
 
 
 def template(lacks: Sequence[Lack]) -> str:
@@ -36,5 +36,6 @@ def _pair(lack: Lack) -> str:
 
 def _comment(lack: Lack) -> str:
     """On one line, of signs that YAML takes in a comment."""
-    text = " ".join(f"{lack.source}, {lack.reason}".split())
+    meant = "" if lack.close is None else f"; did you mean '{lack.close}'?"
+    text = " ".join(f"{lack.source}, {lack.reason}{meant}".split())
     return "  # " + "".join(sign if sign.isprintable() else "?" for sign in text)

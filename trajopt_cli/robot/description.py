@@ -80,6 +80,7 @@ def profiles(data: RobotFile, axes: list[UrdfJoint]) -> dict[str, JointLimits]:
             | {f"{n}.acceleration": str(profile.acceleration[n]) for n in names}
             | {f"{n}.jerk": str(number) for n, number in (profile.jerk or {}).items()},
             np.array([profile.jerk[n].value for n in names]) if profile.jerk else None,
+            grades={f"{n}.acceleration": profile.acceleration[n].grade for n in names},
         )
         for name, profile in data.profiles.items()
     }

@@ -85,11 +85,6 @@ class Dynamics:
         out = [np.array(self._pin.computeGeneralizedGravity(self._model, self._data, row)) for row in rows]
         return np.array(out).reshape(np.shape(q))
 
-    def mass_matrix(self, q: Array) -> Array:
-        """Mass matrix (7, 7) [kg m2] at q (7,)."""
-        upper = np.triu(self._pin.crba(self._model, self._data, _one(q, "q")))
-        return np.asarray(upper + np.triu(upper, 1).T, dtype=np.float64)
-
     def acceleration(self, q: Array, qd: Array, tau: Array) -> Array:
         """Joint accelerations (7,) [rad/s2] under joint torques tau (7,) [Nm] at q, qd (7,): forward dynamics."""
         state = _one(q, "q"), _one(qd, "qd"), _one(tau, "tau")

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from trajopt_cli.errors import ErrorKind, of_kind
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.robot import arm as arm_products
@@ -178,6 +179,7 @@ def robot_names(structure: Structure | None = None) -> tuple[str, ...]:
     return catalogue.robot_names(structure)
 
 
+@of_kind(ErrorKind.ROBOT)
 def load_robot(name_or_path: str, X_WR: Array | None = None) -> RobotModel:
     """A shipped robot by name or any robot by the path of its YAML file, its URDF root mounted at X_WR in the world.
 

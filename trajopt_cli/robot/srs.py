@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.robot.chain import checked_pose, link_poses, named_profile, pin_model
@@ -144,6 +144,7 @@ class SrsRobot:
         return q
 
 
+@of_kind(ErrorKind.ROBOT)
 def load_srs(name_or_path: str, X_WB: Array | None = None) -> SrsRobot:
     """A shipped seven-axis arm by name or any by the path of its YAML file, its base mounted at X_WB in the world.
 

@@ -44,7 +44,7 @@ class SrsStep:
         self.robot, self.definition, self.configuration = robot, definition, configuration
         self._half = (b2, b3, b5, b7)
         self._sign = (-1.0 if n2 else 1.0, -1.0 if n4 else 1.0, -1.0 if n6 else 1.0)
-        self._se, self._ew, self._wf = robot.lengths.se, robot.lengths.ew, robot.lengths.wf
+        self._se, self._ew = robot.lengths.se, robot.lengths.ew
         self._bs = robot.lengths.bs
         side = elbow_side(definition, configuration)
         self._swivel = side * cos(arm_angle), side * sin(arm_angle)

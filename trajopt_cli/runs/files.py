@@ -235,7 +235,7 @@ def _exchange(one: Path, other: Path) -> bool:
 
 
 def _keep(path: Path, content: bytes) -> Path:
-    """A copy of a file beside it under a name that nobody has."""
+    """A copy of a file beside it, under a name that is not taken yet."""
     number = 1
     while True:
         backup = path.with_name(f"{path.name}.bak{number if number > 1 else ''}")

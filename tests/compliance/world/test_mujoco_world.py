@@ -193,7 +193,7 @@ def test_a_fall_onto_the_floor_never_gains_energy(iiwa7, X_FT, load, floor):
             q, qd = np.array(data.qpos), np.array(data.qvel)
             depth = -data.contact[0].dist if data.ncon else 0.0
             low = max(low, depth)
-            kinetic = qd @ dynamics.mass_matrix(q) @ qd / 2
+            kinetic = qd @ (dynamics.torque(q, np.zeros(7), qd) - dynamics.gravity_torque(q)) / 2  # M qd, without M
             potential = -sum(model.body_mass[i] * model.opt.gravity @ data.xipos[i] for i in range(model.nbody))
             energy = kinetic + potential + 2e4 * depth**2 / 2
             start = energy if start is None else start

@@ -65,7 +65,7 @@ def program_route(path: Path, meaning: AngleMeaning, R_WF: Array, X_FT: Array | 
     asks that only a cell's scenario tells.
     """
     program = _program(path)
-    notes = list(program.warnings)
+    notes = [str(warning) for warning in program.warnings]
     tool = _one_tool(program.motions, X_FT)
     R_start = R_WF @ tool[:3, :3]
     waypoints: list[Waypoint] = []

@@ -40,7 +40,7 @@ def single(value: float) -> float:
 class Atomic:
     """num, dnum, bool, string, and the types whose values mean nothing here, such as signals, clocks and welddata.
 
-    default: None for the latter. known: False for a type that is declared nowhere.
+    default: None for the latter. known: False for a type that is not declared anywhere.
     """
 
     name: str

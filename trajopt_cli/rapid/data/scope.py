@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from trajopt_cli.rapid.data.datatypes import Array, Record, Type, Value
+from trajopt_cli.rapid.data.datatypes import Array, Atomic, Record, Type, Value
 from trajopt_cli.rapid.language.syntax import AliasDeclaration, Argument, RecordDeclaration, Routine
 from trajopt_cli.rapid.language.text import Places
 
@@ -62,6 +62,37 @@ class Datum:
             places, start = self._constant
             return f"a CONST (line {places.line(start)})"
         return self._constant
+
+
+UNTYPED = Atomic("data")  # of data that nothing declares, until a place that asks for it tells its type
+
+
+class Told(Datum):
+    """Data that the cell file gives; see outside.py.
+
+    name: in lower case. tell: the cell file's value that the next reading gives. assigned: what counts instead, once
+    the program or a wait gave it one.
+    """
+
+    __slots__ = ("assigned", "name", "tell")
+
+    def __init__(self, name: str, tell: Callable[[Told], Value], type_: Type = UNTYPED):
+        self.name, self.tell, self.type, self.storage, self._constant = name, tell, type_, "PERS", None
+        self.assigned: Value | None = None
+
+    @property
+    def typed(self) -> bool:
+        """Whether its type is known."""
+        return self.type is not UNTYPED
+
+    @property
+    def value(self) -> Value:
+        """What a reading gives."""
+        return self.tell(self) if self.assigned is None else self.assigned
+
+    @value.setter
+    def value(self, value: Value) -> None:
+        self.assigned = value
 
 
 class Part:

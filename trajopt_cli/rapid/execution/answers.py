@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.rapid.data.datatypes import (
     BOOL,
+    EXTJOINT,
     NUM,
     ORIENT,
+    SPEEDDATA,
     STRING,
     STRING_LIMIT,
+    ZONEDATA,
     Array,
     Atomic,
     Data,
@@ -20,9 +24,11 @@ from trajopt_cli.rapid.data.datatypes import (
     is_number,
     single,
 )
+from trajopt_cli.rapid.data.predefined import predefined
 from trajopt_cli.rapid.execution.evaluate import evaluate, locate
 from trajopt_cli.rapid.language.expressions import parse_expression
-from trajopt_cli.rapid.language.syntax import Aggregate, Component, Element, Expression, Name
+from trajopt_cli.rapid.language.syntax import Aggregate, Call, Component, Element, Expression, Name
+from trajopt_cli.rapid.language.walk import walk
 from trajopt_cli.scenario import NUM_LIMIT, Answer, yaml_answer
 
 if TYPE_CHECKING:
@@ -55,26 +61,42 @@ def fill(run: Run, target: Expression, reason: str, default: Answer | None = Non
     return value
 
 
-def ask(run: Run, node: Node, name: str, type_: Type, reason: str, default: Answer | None = None) -> Value:
-    """The scenario's answer under name, as a value of a type. Records and arrays are answered as RAPID writes them."""
+def ask(
+    run: Run,
+    node: Node,
+    name: str,
+    type_: Type,
+    reason: str,
+    default: Answer | None = None,
+    close: str | None = None,
+) -> Value:
+    """The scenario's answer under name, as a value of a type. Records and arrays are answered as RAPID writes them.
+
+    reason, close: see Lack.
+    """
     if default is None:
         default = type_.default if isinstance(type_, Atomic) else _example(run, node, name, type_)
-    answer = run.world.answer(run, node, name, reason, default)
+    return typed(run, node, name, type_, run.world.answer(run, node, name, reason, default, close), "answer", "to")
+
+
+@of_kind(ErrorKind.CELL)
+def typed(run: Run, node: Node, name: str, type_: Type, answer: Answer, what: str, of: str) -> Value:
+    """What the cell file gives under name as a value of a type. what, of: "answer", "to" and the like, for messages."""
     if isinstance(answer, int | float) and not isinstance(answer, bool) and is_number(type_):
         if type_ is NUM and abs(answer) > NUM_LIMIT:
-            raise run.error(node, f"the answer {answer:g} to '{name}' in the cell file is too large for a num")
+            raise run.error(node, f"the {what} {answer:g} {of} '{name}' in the cell file is too large for a num")
         return Value(type_, single(float(answer)) if type_ is NUM else float(answer))
     if isinstance(answer, str) and type_ == STRING:
         if len(answer) > STRING_LIMIT:
-            message = f"the answer to '{name}' in the cell file has {len(answer)} characters, limit {STRING_LIMIT}"
-            raise run.error(node, message)
+            has = f"{len(answer)} characters, limit {STRING_LIMIT}"
+            raise run.error(node, f"the {what} {of} '{name}' in the cell file has {has}")
         return Value(type_, answer)
     if isinstance(answer, bool) and type_ == BOOL:
         return Value(type_, answer)
     if isinstance(answer, str) and not isinstance(type_, Atomic):
-        return Value(type_, _parsed(run, node, name, type_, answer))
+        return _parsed(run, node, f"the {what} {of} '{name}' in the cell file", type_, answer)
     wanted = _WANTED.get(type_.name, f"a {type_.name} as RAPID writes it, in quotes")
-    raise run.error(node, f"the answer {yaml_answer(answer)} to '{name}' in the cell file is not {wanted}")
+    raise run.error(node, f"the {what} {yaml_answer(answer)} {of} '{name}' in the cell file is not {wanted}")
 
 
 _WANTED = {
@@ -85,19 +107,28 @@ _WANTED = {
 }
 
 
-def _parsed(run: Run, node: Node, name: str, type_: Type, text: str) -> Data:
+def _parsed(run: Run, node: Node, subject: str, type_: Type, text: str) -> Value:
     try:
         literal = parse_expression(text, "")
-        if isinstance(literal, Aggregate):
-            return evaluate(run, literal, type_).data
-        problem = "is no value in brackets"
+        names = [*_names(literal)]
+        if isinstance(literal, Aggregate) and not names:
+            value = evaluate(run, literal, type_)
+            return Value(value.type, value.data)
+        problem = f"has the name {names[0]} in it" if names else "is not a value in brackets"
     except InputError as error:
         problem = f"is not: {error.message}"
-    wanted = _example(run, node, name, type_)
+    wanted = _literal(type_, stand_in(type_), _LONGEST)
     wanted = wanted if len(wanted) <= 100 else f"{wanted[:97]}..."
-    raise run.error(
-        node, f"the answer to '{name}' in the cell file must be a {type_.name} such as {wanted}; it {problem}"
-    )
+    raise run.error(node, f"{subject} must be a {type_.name} such as {wanted}; it {problem}")
+
+
+def _names(literal: Expression) -> Iterator[str]:
+    for node in walk(literal):
+        if isinstance(node, Name | Call):
+            yield node.name
+        elif isinstance(node, Aggregate) and node.numbers is None:
+            for one in node.items:
+                yield from _names(one)
 
 
 _LONGEST = 20_000  # characters of an answer; the whole cell file may have 1 MB
@@ -105,20 +136,39 @@ _LONGEST = 20_000  # characters of an answer; the whole cell file may have 1 MB
 
 def _example(run: Run, node: Node, name: str, type_: Type) -> str:
     """A value of a record or an array as RAPID writes it."""
-    text = _literal(type_, _stand_in(type_), _LONGEST)
+    return _whole(run, node, name, Value(type_, stand_in(type_)))
+
+
+def _whole(run: Run, node: Node, name: str, value: Value) -> str:
+    text = _literal(value.type, value.data, _LONGEST)
     if len(text) > _LONGEST:
-        raise run.error(node, f"'{name}' is a {type_.name} of more values than the cell file can answer")
+        raise run.error(node, f"'{name}' is a {value.type.name} with more values than a cell file can hold")
     return text
 
 
-def _stand_in(type_: Type) -> Data:
-    """The value that a type begins with, but turned by nothing where it has an orientation."""
+def shown_value(run: Run, node: Node, name: str, value: Value) -> str:
+    """The value of data as the cell file spells it."""
+    plain = isinstance(value.type, Atomic)
+    return yaml_answer(value.data if plain else _whole(run, node, name, value))
+
+
+_NOWHERE = single(9e9)  # of an external axis that has no position
+
+
+def stand_in(type_: Type) -> Data:
+    """The value that a type begins with, but one that can be used: turned by nothing, no axis where none is known."""
+    if type_ == EXTJOINT:
+        return (_NOWHERE,) * 6
+    if type_ == SPEEDDATA:
+        return predefined()["v100"].data
+    if type_ == ZONEDATA:
+        return predefined()["fine"].data
     if type_ == ORIENT:
         return (1.0, 0.0, 0.0, 0.0)
     if isinstance(type_, Record):
-        return tuple(_stand_in(part) for _, part in type_.components)
+        return tuple(stand_in(part) for _, part in type_.components)
     if isinstance(type_, Array):
-        return (_stand_in(type_.inner()),) * (type_.sizes[0] if type_.sizes else 1)
+        return (stand_in(type_.inner()),) * (type_.sizes[0] if type_.sizes else 1)
     return type_.default
 
 
@@ -136,4 +186,6 @@ def _literal(type_: Type, data: Data, room: int) -> str:
         return f"[{','.join(texts)}]"
     if isinstance(data, bool):
         return "TRUE" if data else "FALSE"
-    return f"{data:.15g}" if isinstance(data, float) else '"' + str(data).replace('"', '""') + '"'
+    if isinstance(data, float):
+        return "9E9" if data == _NOWHERE else f"{data:.15g}"
+    return '"' + str(data).replace('"', '""') + '"'

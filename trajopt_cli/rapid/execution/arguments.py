@@ -47,7 +47,7 @@ def _parameter(run: Run, arg: Argument, node: Name) -> None:
     routine = run.frame.routine
     if routine is None or node.name.lower() not in {parameter.name.lower() for parameter in routine.parameters}:
         where = f"{routine.kind} {routine.name}" if routine else "a routine"
-        raise run.error(arg, f"\\{arg.name}?{node.name} passes on a parameter, and {node.name} is none of {where}")
+        raise run.error(arg, f"\\{arg.name}?{node.name} passes on a parameter, and {node.name} is not one of {where}")
 
 
 def bind(

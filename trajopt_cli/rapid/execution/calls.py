@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import NUM, SIGNALS, STRING, SWITCH, Array, Type, Value
 from trajopt_cli.rapid.data.scope import ABSENT, Absent, Datum, Frame, ModuleScope, Place
 from trajopt_cli.rapid.execution.answers import ask
@@ -88,9 +89,9 @@ def _stub(run: Run, node: ProcedureCall) -> None:
         run.world.asked("stubs", node.name.lower())
         run.ignored[node.name] += 1
         return
-    message = f"{node.name} is neither a procedure of the files read nor an instruction that is known"
-    reason = run.meant(node.name, message, [*INSTRUCTIONS, *run.routines("PROC")])
-    run.world.lack(run, "stubs", node.name, node, reason, "")
+    message = f"{node.name} is neither a procedure of the files read nor a known instruction"
+    close = run.close(node.name, [*INSTRUCTIONS, *run.routines("PROC")])
+    run.world.lack(run, "stubs", node.name, node, message, "", close=close)
 
 
 def function(run: Run, node: Call, wanted: Type | None) -> Value:
@@ -111,9 +112,9 @@ def function(run: Run, node: Call, wanted: Type | None) -> Value:
         raise run.exhausted(node)
     handler = _FUNCTIONS.get(node.name.lower())
     if handler is None:
-        message = f"{node.name} is neither a function of the files read nor one that is known"
-        reason = run.meant(node.name, message, [*FUNCTIONS, *run.routines("FUNC")])
-        return ask(run, node, node.name, wanted or NUM, reason)
+        message = f"{node.name} is neither a function of the files read nor a known function"
+        close = run.close(node.name, [*FUNCTIONS, *run.routines("FUNC")])
+        return ask(run, node, node.name, wanted or NUM, message, close=close)
     try:
         value = handler(run, node)
     except Mismatch as error:
@@ -205,9 +206,8 @@ def _head(run: Run, routine: Routine, scope: ModuleScope) -> Head:
         returns = find_type(run, routine.type, routine) if routine.type else None
         for handler in routine.handlers:
             if handler.kind == "UNDO":
-                run.warn(
-                    f"{run.source(handler)}: UNDO runs only where a user moves the program pointer; it is left out"
-                )
+                what = "UNDO runs only where a user moves the program pointer; it is left out"
+                run.warn(NoticeKind.NO_EFFECT, what, run.source(handler))
     groups: list[list[str]] = []
     for parameter in routine.parameters:
         if parameter.alternative and groups:
@@ -264,7 +264,7 @@ def _argument(run: Run, routine: Routine, parameter: Parameter, type_: Type, arg
         name = f"parameter {parameter.name} of {routine.name}"
         raise run.error(arg, f"{name} is a {type_.name}, and {run.text(arg)} a {place.type.name}")
     if parameter.mode == "PERS" and place.storage != "PERS":
-        raise run.error(arg, f"{run.text(arg)} is no PERS and cannot be given to PERS {parameter.name}")
+        raise run.error(arg, f"{run.text(arg)} is not a PERS and cannot be given to PERS {parameter.name}")
     if parameter.mode == "VAR" and place.storage == "PERS":
         raise run.error(arg, f"{run.text(arg)} is a PERS and cannot be given to VAR {parameter.name}")
     if place.constant and parameter.mode != "PERS":

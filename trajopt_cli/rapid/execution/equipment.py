@@ -19,6 +19,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, readonly, wxyz_from_rotation
 from trajopt_cli.motion import Load, Speed, Tool, Zone
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.datatypes import LOADDATA, TOOLDATA, WOBJDATA, Data, Record, Value
 from trajopt_cli.rapid.data.predefined import predefined
@@ -153,16 +154,20 @@ class Equipment:
             if len(self._rough) < _TOLD:
                 self._rough.add(q)
                 place = run.places(file).source(node.start)
-                run.warn(f"{place}: {name} has an orientation of length {n:.7g}; taken as 1")
+                run.warn(NoticeKind.ASSUMED, f"{name} has an orientation of length {n:.7g}; it is normalised", place)
             else:
-                run.warn(f"more than {_TOLD} orientations are not of length 1; the others are taken as 1 unsaid")
+                run.warn(
+                    NoticeKind.ASSUMED,
+                    f"more than {_TOLD} orientations are not unit quaternions; the others are normalised "
+                    "without a message",
+                )
         return frames.normalised(q)
 
 
 def unoriented(run: Run, node: Expression, value: Value) -> str:
     """What to say of a target or a pose without an orientation: [0,0,0,0] that was written, or that nobody wrote."""
     hint = NEVER if value.data == value.type.default else "give a quaternion of length 1"
-    return f"{run.text(node)} has orientation [0,0,0,0], which is none; {hint}"
+    return f"{run.text(node)} has orientation [0,0,0,0], which is not a rotation; {hint}"
 
 
 def said(run: Run, node: Expression) -> str:
@@ -194,7 +199,10 @@ def value_of(run: Run, node: Expression, type_: Record) -> Value:
 def _undeclared(run: Run, node: Name, what: str) -> None:
     name = node.name
     if assumed(run, name):
-        run.warn(f"{what} '{name}' is not declared in the files read; it is taken as the identity, as asked")
+        run.warn(
+            NoticeKind.ASSUMED,
+            f"{what} '{name}' is not declared in the files read; it is taken as the identity, as asked",
+        )
         return
     reason = (
         f"{what} '{name}' is not declared in the files read; give the file that declares it, or take it as the "
@@ -259,13 +267,14 @@ def _unit(run: Run, wobj: str, unit: str, node: Node) -> None:
     name = unit or wobj
     if any([assumed(run, unit), assumed(run, wobj)]):  # both are asked for
         run.warn(
-            f"work object {wobj} rides on the unit '{unit}' (ufprog FALSE), whose frame no program tells; its user "
-            "frame is taken as the identity, as asked"
+            NoticeKind.ASSUMED,
+            f"work object {wobj} rides on the unit '{unit}' (ufprog FALSE), whose frame is not in the program; its "
+            "user frame is taken as the identity, as asked",
         )
         return
     reason = (
-        f"work object {wobj} rides on the unit '{unit}' (ufprog FALSE), whose frame no program tells; take the unit's "
-        f"frame as the identity: --assume-identity {name}"
+        f"work object {wobj} rides on the unit '{unit}' (ufprog FALSE), whose frame is not in the program; take the "
+        f"unit's frame as the identity: --assume-identity {name}"
     )
     run.world.lack(run, "assume_identity", name, node, reason, name)
 

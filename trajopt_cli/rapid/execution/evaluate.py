@@ -6,6 +6,7 @@ from collections.abc import Callable
 from math import isfinite, trunc
 from typing import TYPE_CHECKING
 
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import (
     BOOL,
     CONFDATA,
@@ -26,7 +27,7 @@ from trajopt_cli.rapid.data.datatypes import (
     same_type,
     single,
 )
-from trajopt_cli.rapid.data.scope import Absent, Datum, Part, Place, item
+from trajopt_cli.rapid.data.scope import Absent, Datum, Part, Place, Told, item
 from trajopt_cli.rapid.execution.making import maker
 from trajopt_cli.rapid.execution.mismatch import Mismatch, mismatch
 from trajopt_cli.rapid.execution.operators import COMPARE, arithmetic, computed, string, vectors
@@ -82,7 +83,12 @@ def _converted(run: Run, node: Expression, value: Value, wanted: Type) -> Value:
 
 
 def _mixed(run: Run, node: Node) -> None:
-    run.note("dnum", f"{run.source(node)}: num and dnum are mixed; a controller refuses that, here it is converted")
+    run.note(
+        "dnum",
+        NoticeKind.UNUSUAL,
+        "num and dnum are mixed: a controller refuses this, here the value is converted",
+        node,
+    )
 
 
 def convertible(wanted: Type, given: Type) -> bool:
@@ -157,9 +163,11 @@ def _name(run: Run, node: Name, wanted: Type | None) -> Value:
 
 
 def _read(run: Run, node: Name, place: Place | Absent | None, wanted: Type | None) -> Value:
+    if type(place) is Told:
+        run.outside.settle(run, place, node, wanted)
     if place is None:
         if wanted is not None and not is_number(wanted):
-            raise run.undeclared(node, f"{wanted.name} ")
+            return run.outside.unknown(run, node, wanted)
         return Value(NUM, single(run.world.signal(run, node, node.name)))
     if isinstance(place, Absent):
         raise _absent(run, node)
@@ -172,7 +180,7 @@ def _readable(run: Run, node: Name | Component | Element, value: Value, wanted: 
         name = value.data or (node.name if isinstance(node, Name) else run.text(node))
         return Value(NUM, single(run.world.signal(run, node, str(name))))
     if not type_.known:
-        raise run.error(node, f"'{run.text(node)}' is of type {type_.name}, which is declared nowhere")
+        raise run.error(node, f"'{run.text(node)}' is of type {type_.name}, which is not declared anywhere")
     return value
 
 
@@ -192,16 +200,36 @@ def locate(run: Run, node: Expression) -> Place:
             raise run.undeclared(node)
         if isinstance(place, Absent):
             raise _absent(run, node)
+        if type(place) is Told:
+            run.outside.settle(run, place, node)
         return place
     if isinstance(node, Component):
-        base = locate(run, node.base)
+        base = _from_outside(run, node) or locate(run, node.base)
         return Part(base, *_component(run, node, base.type))
     if isinstance(node, Element):
-        place = locate(run, node.base)
+        place = _from_outside(run, node) or locate(run, node.base)
         for index, type_ in _elements(run, node, place.value):
             place = Part(place, index, type_)
         return place
     raise run.error(node, "needs the name of data here, found a value")
+
+
+def _from_outside(run: Run, node: Component | Element, wanted: Type | None = None) -> Place | None:
+    """What a part is one of, where the cell file gives it or should; None for what the program declares.
+
+    wanted: the type of the part.
+    """
+    base = node.base
+    if type(base) is not Name:
+        return None
+    place = run.find(base.name)
+    if type(place) is Told:
+        if isinstance(node, Component):
+            run.outside.settle(run, place, base, part=node.name.lower())
+        else:
+            run.outside.settle(run, place, base, wanted, depth=len(node.indices))
+    grows = isinstance(node, Element) and run.outside.grows(base.name)
+    return run.outside.whole(run, base, node, wanted) if place is None or grows else None
 
 
 def inside_opaque(run: Run, node: Expression) -> bool:
@@ -214,18 +242,21 @@ def inside_opaque(run: Run, node: Expression) -> bool:
             while isinstance(base, Element):
                 base = base.base
             place = run.find(base.name) if isinstance(base, Name) else None
+            if type(place) is Told and not place.typed:
+                return False
             if place is not None and not isinstance(place, Absent) and is_opaque(place.type) and place.type.known:
                 return True
     return False
 
 
 def _part_value(run: Run, node: Component | Element, wanted: Type | None) -> Value:
-    whole, place = node.base, None
+    whole = node.base
+    place: Place | Absent | None = None
     if isinstance(whole, Name):
-        place = run.find(whole.name)
-        if place is None:  # no signal: those have no parts
-            raise run.undeclared(whole)
-    base = place.value if type(place) is Datum and type(place.type) is Array else evaluate(run, whole)
+        outside = _from_outside(run, node, wanted)
+        place = outside or run.find(whole.name)
+    known = type(place) is Datum and (type(place.type) is Array or place is outside)
+    base = place.value if known or type(place) is Told else evaluate(run, whole)  # type: ignore[union-attr]
     if isinstance(node, Component):
         base = item(base, *_component(run, node, base.type))
     else:
@@ -244,13 +275,13 @@ def _component(run: Run, node: Component, type_: Type) -> tuple[int, Type]:
         raise run.error(node, f"{type_.name} has no component '{node.name}'; it has {known}")
     if is_opaque(type_) and not isinstance(type_, Array):
         raise run.error(node, f"the components of a {type_.name} are not known here, so '.{node.name}' cannot be read")
-    raise run.error(node, f"a {type_.name} has no components, so '.{node.name}' means nothing")
+    raise run.error(node, f"a {type_.name} has no components, so it has no '.{node.name}'")
 
 
 def _elements(run: Run, node: Element, base: Value) -> list[tuple[int, Type]]:
     type_, data = base.type, base.data
     if not isinstance(type_, Array):
-        raise run.error(node, f"a {type_.name} is no array, so it has no elements")
+        raise run.error(node, f"a {type_.name} is not an array, so it has no elements")
     if not isinstance(data, tuple):  # of a type that means nothing here
         message = f"'{run.text(node)}' is of type {type_.element.name}, which has no value that can be read"
         raise run.error(node, message)
@@ -403,6 +434,11 @@ def _binary(run: Run, node: Binary, wanted: Type | None) -> Value:
     return value
 
 
+def _unknown(run: Run, node: Expression) -> bool:
+    """Whether a side takes its type from the other one: a name that nothing declares."""
+    return type(node) is Name and run.find(node.name) is None
+
+
 def _operands(run: Run, node: Binary, wanted: Type | None) -> tuple[Value, Value]:
     """Both sides. An aggregate takes its type from the other one, and so do numbers beside a dnum."""
     if isinstance(node.left, Aggregate):
@@ -410,9 +446,13 @@ def _operands(run: Run, node: Binary, wanted: Type | None) -> tuple[Value, Value
         return evaluate(run, node.left, b.type), b
     if wanted is DNUM and node.operator not in COMPARE:
         a, b = _hinted(run, node.left), _hinted(run, node.right)
+    elif node.operator in ("=", "<>") and _unknown(run, node.left):
+        b = evaluate(run, node.right)
+        a = evaluate(run, node.left, None if is_number(b.type) else b.type)
     else:
         a = evaluate(run, node.left)
-        b = evaluate(run, node.right, a.type if isinstance(node.right, Aggregate) else None)
+        typed = isinstance(node.right, Aggregate) or (not is_number(a.type) and _unknown(run, node.right))
+        b = evaluate(run, node.right, a.type if typed else None)
     if a.type is not b.type and is_number(a.type) and is_number(b.type):
         if a.type is NUM and _literal(node.left):
             a = _hinted(run, node.left)

@@ -15,6 +15,7 @@ from trajopt_cli.rapid.data.datatypes import NUM, Value
 from trajopt_cli.rapid.data.scope import Frame
 from trajopt_cli.rapid.execution.evaluate import evaluate
 from trajopt_cli.rapid.execution.jumps import Jump, Retry, TryNext
+from trajopt_cli.scenario import asked
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
@@ -98,4 +99,21 @@ def _count_retry(run: Run, statement: Statement, fault: Fault) -> None:
 
 
 class Undeclared(InputError):
-    """A name that stands for nothing in the files read: another file may declare it."""
+    """A name that stands for nothing in the files read: another file may declare it.
+
+    reason: without the remedy. close: the known name that may be meant.
+    """
+
+    def __init__(
+        self,
+        reason: str,
+        close: str | None,
+        *,
+        file: str | None,
+        line: int | None,
+        column: int | None,
+        excerpt: str | None,
+    ):
+        message = f"{asked(reason, close)} give the file that declares it"
+        super().__init__(message, file=file, line=line, column=column, excerpt=excerpt)
+        self.reason, self.close = reason, close

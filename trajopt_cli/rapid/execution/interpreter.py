@@ -13,7 +13,8 @@ from difflib import get_close_matches
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.kinematics import Kinematics
-from trajopt_cli.motion import DEFAULT_SETTINGS, Motion, Source
+from trajopt_cli.motion import DEFAULT_SETTINGS, Motion, Source, Span
+from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.rapid.data.datatypes import NUM, SIGNALS, Array, Type, Value, is_opaque
 from trajopt_cli.rapid.data.predefined import ERRORS, VARIABLES, predefined
 from trajopt_cli.rapid.data.scope import Absent, Datum, Frame, ModuleScope, Part, Place, Scope
@@ -23,6 +24,7 @@ from trajopt_cli.rapid.execution.faults import Fault, Undeclared
 from trajopt_cli.rapid.execution.jumps import Exit
 from trajopt_cli.rapid.execution.once import Link, fill_once
 from trajopt_cli.rapid.execution.operators import computed
+from trajopt_cli.rapid.execution.outside import Outside
 from trajopt_cli.rapid.execution.position import Position
 from trajopt_cli.rapid.execution.room import room
 from trajopt_cli.rapid.execution.statements import run_block
@@ -56,9 +58,11 @@ class Run:
         self.settings = DEFAULT_SETTINGS
         self.ignored: Counter[str] = Counter()  # instructions without effect on motion
         self.world = World(scenario)
+        self.outside = Outside(scenario, self.world)
         self.motions: list[Motion] = []
-        self.warnings: dict[str, None] = {}  # a set that keeps its order
+        self.warnings: dict[Notice, None] = {}  # a set that keeps its order
         self.optional: set[tuple[str, int]] = set()  # file and start of the moves that are marked
+        self.held: list[Span] = []  # what is marked so that the rail stands still in it
         self.files: dict[str, Places] = {}
         self.shared = Scope()
         self.computing: set[int] = set()  # ids of the declarations whose initial value is being computed
@@ -116,10 +120,9 @@ class Run:
         known = (self.frame.local, scope.data, self.shared.data, self._predefined)
         message = f"{what}'{node.name}' is not declared in the program (looked for in {', '.join(where)}, "
         message += "the other modules' globals and the predefined data)"
-        message = self.meant(node.name, message, [name for names in known for name in names])
-        remedy = "give the file that declares it"
-        error = self.error(node, f"{message} Else {remedy}" if message.endswith("?") else f"{message}; {remedy}")
-        return Undeclared(error.message, file=error.file, line=error.line, column=error.column, excerpt=error.excerpt)
+        close = self.close(node.name, [name for names in known for name in names])
+        error = self.error(node, "")
+        return Undeclared(message, close, file=error.file, line=error.line, column=error.column, excerpt=error.excerpt)
 
     def unknown(self, node: Node, name: str, message: str, names: Iterable[str]) -> InputError:
         """An InputError for a name that is not one of names."""
@@ -127,26 +130,29 @@ class Run:
 
     def meant(self, name: str, message: str, names: Iterable[str]) -> str:
         """The message, with the one of names that is spelled nearly like name."""
+        close = self.close(name, names)
+        return message if close is None else f"{message}; did you mean '{close}'?"
+
+    def close(self, name: str, names: Iterable[str]) -> str | None:
+        """The one of names that is spelled nearly like name; None for none, and for several."""
         spellings = {known.lower(): known for known in names}
         close = get_close_matches(name.lower(), spellings, n=2, cutoff=0.8)
-        if len(close) == 1:
-            return f"{message}; did you mean '{spellings[close[0]]}'?"
-        return message
+        return spellings[close[0]] if len(close) == 1 else None
 
     def routines(self, kind: str) -> list[str]:
         """The names, as spelled, of the routines that the code that runs now can see."""
         known = {**self.shared.routines, **self.frame.scope.routines}
         return [routine.name for routine, _ in known.values() if routine.kind == kind]
 
-    def warn(self, message: str) -> None:
+    def warn(self, kind: NoticeKind, text: str, place: Source | None = None) -> None:
         """Tell the user, once."""
-        self.warnings[message] = None
+        self.warnings[Notice(kind, text, place)] = None
 
-    def note(self, topic: str, message: str) -> None:
+    def note(self, topic: str, kind: NoticeKind, text: str, node: Node) -> None:
         """Tell the user, once per topic: the first place that met it speaks for all."""
         if topic not in self._noted:
             self._noted.add(topic)
-            self.warn(message)
+            self.warn(kind, text, self.source(node))
 
     def text(self, node: Node) -> str:
         """A node as written, on one line."""
@@ -178,6 +184,8 @@ class Run:
         if (own := scope.data.get(key)) is not None:
             return own
         known = self.shared.data.get(key) or self._predefined.get(key)
+        if known is None:
+            return self.outside.data.get(key)
         if known is not None:
             scope.outside[name] = known
         return known
@@ -219,13 +227,13 @@ class Run:
     def start(self, routine: Routine, scope: ModuleScope) -> None:
         """Run the entry procedure, which stands in scope, once. Raises InputError for what cannot be run."""
         if any(not parameter.optional for parameter in routine.parameters):
-            message = f"PROC {routine.name} needs arguments, so it cannot be started with"
+            message = f"PROC {routine.name} needs arguments, so the program cannot start with it"
             raise scope.places.error(routine.start, message)
         with self.inside(Frame(scope)), room(), suppress(Exit):
             enter(self, routine, scope, (), routine)
         if not self.world.lacks:
             for sentence in self.world.unused():
-                self.warn(sentence)
+                self.warn(NoticeKind.UNUSED, sentence)
         fill_once(self.motions, self.links, self.counts)
         self.position.place()
 

@@ -8,6 +8,7 @@ from math import prod
 from typing import TYPE_CHECKING, TypeVar
 
 from trajopt_cli.motion import Span
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import (
     ARRAY_LIMIT,
     DEPTH_LIMIT,
@@ -22,7 +23,7 @@ from trajopt_cli.rapid.data.datatypes import (
     is_opaque,
     same_type,
 )
-from trajopt_cli.rapid.data.scope import Datum, Frame, ModuleScope, Scope
+from trajopt_cli.rapid.data.scope import Datum, Frame, ModuleScope, Scope, Told
 from trajopt_cli.rapid.execution.evaluate import evaluate, integer, opaque
 from trajopt_cli.rapid.execution.making import maker
 from trajopt_cli.rapid.execution.mismatch import Mismatch
@@ -31,13 +32,17 @@ from trajopt_cli.rapid.language.syntax import (
     Aggregate,
     AliasDeclaration,
     DataDeclaration,
+    Expression,
     Module,
+    Name,
     Node,
+    Number,
     Parameter,
     RecordDeclaration,
     Routine,
 )
 from trajopt_cli.rapid.language.text import Places
+from trajopt_cli.rapid.language.walk import walk
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
@@ -79,7 +84,8 @@ def _load(run: Run, modules: Sequence[tuple[Module, Places]]) -> tuple[ModuleSco
                         _add(run, scopes, scope, item, declare(run, item, frame))
     for scope, _ in scopes:
         for datum in scope.data.values():
-            _ = datum.value
+            if type(datum) is not Told:  # its values are read already, and reading it takes one of a sequence
+                _ = datum.value
     return tuple(scope for scope, _ in scopes)
 
 
@@ -107,6 +113,9 @@ def _add(
 ) -> None:
     """Enter data. A PERS that several modules declare is one and the same."""
     key = node.name.lower()
+    if run.outside.gives(key):
+        before = None if node.scope == "LOCAL" else run.shared.data.get(key)
+        datum = before if type(before) is Told else run.outside.declared(run, node, node.name, datum)
     shared = None if node.scope == "LOCAL" else run.shared.data.get(key)
     if key in scope.data or shared is not None:
         if key in scope.data or shared is None or not (shared.storage == node.storage == "PERS"):
@@ -118,12 +127,16 @@ def _add(
             where = first[0].places.source(first[1].start)
             message = f"PERS {node.name} is a {datum.type.name} here and a {shared.type.name} in {where}"
             raise scope.places.error(node.start, f"{message}; rename one of them")
-        if node.value is not None:
+        if node.value is not None and shared is not datum:
             if key not in run.valued:
                 shared.take(datum)
             elif shared.value.data != datum.value.data:
                 place = scope.places.source(node.start)
-                run.warn(f"{place}: PERS {node.name} has another value in another module, which counts")
+                run.warn(
+                    NoticeKind.UNUSUAL,
+                    f"PERS {node.name} has a different value in another module, and that one is used",
+                    place,
+                )
         datum = shared
     scope.data[key] = datum
     if node.scope != "LOCAL":
@@ -154,6 +167,8 @@ def declare(run: Run, node: DataDeclaration, frame: Frame) -> Datum:
     scope = frame.scope
     type_ = scope.resolved.get(node.type) or find_type(run, node.type, node)
     if node.sizes:
+        for depth, size in enumerate(node.sizes):
+            _ask_size(run, node, size, depth)
         sizes = tuple([integer(run, size, "an array size") for size in node.sizes])
         if min(sizes) < 1:
             raise run.error(node, f"{node.name} has an array size below 1")
@@ -176,12 +191,23 @@ def declare(run: Run, node: DataDeclaration, frame: Frame) -> Datum:
     return Datum(type_, partial(_initial, run, node, type_, frame), constant, node.storage)
 
 
+def _ask_size(run: Run, node: DataDeclaration, size: Expression, depth: int) -> None:
+    """Ask for an array size that nothing declares; the array's own value tells one that fits."""
+    for name in walk(size) if type(size) is not Number else ():
+        if isinstance(name, Name) and run.find(name.name) is None:
+            value: Expression | None = node.value
+            for _ in range(depth):
+                value = value.items[0] if isinstance(value, Aggregate) and value.items else None
+            count = len(value.items) if isinstance(value, Aggregate) and size is name else 1
+            run.outside.size(run, name, node.name, count)
+
+
 def _initial(run: Run, node: DataDeclaration, type_: Type, frame: Frame) -> Value:
     assert node.value is not None
     if id(node) in run.computing:
         raise frame.scope.places.error(node.start, f"the value of '{node.name}' refers to itself")
     if len(run.computing) >= _CHAIN_LIMIT:
-        message = f"the value of '{node.name}' hangs on more than {_CHAIN_LIMIT} others that are declared behind it"
+        message = f"the value of '{node.name}' depends on more than {_CHAIN_LIMIT} other data declared after it"
         raise frame.scope.places.error(node.start, message)
     run.computing.add(id(node))
     before, run.frame = run.frame, frame
@@ -211,8 +237,8 @@ def find_type(run: Run, name: str, node: DataDeclaration | Parameter | Routine |
     found = _type(run, scope, name, ())
     if not found.known and node is not None:
         what = getattr(node, "name", name)
-        message = f"type '{name}' of '{what}' is declared nowhere; that is fine as long as nothing uses '{what}'"
-        run.note(f"type {found.name}", f"{run.source(node)}: {message}")
+        message = f"type '{name}' of '{what}' is not declared; this does no harm unless something uses '{what}'"
+        run.note(f"type {found.name}", NoticeKind.UNUSUAL, message, node)
     scope.resolved[name] = found
     return found
 
@@ -227,7 +253,9 @@ def _type(run: Run, scope: ModuleScope, name: str, above: tuple[str, ...]) -> Ty
         return TYPES.get(key) or Atomic(key, known=False)
     node, home = found
     if len(above) >= _CHAIN_LIMIT:
-        raise home.places.error(node.start, f"type '{name}' comes behind a chain of more than {_CHAIN_LIMIT} others")
+        raise home.places.error(
+            node.start, f"type '{name}' is at the end of a chain of more than {_CHAIN_LIMIT} others"
+        )
     if home is not scope or key not in home.resolved:
         if key in above:
             raise home.places.error(node.start, f"type '{node.name}' contains itself")
@@ -244,13 +272,13 @@ def _made(
     if isinstance(node, AliasDeclaration):
         type_ = _type(run, home, node.type, above)
         if not type_.known:
-            raise home.places.error(node.start, f"type '{node.type}' of ALIAS {node.name} is declared nowhere")
+            raise home.places.error(node.start, f"type '{node.type}' of ALIAS {node.name} is not declared anywhere")
         return type_
     parts = []
     for written, part in node.components:
         type_ = _type(run, home, written, above)
         if not type_.known:
-            raise home.places.error(node.start, f"type '{written}' in RECORD {node.name} is declared nowhere")
+            raise home.places.error(node.start, f"type '{written}' in RECORD {node.name} is not declared anywhere")
         parts.append((part.lower(), type_))
     record = Record(key, tuple(parts))
     if record.depth > DEPTH_LIMIT:

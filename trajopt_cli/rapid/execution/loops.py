@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from trajopt_cli.errors import InputError
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import DNUM, NUM, SIGNALS, Type, Value, is_number, single
 from trajopt_cli.rapid.data.scope import Datum
 from trajopt_cli.rapid.execution.evaluate import condition, evaluate
@@ -162,8 +163,10 @@ def count_endless(run: Run, node: Statement, loop: str, exits: bool, passes: int
         raise Exit
     if counted >= wanted:
         run.warn(
-            f"{run.source(node)}: {loop} never ends by itself; the program is taken to be over after {counted} "
-            f"pass{'es' if counted > 1 else ''} (endless_passes)"
+            NoticeKind.ENDLESS,
+            f"{loop} never ends by itself; the program is taken to be over after {counted} "
+            f"pass{'es' if counted > 1 else ''} (endless_passes)",
+            run.source(node),
         )
         raise Exit
     return counted

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from trajopt_cli.geometry import Array
 from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import NO_EXTERNAL_AXES, ConfData, ExternalAxes, MoveC, MoveJ, MoveL, Tool
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.predefined import predefined
 from trajopt_cli.rapid.execution.equipment import IDENTITY, Equipment, Setup, frame, matrices, matrix
@@ -178,7 +179,11 @@ def reach(
         raise run.fault(node, "ERR_ROBLIMIT", message)
     if demanded:
         shown = ",".join(str(part) for part in (conf.cf1, conf.cf4, conf.cf6, conf.cfx))
-        run.warn(f"{run.source(node)}: {what} has no posture with confdata [{shown}]; the nearest one is taken")
+        run.warn(
+            NoticeKind.ASSUMED,
+            f"{what} has no posture with confdata [{shown}]; the nearest one is taken",
+            run.source(node),
+        )
     return q
 
 

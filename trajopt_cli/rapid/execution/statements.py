@@ -5,16 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import NUM, Value
 from trajopt_cli.rapid.data.predefined import ERRORS
 from trajopt_cli.rapid.execution.calls import late_call, procedure
 from trajopt_cli.rapid.execution.evaluate import condition, evaluate, inside_opaque, locate
-from trajopt_cli.rapid.execution.faults import Fault, Handled, handle
+from trajopt_cli.rapid.execution.faults import Fault, Handled, Undeclared, handle
 from trajopt_cli.rapid.execution.jumps import Exit, Jump, Retry, Return, TryNext
 from trajopt_cli.rapid.execution.loading import declare
 from trajopt_cli.rapid.execution.loops import backwards, run_for, run_while
 from trajopt_cli.rapid.execution.mismatch import Mismatch
 from trajopt_cli.rapid.language.syntax import (
+    Aggregate,
     Assign,
     Block,
     Connect,
@@ -33,6 +35,7 @@ from trajopt_cli.rapid.language.syntax import (
     While,
 )
 from trajopt_cli.rapid.language.syntax import Return as ReturnStatement
+from trajopt_cli.rapid.language.walk import walk
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
@@ -80,14 +83,34 @@ def _assign(run: Run, node: Assign) -> None:
     target = node.target
     run.budget -= (node.end - node.start) // _LONG  # a long expression takes as long as many statements
     if type(target) is not Name and inside_opaque(run, target):
-        run.note("opaque", f"{run.source(node)}: {run.text(target)} is process data, which changes no motion here")
+        run.note(
+            "opaque",
+            NoticeKind.NO_EFFECT,
+            f"{run.text(target)} is process data, which does not affect the motion",
+            node,
+        )
         return
-    place = locate(run, target)
+    try:
+        place = locate(run, target)
+    except Undeclared:
+        if type(target) is not Name:
+            raise
+        return _assign_undeclared(run, node, target)
     try:
         value = evaluate(run, node.value, place.type)
     except Mismatch as error:
         raise error.about(node.value, run.text(target)) from None
     run.store(place, target, value)
+
+
+def _assign_undeclared(run: Run, node: Assign, target: Name) -> None:
+    """What is assigned tells the type; a name that is counted up is a number."""
+    if isinstance(node.value, Aggregate):
+        raise run.undeclared(target)
+    counted = any(isinstance(one, Name) and one.name.lower() == target.name.lower() for one in walk(node.value))
+    value = None if counted else evaluate(run, node.value)
+    place = run.outside.assigned(run, target, NUM if value is None else value.type)
+    run.store(place, target, evaluate(run, node.value, NUM) if value is None else value)
 
 
 def _if(run: Run, node: If) -> None:
@@ -163,10 +186,10 @@ def _raise(run: Run, node: Raise) -> None:
     number = evaluate(run, node.value, NUM).data
     name = next((name for name, known in ERRORS.items() if known == number), run.text(node.value))
     if number not in USER_ERRORS and name not in ERRORS:
-        message = f"RAISE {run.text(node.value)}: {number:.6g} is no error number; give it one with BookErrNo"
+        message = f"RAISE {run.text(node.value)}: {number:.6g} is not an error number; get one with BookErrNo"
         raise run.fault(node, "ERR_ILLRAISE", message)
     place = run.source(node)
-    message = f"RAISE {run.text(node.value)} is handled by no ERROR handler"
+    message = f"RAISE {run.text(node.value)} is not handled by any ERROR handler"
     raise Fault(message, name, number, file=place.file, line=place.line, column=place.column)
 
 
@@ -176,7 +199,9 @@ def _connect(run: Run, node: Connect) -> None:
         raise run.error(node, f"there is no TRAP {node.trap} in the program")
     run.ignored["CONNECT"] += 1
     run.interrupts += 1
-    run.note("interrupts", f"{run.source(node)}: interrupts never come here, so TRAP {node.trap} does not run")
+    run.note(
+        "interrupts", NoticeKind.NO_EFFECT, f"interrupts are not simulated, so TRAP {node.trap} does not run", node
+    )
     run.assign(node.interrupt, Value(NUM, float(run.interrupts)))
 
 

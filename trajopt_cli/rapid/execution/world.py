@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.scope import Datum
 from trajopt_cli.rapid.language.syntax import Name
 from trajopt_cli.scenario import NUM_LIMIT, Answer, Lack, Scenario, condition_key, yaml_answer
@@ -34,8 +35,10 @@ class World:
         self.lacks: dict[tuple[str, str], Lack] = {}
         self._signals = {name.lower(): values for name, values in scenario.signals.items()}
         self._answers = {name.lower(): values for name, values in scenario.answers.items()}
+        self._data = {name.lower(): given.value for name, given in scenario.data.items()}
         self._waits = {condition_key(text): seconds for text, seconds in scenario.waits.items()}
         self._values: dict[str, float] = {}
+        self.fitting: dict[str, Answer] = {}  # of names that nothing declares: values that let a wait come true
         self._taken: dict[tuple[str, str], int] = {}  # how many values of a sequence are behind
         self._trying = 0
         self._asked: set[tuple[str, str]] = set()  # section and name of all that the program asked for or set
@@ -47,12 +50,31 @@ class World:
             if value not in (0, 1)
         }
 
-    def lack(self, run: Run, section: str, name: str, node: Node, reason: str, value: str) -> None:
-        """Note that the scenario lacks something, once per name; see Lack for what the parts mean."""
+    def lack(
+        self,
+        run: Run,
+        section: str,
+        name: str,
+        node: Node,
+        reason: str,
+        value: str,
+        declared: bool = False,
+        again: bool = False,
+        close: str | None = None,
+    ) -> None:
+        """Note that the scenario lacks something, once per name; see Lack for what the parts mean.
+
+        again: put it in the place of what was noted under the name before.
+        """
         key = (section, name.lower())
-        if key not in self.lacks and not self._trying:
+        if (again or key not in self.lacks) and not self._trying:
             excerpt = run.places().excerpt(node.start)
-            self.lacks[key] = Lack(section, name, run.source(node), reason, value, excerpt)
+            self.lacks[key] = Lack(section, name, run.source(node), reason, value, excerpt, declared, close)
+
+    @property
+    def trying_now(self) -> bool:
+        """Whether what is unknown stands in unsaid."""
+        return self._trying > 0
 
     @contextmanager
     def trying(self) -> Iterator[None]:
@@ -75,13 +97,14 @@ class World:
         if signal in self._not_digital:
             value = self._not_digital[signal]
             message = f"{signal} is {value:.15g} in the cell file, and a digital signal is 0 or 1"
-            run.note(f"digital {signal}", f"{run.source(node)}: {message}")
+            run.note(f"digital {signal}", NoticeKind.UNUSUAL, message, node)
 
     def unused(self) -> list[str]:
         """A sentence for each section of the scenario with names that the program never asked for."""
         given: dict[str, Iterable[str]] = {
             "signals": self.scenario.signals,
             "answers": self.scenario.answers,
+            "data": self.scenario.data,
             "waits": self.scenario.waits,
             "searches": self.scenario.searches,
             "stubs": self.scenario.stubs,
@@ -92,10 +115,10 @@ class World:
             left = sorted(name for name in names if (section, key(name)) not in self._asked)
             if left:
                 shown = ", ".join(left[:_SHOWN]) + (f" and {len(left) - _SHOWN} more" if len(left) > _SHOWN else "")
-                sentences.append(f"the program never asks for: {shown} ({section} in the cell file)")
+                sentences.append(f"the program never uses {shown} ({section} in the cell file)")
         for name in sorted(self.scenario.assume_identity):
             if ("assume_identity", name.lower()) not in self._asked:
-                sentences.append(f"--assume-identity {name}: the program asks for no such tool, work object or unit")
+                sentences.append(f"--assume-identity {name}: the program uses no such tool, work object or unit")
         return sentences
 
     def asked(self, section: str, name: str) -> None:
@@ -119,8 +142,10 @@ class World:
             if _is_output(run, node):
                 return 0.0
             reason = f"'{name}' is not declared in the program and has no value as a signal"
-            self.lack(run, "signals", name, node, reason, "0")
-            return 0.0
+            fitting = self.fitting.get(key, 0.0)
+            value = fitting if isinstance(fitting, float) else 0.0
+            self.lack(run, "signals", name, node, reason, f"{value:.15g}")
+            return value
         return float(self._next("signals", key, given))
 
     def output(self, signal: str) -> float:
@@ -133,7 +158,7 @@ class World:
     def now(self, signal: str) -> float:
         """An output's value without reading it: its sequence stays where it is."""
         self._asked.add(("signals", signal))
-        return self._values.get(signal, float(self._left("signals", signal, self._signals.get(signal, 0.0))[0]))
+        return self._values.get(signal, float(self.left("signals", signal)[0]))
 
     def awaited(self, signal: str, fits: Callable[[float], bool], value: float | None) -> tuple[float, ...]:
         """A wait for a signal came true; from here on it reads as the module says.
@@ -144,7 +169,7 @@ class World:
         self._asked.add(("signals", signal))
         given = self._signals.get(signal)
         if signal not in self._values and isinstance(given, tuple):
-            left = tuple(float(one) for one in self._left("signals", signal, given))
+            left = tuple(float(one) for one in self.left("signals", signal))
             for count, one in enumerate(left):
                 if fits(one):
                     self._taken["signals", signal] = self._taken.get(("signals", signal), 0) + count
@@ -171,7 +196,12 @@ class World:
     def _went_on(self, before: dict[tuple[str, str], int]) -> bool:
         """Whether a later reading can differ: some sequence has gone on to another of its values."""
         for key, taken in self._taken.items():
-            given = (self._signals if key[0] == "signals" else self._answers)[key[1]]
+            section, name = key
+            given: Answer | tuple[Answer, ...]
+            if section == "data":
+                given = self._data[name]
+            else:
+                given = self._signals[name] if section == "signals" else self._answers[name]
             assert isinstance(given, tuple)
             if min(taken, len(given) - 1) != min(before.get(key, 0), len(given) - 1):
                 return True
@@ -192,12 +222,12 @@ class World:
         self._asked.add(("answers", name.lower()))
         return name.lower() in self._answers
 
-    def answer(self, run: Run, node: Node, name: str, reason: str, default: Answer) -> Answer:
+    def answer(self, run: Run, node: Node, name: str, reason: str, default: Answer, close: str | None = None) -> Answer:
         """The answer that is asked for under name; default stands in where the scenario has none."""
         self._asked.add(("answers", name.lower()))
         given = self._answers.get(name.lower())
         if given is None:
-            self.lack(run, "answers", name, node, reason, yaml_answer(default))
+            self.lack(run, "answers", name, node, reason, yaml_answer(default), close=close)
             return default
         return self._next("answers", name.lower(), given)
 
@@ -208,10 +238,21 @@ class World:
         self._taken[section, key] = count + 1
         return given[min(count, len(given) - 1)]
 
-    def _left(self, section: str, key: str, given: Answer | tuple[Answer, ...]) -> tuple[Answer, ...]:
+    def datum(self, name: str) -> Answer:
+        """What the next reading of data gives, name in lower case."""
+        self._asked.add(("data", name))
+        return self._next("data", name, self._data[name])
+
+    def left(self, section: str, key: str) -> tuple[Answer, ...]:
+        """The values that readings to come can give; 0 for a signal without any."""
+        given: Answer | tuple[Answer, ...] = self._data[key] if section == "data" else self._signals.get(key, 0.0)
         if not isinstance(given, tuple):
             return (given,)
         return given[min(self._taken.get((section, key), 0), len(given) - 1) :]
+
+    def take(self, section: str, key: str, count: int) -> None:
+        """Let so many values of a sequence be behind."""
+        self._taken[section, key] = self._taken.get((section, key), 0) + count
 
 
 def _is_output(run: Run, node: Node) -> bool:

@@ -8,9 +8,7 @@ building. Statement instructions are procedure calls, so no instruction is known
 
 from __future__ import annotations
 
-import gc
-
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.rapid.language.blocks import ROUTINES
 from trajopt_cli.rapid.language.cursor import HANDLERS, STORAGE
 from trajopt_cli.rapid.language.statements import StatementParser
@@ -31,19 +29,14 @@ from trajopt_cli.rapid.language.syntax import (
 _ATTRIBUTES = ("SYSMODULE", "NOVIEW", "NOSTEPIN", "VIEWONLY", "READONLY")
 
 
+@of_kind(ErrorKind.PROGRAM)
 def parse_module(text: str, file: str) -> ModuleFile:
     """The syntax tree of one file: usually one module, sometimes several, or loose declarations.
 
     file: the name for messages. Raises InputError with file, line and column, what was expected and what was found; an
     InputErrorGroup where there is more than one mistake.
     """
-    collecting = gc.isenabled()
-    gc.disable()  # a hundred thousand targets make a million nodes, all of which stay: nothing to collect
-    try:
-        return Parser(text, file).file()
-    finally:
-        if collecting:
-            gc.enable()
+    return Parser(text, file).file()
 
 
 def parse_statement(text: str, file: str) -> Statement:

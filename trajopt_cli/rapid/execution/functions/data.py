@@ -48,7 +48,7 @@ def _arg_name(run: Run, node: Call) -> Value:
     (argument,) = bind(run, node, ("Parameter",)).required
     name = run.argument_name(argument.name) if isinstance(argument, Name) else None
     if name is None:
-        raise run.fault(argument, "ERR_ARGNAME", f"{run.text(argument)} is no parameter of the routine")
+        raise run.fault(argument, "ERR_ARGNAME", f"{run.text(argument)} is not a parameter of the routine")
     return string(run, node, name)
 
 

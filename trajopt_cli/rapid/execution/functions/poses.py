@@ -54,7 +54,7 @@ def _n_orient(run: Run, node: Call) -> Value:
     (argument,) = bind(run, node, ("Rotation",)).required
     q: frames.Quaternion = evaluate(run, argument, ORIENT).data
     if frames.norm(q) == 0:
-        raise run.error(argument, f"{run.text(argument)} is [0,0,0,0], which has no direction")
+        raise run.error(argument, f"{run.text(argument)} is [0,0,0,0], which is not a rotation")
     return Value(ORIENT, frames.normalised(q))
 
 
@@ -65,7 +65,7 @@ def _euler_zyx(run: Run, node: Call) -> Value:
     q: frames.Quaternion = evaluate(run, args.required[0], ORIENT).data
     R = frames.matrix(frames.normalised(q)) if frames.norm(q) else None
     if R is None:
-        raise run.error(args.required[0], "EulerZYX of [0,0,0,0], which has no direction")
+        raise run.error(args.required[0], "EulerZYX of [0,0,0,0], which is not a rotation")
     angles = {
         "x": math.atan2(R[2][1], R[2][2]),
         "y": math.atan2(-R[2][0], math.hypot(R[0][0], R[1][0])),

@@ -26,7 +26,7 @@ def _place(run: Run, node: Expression, whole: str) -> int:
     """A position in whole, from 1."""
     place = integer(run, node, "ChPos")
     if not 1 <= place <= max(len(whole), 1):
-        raise run.fault(node, "ERR_ARGVALERR", f"position {place} lies outside the string's 1..{len(whole)}")
+        raise run.fault(node, "ERR_ARGVALERR", f"position {place} lies outside the string, 1..{len(whole)}")
     return place
 
 
@@ -98,7 +98,7 @@ def _str_part(run: Run, node: Call) -> Value:
     whole = _string(run, text)
     start, length = integer(run, first, "ChPos"), integer(run, count, "Len")
     if not (1 <= start <= len(whole) + 1 and 0 <= length <= len(whole) - start + 1):
-        message = f"{length} characters from {start} lie outside the string's 1..{len(whole)}"
+        message = f"{length} characters from {start} lie outside the string, 1..{len(whole)}"
         raise run.fault(node, "ERR_ARGVALERR", message)
     return Value(STRING, whole[start - 1 : start - 1 + length])
 
@@ -174,7 +174,7 @@ def _str_to_byte(run: Run, node: Call) -> Value:
     else:
         value = _numeral(text, next((_BASES[name][0] for name in args.optional), 10))
     if not 0 <= value <= 255:
-        raise run.fault(node, "ERR_ARGVALERR", f'StrToByte: "{text}" is no byte 0..255')
+        raise run.fault(node, "ERR_ARGVALERR", f'StrToByte: "{text}" is not a byte from 0 to 255')
     return Value(NUM, float(value))
 
 
@@ -189,7 +189,7 @@ def _recoded(name: str, base: int, form: str) -> Function:
         text = _string(run, bind(run, node, ("Str",)).required[0])
         value = _numeral(text, base)
         if value < 0:
-            raise run.fault(node, "ERR_ARGVALERR", f'{name}: "{text}" is no whole number to the base {base}')
+            raise run.fault(node, "ERR_ARGVALERR", f'{name}: "{text}" is not a whole number in base {base}')
         return Value(STRING, f"{value:{form}}")
 
     return handler

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import BOOL, NUM, STRING, Data, Type, Value
 from trajopt_cli.rapid.data.predefined import VMAX
 from trajopt_cli.rapid.execution.answers import ask
@@ -25,7 +26,10 @@ def _taken(name: str, type_: Type, data: Data) -> tuple[str, Function]:
         if run.world.known(name):
             return ask(run, node, name, type_, f"{name} asks for its value")
         shown = yaml_answer(data)
-        run.warn(f"{name}() is taken to be {shown}; another value is an answer in the cell file, '{name}: {shown}'")
+        run.warn(
+            NoticeKind.ASSUMED,
+            f"{name}() is taken to be {shown}; another value is an answer in the cell file, '{name}: {shown}'",
+        )
         return Value(type_, data)
 
     return name, handler

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import NUM, STRING, Value
 from trajopt_cli.rapid.execution.arguments import Instruction, bind
 from trajopt_cli.rapid.execution.evaluate import evaluate, integer
@@ -22,7 +23,7 @@ def _exit_cycle(run: Run, node: ProcedureCall) -> None:
 def _stop(run: Run, node: ProcedureCall) -> None:
     bind(run, node, (), ("NoRegain", "AllMoveTasks"))
     run.ignored[node.name] += 1
-    run.note("stop", f"{run.source(node)}: {node.name} waits for the operator; the program goes on here")
+    run.note("stop", NoticeKind.ASSUMED, f"{node.name} waits for the operator; the program goes on here", node)
 
 
 def _call_by_var(run: Run, node: ProcedureCall) -> None:

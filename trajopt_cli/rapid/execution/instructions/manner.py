@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from trajopt_cli.motion import Settings, Speed, Zone
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.datatypes import LOADDATA, Data
 from trajopt_cli.rapid.data.scope import Datum
@@ -87,7 +88,9 @@ def _note_unplanned(run: Run, place: Expression, args: Arguments) -> None:
     node = args.optional.get("tload")
     if node is not None:
         data_of(run, node, LOADDATA, "load", "load0")
-        run.note("tload", f"{run.source(node)}: \\TLoad changes nothing here; the cell's limits hold for any load")
+        run.note(
+            "tload", NoticeKind.NO_EFFECT, "\\TLoad changes nothing here; the cell's limits hold for any load", node
+        )
     if "corr" in args.optional:
-        what = "\\Corr adds what a sensor finds to the path, which is not known here: the path is the one written"
-        run.note("corr", f"{run.source(place)}: {what}")
+        what = "\\Corr adds what a sensor finds to the path, which is not known here: the path stays as written"
+        run.note("corr", NoticeKind.NO_EFFECT, what, place)

@@ -26,6 +26,7 @@ from trajopt_cli.motion import (
     Tool,
     Written,
 )
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.path.circle import circle_through
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.datatypes import JOINTTARGET, ROBTARGET, Data, Value
@@ -191,6 +192,7 @@ def to_pose(
         "settings": settings,
         "events": events,
         "process": process,
+        "hold": None,
         "conf": conf,
         "tool": setup.tool or Tool(setup.name, matrix(placed), stationary=True),
         "wobj": setup.wobj,
@@ -226,11 +228,13 @@ def _check_circle(
         return
     course = circle_through(at, via[0], place[0])
     if course is None:
-        run.warn(f"{run.source(node)}: start, {through} and {to} lie on one line, not on a circle")
+        run.warn(NoticeKind.UNUSUAL, f"start, {through} and {to} lie on one line, not on a circle", run.source(node))
     elif degrees(course.angle) > _WIDEST_ARC:
         run.warn(
-            f"{run.source(node)}: the arc through {through} is {degrees(course.angle):.4g} deg long; "
-            f"a controller takes at most {_WIDEST_ARC:g} deg, so divide it in two"
+            NoticeKind.UNUSUAL,
+            f"the arc through {through} is {degrees(course.angle):.4g} deg long; "
+            f"a controller takes at most {_WIDEST_ARC:g} deg, so divide it in two",
+            run.source(node),
         )
 
 

@@ -49,7 +49,7 @@ _NAMES = """
 
 def _guided(run: Run, node: ProcedureCall) -> None:
     """Not nothing at all, but nothing that a program tells."""
-    raise run.error(node, f"{node.name} lets a sensor guide the robot: where it goes is in no program; leave it out")
+    raise run.error(node, f"{node.name} lets a sensor guide the robot, so its path is not in the program; leave it out")
 
 
 INSTRUCTIONS: dict[str, Instruction] = {

@@ -26,7 +26,7 @@ def _read_key(run: Run, node: ProcedureCall) -> None:
     value = fill(run, answer, f"TPReadFK asks the operator for {run.text(answer)}, a key of 1..5", float(offered[0]))
     if value is not None and value.data not in (1, 2, 3, 4, 5):
         raise run.error(
-            answer, f"the answer {value.data:.15g} to '{run.text(answer)}' in the cell file is no key of 1..5"
+            answer, f"the answer {value.data:.15g} to '{run.text(answer)}' in the cell file is not a key from 1 to 5"
         )
     _unbroken(run, args.value("breakflag"))
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from trajopt_cli.motion import MoveC, MoveJ, MoveL, Process, Speed
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import Record
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, present
 from trajopt_cli.rapid.execution.equipment import said
@@ -86,8 +87,9 @@ def _weld_speed(
     value = _first_number(run, extra[1])
     if value is None or not value > 0:
         run.warn(
-            f"{run.source(node)}: the weld_speed of {run.text(extra[1])} is not known; "
-            f"the weld is taken at its Speed {said(run, speed)}"
+            NoticeKind.ASSUMED,
+            f"the weld_speed of {run.text(extra[1])} is not known; the weld is taken at its Speed {said(run, speed)}",
+            run.source(node),
         )
         return None
     outside = pace.speed(run, speed, Arguments((), {}))

@@ -42,7 +42,9 @@ def _search(kind: PoseKind, name: str) -> Instruction:
         if share is None:
             to_pose(run, node, kind, request, process=process)
             raise run.fault(
-                node, "ERR_WHLSEARCH", f"{name} finds nothing on its way, as the scenario says of '{said(run, signal)}'"
+                node,
+                "ERR_WHLSEARCH",
+                f"{name} finds nothing on its way, as the cell file says for '{said(run, signal)}'",
             )
         hit = _hit(run, node, kind, setup, circle, end, share)
         if any(stop in args.optional for stop in _STOPS):
@@ -68,7 +70,8 @@ def _share(run: Run, node: ProcedureCall, signal: Expression, searched: Expressi
         return found[0]
     named = searched if isinstance(searched, Name) else signal
     name = said(run, named)
-    reason = f"{node.name} ends where '{said(run, signal)}' comes, which no program tells; say at what share of the way"
+    ends = f"{node.name} ends where '{said(run, signal)}' changes"
+    reason = f"{ends}, which the program does not tell; say after what share of the way"
     run.world.lack(run, "searches", name, node, reason, "0.5")
     return 0.5
 

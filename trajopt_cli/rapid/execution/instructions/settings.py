@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from trajopt_cli.motion import Settings, Singularity
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
 from trajopt_cli.rapid.execution.equipment import load
 from trajopt_cli.rapid.execution.evaluate import condition, number
@@ -73,7 +74,11 @@ def _percent(run: Run, node: ProcedureCall, value: Expression, least: float) -> 
     given = number(run, value)
     taken = min(max(given, least), 100.0)
     if taken != given:
-        run.warn(f"{run.source(value)}: {node.name} takes {least:g}..100 %, found {given:.6g}; taken as {taken:g}")
+        run.warn(
+            NoticeKind.ASSUMED,
+            f"{node.name} takes {least:g}..100 %, found {given:.6g}; taken as {taken:g}",
+            run.source(value),
+        )
     return taken
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from trajopt_cli.motion import SignalEvent, Written
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import SIGNALS, STRING, TYPES, Value
 from trajopt_cli.rapid.data.scope import Datum
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
@@ -107,7 +108,11 @@ def _signal_name(run: Run, node: Expression) -> str:
 
 def _rename(run: Run, alias: Expression, signal: str | None) -> None:
     if isinstance(alias, Name) and run.find(alias.name) is None:
-        run.warn(f"{run.source(alias)}: alias '{alias.name}' is declared in none of the files read; it is a signal")
+        run.warn(
+            NoticeKind.ASSUMED,
+            f"alias '{alias.name}' is not declared in the files read; it is taken as a signal",
+            run.source(alias),
+        )
         run.shared.data[alias.name.lower()] = Datum(TYPES["signaldi"], Value(TYPES["signaldi"], signal))
     place = locate(run, alias)
     if place.type.name not in SIGNALS:

@@ -51,7 +51,9 @@ def _io(run: Run, node: ProcedureCall) -> None:
     args = bind(run, node, ("TriggData", "Distance", "SetValue"), options)
     trigger, distance, value = args.required
     if "procid" in args.optional:
-        raise run.error(node, "TriggIO \\ProcID belongs to a process option and sets no signal that is known here")
+        raise run.error(
+            node, "TriggIO \\ProcID belongs to a process option and does not set a signal that is known here"
+        )
     length, time, start = _where(run, distance, args)
     signal = _output(run, node, args)
     event = PathEvent(Happens.SIGNAL, signal, number(run, value), distance=length, time=time, from_start=start)
@@ -143,7 +145,9 @@ def _events(run: Run, argument: Expression) -> tuple[PathEvent, ...]:
     found = tuple(data) if isinstance(data, tuple) else ()
     flat = tuple(event for part in found for event in (part if isinstance(part, tuple) else (part,)))
     if not any(isinstance(event, PathEvent) for event in flat):
-        raise run.error(argument, f"trigger {run.text(argument)} was never set up; TriggIO, TriggInt ... come before")
+        raise run.error(
+            argument, f"trigger {run.text(argument)} was never set up; TriggIO, TriggInt ... must come first"
+        )
     return tuple(event for event in flat if isinstance(event, PathEvent))
 
 

@@ -7,13 +7,14 @@ Where the scenario says `timeout`, a wait with \MaxTime lasts that long, and set
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from trajopt_cli.motion import Wait, Written
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import BOOL, NUM, SIGNALS, Atomic, Data, Type, Value
-from trajopt_cli.rapid.data.scope import Place
+from trajopt_cli.rapid.data.scope import Place, Told
 from trajopt_cli.rapid.execution.answers import root
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
 from trajopt_cli.rapid.execution.evaluate import condition, evaluate, locate, number
@@ -31,7 +32,8 @@ from trajopt_cli.rapid.language.syntax import (
     String,
     Unary,
 )
-from trajopt_cli.scenario import LONGEST_WAIT, condition_key
+from trajopt_cli.rapid.language.walk import walk
+from trajopt_cli.scenario import LONGEST_WAIT, condition_key, yaml_name
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
@@ -100,7 +102,7 @@ def _await(run: Run, node: ProcedureCall, signal: str, test: str, wanted: float)
         values = ", ".join(f"{value:.15g}" for value in left[:7]) + (", ..." if len(left) > 7 else "")
         raise run.error(
             node,
-            f"{node.name} waits for {signal} {test} {wanted:.15g}, and no value that is left of its sequence fits "
+            f"{node.name} waits for {signal} {test} {wanted:.15g}, and none of the values left in its sequence fits "
             f"({values}); add one to signals.{signal} in the cell file, or let the wait end by its time: "
             f"'waits: {{{signal} {test} {wanted:.15g}: timeout}}'",
         )
@@ -126,7 +128,7 @@ def _over(
             run.assign(flag, Value(BOOL, False))
         return True
     if longest is None:
-        raise run.error(node, f"waits for {shown} for ever: the cell file says timeout, and \\MaxTime is not given")
+        raise run.error(node, f"waits for {shown} forever: the cell file says timeout, and \\MaxTime is not given")
     if flag is None:
         raise run.fault(node, "ERR_WAIT_MAXTIME", f"{shown} has not come true within \\MaxTime of {longest:.6g} s")
     run.assign(flag, Value(BOOL, True))
@@ -146,14 +148,79 @@ def _wait_until(run: Run, node: ProcedureCall) -> None:
     possible = not (never(run, wanted) or _contradictory(run, terms or []))
     if not _over(run, node, args, shown, (shown, *(names if len(names) == 1 else ())), possible):
         return
-    if terms is None:
-        run.world.poll(lambda: condition(run, wanted))
+    if _from_outside(run, node, wanted, terms, shown) or terms is None:
         return
     for term in terms:
         if term.signal is not None:
             _await(run, node, term.signal, "=", term.value.data)
         else:
             _assume(run, node, term, shown)
+
+
+def _from_outside(run: Run, node: ProcedureCall, wanted: Expression, terms: list[_Term] | None, shown: str) -> bool:
+    """Let what the condition reads come from outside as the cell file says, or ask for it; whether it holds then."""
+
+    def holds() -> bool:
+        return run.world.poll(lambda: condition(run, wanted))
+
+    parts = [part for part in _parts(run, wanted) if isinstance(locate(run, part).type, Atomic)]
+    told = [place for name in dict.fromkeys(root(run, part).lower() for part in parts) if (place := _given(run, name))]
+    if not told:
+        if terms is None and not holds():
+            run.outside.ask(run, node, parts, _unknown(run, wanted), _values(run, wanted, parts), shown, holds)
+        return False
+    if run.outside.awaited(told, holds):
+        return True
+    if terms is None or any(isinstance(run.scenario.data[one.name].value, tuple) for one in told):
+        names = ", ".join(one.name for one in told)
+        raise run.error(
+            node,
+            f"{node.name} waits for {shown}, and none of the values that the cell file has left for {names} makes it "
+            f"true; add one under data, or let the wait end by its time: 'waits: {{{yaml_name(shown)}: timeout}}'",
+        )
+    return False
+
+
+def _given(run: Run, name: str) -> Told | None:
+    place = run.find(name)
+    return place if isinstance(place, Told) and run.outside.gives(place.name) else None
+
+
+def _parts(run: Run, node: Expression) -> Iterator[Expression]:
+    """The data in a condition that the program may change, each part as written."""
+    if isinstance(node, Name | Component | Element):
+        if _variable(run, node) is not None:
+            yield node
+    else:
+        for one in _operands(node):
+            yield from _parts(run, one)
+
+
+def _operands(node: Expression) -> list[Expression]:
+    match node:
+        case Binary():
+            return [node.left, node.right]
+        case Unary():
+            return [node.operand]
+        case Call():
+            return [arg.value for arg in node.args if arg.value is not None]
+    return []
+
+
+def _unknown(run: Run, node: Expression) -> list[Name]:
+    """The names in a condition that nothing declares."""
+    if isinstance(node, Name):
+        return [node] if run.find(node.name) is None else []
+    return [name for one in _operands(node) for name in _unknown(run, one)]
+
+
+def _values(run: Run, wanted: Expression, parts: list[Expression]) -> list[Data]:
+    """Values to try for data of a condition: what it is held against, and a little more or less."""
+    held = [node.value for node in walk(wanted) if isinstance(node, Number | String)]
+    held += [locate(run, part).value.data for part in parts]
+    numbers = [float(value) for value in held if isinstance(value, float)]
+    near = [value + step for step in (0.0, 1.0, -1.0) for value in numbers]
+    return [True, False, 1.0, 0.0, *near, *(value for value in (*held, "1") if isinstance(value, str))]
 
 
 def _contradictory(run: Run, terms: list[_Term]) -> bool:
@@ -177,7 +244,7 @@ def _assume(run: Run, node: ProcedureCall, term: _Term, shown: str) -> None:
         run.assign(term.target, term.value)
         return
     name = root(run, term.target)
-    run.warn(f"{run.source(node)}: {node.name} {shown} is taken to come true; {name} is not changed")
+    run.warn(NoticeKind.ASSUMED, f"{node.name} {shown} is taken to come true; {name} is not changed", run.source(node))
 
 
 @dataclass(frozen=True)
@@ -263,16 +330,7 @@ def _steady(run: Run, node: Expression, constant: bool) -> bool:
 
 
 def _names(node: Expression) -> list[str]:
-    match node:
-        case Name():
-            return [node.name]
-        case Binary():
-            return _names(node.left) + _names(node.right)
-        case Unary():
-            return _names(node.operand)
-        case Call():
-            return [name for arg in node.args if arg.value is not None for name in _names(arg.value)]
-    return []
+    return [node.name] if isinstance(node, Name) else [name for one in _operands(node) for name in _names(one)]
 
 
 # -------------------------------------------------------------------------------------------------- the other waits
