@@ -12,7 +12,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.export.rapid import export_rapid
 from trajopt_cli.export.rapid_reading import Reading
 from trajopt_cli.export.rapid_writable import writable
-from trajopt_cli.motion import MoveJ, MoveL, Program, SignalEvent, TextFile
+from trajopt_cli.motion import Hold, MoveJ, MoveL, Program, SignalEvent, TextFile
 from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.scenario import Scenario
@@ -39,6 +39,25 @@ def plant() -> Plant:
 
 def loop() -> Program:
     return made(f"{J1}        {LOOP}\n{J2}", "    VAR num n;\n", PICK)
+
+
+@pytest.mark.parametrize(
+    ("mark", "body"),
+    [
+        ("", LOOP.replace("FOR i FROM 0 TO 1 DO", "FOR i FROM 0 TO 1 DO ! trajopt: hold rail")),
+        ("        ! trajopt: hold rail\n", LOOP),
+        ("", LOOP.replace("WaitTime 0.5;", "WaitTime 0.5; ! trajopt: hold rail")),
+    ],
+)
+def test_what_holds_the_rail_still_does_when_written_flat(plant: Plant, mark: str, body: str) -> None:
+    program = made(f"{J1}{mark}        {body}\n{J2}", "    VAR num n;\n", PICK)
+    export = export_rapid(program, plan_for(program, plant, {i: x for i, x in RAILS.items() if i != 5}), plant)
+    assert [*export.new] == ["main_flat.mod"]
+    again = run_program([*(replace(program.files[path], text=text) for path, text in export.texts.items()),
+                         *export.new.values()])  # fmt: skip
+    held = [[motion.hold for motion in one.motions if not isinstance(motion, SignalEvent)] for one in (program, again)]
+    assert Hold.PROGRAM in held[0]
+    assert held[1] == held[0]
 
 
 def test_a_loop_that_cannot_carry_the_plan_is_written_flat(plant: Plant) -> None:

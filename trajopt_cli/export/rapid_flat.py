@@ -13,12 +13,12 @@ from trajopt_cli.export.rapid_scopes import Scopes
 from trajopt_cli.export.rapid_stretches import Stretch
 from trajopt_cli.export.rapid_targets import Targets, Wish, type_of
 from trajopt_cli.export.rapid_text import Edits, Names, plain, refusal
-from trajopt_cli.motion import Motion, Move, MoveC, MoveExtJ, Program, SignalEvent, Span, TextFile, Wait
+from trajopt_cli.motion import Hold, Motion, Move, MoveC, MoveExtJ, Program, SignalEvent, Span, TextFile, Wait
 from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.rapid.language.syntax import Assign, Node, ProcedureCall
+from trajopt_cli.rapid.marks import FLAT, HOLD
 from trajopt_cli.units import DEG, MM
 
-FLAT = "! written flat by trajopt: "
 _INDENT = "    "
 
 
@@ -74,7 +74,8 @@ class FlatModule:
         for index in indices:
             motion, done = self._program.motions[index], how(index)
             text = done.text if done.text is not None else self._statement(motion, done)
-            lines += [*done.before, text, *done.behind]
+            held = not isinstance(motion, SignalEvent) and motion.hold is Hold.PROGRAM
+            lines += [*done.before, f"{text} {HOLD}" if held else text, *done.behind]
         self._bodies.append((name, lines))
         self._edits.replace_by(stretch.span, f"{name};", FLAT)
         written = " ".join(self._edits.text(stretch.span).split())

@@ -11,6 +11,8 @@ from trajopt_cli.rapid.language.text import Places
 from trajopt_cli.rapid.language.walk import walk
 
 DROPPED = "! dropped by trajopt: "  # how an export begins the comment that a dropped move becomes
+FLAT = "! written flat by trajopt: "  # and what it has written out elsewhere
+HOLD = "! trajopt: hold rail"
 _MARK = re.compile(r"!\s*trajopt\s*:\s*(.*?)\s*$", re.IGNORECASE)
 _OPTIONAL, _HOLD = "optional", "hold rail"
 _Stretch = tuple[int, int]
@@ -72,4 +74,5 @@ def _at(mark: int, places: Places, stretches: Sequence[_Stretch], word: str) -> 
 
 def _already_dropped(text: str, mark: int) -> bool:
     below = text[mark:].splitlines()[1:2]
-    return DROPPED in text[:mark].splitlines()[-1] or bool(below and DROPPED in below[0])
+    beside = [text[:mark].splitlines()[-1], *below]
+    return any(beginning in line for line in beside for beginning in (DROPPED, FLAT))
