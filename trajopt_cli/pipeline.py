@@ -371,6 +371,7 @@ def joint_export(folder: Path, rate: float) -> tuple[Results, Trajectory, str]:
     return results, trajectory, write_csv_text(trajectory)
 
 
+@of_kind(ErrorKind.RESULTS)
 def rapid_export(folder: Path) -> RapidFiles:
     """The optimised modules of a results folder. Raises InputError where the plan could not be written as RAPID."""
     from trajopt_cli.export.rapid_diff import patch, unified_diff
