@@ -10,6 +10,7 @@ from small_cells import MOUNTS, mounted, safe_arm
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose, line_pose, pose, rotation_about
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.stages import PathConstants, Stages, ToolRow
+from trajopt_cli.problem.problem import Coupling
 from trajopt_cli.robot.kinematics import forward_acceleration, forward_velocity, inverse_acceleration, inverse_velocity
 from trajopt_cli.robot.symbolic import forward
 from trajopt_cli.robot.symbolic_inverse import BranchSigns
@@ -68,13 +69,13 @@ def motion_at(axes: Axes, X_0: Array, X_1: Array, cfx: int, s: float, d: float, 
 
 
 @pytest.mark.parametrize("sides", ["l", "lr"])
-@pytest.mark.parametrize("tied", [False, True], ids=["free", "tied"])
+@pytest.mark.parametrize("coupling", Coupling)
 @pytest.mark.parametrize("turning", [False, True], ids=["straight", "turning"])
 def test_path_rows_are_the_motion_over_its_limits(
-    axes: Axes, stages: Stages, sides: str, tied: bool, turning: bool
+    axes: Axes, stages: Stages, sides: str, coupling: Coupling, turning: bool
 ) -> None:
     rng = np.random.default_rng(11)
-    block = stages.path_node(sides, turning, tied)
+    block = stages.path_node(sides, turning, coupling)
     n = len(sides)
     assert len(block.lower) == 6 + 2 + 6 + 6 * n + 2 + 1 + 2 * n
     for X_0, X_1, d, cfx in lines(axes, rng, turning):
@@ -82,7 +83,7 @@ def test_path_rows_are_the_motion_over_its_limits(
         acc, rail_acc = rng.normal(size=n) * 3, rng.normal(size=n)
         V, A, room = axes.velocity * 0.9, axes.acceleration * 0.8, rng.uniform(0.7, 1, 6)
         caps = rng.uniform(0.1, 1, 3)
-        if tied:
+        if coupling is Coupling.COORDINATED:
             d_0, d_1 = d - 0.1 * s, d + 0.1 * (1 - s)
             w, rail_acc = v * 0.1, acc * 0.1
             z = np.r_[s, v, acc, d_0, d_1, T]
@@ -194,8 +195,8 @@ def test_axis_reach_rows_are_distances_to_the_reachable_interval(stages: Stages)
 
 
 def test_a_block_is_built_once_per_kind(stages: Stages) -> None:
-    assert stages.path_node("lr", True, False) is stages.path_node("lr", True, False)
-    assert stages.path_node("lr", True, False) is not stages.path_node("lr", False, False)
+    assert stages.path_node("lr", True, Coupling.FREE) is stages.path_node("lr", True, Coupling.FREE)
+    assert stages.path_node("lr", True, Coupling.FREE) is not stages.path_node("lr", False, Coupling.FREE)
     assert len({id(stages.axis_node(sides)) for sides in ("l", "r", "lr")}) == 3
     symbol = ca.SX.sym("q", 7)
     flange = ca.Function("flange", [symbol], [symbol[:3], ca.SX.eye(3)])

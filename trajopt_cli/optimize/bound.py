@@ -40,7 +40,7 @@ class _Cells:
     key: IndexArray
 
 
-def lower_bound(axes: Axes, problem: Problem, tied: bool, incumbent: float) -> float:
+def lower_bound(axes: Axes, problem: Problem, incumbent: float) -> float:
     """No legal motion of this problem and target is faster [s].
 
     incumbent: a legal cycle time. Cells through which no chain is faster than the value aimed at are dropped; when none
@@ -52,7 +52,7 @@ def lower_bound(axes: Axes, problem: Problem, tied: bool, incumbent: float) -> f
     ahead: list[Array | None] = [None] * len(problem.waypoints)
     best, aim = 0.0, incumbent
     for level in range(LEVELS):
-        cells = [_cells(axes, stop, grids[k], level, keep[k], tied, cache) for k, stop in enumerate(problem.waypoints)]
+        cells = [_cells(axes, problem, k, grids[k], level, keep[k], cache) for k in range(len(problem.waypoints))]
         if any(not len(c.key) for c in cells):
             return aim
         pairs = max(len(a.key) * len(b.key) for a, b in pairwise(cells))
@@ -65,7 +65,7 @@ def lower_bound(axes: Axes, problem: Problem, tied: bool, incumbent: float) -> f
         forward = [np.zeros(len(cells[0].key))]
         edges = []
         for k, leg in enumerate(problem.legs):
-            T = _edge(axes, leg, cells[k], cells[k + 1], tied, forward[-1], parents[k + 1], aim)
+            T = _edge(axes, problem, leg, cells[k], cells[k + 1], forward[-1], parents[k + 1], aim)
             edges.append(T)
             forward.append(np.min(forward[-1][:, None] + T, axis=0))
         backward = [np.zeros(len(cells[-1].key))]
@@ -78,7 +78,9 @@ def lower_bound(axes: Axes, problem: Problem, tied: bool, incumbent: float) -> f
             keep[k], ahead[k] = c.key[live], backward[k][live]
         if any(not len(x) for x in keep if x is not None):
             return aim
-        next_pairs = (2 if tied else 4) ** 2 * max(a * b for a, b in pairwise([len(x) for x in keep if x is not None]))
+        next_pairs = (2 if problem.coordinated else 4) ** 2 * max(
+            a * b for a, b in pairwise([len(x) for x in keep if x is not None])
+        )
         if best < AIM * incumbent and next_pairs > FEW_PAIRS:
             aim = AIM * incumbent
     return best
@@ -107,13 +109,14 @@ def _children(keys: IndexArray) -> IndexArray:
 
 def _cells(
     axes: Axes,
-    stop: Waypoint,
+    problem: Problem,
+    k: int,
     grid: Array,
     level: int,
     kept: IndexArray | None,
-    tied: bool,
     cache: dict[bytes, Enclosure],
 ) -> _Cells:
+    stop = problem.waypoints[k]
     if stop.q is not None:
         q = axes.seven(stop.q)[:4, None]
         zero = np.zeros((4, 1))
@@ -125,7 +128,7 @@ def _cells(
     single = len(grid) == 2
     width = 1 if single else max(1, COARSE >> level)
     n_d = (len(grid) - 1) // width
-    rest = stop.rest or tied
+    rest = stop.rest or problem.coordinated
     n_v = COARSE_SPEED << level
     if kept is None:
         key = np.array([(s, d, v) for s in range(4) for d in range(n_d) for v in ((0,) if rest else range(n_v))])
@@ -160,7 +163,7 @@ def _over_alive(ranges: Range, alive: BoolArray) -> Range:
 
 
 def _edge(
-    axes: Axes, leg: Leg, a: _Cells, b: _Cells, tied: bool, so_far: Array, ahead: Array, incumbent: float
+    axes: Axes, problem: Problem, leg: Leg, a: _Cells, b: _Cells, so_far: Array, ahead: Array, incumbent: float
 ) -> Array:
     """(n_a, n_b) least time of a leg between cells; infinite where no motion fits or none can matter."""
     out = np.full((len(a.key), len(b.key)), np.inf)
@@ -168,14 +171,14 @@ def _edge(
     for start in range(0, len(a.key), rows):
         part = np.arange(start, min(start + rows, len(a.key)))
         ia, ib = (x.ravel() for x in np.meshgrid(part, np.arange(len(b.key)), indexing="ij"))
-        T, ia, ib = _pairs(axes, leg, a, b, tied, ia, ib, so_far, ahead, incumbent)
+        T, ia, ib = _pairs(axes, problem, leg, a, b, ia, ib, so_far, ahead, incumbent)
         out[ia, ib] = T
     return out
 
 
 def _pairs(
-    axes: Axes, leg: Leg, a: _Cells, b: _Cells, tied: bool, ia: IndexArray, ib: IndexArray, so_far: Array, ahead: Array,
-    incumbent: float,
+    axes: Axes, problem: Problem, leg: Leg, a: _Cells, b: _Cells, ia: IndexArray, ib: IndexArray, so_far: Array,
+    ahead: Array, incumbent: float,
 ) -> tuple[Array, IndexArray, IndexArray]:  # fmt: skip
     V, A = axes.velocity.copy(), axes.acceleration
     if leg.kind is not LegKind.DWELL:
@@ -191,7 +194,7 @@ def _pairs(
     top_a = np.full(len(ia), np.inf)
     for j in order:
         low, high = b.q.lo[j, ib] - a.q.hi[j, ia], b.q.hi[j, ib] - a.q.lo[j, ia]
-        if tied:
+        if problem.coordinated:
             least = np.maximum(np.maximum(low, -high), 1e-12)
             if leg.kind is LegKind.JOINT:
                 top_v, top_a = np.minimum(top_v, V[j] / least), np.minimum(top_a, A[j] / least)

@@ -22,7 +22,7 @@ from trajopt_cli.optimize.transcription import EXACT, START, Draft, Margins, Tra
 from trajopt_cli.problem.problem import LegKind, Problem
 
 FIRST, LAST = 6, 24  # intervals of a path, doubled from solve to solve
-LAST_TIED = 12  # rapid: every line is timed again by itself afterwards
+LAST_COORDINATED = 12  # rapid: every line is timed again by itself afterwards
 LAST_ALONE = 48  # where a leg is solved by itself
 GRID_JOINT = 24
 NEAR_CAP = 0.7  # share of a tool cap from which a node holds it explicitly
@@ -58,9 +58,9 @@ class NotConverged(Exception):
 class Refiner:
     """Solves one target of one problem from a chain."""
 
-    def __init__(self, axes: Axes, stages: Stages, flange: ca.Function, problem: Problem, tied: bool):
-        self.axes, self.stages, self.flange, self.problem, self.tied = axes, stages, flange, problem, tied
-        self.last = LAST_ALONE if len(problem.legs) == 1 else LAST_TIED if tied else LAST
+    def __init__(self, axes: Axes, stages: Stages, flange: ca.Function, problem: Problem):
+        self.axes, self.stages, self.flange, self.problem = axes, stages, flange, problem
+        self.last = LAST_ALONE if len(problem.legs) == 1 else LAST_COORDINATED if problem.coordinated else LAST
         self.seconds = {"build": 0.0, "solve": 0.0, "check": 0.0}
 
     def _solve(
@@ -68,7 +68,7 @@ class Refiner:
         warm: Sequence[Any] | None = None,
     ) -> tuple[Draft, Transcription, NlpResult | None]:  # fmt: skip
         start = perf_counter()
-        t = Transcription(self.axes, self.stages, self.flange, self.problem, draft, margins, self.tied)
+        t = Transcription(self.axes, self.stages, self.flange, self.problem, draft, margins)
         if t.nlp.empty:
             return t.read(t.nlp.guess), t, None
         if warm is None:
@@ -142,7 +142,7 @@ class Refiner:
                 ratios = check_leg(self.axes, leg, motion)
                 worst = max(worst, ratios.worst)
                 if m is not None:
-                    resting = leg.kind is LegKind.DWELL and leg.duration is not None and not self.tied
+                    resting = leg.kind is LegKind.DWELL and leg.duration is not None and not self.problem.coordinated
                     rail = float(self.axes.acceleration[0]) if resting else None
                     changed |= tighten(m, ratios, motion, SAFE, rail)
             self.seconds["check"] += perf_counter() - start
@@ -198,4 +198,4 @@ class Refiner:
         sample = motion.sample(self.axes, grid * motion.T)
         v = sample.qd * motion.T
         out = JointNodes(motion.T, grid, sample.q, v, np.diff(v, axis=0) * N)
-        return straight(motion.T, grid, q_0, q_1, *share_of(out)) if self.tied else out
+        return straight(motion.T, grid, q_0, q_1, *share_of(out)) if self.problem.coordinated else out

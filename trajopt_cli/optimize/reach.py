@@ -6,7 +6,7 @@ configuration in the whole station. What cannot be reached is named here, before
 
 from __future__ import annotations
 
-from dataclasses import astuple, dataclass
+from dataclasses import astuple, dataclass, replace
 
 import numpy as np
 from scipy import ndimage
@@ -183,9 +183,7 @@ def _out_of_reach(axes: Axes, problem: Problem, k: int, d: Array) -> bool:
 
 def problem_at(problem: Problem, k: int) -> Problem:
     """The problem of one stop alone."""
-    return Problem(
-        problem.plant, problem.program, problem.freedom, (problem.waypoints[k],), (), ((0, 0),), problem.dropped
-    )
+    return replace(problem, waypoints=(problem.waypoints[k],), legs=(), stations=((0, 0),))
 
 
 def _passable(problem: Problem, table: StationTable, i: int) -> bool:

@@ -62,7 +62,7 @@ def _layer(axes: Axes, problem: Problem, table: StationTable, k: int, speeds: Ar
     return _Layer(q[ok], qd[ok], labels[ok], rails[ok])
 
 
-def _joint_time(axes: Axes, leg: Leg, a: _Layer, b: _Layer, tied: bool) -> Array:
+def _joint_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) -> Array:
     """(n_a, n_b) least time of joint moves; the tool caps enter by a trapezoid over the chord."""
     V, A = axes.velocity.copy(), axes.acceleration
     V[0] = min(V[0], leg.v_rail)
@@ -73,7 +73,7 @@ def _joint_time(axes: Axes, leg: Leg, a: _Layer, b: _Layer, tied: bool) -> Array
     for i in range(0, len(a.q), rows):
         part = slice(i, i + rows)
         D = b.q[None] - a.q[part, None]
-        if tied:
+        if problem.coordinated:
             way = np.maximum(np.abs(D), 1e-12)
             T = trapezoid_time(1.0, np.min(V / way, axis=-1), np.min(A / way, axis=-1))
         elif moving:
@@ -136,7 +136,7 @@ def _line_time(axes: Axes, leg: Leg, table: StationTable, i: int, a: _Layer, b: 
     return T
 
 
-def _dwell_time(axes: Axes, leg: Leg, a: _Layer, b: _Layer, tied: bool) -> Array:
+def _dwell_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) -> Array:
     """(n_a, n_b) duration of a dwell; infinite where the rail's move does not fit."""
     V, A = axes.velocity, axes.acceleration
     same = a.label[:, None] == b.label[None]
@@ -149,7 +149,7 @@ def _dwell_time(axes: Axes, leg: Leg, a: _Layer, b: _Layer, tied: bool) -> Array
         out[ia, ib] = shortest_time(D, a.qd[ia], b.qd[ib], V, A)
         return out
     T = leg.duration
-    if tied:
+    if problem.coordinated:
         way = np.maximum(np.abs(D), 1e-12)
         fits = trapezoid_time(1.0, np.min(V / way, axis=-1), np.min(A / way, axis=-1)) <= T
     else:
@@ -161,24 +161,22 @@ def _dwell_time(axes: Axes, leg: Leg, a: _Layer, b: _Layer, tied: bool) -> Array
 
 
 def _edges(
-    axes: Axes, problem: Problem, tables: list[StationTable], where: list[int], layers: list[_Layer], tied: bool
+    axes: Axes, problem: Problem, tables: list[StationTable], where: list[int], layers: list[_Layer]
 ) -> list[Array]:
     edges = []
-    cache: dict[tuple[object, ...], Array] = {}
     for k, leg in enumerate(problem.legs):
         a, b = layers[k], layers[k + 1]
         if leg.kind is LegKind.JOINT:
-            edges.append(_joint_time(axes, leg, a, b, tied))
+            edges.append(_joint_time(axes, problem, leg, a, b))
             continue
         table = tables[where[k]]
         if leg.kind is LegKind.LINE:
             T = _line_time(axes, leg, table, k - table.first, a, b)
         else:
-            T = _dwell_time(axes, leg, a, b, tied)
+            T = _dwell_time(axes, problem, leg, a, b)
         if problem.freedom.rail is RailFreedom.STATION:
             T = np.where(a.rail[:, None] == b.rail[None], T, np.inf)
         edges.append(T)
-    del cache
     return edges
 
 
@@ -200,7 +198,7 @@ def _best(layers: list[_Layer], edges: list[Array]) -> tuple[float, list[int], l
     return float(forward[-1][end]), path[::-1], forward, backward
 
 
-def search(axes: Axes, problem: Problem, tied: bool) -> Chain | None:
+def search(axes: Axes, problem: Problem) -> Chain | None:
     """The best chain found, or None when no chain of stops is connected on the grid."""
     where = _station_of(problem)
     tables = [
@@ -211,7 +209,7 @@ def search(axes: Axes, problem: Problem, tied: bool) -> Chain | None:
         return None
     still = np.zeros(1)
     layers = [_layer(axes, problem, tables[where[k]], k, still) for k in range(len(problem.waypoints))]
-    edges = _edges(axes, problem, tables, where, layers, tied)
+    edges = _edges(axes, problem, tables, where, layers)
     cost, path, forward, backward = _best(layers, edges)
     if not np.isfinite(cost):
         return None
@@ -220,7 +218,7 @@ def search(axes: Axes, problem: Problem, tied: bool) -> Chain | None:
         return coarse
     # the fine search: labels near the best, rail near the best
     V0 = float(axes.velocity[0])
-    speeds = still if tied or not problem.freedom.through_stops else V0 * SPEEDS
+    speeds = still if problem.coordinated or not problem.freedom.through_stops else V0 * SPEEDS
     fine_tables = []
     for (first, last), table in zip(problem.stations, tables, strict=True):
         keep: set[int] = set()
@@ -241,7 +239,7 @@ def search(axes: Axes, problem: Problem, tied: bool) -> Chain | None:
     layers = [_layer(axes, problem, fine_tables[where[k]], k, speeds) for k in range(len(problem.waypoints))]
     if not all(len(layer.q) for layer in layers):
         return coarse
-    edges = _edges(axes, problem, fine_tables, where, layers, tied)
+    edges = _edges(axes, problem, fine_tables, where, layers)
     cost, path, _, _ = _best(layers, edges)
     return _chain(problem, fine_tables, where, layers, edges, path, cost) if np.isfinite(cost) else coarse
 

@@ -25,7 +25,7 @@ from trajopt_cli.optimize.transcription import Draft
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.problem import LegKind, Problem, build_problem, droppable
+from trajopt_cli.problem.problem import Coupling, LegKind, Problem, build_problem, droppable
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.robot.symbolic import forward
 from trajopt_cli.trajectory import Trajectory, hermite
@@ -70,7 +70,6 @@ def optimize(
     tell: Report = progress or (lambda _: None)
     seconds: dict[str, float] = {}
     start = perf_counter()
-    tied = target is Target.RAPID
     axes = Axes.of(plant)
     tell(Progress("reach"))
     problems = _problems(program, plant, freedom, target)
@@ -81,17 +80,17 @@ def optimize(
     seconds["reach"] = perf_counter() - start
     tell(Progress("search"))
     start = perf_counter()
-    found = [(chain, problem) for problem in open_ if (chain := search(axes, problem, tied)) is not None]
+    found = [(chain, problem) for problem in open_ if (chain := search(axes, problem)) is not None]
     seconds["search"] = perf_counter() - start
     if not found:
         return _disconnected(program, plant)
     chain, problem = min(found, key=lambda pair: pair[0].cost)
-    draft, legs, trajectory, bounds = _clean_plan(axes, problem, chain, tied, tell, seconds)
+    draft, legs, trajectory, bounds = _clean_plan(axes, problem, chain, tell, seconds)
     bound = None
     if bounded:
         start = perf_counter()
         tell(Progress("bound", incumbent=trajectory.duration))
-        bound = _checked_bound(axes, problem, tied, trajectory.duration)
+        bound = _checked_bound(axes, problem, trajectory.duration)
         seconds["bound"] = perf_counter() - start
     tell(Progress("done", incumbent=trajectory.duration, bound=bound))
     grid = _grid(legs, problem)
@@ -99,9 +98,9 @@ def optimize(
     return Plan(target, trajectory, motions, bound, grid, seconds)
 
 
-def _checked_bound(axes: Axes, problem: Problem, tied: bool, duration: float) -> float:
+def _checked_bound(axes: Axes, problem: Problem, duration: float) -> float:
     """The lower bound; it aims a hair above the plan, so that a bound the plan itself refutes shows."""
-    bound = lower_bound(axes, problem, tied, duration * 1.001)
+    bound = lower_bound(axes, problem, duration * 1.001)
     if bound > duration * (1 + 1e-6):
         raise NoCleanPlan(f"an error in trajopt: the lower bound {bound:.6f} s lies above the plan, {duration:.6f} s")
     return min(bound, duration)  # equal up to rounding where the bound is exact
@@ -110,28 +109,27 @@ def _checked_bound(axes: Axes, problem: Problem, tied: bool, duration: float) ->
 Clean = tuple[Draft, list[LegMotion], Trajectory, Array]
 
 
-def _clean_plan(
-    axes: Axes, problem: Problem, chain: Chain, tied: bool, tell: Report, seconds: dict[str, float]
-) -> Clean:
-    """The draft, its legs, rows and leg boundaries. A stream may also rest at every stop and run straight, as a rapid
-    plan does: that is tried where the freer problem finds nothing, or nothing near what the search promised."""
+def _clean_plan(axes: Axes, problem: Problem, chain: Chain, tell: Report, seconds: dict[str, float]) -> Clean:
+    """The draft, its legs, rows and leg boundaries. A stream may also be coordinated, as a rapid plan is: that is tried
+    where the freer problem finds nothing, or nothing near what the search promised."""
     failure = None
     best: Clean | None = None
-    for straight in (tied,) if tied else (False, True):
-        if straight and not tied:
+    for tried in dict.fromkeys((problem.coupling, Coupling.COORDINATED)):
+        if tried is not problem.coupling:
             good = best is not None and best[2].duration <= DISAPPOINTING * chain.cost
             if good and problem.freedom.rail is not RailFreedom.STATION:  # few stations: two basins are worth a look
                 break
-            other = search(axes, problem, True)
+            problem = replace(problem, coupling=tried)
+            other = search(axes, problem)
             if other is None:
                 break
             chain = other
         try:
-            draft = _refine(axes, problem, chain, straight, tell, seconds)
+            draft = _refine(axes, problem, chain, tell, seconds)
         except NoCleanPlan as said:
             failure = said
             continue
-        legs = _final_legs(problem, draft, straight)
+        legs = _final_legs(problem, draft)
         rows = _rows(axes, legs, axes.seven(_end(axes, problem, draft)))
         if rows is None:
             failure = NoCleanPlan("the written rows would pass a limit between each other")
@@ -194,7 +192,7 @@ def _disconnected(program: Program, plant: Plant) -> Infeasible:
     return Infeasible(index, source, f"{source}: no chain of configurations connects the start with the program's end")
 
 
-def _refine(axes: Axes, problem: Problem, chain: Chain, tied: bool, tell: Report, seconds: dict[str, float]) -> Draft:
+def _refine(axes: Axes, problem: Problem, chain: Chain, tell: Report, seconds: dict[str, float]) -> Draft:
     robot = axes.robot
     q = ca.SX.sym("q", 7)
     p, R = forward(robot, q if axes.has_rail else q[1:])
@@ -209,12 +207,12 @@ def _refine(axes: Axes, problem: Problem, chain: Chain, tied: bool, tell: Report
                 total += motion.T - float(estimate)
         tell(Progress(phase, incumbent=total))
 
-    whole = sum(1 for _ in cut(problem, chain, tied)) == 1
+    whole = sum(1 for _ in cut(problem, chain)) == 1
 
     def solve(piece: Problem, part: Chain) -> Draft:
         said = []
         for start in _starts(part):
-            refiner = Refiner(axes, stages, flange, piece, tied)
+            refiner = Refiner(axes, stages, flange, piece)
             try:
                 first = first_draft(axes, piece, start)
                 return refiner.run(first, lambda phase, draft: report(phase, draft.legs) if whole else None)
@@ -224,13 +222,13 @@ def _refine(axes: Axes, problem: Problem, chain: Chain, tied: bool, tell: Report
                 _add(seconds, refiner.seconds)
         raise NoCleanPlan(f"{problem.motion(piece.legs[0].motion).source}: {'; '.join(said)}")
 
-    draft = solve_pieces(problem, chain, tied, solve, lambda legs: report("solve", legs))
-    if tied:  # every axis rests at every stop: once the rail's positions are chosen, each line can be timed by itself
+    draft = solve_pieces(problem, chain, solve, lambda legs: report("solve", legs))
+    if problem.coordinated:  # with the rail's positions chosen and rest at every stop, each line can be timed by itself
         for k, leg in enumerate(problem.legs):
             if leg.kind is LegKind.LINE and draft.legs[k].N < LAST_ALONE:  # type: ignore[union-attr]
                 tell(Progress("retime", incumbent=_time(problem, draft)))
                 piece, part = alone(problem, draft, k)
-                refiner = Refiner(axes, stages, flange, piece, tied)
+                refiner = Refiner(axes, stages, flange, piece)
                 draft = with_leg(draft, k, _finer(refiner, part))
                 _add(seconds, refiner.seconds)
     return draft
@@ -277,12 +275,17 @@ def _end(axes: Axes, problem: Problem, draft: Draft) -> Array:
     return stop.q if stop.q is not None else axes.plant_axes(draft.q[-1])
 
 
-def _final_legs(problem: Problem, draft: Draft, tied: bool) -> list[LegMotion]:
+def _final_legs(problem: Problem, draft: Draft) -> list[LegMotion]:
     """A rapid dwell's profile is played as slowly as the dwell is long."""
     legs = []
     for leg, motion in zip(problem.legs, draft.legs, strict=True):
         assert motion is not None
-        if tied and isinstance(motion, PathLeg) and leg.kind is LegKind.DWELL and leg.duration is not None:
+        if (
+            problem.coordinated
+            and isinstance(motion, PathLeg)
+            and leg.kind is LegKind.DWELL
+            and leg.duration is not None
+        ):
             motion = replace(motion, T=leg.duration)
         legs.append(motion)
     return legs

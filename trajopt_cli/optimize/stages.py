@@ -15,6 +15,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.blocks import Block, make_block
+from trajopt_cli.problem.problem import Coupling
 from trajopt_cli.robot.symbolic_inverse import inverse_arm
 
 REACH = 0.999  # largest |sin q3|: the last 0.2 mm of reach, where every derivative used here grows without bound
@@ -96,17 +97,17 @@ class Stages:
     # room 6: share of each arm joint's range that may be used
     N_PATH = 22 + 3 + 6 + 7 + 7 + 3 + 6
 
-    def path_node(self, sides: str, turning: bool, tied: bool) -> Block:
+    def path_node(self, sides: str, turning: bool, coupling: Coupling) -> Block:
         """One node of a line. sides: which accelerations act there, "l", "r" or "lr".
 
-        z: free rail: s, v, d, w, then a, b per side, T. tied: s, v, a per side, d0, d1, T and d = d0 + s (d1 - d0).
+        z: free: s, v, d, w, then a, b per side, T. Coordinated: s, v, a per side, d0, d1, T and d = d0 + s (d1 - d0).
         """
 
         def rows(z: ca.SX, p: ca.SX):  # type: ignore[no-untyped-def]
             path, signs, ref = p[0:22], p[22:25], p[25:31]
             V, A, caps, room = p[31:38], p[38:45], p[45:48], p[48:54]
             n = len(sides)
-            if tied:
+            if coupling is Coupling.COORDINATED:
                 s, v, acc = z[0], z[1], [z[2 + i] for i in range(n)]
                 d0, d1, T = z[2 + n], z[3 + n], z[4 + n]
                 d, w = d0 + s * (d1 - d0), v * (d1 - d0)
@@ -133,8 +134,8 @@ class Stages:
             return out
 
         n = len(sides)
-        size = (5 + n) if tied else (5 + 2 * n)
-        return self._block(("path", sides, turning, tied), size, self.N_PATH, rows)
+        size = (5 + n) if coupling is Coupling.COORDINATED else (5 + 2 * n)
+        return self._block(("path", sides, turning, coupling), size, self.N_PATH, rows)
 
     def dwell_node(self, sides: str) -> Block:
         """One node of a dwell with a free rail. z: d, w, b per side, T."""

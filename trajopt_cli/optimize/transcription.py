@@ -20,7 +20,7 @@ from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, Path
 from trajopt_cli.optimize.profiles import hold, profiles
 from trajopt_cli.optimize.stages import PathConstants, Stages, ToolRow
 from trajopt_cli.problem.freedom import RailFreedom
-from trajopt_cli.problem.problem import Leg, LegKind, Problem
+from trajopt_cli.problem.problem import Coupling, Leg, LegKind, Problem
 from trajopt_cli.robot.symbolic_inverse import BranchSigns
 
 START = 1.0 - 5e-5  # share of every limit a grid starts with; rounding and Hermite rows need a hair of room
@@ -125,10 +125,10 @@ class Transcription:
 
     def __init__(
         self, axes: Axes, stages: Stages, flange: ca.Function, problem: Problem, draft: Draft,
-        margins: Sequence[Margins | None], tied: bool,
+        margins: Sequence[Margins | None],
     ):  # fmt: skip
         self.axes, self.stages, self.flange, self.problem = axes, stages, flange, problem
-        self.draft, self.margins, self.tied = draft, margins, tied
+        self.draft, self.margins = draft, margins
         self.nlp = BlockNlp()
         self._stops()
         self._legs = [self._leg(leg, draft.legs[k], margins[k]) for k, leg in enumerate(problem.legs)]
@@ -147,7 +147,7 @@ class Transcription:
                 self.stop_q.append(nlp.variables(fixed, fixed, fixed))
                 self.stop_v.append(nlp.variables(np.zeros(7), 0.0, 0.0))
                 continue
-            rest = stop.rest or self.tied or not self.problem.rail_may_pass(k)
+            rest = self.problem.rests(k)
             low, high = self._stop_range(k, stop.rail)
             d = nlp.variables(np.clip(q[:1], low, high), low, high)
             arm = nlp.variables(q[1:], axes.lower[1:], axes.upper[1:])
@@ -203,20 +203,22 @@ class Transcription:
         low, high = (leg.duration, leg.duration) if leg.duration is not None else (LEAST_TIME, 60.0)
         if leg.duration is not None and leg.kind is not LegKind.DWELL:
             high = 60.0
-        if self.tied and leg.kind is LegKind.DWELL and leg.duration is not None:
+        if self.problem.coordinated and leg.kind is LegKind.DWELL and leg.duration is not None:
             low = LEAST_TIME  # the profile's own least time; played slower so that it lasts the dwell
         T = int(self.nlp.variables([motion.T], low, high)[0])
-        weight = 1e-4 if self.tied and leg.kind is LegKind.DWELL and leg.duration is not None else 1.0
+        weight = 1e-4 if self.problem.coordinated and leg.kind is LegKind.DWELL and leg.duration is not None else 1.0
         self.nlp.minimise(T, weight)
         variables = _LegVariables(T)
         if isinstance(motion, PathLeg):
             assert margins is not None
-            (self._tied_path if self.tied or not leg.rail_moves else self._free_path)(leg, motion, margins, variables)
+            (self._coordinated_path if self.problem.coordinated or not leg.rail_moves else self._free_path)(
+                leg, motion, margins, variables
+            )
         elif isinstance(motion, JointProfiles):
             self._joint_closed(leg, variables, motion)
         else:
             assert margins is not None
-            (self._straight if self.tied else self._joint_nodes)(leg, motion, margins, variables)
+            (self._straight if self.problem.coordinated else self._joint_nodes)(leg, motion, margins, variables)
         return variables
 
     def _path_parameters(self, leg: Leg, motion: PathLeg, margins: Margins, k: int) -> Array:
@@ -248,7 +250,7 @@ class Transcription:
         """
         per_zone = motion.N // 3
         lengths = np.diff(motion.grid)[[0, per_zone, 2 * per_zone]]
-        if self.tied or motion.N != FREE_ZONES:
+        if self.problem.coordinated or motion.N != FREE_ZONES:
             return self.nlp.variables(lengths, lengths, lengths)
         h = self.nlp.variables(lengths, LEAST_ZONE / per_zone, 0.9 / per_zone)
         self.nlp.add(self.stages.zones(), h, [per_zone])
@@ -302,12 +304,12 @@ class Transcription:
             p = self._path_parameters(leg, motion, margins, k)
             if line:
                 z = [out.s[k], out.v[k], out.d[k], out.w[k], *(x[i] for i in around for x in (out.a, out.b)), out.T]
-                nlp.add(self.stages.path_node(sides, turning, False), z, p)
+                nlp.add(self.stages.path_node(sides, turning, Coupling.FREE), z, p)
             else:
                 z = [out.d[k], out.w[k], *(out.b[i] for i in around), out.T]
                 nlp.add(self.stages.dwell_node(sides), z, p)
 
-    def _tied_path(self, leg: Leg, motion: PathLeg, margins: Margins, out: _LegVariables) -> None:
+    def _coordinated_path(self, leg: Leg, motion: PathLeg, margins: Margins, out: _LegVariables) -> None:
         nlp, N, k0 = self.nlp, motion.N, leg.start
         out.h = self._zones(motion)
         out.s, out.v, out.a = self._share(out.h, motion.s, motion.v, motion.a)
@@ -318,7 +320,7 @@ class Transcription:
             around = [i for i, side in ((k - 1, "l"), (k, "r")) if side in sides]
             z = [out.s[k], out.v[k], *(out.a[i] for i in around), *ends, out.T]
             p = self._path_parameters(leg, motion, margins, k)
-            nlp.add(self.stages.path_node(sides, turning, True), z, p)
+            nlp.add(self.stages.path_node(sides, turning, Coupling.COORDINATED), z, p)
 
     def _rail_speed(self, leg: Leg) -> Array:
         V = self.axes.velocity.copy()
@@ -328,7 +330,7 @@ class Transcription:
     def _joint_closed(self, leg: Leg, out: _LegVariables, motion: JointProfiles) -> None:
         k, V, A = leg.start, self._rail_speed(leg), self.axes.acceleration
         qa, va, qb, vb = self.stop_q[k], self.stop_v[k], self.stop_q[k + 1], self.stop_v[k + 1]
-        if self.tied:
+        if self.problem.coordinated:
             top = self._top(leg, 1.0)
             self.nlp.add(self.stages.trapezoid(), np.r_[top, out.T])
             return
@@ -409,7 +411,7 @@ class Transcription:
             if isinstance(motion, JointProfiles):
                 legs.append(self._profiles(leg, q[k], qd[k], q[k + 1], qd[k + 1], T))
             elif isinstance(motion, JointNodes):
-                if self.tied:
+                if self.problem.coordinated:
                     legs.append(straight(T, motion.grid, q[k], q[k + 1], x[var.s], x[var.v], x[var.a]))
                 else:
                     nodes, speeds = x[var.q], x[var.qv]
@@ -447,4 +449,4 @@ class Transcription:
         V = self._rail_speed(leg)
         # between given states the least time is known in closed form; the solver's T only comes near it
         least = T if leg.duration is not None else 0.0
-        return profiles(q_0, qd_0, q_1, qd_1, V, self.axes.acceleration, least, self.tied)
+        return profiles(q_0, qd_0, q_1, qd_1, V, self.axes.acceleration, least, self.problem.coordinated)
