@@ -27,6 +27,8 @@ FLOORS: tuple[tuple[str, ...], ...] = (
         "quantity",
         "yaml_file",
     ),
+    # segments of paths: rapid measures arcs with it
+    ("path",),
     ("rapid", "robot", "cell", "timing", "collision"),
     ("problem",),
     ("runs",),
@@ -58,7 +60,7 @@ STACK = {
 }
 # Where each third party may be imported, as patterns of paths inside the package.
 ADDRESSES: dict[str, tuple[str, ...]] = {
-    "casadi": ("robot/symbolic*.py", "optimize/*"),
+    "casadi": ("robot/symbolic*.py", "path/*", "optimize/*"),
     "pinocchio": ("robot/*",),
     "coal": ("collision/*",),
     "toppra": ("timing/*",),
@@ -150,6 +152,7 @@ def test_every_room_stands_on_a_floor() -> None:
         ("verify/judge.py", "import casadi as ca", "casadi lives in"),
         ("optimize/search.py", "from trajopt_cli.pipeline import solve", "optimize imports pipeline"),
         ("errors.py", "from trajopt_cli.units import MM", "errors imports units"),
+        ("path/line.py", "from trajopt_cli.rapid.zones import ways", "path imports rapid"),
         ("pipeline.py", "import rich.table", "rich lives in cli/*"),
         ("cell/loader.py", "import yaml", "yaml has no address"),
         ("robot/model.py", "import casadi", "casadi lives in robot/symbolic*.py"),

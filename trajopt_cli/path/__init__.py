@@ -1,0 +1,1 @@
+"""Segments of a path: where a line, arc, dwell, joint move or corner leads, as numbers and as expressions."""

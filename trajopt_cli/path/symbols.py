@@ -1,0 +1,96 @@
+"""Segments as CasADi expressions: a vector of parameters with named parts, and the flange's pose from it.
+
+A compiled block serves every segment of a kind; what differs between two of them are the parameters.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import prod
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from trajopt_cli.geometry import Array, axis_angle, inverse_pose
+
+if TYPE_CHECKING:
+    import casadi as ca
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Named parts of one vector, in order: their shapes, () for a number; matrices column by column."""
+
+    shapes: Mapping[str, tuple[int, ...]]
+
+    @property
+    def size(self) -> int:
+        """How many numbers the vector has."""
+        return sum(prod(shape) for shape in self.shapes.values())
+
+    def vector(self, parts: Mapping[str, ArrayLike]) -> Array:
+        """The vector (size,) of all its parts.
+
+        Raises:
+            ValueError: a part is missing, unknown or of another shape.
+        """
+        if parts.keys() != self.shapes.keys():
+            raise ValueError(f"the parts are {', '.join(self.shapes)}; found {', '.join(parts)}")
+        out = []
+        for name, shape in self.shapes.items():
+            part = np.asarray(parts[name], dtype=np.float64)
+            if part.shape != shape:
+                raise ValueError(f"{name} has shape {part.shape}, wanted {shape}")
+            out.append(part.ravel(order="F"))
+        return np.concatenate(out)
+
+    def split(self, p: ca.SX) -> dict[str, ca.SX]:
+        """The parts of a vector p (size,) by their names.
+
+        Raises:
+            ValueError: p has another size.
+        """
+        import casadi as ca
+
+        if p.numel() != self.size:
+            raise ValueError(f"{p.numel()} parameters, wanted {self.size}: {', '.join(self.shapes)}")
+        out, at = {}, 0
+        for name, shape in self.shapes.items():
+            end = at + prod(shape)
+            part = p[at:end] if shape else p[at]
+            out[name] = ca.reshape(part, *shape) if len(shape) == 2 else part
+            at = end
+        return out
+
+
+class Flange(NamedTuple):
+    """Position (3,) [m] and rotation (3, 3) of the flange in the arm's base frame."""
+
+    position: ca.SX
+    rotation: ca.SX
+
+
+# What every segment needs to turn: R: the flange's rotation at s = 0; axis, angle: its turn about an axis of its own;
+# offset: the tool centre point in the flange's frame.
+TURN: Mapping[str, tuple[int, ...]] = {"R": (3, 3), "axis": (3,), "angle": (), "offset": (3,)}
+
+
+def turn_parts(X_B0: Array, X_B1: Array, X_BF: Array, X_FT: Array) -> dict[str, ArrayLike]:
+    """The parts TURN of a constant-rate turn. X_B0, X_B1: the tool at both ends; X_BF: the flange at s = 0."""
+    axis, angle = axis_angle(X_B0[:3, :3].T @ X_B1[:3, :3])
+    return {"R": X_BF[:3, :3], "axis": X_FT[:3, :3] @ axis, "angle": angle, "offset": X_FT[:3, 3]}
+
+
+def flange_at_start(X_BA: Array, X_AT: Array, X_FT: Array) -> Array:
+    """X_BF (4, 4) of a tool pose X_AT, seen from the arm's base."""
+    return np.asarray(X_BA @ (X_AT @ inverse_pose(X_FT)))
+
+
+def about(axis: ca.SX, angle: ca.SX) -> ca.SX:
+    """Rotation matrix (3, 3) about a unit axis (3,) by an angle [rad] (Rodrigues)."""
+    import casadi as ca
+
+    K = ca.skew(axis)
+    return ca.SX.eye(3) + ca.sin(angle) * K + (1 - ca.cos(angle)) * (K @ K)
