@@ -48,9 +48,9 @@ def exact(grid: Array, x0: float, x1: float, v0: float, v1: float, rng: np.rando
     return x, v, a
 
 
-@pytest.fixture(scope="module", params=MOUNTS)
+@pytest.fixture(scope="module", params=[*MOUNTS, "no rail"])
 def axes(request: pytest.FixtureRequest) -> Axes:
-    return mounted(request.param)
+    return Axes.of(plant_without_rail()) if request.param == "no rail" else mounted(request.param)
 
 
 def path_leg(axes: Axes, cfx: int, rail: tuple[float, float], seed: int = 1, dwell: bool = False) -> PathLeg:
@@ -65,7 +65,8 @@ def path_leg(axes: Axes, cfx: int, rail: tuple[float, float], seed: int = 1, dwe
     d, w, b = exact(UNEVEN, rail[0], rail[1], 0.1, -0.15, rng)
     first = axes.inverse((X_0 @ inverse_pose(X_FT))[None], d[:1])[0, cfx]
     assert not np.isnan(first).any()
-    return PathLeg(0.6, X_0, X_1, X_FT, cfx, first, UNEVEN, s, v, a, d, w, b)
+    rail = (x[:, None][:, axes.layout.rail] for x in (d, w, b))
+    return PathLeg(0.6, X_0, X_1, X_FT, cfx, first, UNEVEN, s, v, a, *rail)
 
 
 @pytest.mark.parametrize("dwell", [False, True], ids=["line", "dwell"])
@@ -96,7 +97,9 @@ def test_refining_keeps_a_path_to_the_last_digit(axes: Axes) -> None:
 
 def test_nodes_of_a_path_are_its_samples(axes: Axes) -> None:
     leg = path_leg(axes, 0, (0.45, 0.55))
-    np.testing.assert_allclose(leg.node_arm(axes), leg.sample(axes, leg.breaks()).q[:, 1:], rtol=0, atol=1e-9)
+    np.testing.assert_allclose(
+        leg.node_arm(axes), leg.sample(axes, leg.breaks()).q[:, axes.layout.arm], rtol=0, atol=1e-9
+    )
 
 
 def test_a_reference_a_turn_away_turns_the_whole_path(axes: Axes) -> None:
@@ -104,7 +107,8 @@ def test_a_reference_a_turn_away_turns_the_whole_path(axes: Axes) -> None:
     turn = 2 * np.pi * np.array([1, 0, 0, -1, 0, 2])
     far = replace(leg, reference=leg.reference + turn)
     t = np.linspace(0, leg.T, 50)
-    np.testing.assert_allclose(far.sample(axes, t).q[:, 1:] - leg.sample(axes, t).q[:, 1:], [turn] * 50, atol=1e-9)
+    near, moved = (motion.sample(axes, t).q[:, axes.layout.arm] for motion in (leg, far))
+    np.testing.assert_allclose(moved - near, [turn] * 50, atol=1e-9)
 
 
 def test_either_side_of_a_switch(axes: Axes) -> None:
@@ -112,8 +116,8 @@ def test_either_side_of_a_switch(axes: Axes) -> None:
     at = leg.breaks()[1:-1]
     left, right = leg.sample(axes, at, right=False), leg.sample(axes, at)
     np.testing.assert_allclose(left.qd, right.qd, atol=1e-8)
-    np.testing.assert_allclose(left.qdd[:, 0], leg.b[:-1] / leg.T**2, rtol=1e-9)
-    np.testing.assert_allclose(right.qdd[:, 0], leg.b[1:] / leg.T**2, rtol=1e-9)
+    np.testing.assert_allclose(left.qdd[:, axes.layout.rail], leg.b[:-1] / leg.T**2, rtol=1e-9)
+    np.testing.assert_allclose(right.qdd[:, axes.layout.rail], leg.b[1:] / leg.T**2, rtol=1e-9)
 
 
 def test_unwind_follows_across_the_cut() -> None:
@@ -358,9 +362,9 @@ def test_switches_all_but_one_are_written_once() -> None:
 
 def test_without_a_rail_six_axes_are_written() -> None:
     axes = Axes.of(plant_without_rail())
-    zero = np.zeros(7)
-    q = np.r_[0.0, np.full(6, 0.3)]
+    zero = np.zeros(6)
+    q = np.full(6, 0.3)
     leg = profiles(zero, zero, q, zero, axes.velocity, axes.acceleration, 0.0, common=False)
     trajectory, _ = rows_of(axes, [leg], q)
     assert trajectory.names == tuple(f"joint_{i}" for i in range(1, 7))
-    np.testing.assert_allclose(trajectory.q[-1], q[1:])
+    np.testing.assert_allclose(trajectory.q[-1], q)

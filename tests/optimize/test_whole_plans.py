@@ -131,7 +131,7 @@ def test_no_leg_of_a_plan_beats_the_bound_between_the_cells_that_hold_its_ends(t
     rows = np.argmin(np.abs(trajectory.t[:, None] - times), axis=0)
     held = []
     for k, stop in enumerate(problem.waypoints):
-        q, qd = axes.seven(trajectory.q[rows[k]])[:4, None], axes.seven(trajectory.qd[rows[k]])[:4, None]
+        q, qd = trajectory.q[rows[k], :4, None], trajectory.qd[rows[k], :4, None]
         cells = bound._cells(axes, problem, k, bound._grid(stop), level, None, {})
         inside = (cells.q.lo - 1e-9 <= q) & (q <= cells.q.hi + 1e-9)
         inside &= (cells.v.lo - 1e-6 <= qd) & (qd <= cells.v.hi + 1e-6)

@@ -19,7 +19,7 @@ SAME = 1e-9  # s; switches nearer than this are one
 def rows_of(axes: Axes, legs: list[LegMotion], end: Array, more: Sequence[float] = ()) -> tuple[Trajectory, Array]:
     """The trajectory of all legs in order, and the leg boundaries' times (L+1,).
 
-    end (7,): axes at the end, written into the last row exactly. more: times [s] that get a row as well.
+    end (n,): axes at the end, written into the last row exactly. more: times [s] that get a row as well.
     """
     bounds = np.concatenate([[0.0], np.cumsum([leg.T for leg in legs])])
     times, q, qd = [], [], []
@@ -31,13 +31,8 @@ def rows_of(axes: Axes, legs: list[LegMotion], end: Array, more: Sequence[float]
         qd.append(sample.qd[:-1])
     times.append(bounds[-1:])
     q.append(end[None])
-    qd.append(np.zeros((1, 7)))
-    trajectory = Trajectory(
-        axes.robot.axis_names,
-        np.concatenate(times),
-        axes.plant_axes(np.concatenate(q)),
-        axes.plant_axes(np.concatenate(qd)),
-    )
+    qd.append(np.zeros((1, axes.n)))
+    trajectory = Trajectory(axes.robot.axis_names, np.concatenate(times), np.concatenate(q), np.concatenate(qd))
     return trajectory, bounds
 
 

@@ -28,12 +28,12 @@ COARSE_SPEED = 4  # speed ranges from -V to V at the first level; doubled per le
 MOST_PAIRS = 1_500_000  # per leg; a finer level is not begun beyond
 FEW_PAIRS = 300_000  # per leg; below, the next level aims at the incumbent itself
 CHUNK = 400_000
-ORDER = (0, 1, 3, 2)  # axes in the order that settles most pairs soonest
+ORDER = (0, 2, 1)  # of the three joints, after the rail: settles most pairs soonest
 
 
 @dataclass(frozen=True, eq=False)
 class _Cells:
-    """Cells at one stop: position and speed (4, n) ranges of rail, q1, q2, q3; key (n, 3): signs, rail, speed."""
+    """Cells at one stop: position and velocity (r+3, m) of rail, q1, q2, q3; key (m, 3): signs, rail, velocity."""
 
     q: Range
     v: Range
@@ -118,8 +118,8 @@ def _cells(
 ) -> _Cells:
     stop = problem.waypoints[k]
     if stop.q is not None:
-        q = axes.seven(stop.q)[:4, None]
-        zero = np.zeros((4, 1))
+        q = stop.q[_columns(axes), None]
+        zero = np.zeros_like(q)
         return _Cells(Range(q, q), Range(zero, zero), np.zeros((1, 3), dtype=int))
     name = stop.X_WF.tobytes() + grid.tobytes()
     if name not in cache:
@@ -128,7 +128,7 @@ def _cells(
     single = len(grid) == 2
     width = 1 if single else max(1, COARSE >> level)
     n_d = (len(grid) - 1) // width
-    rest = stop.rest or problem.coordinated
+    rest = problem.rests(k)
     n_v = COARSE_SPEED << level
     if kept is None:
         key = np.array([(s, d, v) for s in range(4) for d in range(n_d) for v in ((0,) if rest else range(n_v))])
@@ -136,8 +136,9 @@ def _cells(
         key = _children(kept)
         key = key[(key[:, 1] < n_d) & ((key[:, 2] == 0) if rest else True)]
     s, d, v = key.T
-    V = axes.velocity
-    edges = np.linspace(-V[0], V[0], n_v + 1)
+    V = axes.velocity[axes.layout.arm]
+    top = float(axes.layout.place(axes.velocity))
+    edges = np.linspace(-top, top, n_v + 1)
     rail_v = Range(np.zeros(len(key)), np.zeros(len(key))) if rest else Range(edges[v], edges[v + 1])
     inside = d[:, None] * width + np.arange(width)  # (n, width) base intervals
     joints = Range(e.q.lo[:, s[:, None], inside], e.q.hi[:, s[:, None], inside])
@@ -145,15 +146,24 @@ def _cells(
     speed = rate * Range(
         np.broadcast_to(rail_v.lo[:, None], inside.shape), np.broadcast_to(rail_v.hi[:, None], inside.shape)
     )
-    limit = V[1:4, None, None]
+    limit = V[:3, None, None]
     alive = e.alive[s[:, None], inside] & np.all((speed.lo <= limit) & (speed.hi >= -limit), axis=0)
     clipped = Range(np.maximum(speed.lo, -limit), np.minimum(speed.hi, limit))
     live = alive.any(axis=1)
     stood = _over_alive(Range(grid[inside], grid[inside + 1]), alive)
     hull, speeds = _over_alive(joints, alive), _over_alive(clipped, alive)
-    position = Range(np.vstack([stood.lo, hull.lo])[:, live], np.vstack([stood.hi, hull.hi])[:, live])
-    velocity = Range(np.vstack([rail_v.lo, speeds.lo])[:, live], np.vstack([rail_v.hi, speeds.hi])[:, live])
-    return _Cells(position, velocity, key[live])
+
+    def joined(rail: Range, arm: Range) -> Range:
+        lo, hi = (axes.layout.join(d, q.T).T[:, live] for d, q in ((rail.lo, arm.lo), (rail.hi, arm.hi)))
+        return Range(lo, hi)
+
+    return _Cells(joined(stood, hull), joined(rail_v, speeds), key[live])
+
+
+def _columns(axes: Axes) -> IndexArray:
+    """The axes (r+3,) that cells enclose: the rail and the first three joints."""
+    every = np.arange(axes.n)
+    return np.r_[every[axes.layout.rail], every[axes.layout.arm][:3]]
 
 
 def _over_alive(ranges: Range, alive: BoolArray) -> Range:
@@ -180,16 +190,16 @@ def _pairs(
     axes: Axes, problem: Problem, leg: Leg, a: _Cells, b: _Cells, ia: IndexArray, ib: IndexArray, so_far: Array,
     ahead: Array, incumbent: float,
 ) -> tuple[Array, IndexArray, IndexArray]:  # fmt: skip
-    V, A = axes.velocity.copy(), axes.acceleration
-    if leg.kind is not LegKind.DWELL:
-        V[0] = min(V[0], leg.v_rail)
+    columns, r = _columns(axes), axes.layout.r
+    V = (axes.velocity if leg.kind is LegKind.DWELL else axes.velocity_on(leg))[columns]
+    A = axes.acceleration[columns]
     fixed = leg.kind is LegKind.DWELL and leg.duration is not None
     floor = leg.duration if leg.duration is not None else 0.0
     if leg.kind is not LegKind.DWELL:
         floor = max(floor, float(trapezoid_time(leg.chord, leg.v_tcp, leg.a_tcp)))
     T = np.full(len(ia), floor)
-    full_turn = axes.upper[1] - axes.lower[1] > 2 * np.pi + 1e-6
-    order = [j for j in ORDER if not (j == 1 and full_turn) and (axes.has_rail or j)]
+    turns = np.ptp([axes.lower[columns[r]], axes.upper[columns[r]]]) > 2 * np.pi + 1e-6  # joint_1 may come round
+    order = [*range(r), *(r + j for j in ORDER if not (j == 0 and turns))]
     top_v = np.full(len(ia), np.inf)
     top_a = np.full(len(ia), np.inf)
     for j in order:

@@ -7,18 +7,19 @@ from dataclasses import replace
 from time import perf_counter
 from typing import Any
 
-import casadi as ca
 import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.blocks import NlpResult
+from trajopt_cli.optimize.draft import EXACT, START, Draft, Margins
 from trajopt_cli.optimize.exchange import SAFE, check_leg, tighten
+from trajopt_cli.optimize.formulation import Formulation
 from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, parabola, share_of, straight
 from trajopt_cli.optimize.profiles import hold
+from trajopt_cli.optimize.reading import read
 from trajopt_cli.optimize.search import Chain
-from trajopt_cli.optimize.stages import Stages
-from trajopt_cli.optimize.transcription import EXACT, START, Draft, Margins, Transcription
+from trajopt_cli.optimize.transcription import Transcription
 from trajopt_cli.problem.problem import LegKind, Problem
 
 FIRST, LAST = 6, 24  # intervals of a path, doubled from solve to solve
@@ -37,17 +38,19 @@ def first_draft(axes: Axes, problem: Problem, chain: Chain) -> Draft:
         q_0, q_1 = chain.q[k], chain.q[k + 1]
         T = max(float(chain.times[k]), 2e-3)
         if leg.kind is LegKind.JOINT:
-            legs.append(JointProfiles(T, q_0, chain.w[k], np.zeros((7, 4)), np.zeros((7, 3))))
+            legs.append(JointProfiles(T, q_0, chain.w[k], np.zeros((axes.n, 4)), np.zeros((axes.n, 3))))
             continue
         if leg.kind is LegKind.DWELL and not leg.rail_moves:
             legs.append(hold(leg.duration or 0.0, q_0))
             continue
         grid = np.linspace(0, 1, FIRST + 1)
         s, v, a = parabola(grid)
-        way = q_1[0] - q_0[0]
+        d_0, joints = q_0[axes.layout.rail], q_0[axes.layout.arm]
+        way = q_1[axes.layout.rail] - d_0
+        d, w, b = d_0 + way * s[:, None], way * v[:, None], way * a[:, None]
         X_0, X_1 = (problem.waypoints[i].X_WF @ leg.X_FT for i in (k, k + 1))
         cfx = chain.labels[k].cfx if chain.labels[k].cfx >= 0 else chain.labels[k + 1].cfx
-        legs.append(PathLeg(T, X_0, X_1, leg.X_FT, cfx, q_0[1:], grid, s, v, a, q_0[0] + way * s, way * v, way * a))
+        legs.append(PathLeg(T, X_0, X_1, leg.X_FT, cfx, joints, grid, s, v, a, d, w, b))
     return Draft(chain.q, chain.w, tuple(label.cfx for label in chain.labels), tuple(legs))
 
 
@@ -58,8 +61,8 @@ class NotConverged(Exception):
 class Refiner:
     """Solves one target of one problem from a chain."""
 
-    def __init__(self, axes: Axes, stages: Stages, flange: ca.Function, problem: Problem):
-        self.axes, self.stages, self.flange, self.problem = axes, stages, flange, problem
+    def __init__(self, axes: Axes, formulation: Formulation, problem: Problem):
+        self.axes, self.formulation, self.problem = axes, formulation, problem
         self.last = LAST_ALONE if len(problem.legs) == 1 else LAST_COORDINATED if problem.coordinated else LAST
         self.seconds = {"build": 0.0, "solve": 0.0, "check": 0.0}
 
@@ -68,9 +71,9 @@ class Refiner:
         warm: Sequence[Any] | None = None,
     ) -> tuple[Draft, Transcription, NlpResult | None]:  # fmt: skip
         start = perf_counter()
-        t = Transcription(self.axes, self.stages, self.flange, self.problem, draft, margins)
+        t = Transcription(self.axes, self.formulation, self.problem, draft, margins)
         if t.nlp.empty:
-            return t.read(t.nlp.guess), t, None
+            return read(t, t.nlp.guess), t, None
         if warm is None:
             t.nlp.build()
         else:
@@ -80,7 +83,7 @@ class Refiner:
         self.seconds["build"] += middle - start
         self.seconds["solve"] += perf_counter() - middle
         try:
-            out = t.read(result.x) if result.converged else draft
+            out = read(t, result.x) if result.converged else draft
         except ValueError as odd:  # a joint move whose switches cannot be told apart in a file
             raise NotConverged(str(odd)) from odd
         if not result.converged:
@@ -90,7 +93,7 @@ class Refiner:
     def run(self, draft: Draft, progress: Callable[[str, Draft], None]) -> Draft:
         """From a draft on its grid to the clean draft with the shortest time found. Raises NotConverged."""
         margins: list[Margins | None] = [
-            Margins.full(m.N, START) if isinstance(m, PathLeg) else None for m in draft.legs
+            Margins.full(m.N, self.axes.n, START) if isinstance(m, PathLeg) else None for m in draft.legs
         ]
         draft, warm = self._first(draft, margins)
         while True:
@@ -143,7 +146,7 @@ class Refiner:
                 worst = max(worst, ratios.worst)
                 if m is not None:
                     resting = leg.kind is LegKind.DWELL and leg.duration is not None and not self.problem.coordinated
-                    rail = float(self.axes.acceleration[0]) if resting else None
+                    rail = self.axes.acceleration[self.axes.layout.rail] if resting else None
                     changed |= tighten(m, ratios, motion, SAFE, rail)
             self.seconds["check"] += perf_counter() - start
             if not (changed or opened):
@@ -166,7 +169,7 @@ class Refiner:
             if leg.kind is LegKind.JOINT and isinstance(motion, JointProfiles):
                 ratios = check_leg(self.axes, leg, motion, 40)
                 if max(np.max(ratios.tool), np.max(ratios.position)) > 1 + 1e-6:
-                    margins[k] = Margins.full(GRID_JOINT, EXACT)
+                    margins[k] = Margins.full(GRID_JOINT, self.axes.n, EXACT)
                     opened = True
         self.seconds["check"] += perf_counter() - start
         return opened

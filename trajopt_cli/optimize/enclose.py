@@ -72,7 +72,7 @@ def enclose(axes: Axes, X_WF: Array, nodes: Array) -> Enclosure:
     """Enclosures between rail nodes (n + 1,), for shoulder and elbow signs (+,+), (+,-), (-,+), (-,-)."""
     arm = axes.robot.arm
     X = axes.in_base(X_WF)
-    e = axes.rail_axis
+    e = axes.rail_axis.sum(axis=1)  # zero without a rail
     w = (X[:3, 3] - arm.L6 * X[:3, 2])[:, None] - e[:, None] * nodes  # wrist centre at the nodes, linear in between
     h = np.diff(nodes)
     wz = _hull(w[2])
@@ -126,7 +126,7 @@ def enclose(axes: Axes, X_WF: Array, nodes: Array) -> Enclosure:
         ok = ~np.isnan(hull.lo) & (spread < 1.0)
         q_lo[1, i] = np.where(ok, np.maximum(q_lo[1, i], hull.lo - spread - WIDEN), q_lo[1, i])
         q_hi[1, i] = np.where(ok, np.minimum(q_hi[1, i], hull.hi + spread + WIDEN), q_hi[1, i])
-    low, high = axes.lower[1:4, None, None], axes.upper[1:4, None, None]
+    low, high = (x[axes.layout.arm][:3, None, None] for x in (axes.lower, axes.upper))
     alive &= np.all((q_lo <= high) & (q_hi >= low), axis=0)
     return Enclosure(Range(np.maximum(q_lo, low), np.minimum(q_hi, high)), Range(d_lo, d_hi), alive)
 

@@ -57,7 +57,7 @@ def parabola(grid: Array) -> tuple[Array, Array, Array]:
 
 @dataclass(frozen=True, eq=False)
 class Sample:
-    """Axes (n, 7) at times t (n,) of a leg: positions, speeds, accelerations."""
+    """All axes (m, n) at times t (m,) of a leg: positions, velocities, accelerations."""
 
     t: Array
     q: Array
@@ -67,14 +67,14 @@ class Sample:
 
 @dataclass(frozen=True, eq=False)
 class PathLeg:
-    """A line or dwell with its rail motion. s, v: (N+1,), a: (N,); d, w: (N+1,), b: (N,); scaled time."""
+    """A line or dwell with its rail motion. s, v: (N+1,), a: (N,); d, w: (N+1, r), b: (N, r); scaled time."""
 
     T: float
     X_0: Array  # TCP pose at the start, world
     X_1: Array
     X_FT: Array
     cfx: int
-    reference: Array  # (6,) joints near the start, on the branch and turn meant
+    reference: Array  # joints near the start, on the branch and turn meant
     grid: Array
     s: Array
     v: Array
@@ -99,9 +99,9 @@ class PathLeg:
         return self.T * self.grid
 
     def node_arm(self, axes: Axes) -> Array:
-        """Arm joints (N+1, 6) at the nodes."""
+        """Arm joints (N+1, joints) at the nodes."""
         X_WT = line_pose(self.X_0, self.X_1, self.s)
-        arm = axes.inverse(X_WT @ inverse_pose(self.X_FT), self.d)[:, self.cfx, :]
+        arm = axes.inverse(X_WT @ inverse_pose(self.X_FT), axes.layout.value(self.d))[:, self.cfx, :]
         return unwind(arm, self.reference)
 
     def sample(self, axes: Axes, t: Array, right: bool = True) -> Sample:
@@ -111,21 +111,19 @@ class PathLeg:
         d, dv, da = integrate(self.grid, self.d, self.w, tau, right)
         sv, dv, sa, da = sv / self.T, dv / self.T, sa / self.T**2, da / self.T**2
         X_WT = line_pose(self.X_0, self.X_1, s)
-        X_TF = inverse_pose(self.X_FT)
-        arm = axes.inverse(X_WT @ X_TF, d)[:, self.cfx, :]
-        arm = unwind(arm, self.reference)
-        q = np.concatenate([d[:, None], arm], axis=1)
+        arm = axes.inverse(X_WT @ inverse_pose(self.X_FT), axes.layout.value(d))[:, self.cfx, :]
+        q = np.concatenate([d, unwind(arm, self.reference)], axis=1)
         chord = self.X_1[:3, 3] - self.X_0[:3, 3]
         turn = _turn(self.X_0, self.X_1)
         twist = np.concatenate([chord, turn])
         J = axes.jacobian(q, self.X_FT)
-        Ja = J[:, :, 1:]
-        rhs = sv[:, None] * twist - J[:, :, 0] * dv[:, None]
+        Jr, Ja = J[:, :, axes.layout.rail], J[:, :, axes.layout.arm]
+        rhs = sv[:, None] * twist - (Jr @ dv[..., None])[..., 0]
         arm_rate = np.linalg.solve(Ja, rhs[..., None])[..., 0]
-        qd = np.concatenate([dv[:, None], arm_rate], axis=1)
+        qd = np.concatenate([dv, arm_rate], axis=1)
         Jd = axes.jacobian_rate(q, qd, self.X_FT)
-        rhs = sa[:, None] * twist - J[:, :, 0] * da[:, None] - (Jd @ qd[..., None])[..., 0]
-        qdd = np.concatenate([da[:, None], np.linalg.solve(Ja, rhs[..., None])[..., 0]], axis=1)
+        rhs = sa[:, None] * twist - (Jr @ da[..., None])[..., 0] - (Jd @ qd[..., None])[..., 0]
+        qdd = np.concatenate([da, np.linalg.solve(Ja, rhs[..., None])[..., 0]], axis=1)
         return Sample(t, q, qd, qdd)
 
 
@@ -136,7 +134,7 @@ def _turn(X_0: Array, X_1: Array) -> Array:
 
 
 def unwind(arm: Array, reference: Array) -> Array:
-    """Joints (n, 6) moved by whole turns: the first near the reference (6,), each next near the one before."""
+    """Joints (m, joints) moved by whole turns: the first near the reference, each next near the one before."""
     first = arm[0] + 2 * np.pi * np.round((reference - arm[0]) / (2 * np.pi))
     steps = np.diff(arm, axis=0)
     steps -= 2 * np.pi * np.round(steps / (2 * np.pi))
@@ -145,7 +143,7 @@ def unwind(arm: Array, reference: Array) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class JointNodes:
-    """A joint move on a grid: q, v (N+1, 7), a (N, 7), scaled time. Also a straight one with one profile for all."""
+    """A joint move on a grid: q, v (N+1, n), a (N, n), scaled time. Also a straight one with one profile for all."""
 
     T: float
     grid: Array
@@ -174,7 +172,7 @@ class JointNodes:
 
 @dataclass(frozen=True, eq=False)
 class JointProfiles:
-    """A joint move where each axis has three phases of its own. times (7, 4), accelerations (7, 3); real time."""
+    """A joint move where each axis has three phases of its own. times (n, 4), accelerations (n, 3); real time."""
 
     T: float
     q_0: Array
@@ -194,10 +192,9 @@ class JointProfiles:
 
     def sample(self, axes: Axes, t: Array, right: bool = True) -> Sample:
         """Exact polynomial values."""
-        n = len(t)
-        q, qd, qdd = (np.empty((n, 7)) for _ in range(3))
+        q, qd, qdd = (np.empty((len(t), len(self.q_0))) for _ in range(3))
         side: Literal["left", "right"] = "right" if right else "left"
-        for j in range(7):
+        for j in range(len(self.q_0)):
             h, acc = np.diff(self.times[j]), self.accelerations[j]
             v = self.qd_0[j] + np.concatenate([[0], np.cumsum(acc * h)])
             x = self.q_0[j] + np.concatenate([[0], np.cumsum(v[:-1] * h + acc * h * h / 2)])

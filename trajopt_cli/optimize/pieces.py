@@ -11,9 +11,9 @@ from itertools import pairwise
 
 import numpy as np
 
+from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.legs import LegMotion
 from trajopt_cli.optimize.search import Chain
-from trajopt_cli.optimize.transcription import Draft
 from trajopt_cli.problem.problem import Problem
 
 
@@ -69,7 +69,10 @@ def solve_pieces(
 
 def alone(problem: Problem, draft: Draft, k: int) -> tuple[Problem, Draft]:
     """Leg k between its stops as the draft has them, the rail fixed there."""
-    stops = tuple(replace(problem.waypoints[i], rail=(float(draft.q[i, 0]),) * 2, rest=True) for i in (k, k + 1))
+    layout = problem.plant.robot.layout
+    stops = tuple(
+        replace(problem.waypoints[i], rail=(float(layout.place(draft.q[i])),) * 2, rest=True) for i in (k, k + 1)
+    )
     piece = replace(problem, waypoints=stops, legs=(replace(problem.legs[k], start=0),), stations=())
     return piece, Draft(draft.q[k : k + 2], draft.qd[k : k + 2], draft.cfx[k : k + 2], (draft.legs[k],))
 

@@ -14,7 +14,7 @@ from scipy import ndimage
 from trajopt_cli.geometry import Array, BoolArray, inverse_pose, line_pose
 from trajopt_cli.motion import Motion, MoveJ, MoveL
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.stages import REACH, WRIST
+from trajopt_cli.optimize.formulation import REACH, WRIST
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.problem import LegKind, Problem, Waypoint
 from trajopt_cli.robot.inverse import confdata, confdata_admits, solutions, why_unreachable
@@ -108,7 +108,7 @@ def station_table(
         line = _unwrap(_unwrap(raw, 1), 2)
         lines_raw.append(line)
         stops_raw.append(line[:, -1])
-    limits_low, limits_high = axes.lower[1:] - 1e-9, axes.upper[1:] + 1e-9
+    limits_low, limits_high = axes.lower[axes.layout.arm] - 1e-9, axes.upper[axes.layout.arm] + 1e-9
 
     labels: list[Label] = []
     stops: list[list[Array]] = [[] for _ in stops_raw]
@@ -128,7 +128,7 @@ def station_table(
                 for j in np.flatnonzero(ok & (np.abs(d - stop.written) < 1e-12)):
                     ok[j] = confdata_admits(problem.plant.robot, stop.conf, q[j])
             if stop.q is not None:
-                ok &= np.all(np.abs(q - axes.seven(stop.q)[1:]) < 1e-6, axis=-1)
+                ok &= np.all(np.abs(q - stop.q[axes.layout.arm]) < 1e-6, axis=-1)
             tables.append(np.where(ok[:, None], q, np.nan))
         if not all(np.any(~np.isnan(t[:, 0])) for t in tables):
             continue
@@ -144,8 +144,8 @@ def station_table(
             lines[i].append(np.where(ok[..., None], q, np.nan))
     alone = problem.waypoints[first].q if first == last else None
     if alone is not None:
-        fixed = axes.seven(alone)
-        return StationTable(first, fixed[:1], (Label(-1, np.zeros(6)),), (fixed[None, None, 1:],), ())
+        d, arm = axes.layout.place(alone[None]), alone[axes.layout.arm]
+        return StationTable(first, d, (Label(-1, np.zeros_like(arm)),), (arm[None, None],), ())
     return StationTable(
         first,
         d,
@@ -222,12 +222,12 @@ def _crosses(open_: BoolArray) -> bool:
 def _unreachable(axes: Axes, problem: Problem, k: int, d: Array) -> Infeasible:
     stop = problem.waypoints[k]
     motion = problem.motion(stop.motion)
-    rails = d if axes.has_rail else np.zeros(1)
+    rails = d if axes.layout.has_rail else np.zeros(1)
     near = rails[int(np.argmin(np.abs(rails - _abreast(axes, stop.X_WF))))]
     if stop.rail[0] == stop.rail[1]:
         near = stop.rail[0]
     reason = _why(axes, problem, stop.X_WF, float(near))
-    where = f" at rail {near * 1e3:.1f} mm" if axes.has_rail else ""
+    where = f" at rail {near * 1e3:.1f} mm" if axes.layout.has_rail else ""
     if not reason:
         reason = _other_configurations(axes, problem, stop, float(near))
         if stop.conf is not None:
@@ -238,7 +238,7 @@ def _unreachable(axes: Axes, problem: Problem, k: int, d: Array) -> Infeasible:
 
 def _why(axes: Axes, problem: Problem, X_WF: Array, rail: float) -> str:
     """Why a pose is out of reach at a rail position; empty when it is not."""
-    at = rail if axes.has_rail else None
+    at = rail if axes.layout.has_rail else None
     if solutions(axes.robot, X_WF, at, problem.plant.limits):
         return ""
     return why_unreachable(axes.robot, X_WF, at, problem.plant.limits)
@@ -247,7 +247,7 @@ def _why(axes: Axes, problem: Problem, X_WF: Array, rail: float) -> str:
 def _other_configurations(axes: Axes, problem: Problem, stop: Waypoint, rail: float) -> str:
     """The pose is in reach, but not with the confdata asked for; those that are to be had, the nearest to it first."""
     robot = axes.robot
-    found = solutions(robot, stop.X_WF, rail if axes.has_rail else None, problem.plant.limits)
+    found = solutions(robot, stop.X_WF, rail if axes.layout.has_rail else None, problem.plant.limits)
     confs = {astuple(confdata(robot, q)) for _, q in found}
     if not confs:
         return "too near a singularity"
@@ -292,7 +292,7 @@ def _wrong_confdata(axes: Axes, problem: Problem, stop: Waypoint) -> bool:
         return False
     if not isinstance(problem.motion(stop.motion), MoveJ | MoveL):
         return False
-    rail = stop.written if axes.has_rail else None
+    rail = stop.written if axes.layout.has_rail else None
     found = solutions(axes.robot, stop.X_WF, rail, problem.plant.limits)
     return bool(found) and not any(confdata_admits(axes.robot, stop.conf, q) for _, q in found)
 
@@ -300,7 +300,7 @@ def _wrong_confdata(axes: Axes, problem: Problem, stop: Waypoint) -> bool:
 def _abreast(axes: Axes, X_WF: Array) -> float:
     """The rail position at which the base stands nearest to a pose."""
     p = axes.in_base(X_WF)[:3, 3]
-    return float(p @ axes.rail_axis)
+    return float(np.sum(p @ axes.rail_axis))
 
 
 def _title(motion: Motion) -> str:
@@ -314,7 +314,7 @@ def _broken_line(axes: Axes, problem: Problem, first: int, i: int, d: Array) -> 
     X_0, X_1 = problem.waypoints[k].X_WF @ leg.X_FT, problem.waypoints[k + 1].X_WF @ leg.X_FT
     shares = np.linspace(0, 1, 101)
     X = line_pose(X_0, X_1, shares)
-    rails = d if axes.has_rail else np.zeros(1)
+    rails = d if axes.layout.has_rail else np.zeros(1)
     fixed = [
         problem.waypoints[j].rail[0] for j in (k, k + 1) if problem.waypoints[j].rail[0] == problem.waypoints[j].rail[1]
     ]
@@ -337,7 +337,7 @@ def _broken_line(axes: Axes, problem: Problem, first: int, i: int, d: Array) -> 
     X_WF = X_WT @ inverse_pose(leg.X_FT)
     near = rails[int(np.argmin(np.abs(rails - _abreast(axes, X_WF))))]
     reason = _why(axes, problem, X_WF, float(near))
-    where = f" at rail {near * 1e3:.1f} mm" if axes.has_rail else ""
+    where = f" at rail {near * 1e3:.1f} mm" if axes.layout.has_rail else ""
     if not reason:
         reason = "no single configuration serves the whole line without crossing a singularity or a joint limit"
     p = X_WT[:3, 3] * 1e3
@@ -349,7 +349,7 @@ def _broken_line(axes: Axes, problem: Problem, first: int, i: int, d: Array) -> 
 
 
 def _in_limits(axes: Axes, arm: Array) -> BoolArray:
-    low, high = axes.lower[1:] - 1e-9, axes.upper[1:] + 1e-9
+    low, high = axes.lower[axes.layout.arm] - 1e-9, axes.upper[axes.layout.arm] + 1e-9
     ok = np.zeros(arm.shape[:-1], dtype=bool)
     for turn in TURNS:
         ok |= np.all((arm + turn >= low) & (arm + turn <= high), axis=-1)

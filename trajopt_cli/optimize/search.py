@@ -26,7 +26,7 @@ CHUNK = 2_000_000
 
 @dataclass(frozen=True, eq=False)
 class Chain:
-    """The best chain: axes (M, 7) and rail speeds (M,) at the stops, label and estimated time per stop and leg."""
+    """The best chain: axes and their velocities (M, n) at the stops, label and estimated time per stop and leg."""
 
     q: Array
     w: Array
@@ -37,7 +37,7 @@ class Chain:
 
 @dataclass(frozen=True, eq=False)
 class _Layer:
-    """States at one stop: q (n, 7), rail speed (n,), arm rates (n, 7), label number and rail index (n,)."""
+    """States at one stop: axes and their velocities (m, n), label number and rail index (m,)."""
 
     q: Array
     qd: Array
@@ -49,14 +49,12 @@ def _layer(axes: Axes, problem: Problem, table: StationTable, k: int, speeds: Ar
     arm = table.stops[k - table.first]
     labels, rails = np.nonzero(~np.isnan(arm[..., 0]))
     stop = problem.waypoints[k]
-    q = np.concatenate([table.d[rails][:, None], arm[labels, rails]], axis=1)
+    q = axes.layout.join(table.d[rails], arm[labels, rails])
     if stop.rest or stop.q is not None or stop.rail[0] == stop.rail[1] or len(speeds) == 1:
         return _Layer(q, np.zeros_like(q), labels, rails)
     m = len(speeds)
-    J = axes.jacobian(q, np.eye(4))
-    rate = -np.linalg.solve(J[:, :, 1:], J[:, :, :1])[..., 0]  # arm speed per rail speed with the flange at rest
-    rate = np.concatenate([np.ones((len(q), 1)), rate], axis=1)
-    q, labels, rails = (np.repeat(x, m, axis=0) for x in (q, labels, rails))
+    rate = axes.layout.join(np.ones(len(q)), axes.self_motion(q)[..., 0])
+    q, labels, rails = np.repeat(q, m, axis=0), np.repeat(labels, m), np.repeat(rails, m)
     qd = np.repeat(rate, m, axis=0) * np.tile(speeds, len(rate))[:, None]
     ok = np.all(np.abs(qd) <= axes.velocity + 1e-12, axis=1)
     return _Layer(q[ok], qd[ok], labels[ok], rails[ok])
@@ -64,12 +62,11 @@ def _layer(axes: Axes, problem: Problem, table: StationTable, k: int, speeds: Ar
 
 def _joint_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) -> Array:
     """(n_a, n_b) least time of joint moves; the tool caps enter by a trapezoid over the chord."""
-    V, A = axes.velocity.copy(), axes.acceleration
-    V[0] = min(V[0], leg.v_rail)
+    V, A = axes.velocity_on(leg), axes.acceleration
     out = np.empty((len(a.q), len(b.q)))
     moving = np.any(a.qd) or np.any(b.qd)
     p_a, p_b = (axes.forward(x.q) @ leg.X_FT for x in (a, b))
-    rows = max(1, CHUNK // max(1, 7 * len(b.q)))
+    rows = max(1, CHUNK // max(1, axes.n * len(b.q)))
     for i in range(0, len(a.q), rows):
         part = slice(i, i + rows)
         D = b.q[None] - a.q[part, None]
@@ -94,11 +91,12 @@ def _line_time(axes: Axes, leg: Leg, table: StationTable, i: int, a: _Layer, b: 
     assert line is not None
     d = table.d
     n = len(d)
-    limits_v, limits_a = axes.velocity.copy(), axes.acceleration
-    limits_v[0] = min(limits_v[0], leg.v_rail)
+    limits_v, limits_a = axes.velocity_on(leg), axes.acceleration
     spacing = (d[-1] - d[0]) / max(n - 1, 1)
     cruise = leg.chord / leg.v_tcp + leg.angle / leg.v_ori
-    widest = 0 if not leg.rail_moves else int(np.ceil((0.45 + limits_v[0] * cruise) / max(spacing, 1e-9)))
+    widest = (
+        0 if not leg.rail_moves else int(np.ceil((0.45 + axes.layout.place(limits_v) * cruise) / max(spacing, 1e-9)))
+    )
     best = np.full((len(table.labels), n, n), np.inf)
     S = np.linspace(0, 1, LINE_NODES)
     for shift in range(-min(widest, n - 1), min(widest, n - 1) + 1):
@@ -111,9 +109,7 @@ def _line_time(axes: Axes, leg: Leg, table: StationTable, i: int, a: _Layer, b: 
         f = (position - low)[None, :, :, None]
         k = np.arange(LINE_NODES)[:, None]
         arm = line[:, k, low] * (1 - f) + np.where(f > 1e-9, line[:, k, high], 0.0) * f
-        q = np.concatenate(
-            [np.broadcast_to((d[i0] + way * S[:, None])[None, ..., None], (*arm.shape[:-1], 1)), arm], -1
-        )
+        q = axes.layout.join(d[i0] + way * S[:, None], arm)
         dq = np.gradient(q, S, axis=1)
         ddq = np.gradient(dq, S, axis=1)
         v = np.min(limits_v / np.maximum(np.abs(dq), 1e-9), axis=(1, 3))
@@ -217,8 +213,8 @@ def search(axes: Axes, problem: Problem) -> Chain | None:
     if all(s.rail[0] == s.rail[1] for s in problem.waypoints):
         return coarse
     # the fine search: labels near the best, rail near the best
-    V0 = float(axes.velocity[0])
-    speeds = still if problem.coordinated or not problem.freedom.through_stops else V0 * SPEEDS
+    top = float(axes.layout.place(axes.velocity))
+    speeds = still if problem.coordinated or not problem.freedom.through_stops else top * SPEEDS
     fine_tables = []
     for (first, last), table in zip(problem.stations, tables, strict=True):
         keep: set[int] = set()
@@ -227,7 +223,8 @@ def search(axes: Axes, problem: Problem) -> Chain | None:
             through = forward[k] + backward[k]
             near = through <= NEAR * cost
             keep |= set(layers[k].label[near].tolist())
-            low, high = min(low, layers[k].q[path[k], 0]), max(high, layers[k].q[path[k], 0])
+            stands = float(axes.layout.place(layers[k].q[path[k]]))
+            low, high = min(low, stands), max(high, stands)
         spacing = (table.d[-1] - table.d[0]) / max(len(table.d) - 1, 1)
         margin = max(2 * spacing, 0.1)
         d = rail_grid(problem, first, last, FINE, (low - margin, high + margin))

@@ -6,7 +6,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from time import perf_counter
 
-import casadi as ca
 import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray
@@ -15,19 +14,18 @@ from trajopt_cli.optimize.assemble import LEAST, rows_of
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.binding import binding_limit
 from trajopt_cli.optimize.bound import lower_bound
+from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.driver import LAST_ALONE, NotConverged, Refiner, first_draft
+from trajopt_cli.optimize.formulation import Formulation
 from trajopt_cli.optimize.legs import JointProfiles, LegMotion, PathLeg
 from trajopt_cli.optimize.pieces import alone, cut, solve_pieces, with_leg
 from trajopt_cli.optimize.reach import check_reach
 from trajopt_cli.optimize.search import Chain, search
-from trajopt_cli.optimize.stages import Stages
-from trajopt_cli.optimize.transcription import Draft
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Coupling, LegKind, Problem, build_problem, droppable
 from trajopt_cli.problem.progress import Progress
-from trajopt_cli.robot.symbolic import forward
 from trajopt_cli.trajectory import Trajectory, hermite
 
 Report = Callable[[Progress], None]
@@ -130,7 +128,7 @@ def _clean_plan(axes: Axes, problem: Problem, chain: Chain, tell: Report, second
             failure = said
             continue
         legs = _final_legs(problem, draft)
-        rows = _rows(axes, legs, axes.seven(_end(axes, problem, draft)))
+        rows = _rows(axes, legs, _end(problem, draft))
         if rows is None:
             failure = NoCleanPlan("the written rows would pass a limit between each other")
             continue
@@ -164,7 +162,7 @@ def _passing(axes: Axes, trajectory: Trajectory) -> IndexArray:
     rounding does to rows that stand near each other."""
     h = np.diff(trajectory.t)
     noise = 6 * RESIDUAL / (h * h)[:, None]
-    V, A = axes.plant_axes(axes.velocity), axes.plant_axes(axes.acceleration)
+    V, A = axes.velocity, axes.acceleration
     over = np.zeros(len(h), dtype=bool)
     for u in (1e-6, 1 - 1e-6):
         _, qd, qdd = hermite(trajectory, trajectory.t[:-1] + u * h)
@@ -193,11 +191,7 @@ def _disconnected(program: Program, plant: Plant) -> Infeasible:
 
 
 def _refine(axes: Axes, problem: Problem, chain: Chain, tell: Report, seconds: dict[str, float]) -> Draft:
-    robot = axes.robot
-    q = ca.SX.sym("q", 7)
-    p, R = forward(robot, q if axes.has_rail else q[1:])
-    flange = ca.Function("flange", [q], [p, R])
-    stages = Stages(robot.arm, axes.rail_axis, axes.lower, axes.upper)
+    formulation = Formulation(axes)
 
     def report(phase: str, legs: Sequence[LegMotion | None]) -> None:
         """The time of the legs at hand and the search's estimate for the others; a rapid dwell counts in full."""
@@ -212,7 +206,7 @@ def _refine(axes: Axes, problem: Problem, chain: Chain, tell: Report, seconds: d
     def solve(piece: Problem, part: Chain) -> Draft:
         said = []
         for start in _starts(part):
-            refiner = Refiner(axes, stages, flange, piece)
+            refiner = Refiner(axes, formulation, piece)
             try:
                 first = first_draft(axes, piece, start)
                 return refiner.run(first, lambda phase, draft: report(phase, draft.legs) if whole else None)
@@ -228,7 +222,7 @@ def _refine(axes: Axes, problem: Problem, chain: Chain, tell: Report, seconds: d
             if leg.kind is LegKind.LINE and draft.legs[k].N < LAST_ALONE:  # type: ignore[union-attr]
                 tell(Progress("retime", incumbent=_time(problem, draft)))
                 piece, part = alone(problem, draft, k)
-                refiner = Refiner(axes, stages, flange, piece)
+                refiner = Refiner(axes, formulation, piece)
                 draft = with_leg(draft, k, _finer(refiner, part))
                 _add(seconds, refiner.seconds)
     return draft
@@ -270,9 +264,9 @@ def _starts(chain: Chain) -> list[Chain]:
     return [chain, still, replace(still, times=chain.times * 1.5)]
 
 
-def _end(axes: Axes, problem: Problem, draft: Draft) -> Array:
+def _end(problem: Problem, draft: Draft) -> Array:
     stop = problem.waypoints[-1]
-    return stop.q if stop.q is not None else axes.plant_axes(draft.q[-1])
+    return stop.q if stop.q is not None else draft.q[-1]
 
 
 def _final_legs(problem: Problem, draft: Draft) -> list[LegMotion]:
@@ -314,13 +308,13 @@ def _planned(
 ) -> tuple[PlannedMotion, ...]:
     by_motion = {leg.motion: k for k, leg in enumerate(problem.legs)}
     out = []
-    now, q_now = 0.0, axes.plant_axes(draft.q[0])
+    now, q_now = 0.0, draft.q[0]
     for i, motion in enumerate(program.motions):
         k = by_motion.get(i)
         if k is None:
             out.append(PlannedMotion(i, motion.source, now, now, q_now, q_now, "", i in problem.dropped))
             continue
-        q_1 = axes.plant_axes(draft.q[k + 1])
+        q_1 = draft.q[k + 1]
         binding = binding_limit(axes, problem.legs[k], legs[k])
         out.append(PlannedMotion(i, motion.source, float(bounds[k]), float(bounds[k + 1]), q_now, q_1, binding))
         now, q_now = float(bounds[k + 1]), q_1

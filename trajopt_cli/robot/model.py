@@ -19,6 +19,7 @@ from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.robot import arm as arm_products
 from trajopt_cli.robot.arm import Arm, arm_from_chain
 from trajopt_cli.robot.chain import checked_pose, link_poses, named_profile, pin_model
+from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.structure import Structure
 from trajopt_cli.robot.urdf import UrdfJoint, split_chain
 from trajopt_cli.shapes import Capsule
@@ -56,7 +57,12 @@ class RobotModel:
     @property
     def has_rail(self) -> bool:
         """Whether the first axis is a rail."""
-        return self.rail_axis is not None
+        return self.layout.has_rail
+
+    @cached_property
+    def layout(self) -> AxisLayout:
+        """Which axes are the rail's and the arm's."""
+        return AxisLayout.rail_first(6, self.rail_axis is not None)
 
     def profile(self, name: str | None = None) -> JointLimits:
         """Limits of all axes under a named profile, "default" for None. Raises InputError listing the profiles."""
