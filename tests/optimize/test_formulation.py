@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from small_cells import MOUNTS, mounted, plant_without_rail, safe_arm
 
-from trajopt_cli.geometry import Array, axis_angle, inverse_pose, line_pose, pose, rotation_about
+from trajopt_cli.geometry import Array, axis_angle, inverse_pose, pose, rotation_about
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.formulation import Formulation, ToolCap
+from trajopt_cli.path.line import Line
 from trajopt_cli.problem.problem import Coupling
 from trajopt_cli.robot.kinematics import forward_acceleration, forward_velocity, inverse_acceleration, inverse_velocity
 from trajopt_cli.robot.symbolic_inverse import BranchSigns
@@ -47,7 +48,7 @@ def lines(axes: Axes, rng: np.random.Generator, turning: bool, n: int = 12) -> l
 
 def poses(axes: Axes, rng: np.random.Generator, n: int) -> list[tuple[Array, float, int]]:
     """Poses of the tool in reach: the middles of lines."""
-    return [(line_pose(a, b, np.array([0.5]))[0], d, cfx) for a, b, d, cfx in lines(axes, rng, True, n)]
+    return [(Line(a, b).pose(np.array([0.5]))[0], d, cfx) for a, b, d, cfx in lines(axes, rng, True, n)]
 
 
 def parameters(axes: Axes, X_0: Array, X_1: Array, cfx: int, near: Array) -> dict[str, object]:
@@ -67,7 +68,7 @@ def at_node(V: Array, A: Array, caps: Array, room: Array) -> dict[str, object]:
 
 def motion_at(axes: Axes, X_0: Array, X_1: Array, cfx: int, s: float, d: float, v: float, w: float, a: float, b: float):
     """q, qd, qdd in scaled time from poses, Jacobian and its rate: no expression involved."""
-    X_WT = line_pose(X_0, X_1, np.array([s]))
+    X_WT = Line(X_0, X_1).pose(np.array([s]))
     arm = axes.inverse(X_WT @ inverse_pose(X_FT), np.array([d]))[0, cfx]
     q = axes.layout.join(d, arm)
     axis, angle = axis_angle(X_0[:3, :3].T @ X_1[:3, :3])

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from small_cells import MOUNTS, mounted, plant_without_rail
 
-from trajopt_cli.geometry import Array, inverse_pose, line_pose, pose, rotation_about
+from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about
 from trajopt_cli.optimize.assemble import GRID, LEAST, rows_of
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.double_integrator import reach, shortest_time
@@ -26,6 +26,7 @@ from trajopt_cli.optimize.legs import (
     unwind,
 )
 from trajopt_cli.optimize.profiles import hold, profiles
+from trajopt_cli.path.line import Line
 from trajopt_cli.trajectory import hermite
 
 X_FT = pose(rotation_about([0.6, 0, 0.8], 0.7), [0.05, -0.03, 0.12])
@@ -78,7 +79,7 @@ def test_a_path_keeps_its_line_and_its_speeds_are_slopes(axes: Axes, cfx: int, d
     h = 1e-5
     at, before, after = (leg.sample(axes, t + x) for x in (0.0, -h, h))
     s, _, _ = integrate(leg.grid, leg.s, leg.v, t / leg.T)
-    np.testing.assert_allclose(axes.forward(at.q) @ X_FT, line_pose(leg.X_0, leg.X_1, s), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(axes.forward(at.q) @ X_FT, Line(leg.X_0, leg.X_1).pose(s), rtol=0, atol=1e-12)
     scale = np.abs(at.qdd).max()
     np.testing.assert_allclose(at.qd, (after.q - before.q) / (2 * h), rtol=0, atol=1e-7 * scale)
     np.testing.assert_allclose(at.qdd, (after.qd - before.qd) / (2 * h), rtol=0, atol=1e-6 * scale)

@@ -8,11 +8,12 @@ import numpy as np
 import pytest
 from small_cells import DOWN, plant_with_rail, plant_without_rail, problem_of, rapid
 
-from trajopt_cli.geometry import line_pose, pose, wxyz_from_rotation
+from trajopt_cli.geometry import pose, wxyz_from_rotation
 from trajopt_cli.motion import Program
 from trajopt_cli.optimize import check_feasible
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.reach import LINE_NODES, check_reach, rail_grid, station_table
+from trajopt_cli.path.line import Line
 from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.plant import Plant
@@ -61,7 +62,7 @@ def test_without_a_rail_no_rail_position_is_spoken_of() -> None:
 
 
 def served(plant: Plant, a: tuple[float, ...], b: tuple[float, ...], s: float, d: float | None) -> bool:
-    X = line_pose(pose(DOWN, a), pose(DOWN, b), np.array([s]))[0]
+    X = Line(pose(DOWN, a), pose(DOWN, b)).pose(np.array([s]))[0]
     return bool(solutions(plant.robot, X, d, plant.limits))
 
 
@@ -215,7 +216,7 @@ def test_station_tables_hold_every_configuration_and_none_else(turning: bool) ->
     axes = Axes.of(plant)
     d = rail_grid(problem, 1, 2, 31)
     table = station_table(axes, problem, 1, 2, d)
-    X = line_pose(problem.waypoints[1].X_WF, problem.waypoints[2].X_WF, np.linspace(0, 1, LINE_NODES))
+    X = Line(problem.waypoints[1].X_WF, problem.waypoints[2].X_WF).pose(np.linspace(0, 1, LINE_NODES))
     line = table.lines[0]
     assert line is not None
     held = 0

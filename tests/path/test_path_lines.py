@@ -77,7 +77,8 @@ def test_many_lines_at_once_are_lines() -> None:
     X = random_pose(rng)
     lines = [some_line(rng) for _ in range(20)]
     lines += [Line(X, X), Line(X, pose(X[:3, :3], [1, 2, 3])), Line(X, pose(random_pose(rng)[:3, :3], X[:3, 3]))]
-    for line, poses in zip(lines, poses_of_many(lines, S), strict=True):
+    together = poses_of_many(np.array([line.X_0 for line in lines]), np.array([line.X_1 for line in lines]), S)
+    for line, poses in zip(lines, together, strict=True):
         np.testing.assert_allclose(poses, line.pose(S), rtol=0, atol=1e-14)
 
 

@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 from some_motions import BENCH, RAIL, move_abs_j, move_ext_j, move_j, move_l, plant, program, wait
 
-from trajopt_cli.geometry import Array, line_pose, pose, rotation_about, wxyz_from_rotation
+from trajopt_cli.geometry import Array, pose, rotation_about, wxyz_from_rotation
 from trajopt_cli.motion import NO_EXTERNAL_AXES, ConfData, ExternalAxes, Motion, MoveL, Settings
-from trajopt_cli.problem.along import Line, follow
+from trajopt_cli.path.line import Line
+from trajopt_cli.problem.along import ArmLine, follow
 from trajopt_cli.problem.configurations import ConfigurationFinding, Misfit, check_configurations
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.programmed import PlantKinematics
@@ -225,7 +226,7 @@ def test_after_a_free_move_the_nearest_configuration_is_where_it_goes_on() -> No
 def newton(X_0: Array, X_1: Array, X_FT: Array, q: Array, samples: int = 200) -> Array:
     """Joints at the end of a line, by Newton's method from sample to sample: no closed form, no branches."""
     robot, q = BENCH_PLANT.robot, q.copy()
-    for X_WT in line_pose(X_0 @ X_FT, X_1 @ X_FT, np.linspace(0, 1, samples)):
+    for X_WT in Line(X_0 @ X_FT, X_1 @ X_FT).pose(np.linspace(0, 1, samples)):
         for _ in range(4):
             now = robot.forward(q) @ X_FT
             v = wxyz_from_rotation(X_WT[:3, :3] @ now[:3, :3].T)
@@ -244,7 +245,7 @@ def test_random_lines_end_where_newtons_method_ends() -> None:
         turn = rotation_about(step[3:] / np.linalg.norm(step[3:]), float(np.linalg.norm(step[3:])))
         X_0 = robot.forward(q_0)
         X_1 = pose(turn @ X_0[:3, :3], X_0[:3, 3] + step[:3])
-        lines.append(Line(X_0, X_1, X_FT, (0.0, 0.0), q_0))
+        lines.append(ArmLine(X_0, X_1, X_FT, (0.0, 0.0), q_0))
     compared = 0
     for line, followed in zip(lines, follow(BENCH_PLANT, lines), strict=True):
         assert followed is not None

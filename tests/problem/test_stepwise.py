@@ -11,8 +11,9 @@ import pytest
 
 from trajopt_cli.cell.loader import load_cell, parse_cell
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array, line_pose
+from trajopt_cli.geometry import Array
 from trajopt_cli.motion import MoveJ, MoveL, Program, Wait
+from trajopt_cli.path.line import Line
 from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.problem.stepwise import Analysis, analyse
 from trajopt_cli.problem.workspace import rail_ranges
@@ -247,7 +248,7 @@ def test_every_point_of_the_line_is_reached_as_programmed(line: Program, plant: 
         assert not any(confdata_admits(robot, wrong, q) for _, q in solutions(robot, X_WT, rail, plant.limits))
         if isinstance(motion, MoveL):
             assert previous is not None, "a line has no start"
-            way = line_pose(previous, X_WT, np.linspace(0, 1, 51))
+            way = Line(previous, X_WT).pose(np.linspace(0, 1, 51))
             q = inverse(robot, way, np.full(51, rail))[:, motion.conf.cfx]
             assert np.degrees(q[:, 4]).min() > 45.0  # far from the wrist's singularity
             assert (np.abs(np.cos(q[:, 2])) > np.sin(np.radians(45))).all()  # and from the stretched elbow

@@ -11,9 +11,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array, inverse_pose, line_pose, pose, rotation_about, rotation_from_wxyz
+from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about, rotation_from_wxyz
 from trajopt_cli.motion import Happens, Move, MoveAbsJ, MoveC, MoveJ, MoveL, Program, Singularity, TextFile
-from trajopt_cli.rapid.data.courses import along, arc, between, radius
+from trajopt_cli.path.circle import arc_length, circle_through, point_on
+from trajopt_cli.path.line import Line
+from trajopt_cli.rapid.data.courses import between
 from trajopt_cli.rapid.execution.equipment import frame, matrix
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.rapid.zones import effective_radii
@@ -177,7 +179,7 @@ def test_the_share_of_a_line_is_chord_and_slerp(a, b, share: float) -> None:  # 
     if abs(abs(np.dot(a[1], b[1]))) < 1e-3:
         return  # half a turn apart: either way is the shorter one
     p, q = between(a, b, share)
-    wanted = line_pose(array(a), array(b), np.array([share]))[0]
+    wanted = Line(array(a), array(b)).pose(np.array([share]))[0]
     np.testing.assert_allclose(matrix((p, q)), wanted, atol=1e-9)
 
 
@@ -196,15 +198,15 @@ def test_an_arc_through_three_points_of_a_circle_is_that_circle(  # type: ignore
         x, y, z = rotation_from_wxyz(where[1]) @ local + where[0]
         return float(x), float(y), float(z)
 
-    course = arc(point(0), point(via * angle), point(angle))
+    course = circle_through(point(0), point(via * angle), point(angle))
     assert course is not None
     assert course.angle == pytest.approx(angle, abs=1e-5)
-    assert radius(course, point(0)) == pytest.approx(size, rel=1e-5)
-    np.testing.assert_allclose(along(course, point(0), share), point(share * angle), atol=1e-4 * size)
+    assert arc_length(course, point(0)) == pytest.approx(size * angle, rel=1e-5)
+    np.testing.assert_allclose(point_on(course, point(0), share), point(share * angle), atol=1e-4 * size)
 
 
 def test_three_points_on_a_line_are_no_circle_but_a_warning() -> None:
-    assert arc((0, 0, 0), (1, 1, 1), (2, 2, 2)) is None
+    assert circle_through((0, 0, 0), (1, 1, 1), (2, 2, 2)) is None
     program = run_main(
         f"MoveL {at(0, 0, 500)},v100,fine,tool0; MoveC {at(50, 0, 500)},{at(90, 0, 500)},v100,fine,tool0;"
     )

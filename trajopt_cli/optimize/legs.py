@@ -11,8 +11,9 @@ from typing import Literal
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, axis_angle, inverse_pose, line_pose
+from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.path.line import Line
 
 
 def integrate(grid: Array, x: Array, v: Array, tau: Array, right: bool = True) -> tuple[Array, Array, Array]:
@@ -100,7 +101,7 @@ class PathLeg:
 
     def node_arm(self, axes: Axes) -> Array:
         """Arm joints (N+1, joints) at the nodes."""
-        X_WT = line_pose(self.X_0, self.X_1, self.s)
+        X_WT = Line(self.X_0, self.X_1).pose(self.s)
         arm = axes.inverse(X_WT @ inverse_pose(self.X_FT), axes.layout.value(self.d))[:, self.cfx, :]
         return unwind(arm, self.reference)
 
@@ -110,12 +111,10 @@ class PathLeg:
         s, sv, sa = integrate(self.grid, self.s, self.v, tau, right)
         d, dv, da = integrate(self.grid, self.d, self.w, tau, right)
         sv, dv, sa, da = sv / self.T, dv / self.T, sa / self.T**2, da / self.T**2
-        X_WT = line_pose(self.X_0, self.X_1, s)
-        arm = axes.inverse(X_WT @ inverse_pose(self.X_FT), axes.layout.value(d))[:, self.cfx, :]
+        line = Line(self.X_0, self.X_1)
+        arm = axes.inverse(line.pose(s) @ inverse_pose(self.X_FT), axes.layout.value(d))[:, self.cfx, :]
         q = np.concatenate([d, unwind(arm, self.reference)], axis=1)
-        chord = self.X_1[:3, 3] - self.X_0[:3, 3]
-        turn = _turn(self.X_0, self.X_1)
-        twist = np.concatenate([chord, turn])
+        twist = np.concatenate([line.chord, line.turn])
         J = axes.jacobian(q, self.X_FT)
         Jr, Ja = J[:, :, axes.layout.rail], J[:, :, axes.layout.arm]
         rhs = sv[:, None] * twist - (Jr @ dv[..., None])[..., 0]
@@ -125,12 +124,6 @@ class PathLeg:
         rhs = sa[:, None] * twist - (Jr @ da[..., None])[..., 0] - (Jd @ qd[..., None])[..., 0]
         qdd = np.concatenate([da, np.linalg.solve(Ja, rhs[..., None])[..., 0]], axis=1)
         return Sample(t, q, qd, qdd)
-
-
-def _turn(X_0: Array, X_1: Array) -> Array:
-    """Rotation vector (3,) in world axes from X_0 to X_1, the shorter way; its direction is constant on the slerp."""
-    axis, angle = axis_angle(X_0[:3, :3].T @ X_1[:3, :3])
-    return X_0[:3, :3] @ axis * angle
 
 
 def unwind(arm: Array, reference: Array) -> Array:

@@ -11,10 +11,11 @@ from dataclasses import astuple, dataclass, replace
 import numpy as np
 from scipy import ndimage
 
-from trajopt_cli.geometry import Array, BoolArray, inverse_pose, line_pose
+from trajopt_cli.geometry import Array, BoolArray, inverse_pose
 from trajopt_cli.motion import Motion, MoveJ, MoveL
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.formulation import REACH, WRIST
+from trajopt_cli.path.line import Line
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.problem import LegKind, Problem, Waypoint
 from trajopt_cli.robot.inverse import confdata, confdata_admits, solutions, why_unreachable
@@ -99,7 +100,7 @@ def station_table(
             lines_raw.append(None)
             continue
         X_0, X_1 = problem.waypoints[k - 1].X_WF @ leg.X_FT, stop.X_WF @ leg.X_FT
-        X = line_pose(X_0, X_1, np.linspace(0, 1, LINE_NODES)) @ inverse_pose(leg.X_FT)
+        X = Line(X_0, X_1).pose(np.linspace(0, 1, LINE_NODES)) @ inverse_pose(leg.X_FT)
         raw = axes.inverse(np.broadcast_to(X[:, None], (LINE_NODES, n, 4, 4)).reshape(-1, 4, 4), np.tile(d, LINE_NODES))
         raw = _usable(np.moveaxis(raw.reshape(LINE_NODES, n, 8, 6), 2, 0))
         start = stops_raw[-1]
@@ -313,7 +314,7 @@ def _broken_line(axes: Axes, problem: Problem, first: int, i: int, d: Array) -> 
     motion = problem.motion(leg.motion)
     X_0, X_1 = problem.waypoints[k].X_WF @ leg.X_FT, problem.waypoints[k + 1].X_WF @ leg.X_FT
     shares = np.linspace(0, 1, 101)
-    X = line_pose(X_0, X_1, shares)
+    X = Line(X_0, X_1).pose(shares)
     rails = d if axes.layout.has_rail else np.zeros(1)
     fixed = [
         problem.waypoints[j].rail[0] for j in (k, k + 1) if problem.waypoints[j].rail[0] == problem.waypoints[j].rail[1]

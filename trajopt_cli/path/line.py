@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, ClassVar
@@ -73,9 +72,11 @@ class Line:
         return np.zeros((len(s), 6))
 
 
-def poses_of_many(lines: Sequence[Line], s: Array) -> Array:
-    """Tool poses (m, n, 4, 4) of m lines at the same shares s (n,): what Line.pose gives, but much faster."""
-    X_0, X_1 = (np.array(ends) for ends in zip(*((line.X_0, line.X_1) for line in lines), strict=True))
+def poses_of_many(X_0: Array, X_1: Array, s: Array) -> Array:
+    """Tool poses (m, n, 4, 4) of the lines from X_0 to X_1 (m, 4, 4) at shares s (n,).
+
+    What Line.pose gives up to rounding, 6 (41 shares) to 20 times (5 shares) faster.
+    """
     w, v = np.split(wxyz_from_rotation(np.swapaxes(X_0[:, :3, :3], 1, 2) @ X_1[:, :3, :3]), [1], axis=1)
     sine = np.linalg.norm(v, axis=1, keepdims=True)
     half = np.arctan2(sine, w) * s  # (m, n), of the angle turned so far
@@ -107,10 +108,17 @@ class LineSymbols:
             {"p": X_B0[:3, 3], "chord": X_B1[:3, 3] - X_B0[:3, 3], **turn_parts(X_B0, X_B1, X_BF, X_FT)}
         )
 
+    def tool(self, p: ca.SX, s: ca.SX) -> ca.SX:
+        """Position (3,) of the tool centre point in the arm's base frame."""
+        part = self.layout.split(p)
+        return part["p"] + s * part["chord"]
+
+    def rotation(self, p: ca.SX, s: ca.SX) -> ca.SX:
+        """Rotation (3, 3) of the flange there."""
+        part = self.layout.split(p)
+        return part["R"] @ about(part["axis"], part["angle"] * s) if self.turning else part["R"]
+
     def flange(self, p: ca.SX, s: ca.SX) -> Flange:
         """The flange in the arm's base frame at share s of the line with parameters p (size,)."""
-        part = self.layout.split(p)
-        R = part["R"]
-        if self.turning:
-            R = R @ about(part["axis"], part["angle"] * s)
-        return Flange(part["p"] + s * part["chord"] - R @ part["offset"], R)
+        R = self.rotation(p, s)
+        return Flange(self.tool(p, s) - R @ self.layout.split(p)["offset"], R)

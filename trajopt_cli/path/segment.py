@@ -79,3 +79,14 @@ def share_of(segment: Segment, sigma: float) -> float:
     if not -POINT <= sigma <= whole + POINT:
         raise InputError(f"{sigma:g} {unit} is not on a segment of {whole:g} {unit}")
     return min(max(sigma / whole, 0.0), 1.0)
+
+
+def check_shares(*shares: float) -> None:
+    """Refuse what is no part of a segment.
+
+    Raises:
+        ValueError: a share is not in (0, 1].
+    """
+    for share in shares:
+        if not 0 < share <= 1:
+            raise ValueError(f"{share:g} is no share of a segment; give one above 0 and up to 1")

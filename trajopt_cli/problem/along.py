@@ -11,15 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trajopt_cli.geometry import (
-    Array,
-    BoolArray,
-    IndexArray,
-    inverse_pose,
-    pose,
-    rotation_from_wxyz,
-    wxyz_from_rotation,
-)
+from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
+from trajopt_cli.path.line import poses_of_many
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import inverse
 
@@ -35,9 +28,11 @@ _AT_ONCE = 40_000  # samples: 30 MB of work arrays
 
 
 @dataclass(frozen=True, eq=False)
-class Line:
-    """X_WF_0, X_WF_1: the flange at both ends. X_FT: the tool. rail [m] at both ends. q (6,) [rad]: joints at the
-    start."""
+class ArmLine:
+    """A line and where the arm begins it.
+
+    X_WF_0, X_WF_1: the flange at both ends. X_FT: the tool. rail [m] at both ends. q (6,) [rad]: joints at the start.
+    """
 
     X_WF_0: Array
     X_WF_1: Array
@@ -83,7 +78,7 @@ class Followed:
         return ", ".join(parts) or f"{names[4]} is 0° and {names[3]} and {names[5]} turn about one axis"
 
 
-def follow(plant: Plant, lines: Sequence[Line]) -> list[Followed | None]:
+def follow(plant: Plant, lines: Sequence[ArmLine]) -> list[Followed | None]:
     """Each line followed; None where the start joints are on no branch (a singular start) or are not at the start."""
     out: list[Followed | None] = [None] * len(lines)
     todo = np.array([_short(line) for line in lines], dtype=bool)
@@ -94,14 +89,14 @@ def follow(plant: Plant, lines: Sequence[Line]) -> list[Followed | None]:
     return out
 
 
-def _short(line: Line) -> bool:
+def _short(line: ArmLine) -> bool:
     X_0, X_1 = line.X_WF_0, line.X_WF_1
     turn = np.arccos(np.clip((np.sum(X_0[:3, :3] * X_1[:3, :3]) - 1) / 2, -1, 1))
     return bool(np.linalg.norm(X_1[:3, 3] - X_0[:3, 3]) < _SMALL[0] and turn < _SMALL[1])
 
 
 def _level(
-    plant: Plant, lines: Sequence[Line], which: IndexArray, samples: int, out: list[Followed | None]
+    plant: Plant, lines: Sequence[ArmLine], which: IndexArray, samples: int, out: list[Followed | None]
 ) -> IndexArray:
     """Follow some lines with so many samples; gives those back that need more."""
     again: list[int] = []
@@ -122,19 +117,12 @@ def _level(
     return np.array(again, dtype=np.intp)
 
 
-def _sampled(plant: Plant, lines: Sequence[Line], samples: int) -> tuple[Array, Array, Array]:
+def _sampled(plant: Plant, lines: Sequence[ArmLine], samples: int) -> tuple[Array, Array, Array]:
     """Chords (m,), joints (m, samples, 6) along each line, and which of them have a branch at the start."""
     m, s = len(lines), np.linspace(0, 1, samples)
     X_FT = np.array([line.X_FT for line in lines])
     X_0, X_1 = (np.array(ends) @ X_FT for ends in zip(*((n.X_WF_0, n.X_WF_1) for n in lines), strict=True))
-    way = X_1[:, :3, 3] - X_0[:, :3, 3]
-    w, v = np.split(wxyz_from_rotation(np.swapaxes(X_0[:, :3, :3], 1, 2) @ X_1[:, :3, :3]), [1], axis=1)
-    sine = np.linalg.norm(v, axis=1, keepdims=True)
-    half = np.arctan2(sine, w) * s  # (m, samples), of the angle turned so far
-    axis = v / np.where(sine < 1e-15, 1.0, sine)
-    part = rotation_from_wxyz(np.concatenate([np.cos(half)[..., None], np.sin(half)[..., None] * axis[:, None]], -1))
-    X = pose(X_0[:, None, :3, :3] @ part, X_0[:, None, :3, 3] + s[:, None] * way[:, None])
-    X_WF = X @ inverse_pose(X_FT)[:, None]
+    X_WF = poses_of_many(X_0, X_1, s) @ inverse_pose(X_FT)[:, None]
     rail = np.array([line.rail for line in lines])
     rails = rail[:, :1] + s * (rail[:, 1:] - rail[:, :1]) if plant.robot.has_rail else None
     branches = inverse(plant.robot, X_WF.reshape(-1, 4, 4), None if rails is None else rails.reshape(-1))
@@ -147,7 +135,7 @@ def _sampled(plant: Plant, lines: Sequence[Line], samples: int) -> tuple[Array, 
     each = np.arange(m)
     q = np.unwrap(branches[each, :, branch], axis=1)
     q += 2 * np.pi * np.round((start - q[:, 0]) / (2 * np.pi))[:, None]
-    return np.linalg.norm(way, axis=1), q, away[each, branch] <= _SAME
+    return np.linalg.norm(X_1[:, :3, 3] - X_0[:, :3, 3], axis=1), q, away[each, branch] <= _SAME
 
 
 def _followed(plant: Plant, chord: float, q: Array, steps: Array, weak: BoolArray) -> Followed:

@@ -17,7 +17,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.motion import ConfData, MoveAbsJ, MoveC, MoveJ, MoveL, Program, SignalEvent, Source, Wait
-from trajopt_cli.problem.along import Followed, Line, follow
+from trajopt_cli.problem.along import ArmLine, Followed, follow
 from trajopt_cli.problem.plannable import demands_configuration, name
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import confdata, confdata_admits, inverse, why_unreachable
@@ -207,12 +207,12 @@ def _alternatives(turned: Array, inside: BoolArray) -> tuple[ConfData, ...]:
 # -------------------------------------------------------------------------------------------------------- the lines
 
 
-def _lines(program: Program, plant: Plant, points: Sequence[_Point], poses: _Poses) -> list[tuple[int, Line]]:
+def _lines(program: Program, plant: Plant, points: Sequence[_Point], poses: _Poses) -> list[tuple[int, ArmLine]]:
     """The lines whose configuration counts and whose start joints are known, by index of the motion."""
     at = {point.index: k for k, point in enumerate(points)}
     wanted = {point.index for point in points if point.demanded and isinstance(point.motion, MoveL)}
     robot = plant.robot
-    lines: list[tuple[int, Line]] = []
+    lines: list[tuple[int, ArmLine]] = []
     if not wanted:
         return lines
     now: Array | None = plant.start[-6:]
@@ -231,7 +231,7 @@ def _lines(program: Program, plant: Plant, points: Sequence[_Point], poses: _Pos
                 assert isinstance(motion, MoveL)
                 if X_WF is None:
                     X_WF = robot.forward(np.r_[before, now] if robot.has_rail else now)
-                lines.append((index, Line(X_WF, points[k].X_WF, motion.tool.X_FT, (before, rail), now)))
+                lines.append((index, ArmLine(X_WF, points[k].X_WF, motion.tool.X_FT, (before, rail), now)))
             now, X_WF = _after(points[k], plant, poses.joints[k], now), points[k].X_WF
         else:  # MoveExtJ: the arm holds
             X_WF = None

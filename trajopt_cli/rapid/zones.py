@@ -21,8 +21,7 @@ from trajopt_cli.motion import (
     Tool,
     Wait,
 )
-from trajopt_cli.rapid.data.courses import arc, radius
-from trajopt_cli.rapid.data.frames import Vector
+from trajopt_cli.path.circle import Point, arc_length, circle_through
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,12 +98,12 @@ def effective_radii(program: Program, lengths: Sequence[float | None] | None = N
 
 
 def _length(motion: MoveJ | MoveL | MoveC, place: _Place) -> float:
-    start = _vector(place.seen_by(motion.tool)[:3, 3])
-    end = _vector(motion.X_WT[:3, 3])
+    start = _point(place.seen_by(motion.tool)[:3, 3])
+    end = _point(motion.X_WT[:3, 3])
     if isinstance(motion, MoveC) and not motion.tool.stationary:  # else the work moves: its points pass the tool
-        course = arc(start, _vector(motion.X_WV[:3, 3]), end)
+        course = circle_through(start, _point(motion.X_WV[:3, 3]), end)
         if course is not None:
-            return radius(course, start) * course.angle
+            return arc_length(course, start)
     return dist(start, end)
 
 
@@ -113,6 +112,6 @@ def _taken_over(before: ExternalAxes, given: ExternalAxes) -> ExternalAxes:
     return (a, b, c, d, e, f)
 
 
-def _vector(p: Array) -> Vector:
+def _point(p: Array) -> Point:
     x, y, z = p.tolist()
     return x, y, z

@@ -22,14 +22,15 @@ from itertools import pairwise
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, axis_angle, inverse_pose, pose, rotation_about
+from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about
 from trajopt_cli.motion import SignalEvent, Wait
+from trajopt_cli.path.line import Line
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import inverse, solutions, why_unreachable
 from trajopt_cli.study.bang_bang import AxisMotion, common_time, in_time
 from trajopt_cli.study.case import Answer, Attempt, Case
-from trajopt_cli.study.legs import Leg, LegKind, Line, fixed_rail
+from trajopt_cli.study.legs import JointsOnLine, Leg, LegKind, fixed_rail
 from trajopt_cli.study.rows import LONGER, Piece, apart, hold, rows_of
 
 _STEP = 1e-3  # s between places where the motion is looked at before it is accepted
@@ -82,32 +83,30 @@ class _Move:
 
 
 def _move(plant: Plant, leg: Leg) -> _Move:
-    X_0, X_1 = (_from_carriage(plant, q) @ leg.X_FT for q in (leg.q_0, leg.q_1))
-    axis, angle = axis_angle(X_0[:3, :3].T @ X_1[:3, :3])
+    seen = Line(*(_from_carriage(plant, q) @ leg.X_FT for q in (leg.q_0, leg.q_1)))
     caps, motion = plant.tcp, leg.motion
     if leg.kind is LegKind.HOLD or isinstance(motion, Wait | SignalEvent):
-        return _Move(leg, X_0, axis, np.zeros(0), np.zeros(0), np.zeros(0))
+        return _Move(leg, seen.X_0, seen.axis, np.zeros(0), np.zeros(0), np.zeros(0))
     turning = motion.speed.v_ori
     softly = turning * (caps.acceleration / caps.speed)
     rail = plant.robot.has_rail
     way_rail = float(leg.q_1[0] - leg.q_0[0]) if rail else 0.0
     if leg.kind is LegKind.JOINT:
-        way = np.r_[X_1[:3, 3] - X_0[:3, 3], angle, way_rail]
+        way = np.r_[seen.chord, seen.angle, way_rail]
         way[np.abs(way) < _POINT] = 0.0
         v_rail, a_rail = (plant.limits.velocity[0], plant.limits.acceleration[0]) if rail else (1.0, 1.0)
         return _Move(
             leg,
-            X_0,
-            axis,
+            seen.X_0,
+            seen.axis,
             way,
             np.r_[[caps.speed] * 3, turning, v_rail],
             np.r_[[caps.acceleration] * 3, softly, a_rail],
         )
-    line = Line.of(plant, leg)
-    chord = line.X_1[:3, 3] - line.X_0[:3, 3]
-    length = line.chord if line.chord > _POINT else max(line.angle, abs(way_rail))
-    steepest = float(np.abs(chord).max()) / length
-    v = [leg.v_tcp * length / max(line.chord, _POINT), caps.speed / max(steepest, _POINT)]
+    line = JointsOnLine.of(plant, leg).line
+    length = line.length if line.length > _POINT else max(line.angle, abs(way_rail))
+    steepest = float(np.abs(line.chord).max()) / length
+    v = [leg.v_tcp * length / max(line.length, _POINT), caps.speed / max(steepest, _POINT)]
     a = [caps.acceleration / max(steepest, _POINT)]
     if line.angle > _POINT:
         v.append(turning * length / line.angle)
@@ -115,9 +114,15 @@ def _move(plant: Plant, leg: Leg) -> _Move:
     if abs(way_rail) > _POINT:
         v.append(float(plant.limits.velocity[0]) * length / abs(way_rail))
         a.append(float(plant.limits.acceleration[0]) * length / abs(way_rail))
-    plain = line.chord > _POINT and abs(way_rail) <= _POINT
+    plain = line.length > _POINT and abs(way_rail) <= _POINT
     return _Move(
-        leg, X_0, axis, np.array([length]), np.array([min(v)]), np.array([min(a)]), chord / length if plain else None
+        leg,
+        seen.X_0,
+        seen.axis,
+        np.array([length]),
+        np.array([min(v)]),
+        np.array([min(a)]),
+        line.chord / length if plain else None,
     )
 
 
@@ -187,7 +192,7 @@ def _piece(plant: Plant, move: _Move, begin: tuple[Array, Array], end: tuple[Arr
         motion = in_time(*task, T + attempt * LONGER)
     duration = float(motion.duration.max())
     if leg.kind is LegKind.LINE:
-        return Piece(duration, _switches(motion), partial(_on_line, Line.of(plant, leg), move, motion))
+        return Piece(duration, _switches(motion), partial(_on_line, JointsOnLine.of(plant, leg), move, motion))
     space = _Space(plant, move, motion, duration, _branch(plant, leg))
     refused = space.refusal()
     return refused or Piece(duration, _switches(motion), space.at)
@@ -201,7 +206,7 @@ def _switches(motion: AxisMotion) -> Array:
     return np.unique(np.r_[0.0, times.ravel(), motion.duration.max()])
 
 
-def _on_line(line: Line, move: _Move, motion: AxisMotion, t: Array) -> tuple[Array, Array]:
+def _on_line(line: JointsOnLine, move: _Move, motion: AxisMotion, t: Array) -> tuple[Array, Array]:
     s, v, _ = motion.at(t)
     q = line.positions(np.clip(s[0] / move.way[0], 0.0, 1.0))
     return q, line.slopes(q) * (v[0] / move.way[0])[:, None]

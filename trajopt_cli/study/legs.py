@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from enum import Enum
-from functools import cached_property
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, axis_angle, inverse_pose, line_pose
+from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.motion import Motion, MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, SignalEvent, Wait
+from trajopt_cli.path.line import Line
 from trajopt_cli.problem.freedom import FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
@@ -182,53 +182,41 @@ def use_of(plant: Plant, leg: Leg, q: Array, qd: Array, qdd: Array) -> Use:
 
 
 @dataclass(frozen=True, eq=False)
-class Line:
-    """A line leg's joint path over the share s of its way, the rail in proportion; exact on the leg's branch.
+class JointsOnLine:
+    """The joints on a line leg over the share s of its way, the rail in proportion; exact on the leg's branch.
 
-    s (n,): the table's places. q (n, k) there.
+    line: the tool's. s (n,): the table's places. q (n, k) there.
     """
 
     plant: Plant
     leg: Leg
-    X_0: Array
-    X_1: Array
+    line: Line
     cfx: int
     s: Array
     q: Array
 
     @classmethod
-    def of(cls, plant: Plant, leg: Leg) -> Line:
+    def of(cls, plant: Plant, leg: Leg) -> JointsOnLine:
         """The line between a leg's ends, on the branch that q_0 is on."""
-        X_0 = plant.robot.forward(leg.q_0) @ leg.X_FT
-        X_1 = plant.robot.forward(leg.q_1) @ leg.X_FT
+        line = Line(plant.robot.forward(leg.q_0) @ leg.X_FT, plant.robot.forward(leg.q_1) @ leg.X_FT)
         s = np.linspace(0.0, 1.0, _NODES)
-        start = _branches(plant, leg, X_0, X_1, s[:1])[0]
+        start = _branches(plant, leg, line, s[:1])[0]
         turned = start + _whole_turns(leg.q_0[-6:] - start)
         cfx = int(np.nanargmin(np.abs(turned - leg.q_0[-6:]).max(axis=1)))
-        arm = _branches(plant, leg, X_0, X_1, s)[:, cfx]
+        arm = _branches(plant, leg, line, s)[:, cfx]
         arm = np.unwrap(arm, axis=0)
         arm += _whole_turns(leg.q_0[-6:] - arm[0])
-        return cls(plant, leg, X_0, X_1, cfx, s, _with_rail(plant, leg, s, arm))
-
-    @cached_property
-    def chord(self) -> float:
-        """Length of the way [m]."""
-        return float(np.linalg.norm(self.X_1[:3, 3] - self.X_0[:3, 3]))
-
-    @cached_property
-    def angle(self) -> float:
-        """Reorientation on the way [rad]."""
-        return axis_angle(self.X_0[:3, :3].T @ self.X_1[:3, :3])[1]
+        return cls(plant, leg, line, cfx, s, _with_rail(plant, leg, s, arm))
 
     def positions(self, s: Array) -> Array:
         """Axes (m, k) at shares s (m,)."""
-        arm = _branches(self.plant, self.leg, self.X_0, self.X_1, s)[:, self.cfx]
+        arm = _branches(self.plant, self.leg, self.line, s)[:, self.cfx]
         near = np.column_stack([np.interp(s, self.s, column) for column in self.q[:, -6:].T])
         return _with_rail(self.plant, self.leg, s, arm + _whole_turns(near - arm))
 
     def slopes(self, q: Array) -> Array:
         """dq/ds (m, k) at axes q (m, k) on the line."""
-        return inverse_velocity(self.plant.robot, q, self._rate(len(q)), self._rail_way, self.leg.X_FT)
+        return inverse_velocity(self.plant.robot, q, self.line.twist(np.zeros(len(q))), self._rail_way, self.leg.X_FT)
 
     def bends(self, q: Array, slopes: Array) -> Array:
         """d2q/ds2 (m, k) there."""
@@ -239,11 +227,6 @@ class Line:
     def _rail_way(self) -> float:
         return float(self.leg.q_1[0] - self.leg.q_0[0]) if self.plant.robot.has_rail else 0.0
 
-    def _rate(self, n: int) -> Array:
-        """Velocity of the TCP (n, 6) per unit of s: chord and turn are the same everywhere on the line."""
-        axis, angle = axis_angle(self.X_0[:3, :3].T @ self.X_1[:3, :3])
-        return np.tile(np.r_[self.X_1[:3, 3] - self.X_0[:3, 3], self.X_0[:3, :3] @ axis * angle], (n, 1))
-
 
 def _whole_turns(difference: Array) -> Array:
     return np.asarray(2 * np.pi * np.round(difference / (2 * np.pi)))
@@ -253,9 +236,9 @@ def _rail_at(plant: Plant, leg: Leg, s: Array) -> Array | None:
     return leg.q_0[0] + s * (leg.q_1[0] - leg.q_0[0]) if plant.robot.has_rail else None
 
 
-def _branches(plant: Plant, leg: Leg, X_0: Array, X_1: Array, s: Array) -> Array:
+def _branches(plant: Plant, leg: Leg, line: Line, s: Array) -> Array:
     """All branches (m, 8, 6) at shares s (m,) of the line."""
-    X_WF = line_pose(X_0, X_1, s) @ inverse_pose(leg.X_FT)
+    X_WF = line.pose(s) @ inverse_pose(leg.X_FT)
     return inverse(plant.robot, X_WF, _rail_at(plant, leg, s))
 
 

@@ -17,7 +17,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.study.case import Answer, Attempt, Case, NotApplicable
-from trajopt_cli.study.legs import Leg, LegKind, Line, Use, fixed_rail, speed_limits, use_of
+from trajopt_cli.study.legs import JointsOnLine, Leg, LegKind, Use, fixed_rail, speed_limits, use_of
 from trajopt_cli.study.rows import LONGER, Piece, apart, hold, rows_of
 from trajopt_cli.timing.point_to_point import PointToPoint, point_to_point
 
@@ -67,7 +67,7 @@ def _row(case: Case, jerk: Array | None) -> Answer:
 def _piece(plant: Plant, leg: Leg, jerk: Array | None) -> Piece | Infeasible:
     if leg.kind is LegKind.HOLD:
         return hold(leg.q_0, leg.lasts)
-    line = Line.of(plant, leg) if leg.kind is LegKind.LINE else None
+    line = JointsOnLine.of(plant, leg) if leg.kind is LegKind.LINE else None
     motion = _joint_move(plant, leg, jerk) if line is None else _along(line, jerk)
     if leg.duration is not None:
         if motion.duration > leg.duration * (1 + 1e-9):
@@ -78,7 +78,7 @@ def _piece(plant: Plant, leg: Leg, jerk: Array | None) -> Piece | Infeasible:
     return Piece(motion.duration, motion.switches, partial(_on_line, line, motion))
 
 
-def _on_line(line: Line, motion: PointToPoint, t: Array) -> tuple[Array, Array]:
+def _on_line(line: JointsOnLine, motion: PointToPoint, t: Array) -> tuple[Array, Array]:
     s, rate, _ = motion.at(t)
     q = line.positions(s[:, 0])
     return q, line.slopes(q) * rate
@@ -161,14 +161,14 @@ def _largest(fits: Callable[[float], bool]) -> float | None:
     return low
 
 
-def _along(line: Line, jerk: Array | None) -> PointToPoint:
+def _along(line: JointsOnLine, jerk: Array | None) -> PointToPoint:
     """The shortest profile of the share s: for every speed of a short list (and jerk), the largest acceleration."""
     plant, leg = line.plant, line.leg
     slopes = line.slopes(line.q)
     bends = line.bends(line.q, slopes)
     twists = np.gradient(bends, line.s, axis=0)
     speed, acceleration = speed_limits(plant, leg), plant.limits.acceleration
-    way, turn = max(line.chord, 1e-12), max(line.angle, 1e-12)
+    way, turn = max(line.line.length, 1e-12), max(line.line.angle, 1e-12)
     steepest = np.maximum(np.abs(slopes), 1e-12)
     top_v = min(float(np.min(speed / steepest)), leg.v_tcp / way, leg.v_ori / turn) * SAFE
     top_a = min(float(np.min(acceleration / steepest[[0, -1]])), leg.a_tcp / way) * SAFE

@@ -26,8 +26,8 @@ from trajopt_cli.motion import (
     Tool,
     Written,
 )
+from trajopt_cli.path.circle import circle_through
 from trajopt_cli.rapid.data import frames
-from trajopt_cli.rapid.data.courses import arc
 from trajopt_cli.rapid.data.datatypes import JOINTTARGET, ROBTARGET, Data, Value
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
 from trajopt_cli.rapid.execution.equipment import IDENTITY, matrix, said, value_of
@@ -224,7 +224,7 @@ def _check_circle(
             raise run.error(node, f"{message}; move one of them, or use MoveL")
     if at is None:
         return
-    course = arc(at, via[0], place[0])
+    course = circle_through(at, via[0], place[0])
     if course is None:
         run.warn(f"{run.source(node)}: start, {through} and {to} lie on one line, not on a circle")
     elif degrees(course.angle) > _WIDEST_ARC:

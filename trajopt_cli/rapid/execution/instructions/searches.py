@@ -8,8 +8,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from trajopt_cli.motion import ExternalAxes, MoveC, MoveJ, MoveL, Process
+from trajopt_cli.path.circle import circle_through, point_on
 from trajopt_cli.rapid.data import frames
-from trajopt_cli.rapid.data.courses import along, arc, between, turned
+from trajopt_cli.rapid.data.courses import between, turned
 from trajopt_cli.rapid.data.datatypes import ROBTARGET, Value
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
 from trajopt_cli.rapid.execution.equipment import Setup, frame, said
@@ -98,9 +99,9 @@ def _hit(
         start = position.target(run, node, name, setup)
         place = between(start, end.frame, share)
         if circle is not None:
-            course = arc(start[0], robtarget(run, circle).frame[0], end.frame[0])
+            course = circle_through(start[0], robtarget(run, circle).frame[0], end.frame[0])
             if course is not None:
-                place = along(course, start[0], share), turned(start[1], end.frame[1], share)
+                place = point_on(course, start[0], share), turned(start[1], end.frame[1], share)
     written = tuple(float(part) for part in (conf.cf1, conf.cf4, conf.cf6, conf.cfx))
     offsets = run.settings.eax_offset
     axes = tuple(9e9 if value is None else value - more for value, more in zip(extax, offsets, strict=True))

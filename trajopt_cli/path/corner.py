@@ -1,0 +1,264 @@
+"""Corners of two Cartesian segments: a fly-by point is passed inside its zone without a stop.
+
+The position leaves the first segment where the zone is entered and joins the second where it is left, with the rate of
+either; between two lines that is a parabola (quadratic Bézier: entry, point, exit). The orientation does the same over
+a zone of its own, as a cumulative quadratic Bézier of the two turns: first the rest of the one, then the part of the
+other. Run backwards a corner's positions are the same; its orientations are if both turns have one axis, else they
+differ by less than a sixteenth of the product of both turns [rad].
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array, BoolArray, axis_angle, rotation_about
+from trajopt_cli.path.arc import Arc, ArcSymbols
+from trajopt_cli.path.hermite import hermite
+from trajopt_cli.path.line import Line, LineSymbols
+from trajopt_cli.path.segment import POINT, check_shares
+from trajopt_cli.path.symbols import Flange, Layout, about, flange_at_start
+
+if TYPE_CHECKING:
+    import casadi as ca
+
+_HALF = 0.5 + 1e-9  # of a way, with rounding
+
+
+@dataclass(frozen=True, eq=False)
+class Corner:
+    """Replaces the last share_before of one segment and the first share_after of the next, each by half of its own s.
+
+    position, orientation: in which part of the corner, around its middle, the one and the other is bent; the larger is
+    1, for the corner begins and ends where the larger zone does. Outside its part either runs on as on the segments.
+    """
+
+    before: Line | Arc
+    after: Line | Arc
+    share_before: float
+    share_after: float
+    position: float = 1.0
+    orientation: float = 1.0
+
+    def __post_init__(self) -> None:
+        check_shares(self.share_before, self.share_after, self.position, self.orientation)
+        if max(self.position, self.orientation) != 1:
+            raise ValueError("a corner is as large as the larger of its two zones: one of them is 1")
+        apart = np.linalg.norm(self.before.X_1[:3, 3] - self.after.X_0[:3, 3])
+        if apart > POINT or axis_angle(self.before.X_1[:3, :3].T @ self.after.X_0[:3, :3])[1] > POINT:
+            raise ValueError(
+                f"the segment after a corner does not begin where the other ends: {apart * 1e3:.6f} mm apart"
+            )
+
+    @classmethod
+    def of_zone(cls, before: Line | Arc, after: Line | Arc, radius: float, turning: float) -> Corner:
+        """The corner of a zone whose edges are radius [m] from the point along both ways, and turning [m] for the
+        orientation.
+
+        Raises:
+            InputError: a zone reaches beyond the middle of a way, or is none.
+        """
+        largest, least = max(radius, turning), min(radius, turning)
+        if least <= 0:
+            raise InputError(f"a corner needs zones above 0 mm, found {least * 1e3:g} mm; a stop point has no corner")
+        shortest = min(before.length, after.length)
+        if largest > _HALF * shortest:
+            raise InputError(
+                f"a zone of {largest * 1e3:.6g} mm reaches beyond the middle of a way of {shortest * 1e3:.6g} mm;"
+                f" at most {shortest / 2 * 1e3:.6g} mm"
+            )
+        return cls(before, after, largest / before.length, largest / after.length, radius / largest, turning / largest)
+
+    # ---- the position's curve: both ends with their rates per unit of the part where it is bent
+    @cached_property
+    def _curve(self) -> tuple[Array, Array, Array, Array]:
+        share_0, share_1 = self.position * self.share_before, self.position * self.share_after
+        s_0, s_1 = np.array([1 - share_0]), np.array([share_1])
+        return (
+            self.before.pose(s_0)[0, :3, 3],
+            2 * share_0 * self.before.twist(s_0)[0, :3],
+            self.after.pose(s_1)[0, :3, 3],
+            2 * share_1 * self.after.twist(s_1)[0, :3],
+        )
+
+    # ---- the orientation's: rotation at the entry, and both turns as rotation vectors of the tool's own frame
+    @cached_property
+    def _turns(self) -> tuple[Array, Array, Array]:
+        share_0, share_1 = self.orientation * self.share_before, self.orientation * self.share_after
+        R_0 = self.before.pose(np.array([1 - share_0]))[0, :3, :3]
+        turn_0 = share_0 * self.before.twist(np.ones(1))[0, 3:]
+        turn_1 = share_1 * self.after.twist(np.zeros(1))[0, 3:]
+        return R_0, R_0.T @ turn_0, self.after.X_0[:3, :3].T @ turn_1
+
+    @property
+    def breaks(self) -> Array:
+        """Where the smaller zone is entered and left, if it is smaller."""
+        least = min(self.position, self.orientation)
+        return np.array([(1 - least) / 2, (1 + least) / 2]) if least < 1 else np.zeros(0)
+
+    @cached_property
+    def length(self) -> float:
+        """The tool centre point's way [m]."""
+        return self._sum(slice(0, 3))
+
+    @cached_property
+    def angle(self) -> float:
+        """Reorientation on the way [rad], summed up."""
+        return self._sum(slice(3, 6))
+
+    def _sum(self, part: slice) -> float:
+        """Integral of a rate's size over s, by Gauss' rule between breaks; the middle is one, too: a narrow corner is
+        steep there."""
+        x, weight = np.polynomial.legendre.leggauss(64)
+        edges = np.sort(np.r_[0.0, self.breaks, 0.5, 1.0])
+        half = np.diff(edges) / 2
+        s = edges[:-1, None] + half[:, None] * (1 + x)
+        size = np.linalg.norm(self.twist(s.ravel())[:, part], axis=1).reshape(s.shape)
+        return float(half @ size @ weight)
+
+    def pose(self, s: Array) -> Array:
+        """Tool poses (n, 4, 4) at shares s (n,)."""
+        first, t_0, t_1 = self._sides(s)
+        X = np.empty((len(s), 4, 4))
+        X[first], X[~first] = self.before.pose(t_0), self.after.pose(t_1)
+        inside, u = _part(s, self.position)
+        X[inside, :3, 3] = hermite(*self._curve, u[:, None])[0]
+        inside, u = _part(s, self.orientation)
+        R_0, turn_0, turn_1 = self._turns
+        X[inside, :3, :3] = R_0 @ _turned(turn_0, 2 * u - u * u) @ _turned(turn_1, u * u)
+        return X
+
+    def twist(self, s: Array) -> Array:
+        """First derivative (n, 6) by s."""
+        first, t_0, t_1 = self._sides(s)
+        V = np.empty((len(s), 6))
+        V[first] = 2 * self.share_before * self.before.twist(t_0)
+        V[~first] = 2 * self.share_after * self.after.twist(t_1)
+        inside, u = _part(s, self.position)
+        V[inside, :3] = hermite(*self._curve, u[:, None])[1] / self.position
+        inside, u = _part(s, self.orientation)
+        a, b, _ = self._axes(u)
+        V[inside, 3:] = ((2 - 2 * u)[:, None] * a + (2 * u)[:, None] * b) / self.orientation
+        return V
+
+    def twist_rate(self, s: Array) -> Array:
+        """Second derivative (n, 6) by s."""
+        first, t_0, t_1 = self._sides(s)
+        A = np.empty((len(s), 6))
+        A[first] = (2 * self.share_before) ** 2 * self.before.twist_rate(t_0)
+        A[~first] = (2 * self.share_after) ** 2 * self.after.twist_rate(t_1)
+        inside, u = _part(s, self.position)
+        A[inside, :3] = hermite(*self._curve, u[:, None])[2] / self.position**2
+        inside, u = _part(s, self.orientation)
+        a, b, across = self._axes(u)
+        A[inside, 3:] = (2 * (b - a) + (4 * u * (1 - u))[:, None] * across) / self.orientation**2
+        return A
+
+    def _sides(self, s: Array) -> tuple[BoolArray, Array, Array]:
+        """Which shares belong to the first half, and what shares of the two segments they would be."""
+        first = np.asarray(s < 0.5)
+        return first, 1 - self.share_before * (1 - 2 * s[first]), self.share_after * (2 * s[~first] - 1)
+
+    def _axes(self, u: Array) -> tuple[Array, Array, Array]:
+        """Both turns (3,), (n, 3) in the poses' frame at shares u (n,) of the part where the orientation is bent, and
+        how the second changes as the first goes on (n, 3)."""
+        R_0, turn_0, turn_1 = self._turns
+        R = R_0 @ _turned(turn_0, 2 * u - u * u)
+        return R_0 @ turn_0, R @ turn_1, R @ np.cross(turn_0, turn_1)
+
+
+def _part(s: Array, part: float) -> tuple[BoolArray, Array]:
+    """Which shares lie in the middle part of a corner, and their share (m,) of that part."""
+    u = 0.5 + (s - 0.5) / part
+    inside = np.asarray((u >= 0) & (u < 1) if part < 1 else np.ones(len(s), dtype=bool))
+    return inside, u[inside]
+
+
+def _turned(turn: Array, share: Array) -> Array:
+    """Rotations (n, 3, 3) by shares (n,) of a rotation vector (3,)."""
+    angle = float(np.linalg.norm(turn))
+    axis = turn / angle if angle > 0 else np.array([1.0, 0.0, 0.0])
+    return rotation_about(axis, share * angle)
+
+
+@dataclass(frozen=True)
+class CornerSymbols:
+    """The flange in a corner as an expression of its parameters and s. before, after: the kinds of its segments."""
+
+    before: LineSymbols | ArcSymbols
+    after: LineSymbols | ArcSymbols
+
+    @property
+    def layout(self) -> Layout:
+        """The segments' own parameters and shares; both parts; the curve's ends p and rates m; R: the flange where the
+        orientation's part begins, then the two turns."""
+        curve = dict.fromkeys(("p_0", "m_0", "p_1", "m_1", "axis_0", "axis_1", "offset"), (3,))
+        numbers = ("share_before", "share_after", "position", "orientation", "angle_0", "angle_1")
+        sides = {"before": (self.before.size,), "after": (self.after.size,)}
+        return Layout({**sides, **dict.fromkeys(numbers, ()), **curve, "R": (3, 3)})
+
+    @property
+    def size(self) -> int:
+        """How many parameters."""
+        return self.layout.size
+
+    def vector(self, corner: Corner, X_BA: Array, X_FT: Array) -> Array:
+        """Parameters (size,) of a corner of the tool X_FT; X_BA (4, 4): its frame seen from the arm's base."""
+        R_BA = X_BA[:3, :3]
+        p_0, m_0, p_1, m_1 = corner._curve
+        R_0, *turns = corner._turns
+        X_AT = np.eye(4)
+        X_AT[:3, :3] = R_0
+        parts: dict[str, ArrayLike] = {
+            "before": _side_vector(self.before, corner.before, X_BA, X_FT),
+            "after": _side_vector(self.after, corner.after, X_BA, X_FT),
+            "share_before": corner.share_before,
+            "share_after": corner.share_after,
+            "position": corner.position,
+            "orientation": corner.orientation,
+            "p_0": R_BA @ p_0 + X_BA[:3, 3],
+            "m_0": R_BA @ m_0,
+            "p_1": R_BA @ p_1 + X_BA[:3, 3],
+            "m_1": R_BA @ m_1,
+            "offset": X_FT[:3, 3],
+            "R": flange_at_start(X_BA, X_AT, X_FT)[:3, :3],
+        }
+        for i, turn in enumerate(turns):
+            angle = float(np.linalg.norm(turn))
+            parts[f"angle_{i}"] = angle
+            parts[f"axis_{i}"] = X_FT[:3, :3] @ (turn / angle if angle > 0 else np.array([1.0, 0.0, 0.0]))
+        return self.layout.vector(parts)
+
+    def flange(self, p: ca.SX, s: ca.SX) -> Flange:
+        """The flange in the arm's base frame at share s of the corner with parameters p (size,)."""
+        import casadi as ca
+
+        part = self.layout.split(p)
+        before, after = part["before"], part["after"]
+        t_0 = 1 - part["share_before"] * (1 - 2 * s)
+        t_1 = part["share_after"] * (2 * s - 1)
+
+        def bent(size: ca.SX, curve: ca.SX, first: ca.SX, last: ca.SX) -> ca.SX:
+            outside = ca.if_else(s < 0.5, first, last)
+            return ca.if_else(ca.fabs(s - 0.5) <= size / 2, curve, outside)
+
+        u = 0.5 + (s - 0.5) / part["position"]
+        curve = hermite(part["p_0"], part["m_0"], part["p_1"], part["m_1"], u)[0]
+        tool = bent(part["position"], curve, self.before.tool(before, t_0), self.after.tool(after, t_1))
+        u = 0.5 + (s - 0.5) / part["orientation"]
+        turned = part["R"] @ about(part["axis_0"], part["angle_0"] * (2 * u - u * u))
+        turned = turned @ about(part["axis_1"], part["angle_1"] * u * u)
+        R = bent(part["orientation"], turned, self.before.rotation(before, t_0), self.after.rotation(after, t_1))
+        return Flange(tool - R @ part["offset"], R)
+
+
+def _side_vector(symbols: LineSymbols | ArcSymbols, segment: Line | Arc, X_BA: Array, X_FT: Array) -> Array:
+    match symbols, segment:
+        case (LineSymbols(), Line()) | (ArcSymbols(), Arc()):
+            return symbols.vector(segment, X_BA, X_FT)  # type: ignore[arg-type]
+    raise ValueError(f"{type(segment).__name__} has no parameters of {type(symbols).__name__}")

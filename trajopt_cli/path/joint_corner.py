@@ -1,0 +1,96 @@
+"""Corners with a joint move on one side or both: a cubic in the space of the axes, from where the zone is entered to
+where it is left, with both sides' rates. Between two joint moves it is a quadratic Bézier."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.path.hermite import hermite
+from trajopt_cli.path.segment import POINT, JointSegment, check_shares
+from trajopt_cli.path.symbols import Layout
+
+if TYPE_CHECKING:
+    import casadi as ca
+
+
+@dataclass(frozen=True, eq=False)
+class JointCorner:
+    """From axes q_0 (k,) with rate_0 to q_1 with rate_1, rates per unit of this corner's own s.
+
+    A side that is a line or an arc gives its joints and their rates through the robot: of half the corner's s it covers
+    the part of its way inside the zone.
+    """
+
+    q_0: Array
+    rate_0: Array
+    q_1: Array
+    rate_1: Array
+
+    @classmethod
+    def between(cls, before: JointSegment, after: JointSegment, share_before: float, share_after: float) -> JointCorner:
+        """The corner that replaces the last share of before and the first of after, both in (0, 1].
+
+        Raises:
+            ValueError: a share is none, or after does not begin where before ends.
+        """
+        check_shares(share_before, share_after)
+        end, begin = before.axes(np.ones(1))[0], after.axes(np.zeros(1))[0]
+        if np.abs(end - begin).max() > POINT:
+            raise ValueError(f"the move after the corner begins at {begin}, the one before it ends at {end}")
+        s_0, s_1 = np.array([1 - share_before]), np.array([share_after])
+        return cls(
+            before.axes(s_0)[0],
+            2 * share_before * before.rate(s_0)[0],
+            after.axes(s_1)[0],
+            2 * share_after * after.rate(s_1)[0],
+        )
+
+    @property
+    def breaks(self) -> Array:
+        """None."""
+        return np.zeros(0)
+
+    def axes(self, s: Array) -> Array:
+        """Axis positions (n, k) at shares s (n,)."""
+        return np.asarray(self._at(s)[0])
+
+    def rate(self, s: Array) -> Array:
+        """First derivative (n, k)."""
+        return np.asarray(self._at(s)[1])
+
+    def rate_change(self, s: Array) -> Array:
+        """Second derivative (n, k)."""
+        return np.asarray(self._at(s)[2])
+
+    def _at(self, s: Array) -> tuple[Array, Array, Array]:
+        return hermite(self.q_0, self.rate_0, self.q_1, self.rate_1, s[:, None])
+
+
+@dataclass(frozen=True)
+class JointCornerSymbols:
+    """A corner of k axes as an expression of its ends and s."""
+
+    k: int
+
+    @property
+    def layout(self) -> Layout:
+        """As the fields of JointCorner, each (k,)."""
+        return Layout({name: (self.k,) for name in ("q_0", "rate_0", "q_1", "rate_1")})
+
+    @property
+    def size(self) -> int:
+        """How many parameters."""
+        return 4 * self.k
+
+    def vector(self, corner: JointCorner) -> Array:
+        """Parameters (size,) of a corner."""
+        return self.layout.vector({name: getattr(corner, name) for name in self.layout.shapes})
+
+    def axes(self, p: ca.SX, s: ca.SX) -> ca.SX:
+        """Axis positions (k,) at share s."""
+        part = self.layout.split(p)
+        return hermite(part["q_0"], part["rate_0"], part["q_1"], part["rate_1"], s)[0]
