@@ -269,3 +269,14 @@ def test_a_move_to_where_the_robot_stands_takes_no_time(target: Target) -> None:
     assert isinstance(plan, Plan)
     assert [m.t_1 - m.t_0 for m in plan.motions][::2] == pytest.approx([0, 0], abs=1e-5)
     assert illegal(program, plant, plan, target) == []
+
+
+def test_a_robot_without_a_rail_is_never_told_that_a_rail_limits_it() -> None:
+    """Also where nothing moves: a line and a joint move to the point where the robot stands."""
+    data = "CONST robtarget p_here:=[[500,100,450],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];"
+    moves = ["MoveJ p_here", "MoveL p_here", "MoveJ p_here"]
+    program = rapid("\n".join(f"{move}, v2500, fine, tool0;" for move in moves), data=data)
+    plan = optimize(program, plant_without_rail(), STREAM, bounded=False)
+    assert isinstance(plan, Plan)
+    assert [m.binding for m in plan.motions][1:] == ["already there"] * 2
+    assert plan.motions[0].binding.startswith(("joint_", "TCP "))

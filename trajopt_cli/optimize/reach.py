@@ -17,12 +17,13 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.formulation import REACH, WRIST
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.plan import Infeasible
-from trajopt_cli.problem.problem import LegKind, Problem, Waypoint
+from trajopt_cli.problem.problem import Leg, LegKind, Problem, Waypoint
 from trajopt_cli.robot.inverse import confdata, confdata_admits, solutions, why_unreachable
 
 LINE_NODES = 13
 _LISTED = 4  # confdata in a message
 _PLACES = 5  # in a message
+_NO_SINGLE = "no single configuration serves the whole line without crossing a singularity or a joint limit"
 TURNS = np.array(
     [[2 * np.pi * i, 0, 0, 2 * np.pi * j, 0, 2 * np.pi * k] for i in (0, -1, 1) for j in (0, -1, 1) for k in (0, -1, 1)]
 )
@@ -162,16 +163,28 @@ def check_reach(axes: Axes, problem: Problem, n: int = 193) -> Infeasible | None
         d = rail_grid(problem, first, last, n)
         table = station_table(axes, problem, first, last, d)
         if not table.labels:  # else one configuration reaches all of its stops
-            for k in range(first, last + 1):
-                if _out_of_reach(axes, problem, k, d):
-                    return _unreachable(axes, problem, k, d)
-        for i, line in enumerate(table.lines):
-            leg = problem.legs[first + i]
-            if leg.kind is LegKind.LINE and (line is None or not _passable(problem, table, i)):
-                return _broken_line(axes, problem, first, i, d)
-        if not table.labels:
-            return _no_common(axes, problem, first, last)
+            return _lost(axes, problem, first, last, d)
+        for i in range(last - first):
+            if problem.legs[first + i].kind is LegKind.LINE and not _passable(problem, table, i):
+                return _broken_line(axes, problem, first + i, d, table.labels) or _no_single(problem, first + i)
     return None
+
+
+def _lost(axes: Axes, problem: Problem, first: int, last: int, d: Array) -> Infeasible:
+    """What ends a station that no configuration serves: a stop out of reach, or the first line that none of those
+    serves which served everything before it."""
+    for k in range(first, last + 1):
+        if _out_of_reach(axes, problem, k, d):
+            return _unreachable(axes, problem, k, d)
+    labels = station_table(axes, problem, first, first, d).labels
+    for k in range(first + 1, last + 1):
+        before, labels = labels, station_table(axes, problem, first, k, d).labels
+        if labels:
+            continue
+        line = problem.legs[k - 1].kind is LegKind.LINE
+        broken = _broken_line(axes, problem, k - 1, d, before) if line else None
+        return broken or _no_common(problem, first, k)
+    raise AssertionError("a station without a label has a first stop where the labels end")
 
 
 def _out_of_reach(axes: Axes, problem: Problem, k: int, d: Array) -> bool:
@@ -308,9 +321,10 @@ def _title(motion: Motion) -> str:
     return f"{type(motion).__name__} {getattr(motion, 'target', '')}".strip()
 
 
-def _broken_line(axes: Axes, problem: Problem, first: int, i: int, d: Array) -> Infeasible:
-    """Name the point on the line that serves no rail position and branch which served everything before it."""
-    leg, k = problem.legs[first + i], first + i
+def _broken_line(axes: Axes, problem: Problem, k: int, d: Array, labels: tuple[Label, ...]) -> Infeasible | None:
+    """Name the point on line k that serves no rail position and branch which served everything before it; labels: the
+    configurations that did. None where every point has such."""
+    leg = problem.legs[k]
     motion = problem.motion(leg.motion)
     X_0, X_1 = problem.waypoints[k].X_WF @ leg.X_FT, problem.waypoints[k + 1].X_WF @ leg.X_FT
     shares = np.linspace(0, 1, 101)
@@ -321,32 +335,38 @@ def _broken_line(axes: Axes, problem: Problem, first: int, i: int, d: Array) -> 
     ]
     if fixed and not leg.rail_moves:
         rails = np.array(fixed[:1])
-    alive: BoolArray | None = None
-    bad = 1.0
-    for share, X_WT in zip(shares, X, strict=True):
-        X_WF = X_WT @ inverse_pose(leg.X_FT)
-        arm = axes.inverse(np.broadcast_to(X_WF, (len(rails), 4, 4)), rails)
-        served = _in_limits(axes, arm)  # (n, 8)
-        if alive is None or leg.rail_moves:
-            alive = served if alive is None else served & np.any(alive, axis=0)
-        else:
-            alive = alive & served
-        if not np.any(alive):
-            bad = float(share)
-            break
-    X_WT = X[round(bad * 100)]
-    X_WF = X_WT @ inverse_pose(leg.X_FT)
+    X_WF = X @ inverse_pose(leg.X_FT)
+    arm = [axes.inverse(np.broadcast_to(X, (len(rails), 4, 4)), rails) for X in X_WF]
+    # a point out of everything's reach says most; else the one where the last configuration ends
+    known = {label.cfx for label in labels} if all(label.cfx >= 0 for label in labels) else set(range(8))
+    at = _first_lost(axes, leg, arm, set(range(8)))
+    if at is None:
+        at = _first_lost(axes, leg, [_usable(q) for q in arm], known)
+    if at is None:
+        return None
+    X_WT, X_WF = X[at], X_WF[at]
     near = rails[int(np.argmin(np.abs(rails - _abreast(axes, X_WF))))]
     reason = _why(axes, problem, X_WF, float(near))
     where = f" at rail {near * 1e3:.1f} mm" if axes.layout.has_rail else ""
     if not reason:
-        reason = "no single configuration serves the whole line without crossing a singularity or a joint limit"
+        reason = _NO_SINGLE
     p = X_WT[:3, 3] * 1e3
+    way = leg.chord * 1e3
     text = (
-        f"{motion.source}: {_title(motion)} breaks at {bad * leg.chord * 1e3:.1f} mm of {leg.chord * 1e3:.1f} mm,"
+        f"{motion.source}: {_title(motion)} breaks at {shares[at] * way:.1f} mm of {way:.1f} mm,"
         f" point [{p[0]:.1f}, {p[1]:.1f}, {p[2]:.1f}] mm{where}: {reason}"
     )
     return Infeasible(leg.motion, motion.source, text)
+
+
+def _first_lost(axes: Axes, leg: Leg, arm: list[Array], branches: set[int]) -> int | None:
+    """The first of the points with joints arm (rails, 8, joints) to which none of the branches gets from the first."""
+    alive = np.tile([cfx in branches for cfx in range(8)], (len(arm[0]), 1))
+    for at, q in enumerate(arm):
+        alive = _in_limits(axes, q) & (np.any(alive, axis=0) if leg.rail_moves else alive)
+        if not np.any(alive):
+            return at
+    return None
 
 
 def _in_limits(axes: Axes, arm: Array) -> BoolArray:
@@ -357,7 +377,12 @@ def _in_limits(axes: Axes, arm: Array) -> BoolArray:
     return ok
 
 
-def _no_common(axes: Axes, problem: Problem, first: int, last: int) -> Infeasible:
+def _no_single(problem: Problem, k: int) -> Infeasible:
+    motion = problem.motion(problem.legs[k].motion)
+    return Infeasible(problem.legs[k].motion, motion.source, f"{motion.source}: {_title(motion)}: {_NO_SINGLE}")
+
+
+def _no_common(problem: Problem, first: int, last: int) -> Infeasible:
     index = problem.waypoints[last].motion
     motion = problem.motion(index)
     start = problem.motion(problem.waypoints[first].motion) if problem.waypoints[first].motion >= 0 else None
