@@ -10,9 +10,10 @@ from small_cells import HOME, plant_with_rail, problem_of, rapid
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.draft import START, Margins
-from trajopt_cli.optimize.exchange import SAFE, check_leg, tighten
+from trajopt_cli.optimize.draft import Margins
+from trajopt_cli.optimize.exchange import check_leg, tighten
 from trajopt_cli.optimize.legs import PathLeg, Sample, parabola
+from trajopt_cli.optimize.tuning import SAFE, START
 
 PROGRAM = "MoveJ p_in, v2500, fine, tool0; WaitTime 0.8; MoveAbsJ j_home, v2500, fine, tool0;"
 

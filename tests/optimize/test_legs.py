@@ -10,7 +10,7 @@ import pytest
 from small_cells import MOUNTS, mounted, plant_without_rail
 
 from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about
-from trajopt_cli.optimize.assemble import GRID, LEAST, rows_of
+from trajopt_cli.optimize.assemble import rows_of
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.double_integrator import reach, shortest_time
 from trajopt_cli.optimize.legs import (
@@ -26,6 +26,7 @@ from trajopt_cli.optimize.legs import (
     unwind,
 )
 from trajopt_cli.optimize.profiles import hold, profiles
+from trajopt_cli.optimize.tuning import ROW_APART, ROW_EVERY
 from trajopt_cli.path.line import Line
 from trajopt_cli.trajectory import hermite
 
@@ -325,11 +326,11 @@ def test_rows_stand_at_every_boundary_and_switch_and_each_millisecond(written: t
     switches = np.concatenate([bound + leg.breaks() for bound, leg in zip(bounds, legs, strict=False)])
     nearest = np.min(np.abs(switches[:, None] - t), axis=1)
     assert nearest.max() < 1e-9
-    grid = np.arange(int(t[-1] / GRID) + 1) * GRID
-    free = np.min(np.abs(grid[:, None] - switches), axis=1) >= LEAST * 1.000001
+    grid = np.arange(int(t[-1] / ROW_EVERY) + 1) * ROW_EVERY
+    free = np.min(np.abs(grid[:, None] - switches), axis=1) >= ROW_APART * 1.000001
     assert np.min(np.abs(grid[free][:, None] - t), axis=1).max() < 1e-12
     assert np.sum(free) > 500
-    assert np.all(np.diff(t) <= GRID + LEAST)
+    assert np.all(np.diff(t) <= ROW_EVERY + ROW_APART)
     np.testing.assert_array_equal(trajectory.q[-1], home)
     assert not np.any(trajectory.qd[-1])
 

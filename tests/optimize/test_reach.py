@@ -12,7 +12,8 @@ from trajopt_cli.geometry import pose, rotation_about, wxyz_from_rotation
 from trajopt_cli.motion import Program
 from trajopt_cli.optimize import check_feasible
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.reach import LINE_NODES, check_reach, rail_grid, station_table
+from trajopt_cli.optimize.reach import check_reach, rail_grid, station_table
+from trajopt_cli.optimize.tuning import LINE_NODES
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Target

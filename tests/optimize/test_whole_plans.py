@@ -14,6 +14,7 @@ from trajopt_cli.motion import Program
 from trajopt_cli.optimize import bound, optimize
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.enclose import Range
+from trajopt_cli.optimize.tuning import BOUND_LEVELS
 from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
@@ -120,7 +121,7 @@ def shrunk(cells: bound._Cells, keep: Array) -> bound._Cells:
     return bound._Cells(pick(cells.q), pick(cells.v), cells.key[keep])
 
 
-@pytest.mark.parametrize("level", range(bound.LEVELS))
+@pytest.mark.parametrize("level", range(BOUND_LEVELS))
 @pytest.mark.parametrize("target", Target)
 def test_no_leg_of_a_plan_beats_the_bound_between_the_cells_that_hold_its_ends(target: Target, level: int) -> None:
     program, plant = station()
@@ -142,7 +143,7 @@ def test_no_leg_of_a_plan_beats_the_bound_between_the_cells_that_hold_its_ends(t
         a, b = held[k], held[k + 1]
         T = bound._edge(axes, problem, leg, a, b, np.zeros(len(a.key)), np.zeros(len(b.key)), np.inf)
         assert np.max(T) <= times[k + 1] - times[k] + 1e-6, f"leg {k} at level {level}"
-        if level == bound.LEVELS - 1 and leg.duration is None:
+        if level == BOUND_LEVELS - 1 and leg.duration is None:
             assert np.min(T) > 0.5 * (times[k + 1] - times[k])
 
 

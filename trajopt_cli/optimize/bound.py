@@ -18,17 +18,18 @@ from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.double_integrator import reach, trapezoid_time
 from trajopt_cli.optimize.enclose import Enclosure, Range, enclose
+from trajopt_cli.optimize.tuning import (
+    BOUND_AIM,
+    BOUND_CHUNK,
+    BOUND_COARSE,
+    BOUND_LEVELS,
+    BOUND_ORDER,
+    BOUND_RAIL,
+    BOUND_SPEEDS,
+    FEW_PAIRS,
+    MOST_PAIRS,
+)
 from trajopt_cli.problem.problem import Leg, LegKind, Problem, Waypoint
-
-BASE = 2.5e-3  # m, rail interval of the enclosures
-LEVELS = 6
-COARSE = 32  # base intervals per cell at the first level; halved per level down to one
-AIM = 0.95  # of the incumbent: where cells are many, finer levels only try to prove this much
-COARSE_SPEED = 4  # speed ranges from -V to V at the first level; doubled per level
-MOST_PAIRS = 1_500_000  # per leg; a finer level is not begun beyond
-FEW_PAIRS = 300_000  # per leg; below, the next level aims at the incumbent itself
-CHUNK = 400_000
-ORDER = (0, 2, 1)  # of the three joints, after the rail: settles most pairs soonest
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +52,7 @@ def lower_bound(axes: Axes, problem: Problem, incumbent: float) -> float:
     keep: list[IndexArray | None] = [None] * len(problem.waypoints)
     ahead: list[Array | None] = [None] * len(problem.waypoints)
     best, aim = 0.0, incumbent
-    for level in range(LEVELS):
+    for level in range(BOUND_LEVELS):
         cells = [_cells(axes, problem, k, grids[k], level, keep[k], cache) for k in range(len(problem.waypoints))]
         if any(not len(c.key) for c in cells):
             return aim
@@ -81,8 +82,8 @@ def lower_bound(axes: Axes, problem: Problem, incumbent: float) -> float:
         next_pairs = (2 if problem.coordinated else 4) ** 2 * max(
             a * b for a, b in pairwise([len(x) for x in keep if x is not None])
         )
-        if best < AIM * incumbent and next_pairs > FEW_PAIRS:
-            aim = AIM * incumbent
+        if best < BOUND_AIM * incumbent and next_pairs > FEW_PAIRS:
+            aim = BOUND_AIM * incumbent
     return best
 
 
@@ -90,8 +91,8 @@ def _grid(stop: Waypoint) -> Array:
     low, high = stop.rail
     if stop.q is not None or low == high:
         return np.array([low, high])
-    n = max(1, int(np.ceil((high - low) / BASE)))
-    n = -(-n // COARSE) * COARSE
+    n = max(1, int(np.ceil((high - low) / BOUND_RAIL)))
+    n = -(-n // BOUND_COARSE) * BOUND_COARSE
     return np.linspace(low, high, n + 1)
 
 
@@ -126,10 +127,10 @@ def _cells(
         cache[name] = enclose(axes, stop.X_WF, grid)
     e = cache[name]
     single = len(grid) == 2
-    width = 1 if single else max(1, COARSE >> level)
+    width = 1 if single else max(1, BOUND_COARSE >> level)
     n_d = (len(grid) - 1) // width
     rest = problem.rests(k)
-    n_v = COARSE_SPEED << level
+    n_v = BOUND_SPEEDS << level
     if kept is None:
         key = np.array([(s, d, v) for s in range(4) for d in range(n_d) for v in ((0,) if rest else range(n_v))])
     else:
@@ -177,7 +178,7 @@ def _edge(
 ) -> Array:
     """(n_a, n_b) least time of a leg between cells; infinite where no motion fits or none can matter."""
     out = np.full((len(a.key), len(b.key)), np.inf)
-    rows = max(1, CHUNK // len(b.key))
+    rows = max(1, BOUND_CHUNK // len(b.key))
     for start in range(0, len(a.key), rows):
         part = np.arange(start, min(start + rows, len(a.key)))
         ia, ib = (x.ravel() for x in np.meshgrid(part, np.arange(len(b.key)), indexing="ij"))
@@ -199,7 +200,7 @@ def _pairs(
         floor = max(floor, float(trapezoid_time(leg.chord, leg.v_tcp, leg.a_tcp)))
     T = np.full(len(ia), floor)
     turns = np.ptp([axes.lower[columns[r]], axes.upper[columns[r]]]) > 2 * np.pi + 1e-6  # joint_1 may come round
-    order = [*range(r), *(r + j for j in ORDER if not (j == 0 and turns))]
+    order = [*range(r), *(r + j for j in BOUND_ORDER if not (j == 0 and turns))]
     top_v = np.full(len(ia), np.inf)
     top_a = np.full(len(ia), np.inf)
     for j in order:

@@ -8,9 +8,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray
 from trajopt_cli.optimize.legs import LegMotion
-
-START = 1.0 - 5e-5  # share of every limit a grid starts with; rounding and Hermite rows need a hair of room
-EXACT = 1.0 - 1e-8  # the same for joints that move by polynomials on the grid: exact between nodes
+from trajopt_cli.optimize.tuning import START
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,23 +12,37 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.blocks import NlpResult
-from trajopt_cli.optimize.draft import EXACT, START, Draft, Margins
-from trajopt_cli.optimize.exchange import SAFE, check_leg, tighten
+from trajopt_cli.optimize.draft import Draft, Margins
+from trajopt_cli.optimize.exchange import check_leg, tighten
 from trajopt_cli.optimize.formulation import Formulation
 from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, parabola, share_of, straight
 from trajopt_cli.optimize.profiles import hold
 from trajopt_cli.optimize.reading import read
 from trajopt_cli.optimize.search import Chain
 from trajopt_cli.optimize.transcription import Transcription
+from trajopt_cli.optimize.tuning import (
+    BARRIER_COLD,
+    BARRIER_DOUBT,
+    BARRIER_FIRST,
+    BARRIER_REFINED,
+    BARRIER_WARM,
+    EXACT,
+    FIRST,
+    GRID_JOINT,
+    LAST,
+    LAST_ALONE,
+    LAST_COORDINATED,
+    LEAST_DRAFT,
+    MOST_ITERATIONS,
+    NEAR_CAP,
+    OVER,
+    ROUGH,
+    ROUNDS,
+    SAFE,
+    SHARP,
+    START,
+)
 from trajopt_cli.problem.problem import LegKind, Problem
-
-FIRST, LAST = 6, 24  # intervals of a path, doubled from solve to solve
-LAST_COORDINATED = 12  # rapid: every line is timed again by itself afterwards
-LAST_ALONE = 48  # where a leg is solved by itself
-GRID_JOINT = 24
-NEAR_CAP = 0.7  # share of a tool cap from which a node holds it explicitly
-ROUNDS = 12
-MOST = 100  # iterations; a start that converges needs 25 to 60
 
 
 def first_draft(axes: Axes, problem: Problem, chain: Chain) -> Draft:
@@ -36,7 +50,7 @@ def first_draft(axes: Axes, problem: Problem, chain: Chain) -> Draft:
     legs: list[LegMotion | None] = []
     for k, leg in enumerate(problem.legs):
         q_0, q_1 = chain.q[k], chain.q[k + 1]
-        T = max(float(chain.times[k]), 2e-3)
+        T = max(float(chain.times[k]), LEAST_DRAFT)
         if leg.kind is LegKind.JOINT:
             legs.append(JointProfiles(T, q_0, chain.w[k], np.zeros((axes.n, 4)), np.zeros((axes.n, 3))))
             continue
@@ -67,7 +81,7 @@ class Refiner:
         self.seconds = {"build": 0.0, "solve": 0.0, "check": 0.0}
 
     def _solve(
-        self, draft: Draft, margins: list[Margins | None], mu: float, tolerance: float = 1e-8,
+        self, draft: Draft, margins: list[Margins | None], mu: float, tolerance: float = SHARP,
         warm: Sequence[Any] | None = None,
     ) -> tuple[Draft, Transcription, NlpResult | None]:  # fmt: skip
         start = perf_counter()
@@ -79,7 +93,7 @@ class Refiner:
         else:
             t.nlp.adopt(warm[0].nlp)
         middle = perf_counter()
-        result = t.nlp.solve(warm[1] if warm else None, mu=mu, tolerance=tolerance, most=MOST)
+        result = t.nlp.solve(warm[1] if warm else None, mu=mu, tolerance=tolerance, most=MOST_ITERATIONS)
         self.seconds["build"] += middle - start
         self.seconds["solve"] += perf_counter() - middle
         try:
@@ -113,7 +127,7 @@ class Refiner:
             if opened:
                 self._watch(draft, margins)
             try:
-                draft, *warm = self._solve(draft, margins, 1e-4, 1e-8 if 2 * n >= self.last else 1e-4)
+                draft, *warm = self._solve(draft, margins, BARRIER_REFINED, SHARP if 2 * n >= self.last else ROUGH)
             except NotConverged:
                 # the coarser grid's answer is a motion too; cleaned, it is only a little slower
                 draft, margins, warm = good
@@ -123,11 +137,11 @@ class Refiner:
     def _first(self, draft: Draft, margins: list[Margins | None]) -> tuple[Draft, list[Any]]:
         """The first solve: a rough one from estimates, a sharp one from a draft already on the last grid."""
         n = max((m.N for m in draft.legs if isinstance(m, PathLeg)), default=FIRST)
-        mu, tolerance = (1e-4, 1e-8) if n >= self.last else (1e-2, 1e-4)
+        mu, tolerance = (BARRIER_REFINED, SHARP) if n >= self.last else (BARRIER_FIRST, ROUGH)
         try:
             out, *warm = self._solve(draft, margins, mu, tolerance)
         except NotConverged:
-            out, *warm = self._solve(draft, margins, 1e-1, tolerance)
+            out, *warm = self._solve(draft, margins, BARRIER_DOUBT, tolerance)
         return out, warm
 
     def _exchange(
@@ -152,12 +166,12 @@ class Refiner:
             if not (changed or opened):
                 return draft
             if self._watch(draft, margins, SAFE) or opened:
-                draft, *warm = self._solve(draft, margins, 1e-4)
+                draft, *warm = self._solve(draft, margins, BARRIER_REFINED)
             else:
                 try:
-                    draft, *warm = self._solve(draft, margins, 1e-5, warm=warm)
+                    draft, *warm = self._solve(draft, margins, BARRIER_WARM, warm=warm)
                 except NotConverged:  # a warm start keeps to the limits it knows; a cold one finds its way round
-                    draft, *warm = self._solve(draft, margins, 1e-3)
+                    draft, *warm = self._solve(draft, margins, BARRIER_COLD)
             progress("exchange", draft)
         raise NotConverged(f"a limit is still passed by {worst - 1:.2e} after {ROUNDS} rounds of tightening")
 
@@ -167,8 +181,8 @@ class Refiner:
         opened = False
         for k, (leg, motion) in enumerate(zip(self.problem.legs, draft.legs, strict=True)):
             if leg.kind is LegKind.JOINT and isinstance(motion, JointProfiles):
-                ratios = check_leg(self.axes, leg, motion, 40)
-                if max(np.max(ratios.tool), np.max(ratios.position)) > 1 + 1e-6:
+                ratios = check_leg(self.axes, leg, motion)
+                if max(np.max(ratios.tool), np.max(ratios.position)) > 1 + OVER:
                     margins[k] = Margins.full(GRID_JOINT, self.axes.n, EXACT)
                     opened = True
         self.seconds["check"] += perf_counter() - start

@@ -12,9 +12,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
-
-WIDEN = 1e-9
-BIG = 1e9
+from trajopt_cli.optimize.tuning import BIG, WIDEN
 
 
 @dataclass(frozen=True, eq=False)

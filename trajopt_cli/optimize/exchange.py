@@ -14,15 +14,8 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.draft import Margins
 from trajopt_cli.optimize.legs import LegMotion, PathLeg
+from trajopt_cli.optimize.tuning import AMPLE, BEYOND, DENSE, LEAST_PUSH, PUSHED, UNREACHED
 from trajopt_cli.problem.problem import Leg
-
-DENSE = 40  # samples per interval besides both ends; an axis that turns round passes its limit for a moment only
-SAFE = 1.0 - 3e-5  # what a clean grid may use of a limit: Hermite between written rows is not quite the motion
-
-UNREACHED = 2.0  # ratio of a sample that no joints reach: the rail went out of the arm's reach between two nodes
-AMPLE = 1.5  # times the excess taken off a push: the rail's speed has its share, and a dwell has time
-PUSHED = 1e-3  # share of its acceleration from which the rail drives the arm
-BEYOND = 1e-4  # tightened this much further than the excess, so that one round is enough more often
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,11 +33,11 @@ class Ratios:
         return float(max(np.max(x) for x in (self.velocity, self.acceleration, self.position, self.tool)))
 
 
-def check_leg(axes: Axes, leg: Leg, motion: LegMotion, dense: int = DENSE) -> Ratios:
+def check_leg(axes: Axes, leg: Leg, motion: LegMotion) -> Ratios:
     """Sample every interval of a leg, both ends included from inside, and compare with the true limits."""
     breaks = motion.breaks()
     N = len(breaks) - 1
-    u = np.r_[1e-9, (np.arange(dense) + 0.5) / dense, 1 - 1e-9]
+    u = np.r_[1e-9, (np.arange(DENSE) + 0.5) / DENSE, 1 - 1e-9]
     t = (breaks[:-1, None] + np.diff(breaks)[:, None] * u).ravel()
     sample = motion.sample(axes, t)
     velocity = np.abs(sample.qd) / axes.velocity_on(leg)
@@ -87,7 +80,7 @@ def tighten(margins: Margins, ratios: Ratios, motion: LegMotion, target: float, 
         ratio = ratios.acceleration.max(axis=1)
         pushed = np.max(np.abs(motion.b) / (rail * motion.T**2), axis=1)
         over = (ratio > target) & (pushed > PUSHED)
-        share = np.maximum(1 - AMPLE * (1 - (target - BEYOND) / np.maximum(ratio, 1.0)), 0.1)
+        share = np.maximum(1 - AMPLE * (1 - (target - BEYOND) / np.maximum(ratio, 1.0)), LEAST_PUSH)
         margins.push[over] = np.minimum(margins.push, pushed * share)[over]
         changed = bool(over.any())
         ratios = replace(ratios, acceleration=np.where(over[:, None], 0.0, ratios.acceleration))

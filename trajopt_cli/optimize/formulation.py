@@ -24,14 +24,13 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.relation import Relation, Rows, Shapes
+from trajopt_cli.optimize.tuning import ELBOW, WRIST
 from trajopt_cli.path.dwell import DwellSymbols
 from trajopt_cli.path.line import LineSymbols
 from trajopt_cli.problem.problem import Coupling
 from trajopt_cli.robot.symbolic import forward
 from trajopt_cli.robot.symbolic_inverse import inverse_arm
 
-REACH = 0.999  # largest |sin q3|: the last 0.2 mm of reach, where every derivative used here grows without bound
-WRIST = 1e-3  # least |sin q5| on lines and dwells, for the same reason
 INF = float("inf")
 LEFT, RIGHT = "l", "r"  # the intervals that end and begin at a node
 
@@ -108,8 +107,8 @@ class Formulation:
         return inverse_arm(self.axes.robot.arm, position, rotation, p.branch, p.near)
 
     def _walls(self, q: ca.SX, elbow: ca.SX, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-        """|sin q3| <= REACH, |sin q5| >= WRIST on the branch's side."""
-        return [(elbow, -REACH, REACH), (p.branch[2] * ca.sin(q[4]), WRIST, INF)]
+        """|sin q3| <= ELBOW, |sin q5| >= WRIST on the branch's side."""
+        return [(elbow, -ELBOW, ELBOW), (p.branch[2] * ca.sin(q[4]), WRIST, INF)]
 
     def _joint_limits(self, q, qd, qdds, elbow, T, p):  # type: ignore[no-untyped-def]
         """Ranges, walls, velocities and accelerations of the arm; qd and qdds by tau."""

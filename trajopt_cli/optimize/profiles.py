@@ -11,12 +11,7 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.double_integrator import cruise_profile, gentlest_profile, shortest_time, trapezoid_time
 from trajopt_cli.optimize.legs import JointProfiles
-
-APART = 1.1e-5  # s between switches that are not one and the same
-SAME = 1e-10  # s
-LONGER = 4e-6  # s added per attempt
-ATTEMPTS = 245  # so that a move is lengthened by less than a millisecond
-GENTLER = (1.0, 0.9998, 0.9995, 0.999, 0.998, 0.995, 0.99, 0.97, 0.9, 0.8, 0.65, 0.5, 0.3, 0.1, 0.03, 0.01, 1e-3, 1e-4)
+from trajopt_cli.optimize.tuning import ATTEMPTS, GENTLER, LONGER, SAME_SWITCH, SWITCHES_APART
 
 
 def profiles(
@@ -36,7 +31,7 @@ def profiles(
         found = _common(q_0, q_1, V, A, longer) if common else _own(q_0, qd_0, q_1, qd_1, V, A, longer)
         if found is not None:
             return JointProfiles(longer, q_0, qd_0, *found)
-    raise ValueError(f"profiles: the switches of a joint move of {T:.6f} s cannot be kept {APART:g} s apart")
+    raise ValueError(f"profiles: the switches of a joint move of {T:.6f} s cannot be kept {SWITCHES_APART:g} s apart")
 
 
 def hold(T: float, q: Array) -> JointProfiles:
@@ -48,7 +43,7 @@ def hold(T: float, q: Array) -> JointProfiles:
 def _clear(breaks: Array, placed: Array) -> bool:
     """No break within a profile, or between it and the placed ones, nearly but not quite coincides."""
     gaps = np.abs(breaks[:, None] - np.concatenate([placed, breaks])[None])
-    return not np.any((gaps > SAME) & (gaps < APART))
+    return not np.any((gaps > SAME_SWITCH) & (gaps < SWITCHES_APART))
 
 
 def _keeps(V: float, v_0: float, breaks: Array, acceleration: Array) -> bool:

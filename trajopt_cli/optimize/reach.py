@@ -7,6 +7,7 @@ configuration in the whole station. What cannot be reached is named here, before
 from __future__ import annotations
 
 from dataclasses import astuple, dataclass, replace
+from itertools import product
 
 import numpy as np
 from scipy import ndimage
@@ -14,19 +15,16 @@ from scipy import ndimage
 from trajopt_cli.geometry import Array, BoolArray, inverse_pose
 from trajopt_cli.motion import Motion, MoveJ, MoveL
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.formulation import REACH, WRIST
+from trajopt_cli.optimize.tuning import ELBOW, LINE_NODES, REACH_GRID, WRIST
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.problem import Leg, LegKind, Problem, Waypoint
 from trajopt_cli.robot.inverse import confdata, confdata_admits, solutions, why_unreachable
 
-LINE_NODES = 13
 _LISTED = 4  # confdata in a message
 _PLACES = 5  # in a message
 _NO_SINGLE = "no single configuration serves the whole line without crossing a singularity or a joint limit"
-TURNS = np.array(
-    [[2 * np.pi * i, 0, 0, 2 * np.pi * j, 0, 2 * np.pi * k] for i in (0, -1, 1) for j in (0, -1, 1) for k in (0, -1, 1)]
-)
+_TURNS = 2 * np.pi * np.array([[i, 0, 0, j, 0, k] for i, j, k in product((0, -1, 1), repeat=3)])  # joints 1, 4 and 6
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +76,7 @@ def _unwrap(arm: Array, axis: int) -> Array:
 
 def _usable(arm: Array) -> Array:
     """NaN where a configuration stands too near a singularity for a line, a dwell or a stop with a free rail."""
-    bad = (np.abs(np.sin(arm[..., 2])) > REACH) | (np.abs(np.sin(arm[..., 4])) < WRIST)
+    bad = (np.abs(np.sin(arm[..., 2])) > ELBOW) | (np.abs(np.sin(arm[..., 4])) < WRIST)
     return np.where(bad[..., None], np.nan, arm)
 
 
@@ -116,7 +114,7 @@ def station_table(
     stops: list[list[Array]] = [[] for _ in stops_raw]
     lines: list[list[Array | None]] = [[] for _ in lines_raw]
     candidates = (
-        [(label.cfx, label.turns) for label in keep] if keep else [(c, turn) for c in range(8) for turn in TURNS]
+        [(label.cfx, label.turns) for label in keep] if keep else [(c, turn) for c in range(8) for turn in _TURNS]
     )
     for cfx, turn in candidates:
         tables = []
@@ -157,7 +155,7 @@ def station_table(
     )
 
 
-def check_reach(axes: Axes, problem: Problem, n: int = 193) -> Infeasible | None:
+def check_reach(axes: Axes, problem: Problem, n: int = REACH_GRID) -> Infeasible | None:
     """The first stop that no rail position and branch reaches, or line that none can serve, by name."""
     for first, last in problem.stations:
         d = rail_grid(problem, first, last, n)
@@ -372,7 +370,7 @@ def _first_lost(axes: Axes, leg: Leg, arm: list[Array], branches: set[int]) -> i
 def _in_limits(axes: Axes, arm: Array) -> BoolArray:
     low, high = axes.lower[axes.layout.arm] - 1e-9, axes.upper[axes.layout.arm] + 1e-9
     ok = np.zeros(arm.shape[:-1], dtype=bool)
-    for turn in TURNS:
+    for turn in _TURNS:
         ok |= np.all((arm + turn >= low) & (arm + turn <= high), axis=-1)
     return ok
 

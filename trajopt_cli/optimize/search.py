@@ -14,14 +14,21 @@ import numpy as np
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.double_integrator import reach, shortest_time, trapezoid_time
-from trajopt_cli.optimize.reach import LINE_NODES, Label, StationTable, rail_grid, station_table
+from trajopt_cli.optimize.reach import Label, StationTable, rail_grid, station_table
+from trajopt_cli.optimize.tuning import (
+    CURVED,
+    LEAST_ROOM,
+    LINE_NODES,
+    NEAR_BEST,
+    PASSING,
+    SEARCH_CHUNK,
+    SEARCH_COARSE,
+    SEARCH_FINE,
+    SEARCH_WINDOW,
+    SHIFT,
+)
 from trajopt_cli.problem.freedom import RailFreedom
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
-
-COARSE, FINE = 33, 25
-SPEEDS = np.array([-0.5, 0.0, 0.5])  # shares of the rail's top speed tried at a stop
-NEAR = 1.04  # labels within 4 % of the best cycle stay in the fine search
-CHUNK = 2_000_000
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,7 +73,7 @@ def _joint_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
     out = np.empty((len(a.q), len(b.q)))
     moving = np.any(a.qd) or np.any(b.qd)
     p_a, p_b = (axes.forward(x.q) @ leg.X_FT for x in (a, b))
-    rows = max(1, CHUNK // max(1, axes.n * len(b.q)))
+    rows = max(1, SEARCH_CHUNK // max(1, axes.n * len(b.q)))
     for i in range(0, len(a.q), rows):
         part = slice(i, i + rows)
         D = b.q[None] - a.q[part, None]
@@ -95,7 +102,7 @@ def _line_time(axes: Axes, leg: Leg, table: StationTable, i: int, a: _Layer, b: 
     spacing = (d[-1] - d[0]) / max(n - 1, 1)
     cruise = leg.chord / leg.v_tcp + leg.angle / leg.v_ori
     widest = (
-        0 if not leg.rail_moves else int(np.ceil((0.45 + axes.layout.place(limits_v) * cruise) / max(spacing, 1e-9)))
+        0 if not leg.rail_moves else int(np.ceil((SHIFT + axes.layout.place(limits_v) * cruise) / max(spacing, 1e-9)))
     )
     best = np.full((len(table.labels), n, n), np.inf)
     S = np.linspace(0, 1, LINE_NODES)
@@ -114,7 +121,7 @@ def _line_time(axes: Axes, leg: Leg, table: StationTable, i: int, a: _Layer, b: 
         ddq = np.gradient(dq, S, axis=1)
         v = np.min(limits_v / np.maximum(np.abs(dq), 1e-9), axis=(1, 3))
         v = np.minimum(v, min(leg.v_tcp / max(leg.chord, 1e-12), leg.v_ori / max(leg.angle, 1e-12)))
-        room = np.maximum(limits_a - np.abs(ddq) * (0.6 * v[:, None, :, None]) ** 2, 0.15 * limits_a)
+        room = np.maximum(limits_a - np.abs(ddq) * (CURVED * v[:, None, :, None]) ** 2, LEAST_ROOM * limits_a)
         acc = np.min(room / np.maximum(np.abs(dq), 1e-9), axis=(1, 3))
         acc = np.minimum(acc, leg.a_tcp / max(leg.chord, 1e-12))
         T = trapezoid_time(1.0, v, acc)
@@ -198,7 +205,7 @@ def search(axes: Axes, problem: Problem) -> Chain | None:
     """The best chain found, or None when no chain of stops is connected on the grid."""
     where = _station_of(problem)
     tables = [
-        station_table(axes, problem, first, last, rail_grid(problem, first, last, COARSE))
+        station_table(axes, problem, first, last, rail_grid(problem, first, last, SEARCH_COARSE))
         for first, last in problem.stations
     ]
     if not all(t.labels for t in tables):
@@ -214,20 +221,20 @@ def search(axes: Axes, problem: Problem) -> Chain | None:
         return coarse
     # the fine search: labels near the best, rail near the best
     top = float(axes.layout.place(axes.velocity))
-    speeds = still if problem.coordinated or not problem.freedom.through_stops else top * SPEEDS
+    speeds = still if problem.coordinated or not problem.freedom.through_stops else top * np.array(PASSING)
     fine_tables = []
     for (first, last), table in zip(problem.stations, tables, strict=True):
         keep: set[int] = set()
         low, high = np.inf, -np.inf
         for k in range(first, last + 1):
             through = forward[k] + backward[k]
-            near = through <= NEAR * cost
+            near = through <= NEAR_BEST * cost
             keep |= set(layers[k].label[near].tolist())
             stands = float(axes.layout.place(layers[k].q[path[k]]))
             low, high = min(low, stands), max(high, stands)
         spacing = (table.d[-1] - table.d[0]) / max(len(table.d) - 1, 1)
-        margin = max(2 * spacing, 0.1)
-        d = rail_grid(problem, first, last, FINE, (low - margin, high + margin))
+        margin = max(2 * spacing, SEARCH_WINDOW)
+        d = rail_grid(problem, first, last, SEARCH_FINE, (low - margin, high + margin))
         fine = station_table(axes, problem, first, last, d)
         labels = [i for i in range(len(fine.labels)) if _like(fine, i, table, keep)]
         fine_tables.append(_restrict(fine, labels) if labels else fine)

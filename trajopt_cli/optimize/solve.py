@@ -10,17 +10,26 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.motion import Program
-from trajopt_cli.optimize.assemble import LEAST, rows_of
+from trajopt_cli.optimize.assemble import rows_of
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.binding import binding_limit
 from trajopt_cli.optimize.bound import lower_bound
 from trajopt_cli.optimize.draft import Draft
-from trajopt_cli.optimize.driver import LAST_ALONE, NotConverged, Refiner, first_draft
+from trajopt_cli.optimize.driver import NotConverged, Refiner, first_draft
 from trajopt_cli.optimize.formulation import Formulation
 from trajopt_cli.optimize.legs import JointProfiles, LegMotion, PathLeg
 from trajopt_cli.optimize.pieces import alone, cut, solve_pieces, with_leg
 from trajopt_cli.optimize.reach import check_reach
 from trajopt_cli.optimize.search import Chain, search
+from trajopt_cli.optimize.tuning import (
+    DENSER,
+    DISAPPOINTING,
+    LAST_ALONE,
+    RESIDUAL,
+    RETIMED,
+    ROW_APART,
+    SLOWER,
+)
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import Plant
@@ -29,12 +38,6 @@ from trajopt_cli.problem.progress import Progress
 from trajopt_cli.trajectory import Trajectory, hermite
 
 Report = Callable[[Progress], None]
-
-
-RETIMED = 96  # intervals of a rapid line timed by itself
-RESIDUAL = 1e-14  # rad or m: rounding of a position in a row
-DENSER = 3  # times that rows are put between rows
-DISAPPOINTING = 1.05  # times the search's estimate: a slower answer is doubted
 
 
 class NoCleanPlan(Exception):
@@ -151,7 +154,7 @@ def _rows(axes: Axes, legs: list[LegMotion], end: Array) -> tuple[Trajectory, Ar
         if not len(over):
             return trajectory, bounds
         gaps = np.diff(trajectory.t)[over]
-        if gaps.min() < 2 * LEAST:
+        if gaps.min() < 2 * ROW_APART:
             return None
         more += list(trajectory.t[over] + gaps / 2)
     return None
@@ -261,7 +264,7 @@ def _time(problem: Problem, draft: Draft) -> float:
 def _starts(chain: Chain) -> list[Chain]:
     """The chain itself, the same at rest in every stop, and slower."""
     still = replace(chain, w=np.zeros_like(chain.w))
-    return [chain, still, replace(still, times=chain.times * 1.5)]
+    return [chain, still, replace(still, times=chain.times * SLOWER)]
 
 
 def _end(problem: Problem, draft: Draft) -> Array:

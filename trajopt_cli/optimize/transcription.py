@@ -15,21 +15,33 @@ import numpy as np
 from trajopt_cli.geometry import Array, IndexArray, inverse_pose
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.blocks import BlockNlp
-from trajopt_cli.optimize.draft import EXACT, Draft, Margins
+from trajopt_cli.optimize.draft import Draft, Margins
 from trajopt_cli.optimize.formulation import LEFT, RIGHT, Formulation, ToolCap
 from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, share_of
 from trajopt_cli.optimize.relation import Parts, Relation
+from trajopt_cli.optimize.tuning import (
+    DAMPING,
+    DAMPING_DWELL,
+    EXACT,
+    FREE_ZONES,
+    JOINT_CURVE,
+    JOINT_RATE,
+    LEAST_TIME,
+    LEAST_TOP,
+    LEAST_ZONE,
+    LONGEST,
+    MOST_TOP_A,
+    MOST_TOP_V,
+    MOST_ZONES,
+    PACED,
+    SHARE_CURVE,
+    SHARE_RATE,
+)
 from trajopt_cli.path.dwell import Dwell, DwellSymbols
 from trajopt_cli.path.line import Line, LineSymbols
 from trajopt_cli.problem.freedom import RailFreedom
 from trajopt_cli.problem.problem import Coupling, Leg, LegKind, Problem
 from trajopt_cli.robot.symbolic_inverse import BranchSigns
-
-FREE_ZONES = 12  # intervals of a path with which its zones may shift
-DAMPING = 4e-7  # s per squared scaled acceleration, where many motions take the same time
-DAMPING_DWELL = 4e-6  # the same while the tool rests: with less, a long dwell's rail chatters between the nodes
-LEAST_ZONE = 0.01  # share of a leg that its run-up, middle and run-out last at least
-LEAST_TIME = 1e-3  # s; a leg of zero length still gets this long, so that scaled time stays defined
 
 NONE: IndexArray = np.zeros(0, dtype=np.intp)
 
@@ -141,14 +153,14 @@ class Transcription:
         if motion is None or (isinstance(motion, JointProfiles) and leg.kind is LegKind.DWELL):
             return None
         coordinated = self.problem.coordinated
-        low, high = (leg.duration, leg.duration) if leg.duration is not None else (LEAST_TIME, 60.0)
+        low, high = (leg.duration, leg.duration) if leg.duration is not None else (LEAST_TIME, LONGEST)
         if leg.duration is not None and leg.kind is not LegKind.DWELL:
-            high = 60.0
+            high = LONGEST
         paced = coordinated and leg.kind is LegKind.DWELL and leg.duration is not None
         if paced:
             low = LEAST_TIME  # the profile's own least time; played slower so that it lasts the dwell
         T = int(self.nlp.variables([motion.T], low, high)[0])
-        self.nlp.minimise(T, 1e-4 if paced else 1.0)
+        self.nlp.minimise(T, PACED if paced else 1.0)
         out = LegVariables(T)
         if isinstance(motion, PathLeg):
             assert margins is not None
@@ -202,7 +214,7 @@ class Transcription:
         lengths = np.diff(motion.grid)[[0, per_zone, 2 * per_zone]]
         if self.problem.coordinated or motion.N != FREE_ZONES:
             return self.nlp.variables(lengths, lengths, lengths)
-        h = self.nlp.variables(lengths, LEAST_ZONE / per_zone, 0.9 / per_zone)
+        h = self.nlp.variables(lengths, LEAST_ZONE / per_zone, MOST_ZONES / per_zone)
         self._hold(self.formulation.zones(), {"h": h}, {"n": per_zone})
         return h
 
@@ -211,11 +223,11 @@ class Transcription:
         N = len(a)
         low_s, high_s = np.zeros(N + 1), np.ones(N + 1)
         low_s[-1], high_s[0] = 1.0, 0.0
-        high_v = np.full(N + 1, 50.0)
+        high_v = np.full(N + 1, SHARE_RATE)
         high_v[[0, -1]] = 0.0
         out.s = self.nlp.variables(s, low_s, high_s)
         out.v = self.nlp.variables(v, 0.0, high_v)
-        out.a = self.nlp.variables(a, -500.0, 500.0)
+        out.a = self.nlp.variables(a, -SHARE_CURVE, SHARE_CURVE)
 
     def _rail_on_path(self, leg: Leg, motion: PathLeg, margins: Margins, out: LegVariables) -> None:
         """Variables of a rail that moves as it likes, from waypoint to waypoint."""
@@ -224,8 +236,8 @@ class Transcription:
         low, high = self._rail_range(margins.position[1:-1, layout.rail])
         inner = nlp.variables(np.clip(motion.d[1:-1], low, high), low.ravel(), high.ravel())
         out.d = np.concatenate([ends[0], inner.reshape(N - 1, layout.r), ends[1]])
-        out.w = nlp.variables(motion.w, -50.0, 50.0).reshape(N + 1, layout.r)
-        most = np.full((N, layout.r), 500.0)
+        out.w = nlp.variables(motion.w, -SHARE_RATE, SHARE_RATE).reshape(N + 1, layout.r)
+        most = np.full((N, layout.r), SHARE_CURVE)
         if leg.kind is LegKind.DWELL and leg.duration is not None:
             most = margins.push[:, None] * self.axes.acceleration[layout.rail] * leg.duration**2
         out.b = nlp.variables(np.clip(motion.b, -most, most), -most.ravel(), most.ravel()).reshape(N, layout.r)
@@ -285,7 +297,7 @@ class Transcription:
         way = np.maximum(np.abs(self.draft.q[k + 1] - self.draft.q[k]), 1e-9)
         v = min(1e3, float(np.min(V / way)))
         a = min(1e4, float(np.min(A / way)))
-        top = self.nlp.variables([min(v, np.sqrt(a)), a], [1e-3, 1e-3], [1e4, 1e6])
+        top = self.nlp.variables([min(v, np.sqrt(a)), a], [LEAST_TOP, LEAST_TOP], [MOST_TOP_V, MOST_TOP_A])
         for j in range(self.axes.n):
             z = {"q_0": self.waypoint_q[k][j], "q_1": self.waypoint_q[k + 1][j], "top_v": top[0], "top_a": top[1]}
             self._hold(self.formulation.top_of_share(), z, {"V": V[j] * share, "A": A[j] * share})
@@ -301,8 +313,8 @@ class Transcription:
         room = half * margins.position[1:-1]
         inner = nlp.variables(motion.q[1:-1], (middle - room).ravel(), (middle + room).ravel())
         out.q = np.vstack([self.waypoint_q[k0], inner.reshape(N - 1, n), self.waypoint_q[k0 + 1]])
-        out.qv = nlp.variables(motion.v, -100.0, 100.0).reshape(N + 1, n)
-        out.qa = nlp.variables(motion.a, -1000.0, 1000.0).reshape(N, n)
+        out.qv = nlp.variables(motion.v, -JOINT_RATE, JOINT_RATE).reshape(N + 1, n)
+        out.qa = nlp.variables(motion.a, -JOINT_CURVE, JOINT_CURVE).reshape(N, n)
         nlp.damp(out.qa.ravel(), DAMPING)
         V, A = self.axes.velocity_on(leg), self.axes.acceleration
         for j in range(n):
