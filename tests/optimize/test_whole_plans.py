@@ -13,11 +13,11 @@ from trajopt_cli.geometry import Array, wxyz_from_rotation
 from trajopt_cli.motion import Program
 from trajopt_cli.optimize import bound, optimize
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.enclose import Range
 from trajopt_cli.optimize.tuning import BOUND_LEVELS
 from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.robot.enclosure import Range
 from trajopt_cli.verify.judge import verify
 
 STATION = """MoveJ p_in, v2500, fine, tool0;

@@ -9,9 +9,8 @@ import numpy as np
 from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Leg
-from trajopt_cli.robot.inverse import inverse
 from trajopt_cli.robot.layout import AxisLayout
-from trajopt_cli.robot.model import RobotModel
+from trajopt_cli.robot.protocol import Robot
 
 
 @dataclass(frozen=True, eq=False)
@@ -19,7 +18,7 @@ class Axes:
     """Limits and names (n,) of all axes in the robot's order. X_WB0: the arm's base in the world with the rail at 0;
     rail_axis (3, r): the rail's direction in the arm's base frame."""
 
-    robot: RobotModel
+    robot: Robot
     layout: AxisLayout
     names: tuple[str, ...]
     lower: Array
@@ -32,7 +31,8 @@ class Axes:
     @classmethod
     def of(cls, plant: Plant) -> Axes:
         """The axes of a plant."""
-        limits, robot = plant.limits, plant.robot
+        limits = plant.limits
+        robot: Robot = plant.robot
         X_WB0 = robot.X_WB0
         axis = np.zeros((3, 0)) if robot.rail_axis_W is None else X_WB0[:3, :3].T @ robot.rail_axis_W[:, None]
         return cls(
@@ -56,8 +56,8 @@ class Axes:
         return inverse_pose(self.X_WB0) @ X_W
 
     def inverse(self, X_WF: Array, rail: Array) -> Array:
-        """Joints (n, 8, 6) of all branches for flange poses (n, 4, 4) at rail positions (n,)."""
-        return inverse(self.robot, X_WF, rail)
+        """Joints (k, b, m) of all branches for flange poses (k, 4, 4) at rail positions (k,)."""
+        return self.robot.branches(X_WF, rail)
 
     def forward(self, q: Array) -> Array:
         """Flange poses (..., 4, 4) of axes (..., n)."""

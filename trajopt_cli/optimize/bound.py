@@ -17,7 +17,6 @@ import numpy as np
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.double_integrator import reach, trapezoid_time
-from trajopt_cli.optimize.enclose import Enclosure, Range, enclose
 from trajopt_cli.optimize.tuning import (
     BOUND_AIM,
     BOUND_CHUNK,
@@ -30,6 +29,7 @@ from trajopt_cli.optimize.tuning import (
     MOST_PAIRS,
 )
 from trajopt_cli.problem.problem import Leg, LegKind, Problem, Waypoint
+from trajopt_cli.robot.enclosure import Enclosure, Range
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,7 +124,7 @@ def _cells(
         return _Cells(Range(q, q), Range(zero, zero), np.zeros((1, 3), dtype=int))
     name = stop.X_WF.tobytes() + grid.tobytes()
     if name not in cache:
-        cache[name] = enclose(axes, stop.X_WF, grid)
+        cache[name] = axes.robot.enclose(stop.X_WF, grid, problem.plant.limits)
     e = cache[name]
     single = len(grid) == 2
     width = 1 if single else max(1, BOUND_COARSE >> level)

@@ -28,8 +28,7 @@ from trajopt_cli.optimize.tuning import ELBOW, WRIST
 from trajopt_cli.path.dwell import DwellSymbols
 from trajopt_cli.path.line import LineSymbols
 from trajopt_cli.problem.problem import Coupling
-from trajopt_cli.robot.symbolic import forward
-from trajopt_cli.robot.symbolic_inverse import inverse_arm
+from trajopt_cli.robot.symbolic import Reached
 
 INF = float("inf")
 LEFT, RIGHT = "l", "r"  # the intervals that end and begin at a node
@@ -61,7 +60,7 @@ class Formulation:
         self.rail, self.arm = layout.rail, layout.arm
         self._all, self._joints, self._rails = (axes.n,), (layout.joints,), (layout.r,)
         q = ca.SX.sym("q", axes.n)
-        self.flange = ca.Function("flange", [q], [*forward(axes.robot, q)])
+        self.flange = ca.Function("flange", [q], [*axes.robot.expressions.flange(q)])
         self._cache: dict[tuple[object, ...], Relation] = {}
         # parameters of a pose on a path: the path, the branch, joints within half a turn of the answer
         self._on_path: Shapes = {"path": (LineSymbols.layout.size,), "branch": (3,), "near": self._joints}
@@ -98,24 +97,24 @@ class Formulation:
 
     # ---- path: where the arm is, and what it may do there
 
-    def _resting(self, p: SimpleNamespace, d: ca.SX) -> tuple[ca.SX, ca.SX]:
-        """Joints and sin q3 where the flange rests in the path's first pose and the rail stands at d."""
+    def _resting(self, p: SimpleNamespace, d: ca.SX) -> Reached:
+        """Joints and walls where the flange rests in the path's first pose and the rail stands at d."""
         flange = DwellSymbols().flange(p.path)
         return self._inverse(flange.position - self.rail_axis @ d, flange.rotation, p)
 
-    def _inverse(self, position: ca.SX, rotation: ca.SX, p: SimpleNamespace) -> tuple[ca.SX, ca.SX]:
-        return inverse_arm(self.axes.robot.arm, position, rotation, p.branch, p.near)
+    def _inverse(self, position: ca.SX, rotation: ca.SX, p: SimpleNamespace) -> Reached:
+        return self.axes.robot.expressions.inverse(position, rotation, p.branch, p.near)
 
-    def _walls(self, q: ca.SX, elbow: ca.SX, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+    def _walls(self, at: Reached) -> list[tuple[ca.SX, float, float]]:
         """|sin q3| <= ELBOW, |sin q5| >= WRIST on the branch's side."""
-        return [(elbow, -ELBOW, ELBOW), (p.branch[2] * ca.sin(q[4]), WRIST, INF)]
+        return [(at.elbow, -ELBOW, ELBOW), (at.wrist, WRIST, INF)]
 
-    def _joint_limits(self, q, qd, qdds, elbow, T, p):  # type: ignore[no-untyped-def]
+    def _joint_limits(self, at, qd, qdds, T, p):  # type: ignore[no-untyped-def]
         """Ranges, walls, velocities and accelerations of the arm; qd and qdds by tau."""
         middle, half = (self.upper + self.lower) / 2, (self.upper - self.lower) / 2
         return [
-            ((q - middle) / (half * p.room), -1.0, 1.0),
-            *self._walls(q, elbow, p),
+            ((at.q - middle) / (half * p.room), -1.0, 1.0),
+            *self._walls(at),
             (qd / (p.V[self.arm] * T), -1.0, 1.0),
             *((qdd / (p.A[self.arm] * T * T), -1.0, 1.0) for qdd in qdds),
         ]
@@ -144,8 +143,8 @@ class Formulation:
             else:
                 way = z.d_1 - z.d_0
                 d, w, rail_acc = z.d_0 + z.s * way, z.v * way, [a * way for a in acc]
-            q, elbow, qd, qdds = self._along(p, turning, z.s, d, ca.vertcat(z.v, w), acc, rail_acc)
-            out = self._joint_limits(q, qd, qdds, elbow, z.T, p)
+            at, qd, qdds = self._along(p, turning, z.s, d, ca.vertcat(z.v, w), acc, rail_acc)
+            out = self._joint_limits(at, qd, qdds, z.T, p)
             out += [(ca.vertcat(p.at_speed * z.v / z.T, p.at_turning * z.v / z.T), -1.0, 1.0)]
             out += [self._rail_velocity(w, z, p)]
             for a, b in zip(acc, rail_acc, strict=True):
@@ -155,17 +154,17 @@ class Formulation:
         return self._relation(("path", sides, turning, coupling), z, self._at_node, rows)
 
     def _along(self, p, turning, s, d, rate, acc, rail_acc):  # type: ignore[no-untyped-def]
-        """Joints, sin q3 and the joints' derivatives by tau along x = (s, d): q' = J x', q'' = J x'' + x'^T H x'."""
+        """Joints with their walls, and derivatives by tau along x = (s, d): q' = J x', q'' = J x'' + x'^T H x'."""
         S, D = ca.SX.sym("S"), ca.SX.sym("D", *self._rails)
         flange = LineSymbols(turning).flange(p.path, S)
-        q, elbow = self._inverse(flange.position - self.rail_axis @ D, flange.rotation, p)
+        at = self._inverse(flange.position - self.rail_axis @ D, flange.rotation, p)
         x = ca.vertcat(S, D)
-        J = ca.jacobian(q, x)
+        J = ca.jacobian(at.q, x)
         dx = ca.SX.sym("dx", x.numel())
         curve = ca.jtimes(J @ dx, x, dx)
-        q, elbow, J, curve = ca.substitute([q, elbow, J, curve], [x, dx], [ca.vertcat(s, d), rate])
+        *there, J, curve = ca.substitute([*at, J, curve], [x, dx], [ca.vertcat(s, d), rate])
         qdds = [curve + J @ ca.vertcat(a, b) for a, b in zip(acc, rail_acc, strict=True)]
-        return q, elbow, J @ rate, qdds
+        return Reached(*there), J @ rate, qdds
 
     def dwell_node(self, sides: str) -> Relation:
         """A node of a dwell: the tool rests while the rail moves and the arm makes up for it."""
@@ -174,11 +173,11 @@ class Formulation:
         def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
             acc = [getattr(z, f"b_{side}") for side in sides]
             D, dD = ca.SX.sym("D", *self._rails), ca.SX.sym("dD", *self._rails)
-            q, elbow = self._resting(p, D)
-            J = ca.jacobian(q, D)
+            at = self._resting(p, D)
+            J = ca.jacobian(at.q, D)
             curve = ca.jtimes(J @ dD, D, dD)
-            q, elbow, J, curve = ca.substitute([q, elbow, J, curve], [D, dD], [z.d, z.w])
-            out = self._joint_limits(q, J @ z.w, [curve + J @ b for b in acc], elbow, z.T, p)
+            *there, J, curve = ca.substitute([*at, J, curve], [D, dD], [z.d, z.w])
+            out = self._joint_limits(Reached(*there), J @ z.w, [curve + J @ b for b in acc], z.T, p)
             return [*out, self._rail_velocity(z.w, z, p), *(self._rail_acceleration(b, z, p) for b in acc)]
 
         return self._relation(("dwell", sides), z, self._at_node, rows)
@@ -289,9 +288,9 @@ class Formulation:
         z: Shapes = {"d": self._rails, "w": self._rails, "q": self._joints, "qd": self._joints}
 
         def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-            q, elbow = self._resting(p, z.d)
-            rate = ca.jacobian(q, z.d)
-            return [(z.q - q, 0.0, 0.0), (z.qd - rate @ z.w, 0.0, 0.0), *self._walls(q, elbow, p)]
+            at = self._resting(p, z.d)
+            rate = ca.jacobian(at.q, z.d)
+            return [(z.q - at.q, 0.0, 0.0), (z.qd - rate @ z.w, 0.0, 0.0), *self._walls(at)]
 
         return self._relation(("stop",), z, self._on_path, rows)
 
@@ -300,8 +299,8 @@ class Formulation:
         z: Shapes = {"d": self._rails, "q": self._joints}
 
         def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-            q, elbow = self._resting(p, z.d)
-            return [(z.q - q, 0.0, 0.0), *self._walls(q, elbow, p)]
+            at = self._resting(p, z.d)
+            return [(z.q - at.q, 0.0, 0.0), *self._walls(at)]
 
         return self._relation(("resting",), z, self._on_path, rows)
 

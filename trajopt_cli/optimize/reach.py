@@ -7,7 +7,6 @@ configuration in the whole station. What cannot be reached is named here, before
 from __future__ import annotations
 
 from dataclasses import astuple, dataclass, replace
-from itertools import product
 
 import numpy as np
 from scipy import ndimage
@@ -19,12 +18,10 @@ from trajopt_cli.optimize.tuning import ELBOW, LINE_NODES, REACH_GRID, WRIST
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.problem import Leg, LegKind, Problem, Waypoint
-from trajopt_cli.robot.inverse import confdata, confdata_admits, solutions, why_unreachable
 
 _LISTED = 4  # confdata in a message
 _PLACES = 5  # in a message
 _NO_SINGLE = "no single configuration serves the whole line without crossing a singularity or a joint limit"
-_TURNS = 2 * np.pi * np.array([[i, 0, 0, j, 0, k] for i, j, k in product((0, -1, 1), repeat=3)])  # joints 1, 4 and 6
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,9 +71,10 @@ def _unwrap(arm: Array, axis: int) -> Array:
     return np.moveaxis(filled, 0, axis)
 
 
-def _usable(arm: Array) -> Array:
+def _usable(axes: Axes, arm: Array) -> Array:
     """NaN where a configuration stands too near a singularity for a line, a dwell or a stop with a free rail."""
-    bad = (np.abs(np.sin(arm[..., 2])) > ELBOW) | (np.abs(np.sin(arm[..., 4])) < WRIST)
+    elbow, wrist = axes.robot.walls(arm)
+    bad = (elbow > ELBOW) | (wrist < WRIST)
     return np.where(bad[..., None], np.nan, arm)
 
 
@@ -85,12 +83,12 @@ def station_table(
 ) -> StationTable:
     """Tables of one station; keep restricts the labels."""
     n = len(d)
-    stops_raw: list[Array] = []  # (8, n, 6)
+    stops_raw: list[Array] = []  # (branches, n, joints)
     lines_raw: list[Array | None] = []
     for k in range(first, last + 1):
         stop = problem.waypoints[k]
         if k == first:
-            raw = _usable(np.moveaxis(axes.inverse(np.broadcast_to(stop.X_WF, (n, 4, 4)), d), 1, 0))
+            raw = _usable(axes, np.moveaxis(axes.inverse(np.broadcast_to(stop.X_WF, (n, 4, 4)), d), 1, 0))
             stops_raw.append(_unwrap(raw, 1))
             continue
         leg = problem.legs[k - 1]
@@ -101,7 +99,7 @@ def station_table(
         X_0, X_1 = problem.waypoints[k - 1].X_WF @ leg.X_FT, stop.X_WF @ leg.X_FT
         X = Line(X_0, X_1).pose(np.linspace(0, 1, LINE_NODES)) @ inverse_pose(leg.X_FT)
         raw = axes.inverse(np.broadcast_to(X[:, None], (LINE_NODES, n, 4, 4)).reshape(-1, 4, 4), np.tile(d, LINE_NODES))
-        raw = _usable(np.moveaxis(raw.reshape(LINE_NODES, n, 8, 6), 2, 0))
+        raw = _usable(axes, np.moveaxis(raw.reshape(LINE_NODES, n, *raw.shape[1:]), 2, 0))
         start = stops_raw[-1]
         raw[:, 0] = start
         # along the line first; then along the rail, for columns whose start is out of reach and gave no reference
@@ -113,9 +111,8 @@ def station_table(
     labels: list[Label] = []
     stops: list[list[Array]] = [[] for _ in stops_raw]
     lines: list[list[Array | None]] = [[] for _ in lines_raw]
-    candidates = (
-        [(label.cfx, label.turns) for label in keep] if keep else [(c, turn) for c in range(8) for turn in _TURNS]
-    )
+    every = [(cfx, turn) for cfx in range(len(stops_raw[0])) for turn in axes.robot.turns]
+    candidates = [(label.cfx, label.turns) for label in keep] if keep else every
     for cfx, turn in candidates:
         tables = []
         for i, raw in enumerate(stops_raw):
@@ -126,7 +123,7 @@ def station_table(
                 ok &= np.abs(d - stop.rail[0]) < 1e-12
             if stop.conf is not None:
                 for j in np.flatnonzero(ok & (np.abs(d - stop.written) < 1e-12)):
-                    ok[j] = confdata_admits(problem.plant.robot, stop.conf, q[j])
+                    ok[j] = axes.robot.admits(stop.conf, q[j])
             if stop.q is not None:
                 ok &= np.all(np.abs(q - stop.q[axes.layout.arm]) < 1e-6, axis=-1)
             tables.append(np.where(ok[:, None], q, np.nan))
@@ -251,16 +248,15 @@ def _unreachable(axes: Axes, problem: Problem, k: int, d: Array) -> Infeasible:
 def _why(axes: Axes, problem: Problem, X_WF: Array, rail: float) -> str:
     """Why a pose is out of reach at a rail position; empty when it is not."""
     at = rail if axes.layout.has_rail else None
-    if solutions(axes.robot, X_WF, at, problem.plant.limits):
+    if axes.robot.solutions(X_WF, at, problem.plant.limits):
         return ""
-    return why_unreachable(axes.robot, X_WF, at, problem.plant.limits)
+    return axes.robot.why_unreachable(X_WF, at, problem.plant.limits)
 
 
 def _other_configurations(axes: Axes, problem: Problem, stop: Waypoint, rail: float) -> str:
     """The pose is in reach, but not with the confdata asked for; those that are to be had, the nearest to it first."""
-    robot = axes.robot
-    found = solutions(robot, stop.X_WF, rail if axes.layout.has_rail else None, problem.plant.limits)
-    confs = {astuple(confdata(robot, q)) for _, q in found}
+    found = axes.robot.solutions(stop.X_WF, rail if axes.layout.has_rail else None, problem.plant.limits)
+    confs = {astuple(axes.robot.confdata(q)) for _, q in found}
     if not confs:
         return "too near a singularity"
     asked = None if stop.conf is None else astuple(stop.conf)
@@ -305,8 +301,8 @@ def _wrong_confdata(axes: Axes, problem: Problem, stop: Waypoint) -> bool:
     if not isinstance(problem.motion(stop.motion), MoveJ | MoveL):
         return False
     rail = stop.written if axes.layout.has_rail else None
-    found = solutions(axes.robot, stop.X_WF, rail, problem.plant.limits)
-    return bool(found) and not any(confdata_admits(axes.robot, stop.conf, q) for _, q in found)
+    found = axes.robot.solutions(stop.X_WF, rail, problem.plant.limits)
+    return bool(found) and not any(axes.robot.admits(stop.conf, q) for _, q in found)
 
 
 def _abreast(axes: Axes, X_WF: Array) -> float:
@@ -336,10 +332,10 @@ def _broken_line(axes: Axes, problem: Problem, k: int, d: Array, labels: tuple[L
     X_WF = X @ inverse_pose(leg.X_FT)
     arm = [axes.inverse(np.broadcast_to(X, (len(rails), 4, 4)), rails) for X in X_WF]
     # a point out of everything's reach says most; else the one where the last configuration ends
-    known = {label.cfx for label in labels} if all(label.cfx >= 0 for label in labels) else set(range(8))
-    at = _first_lost(axes, leg, arm, set(range(8)))
+    known = {label.cfx for label in labels} if all(label.cfx >= 0 for label in labels) else set(range(arm[0].shape[1]))
+    at = _first_lost(axes, leg, arm, set(range(arm[0].shape[1])))
     if at is None:
-        at = _first_lost(axes, leg, [_usable(q) for q in arm], known)
+        at = _first_lost(axes, leg, [_usable(axes, q) for q in arm], known)
     if at is None:
         return None
     X_WT, X_WF = X[at], X_WF[at]
@@ -358,8 +354,8 @@ def _broken_line(axes: Axes, problem: Problem, k: int, d: Array, labels: tuple[L
 
 
 def _first_lost(axes: Axes, leg: Leg, arm: list[Array], branches: set[int]) -> int | None:
-    """The first of the points with joints arm (rails, 8, joints) to which none of the branches gets from the first."""
-    alive = np.tile([cfx in branches for cfx in range(8)], (len(arm[0]), 1))
+    """The first of the points, with joints arm (rails, b, m) each, to which none of the branches gets."""
+    alive = np.tile([cfx in branches for cfx in range(arm[0].shape[1])], (len(arm[0]), 1))
     for at, q in enumerate(arm):
         alive = _in_limits(axes, q) & (np.any(alive, axis=0) if leg.rail_moves else alive)
         if not np.any(alive):
@@ -370,7 +366,7 @@ def _first_lost(axes: Axes, leg: Leg, arm: list[Array], branches: set[int]) -> i
 def _in_limits(axes: Axes, arm: Array) -> BoolArray:
     low, high = axes.lower[axes.layout.arm] - 1e-9, axes.upper[axes.layout.arm] + 1e-9
     ok = np.zeros(arm.shape[:-1], dtype=bool)
-    for turn in _TURNS:
+    for turn in axes.robot.turns:
         ok |= np.all((arm + turn >= low) & (arm + turn <= high), axis=-1)
     return ok
 

@@ -41,7 +41,6 @@ from trajopt_cli.path.dwell import Dwell, DwellSymbols
 from trajopt_cli.path.line import Line, LineSymbols
 from trajopt_cli.problem.freedom import RailFreedom
 from trajopt_cli.problem.problem import Coupling, Leg, LegKind, Problem
-from trajopt_cli.robot.symbolic_inverse import BranchSigns
 
 NONE: IndexArray = np.zeros(0, dtype=np.intp)
 
@@ -110,7 +109,7 @@ class Transcription:
         self.waypoint_qd.append(np.r_[w, joints_v])
         p = {
             "path": DwellSymbols().vector(Dwell(stop.X_WF), inverse_pose(axes.X_WB0), np.eye(4)),
-            "branch": BranchSigns.from_cfx(self.draft.cfx[k]).vector(),
+            "branch": axes.robot.expressions.branch(self.draft.cfx[k]),
             "near": q[arm],
         }
         if rest:
@@ -185,7 +184,7 @@ class Transcription:
             V[self.axes.layout.rail] = np.minimum(V[self.axes.layout.rail], leg.v_rail)
             yield {
                 "path": path,
-                "branch": BranchSigns.from_cfx(motion.cfx).vector(),
+                "branch": self.axes.robot.expressions.branch(motion.cfx),
                 "near": joints,
                 "V": V,
                 "A": self.axes.acceleration * m.acceleration[k],

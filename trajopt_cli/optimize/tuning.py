@@ -129,5 +129,3 @@ MOST_PAIRS = 1_500_000  # of cells per leg; a finer level is not begun beyond. N
 FEW_PAIRS = 300_000  # of cells per leg; below, the next level aims at the incumbent itself. Not measured.
 BOUND_CHUNK = 400_000  # pairs at once. Not measured.
 BOUND_ORDER = (0, 2, 1)  # of the first three joints, after the rail: settles most pairs soonest. Not measured.
-WIDEN = 1e-9  # rad: a thousand times the rounding of the few operations of an enclosure. Not measured.
-BIG = 1e9  # rad/m in place of infinity. Not measured.
