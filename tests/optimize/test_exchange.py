@@ -11,7 +11,7 @@ from small_cells import HOME, plant_with_rail, problem_of, rapid
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.draft import Margins
-from trajopt_cli.optimize.exchange import check_leg, tighten
+from trajopt_cli.optimize.exchange import back_off, check_leg
 from trajopt_cli.optimize.legs import PathLeg, Sample, parabola
 from trajopt_cli.optimize.tuning import SAFE, START
 
@@ -64,9 +64,9 @@ def test_in_a_dwell_the_push_of_the_passing_interval_alone_is_scaled() -> None:
     ratios.acceleration[:] = 0.5
     ratios.acceleration[2, 4] = 1.25
     margins = Margins.full(6, axes.n, START)
-    assert tighten(margins, ratios, leg, SAFE, rail=np.array([3.0]))
+    assert back_off(margins, ratios, leg, SAFE, rail=np.array([3.0]))
     own = abs(leg.b[2, 0]) / (3.0 * 0.8**2)
     assert margins.push[2] == pytest.approx(own * (1 - 1.5 * (1 - 1 / 1.25)), rel=3e-4)
     assert np.all(np.delete(margins.push, 2) == 1.0)
     assert np.all(margins.acceleration == START)
-    assert tighten(Margins.full(6, axes.n, START), ratios, leg, SAFE)  # elsewhere the nodes are
+    assert back_off(Margins.full(6, axes.n, START), ratios, leg, SAFE)  # elsewhere the nodes are

@@ -276,7 +276,7 @@ def test_station_tables_hold_every_configuration_and_none_else(turning: bool) ->
             for _, q in solutions(plant.robot, problem.waypoints[1].X_WF, float(rail), plant.limits)
             if abs(np.sin(q[2])) <= 0.9999 and abs(np.sin(q[4])) >= 1e-3
         }
-        have = {tuple(np.round(q, 6)) for q in table.stops[0][:, i] if not np.isnan(q[0])}
+        have = {tuple(np.round(q, 6)) for q in table.waypoints[0][:, i] if not np.isnan(q[0])}
         assert have <= wanted
         if not turning:
             assert have == wanted

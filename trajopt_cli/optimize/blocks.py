@@ -94,7 +94,6 @@ class BlockNlp:
         self._cost: list[tuple[int, float]] = []
         self._damped: list[tuple[IndexArray, float]] = []
         self._copies: dict[str, _Copies] = {}
-        self._solver: ca.Function | None = None
 
     def variables(self, guess: ArrayLike, lower: ArrayLike, upper: ArrayLike) -> IndexArray:
         """Add len(guess) variables; returns their indices."""

@@ -1,8 +1,9 @@
 """A lower bound on the cycle time: shortest path through cells that together contain every legal motion.
 
-A cell at a stop is a range of rail position, a range of rail speed and a pair of shoulder and elbow signs; it encloses
-the first three arm joints and their speeds. Between cells no motion is faster than the least time in which rail and
-these joints can cover the gap within their limits (ends free inside the cells), nor than the tool over its chord.
+A cell at a waypoint is a range of rail position, a range of rail velocity and a pair of shoulder and elbow signs; it
+encloses the first three arm joints and their velocities. Between cells no motion is faster than the least time in which
+rail and these joints can cover the gap within their limits (ends free inside the cells), nor than the tool over its
+chord.
 Everything else (wrist, ranges on the way, the tool's caps on joint moves beyond the chord) is left out, so the bound
 holds for every legal motion of the target; it is not called certified because its arithmetic is not outward rounded.
 """
@@ -34,7 +35,7 @@ from trajopt_cli.robot.enclosure import Enclosure, Range
 
 @dataclass(frozen=True, eq=False)
 class _Cells:
-    """Cells at one stop: position and velocity (r+3, m) of rail, q1, q2, q3; key (m, 3): signs, rail, velocity."""
+    """Cells at one waypoint: position and velocity (r+3, m) of rail, q1, q2, q3; key (m, 3): signs, rail, velocity."""
 
     q: Range
     v: Range
@@ -228,7 +229,7 @@ def _pairs(
 
 
 def _leave(T: Array, D: Array, a_lo: Array, a_hi: Array, c_lo: Array, c_hi: Array, V: float, A: float) -> Array:
-    """The least time >= T in which some motion between the speed boxes travels at least D; see _most."""
+    """The least time >= T in which some motion between the velocity boxes travels at least D; see _most."""
     T = np.maximum(T, np.maximum(c_lo - a_hi, a_lo - c_hi) / A)
     short = _most(T, a_hi, c_hi, V, A) < D - 1e-9
     m, M = np.minimum(a_hi, c_hi), np.maximum(a_hi, c_hi)
@@ -244,6 +245,6 @@ def _leave(T: Array, D: Array, a_lo: Array, a_hi: Array, c_lo: Array, c_hi: Arra
 
 
 def _most(T: Array, a: Array, c: Array, V: float, A: float) -> Array:
-    """Most displacement in T when the end speeds may be chosen below a and c: convex and smooth in T."""
+    """Most displacement in T when the end velocities may be chosen below a and c: convex and smooth in T."""
     m, M = np.minimum(a, c), np.maximum(a, c)
     return np.where(M - m > T * A, m * T + A * T * T / 2, reach(T, a, c, V, A))

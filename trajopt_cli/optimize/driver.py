@@ -1,4 +1,4 @@
-"""From a chain of stops to a clean plan: nested grids, then the exchange loop."""
+"""From a chain of waypoints to a clean plan: nested grids, then the exchange loop."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.blocks import NlpResult
 from trajopt_cli.optimize.draft import Draft, Margins
-from trajopt_cli.optimize.exchange import check_leg, tighten
+from trajopt_cli.optimize.exchange import back_off, check_leg
 from trajopt_cli.optimize.formulation import Formulation
 from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, parabola, share_of, straight
 from trajopt_cli.optimize.profiles import hold
@@ -46,7 +46,7 @@ from trajopt_cli.problem.problem import LegKind, Problem
 
 
 def first_draft(axes: Axes, problem: Problem, chain: Chain) -> Draft:
-    """Rest-to-rest parabolas between the chain's stops."""
+    """Rest-to-rest parabolas between the chain's waypoints."""
     legs: list[LegMotion | None] = []
     for k, leg in enumerate(problem.legs):
         q_0, q_1 = chain.q[k], chain.q[k + 1]
@@ -148,7 +148,7 @@ class Refiner:
         self, draft: Draft, margins: list[Margins | None], warm: Sequence[Any],
         progress: Callable[[str, Draft], None],
     ) -> Draft:  # fmt: skip
-        """Check densely, tighten where a limit is passed, solve again, until nothing is passed."""
+        """Check densely, back_off where a limit is passed, solve again, until nothing is passed."""
         for _ in range(ROUNDS):
             start = perf_counter()
             worst, changed, opened = 0.0, False, self._open_grids(draft, margins)
@@ -161,7 +161,7 @@ class Refiner:
                 if m is not None:
                     resting = leg.kind is LegKind.DWELL and leg.duration is not None and not self.problem.coordinated
                     rail = self.axes.acceleration[self.axes.layout.rail] if resting else None
-                    changed |= tighten(m, ratios, motion, SAFE, rail)
+                    changed |= back_off(m, ratios, motion, SAFE, rail)
             self.seconds["check"] += perf_counter() - start
             if not (changed or opened):
                 return draft

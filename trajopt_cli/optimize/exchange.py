@@ -1,4 +1,4 @@
-"""The dense check of a draft, finer than its grid, and the tightening that answers it.
+"""The dense check of a draft, finer than its grid, and the back-off that answers it.
 
 Converged is not feasible: between the nodes of a grid a limit may be passed by tenths of a percent. Each leg is sampled
 densely; where a ratio to a limit exceeds one, the nodes around get that limit tightened by the excess.
@@ -68,7 +68,7 @@ def tool_ratios(axes: Axes, leg: Leg, q: Array, qd: Array, qdd: Array) -> Array:
     )
 
 
-def tighten(margins: Margins, ratios: Ratios, motion: LegMotion, target: float, rail: Array | None = None) -> bool:
+def back_off(margins: Margins, ratios: Ratios, motion: LegMotion, target: float, rail: Array | None = None) -> bool:
     """Scale the shares of the nodes next to an excess over target; True when anything changed.
 
     rail (r,): the rail's acceleration limit [m/s2] where the tool rests for a given time. An axis that turns round

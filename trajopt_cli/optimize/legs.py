@@ -17,7 +17,7 @@ from trajopt_cli.path.line import Line
 
 
 def integrate(grid: Array, x: Array, v: Array, tau: Array, right: bool = True) -> tuple[Array, Array, Array]:
-    """Position, speed, acceleration (scaled time) at tau (n,) of node values x, v (N+1, ...) on a grid over 0..1.
+    """Position, velocity, acceleration (scaled time) at tau (n,) of node values x, v (N+1, ...) on a grid over 0..1.
 
     At a node the acceleration is the one of the interval on its right or left. The cubic Hermite
     between nodes is the exact integral up to the solver's residual, without its jumps.
@@ -106,7 +106,7 @@ class PathLeg:
         return unwind(arm, self.reference)
 
     def sample(self, axes: Axes, t: Array, right: bool = True) -> Sample:
-        """Positions by inverse kinematics, speeds and accelerations through the Jacobian. At a break: right side."""
+        """Positions by inverse kinematics, velocities, accelerations through the Jacobian. At a break: right side."""
         tau = np.clip(t / self.T, 0.0, 1.0)
         s, sv, sa = integrate(self.grid, self.s, self.v, tau, right)
         d, dv, da = integrate(self.grid, self.d, self.w, tau, right)

@@ -1,4 +1,4 @@
-"""A problem cut where nothing is left to choose: between fixed stops the pieces can be solved one by one.
+"""A problem cut where nothing is left to choose: between fixed waypoints the pieces can be solved one by one.
 
 A cell without a rail falls into single legs this way, and equal pieces are solved once.
 """
@@ -68,7 +68,7 @@ def solve_pieces(
 
 
 def alone(problem: Problem, draft: Draft, k: int) -> tuple[Problem, Draft]:
-    """Leg k between its stops as the draft has them, the rail fixed there."""
+    """Leg k between its waypoints as the draft has them, the rail fixed there."""
     layout = problem.plant.robot.layout
     stops = tuple(
         replace(problem.waypoints[i], rail=(float(layout.place(draft.q[i])),) * 2, rest=True) for i in (k, k + 1)

@@ -1,4 +1,4 @@
-"""Where the rail may stand: arm joints over the rail's range for every stop and along every line, per IK branch.
+"""Where the rail may stand: arm joints over the rail's range for every waypoint and along every line, per IK branch.
 
 A station's table is continued along its lines, so one branch and one set of whole turns means one continuous
 configuration in the whole station. What cannot be reached is named here, before any optimising.
@@ -7,6 +7,7 @@ configuration in the whole station. What cannot be reached is named here, before
 from __future__ import annotations
 
 from dataclasses import astuple, dataclass, replace
+from itertools import product
 
 import numpy as np
 from scipy import ndimage
@@ -36,19 +37,19 @@ class Label:
 class StationTable:
     """Arm joints of one station on a rail grid.
 
-    d: (n,); stops: per stop (L, n, 6) with NaN where the configuration is not to be had, L labels; lines: per leg of
-    the station (L, LINE_NODES, n, 6), None for dwells. At a stop with fixed joints only its own rail value is open.
+    d: (n,); waypoints: for each (L, n, m) with NaN where the configuration is not to be had, L labels; lines: per leg
+    (L, LINE_NODES, n, m), None for dwells. At a waypoint with fixed joints only its own rail value is open.
     """
 
     first: int
     d: Array
     labels: tuple[Label, ...]
-    stops: tuple[Array, ...]
+    waypoints: tuple[Array, ...]
     lines: tuple[Array | None, ...]
 
 
 def rail_grid(problem: Problem, first: int, last: int, n: int, window: tuple[float, float] | None = None) -> Array:
-    """Grid of rail positions for the stops first..last, fixed values included exactly."""
+    """Grid of rail positions for the waypoints first..last, fixed values included exactly."""
     ranges = [problem.waypoints[k].rail for k in range(first, last + 1)]
     fixed = [low for low, high in ranges if low == high]
     free = [r for r in ranges if r[0] != r[1]]
@@ -72,16 +73,14 @@ def _unwrap(arm: Array, axis: int) -> Array:
 
 
 def _usable(axes: Axes, arm: Array) -> Array:
-    """NaN where a configuration stands too near a singularity for a line, a dwell or a stop with a free rail."""
+    """NaN where a configuration stands too near a singularity for a line, a dwell or a waypoint with a free rail."""
     elbow, wrist = axes.robot.walls(arm)
     bad = (elbow > ELBOW) | (wrist < WRIST)
     return np.where(bad[..., None], np.nan, arm)
 
 
-def station_table(
-    axes: Axes, problem: Problem, first: int, last: int, d: Array, keep: tuple[Label, ...] | None = None
-) -> StationTable:
-    """Tables of one station; keep restricts the labels."""
+def station_table(axes: Axes, problem: Problem, first: int, last: int, d: Array) -> StationTable:
+    """Tables of one station."""
     n = len(d)
     stops_raw: list[Array] = []  # (branches, n, joints)
     lines_raw: list[Array | None] = []
@@ -111,9 +110,7 @@ def station_table(
     labels: list[Label] = []
     stops: list[list[Array]] = [[] for _ in stops_raw]
     lines: list[list[Array | None]] = [[] for _ in lines_raw]
-    every = [(cfx, turn) for cfx in range(len(stops_raw[0])) for turn in axes.robot.turns]
-    candidates = [(label.cfx, label.turns) for label in keep] if keep else every
-    for cfx, turn in candidates:
+    for cfx, turn in product(range(len(stops_raw[0])), axes.robot.turns):
         tables = []
         for i, raw in enumerate(stops_raw):
             q = raw[cfx] + turn
@@ -147,17 +144,17 @@ def station_table(
         first,
         d,
         tuple(labels),
-        tuple(np.array(s).reshape(-1, n, 6) for s in stops),
+        tuple(np.array(s).reshape(-1, n, axes.layout.joints) for s in stops),
         tuple(None if not x or x[0] is None else np.array(x) for x in lines),
     )
 
 
 def check_reach(axes: Axes, problem: Problem, n: int = REACH_GRID) -> Infeasible | None:
-    """The first stop that no rail position and branch reaches, or line that none can serve, by name."""
+    """The first waypoint that no rail position and branch reaches, or line that none can serve, by name."""
     for first, last in problem.stations:
         d = rail_grid(problem, first, last, n)
         table = station_table(axes, problem, first, last, d)
-        if not table.labels:  # else one configuration reaches all of its stops
+        if not table.labels:  # else one configuration reaches all of its waypoints
             return _lost(axes, problem, first, last, d)
         for i in range(last - first):
             if problem.legs[first + i].kind is LegKind.LINE and not _passable(problem, table, i):
@@ -166,7 +163,7 @@ def check_reach(axes: Axes, problem: Problem, n: int = REACH_GRID) -> Infeasible
 
 
 def _lost(axes: Axes, problem: Problem, first: int, last: int, d: Array) -> Infeasible:
-    """What ends a station that no configuration serves: a stop out of reach, or the first line that none of those
+    """What ends a station that no configuration serves: a waypoint out of reach, or the first line that none of those
     serves which served everything before it."""
     for k in range(first, last + 1):
         if _out_of_reach(axes, problem, k, d):
@@ -183,7 +180,7 @@ def _lost(axes: Axes, problem: Problem, first: int, last: int, d: Array) -> Infe
 
 
 def _out_of_reach(axes: Axes, problem: Problem, k: int, d: Array) -> bool:
-    """Whether no rail position and branch reach a stop, whatever stands around it."""
+    """Whether no rail position and branch reach a waypoint, whatever stands around it."""
     stop = problem.waypoints[k]
     if stop.q is not None or stop.motion < 0:
         return False
@@ -191,7 +188,7 @@ def _out_of_reach(axes: Axes, problem: Problem, k: int, d: Array) -> bool:
 
 
 def problem_at(problem: Problem, k: int) -> Problem:
-    """The problem of one stop alone."""
+    """The problem of one waypoint alone."""
     return replace(problem, waypoints=(problem.waypoints[k],), legs=(), stations=((0, 0),))
 
 
@@ -201,8 +198,8 @@ def _passable(problem: Problem, table: StationTable, i: int) -> bool:
     leg = problem.legs[table.first + i]
     assert line is not None
     open_ = ~np.isnan(line[..., 0])
-    open_[:, 0] &= ~np.isnan(table.stops[i][..., 0])
-    open_[:, -1] &= ~np.isnan(table.stops[i + 1][..., 0])
+    open_[:, 0] &= ~np.isnan(table.waypoints[i][..., 0])
+    open_[:, -1] &= ~np.isnan(table.waypoints[i + 1][..., 0])
     for grid in open_:
         if not leg.rail_moves:
             if np.any(np.all(grid, axis=0)):
@@ -277,7 +274,7 @@ def _written(conf: tuple[int, ...]) -> str:
 
 
 def _remedy(axes: Axes, problem: Problem, k: int) -> str:
-    """What to do about confdata that cannot be had at stop k, and the places behind it where it is the same."""
+    """What to do about confdata that cannot be had at waypoint k, and the places behind it where it is the same."""
     motion = problem.motion(problem.waypoints[k].motion)
     word = "ConfL" if isinstance(motion, MoveL) else "ConfJ"
     text = f"; correct the confdata, or set {word} \\Off before it"

@@ -1,8 +1,8 @@
-"""Global search: dynamic programming over rail position, rail speed, IK branch and turns at every stop.
+"""Global search: dynamic programming over rail position, rail velocity, IK branch and turns at every waypoint.
 
 It picks the basin the nonlinear program then descends in. Coarse first, with all branches and the rail at rest at the
-stops; then finer around the best, on the labels that came near it, with rail speed. Edge times of joint moves are
-exact without the tool caps; those of lines are estimates.
+waypoints; then finer around the best, on the labels that came near it, with rail velocity. Edge times of joint moves
+are exact without the tool caps; those of lines are estimates.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from trajopt_cli.problem.problem import Leg, LegKind, Problem
 
 @dataclass(frozen=True, eq=False)
 class Chain:
-    """The best chain: axes and their velocities (M, n) at the stops, label and estimated time per stop and leg."""
+    """The best chain: axes q and velocities w (M, n) at the waypoints, labels there, estimated times of the legs."""
 
     q: Array
     w: Array
@@ -44,7 +44,7 @@ class Chain:
 
 @dataclass(frozen=True, eq=False)
 class _Layer:
-    """States at one stop: axes and their velocities (m, n), label number and rail index (m,)."""
+    """States at one waypoint: axes and their velocities (m, n), label number and rail index (m,)."""
 
     q: Array
     qd: Array
@@ -53,7 +53,7 @@ class _Layer:
 
 
 def _layer(axes: Axes, problem: Problem, table: StationTable, k: int, speeds: Array) -> _Layer:
-    arm = table.stops[k - table.first]
+    arm = table.waypoints[k - table.first]
     labels, rails = np.nonzero(~np.isnan(arm[..., 0]))
     stop = problem.waypoints[k]
     q = axes.layout.join(table.d[rails], arm[labels, rails])
@@ -202,7 +202,7 @@ def _best(layers: list[_Layer], edges: list[Array]) -> tuple[float, list[int], l
 
 
 def search(axes: Axes, problem: Problem) -> Chain | None:
-    """The best chain found, or None when no chain of stops is connected on the grid."""
+    """The best chain found, or None when no chain of waypoints is connected on the grid."""
     where = _station_of(problem)
     tables = [
         station_table(axes, problem, first, last, rail_grid(problem, first, last, SEARCH_COARSE))
@@ -260,7 +260,7 @@ def _like(fine: StationTable, i: int, coarse: StationTable, keep: set[int]) -> b
     for j in keep:
         if fine.labels[i].cfx != coarse.labels[j].cfx:
             continue
-        a, b = fine.stops[0][i], coarse.stops[0][j]
+        a, b = fine.waypoints[0][i], coarse.waypoints[0][j]
         ok_a, ok_b = np.flatnonzero(~np.isnan(a[:, 0])), np.flatnonzero(~np.isnan(b[:, 0]))
         near = ok_b[np.argmin(np.abs(coarse.d[ok_b][None] - fine.d[ok_a][:, None]), axis=1)]
         at = int(np.argmin(np.abs(coarse.d[near] - fine.d[ok_a])))
@@ -274,7 +274,7 @@ def _restrict(table: StationTable, labels: list[int]) -> StationTable:
         table.first,
         table.d,
         tuple(table.labels[i] for i in labels),
-        tuple(s[labels] for s in table.stops),
+        tuple(s[labels] for s in table.waypoints),
         tuple(None if line is None else line[labels] for line in table.lines),
     )
 

@@ -161,7 +161,7 @@ def _rows(axes: Axes, legs: list[LegMotion], end: Array) -> tuple[Trajectory, Ar
 
 
 def _passing(axes: Axes, trajectory: Trajectory) -> IndexArray:
-    """The intervals between rows in which the cubic Hermite passes an axis' speed or acceleration by more than what
+    """The intervals between rows in which the cubic Hermite passes an axis' velocity or acceleration by more than what
     rounding does to rows that stand near each other."""
     h = np.diff(trajectory.t)
     noise = 6 * RESIDUAL / (h * h)[:, None]
@@ -220,7 +220,7 @@ def _refine(axes: Axes, problem: Problem, chain: Chain, tell: Report, seconds: d
         raise NoCleanPlan(f"{problem.motion(piece.legs[0].motion).source}: {'; '.join(said)}")
 
     draft = solve_pieces(problem, chain, solve, lambda legs: report("solve", legs))
-    if problem.coordinated:  # with the rail's positions chosen and rest at every stop, each line can be timed by itself
+    if problem.coordinated:  # at rest in every waypoint, the rail's positions chosen: each line can be timed by itself
         for k, leg in enumerate(problem.legs):
             if leg.kind is LegKind.LINE and draft.legs[k].N < LAST_ALONE:  # type: ignore[union-attr]
                 tell(Progress("retime", incumbent=_time(problem, draft)))
@@ -262,7 +262,7 @@ def _time(problem: Problem, draft: Draft) -> float:
 
 
 def _starts(chain: Chain) -> list[Chain]:
-    """The chain itself, the same at rest in every stop, and slower."""
+    """The chain itself, the same at rest in every waypoint, and slower."""
     still = replace(chain, w=np.zeros_like(chain.w))
     return [chain, still, replace(still, times=chain.times * SLOWER)]
 

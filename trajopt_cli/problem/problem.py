@@ -72,7 +72,6 @@ class Leg:
     v_ori: float
     v_rail: float
     duration: float | None = None
-    least: float = 0.0
     rail_moves: bool = True
     chord: float = 0.0
     angle: float = 0.0
