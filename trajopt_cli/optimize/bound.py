@@ -156,8 +156,8 @@ def _cells(
     hull, speeds = _over_alive(joints, alive), _over_alive(clipped, alive)
 
     def joined(rail: Range, arm: Range) -> Range:
-        lo, hi = (axes.layout.join(d, q.T).T[:, live] for d, q in ((rail.lo, arm.lo), (rail.hi, arm.hi)))
-        return Range(lo, hi)
+        r = axes.layout.r
+        return Range(np.array([*[rail.lo] * r, *arm.lo])[:, live], np.array([*[rail.hi] * r, *arm.hi])[:, live])
 
     return _Cells(joined(stood, hull), joined(rail_v, speeds), key[live])
 

@@ -113,16 +113,16 @@ class PathLeg:
         sv, dv, sa, da = sv / self.T, dv / self.T, sa / self.T**2, da / self.T**2
         line = Line(self.X_0, self.X_1)
         arm = axes.inverse(line.pose(s) @ inverse_pose(self.X_FT), axes.layout.value(d))[:, self.cfx, :]
-        q = np.concatenate([d, unwind(arm, self.reference)], axis=1)
+        q = axes.layout.merge(d, unwind(arm, self.reference))
         twist = np.concatenate([line.chord, line.turn])
         J = axes.jacobian(q, self.X_FT)
         Jr, Ja = J[:, :, axes.layout.rail], J[:, :, axes.layout.arm]
         rhs = sv[:, None] * twist - (Jr @ dv[..., None])[..., 0]
         arm_rate = np.linalg.solve(Ja, rhs[..., None])[..., 0]
-        qd = np.concatenate([dv, arm_rate], axis=1)
+        qd = axes.layout.merge(dv, arm_rate)
         Jd = axes.jacobian_rate(q, qd, self.X_FT)
         rhs = sa[:, None] * twist - (Jr @ da[..., None])[..., 0] - (Jd @ qd[..., None])[..., 0]
-        qdd = np.concatenate([da, np.linalg.solve(Ja, rhs[..., None])[..., 0]], axis=1)
+        qdd = axes.layout.merge(da, np.linalg.solve(Ja, rhs[..., None])[..., 0])
         return Sample(t, q, qd, qdd)
 
 

@@ -105,8 +105,8 @@ class Transcription:
         guess = np.zeros(axes.n) if rest else qd
         w = nlp.variables(guess[rail], -V[rail], V[rail])
         joints_v = nlp.variables(guess[arm], -V[arm], V[arm])
-        self.waypoint_q.append(np.r_[d, joints])
-        self.waypoint_qd.append(np.r_[w, joints_v])
+        self.waypoint_q.append(axes.layout.merge(d, joints))
+        self.waypoint_qd.append(axes.layout.merge(w, joints_v))
         p = {
             "path": DwellSymbols().vector(Dwell(stop.X_WF), inverse_pose(axes.X_WB0), np.eye(4)),
             "branch": axes.robot.expressions.branch(self.draft.cfx[k]),

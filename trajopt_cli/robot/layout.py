@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from trajopt_cli.geometry import Array
+
+Number = TypeVar("Number", bound=np.generic)
 
 
 @dataclass(frozen=True)
@@ -56,7 +60,11 @@ class AxisLayout:
 
     def join(self, d: Array, arm: Array) -> Array:
         """All axes (..., n) from rail values (...) and joints (..., m), or their rates; without a rail the joints."""
-        if not self.r:
-            return arm
         d = np.broadcast_to(np.asarray(d, dtype=np.float64), arm.shape[:-1])
-        return np.concatenate([d[..., None], arm], axis=-1)
+        return self.merge(np.repeat(d[..., None], self.r, axis=-1), arm)
+
+    def merge(self, d: NDArray[Number], arm: NDArray[Number]) -> NDArray[Number]:
+        """All axes (..., n) from rail values (..., r) and joints (..., m), or anything else that comes by axis."""
+        out = np.empty((*arm.shape[:-1], self.n), dtype=arm.dtype)
+        out[..., self.rail], out[..., self.arm] = d, arm
+        return out
