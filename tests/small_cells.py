@@ -90,7 +90,7 @@ def safe_arm(rng: np.random.Generator, axes: Axes, n: int, margin: float = 0.15)
     arm = axes.robot.arm
     found = np.empty((0, 6))
     while len(found) < n:
-        q = rng.uniform(axes.lower[1:], axes.upper[1:], (4 * n, 6))
+        q = rng.uniform(axes.lower[axes.layout.arm], axes.upper[axes.layout.arm], (4 * n, 6))
         radius = arm.a1 + arm.L2 * np.sin(q[:, 1]) + arm.L4 * np.cos(q[:, 1] + q[:, 2])
         ok = (np.abs(np.sin(q[:, 4])) > margin) & (np.abs(np.cos(q[:, 2])) > margin) & (np.abs(radius) > margin)
         found = np.concatenate([found, q[ok]])

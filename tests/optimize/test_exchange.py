@@ -10,9 +10,11 @@ from small_cells import HOME, plant_with_rail, problem_of, rapid
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.exchange import SAFE, check_leg, tighten
+from trajopt_cli.optimize.draft import Margins
+from trajopt_cli.optimize.exchange import back_off, check_leg
 from trajopt_cli.optimize.legs import PathLeg, Sample, parabola
-from trajopt_cli.optimize.transcription import START, Margins
+from trajopt_cli.optimize.tuning import SAFE, START
+from trajopt_cli.path.line import Line
 
 PROGRAM = "MoveJ p_in, v2500, fine, tool0; WaitTime 0.8; MoveAbsJ j_home, v2500, fine, tool0;"
 
@@ -56,14 +58,16 @@ def test_in_a_dwell_the_push_of_the_passing_interval_alone_is_scaled() -> None:
     X = problem.waypoints[1].X_WF
     grid = np.linspace(0, 1, 7)
     s, v, a = parabola(grid)
-    leg = PathLeg(0.8, X, X, np.eye(4), 0, HOME, grid, s, v, a, 0.5 + 0.4 * s, 0.4 * v, 0.4 * a)
+    leg = PathLeg(
+        0.8, Line(X, X), np.eye(4), 0, HOME, grid, s, v, a, *(x[:, None] for x in (0.5 + 0.4 * s, 0.4 * v, 0.4 * a))
+    )
     ratios = check_leg(axes, problem.legs[1], leg)
     ratios.acceleration[:] = 0.5
     ratios.acceleration[2, 4] = 1.25
-    margins = Margins.full(6, START)
-    assert tighten(margins, ratios, leg, SAFE, rail=3.0)
-    own = abs(leg.b[2]) / (3.0 * 0.8**2)
+    margins = Margins.full(6, axes.n, START)
+    assert back_off(margins, ratios, leg, SAFE, rail=np.array([3.0]))
+    own = abs(leg.b[2, 0]) / (3.0 * 0.8**2)
     assert margins.push[2] == pytest.approx(own * (1 - 1.5 * (1 - 1 / 1.25)), rel=3e-4)
     assert np.all(np.delete(margins.push, 2) == 1.0)
     assert np.all(margins.acceleration == START)
-    assert tighten(Margins.full(6, START), ratios, leg, SAFE)  # elsewhere the nodes are
+    assert back_off(Margins.full(6, axes.n, START), ratios, leg, SAFE)  # elsewhere the nodes are

@@ -10,7 +10,7 @@ import pytest
 from small_cells import MOUNTS, mounted, plant_without_rail
 
 from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about
-from trajopt_cli.optimize.assemble import GRID, LEAST, rows_of
+from trajopt_cli.optimize.assemble import rows_of
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.double_integrator import reach, shortest_time
 from trajopt_cli.optimize.legs import (
@@ -26,6 +26,8 @@ from trajopt_cli.optimize.legs import (
     unwind,
 )
 from trajopt_cli.optimize.profiles import hold, profiles
+from trajopt_cli.optimize.tuning import ROW_APART, ROW_EVERY
+from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.line import Line
 from trajopt_cli.trajectory import hermite
 
@@ -49,9 +51,9 @@ def exact(grid: Array, x0: float, x1: float, v0: float, v1: float, rng: np.rando
     return x, v, a
 
 
-@pytest.fixture(scope="module", params=MOUNTS)
+@pytest.fixture(scope="module", params=[*MOUNTS, "no rail"])
 def axes(request: pytest.FixtureRequest) -> Axes:
-    return mounted(request.param)
+    return Axes.of(plant_without_rail()) if request.param == "no rail" else mounted(request.param)
 
 
 def path_leg(axes: Axes, cfx: int, rail: tuple[float, float], seed: int = 1, dwell: bool = False) -> PathLeg:
@@ -66,19 +68,23 @@ def path_leg(axes: Axes, cfx: int, rail: tuple[float, float], seed: int = 1, dwe
     d, w, b = exact(UNEVEN, rail[0], rail[1], 0.1, -0.15, rng)
     first = axes.inverse((X_0 @ inverse_pose(X_FT))[None], d[:1])[0, cfx]
     assert not np.isnan(first).any()
-    return PathLeg(0.6, X_0, X_1, X_FT, cfx, first, UNEVEN, s, v, a, d, w, b)
+    rail = (x[:, None][:, axes.layout.rail] for x in (d, w, b))
+    return PathLeg(0.6, Line(X_0, X_1), X_FT, cfx, first, UNEVEN, s, v, a, *rail)
 
 
-@pytest.mark.parametrize("dwell", [False, True], ids=["line", "dwell"])
+@pytest.mark.parametrize("way", ["line", "dwell", "arc"])
 @pytest.mark.parametrize("cfx", [0, 1])
-def test_a_path_keeps_its_line_and_its_speeds_are_slopes(axes: Axes, cfx: int, dwell: bool) -> None:
-    leg = path_leg(axes, cfx, (0.45, 0.55), dwell=dwell)
+def test_a_path_keeps_its_line_and_its_speeds_are_slopes(axes: Axes, cfx: int, way: str) -> None:
+    leg = path_leg(axes, cfx, (0.45, 0.55), dwell=way == "dwell")
+    if way == "arc":
+        X_0, X_1 = leg.segment.pose(np.array([0.0, 1.0]))
+        leg = replace(leg, segment=Arc.through(X_0, (X_0 + X_1)[:3, 3] / 2 + [0.02, 0.01, 0.0], X_1))
     u = np.linspace(0.05, 0.95, 9)
     t = (leg.breaks()[:-1, None] + np.diff(leg.breaks())[:, None] * u).ravel()
     h = 1e-5
     at, before, after = (leg.sample(axes, t + x) for x in (0.0, -h, h))
     s, _, _ = integrate(leg.grid, leg.s, leg.v, t / leg.T)
-    np.testing.assert_allclose(axes.forward(at.q) @ X_FT, Line(leg.X_0, leg.X_1).pose(s), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(axes.forward(at.q) @ X_FT, leg.segment.pose(s), rtol=0, atol=1e-12)
     scale = np.abs(at.qdd).max()
     np.testing.assert_allclose(at.qd, (after.q - before.q) / (2 * h), rtol=0, atol=1e-7 * scale)
     np.testing.assert_allclose(at.qdd, (after.qd - before.qd) / (2 * h), rtol=0, atol=1e-6 * scale)
@@ -97,7 +103,9 @@ def test_refining_keeps_a_path_to_the_last_digit(axes: Axes) -> None:
 
 def test_nodes_of_a_path_are_its_samples(axes: Axes) -> None:
     leg = path_leg(axes, 0, (0.45, 0.55))
-    np.testing.assert_allclose(leg.node_arm(axes), leg.sample(axes, leg.breaks()).q[:, 1:], rtol=0, atol=1e-9)
+    np.testing.assert_allclose(
+        leg.node_arm(axes), leg.sample(axes, leg.breaks()).q[:, axes.layout.arm], rtol=0, atol=1e-9
+    )
 
 
 def test_a_reference_a_turn_away_turns_the_whole_path(axes: Axes) -> None:
@@ -105,7 +113,8 @@ def test_a_reference_a_turn_away_turns_the_whole_path(axes: Axes) -> None:
     turn = 2 * np.pi * np.array([1, 0, 0, -1, 0, 2])
     far = replace(leg, reference=leg.reference + turn)
     t = np.linspace(0, leg.T, 50)
-    np.testing.assert_allclose(far.sample(axes, t).q[:, 1:] - leg.sample(axes, t).q[:, 1:], [turn] * 50, atol=1e-9)
+    near, moved = (motion.sample(axes, t).q[:, axes.layout.arm] for motion in (leg, far))
+    np.testing.assert_allclose(moved - near, [turn] * 50, atol=1e-9)
 
 
 def test_either_side_of_a_switch(axes: Axes) -> None:
@@ -113,8 +122,8 @@ def test_either_side_of_a_switch(axes: Axes) -> None:
     at = leg.breaks()[1:-1]
     left, right = leg.sample(axes, at, right=False), leg.sample(axes, at)
     np.testing.assert_allclose(left.qd, right.qd, atol=1e-8)
-    np.testing.assert_allclose(left.qdd[:, 0], leg.b[:-1] / leg.T**2, rtol=1e-9)
-    np.testing.assert_allclose(right.qdd[:, 0], leg.b[1:] / leg.T**2, rtol=1e-9)
+    np.testing.assert_allclose(left.qdd[:, axes.layout.rail], leg.b[:-1] / leg.T**2, rtol=1e-9)
+    np.testing.assert_allclose(right.qdd[:, axes.layout.rail], leg.b[1:] / leg.T**2, rtol=1e-9)
 
 
 def test_unwind_follows_across_the_cut() -> None:
@@ -321,11 +330,11 @@ def test_rows_stand_at_every_boundary_and_switch_and_each_millisecond(written: t
     switches = np.concatenate([bound + leg.breaks() for bound, leg in zip(bounds, legs, strict=False)])
     nearest = np.min(np.abs(switches[:, None] - t), axis=1)
     assert nearest.max() < 1e-9
-    grid = np.arange(int(t[-1] / GRID) + 1) * GRID
-    free = np.min(np.abs(grid[:, None] - switches), axis=1) >= LEAST * 1.000001
+    grid = np.arange(int(t[-1] / ROW_EVERY) + 1) * ROW_EVERY
+    free = np.min(np.abs(grid[:, None] - switches), axis=1) >= ROW_APART * 1.000001
     assert np.min(np.abs(grid[free][:, None] - t), axis=1).max() < 1e-12
     assert np.sum(free) > 500
-    assert np.all(np.diff(t) <= GRID + LEAST)
+    assert np.all(np.diff(t) <= ROW_EVERY + ROW_APART)
     np.testing.assert_array_equal(trajectory.q[-1], home)
     assert not np.any(trajectory.qd[-1])
 
@@ -359,9 +368,9 @@ def test_switches_all_but_one_are_written_once() -> None:
 
 def test_without_a_rail_six_axes_are_written() -> None:
     axes = Axes.of(plant_without_rail())
-    zero = np.zeros(7)
-    q = np.r_[0.0, np.full(6, 0.3)]
+    zero = np.zeros(6)
+    q = np.full(6, 0.3)
     leg = profiles(zero, zero, q, zero, axes.velocity, axes.acceleration, 0.0, common=False)
     trajectory, _ = rows_of(axes, [leg], q)
     assert trajectory.names == tuple(f"joint_{i}" for i in range(1, 7))
-    np.testing.assert_allclose(trajectory.q[-1], q[1:])
+    np.testing.assert_allclose(trajectory.q[-1], q)

@@ -8,11 +8,12 @@ import numpy as np
 import pytest
 from small_cells import DOWN, plant_with_rail, plant_without_rail, problem_of, rapid
 
-from trajopt_cli.geometry import pose, wxyz_from_rotation
+from trajopt_cli.geometry import pose, rotation_about, wxyz_from_rotation
 from trajopt_cli.motion import Program
 from trajopt_cli.optimize import check_feasible
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.reach import LINE_NODES, check_reach, rail_grid, station_table
+from trajopt_cli.optimize.reach import check_reach, rail_grid, station_table
+from trajopt_cli.optimize.tuning import LINE_NODES
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Target
@@ -96,6 +97,39 @@ def test_a_line_that_a_short_rail_cannot_carry_past_is_named_too() -> None:
     answer = said(rapid("MoveJ p_a, v500, fine, tool0;\nMoveL p_b, v500, fine, tool0;", data=data), plant)
     assert answer.index == 1
     assert answer.message.startswith("t.mod:6:1: MoveL p_b breaks at ")
+
+
+TWO_LINES = "MoveJ p_a, v500, fine, tool0;\nMoveL p_b, v500, fine, tool0;"
+THREE = TWO_LINES + "\nMoveL p_c, v500, fine, tool0;"
+NEAR_A, NEAR_B = target("p_a", (0.5, 0.1, 0.45)), target("p_b", (0.5, 0.1, 0.4))
+
+
+@pytest.mark.parametrize("plant", [plant_without_rail(), plant_with_rail((-0.005, 0.005))], ids=["no rail", "rail"])
+def test_the_end_of_a_second_line_outside_the_workspace_is_named(plant: Plant) -> None:
+    assert check_feasible(rapid(TWO_LINES, data=NEAR_A + NEAR_B), plant) is None
+    answer = said(rapid(THREE, data=NEAR_A + NEAR_B + target("p_c", (0.9, 0.1, 0.4))), plant)
+    where = " at rail 5.0 mm" if plant.robot.has_rail else ""
+    start = f"t.mod:7:1: MoveL p_c cannot be reached{where}: wrist centre outside the outer workspace: "
+    assert answer.message.startswith(start)
+    assert answer.index == 2
+
+
+def test_a_line_that_can_be_done_is_never_blamed_for_the_next_one() -> None:
+    """Random ends of a second line, most of them in reach, but not with a configuration that serves the first."""
+    rng, plant = np.random.default_rng(0), plant_without_rail()
+    assert check_feasible(rapid(TWO_LINES, data=NEAR_A + NEAR_B), plant) is None
+    lost = 0
+    for _ in range(60):
+        axis = rng.normal(size=3)
+        R = DOWN @ rotation_about(axis / np.linalg.norm(axis), rng.uniform(0.3, 2.5))
+        p = tuple(rng.uniform([0.2, -0.5, 0.1], [0.6, 0.5, 0.7]))
+        answer = check_feasible(rapid(THREE, data=NEAR_A + NEAR_B + target("p_c", p, R=R)), plant)
+        if answer is None:
+            continue
+        assert answer.message.startswith("t.mod:7:1: MoveL p_c"), answer.message
+        assert answer.index == 2
+        lost += bool(solutions(plant.robot, pose(R, p), None, plant.limits))
+    assert lost > 5
 
 
 LONG_A, LONG_B = (0.55, 0.2, 0.4), (0.55, 1.6, 0.4)
@@ -242,7 +276,7 @@ def test_station_tables_hold_every_configuration_and_none_else(turning: bool) ->
             for _, q in solutions(plant.robot, problem.waypoints[1].X_WF, float(rail), plant.limits)
             if abs(np.sin(q[2])) <= 0.9999 and abs(np.sin(q[4])) >= 1e-3
         }
-        have = {tuple(np.round(q, 6)) for q in table.stops[0][:, i] if not np.isnan(q[0])}
+        have = {tuple(np.round(q, 6)) for q in table.waypoints[0][:, i] if not np.isnan(q[0])}
         assert have <= wanted
         if not turning:
             assert have == wanted

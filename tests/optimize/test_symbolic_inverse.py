@@ -83,7 +83,7 @@ def test_slopes_equal_those_through_the_jacobian(name: str) -> None:
         K = ca.skew(R_BW @ axis)
         B = axes.in_base(X)
         R = (ca.SX.eye(3) + ca.sin(s) * K + (1 - ca.cos(s)) * (K @ K)) @ B[:3, :3]
-        p = B[:3, 3] + s * (R_BW @ v) - (rail + s * rail_rate) * axes.rail_axis
+        p = B[:3, 3] + s * (R_BW @ v) - (rail + s * rail_rate) * axes.rail_axis[:, 0]
         out, _ = inverse_arm(axes.robot.arm, p, R, ca.DM(BranchSigns.from_cfx(cfx).vector()), ca.DM(q))
         d1 = ca.jacobian(out, s)
         f = ca.Function("f", [s], [out, d1, ca.jacobian(d1, s)])

@@ -13,10 +13,11 @@ from trajopt_cli.geometry import Array, wxyz_from_rotation
 from trajopt_cli.motion import Program
 from trajopt_cli.optimize import bound, optimize
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.enclose import Range
+from trajopt_cli.optimize.tuning import BOUND_LEVELS
 from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.robot.enclosure import Range
 from trajopt_cli.verify.judge import verify
 
 STATION = """MoveJ p_in, v2500, fine, tool0;
@@ -120,20 +121,19 @@ def shrunk(cells: bound._Cells, keep: Array) -> bound._Cells:
     return bound._Cells(pick(cells.q), pick(cells.v), cells.key[keep])
 
 
-@pytest.mark.parametrize("level", range(bound.LEVELS))
+@pytest.mark.parametrize("level", range(BOUND_LEVELS))
 @pytest.mark.parametrize("target", Target)
 def test_no_leg_of_a_plan_beats_the_bound_between_the_cells_that_hold_its_ends(target: Target, level: int) -> None:
     program, plant = station()
     plan, problem, axes = solved(target), problem_of(program, plant, target), Axes.of(plant)
-    tied = target is RAPID
     trajectory = plan.trajectory
     assert trajectory.qd is not None
     times = np.array([0.0, *(m.t_1 for m in plan.motions)])
     rows = np.argmin(np.abs(trajectory.t[:, None] - times), axis=0)
     held = []
     for k, stop in enumerate(problem.waypoints):
-        q, qd = axes.seven(trajectory.q[rows[k]])[:4, None], axes.seven(trajectory.qd[rows[k]])[:4, None]
-        cells = bound._cells(axes, stop, bound._grid(stop), level, None, tied, {})
+        q, qd = trajectory.q[rows[k], :4, None], trajectory.qd[rows[k], :4, None]
+        cells = bound._cells(axes, problem, k, bound._grid(stop), level, None, {})
         inside = (cells.q.lo - 1e-9 <= q) & (q <= cells.q.hi + 1e-9)
         inside &= (cells.v.lo - 1e-6 <= qd) & (qd <= cells.v.hi + 1e-6)
         keep = np.flatnonzero(np.all(inside, axis=0))
@@ -141,9 +141,9 @@ def test_no_leg_of_a_plan_beats_the_bound_between_the_cells_that_hold_its_ends(t
         held.append(shrunk(cells, keep))
     for k, leg in enumerate(problem.legs):
         a, b = held[k], held[k + 1]
-        T = bound._edge(axes, leg, a, b, tied, np.zeros(len(a.key)), np.zeros(len(b.key)), np.inf)
+        T = bound._edge(axes, problem, leg, a, b, np.zeros(len(a.key)), np.zeros(len(b.key)), np.inf)
         assert np.max(T) <= times[k + 1] - times[k] + 1e-6, f"leg {k} at level {level}"
-        if level == bound.LEVELS - 1 and leg.duration is None:
+        if level == BOUND_LEVELS - 1 and leg.duration is None:
             assert np.min(T) > 0.5 * (times[k + 1] - times[k])
 
 
@@ -153,7 +153,7 @@ def test_the_bound_stays_under_the_plan_whatever_it_is_told_to_aim_at(target: Ta
     plan, problem, axes = solved(target), problem_of(program, plant, target), Axes.of(plant)
     least = []
     for factor in (1.0, 1.3):
-        value = bound.lower_bound(axes, problem, target is RAPID, factor * plan.duration)
+        value = bound.lower_bound(axes, problem, factor * plan.duration)
         assert value <= plan.duration + 1e-9
         least.append(value)
     assert plan.lower_bound <= plan.duration
@@ -169,7 +169,7 @@ def test_more_rail_never_raises_the_bound(target: Target) -> None:
     for stroke in (ROOMY, (-0.4, 1.2)):
         plant = plant_with_rail((stroke[0] + 1e-12, stroke[1] - 1e-12))
         problem = problem_of(program, plant, target)
-        bounds.append(bound.lower_bound(Axes.of(plant), problem, target is RAPID, 1.5 * solved(target).duration))
+        bounds.append(bound.lower_bound(Axes.of(plant), problem, 1.5 * solved(target).duration))
     assert bounds[1] <= bounds[0] + 1e-4
 
 
@@ -182,7 +182,7 @@ def test_the_bound_of_a_rail_alone_is_its_trapezoid(target: Target, way: float) 
     plant = plant_with_rail()
     wanted = 2 * np.sqrt(way / 3) if way < 1 / 3 else way + 1 / 3
     problem = problem_of(program, plant, target)
-    got = bound.lower_bound(Axes.of(plant), problem, target is RAPID, 2 * wanted)
+    got = bound.lower_bound(Axes.of(plant), problem, 2 * wanted)
     assert got == pytest.approx(wanted, abs=1e-7)
 
 
@@ -194,7 +194,7 @@ def test_the_bound_of_a_target_with_a_fixed_rail_is_the_slowest_axis() -> None:
     turn = ",".join(repr(float(x)) for x in wxyz_from_rotation(X[:3, :3]))
     data = f"CONST robtarget p_there:=[[{place}],[{turn}],[0,0,0,0],[500,9E9,9E9,9E9,9E9,9E9]];"
     problem = problem_of(rapid("MoveJ p_there, v2500, fine, tool0;", data=data), plant)
-    got = bound.lower_bound(Axes.of(plant), problem, False, 3.0)
+    got = bound.lower_bound(Axes.of(plant), problem, 3.0)
     assert got == pytest.approx(0.5 + 1 / 3, abs=1e-5)
 
 
@@ -270,3 +270,14 @@ def test_a_move_to_where_the_robot_stands_takes_no_time(target: Target) -> None:
     assert isinstance(plan, Plan)
     assert [m.t_1 - m.t_0 for m in plan.motions][::2] == pytest.approx([0, 0], abs=1e-5)
     assert illegal(program, plant, plan, target) == []
+
+
+def test_a_robot_without_a_rail_is_never_told_that_a_rail_limits_it() -> None:
+    """Also where nothing moves: a line and a joint move to the point where the robot stands."""
+    data = "CONST robtarget p_here:=[[500,100,450],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];"
+    moves = ["MoveJ p_here", "MoveL p_here", "MoveJ p_here"]
+    program = rapid("\n".join(f"{move}, v2500, fine, tool0;" for move in moves), data=data)
+    plan = optimize(program, plant_without_rail(), STREAM, bounded=False)
+    assert isinstance(plan, Plan)
+    assert [m.binding for m in plan.motions][1:] == ["already there"] * 2
+    assert plan.motions[0].binding.startswith(("joint_", "TCP "))

@@ -14,7 +14,7 @@ from trajopt_cli.optimize.pieces import cut
 from trajopt_cli.optimize.search import Chain
 from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom
 from trajopt_cli.problem.plan import Infeasible, Target
-from trajopt_cli.problem.problem import LegKind, build_problem, droppable
+from trajopt_cli.problem.problem import Coupling, LegKind, build_problem, droppable
 from trajopt_cli.scenario import Scenario
 
 J, L, D = LegKind.JOINT, LegKind.LINE, LegKind.DWELL
@@ -270,11 +270,14 @@ MoveJ p_in, v500, fine, tool0;
 MoveL p_low, v500, fine, tool0;
 MoveAbsJ j_home, v500, fine, tool0;"""
 
-    def lengths(freedom: Freedom, tied: bool, **plant: object) -> list[int]:
+    FREE, COORDINATED = Coupling
+
+    def lengths(freedom: Freedom, coupling: Coupling, **plant: object) -> list[int]:
         problem = problem_of(rapid(body, data=data), plant_with_rail(**plant), freedom=freedom)
+        problem = replace(problem, coupling=coupling)
         n = len(problem.waypoints)
         chain = Chain(np.zeros((n, 7)), np.zeros((n, 7)), (None,) * n, np.ones(n - 1), n - 1.0)
-        pieces = list(cut(problem, chain, tied))
+        pieces = list(cut(problem, chain))
         assert [leg.start for piece, _ in pieces for leg in piece.legs] == [
             i for piece, _ in pieces for i in range(len(piece.legs))
         ]
@@ -282,12 +285,12 @@ MoveAbsJ j_home, v500, fine, tool0;"""
         assert [leg.motion for piece, _ in pieces for leg in piece.legs] == [leg.motion for leg in problem.legs]
         return [len(piece.legs) for piece, _ in pieces]
 
-    assert lengths(EVERYTHING, False) == [2, 3]
-    assert lengths(EVERYTHING, True) == [2, 3]
-    assert lengths(EVERYTHING, True, rail_fixed=True) == [1, 1, 1, 1, 1]
+    assert lengths(EVERYTHING, FREE) == [2, 3]
+    assert lengths(EVERYTHING, COORDINATED) == [2, 3]
+    assert lengths(EVERYTHING, COORDINATED, rail_fixed=True) == [1, 1, 1, 1, 1]
     # a stream may run the rail through a stop with speed even where its place is fixed
-    assert lengths(EVERYTHING, False, rail_fixed=True) == [2, 3]
-    assert lengths(AS_WRITTEN, False) == [1, 1, 1, 1, 1]
+    assert lengths(EVERYTHING, FREE, rail_fixed=True) == [2, 3]
+    assert lengths(AS_WRITTEN, FREE) == [1, 1, 1, 1, 1]
 
 
 def test_confdata_is_demanded_only_where_the_program_holds_to_it() -> None:
@@ -303,3 +306,14 @@ def test_confdata_is_demanded_only_where_the_program_holds_to_it() -> None:
         j, line = (ConfData(0, 0, 0, 0) if on else None for on in (conf_j, conf_l))
         # start, MoveJ, MoveL, the wait there, MoveL, MoveAbsJ
         assert asked == [None, j, line, line, line, None]
+
+
+def test_the_target_says_how_axes_are_coupled_and_coordinated_axes_rest_everywhere() -> None:
+    program, plant = rapid(STATION), plant_with_rail()
+    stream, written = (problem_of(program, plant, target) for target in (Target.STREAM, Target.RAPID))
+    assert (stream.coupling, written.coupling) == (Coupling.FREE, Coupling.COORDINATED)
+    inner = range(1, len(stream.waypoints) - 1)
+    assert not any(stream.rests(k) for k in inner)
+    straight = replace(stream, coupling=Coupling.COORDINATED)
+    assert all(problem.rests(k) for problem in (straight, written) for k in inner)
+    assert straight.target is Target.STREAM

@@ -9,17 +9,14 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.legs import LegMotion
+from trajopt_cli.optimize.tuning import ROW_APART, ROW_EVERY, SAME_TIME
 from trajopt_cli.trajectory import Trajectory
-
-GRID = 1e-3  # s between rows
-LEAST = 1e-5  # s; no two rows are nearer than this
-SAME = 1e-9  # s; switches nearer than this are one
 
 
 def rows_of(axes: Axes, legs: list[LegMotion], end: Array, more: Sequence[float] = ()) -> tuple[Trajectory, Array]:
     """The trajectory of all legs in order, and the leg boundaries' times (L+1,).
 
-    end (7,): axes at the end, written into the last row exactly. more: times [s] that get a row as well.
+    end (n,): axes at the end, written into the last row exactly. more: times [s] that get a row as well.
     """
     bounds = np.concatenate([[0.0], np.cumsum([leg.T for leg in legs])])
     times, q, qd = [], [], []
@@ -31,13 +28,8 @@ def rows_of(axes: Axes, legs: list[LegMotion], end: Array, more: Sequence[float]
         qd.append(sample.qd[:-1])
     times.append(bounds[-1:])
     q.append(end[None])
-    qd.append(np.zeros((1, 7)))
-    trajectory = Trajectory(
-        axes.robot.axis_names,
-        np.concatenate(times),
-        axes.plant_axes(np.concatenate(q)),
-        axes.plant_axes(np.concatenate(qd)),
-    )
+    qd.append(np.zeros((1, axes.n)))
+    trajectory = Trajectory(axes.robot.axis_names, np.concatenate(times), np.concatenate(q), np.concatenate(qd))
     return trajectory, bounds
 
 
@@ -45,16 +37,16 @@ def _leg_rows(leg: LegMotion, start: float, end: float, more: Sequence[float]) -
     """Row times of one leg: its breaks, then every grid time that keeps its distance from them, then those of more."""
     breaks = start + leg.breaks()
     breaks[0], breaks[-1] = start, end
-    keep = np.concatenate([[True], np.diff(breaks) > SAME])
+    keep = np.concatenate([[True], np.diff(breaks) > SAME_TIME])
     keep[-1] = True
     breaks = breaks[keep]
-    if len(breaks) > 2 and breaks[-1] - breaks[-2] <= SAME:
+    if len(breaks) > 2 and breaks[-1] - breaks[-2] <= SAME_TIME:
         breaks = np.delete(breaks, -2)
-    grid = np.arange(np.ceil(start / GRID - 1e-9), np.floor(end / GRID + 1e-9) + 1) * GRID
+    grid = np.arange(np.ceil(start / ROW_EVERY - 1e-9), np.floor(end / ROW_EVERY + 1e-9) + 1) * ROW_EVERY
     at = np.searchsorted(breaks, grid)
     gap = np.minimum(
         np.abs(grid - breaks[np.clip(at - 1, 0, len(breaks) - 1)]),
         np.abs(grid - breaks[np.clip(at, 0, len(breaks) - 1)]),
     )
     inside = [t for t in more if start < t < end]
-    return np.unique(np.concatenate([breaks, grid[(gap >= LEAST) & (grid > start) & (grid < end)], inside]))
+    return np.unique(np.concatenate([breaks, grid[(gap >= ROW_APART) & (grid > start) & (grid < end)], inside]))

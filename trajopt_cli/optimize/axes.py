@@ -1,4 +1,4 @@
-"""Seven axes inside the optimiser, whatever the cell: rail first, a rail that cannot move where there is none."""
+"""The n axes of a plant as the optimiser needs them: limits side by side with the robot's kinematics."""
 
 from __future__ import annotations
 
@@ -8,18 +8,18 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.robot.inverse import inverse
-from trajopt_cli.robot.model import RobotModel
+from trajopt_cli.problem.problem import Leg
+from trajopt_cli.robot.layout import AxisLayout
+from trajopt_cli.robot.protocol import Robot
 
 
 @dataclass(frozen=True, eq=False)
 class Axes:
-    """Limits (7,) of rail and arm; names (7,); rail_axis (3,): the rail's direction in the arm's base frame.
+    """Limits and names (n,) of all axes in the robot's order. X_WB0: the arm's base in the world with the rail at 0;
+    rail_axis (3, r): the rail's direction in the arm's base frame."""
 
-    X_WB0: arm base in the world at rail 0.
-    """
-
-    robot: RobotModel
+    robot: Robot
+    layout: AxisLayout
     names: tuple[str, ...]
     lower: Array
     upper: Array
@@ -31,54 +31,47 @@ class Axes:
     @classmethod
     def of(cls, plant: Plant) -> Axes:
         """The axes of a plant."""
-        limits, robot = plant.limits, plant.robot
-        pad = [] if robot.has_rail else [0.0]
-        X_WB0 = robot.base(np.array(0.0))
-        rail_axis = np.zeros(3)
-        if robot.has_rail:
-            rail_axis = X_WB0[:3, :3].T @ (robot.base(np.array(1.0))[:3, 3] - X_WB0[:3, 3])
+        limits = plant.limits
+        robot: Robot = plant.robot
+        X_WB0 = robot.X_WB0
+        axis = np.zeros((3, 0)) if robot.rail_axis_W is None else X_WB0[:3, :3].T @ robot.rail_axis_W[:, None]
         return cls(
-            robot,
-            limits.names if robot.has_rail else ("rail", *limits.names),
-            np.r_[pad, limits.lower],
-            np.r_[pad, limits.upper],
-            np.r_[[1.0] if pad else [], limits.velocity],
-            np.r_[[1.0] if pad else [], limits.acceleration],
-            X_WB0,
-            rail_axis,
-        )
+            robot, robot.layout, limits.names, limits.lower, limits.upper, limits.velocity, limits.acceleration, X_WB0,
+            axis,
+        )  # fmt: skip
 
     @property
-    def has_rail(self) -> bool:
-        """Whether axis 0 is a real one."""
-        return self.robot.has_rail
+    def n(self) -> int:
+        """How many axes."""
+        return self.layout.n
 
-    def plant_axes(self, q: Array) -> Array:
-        """(..., k) of the plant from (..., 7)."""
-        return q if self.has_rail else q[..., 1:]
-
-    def seven(self, q: Array) -> Array:
-        """(..., 7) from (..., k) of the plant."""
-        return q if self.has_rail else np.concatenate([np.zeros((*q.shape[:-1], 1)), q], axis=-1)
+    def velocity_on(self, leg: Leg) -> Array:
+        """Velocity limits (n,) on a leg: the rail's is capped by the program as well."""
+        V = self.velocity.copy()
+        V[self.layout.rail] = np.minimum(V[self.layout.rail], leg.v_rail)
+        return V
 
     def in_base(self, X_W: Array) -> Array:
-        """A world pose seen from the arm's base at rail 0."""
+        """A world pose seen from the arm's base with the rail at 0."""
         return inverse_pose(self.X_WB0) @ X_W
 
     def inverse(self, X_WF: Array, rail: Array) -> Array:
-        """All branches (n, 8, 6) of flange poses (n, 4, 4) at rail positions (n,)."""
-        return inverse(self.robot, X_WF, rail if self.has_rail else None)
+        """Joints (k, b, m) of all branches for flange poses (k, 4, 4) at rail positions (k,)."""
+        return self.robot.branches(X_WF, rail)
 
     def forward(self, q: Array) -> Array:
-        """Flange poses (..., 4, 4) of axes (..., 7)."""
-        return self.robot.forward(self.plant_axes(q))
+        """Flange poses (..., 4, 4) of axes (..., n)."""
+        return self.robot.forward(q)
 
     def jacobian(self, q: Array, X_FT: Array) -> Array:
-        """Geometric Jacobian (..., 6, 7) at the TCP, world axes."""
-        J = self.robot.jacobian(self.plant_axes(q), X_FT)
-        return J if self.has_rail else np.concatenate([np.zeros((*J.shape[:-1], 1)), J], axis=-1)
+        """Geometric Jacobian (..., 6, n) at the TCP, world axes."""
+        return self.robot.jacobian(q, X_FT)
 
     def jacobian_rate(self, q: Array, qd: Array, X_FT: Array) -> Array:
-        """Its time derivative (..., 6, 7)."""
-        J = self.robot.jacobian_rate(self.plant_axes(q), self.plant_axes(qd), X_FT)
-        return J if self.has_rail else np.concatenate([np.zeros((*J.shape[:-1], 1)), J], axis=-1)
+        """Its time derivative (..., 6, n)."""
+        return self.robot.jacobian_rate(q, qd, X_FT)
+
+    def self_motion(self, q: Array) -> Array:
+        """Arm rates (..., joints, r) per rail velocity with the flange at rest."""
+        J = self.jacobian(q, np.eye(4))
+        return np.asarray(-np.linalg.solve(J[..., self.layout.arm], J[..., self.layout.rail]))

@@ -1,6 +1,6 @@
 """One axis with |v| <= V and |a| <= A: what it reaches in exactly T, how soon, and a profile that does it.
 
-For T >= |v1 - v0| / A the displacements reachable from speed v0 to speed v1 in exactly T fill an interval
+For T >= |v1 - v0| / A the displacements reachable from velocity v0 to velocity v1 in exactly T fill an interval
 [-reach(T, -v0, -v1), reach(T, v0, v1)]. All functions broadcast; units are those of the axis.
 """
 
@@ -95,7 +95,7 @@ def gentlest_profile(D: float, v0: float, v1: float, T: float) -> tuple[Array, A
 
 
 def _cruise_speed(D: float, v0: float, v1: float, T: float, A: float, low: float, high: float) -> float:
-    """Cruise speed c in [low, high] whose profile travels D; travelled(c) increases, piecewise quadratic."""
+    """Cruise velocity c in [low, high] whose profile travels D; travelled(c) increases, piecewise quadratic."""
     ends = [low, min(v0, v1), max(v0, v1), high]
     for k in range(3):
         a, b = ends[k], ends[k + 1]

@@ -1,4 +1,4 @@
-"""From a chain of stops to a clean plan: nested grids, then the exchange loop."""
+"""From a chain of waypoints to a clean plan: nested grids, then the exchange loop."""
 
 from __future__ import annotations
 
@@ -7,47 +7,65 @@ from dataclasses import replace
 from time import perf_counter
 from typing import Any
 
-import casadi as ca
 import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.blocks import NlpResult
-from trajopt_cli.optimize.exchange import SAFE, check_leg, tighten
+from trajopt_cli.optimize.draft import Draft, Margins
+from trajopt_cli.optimize.exchange import back_off, check_leg
+from trajopt_cli.optimize.formulation import Formulation
 from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, parabola, share_of, straight
 from trajopt_cli.optimize.profiles import hold
+from trajopt_cli.optimize.reading import read
 from trajopt_cli.optimize.search import Chain
-from trajopt_cli.optimize.stages import Stages
-from trajopt_cli.optimize.transcription import EXACT, START, Draft, Margins, Transcription
+from trajopt_cli.optimize.transcription import Transcription
+from trajopt_cli.optimize.tuning import (
+    BARRIER_COLD,
+    BARRIER_DOUBT,
+    BARRIER_FIRST,
+    BARRIER_REFINED,
+    BARRIER_WARM,
+    EXACT,
+    FIRST,
+    GRID_JOINT,
+    LAST,
+    LAST_ALONE,
+    LAST_COORDINATED,
+    LEAST_DRAFT,
+    MOST_ITERATIONS,
+    NEAR_CAP,
+    OVER,
+    ROUGH,
+    ROUNDS,
+    SAFE,
+    SHARP,
+    START,
+)
+from trajopt_cli.path.line import Line
 from trajopt_cli.problem.problem import LegKind, Problem
-
-FIRST, LAST = 6, 24  # intervals of a path, doubled from solve to solve
-LAST_TIED = 12  # rapid: every line is timed again by itself afterwards
-LAST_ALONE = 48  # where a leg is solved by itself
-GRID_JOINT = 24
-NEAR_CAP = 0.7  # share of a tool cap from which a node holds it explicitly
-ROUNDS = 12
-MOST = 100  # iterations; a start that converges needs 25 to 60
 
 
 def first_draft(axes: Axes, problem: Problem, chain: Chain) -> Draft:
-    """Rest-to-rest parabolas between the chain's stops."""
+    """Rest-to-rest parabolas between the chain's waypoints."""
     legs: list[LegMotion | None] = []
     for k, leg in enumerate(problem.legs):
         q_0, q_1 = chain.q[k], chain.q[k + 1]
-        T = max(float(chain.times[k]), 2e-3)
+        T = max(float(chain.times[k]), LEAST_DRAFT)
         if leg.kind is LegKind.JOINT:
-            legs.append(JointProfiles(T, q_0, chain.w[k], np.zeros((7, 4)), np.zeros((7, 3))))
+            legs.append(JointProfiles(T, q_0, chain.w[k], np.zeros((axes.n, 4)), np.zeros((axes.n, 3))))
             continue
         if leg.kind is LegKind.DWELL and not leg.rail_moves:
             legs.append(hold(leg.duration or 0.0, q_0))
             continue
         grid = np.linspace(0, 1, FIRST + 1)
         s, v, a = parabola(grid)
-        way = q_1[0] - q_0[0]
+        d_0, joints = q_0[axes.layout.rail], q_0[axes.layout.arm]
+        way = q_1[axes.layout.rail] - d_0
+        d, w, b = d_0 + way * s[:, None], way * v[:, None], way * a[:, None]
         X_0, X_1 = (problem.waypoints[i].X_WF @ leg.X_FT for i in (k, k + 1))
         cfx = chain.labels[k].cfx if chain.labels[k].cfx >= 0 else chain.labels[k + 1].cfx
-        legs.append(PathLeg(T, X_0, X_1, leg.X_FT, cfx, q_0[1:], grid, s, v, a, q_0[0] + way * s, way * v, way * a))
+        legs.append(PathLeg(T, Line(X_0, X_1), leg.X_FT, cfx, joints, grid, s, v, a, d, w, b))
     return Draft(chain.q, chain.w, tuple(label.cfx for label in chain.labels), tuple(legs))
 
 
@@ -58,29 +76,29 @@ class NotConverged(Exception):
 class Refiner:
     """Solves one target of one problem from a chain."""
 
-    def __init__(self, axes: Axes, stages: Stages, flange: ca.Function, problem: Problem, tied: bool):
-        self.axes, self.stages, self.flange, self.problem, self.tied = axes, stages, flange, problem, tied
-        self.last = LAST_ALONE if len(problem.legs) == 1 else LAST_TIED if tied else LAST
+    def __init__(self, axes: Axes, formulation: Formulation, problem: Problem):
+        self.axes, self.formulation, self.problem = axes, formulation, problem
+        self.last = LAST_ALONE if len(problem.legs) == 1 else LAST_COORDINATED if problem.coordinated else LAST
         self.seconds = {"build": 0.0, "solve": 0.0, "check": 0.0}
 
     def _solve(
-        self, draft: Draft, margins: list[Margins | None], mu: float, tolerance: float = 1e-8,
+        self, draft: Draft, margins: list[Margins | None], mu: float, tolerance: float = SHARP,
         warm: Sequence[Any] | None = None,
     ) -> tuple[Draft, Transcription, NlpResult | None]:  # fmt: skip
         start = perf_counter()
-        t = Transcription(self.axes, self.stages, self.flange, self.problem, draft, margins, self.tied)
+        t = Transcription(self.axes, self.formulation, self.problem, draft, margins)
         if t.nlp.empty:
-            return t.read(t.nlp.guess), t, None
+            return read(t, t.nlp.guess), t, None
         if warm is None:
             t.nlp.build()
         else:
             t.nlp.adopt(warm[0].nlp)
         middle = perf_counter()
-        result = t.nlp.solve(warm[1] if warm else None, mu=mu, tolerance=tolerance, most=MOST)
+        result = t.nlp.solve(warm[1] if warm else None, mu=mu, tolerance=tolerance, most=MOST_ITERATIONS)
         self.seconds["build"] += middle - start
         self.seconds["solve"] += perf_counter() - middle
         try:
-            out = t.read(result.x) if result.converged else draft
+            out = read(t, result.x) if result.converged else draft
         except ValueError as odd:  # a joint move whose switches cannot be told apart in a file
             raise NotConverged(str(odd)) from odd
         if not result.converged:
@@ -90,7 +108,7 @@ class Refiner:
     def run(self, draft: Draft, progress: Callable[[str, Draft], None]) -> Draft:
         """From a draft on its grid to the clean draft with the shortest time found. Raises NotConverged."""
         margins: list[Margins | None] = [
-            Margins.full(m.N, START) if isinstance(m, PathLeg) else None for m in draft.legs
+            Margins.full(m.N, self.axes.n, START) if isinstance(m, PathLeg) else None for m in draft.legs
         ]
         draft, warm = self._first(draft, margins)
         while True:
@@ -110,7 +128,7 @@ class Refiner:
             if opened:
                 self._watch(draft, margins)
             try:
-                draft, *warm = self._solve(draft, margins, 1e-4, 1e-8 if 2 * n >= self.last else 1e-4)
+                draft, *warm = self._solve(draft, margins, BARRIER_REFINED, SHARP if 2 * n >= self.last else ROUGH)
             except NotConverged:
                 # the coarser grid's answer is a motion too; cleaned, it is only a little slower
                 draft, margins, warm = good
@@ -120,18 +138,18 @@ class Refiner:
     def _first(self, draft: Draft, margins: list[Margins | None]) -> tuple[Draft, list[Any]]:
         """The first solve: a rough one from estimates, a sharp one from a draft already on the last grid."""
         n = max((m.N for m in draft.legs if isinstance(m, PathLeg)), default=FIRST)
-        mu, tolerance = (1e-4, 1e-8) if n >= self.last else (1e-2, 1e-4)
+        mu, tolerance = (BARRIER_REFINED, SHARP) if n >= self.last else (BARRIER_FIRST, ROUGH)
         try:
             out, *warm = self._solve(draft, margins, mu, tolerance)
         except NotConverged:
-            out, *warm = self._solve(draft, margins, 1e-1, tolerance)
+            out, *warm = self._solve(draft, margins, BARRIER_DOUBT, tolerance)
         return out, warm
 
     def _exchange(
         self, draft: Draft, margins: list[Margins | None], warm: Sequence[Any],
         progress: Callable[[str, Draft], None],
     ) -> Draft:  # fmt: skip
-        """Check densely, tighten where a limit is passed, solve again, until nothing is passed."""
+        """Check densely, back_off where a limit is passed, solve again, until nothing is passed."""
         for _ in range(ROUNDS):
             start = perf_counter()
             worst, changed, opened = 0.0, False, self._open_grids(draft, margins)
@@ -142,19 +160,19 @@ class Refiner:
                 ratios = check_leg(self.axes, leg, motion)
                 worst = max(worst, ratios.worst)
                 if m is not None:
-                    resting = leg.kind is LegKind.DWELL and leg.duration is not None and not self.tied
-                    rail = float(self.axes.acceleration[0]) if resting else None
-                    changed |= tighten(m, ratios, motion, SAFE, rail)
+                    resting = leg.kind is LegKind.DWELL and leg.duration is not None and not self.problem.coordinated
+                    rail = self.axes.acceleration[self.axes.layout.rail] if resting else None
+                    changed |= back_off(m, ratios, motion, SAFE, rail)
             self.seconds["check"] += perf_counter() - start
             if not (changed or opened):
                 return draft
             if self._watch(draft, margins, SAFE) or opened:
-                draft, *warm = self._solve(draft, margins, 1e-4)
+                draft, *warm = self._solve(draft, margins, BARRIER_REFINED)
             else:
                 try:
-                    draft, *warm = self._solve(draft, margins, 1e-5, warm=warm)
+                    draft, *warm = self._solve(draft, margins, BARRIER_WARM, warm=warm)
                 except NotConverged:  # a warm start keeps to the limits it knows; a cold one finds its way round
-                    draft, *warm = self._solve(draft, margins, 1e-3)
+                    draft, *warm = self._solve(draft, margins, BARRIER_COLD)
             progress("exchange", draft)
         raise NotConverged(f"a limit is still passed by {worst - 1:.2e} after {ROUNDS} rounds of tightening")
 
@@ -164,9 +182,9 @@ class Refiner:
         opened = False
         for k, (leg, motion) in enumerate(zip(self.problem.legs, draft.legs, strict=True)):
             if leg.kind is LegKind.JOINT and isinstance(motion, JointProfiles):
-                ratios = check_leg(self.axes, leg, motion, 40)
-                if max(np.max(ratios.tool), np.max(ratios.position)) > 1 + 1e-6:
-                    margins[k] = Margins.full(GRID_JOINT, EXACT)
+                ratios = check_leg(self.axes, leg, motion)
+                if max(np.max(ratios.tool), np.max(ratios.position)) > 1 + OVER:
+                    margins[k] = Margins.full(GRID_JOINT, self.axes.n, EXACT)
                     opened = True
         self.seconds["check"] += perf_counter() - start
         return opened
@@ -198,4 +216,4 @@ class Refiner:
         sample = motion.sample(self.axes, grid * motion.T)
         v = sample.qd * motion.T
         out = JointNodes(motion.T, grid, sample.q, v, np.diff(v, axis=0) * N)
-        return straight(motion.T, grid, q_0, q_1, *share_of(out)) if self.tied else out
+        return straight(motion.T, grid, q_0, q_1, *share_of(out)) if self.problem.coordinated else out

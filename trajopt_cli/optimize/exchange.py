@@ -1,4 +1,4 @@
-"""The dense check of a draft, finer than its grid, and the tightening that answers it.
+"""The dense check of a draft, finer than its grid, and the back-off that answers it.
 
 Converged is not feasible: between the nodes of a grid a limit may be passed by tenths of a percent. Each leg is sampled
 densely; where a ratio to a limit exceeds one, the nodes around get that limit tightened by the excess.
@@ -12,22 +12,15 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.draft import Margins
 from trajopt_cli.optimize.legs import LegMotion, PathLeg
-from trajopt_cli.optimize.transcription import Margins
+from trajopt_cli.optimize.tuning import AMPLE, BEYOND, DENSE, LEAST_PUSH, PUSHED, UNREACHED
 from trajopt_cli.problem.problem import Leg
-
-DENSE = 40  # samples per interval besides both ends; an axis that turns round passes its limit for a moment only
-SAFE = 1.0 - 3e-5  # what a clean grid may use of a limit: Hermite between written rows is not quite the motion
-
-UNREACHED = 2.0  # ratio of a sample that no joints reach: the rail went out of the arm's reach between two nodes
-AMPLE = 1.5  # times the excess taken off a push: the rail's speed has its share, and a dwell has time
-PUSHED = 1e-3  # share of its acceleration from which the rail drives the arm
-BEYOND = 1e-4  # tightened this much further than the excess, so that one round is enough more often
 
 
 @dataclass(frozen=True, eq=False)
 class Ratios:
-    """Worst ratio to each limit per interval (N,) of a leg: velocity, acceleration, position (N, 7), tool (N, 3)."""
+    """Worst ratio to each limit per interval (N,) of a leg: velocity, acceleration, position (N, n), tool (N, 3)."""
 
     velocity: Array
     acceleration: Array
@@ -40,21 +33,17 @@ class Ratios:
         return float(max(np.max(x) for x in (self.velocity, self.acceleration, self.position, self.tool)))
 
 
-def check_leg(axes: Axes, leg: Leg, motion: LegMotion, dense: int = DENSE) -> Ratios:
+def check_leg(axes: Axes, leg: Leg, motion: LegMotion) -> Ratios:
     """Sample every interval of a leg, both ends included from inside, and compare with the true limits."""
     breaks = motion.breaks()
     N = len(breaks) - 1
-    u = np.r_[1e-9, (np.arange(dense) + 0.5) / dense, 1 - 1e-9]
+    u = np.r_[1e-9, (np.arange(DENSE) + 0.5) / DENSE, 1 - 1e-9]
     t = (breaks[:-1, None] + np.diff(breaks)[:, None] * u).ravel()
     sample = motion.sample(axes, t)
-    V = axes.velocity.copy()
-    V[0] = min(V[0], leg.v_rail)
-    velocity = np.abs(sample.qd) / V
+    velocity = np.abs(sample.qd) / axes.velocity_on(leg)
     acceleration = np.abs(sample.qdd) / axes.acceleration
     middle, half = (axes.upper + axes.lower) / 2, np.maximum((axes.upper - axes.lower) / 2, 1e-9)
     position = np.abs(sample.q - middle) / half
-    if not axes.has_rail:
-        position[:, 0] = 0.0
     tool = tool_ratios(axes, leg, sample.q, sample.qd, sample.qdd)
 
     def fold(x: Array) -> Array:
@@ -79,18 +68,19 @@ def tool_ratios(axes: Axes, leg: Leg, q: Array, qd: Array, qdd: Array) -> Array:
     )
 
 
-def tighten(margins: Margins, ratios: Ratios, motion: LegMotion, target: float, rail: float | None = None) -> bool:
+def back_off(margins: Margins, ratios: Ratios, motion: LegMotion, target: float, rail: Array | None = None) -> bool:
     """Scale the shares of the nodes next to an excess over target; True when anything changed.
 
-    rail: the rail's acceleration limit [m/s2] where the tool rests for a given time. An axis that turns round between
-    two nodes has its greatest acceleration there, in proportion to the rail's: then the interval's own push is scaled.
+    rail (r,): the rail's acceleration limit [m/s2] where the tool rests for a given time. An axis that turns round
+    between two nodes has its greatest acceleration there, in proportion to the rail's: then the interval's own push is
+    scaled.
     """
     changed = False
     if rail is not None and isinstance(motion, PathLeg):
         ratio = ratios.acceleration.max(axis=1)
-        pushed = np.abs(motion.b) / (rail * motion.T**2)
+        pushed = np.max(np.abs(motion.b) / (rail * motion.T**2), axis=1)
         over = (ratio > target) & (pushed > PUSHED)
-        share = np.maximum(1 - AMPLE * (1 - (target - BEYOND) / np.maximum(ratio, 1.0)), 0.1)
+        share = np.maximum(1 - AMPLE * (1 - (target - BEYOND) / np.maximum(ratio, 1.0)), LEAST_PUSH)
         margins.push[over] = np.minimum(margins.push, pushed * share)[over]
         changed = bool(over.any())
         ratios = replace(ratios, acceleration=np.where(over[:, None], 0.0, ratios.acceleration))

@@ -13,11 +13,11 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.path.line import Line
+from trajopt_cli.path.segment import Segment
 
 
 def integrate(grid: Array, x: Array, v: Array, tau: Array, right: bool = True) -> tuple[Array, Array, Array]:
-    """Position, speed, acceleration (scaled time) at tau (n,) of node values x, v (N+1, ...) on a grid over 0..1.
+    """Position, velocity, acceleration (scaled time) at tau (n,) of node values x, v (N+1, ...) on a grid over 0..1.
 
     At a node the acceleration is the one of the interval on its right or left. The cubic Hermite
     between nodes is the exact integral up to the solver's residual, without its jumps.
@@ -58,7 +58,7 @@ def parabola(grid: Array) -> tuple[Array, Array, Array]:
 
 @dataclass(frozen=True, eq=False)
 class Sample:
-    """Axes (n, 7) at times t (n,) of a leg: positions, speeds, accelerations."""
+    """All axes (m, n) at times t (m,) of a leg: positions, velocities, accelerations."""
 
     t: Array
     q: Array
@@ -68,14 +68,13 @@ class Sample:
 
 @dataclass(frozen=True, eq=False)
 class PathLeg:
-    """A line or dwell with its rail motion. s, v: (N+1,), a: (N,); d, w: (N+1,), b: (N,); scaled time."""
+    """A line or dwell with its rail motion. s, v: (N+1,), a: (N,); d, w: (N+1, r), b: (N, r); scaled time."""
 
     T: float
-    X_0: Array  # TCP pose at the start, world
-    X_1: Array
+    segment: Segment  # of the tool, in the world; a line of no length for a dwell
     X_FT: Array
     cfx: int
-    reference: Array  # (6,) joints near the start, on the branch and turn meant
+    reference: Array  # joints near the start, on the branch and turn meant
     grid: Array
     s: Array
     v: Array
@@ -100,37 +99,35 @@ class PathLeg:
         return self.T * self.grid
 
     def node_arm(self, axes: Axes) -> Array:
-        """Arm joints (N+1, 6) at the nodes."""
-        X_WT = Line(self.X_0, self.X_1).pose(self.s)
-        arm = axes.inverse(X_WT @ inverse_pose(self.X_FT), self.d)[:, self.cfx, :]
+        """Arm joints (N+1, joints) at the nodes."""
+        X_WT = self.segment.pose(self.s)
+        arm = axes.inverse(X_WT @ inverse_pose(self.X_FT), axes.layout.value(self.d))[:, self.cfx, :]
         return unwind(arm, self.reference)
 
     def sample(self, axes: Axes, t: Array, right: bool = True) -> Sample:
-        """Positions by inverse kinematics, speeds and accelerations through the Jacobian. At a break: right side."""
+        """Positions by inverse kinematics, velocities, accelerations through the Jacobian. At a break: right side."""
         tau = np.clip(t / self.T, 0.0, 1.0)
         s, sv, sa = integrate(self.grid, self.s, self.v, tau, right)
         d, dv, da = integrate(self.grid, self.d, self.w, tau, right)
         sv, dv, sa, da = sv / self.T, dv / self.T, sa / self.T**2, da / self.T**2
-        line = Line(self.X_0, self.X_1)
-        X_WT = line.pose(s)
-        X_TF = inverse_pose(self.X_FT)
-        arm = axes.inverse(X_WT @ X_TF, d)[:, self.cfx, :]
-        arm = unwind(arm, self.reference)
-        q = np.concatenate([d[:, None], arm], axis=1)
-        twist = np.concatenate([line.chord, line.turn])
+        arm = axes.inverse(self.segment.pose(s) @ inverse_pose(self.X_FT), axes.layout.value(d))[:, self.cfx, :]
+        q = axes.layout.merge(d, unwind(arm, self.reference))
+        twist, bend = self.segment.twist(s), self.segment.twist_rate(s)
         J = axes.jacobian(q, self.X_FT)
-        Ja = J[:, :, 1:]
-        rhs = sv[:, None] * twist - J[:, :, 0] * dv[:, None]
-        arm_rate = np.linalg.solve(Ja, rhs[..., None])[..., 0]
-        qd = np.concatenate([dv[:, None], arm_rate], axis=1)
-        Jd = axes.jacobian_rate(q, qd, self.X_FT)
-        rhs = sa[:, None] * twist - J[:, :, 0] * da[:, None] - (Jd @ qd[..., None])[..., 0]
-        qdd = np.concatenate([da[:, None], np.linalg.solve(Ja, rhs[..., None])[..., 0]], axis=1)
+        Jr, Ja = J[:, :, axes.layout.rail], J[:, :, axes.layout.arm]
+
+        def arm_follows(tool: Array, rail: Array) -> Array:
+            """Joint rates (n, m) that move the tool by its part of a rate, the rail having its own."""
+            return np.asarray(np.linalg.solve(Ja, (tool - (Jr @ rail[..., None])[..., 0])[..., None])[..., 0])
+
+        qd = axes.layout.merge(dv, arm_follows(sv[:, None] * twist, dv))
+        carried = (axes.jacobian_rate(q, qd, self.X_FT) @ qd[..., None])[..., 0]
+        qdd = axes.layout.merge(da, arm_follows(sa[:, None] * twist + sv[:, None] ** 2 * bend - carried, da))
         return Sample(t, q, qd, qdd)
 
 
 def unwind(arm: Array, reference: Array) -> Array:
-    """Joints (n, 6) moved by whole turns: the first near the reference (6,), each next near the one before."""
+    """Joints (m, joints) moved by whole turns: the first near the reference, each next near the one before."""
     first = arm[0] + 2 * np.pi * np.round((reference - arm[0]) / (2 * np.pi))
     steps = np.diff(arm, axis=0)
     steps -= 2 * np.pi * np.round(steps / (2 * np.pi))
@@ -139,7 +136,7 @@ def unwind(arm: Array, reference: Array) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class JointNodes:
-    """A joint move on a grid: q, v (N+1, 7), a (N, 7), scaled time. Also a straight one with one profile for all."""
+    """A joint move on a grid: q, v (N+1, n), a (N, n), scaled time. Also a straight one with one profile for all."""
 
     T: float
     grid: Array
@@ -168,7 +165,7 @@ class JointNodes:
 
 @dataclass(frozen=True, eq=False)
 class JointProfiles:
-    """A joint move where each axis has three phases of its own. times (7, 4), accelerations (7, 3); real time."""
+    """A joint move where each axis has three phases of its own. times (n, 4), accelerations (n, 3); real time."""
 
     T: float
     q_0: Array
@@ -188,10 +185,9 @@ class JointProfiles:
 
     def sample(self, axes: Axes, t: Array, right: bool = True) -> Sample:
         """Exact polynomial values."""
-        n = len(t)
-        q, qd, qdd = (np.empty((n, 7)) for _ in range(3))
+        q, qd, qdd = (np.empty((len(t), len(self.q_0))) for _ in range(3))
         side: Literal["left", "right"] = "right" if right else "left"
-        for j in range(7):
+        for j in range(len(self.q_0)):
             h, acc = np.diff(self.times[j]), self.accelerations[j]
             v = self.qd_0[j] + np.concatenate([[0], np.cumsum(acc * h)])
             x = self.q_0[j] + np.concatenate([[0], np.cumsum(v[:-1] * h + acc * h * h / 2)])

@@ -1,4 +1,4 @@
-"""A problem cut where nothing is left to choose: between fixed stops the pieces can be solved one by one.
+"""A problem cut where nothing is left to choose: between fixed waypoints the pieces can be solved one by one.
 
 A cell without a rail falls into single legs this way, and equal pieces are solved once.
 """
@@ -11,21 +11,20 @@ from itertools import pairwise
 
 import numpy as np
 
+from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.legs import LegMotion
 from trajopt_cli.optimize.search import Chain
-from trajopt_cli.optimize.transcription import Draft
 from trajopt_cli.problem.problem import Problem
 
 
-def _pinned(problem: Problem, k: int, tied: bool) -> bool:
+def _pinned(problem: Problem, k: int) -> bool:
     stop = problem.waypoints[k]
-    rests = stop.rest or tied or not problem.rail_may_pass(k)
-    return stop.q is not None or (stop.rail[0] == stop.rail[1] and rests)
+    return stop.q is not None or (stop.rail[0] == stop.rail[1] and problem.rests(k))
 
 
-def cut(problem: Problem, chain: Chain, tied: bool) -> Iterator[tuple[Problem, Chain]]:
+def cut(problem: Problem, chain: Chain) -> Iterator[tuple[Problem, Chain]]:
     """The pieces of a problem with their part of the chain, in order."""
-    marks = [k for k in range(len(problem.waypoints)) if _pinned(problem, k, tied)]
+    marks = [k for k in range(len(problem.waypoints)) if _pinned(problem, k)]
     ends = sorted({0, *marks, len(problem.waypoints) - 1})
     for first, last in pairwise(ends):
         legs = tuple(replace(leg, start=leg.start - first) for leg in problem.legs[first:last])
@@ -50,13 +49,13 @@ def key(problem: Problem, chain: Chain) -> bytes:
 
 
 def solve_pieces(
-    problem: Problem, chain: Chain, tied: bool, solve: Callable[[Problem, Chain], Draft],
+    problem: Problem, chain: Chain, solve: Callable[[Problem, Chain], Draft],
     report: Callable[[list[LegMotion | None]], None],
 ) -> Draft:  # fmt: skip
     """Solve every different piece once and join the drafts; report: the legs found so far."""
     known: dict[bytes, Draft] = {}
     drafts: list[Draft] = []
-    for piece, part in cut(problem, chain, tied):
+    for piece, part in cut(problem, chain):
         name = key(piece, part)
         if name not in known:
             known[name] = solve(piece, part)
@@ -69,8 +68,11 @@ def solve_pieces(
 
 
 def alone(problem: Problem, draft: Draft, k: int) -> tuple[Problem, Draft]:
-    """Leg k between its stops as the draft has them, the rail fixed there."""
-    stops = tuple(replace(problem.waypoints[i], rail=(float(draft.q[i, 0]),) * 2, rest=True) for i in (k, k + 1))
+    """Leg k between its waypoints as the draft has them, the rail fixed there."""
+    layout = problem.plant.robot.layout
+    stops = tuple(
+        replace(problem.waypoints[i], rail=(float(layout.place(draft.q[i])),) * 2, rest=True) for i in (k, k + 1)
+    )
     piece = replace(problem, waypoints=stops, legs=(replace(problem.legs[k], start=0),), stations=())
     return piece, Draft(draft.q[k : k + 2], draft.qd[k : k + 2], draft.cfx[k : k + 2], (draft.legs[k],))
 

@@ -11,18 +11,13 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.double_integrator import cruise_profile, gentlest_profile, shortest_time, trapezoid_time
 from trajopt_cli.optimize.legs import JointProfiles
-
-APART = 1.1e-5  # s between switches that are not one and the same
-SAME = 1e-10  # s
-LONGER = 4e-6  # s added per attempt
-ATTEMPTS = 245  # so that a move is lengthened by less than a millisecond
-GENTLER = (1.0, 0.9998, 0.9995, 0.999, 0.998, 0.995, 0.99, 0.97, 0.9, 0.8, 0.65, 0.5, 0.3, 0.1, 0.03, 0.01, 1e-3, 1e-4)
+from trajopt_cli.optimize.tuning import ATTEMPTS, GENTLER, LONGER, SAME_SWITCH, SWITCHES_APART
 
 
 def profiles(
     q_0: Array, qd_0: Array, q_1: Array, qd_1: Array, V: Array, A: Array, T: float, common: bool
 ) -> JointProfiles:
-    """Profiles (7 axes) of a joint move of at least duration T; common: all axes share one trapezoid from rest to rest.
+    """Profiles (n axes) of a joint move of at least duration T; common: all axes share one trapezoid from rest to rest.
 
     Raises ValueError where T is out of reach.
     """
@@ -36,18 +31,19 @@ def profiles(
         found = _common(q_0, q_1, V, A, longer) if common else _own(q_0, qd_0, q_1, qd_1, V, A, longer)
         if found is not None:
             return JointProfiles(longer, q_0, qd_0, *found)
-    raise ValueError(f"profiles: the switches of a joint move of {T:.6f} s cannot be kept {APART:g} s apart")
+    raise ValueError(f"profiles: the switches of a joint move of {T:.6f} s cannot be kept {SWITCHES_APART:g} s apart")
 
 
 def hold(T: float, q: Array) -> JointProfiles:
-    """All axes (7,) at rest for T seconds."""
-    return JointProfiles(T, q, np.zeros(7), np.tile([0.0, 0.0, T, T], (7, 1)), np.zeros((7, 3)))
+    """All axes (n,) at rest for T seconds."""
+    n = len(q)
+    return JointProfiles(T, q, np.zeros(n), np.tile([0.0, 0.0, T, T], (n, 1)), np.zeros((n, 3)))
 
 
 def _clear(breaks: Array, placed: Array) -> bool:
     """No break within a profile, or between it and the placed ones, nearly but not quite coincides."""
     gaps = np.abs(breaks[:, None] - np.concatenate([placed, breaks])[None])
-    return not np.any((gaps > SAME) & (gaps < APART))
+    return not np.any((gaps > SAME_SWITCH) & (gaps < SWITCHES_APART))
 
 
 def _keeps(V: float, v_0: float, breaks: Array, acceleration: Array) -> bool:
@@ -56,12 +52,13 @@ def _keeps(V: float, v_0: float, breaks: Array, acceleration: Array) -> bool:
 
 
 def _own(q_0: Array, qd_0: Array, q_1: Array, qd_1: Array, V: Array, A: Array, T: float) -> tuple[Array, Array] | None:
-    times, accelerations = np.empty((7, 4)), np.empty((7, 3))
+    n = len(q_0)
+    times, accelerations = np.empty((n, 4)), np.empty((n, 3))
     placed = np.array([0.0, T])
     way = q_1 - q_0
     # axes near their top acceleration or, cruising, near their top speed have least choice: place them first
-    need = np.empty(7)
-    for j in range(7):
+    need = np.empty(n)
+    for j in range(n):
         move = float(way[j]), float(qd_0[j]), float(qd_1[j]), T
         try:
             breaks, acc = cruise_profile(*move, float(A[j]))
@@ -91,7 +88,7 @@ def _own(q_0: Array, qd_0: Array, q_1: Array, qd_1: Array, V: Array, A: Array, T
 def _common(q_0: Array, q_1: Array, V: Array, A: Array, T: float) -> tuple[Array, Array] | None:
     way = q_1 - q_0
     if not np.any(way):
-        return np.tile([0.0, 0.0, T, T], (7, 1)), np.zeros((7, 3))
+        return np.tile([0.0, 0.0, T, T], (len(way), 1)), np.zeros((len(way), 3))
     a = float(np.min(A / np.maximum(np.abs(way), 1e-12)))
     breaks, share = cruise_profile(1.0, 0.0, 0.0, T, a)
     if not _clear(breaks, np.array([0.0, T])):
@@ -99,4 +96,4 @@ def _common(q_0: Array, q_1: Array, V: Array, A: Array, T: float) -> tuple[Array
         breaks, share = np.array([0.0, T / 2, T / 2, T]), np.array([1.0, 0.0, -1.0]) * 4.0 / T**2
         if np.any(np.abs(way) * 2 / T > V * (1 + 1e-12)):
             return None
-    return np.tile(breaks, (7, 1)), way[:, None] * share
+    return np.tile(breaks, (len(way), 1)), way[:, None] * share

@@ -1,4 +1,4 @@
-"""Where the rail may stand: arm joints over the rail's range for every stop and along every line, per IK branch.
+"""Where the rail may stand: arm joints over the rail's range for every waypoint and along every line, per IK branch.
 
 A station's table is continued along its lines, so one branch and one set of whole turns means one continuous
 configuration in the whole station. What cannot be reached is named here, before any optimising.
@@ -6,7 +6,8 @@ configuration in the whole station. What cannot be reached is named here, before
 
 from __future__ import annotations
 
-from dataclasses import astuple, dataclass
+from dataclasses import astuple, dataclass, replace
+from itertools import product
 
 import numpy as np
 from scipy import ndimage
@@ -14,18 +15,14 @@ from scipy import ndimage
 from trajopt_cli.geometry import Array, BoolArray, inverse_pose
 from trajopt_cli.motion import Motion, MoveJ, MoveL
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.stages import REACH, WRIST
+from trajopt_cli.optimize.tuning import ELBOW, LINE_NODES, REACH_GRID, WRIST
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.plan import Infeasible
-from trajopt_cli.problem.problem import LegKind, Problem, Waypoint
-from trajopt_cli.robot.inverse import confdata, confdata_admits, solutions, why_unreachable
+from trajopt_cli.problem.problem import Leg, LegKind, Problem, Waypoint
 
-LINE_NODES = 13
 _LISTED = 4  # confdata in a message
 _PLACES = 5  # in a message
-TURNS = np.array(
-    [[2 * np.pi * i, 0, 0, 2 * np.pi * j, 0, 2 * np.pi * k] for i in (0, -1, 1) for j in (0, -1, 1) for k in (0, -1, 1)]
-)
+_NO_SINGLE = "no single configuration serves the whole line without crossing a singularity or a joint limit"
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,19 +37,19 @@ class Label:
 class StationTable:
     """Arm joints of one station on a rail grid.
 
-    d: (n,); stops: per stop (L, n, 6) with NaN where the configuration is not to be had, L labels; lines: per leg of
-    the station (L, LINE_NODES, n, 6), None for dwells. At a stop with fixed joints only its own rail value is open.
+    d: (n,); waypoints: for each (L, n, m) with NaN where the configuration is not to be had, L labels; lines: per leg
+    (L, LINE_NODES, n, m), None for dwells. At a waypoint with fixed joints only its own rail value is open.
     """
 
     first: int
     d: Array
     labels: tuple[Label, ...]
-    stops: tuple[Array, ...]
+    waypoints: tuple[Array, ...]
     lines: tuple[Array | None, ...]
 
 
 def rail_grid(problem: Problem, first: int, last: int, n: int, window: tuple[float, float] | None = None) -> Array:
-    """Grid of rail positions for the stops first..last, fixed values included exactly."""
+    """Grid of rail positions for the waypoints first..last, fixed values included exactly."""
     ranges = [problem.waypoints[k].rail for k in range(first, last + 1)]
     fixed = [low for low, high in ranges if low == high]
     free = [r for r in ranges if r[0] != r[1]]
@@ -75,23 +72,22 @@ def _unwrap(arm: Array, axis: int) -> Array:
     return np.moveaxis(filled, 0, axis)
 
 
-def _usable(arm: Array) -> Array:
-    """NaN where a configuration stands too near a singularity for a line, a dwell or a stop with a free rail."""
-    bad = (np.abs(np.sin(arm[..., 2])) > REACH) | (np.abs(np.sin(arm[..., 4])) < WRIST)
+def _usable(axes: Axes, arm: Array) -> Array:
+    """NaN where a configuration stands too near a singularity for a line, a dwell or a waypoint with a free rail."""
+    elbow, wrist = axes.robot.walls(arm)
+    bad = (elbow > ELBOW) | (wrist < WRIST)
     return np.where(bad[..., None], np.nan, arm)
 
 
-def station_table(
-    axes: Axes, problem: Problem, first: int, last: int, d: Array, keep: tuple[Label, ...] | None = None
-) -> StationTable:
-    """Tables of one station; keep restricts the labels."""
+def station_table(axes: Axes, problem: Problem, first: int, last: int, d: Array) -> StationTable:
+    """Tables of one station."""
     n = len(d)
-    stops_raw: list[Array] = []  # (8, n, 6)
+    stops_raw: list[Array] = []  # (branches, n, joints)
     lines_raw: list[Array | None] = []
     for k in range(first, last + 1):
         stop = problem.waypoints[k]
         if k == first:
-            raw = _usable(np.moveaxis(axes.inverse(np.broadcast_to(stop.X_WF, (n, 4, 4)), d), 1, 0))
+            raw = _usable(axes, np.moveaxis(axes.inverse(np.broadcast_to(stop.X_WF, (n, 4, 4)), d), 1, 0))
             stops_raw.append(_unwrap(raw, 1))
             continue
         leg = problem.legs[k - 1]
@@ -102,22 +98,19 @@ def station_table(
         X_0, X_1 = problem.waypoints[k - 1].X_WF @ leg.X_FT, stop.X_WF @ leg.X_FT
         X = Line(X_0, X_1).pose(np.linspace(0, 1, LINE_NODES)) @ inverse_pose(leg.X_FT)
         raw = axes.inverse(np.broadcast_to(X[:, None], (LINE_NODES, n, 4, 4)).reshape(-1, 4, 4), np.tile(d, LINE_NODES))
-        raw = _usable(np.moveaxis(raw.reshape(LINE_NODES, n, 8, 6), 2, 0))
+        raw = _usable(axes, np.moveaxis(raw.reshape(LINE_NODES, n, *raw.shape[1:]), 2, 0))
         start = stops_raw[-1]
         raw[:, 0] = start
         # along the line first; then along the rail, for columns whose start is out of reach and gave no reference
         line = _unwrap(_unwrap(raw, 1), 2)
         lines_raw.append(line)
         stops_raw.append(line[:, -1])
-    limits_low, limits_high = axes.lower[1:] - 1e-9, axes.upper[1:] + 1e-9
+    limits_low, limits_high = axes.lower[axes.layout.arm] - 1e-9, axes.upper[axes.layout.arm] + 1e-9
 
     labels: list[Label] = []
     stops: list[list[Array]] = [[] for _ in stops_raw]
     lines: list[list[Array | None]] = [[] for _ in lines_raw]
-    candidates = (
-        [(label.cfx, label.turns) for label in keep] if keep else [(c, turn) for c in range(8) for turn in TURNS]
-    )
-    for cfx, turn in candidates:
+    for cfx, turn in product(range(len(stops_raw[0])), axes.robot.turns):
         tables = []
         for i, raw in enumerate(stops_raw):
             q = raw[cfx] + turn
@@ -127,9 +120,9 @@ def station_table(
                 ok &= np.abs(d - stop.rail[0]) < 1e-12
             if stop.conf is not None:
                 for j in np.flatnonzero(ok & (np.abs(d - stop.written) < 1e-12)):
-                    ok[j] = confdata_admits(problem.plant.robot, stop.conf, q[j])
+                    ok[j] = axes.robot.admits(stop.conf, q[j])
             if stop.q is not None:
-                ok &= np.all(np.abs(q - axes.seven(stop.q)[1:]) < 1e-6, axis=-1)
+                ok &= np.all(np.abs(q - stop.q[axes.layout.arm]) < 1e-6, axis=-1)
             tables.append(np.where(ok[:, None], q, np.nan))
         if not all(np.any(~np.isnan(t[:, 0])) for t in tables):
             continue
@@ -145,37 +138,49 @@ def station_table(
             lines[i].append(np.where(ok[..., None], q, np.nan))
     alone = problem.waypoints[first].q if first == last else None
     if alone is not None:
-        fixed = axes.seven(alone)
-        return StationTable(first, fixed[:1], (Label(-1, np.zeros(6)),), (fixed[None, None, 1:],), ())
+        d, arm = axes.layout.place(alone[None]), alone[axes.layout.arm]
+        return StationTable(first, d, (Label(-1, np.zeros_like(arm)),), (arm[None, None],), ())
     return StationTable(
         first,
         d,
         tuple(labels),
-        tuple(np.array(s).reshape(-1, n, 6) for s in stops),
+        tuple(np.array(s).reshape(-1, n, axes.layout.joints) for s in stops),
         tuple(None if not x or x[0] is None else np.array(x) for x in lines),
     )
 
 
-def check_reach(axes: Axes, problem: Problem, n: int = 193) -> Infeasible | None:
-    """The first stop that no rail position and branch reaches, or line that none can serve, by name."""
+def check_reach(axes: Axes, problem: Problem, n: int = REACH_GRID) -> Infeasible | None:
+    """The first waypoint that no rail position and branch reaches, or line that none can serve, by name."""
     for first, last in problem.stations:
         d = rail_grid(problem, first, last, n)
         table = station_table(axes, problem, first, last, d)
-        if not table.labels:  # else one configuration reaches all of its stops
-            for k in range(first, last + 1):
-                if _out_of_reach(axes, problem, k, d):
-                    return _unreachable(axes, problem, k, d)
-        for i, line in enumerate(table.lines):
-            leg = problem.legs[first + i]
-            if leg.kind is LegKind.LINE and (line is None or not _passable(problem, table, i)):
-                return _broken_line(axes, problem, first, i, d)
-        if not table.labels:
-            return _no_common(axes, problem, first, last)
+        if not table.labels:  # else one configuration reaches all of its waypoints
+            return _lost(axes, problem, first, last, d)
+        for i in range(last - first):
+            if problem.legs[first + i].kind is LegKind.LINE and not _passable(problem, table, i):
+                return _broken_line(axes, problem, first + i, d, table.labels) or _no_single(problem, first + i)
     return None
 
 
+def _lost(axes: Axes, problem: Problem, first: int, last: int, d: Array) -> Infeasible:
+    """What ends a station that no configuration serves: a waypoint out of reach, or the first line that none of those
+    serves which served everything before it."""
+    for k in range(first, last + 1):
+        if _out_of_reach(axes, problem, k, d):
+            return _unreachable(axes, problem, k, d)
+    labels = station_table(axes, problem, first, first, d).labels
+    for k in range(first + 1, last + 1):
+        before, labels = labels, station_table(axes, problem, first, k, d).labels
+        if labels:
+            continue
+        line = problem.legs[k - 1].kind is LegKind.LINE
+        broken = _broken_line(axes, problem, k - 1, d, before) if line else None
+        return broken or _no_common(problem, first, k)
+    raise AssertionError("a station without a label has a first stop where the labels end")
+
+
 def _out_of_reach(axes: Axes, problem: Problem, k: int, d: Array) -> bool:
-    """Whether no rail position and branch reach a stop, whatever stands around it."""
+    """Whether no rail position and branch reach a waypoint, whatever stands around it."""
     stop = problem.waypoints[k]
     if stop.q is not None or stop.motion < 0:
         return False
@@ -183,10 +188,8 @@ def _out_of_reach(axes: Axes, problem: Problem, k: int, d: Array) -> bool:
 
 
 def problem_at(problem: Problem, k: int) -> Problem:
-    """The problem of one stop alone."""
-    return Problem(
-        problem.plant, problem.program, problem.freedom, (problem.waypoints[k],), (), ((0, 0),), problem.dropped
-    )
+    """The problem of one waypoint alone."""
+    return replace(problem, waypoints=(problem.waypoints[k],), legs=(), stations=((0, 0),))
 
 
 def _passable(problem: Problem, table: StationTable, i: int) -> bool:
@@ -195,8 +198,8 @@ def _passable(problem: Problem, table: StationTable, i: int) -> bool:
     leg = problem.legs[table.first + i]
     assert line is not None
     open_ = ~np.isnan(line[..., 0])
-    open_[:, 0] &= ~np.isnan(table.stops[i][..., 0])
-    open_[:, -1] &= ~np.isnan(table.stops[i + 1][..., 0])
+    open_[:, 0] &= ~np.isnan(table.waypoints[i][..., 0])
+    open_[:, -1] &= ~np.isnan(table.waypoints[i + 1][..., 0])
     for grid in open_:
         if not leg.rail_moves:
             if np.any(np.all(grid, axis=0)):
@@ -225,12 +228,11 @@ def _crosses(open_: BoolArray) -> bool:
 def _unreachable(axes: Axes, problem: Problem, k: int, d: Array) -> Infeasible:
     stop = problem.waypoints[k]
     motion = problem.motion(stop.motion)
-    rails = d if axes.has_rail else np.zeros(1)
-    near = rails[int(np.argmin(np.abs(rails - _abreast(axes, stop.X_WF))))]
+    near = d[int(np.argmin(np.abs(d - _abreast(axes, stop.X_WF))))]
     if stop.rail[0] == stop.rail[1]:
         near = stop.rail[0]
     reason = _why(axes, problem, stop.X_WF, float(near))
-    where = f" at rail {near * 1e3:.1f} mm" if axes.has_rail else ""
+    where = _at(axes, float(near))
     if not reason:
         reason = _other_configurations(axes, problem, stop, float(near))
         if stop.conf is not None:
@@ -239,19 +241,21 @@ def _unreachable(axes: Axes, problem: Problem, k: int, d: Array) -> Infeasible:
     return Infeasible(stop.motion, motion.source, text)
 
 
+def _at(axes: Axes, rail: float) -> str:
+    return f" at rail {rail * 1e3:.1f} mm" if axes.layout.has_rail else ""
+
+
 def _why(axes: Axes, problem: Problem, X_WF: Array, rail: float) -> str:
     """Why a pose is out of reach at a rail position; empty when it is not."""
-    at = rail if axes.has_rail else None
-    if solutions(axes.robot, X_WF, at, problem.plant.limits):
+    if axes.robot.solutions(X_WF, rail, problem.plant.limits):
         return ""
-    return why_unreachable(axes.robot, X_WF, at, problem.plant.limits)
+    return axes.robot.why_unreachable(X_WF, rail, problem.plant.limits)
 
 
 def _other_configurations(axes: Axes, problem: Problem, stop: Waypoint, rail: float) -> str:
     """The pose is in reach, but not with the confdata asked for; those that are to be had, the nearest to it first."""
-    robot = axes.robot
-    found = solutions(robot, stop.X_WF, rail if axes.has_rail else None, problem.plant.limits)
-    confs = {astuple(confdata(robot, q)) for _, q in found}
+    found = axes.robot.solutions(stop.X_WF, rail, problem.plant.limits)
+    confs = {astuple(axes.robot.confdata(q)) for _, q in found}
     if not confs:
         return "too near a singularity"
     asked = None if stop.conf is None else astuple(stop.conf)
@@ -272,7 +276,7 @@ def _written(conf: tuple[int, ...]) -> str:
 
 
 def _remedy(axes: Axes, problem: Problem, k: int) -> str:
-    """What to do about confdata that cannot be had at stop k, and the places behind it where it is the same."""
+    """What to do about confdata that cannot be had at waypoint k, and the places behind it where it is the same."""
     motion = problem.motion(problem.waypoints[k].motion)
     word = "ConfL" if isinstance(motion, MoveL) else "ConfJ"
     text = f"; correct the confdata, or set {word} \\Off before it"
@@ -295,71 +299,82 @@ def _wrong_confdata(axes: Axes, problem: Problem, stop: Waypoint) -> bool:
         return False
     if not isinstance(problem.motion(stop.motion), MoveJ | MoveL):
         return False
-    rail = stop.written if axes.has_rail else None
-    found = solutions(axes.robot, stop.X_WF, rail, problem.plant.limits)
-    return bool(found) and not any(confdata_admits(axes.robot, stop.conf, q) for _, q in found)
+    found = axes.robot.solutions(stop.X_WF, stop.written, problem.plant.limits)
+    return bool(found) and not any(axes.robot.admits(stop.conf, q) for _, q in found)
 
 
 def _abreast(axes: Axes, X_WF: Array) -> float:
     """The rail position at which the base stands nearest to a pose."""
     p = axes.in_base(X_WF)[:3, 3]
-    return float(p @ axes.rail_axis)
+    return float(np.sum(p @ axes.rail_axis))
 
 
 def _title(motion: Motion) -> str:
     return f"{type(motion).__name__} {getattr(motion, 'target', '')}".strip()
 
 
-def _broken_line(axes: Axes, problem: Problem, first: int, i: int, d: Array) -> Infeasible:
-    """Name the point on the line that serves no rail position and branch which served everything before it."""
-    leg, k = problem.legs[first + i], first + i
+def _broken_line(axes: Axes, problem: Problem, k: int, d: Array, labels: tuple[Label, ...]) -> Infeasible | None:
+    """Name the point on line k that serves no rail position and branch which served everything before it; labels: the
+    configurations that did. None where every point has such."""
+    leg = problem.legs[k]
     motion = problem.motion(leg.motion)
     X_0, X_1 = problem.waypoints[k].X_WF @ leg.X_FT, problem.waypoints[k + 1].X_WF @ leg.X_FT
     shares = np.linspace(0, 1, 101)
     X = Line(X_0, X_1).pose(shares)
-    rails = d if axes.has_rail else np.zeros(1)
+    rails = d
     fixed = [
         problem.waypoints[j].rail[0] for j in (k, k + 1) if problem.waypoints[j].rail[0] == problem.waypoints[j].rail[1]
     ]
     if fixed and not leg.rail_moves:
         rails = np.array(fixed[:1])
-    alive: BoolArray | None = None
-    bad = 1.0
-    for share, X_WT in zip(shares, X, strict=True):
-        X_WF = X_WT @ inverse_pose(leg.X_FT)
-        arm = axes.inverse(np.broadcast_to(X_WF, (len(rails), 4, 4)), rails)
-        served = _in_limits(axes, arm)  # (n, 8)
-        if alive is None or leg.rail_moves:
-            alive = served if alive is None else served & np.any(alive, axis=0)
-        else:
-            alive = alive & served
-        if not np.any(alive):
-            bad = float(share)
-            break
-    X_WT = X[round(bad * 100)]
-    X_WF = X_WT @ inverse_pose(leg.X_FT)
+    X_WF = X @ inverse_pose(leg.X_FT)
+    arm = [axes.inverse(np.broadcast_to(X, (len(rails), 4, 4)), rails) for X in X_WF]
+    # a point out of everything's reach says most; else the one where the last configuration ends
+    known = {label.cfx for label in labels} if all(label.cfx >= 0 for label in labels) else set(range(arm[0].shape[1]))
+    at = _first_lost(axes, leg, arm, set(range(arm[0].shape[1])))
+    if at is None:
+        at = _first_lost(axes, leg, [_usable(axes, q) for q in arm], known)
+    if at is None:
+        return None
+    X_WT, X_WF = X[at], X_WF[at]
     near = rails[int(np.argmin(np.abs(rails - _abreast(axes, X_WF))))]
     reason = _why(axes, problem, X_WF, float(near))
-    where = f" at rail {near * 1e3:.1f} mm" if axes.has_rail else ""
+    where = _at(axes, float(near))
     if not reason:
-        reason = "no single configuration serves the whole line without crossing a singularity or a joint limit"
+        reason = _NO_SINGLE
     p = X_WT[:3, 3] * 1e3
+    way = leg.chord * 1e3
     text = (
-        f"{motion.source}: {_title(motion)} breaks at {bad * leg.chord * 1e3:.1f} mm of {leg.chord * 1e3:.1f} mm,"
+        f"{motion.source}: {_title(motion)} breaks at {shares[at] * way:.1f} mm of {way:.1f} mm,"
         f" point [{p[0]:.1f}, {p[1]:.1f}, {p[2]:.1f}] mm{where}: {reason}"
     )
     return Infeasible(leg.motion, motion.source, text)
 
 
+def _first_lost(axes: Axes, leg: Leg, arm: list[Array], branches: set[int]) -> int | None:
+    """The first of the points, with joints arm (rails, b, m) each, to which none of the branches gets."""
+    alive = np.tile([cfx in branches for cfx in range(arm[0].shape[1])], (len(arm[0]), 1))
+    for at, q in enumerate(arm):
+        alive = _in_limits(axes, q) & (np.any(alive, axis=0) if leg.rail_moves else alive)
+        if not np.any(alive):
+            return at
+    return None
+
+
 def _in_limits(axes: Axes, arm: Array) -> BoolArray:
-    low, high = axes.lower[1:] - 1e-9, axes.upper[1:] + 1e-9
+    low, high = axes.lower[axes.layout.arm] - 1e-9, axes.upper[axes.layout.arm] + 1e-9
     ok = np.zeros(arm.shape[:-1], dtype=bool)
-    for turn in TURNS:
+    for turn in axes.robot.turns:
         ok |= np.all((arm + turn >= low) & (arm + turn <= high), axis=-1)
     return ok
 
 
-def _no_common(axes: Axes, problem: Problem, first: int, last: int) -> Infeasible:
+def _no_single(problem: Problem, k: int) -> Infeasible:
+    motion = problem.motion(problem.legs[k].motion)
+    return Infeasible(problem.legs[k].motion, motion.source, f"{motion.source}: {_title(motion)}: {_NO_SINGLE}")
+
+
+def _no_common(problem: Problem, first: int, last: int) -> Infeasible:
     index = problem.waypoints[last].motion
     motion = problem.motion(index)
     start = problem.motion(problem.waypoints[first].motion) if problem.waypoints[first].motion >= 0 else None

@@ -1,8 +1,8 @@
-"""Global search: dynamic programming over rail position, rail speed, IK branch and turns at every stop.
+"""Global search: dynamic programming over rail position, rail velocity, IK branch and turns at every waypoint.
 
 It picks the basin the nonlinear program then descends in. Coarse first, with all branches and the rail at rest at the
-stops; then finer around the best, on the labels that came near it, with rail speed. Edge times of joint moves are
-exact without the tool caps; those of lines are estimates.
+waypoints; then finer around the best, on the labels that came near it, with rail velocity. Edge times of joint moves
+are exact without the tool caps; those of lines are estimates.
 """
 
 from __future__ import annotations
@@ -14,19 +14,26 @@ import numpy as np
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.double_integrator import reach, shortest_time, trapezoid_time
-from trajopt_cli.optimize.reach import LINE_NODES, Label, StationTable, rail_grid, station_table
+from trajopt_cli.optimize.reach import Label, StationTable, rail_grid, station_table
+from trajopt_cli.optimize.tuning import (
+    CURVED,
+    LEAST_ROOM,
+    LINE_NODES,
+    NEAR_BEST,
+    PASSING,
+    SEARCH_CHUNK,
+    SEARCH_COARSE,
+    SEARCH_FINE,
+    SEARCH_WINDOW,
+    SHIFT,
+)
 from trajopt_cli.problem.freedom import RailFreedom
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
-
-COARSE, FINE = 33, 25
-SPEEDS = np.array([-0.5, 0.0, 0.5])  # shares of the rail's top speed tried at a stop
-NEAR = 1.04  # labels within 4 % of the best cycle stay in the fine search
-CHUNK = 2_000_000
 
 
 @dataclass(frozen=True, eq=False)
 class Chain:
-    """The best chain: axes (M, 7) and rail speeds (M,) at the stops, label and estimated time per stop and leg."""
+    """The best chain: axes q and velocities w (M, n) at the waypoints, labels there, estimated times of the legs."""
 
     q: Array
     w: Array
@@ -37,7 +44,7 @@ class Chain:
 
 @dataclass(frozen=True, eq=False)
 class _Layer:
-    """States at one stop: q (n, 7), rail speed (n,), arm rates (n, 7), label number and rail index (n,)."""
+    """States at one waypoint: axes and their velocities (m, n), label number and rail index (m,)."""
 
     q: Array
     qd: Array
@@ -46,34 +53,31 @@ class _Layer:
 
 
 def _layer(axes: Axes, problem: Problem, table: StationTable, k: int, speeds: Array) -> _Layer:
-    arm = table.stops[k - table.first]
+    arm = table.waypoints[k - table.first]
     labels, rails = np.nonzero(~np.isnan(arm[..., 0]))
     stop = problem.waypoints[k]
-    q = np.concatenate([table.d[rails][:, None], arm[labels, rails]], axis=1)
+    q = axes.layout.join(table.d[rails], arm[labels, rails])
     if stop.rest or stop.q is not None or stop.rail[0] == stop.rail[1] or len(speeds) == 1:
         return _Layer(q, np.zeros_like(q), labels, rails)
     m = len(speeds)
-    J = axes.jacobian(q, np.eye(4))
-    rate = -np.linalg.solve(J[:, :, 1:], J[:, :, :1])[..., 0]  # arm speed per rail speed with the flange at rest
-    rate = np.concatenate([np.ones((len(q), 1)), rate], axis=1)
-    q, labels, rails = (np.repeat(x, m, axis=0) for x in (q, labels, rails))
+    rate = axes.layout.join(np.ones(len(q)), axes.self_motion(q)[..., 0])
+    q, labels, rails = np.repeat(q, m, axis=0), np.repeat(labels, m), np.repeat(rails, m)
     qd = np.repeat(rate, m, axis=0) * np.tile(speeds, len(rate))[:, None]
     ok = np.all(np.abs(qd) <= axes.velocity + 1e-12, axis=1)
     return _Layer(q[ok], qd[ok], labels[ok], rails[ok])
 
 
-def _joint_time(axes: Axes, leg: Leg, a: _Layer, b: _Layer, tied: bool) -> Array:
+def _joint_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) -> Array:
     """(n_a, n_b) least time of joint moves; the tool caps enter by a trapezoid over the chord."""
-    V, A = axes.velocity.copy(), axes.acceleration
-    V[0] = min(V[0], leg.v_rail)
+    V, A = axes.velocity_on(leg), axes.acceleration
     out = np.empty((len(a.q), len(b.q)))
     moving = np.any(a.qd) or np.any(b.qd)
     p_a, p_b = (axes.forward(x.q) @ leg.X_FT for x in (a, b))
-    rows = max(1, CHUNK // max(1, 7 * len(b.q)))
+    rows = max(1, SEARCH_CHUNK // max(1, axes.n * len(b.q)))
     for i in range(0, len(a.q), rows):
         part = slice(i, i + rows)
         D = b.q[None] - a.q[part, None]
-        if tied:
+        if problem.coordinated:
             way = np.maximum(np.abs(D), 1e-12)
             T = trapezoid_time(1.0, np.min(V / way, axis=-1), np.min(A / way, axis=-1))
         elif moving:
@@ -94,11 +98,12 @@ def _line_time(axes: Axes, leg: Leg, table: StationTable, i: int, a: _Layer, b: 
     assert line is not None
     d = table.d
     n = len(d)
-    limits_v, limits_a = axes.velocity.copy(), axes.acceleration
-    limits_v[0] = min(limits_v[0], leg.v_rail)
+    limits_v, limits_a = axes.velocity_on(leg), axes.acceleration
     spacing = (d[-1] - d[0]) / max(n - 1, 1)
     cruise = leg.chord / leg.v_tcp + leg.angle / leg.v_ori
-    widest = 0 if not leg.rail_moves else int(np.ceil((0.45 + limits_v[0] * cruise) / max(spacing, 1e-9)))
+    widest = (
+        0 if not leg.rail_moves else int(np.ceil((SHIFT + axes.layout.place(limits_v) * cruise) / max(spacing, 1e-9)))
+    )
     best = np.full((len(table.labels), n, n), np.inf)
     S = np.linspace(0, 1, LINE_NODES)
     for shift in range(-min(widest, n - 1), min(widest, n - 1) + 1):
@@ -111,14 +116,12 @@ def _line_time(axes: Axes, leg: Leg, table: StationTable, i: int, a: _Layer, b: 
         f = (position - low)[None, :, :, None]
         k = np.arange(LINE_NODES)[:, None]
         arm = line[:, k, low] * (1 - f) + np.where(f > 1e-9, line[:, k, high], 0.0) * f
-        q = np.concatenate(
-            [np.broadcast_to((d[i0] + way * S[:, None])[None, ..., None], (*arm.shape[:-1], 1)), arm], -1
-        )
+        q = axes.layout.join(d[i0] + way * S[:, None], arm)
         dq = np.gradient(q, S, axis=1)
         ddq = np.gradient(dq, S, axis=1)
         v = np.min(limits_v / np.maximum(np.abs(dq), 1e-9), axis=(1, 3))
         v = np.minimum(v, min(leg.v_tcp / max(leg.chord, 1e-12), leg.v_ori / max(leg.angle, 1e-12)))
-        room = np.maximum(limits_a - np.abs(ddq) * (0.6 * v[:, None, :, None]) ** 2, 0.15 * limits_a)
+        room = np.maximum(limits_a - np.abs(ddq) * (CURVED * v[:, None, :, None]) ** 2, LEAST_ROOM * limits_a)
         acc = np.min(room / np.maximum(np.abs(dq), 1e-9), axis=(1, 3))
         acc = np.minimum(acc, leg.a_tcp / max(leg.chord, 1e-12))
         T = trapezoid_time(1.0, v, acc)
@@ -136,7 +139,7 @@ def _line_time(axes: Axes, leg: Leg, table: StationTable, i: int, a: _Layer, b: 
     return T
 
 
-def _dwell_time(axes: Axes, leg: Leg, a: _Layer, b: _Layer, tied: bool) -> Array:
+def _dwell_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) -> Array:
     """(n_a, n_b) duration of a dwell; infinite where the rail's move does not fit."""
     V, A = axes.velocity, axes.acceleration
     same = a.label[:, None] == b.label[None]
@@ -149,7 +152,7 @@ def _dwell_time(axes: Axes, leg: Leg, a: _Layer, b: _Layer, tied: bool) -> Array
         out[ia, ib] = shortest_time(D, a.qd[ia], b.qd[ib], V, A)
         return out
     T = leg.duration
-    if tied:
+    if problem.coordinated:
         way = np.maximum(np.abs(D), 1e-12)
         fits = trapezoid_time(1.0, np.min(V / way, axis=-1), np.min(A / way, axis=-1)) <= T
     else:
@@ -161,24 +164,22 @@ def _dwell_time(axes: Axes, leg: Leg, a: _Layer, b: _Layer, tied: bool) -> Array
 
 
 def _edges(
-    axes: Axes, problem: Problem, tables: list[StationTable], where: list[int], layers: list[_Layer], tied: bool
+    axes: Axes, problem: Problem, tables: list[StationTable], where: list[int], layers: list[_Layer]
 ) -> list[Array]:
     edges = []
-    cache: dict[tuple[object, ...], Array] = {}
     for k, leg in enumerate(problem.legs):
         a, b = layers[k], layers[k + 1]
         if leg.kind is LegKind.JOINT:
-            edges.append(_joint_time(axes, leg, a, b, tied))
+            edges.append(_joint_time(axes, problem, leg, a, b))
             continue
         table = tables[where[k]]
         if leg.kind is LegKind.LINE:
             T = _line_time(axes, leg, table, k - table.first, a, b)
         else:
-            T = _dwell_time(axes, leg, a, b, tied)
+            T = _dwell_time(axes, problem, leg, a, b)
         if problem.freedom.rail is RailFreedom.STATION:
             T = np.where(a.rail[:, None] == b.rail[None], T, np.inf)
         edges.append(T)
-    del cache
     return edges
 
 
@@ -200,18 +201,18 @@ def _best(layers: list[_Layer], edges: list[Array]) -> tuple[float, list[int], l
     return float(forward[-1][end]), path[::-1], forward, backward
 
 
-def search(axes: Axes, problem: Problem, tied: bool) -> Chain | None:
-    """The best chain found, or None when no chain of stops is connected on the grid."""
+def search(axes: Axes, problem: Problem) -> Chain | None:
+    """The best chain found, or None when no chain of waypoints is connected on the grid."""
     where = _station_of(problem)
     tables = [
-        station_table(axes, problem, first, last, rail_grid(problem, first, last, COARSE))
+        station_table(axes, problem, first, last, rail_grid(problem, first, last, SEARCH_COARSE))
         for first, last in problem.stations
     ]
     if not all(t.labels for t in tables):
         return None
     still = np.zeros(1)
     layers = [_layer(axes, problem, tables[where[k]], k, still) for k in range(len(problem.waypoints))]
-    edges = _edges(axes, problem, tables, where, layers, tied)
+    edges = _edges(axes, problem, tables, where, layers)
     cost, path, forward, backward = _best(layers, edges)
     if not np.isfinite(cost):
         return None
@@ -219,20 +220,21 @@ def search(axes: Axes, problem: Problem, tied: bool) -> Chain | None:
     if all(s.rail[0] == s.rail[1] for s in problem.waypoints):
         return coarse
     # the fine search: labels near the best, rail near the best
-    V0 = float(axes.velocity[0])
-    speeds = still if tied or not problem.freedom.through_stops else V0 * SPEEDS
+    top = float(axes.layout.place(axes.velocity))
+    speeds = still if problem.coordinated or not problem.freedom.through_stops else top * np.array(PASSING)
     fine_tables = []
     for (first, last), table in zip(problem.stations, tables, strict=True):
         keep: set[int] = set()
         low, high = np.inf, -np.inf
         for k in range(first, last + 1):
             through = forward[k] + backward[k]
-            near = through <= NEAR * cost
+            near = through <= NEAR_BEST * cost
             keep |= set(layers[k].label[near].tolist())
-            low, high = min(low, layers[k].q[path[k], 0]), max(high, layers[k].q[path[k], 0])
+            stands = float(axes.layout.place(layers[k].q[path[k]]))
+            low, high = min(low, stands), max(high, stands)
         spacing = (table.d[-1] - table.d[0]) / max(len(table.d) - 1, 1)
-        margin = max(2 * spacing, 0.1)
-        d = rail_grid(problem, first, last, FINE, (low - margin, high + margin))
+        margin = max(2 * spacing, SEARCH_WINDOW)
+        d = rail_grid(problem, first, last, SEARCH_FINE, (low - margin, high + margin))
         fine = station_table(axes, problem, first, last, d)
         labels = [i for i in range(len(fine.labels)) if _like(fine, i, table, keep)]
         fine_tables.append(_restrict(fine, labels) if labels else fine)
@@ -241,7 +243,7 @@ def search(axes: Axes, problem: Problem, tied: bool) -> Chain | None:
     layers = [_layer(axes, problem, fine_tables[where[k]], k, speeds) for k in range(len(problem.waypoints))]
     if not all(len(layer.q) for layer in layers):
         return coarse
-    edges = _edges(axes, problem, fine_tables, where, layers, tied)
+    edges = _edges(axes, problem, fine_tables, where, layers)
     cost, path, _, _ = _best(layers, edges)
     return _chain(problem, fine_tables, where, layers, edges, path, cost) if np.isfinite(cost) else coarse
 
@@ -258,7 +260,7 @@ def _like(fine: StationTable, i: int, coarse: StationTable, keep: set[int]) -> b
     for j in keep:
         if fine.labels[i].cfx != coarse.labels[j].cfx:
             continue
-        a, b = fine.stops[0][i], coarse.stops[0][j]
+        a, b = fine.waypoints[0][i], coarse.waypoints[0][j]
         ok_a, ok_b = np.flatnonzero(~np.isnan(a[:, 0])), np.flatnonzero(~np.isnan(b[:, 0]))
         near = ok_b[np.argmin(np.abs(coarse.d[ok_b][None] - fine.d[ok_a][:, None]), axis=1)]
         at = int(np.argmin(np.abs(coarse.d[near] - fine.d[ok_a])))
@@ -272,7 +274,7 @@ def _restrict(table: StationTable, labels: list[int]) -> StationTable:
         table.first,
         table.d,
         tuple(table.labels[i] for i in labels),
-        tuple(s[labels] for s in table.stops),
+        tuple(s[labels] for s in table.waypoints),
         tuple(None if line is None else line[labels] for line in table.lines),
     )
 

@@ -6,37 +6,38 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from time import perf_counter
 
-import casadi as ca
 import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.motion import Program
-from trajopt_cli.optimize.assemble import LEAST, rows_of
+from trajopt_cli.optimize.assemble import rows_of
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.binding import binding_limit
 from trajopt_cli.optimize.bound import lower_bound
-from trajopt_cli.optimize.driver import LAST_ALONE, NotConverged, Refiner, first_draft
+from trajopt_cli.optimize.draft import Draft
+from trajopt_cli.optimize.driver import NotConverged, Refiner, first_draft
+from trajopt_cli.optimize.formulation import Formulation
 from trajopt_cli.optimize.legs import JointProfiles, LegMotion, PathLeg
 from trajopt_cli.optimize.pieces import alone, cut, solve_pieces, with_leg
 from trajopt_cli.optimize.reach import check_reach
 from trajopt_cli.optimize.search import Chain, search
-from trajopt_cli.optimize.stages import Stages
-from trajopt_cli.optimize.transcription import Draft
+from trajopt_cli.optimize.tuning import (
+    DENSER,
+    DISAPPOINTING,
+    LAST_ALONE,
+    RESIDUAL,
+    RETIMED,
+    ROW_APART,
+    SLOWER,
+)
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.problem import LegKind, Problem, build_problem, droppable
+from trajopt_cli.problem.problem import Coupling, LegKind, Problem, build_problem, droppable
 from trajopt_cli.problem.progress import Progress
-from trajopt_cli.robot.symbolic import forward
 from trajopt_cli.trajectory import Trajectory, hermite
 
 Report = Callable[[Progress], None]
-
-
-RETIMED = 96  # intervals of a rapid line timed by itself
-RESIDUAL = 1e-14  # rad or m: rounding of a position in a row
-DENSER = 3  # times that rows are put between rows
-DISAPPOINTING = 1.05  # times the search's estimate: a slower answer is doubted
 
 
 class NoCleanPlan(Exception):
@@ -70,7 +71,6 @@ def optimize(
     tell: Report = progress or (lambda _: None)
     seconds: dict[str, float] = {}
     start = perf_counter()
-    tied = target is Target.RAPID
     axes = Axes.of(plant)
     tell(Progress("reach"))
     problems = _problems(program, plant, freedom, target)
@@ -81,17 +81,17 @@ def optimize(
     seconds["reach"] = perf_counter() - start
     tell(Progress("search"))
     start = perf_counter()
-    found = [(chain, problem) for problem in open_ if (chain := search(axes, problem, tied)) is not None]
+    found = [(chain, problem) for problem in open_ if (chain := search(axes, problem)) is not None]
     seconds["search"] = perf_counter() - start
     if not found:
         return _disconnected(program, plant)
     chain, problem = min(found, key=lambda pair: pair[0].cost)
-    draft, legs, trajectory, bounds = _clean_plan(axes, problem, chain, tied, tell, seconds)
+    draft, legs, trajectory, bounds = _clean_plan(axes, problem, chain, tell, seconds)
     bound = None
     if bounded:
         start = perf_counter()
         tell(Progress("bound", incumbent=trajectory.duration))
-        bound = _checked_bound(axes, problem, tied, trajectory.duration)
+        bound = _checked_bound(axes, problem, trajectory.duration)
         seconds["bound"] = perf_counter() - start
     tell(Progress("done", incumbent=trajectory.duration, bound=bound))
     grid = _grid(legs, problem)
@@ -99,9 +99,9 @@ def optimize(
     return Plan(target, trajectory, motions, bound, grid, seconds)
 
 
-def _checked_bound(axes: Axes, problem: Problem, tied: bool, duration: float) -> float:
+def _checked_bound(axes: Axes, problem: Problem, duration: float) -> float:
     """The lower bound; it aims a hair above the plan, so that a bound the plan itself refutes shows."""
-    bound = lower_bound(axes, problem, tied, duration * 1.001)
+    bound = lower_bound(axes, problem, duration * 1.001)
     if bound > duration * (1 + 1e-6):
         raise NoCleanPlan(f"an error in trajopt: the lower bound {bound:.6f} s lies above the plan, {duration:.6f} s")
     return min(bound, duration)  # equal up to rounding where the bound is exact
@@ -110,29 +110,28 @@ def _checked_bound(axes: Axes, problem: Problem, tied: bool, duration: float) ->
 Clean = tuple[Draft, list[LegMotion], Trajectory, Array]
 
 
-def _clean_plan(
-    axes: Axes, problem: Problem, chain: Chain, tied: bool, tell: Report, seconds: dict[str, float]
-) -> Clean:
-    """The draft, its legs, rows and leg boundaries. A stream may also rest at every stop and run straight, as a rapid
-    plan does: that is tried where the freer problem finds nothing, or nothing near what the search promised."""
+def _clean_plan(axes: Axes, problem: Problem, chain: Chain, tell: Report, seconds: dict[str, float]) -> Clean:
+    """The draft, its legs, rows and leg boundaries. A stream may also be coordinated, as a rapid plan is: that is tried
+    where the freer problem finds nothing, or nothing near what the search promised."""
     failure = None
     best: Clean | None = None
-    for straight in (tied,) if tied else (False, True):
-        if straight and not tied:
+    for tried in dict.fromkeys((problem.coupling, Coupling.COORDINATED)):
+        if tried is not problem.coupling:
             good = best is not None and best[2].duration <= DISAPPOINTING * chain.cost
             if good and problem.freedom.rail is not RailFreedom.STATION:  # few stations: two basins are worth a look
                 break
-            other = search(axes, problem, True)
+            problem = replace(problem, coupling=tried)
+            other = search(axes, problem)
             if other is None:
                 break
             chain = other
         try:
-            draft = _refine(axes, problem, chain, straight, tell, seconds)
+            draft = _refine(axes, problem, chain, tell, seconds)
         except NoCleanPlan as said:
             failure = said
             continue
-        legs = _final_legs(problem, draft, straight)
-        rows = _rows(axes, legs, axes.seven(_end(axes, problem, draft)))
+        legs = _final_legs(problem, draft)
+        rows = _rows(axes, legs, _end(problem, draft))
         if rows is None:
             failure = NoCleanPlan("the written rows would pass a limit between each other")
             continue
@@ -155,18 +154,18 @@ def _rows(axes: Axes, legs: list[LegMotion], end: Array) -> tuple[Trajectory, Ar
         if not len(over):
             return trajectory, bounds
         gaps = np.diff(trajectory.t)[over]
-        if gaps.min() < 2 * LEAST:
+        if gaps.min() < 2 * ROW_APART:
             return None
         more += list(trajectory.t[over] + gaps / 2)
     return None
 
 
 def _passing(axes: Axes, trajectory: Trajectory) -> IndexArray:
-    """The intervals between rows in which the cubic Hermite passes an axis' speed or acceleration by more than what
+    """The intervals between rows in which the cubic Hermite passes an axis' velocity or acceleration by more than what
     rounding does to rows that stand near each other."""
     h = np.diff(trajectory.t)
     noise = 6 * RESIDUAL / (h * h)[:, None]
-    V, A = axes.plant_axes(axes.velocity), axes.plant_axes(axes.acceleration)
+    V, A = axes.velocity, axes.acceleration
     over = np.zeros(len(h), dtype=bool)
     for u in (1e-6, 1 - 1e-6):
         _, qd, qdd = hermite(trajectory, trajectory.t[:-1] + u * h)
@@ -194,12 +193,8 @@ def _disconnected(program: Program, plant: Plant) -> Infeasible:
     return Infeasible(index, source, f"{source}: no chain of configurations connects the start with the program's end")
 
 
-def _refine(axes: Axes, problem: Problem, chain: Chain, tied: bool, tell: Report, seconds: dict[str, float]) -> Draft:
-    robot = axes.robot
-    q = ca.SX.sym("q", 7)
-    p, R = forward(robot, q if axes.has_rail else q[1:])
-    flange = ca.Function("flange", [q], [p, R])
-    stages = Stages(robot.arm, axes.rail_axis, axes.lower, axes.upper)
+def _refine(axes: Axes, problem: Problem, chain: Chain, tell: Report, seconds: dict[str, float]) -> Draft:
+    formulation = Formulation(axes)
 
     def report(phase: str, legs: Sequence[LegMotion | None]) -> None:
         """The time of the legs at hand and the search's estimate for the others; a rapid dwell counts in full."""
@@ -209,12 +204,12 @@ def _refine(axes: Axes, problem: Problem, chain: Chain, tied: bool, tell: Report
                 total += motion.T - float(estimate)
         tell(Progress(phase, incumbent=total))
 
-    whole = sum(1 for _ in cut(problem, chain, tied)) == 1
+    whole = sum(1 for _ in cut(problem, chain)) == 1
 
     def solve(piece: Problem, part: Chain) -> Draft:
         said = []
         for start in _starts(part):
-            refiner = Refiner(axes, stages, flange, piece, tied)
+            refiner = Refiner(axes, formulation, piece)
             try:
                 first = first_draft(axes, piece, start)
                 return refiner.run(first, lambda phase, draft: report(phase, draft.legs) if whole else None)
@@ -224,13 +219,13 @@ def _refine(axes: Axes, problem: Problem, chain: Chain, tied: bool, tell: Report
                 _add(seconds, refiner.seconds)
         raise NoCleanPlan(f"{problem.motion(piece.legs[0].motion).source}: {'; '.join(said)}")
 
-    draft = solve_pieces(problem, chain, tied, solve, lambda legs: report("solve", legs))
-    if tied:  # every axis rests at every stop: once the rail's positions are chosen, each line can be timed by itself
+    draft = solve_pieces(problem, chain, solve, lambda legs: report("solve", legs))
+    if problem.coordinated:  # at rest in every waypoint, the rail's positions chosen: each line can be timed by itself
         for k, leg in enumerate(problem.legs):
             if leg.kind is LegKind.LINE and draft.legs[k].N < LAST_ALONE:  # type: ignore[union-attr]
                 tell(Progress("retime", incumbent=_time(problem, draft)))
                 piece, part = alone(problem, draft, k)
-                refiner = Refiner(axes, stages, flange, piece, tied)
+                refiner = Refiner(axes, formulation, piece)
                 draft = with_leg(draft, k, _finer(refiner, part))
                 _add(seconds, refiner.seconds)
     return draft
@@ -267,22 +262,27 @@ def _time(problem: Problem, draft: Draft) -> float:
 
 
 def _starts(chain: Chain) -> list[Chain]:
-    """The chain itself, the same at rest in every stop, and slower."""
+    """The chain itself, the same at rest in every waypoint, and slower."""
     still = replace(chain, w=np.zeros_like(chain.w))
-    return [chain, still, replace(still, times=chain.times * 1.5)]
+    return [chain, still, replace(still, times=chain.times * SLOWER)]
 
 
-def _end(axes: Axes, problem: Problem, draft: Draft) -> Array:
+def _end(problem: Problem, draft: Draft) -> Array:
     stop = problem.waypoints[-1]
-    return stop.q if stop.q is not None else axes.plant_axes(draft.q[-1])
+    return stop.q if stop.q is not None else draft.q[-1]
 
 
-def _final_legs(problem: Problem, draft: Draft, tied: bool) -> list[LegMotion]:
+def _final_legs(problem: Problem, draft: Draft) -> list[LegMotion]:
     """A rapid dwell's profile is played as slowly as the dwell is long."""
     legs = []
     for leg, motion in zip(problem.legs, draft.legs, strict=True):
         assert motion is not None
-        if tied and isinstance(motion, PathLeg) and leg.kind is LegKind.DWELL and leg.duration is not None:
+        if (
+            problem.coordinated
+            and isinstance(motion, PathLeg)
+            and leg.kind is LegKind.DWELL
+            and leg.duration is not None
+        ):
             motion = replace(motion, T=leg.duration)
         legs.append(motion)
     return legs
@@ -311,13 +311,13 @@ def _planned(
 ) -> tuple[PlannedMotion, ...]:
     by_motion = {leg.motion: k for k, leg in enumerate(problem.legs)}
     out = []
-    now, q_now = 0.0, axes.plant_axes(draft.q[0])
+    now, q_now = 0.0, draft.q[0]
     for i, motion in enumerate(program.motions):
         k = by_motion.get(i)
         if k is None:
             out.append(PlannedMotion(i, motion.source, now, now, q_now, q_now, "", i in problem.dropped))
             continue
-        q_1 = axes.plant_axes(draft.q[k + 1])
+        q_1 = draft.q[k + 1]
         binding = binding_limit(axes, problem.legs[k], legs[k])
         out.append(PlannedMotion(i, motion.source, float(bounds[k]), float(bounds[k + 1]), q_now, q_1, binding))
         now, q_now = float(bounds[k + 1]), q_1

@@ -1,107 +1,54 @@
-"""The whole program as one nonlinear program: stop states and leg motions in, better ones out.
+"""The whole problem as one nonlinear program: which variables a draft has, and where each relation holds.
 
-Stream: each axis of a joint move has its own profile (closed form while the tool caps sleep, a grid once they bind),
-the rail moves freely along lines and dwells. Rapid: joint moves run straight in joint space, the rail in proportion to
-the path, every axis rests at every stop.
+Free: each axis of a joint move has its own profile (closed form while the tool caps sleep, a grid once they bind), the
+rail moves freely along lines and dwells. Coordinated: joint moves run straight in joint space, the rail in proportion
+to the path, every axis rests at every waypoint.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
 
-import casadi as ca
 import numpy as np
 
-from trajopt_cli.geometry import Array, BoolArray, IndexArray, axis_angle, inverse_pose
+from trajopt_cli.geometry import Array, IndexArray, inverse_pose
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.blocks import BlockNlp
-from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, share_of, straight
-from trajopt_cli.optimize.profiles import hold, profiles
-from trajopt_cli.optimize.stages import PathConstants, Stages, ToolRow
+from trajopt_cli.optimize.draft import Draft, Margins
+from trajopt_cli.optimize.formulation import LEFT, RIGHT, Formulation, ToolCap
+from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, share_of
+from trajopt_cli.optimize.relation import Parts, Relation
+from trajopt_cli.optimize.tuning import (
+    DAMPING,
+    DAMPING_DWELL,
+    EXACT,
+    FREE_ZONES,
+    JOINT_CURVE,
+    JOINT_RATE,
+    LEAST_TIME,
+    LEAST_TOP,
+    LEAST_ZONE,
+    LONGEST,
+    MOST_TOP_A,
+    MOST_TOP_V,
+    MOST_ZONES,
+    PACED,
+    SHARE_CURVE,
+    SHARE_RATE,
+)
+from trajopt_cli.path.dwell import Dwell, DwellSymbols
+from trajopt_cli.path.line import Line, LineSymbols
 from trajopt_cli.problem.freedom import RailFreedom
-from trajopt_cli.problem.problem import Leg, LegKind, Problem
-from trajopt_cli.robot.symbolic_inverse import BranchSigns
-
-START = 1.0 - 5e-5  # share of every limit a grid starts with; rounding and Hermite rows need a hair of room
-EXACT = 1.0 - 1e-8  # the same for joints that move by polynomials on the grid: exact between nodes
-FREE_ZONES = 12  # intervals of a path with which its zones may shift
-DAMPING = 4e-7  # s per squared scaled acceleration, where many motions take the same time
-DAMPING_DWELL = 4e-6  # the same while the tool rests: with less, a long dwell's rail chatters between the nodes
-LEAST_ZONE = 0.01  # share of a leg that its run-up, middle and run-out last at least
-LEAST_TIME = 1e-3  # s; a leg of zero length still gets this long, so that scaled time stays defined
-
-
-@dataclass(frozen=True, eq=False)
-class Draft:
-    """A candidate: axes q and speeds qd (M, 7) at the stops, IK branch per stop (-1 where joints are fixed)."""
-
-    q: Array
-    qd: Array
-    cfx: tuple[int, ...]
-    legs: tuple[LegMotion | None, ...]
-
-    @property
-    def duration(self) -> float:
-        """Sum of all legs, s."""
-        return sum(leg.T for leg in self.legs if leg is not None)
-
-
-@dataclass
-class Margins:
-    """Limits in force per leg and node, as shares (N+1,) of the true ones; tightened where a dense check found excess.
-
-    velocity, acceleration (N+1, 7); position (N+1, 7): of half the range, about its middle; tool (N+1, 3): speed,
-    acceleration, reorientation. rows (N+1, 3): which tool caps a joint move's nodes must hold explicitly; far from a
-    cap the dense check alone watches. push (N,): the rail's acceleration in each interval of a dwell.
-    """
-
-    velocity: Array
-    acceleration: Array
-    position: Array
-    tool: Array
-    rows: BoolArray
-    push: Array
-
-    @classmethod
-    def full(cls, N: int, joints: float) -> Margins:
-        """Nothing tightened but for rounding, no tool cap of a joint move in force. joints: share of their limits."""
-        share = np.full((N + 1, 7), joints)
-        return cls(
-            share, share.copy(), np.ones((N + 1, 7)), np.full((N + 1, 3), START), np.zeros((N + 1, 3), dtype=bool),
-            np.ones(N),
-        )  # fmt: skip
-
-    def refined(self) -> Margins:
-        """The same shares on twice as many intervals; a new node takes the smaller neighbour's."""
-
-        def double(x: Array) -> Array:
-            out = np.empty((2 * len(x) - 1, x.shape[1]))
-            out[::2] = x
-            out[1::2] = np.minimum(x[:-1], x[1:])
-            return out
-
-        rows = np.repeat(self.rows, 2, axis=0)[:-1]
-        rows[1::2] |= self.rows[1:]
-        return Margins(
-            double(self.velocity), double(self.acceleration), double(self.position), double(self.tool), rows,
-            np.repeat(self.push, 2),
-        )  # fmt: skip
-
-
-@dataclass(frozen=True, eq=False)
-class Grid:
-    """Fixed nodes (N+1,) over 0..1."""
-
-    nodes: Array
-
+from trajopt_cli.problem.problem import Coupling, Leg, LegKind, Problem
 
 NONE: IndexArray = np.zeros(0, dtype=np.intp)
 
 
 @dataclass
-class _LegVariables:
-    """Indices of a leg's variables; NONE where the leg has no such."""
+class LegVariables:
+    """Indices of a leg's variables, NONE where the leg has no such: its time T, lengths h of a path's zones, share
+    (s, v, a), rail (d, w, b) as (N+1, r), (N+1, r), (N, r), and the axes of a joint move on a grid as (N+1, n)."""
 
     T: int
     h: IndexArray = field(default_factory=NONE.copy)
@@ -116,130 +63,147 @@ class _LegVariables:
     qa: IndexArray = field(default_factory=NONE.copy)
 
 
-def _sides(k: int, N: int) -> str:
-    return ("l" if k > 0 else "") + ("r" if k < N else "")
+def _around(k: int, N: int) -> tuple[str, list[tuple[int, str]]]:
+    """The sides of node k of N intervals, and the interval on each."""
+    inside = [(i, side) for i, side in ((k - 1, LEFT), (k, RIGHT)) if 0 <= i < N]
+    return "".join(side for _, side in inside), inside
 
 
 class Transcription:
-    """Builds the program for one draft's structure (branches, grids, which joint moves are on a grid) and solves it."""
+    """The program for one draft's structure: its branches, grids, and which joint moves are on a grid."""
 
     def __init__(
-        self, axes: Axes, stages: Stages, flange: ca.Function, problem: Problem, draft: Draft,
-        margins: Sequence[Margins | None], tied: bool,
-    ):  # fmt: skip
-        self.axes, self.stages, self.flange, self.problem = axes, stages, flange, problem
-        self.draft, self.margins, self.tied = draft, margins, tied
+        self, axes: Axes, formulation: Formulation, problem: Problem, draft: Draft, margins: Sequence[Margins | None]
+    ):
+        self.axes, self.formulation, self.problem = axes, formulation, problem
+        self.draft, self.margins = draft, margins
         self.nlp = BlockNlp()
-        self._stops()
-        self._legs = [self._leg(leg, draft.legs[k], margins[k]) for k, leg in enumerate(problem.legs)]
-        self._stations()
+        self.waypoint_q: list[IndexArray] = []
+        self.waypoint_qd: list[IndexArray] = []
+        for k in range(len(problem.waypoints)):
+            self._waypoint(k)
+        self.legs = [self._leg(leg, draft.legs[k], margins[k]) for k, leg in enumerate(problem.legs)]
+        self._ties()
 
-    # ---- stops
-    def _stops(self) -> None:
-        nlp, axes = self.nlp, self.axes
-        self.stop_q: list[IndexArray] = []
-        self.stop_v: list[IndexArray] = []
-        V = axes.velocity
-        for k, stop in enumerate(self.problem.waypoints):
-            q, qd = self.draft.q[k], self.draft.qd[k]
-            if stop.q is not None:
-                fixed = axes.seven(stop.q)
-                self.stop_q.append(nlp.variables(fixed, fixed, fixed))
-                self.stop_v.append(nlp.variables(np.zeros(7), 0.0, 0.0))
-                continue
-            rest = stop.rest or self.tied or not self.problem.rail_may_pass(k)
-            low, high = self._stop_range(k, stop.rail)
-            d = nlp.variables(np.clip(q[:1], low, high), low, high)
-            arm = nlp.variables(q[1:], axes.lower[1:], axes.upper[1:])
-            if rest:
-                w = nlp.variables(np.zeros(1), 0.0, 0.0)
-                arm_v = nlp.variables(np.zeros(6), 0.0, 0.0)
-            else:
-                w = nlp.variables(qd[:1], -V[0], V[0])
-                arm_v = nlp.variables(qd[1:], -V[1:], V[1:])
-            self.stop_q.append(np.r_[d, arm])
-            self.stop_v.append(np.r_[w, arm_v])
-            path = self._rest_path(stop.X_WF)
-            p = np.r_[path.vector(), BranchSigns.from_cfx(self.draft.cfx[k]).vector(), q[1:]]
-            if rest:
-                nlp.add(self.stages.resting_stop(), np.r_[d, arm], p)
-            else:
-                nlp.add(self.stages.stop(), np.r_[d, w, arm, arm_v], p)
+    def _hold(self, relation: Relation, z: Parts, p: Parts | None = None) -> None:
+        relation.holds(self.nlp, z, p or {})
+
+    # ---- boundary
+    def _waypoint(self, k: int) -> None:
+        nlp, axes, stop = self.nlp, self.axes, self.problem.waypoints[k]
+        rail, arm = axes.layout.rail, axes.layout.arm
+        q, qd = self.draft.q[k], self.draft.qd[k]
+        if stop.q is not None:
+            self.waypoint_q.append(nlp.variables(stop.q, stop.q, stop.q))
+            self.waypoint_qd.append(nlp.variables(np.zeros(axes.n), 0.0, 0.0))
+            return
+        low, high = self._waypoint_range(k, stop.rail)
+        d = nlp.variables(np.clip(q[rail], low, high), low, high)
+        joints = nlp.variables(q[arm], axes.lower[arm], axes.upper[arm])
+        rest = self.problem.rests(k)
+        V = np.zeros(axes.n) if rest else axes.velocity
+        guess = np.zeros(axes.n) if rest else qd
+        w = nlp.variables(guess[rail], -V[rail], V[rail])
+        joints_v = nlp.variables(guess[arm], -V[arm], V[arm])
+        self.waypoint_q.append(axes.layout.merge(d, joints))
+        self.waypoint_qd.append(axes.layout.merge(w, joints_v))
+        p = {
+            "path": DwellSymbols().vector(Dwell(stop.X_WF), inverse_pose(axes.X_WB0), np.eye(4)),
+            "branch": axes.robot.expressions.branch(self.draft.cfx[k]),
+            "near": q[arm],
+        }
+        if rest:
+            self._hold(self.formulation.resting_waypoint(), {"d": d, "q": joints}, p)
+        else:
+            self._hold(self.formulation.waypoint(), {"d": d, "w": w, "q": joints, "qd": joints_v}, p)
 
     def _rail_range(self, share: Array) -> tuple[Array, Array]:
-        """The rail's range (n,), (n,) at nodes that may use a share (n,) of its half, about its middle: a rail that is
-        at its end with speed would pass it before the next node."""
-        low, high = self.axes.lower[0], self.axes.upper[0]
+        """The rail's range (..., r) at nodes that may use a share (..., r) of its half, about its middle: a rail that
+        is at its end with velocity would pass it before the next node."""
+        low, high = self.axes.lower[self.axes.layout.rail], self.axes.upper[self.axes.layout.rail]
         room = share * (high - low) / 2
         return (low + high) / 2 - room, (low + high) / 2 + room
 
-    def _stop_range(self, k: int, allowed: tuple[float, float]) -> tuple[float, float]:
-        """The rail's range at stop k: what the program allows and what the legs beside it leave."""
+    def _waypoint_range(self, k: int, allowed: tuple[float, float]) -> tuple[Array | float, Array | float]:
+        """The rail's range at waypoint k: what the program allows and what the legs beside it leave."""
         before, after = self.margins[k - 1] if k else None, self.margins[k] if k < len(self.margins) else None
-        shares = [m.position[node, 0] for m, node in ((before, -1), (after, 0)) if m is not None]
+        rail = self.axes.layout.rail
+        shares = [m.position[node, rail] for m, node in ((before, -1), (after, 0)) if m is not None]
         if allowed[0] == allowed[1] or not shares:
             return allowed
-        low, high = self._rail_range(np.array(min(shares)))
-        return max(allowed[0], float(low)), min(allowed[1], float(high))
+        low, high = self._rail_range(np.min(shares, axis=0))
+        return np.maximum(allowed[0], low), np.minimum(allowed[1], high)
 
-    def _stations(self) -> None:
-        """Stops of a station share one rail position where the freedom says so."""
+    # ---- ties
+    def _ties(self) -> None:
+        """Waypoints of a station share one rail position where the freedom says so."""
+        rail = self.axes.layout.rail
         for k, leg in enumerate(self.problem.legs):
             hold = leg.kind is not LegKind.JOINT and not leg.rail_moves
             if self.problem.freedom.rail is RailFreedom.STATION and leg.kind is not LegKind.JOINT:
                 hold = True
             a, b = self.problem.waypoints[k], self.problem.waypoints[k + 1]
             if hold and not (a.rail[0] == a.rail[1] and b.rail[0] == b.rail[1]):
-                self.nlp.add(self.stages.equal(), [self.stop_q[k][0], self.stop_q[k + 1][0]])
-
-    def _rest_path(self, X_WF: Array) -> PathConstants:
-        X = self.axes.in_base(X_WF)
-        return PathConstants(X[:3, 3], np.zeros(3), X[:3, :3], np.array([1.0, 0, 0]), 0.0, np.zeros(3))
+                for x, y in zip(self.waypoint_q[k][rail], self.waypoint_q[k + 1][rail], strict=True):
+                    self._hold(self.formulation.equal(), {"x": x, "y": y})
 
     # ---- legs
-    def _leg(self, leg: Leg, motion: LegMotion | None, margins: Margins | None) -> _LegVariables | None:
+    def _leg(self, leg: Leg, motion: LegMotion | None, margins: Margins | None) -> LegVariables | None:
         if motion is None or (isinstance(motion, JointProfiles) and leg.kind is LegKind.DWELL):
             return None
-        low, high = (leg.duration, leg.duration) if leg.duration is not None else (LEAST_TIME, 60.0)
+        coordinated = self.problem.coordinated
+        low, high = (leg.duration, leg.duration) if leg.duration is not None else (LEAST_TIME, LONGEST)
         if leg.duration is not None and leg.kind is not LegKind.DWELL:
-            high = 60.0
-        if self.tied and leg.kind is LegKind.DWELL and leg.duration is not None:
+            high = LONGEST
+        paced = coordinated and leg.kind is LegKind.DWELL and leg.duration is not None
+        if paced:
             low = LEAST_TIME  # the profile's own least time; played slower so that it lasts the dwell
         T = int(self.nlp.variables([motion.T], low, high)[0])
-        weight = 1e-4 if self.tied and leg.kind is LegKind.DWELL and leg.duration is not None else 1.0
-        self.nlp.minimise(T, weight)
-        variables = _LegVariables(T)
+        self.nlp.minimise(T, PACED if paced else 1.0)
+        out = LegVariables(T)
         if isinstance(motion, PathLeg):
             assert margins is not None
-            (self._tied_path if self.tied or not leg.rail_moves else self._free_path)(leg, motion, margins, variables)
+            (self._coordinated_path if coordinated or not leg.rail_moves else self._free_path)(
+                leg, motion, margins, out
+            )
         elif isinstance(motion, JointProfiles):
-            self._joint_closed(leg, variables, motion)
+            self._joint_closed(leg, out)
         else:
             assert margins is not None
-            (self._straight if self.tied else self._joint_nodes)(leg, motion, margins, variables)
-        return variables
+            (self._coordinated_joints if coordinated else self._free_joints)(leg, motion, margins, out)
+        return out
 
-    def _path_parameters(self, leg: Leg, motion: PathLeg, margins: Margins, k: int) -> Array:
-        X = self.axes.in_base(motion.X_0 @ inverse_pose(motion.X_FT))
-        X_T = self.axes.in_base(motion.X_0)
-        X_1 = self.axes.in_base(motion.X_1)
-        axis, angle = axis_angle(X_T[:3, :3].T @ X_1[:3, :3])
-        path = PathConstants(
-            X_T[:3, 3], X_1[:3, 3] - X_T[:3, 3], X[:3, :3], motion.X_FT[:3, :3] @ axis, angle, motion.X_FT[:3, 3]
-        )
-        arm = motion.node_arm(self.axes)[k]
-        m = margins
-        caps = np.array([leg.chord / leg.v_tcp, leg.chord / leg.a_tcp, leg.angle / leg.v_ori]) / m.tool[k]
-        V = self.axes.velocity * m.velocity[k]
-        V[0] = min(V[0], leg.v_rail)
-        return np.r_[
-            path.vector(), BranchSigns.from_cfx(motion.cfx).vector(), arm, V,
-            self.axes.acceleration * m.acceleration[k], caps, m.position[k, 1:],
-        ]  # fmt: skip
+    def _path_parameters(self, leg: Leg, motion: PathLeg, margins: Margins, track: LineSymbols) -> Iterator[Parts]:
+        """Parameters of a path's nodes, one after the other."""
+        arm, m = self.axes.layout.arm, margins
+        assert isinstance(motion.segment, Line)  # no other kind is planned yet
+        path = track.vector(motion.segment, inverse_pose(self.axes.X_WB0), motion.X_FT)
+        caps = np.array([leg.chord / leg.v_tcp, leg.chord / leg.a_tcp, leg.angle / leg.v_ori])
+        for k, joints in enumerate(motion.node_arm(self.axes)):
+            at = caps / m.tool[k]
+            V = self.axes.velocity * m.velocity[k]
+            V[self.axes.layout.rail] = np.minimum(V[self.axes.layout.rail], leg.v_rail)
+            yield {
+                "path": path,
+                "branch": self.axes.robot.expressions.branch(motion.cfx),
+                "near": joints,
+                "V": V,
+                "A": self.axes.acceleration * m.acceleration[k],
+                "at_speed": at[0],
+                "at_acceleration": at[1],
+                "at_turning": at[2],
+                "room": m.position[k, arm],
+            }
 
-    def _chain(self, grid: Array, x: IndexArray, v: IndexArray, a: IndexArray) -> None:
+    def _integrate(self, grid: Array, x: IndexArray, v: IndexArray, a: IndexArray) -> None:
         for k, h in enumerate(np.diff(grid)):
-            self.nlp.add(self.stages.chain(), [x[k], v[k], a[k], x[k + 1], v[k + 1]], [h])
+            z = {"x_0": x[k], "v_0": v[k], "a": a[k], "x_1": x[k + 1], "v_1": v[k + 1]}
+            self._hold(self.formulation.integration(), z, {"h": h})
+
+    def _integrate_zones(self, h: IndexArray, x: IndexArray, v: IndexArray, a: IndexArray) -> None:
+        for k in range(len(a)):
+            z = {"x_0": x[k], "v_0": v[k], "a": a[k], "x_1": x[k + 1], "v_1": v[k + 1], "h": h[3 * k // len(a)]}
+            self._hold(self.formulation.zoned_integration(), z)
 
     def _zones(self, motion: PathLeg) -> IndexArray:
         """Interval lengths of a path's three zones (run-up, middle, run-out).
@@ -248,203 +212,137 @@ class Transcription:
         """
         per_zone = motion.N // 3
         lengths = np.diff(motion.grid)[[0, per_zone, 2 * per_zone]]
-        if self.tied or motion.N != FREE_ZONES:
+        if self.problem.coordinated or motion.N != FREE_ZONES:
             return self.nlp.variables(lengths, lengths, lengths)
-        h = self.nlp.variables(lengths, LEAST_ZONE / per_zone, 0.9 / per_zone)
-        self.nlp.add(self.stages.zones(), h, [per_zone])
+        h = self.nlp.variables(lengths, LEAST_ZONE / per_zone, MOST_ZONES / per_zone)
+        self._hold(self.formulation.zones(), {"h": h}, {"n": per_zone})
         return h
 
-    def _zone_chain(self, h: IndexArray, x: IndexArray, v: IndexArray, a: IndexArray) -> None:
-        for k in range(len(a)):
-            z = [x[k], v[k], a[k], x[k + 1], v[k + 1], h[3 * k // len(a)]]
-            self.nlp.add(self.stages.zone_chain(), z)
-
-    def _share(
-        self, h: IndexArray | Grid, motion_s: Array, motion_v: Array, motion_a: Array
-    ) -> tuple[IndexArray, IndexArray, IndexArray]:
+    def _share(self, s: Array, v: Array, a: Array, out: LegVariables) -> None:
         """Variables of a share going from 0 to 1, at rest at both ends, never backwards."""
-        N = len(motion_a)
+        N = len(a)
         low_s, high_s = np.zeros(N + 1), np.ones(N + 1)
         low_s[-1], high_s[0] = 1.0, 0.0
-        high_v = np.full(N + 1, 50.0)
+        high_v = np.full(N + 1, SHARE_RATE)
         high_v[[0, -1]] = 0.0
-        s = self.nlp.variables(motion_s, low_s, high_s)
-        v = self.nlp.variables(motion_v, 0.0, high_v)
-        a = self.nlp.variables(motion_a, -500.0, 500.0)
-        if isinstance(h, Grid):
-            self._chain(h.nodes, s, v, a)
-        else:
-            self._zone_chain(h, s, v, a)
-        return s, v, a
+        out.s = self.nlp.variables(s, low_s, high_s)
+        out.v = self.nlp.variables(v, 0.0, high_v)
+        out.a = self.nlp.variables(a, -SHARE_CURVE, SHARE_CURVE)
 
-    def _free_path(self, leg: Leg, motion: PathLeg, margins: Margins, out: _LegVariables) -> None:
-        nlp, N, k0 = self.nlp, motion.N, leg.start
-        line = leg.kind is LegKind.LINE
-        out.h = self._zones(motion)
-        if line:
-            out.s, out.v, out.a = self._share(out.h, motion.s, motion.v, motion.a)
-        low, high = self._rail_range(margins.position[1:-1, 0])
-        inner = nlp.variables(np.clip(motion.d[1:-1], low, high), low, high)
-        out.d = np.r_[self.stop_q[k0][0], inner, self.stop_q[k0 + 1][0]]
-        out.w = nlp.variables(motion.w, -50.0, 50.0)
-        most = np.full(N, 500.0)
+    def _rail_on_path(self, leg: Leg, motion: PathLeg, margins: Margins, out: LegVariables) -> None:
+        """Variables of a rail that moves as it likes, from waypoint to waypoint."""
+        nlp, N, layout = self.nlp, motion.N, self.axes.layout
+        ends = [self.waypoint_q[k][None, layout.rail] for k in (leg.start, leg.start + 1)]
+        low, high = self._rail_range(margins.position[1:-1, layout.rail])
+        inner = nlp.variables(np.clip(motion.d[1:-1], low, high), low.ravel(), high.ravel())
+        out.d = np.concatenate([ends[0], inner.reshape(N - 1, layout.r), ends[1]])
+        out.w = nlp.variables(motion.w, -SHARE_RATE, SHARE_RATE).reshape(N + 1, layout.r)
+        most = np.full((N, layout.r), SHARE_CURVE)
         if leg.kind is LegKind.DWELL and leg.duration is not None:
-            most = margins.push * self.axes.acceleration[0] * leg.duration**2
-        out.b = nlp.variables(np.clip(motion.b, -most, most), -most, most)
-        self._zone_chain(out.h, out.d, out.w, out.b)
-        nlp.damp(out.b, DAMPING if line else DAMPING_DWELL)
-        for node, k in ((0, k0), (N, k0 + 1)):
-            nlp.add(self.stages.speed_link(), [self.stop_v[k][0], out.w[node], out.T])
-        turning = leg.angle > 1e-9
-        for k in range(N + 1):
-            sides = _sides(k, N)
-            around = [i for i, side in ((k - 1, "l"), (k, "r")) if side in sides]
-            p = self._path_parameters(leg, motion, margins, k)
-            if line:
-                z = [out.s[k], out.v[k], out.d[k], out.w[k], *(x[i] for i in around for x in (out.a, out.b)), out.T]
-                nlp.add(self.stages.path_node(sides, turning, False), z, p)
-            else:
-                z = [out.d[k], out.w[k], *(out.b[i] for i in around), out.T]
-                nlp.add(self.stages.dwell_node(sides), z, p)
+            most = margins.push[:, None] * self.axes.acceleration[layout.rail] * leg.duration**2
+        out.b = nlp.variables(np.clip(motion.b, -most, most), -most.ravel(), most.ravel()).reshape(N, layout.r)
+        for j in range(layout.r):
+            self._integrate_zones(out.h, out.d[:, j], out.w[:, j], out.b[:, j])
+        nlp.damp(out.b.ravel(), DAMPING if leg.kind is LegKind.LINE else DAMPING_DWELL)
+        for j in range(layout.r):
+            for node, k in ((0, leg.start), (N, leg.start + 1)):
+                z = {"xd": self.waypoint_qd[k][layout.rail][j], "v": out.w[node, j], "T": out.T}
+                self._hold(self.formulation.velocity_link(), z)
 
-    def _tied_path(self, leg: Leg, motion: PathLeg, margins: Margins, out: _LegVariables) -> None:
-        nlp, N, k0 = self.nlp, motion.N, leg.start
+    def _free_path(self, leg: Leg, motion: PathLeg, margins: Margins, out: LegVariables) -> None:
         out.h = self._zones(motion)
-        out.s, out.v, out.a = self._share(out.h, motion.s, motion.v, motion.a)
-        ends = [self.stop_q[k0][0], self.stop_q[k0 + 1][0]]
-        turning = leg.angle > 1e-9
-        for k in range(N + 1):
-            sides = _sides(k, N)
-            around = [i for i, side in ((k - 1, "l"), (k, "r")) if side in sides]
-            z = [out.s[k], out.v[k], *(out.a[i] for i in around), *ends, out.T]
-            p = self._path_parameters(leg, motion, margins, k)
-            nlp.add(self.stages.path_node(sides, turning, True), z, p)
+        line = leg.kind is LegKind.LINE
+        if line:
+            self._share(motion.s, motion.v, motion.a, out)
+            self._integrate_zones(out.h, out.s, out.v, out.a)
+        self._rail_on_path(leg, motion, margins, out)
+        track = LineSymbols(turning=leg.angle > 1e-9)
+        for k, p in enumerate(self._path_parameters(leg, motion, margins, track)):
+            sides, around = _around(k, motion.N)
+            z = {"d": out.d[k], "w": out.w[k], **{f"b_{side}": out.b[i] for i, side in around}, "T": out.T}
+            if line:
+                z |= {"s": out.s[k], "v": out.v[k], **{f"a_{side}": out.a[i] for i, side in around}}
+                self._hold(self.formulation.path_node(track, sides, Coupling.FREE), z, p)
+            else:
+                self._hold(self.formulation.dwell_node(sides), z, p)
 
-    def _rail_speed(self, leg: Leg) -> Array:
-        V = self.axes.velocity.copy()
-        V[0] = min(V[0], leg.v_rail)
-        return V
+    def _coordinated_path(self, leg: Leg, motion: PathLeg, margins: Margins, out: LegVariables) -> None:
+        out.h = self._zones(motion)
+        self._share(motion.s, motion.v, motion.a, out)
+        self._integrate_zones(out.h, out.s, out.v, out.a)
+        d_0, d_1 = (self.waypoint_q[k][self.axes.layout.rail] for k in (leg.start, leg.start + 1))
+        track = LineSymbols(turning=leg.angle > 1e-9)
+        for k, p in enumerate(self._path_parameters(leg, motion, margins, track)):
+            sides, around = _around(k, motion.N)
+            z = {"s": out.s[k], "v": out.v[k], **{f"a_{side}": out.a[i] for i, side in around}}
+            z |= {"d_0": d_0, "d_1": d_1, "T": out.T}
+            self._hold(self.formulation.path_node(track, sides, Coupling.COORDINATED), z, p)
 
-    def _joint_closed(self, leg: Leg, out: _LegVariables, motion: JointProfiles) -> None:
-        k, V, A = leg.start, self._rail_speed(leg), self.axes.acceleration
-        qa, va, qb, vb = self.stop_q[k], self.stop_v[k], self.stop_q[k + 1], self.stop_v[k + 1]
-        if self.tied:
-            top = self._top(leg, 1.0)
-            self.nlp.add(self.stages.trapezoid(), np.r_[top, out.T])
+    def _joint_closed(self, leg: Leg, out: LegVariables) -> None:
+        k, V, A = leg.start, self.axes.velocity_on(leg), self.axes.acceleration
+        if self.problem.coordinated:
+            top_v, top_a = self._top(leg, 1.0)
+            self._hold(self.formulation.trapezoid(), {"top_v": top_v, "top_a": top_a, "T": out.T})
             return
-        for j in range(0 if self.axes.has_rail else 1, 7):
-            self.nlp.add(self.stages.axis_reach(), [qa[j], va[j], qb[j], vb[j], out.T], [V[j], A[j]])
+        for j in range(self.axes.n):
+            z = {
+                "q_0": self.waypoint_q[k][j], "qd_0": self.waypoint_qd[k][j],
+                "q_1": self.waypoint_q[k + 1][j], "qd_1": self.waypoint_qd[k + 1][j], "T": out.T,
+            }  # fmt: skip
+            self._hold(self.formulation.axis_reach(), z, {"V": V[j], "A": A[j]})
 
     def _top(self, leg: Leg, share: float) -> IndexArray:
-        """Top speed and acceleration of a straight joint move's common profile; share: how much of each limit."""
-        k, V, A = leg.start, self._rail_speed(leg), self.axes.acceleration
+        """Top velocity and acceleration of a coordinated joint move's share; share: how much of each limit."""
+        k, V, A = leg.start, self.axes.velocity_on(leg), self.axes.acceleration
         way = np.maximum(np.abs(self.draft.q[k + 1] - self.draft.q[k]), 1e-9)
         v = min(1e3, float(np.min(V / way)))
         a = min(1e4, float(np.min(A / way)))
-        top = self.nlp.variables([min(v, np.sqrt(a)), a], [1e-3, 1e-3], [1e4, 1e6])
-        for j in range(0 if self.axes.has_rail else 1, 7):
-            z = [self.stop_q[k][j], self.stop_q[k + 1][j], *top]
-            self.nlp.add(self.stages.straight_axis(), z, [V[j] * share, A[j] * share])
+        top = self.nlp.variables([min(v, np.sqrt(a)), a], [LEAST_TOP, LEAST_TOP], [MOST_TOP_V, MOST_TOP_A])
+        for j in range(self.axes.n):
+            z = {"q_0": self.waypoint_q[k][j], "q_1": self.waypoint_q[k + 1][j], "top_v": top[0], "top_a": top[1]}
+            self._hold(self.formulation.top_of_share(), z, {"V": V[j] * share, "A": A[j] * share})
         return top
 
-    def _tool_rows(self, leg: Leg, margins: Margins, k: int) -> list[tuple[ToolRow, float]]:
+    def _caps_in_force(self, leg: Leg, margins: Margins, k: int) -> list[tuple[ToolCap, float]]:
         caps = (leg.v_tcp, leg.a_tcp, leg.v_ori)
-        return [(row, caps[row] * margins.tool[k, row]) for row in ToolRow if margins.rows[k, row]]
+        return [(cap, caps[cap] * margins.tool[k, cap]) for cap in ToolCap if margins.rows[k, cap]]
 
-    def _joint_nodes(self, leg: Leg, motion: JointNodes, margins: Margins, out: _LegVariables) -> None:
-        nlp, N, k0 = self.nlp, motion.N, leg.start
+    def _free_joints(self, leg: Leg, motion: JointNodes, margins: Margins, out: LegVariables) -> None:
+        nlp, N, n, k0 = self.nlp, motion.N, self.axes.n, leg.start
         middle, half = (self.axes.upper + self.axes.lower) / 2, (self.axes.upper - self.axes.lower) / 2
         room = half * margins.position[1:-1]
         inner = nlp.variables(motion.q[1:-1], (middle - room).ravel(), (middle + room).ravel())
-        out.q = np.vstack([self.stop_q[k0], inner.reshape(N - 1, 7), self.stop_q[k0 + 1]])
-        out.qv = nlp.variables(motion.v, -100.0, 100.0).reshape(N + 1, 7)
-        out.qa = nlp.variables(motion.a, -1000.0, 1000.0).reshape(N, 7)
+        out.q = np.vstack([self.waypoint_q[k0], inner.reshape(N - 1, n), self.waypoint_q[k0 + 1]])
+        out.qv = nlp.variables(motion.v, -JOINT_RATE, JOINT_RATE).reshape(N + 1, n)
+        out.qa = nlp.variables(motion.a, -JOINT_CURVE, JOINT_CURVE).reshape(N, n)
         nlp.damp(out.qa.ravel(), DAMPING)
-        V = self._rail_speed(leg)
-        for j in range(7):
-            self._chain(motion.grid, out.q[:, j], out.qv[:, j], out.qa[:, j])
+        V, A = self.axes.velocity_on(leg), self.axes.acceleration
+        for j in range(n):
+            self._integrate(motion.grid, out.q[:, j], out.qv[:, j], out.qa[:, j])
             for node, k in ((0, k0), (N, k0 + 1)):
-                nlp.add(self.stages.speed_link(), [self.stop_v[k][j], out.qv[node, j], out.T])
+                z = {"xd": self.waypoint_qd[k][j], "v": out.qv[node, j], "T": out.T}
+                self._hold(self.formulation.velocity_link(), z)
         for k in range(N + 1):
-            sides = _sides(k, N)
-            around = [i for i, side in ((k - 1, "l"), (k, "r")) if side in sides]
-            for j in range(7):
-                p = [V[j] * margins.velocity[k, j], self.axes.acceleration[j] * margins.acceleration[k, j]]
-                nlp.add(self.stages.axis_node(sides), [out.qv[k, j], *(out.qa[i, j] for i in around), out.T], p)
-            for row, cap in self._tool_rows(leg, margins, k):
-                block = self.stages.tool_row(self.flange, leg.X_FT[:3, 3], row)
-                for i in around if row is ToolRow.ACCELERATION else (None,):
-                    acc = [] if i is None else out.qa[i]
-                    nlp.add(block, np.r_[out.q[k], out.qv[k], acc, out.T].astype(int), [cap])
+            sides, around = _around(k, N)
+            for j in range(n):
+                z = {"v": out.qv[k, j], **{f"a_{side}": out.qa[i, j] for i, side in around}, "T": out.T}
+                p = {"V": V[j] * margins.velocity[k, j], "A": A[j] * margins.acceleration[k, j]}
+                self._hold(self.formulation.axis_node(sides), z, p)
+            for cap, limit in self._caps_in_force(leg, margins, k):
+                for acceleration in [{"a": out.qa[i]} for i, _ in around] if cap is ToolCap.ACCELERATION else [{}]:
+                    z = {"q": out.q[k], "v": out.qv[k], **acceleration, "T": out.T}
+                    self._hold(self.formulation.tool_cap(leg.X_FT, cap), z, {"cap": limit})
 
-    def _straight(self, leg: Leg, motion: JointNodes, margins: Margins, out: _LegVariables) -> None:
-        nlp, N, k0 = self.nlp, motion.N, leg.start
-        s, v, a = share_of(motion)
-        out.s, out.v, out.a = self._share(Grid(motion.grid), s, v, a)
-        top = self._top(leg, EXACT)
+    def _coordinated_joints(self, leg: Leg, motion: JointNodes, margins: Margins, out: LegVariables) -> None:
+        N, ends = motion.N, {"q_0": self.waypoint_q[leg.start], "q_1": self.waypoint_q[leg.start + 1], "T": out.T}
+        self._share(*share_of(motion), out)
+        self._integrate(motion.grid, out.s, out.v, out.a)
+        top_v, top_a = self._top(leg, EXACT)
         for k in range(N + 1):
-            sides = _sides(k, N)
-            around = [i for i, side in ((k - 1, "l"), (k, "r")) if side in sides]
-            nlp.add(self.stages.share_node(sides), [out.v[k], *(out.a[i] for i in around), *top, out.T])
-            for row, cap in self._tool_rows(leg, margins, k):
-                block = self.stages.straight_tool_row(self.flange, leg.X_FT[:3, 3], row)
-                for i in around if row is ToolRow.ACCELERATION else (None,):
-                    acc = [] if i is None else [out.a[i]]
-                    z = np.r_[out.s[k], out.v[k], acc, self.stop_q[k0], self.stop_q[k0 + 1], out.T]
-                    nlp.add(block, z.astype(int), [cap])
-
-    # ---- reading back
-    def read(self, x: Array) -> Draft:
-        """The draft that variables x describe."""
-        q, qd = self._polished(np.array([x[i] for i in self.stop_q]), np.array([x[i] for i in self.stop_v]))
-        legs: list[LegMotion | None] = []
-        for leg, motion, var in zip(self.problem.legs, self.draft.legs, self._legs, strict=True):
-            if motion is None:
-                legs.append(None)
-                continue
-            if var is None:  # a dwell in which nothing moves
-                legs.append(hold(motion.T, q[leg.start]))
-                continue
-            T, k = float(x[var.T]), leg.start
-            if isinstance(motion, JointProfiles):
-                legs.append(self._profiles(leg, q[k], qd[k], q[k + 1], qd[k + 1], T))
-            elif isinstance(motion, JointNodes):
-                if self.tied:
-                    legs.append(straight(T, motion.grid, q[k], q[k + 1], x[var.s], x[var.v], x[var.a]))
-                else:
-                    nodes, speeds = x[var.q], x[var.qv]
-                    nodes[0], nodes[-1], speeds[0], speeds[-1] = q[k], q[k + 1], qd[k] * T, qd[k + 1] * T
-                    legs.append(JointNodes(T, motion.grid, nodes, speeds, x[var.qa]))
-            else:
-                legs.append(self._read_path(leg, motion, var, x, T, q[k], q[k + 1]))
-        return Draft(q, qd, self.draft.cfx, tuple(legs))
-
-    def _polished(self, q: Array, qd: Array) -> tuple[Array, Array]:
-        """Waypoint states with the arm exactly where the rail puts it; the solver leaves a residual."""
-        q, qd = q.copy(), qd.copy()
-        for k, stop in enumerate(self.problem.waypoints):
-            if stop.q is not None:
-                continue
-            arm = self.axes.inverse(stop.X_WF[None], q[k, :1])[0, self.draft.cfx[k]]
-            q[k, 1:] = arm + 2 * np.pi * np.round((q[k, 1:] - arm) / (2 * np.pi))
-            J = self.axes.jacobian(q[k], np.eye(4))
-            qd[k, 1:] = -np.linalg.solve(J[:, 1:], J[:, 0]) * qd[k, 0]
-        return q, qd
-
-    def _read_path(
-        self, leg: Leg, motion: PathLeg, var: _LegVariables, x: Array, T: float, q_0: Array, q_1: Array
-    ) -> PathLeg:
-        lengths = np.repeat(x[var.h], motion.N // 3)
-        motion = replace(motion, grid=np.concatenate([[0.0], np.cumsum(lengths[:-1]), [1.0]]))
-        if not len(var.d):
-            s, v, a = x[var.s], x[var.v], x[var.a]
-            way = q_1[0] - q_0[0]
-            return replace(motion, T=T, s=s, v=v, a=a, d=q_0[0] + way * s, w=way * v, b=way * a, reference=q_0[1:])
-        s, v, a = (x[var.s], x[var.v], x[var.a]) if len(var.s) else (motion.s, motion.v, motion.a)
-        return replace(motion, T=T, s=s, v=v, a=a, d=x[var.d], w=x[var.w], b=x[var.b], reference=q_0[1:])
-
-    def _profiles(self, leg: Leg, q_0: Array, qd_0: Array, q_1: Array, qd_1: Array, T: float) -> JointProfiles:
-        V = self._rail_speed(leg)
-        # between given states the least time is known in closed form; the solver's T only comes near it
-        least = T if leg.duration is not None else 0.0
-        return profiles(q_0, qd_0, q_1, qd_1, V, self.axes.acceleration, least, self.tied)
+            sides, around = _around(k, N)
+            z = {"v": out.v[k], **{f"a_{side}": out.a[i] for i, side in around}}
+            self._hold(self.formulation.share_node(sides), {**z, "top_v": top_v, "top_a": top_a, "T": out.T})
+            for cap, limit in self._caps_in_force(leg, margins, k):
+                for acceleration in [{"a": out.a[i]} for i, _ in around] if cap is ToolCap.ACCELERATION else [{}]:
+                    z = {"s": out.s[k], "v": out.v[k], **acceleration, **ends}
+                    self._hold(self.formulation.coordinated_tool_cap(leg.X_FT, cap), z, {"cap": limit})

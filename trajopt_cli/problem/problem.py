@@ -72,7 +72,6 @@ class Leg:
     v_ori: float
     v_rail: float
     duration: float | None = None
-    least: float = 0.0
     rail_moves: bool = True
     chord: float = 0.0
     angle: float = 0.0
@@ -80,7 +79,11 @@ class Leg:
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """Stops and legs in order; stations as (first stop, last stop); motions that take no time at all."""
+    """Stops and legs in order; stations as (first stop, last stop); dropped: motions that take no time at all.
+
+    target: the machine it is for; coupling: how the axes are bound to each other, which need not be as loose as the
+    target allows.
+    """
 
     plant: Plant
     program: Program
@@ -89,6 +92,17 @@ class Problem:
     legs: tuple[Leg, ...]
     stations: tuple[tuple[int, int], ...]
     dropped: frozenset[int]
+    target: Target
+    coupling: Coupling
+
+    @property
+    def coordinated(self) -> bool:
+        """Whether all axes of a leg share one way and rest at every stop."""
+        return self.coupling is Coupling.COORDINATED
+
+    def rests(self, k: int) -> bool:
+        """Whether every axis stands still at stop k."""
+        return self.waypoints[k].rest or self.coordinated or not self.rail_may_pass(k)
 
     def rail_may_pass(self, k: int) -> bool:
         """Whether the rail may have speed at stop k: no neighbouring line or dwell holds it still."""
@@ -225,7 +239,9 @@ def build_problem(
         source = program.motions[out.index].source
         return Infeasible(out.index, source, f"{source}: {_name(program.motions[out.index])} {out}")
     stops[-1] = _resting(stops[-1])
-    return Problem(plant, program, freedom, tuple(stops), tuple(legs), _stations(legs, len(stops)), frozenset(dropped))
+    coupling = Coupling.COORDINATED if target is Target.RAPID else Coupling.FREE
+    stations = _stations(legs, len(stops))
+    return Problem(plant, program, freedom, tuple(stops), tuple(legs), stations, frozenset(dropped), target, coupling)
 
 
 class _OutOfRange(Exception):

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from itertools import product
 from math import cos, floor, pi, sin
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,8 +15,10 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.motion import ConfData
 from trajopt_cli.robot.arm import Arm
-from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.turns import ON_LIMIT, broken_limits, close_at_pi, half_turn
+
+if TYPE_CHECKING:
+    from trajopt_cli.robot.model import RobotModel
 
 BRANCHES = 8
 _FACING = np.array([[1.0], [-1.0]])  # before and behind, along the axis a branch bit stands on

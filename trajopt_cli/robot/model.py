@@ -9,22 +9,32 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import product
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from trajopt_cli.errors import ErrorKind, of_kind
-from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.geometry import Array, inverse_pose, readonly
 from trajopt_cli.limits import JointLimits, TcpCaps
+from trajopt_cli.motion import ConfData
 from trajopt_cli.robot import arm as arm_products
+from trajopt_cli.robot import inverse as closed_form
 from trajopt_cli.robot.arm import Arm, arm_from_chain
 from trajopt_cli.robot.chain import checked_pose, link_poses, named_profile, pin_model
+from trajopt_cli.robot.enclosure import Enclosure, enclose
+from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.structure import Structure
 from trajopt_cli.robot.urdf import UrdfJoint, split_chain
 from trajopt_cli.shapes import Capsule
 
+if TYPE_CHECKING:
+    from trajopt_cli.robot.symbolic import Expressions
+
 __all__ = ["Arm", "RobotModel", "Structure", "load_robot", "robot_names"]
+
+_TURNS = readonly(2 * np.pi * np.array([[i, 0, 0, j, 0, k] for i, j, k in product((0, -1, 1), repeat=3)]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,7 +67,55 @@ class RobotModel:
     @property
     def has_rail(self) -> bool:
         """Whether the first axis is a rail."""
-        return self.rail_axis is not None
+        return self.layout.has_rail
+
+    @cached_property
+    def layout(self) -> AxisLayout:
+        """Which axes are the rail's and the arm's."""
+        return AxisLayout.rail_first(6, self.rail_axis is not None)
+
+    @property
+    def turns(self) -> Array:
+        """Whole turns (27, 6) [rad] of joints 1, 4 and 6, none first."""
+        return _TURNS
+
+    def branches(self, X_WF: Array, rail: Array | None) -> Array:
+        """Joints (k, 8, 6) by cfx of flange poses (k, 4, 4): see robot.inverse."""
+        return closed_form.inverse(self, X_WF, rail)
+
+    def walls(self, arm: Array) -> tuple[Array, Array]:
+        """|sin q3|, 1 at the stretched and the folded elbow, and |sin q5|, 0 at the stretched wrist."""
+        return np.abs(np.sin(arm[..., 2])), np.abs(np.sin(arm[..., 4]))
+
+    def solutions(self, X_WF: Array, rail: float | None, limits: JointLimits) -> list[tuple[int, Array]]:
+        """Every (cfx, joints (6,)) within limits of one flange pose (4, 4), turns included."""
+        return closed_form.solutions(self, X_WF, rail, limits)
+
+    def why_unreachable(self, X_WF: Array, rail: float | None, limits: JointLimits) -> str:
+        """The reason, in one clause, why there are none. Raises ValueError for a pose that has some."""
+        return closed_form.why_unreachable(self, X_WF, rail, limits)
+
+    def confdata(self, arm: Array) -> ConfData:
+        """RAPID confdata of joints (6,)."""
+        return closed_form.confdata(self, arm)
+
+    def admits(self, conf: ConfData, arm: Array) -> bool:
+        """Whether a target with this confdata may be reached with joints (6,)."""
+        return closed_form.confdata_admits(self, conf, arm)
+
+    def enclose(self, X_WF: Array, rail: Array, limits: JointLimits) -> Enclosure:
+        """The first three joints and their rates over the intervals between rail positions (k + 1,)."""
+        X_BW = inverse_pose(self.X_WB0)
+        e = np.zeros(3) if self.rail_axis_W is None else X_BW[:3, :3] @ self.rail_axis_W
+        lower, upper = (x[self.layout.arm][:3] for x in (limits.lower, limits.upper))
+        return enclose(self.arm, X_BW @ X_WF, e, rail, lower, upper)
+
+    @cached_property
+    def expressions(self) -> Expressions:
+        """Forward kinematics and the inverse on one branch as CasADi expressions."""
+        from trajopt_cli.robot.symbolic_inverse import ArmExpressions
+
+        return ArmExpressions(self)
 
     def profile(self, name: str | None = None) -> JointLimits:
         """Limits of all axes under a named profile, "default" for None. Raises InputError listing the profiles."""

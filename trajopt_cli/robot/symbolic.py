@@ -6,12 +6,36 @@ first, as in RobotModel. Casadi drops products with exact zeros and ones, so pla
 
 from __future__ import annotations
 
+from typing import NamedTuple, Protocol
+
 import casadi as ca
 import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.urdf import FLANGE
+
+
+class Reached(NamedTuple):
+    """Joints q (m,) of a pose on one branch, and the walls beside them: elbow, in (-1, 1) while the pose is in reach,
+    and wrist, positive on the branch's side of the singular wrist."""
+
+    q: ca.SX
+    elbow: ca.SX
+    wrist: ca.SX
+
+
+class Expressions(Protocol):
+    """A robot's kinematics as CasADi expressions of its n axes."""
+
+    def flange(self, q: ca.SX) -> tuple[ca.SX, ca.SX]:
+        """Flange position (3,) [m] and rotation (3, 3) in the world at axes q (n,)."""
+
+    def branch(self, number: int) -> Array:
+        """The parameters (3,) that stand for a branch in inverse."""
+
+    def inverse(self, position: ca.SX, rotation: ca.SX, branch: ca.SX, near: ca.SX) -> Reached:
+        """Joints of a flange pose in the arm's base frame, on a branch, within half a turn of joints near (m,)."""
 
 
 def forward(robot: RobotModel, q: ca.SX, X_FT: Array | None = None) -> tuple[ca.SX, ca.SX]:

@@ -12,7 +12,8 @@ import casadi as ca
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.robot.model import Arm
+from trajopt_cli.robot.model import Arm, RobotModel
+from trajopt_cli.robot.symbolic import Reached, forward
 
 
 @dataclass(frozen=True)
@@ -31,6 +32,26 @@ class BranchSigns:
     def vector(self) -> Array:
         """(3,): shoulder, elbow, wrist."""
         return np.array([self.shoulder, self.elbow, self.wrist])
+
+
+@dataclass(frozen=True)
+class ArmExpressions:
+    """Expressions of a six-axis arm, on a rail or not."""
+
+    robot: RobotModel
+
+    def flange(self, q: ca.SX) -> tuple[ca.SX, ca.SX]:
+        """Flange position (3,) and rotation (3, 3) in the world."""
+        return forward(self.robot, q)
+
+    def branch(self, number: int) -> Array:
+        """The signs (3,) of a cfx."""
+        return BranchSigns.from_cfx(number).vector()
+
+    def inverse(self, position: ca.SX, rotation: ca.SX, branch: ca.SX, near: ca.SX) -> Reached:
+        """See inverse_arm."""
+        q, s3 = inverse_arm(self.robot.arm, position, rotation, branch, near)
+        return Reached(q, s3, branch[2] * ca.sin(q[4]))
 
 
 def _angle(y: ca.SX, x: ca.SX, reference: ca.SX) -> ca.SX:

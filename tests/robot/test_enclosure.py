@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from small_cells import MOUNTS, mounted, plant_with_rail
 
 from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.enclose import Range, enclose
+from trajopt_cli.robot.enclosure import Enclosure, Range
 
 TURN = 2 * np.pi
+
+
+def enclosed(axes: Axes, X: Array, nodes: Array) -> Enclosure:
+    limits = replace(axes.robot.profile(), lower=axes.lower, upper=axes.upper)
+    return axes.robot.enclose(X, nodes, limits)
 
 
 def wrist_rates(axes: Axes, q: Array) -> Array:
@@ -41,7 +48,7 @@ def test_random_configurations_lie_inside(mount: str, width: float) -> None:
     nodes = np.arange(-1.2, 1.2, width)
     checked, tight = 0, 0
     for X in poses(axes, rng, 30, 0.0):
-        e = enclose(axes, X, nodes)
+        e = enclosed(axes, X, nodes)
         d = rng.uniform(nodes[0], nodes[-1], 400)
         arm = axes.inverse(np.broadcast_to(X, (400, 4, 4)), d)
         interval = np.searchsorted(nodes, d, side="right") - 1
@@ -84,10 +91,10 @@ def axis_distance(axes: Axes, q: Array) -> Array:
 def test_out_of_reach_is_given_up() -> None:
     axes = Axes.of(plant_with_rail((-1.5, 1.5)))
     X = axes.robot.base(np.array(0.0)) @ pose(np.eye(3), [0.5, 0.0, 0.3])
-    e = enclose(axes, X, np.array([-1.4, -1.39, 1.39, 1.4]))
+    e = enclosed(axes, X, np.array([-1.4, -1.39, 1.39, 1.4]))
     assert not np.any(e.alive[:, [0, 2]])
     far = axes.robot.base(np.array(0.0)) @ pose(np.eye(3), [1.2, 0.0, 0.3])
-    assert not np.any(enclose(axes, far, np.linspace(-1.4, 1.4, 200)).alive)
+    assert not np.any(enclosed(axes, far, np.linspace(-1.4, 1.4, 200)).alive)
 
 
 def test_ranges_hold_every_combination_of_their_members() -> None:

@@ -11,10 +11,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.robot.arm import Arm
 
-WIDEN = 1e-9
-BIG = 1e9
+WIDEN = 1e-9  # rad: a thousand times the rounding of the few operations below
+BIG = 1e9  # rad/m in place of infinity
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,12 +68,14 @@ def _hull(values: Array) -> Range:
     return Range(np.minimum(values[..., :-1], values[..., 1:]), np.maximum(values[..., :-1], values[..., 1:]))
 
 
-def enclose(axes: Axes, X_WF: Array, nodes: Array) -> Enclosure:
-    """Enclosures between rail nodes (n + 1,), for shoulder and elbow signs (+,+), (+,-), (-,+), (-,-)."""
-    arm = axes.robot.arm
-    X = axes.in_base(X_WF)
-    e = axes.rail_axis
-    w = (X[:3, 3] - arm.L6 * X[:3, 2])[:, None] - e[:, None] * nodes  # wrist centre at the nodes, linear in between
+def enclose(arm: Arm, X_BF: Array, e: Array, nodes: Array, lower: Array, upper: Array) -> Enclosure:
+    """Enclosures between rail nodes (k + 1,), for shoulder and elbow signs (+,+), (+,-), (-,+), (-,-).
+
+    X_BF (4, 4), e (3,): the flange with the rail at 0 and the rail's direction, zero without a rail, both seen from the
+    arm's base. lower, upper (3,): ranges of the joints.
+    """
+    # wrist centre at the nodes, linear in between
+    w = (X_BF[:3, 3] - arm.L6 * X_BF[:3, 2])[:, None] - e[:, None] * nodes
     h = np.diff(nodes)
     wz = _hull(w[2])
     along = _hull(w[0] * e[0] + w[1] * e[1])
@@ -126,12 +128,12 @@ def enclose(axes: Axes, X_WF: Array, nodes: Array) -> Enclosure:
         ok = ~np.isnan(hull.lo) & (spread < 1.0)
         q_lo[1, i] = np.where(ok, np.maximum(q_lo[1, i], hull.lo - spread - WIDEN), q_lo[1, i])
         q_hi[1, i] = np.where(ok, np.minimum(q_hi[1, i], hull.hi + spread + WIDEN), q_hi[1, i])
-    low, high = axes.lower[1:4, None, None], axes.upper[1:4, None, None]
+    low, high = lower[:, None, None], upper[:, None, None]
     alive &= np.all((q_lo <= high) & (q_hi >= low), axis=0)
     return Enclosure(Range(np.maximum(q_lo, low), np.minimum(q_hi, high)), Range(d_lo, d_hi), alive)
 
 
-def _second_joint(arm, u: Range, z: Range, rho2: Range, elbow: float) -> Range:  # type: ignore[no-untyped-def]
+def _second_joint(arm: Arm, u: Range, z: Range, rho2: Range, elbow: float) -> Range:
     """q2 = phi - elbow psi: direction of the wrist seen from the shoulder, less the triangle's angle there."""
     corners = np.stack([np.arctan2(a, b) for a in (u.lo, u.hi) for b in (z.lo, z.hi)])
     wild = (z.lo <= 0) & (u.lo <= 0) & (u.hi >= 0)  # the cut of atan2(u, z), or the origin
@@ -146,9 +148,9 @@ def _second_joint(arm, u: Range, z: Range, rho2: Range, elbow: float) -> Range: 
     return phi - psi.scaled(elbow)
 
 
-def _second_joint_at(arm, u: Array, z: Array, elbow: float) -> Array:  # type: ignore[no-untyped-def]
+def _second_joint_at(arm: Arm, u: Array, z: Array, elbow: float) -> Array:
     """q2 at points; NaN out of reach."""
     s3 = (arm.L2**2 + arm.L4**2 - u**2 - z**2) / (2 * arm.L2 * arm.L4)
     with np.errstate(invalid="ignore"):
         c3 = elbow * np.sqrt(1 - s3**2)
-    return np.arctan2(u, z) - np.arctan2(arm.L4 * c3, arm.L2 - arm.L4 * s3)
+    return np.asarray(np.arctan2(u, z) - np.arctan2(arm.L4 * c3, arm.L2 - arm.L4 * s3))

@@ -1,0 +1,237 @@
+"""The rows of every relation against numbers from the numeric kinematics, with a rail and without."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from small_cells import MOUNTS, mounted, plant_without_rail, safe_arm
+
+from trajopt_cli.geometry import Array, axis_angle, inverse_pose, pose, rotation_about
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.formulation import Formulation, ToolCap
+from trajopt_cli.path.line import Line, LineSymbols
+from trajopt_cli.problem.problem import Coupling
+from trajopt_cli.robot.kinematics import forward_acceleration, forward_velocity, inverse_acceleration, inverse_velocity
+from trajopt_cli.robot.symbolic_inverse import BranchSigns
+
+X_FT = pose(rotation_about([0.6, 0, 0.8], 0.7), [0.05, -0.03, 0.12])
+
+
+@pytest.fixture(scope="module", params=[*MOUNTS[1:], "no rail"])
+def axes(request: pytest.FixtureRequest) -> Axes:
+    return Axes.of(plant_without_rail()) if request.param == "no rail" else mounted(request.param)
+
+
+@pytest.fixture(scope="module")
+def formulation(axes: Axes) -> Formulation:
+    return Formulation(axes)
+
+
+def rails(axes: Axes, value: float) -> Array:
+    """A rail value (r,): nothing without a rail."""
+    return np.full(axes.layout.r, value)
+
+
+def lines(axes: Axes, rng: np.random.Generator, turning: bool, n: int = 12) -> list[tuple[Array, Array, float, int]]:
+    """Lines of the tool (X_0, X_1 in the world), a rail position and a branch that serve their middle."""
+    out = []
+    for q in safe_arm(rng, axes, n, 0.35):
+        d = rng.uniform(0.2, 0.8)
+        middle = axes.forward(axes.layout.join(d, q)) @ X_FT
+        way, axis = rng.normal(size=3) * 0.04, rng.normal(size=3)
+        half = rotation_about(axis / np.linalg.norm(axis), 0.25 if turning else 0.0)
+        X_0, X_1 = pose(middle[:3, :3] @ half.T, middle[:3, 3] - way), pose(middle[:3, :3] @ half, middle[:3, 3] + way)
+        numeric = axes.inverse(axes.forward(axes.layout.join(d, q))[None], np.array([d]))[0]
+        out.append((X_0, X_1, d, int(np.nanargmin(np.abs(np.sin((numeric - q) / 2)).sum(axis=1)))))
+    return out
+
+
+def poses(axes: Axes, rng: np.random.Generator, n: int) -> list[tuple[Array, float, int]]:
+    """Poses of the tool in reach: the middles of lines."""
+    return [(Line(a, b).pose(np.array([0.5]))[0], d, cfx) for a, b, d, cfx in lines(axes, rng, True, n)]
+
+
+def parameters(axes: Axes, X_0: Array, X_1: Array, cfx: int, near: Array) -> dict[str, object]:
+    """A path put together from the two world poses, its branch, and joints near it."""
+    T_0, T_1 = axes.in_base(X_0), axes.in_base(X_1)
+    axis, angle = axis_angle(T_0[:3, :3].T @ T_1[:3, :3])
+    R = (T_0 @ inverse_pose(X_FT))[:3, :3]
+    chord = T_1[:3, 3] - T_0[:3, 3]
+    path = np.concatenate([T_0[:3, 3], chord, R.T.ravel(), X_FT[:3, :3] @ axis, [angle], X_FT[:3, 3]])
+    return {"path": path, "branch": BranchSigns.from_cfx(cfx).vector(), "near": near}
+
+
+def at_node(V: Array, A: Array, caps: Array, room: Array) -> dict[str, object]:
+    at = dict(zip(("at_speed", "at_acceleration", "at_turning"), caps, strict=True))
+    return {"V": V, "A": A, **at, "room": room}
+
+
+def motion_at(axes: Axes, X_0: Array, X_1: Array, cfx: int, s: float, d: float, v: float, w: float, a: float, b: float):
+    """q, qd, qdd in scaled time from poses, Jacobian and its rate: no expression involved."""
+    X_WT = Line(X_0, X_1).pose(np.array([s]))
+    arm = axes.inverse(X_WT @ inverse_pose(X_FT), np.array([d]))[0, cfx]
+    q = axes.layout.join(d, arm)
+    axis, angle = axis_angle(X_0[:3, :3].T @ X_1[:3, :3])
+    twist = np.r_[X_1[:3, 3] - X_0[:3, 3], X_0[:3, :3] @ axis * angle]
+    qd = inverse_velocity(axes.robot, q, twist * v, w, X_FT)
+    qdd = inverse_acceleration(axes.robot, q, qd, twist * a, b, X_FT)
+    return q, qd, qdd
+
+
+def arm_rows(axes: Axes, cfx: int, q: Array, qd: Array, qdds: list[Array], T: float, V: Array, A: Array, room: Array):
+    arm = axes.layout.arm
+    middle, half = (axes.upper + axes.lower)[arm] / 2, (axes.upper - axes.lower)[arm] / 2
+    wrist = -1.0 if cfx & 1 else 1.0
+    wanted = [(q[arm] - middle) / (half * room), np.sin(q[arm][2]), wrist * np.sin(q[arm][4]), qd[arm] / (V[arm] * T)]
+    return wanted + [qdd[arm] / (A[arm] * T**2) for qdd in qdds]
+
+
+@pytest.mark.parametrize("sides", ["l", "lr"])
+@pytest.mark.parametrize("coupling", Coupling)
+@pytest.mark.parametrize("turning", [False, True], ids=["straight", "turning"])
+def test_path_rows_are_the_motion_over_its_limits(
+    axes: Axes, formulation: Formulation, sides: str, coupling: Coupling, turning: bool
+) -> None:
+    rng = np.random.default_rng(11)
+    node = formulation.path_node(LineSymbols(turning), sides, coupling)
+    n, r, rail = len(sides), axes.layout.r, axes.layout.rail
+    assert len(node.block.lower) == 6 + 2 + 6 + 6 * n + 2 + r + (1 + r) * n
+    for X_0, X_1, d, cfx in lines(axes, rng, turning):
+        s, v, w, T = rng.uniform(0.2, 0.8), rng.normal(), rng.normal() * 0.5, rng.uniform(0.3, 2)
+        acc, rail_acc = rng.normal(size=n) * 3, rng.normal(size=n)
+        V, A, room = axes.velocity * 0.9, axes.acceleration * 0.8, rng.uniform(0.7, 1, 6)
+        caps = rng.uniform(0.1, 1, 3)
+        z = {"s": s, "v": v, "T": T, **{f"a_{side}": a for side, a in zip(sides, acc, strict=True)}}
+        if coupling is Coupling.COORDINATED:
+            z |= {"d_0": rails(axes, d - 0.1 * s), "d_1": rails(axes, d + 0.1 * (1 - s))}
+            w, rail_acc = v * 0.1, acc * 0.1
+        else:
+            z |= {"d": rails(axes, d), "w": rails(axes, w)}
+            z |= {f"b_{side}": rails(axes, b) for side, b in zip(sides, rail_acc, strict=True)}
+        q, qd, _ = motion_at(axes, X_0, X_1, cfx, s, d, v, w, 0.0, 0.0)
+        qdds = [motion_at(axes, X_0, X_1, cfx, s, d, v, w, a, b)[2] for a, b in zip(acc, rail_acc, strict=True)]
+        near = q[axes.layout.arm] + rng.uniform(-1, 1, 6)
+        got = node.value(z, {**parameters(axes, X_0, X_1, cfx, near), **at_node(V, A, caps, room)})
+        wanted = arm_rows(axes, cfx, q, qd, qdds, T, V, A, room)
+        wanted += [caps[0] * v / T, caps[2] * v / T, rails(axes, w) / (V[rail] * T)]
+        for a, b in zip(acc, rail_acc, strict=True):
+            wanted += [caps[1] * a / T**2, rails(axes, b) / (A[rail] * T**2)]
+        np.testing.assert_allclose(got, np.hstack(wanted), rtol=1e-9, atol=1e-9)
+
+
+@pytest.mark.parametrize("sides", ["l", "lr"])
+@pytest.mark.parametrize("mount", MOUNTS[1:])  # without a rail nothing moves in a dwell
+def test_dwell_rows_are_the_self_motion_over_its_limits(mount: str, sides: str) -> None:
+    rng, axes = np.random.default_rng(12), mounted(mount)
+    formulation = Formulation(axes)
+    node, rail = formulation.dwell_node(sides), axes.layout.rail
+    for X_0, d, cfx in poses(axes, rng, 6):
+        w, T, acc = rng.normal(), rng.uniform(0.3, 2), rng.normal(size=len(sides))
+        q, qd, _ = motion_at(axes, X_0, X_0, cfx, 0.0, d, 0.0, w, 0.0, 0.0)
+        qdds = [motion_at(axes, X_0, X_0, cfx, 0.0, d, 0.0, w, 0.0, b)[2] for b in acc]
+        V, A = axes.velocity, axes.acceleration
+        p = {**parameters(axes, X_0, X_0, cfx, q[axes.layout.arm]), **at_node(V, A, np.ones(3), np.ones(6))}
+        z = {f"b_{side}": rails(axes, b) for side, b in zip(sides, acc, strict=True)}
+        got = node.value({"d": rails(axes, d), "w": rails(axes, w), "T": T, **z}, p)
+        wanted = [*arm_rows(axes, cfx, q, qd, qdds, T, V, A, np.ones(6)), rails(axes, w) / (V[rail] * T)]
+        wanted += [rails(axes, b) / (A[rail] * T**2) for b in acc]
+        np.testing.assert_allclose(got, np.hstack(wanted), rtol=1e-9, atol=1e-9)
+
+
+def test_waypoint_rows_vanish_at_the_self_motion_and_nowhere_else(axes: Axes, formulation: Formulation) -> None:
+    rng = np.random.default_rng(13)
+    arm = axes.layout.arm
+    for X_0, d, cfx in poses(axes, rng, 6):
+        w = rng.normal()
+        q, qd, _ = motion_at(axes, X_0, X_0, cfx, 0.0, d, 0.0, w, 0.0, 0.0)
+        p = parameters(axes, X_0, X_0, cfx, q[arm])
+        off = rng.normal(size=12) * 0.01
+        z = {"d": rails(axes, d), "q": q[arm] + off[:6]}
+        moving = {"w": rails(axes, w), "qd": qd[arm] + off[6:]}
+        got = formulation.waypoint().value({**z, **moving}, p)
+        np.testing.assert_allclose(got[:12], off, rtol=0, atol=1e-9)
+        walls = [np.sin(q[arm][2]), abs(np.sin(q[arm][4]))]
+        np.testing.assert_allclose(got[12:], walls, atol=1e-9)
+        got = formulation.resting_waypoint().value(z, p)
+        np.testing.assert_allclose(got, [*off[:6], *walls], rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize("cap", ToolCap)
+@pytest.mark.parametrize("name", ["turned", "no rail"])  # expressions follow the URDF, which knows no slanted rail
+def test_tool_rows_are_squared_shares_of_the_caps(name: str, cap: ToolCap) -> None:
+    axes = Axes.of(plant_without_rail()) if name == "no rail" else mounted(name)
+    rng, n, formulation = np.random.default_rng(14), axes.n, Formulation(axes)
+    free, straight = formulation.tool_cap(X_FT, cap), formulation.coordinated_tool_cap(X_FT, cap)
+
+    def share(q: Array, v: Array, a: Array, T: float, limit: float) -> float:
+        V, A = forward_velocity(axes.robot, q, v / T, X_FT), forward_acceleration(axes.robot, q, v / T, a / T**2, X_FT)
+        value = {ToolCap.SPEED: V[:3], ToolCap.ACCELERATION: A[:3], ToolCap.REORIENTATION: V[3:]}[cap]
+        return float(np.sum((value / limit) ** 2))
+
+    for arm in safe_arm(rng, axes, 10):
+        q, v, a = axes.layout.join(rng.uniform(0, 1), arm), rng.normal(size=n), rng.normal(size=n) * 5
+        T, limit = rng.uniform(0.3, 2), rng.uniform(0.5, 5)
+        acc = {"a": a} if cap is ToolCap.ACCELERATION else {}
+        got = free.value({"q": q, "v": v, **acc, "T": T}, {"cap": limit})
+        assert got == pytest.approx([share(q, v, a, T, limit)], rel=1e-9)
+        q_1, s, sv, sa = q + rng.normal(size=n), rng.uniform(), rng.normal(), rng.normal() * 4
+        way = q_1 - q
+        acc = {"a": sa} if cap is ToolCap.ACCELERATION else {}
+        got = straight.value({"s": s, "v": sv, **acc, "q_0": q, "q_1": q_1, "T": T}, {"cap": limit})
+        assert got == pytest.approx([share(q + s * way, sv * way, sa * way, T, limit)], rel=1e-9)
+    assert free.block.upper.tolist() == [1.0]
+
+
+def test_small_relations_say_what_their_names_say(formulation: Formulation) -> None:
+    rng = np.random.default_rng(15)
+    x, v, a, h = rng.normal(size=4)
+    exact = {"x_0": x, "v_0": v, "a": a, "x_1": x + h * v + a * h * h / 2, "v_1": v + a * h}
+    np.testing.assert_allclose(formulation.integration().value(exact, {"h": h}), 0, atol=1e-15)
+    np.testing.assert_allclose(formulation.zoned_integration().value({**exact, "h": h}), 0, atol=1e-15)
+    off = {**exact, "x_1": exact["x_1"] + 1, "v_1": exact["v_1"] + 2}
+    np.testing.assert_allclose(formulation.integration().value(off, {"h": h}), [1, 2])
+    assert formulation.zones().value({"h": [0.1, 0.05, 0.1]}, {"n": 4}) == pytest.approx([0.0], abs=1e-15)
+    assert formulation.velocity_link().value({"xd": 0.5, "v": 0.75, "T": 1.5}) == [0.0]
+    assert formulation.equal().value({"x": 0.5, "y": 0.75}) == [-0.25]
+    got = formulation.axis_node("lr").value({"v": 1.2, "a_l": 3.0, "a_r": -4.0, "T": 0.5}, {"V": 2.0, "A": 10.0})
+    np.testing.assert_allclose(got, [1.2 / 1.0, 3 / 2.5, -4 / 2.5])
+    got = formulation.top_of_share().value({"q_0": 0.2, "q_1": 1.2, "top_v": 3.0, "top_a": 5.0}, {"V": 2.0, "A": 10.0})
+    np.testing.assert_allclose(got, [1.5, 0.5])
+    # a share of the way in T = 2 at top velocity 0.8 and acceleration 2: 1/0.8 + 0.8/2 = 1.65 s
+    top = {"top_v": 0.8, "top_a": 2.0, "T": 2.0}
+    assert formulation.trapezoid().value(top) == pytest.approx([0.35])
+    np.testing.assert_allclose(formulation.share_node("l").value({"v": 0.5, "a_l": 3.0, **top}), [1.1, 5.0, 11.0])
+
+
+def test_axis_reach_rows_are_distances_to_the_reachable_interval(formulation: Formulation) -> None:
+    """From rest, T = 2, V = 1, A = 2: 1.5 m either way; and |v1 - v0| <= A T."""
+    limits = {"V": 1.0, "A": 2.0}
+    got = formulation.axis_reach().value({"q_0": 0.0, "qd_0": 0.0, "q_1": 1.4, "qd_1": 0.0, "T": 2.0}, limits)
+    np.testing.assert_allclose(got, [0.1, 2.9, 4.0, 4.0])
+    got = formulation.axis_reach().value({"q_0": 1.0, "qd_0": -0.5, "q_1": 0.2, "qd_1": 0.75, "T": 2.0}, limits)
+    np.testing.assert_allclose(got[2:], [2.75, 5.25])
+    # -0.5 up to 1 in 0.75 s (0.1875 m), 1.125 s at 1, down to 0.75 in 0.125 s (0.109375 m); 0.8 m less is wanted
+    assert got[0] == pytest.approx(0.1875 + 1.125 + 0.109375 + 0.8)
+
+
+def test_a_relation_is_built_once_per_kind(formulation: Formulation) -> None:
+    free = formulation.path_node(LineSymbols(True), "lr", Coupling.FREE)
+    assert formulation.path_node(LineSymbols(True), "lr", Coupling.FREE) is free
+    assert formulation.path_node(LineSymbols(False), "lr", Coupling.FREE) is not free
+    assert len({id(formulation.axis_node(sides)) for sides in ("l", "r", "lr")}) == 3
+    caps = [formulation.tool_cap(pose(np.eye(3), [0, 0, z]), ToolCap.SPEED) for z in (0.1, 0.2)]
+    assert caps[0] is not caps[1]
+
+
+def test_a_relation_refuses_a_name_it_does_not_have(formulation: Formulation) -> None:
+    with pytest.raises(ValueError, match="the parts are xd, v, T; found xd, w, T"):
+        formulation.velocity_link().value({"xd": 0.5, "w": 0.75, "T": 1.5})
+
+
+def test_without_a_rail_no_relation_has_a_variable_of_one(axes: Axes, formulation: Formulation) -> None:
+    """Two per node less for position and velocity, one less per acceleration; a row less for each."""
+    r = axes.layout.r
+    assert formulation.path_node(LineSymbols(True), "lr", Coupling.FREE).z.size == 5 + 4 * r
+    assert formulation.path_node(LineSymbols(True), "lr", Coupling.COORDINATED).z.size == 5 + 2 * r
+    assert formulation.waypoint().z.size == 12 + 2 * r
+    assert formulation.tool_cap(X_FT, ToolCap.SPEED).z.size == 2 * (6 + r) + 1

@@ -1,0 +1,45 @@
+"""FORMULATION.md speaks of code that exists, and leaves out no relation of the nonlinear program."""
+
+from __future__ import annotations
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+TEXT = (ROOT / "FORMULATION.md").read_text(encoding="utf-8")
+NAMED = sorted(set(re.findall(r"`([\w/]+\.py):([\w.]+)`", TEXT)))
+
+
+def defined(path: Path) -> set[str]:
+    """Functions, classes and methods of a module, as name or Class.name."""
+    out = set()
+    for node in ast.parse(path.read_text(encoding="utf-8")).body:
+        if isinstance(node, ast.FunctionDef | ast.ClassDef):
+            out.add(node.name)
+        if isinstance(node, ast.ClassDef):
+            out |= {f"{node.name}.{part.name}" for part in node.body if isinstance(part, ast.FunctionDef)}
+    return out
+
+
+@pytest.mark.parametrize(("file", "name"), NAMED, ids=lambda part: part)
+def test_what_the_text_names_exists(file: str, name: str) -> None:
+    path = ROOT / file if "/" in file else ROOT / "trajopt_cli" / "optimize" / file
+    assert path.exists()
+    assert name in defined(path)
+
+
+def test_the_text_names_every_relation() -> None:
+    formulation = defined(ROOT / "trajopt_cli" / "optimize" / "formulation.py")
+    public = {name for name in formulation if re.fullmatch(r"Formulation\.[a-z]\w*", name)}
+    assert len(public) > 12
+    assert public <= {name for _, name in NAMED}
+
+
+def test_the_tuning_names_it_quotes_exist() -> None:
+    table = (ROOT / "trajopt_cli" / "optimize" / "tuning.py").read_text(encoding="utf-8")
+    quoted = set(re.findall(r"\b[A-Z]{4,}\b", TEXT)) - {"RAPID", "FORMULATION"}
+    assert quoted
+    assert all(re.search(rf"^{name} = ", table, flags=re.M) for name in quoted), quoted

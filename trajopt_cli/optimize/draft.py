@@ -1,0 +1,65 @@
+"""A candidate for the whole problem, and the limits in force on its nodes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, BoolArray
+from trajopt_cli.optimize.legs import LegMotion
+from trajopt_cli.optimize.tuning import START
+
+
+@dataclass(frozen=True, eq=False)
+class Draft:
+    """A candidate: axes q and velocities qd (M, n) at the waypoints, IK branch of each (-1 where joints are fixed)."""
+
+    q: Array
+    qd: Array
+    cfx: tuple[int, ...]
+    legs: tuple[LegMotion | None, ...]
+
+
+@dataclass
+class Margins:
+    """The back-off of one leg: limits in force at its nodes as shares of the true ones, tightened where a dense check
+    found an excess.
+
+    velocity, acceleration (N+1, n); position (N+1, n): of half the range, about its middle; tool (N+1, 3): speed,
+    acceleration, reorientation. rows (N+1, 3): which tool caps a joint move's nodes must hold explicitly; far from a
+    cap the dense check alone watches. push (N,): the rail's acceleration in each interval of a dwell.
+    """
+
+    velocity: Array
+    acceleration: Array
+    position: Array
+    tool: Array
+    rows: BoolArray
+    push: Array
+
+    @classmethod
+    def full(cls, N: int, n: int, joints: float) -> Margins:
+        """Of N intervals and n axes, nothing tightened but for rounding, no tool cap of a joint move in force. joints:
+        share of their limits."""
+        share = np.full((N + 1, n), joints)
+        return cls(
+            share, share.copy(), np.ones((N + 1, n)), np.full((N + 1, 3), START), np.zeros((N + 1, 3), dtype=bool),
+            np.ones(N),
+        )  # fmt: skip
+
+    def refined(self) -> Margins:
+        """The same shares on twice as many intervals; a new node takes the smaller neighbour's."""
+
+        def double(x: Array) -> Array:
+            out = np.empty((2 * len(x) - 1, x.shape[1]))
+            out[::2] = x
+            out[1::2] = np.minimum(x[:-1], x[1:])
+            return out
+
+        rows = np.repeat(self.rows, 2, axis=0)[:-1]
+        rows[1::2] |= self.rows[1:]
+        return Margins(
+            double(self.velocity), double(self.acceleration), double(self.position), double(self.tool), rows,
+            np.repeat(self.push, 2),
+        )  # fmt: skip

@@ -1,0 +1,321 @@
+"""The timing problem as mathematics, top to bottom. FORMULATION.md names the symbols and says what holds where.
+
+    min   sum T  over all legs                            + DAMPING / 2 * accelerations^2 where the time does not care
+    s.t.  dynamics      x_1 = x_0 + h x_0' + h^2/2 x'',   x_1' = x_0' + h x''       exact, x'' constant per interval
+          path          arm = IK(X(s), d) on a fixed branch, within reach, off singularities, within ranges
+          limits        |qd| <= V,  |qdd| <= A,  tool within its caps               at both ends of every interval
+          coupling      free: every axis for itself;  coordinated: one share s for all axes, d = d_0 + s (d_1 - d_0)
+          boundary      waypoints hold their pose or joints, legs begin and end at their velocities
+          ties          waypoints that share one rail position
+
+Time is scaled within each leg: tau in [0, 1], real time t = T tau, so x' = T xd and x'' = T^2 xdd. Share and rail are
+(s, v, a) and (d, w, b) with their derivatives by tau. Positions on paths come from the closed-form inverse kinematics,
+so the tool never leaves its line whatever the iterate. Rows that compare with a limit are ratios.
+"""
+
+from __future__ import annotations
+
+from enum import IntEnum
+from types import SimpleNamespace
+
+import casadi as ca
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.relation import Relation, Rows, Shapes
+from trajopt_cli.optimize.tuning import ELBOW, WRIST
+from trajopt_cli.path.dwell import DwellSymbols
+from trajopt_cli.path.line import LineSymbols
+from trajopt_cli.problem.problem import Coupling
+from trajopt_cli.robot.symbolic import Reached
+
+INF = float("inf")
+LEFT, RIGHT = "l", "r"  # the intervals that end and begin at a node
+
+
+class ToolCap(IntEnum):
+    """The caps on the tool centre point, in the order of Margins.tool."""
+
+    SPEED = 0
+    ACCELERATION = 1
+    REORIENTATION = 2
+
+
+def beside(**shapes: tuple[int, ...]) -> dict[str, dict[str, tuple[int, ...]]]:
+    """Shapes of accelerations by the side on which they act: beside(a=())["lr"] is {"a_l": (), "a_r": ()}."""
+    return {
+        sides: {f"{name}_{side}": shape for side in sides for name, shape in shapes.items()}
+        for sides in ("", LEFT, RIGHT, LEFT + RIGHT)
+    }
+
+
+class Formulation:
+    """The relations of one plant's problem. Each is compiled once, on first use, and holds at many nodes."""
+
+    def __init__(self, axes: Axes):
+        self.axes, layout = axes, axes.layout
+        self.lower, self.upper = axes.lower[layout.arm], axes.upper[layout.arm]
+        self.rail_axis = ca.DM(axes.rail_axis)
+        self.rail, self.arm = layout.rail, layout.arm
+        self._all, self._joints, self._rails = (axes.n,), (layout.joints,), (layout.r,)
+        q = ca.SX.sym("q", axes.n)
+        self.flange = ca.Function("flange", [q], [*axes.robot.expressions.flange(q)])
+        self._cache: dict[tuple[object, ...], Relation] = {}
+        # parameters of a pose on a path: the path, the branch, joints within half a turn of the answer
+        self._on_path: Shapes = {"path": (DwellSymbols().size,), "branch": (3,), "near": self._joints}
+        # and of a node: limits; s the tool would take at its caps for the whole way, s^2 for the acceleration; the
+        # share of each joint's range that may be used
+        self._at_node: Shapes = {
+            **self._on_path, "V": self._all, "A": self._all, "at_speed": (), "at_acceleration": (), "at_turning": (),
+            "room": self._joints,
+        }  # fmt: skip
+
+    def _relation(self, key: tuple[object, ...], z: Shapes, p: Shapes, rows: Rows) -> Relation:
+        if key not in self._cache:
+            self._cache[key] = Relation.of(f"{key[0]}{len(self._cache)}", z, p, rows)
+        return self._cache[key]
+
+    # ---- dynamics
+
+    def integration(self) -> Relation:
+        """x_1 = x_0 + h x_0' + h^2/2 x'' and x_1' = x_0' + h x'' over one interval of given length h."""
+        z: Shapes = {"x_0": (), "v_0": (), "a": (), "x_1": (), "v_1": ()}
+        return self._relation(("chain",), z, {"h": ()}, lambda z, p: _integrated(z, p.h))
+
+    def zoned_integration(self) -> Relation:
+        """The same over an interval whose length h is a variable."""
+        z: Shapes = {"x_0": (), "v_0": (), "a": (), "x_1": (), "v_1": (), "h": ()}
+        return self._relation(("zone",), z, {}, lambda z, p: _integrated(z, z.h))
+
+    def zones(self) -> Relation:
+        """Run-up, middle and run-out fill the leg: n (h_1 + h_2 + h_3) = 1 with n intervals in each."""
+        z: Shapes = {"h": (3,)}
+        return self._relation(
+            ("zones",), z, {"n": ()}, lambda z, p: [(p.n * (z.h[0] + z.h[1] + z.h[2]) - 1.0, 0.0, 0.0)]
+        )
+
+    # ---- path: where the arm is, and what it may do there
+
+    def _resting(self, p: SimpleNamespace, d: ca.SX) -> Reached:
+        """Joints and walls where the flange rests in the path's first pose and the rail stands at d."""
+        flange = DwellSymbols().flange(p.path)
+        return self._inverse(flange.position - self.rail_axis @ d, flange.rotation, p)
+
+    def _inverse(self, position: ca.SX, rotation: ca.SX, p: SimpleNamespace) -> Reached:
+        return self.axes.robot.expressions.inverse(position, rotation, p.branch, p.near)
+
+    def _walls(self, at: Reached) -> list[tuple[ca.SX, float, float]]:
+        """|sin q3| <= ELBOW, |sin q5| >= WRIST on the branch's side."""
+        return [(at.elbow, -ELBOW, ELBOW), (at.wrist, WRIST, INF)]
+
+    def _joint_limits(self, at, qd, qdds, T, p):  # type: ignore[no-untyped-def]
+        """Ranges, walls, velocities and accelerations of the arm; qd and qdds by tau."""
+        middle, half = (self.upper + self.lower) / 2, (self.upper - self.lower) / 2
+        return [
+            ((at.q - middle) / (half * p.room), -1.0, 1.0),
+            *self._walls(at),
+            (qd / (p.V[self.arm] * T), -1.0, 1.0),
+            *((qdd / (p.A[self.arm] * T * T), -1.0, 1.0) for qdd in qdds),
+        ]
+
+    def _rail_velocity(self, w: ca.SX, z: SimpleNamespace, p: SimpleNamespace) -> tuple[ca.SX, float, float]:
+        return w / (p.V[self.rail] * z.T), -1.0, 1.0
+
+    def _rail_acceleration(self, b: ca.SX, z: SimpleNamespace, p: SimpleNamespace) -> tuple[ca.SX, float, float]:
+        return b / (p.A[self.rail] * z.T * z.T), -1.0, 1.0
+
+    def path_node(self, track: LineSymbols, sides: str, coupling: Coupling) -> Relation:
+        """A node of a path: arm = IK(X(s), d) within all limits, the tool within its caps along the way.
+
+        track: the kind of path. sides: the intervals it ends and begins, "l", "r" or "lr", each with an acceleration.
+        """
+        free = coupling is Coupling.FREE
+        own: Shapes = {"d": self._rails, "w": self._rails} if free else {}
+        shared: Shapes = {} if free else {"d_0": self._rails, "d_1": self._rails}
+        accelerations = beside(a=(), b=self._rails) if free else beside(a=())
+        z: Shapes = {"s": (), "v": (), **own, **accelerations[sides], **shared, "T": ()}
+
+        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+            acc = [getattr(z, f"a_{side}") for side in sides]
+            if free:
+                d, w, rail_acc = z.d, z.w, [getattr(z, f"b_{side}") for side in sides]
+            else:
+                way = z.d_1 - z.d_0
+                d, w, rail_acc = z.d_0 + z.s * way, z.v * way, [a * way for a in acc]
+            at, qd, qdds = self._along(p, track, z.s, d, ca.vertcat(z.v, w), acc, rail_acc)
+            out = self._joint_limits(at, qd, qdds, z.T, p)
+            out += [(ca.vertcat(p.at_speed * z.v / z.T, p.at_turning * z.v / z.T), -1.0, 1.0)]
+            out += [self._rail_velocity(w, z, p)]
+            for a, b in zip(acc, rail_acc, strict=True):
+                out += [(p.at_acceleration * a / (z.T * z.T), -1.0, 1.0), self._rail_acceleration(b, z, p)]
+            return out
+
+        p = {**self._at_node, "path": (track.size,)}
+        return self._relation(("path", track, sides, coupling), z, p, rows)
+
+    def _along(self, p, track, s, d, rate, acc, rail_acc):  # type: ignore[no-untyped-def]
+        """Joints with their walls, and derivatives by tau along x = (s, d): q' = J x', q'' = J x'' + x'^T H x'."""
+        S, D = ca.SX.sym("S"), ca.SX.sym("D", *self._rails)
+        flange = track.flange(p.path, S)
+        at = self._inverse(flange.position - self.rail_axis @ D, flange.rotation, p)
+        x = ca.vertcat(S, D)
+        J = ca.jacobian(at.q, x)
+        dx = ca.SX.sym("dx", x.numel())
+        curve = ca.jtimes(J @ dx, x, dx)
+        *there, J, curve = ca.substitute([*at, J, curve], [x, dx], [ca.vertcat(s, d), rate])
+        qdds = [curve + J @ ca.vertcat(a, b) for a, b in zip(acc, rail_acc, strict=True)]
+        return Reached(*there), J @ rate, qdds
+
+    def dwell_node(self, sides: str) -> Relation:
+        """A node of a dwell: the tool rests while the rail moves and the arm makes up for it."""
+        z: Shapes = {"d": self._rails, "w": self._rails, **beside(b=self._rails)[sides], "T": ()}
+
+        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+            acc = [getattr(z, f"b_{side}") for side in sides]
+            D, dD = ca.SX.sym("D", *self._rails), ca.SX.sym("dD", *self._rails)
+            at = self._resting(p, D)
+            J = ca.jacobian(at.q, D)
+            curve = ca.jtimes(J @ dD, D, dD)
+            *there, J, curve = ca.substitute([*at, J, curve], [D, dD], [z.d, z.w])
+            out = self._joint_limits(Reached(*there), J @ z.w, [curve + J @ b for b in acc], z.T, p)
+            return [*out, self._rail_velocity(z.w, z, p), *(self._rail_acceleration(b, z, p) for b in acc)]
+
+        return self._relation(("dwell", sides), z, self._at_node, rows)
+
+    # ---- limits of joint moves
+
+    def axis_reach(self) -> Relation:
+        """One axis gets from q_0 at qd_0 to q_1 at qd_1 in exactly T with |qd| <= V, |qdd| <= A, in closed form:
+        D_min <= q_1 - q_0 <= D_max with D_max = (2 u^2 - qd_0^2 - qd_1^2) / 2A - max(u - V, 0)^2 / A,
+        u = (qd_0 + qd_1 + A T) / 2, and D_min of the mirrored velocities."""
+        z: Shapes = {"q_0": (), "qd_0": (), "q_1": (), "qd_1": (), "T": ()}
+
+        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+            def most(v0: ca.SX, v1: ca.SX) -> ca.SX:
+                peak = (v0 + v1 + p.A * z.T) / 2
+                return (2 * peak**2 - v0**2 - v1**2) / (2 * p.A) - ca.fmax(peak - p.V, 0) ** 2 / p.A
+
+            return [
+                (most(z.qd_0, z.qd_1) - (z.q_1 - z.q_0), 0.0, INF),
+                (most(-z.qd_0, -z.qd_1) + (z.q_1 - z.q_0), 0.0, INF),
+                (p.A * z.T - (z.qd_1 - z.qd_0), 0.0, INF),
+                (p.A * z.T + (z.qd_1 - z.qd_0), 0.0, INF),
+            ]
+
+        return self._relation(("reach",), z, {"V": (), "A": ()}, rows)
+
+    def axis_node(self, sides: str) -> Relation:
+        """|q'| <= V T and |q''| <= A T^2 of one axis at a node of a joint move on a grid."""
+        z: Shapes = {"v": (), **beside(a=())[sides], "T": ()}
+
+        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+            acc = [getattr(z, f"a_{side}") for side in sides]
+            return [(z.v / (p.V * z.T), -1.0, 1.0), *((a / (p.A * z.T * z.T), -1.0, 1.0) for a in acc)]
+
+        return self._relation(("axis", sides), z, {"V": (), "A": ()}, rows)
+
+    def tool_cap(self, X_FT: Array, cap: ToolCap) -> Relation:
+        """|tool| <= cap at a node of a joint move, squared so that it stays smooth where the tool rests."""
+        acceleration: Shapes = {"a": self._all} if cap is ToolCap.ACCELERATION else {}
+        z: Shapes = {"q": self._all, "v": self._all, **acceleration, "T": ()}
+
+        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+            return [self._tool(X_FT, cap, z.q, z.v, getattr(z, "a", None), z.T, p.cap)]
+
+        return self._relation(("tool", cap.name, *np.round(X_FT[:3, 3], 9)), z, {"cap": ()}, rows)
+
+    def _tool(self, X_FT, cap, q, v, a, T, limit):  # type: ignore[no-untyped-def]
+        Q, dQ = ca.SX.sym("Q", *self._all), ca.SX.sym("dQ", *self._all)
+        pos, R = self.flange(Q)
+        if cap is ToolCap.REORIENTATION:
+            spin = R.T @ ca.reshape(ca.jtimes(ca.vec(R), Q, dQ), 3, 3)
+            omega = ca.substitute(ca.vertcat(spin[2, 1], spin[0, 2], spin[1, 0]), ca.vertcat(Q, dQ), ca.vertcat(q, v))
+            return ca.sumsqr(omega) / (limit * T) ** 2, -INF, 1.0
+        tcp = pos + R @ ca.DM(X_FT[:3, 3])
+        rate = ca.jtimes(tcp, Q, dQ)
+        if cap is ToolCap.SPEED:
+            rate = ca.substitute(rate, ca.vertcat(Q, dQ), ca.vertcat(q, v))
+            return ca.sumsqr(rate) / (limit * T) ** 2, -INF, 1.0
+        acc = ca.jtimes(rate, Q, dQ) + ca.jtimes(tcp, Q, a)
+        acc = ca.substitute(acc, ca.vertcat(Q, dQ), ca.vertcat(q, v))
+        return ca.sumsqr(acc) / (limit * T * T) ** 2, -INF, 1.0
+
+    # ---- coupling: coordinated joint moves, q = q_0 + s (q_1 - q_0) for all axes
+
+    def top_of_share(self) -> Relation:
+        """The share's top velocity and acceleration that one axis allows: |q_1 - q_0| top_v <= V, the same for A."""
+        z: Shapes = {"q_0": (), "q_1": (), "top_v": (), "top_a": ()}
+
+        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+            way = z.q_1 - z.q_0
+            return [(way * z.top_v / p.V, -1.0, 1.0), (way * z.top_a / p.A, -1.0, 1.0)]
+
+        return self._relation(("way",), z, {"V": (), "A": ()}, rows)
+
+    def trapezoid(self) -> Relation:
+        """T >= 1 / top_v + top_v / top_a: a common trapezoid from rest to rest, without tool caps."""
+        z: Shapes = {"top_v": (), "top_a": (), "T": ()}
+        return self._relation(("trapezoid",), z, {}, lambda z, p: [(z.T - 1 / z.top_v - z.top_v / z.top_a, 0.0, INF)])
+
+    def share_node(self, sides: str) -> Relation:
+        """v <= top_v T and |a| <= top_a T^2 of the share at a node."""
+        z: Shapes = {"v": (), **beside(a=())[sides], "top_v": (), "top_a": (), "T": ()}
+
+        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+            out = [(z.top_v * z.T - z.v, 0.0, INF)]
+            for a in (getattr(z, f"a_{side}") for side in sides):
+                out += [(z.top_a * z.T * z.T - a, 0.0, INF), (z.top_a * z.T * z.T + a, 0.0, INF)]
+            return out
+
+        return self._relation(("share", sides), z, {}, rows)
+
+    def coordinated_tool_cap(self, X_FT: Array, cap: ToolCap) -> Relation:
+        """tool_cap at a node of a coordinated joint move."""
+        acceleration: Shapes = {"a": ()} if cap is ToolCap.ACCELERATION else {}
+        z: Shapes = {"s": (), "v": (), **acceleration, "q_0": self._all, "q_1": self._all, "T": ()}
+
+        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+            way = z.q_1 - z.q_0
+            a = way * z.a if acceleration else None
+            return [self._tool(X_FT, cap, z.q_0 + z.s * way, way * z.v, a, z.T, p.cap)]
+
+        return self._relation(("straight", cap.name, *np.round(X_FT[:3, 3], 9)), z, {"cap": ()}, rows)
+
+    # ---- boundary: waypoints, and legs that begin and end there
+
+    def waypoint(self) -> Relation:
+        """The flange rests while the rail passes: q = IK(X, d) and qd = dIK/dd w, real velocities."""
+        z: Shapes = {"d": self._rails, "w": self._rails, "q": self._joints, "qd": self._joints}
+
+        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+            at = self._resting(p, z.d)
+            rate = ca.jacobian(at.q, z.d)
+            return [(z.q - at.q, 0.0, 0.0), (z.qd - rate @ z.w, 0.0, 0.0), *self._walls(at)]
+
+        return self._relation(("stop",), z, self._on_path, rows)
+
+    def resting_waypoint(self) -> Relation:
+        """The flange and all axes rest: q = IK(X, d)."""
+        z: Shapes = {"d": self._rails, "q": self._joints}
+
+        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+            at = self._resting(p, z.d)
+            return [(z.q - at.q, 0.0, 0.0), *self._walls(at)]
+
+        return self._relation(("resting",), z, self._on_path, rows)
+
+    def velocity_link(self) -> Relation:
+        """A leg begins and ends at its waypoint's real velocity: xd T = x'."""
+        z: Shapes = {"xd": (), "v": (), "T": ()}
+        return self._relation(("link",), z, {}, lambda z, p: [(z.xd * z.T - z.v, 0.0, 0.0)])
+
+    # ---- ties
+
+    def equal(self) -> Relation:
+        """x = y."""
+        return self._relation(("equal",), {"x": (), "y": ()}, {}, lambda z, p: [(z.x - z.y, 0.0, 0.0)])
+
+
+def _integrated(z: SimpleNamespace, h: ca.SX):  # type: ignore[no-untyped-def]
+    return [(z.x_1 - z.x_0 - h * z.v_0 - h * h / 2 * z.a, 0.0, 0.0), (z.v_1 - z.v_0 - h * z.a, 0.0, 0.0)]

@@ -1,0 +1,75 @@
+"""From the solver's variables back to a draft."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.draft import Draft
+from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, straight
+from trajopt_cli.optimize.profiles import hold, profiles
+from trajopt_cli.optimize.transcription import LegVariables, Transcription
+from trajopt_cli.problem.problem import Leg, Problem
+
+
+def read(program: Transcription, x: Array) -> Draft:
+    """The draft that variables x describe.
+
+    Raises ValueError for a joint move whose switches cannot be told apart in a file.
+    """
+    axes, problem, draft = program.axes, program.problem, program.draft
+    q, qd = (np.array([x[i] for i in indices]) for indices in (program.waypoint_q, program.waypoint_qd))
+    q, qd = _polished(axes, problem, draft, q, qd)
+    legs: list[LegMotion | None] = []
+    for leg, motion, var in zip(problem.legs, draft.legs, program.legs, strict=True):
+        k = leg.start
+        if motion is None:
+            legs.append(None)
+        elif var is None:  # a dwell in which nothing moves
+            legs.append(hold(motion.T, q[k]))
+        elif isinstance(motion, PathLeg):
+            legs.append(_path(axes, motion, var, x, q[k], q[k + 1]))
+        elif isinstance(motion, JointProfiles):
+            legs.append(_profiles(axes, problem, leg, q[k : k + 2], qd[k : k + 2], float(x[var.T])))
+        elif problem.coordinated:
+            legs.append(straight(float(x[var.T]), motion.grid, q[k], q[k + 1], x[var.s], x[var.v], x[var.a]))
+        else:
+            T, nodes, velocities = float(x[var.T]), x[var.q], x[var.qv]
+            nodes[0], nodes[-1], velocities[0], velocities[-1] = q[k], q[k + 1], qd[k] * T, qd[k + 1] * T
+            legs.append(JointNodes(T, motion.grid, nodes, velocities, x[var.qa]))
+    return Draft(q, qd, draft.cfx, tuple(legs))
+
+
+def _polished(axes: Axes, problem: Problem, draft: Draft, q: Array, qd: Array) -> tuple[Array, Array]:
+    """Waypoint states with the arm exactly where the rail puts it; the solver leaves a residual."""
+    rail, arm = axes.layout.rail, axes.layout.arm
+    for k, stop in enumerate(problem.waypoints):
+        if stop.q is not None:
+            continue
+        joints = axes.inverse(stop.X_WF[None], axes.layout.place(q[k : k + 1]))[0, draft.cfx[k]]
+        q[k, arm] = joints + 2 * np.pi * np.round((q[k, arm] - joints) / (2 * np.pi))
+        qd[k, arm] = axes.self_motion(q[k]) @ qd[k, rail]
+    return q, qd
+
+
+def _path(axes: Axes, motion: PathLeg, var: LegVariables, x: Array, q_0: Array, q_1: Array) -> PathLeg:
+    rail, arm = axes.layout.rail, axes.layout.arm
+    lengths = np.repeat(x[var.h], motion.N // 3)
+    grid = np.concatenate([[0.0], np.cumsum(lengths[:-1]), [1.0]])
+    s, v, a = (x[var.s], x[var.v], x[var.a]) if len(var.s) else (motion.s, motion.v, motion.a)
+    if len(var.d):
+        d, w, b = x[var.d], x[var.w], x[var.b]
+    else:
+        way = q_1[rail] - q_0[rail]
+        d, w, b = q_0[rail] + way * s[:, None], way * v[:, None], way * a[:, None]
+    return replace(motion, T=float(x[var.T]), grid=grid, s=s, v=v, a=a, d=d, w=w, b=b, reference=q_0[arm])
+
+
+def _profiles(axes: Axes, problem: Problem, leg: Leg, q: Array, qd: Array, T: float) -> JointProfiles:
+    # between given states the least time is known in closed form; the solver's T only comes near it
+    least = T if leg.duration is not None else 0.0
+    V = axes.velocity_on(leg)
+    return profiles(q[0], qd[0], q[1], qd[1], V, axes.acceleration, least, problem.coordinated)

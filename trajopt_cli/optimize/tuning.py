@@ -1,0 +1,131 @@
+"""Every number of the optimiser that somebody chose: its unit, why it has that value, and what was measured of it.
+
+A number is measured where an experiment is known that compared values or showed what goes wrong without it, as told by
+a commit or by the notes on the optimiser's prototype; else it says that it was not. Rounding of doubles (1e-9 and less
+around a comparison) stays where it is used.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+# ---- reach: may the program be done at all
+REACH_GRID = 193  # rail positions per station; 12.5 mm on a stroke of 2.4 m. Not measured.
+LINE_NODES = 13  # points on a line held against the inverse kinematics. Not measured.
+ELBOW = 0.999  # largest |sin q3|: the last 0.2 mm of reach, where every derivative used grows without bound. Measured:
+# the prototype's event problem needs such a wall (it had |cos| <= 0.9999 of the elbow); this value was not compared.
+WRIST = 1e-3  # least |sin q5| on lines, dwells and waypoints with a free rail. Measured: the prototype saw acceleration
+# seventeen times too high beside the wrist singularity; this value was not compared.
+
+# ---- search: dynamic programming that picks the basin
+SEARCH_COARSE = 33  # rail positions, all branches and turns, rail at rest. Measured: 1 to 2 s in the prototype;
+# 13 of its 14 other starts ended in the same optimum.
+SEARCH_FINE = 25  # rail positions around the best chain. Not measured (the prototype had 121 over the whole stroke).
+SEARCH_WINDOW = 0.1  # m beside the best chain at least that the fine search looks at. Not measured.
+PASSING = (-0.5, 0.0, 0.5)  # shares of the rail's top velocity tried at a waypoint. Not measured (the prototype had 5).
+NEAR_BEST = 1.04  # labels within this of the best cycle stay in the fine search. Not measured; the search alone was
+# 0.6 to 11.4 % (median 3.2 %) above the optimum in the prototype.
+SHIFT = 0.45  # m that the rail may move on a line beyond what it can at top velocity in the tool's time. Not measured.
+CURVED = 0.6  # share of a line's top velocity at which its curvature is charged against acceleration. Not measured.
+LEAST_ROOM = 0.15  # share of each acceleration limit that is always left for that. Not measured.
+SEARCH_CHUNK = 2_000_000  # numbers per work array: 16 MB. Not measured.
+
+# ---- transcription: the nonlinear program
+FIRST = 6  # intervals of a path on the first grid, doubled from solve to solve. Measured: direct starts on 16 or 20
+# intervals failed sometimes, nested grids from 6 did not.
+LAST = 24  # intervals on the last grid. Measured: 48 gave 6.4883 s for 6.4935 s on hinge_cell.
+LAST_COORDINATED = 12  # the same where every line is timed by itself afterwards (RETIMED). Not measured.
+LAST_ALONE = 48  # the same where a leg is solved by itself: cheap there. Not measured.
+RETIMED = 96  # intervals of a coordinated line timed by itself. Not measured.
+GRID_JOINT = 24  # intervals of a joint move once a tool cap or a range binds. Not measured.
+FREE_ZONES = 12  # intervals at which run-up, middle and run-out of a path may shift; kept on finer grids, which saves
+# iterations. Not measured.
+LEAST_ZONE = 0.01  # share of a leg that each of them lasts at least. Not measured.
+MOST_ZONES = 0.9  # and at most. Not measured.
+LEAST_TIME = 1e-3  # s of a leg without a way, so that scaled time stays defined. Not measured.
+LEAST_DRAFT = 2e-3  # s of such a leg in the first draft. Not measured.
+LONGEST = 60.0  # s of one leg. Not measured.
+PACED = 1e-4  # weight in the cost of a dwell's own least time where the dwell is longer anyway. Not measured.
+DAMPING = 4e-7  # s per squared scaled acceleration, where many motions take the same time. Not measured.
+DAMPING_DWELL = 4e-6  # the same while the tool rests. Measured: with less a long dwell's rail chatters between the
+# nodes; with it and PUSHED, hinge_line's stream plan came to 11.819 s in 33 s, from 12.437 s in 220 s (54fd039).
+SHARE_RATE = 50.0  # bound of a share's or rail's first derivative by scaled time. Not measured.
+SHARE_CURVE = 500.0  # of the second. Not measured.
+JOINT_RATE = 100.0  # bound of a joint's first derivative on a grid. Not measured.
+JOINT_CURVE = 1000.0  # of the second. Not measured.
+LEAST_TOP = 1e-3  # 1/s, 1/s2: least top velocity and acceleration of a coordinated joint move. Not measured.
+MOST_TOP_V = 1e4  # 1/s, the largest. Not measured.
+MOST_TOP_A = 1e6  # 1/s2, the largest. Not measured.
+
+# ---- solver
+MOST_ITERATIONS = 100  # a start that converges needs 25 to 60. Measured: 500 let some
+# cells converge that fail with 100, while another then tightens its limits without end.
+SHARP = 1e-8  # tolerance of the last grids. Not measured.
+ROUGH = 1e-4  # tolerance of the grids before. Not measured.
+BARRIER_FIRST = 1e-2  # first barrier parameter from the search's estimates. Not measured.
+BARRIER_DOUBT = 1e-1  # where that fails. Not measured.
+BARRIER_REFINED = 1e-4  # from the same motion on a coarser grid or with another structure. Not measured.
+BARRIER_WARM = 1e-5  # from the same program with tightened limits. Not measured.
+BARRIER_COLD = 1e-3  # where that warm start fails. Not measured.
+WARM_PUSH = 1e-7  # how far a warm start is pushed off its bounds. Not measured.
+SLOWER = 1.5  # times the search's estimate: the third start. Not measured.
+IPOPT: Mapping[str, object] = {
+    "ipopt.constr_viol_tol": 1e-10,  # not measured
+    "ipopt.acceptable_iter": 12,  # not measured
+    "ipopt.acceptable_tol": 1e-5,  # not measured
+    "ipopt.acceptable_constr_viol_tol": 1e-8,  # not measured
+    "ipopt.bound_relax_factor": 0.0,  # a limit is a limit; not measured
+    "ipopt.honor_original_bounds": "yes",  # the same
+    "ipopt.linear_solver": "mumps",  # measured: FATROP a tenth to a fifth faster, spral half as fast
+    "ipopt.mumps_pivot_order": 0,  # AMD; measured: a fifth faster than the automatic choice
+}
+
+# ---- exchange: the dense check and the back-off
+START = 1.0 - 5e-5  # share of every limit a path's grid starts with: rounding and Hermite rows need a hair of room.
+# Measured: a blanket 1 % costs 0.36 % of cycle time; small values were not compared.
+EXACT = 1.0 - 1e-8  # the same for joints that move by polynomials on the grid: exact between nodes. Not measured.
+SAFE = 1.0 - 3e-5  # what a clean motion may use of a limit: Hermite between written rows is not quite the motion.
+# Not measured.
+DENSE = 40  # samples per interval besides both ends. Measured: 20 sufficed in the prototype, where 24 of 29 random
+# cells passed a limit between nodes, at 0.006 to 0.03 % of cycle time; 40 was not compared.
+ROUNDS = 12  # of checking and tightening. Measured: one cell's excess falls by 6 % a round only, and 40
+# rounds finish cells that 12 give up.
+BEYOND = 1e-4  # tightened this much further than the excess, so that one round is enough more often. Not measured.
+UNREACHED = 2.0  # ratio of a sample that no joints reach: the rail left the arm's reach between nodes. Not measured.
+AMPLE = 1.5  # times the excess taken off a dwell's push. Measured: hinge_cell's stream plan needs four solves instead
+# of five (6f06e06).
+PUSHED = 1e-3  # share of its acceleration from which the rail drives the arm. Measured as DAMPING_DWELL.
+LEAST_PUSH = 0.1  # share that one round leaves of a push at least. Not measured.
+NEAR_CAP = 0.7  # share of a tool cap from which a joint move's node holds it explicitly. Not measured.
+OVER = 1e-6  # share by which a closed-form joint move may pass a cap before it goes on a grid. Not measured.
+DISAPPOINTING = 1.05  # times the search's estimate: a slower stream plan is doubted, and the coordinated problem is
+# tried too. Not measured.
+
+# ---- rows of the written file
+ROW_EVERY = 1e-3  # s, the grid: what a machine that follows a stream takes. Not measured.
+ROW_APART = 1e-5  # s; no two rows are nearer, or differences of rounded rows say nothing. Not measured.
+SAME_TIME = 1e-9  # s; boundaries nearer than this are one row. Not measured.
+SWITCHES_APART = 1.1e-5  # s between an axis' switches that are not one: ROW_APART and a little. Not measured.
+SAME_SWITCH = 1e-10  # s; switches nearer than this are one. Not measured.
+LONGER = 4e-6  # s that a joint move is lengthened per attempt to keep its switches apart. Not measured.
+ATTEMPTS = 245  # of them: less than a millisecond in all. Not measured.
+GENTLER = (1.0, 0.9998, 0.9995, 0.999, 0.998, 0.995, 0.99, 0.97, 0.9, 0.8, 0.65, 0.5, 0.3, 0.1, 0.03, 0.01, 1e-3, 1e-4)
+# shares of its top acceleration that an axis with time to spare tries in turn. Not measured.
+RESIDUAL = 1e-14  # rad or m: rounding of a position in a row. Not measured.
+DENSER = 3  # times that rows are put between rows where the cubic passes a limit. Not measured.
+
+# ---- what limits a motion
+AT_LIMIT = 0.99  # share of a limit that counts as standing at it. Not measured.
+BINDING_SAMPLES = 400  # per motion. Not measured.
+STILL = 1e-9  # rad or m: no way to go. Not measured.
+
+# ---- lower bound
+BOUND_RAIL = 2.5e-3  # m, rail interval of the enclosures. Not measured.
+BOUND_LEVELS = 6  # of refinement. Not measured.
+BOUND_COARSE = 32  # rail intervals per cell at the first level, halved per level down to one. Not measured.
+BOUND_SPEEDS = 4  # velocity ranges from -V to V at the first level, doubled per level. Not measured.
+BOUND_AIM = 0.95  # of the incumbent: where cells are many, finer levels only try to prove this much. Not measured.
+MOST_PAIRS = 1_500_000  # of cells per leg; a finer level is not begun beyond. Not measured.
+FEW_PAIRS = 300_000  # of cells per leg; below, the next level aims at the incumbent itself. Not measured.
+BOUND_CHUNK = 400_000  # pairs at once. Not measured.
+BOUND_ORDER = (0, 2, 1)  # of the first three joints, after the rail: settles most pairs soonest. Not measured.

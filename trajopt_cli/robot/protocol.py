@@ -1,0 +1,84 @@
+"""What planning asks of a robot: a new kind of arm is one class that answers it, a robot of a known kind two files."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.limits import JointLimits
+from trajopt_cli.motion import ConfData
+from trajopt_cli.robot.enclosure import Enclosure
+from trajopt_cli.robot.layout import AxisLayout
+
+if TYPE_CHECKING:
+    from trajopt_cli.robot.symbolic import Expressions
+
+
+class Robot(Protocol):
+    """An arm of m joints, on a rail or not: n axes in all. Frames: W world, B the arm's base, F flange, T tool centre
+    point. A branch is a number 0..b-1; rail positions do not matter without a rail."""
+
+    # ---- axes
+    @property
+    def name(self) -> str:
+        """Its name in robots/."""
+
+    @property
+    def axis_names(self) -> tuple[str, ...]:
+        """Names (n,), as in files and messages."""
+
+    @property
+    def layout(self) -> AxisLayout:
+        """Which of them are the rail's and the arm's."""
+
+    @property
+    def turns(self) -> Array:
+        """Whole turns (t, m) [rad] of the joints with which a configuration is tried, none first."""
+
+    # ---- where things are
+    @property
+    def X_WB0(self) -> Array:
+        """The arm's base (4, 4) with the rail at 0."""
+
+    @property
+    def rail_axis_W(self) -> Array | None:
+        """Unit direction (3,) of rail travel in the world, None without a rail."""
+
+    def forward(self, q: Array) -> Array:
+        """Flange poses X_WF (..., 4, 4) of axes (..., n)."""
+
+    def jacobian(self, q: Array, X_FT: Array | None = None) -> Array:
+        """Geometric Jacobian (..., 6, n) at the tool centre point in world axes, linear rows first."""
+
+    def jacobian_rate(self, q: Array, qd: Array, X_FT: Array | None = None) -> Array:
+        """Its exact time derivative (..., 6, n)."""
+
+    # ---- joints of a pose
+    def branches(self, X_WF: Array, rail: Array | None) -> Array:
+        """Joints (k, b, m) of all branches for flange poses (k, 4, 4) at rail positions (k,); NaN where there is none.
+        Joint limits are not applied."""
+
+    def walls(self, arm: Array) -> tuple[Array, Array]:
+        """How near joints (..., m) are to where branches meet: (...) of the reach, 1 when the arm is stretched or
+        folded; (...) of the wrist, 0 when it is singular."""
+
+    def solutions(self, X_WF: Array, rail: float | None, limits: JointLimits) -> list[tuple[int, Array]]:
+        """Every (branch, joints (m,)) within limits for one pose (4, 4), turns included."""
+
+    def why_unreachable(self, X_WF: Array, rail: float | None, limits: JointLimits) -> str:
+        """Why there are none, in one clause. Raises ValueError where there are some."""
+
+    def enclose(self, X_WF: Array, rail: Array, limits: JointLimits) -> Enclosure:
+        """The first three joints and their rates over the intervals between rail positions (k + 1,)."""
+
+    # ---- configurations as RAPID names them
+    def confdata(self, arm: Array) -> ConfData:
+        """Of joints (m,)."""
+
+    def admits(self, conf: ConfData, arm: Array) -> bool:
+        """Whether a target with this confdata may be reached with joints (m,)."""
+
+    # ---- the same as CasADi expressions
+    @property
+    def expressions(self) -> Expressions:
+        """Forward kinematics, and the inverse on one branch."""
