@@ -161,6 +161,14 @@ class Settings:
 DEFAULT_SETTINGS = Settings()
 
 
+class Hold(Enum):
+    """Who says that the rail stands still during a motion: a comment, the cell file, or an output set just before."""
+
+    PROGRAM = "program"
+    CELL = "cell"
+    GRIPPER = "gripper"
+
+
 class Happens(Enum):
     """What a path event is."""
 
@@ -203,7 +211,8 @@ class _Move:
 
     target: as written. extax: as the controller drives them, offsets included. duration: the programmed \T in s.
     optional: it may be dropped. settings: the modal state. events: what happens on the way. process: the instruction
-    where it is none of the four plain moves.
+    where it is none of the four plain moves. hold: why the rail must stand still from this move's start to its end,
+    None where it may move.
     """
 
     source: Source
@@ -217,6 +226,7 @@ class _Move:
     settings: Settings = DEFAULT_SETTINGS
     events: tuple[PathEvent, ...] = ()
     process: Process | None = None
+    hold: Hold | None = None
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -275,12 +285,16 @@ class MoveExtJ(_Move):
 
 @dataclass(frozen=True, kw_only=True)
 class Wait:
-    """Standing still. duration [s]: exact when condition is None; else the least time until the condition holds."""
+    """Standing still. duration [s]: exact when condition is None; else the least time until the condition holds.
+
+    hold: why the rail must stand still as well, None where it may move.
+    """
 
     source: Source
     written: Written
     duration: float
     condition: str | None = None
+    hold: Hold | None = None
 
 
 @dataclass(frozen=True, kw_only=True)

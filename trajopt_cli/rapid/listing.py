@@ -16,6 +16,7 @@ from trajopt_cli.motion import (
     ConfData,
     ExternalAxes,
     Happens,
+    Hold,
     Motion,
     Move,
     MoveAbsJ,
@@ -50,7 +51,7 @@ class Row:
     mm or deg; extax_kept: where axes stand meanwhile that the robot has and extax leaves open. duration: seconds of
     a wait (at least, where a condition ends it), or the programmed time of a move. value: what a signal is set to.
     length: of a line or an arc whose start is known. settings: what differs from the default, by the name of the
-    instruction. process: what an instruction of a process has besides, by parameter.
+    instruction. process: what an instruction of a process has besides, by parameter. hold: why the rail stands still.
     """
 
     index: int
@@ -84,6 +85,7 @@ class Row:
     settings: Mapping[str, Any] = field(default_factory=dict)
     events: tuple[PathEvent, ...] = ()
     process: tuple[tuple[str, str], ...] = ()
+    hold: Hold | None = None
 
 
 @dataclass(frozen=True)
@@ -116,7 +118,7 @@ def describe(program: Program, kinematics: Kinematics | None = None) -> Listing:
         if isinstance(motion, Wait):
             row = Row(
                 index, motion.source, _instruction(program, motion), "Wait",
-                target=motion.condition, duration=motion.duration,
+                target=motion.condition, duration=motion.duration, hold=motion.hold,
             )  # fmt: skip
         elif isinstance(motion, SignalEvent):
             row = Row(
@@ -267,4 +269,5 @@ def _move_row(
         settings=settings,
         events=motion.events,
         process=motion.process.data if motion.process else (),
+        hold=motion.hold,
     )
