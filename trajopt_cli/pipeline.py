@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
 from time import perf_counter
@@ -15,7 +15,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.files import write_folder
 from trajopt_cli.job import Job, read_results_job
 from trajopt_cli.motion import Program, Wait
-from trajopt_cli.problem.freedom import EVERYTHING, Freedom
+from trajopt_cli.problem.changes import Changes, everything
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.runs.folder import RUN, SUMMARY, check_replaceable
@@ -115,12 +115,12 @@ def optimise(
         return Collides("", hits)
     clock, started = _Clock({"read": job.read_seconds}), datetime.now(UTC)
     with clock.phase("rapid: text"):
-        free, kept = _writable(job)
-    if (infeasible := _out_of_reach(job, clock, free)) is not None:
+        changes = {one: changes_of(job, one) for one in Target}
+    if (infeasible := _out_of_reach(job, clock, changes)) is not None:
         return infeasible
     inputs = _inputs(job)
     judged: dict[Target, Judged] = {}
-    for one, answer in _both(job, listen, clock, free).items():
+    for one, answer in _both(job, listen, clock, changes).items():
         if not isinstance(answer, Judged):
             return answer
         if not answer.report.legal:
@@ -134,7 +134,7 @@ def optimise(
         notices = (*_notices(job), *_one_way(job, export))
         if no_rapid is not None:
             notices = (*notices, f"no RAPID text: {no_rapid}")
-        notes = (*(_placed(export, folder) if export is not None else ()), *kept)
+        notes = (*(_placed(export, folder) if export is not None else ()), *changes[Target.RAPID].kept)
         files = _files(job, target, judged, inputs, export, notices, notes)
     if plots:
         listen("results", Progress("plots"))
@@ -228,31 +228,31 @@ def plan_pictures(job: Job, plan: Plan) -> dict[str, bytes]:
     return {f"plots/{place}": content for place, content in pictures.items()}
 
 
-def _out_of_reach(job: Job, clock: _Clock, free: frozenset[int]) -> Infeasible | None:
+def _out_of_reach(job: Job, clock: _Clock, changes: Mapping[Target, Changes]) -> Infeasible | None:
     """What one of the two targets cannot do, known before either is solved."""
     from trajopt_cli.optimize import check_feasible
 
     with clock.phase("reach"):
         for target in Target:
-            program = replace(job.program, writable=free) if target is Target.RAPID else job.program
-            if (infeasible := check_feasible(program, job.plant, target)) is not None:
+            infeasible = check_feasible(job.program, job.plant, target, changes=changes[target])
+            if infeasible is not None:
                 return infeasible
     return None
 
 
 def _both(
-    job: Job, listen: Listener, clock: _Clock, free: frozenset[int]
+    job: Job, listen: Listener, clock: _Clock, changes: Mapping[Target, Changes]
 ) -> dict[Target, Judged | Infeasible | NoPlan]:
     """Both targets, beside each other where there are two cores; a stream that cannot be done ends the run at once."""
     stream, rapid = Target.STREAM, Target.RAPID
     if cores() == 1:
-        first = solve(job, stream, EVERYTHING, stream.value, listen, clock)
-        second = solve(job, rapid, EVERYTHING, rapid.value, listen, clock, free) if isinstance(first, Judged) else first
+        first = solve(job, stream, changes[stream], listen, clock)
+        second = solve(job, rapid, changes[rapid], listen, clock) if isinstance(first, Judged) else first
         return {stream: first, rapid: second}
 
     def second_target(tell: Callable[[Progress], None]) -> tuple[Judged | Infeasible | NoPlan, dict[str, float]]:
         own = _Clock()
-        return solve(job, rapid, EVERYTHING, rapid.value, lambda _, progress: tell(progress), own, free), own.seconds
+        return solve(job, rapid, changes[rapid], lambda _, progress: tell(progress), own), own.seconds
 
     with Beside(second_target, lambda progress: listen(rapid.value, progress)) as beside:
 
@@ -260,7 +260,7 @@ def _both(
             listen(label, progress)
             beside.listen()
 
-        first = solve(job, stream, EVERYTHING, stream.value, listen_to_both, clock)
+        first = solve(job, stream, changes[stream], listen_to_both, clock)
         if not isinstance(first, Judged):
             return {stream: first}
         answer, seconds = beside.answer()
@@ -268,29 +268,17 @@ def _both(
     return {stream: first, rapid: answer}
 
 
-def solve(
-    job: Job,
-    target: Target,
-    freedom: Freedom,
-    label: str,
-    listen: Listener,
-    clock: _Clock | None = None,
-    writable: frozenset[int] | None = None,
-) -> Judged | Infeasible | NoPlan:
-    """Plan one target, write its trajectory as CSV text, and let the judge read that text.
-
-    writable: the motions that the program's text lets change, where that is known already.
-    """
+def solve(job: Job, target: Target, changes: Changes, listen: Listener, clock: _Clock) -> Judged | Infeasible | NoPlan:
+    """Plan one target, write its trajectory as CSV text, and let the judge read that text."""
     from trajopt_cli.joint_csv import write_csv_text
     from trajopt_cli.optimize import NoCleanPlan, optimize
 
-    clock = clock or _Clock()
+    label = target.value
     with clock.phase(f"{label}: plan"):
         try:
-            program = job.program
-            if target is Target.RAPID:
-                program = replace(program, writable=_writable(job)[0] if writable is None else writable)
-            plan = optimize(program, job.plant, target, freedom, lambda progress: listen(label, progress))
+            plan = optimize(
+                job.program, job.plant, target, progress=lambda progress: listen(label, progress), changes=changes
+            )
         except NoCleanPlan as failure:
             return NoPlan(label, str(failure))
     if isinstance(plan, Infeasible):
@@ -305,14 +293,14 @@ def solve(
     return Judged(plan, text, report)
 
 
-def _writable(job: Job) -> tuple[frozenset[int], tuple[str, ...]]:
-    """Which motions the text lets change, and what users should know of the others."""
+def changes_of(job: Job, target: Target) -> Changes:
+    """What a plan may change on one target: for all commands that plan, so that they answer one question alike."""
     from trajopt_cli.export.rapid_reading import Reading
-    from trajopt_cli.export.rapid_writable import kept_notes, writable
+    from trajopt_cli.export.rapid_writable import text_changes
 
-    reading = Reading(job.program, job.plant, job.scenario, job.program.entry)
-    free = writable(job.program, job.plant, reading)
-    return free, kept_notes(job.program, job.plant, reading, free)
+    if target is Target.STREAM:
+        return everything(job.program, job.plant)
+    return text_changes(job.program, job.plant, Reading(job.program, job.plant, job.scenario, job.program.entry))
 
 
 def verify_results(folder: Path) -> tuple[Job, dict[str, Report]]:

@@ -54,7 +54,7 @@ def export_rapid(
 
     faster: indices of MoveJ and MoveAbsJ that the plan moves faster than programmed; only with plant.free_speed.
     scenario, entry: as the program was read with, for reading the result back. Raises InputError, with the
-    place, for what cannot be written; writable() knows before planning what that is.
+    place, for what cannot be written; text_changes() knows before planning what that is.
     """
     if plan.target is not Target.RAPID:
         raise ValueError(f"only a plan for the RAPID controller can be written as RAPID, not one for {plan.target}")

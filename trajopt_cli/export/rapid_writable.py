@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping, Set
+from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import replace
 from typing import cast
 
@@ -17,6 +17,7 @@ from trajopt_cli.export.rapid_targets import PoseMove, Targets, confdata_counts
 from trajopt_cli.export.rapid_text import Edits, Names
 from trajopt_cli.export.rapid_write import Choices, Intent, write
 from trajopt_cli.motion import ExternalAxes, Move, MoveAbsJ, MoveExtJ, Program, Span, Wait
+from trajopt_cli.problem.changes import Changes, droppable, may_go
 from trajopt_cli.problem.plant import Plant
 
 _STEP, _STEPS = 0.01, 997  # mm; how far targets are moved along the rail to see what else moves, and how many ways
@@ -25,8 +26,8 @@ _PLACES = 5  # that a note names
 _TRIALS = 8  # of a long program each takes as long as reading it
 
 
-def writable(program: Program, plant: Plant, reading: Reading) -> frozenset[int]:
-    """Indices of the moves and waits whose text can carry values of their own; all others must stay as programmed.
+def text_changes(program: Program, plant: Plant, reading: Reading) -> Changes:
+    """What a plan may change so that the program's text can carry it; all else must stay as programmed.
 
     - A literal target whose statement runs once, or with another literal each time.
     - A computed target whose statement runs once, if it can be said in numbers.
@@ -39,8 +40,15 @@ def writable(program: Program, plant: Plant, reading: Reading) -> frozenset[int]
     program does with a search, an answer or an input must stay its own.
     """
     scopes = Scopes(program.files)
-    runs = Counter(motion.written.statement for motion in program.motions)
     stretches = Stretches(program, scopes, reading)
+    free = _writable(program, plant, reading, scopes, stretches)
+    kept = tuple(_kept(program, plant, scopes, stretches, free))
+    return Changes(free, droppable(program, plant) & free, kept)
+
+
+def _writable(program: Program, plant: Plant, reading: Reading, scopes: Scopes, stretches: Stretches) -> frozenset[int]:
+    """The moves and waits whose text can carry values of their own, by index."""
+    runs = Counter(motion.written.statement for motion in program.motions)
     single = {i for i, motion in enumerate(program.motions) if runs[motion.written.statement] == 1}
     computed = {i for i in single if _can_be_said(program, i) and stretches.constant(i)}
     own, flat = _tried(program, plant, scopes, stretches, reading, computed)
@@ -54,14 +62,12 @@ def writable(program: Program, plant: Plant, reading: Reading) -> frozenset[int]
     return _free(program, plant, scopes, set(), []) - several
 
 
-def kept_notes(program: Program, plant: Plant, reading: Reading, free: Set[int]) -> tuple[str, ...]:
+def _kept(program: Program, plant: Plant, scopes: Scopes, stretches: Stretches, free: Set[int]) -> Iterator[str]:
     """What users should know of the moves that are no free ones: where they are, why they stay, what would free them.
 
-    free: as writable gives it. Moves of joints have nothing to change where there is no rail.
+    Moves of joints have nothing to change where there is no rail.
     """
     runs = Counter(motion.written.statement for motion in program.motions)
-    scopes = Scopes(program.files)
-    stretches = Stretches(program, scopes, reading)
     places: dict[tuple[str, str], dict[str, dict[int, None]]] = {}
     for i, motion in enumerate(program.motions):
         bound = isinstance(motion, MoveAbsJ | MoveExtJ) and plant.rail_eax is None
@@ -71,7 +77,8 @@ def kept_notes(program: Program, plant: Plant, reading: Reading, free: Set[int])
         why, remedy = _why_kept(motion, runs[span], stretches.hangs_on(i), span in scopes.compact)
         lines = places.setdefault((why, remedy), {}).setdefault(motion.source.file, {})
         lines[motion.source.line] = None
-    return tuple(f"{KEPT}: {_shown(files)} ({why}); {remedy}" for (why, remedy), files in places.items())
+    for (why, remedy), files in places.items():
+        yield f"{KEPT}: {_shown(files)} ({why}); {remedy}"
 
 
 def _why_kept(move: Move, runs: int, thing: str | None, compact: bool) -> tuple[str, str]:
@@ -129,7 +136,7 @@ def _free(program: Program, plant: Plant, scopes: Scopes, own: set[int], flat: l
             literal = motion.written.aggregate is not None
             switched = isinstance(motion, PoseMove) and not confdata_counts(motion)
             # What may be dropped or switched needs a line of its own, and one answer for all its runs.
-            alone = switched or motion.optional or motion.target.lower() in plant.droppable
+            alone = switched or may_go(motion, plant)
             if i in single:
                 if (literal or i in own) and not (alone and motion.written.statement in scopes.compact):
                     out.add(i)

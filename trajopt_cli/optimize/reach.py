@@ -6,13 +6,13 @@ configuration in the whole station. What cannot be reached is named here, before
 
 from __future__ import annotations
 
-from dataclasses import astuple, dataclass
+from dataclasses import astuple, dataclass, replace
 
 import numpy as np
 from scipy import ndimage
 
 from trajopt_cli.geometry import Array, BoolArray, inverse_pose, line_pose
-from trajopt_cli.motion import Motion, MoveJ, MoveL
+from trajopt_cli.motion import MoveJ, MoveL, motion_name
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.stages import REACH, WRIST
 from trajopt_cli.problem.plan import Infeasible
@@ -183,9 +183,7 @@ def _out_of_reach(axes: Axes, problem: Problem, k: int, d: Array) -> bool:
 
 def problem_at(problem: Problem, k: int) -> Problem:
     """The problem of one stop alone."""
-    return Problem(
-        problem.plant, problem.program, problem.freedom, (problem.waypoints[k],), (), ((0, 0),), problem.dropped
-    )
+    return replace(problem, waypoints=(problem.waypoints[k],), legs=(), stations=((0, 0),))
 
 
 def _passable(problem: Problem, table: StationTable, i: int) -> bool:
@@ -234,7 +232,7 @@ def _unreachable(axes: Axes, problem: Problem, k: int, d: Array) -> Infeasible:
         reason = _other_configurations(axes, problem, stop, float(near))
         if stop.conf is not None:
             reason += _remedy(axes, problem, k)
-    text = f"{motion.source}: {_title(motion)} cannot be reached{where}: {reason}"
+    text = f"{motion.source}: {motion_name(motion)} cannot be reached{where}: {reason}"
     return Infeasible(stop.motion, motion.source, text)
 
 
@@ -305,10 +303,6 @@ def _abreast(axes: Axes, X_WF: Array) -> float:
     return float(p @ axes.rail_axis)
 
 
-def _title(motion: Motion) -> str:
-    return f"{type(motion).__name__} {getattr(motion, 'target', '')}".strip()
-
-
 def _broken_line(axes: Axes, problem: Problem, first: int, i: int, d: Array) -> Infeasible:
     """Name the point on the line that serves no rail position and branch which served everything before it."""
     leg, k = problem.legs[first + i], first + i
@@ -344,7 +338,7 @@ def _broken_line(axes: Axes, problem: Problem, first: int, i: int, d: Array) -> 
         reason = "no single configuration serves the whole line without crossing a singularity or a joint limit"
     p = X_WT[:3, 3] * 1e3
     text = (
-        f"{motion.source}: {_title(motion)} breaks at {bad * leg.chord * 1e3:.1f} mm of {leg.chord * 1e3:.1f} mm,"
+        f"{motion.source}: {motion_name(motion)} breaks at {bad * leg.chord * 1e3:.1f} mm of {leg.chord * 1e3:.1f} mm,"
         f" point [{p[0]:.1f}, {p[1]:.1f}, {p[2]:.1f}] mm{where}: {reason}"
     )
     return Infeasible(leg.motion, motion.source, text)
@@ -364,7 +358,7 @@ def _no_common(axes: Axes, problem: Problem, first: int, last: int) -> Infeasibl
     start = problem.motion(problem.waypoints[first].motion) if problem.waypoints[first].motion >= 0 else None
     begin = f"{start.source}" if start else "the start"
     text = (
-        f"{motion.source}: {_title(motion)}: no configuration serves all points from {begin} to here; the lines between"
-        " them keep the branch and the turns of the joints"
+        f"{motion.source}: {motion_name(motion)}: no configuration serves all points from {begin} to here; the lines"
+        " between them keep the branch and the turns of the joints"
     )
     return Infeasible(index, motion.source, text)

@@ -22,10 +22,11 @@ from trajopt_cli.optimize.reach import check_reach
 from trajopt_cli.optimize.search import Chain, search
 from trajopt_cli.optimize.stages import Stages
 from trajopt_cli.optimize.transcription import Draft
+from trajopt_cli.problem.changes import Changes, everything
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.problem import LegKind, Problem, build_problem, droppable
+from trajopt_cli.problem.problem import LegKind, Problem, build_problem
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.robot.symbolic import forward
 from trajopt_cli.trajectory import Trajectory, hermite
@@ -44,13 +45,17 @@ class NoCleanPlan(Exception):
 
 
 def check_feasible(
-    program: Program, plant: Plant, target: Target = Target.STREAM, freedom: Freedom = EVERYTHING
+    program: Program,
+    plant: Plant,
+    target: Target = Target.STREAM,
+    freedom: Freedom = EVERYTHING,
+    changes: Changes | None = None,
 ) -> Infeasible | None:
     """The first motion that cannot be done, by name, or None. Takes seconds at most; optimises nothing.
 
-    Motions that the user lets go are left out where that helps.
+    changes: as in optimize. Motions that the user lets go are left out where that helps.
     """
-    problems = _problems(program, plant, freedom, target)
+    problems = _problems(program, plant, freedom, target, changes)
     first = problems[0]
     return first if isinstance(first, Infeasible) and not any(isinstance(one, Problem) for one in problems) else None
 
@@ -62,10 +67,12 @@ def optimize(
     freedom: Freedom = EVERYTHING,
     progress: Report | None = None,
     bounded: bool = True,
+    changes: Changes | None = None,
 ) -> Plan | Infeasible:
     """The fastest motion found for a program on one target, with a lower bound of the same model if bounded.
 
-    Raises NoCleanPlan when the solver fails from every start.
+    freedom: what may change at all. changes: which motions may have it, None for all of them (a plan that nobody
+    writes back into the program's text). Raises NoCleanPlan when the solver fails from every start.
     """
     tell: Report = progress or (lambda _: None)
     seconds: dict[str, float] = {}
@@ -73,7 +80,7 @@ def optimize(
     tied = target is Target.RAPID
     axes = Axes.of(plant)
     tell(Progress("reach"))
-    problems = _problems(program, plant, freedom, target)
+    problems = _problems(program, plant, freedom, target, changes)
     open_ = [c for c in problems if isinstance(c, Problem)]
     if not open_:
         assert isinstance(problems[0], Infeasible)
@@ -174,13 +181,16 @@ def _passing(axes: Axes, trajectory: Trajectory) -> IndexArray:
     return np.flatnonzero(over)
 
 
-def _problems(program: Program, plant: Plant, freedom: Freedom, target: Target) -> list[Problem | Infeasible]:
+def _problems(
+    program: Program, plant: Plant, freedom: Freedom, target: Target, changes: Changes | None
+) -> list[Problem | Infeasible]:
     """The whole program, and without the motions the user lets go if there are any; each checked for reach."""
     axes = Axes.of(plant)
-    optional = droppable(program, plant) if freedom.drop else frozenset()
+    changes = changes or everything(program, plant)
+    optional = changes.droppable if freedom.drop else frozenset()
     out: list[Problem | Infeasible] = []
     for dropped in [frozenset[int]()] + ([optional] if optional else []):
-        problem = build_problem(program, plant, freedom, target, dropped)
+        problem = build_problem(program, plant, freedom, target, changes, dropped)
         if isinstance(problem, Problem):
             out.append(check_reach(axes, problem) or problem)
         else:

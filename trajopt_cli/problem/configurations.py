@@ -16,9 +16,9 @@ from math import floor, pi
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
-from trajopt_cli.motion import ConfData, MoveAbsJ, MoveC, MoveJ, MoveL, Program, SignalEvent, Source, Wait
+from trajopt_cli.motion import ConfData, MoveAbsJ, MoveC, MoveJ, MoveL, Program, SignalEvent, Source, Wait, motion_name
 from trajopt_cli.problem.along import Followed, Line, follow
-from trajopt_cli.problem.plannable import demands_configuration, name
+from trajopt_cli.problem.plannable import demands_configuration
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import confdata, confdata_admits, inverse, why_unreachable
 from trajopt_cli.robot.turns import ON_LIMIT
@@ -260,10 +260,10 @@ def _after(point: _Point, plant: Plant, joints: Array, now: Array | None) -> Arr
 def _finding(
     point: _Point, plant: Plant, misfit: Misfit, text: str, reachable: tuple[ConfData, ...] = ()
 ) -> ConfigurationFinding:
-    motion = point.motion
+    motion, name = point.motion, motion_name(point.motion)
     rail = point.rail if plant.robot.has_rail else None
     return ConfigurationFinding(
-        point.index, motion.source, name(motion), misfit, motion.conf, reachable, rail, f"{name(motion)} {text}"
+        point.index, motion.source, name, misfit, motion.conf, reachable, rail, f"{name} {text}"
     )
 
 

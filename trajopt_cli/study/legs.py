@@ -13,7 +13,7 @@ from functools import cached_property
 import numpy as np
 
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose, line_pose
-from trajopt_cli.motion import Motion, MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, SignalEvent, Wait
+from trajopt_cli.motion import Motion, MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, SignalEvent, Wait, motion_name
 from trajopt_cli.problem.freedom import FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
@@ -57,7 +57,7 @@ class Leg:
     @property
     def name(self) -> str:
         """The motion's place, kind and target, as messages begin."""
-        return f"{self.motion.source}: {type(self.motion).__name__} {getattr(self.motion, 'target', '')}".strip()
+        return f"{self.motion.source}: {motion_name(self.motion)}"
 
     @property
     def key(self) -> bytes:
