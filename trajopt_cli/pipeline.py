@@ -134,7 +134,8 @@ def optimise(
         notices = (*_notices(job), *_one_way(job, export))
         if no_rapid is not None:
             notices = (*notices, f"no RAPID text: {no_rapid}")
-        notes = (*(_placed(export, folder) if export is not None else ()), *changes[Target.RAPID].kept)
+        placed = _placed(export, folder) if export is not None else ()
+        notes = (*_configurations(job, judged), *placed, *changes[Target.RAPID].kept)
         files = _files(job, target, judged, inputs, export, notices, notes)
     if plots:
         listen("results", Progress("plots"))
@@ -203,6 +204,15 @@ def _one_way(job: Job, export: RapidExport | None) -> Iterator[str]:
     changed = export is None or any(text != job.program.files[path].text for path, text in export.texts.items())
     if once and changed:
         yield "the way from the end of the loop back to its beginning is planned only with endless_passes: 2 or more"
+
+
+def _configurations(job: Job, judged: Mapping[Target, Judged]) -> Iterator[str]:
+    """Which moves end in another configuration than programmed, by target."""
+    from trajopt_cli.problem.configurations import changed_configurations
+
+    for target, one in judged.items():
+        for line in changed_configurations(job.program, job.plant, one.plan):
+            yield f"{target.value}: {line}"
 
 
 def _placed(export: RapidExport, folder: Path) -> Iterator[str]:

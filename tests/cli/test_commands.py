@@ -438,11 +438,11 @@ import trajopt_cli.optimize
 from trajopt_cli.cli import main
 from trajopt_cli.problem.progress import Progress
 
-def sleeping(*arguments):
+def sleeping(*arguments, **more):
     os.write(1, b"planning\\n")  # one write, so that two processes do not mix
     time.sleep(60)
 
-def swallowing(program, plant, target, freedom, progress):
+def swallowing(program, plant, target, progress, changes):
     try:
         sleeping()
     except KeyboardInterrupt:
