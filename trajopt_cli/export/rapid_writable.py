@@ -43,7 +43,7 @@ def text_changes(program: Program, plant: Plant, reading: Reading) -> Changes:
     stretches = Stretches(program, scopes, reading)
     free = _writable(program, plant, reading, scopes, stretches)
     kept = tuple(_kept(program, plant, scopes, stretches, free))
-    return Changes(free, droppable(program, plant) & free, kept)
+    return Changes(free, (), droppable(program, plant) & free, kept)
 
 
 def _writable(program: Program, plant: Plant, reading: Reading, scopes: Scopes, stretches: Stretches) -> frozenset[int]:

@@ -183,7 +183,7 @@ def _out_of_reach(axes: Axes, problem: Problem, k: int, d: Array) -> bool:
 
 def problem_at(problem: Problem, k: int) -> Problem:
     """The problem of one stop alone."""
-    return replace(problem, waypoints=(problem.waypoints[k],), legs=(), stations=((0, 0),))
+    return replace(problem, waypoints=(problem.waypoints[k],), legs=(), stations=((0, 0),), ties=())
 
 
 def _passable(problem: Problem, table: StationTable, i: int) -> bool:

@@ -15,6 +15,7 @@ from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.double_integrator import reach, shortest_time, trapezoid_time
 from trajopt_cli.optimize.reach import LINE_NODES, Label, StationTable, rail_grid, station_table
+from trajopt_cli.optimize.tied import Ties, best_tied
 from trajopt_cli.problem.freedom import RailFreedom
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 
@@ -182,7 +183,9 @@ def _edges(
     return edges
 
 
-def _best(layers: list[_Layer], edges: list[Array]) -> tuple[float, list[int], list[Array], list[Array]]:
+def _best(layers: list[_Layer], edges: list[Array], ties: Ties) -> tuple[float, list[int], list[Array], list[Array]]:
+    """Cost and states of the best chain, and the least cost from the start to, and from there to the end of, a state
+    where no tie is kept."""
     forward = [np.zeros(len(layers[0].q))]
     back: list[Array] = []
     for T in edges:
@@ -193,6 +196,9 @@ def _best(layers: list[_Layer], edges: list[Array]) -> tuple[float, list[int], l
     for T in reversed(edges):
         backward.append(np.min(T + backward[-1][None], axis=1))
     backward.reverse()
+    if ties:
+        through = [a + b for a, b in zip(forward, backward, strict=True)]
+        return *best_tied([layer.q for layer in layers], edges, through, ties), forward, backward
     end = int(np.argmin(forward[-1]))
     path = [end]
     for b in reversed(back):
@@ -212,7 +218,7 @@ def search(axes: Axes, problem: Problem, tied: bool) -> Chain | None:
     still = np.zeros(1)
     layers = [_layer(axes, problem, tables[where[k]], k, still) for k in range(len(problem.waypoints))]
     edges = _edges(axes, problem, tables, where, layers, tied)
-    cost, path, forward, backward = _best(layers, edges)
+    cost, path, forward, backward = _best(layers, edges, problem.ties)
     if not np.isfinite(cost):
         return None
     coarse = _chain(problem, tables, where, layers, edges, path, cost)
@@ -222,17 +228,14 @@ def search(axes: Axes, problem: Problem, tied: bool) -> Chain | None:
     V0 = float(axes.velocity[0])
     speeds = still if tied or not problem.freedom.through_stops else V0 * SPEEDS
     fine_tables = []
-    for (first, last), table in zip(problem.stations, tables, strict=True):
+    windows = _windows(problem, tables, where, coarse)
+    for (first, last), table, window in zip(problem.stations, tables, windows, strict=True):
         keep: set[int] = set()
-        low, high = np.inf, -np.inf
         for k in range(first, last + 1):
             through = forward[k] + backward[k]
             near = through <= NEAR * cost
             keep |= set(layers[k].label[near].tolist())
-            low, high = min(low, layers[k].q[path[k], 0]), max(high, layers[k].q[path[k], 0])
-        spacing = (table.d[-1] - table.d[0]) / max(len(table.d) - 1, 1)
-        margin = max(2 * spacing, 0.1)
-        d = rail_grid(problem, first, last, FINE, (low - margin, high + margin))
+        d = rail_grid(problem, first, last, FINE, window)
         fine = station_table(axes, problem, first, last, d)
         labels = [i for i in range(len(fine.labels)) if _like(fine, i, table, keep)]
         fine_tables.append(_restrict(fine, labels) if labels else fine)
@@ -242,8 +245,28 @@ def search(axes: Axes, problem: Problem, tied: bool) -> Chain | None:
     if not all(len(layer.q) for layer in layers):
         return coarse
     edges = _edges(axes, problem, fine_tables, where, layers, tied)
-    cost, path, _, _ = _best(layers, edges)
+    cost, path, _, _ = _best(layers, edges, problem.ties)
     return _chain(problem, fine_tables, where, layers, edges, path, cost) if np.isfinite(cost) else coarse
+
+
+def _windows(
+    problem: Problem, tables: list[StationTable], where: list[int], coarse: Chain
+) -> list[tuple[float, float]]:
+    """The rail's range [m] of every station's fine search: near the coarse chain; one range for stations that share a
+    tie, so that their grids have positions in common."""
+    windows = []
+    for (first, last), table in zip(problem.stations, tables, strict=True):
+        rail = coarse.q[first : last + 1, 0]
+        spacing = (table.d[-1] - table.d[0]) / max(len(table.d) - 1, 1)
+        margin = max(2 * spacing, 0.1)
+        windows.append((float(rail.min()) - margin, float(rail.max()) + margin))
+    together = [sorted({where[k] for k in group}) for group in problem.ties]
+    for _ in together:  # a group may join what others have joined
+        for stations in together:
+            low, high = min(windows[i][0] for i in stations), max(windows[i][1] for i in stations)
+            for i in stations:
+                windows[i] = low, high
+    return windows
 
 
 def _station_of(problem: Problem) -> list[int]:

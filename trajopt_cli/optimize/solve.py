@@ -91,7 +91,7 @@ def optimize(
     found = [(chain, problem) for problem in open_ if (chain := search(axes, problem, tied)) is not None]
     seconds["search"] = perf_counter() - start
     if not found:
-        return _disconnected(program, plant)
+        return _disconnected(program, any(problem.ties for problem in open_))
     chain, problem = min(found, key=lambda pair: pair[0].cost)
     draft, legs, trajectory, bounds = _clean_plan(axes, problem, chain, tied, tell, seconds)
     bound = None
@@ -112,6 +112,15 @@ def _checked_bound(axes: Axes, problem: Problem, tied: bool, duration: float) ->
     if bound > duration * (1 + 1e-6):
         raise NoCleanPlan(f"an error in trajopt: the lower bound {bound:.6f} s lies above the plan, {duration:.6f} s")
     return min(bound, duration)  # equal up to rounding where the bound is exact
+
+
+def search_estimate(program: Program, plant: Plant, target: Target, changes: Changes) -> float | None:
+    """The cycle time [s] of the best chain that the search finds: what optimize starts from, a few percent from its
+    answer. None where there is no chain."""
+    axes = Axes.of(plant)
+    open_ = [c for c in _problems(program, plant, EVERYTHING, target, changes) if isinstance(c, Problem)]
+    found = [chain.cost for problem in open_ if (chain := search(axes, problem, target is Target.RAPID)) is not None]
+    return min(found, default=None)
 
 
 Clean = tuple[Draft, list[LegMotion], Trajectory, Array]
@@ -198,10 +207,13 @@ def _problems(
     return out
 
 
-def _disconnected(program: Program, plant: Plant) -> Infeasible:
+def _disconnected(program: Program, tied: bool) -> Infeasible:
     index = len(program.motions) - 1
     source = program.motions[index].source
-    return Infeasible(index, source, f"{source}: no chain of configurations connects the start with the program's end")
+    why = "no chain of configurations connects the start with the program's end"
+    if tied:
+        why += ", each target of a loop or routine in one configuration for all passes; --loops unroll asks for less"
+    return Infeasible(index, source, f"{source}: {why}")
 
 
 def _refine(axes: Axes, problem: Problem, chain: Chain, tied: bool, tell: Report, seconds: dict[str, float]) -> Draft:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 
 import casadi as ca
 import numpy as np
@@ -183,14 +184,20 @@ class Transcription:
         return max(allowed[0], float(low)), min(allowed[1], float(high))
 
     def _stations(self) -> None:
-        """Stops of a station share one rail position where the freedom says so."""
+        """Stops of a station share one rail position where the freedom says so, and so do tied ones."""
+        pairs = [pair for group in self.problem.ties for pair in pairwise(group)]
         for k, leg in enumerate(self.problem.legs):
             hold = leg.kind is not LegKind.JOINT and not leg.rail_moves
             if self.problem.freedom.rail is RailFreedom.STATION and leg.kind is not LegKind.JOINT:
                 hold = True
-            a, b = self.problem.waypoints[k], self.problem.waypoints[k + 1]
-            if hold and not (a.rail[0] == a.rail[1] and b.rail[0] == b.rail[1]):
-                self.nlp.add(self.stages.equal(), [self.stop_q[k][0], self.stop_q[k + 1][0]])
+            if hold:
+                pairs.append((k, k + 1))
+        held = list(range(len(self.problem.waypoints)))  # what is held equal already: no row says it twice
+        for i, k in pairs:
+            a, b = self.problem.waypoints[i], self.problem.waypoints[k]
+            if held[i] != held[k] and not (a.rail[0] == a.rail[1] and b.rail[0] == b.rail[1]):
+                self.nlp.add(self.stages.equal(), [self.stop_q[i][0], self.stop_q[k][0]])
+                held = [held[i] if one == held[k] else one for one in held]
 
     def _rest_path(self, X_WF: Array) -> PathConstants:
         X = self.axes.in_base(X_WF)
@@ -422,6 +429,8 @@ class Transcription:
     def _polished(self, q: Array, qd: Array) -> tuple[Array, Array]:
         """Waypoint states with the arm exactly where the rail puts it; the solver leaves a residual."""
         q, qd = q.copy(), qd.copy()
+        for first, *others in self.problem.ties:
+            q[others, 0] = q[first, 0]
         for k, stop in enumerate(self.problem.waypoints):
             if stop.q is not None:
                 continue

@@ -7,26 +7,36 @@ which motions that leaves is known to the export, before anything is planned.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import StrEnum
 from itertools import pairwise
 
 from trajopt_cli.motion import Motion, Move, MoveAbsJ, MoveJ, Program
 from trajopt_cli.problem.plant import Plant
 
 
+class Loops(StrEnum):
+    """What a plan for the RAPID controller makes of what runs several times."""
+
+    KEEP = "keep"  # it stays, and one target has one rail position and configuration in all passes
+    UNROLL = "unroll"  # where the passes differ, it is written out motion by motion, in the values of this run
+
+
 @dataclass(frozen=True)
 class Changes:
-    """Motions, by index. values: those that can have a rail position and a configuration of their own, or, for a wait,
-    in which the rail can move. droppable: those that can be left out. kept: why the others stay as programmed, a line
+    """Motions, by index. values: those that can have another rail position and configuration, or, for a wait, in which
+    the rail can move. ties: those of them that must have the same, as one text serves them all: all passes of a loop or
+    a routine through one target. droppable: those that can be left out. kept: why the others stay as programmed, a line
     each."""
 
     values: frozenset[int]
+    ties: tuple[tuple[int, ...], ...] = ()
     droppable: frozenset[int] = frozenset()
     kept: tuple[str, ...] = ()
 
 
 def everything(program: Program, plant: Plant) -> Changes:
     """All that the user lets change, for a plan that nobody writes back into the program."""
-    return Changes(frozenset(range(len(program.motions))), droppable(program, plant))
+    return Changes(frozenset(range(len(program.motions))), droppable=droppable(program, plant))
 
 
 def may_go(motion: Motion, plant: Plant) -> bool:

@@ -6,7 +6,7 @@ lines and dwells form a station: within it the IK branch and the turns of the jo
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 
@@ -98,7 +98,8 @@ class Leg:
 class Problem:
     """Waypoints and legs in order, for one target; stations as (first waypoint, last); the motions left out.
 
-    coupling: how the target binds the axes of a leg to each other.
+    coupling: how the target binds the axes of a leg to each other. ties: waypoints, in order, that must have one rail
+    position and one configuration.
     """
 
     plant: Plant
@@ -110,6 +111,7 @@ class Problem:
     dropped: frozenset[int]
     target: Target
     coupling: Coupling
+    ties: tuple[tuple[int, ...], ...] = ()
 
     def rail_may_pass(self, k: int) -> bool:
         """Whether the rail may have speed at stop k: no neighbouring line or dwell holds it still."""
@@ -153,7 +155,19 @@ def build_problem(
         frozenset(dropped),
         target,
         Coupling.COORDINATED if target is Target.RAPID else Coupling.FREE,
+        _ties(changes, waypoints),
     )
+
+
+def _ties(changes: Changes, waypoints: Sequence[Waypoint]) -> tuple[tuple[int, ...], ...]:
+    """The waypoints of tied motions; those that joints fix, or that a plan may not change, are what they are."""
+    ends = {
+        waypoint.motion: k
+        for k, waypoint in enumerate(waypoints)
+        if waypoint.q is None and (waypoint.rail[0] < waypoint.rail[1] or waypoint.conf is None)
+    }
+    groups = (tuple(ends[index] for index in group if index in ends) for group in changes.ties)
+    return tuple(group for group in groups if len(group) > 1)
 
 
 class _OutOfRange(Exception):
