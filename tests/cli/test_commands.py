@@ -102,6 +102,7 @@ def test_run_json_names_versions_inputs_and_files(program: Path, planner: Planne
         "entry": "main",
         "assume_identity": [],
         "target": "stream",
+        "loops": "keep",
     }
 
 

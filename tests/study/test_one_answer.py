@@ -11,6 +11,7 @@ import pytest
 from trajopt_cli.job import Job, read_job
 from trajopt_cli.optimize import solve
 from trajopt_cli.pipeline import Optimised, optimise
+from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.freedom import EVERYTHING
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.problem import Problem
@@ -71,7 +72,7 @@ def job_of(text: str, folder: Path) -> Job:
 def said(problem: Problem) -> tuple[object, ...]:
     """What may change in a problem."""
     waypoints = tuple((one.motion, one.rail, one.conf, one.rest) for one in problem.waypoints)
-    return waypoints, tuple(leg.rail_moves for leg in problem.legs), problem.dropped
+    return waypoints, tuple(leg.rail_moves for leg in problem.legs), problem.dropped, problem.ties
 
 
 @pytest.fixture
@@ -92,27 +93,30 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> dict[tuple[Target, bool], set[tupl
     return found
 
 
+@pytest.mark.parametrize("loops", Loops)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_both_commands_ask_for_the_same_problems(
-    seed: int, asked: dict[tuple[Target, bool], set[tuple[object, ...]]], tmp_path: Path
+    seed: int, loops: Loops, asked: dict[tuple[Target, bool], set[tuple[object, ...]]], tmp_path: Path
 ) -> None:
     job = job_of(listing(seed), tmp_path)
-    assert isinstance(optimise(job, Target.STREAM, tmp_path / "results", lambda *_: None), Infeasible)
+    answer = optimise(job, Target.STREAM, tmp_path / "results", lambda *_: None, loops=loops)
+    assert isinstance(answer, Infeasible)
     optimised = dict(asked)
     asked.clear()
-    compare(job, lambda *_: None)
+    compare(job, lambda *_: None, loops=loops)
     assert {Target.STREAM, Target.RAPID} == {target for target, _ in asked}
     assert asked == optimised
     assert all(len(problems) == 1 for problems in asked.values())
 
 
 def test_the_programs_have_something_to_differ_in(tmp_path: Path) -> None:
-    """Free and kept targets, open rails, things to drop: else the test above would say nothing."""
+    """Free, tied and kept targets, things to drop: else the test above would say nothing."""
     from trajopt_cli.pipeline import changes_of
 
     jobs = [job_of(listing(seed), tmp_path) for seed in SEEDS]
     changes = [changes_of(job, Target.RAPID) for job in jobs]
-    assert sum(bool(one.kept) for one in changes) >= 5
+    assert sum(bool(one.kept) for one in changes) >= 10
+    assert sum(bool(one.ties) for one in changes) >= 10
     assert sum(bool(one.droppable) for one in changes) >= 3
     assert all(one.values for one in changes)
 

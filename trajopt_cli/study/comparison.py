@@ -12,6 +12,7 @@ from trajopt_cli.beside import in_turns
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Program, Wait
 from trajopt_cli.pipeline import Listener, NoPlan, changes_of, judge
+from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
@@ -69,12 +70,15 @@ class Comparison:
     waits: float
 
 
-def compare(job: Job, listen: Listener, rule: RailRule | None = None) -> Comparison:
-    """Every baseline on this job, judged, in the table's order, and the saving by cause. rule: of the row `thesis`."""
+def compare(job: Job, listen: Listener, rule: RailRule | None = None, loops: Loops = Loops.KEEP) -> Comparison:
+    """Every baseline on this job, judged, in the table's order, and the saving by cause.
+
+    rule: of the row `thesis`. loops: as in optimise.
+    """
     from trajopt_cli.study.causes import causes
     from trajopt_cli.study.table import BASELINES
 
-    study = _Study(job, rule)
+    study = _Study(job, rule, loops)
     reasons = causes(job.plant, bool(study.changes[Target.STREAM].droppable))
     names = {study.question(cause.target, cause.freedom): cause.name for cause in reasons}
     asks = {name: study.question(one.target, one.freedom) for name, one in BASELINES.items() if one.freedom}
@@ -128,11 +132,11 @@ def _effort(item: tuple[Question, str]) -> int:
 class _Study:
     """What is asked of the optimiser about one job, and what it answered. changes: what may change, by target."""
 
-    def __init__(self, job: Job, rule: RailRule | None):
+    def __init__(self, job: Job, rule: RailRule | None, loops: Loops):
         from trajopt_cli.study.case import RailRule
 
         self.job, self.rule = job, rule or RailRule()
-        self.changes = {target: changes_of(job, target) for target in Target}
+        self.changes = {target: changes_of(job, target, loops) for target in Target}
         self._known: dict[Question, Result] = {}
 
     def question(self, target: Target, freedom: Freedom) -> Question:
