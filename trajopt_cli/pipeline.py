@@ -226,7 +226,7 @@ def _unrolled(job: Job, kept: Changes, loops: Loops) -> Iterator[str]:
     if now is None or then is None:
         return
     if now - then < _WORTH:
-        yield "--loops unroll would save nothing: every target has one rail position and configuration as it is"
+        yield "--loops unroll would save nothing, by an estimate of the search"
     else:
         saved = f"{now - then:.2f} s ({(now - then) / now:.1%})"
         yield f"--loops unroll would save about {saved} more, by an estimate of the search"

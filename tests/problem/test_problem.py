@@ -312,3 +312,18 @@ def test_what_may_change_and_what_may_go_are_one_noun() -> None:
 def test_messages_name_a_motion_as_the_program_spells_it() -> None:
     program = rapid("ArcL p_in, v500, seam1, weld1, fine, tool0;\nMoveJ p_in, v500, fine, tool0;\nWaitTime 1;\nSet d;")
     assert [motion_name(motion) for motion in program.motions] == ["ArcL p_in", "MoveJ p_in", "Wait", "SignalEvent"]
+
+
+def test_a_rail_left_open_by_a_motion_that_must_stay_is_where_the_program_had_it() -> None:
+    """Nobody can write a value there, so the motion before, and all that is tied to it, must leave it there."""
+    data = "CONST robtarget p_open:=[[500,600,400],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];"
+    body = """MoveJ p_low, v500, fine, tool0;
+MoveJ p_in, v500, fine, tool0;
+MoveL p_open, v500, fine, tool0;
+MoveJ p_in, v500, fine, tool0;"""
+    program, plant = rapid(body, data=data), plant_with_rail()
+    problem = problem_of(program, plant, Target.RAPID, changes=Changes(frozenset({0, 1, 3}), ((1, 3),)))
+    assert [stop.rail for stop in problem.waypoints[1:]] == [(-0.2, 2.2), (0.6, 0.6), (0.6, 0.6), (0.6, 0.6)]
+    free = problem_of(program, plant, Target.RAPID, changes=Changes(frozenset(range(4)), ((1, 3),)))
+    assert {stop.rail for stop in free.waypoints[1:]} == {(-0.2, 2.2)}
+    assert free.ties == ((2, 4),)

@@ -144,18 +144,23 @@ def build_problem(
     except _OutOfRange as out:
         motion = program.motions[out.index]
         return Infeasible(out.index, motion.source, f"{motion.source}: {motion_name(motion)} {out}")
-    waypoints = (*build.waypoints[:-1], replace(build.waypoints[-1], rest=True))
+    waypoints = [*build.waypoints[:-1], replace(build.waypoints[-1], rest=True)]
+    ties = _ties(changes, waypoints)
+    for group in ties:
+        pinned = [waypoints[k].rail for k in group if waypoints[k].rail[0] == waypoints[k].rail[1]]
+        for k in group if pinned else ():
+            waypoints[k] = replace(waypoints[k], rail=pinned[0])
     return Problem(
         plant,
         program,
         freedom,
-        waypoints,
+        tuple(waypoints),
         tuple(build.legs),
         _stations(build.legs, len(waypoints)),
         frozenset(dropped),
         target,
         Coupling.COORDINATED if target is Target.RAPID else Coupling.FREE,
-        _ties(changes, waypoints),
+        ties,
     )
 
 
@@ -265,11 +270,18 @@ class _Build:
         """The rail goes where a motion's external axes say, or stays; where it must go it has to be in its stroke."""
         given, (low, high) = self._plant.rail_value(motion.extax), self._stroke
         if given is None:
+            if index not in self._changes.values:  # nobody can say where instead, so it must be there already
+                self._pin(-1, self._written)
             return
         fixed = self._pinned or isinstance(motion, MoveAbsJ | MoveExtJ)
         if fixed and not low - _ON_LIMIT <= given <= high + _ON_LIMIT:
             raise _OutOfRange(index, self._plant.limits.names[0], given, low, high)
         self._written = given
+
+    def _pin(self, k: int, rail: float) -> None:
+        """The rail at waypoint k stands where it is said [m], if it was free."""
+        if self.waypoints[k].q is None:
+            self.waypoints[k] = replace(self.waypoints[k], rail=(rail, rail))
 
     def _at_pose(self, index: int, motion: MoveJ | MoveL | MoveC) -> Waypoint:
         self._take_rail(index, motion)
