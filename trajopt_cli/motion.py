@@ -161,6 +161,14 @@ class Settings:
 DEFAULT_SETTINGS = Settings()
 
 
+class Hold(Enum):
+    """Who says that the rail stands still during a motion: a comment, the cell file, or an output set just before."""
+
+    PROGRAM = "program"
+    CELL = "cell"
+    GRIPPER = "gripper"
+
+
 class Happens(Enum):
     """What a path event is."""
 
@@ -203,7 +211,8 @@ class _Move:
 
     target: as written. extax: as the controller drives them, offsets included. duration: the programmed \T in s.
     optional: it may be dropped. settings: the modal state. events: what happens on the way. process: the instruction
-    where it is none of the four plain moves.
+    where it is none of the four plain moves. hold: why the rail must stand still from this move's start to its end,
+    None where it may move.
     """
 
     source: Source
@@ -217,6 +226,7 @@ class _Move:
     settings: Settings = DEFAULT_SETTINGS
     events: tuple[PathEvent, ...] = ()
     process: Process | None = None
+    hold: Hold | None = None
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -275,12 +285,16 @@ class MoveExtJ(_Move):
 
 @dataclass(frozen=True, kw_only=True)
 class Wait:
-    """Standing still. duration [s]: exact when condition is None; else the least time until the condition holds."""
+    """Standing still. duration [s]: exact when condition is None; else the least time until the condition holds.
+
+    hold: why the rail must stand still as well, None where it may move.
+    """
 
     source: Source
     written: Written
     duration: float
     condition: str | None = None
+    hold: Hold | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -298,6 +312,17 @@ Move = MoveJ | MoveL | MoveC | MoveAbsJ | MoveExtJ
 Motion = Move | Wait | SignalEvent
 
 
+def instruction_name(motion: Motion) -> str:
+    """The instruction as the program spells it: MoveL, or ArcL where a line is written so."""
+    process = motion.process if isinstance(motion, Move) else None
+    return process.instruction if process else type(motion).__name__
+
+
+def motion_name(motion: Motion) -> str:
+    """A motion in messages: "MoveL p_in"."""
+    return f"{instruction_name(motion)} {motion.target}" if isinstance(motion, Move) else type(motion).__name__
+
+
 @dataclass(frozen=True)
 class TextFile:
     """A program file as read: decoded text, the encoding it came in, and its exact bytes' length for the record."""
@@ -312,8 +337,7 @@ class Program:
     """A program run once: its motions in order, the files they came from, and what the user should know.
 
     entry: the procedure that was run. ignored: instructions without effect on motion, with how often they ran.
-    uncalled: the routines that never ran, with their kind: "PROC Reset". writable: indices of the motions whose text
-    can carry other values, None where nobody has looked.
+    uncalled: the routines that never ran, with their kind: "PROC Reset".
     """
 
     name: str
@@ -323,4 +347,3 @@ class Program:
     entry: str = "main"
     ignored: Mapping[str, int] = field(default_factory=dict)
     uncalled: tuple[str, ...] = ()
-    writable: frozenset[int] | None = None

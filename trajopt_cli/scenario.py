@@ -14,6 +14,21 @@ Answer = float | bool | str
 
 
 @dataclass(frozen=True)
+class HoldRail:
+    """Where the rail must stand still, because a process runs or a gripper works.
+
+    procedures: while these run, with all that they call; names in lower case. lines: while the statements that begin
+    there run; (file, line), file as a path or the end of one, None for the only file. waits: during every wait.
+    gripper: during a wait that begins at most 0.1 s after an output was set.
+    """
+
+    procedures: frozenset[str] = frozenset()
+    lines: frozenset[tuple[str | None, int]] = frozenset()
+    waits: bool = False
+    gripper: bool = True
+
+
+@dataclass(frozen=True)
 class Scenario:
     """Everything by name; names are in lower case, blanks left out of conditions.
 
@@ -25,7 +40,7 @@ class Scenario:
     before the program is taken to be over. pass_limit: how often any other loop may run, and statement_limit how many
     statements, passes, calls and changes of large data in all, before the reader gives up. assume_identity: tools, work
     objects and mechanical units that are taken as the identity where the program does not declare them. stubs:
-    procedures that are taken as doing nothing where no file declares them.
+    procedures that are taken as doing nothing where no file declares them. hold_rail: where the rail stands still.
     """
 
     signals: Mapping[str, float | tuple[float, ...]] = field(default_factory=dict)
@@ -37,6 +52,7 @@ class Scenario:
     statement_limit: int = 1_000_000
     assume_identity: frozenset[str] = frozenset()
     stubs: frozenset[str] = frozenset()
+    hold_rail: HoldRail = HoldRail()
 
 
 LONGEST_WAIT = 1_000_000  # [s]; what is longer is a slip, and swamps every other time of the cycle

@@ -184,7 +184,7 @@ def test_a_mark_that_marks_nothing_is_an_error_and_one_on_no_move_is_said() -> N
         "m.mod:4:1: '! trajopt: optional' marks no instruction; put it behind a move or above it"
     )
     assert error_main("WaitTime 1; ! trajopt: optinal") == (
-        "m.mod:3:13: trajopt knows no mark 'optinal'; it knows 'optional'"
+        "m.mod:3:13: trajopt knows no mark 'optinal'; it knows 'optional' and 'hold rail'"
     )
     assert run_main("WaitTime 1; ! trajopt: optional").warnings == (
         "m.mod:7:1: marked as optional, but it is no move that ran",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import PurePath
 from typing import Annotated, Any, Literal
@@ -263,6 +264,26 @@ def _pair(value: Any) -> Any:
     return value
 
 
+_LINE = re.compile(r"(?:(.*):)?\s*([1-9]\d*)", re.DOTALL)
+
+
+def _place(value: Any) -> tuple[str | None, int]:
+    """A line of the program: its number, or a text `file:line`."""
+    match = _LINE.fullmatch(str(value).strip()) if isinstance(value, int | str) else None
+    if match is None or isinstance(value, bool):
+        raise complain(f"needs a line of the program, 41 or 'hinge.mod:41', not {shown(value)}")
+    return (match[1].strip() or None) if match[1] else None, int(match[2])
+
+
+class HoldRailSection(_Section):
+    """Where the rail stands still: procedures by name, lines, all waits; gripper: waits right after an output."""
+
+    procedures: tuple[StrictStr, ...] = ()
+    lines: tuple[Annotated[tuple[str | None, int], BeforeValidator(_place)], ...] = ()
+    waits: StrictBool = False
+    gripper: StrictBool = True
+
+
 Solids = dict[StrictStr, SolidSection]
 SignalValues = Annotated[float | tuple[float, ...], BeforeValidator(_each(_signal))]
 Answers = Annotated[
@@ -291,6 +312,7 @@ class CellDocument(_Section):
     searches: dict[StrictStr, Annotated[float | None, BeforeValidator(_share)]] = Field(default_factory=dict)
     endless_passes: Annotated[int, Field(strict=True, gt=0, le=MAX_ENDLESS_PASSES)] | None = None
     optional: tuple[StrictStr, ...] = ()
+    hold_rail: HoldRailSection = HoldRailSection()
     free_speed: StrictBool = False
     pass_limit: Annotated[int, Field(strict=True, gt=0)] = Scenario.pass_limit
     statement_limit: Annotated[int, Field(strict=True, gt=0)] = Scenario.statement_limit

@@ -13,7 +13,7 @@ from trajopt_cli.cell.model import Cell, LimitOverride, Rail
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, pose, rotation_about, rotation_from_wxyz
 from trajopt_cli.limits import TcpCaps
-from trajopt_cli.scenario import Scenario, condition_key
+from trajopt_cli.scenario import HoldRail, Scenario, condition_key
 from trajopt_cli.shapes import Box, Capsule, MeshFile, Solid
 from trajopt_cli.yaml_file import line_of, parse, read_text, validated
 
@@ -92,6 +92,12 @@ def _scenario(document: CellDocument, file: str, lines: Mapping[str, int]) -> Sc
         statement_limit=document.statement_limit,
         assume_identity=frozenset(by("assume_identity", dict.fromkeys(document.assume_identity))),
         stubs=frozenset(by("stubs", dict.fromkeys(document.stubs))),
+        hold_rail=HoldRail(
+            frozenset(name.lower() for name in document.hold_rail.procedures),
+            frozenset(document.hold_rail.lines),
+            document.hold_rail.waits,
+            document.hold_rail.gripper,
+        ),
     )
 
 
@@ -127,6 +133,8 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         raise cell.error("base", "a robot on a rail is placed by rail.frame; remove one of the two")
     if cell.rail is not None and cell.start_rail is None:
         raise cell.error("start.rail", "is missing; give the rail's position at the start, in m")
+    if cell.rail is None and "hold_rail" in document.model_fields_set:
+        raise cell.error("hold_rail", "there is no rail; remove it or add a rail section")
     if cell.rail is None and cell.start_rail is not None:
         raise cell.error("start.rail", "there is no rail; remove it or add a rail section")
     for name in document.attached:

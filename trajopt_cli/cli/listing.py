@@ -13,7 +13,7 @@ from pathlib import PurePath
 from textwrap import wrap
 from typing import Any
 
-from trajopt_cli.motion import Happens, PathEvent
+from trajopt_cli.motion import Happens, Hold, PathEvent
 from trajopt_cli.rapid.listing import Listing, Row
 
 PIPED_WIDTH = 300  # columns when nobody tells; a log must not wrap
@@ -26,6 +26,7 @@ _LONGEST = {
 _SAYABLE = ("speed", "zone", "conf", "ext. axes", "tool", "wobj", "orientation w x y z", "settings")  # once for all
 _OF_POSES = {"conf", "wobj", "orientation w x y z"}  # moves to joints have none
 _NAMED = re.compile(r"(v|vrot|vlin)(\d+)$", re.IGNORECASE)
+_SAID = (Hold.PROGRAM, Hold.CELL)  # a note below the table tells of the waits after an output
 _ZONE = re.compile(r"z(\d+)$", re.IGNORECASE)
 
 # What each column shows, the most telling first.
@@ -209,4 +210,5 @@ def _setting(value: Any) -> str:
 
 
 def _besides(row: Row) -> str:
-    return ", ".join([*(f"{key} {value}" for key, value in row.process), *(["optional"] if row.optional else [])])
+    marks = [*(["optional"] if row.optional else []), *(["hold rail"] if row.hold in _SAID else [])]
+    return ", ".join([*(f"{key} {value}" for key, value in row.process), *marks])

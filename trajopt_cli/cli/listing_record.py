@@ -97,6 +97,7 @@ def row_record(row: Row) -> dict[str, Any]:
         "settings": {word: _setting(value) for word, value in row.settings.items()},
         "events": [_event(event) for event in row.events],
         "process": dict(row.process),
+        "hold": None if row.hold is None else row.hold.value,
     }
 
 

@@ -13,7 +13,7 @@ from trajopt_cli.problem.programmed import PlantKinematics
 from trajopt_cli.rapid.language.parser import parse_module
 from trajopt_cli.rapid.language.syntax import Binary, Call, Name, Node, Number, String, Test
 from trajopt_cli.rapid.reader import run_program
-from trajopt_cli.scenario import Answer, Scenario
+from trajopt_cli.scenario import Answer, HoldRail, Scenario
 
 _NEAR = 6  # values that a program compares something with and that are tried
 _WAYS = 4  # other values that are tried besides
@@ -34,7 +34,8 @@ class Reading:
         """The program of edited texts, by path, and of new modules. Raises InputError as reading does."""
         files = [replace(file, text=texts[path]) for path, file in self.program.files.items()]
         kinematics = PlantKinematics(self.plant)
-        return run_program([*files, *(new or {}).values()], scenario or self.scenario, self.entry, kinematics)
+        world = replace(scenario or self.scenario, hold_rail=HoldRail())  # its lines are those of the text as it was
+        return run_program([*files, *(new or {}).values()], world, self.entry, kinematics)
 
     def otherwise(self) -> Iterator[tuple[str, list[Scenario]]]:
         """For each thing that the scenario says, its name, and scenarios in which it alone is otherwise.

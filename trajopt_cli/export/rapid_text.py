@@ -12,7 +12,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.motion import Source, Span, TextFile
 from trajopt_cli.rapid.data.predefined import VARIABLES, predefined
 from trajopt_cli.rapid.language.lexer import scan
-from trajopt_cli.rapid.reader import DROPPED
+from trajopt_cli.rapid.marks import DROPPED
 
 NAME_LIMIT = 32  # characters in a RAPID name
 

@@ -1,5 +1,5 @@
 """The optimiser: rail, arm and timing solved together for the shortest cycle."""
 
-from trajopt_cli.optimize.solve import NoCleanPlan, check_feasible, optimize
+from trajopt_cli.optimize.solve import NoCleanPlan, check_feasible, optimize, search_estimate
 
-__all__ = ["NoCleanPlan", "check_feasible", "optimize"]
+__all__ = ["NoCleanPlan", "check_feasible", "optimize", "search_estimate"]

@@ -16,6 +16,7 @@ from trajopt_cli.motion import (
     ConfData,
     ExternalAxes,
     Happens,
+    Hold,
     Motion,
     Move,
     MoveAbsJ,
@@ -30,6 +31,7 @@ from trajopt_cli.motion import (
     Singularity,
     Source,
     Wait,
+    instruction_name,
 )
 from trajopt_cli.rapid.zones import effective_radii, ways
 from trajopt_cli.units import DEG, MM
@@ -50,7 +52,7 @@ class Row:
     mm or deg; extax_kept: where axes stand meanwhile that the robot has and extax leaves open. duration: seconds of
     a wait (at least, where a condition ends it), or the programmed time of a move. value: what a signal is set to.
     length: of a line or an arc whose start is known. settings: what differs from the default, by the name of the
-    instruction. process: what an instruction of a process has besides, by parameter.
+    instruction. process: what an instruction of a process has besides, by parameter. hold: why the rail stands still.
     """
 
     index: int
@@ -84,6 +86,7 @@ class Row:
     settings: Mapping[str, Any] = field(default_factory=dict)
     events: tuple[PathEvent, ...] = ()
     process: tuple[tuple[str, str], ...] = ()
+    hold: Hold | None = None
 
 
 @dataclass(frozen=True)
@@ -116,7 +119,7 @@ def describe(program: Program, kinematics: Kinematics | None = None) -> Listing:
         if isinstance(motion, Wait):
             row = Row(
                 index, motion.source, _instruction(program, motion), "Wait",
-                target=motion.condition, duration=motion.duration,
+                target=motion.condition, duration=motion.duration, hold=motion.hold,
             )  # fmt: skip
         elif isinstance(motion, SignalEvent):
             row = Row(
@@ -240,7 +243,7 @@ def _move_row(
     return Row(
         index,
         motion.source,
-        motion.process.instruction if motion.process else type(motion).__name__,
+        instruction_name(motion),
         type(motion).__name__,
         target=motion.target,
         position=None if pose is None else _point(pose.X_WT[:3, 3]),
@@ -267,4 +270,5 @@ def _move_row(
         settings=settings,
         events=motion.events,
         process=motion.process.data if motion.process else (),
+        hold=motion.hold,
     )

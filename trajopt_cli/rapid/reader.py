@@ -3,28 +3,27 @@
 from __future__ import annotations
 
 import gc
-import re
 from collections.abc import Sequence
-from dataclasses import fields, is_dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.kinematics import Kinematics
-from trajopt_cli.motion import Move, Program, Source, TextFile
+from trajopt_cli.motion import Move, Program, Source, Span, TextFile
 from trajopt_cli.rapid.entry import find_entry
+from trajopt_cli.rapid.execution.holding import fill_holds
 from trajopt_cli.rapid.execution.interpreter import Run
 from trajopt_cli.rapid.execution.loading import load
 from trajopt_cli.rapid.execution.room import uncollected
 from trajopt_cli.rapid.language.parser import parse_module
-from trajopt_cli.rapid.language.syntax import Module, ModuleFile, Node, ProcedureCall, Routine
+from trajopt_cli.rapid.language.syntax import Module, Routine
 from trajopt_cli.rapid.language.text import Places
+from trajopt_cli.rapid.marks import find_marks
 from trajopt_cli.rapid.neighbours import with_hints
 from trajopt_cli.rapid.sources import read_sources
 from trajopt_cli.scenario import Lack, Scenario, lacking
 
 _MANY = 10_000  # motions
-_MARK = re.compile(r"!\s*trajopt\s*:\s*(.*?)\s*$", re.IGNORECASE)
-DROPPED = "! dropped by trajopt: "  # how an export begins the comment that a dropped move becomes
 
 
 def read_program(
@@ -103,6 +102,7 @@ def _try_program(
         trees = [module for module, _ in modules]
         routine, scope = find_entry([*zip(trees, scopes, strict=True)], entry, subject)
         run.start(routine, scope)
+        fill_holds(run, modules)
     except InputError as error:
         _show(run, error)
         if not run.world.lacks:
@@ -150,7 +150,9 @@ def _modules(run: Run, files: Sequence[TextFile]) -> list[tuple[Module, Places]]
             tree = parse_module(file.text, file.path)
             if not tree.modules:
                 raise InputError("holds no RAPID module", file=file.path)
-            run.optional |= {(file.path, start) for start in _marked(tree, places)}
+            marks = find_marks(tree, places)
+            run.optional |= {(file.path, start) for start in marks.optional}
+            run.held += [Span(file.path, *stretch) for stretch in marks.held]
             for module in tree.modules:
                 _name_once(module, places, known)
         except InputError as error:
@@ -173,57 +175,9 @@ def _name_once(module: Module, places: Places, known: dict[str, Source]) -> None
         raise places.error(module.start, message)
 
 
-def _marked(tree: ModuleFile, places: Places) -> list[int]:
-    """Starts of the statements that a `! trajopt: optional` comment marks.
-
-    The comment stands behind the statement on its last line, or alone on the line above it.
-    """
-    marks = []
-    for start, end in tree.comments:
-        match = _MARK.match(places.text[start:end])
-        if match is None:
-            continue
-        if match[1].lower() != "optional":
-            raise places.error(start, f"trajopt knows no mark '{match[1]}'; it knows 'optional'")
-        marks.append(start)
-    if not marks:
-        return []
-    calls = sorted((node.start, node.end) for node in walk(tree) if isinstance(node, ProcedureCall))
-    marked = []
-    for mark in marks:
-        line = places.line(mark)
-        here = [start for start, end in calls if end <= mark and places.line(end - 1) == line]
-        below = [start for start, _ in calls if start > mark and places.line(start) == line + 1]
-        alone = not places.text[:mark].rpartition("\n")[2].strip()
-        found = below[:1] if alone else here[-1:]
-        if not found and not _already_dropped(places.text, mark):
-            raise places.error(mark, "'! trajopt: optional' marks no instruction; put it behind a move or above it")
-        marked += found
-    return marked
-
-
-def _already_dropped(text: str, mark: int) -> bool:
-    below = text[mark:].splitlines()[1:2]
-    return DROPPED in text[:mark].splitlines()[-1] or bool(below and DROPPED in below[0])
-
-
 def _unused_marks(run: Run) -> list[str]:
     seen = {(m.written.statement.file, m.written.statement.start) for m in run.motions if isinstance(m, Move)}
     unused = sorted(run.optional - seen)
     return [
         f"{run.files[file].source(start)}: marked as optional, but it is no move that ran" for file, start in unused
     ]
-
-
-def walk(node: object) -> list[Node]:
-    """A node of a syntax tree and all nodes under it, in no particular order."""
-    stack, found = [node], []
-    while stack:
-        thing = stack.pop()
-        if isinstance(thing, tuple):
-            stack += thing
-        elif isinstance(thing, Node):
-            found.append(thing)
-            if is_dataclass(thing):
-                stack += [getattr(thing, part.name) for part in fields(thing)]
-    return found

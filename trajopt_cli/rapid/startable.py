@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from trajopt_cli.motion import Program
 from trajopt_cli.rapid.language.parser import parse_module
 from trajopt_cli.rapid.language.syntax import ProcedureCall, Routine
-from trajopt_cli.rapid.reader import walk
+from trajopt_cli.rapid.language.walk import walk
 
 _MOVE = re.compile(r"Move(?!Robot)|(Trigg|Search)[JLC]$|(Arc|Disp|Paint|Cap)[LC]|Spot(ML|[JL])", re.IGNORECASE)
 _SHOWN = 8

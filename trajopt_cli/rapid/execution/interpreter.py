@@ -13,7 +13,7 @@ from difflib import get_close_matches
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.kinematics import Kinematics
-from trajopt_cli.motion import DEFAULT_SETTINGS, Motion, Source
+from trajopt_cli.motion import DEFAULT_SETTINGS, Motion, Source, Span
 from trajopt_cli.rapid.data.datatypes import NUM, SIGNALS, Array, Type, Value, is_opaque
 from trajopt_cli.rapid.data.predefined import ERRORS, VARIABLES, predefined
 from trajopt_cli.rapid.data.scope import Absent, Datum, Frame, ModuleScope, Part, Place, Scope
@@ -59,6 +59,7 @@ class Run:
         self.motions: list[Motion] = []
         self.warnings: dict[str, None] = {}  # a set that keeps its order
         self.optional: set[tuple[str, int]] = set()  # file and start of the moves that are marked
+        self.held: list[Span] = []  # what is marked so that the rail stands still in it
         self.files: dict[str, Places] = {}
         self.shared = Scope()
         self.computing: set[int] = set()  # ids of the declarations whose initial value is being computed

@@ -191,6 +191,7 @@ def to_pose(
         "settings": settings,
         "events": events,
         "process": process,
+        "hold": None,
         "conf": conf,
         "tool": setup.tool or Tool(setup.name, matrix(placed), stationary=True),
         "wobj": setup.wobj,

@@ -1,0 +1,170 @@
+"""During which motions the rail must stand still: comments in the program, the cell file, waits after an output."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import PurePath
+from typing import TYPE_CHECKING
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.motion import Happens, Hold, Motion, PathEvent, Program, SignalEvent, Span, Wait
+from trajopt_cli.rapid.execution.once import Link
+from trajopt_cli.rapid.language.syntax import Module, Routine, Statement
+from trajopt_cli.rapid.language.text import Places
+from trajopt_cli.rapid.language.walk import walk
+
+if TYPE_CHECKING:
+    from trajopt_cli.rapid.execution.interpreter import Run
+
+# [s] between an output and a wait that is taken to be for what the output does; a num of 0.1 is a little more than that
+_AFTER_OUTPUT = 0.1 + 1e-6
+_SHOWN = 3  # places in a sentence
+
+
+@dataclass(frozen=True)
+class _Entry:
+    """One mark of the program or one name or line of the cell file: where it holds, and what to say if it does not."""
+
+    hold: Hold
+    spans: tuple[Span, ...]
+    unused: str
+
+
+def fill_holds(run: Run, modules: Sequence[tuple[Module, Places]]) -> None:
+    """Fill the hold of every motion of a finished run, and warn of marks and entries that hold none.
+
+    Raises InputError for a procedure or a line in the cell file that the program does not have.
+    """
+    wish = run.scenario.hold_rail
+    entries = [*_marked(run), *_named(run, modules)]
+    held = _held(run, entries) if entries else {}
+    for index, motion in enumerate(run.motions if held or wish.waits else ()):
+        hold = held.get(index, Hold.CELL if wish.waits and isinstance(motion, Wait) else None)
+        if hold is not None:
+            object.__setattr__(motion, "hold", hold)  # still the run's own, as in once.py
+    for wait in _after_outputs(run.motions) if wish.gripper else ():
+        if wait.hold is None:
+            object.__setattr__(wait, "hold", Hold.GRIPPER)
+
+
+def held_after_outputs(program: Program) -> str | None:
+    """One sentence on the waits that hold the rail unasked, because an output was set just before; None for none."""
+    waits = [one for one in program.motions if isinstance(one, Wait) and one.hold is Hold.GRIPPER]
+    if not waits:
+        return None
+    places = list(dict.fromkeys(f"{PurePath(wait.source.file).name}:{wait.source.line}" for wait in waits))
+    more = f" and {len(places) - _SHOWN} more" if len(places) > _SHOWN else ""
+    count = f"{len(waits)} waits" if len(waits) > 1 else "1 wait"
+    return (
+        f"the rail holds still in {count} after an output ({', '.join(places[:_SHOWN])}{more}); "
+        "'hold_rail: {gripper: false}' in the cell file lets it move"
+    )
+
+
+def _marked(run: Run) -> Iterator[_Entry]:
+    for span in run.held:
+        place = run.files[span.file].source(span.start)
+        yield _Entry(Hold.PROGRAM, (span,), f"{place}: marked 'hold rail', but no move and no wait ran there")
+
+
+def _named(run: Run, modules: Sequence[tuple[Module, Places]]) -> Iterator[_Entry]:
+    """What the cell file names by procedure or line."""
+    wish = run.scenario.hold_rail
+    if wish.procedures:
+        routines = [
+            (places.span(node.start, node.end), node.name)
+            for module, places in modules
+            for node in module.items
+            if isinstance(node, Routine)
+        ]
+        for name in sorted(wish.procedures):
+            spans = tuple(span for span, spelled in routines if spelled.lower() == name)
+            if not spans:
+                message = f"hold_rail in the cell file: the program has no procedure '{name}'"
+                raise InputError(run.meant(name, message, [spelled for _, spelled in routines]))
+            yield _Entry(Hold.CELL, spans, f"hold_rail in the cell file: no move and no wait ran in {name}")
+    for file, line in sorted(wish.lines, key=lambda one: (one[0] or "", one[1])):
+        shown = f"{file}:{line}" if file else str(line)
+        spans = tuple(_statements(file, line, shown, modules))
+        if not spans:
+            raise InputError(f"hold_rail in the cell file: no statement begins in line {shown}")
+        yield _Entry(Hold.CELL, spans, f"hold_rail in the cell file: no move and no wait ran in line {shown}")
+
+
+def _statements(file: str | None, line: int, shown: str, modules: Sequence[tuple[Module, Places]]) -> Iterator[Span]:
+    """The statements and routines that begin in a line."""
+    files = sorted({places.file for _, places in modules})
+    if file is None and len(files) > 1:
+        example = f"{PurePath(files[0]).name}:{line}"
+        message = f"line {shown} could be in any of {len(files)} files; name one, '{example}'"
+        raise InputError(f"hold_rail in the cell file: {message}")
+    for module, places in modules:
+        if file is None or PurePath(places.file).name.lower() == file.lower():
+            for node in walk(module):
+                if isinstance(node, Statement | Routine) and places.line(node.start) == line:
+                    yield places.span(node.start, node.end)
+
+
+def _held(run: Run, entries: Sequence[_Entry]) -> dict[int, Hold]:
+    """Why motions are held, by their index; warns of the entries that hold none."""
+    stretches = [(span, number) for number, entry in enumerate(entries) for span in entry.spans]
+    around = _Around(stretches)
+    used: set[int] = set()
+    out: dict[int, Hold] = {}
+    for index, (motion, link) in enumerate(zip(run.motions, run.links, strict=True)):
+        if not isinstance(motion, SignalEvent) and (found := around(link)):
+            used |= found
+            out[index] = entries[min(found)].hold  # the program's own marks come first
+    for number, entry in enumerate(entries):
+        if number not in used:
+            run.warn(entry.unused)
+    return out
+
+
+class _Around:
+    """Which entries a motion stands in, by the statement that made it and those that it ran inside, calls included."""
+
+    def __init__(self, stretches: Sequence[tuple[Span, int]]):
+        self._stretches = stretches
+        self._links: dict[int, frozenset[int]] = {}  # by id
+        self._statements: dict[int, frozenset[int]] = {}  # by id, of the statement alone
+
+    def __call__(self, link: Link | None) -> frozenset[int]:
+        passed = []
+        while link is not None and id(link) not in self._links:
+            passed.append(link)
+            link = link[1]
+        found = frozenset[int]() if link is None else self._links[id(link)]
+        for one in reversed(passed):
+            self._links[id(one)] = found = found | self._own(one)
+        return found
+
+    def _own(self, link: Link) -> frozenset[int]:
+        node, _, file = link
+        if id(node) not in self._statements:
+            self._statements[id(node)] = frozenset(
+                number for span, number in self._stretches if span.file == file and span.start <= node.start < span.end
+            )
+        return self._statements[id(node)]
+
+
+def _after_outputs(motions: Sequence[Motion]) -> Iterator[Wait]:
+    """The waits that begin at most _AFTER_OUTPUT after an output was set, by an instruction or at a move's end."""
+    since: float | None = None  # [s] since the last output, None where a move has begun since
+    for motion in motions:
+        if isinstance(motion, Wait):
+            if since is not None:
+                if since <= _AFTER_OUTPUT:
+                    yield motion
+                since += motion.duration
+        elif isinstance(motion, SignalEvent):
+            since = 0.0 if motion.delay <= _AFTER_OUTPUT else since
+        else:
+            before = [event.time for event in motion.events if _near_end(event)]
+            since = min(before, default=None)
+
+
+def _near_end(event: PathEvent) -> bool:
+    at_end = event.kind is Happens.SIGNAL and not event.from_start and event.distance == 0
+    return at_end and event.time <= _AFTER_OUTPUT

@@ -1,0 +1,73 @@
+"""Comments that speak to trajopt: `! trajopt: optional` and `! trajopt: hold rail`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from trajopt_cli.rapid.language.syntax import ModuleFile, ProcedureCall, Routine, Statement
+from trajopt_cli.rapid.language.text import Places
+from trajopt_cli.rapid.language.walk import walk
+
+DROPPED = "! dropped by trajopt: "  # how an export begins the comment that a dropped move becomes
+_MARK = re.compile(r"!\s*trajopt\s*:\s*(.*?)\s*$", re.IGNORECASE)
+_OPTIONAL, _HOLD = "optional", "hold rail"
+_Stretch = tuple[int, int]
+
+
+@dataclass(frozen=True)
+class Marks:
+    """optional: starts of the instructions that may be dropped. held: stretches of the statements and routines in
+    which the rail stands still."""
+
+    optional: tuple[int, ...]
+    held: tuple[_Stretch, ...]
+
+
+def find_marks(tree: ModuleFile, places: Places) -> Marks:
+    """What the comments of a file mark.
+
+    A comment stands behind what it marks on its last line, or alone on the line above it; one about the rail also
+    behind the opening line of a block or a routine. Raises InputError for an unknown mark, and for one at nothing.
+    """
+    found: dict[str, list[int]] = {_OPTIONAL: [], _HOLD: []}
+    for start, end in tree.comments:
+        if match := _MARK.match(places.text[start:end]):
+            word = " ".join(match[1].lower().split())
+            if word not in found:
+                message = f"trajopt knows no mark '{match[1]}'; it knows '{_OPTIONAL}' and '{_HOLD}'"
+                raise places.error(start, message)
+            found[word].append(start)
+    if not any(found.values()):
+        return Marks((), ())
+    nodes = sorted(
+        ((node.start, node.end, type(node)) for node in walk(tree) if isinstance(node, Statement | Routine)),
+        key=lambda one: (one[0], -one[1]),
+    )
+    calls = [(start, end) for start, end, kind in nodes if kind is ProcedureCall]
+    optional = [one for mark in found[_OPTIONAL] for one in _at(mark, places, calls, _OPTIONAL)]
+    blocks = [(start, end) for start, end, _ in nodes]
+    held = [one for mark in found[_HOLD] for one in _at(mark, places, blocks, _HOLD)]
+    return Marks(tuple(start for start, _ in optional), tuple(held))
+
+
+def _at(mark: int, places: Places, stretches: Sequence[_Stretch], word: str) -> list[_Stretch]:
+    """The stretch that a mark is about. stretches: in order, an outer one before those inside it."""
+    line = places.line(mark)
+    if not places.text[:mark].rpartition("\n")[2].strip():
+        found = [one for one in stretches if one[0] > mark and places.line(one[0]) == line + 1][:1]
+    else:
+        ending = [one for one in stretches if one[1] <= mark and places.line(one[1] - 1) == line]
+        found = [max(ending, key=lambda one: one[1])] if ending else []
+        if not found and word == _HOLD:
+            found = [one for one in stretches if one[0] < mark < one[1] and places.line(one[0]) == line][-1:]
+    if not found and not _already_dropped(places.text, mark):
+        what = "a move" if word == _OPTIONAL else "a move, a wait, a block or a routine"
+        raise places.error(mark, f"'! trajopt: {word}' marks no instruction; put it behind {what} or above it")
+    return found
+
+
+def _already_dropped(text: str, mark: int) -> bool:
+    below = text[mark:].splitlines()[1:2]
+    return DROPPED in text[:mark].splitlines()[-1] or bool(below and DROPPED in below[0])
