@@ -14,6 +14,7 @@ from trajopt_cli.optimize.draft import Margins
 from trajopt_cli.optimize.exchange import back_off, check_leg
 from trajopt_cli.optimize.legs import PathLeg, Sample, parabola
 from trajopt_cli.optimize.tuning import SAFE, START
+from trajopt_cli.path.line import Line
 
 PROGRAM = "MoveJ p_in, v2500, fine, tool0; WaitTime 0.8; MoveAbsJ j_home, v2500, fine, tool0;"
 
@@ -58,7 +59,7 @@ def test_in_a_dwell_the_push_of_the_passing_interval_alone_is_scaled() -> None:
     grid = np.linspace(0, 1, 7)
     s, v, a = parabola(grid)
     leg = PathLeg(
-        0.8, X, X, np.eye(4), 0, HOME, grid, s, v, a, *(x[:, None] for x in (0.5 + 0.4 * s, 0.4 * v, 0.4 * a))
+        0.8, Line(X, X), np.eye(4), 0, HOME, grid, s, v, a, *(x[:, None] for x in (0.5 + 0.4 * s, 0.4 * v, 0.4 * a))
     )
     ratios = check_leg(axes, problem.legs[1], leg)
     ratios.acceleration[:] = 0.5

@@ -9,7 +9,7 @@ from small_cells import MOUNTS, mounted, plant_without_rail, safe_arm
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose, pose, rotation_about
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.formulation import Formulation, ToolCap
-from trajopt_cli.path.line import Line
+from trajopt_cli.path.line import Line, LineSymbols
 from trajopt_cli.problem.problem import Coupling
 from trajopt_cli.robot.kinematics import forward_acceleration, forward_velocity, inverse_acceleration, inverse_velocity
 from trajopt_cli.robot.symbolic_inverse import BranchSigns
@@ -93,7 +93,7 @@ def test_path_rows_are_the_motion_over_its_limits(
     axes: Axes, formulation: Formulation, sides: str, coupling: Coupling, turning: bool
 ) -> None:
     rng = np.random.default_rng(11)
-    node = formulation.path_node(sides, turning, coupling)
+    node = formulation.path_node(LineSymbols(turning), sides, coupling)
     n, r, rail = len(sides), axes.layout.r, axes.layout.rail
     assert len(node.block.lower) == 6 + 2 + 6 + 6 * n + 2 + r + (1 + r) * n
     for X_0, X_1, d, cfx in lines(axes, rng, turning):
@@ -215,9 +215,9 @@ def test_axis_reach_rows_are_distances_to_the_reachable_interval(formulation: Fo
 
 
 def test_a_relation_is_built_once_per_kind(formulation: Formulation) -> None:
-    free = formulation.path_node("lr", True, Coupling.FREE)
-    assert formulation.path_node("lr", True, Coupling.FREE) is free
-    assert formulation.path_node("lr", False, Coupling.FREE) is not free
+    free = formulation.path_node(LineSymbols(True), "lr", Coupling.FREE)
+    assert formulation.path_node(LineSymbols(True), "lr", Coupling.FREE) is free
+    assert formulation.path_node(LineSymbols(False), "lr", Coupling.FREE) is not free
     assert len({id(formulation.axis_node(sides)) for sides in ("l", "r", "lr")}) == 3
     caps = [formulation.tool_cap(pose(np.eye(3), [0, 0, z]), ToolCap.SPEED) for z in (0.1, 0.2)]
     assert caps[0] is not caps[1]
@@ -231,7 +231,7 @@ def test_a_relation_refuses_a_name_it_does_not_have(formulation: Formulation) ->
 def test_without_a_rail_no_relation_has_a_variable_of_one(axes: Axes, formulation: Formulation) -> None:
     """Two per node less for position and velocity, one less per acceleration; a row less for each."""
     r = axes.layout.r
-    assert formulation.path_node("lr", True, Coupling.FREE).z.size == 5 + 4 * r
-    assert formulation.path_node("lr", True, Coupling.COORDINATED).z.size == 5 + 2 * r
+    assert formulation.path_node(LineSymbols(True), "lr", Coupling.FREE).z.size == 5 + 4 * r
+    assert formulation.path_node(LineSymbols(True), "lr", Coupling.COORDINATED).z.size == 5 + 2 * r
     assert formulation.waypoint().z.size == 12 + 2 * r
     assert formulation.tool_cap(X_FT, ToolCap.SPEED).z.size == 2 * (6 + r) + 1

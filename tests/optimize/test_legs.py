@@ -27,6 +27,7 @@ from trajopt_cli.optimize.legs import (
 )
 from trajopt_cli.optimize.profiles import hold, profiles
 from trajopt_cli.optimize.tuning import ROW_APART, ROW_EVERY
+from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.line import Line
 from trajopt_cli.trajectory import hermite
 
@@ -68,19 +69,22 @@ def path_leg(axes: Axes, cfx: int, rail: tuple[float, float], seed: int = 1, dwe
     first = axes.inverse((X_0 @ inverse_pose(X_FT))[None], d[:1])[0, cfx]
     assert not np.isnan(first).any()
     rail = (x[:, None][:, axes.layout.rail] for x in (d, w, b))
-    return PathLeg(0.6, X_0, X_1, X_FT, cfx, first, UNEVEN, s, v, a, *rail)
+    return PathLeg(0.6, Line(X_0, X_1), X_FT, cfx, first, UNEVEN, s, v, a, *rail)
 
 
-@pytest.mark.parametrize("dwell", [False, True], ids=["line", "dwell"])
+@pytest.mark.parametrize("way", ["line", "dwell", "arc"])
 @pytest.mark.parametrize("cfx", [0, 1])
-def test_a_path_keeps_its_line_and_its_speeds_are_slopes(axes: Axes, cfx: int, dwell: bool) -> None:
-    leg = path_leg(axes, cfx, (0.45, 0.55), dwell=dwell)
+def test_a_path_keeps_its_line_and_its_speeds_are_slopes(axes: Axes, cfx: int, way: str) -> None:
+    leg = path_leg(axes, cfx, (0.45, 0.55), dwell=way == "dwell")
+    if way == "arc":
+        X_0, X_1 = leg.segment.pose(np.array([0.0, 1.0]))
+        leg = replace(leg, segment=Arc.through(X_0, (X_0 + X_1)[:3, 3] / 2 + [0.02, 0.01, 0.0], X_1))
     u = np.linspace(0.05, 0.95, 9)
     t = (leg.breaks()[:-1, None] + np.diff(leg.breaks())[:, None] * u).ravel()
     h = 1e-5
     at, before, after = (leg.sample(axes, t + x) for x in (0.0, -h, h))
     s, _, _ = integrate(leg.grid, leg.s, leg.v, t / leg.T)
-    np.testing.assert_allclose(axes.forward(at.q) @ X_FT, Line(leg.X_0, leg.X_1).pose(s), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(axes.forward(at.q) @ X_FT, leg.segment.pose(s), rtol=0, atol=1e-12)
     scale = np.abs(at.qdd).max()
     np.testing.assert_allclose(at.qd, (after.q - before.q) / (2 * h), rtol=0, atol=1e-7 * scale)
     np.testing.assert_allclose(at.qdd, (after.qd - before.qd) / (2 * h), rtol=0, atol=1e-6 * scale)

@@ -42,6 +42,7 @@ from trajopt_cli.optimize.tuning import (
     SHARP,
     START,
 )
+from trajopt_cli.path.line import Line
 from trajopt_cli.problem.problem import LegKind, Problem
 
 
@@ -64,7 +65,7 @@ def first_draft(axes: Axes, problem: Problem, chain: Chain) -> Draft:
         d, w, b = d_0 + way * s[:, None], way * v[:, None], way * a[:, None]
         X_0, X_1 = (problem.waypoints[i].X_WF @ leg.X_FT for i in (k, k + 1))
         cfx = chain.labels[k].cfx if chain.labels[k].cfx >= 0 else chain.labels[k + 1].cfx
-        legs.append(PathLeg(T, X_0, X_1, leg.X_FT, cfx, joints, grid, s, v, a, d, w, b))
+        legs.append(PathLeg(T, Line(X_0, X_1), leg.X_FT, cfx, joints, grid, s, v, a, d, w, b))
     return Draft(chain.q, chain.w, tuple(label.cfx for label in chain.labels), tuple(legs))
 
 

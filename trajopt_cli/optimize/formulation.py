@@ -63,7 +63,7 @@ class Formulation:
         self.flange = ca.Function("flange", [q], [*axes.robot.expressions.flange(q)])
         self._cache: dict[tuple[object, ...], Relation] = {}
         # parameters of a pose on a path: the path, the branch, joints within half a turn of the answer
-        self._on_path: Shapes = {"path": (LineSymbols.layout.size,), "branch": (3,), "near": self._joints}
+        self._on_path: Shapes = {"path": (DwellSymbols().size,), "branch": (3,), "near": self._joints}
         # and of a node: limits; s the tool would take at its caps for the whole way, s^2 for the acceleration; the
         # share of each joint's range that may be used
         self._at_node: Shapes = {
@@ -125,10 +125,10 @@ class Formulation:
     def _rail_acceleration(self, b: ca.SX, z: SimpleNamespace, p: SimpleNamespace) -> tuple[ca.SX, float, float]:
         return b / (p.A[self.rail] * z.T * z.T), -1.0, 1.0
 
-    def path_node(self, sides: str, turning: bool, coupling: Coupling) -> Relation:
+    def path_node(self, track: LineSymbols, sides: str, coupling: Coupling) -> Relation:
         """A node of a path: arm = IK(X(s), d) within all limits, the tool within its caps along the way.
 
-        sides: the intervals it ends and begins, "l", "r" or "lr": each has its own acceleration.
+        track: the kind of path. sides: the intervals it ends and begins, "l", "r" or "lr", each with an acceleration.
         """
         free = coupling is Coupling.FREE
         own: Shapes = {"d": self._rails, "w": self._rails} if free else {}
@@ -143,7 +143,7 @@ class Formulation:
             else:
                 way = z.d_1 - z.d_0
                 d, w, rail_acc = z.d_0 + z.s * way, z.v * way, [a * way for a in acc]
-            at, qd, qdds = self._along(p, turning, z.s, d, ca.vertcat(z.v, w), acc, rail_acc)
+            at, qd, qdds = self._along(p, track, z.s, d, ca.vertcat(z.v, w), acc, rail_acc)
             out = self._joint_limits(at, qd, qdds, z.T, p)
             out += [(ca.vertcat(p.at_speed * z.v / z.T, p.at_turning * z.v / z.T), -1.0, 1.0)]
             out += [self._rail_velocity(w, z, p)]
@@ -151,12 +151,13 @@ class Formulation:
                 out += [(p.at_acceleration * a / (z.T * z.T), -1.0, 1.0), self._rail_acceleration(b, z, p)]
             return out
 
-        return self._relation(("path", sides, turning, coupling), z, self._at_node, rows)
+        p = {**self._at_node, "path": (track.size,)}
+        return self._relation(("path", track, sides, coupling), z, p, rows)
 
-    def _along(self, p, turning, s, d, rate, acc, rail_acc):  # type: ignore[no-untyped-def]
+    def _along(self, p, track, s, d, rate, acc, rail_acc):  # type: ignore[no-untyped-def]
         """Joints with their walls, and derivatives by tau along x = (s, d): q' = J x', q'' = J x'' + x'^T H x'."""
         S, D = ca.SX.sym("S"), ca.SX.sym("D", *self._rails)
-        flange = LineSymbols(turning).flange(p.path, S)
+        flange = track.flange(p.path, S)
         at = self._inverse(flange.position - self.rail_axis @ D, flange.rotation, p)
         x = ca.vertcat(S, D)
         J = ca.jacobian(at.q, x)

@@ -13,7 +13,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.path.line import Line
+from trajopt_cli.path.segment import Segment
 
 
 def integrate(grid: Array, x: Array, v: Array, tau: Array, right: bool = True) -> tuple[Array, Array, Array]:
@@ -71,8 +71,7 @@ class PathLeg:
     """A line or dwell with its rail motion. s, v: (N+1,), a: (N,); d, w: (N+1, r), b: (N, r); scaled time."""
 
     T: float
-    X_0: Array  # TCP pose at the start, world
-    X_1: Array
+    segment: Segment  # of the tool, in the world; a line of no length for a dwell
     X_FT: Array
     cfx: int
     reference: Array  # joints near the start, on the branch and turn meant
@@ -101,7 +100,7 @@ class PathLeg:
 
     def node_arm(self, axes: Axes) -> Array:
         """Arm joints (N+1, joints) at the nodes."""
-        X_WT = Line(self.X_0, self.X_1).pose(self.s)
+        X_WT = self.segment.pose(self.s)
         arm = axes.inverse(X_WT @ inverse_pose(self.X_FT), axes.layout.value(self.d))[:, self.cfx, :]
         return unwind(arm, self.reference)
 
@@ -111,18 +110,19 @@ class PathLeg:
         s, sv, sa = integrate(self.grid, self.s, self.v, tau, right)
         d, dv, da = integrate(self.grid, self.d, self.w, tau, right)
         sv, dv, sa, da = sv / self.T, dv / self.T, sa / self.T**2, da / self.T**2
-        line = Line(self.X_0, self.X_1)
-        arm = axes.inverse(line.pose(s) @ inverse_pose(self.X_FT), axes.layout.value(d))[:, self.cfx, :]
+        arm = axes.inverse(self.segment.pose(s) @ inverse_pose(self.X_FT), axes.layout.value(d))[:, self.cfx, :]
         q = axes.layout.merge(d, unwind(arm, self.reference))
-        twist = np.concatenate([line.chord, line.turn])
+        twist, bend = self.segment.twist(s), self.segment.twist_rate(s)
         J = axes.jacobian(q, self.X_FT)
         Jr, Ja = J[:, :, axes.layout.rail], J[:, :, axes.layout.arm]
-        rhs = sv[:, None] * twist - (Jr @ dv[..., None])[..., 0]
-        arm_rate = np.linalg.solve(Ja, rhs[..., None])[..., 0]
-        qd = axes.layout.merge(dv, arm_rate)
-        Jd = axes.jacobian_rate(q, qd, self.X_FT)
-        rhs = sa[:, None] * twist - (Jr @ da[..., None])[..., 0] - (Jd @ qd[..., None])[..., 0]
-        qdd = axes.layout.merge(da, np.linalg.solve(Ja, rhs[..., None])[..., 0])
+
+        def arm_follows(tool: Array, rail: Array) -> Array:
+            """Joint rates (n, m) that move the tool by its part of a rate, the rail having its own."""
+            return np.asarray(np.linalg.solve(Ja, (tool - (Jr @ rail[..., None])[..., 0])[..., None])[..., 0])
+
+        qd = axes.layout.merge(dv, arm_follows(sv[:, None] * twist, dv))
+        carried = (axes.jacobian_rate(q, qd, self.X_FT) @ qd[..., None])[..., 0]
+        qdd = axes.layout.merge(da, arm_follows(sa[:, None] * twist + sv[:, None] ** 2 * bend - carried, da))
         return Sample(t, q, qd, qdd)
 
 

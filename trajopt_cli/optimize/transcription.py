@@ -180,10 +180,11 @@ class Transcription:
             (self._coordinated_joints if coordinated else self._free_joints)(leg, motion, margins, out)
         return out
 
-    def _path_parameters(self, leg: Leg, motion: PathLeg, margins: Margins) -> Iterator[Parts]:
+    def _path_parameters(self, leg: Leg, motion: PathLeg, margins: Margins, track: LineSymbols) -> Iterator[Parts]:
         """Parameters of a path's nodes, one after the other."""
         arm, m = self.axes.layout.arm, margins
-        path = LineSymbols().vector(Line(motion.X_0, motion.X_1), inverse_pose(self.axes.X_WB0), motion.X_FT)
+        assert isinstance(motion.segment, Line)  # no other kind is planned yet
+        path = track.vector(motion.segment, inverse_pose(self.axes.X_WB0), motion.X_FT)
         caps = np.array([leg.chord / leg.v_tcp, leg.chord / leg.a_tcp, leg.angle / leg.v_ori])
         for k, joints in enumerate(motion.node_arm(self.axes)):
             at = caps / m.tool[k]
@@ -262,13 +263,13 @@ class Transcription:
             self._share(motion.s, motion.v, motion.a, out)
             self._integrate_zones(out.h, out.s, out.v, out.a)
         self._rail_on_path(leg, motion, margins, out)
-        turning = leg.angle > 1e-9
-        for k, p in enumerate(self._path_parameters(leg, motion, margins)):
+        track = LineSymbols(turning=leg.angle > 1e-9)
+        for k, p in enumerate(self._path_parameters(leg, motion, margins, track)):
             sides, around = _around(k, motion.N)
             z = {"d": out.d[k], "w": out.w[k], **{f"b_{side}": out.b[i] for i, side in around}, "T": out.T}
             if line:
                 z |= {"s": out.s[k], "v": out.v[k], **{f"a_{side}": out.a[i] for i, side in around}}
-                self._hold(self.formulation.path_node(sides, turning, Coupling.FREE), z, p)
+                self._hold(self.formulation.path_node(track, sides, Coupling.FREE), z, p)
             else:
                 self._hold(self.formulation.dwell_node(sides), z, p)
 
@@ -277,12 +278,12 @@ class Transcription:
         self._share(motion.s, motion.v, motion.a, out)
         self._integrate_zones(out.h, out.s, out.v, out.a)
         d_0, d_1 = (self.waypoint_q[k][self.axes.layout.rail] for k in (leg.start, leg.start + 1))
-        turning = leg.angle > 1e-9
-        for k, p in enumerate(self._path_parameters(leg, motion, margins)):
+        track = LineSymbols(turning=leg.angle > 1e-9)
+        for k, p in enumerate(self._path_parameters(leg, motion, margins, track)):
             sides, around = _around(k, motion.N)
             z = {"s": out.s[k], "v": out.v[k], **{f"a_{side}": out.a[i] for i, side in around}}
             z |= {"d_0": d_0, "d_1": d_1, "T": out.T}
-            self._hold(self.formulation.path_node(sides, turning, Coupling.COORDINATED), z, p)
+            self._hold(self.formulation.path_node(track, sides, Coupling.COORDINATED), z, p)
 
     def _joint_closed(self, leg: Leg, out: LegVariables) -> None:
         k, V, A = leg.start, self.axes.velocity_on(leg), self.axes.acceleration

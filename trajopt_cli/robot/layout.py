@@ -58,7 +58,7 @@ class AxisLayout:
         """Plain rail values (...) of (..., r); 0 without a rail."""
         return d[..., 0] if self.r else np.zeros(d.shape[:-1])
 
-    def join(self, d: Array, arm: Array) -> Array:
+    def join(self, d: Array | float, arm: Array) -> Array:
         """All axes (..., n) from rail values (...) and joints (..., m), or their rates; without a rail the joints."""
         d = np.broadcast_to(np.asarray(d, dtype=np.float64), arm.shape[:-1])
         return self.merge(np.repeat(d[..., None], self.r, axis=-1), arm)

@@ -27,7 +27,6 @@ from trajopt_cli.motion import SignalEvent, Wait
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.robot.inverse import inverse, solutions, why_unreachable
 from trajopt_cli.study.bang_bang import AxisMotion, common_time, in_time
 from trajopt_cli.study.case import Answer, Attempt, Case
 from trajopt_cli.study.legs import JointsOnLine, Leg, LegKind, fixed_rail
@@ -128,7 +127,8 @@ def _move(plant: Plant, leg: Leg) -> _Move:
 
 def _from_carriage(plant: Plant, q: Array) -> Array:
     """Flange pose (4, 4) as if the rail stood at 0."""
-    return plant.robot.forward(np.r_[[0.0] if plant.robot.has_rail else [], q[-6:]])
+    layout = plant.robot.layout
+    return plant.robot.forward(layout.join(0.0, q[layout.arm]))
 
 
 def _speeds(moves: Sequence[_Move]) -> list[tuple[Array, Array]]:
@@ -214,9 +214,10 @@ def _on_line(line: JointsOnLine, move: _Move, motion: AxisMotion, t: Array) -> t
 
 def _branch(plant: Plant, leg: Leg) -> int:
     """The branch (cfx) that a leg begins on."""
-    X_WF = plant.robot.forward(leg.q_0)
-    found = inverse(plant.robot, X_WF[None], leg.q_0[:1] if plant.robot.has_rail else None)[0]
-    off = found - leg.q_0[-6:]
+    robot = plant.robot
+    X_WF = robot.forward(leg.q_0)
+    found = robot.branches(X_WF[None], robot.layout.place(leg.q_0[None]))[0]
+    off = found - leg.q_0[robot.layout.arm]
     return int(np.nanargmin(np.abs(off - 2 * np.pi * np.round(off / (2 * np.pi))).max(axis=1)))
 
 
@@ -231,13 +232,14 @@ class _Space:
     cfx: int
 
     def arm(self, t: Array) -> Array:
-        """Arm joints (n, 6) at times (n,) in order, NaN out of reach; turns as near as can be from each to the next."""
+        """Arm joints (n, m) at times (n,) in order, NaN out of reach; turns as near as can be from each to the next."""
         s = self.motion.at(t)[0]
         X_0 = self.move.X_0
         X_BT = pose(X_0[:3, :3] @ rotation_about(self.move.turn_axis, s[3]), X_0[:3, 3] + s[:3].T)
         X_BF = X_BT @ inverse_pose(self.move.leg.X_FT)
-        found = inverse(self.plant.robot, X_BF, np.zeros(len(t)) if self.plant.robot.has_rail else None)[:, self.cfx]
-        return np.unwrap(np.vstack([self.move.leg.q_0[-6:], found]), axis=0)[1:]
+        robot = self.plant.robot
+        found = robot.branches(X_BF, np.zeros(len(t)))[:, self.cfx]
+        return np.unwrap(np.vstack([self.move.leg.q_0[robot.layout.arm], found]), axis=0)[1:]
 
     def at(self, t: Array) -> tuple[Array, Array]:
         """Axes and their speeds (n, k) at times (n,)."""
@@ -245,12 +247,12 @@ class _Space:
         arm = self.arm(dense)[np.searchsorted(dense, t)]
         s, v, _ = self.motion.at(t)
         robot, leg = self.plant.robot, self.move.leg
-        q = np.column_stack([leg.q_0[0] + s[4], arm]) if robot.has_rail else arm
+        q = robot.layout.join(robot.layout.place(leg.q_0) + s[4], arm)
         axis_W = self.move.X_0[:3, :3] @ self.move.turn_axis
         V = np.vstack([v[:3], axis_W[:, None] * v[3]]).T  # of the TCP, seen from the carriage
         # the pseudo-inverse has an answer at a singularity too
-        qd = (np.linalg.pinv(robot.jacobian(q, leg.X_FT)[..., -6:], rcond=1e-12) @ V[..., None])[..., 0]
-        return q, np.column_stack([v[4], qd]) if robot.has_rail else qd
+        qd = (np.linalg.pinv(robot.jacobian(q, leg.X_FT)[..., robot.layout.arm], rcond=1e-12) @ V[..., None])[..., 0]
+        return q, robot.layout.join(v[4], qd)
 
     def refusal(self) -> Infeasible | None:
         """Why the arm cannot follow, if so: the first place out of reach, or another configuration at the end."""
@@ -261,7 +263,7 @@ class _Space:
         if lost.size:
             i = int(lost[0])
             s = self.motion.at(t[i : i + 1])[0][:, 0]
-            rail = float(leg.q_0[0] + s[4]) if robot.has_rail else None
+            rail = float(robot.layout.place(leg.q_0) + s[4]) if robot.has_rail else None
             X_BT = self.move.X_0 @ pose(rotation_about(self.move.turn_axis, s[3]), np.zeros(3))
             X_BT[:3, 3] += s[:3]
             X_WT = (
@@ -270,11 +272,11 @@ class _Space:
                 else pose(X_BT[:3, :3], X_BT[:3, 3] + (rail or 0.0) * robot.rail_axis_W)
             )
             X_WF = X_WT @ inverse_pose(leg.X_FT)
-            others = solutions(robot, X_WF, rail, self.plant.limits)
+            others = robot.solutions(X_WF, rail, self.plant.limits)
             why = (
                 f"configuration {self.cfx} ends there"
                 if others
-                else why_unreachable(robot, X_WF, rail, self.plant.limits)
+                else robot.why_unreachable(X_WF, rail, self.plant.limits)
             )
             x, y, z = X_WT[:3, 3] * 1e3
             where = "" if rail is None else f" at rail {rail * 1e3:.1f} mm"
@@ -282,7 +284,7 @@ class _Space:
                 f"leaves the workspace after {t[i]:.3f} of {self.duration:.3f} s, point [{x:.1f}, {y:.1f}, {z:.1f}]"
                 f" mm{where}: {why}"
             )
-        if np.abs(arm[-1] - leg.q_1[-6:]).max() > _SAME:
+        if np.abs(arm[-1] - leg.q_1[robot.layout.arm]).max() > _SAME:
             return leg.refusal(
                 "ends in another configuration than it begins in; an arm that follows the TCP through space keeps one"
             )

@@ -17,7 +17,6 @@ from trajopt_cli.path.line import Line
 from trajopt_cli.problem.freedom import FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.robot.inverse import inverse
 from trajopt_cli.robot.kinematics import inverse_acceleration, inverse_velocity
 from trajopt_cli.study.case import Case
 
@@ -201,18 +200,20 @@ class JointsOnLine:
         line = Line(plant.robot.forward(leg.q_0) @ leg.X_FT, plant.robot.forward(leg.q_1) @ leg.X_FT)
         s = np.linspace(0.0, 1.0, _NODES)
         start = _branches(plant, leg, line, s[:1])[0]
-        turned = start + _whole_turns(leg.q_0[-6:] - start)
-        cfx = int(np.nanargmin(np.abs(turned - leg.q_0[-6:]).max(axis=1)))
+        joints = leg.q_0[plant.robot.layout.arm]
+        turned = start + _whole_turns(joints - start)
+        cfx = int(np.nanargmin(np.abs(turned - joints).max(axis=1)))
         arm = _branches(plant, leg, line, s)[:, cfx]
         arm = np.unwrap(arm, axis=0)
-        arm += _whole_turns(leg.q_0[-6:] - arm[0])
-        return cls(plant, leg, line, cfx, s, _with_rail(plant, leg, s, arm))
+        arm += _whole_turns(joints - arm[0])
+        return cls(plant, leg, line, cfx, s, plant.robot.layout.join(_rail_at(plant, leg, s), arm))
 
     def positions(self, s: Array) -> Array:
         """Axes (m, k) at shares s (m,)."""
         arm = _branches(self.plant, self.leg, self.line, s)[:, self.cfx]
-        near = np.column_stack([np.interp(s, self.s, column) for column in self.q[:, -6:].T])
-        return _with_rail(self.plant, self.leg, s, arm + _whole_turns(near - arm))
+        near = np.column_stack([np.interp(s, self.s, column) for column in self.q[:, self.plant.robot.layout.arm].T])
+        rail = _rail_at(self.plant, self.leg, s)
+        return self.plant.robot.layout.join(rail, arm + _whole_turns(near - arm))
 
     def slopes(self, q: Array) -> Array:
         """dq/ds (m, k) at axes q (m, k) on the line."""
@@ -225,23 +226,19 @@ class JointsOnLine:
 
     @property
     def _rail_way(self) -> float:
-        return float(self.leg.q_1[0] - self.leg.q_0[0]) if self.plant.robot.has_rail else 0.0
+        return float(self.plant.robot.layout.place(self.leg.q_1 - self.leg.q_0))
 
 
 def _whole_turns(difference: Array) -> Array:
     return np.asarray(2 * np.pi * np.round(difference / (2 * np.pi)))
 
 
-def _rail_at(plant: Plant, leg: Leg, s: Array) -> Array | None:
-    return leg.q_0[0] + s * (leg.q_1[0] - leg.q_0[0]) if plant.robot.has_rail else None
+def _rail_at(plant: Plant, leg: Leg, s: Array) -> Array:
+    d_0, d_1 = (plant.robot.layout.place(q) for q in (leg.q_0, leg.q_1))
+    return d_0 + s * (d_1 - d_0)
 
 
 def _branches(plant: Plant, leg: Leg, line: Line, s: Array) -> Array:
-    """All branches (m, 8, 6) at shares s (m,) of the line."""
+    """Joints (m, branches, joints) of all branches at shares s (m,) of the line."""
     X_WF = line.pose(s) @ inverse_pose(leg.X_FT)
-    return inverse(plant.robot, X_WF, _rail_at(plant, leg, s))
-
-
-def _with_rail(plant: Plant, leg: Leg, s: Array, arm: Array) -> Array:
-    rail = _rail_at(plant, leg, s)
-    return arm if rail is None else np.column_stack([rail, arm])
+    return plant.robot.branches(X_WF, _rail_at(plant, leg, s))

@@ -50,7 +50,8 @@ def with_rail(program: Program, plant: Plant, rail: list[float]) -> Program:
 def with_detours(program: Program, plant: Plant) -> Program:
     """The program in which the rail moves only while the arm is folded; lines that carry the rail along stay."""
     out: list[Motion] = []
-    home, rail, folded = plant.start[-6:], float(plant.start[0]), True
+    layout = plant.robot.layout
+    home, rail, folded = plant.start[layout.arm], float(layout.place(plant.start)), True
     for motion in program.motions:
         if isinstance(motion, Move):
             given = plant.rail_value(motion.extax)
@@ -72,7 +73,8 @@ def _fold(before: Move, plant: Plant, rail: float) -> MoveAbsJ:
     """The arm to its home pose, the rail staying at rail."""
     return MoveAbsJ(
         source=before.source, written=Written(before.written.statement), target="home", speed=before.speed, zone=_STOP,
-        extax=_extax(before.extax, plant, rail), q=plant.start[-6:], tool=getattr(before, "tool", _FLANGE),
+        extax=_extax(before.extax, plant, rail), q=plant.start[plant.robot.layout.arm],
+        tool=getattr(before, "tool", _FLANGE),
     )  # fmt: skip
 
 
