@@ -91,6 +91,16 @@ def test_only_the_aggregates_of_a_loop_over_literals_change(plant: Plant) -> Non
     ]
 
 
+def test_a_computed_target_of_an_open_rail_is_declared_for_all_passes(plant: Plant) -> None:
+    """Only the first pass takes the rail along; the second would find it there by itself."""
+    body = "        FOR i FROM 1 TO 2 DO\n            MoveJ Offs(p2,0,0,10),v100,fine,tool0;\n        ENDFOR\n"
+    program = made(body)
+    assert changes(program, plant).ties == ((0, 1),)
+    export = export_rapid(program, plan_for(program, plant, {0: 1.3, 1: 1.3}), plant)
+    assert export.new == {}
+    assert "            MoveJ p2_2,v100,fine,tool0;" in export.texts["m.mod"]
+
+
 def test_every_wish_that_keeps_the_ties_can_be_written(plant: Plant) -> None:
     rng = np.random.default_rng(3)
     program = made(PICK.replace("p2", "p3"), P3)

@@ -82,7 +82,9 @@ def export_rapid(
             failure = found[0][1]
         # A computed target that the edits leave, or make, another than planned gets a declaration of its own.
         computed = {index for index, _ in found if index is not None and _is_computed(program, index)}
-        own = {index for index in computed if _may_be_said(program, scopes, stretches, loops, index)} - choices.own
+        spans = {program.motions[index].written.statement for index in computed}  # with all passes of each
+        wrong = {index for index, motion in enumerate(program.motions) if motion.written.statement in spans}
+        own = {index for index in wrong if _may_be_said(program, scopes, stretches, loops, index)} - choices.own
         if own:
             choices = replace(choices, own=choices.own | own)
         elif not choices.isolated:
