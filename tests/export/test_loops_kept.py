@@ -169,7 +169,7 @@ def test_a_literal_that_a_kept_target_is_computed_from_stays(plant: Plant) -> No
     found = changes(program, plant)
     assert found.ties == ((0, 3, 6),)
     assert [note.split(": ", 1)[1].split(";")[0] for note in found.kept] == [
-        "m.mod:9 (run 3 times in one loop or routine)",
+        "m.mod:9 (cannot be edited without moving others)",
         "m.mod:10 (depend on i)",
     ]
 
@@ -191,6 +191,14 @@ def test_what_hangs_on_an_input_may_change_where_it_stands(plant: Plant) -> None
     program = run_program([replace(base, text=base.text.replace("        Set do1;\n", text))], scenario)
     assert changes(program, plant, scenario=scenario).ties == ((0, 1, 2),)
     assert changes(program, plant, Loops.UNROLL, scenario).values == frozenset()
+
+
+def test_an_open_rail_in_a_routine_stays_open_while_its_other_targets_move(plant: Plant) -> None:
+    """go p2 finds the rail where it is; another pass of the same statement, with p1, takes it along."""
+    rest = "    PROC go(robtarget p)\n        MoveJ p,v100,fine,tool0;\n    ENDPROC\n"
+    program = made("        MoveJ p3,v100,fine,tool0;\n        go p2;\n        go p1;\n", P3, rest)
+    export = export_rapid(program, plan_for(program, plant, {0: 1.35, 1: 1.35, 2: 0.3}), plant)
+    assert [line.split(":=")[0].split()[-1] for line in changed_lines(program, export) if line[0] == "+"] == ["p1"]
 
 
 def test_optional_passes_go_all_together_or_not_at_all(plant: Plant) -> None:

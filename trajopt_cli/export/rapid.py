@@ -126,7 +126,8 @@ def _is_computed(program: Program, index: int) -> bool:
 def _intents(program: Program, plan: Plan, plant: Plant, faster: frozenset[int], scopes: Scopes) -> dict[int, Intent]:
     targets = Targets(program, plant, Edits(program.files), Names({}), scopes)  # for its wishes only
     runs = Counter(motion.written.statement for motion in program.motions)
-    moving = {program.motions[one.index].written.statement for one in plan.motions if rail_moves(one, plant)}
+    texts = [(motion.written.statement, motion.written.aggregate) for motion in program.motions]
+    moving = {texts[one.index] for one in plan.motions if rail_moves(one, plant)}  # in some pass
     out = {}
     for planned in plan.motions:
         motion = program.motions[planned.index]
@@ -134,8 +135,8 @@ def _intents(program: Program, plan: Plan, plant: Plant, faster: frozenset[int],
             if planned.dropped:
                 out[planned.index] = Intent(drop=True)
             else:
-                span = motion.written.statement
-                wish = targets.wish(motion, planned, leave_open=runs[span] > 1 and span not in moving)
+                text = texts[planned.index]
+                wish = targets.wish(motion, planned, leave_open=runs[text[0]] > 1 and text not in moving)
                 out[planned.index] = Intent(wish, fast=planned.index in faster)
         elif isinstance(motion, Wait):
             out[planned.index] = Intent(dwell=planned if rail_moves(planned, plant) else None)
