@@ -187,7 +187,7 @@ class Transcription:
         """Stops of a station share one rail position where the freedom says so, and so do tied ones."""
         pairs = [pair for group in self.problem.ties for pair in pairwise(group)]
         for k, leg in enumerate(self.problem.legs):
-            hold = leg.kind is not LegKind.JOINT and not leg.rail_moves
+            hold = not leg.rail_moves
             if self.problem.freedom.rail is RailFreedom.STATION and leg.kind is not LegKind.JOINT:
                 hold = True
             if hold:
@@ -368,6 +368,8 @@ class Transcription:
         out.qa = nlp.variables(motion.a, -1000.0, 1000.0).reshape(N, 7)
         nlp.damp(out.qa.ravel(), DAMPING)
         V = self._rail_speed(leg)
+        for node in out.q[1:-2, 0] if not leg.rail_moves else ():  # the last one follows from the chain
+            nlp.add(self.stages.equal(), [self.stop_q[k0][0], node])
         for j in range(7):
             self._chain(motion.grid, out.q[:, j], out.qv[:, j], out.qa[:, j])
             for node, k in ((0, k0), (N, k0 + 1)):
