@@ -91,6 +91,16 @@ def test_only_the_aggregates_of_a_loop_over_literals_change(plant: Plant) -> Non
     ]
 
 
+def test_a_computed_target_of_an_open_rail_is_declared_for_all_passes(plant: Plant) -> None:
+    """Only the first pass takes the rail along; the second would find it there by itself."""
+    body = "        FOR i FROM 1 TO 2 DO\n            MoveJ Offs(p2,0,0,10),v100,fine,tool0;\n        ENDFOR\n"
+    program = made(body)
+    assert changes(program, plant).ties == ((0, 1),)
+    export = export_rapid(program, plan_for(program, plant, {0: 1.3, 1: 1.3}), plant)
+    assert export.new == {}
+    assert "            MoveJ p2_2,v100,fine,tool0;" in export.texts["m.mod"]
+
+
 def test_every_wish_that_keeps_the_ties_can_be_written(plant: Plant) -> None:
     rng = np.random.default_rng(3)
     program = made(PICK.replace("p2", "p3"), P3)
@@ -159,7 +169,7 @@ def test_a_literal_that_a_kept_target_is_computed_from_stays(plant: Plant) -> No
     found = changes(program, plant)
     assert found.ties == ((0, 3, 6),)
     assert [note.split(": ", 1)[1].split(";")[0] for note in found.kept] == [
-        "m.mod:9 (run 3 times in one loop or routine)",
+        "m.mod:9 (cannot be edited without moving others)",
         "m.mod:10 (depend on i)",
     ]
 
@@ -181,6 +191,14 @@ def test_what_hangs_on_an_input_may_change_where_it_stands(plant: Plant) -> None
     program = run_program([replace(base, text=base.text.replace("        Set do1;\n", text))], scenario)
     assert changes(program, plant, scenario=scenario).ties == ((0, 1, 2),)
     assert changes(program, plant, Loops.UNROLL, scenario).values == frozenset()
+
+
+def test_an_open_rail_in_a_routine_stays_open_while_its_other_targets_move(plant: Plant) -> None:
+    """go p2 finds the rail where it is; another pass of the same statement, with p1, takes it along."""
+    rest = "    PROC go(robtarget p)\n        MoveJ p,v100,fine,tool0;\n    ENDPROC\n"
+    program = made("        MoveJ p3,v100,fine,tool0;\n        go p2;\n        go p1;\n", P3, rest)
+    export = export_rapid(program, plan_for(program, plant, {0: 1.35, 1: 1.35, 2: 0.3}), plant)
+    assert [line.split(":=")[0].split()[-1] for line in changed_lines(program, export) if line[0] == "+"] == ["p1"]
 
 
 def test_optional_passes_go_all_together_or_not_at_all(plant: Plant) -> None:

@@ -24,8 +24,8 @@ EVERY = Changes(frozenset(range(20)))
 
 STATION = """MoveJ p_in, v2500, fine, tool0;
 MoveL p_low, v500, fine, tool0;
-Set do_grip;
 WaitTime 0.3;
+Set do_grip;
 MoveL p_in, v500, fine, tool0;
 MoveAbsJ j_home, v1000, fine, tool0;"""
 
@@ -33,11 +33,11 @@ MoveAbsJ j_home, v1000, fine, tool0;"""
 def test_a_station_becomes_stops_legs_and_one_configuration() -> None:
     program = rapid(STATION)
     problem = problem_of(program, plant_with_rail())
-    assert isinstance(program.motions[2], SignalEvent)
+    assert isinstance(program.motions[3], SignalEvent)
     assert [leg.kind for leg in problem.legs] == [J, L, D, L, J]
-    assert [leg.motion for leg in problem.legs] == [0, 1, 3, 4, 5]
+    assert [leg.motion for leg in problem.legs] == [0, 1, 2, 4, 5]
     assert [leg.start for leg in problem.legs] == [0, 1, 2, 3, 4]
-    assert [stop.motion for stop in problem.waypoints] == [-1, 0, 1, 3, 4, 5]
+    assert [stop.motion for stop in problem.waypoints] == [-1, 0, 1, 2, 4, 5]
     assert problem.stations == ((0, 0), (1, 4), (5, 5))
     assert [stop.rest for stop in problem.waypoints] == [True, False, False, False, False, True]
     assert problem.waypoints[2].X_WF is problem.waypoints[3].X_WF
@@ -310,7 +310,7 @@ def test_motions_that_may_not_change_keep_rail_and_configuration() -> None:
         problem = problem_of(rapid(STATION), plant_with_rail(), target, changes=changes)
         assert [stop.rail[0] < stop.rail[1] for stop in problem.waypoints] == [False, True, False, False, False, False]
         assert [stop.conf for stop in problem.waypoints] == [None, None, *[ConfData(0, 0, 0, 0)] * 3, None]
-        assert [leg.motion for leg in problem.legs if not leg.rail_moves] == [3]
+        assert [leg.motion for leg in problem.legs if not leg.rail_moves] == [2]
 
 
 def test_a_problem_says_how_its_target_binds_the_axes() -> None:
@@ -341,3 +341,37 @@ MoveJ p_in, v500, fine, tool0;"""
     free = problem_of(program, plant, Target.RAPID, changes=Changes(frozenset(range(4)), ((1, 3),)))
     assert {stop.rail for stop in free.waypoints[1:]} == {(-0.2, 2.2)}
     assert free.ties == ((2, 4),)
+
+
+HELD = """MoveJ p_in, v2500, fine, tool0;
+MoveJ p_low, v2500, fine, tool0; ! trajopt: hold rail
+MoveL p_in, v500, fine, tool0; ! trajopt: hold rail
+WaitTime 0.3; ! trajopt: hold rail
+MoveAbsJ j_home, v1000, fine, tool0;"""
+
+
+def test_where_the_rail_is_held_no_leg_moves_it() -> None:
+    for target in Target:
+        problem = problem_of(rapid(HELD), plant_with_rail(), target)
+        assert [leg.rail_moves for leg in problem.legs] == [True, False, False, False, True]
+        assert {stop.rail for stop in problem.waypoints[1:5]} == {(-0.2, 2.2)}
+        assert not any(problem.rail_may_pass(k) for k in range(1, 5))
+
+
+def test_a_held_rail_is_where_it_is_fixed_at_either_end() -> None:
+    from_joints = "MoveAbsJ j_home, v500, fine, tool0;\nMoveJ p_here, v500, fine, tool0; ! trajopt: hold rail"
+    data = "CONST robtarget p_here:=[[500,100,450],[0,0,1,0],[0,0,0,0],[600,9E9,9E9,9E9,9E9,9E9]];"
+    assert problem_of(rapid(from_joints, data=data), plant_with_rail()).waypoints[2].rail == (0.0, 0.0)
+    to_joints = "MoveJ p_here, v500, fine, tool0;\nMoveAbsJ j_home, v500, fine, tool0; ! trajopt: hold rail"
+    assert problem_of(rapid(to_joints, data=data), plant_with_rail()).waypoints[1].rail == (0.0, 0.0)
+    assert problem_of(rapid(HELD), plant_without_rail(), Target.RAPID).legs[1].rail_moves
+
+
+def test_a_program_that_moves_a_held_rail_itself_is_answered_with_both() -> None:
+    body = "MoveJ p_in, v500, fine, tool0;\nMoveAbsJ j_home, v500, fine, tool0; ! trajopt: hold rail"
+    answer = build_problem(rapid(body), plant_with_rail(), AS_WRITTEN, Target.STREAM, EVERY)
+    assert isinstance(answer, Infeasible)
+    assert answer.message == (
+        "t.mod:6:1: MoveAbsJ j_home takes the rail from 600 mm to 0 mm, and a comment in the program says that it"
+        " stands still there; give both ends the same position, or take the hold back"
+    )

@@ -82,7 +82,9 @@ def export_rapid(
             failure = found[0][1]
         # A computed target that the edits leave, or make, another than planned gets a declaration of its own.
         computed = {index for index, _ in found if index is not None and _is_computed(program, index)}
-        own = {index for index in computed if _may_be_said(program, scopes, stretches, loops, index)} - choices.own
+        spans = {program.motions[index].written.statement for index in computed}  # with all passes of each
+        wrong = {index for index, motion in enumerate(program.motions) if motion.written.statement in spans}
+        own = {index for index in wrong if _may_be_said(program, scopes, stretches, loops, index)} - choices.own
         if own:
             choices = replace(choices, own=choices.own | own)
         elif not choices.isolated:
@@ -124,7 +126,8 @@ def _is_computed(program: Program, index: int) -> bool:
 def _intents(program: Program, plan: Plan, plant: Plant, faster: frozenset[int], scopes: Scopes) -> dict[int, Intent]:
     targets = Targets(program, plant, Edits(program.files), Names({}), scopes)  # for its wishes only
     runs = Counter(motion.written.statement for motion in program.motions)
-    moving = {program.motions[one.index].written.statement for one in plan.motions if rail_moves(one, plant)}
+    texts = [(motion.written.statement, motion.written.aggregate) for motion in program.motions]
+    moving = {texts[one.index] for one in plan.motions if rail_moves(one, plant)}  # in some pass
     out = {}
     for planned in plan.motions:
         motion = program.motions[planned.index]
@@ -132,8 +135,8 @@ def _intents(program: Program, plan: Plan, plant: Plant, faster: frozenset[int],
             if planned.dropped:
                 out[planned.index] = Intent(drop=True)
             else:
-                span = motion.written.statement
-                wish = targets.wish(motion, planned, leave_open=runs[span] > 1 and span not in moving)
+                text = texts[planned.index]
+                wish = targets.wish(motion, planned, leave_open=runs[text[0]] > 1 and text not in moving)
                 out[planned.index] = Intent(wish, fast=planned.index in faster)
         elif isinstance(motion, Wait):
             out[planned.index] = Intent(dwell=planned if rail_moves(planned, plant) else None)

@@ -65,6 +65,7 @@ class _Text:
         self.program, self.plant, self.reading, self.scopes = program, plant, reading, scopes
         self.stretches = Stretches(program, scopes, reading)
         self.runs = Counter(motion.written.statement for motion in program.motions)
+        self.moving: set[int] = set()  # what cannot change as others are computed from it, as far as known
         self.single = {i for i, motion in enumerate(program.motions) if self.runs[motion.written.statement] == 1}
 
     @cached_property
@@ -112,6 +113,7 @@ class _Text:
             if written.declaration is not None and self._declared_name(written.declaration) in names
         ]
         gone = read or [group for group, written in firsts if written.aggregate is not None] or groups
+        self.moving |= {i for group in gone for i in group}
         return [group for group in groups if group not in gone]
 
     def _declared_name(self, declaration: Span) -> str:
@@ -278,9 +280,11 @@ class _Text:
             if computed and (variable := self.scopes.depends_on(move)) is not None:
                 remedy = "a declared target would free them, or --loops unroll, which writes this run's values out"
                 return f"depend on {variable}", remedy
-            if runs > 1:
+            if runs > 1 and index not in self.moving:
                 remedy = "a statement of its own for each time would free them, or --loops unroll"
                 return f"run {runs} times in one loop or routine", remedy
+        if index in self.moving:
+            thing, runs = None, 1
         return _why_kept(move, runs, thing, span in self.scopes.compact)
 
 

@@ -90,7 +90,8 @@ def _joint_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
         out[part] = np.maximum(T, trapezoid_time(chord, leg.v_tcp, leg.a_tcp))
     if leg.duration is not None:
         out = np.where(out <= leg.duration, leg.duration, out)
-    return out
+    stays = axes.layout.place(a.q)[:, None] == axes.layout.place(b.q)
+    return np.where(stays | leg.rail_moves, out, np.inf)
 
 
 def _line_time(axes: Axes, leg: Leg, table: StationTable, i: int, a: _Layer, b: _Layer) -> Array:
@@ -254,14 +255,15 @@ def _windows(
     axes: Axes, problem: Problem, tables: list[StationTable], where: list[int], coarse: Chain
 ) -> list[tuple[float, float]]:
     """The rail's range [m] of every station's fine search: near the coarse chain; one range for stations that share a
-    tie, so that their grids have positions in common."""
+    tie or a rail that is held, so that their grids have positions in common."""
     windows = []
     for (first, last), table in zip(problem.stations, tables, strict=True):
         rail = axes.layout.place(coarse.q[first : last + 1])
         spacing = (table.d[-1] - table.d[0]) / max(len(table.d) - 1, 1)
         margin = max(2 * spacing, SEARCH_WINDOW)
         windows.append((float(rail.min()) - margin, float(rail.max()) + margin))
-    together = [sorted({where[k] for k in group}) for group in problem.ties]
+    held = [(leg.start, leg.start + 1) for leg in problem.legs if leg.kind is LegKind.JOINT and not leg.rail_moves]
+    together = [sorted({where[k] for k in group}) for group in (*problem.ties, *held)]
     for _ in together:  # a group may join what others have joined
         for stations in together:
             low, high = min(windows[i][0] for i in stations), max(windows[i][1] for i in stations)

@@ -141,7 +141,7 @@ class Transcription:
         rail = self.axes.layout.rail
         pairs = [pair for group in self.problem.ties for pair in pairwise(group)]
         for k, leg in enumerate(self.problem.legs):
-            hold = leg.kind is not LegKind.JOINT and not leg.rail_moves
+            hold = not leg.rail_moves
             if self.problem.freedom.rail is RailFreedom.STATION and leg.kind is not LegKind.JOINT:
                 hold = True
             if hold:
@@ -324,6 +324,10 @@ class Transcription:
         out.qa = nlp.variables(motion.a, -JOINT_CURVE, JOINT_CURVE).reshape(N, n)
         nlp.damp(out.qa.ravel(), DAMPING)
         V, A = self.axes.velocity_on(leg), self.axes.acceleration
+        rail = self.axes.layout.rail
+        for inside in out.q[1:-2, rail] if not leg.rail_moves else ():  # the last one follows from the chain
+            for x, y in zip(self.waypoint_q[k0][rail], inside, strict=True):
+                self._hold(self.formulation.equal(), {"x": x, "y": y})
         for j in range(n):
             self._integrate(motion.grid, out.q[:, j], out.qv[:, j], out.qa[:, j])
             for node, k in ((0, k0), (N, k0 + 1)):

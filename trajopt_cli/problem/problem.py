@@ -16,6 +16,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose
 from trajopt_cli.motion import (
     ConfData,
+    Hold,
     Motion,
     Move,
     MoveAbsJ,
@@ -36,6 +37,12 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import confdata_admits, solutions
 
 _POINT = 1e-9  # m, rad: a line to where it starts
+_STILL = 1e-7  # m of rail: less is the rounding of a num
+_HOLDERS = {
+    Hold.PROGRAM: "a comment in the program",
+    Hold.CELL: "hold_rail in the cell file",
+    Hold.GRIPPER: "an output set just before",
+}
 _ON_LIMIT = 1e-9  # m, rad an axis may stand outside its range by rounding
 
 
@@ -76,7 +83,7 @@ class Waypoint:
 class Leg:
     """From stop `start` to stop `start + 1`. X_FT: tool in force. v_tcp, v_ori, v_rail: programmed caps (inf if none).
 
-    duration: fixed time [s] or None. rail_moves: the rail may move during a line or dwell. chord [m], angle [rad].
+    duration: fixed time [s] or None. rail_moves: the rail may move during the leg. chord [m], angle [rad].
     """
 
     motion: int
@@ -122,9 +129,9 @@ class Problem:
         return self.waypoints[k].rest or self.coordinated or not self.rail_may_pass(k)
 
     def rail_may_pass(self, k: int) -> bool:
-        """Whether the rail may have speed at stop k: no neighbouring line or dwell holds it still."""
+        """Whether the rail may have speed at stop k: no leg beside it holds it still."""
         near = [self.legs[i] for i in (k - 1, k) if 0 <= i < len(self.legs)]
-        return self.plant.robot.has_rail and all(leg.kind is LegKind.JOINT or leg.rail_moves for leg in near)
+        return self.plant.robot.has_rail and all(leg.rail_moves for leg in near)
 
     def motion(self, index: int) -> Motion:
         """The program's motion number index."""
@@ -149,7 +156,7 @@ def build_problem(
         for index, motion in enumerate(program.motions):
             if index not in dropped:
                 build.add(index, motion)
-    except _OutOfRange as out:
+    except _Impossible as out:
         motion = program.motions[out.index]
         return Infeasible(out.index, motion.source, f"{motion.source}: {motion_name(motion)} {out}")
     waypoints = [*build.waypoints[:-1], replace(build.waypoints[-1], rest=True)]
@@ -183,13 +190,29 @@ def _ties(changes: Changes, waypoints: Sequence[Waypoint]) -> tuple[tuple[int, .
     return tuple(group for group in groups if len(group) > 1)
 
 
-class _OutOfRange(Exception):
+class _Impossible(Exception):
+    def __init__(self, index: int, why: str):
+        super().__init__(why)
+        self.index = index
+
+
+class _OutOfRange(_Impossible):
     def __init__(self, index: int, axis: str, value: float, low: float, high: float):
         unit, factor = ("mm", 1e3) if axis == "rail" else ("deg", 180 / np.pi)
         super().__init__(
-            f"asks for {axis} = {value * factor:.6g} {unit}, range {low * factor:.6g}..{high * factor:.6g} {unit}"
+            index,
+            f"asks for {axis} = {value * factor:.6g} {unit}, range {low * factor:.6g}..{high * factor:.6g} {unit}",
         )
-        self.index = index
+
+
+class _Held(_Impossible):
+    def __init__(self, index: int, motion: Move, rail: float, asked: float):
+        assert motion.hold is not None
+        super().__init__(
+            index,
+            f"takes the rail from {rail * 1e3:.6g} mm to {asked * 1e3:.6g} mm, and {_HOLDERS[motion.hold]} says that it"
+            " stands still there; give both ends the same position, or take the hold back",
+        )
 
 
 class _Build:
@@ -206,7 +229,7 @@ class _Build:
         self.legs: list[Leg] = []
 
     def add(self, index: int, motion: Motion) -> None:
-        """The next motion. Raises _OutOfRange for a position that it fixes and that is none the robot can have."""
+        """The next motion. Raises _Impossible for what the program itself asks for and cannot be."""
         match motion:
             case SignalEvent():
                 pass
@@ -233,7 +256,7 @@ class _Build:
         moves = self._freedom.dwells and before.rail[0] < before.rail[1] and index in self._changes.values
         dwell = Leg(
             index, LegKind.DWELL, len(self.legs), np.eye(4), np.inf, np.inf, np.inf, np.inf,
-            duration=wait.duration, rail_moves=moves,
+            duration=wait.duration, rail_moves=moves and wait.hold is None,
         )  # fmt: skip
         self.legs.append(dwell)
         self.waypoints.append(replace(before, motion=index, written=self._written, rest=before.rest or rest))
@@ -255,7 +278,7 @@ class _Build:
         angle = axis_angle(X_0[:3, :3].T @ motion.X_WT[:3, :3])[1]
         still = chord < _POINT and angle < _POINT
         moves = still or self._freedom.lines
-        moves = self._has_rail and (moves or _apart(start.rail, end.rail))
+        moves = self._has_rail and (moves or _apart(start.rail, end.rail)) and motion.hold is None
         self._to(end, motion, _caps(motion, self._plant))
         kind, way = (LegKind.DWELL, (0.0, 0.0)) if still else (LegKind.LINE, (chord, angle))
         self.legs[-1] = replace(self.legs[-1], kind=kind, rail_moves=moves, chord=way[0], angle=way[1])
@@ -267,10 +290,12 @@ class _Build:
         tcp = self._plant.tcp
         leg = Leg(
             end.motion, LegKind.JOINT, len(self.legs), X_FT, min(v_tcp, tcp.speed), tcp.acceleration, v_ori, v_rail,
-            duration=motion.duration,
+            duration=motion.duration, rail_moves=motion.hold is None or not self._has_rail,
         )  # fmt: skip
         self.legs.append(leg)
         self.waypoints.append(end)
+        if not leg.rail_moves:
+            self._hold(motion)
 
     # ----------------------------------------------------------------------------------------------------- waypoints
 
@@ -285,6 +310,16 @@ class _Build:
         if fixed and not low - _ON_LIMIT <= given <= high + _ON_LIMIT:
             raise _OutOfRange(index, self._plant.limits.names[0], given, low, high)
         self._written = given
+
+    def _hold(self, motion: Move) -> None:
+        """The rail stands still on the last leg: where one end of it is fixed, the other is there, too."""
+        (low, high), (end_low, end_high) = self.waypoints[-2].rail, self.waypoints[-1].rail
+        if low == high and end_low == end_high and abs(end_low - low) > _STILL:
+            raise _Held(self.waypoints[-1].motion, motion, low, end_low)
+        if low == high:
+            self._pin(-1, low)
+        elif end_low == end_high:
+            self._pin(-2, end_low)
 
     def _pin(self, k: int, rail: float) -> None:
         """The rail at waypoint k stands where it is said [m], if it was free."""
