@@ -228,12 +228,11 @@ def _crosses(open_: BoolArray) -> bool:
 def _unreachable(axes: Axes, problem: Problem, k: int, d: Array) -> Infeasible:
     stop = problem.waypoints[k]
     motion = problem.motion(stop.motion)
-    rails = d if axes.layout.has_rail else np.zeros(1)
-    near = rails[int(np.argmin(np.abs(rails - _abreast(axes, stop.X_WF))))]
+    near = d[int(np.argmin(np.abs(d - _abreast(axes, stop.X_WF))))]
     if stop.rail[0] == stop.rail[1]:
         near = stop.rail[0]
     reason = _why(axes, problem, stop.X_WF, float(near))
-    where = f" at rail {near * 1e3:.1f} mm" if axes.layout.has_rail else ""
+    where = _at(axes, float(near))
     if not reason:
         reason = _other_configurations(axes, problem, stop, float(near))
         if stop.conf is not None:
@@ -242,17 +241,20 @@ def _unreachable(axes: Axes, problem: Problem, k: int, d: Array) -> Infeasible:
     return Infeasible(stop.motion, motion.source, text)
 
 
+def _at(axes: Axes, rail: float) -> str:
+    return f" at rail {rail * 1e3:.1f} mm" if axes.layout.has_rail else ""
+
+
 def _why(axes: Axes, problem: Problem, X_WF: Array, rail: float) -> str:
     """Why a pose is out of reach at a rail position; empty when it is not."""
-    at = rail if axes.layout.has_rail else None
-    if axes.robot.solutions(X_WF, at, problem.plant.limits):
+    if axes.robot.solutions(X_WF, rail, problem.plant.limits):
         return ""
-    return axes.robot.why_unreachable(X_WF, at, problem.plant.limits)
+    return axes.robot.why_unreachable(X_WF, rail, problem.plant.limits)
 
 
 def _other_configurations(axes: Axes, problem: Problem, stop: Waypoint, rail: float) -> str:
     """The pose is in reach, but not with the confdata asked for; those that are to be had, the nearest to it first."""
-    found = axes.robot.solutions(stop.X_WF, rail if axes.layout.has_rail else None, problem.plant.limits)
+    found = axes.robot.solutions(stop.X_WF, rail, problem.plant.limits)
     confs = {astuple(axes.robot.confdata(q)) for _, q in found}
     if not confs:
         return "too near a singularity"
@@ -297,8 +299,7 @@ def _wrong_confdata(axes: Axes, problem: Problem, stop: Waypoint) -> bool:
         return False
     if not isinstance(problem.motion(stop.motion), MoveJ | MoveL):
         return False
-    rail = stop.written if axes.layout.has_rail else None
-    found = axes.robot.solutions(stop.X_WF, rail, problem.plant.limits)
+    found = axes.robot.solutions(stop.X_WF, stop.written, problem.plant.limits)
     return bool(found) and not any(axes.robot.admits(stop.conf, q) for _, q in found)
 
 
@@ -316,7 +317,7 @@ def _broken_line(axes: Axes, problem: Problem, k: int, d: Array, labels: tuple[L
     X_0, X_1 = problem.waypoints[k].X_WF @ leg.X_FT, problem.waypoints[k + 1].X_WF @ leg.X_FT
     shares = np.linspace(0, 1, 101)
     X = Line(X_0, X_1).pose(shares)
-    rails = d if axes.layout.has_rail else np.zeros(1)
+    rails = d
     fixed = [
         problem.waypoints[j].rail[0] for j in (k, k + 1) if problem.waypoints[j].rail[0] == problem.waypoints[j].rail[1]
     ]
@@ -334,7 +335,7 @@ def _broken_line(axes: Axes, problem: Problem, k: int, d: Array, labels: tuple[L
     X_WT, X_WF = X[at], X_WF[at]
     near = rails[int(np.argmin(np.abs(rails - _abreast(axes, X_WF))))]
     reason = _why(axes, problem, X_WF, float(near))
-    where = f" at rail {near * 1e3:.1f} mm" if axes.layout.has_rail else ""
+    where = _at(axes, float(near))
     if not reason:
         reason = _NO_SINGLE
     p = X_WT[:3, 3] * 1e3
