@@ -10,6 +10,7 @@ from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.motion import Program, TextFile
 from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.problem.changes import Changes, everything
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import Plant
@@ -60,9 +61,14 @@ def down(x: float, y: float, z: float, turn: float = 0.0) -> Array:
 
 
 def problem_of(
-    program: Program, plant: Plant, target: Target = Target.STREAM, freedom: Freedom = EVERYTHING, **more: object
+    program: Program,
+    plant: Plant,
+    target: Target = Target.STREAM,
+    freedom: Freedom = EVERYTHING,
+    changes: Changes | None = None,
+    **more: object,
 ) -> Problem:
-    problem = build_problem(program, plant, freedom, target, **more)
+    problem = build_problem(program, plant, freedom, target, changes or everything(program, plant), **more)
     assert isinstance(problem, Problem), problem
     return problem
 

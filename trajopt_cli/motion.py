@@ -303,6 +303,17 @@ Move = MoveJ | MoveL | MoveC | MoveAbsJ | MoveExtJ
 Motion = Move | Wait | SignalEvent
 
 
+def instruction_name(motion: Motion) -> str:
+    """The instruction as the program spells it: MoveL, or ArcL where a line is written so."""
+    process = motion.process if isinstance(motion, Move) else None
+    return process.instruction if process else type(motion).__name__
+
+
+def motion_name(motion: Motion) -> str:
+    """A motion in messages: "MoveL p_in"."""
+    return f"{instruction_name(motion)} {motion.target}" if isinstance(motion, Move) else type(motion).__name__
+
+
 @dataclass(frozen=True)
 class TextFile:
     """A program file as read: decoded text, the encoding it came in, and its exact bytes' length for the record."""
@@ -317,8 +328,7 @@ class Program:
     """A program run once: its motions in order, the files they came from, and what the user should know.
 
     entry: the procedure that was run. ignored: instructions without effect on motion, with how often they ran.
-    uncalled: the routines that never ran, with their kind: "PROC Reset". writable: indices of the motions whose text
-    can carry other values, None where nobody has looked.
+    uncalled: the routines that never ran, with their kind: "PROC Reset".
     """
 
     name: str
@@ -328,4 +338,3 @@ class Program:
     entry: str = "main"
     ignored: Mapping[str, int] = field(default_factory=dict)
     uncalled: tuple[str, ...] = ()
-    writable: frozenset[int] | None = None

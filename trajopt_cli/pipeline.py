@@ -15,7 +15,7 @@ from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.job import Job, read_results_job
 from trajopt_cli.motion import Program, TextFile, Wait
 from trajopt_cli.notices import NoticeKind
-from trajopt_cli.problem.freedom import EVERYTHING, Freedom
+from trajopt_cli.problem.changes import Changes, Loops, everything
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.runs import SUMMARY
@@ -41,6 +41,9 @@ if TYPE_CHECKING:
     from trajopt_cli.findings import Finding, Report
     from trajopt_cli.problem.plant import Plant
     from trajopt_cli.trajectory import Trajectory
+
+_FREED = "kept as programmed, as it serves several passes or depends on a variable: --loops unroll frees it"
+_WORTH = 5e-3  # s of an estimate that are worth a word
 
 # What is being solved ("stream", "rapid", a baseline's name) and how far it is.
 Listener = Callable[[str, Progress], None]
@@ -116,12 +119,12 @@ class _Clock:
 
 
 def optimise(
-    job: Job, target: Target, folder: Path, listen: Listener, plots: bool = False
+    job: Job, target: Target, folder: Path, listen: Listener, plots: bool = False, loops: Loops = Loops.KEEP
 ) -> Optimised | Infeasible | NoPlan | Illegal | Collides:
     """Solve both targets, judge both, and write the results folder; nothing is written unless both are legal.
 
-    target: which plan trajectory.csv carries. plots: its pictures, too. Raises InputError where folder may not be
-    replaced.
+    target: which plan trajectory.csv carries. plots: its pictures, too. loops: what the RAPID plan makes of them.
+    Raises InputError where folder may not be replaced.
     """
     from trajopt_cli.verify.clearance import check_start, collisions
 
@@ -131,12 +134,12 @@ def optimise(
         return Collides("", hits)
     clock, started = _Clock({"read": job.read_seconds}), datetime.now(UTC)
     with clock.phase("rapid: text"):
-        free, kept = _writable(job)
-    if (infeasible := _out_of_reach(job, clock, free)) is not None:
+        changes = {one: changes_of(job, one, loops) for one in Target}
+    if (infeasible := _out_of_reach(job, clock, changes, loops)) is not None:
         return infeasible
     inputs = _inputs(job)
     judged: dict[Target, Judged] = {}
-    for one, answer in _both(job, listen, clock, free).items():
+    for one, answer in _both(job, listen, clock, changes).items():
         if not isinstance(answer, Judged):
             return answer
         if not answer.report.legal:
@@ -144,14 +147,17 @@ def optimise(
             touches_only = len(hits) == sum(not finding.passed for finding in answer.report.findings)
             return Collides(one.value, hits) if touches_only else Illegal(one.value, _worst(answer.report))
         judged[one] = answer
+    with clock.phase("loops"):
+        unrolled = tuple(_unrolled(job, changes[Target.RAPID], loops))
     listen("results", Progress("write"))
     with clock.phase("export"):
-        export, no_rapid = _export(job, judged[Target.RAPID].plan)
+        export, no_rapid = _export(job, judged[Target.RAPID].plan, loops)
         notices = (*_notices(job), *_one_way(job, export))
         if no_rapid is not None:
             notices = (*notices, f"no RAPID text: {no_rapid}")
-        notes = (*(_placed(export, folder) if export is not None else ()), *kept)
-        files = _files(job, target, judged, inputs, export, notices, notes, kept)
+        placed = _placed(export, folder) if export is not None else ()
+        notes = (*_configurations(job, judged), *placed, *changes[Target.RAPID].kept, *unrolled)
+        files = _files(job, target, judged, inputs, export, notices, notes, changes[Target.RAPID].kept)
     if plots:
         listen("results", Progress("plots"))
         with clock.phase("plots"):
@@ -169,6 +175,7 @@ def optimise(
             entry=job.program.entry,
             assume_identity=list(job.assume_identity),
             target=target.value,
+            loops=loops.value,
         ),
         inputs=Inputs(
             program=first.place,
@@ -184,14 +191,14 @@ def optimise(
     return Optimised(job, target, judged, notices, notes, folder, modules, no_rapid, clock.seconds)
 
 
-def _export(job: Job, rapid: Plan) -> tuple[RapidExport | None, str | None]:
+def _export(job: Job, rapid: Plan, loops: Loops) -> tuple[RapidExport | None, str | None]:
     """The RAPID export; None, and why, where the program's text cannot carry the plan, which is as good without."""
     from trajopt_cli.export.faster import faster_than_programmed
     from trajopt_cli.export.rapid import export_rapid
 
     faster = faster_than_programmed(job.program, rapid, job.plant)
     try:
-        return export_rapid(job.program, rapid, job.plant, faster, job.scenario, job.program.entry), None
+        return export_rapid(job.program, rapid, job.plant, faster, job.scenario, job.program.entry, loops), None
     except InputError as error:
         return None, str(error)
 
@@ -230,6 +237,35 @@ def _one_way(job: Job, export: RapidExport | None) -> Iterator[str]:
         yield "the way from the end of the loop back to its beginning is planned only with endless_passes: 2 or more"
 
 
+def _unrolled(job: Job, kept: Changes, loops: Loops) -> Iterator[str]:
+    """What it would save to let every pass of a loop or routine have its own answer, by the search's estimates."""
+    from trajopt_cli.optimize import search_estimate
+
+    often = len({motion.written.statement for motion in job.program.motions}) < len(job.program.motions)
+    if loops is Loops.UNROLL or not (often or kept.kept):
+        return
+    free = changes_of(job, Target.RAPID, Loops.UNROLL)
+    if free.values == kept.values and not kept.ties:
+        return
+    now, then = (search_estimate(job.program, job.plant, Target.RAPID, changes) for changes in (kept, free))
+    if now is None or then is None:
+        return
+    if now - then < _WORTH:
+        yield "--loops unroll would save nothing, by an estimate of the search"
+    else:
+        saved = f"{now - then:.2f} s ({(now - then) / now:.1%})"
+        yield f"--loops unroll would save about {saved} more, by an estimate of the search"
+
+
+def _configurations(job: Job, judged: Mapping[Target, Judged]) -> Iterator[str]:
+    """Which moves end in another configuration than programmed, by target."""
+    from trajopt_cli.problem.configurations import changed_configurations
+
+    for target, one in judged.items():
+        for line in changed_configurations(job.program, job.plant, one.plan):
+            yield f"{target.value}: {line}"
+
+
 def _placed(export: RapidExport, folder: Path) -> Iterator[str]:
     """The notes of an export, with each new module called by the place where it is now."""
     for note in export.notes:
@@ -253,31 +289,35 @@ def plan_pictures(job: Job, plan: Plan) -> dict[str, bytes]:
     return {f"plots/{place}": content for place, content in pictures.items()}
 
 
-def _out_of_reach(job: Job, clock: _Clock, free: frozenset[int]) -> Infeasible | None:
+def _out_of_reach(job: Job, clock: _Clock, changes: Mapping[Target, Changes], loops: Loops) -> Infeasible | None:
     """What one of the two targets cannot do, known before either is solved."""
     from trajopt_cli.optimize import check_feasible
 
     with clock.phase("reach"):
         for target in Target:
-            program = replace(job.program, writable=free) if target is Target.RAPID else job.program
-            if (infeasible := check_feasible(program, job.plant, target)) is not None:
-                return infeasible
+            infeasible = check_feasible(job.program, job.plant, target, changes=changes[target])
+            if infeasible is None:
+                continue
+            kept = infeasible.index not in changes[target].values and loops is Loops.KEEP
+            if kept and infeasible.index in changes_of(job, target, Loops.UNROLL).values:
+                return replace(infeasible, message=f"{infeasible.message}; {_FREED}")
+            return infeasible
     return None
 
 
 def _both(
-    job: Job, listen: Listener, clock: _Clock, free: frozenset[int]
+    job: Job, listen: Listener, clock: _Clock, changes: Mapping[Target, Changes]
 ) -> dict[Target, Judged | Infeasible | NoPlan]:
     """Both targets, beside each other where there are two cores; a stream that cannot be done ends the run at once."""
     stream, rapid = Target.STREAM, Target.RAPID
     if cores() == 1:
-        first = solve(job, stream, EVERYTHING, stream.value, listen, clock)
-        second = solve(job, rapid, EVERYTHING, rapid.value, listen, clock, free) if isinstance(first, Judged) else first
+        first = solve(job, stream, changes[stream], listen, clock)
+        second = solve(job, rapid, changes[rapid], listen, clock) if isinstance(first, Judged) else first
         return {stream: first, rapid: second}
 
     def second_target(tell: Callable[[Progress], None]) -> tuple[Judged | Infeasible | NoPlan, dict[str, float]]:
         own = _Clock()
-        return solve(job, rapid, EVERYTHING, rapid.value, lambda _, progress: tell(progress), own, free), own.seconds
+        return solve(job, rapid, changes[rapid], lambda _, progress: tell(progress), own), own.seconds
 
     with Beside(second_target, lambda progress: listen(rapid.value, progress)) as beside:
 
@@ -285,7 +325,7 @@ def _both(
             listen(label, progress)
             beside.listen()
 
-        first = solve(job, stream, EVERYTHING, stream.value, listen_to_both, clock)
+        first = solve(job, stream, changes[stream], listen_to_both, clock)
         if not isinstance(first, Judged):
             return {stream: first}
         answer, seconds = beside.answer()
@@ -293,29 +333,17 @@ def _both(
     return {stream: first, rapid: answer}
 
 
-def solve(
-    job: Job,
-    target: Target,
-    freedom: Freedom,
-    label: str,
-    listen: Listener,
-    clock: _Clock | None = None,
-    writable: frozenset[int] | None = None,
-) -> Judged | Infeasible | NoPlan:
-    """Plan one target, write its trajectory as CSV text, and let the judge read that text.
-
-    writable: the motions that the program's text lets change, where that is known already.
-    """
+def solve(job: Job, target: Target, changes: Changes, listen: Listener, clock: _Clock) -> Judged | Infeasible | NoPlan:
+    """Plan one target, write its trajectory as CSV text, and let the judge read that text."""
     from trajopt_cli.joint_csv import write_csv_text
     from trajopt_cli.optimize import NoCleanPlan, optimize
 
-    clock = clock or _Clock()
+    label = target.value
     with clock.phase(f"{label}: plan"):
         try:
-            program = job.program
-            if target is Target.RAPID:
-                program = replace(program, writable=_writable(job)[0] if writable is None else writable)
-            plan = optimize(program, job.plant, target, freedom, lambda progress: listen(label, progress))
+            plan = optimize(
+                job.program, job.plant, target, progress=lambda progress: listen(label, progress), changes=changes
+            )
         except NoCleanPlan as failure:
             return NoPlan(label, str(failure))
     if isinstance(plan, Infeasible):
@@ -330,14 +358,18 @@ def solve(
     return Judged(plan, text, report)
 
 
-def _writable(job: Job) -> tuple[frozenset[int], tuple[str, ...]]:
-    """Which motions the text lets change, and what users should know of the others."""
-    from trajopt_cli.export.rapid_reading import Reading
-    from trajopt_cli.export.rapid_writable import kept_notes, writable
+def changes_of(job: Job, target: Target, loops: Loops = Loops.KEEP) -> Changes:
+    """What a plan may change on one target: for all commands that plan, so that they answer one question alike.
 
+    loops: what a plan for the RAPID controller makes of them; a stream has none.
+    """
+    from trajopt_cli.export.rapid_reading import Reading
+    from trajopt_cli.export.rapid_writable import text_changes
+
+    if target is Target.STREAM:
+        return everything(job.program, job.plant)
     reading = Reading(job.program, job.plant, job.scenario, job.program.entry)
-    free = writable(job.program, job.plant, reading)
-    return free, kept_notes(job.program, job.plant, reading, free)
+    return text_changes(job.program, job.plant, reading, loops)
 
 
 @of_kind(ErrorKind.RESULTS)

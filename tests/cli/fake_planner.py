@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from trajopt_cli.motion import Program, Wait
-from trajopt_cli.problem.freedom import Freedom
+from trajopt_cli.problem.changes import Changes
+from trajopt_cli.problem.freedom import EVERYTHING, Freedom
 from trajopt_cli.problem.plan import Infeasible, Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.progress import Progress
@@ -47,9 +48,10 @@ class Planner:
         program: Program,
         plant: Plant,
         target: Target,
-        freedom: Freedom,
-        progress: Callable[[Progress], None],
+        freedom: Freedom = EVERYTHING,
+        progress: Callable[[Progress], None] = lambda _: None,
         bounded: bool = True,
+        changes: Changes | None = None,
     ) -> Plan | Infeasible:
         self.asked.append(target)
         progress(Progress("search", 2.0, 1.6))

@@ -102,6 +102,7 @@ def test_run_json_names_versions_inputs_and_files(program: Path, planner: Planne
         "entry": "main",
         "assume_identity": [],
         "target": "stream",
+        "loops": "keep",
     }
 
 
@@ -438,11 +439,11 @@ import trajopt_cli.optimize
 from trajopt_cli.cli import main
 from trajopt_cli.problem.progress import Progress
 
-def sleeping(*arguments):
+def sleeping(*arguments, **more):
     os.write(1, b"planning\\n")  # one write, so that two processes do not mix
     time.sleep(60)
 
-def swallowing(program, plant, target, freedom, progress):
+def swallowing(program, plant, target, progress, changes):
     try:
         sleeping()
     except KeyboardInterrupt:

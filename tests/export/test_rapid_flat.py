@@ -11,8 +11,9 @@ from trajopt_cli.cell.loader import load_cell
 from trajopt_cli.errors import InputError
 from trajopt_cli.export.rapid import export_rapid
 from trajopt_cli.export.rapid_reading import Reading
-from trajopt_cli.export.rapid_writable import writable
+from trajopt_cli.export.rapid_writable import text_changes
 from trajopt_cli.motion import Hold, MoveJ, MoveL, Program, SignalEvent, TextFile
+from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.scenario import Scenario
@@ -151,7 +152,7 @@ def test_names_that_only_a_routine_knows_are_refused(plant: Plant) -> None:
         "m.mod:11:9: cannot be written flat: grip is known in its own routine or module only; "
         "declare it for all modules"
     )
-    assert writable(program, plant, Reading(program, plant)) == frozenset()
+    assert text_changes(program, plant, Reading(program, plant), Loops.UNROLL).values == frozenset()
 
 
 def test_a_speed_that_only_a_routine_knows_is_written_in_numbers(plant: Plant) -> None:
@@ -169,7 +170,7 @@ def test_settings_that_change_inside_are_refused(plant: Plant) -> None:
         "m.mod:7:9: cannot be written flat: its settings (PDisp, EOffs, ConfJ, AccSet, ...) are not those of the moves "
         "before it in the stretch; set them before the stretch"
     )
-    assert writable(program, plant, Reading(program, plant)) == frozenset({2})
+    assert text_changes(program, plant, Reading(program, plant), Loops.UNROLL).values == frozenset({2})
 
 
 def test_flat_targets_are_called_after_the_data_they_come_from(plant: Plant) -> None:
@@ -182,7 +183,8 @@ def test_flat_targets_are_called_after_the_data_they_come_from(plant: Plant) -> 
     rest = f"    PROC go(num h,robtarget p)\n{moves}    ENDPROC\n"
     program = made("        go 10,pF;\n        go 20,aZiel{2};\n", data, rest)
     plan = plan_for(program, plant, {0: 0.2, 1: 0.21, 2: 0.22, 3: 0.23})
-    lines = export_rapid(program, plan, plant).new["main_flat.mod"].text.splitlines()
+    export = export_rapid(program, plan, plant, loops=Loops.UNROLL)
+    lines = export.new["main_flat.mod"].text.splitlines()
     assert [line.split(":=")[0].split()[-1] for line in lines if "CONST" in line] == [
         "pF_flat", "pF_flat2", "aZiel_flat", "aZiel_flat2",
     ]  # fmt: skip
@@ -201,7 +203,7 @@ def test_what_hangs_on_an_input_is_not_written_flat(plant: Plant, condition: str
     file = replace(base.files["m.mod"], text=base.files["m.mod"].text.replace("IF TRUE", f"IF {condition}"))
     program = run_program([file], scenario)
     assert "this statement runs more than once" in refused(program, plant, {0: 0.2, 1: 0.3}, scenario)
-    assert writable(program, plant, Reading(program, plant, scenario)) == frozenset()
+    assert text_changes(program, plant, Reading(program, plant, scenario), Loops.UNROLL).values == frozenset()
 
 
 def test_a_target_that_an_operator_gives_is_not_written_out(plant: Plant) -> None:
@@ -218,7 +220,7 @@ def test_a_target_that_an_operator_gives_is_not_written_out(plant: Plant) -> Non
         "m.mod:9:9: the plan wants other values for Offs(p1,0,0,h), which hangs on what only the scenario says; it "
         "cannot be written out"
     )
-    assert writable(program, plant, Reading(program, plant, scenario)) == frozenset({0})
+    assert text_changes(program, plant, Reading(program, plant, scenario), Loops.UNROLL).values == frozenset({0})
 
 
 # ------------------------------------------------------------------------------------------------- known beforehand
@@ -241,12 +243,12 @@ def test_what_can_be_written_is_known_beforehand(plant: Plant) -> None:
         + "        IF TRUE MoveJ p2,v100,fine,tool0;\n"  # 9
     )
     program = made(body, array, f"    PROC go()\n{J1}    ENDPROC\n")
-    assert writable(program, plant, Reading(program, plant)) == frozenset({0, 1, 2, 3, 4, 9})
+    assert text_changes(program, plant, Reading(program, plant), Loops.UNROLL).values == frozenset({0, 1, 2, 3, 4, 9})
 
 
 def test_every_wish_for_a_writable_motion_can_be_written(plant: Plant) -> None:
     program = loop()
-    free = writable(program, plant, Reading(program, plant))
+    free = text_changes(program, plant, Reading(program, plant), Loops.UNROLL).values
     assert free == frozenset(i for i, m in enumerate(program.motions) if not isinstance(m, SignalEvent))
     rng = np.random.default_rng(1)
     rails: dict[int, float] = {}

@@ -12,6 +12,7 @@ from rail_plans import J1, J2, changed_lines, made, plan_for, read_back
 from trajopt_cli.cell.loader import load_cell
 from trajopt_cli.export.rapid import export_rapid
 from trajopt_cli.motion import MoveAbsJ, MoveJ, MoveL, Program, TextFile
+from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.rapid.reader import read_program, run_program
 from trajopt_cli.robot.inverse import confdata
@@ -86,7 +87,7 @@ def test_each_module_is_edited_in_its_own_encoding_and_line_ends(
 def test_a_new_name_is_unique_over_all_modules(plant: Plant) -> None:
     other = TextFile("b.mod", "MODULE b\n    LOCAL VAR num P1_2;\n    PROC p1_3()\n    ENDPROC\nENDMODULE\n", "utf-8")
     program = made(J1 + "        MoveL p1,v100,fine,tool0;\n", more={"b.mod": other})
-    export = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant)
+    export = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant, loops=Loops.UNROLL)
     assert "MoveL p1_4,v100" in export.texts["m.mod"]
     assert export.texts["b.mod"] == other.text
 
@@ -97,7 +98,7 @@ def test_a_local_target_passed_on_gets_its_second_where_the_statement_can_see_it
         "        MoveJ near,v100,fine,tool0;\n        go near;\n"
     )
     program = made(body, rest="    PROC go(robtarget p)\n        MoveL p,v100,fine,tool0;\n    ENDPROC\n")
-    export = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant)
+    export = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant, loops=Loops.UNROLL)
     changes = changed_lines(program, export)
     assert len(changes) == 3
     assert changes[0].startswith("+    CONST robtarget p_2:=[[500,200,450],[0,0,1,0],")
@@ -112,7 +113,7 @@ def test_a_new_target_stands_behind_records_and_never_inside_a_line(plant: Plant
         "MoveJ p1,v100,fine,tool0;\nq:=p1;\nMoveL Offs(q,0,0,-50),v100,fine,tool0;\nENDPROC\nENDMODULE\n"
     )
     program = run_program([TextFile("m.mod", text, "utf-8")])
-    export = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant)
+    export = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant, loops=Loops.UNROLL)
     first = export.texts["m.mod"].splitlines()[0]
     assert first.startswith(
         "MODULE m(SYSMODULE) RECORD pair num a; num b; ENDRECORD CONST robtarget q_2:=[[500,200,400],"
@@ -175,7 +176,7 @@ def test_a_computed_target_is_written_in_the_displaced_frame_of_its_move(plant: 
         "        MoveL Offs(p1,0,-10,-50),v100,fine,tool0\\WObj:=w;\n"
     )
     program = made(body, data)
-    export = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant)
+    export = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant, loops=Loops.UNROLL)
     assert "CONST robtarget p1_2:=[[500,190,400],[0,0,1,0]," in export.texts["m.mod"]
     again = read_back(program, export).motions[1]
     assert isinstance(again, MoveL)

@@ -9,21 +9,23 @@ import pytest
 from small_cells import HOME, plant_with_rail, plant_without_rail, problem_of, rapid
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.motion import ConfData, MoveJ, MoveL, SignalEvent
+from trajopt_cli.motion import ConfData, MoveJ, MoveL, SignalEvent, motion_name
 from trajopt_cli.optimize.pieces import cut
 from trajopt_cli.optimize.search import Chain
+from trajopt_cli.problem.changes import Changes, droppable, everything
 from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom
 from trajopt_cli.problem.plan import Infeasible, Target
-from trajopt_cli.problem.problem import Coupling, LegKind, build_problem, droppable
+from trajopt_cli.problem.problem import Coupling, LegKind, build_problem
 from trajopt_cli.scenario import Scenario
 
 J, L, D = LegKind.JOINT, LegKind.LINE, LegKind.DWELL
 INF = np.inf
+EVERY = Changes(frozenset(range(20)))
 
 STATION = """MoveJ p_in, v2500, fine, tool0;
 MoveL p_low, v500, fine, tool0;
-Set do_grip;
 WaitTime 0.3;
+Set do_grip;
 MoveL p_in, v500, fine, tool0;
 MoveAbsJ j_home, v1000, fine, tool0;"""
 
@@ -31,11 +33,11 @@ MoveAbsJ j_home, v1000, fine, tool0;"""
 def test_a_station_becomes_stops_legs_and_one_configuration() -> None:
     program = rapid(STATION)
     problem = problem_of(program, plant_with_rail())
-    assert isinstance(program.motions[2], SignalEvent)
+    assert isinstance(program.motions[3], SignalEvent)
     assert [leg.kind for leg in problem.legs] == [J, L, D, L, J]
-    assert [leg.motion for leg in problem.legs] == [0, 1, 3, 4, 5]
+    assert [leg.motion for leg in problem.legs] == [0, 1, 2, 4, 5]
     assert [leg.start for leg in problem.legs] == [0, 1, 2, 3, 4]
-    assert [stop.motion for stop in problem.waypoints] == [-1, 0, 1, 3, 4, 5]
+    assert [stop.motion for stop in problem.waypoints] == [-1, 0, 1, 2, 4, 5]
     assert problem.stations == ((0, 0), (1, 4), (5, 5))
     assert [stop.rest for stop in problem.waypoints] == [True, False, False, False, False, True]
     assert problem.waypoints[2].X_WF is problem.waypoints[3].X_WF
@@ -159,7 +161,7 @@ def test_external_axes_alone_need_a_point_before_that_can_be_had() -> None:
 CONST robtarget p_off:=[[500,600,450],[0,0,1,0],[0,0,0,0],[2000,9E9,9E9,9E9,9E9,9E9]];"""
     body = "MoveJ p_off, v500, fine, tool0;\nMoveExtJ j_rail, v500, fine;"
     with pytest.raises(InputError, match="MoveExtJ holds the arm's joints, but the point before it cannot be reached"):
-        build_problem(rapid(body, data=data), plant_with_rail(), EVERYTHING, Target.STREAM)
+        build_problem(rapid(body, data=data), plant_with_rail(), EVERYTHING, Target.STREAM, EVERY)
 
 
 @pytest.mark.parametrize(("waits", "kinds"), [({}, [J, L, L]), ({"di_ok": 0.4}, [J, L, D, L])])
@@ -201,7 +203,7 @@ MoveAbsJ j_home, v500, fine, tool0; ! trajopt: optional"""
 def test_joints_out_of_range_are_named_with_motion_value_and_range() -> None:
     data = "CONST jointtarget j_bad:=[[0,0,0,0,130,0],[0,9E9,9E9,9E9,9E9,9E9]];"
     program = rapid("MoveAbsJ j_bad, v500, fine, tool0;", data=data)
-    answer = build_problem(program, plant_with_rail(), EVERYTHING, Target.STREAM)
+    answer = build_problem(program, plant_with_rail(), EVERYTHING, Target.STREAM, EVERY)
     assert isinstance(answer, Infeasible)
     assert answer.index == 0
     assert answer.message == "t.mod:5:1: MoveAbsJ j_bad asks for joint_5 = 130 deg, range -115..115 deg"
@@ -210,7 +212,7 @@ def test_joints_out_of_range_are_named_with_motion_value_and_range() -> None:
 @pytest.mark.parametrize("move", ["MoveAbsJ j_far, v500, fine, tool0;", "MoveExtJ j_far, v500, fine;"])
 def test_a_rail_out_of_its_stroke_is_named(move: str) -> None:
     data = "CONST jointtarget j_far:=[[0,0,0,0,30,0],[2500,9E9,9E9,9E9,9E9,9E9]];"
-    answer = build_problem(rapid(move, data=data), plant_with_rail(), EVERYTHING, Target.STREAM)
+    answer = build_problem(rapid(move, data=data), plant_with_rail(), EVERYTHING, Target.STREAM, EVERY)
     assert isinstance(answer, Infeasible)
     assert answer.message == f"t.mod:5:1: {move.split()[0]} j_far asks for rail = 2500 mm, range -200..2200 mm"
 
@@ -220,27 +222,9 @@ def test_a_free_rail_may_be_written_out_of_its_stroke_and_a_fixed_one_may_not() 
     program = rapid("MoveJ p_off, v500, fine, tool0;", data=data)
     assert problem_of(program, plant_with_rail()).waypoints[1].rail == (-0.2, 2.2)
     for plant, freedom in ((plant_with_rail(rail_fixed=True), EVERYTHING), (plant_with_rail(), AS_WRITTEN)):
-        answer = build_problem(program, plant, freedom, Target.STREAM)
+        answer = build_problem(program, plant, freedom, Target.STREAM, EVERY)
         assert isinstance(answer, Infeasible)
         assert answer.message == "t.mod:5:1: MoveJ p_off asks for rail = 2500 mm, range -200..2200 mm"
-
-
-def test_a_rapid_plan_keeps_what_its_text_cannot_carry() -> None:
-    """A computed target and one that runs twice keep rail and confdata on the rapid target; a literal is free."""
-    body = """MoveJ p_in, v500, fine, tool0;
-MoveL Offs(p_in,0,0,-50), v500, fine, tool0;
-FOR i FROM 1 TO 2 DO
-MoveL p_low, v500, fine, tool0;
-MoveL p_in, v500, fine, tool0;
-ENDFOR
-MoveAbsJ j_home, v500, fine, tool0;"""
-    program, plant = rapid(body), plant_with_rail()
-    problem = problem_of(program, plant, Target.RAPID)
-    free = [stop.rail[0] < stop.rail[1] for stop in problem.waypoints]
-    assert free == [False, True, False, False, False, False, False, False]
-    assert [stop.conf is not None for stop in problem.waypoints[1:-1]] == [False, True, True, True, True, True]
-    stream = problem_of(program, plant)
-    assert [stop.rail[0] < stop.rail[1] for stop in stream.waypoints] == [False, *[True] * 6, False]
 
 
 def test_the_tool_is_taken_off_the_target() -> None:
@@ -317,3 +301,77 @@ def test_the_target_says_how_axes_are_coupled_and_coordinated_axes_rest_everywhe
     straight = replace(stream, coupling=Coupling.COORDINATED)
     assert all(problem.rests(k) for problem in (straight, written) for k in inner)
     assert straight.target is Target.STREAM
+
+
+def test_motions_that_may_not_change_keep_rail_and_configuration() -> None:
+    """Whatever the target; a wait among them keeps the rail still."""
+    changes = Changes(frozenset({0, 5}))
+    for target in Target:
+        problem = problem_of(rapid(STATION), plant_with_rail(), target, changes=changes)
+        assert [stop.rail[0] < stop.rail[1] for stop in problem.waypoints] == [False, True, False, False, False, False]
+        assert [stop.conf for stop in problem.waypoints] == [None, None, *[ConfData(0, 0, 0, 0)] * 3, None]
+        assert [leg.motion for leg in problem.legs if not leg.rail_moves] == [2]
+
+
+def test_a_problem_says_how_its_target_binds_the_axes() -> None:
+    couplings = {target: problem_of(rapid(STATION), plant_with_rail(), target).coupling for target in Target}
+    assert couplings == {Target.STREAM: Coupling.FREE, Target.RAPID: Coupling.COORDINATED}
+
+
+def test_what_may_change_and_what_may_go_are_one_noun() -> None:
+    program = rapid("MoveJ p_in, v500, fine, tool0; ! trajopt: optional\nMoveAbsJ j_home, v500, fine, tool0;")
+    assert everything(program, plant_with_rail()) == Changes(frozenset({0, 1}), (), frozenset({0}))
+
+
+def test_messages_name_a_motion_as_the_program_spells_it() -> None:
+    program = rapid("ArcL p_in, v500, seam1, weld1, fine, tool0;\nMoveJ p_in, v500, fine, tool0;\nWaitTime 1;\nSet d;")
+    assert [motion_name(motion) for motion in program.motions] == ["ArcL p_in", "MoveJ p_in", "Wait", "SignalEvent"]
+
+
+def test_a_rail_left_open_by_a_motion_that_must_stay_is_where_the_program_had_it() -> None:
+    """Nobody can write a value there, so the motion before, and all that is tied to it, must leave it there."""
+    data = "CONST robtarget p_open:=[[500,600,400],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];"
+    body = """MoveJ p_low, v500, fine, tool0;
+MoveJ p_in, v500, fine, tool0;
+MoveL p_open, v500, fine, tool0;
+MoveJ p_in, v500, fine, tool0;"""
+    program, plant = rapid(body, data=data), plant_with_rail()
+    problem = problem_of(program, plant, Target.RAPID, changes=Changes(frozenset({0, 1, 3}), ((1, 3),)))
+    assert [stop.rail for stop in problem.waypoints[1:]] == [(-0.2, 2.2), (0.6, 0.6), (0.6, 0.6), (0.6, 0.6)]
+    free = problem_of(program, plant, Target.RAPID, changes=Changes(frozenset(range(4)), ((1, 3),)))
+    assert {stop.rail for stop in free.waypoints[1:]} == {(-0.2, 2.2)}
+    assert free.ties == ((2, 4),)
+
+
+HELD = """MoveJ p_in, v2500, fine, tool0;
+MoveJ p_low, v2500, fine, tool0; ! trajopt: hold rail
+MoveL p_in, v500, fine, tool0; ! trajopt: hold rail
+WaitTime 0.3; ! trajopt: hold rail
+MoveAbsJ j_home, v1000, fine, tool0;"""
+
+
+def test_where_the_rail_is_held_no_leg_moves_it() -> None:
+    for target in Target:
+        problem = problem_of(rapid(HELD), plant_with_rail(), target)
+        assert [leg.rail_moves for leg in problem.legs] == [True, False, False, False, True]
+        assert {stop.rail for stop in problem.waypoints[1:5]} == {(-0.2, 2.2)}
+        assert not any(problem.rail_may_pass(k) for k in range(1, 5))
+
+
+def test_a_held_rail_is_where_it_is_fixed_at_either_end() -> None:
+    from_joints = "MoveAbsJ j_home, v500, fine, tool0;\nMoveJ p_here, v500, fine, tool0; ! trajopt: hold rail"
+    data = "CONST robtarget p_here:=[[500,100,450],[0,0,1,0],[0,0,0,0],[600,9E9,9E9,9E9,9E9,9E9]];"
+    assert problem_of(rapid(from_joints, data=data), plant_with_rail()).waypoints[2].rail == (0.0, 0.0)
+    to_joints = "MoveJ p_here, v500, fine, tool0;\nMoveAbsJ j_home, v500, fine, tool0; ! trajopt: hold rail"
+    assert problem_of(rapid(to_joints, data=data), plant_with_rail()).waypoints[1].rail == (0.0, 0.0)
+    assert problem_of(rapid(HELD), plant_without_rail(), Target.RAPID).legs[1].rail_moves
+
+
+def test_a_program_that_moves_a_held_rail_itself_is_answered_with_both() -> None:
+    body = "MoveJ p_in, v500, fine, tool0;\nMoveAbsJ j_home, v500, fine, tool0; ! trajopt: hold rail"
+    answer = build_problem(rapid(body), plant_with_rail(), AS_WRITTEN, Target.STREAM, EVERY)
+    assert isinstance(answer, Infeasible)
+    assert answer.message == (
+        "t.mod:6:1: MoveAbsJ j_home takes the rail from 600 mm to 0 mm, and a comment in the program says that it"
+        " stands still there; give both ends the same position, or take the hold back"
+    )

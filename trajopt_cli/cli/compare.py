@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry
+from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, LoopsOption
 from trajopt_cli.cli.process import reading
 
 _SHOWN = 3  # failed checks per row; an illegal plan breaks many at once
@@ -32,6 +32,7 @@ def baseline(
     cell: CellPath = None,
     entry: Entry = None,
     assume_identity: AssumeIdentity = None,
+    loops: LoopsOption = "keep",
     as_json: AsJson = False,
     csv: Annotated[Path | None, typer.Option("--csv", metavar="FILE.csv", help="Write the rows as CSV, too.")] = None,
     plots: Annotated[
@@ -58,6 +59,7 @@ def baseline(
     from trajopt_cli.cli.console import show, stdout
     from trajopt_cli.cli.progress import ProgressView
     from trajopt_cli.job import read_program_or_results
+    from trajopt_cli.problem.changes import Loops
     from trajopt_cli.runs.files import write_file, write_files
     from trajopt_cli.study.case import RailRule
     from trajopt_cli.study.comparison import compare, comparison_pictures
@@ -67,7 +69,7 @@ def baseline(
         job = read_program_or_results(program, cell, entry, assume_identity or ())
     _check_places(csv, plots)
     with ProgressView() as view:
-        answer = compare(job, view.show, RailRule(phi_min * DEG, v_transfer, v_area))
+        answer = compare(job, view.show, RailRule(phi_min * DEG, v_transfer, v_area), Loops(loops))
     record = comparison_record(answer)
     if csv is not None:
         write_file(csv, rows_csv(record["rows"]).encode())

@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 
 import typer
 
-from trajopt_cli.cli.options import AssumeIdentity, CellPath, Entry, ProgramPaths
+from trajopt_cli.cli.options import AssumeIdentity, CellPath, Entry, LoopsOption, ProgramPaths
 from trajopt_cli.cli.process import reading
 
 
@@ -20,6 +20,7 @@ def optimize(
         Literal["stream", "rapid"],
         typer.Option(help="Whose plan trajectory.csv carries: a joint stream's or the RAPID controller's."),
     ] = "stream",
+    loops: LoopsOption = "keep",
     output: Annotated[
         Path | None, typer.Option(metavar="FOLDER", help="Results folder; default: results/PROGRAM.")
     ] = None,
@@ -37,6 +38,7 @@ def optimize(
     from trajopt_cli.cli.tables import cycle_line, motions_table
     from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.pipeline import Optimised, optimise
+    from trajopt_cli.problem.changes import Loops
     from trajopt_cli.problem.plan import Target
     from trajopt_cli.verify.clearance import least_clearance
 
@@ -44,7 +46,7 @@ def optimize(
         job = read_job(program, cell, entry or MAIN, assume_identity or ())
     folder = output or Path("results") / job.program.name
     with ProgressView() as view:
-        answer = optimise(job, Target(target), folder, view.show, plots)
+        answer = optimise(job, Target(target), folder, view.show, plots, Loops(loops))
     if not isinstance(answer, Optimised):
         answer_no(answer)
     console = stdout()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
@@ -35,3 +35,11 @@ AssumeIdentity = Annotated[
 ]
 ResultsFolder = Annotated[Path, typer.Argument(metavar="RESULTS", help="Results folder of trajopt optimize.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")]
+LoopsOption = Annotated[
+    Literal["keep", "unroll"],
+    typer.Option(
+        "--loops",
+        help="RAPID plan: keep loops and routines, with one rail position and configuration per target in all passes, "
+        "or write them out motion by motion where that is faster.",
+    ),
+]

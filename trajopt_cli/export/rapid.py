@@ -6,9 +6,9 @@ r"""A plan written back into its RAPID program: edits in place, every other char
   adds is taken out again.
 - A computed target (`Offs(p1,0,0,50)`) that must say something else becomes a target of its own, declared with the
   value it has, in the frame of the move.
-- A statement that runs several times and would have to do something else each time is written out flat: the innermost
-  statement around it that runs once becomes a comment and a call of a procedure in a new module, which holds its
-  motions one after the other.
+- A statement that runs several times keeps one answer for all its runs, so loops and routines stay what they are. A
+  plan with another answer for each run (--loops unroll) is written out flat: the innermost statement around it that
+  runs once becomes a comment and a call of a procedure in a new module, which holds its motions one after the other.
 - A dropped motion becomes a comment, `! dropped by trajopt: MoveJ ...;`.
 - `WaitTime t;` in which the rail moves becomes `MoveL p_b, v500 \T:=t, fine, tool0;`: the tool stands still, the rail
   takes the time of the wait. \T follows the speed without a comma of its own (RAPID allows one there, and rarely sees
@@ -35,6 +35,7 @@ from trajopt_cli.export.rapid_text import Edits, Names, refusal
 from trajopt_cli.export.rapid_writable import safest
 from trajopt_cli.export.rapid_write import Choices, Intent, RapidExport, write
 from trajopt_cli.motion import Move, Program, Wait
+from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.plan import Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.scenario import Scenario
@@ -49,12 +50,14 @@ def export_rapid(
     faster: frozenset[int] = frozenset(),
     scenario: Scenario | None = None,
     entry: str = "main",
+    loops: Loops = Loops.KEEP,
 ) -> RapidExport:
     """The program's files with the rapid plan in them.
 
     faster: indices of MoveJ and MoveAbsJ that the plan moves faster than programmed; only with plant.free_speed.
-    scenario, entry: as the program was read with, for reading the result back. Raises InputError, with the
-    place, for what cannot be written; writable() knows before planning what that is.
+    scenario, entry: as the program was read with, for reading the result back. loops: as the plan was made for; KEEP
+    makes no number of what depends on a variable, unless nothing else carries the plan. Raises InputError, with the
+    place, for what cannot be written; text_changes() knows before planning what that is.
     """
     if plan.target is not Target.RAPID:
         raise ValueError(f"only a plan for the RAPID controller can be written as RAPID, not one for {plan.target}")
@@ -64,7 +67,7 @@ def export_rapid(
     scopes = Scopes(program.files)
     stretches = Stretches(program, scopes, reading)
     intents = _intents(program, plan, plant, faster, scopes)
-    choices, last = Choices(), False
+    choices, last = Choices(loops=loops), False
     refused: InputError | None = None
     while True:
         found: list[tuple[int | None, InputError]] = []
@@ -79,24 +82,34 @@ def export_rapid(
             failure = found[0][1]
         # A computed target that the edits leave, or make, another than planned gets a declaration of its own.
         computed = {index for index, _ in found if index is not None and _is_computed(program, index)}
-        own = {index for index in computed if stretches.constant(index)} - choices.own
+        spans = {program.motions[index].written.statement for index in computed}  # with all passes of each
+        wrong = {index for index, motion in enumerate(program.motions) if motion.written.statement in spans}
+        own = {index for index in wrong if _may_be_said(program, scopes, stretches, loops, index)} - choices.own
         if own:
             choices = replace(choices, own=choices.own | own)
         elif not choices.isolated:
-            choices = Choices(isolated=True)
+            choices = Choices(isolated=True, loops=loops)
         elif not last:
-            choices, last = safest(program, plant, scopes, stretches, reading), True
+            choices, last = safest(program, plant, scopes, reading, loops), True
         else:
-            raise refused or (_hanging(program, min(computed)) if computed - choices.own else failure)
+            hanging = computed - choices.own
+            raise refused or (_hanging(program, scopes, stretches, min(hanging)) if hanging else failure)
 
 
-def _hanging(program: Program, index: int) -> InputError:
+def _may_be_said(program: Program, scopes: Scopes, stretches: Stretches, loops: Loops, index: int) -> bool:
+    """Whether a computed target may be written out in numbers."""
     motion = program.motions[index]
     assert isinstance(motion, Move)
+    return stretches.constant(index) and (loops is Loops.UNROLL or scopes.depends_on(motion) is None)
+
+
+def _hanging(program: Program, scopes: Scopes, stretches: Stretches, index: int) -> InputError:
+    motion = program.motions[index]
+    assert isinstance(motion, Move)
+    variable = scopes.depends_on(motion) if stretches.constant(index) else None
+    why = "hangs on what only the scenario says" if variable is None else f"depends on {variable}"
     return refusal(
-        motion.source,
-        f"the plan wants other values for {motion.target}, which hangs on what only the scenario says; it cannot be "
-        "written out",
+        motion.source, f"the plan wants other values for {motion.target}, which {why}; it cannot be written out"
     )
 
 
@@ -113,6 +126,8 @@ def _is_computed(program: Program, index: int) -> bool:
 def _intents(program: Program, plan: Plan, plant: Plant, faster: frozenset[int], scopes: Scopes) -> dict[int, Intent]:
     targets = Targets(program, plant, Edits(program.files), Names({}), scopes)  # for its wishes only
     runs = Counter(motion.written.statement for motion in program.motions)
+    texts = [(motion.written.statement, motion.written.aggregate) for motion in program.motions]
+    moving = {texts[one.index] for one in plan.motions if rail_moves(one, plant)}  # in some pass
     out = {}
     for planned in plan.motions:
         motion = program.motions[planned.index]
@@ -120,7 +135,8 @@ def _intents(program: Program, plan: Plan, plant: Plant, faster: frozenset[int],
             if planned.dropped:
                 out[planned.index] = Intent(drop=True)
             else:
-                wish = targets.wish(motion, planned, leave_open=runs[motion.written.statement] > 1)
+                text = texts[planned.index]
+                wish = targets.wish(motion, planned, leave_open=runs[text[0]] > 1 and text not in moving)
                 out[planned.index] = Intent(wish, fast=planned.index in faster)
         elif isinstance(motion, Wait):
             out[planned.index] = Intent(dwell=planned if rail_moves(planned, plant) else None)

@@ -12,7 +12,19 @@ from trajopt_cli.export.rapid_reading import Reading
 from trajopt_cli.export.rapid_targets import PoseMove, confdata_counts, is_nearest
 from trajopt_cli.export.rapid_text import refusal
 from trajopt_cli.geometry import Array
-from trajopt_cli.motion import Motion, Move, MoveAbsJ, MoveC, MoveExtJ, MoveL, Program, SignalEvent, TextFile, Wait
+from trajopt_cli.motion import (
+    Motion,
+    Move,
+    MoveAbsJ,
+    MoveC,
+    MoveExtJ,
+    MoveL,
+    Program,
+    SignalEvent,
+    TextFile,
+    Wait,
+    motion_name,
+)
 from trajopt_cli.problem.plan import Plan, PlannedMotion
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import confdata_admits
@@ -155,7 +167,7 @@ def _check_move(
     motion: Move, planned: PlannedMotion, plant: Plant, read: Motion | None, fast: bool
 ) -> list[InputError]:
     if not isinstance(read, Move) or type(read) is not type(motion):
-        return [_mismatch(motion, f"{type(motion).__name__} {motion.target} there")]
+        return [_mismatch(motion, f"{motion_name(motion)} there")]
     monitored = isinstance(motion, PoseMove) and not confdata_counts(motion)
     said = [*_differences(motion, planned, plant, read), *_otherwise(motion, read, fast, monitored)]
     return [_mismatch(motion, difference) for difference in said]

@@ -5,17 +5,22 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass
+from functools import cached_property
 
-from trajopt_cli.motion import Span, TextFile
+from trajopt_cli.motion import Move, Span, TextFile
 from trajopt_cli.rapid.language.lexer import scan
 from trajopt_cli.rapid.language.parser import parse_module
 from trajopt_cli.rapid.language.syntax import (
     AliasDeclaration,
+    Assign,
     Call,
+    Component,
     DataDeclaration,
+    Element,
     For,
     If,
     Module,
+    Name,
     Node,
     ProcedureCall,
     RecordDeclaration,
@@ -25,6 +30,7 @@ from trajopt_cli.rapid.language.syntax import (
 # What a name stands for: something of the routine or of the module that begins at that offset of that file, or None
 # for what all modules share (predefined names and signals included).
 Owner = tuple[str, int] | None
+_POSITIONS = ("robtarget", "jointtarget", "pose", "pos", "orient")
 
 
 @dataclass(eq=False)
@@ -32,6 +38,7 @@ class _Module:
     node: Module
     own: set[str] = field(default_factory=set)  # LOCAL names
     data: dict[str, Span] = field(default_factory=dict)  # where each is declared
+    declared: dict[str, DataDeclaration] = field(default_factory=dict)
     routines: list[Routine] = field(default_factory=list)
     locals: dict[int, set[str]] = field(default_factory=dict)  # by start of the routine
 
@@ -42,6 +49,7 @@ class Scopes:
     def __init__(self, files: Mapping[str, TextFile]):
         self._files = files
         self._modules: dict[str, list[_Module]] = {}
+        self._paths: dict[int, str] = {}  # of routines
         self.compact: set[Span] = set()
         self.procedures: dict[str, list[Routine]] = {}
         for path, file in files.items():
@@ -53,12 +61,14 @@ class Scopes:
             if isinstance(item, Routine):
                 module.routines.append(item)
                 self.procedures.setdefault(item.name.lower(), []).append(item)
+                self._paths[id(item)] = path
                 for inner in nodes(item.body):
                     if isinstance(inner, If) and inner.compact:
                         body = inner.branches[0][1][0]
                         self.compact.add(Span(path, body.start, body.end))
             if isinstance(item, DataDeclaration):
                 module.data.setdefault(item.name.lower(), Span(path, item.start, item.end))
+                module.declared.setdefault(item.name.lower(), item)
             if getattr(item, "scope", None) == "LOCAL":
                 module.own.add(getattr(item, "name", "").lower())
         return module
@@ -119,6 +129,77 @@ class Scopes:
         if module is None or (routine is not None and self.owner(name, path, offset) == (path, routine.start)):
             return None
         return module.data.get(key)
+
+    def depends_on(self, move: Move) -> str | None:
+        """The variable that a move's target depends on, None for none."""
+        at = move.written.target
+        return None if at is None else self.variable(move.target, at.file, at.start)
+
+    def variable(self, text: str, path: str, offset: int) -> str | None:
+        """The first name in a piece of code that may have another value at another time; None where none has.
+
+        Parameters, counters of loops, VAR and PERS; not positions that no statement changes: those are taught.
+        """
+        return self._variable(names_in(text), path, offset, set())
+
+    def _variable(self, names: Iterable[str], path: str, offset: int, seen: set[str]) -> str | None:
+        routine = self.routine(path, offset)
+        for name in names:
+            key = name.lower()
+            if routine is not None and self.owner(name, path, offset) == (path, routine.start):
+                inside = (node for node in nodes(routine.body) if isinstance(node, DataDeclaration))
+                local = next((node for node in inside if node.name.lower() == key), None)
+                if local is None or local.storage != "CONST":
+                    return name
+            elif (data := self._declared(key, path, offset)) is not None:
+                taught = data.type.lower() in _POSITIONS and key not in self._changed
+                if data.storage != "CONST" and not taught:
+                    return name
+            elif key not in seen:
+                seen.add(key)
+                found = (self._variable_inside(routine, seen) for routine in self.procedures.get(key, ()))
+                if (inner := next((one for one in found if one is not None), None)) is not None:
+                    return inner
+        return None
+
+    def _variable_inside(self, routine: Routine, seen: set[str]) -> str | None:
+        """As _variable, for what a function reads besides its own names."""
+        path, own = self._paths[id(routine)], _names_of(routine)
+        names = (node.name for node in nodes(routine.body) if isinstance(node, Name | Call))
+        return self._variable((name for name in names if name.lower() not in own), path, routine.start, seen)
+
+    def _declared(self, key: str, path: str, offset: int) -> DataDeclaration | None:
+        """The declaration of a module's data that a name stands for at a place, in whichever module."""
+        module = self._module(path, offset)
+        if module is not None and key in module.declared:
+            return module.declared[key]
+        every = (one for several in self._modules.values() for one in several)
+        return next((one.declared[key] for one in every if key in one.declared and key not in one.own), None)
+
+    @cached_property
+    def _changed(self) -> set[str]:
+        """The names that some statement assigns, or hands to a routine or a search that may."""
+        out = set()
+        for several in self._modules.values():
+            for node in (node for module in several for node in nodes(module.node.items)):
+                given: list[object] = []
+                if isinstance(node, Assign):
+                    given = [node.target]
+                elif isinstance(node, ProcedureCall | Call) and not node.name.lower().startswith("move"):
+                    given = [argument.value for argument in node.args if not isinstance(argument.value, Call)]
+                    given = given if self._may_change(node.name) else []
+                for thing in given:
+                    while isinstance(thing, Component | Element):
+                        thing = thing.base
+                    if isinstance(thing, Name):
+                        out.add(thing.name.lower())
+        return out
+
+    def _may_change(self, routine: str) -> bool:
+        """Whether a routine may change what it is given by name: a search, or one of the program that says so."""
+        called = self.procedures.get(routine.lower(), ())
+        modes = (parameter.mode for one in called for parameter in one.parameters)
+        return routine.lower().startswith("search") or any(mode is not None for mode in modes)
 
     def instructions(self, span: Span) -> Iterator[Node]:
         """All nodes in a stretch of statements and in the procedures and functions that they call."""

@@ -48,7 +48,7 @@ class Stretches:
         return self._known().get(once) if once is not None else None
 
     def constant(self, index: int) -> bool:
-        """Whether a move whose statement ran once goes to the same place in any world."""
+        """Whether a move whose statement went to one place does so in any world."""
         self._known()
         return index not in self._changing
 
@@ -74,11 +74,7 @@ class Stretches:
         runs = Counter(motion.written.statement for motion in motions)
         spans = {m.written.once for m in motions if m.written.once is not None and runs[m.written.statement] > 1}
         marked = sorted(spans - self._scopes.compact, key=lambda span: (span.file, span.start))
-        computed = {
-            i
-            for i, m in enumerate(motions)
-            if isinstance(m, Move) and m.written.aggregate is None and runs[m.written.statement] == 1
-        }
+        computed = _computed(motions)
         if not marked and not computed:
             return {}
         edits = Edits(self._program.files)
@@ -108,10 +104,12 @@ class Stretches:
                     if not other.agrees(2 * number, read.motions[stretch.first : stretch.last]):
                         self._rejected[stretch.span] = name
                         del found[number]
-                places = {motion.written.statement: motion for motion in other.motions}
+                places: dict[Span, list[Motion]] = {}
+                for motion in other.motions:
+                    places.setdefault(motion.written.statement, []).append(motion)
                 for i in computed:
-                    there = places.get(read.motions[i].written.statement)
-                    if there is not None and not same_motion(read.motions[i], there):
+                    there = places.get(read.motions[i].written.statement, [])
+                    if not all(same_motion(read.motions[i], one) for one in there):
                         self._changing.setdefault(i, name)
         return {stretch.span: stretch for stretch in found.values()}
 
@@ -150,6 +148,15 @@ class _Marked:
             return False
         mine = self.motions[place[0] : place[1]]
         return all(same_motion(one, other) for one, other in zip(motions, mine, strict=True))
+
+
+def _computed(motions: Sequence[Motion]) -> set[int]:
+    """The moves to computed targets whose statement goes to one place, however often it runs."""
+    places: dict[Span, list[int]] = {}
+    for i, motion in enumerate(motions):
+        if isinstance(motion, Move) and motion.written.aggregate is None:
+            places.setdefault(motion.written.statement, []).append(i)
+    return {i for same in places.values() if all(same_motion(motions[same[0]], motions[i]) for i in same) for i in same}
 
 
 def outermost(stretches: Iterable[Stretch]) -> list[Stretch]:

@@ -167,7 +167,7 @@ class Targets:
             span = move.written.aggregate
             assert span is not None
             return self._module_wide(span, place)
-        base = _declared_name(self._edits.text(beside))
+        base = declared_name(self._edits.text(beside))
         owner = self._scopes.owner(base, beside.file, beside.start)
         return owner is None or owner == self._scopes.owner(base, place.file, place.start)
 
@@ -271,7 +271,7 @@ class Targets:
     def base(self, move: Move) -> str:
         """A name to build others from, for a move's target: of the data it comes from, as far as that can be told."""
         if move.written.declaration is not None:
-            return _declared_name(self._edits.text(move.written.declaration))
+            return declared_name(self._edits.text(move.written.declaration))
         name, at = base_name(move.target), move.written.statement
         routine, once = self._scopes.routine(at.file, at.start), move.written.once
         parameters = [] if routine is None else [parameter.name.lower() for parameter in routine.parameters]
@@ -389,7 +389,7 @@ def base_name(target: str) -> str:
     return found[0] if found else "p"
 
 
-def _declared_name(declaration: str) -> str:
+def declared_name(declaration: str) -> str:
     """The name in a data declaration, without the dimensions of an array."""
     return declaration.split(":=")[0].split("{")[0].split()[-1]
 

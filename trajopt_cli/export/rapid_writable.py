@@ -3,20 +3,23 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping, Set
+from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import replace
+from functools import cached_property
 from typing import cast
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.export.rapid_call import read_move
 from trajopt_cli.export.rapid_check import first_difference
+from trajopt_cli.export.rapid_passes import Passes, passes, resting
 from trajopt_cli.export.rapid_reading import Reading
-from trajopt_cli.export.rapid_scopes import Scopes
+from trajopt_cli.export.rapid_scopes import Scopes, names_in
 from trajopt_cli.export.rapid_stretches import Stretch, Stretches
-from trajopt_cli.export.rapid_targets import PoseMove, Targets, confdata_counts
+from trajopt_cli.export.rapid_targets import PoseMove, Targets, confdata_counts, declared_name
 from trajopt_cli.export.rapid_text import Edits, Names
 from trajopt_cli.export.rapid_write import Choices, Intent, write
-from trajopt_cli.motion import ExternalAxes, Move, MoveAbsJ, MoveExtJ, Program, Span, Wait
+from trajopt_cli.motion import ExternalAxes, Motion, Move, MoveAbsJ, MoveExtJ, Program, Span, Wait
+from trajopt_cli.problem.changes import Changes, Loops, droppable, may_go
 from trajopt_cli.problem.plant import Plant
 
 _STEP, _STEPS = 0.01, 997  # mm; how far targets are moved along the rail to see what else moves, and how many ways
@@ -25,53 +28,264 @@ _PLACES = 5  # that a note names
 _TRIALS = 8  # of a long program each takes as long as reading it
 
 
-def writable(program: Program, plant: Plant, reading: Reading) -> frozenset[int]:
-    """Indices of the moves and waits whose text can carry values of their own; all others must stay as programmed.
+def text_changes(program: Program, plant: Plant, reading: Reading, loops: Loops = Loops.KEEP) -> Changes:
+    """What a plan may change so that the program's text can carry it; all else must stay as programmed.
 
-    - A literal target whose statement runs once, or with another literal each time.
+    - A literal target, if its statement runs once or with another literal each time.
     - A computed target whose statement runs once, if it can be said in numbers.
-    - Whatever lies in a stretch that can be written flat.
     - A wait that runs once, where a line could stand in its place.
+    - KEEP: what runs several times and is served by one text, tied to one answer; but nothing that depends on a
+      variable becomes a number.
+    - UNROLL: whatever lies in a stretch that can be written flat.
 
     The last word has a trial: computed targets and flat stretches are written with the values of the program itself,
     and what is read back must be the program; then everything is written with other values, in the way that an export
     falls back on, and what is read back must have those. Nothing is written out that hangs on the scenario: what a
     program does with a search, an answer or an input must stay its own.
     """
-    scopes = Scopes(program.files)
-    runs = Counter(motion.written.statement for motion in program.motions)
-    stretches = Stretches(program, scopes, reading)
-    single = {i for i, motion in enumerate(program.motions) if runs[motion.written.statement] == 1}
-    computed = {i for i in single if _can_be_said(program, i) and stretches.constant(i)}
-    own, flat = _tried(program, plant, scopes, stretches, reading, computed)
-    out = _free(program, plant, scopes, own, flat)
-    several = {i for i in out if i not in single} - _inside(flat)  # edited in place, so others may compute with them
-    for less, fewer, rest in ((out, own, flat), (out - several, own, flat)):
-        if not (less & several or fewer or rest):
-            return less  # each target by itself, or a new one that nothing else reads
-        if _carries_others(program, plant, scopes, stretches, reading, less, Choices(frozenset(fewer), tuple(rest))):
-            return less
-    return _free(program, plant, scopes, set(), []) - several
+    text = _Text(program, plant, reading, Scopes(program.files))
+    if loops is Loops.UNROLL:
+        free = text.unrolled()
+        return Changes(free, (), droppable(program, plant) & free, tuple(text.kept(free, loops)))
+    free, ties = text.kept_loops()
+    return Changes(free, ties, text.droppable(free), tuple(text.kept(free, loops)))
 
 
-def kept_notes(program: Program, plant: Plant, reading: Reading, free: Set[int]) -> tuple[str, ...]:
-    """What users should know of the moves that are no free ones: where they are, why they stay, what would free them.
+def safest(program: Program, plant: Plant, scopes: Scopes, reading: Reading, loops: Loops = Loops.KEEP) -> Choices:
+    """How to write what other ways cannot: no declaration is edited where a new one will do, and, if loops may be
+    unrolled, all is written out."""
+    own, flat = _Text(program, plant, reading, scopes).tried(loops)
+    return Choices(frozenset(own), tuple(flat), isolated=True, loops=loops)
 
-    free: as writable gives it. Moves of joints have nothing to change where there is no rail.
-    """
-    runs = Counter(motion.written.statement for motion in program.motions)
-    scopes = Scopes(program.files)
-    stretches = Stretches(program, scopes, reading)
-    places: dict[tuple[str, str], dict[str, dict[int, None]]] = {}
-    for i, motion in enumerate(program.motions):
-        bound = isinstance(motion, MoveAbsJ | MoveExtJ) and plant.rail_eax is None
-        if not isinstance(motion, Move) or i in free or bound:
-            continue
-        span = motion.written.statement
-        why, remedy = _why_kept(motion, runs[span], stretches.hangs_on(i), span in scopes.compact)
-        lines = places.setdefault((why, remedy), {}).setdefault(motion.source.file, {})
-        lines[motion.source.line] = None
-    return tuple(f"{KEPT}: {_shown(files)} ({why}); {remedy}" for (why, remedy), files in places.items())
+
+class _Text:
+    """A program as the export can change it."""
+
+    def __init__(self, program: Program, plant: Plant, reading: Reading, scopes: Scopes):
+        self.program, self.plant, self.reading, self.scopes = program, plant, reading, scopes
+        self.stretches = Stretches(program, scopes, reading)
+        self.runs = Counter(motion.written.statement for motion in program.motions)
+        self.moving: set[int] = set()  # what cannot change as others are computed from it, as far as known
+        self.single = {i for i, motion in enumerate(program.motions) if self.runs[motion.written.statement] == 1}
+
+    @cached_property
+    def bound(self) -> set[int]:
+        """The moves that can refer to no other target: run several times, or to whatever a variable names."""
+        return {
+            i
+            for i, motion in enumerate(self.program.motions)
+            if isinstance(motion, Move)
+            and (i not in self.single or (motion.written.aggregate and self.scopes.depends_on(motion)))
+        }
+
+    # ----------------------------------------------------------------------------------------------------- loops kept
+
+    def kept_loops(self) -> tuple[frozenset[int], tuple[Passes, ...]]:
+        """What can carry other values where every loop stays one, and which motions must have the same."""
+        own, _ = self.tried(Loops.KEEP)
+        groups = passes(self.program, self.bound, own)
+        for _ in range(_TRIALS):
+            free, ties = self._with(own, groups)
+            wrong = self._disturbed(free, Choices(frozenset(own), ()), ties)
+            if wrong is None:
+                return free, ties
+            groups = self._without_what_moves(wrong, groups)
+            if not groups:
+                break
+        return self._free(set(), []) & self.single - self.bound, ()
+
+    def _with(self, own: set[int], groups: list[Passes]) -> tuple[frozenset[int], tuple[Passes, ...]]:
+        alone = (self._literals() | own) - self.bound
+        inside = {i for group in groups for i in group}
+        dwells = _places_to_dwell(self.program, self.scopes, own)
+        waits = resting(self.program, dwells, groups)
+        free = alone | inside | (dwells & self.single) | {i for group in waits for i in group}
+        return frozenset(free), tuple(group for group in (*groups, *waits) if len(group) > 1)
+
+    def _without_what_moves(self, wrong: int, groups: list[Passes]) -> list[Passes]:
+        """The groups but those whose literal a motion computes with; but all with a literal where that is none."""
+        motion = self.program.motions[wrong] if wrong < len(self.program.motions) else None
+        names = {name.lower() for name in names_in(motion.target)} if isinstance(motion, Move) else set()
+        firsts = [(group, self.program.motions[group[0]].written) for group in groups]
+        read = [
+            group
+            for group, written in firsts
+            if written.declaration is not None and self._declared_name(written.declaration) in names
+        ]
+        gone = read or [group for group, written in firsts if written.aggregate is not None] or groups
+        self.moving |= {i for group in gone for i in group}
+        return [group for group in groups if group not in gone]
+
+    def _declared_name(self, declaration: Span) -> str:
+        text = self.program.files[declaration.file].text[declaration.start : declaration.end]
+        return declared_name(text).lower()
+
+    # ---------------------------------------------------------------------------------------------------- written flat
+
+    def unrolled(self) -> frozenset[int]:
+        """What can carry values of its own where loops and calls may be written out."""
+        own, flat = self.tried(Loops.UNROLL)
+        out = self._free(own, flat)
+        several = {i for i in out if i not in self.single} - _inside(flat)  # edited in place: others compute with them
+        for less, fewer, rest in ((out, own, flat), (out - several, own, flat)):
+            if not (less & several or fewer or rest):
+                return less  # each target by itself, or a new one that nothing else reads
+            if self._disturbed(less, Choices(frozenset(fewer), tuple(rest), loops=Loops.UNROLL)) is None:
+                return less
+        return self._free(set(), []) - several
+
+    def _free(self, own: set[int], flat: list[Stretch]) -> frozenset[int]:
+        """What can carry values of its own. own, flat: computed targets and stretches that can be written out."""
+        inside = _inside(flat)
+        out = {i for i in inside if isinstance(self.program.motions[i], Move | Wait)}
+        out |= _places_to_dwell(self.program, self.scopes, own | inside) & self.single
+        out |= (self._literals() | own) & self.single
+        shared = _shared_literals(self.program)
+        for i, motion in enumerate(self.program.motions):
+            literal = isinstance(motion, Move) and motion.written.aggregate is not None
+            if literal and i not in self.single | inside and motion.written.statement not in shared:
+                out |= set() if self._needs_a_line(motion) else {i}
+        return frozenset(out)
+
+    # ------------------------------------------------------------------------------------------------------------ both
+
+    def tried(self, loops: Loops) -> tuple[set[int], list[Stretch]]:
+        """The computed targets and the stretches that come out as the program when written with its own values."""
+        program, scopes = self.program, self.scopes
+        own = {i for i in range(len(program.motions)) if self._can_be_said(i, loops)}
+        flat = self.stretches.every() if loops is Loops.UNROLL else []
+        targets = Targets(program, self.plant, Edits(program.files), Names({}), scopes)
+        intents = {
+            i: Intent(targets.as_written(motion) if isinstance(motion, Move) else None)
+            for i, motion in enumerate(program.motions)
+            if isinstance(motion, Move | Wait)
+        }
+        reads = 0
+        while (own or flat) and reads < _TRIALS:
+            covered = _inside(flat)
+            choices = Choices(frozenset(own - covered), tuple(flat), loops=loops)
+            try:
+                export = write(program, self.plant, scopes, self.stretches, intents, choices)
+            except InputError as error:
+                wrong = _blamed(program, error)
+            else:
+                reads += 1
+                try:
+                    difference = first_difference(program, self.reading.again(export.texts, export.new))
+                except InputError:
+                    difference = len(program.motions)
+                if difference is None:
+                    return own - covered, flat
+                wrong = difference
+            # What is written nearest before the first difference made it.
+            last = max((i for i in own - covered if i <= wrong), default=-1)
+            stretch = max((one for one in flat if one.first <= wrong), key=lambda one: one.first, default=None)
+            if stretch is not None and stretch.first >= last:
+                flat = _without(program, flat, stretch, wrong)
+            elif last >= 0:
+                statement = program.motions[last].written.statement
+                own = {i for i in own if program.motions[i].written.statement != statement}
+            else:
+                break
+        return set(), []
+
+    def _can_be_said(self, index: int, loops: Loops) -> bool:
+        """Whether a new target may stand in for a computed one."""
+        motion = self.program.motions[index]
+        if not isinstance(motion, Move) or motion.written.aggregate is not None or motion.written.target is None:
+            return False
+        if isinstance(motion, PoseMove) and motion.X_WO is None:
+            return False
+        if loops is Loops.UNROLL and index not in self.single:
+            return False
+        if loops is Loops.KEEP and self.scopes.depends_on(motion) is not None:
+            return False
+        line = index in self.single and self._needs_a_line(motion) and motion.written.statement in self.scopes.compact
+        return not line and self.stretches.constant(index)
+
+    def _literals(self) -> set[int]:
+        """The moves that have a literal, and room for what may become of them."""
+        return {
+            i
+            for i, motion in enumerate(self.program.motions)
+            if isinstance(motion, Move)
+            and motion.written.aggregate is not None
+            and not (self._needs_a_line(motion) and motion.written.statement in self.scopes.compact)
+        }
+
+    def _needs_a_line(self, motion: Motion) -> bool:
+        """Whether a move may be dropped or switched, which takes a line of its own, and one answer for all its runs."""
+        return (isinstance(motion, PoseMove) and not confdata_counts(motion)) or may_go(motion, self.plant)
+
+    def droppable(self, free: Set[int]) -> frozenset[int]:
+        """The motions that can be left out where loops are kept: those of one statement all together or not at all."""
+        going = droppable(self.program, self.plant) & free
+        statements = [motion.written.statement for motion in self.program.motions]
+        staying = {span for i, span in enumerate(statements) if i not in going}
+        staying |= {span for span in self.scopes.compact if self.runs[span] > 1}
+        return frozenset(i for i in going if statements[i] not in staying)
+
+    def _disturbed(self, free: Set[int], choices: Choices, ties: Iterable[Passes] = ()) -> int | None:
+        """The first motion that becomes another when every free move is given a rail position of its own, of tied ones
+        the same; None where all become what they should."""
+        eax = self.plant.rail_eax
+        if eax is None:
+            return None
+        program = self.program
+        first = {i: group[0] for group in ties for i in group}
+        targets = Targets(program, self.plant, Edits(program.files), Names({}), self.scopes)
+        intents, wanted = {}, list(program.motions)
+        for i, motion in enumerate(program.motions):
+            if isinstance(motion, Wait):
+                intents[i] = Intent()
+            elif isinstance(motion, Move):
+                wish = targets.as_written(motion)
+                if i in free:
+                    value = round((motion.extax[eax] or 0.0) + _STEP * (first.get(i, i) % _STEPS + 1), 3)
+                    axes = list(motion.extax)
+                    axes[eax] = value
+                    wanted[i] = other = replace(motion, extax=cast(ExternalAxes, tuple(axes)))
+                    wish = targets.as_written(other)
+                intents[i] = Intent(wish)
+        try:
+            choices = replace(choices, isolated=True)
+            export = write(program, self.plant, self.scopes, self.stretches, intents, choices)
+            read = self.reading.again(export.texts, export.new)
+        except InputError as error:
+            return _blamed(program, error)
+        return first_difference(replace(program, motions=tuple(wanted)), read)
+
+    def kept(self, free: Set[int], loops: Loops) -> Iterator[str]:
+        """What users should know of the moves that are no free ones: where they are, why, what would free them.
+
+        Moves of joints have nothing to change where there is no rail.
+        """
+        places: dict[tuple[str, str], dict[str, dict[int, None]]] = {}
+        for i, motion in enumerate(self.program.motions):
+            bound = isinstance(motion, MoveAbsJ | MoveExtJ) and self.plant.rail_eax is None
+            if not isinstance(motion, Move) or i in free or bound:
+                continue
+            reason = self._why_kept(i, motion, loops)
+            lines = places.setdefault(reason, {}).setdefault(motion.source.file, {})
+            lines[motion.source.line] = None
+        for (why, remedy), files in places.items():
+            yield f"{KEPT}: {_shown(files)} ({why}); {remedy}"
+
+    def _why_kept(self, index: int, move: Move, loops: Loops) -> tuple[str, str]:
+        """Why a move stays as programmed, and what would free it."""
+        span = move.written.statement
+        thing, runs = self.stretches.hangs_on(index), self.runs[span]
+        if loops is Loops.KEEP and (thing is None or self.stretches.constant(index)):
+            computed = move.written.aggregate is None
+            if computed and (variable := self.scopes.depends_on(move)) is not None:
+                remedy = "a declared target would free them, or --loops unroll, which writes this run's values out"
+                return f"depend on {variable}", remedy
+            if runs > 1 and index not in self.moving:
+                remedy = "a statement of its own for each time would free them, or --loops unroll"
+                return f"run {runs} times in one loop or routine", remedy
+        if index in self.moving:
+            thing, runs = None, 1
+        return _why_kept(move, runs, thing, span in self.scopes.compact)
 
 
 def _why_kept(move: Move, runs: int, thing: str | None, compact: bool) -> tuple[str, str]:
@@ -98,86 +312,8 @@ def _shown(files: Mapping[str, Iterable[int]]) -> str:
     return f"{text} and {len(every) - _PLACES} more" if len(every) > _PLACES else text
 
 
-def safest(program: Program, plant: Plant, scopes: Scopes, stretches: Stretches, reading: Reading) -> Choices:
-    """How to write what other ways cannot: no declaration is edited where a new one will do, and all is written out."""
-    runs = Counter(motion.written.statement for motion in program.motions)
-    single = {i for i, motion in enumerate(program.motions) if runs[motion.written.statement] == 1}
-    computed = {i for i in single if _can_be_said(program, i) and stretches.constant(i)}
-    own, flat = _tried(program, plant, scopes, stretches, reading, computed)
-    return Choices(frozenset(own), tuple(flat), isolated=True)
-
-
 def _inside(flat: list[Stretch]) -> set[int]:
     return {i for stretch in flat for i in range(stretch.first, stretch.last)}
-
-
-def _free(program: Program, plant: Plant, scopes: Scopes, own: set[int], flat: list[Stretch]) -> frozenset[int]:
-    """What can carry values of its own. own, flat: computed targets and stretches that can be written out."""
-    runs = Counter(motion.written.statement for motion in program.motions)
-    single = {i for i, motion in enumerate(program.motions) if runs[motion.written.statement] == 1}
-    inside = _inside(flat)
-    out = {i for i in inside if isinstance(program.motions[i], Move | Wait)}
-    shared = _shared_literals(program)
-    dwells = _places_to_dwell(program, scopes, own | inside)
-    for i, motion in enumerate(program.motions):
-        if i in inside:
-            continue
-        if isinstance(motion, Wait):
-            if i in single and i in dwells:
-                out.add(i)
-        elif isinstance(motion, Move):
-            literal = motion.written.aggregate is not None
-            switched = isinstance(motion, PoseMove) and not confdata_counts(motion)
-            # What may be dropped or switched needs a line of its own, and one answer for all its runs.
-            alone = switched or motion.optional or motion.target.lower() in plant.droppable
-            if i in single:
-                if (literal or i in own) and not (alone and motion.written.statement in scopes.compact):
-                    out.add(i)
-            elif literal and not alone and motion.written.statement not in shared:
-                out.add(i)
-    return frozenset(out)
-
-
-def _carries_others(
-    program: Program,
-    plant: Plant,
-    scopes: Scopes,
-    stretches: Stretches,
-    reading: Reading,
-    free: Set[int],
-    choices: Choices,
-) -> bool:
-    """Whether every free move can be given a rail position of its own without anything else becoming another."""
-    eax = plant.rail_eax
-    if eax is None:
-        return True
-    targets = Targets(program, plant, Edits(program.files), Names({}), scopes)
-    intents, wanted = {}, list(program.motions)
-    for i, motion in enumerate(program.motions):
-        if isinstance(motion, Wait):
-            intents[i] = Intent()
-        elif isinstance(motion, Move):
-            wish = targets.as_written(motion)
-            if i in free:
-                value = round((motion.extax[eax] or 0.0) + _STEP * (i % _STEPS + 1), 3)
-                axes = list(motion.extax)
-                axes[eax] = value
-                wanted[i] = other = replace(motion, extax=cast(ExternalAxes, tuple(axes)))
-                wish = targets.as_written(other)
-            intents[i] = Intent(wish)
-    try:
-        export = write(program, plant, scopes, stretches, intents, replace(choices, isolated=True))
-        read = reading.again(export.texts, export.new)
-    except InputError:
-        return False
-    return first_difference(replace(program, motions=tuple(wanted)), read) is None
-
-
-def _can_be_said(program: Program, index: int) -> bool:
-    motion = program.motions[index]
-    if not isinstance(motion, Move) or motion.written.aggregate is not None:
-        return False
-    return motion.written.target is not None and not (isinstance(motion, PoseMove) and motion.X_WO is None)
 
 
 def _shared_literals(program: Program) -> set[Span]:
@@ -226,46 +362,6 @@ def _fits_behind(
     here, there = (at.file, at.start), (to.file, to.start)
     words = (call.speed, call.tool, call.wobj)
     return all(scopes.same(text[word.start : word.end], here, there) for word in words if word is not None)
-
-
-def _tried(
-    program: Program, plant: Plant, scopes: Scopes, stretches: Stretches, reading: Reading, computed: set[int]
-) -> tuple[set[int], list[Stretch]]:
-    """The computed targets and the stretches that come out as the program when written with its own values."""
-    own, flat = set(computed), stretches.every()
-    targets = Targets(program, plant, Edits(program.files), Names({}), scopes)
-    intents = {
-        i: Intent(targets.as_written(motion) if isinstance(motion, Move) else None)
-        for i, motion in enumerate(program.motions)
-        if isinstance(motion, Move | Wait)
-    }
-    reads = 0
-    while (own or flat) and reads < _TRIALS:
-        covered = {i for stretch in flat for i in range(stretch.first, stretch.last)}
-        choices = Choices(frozenset(own - covered), tuple(flat))
-        try:
-            export = write(program, plant, scopes, stretches, intents, choices)
-        except InputError as error:
-            wrong = _blamed(program, error)
-        else:
-            reads += 1
-            try:
-                difference = first_difference(program, reading.again(export.texts, export.new))
-            except InputError:
-                difference = len(program.motions)
-            if difference is None:
-                return own - covered, flat
-            wrong = difference
-        # What is written nearest before the first difference made it.
-        last = max((i for i in own - covered if i <= wrong), default=-1)
-        stretch = max((one for one in flat if one.first <= wrong), key=lambda one: one.first, default=None)
-        if stretch is not None and stretch.first >= last:
-            flat = _without(program, flat, stretch, wrong)
-        elif last >= 0:
-            own.discard(last)
-        else:
-            break
-    return set(), []
 
 
 def _without(program: Program, flat: list[Stretch], culprit: Stretch, wrong: int) -> list[Stretch]:

@@ -25,6 +25,7 @@ from trajopt_cli.motion import (
     Wait,
 )
 from trajopt_cli.notices import Notice, NoticeKind
+from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.plan import PlannedMotion
 from trajopt_cli.problem.plant import Plant
 
@@ -69,12 +70,14 @@ class _Action:
 class Choices:
     """own: computed targets that get a declaration. flat: stretches that are written flat, whatever is wished.
 
-    isolated: no declaration is edited in place, because what is computed from it must stay.
+    isolated: no declaration is edited in place, because what is computed from it must stay. loops: KEEP puts no new
+    target where a variable says which one is meant.
     """
 
     own: frozenset[int] = frozenset()
     flat: tuple[Stretch, ...] = ()
     isolated: bool = False
+    loops: Loops = Loops.KEEP
 
 
 def write(
@@ -122,12 +125,20 @@ class _Attempt:
         self._monitored: list[Source] = []
         self._actions: dict[Span, list[tuple[int, _Action]]] = {}
         covered = {index for stretch in flat for index in range(stretch.first, stretch.last)}
-        self._runs = runs = Counter(motion.written.statement for motion in program.motions)
-        # Statements that run several times first: they cannot refer to a second target, so the literal is theirs.
+        self._runs = Counter(motion.written.statement for motion in program.motions)
+        # Statements that cannot refer to a second target first, so the literal is theirs.
         alone = [i for i in sorted(intents) if i not in covered]
-        for index in sorted(alone, key=lambda i: runs[program.motions[i].written.statement] == 1):
+        for index in sorted(alone, key=lambda i: not self._is_bound(program.motions[i])):
             span = program.motions[index].written.statement
             self._actions.setdefault(span, []).append((index, self._action(index)))
+
+    def _is_bound(self, motion: Motion) -> bool:
+        """Whether a statement runs several times, or moves to whatever a variable names."""
+        if self._runs[motion.written.statement] > 1:
+            return True
+        if self._choices.loops is Loops.UNROLL or not isinstance(motion, Move):
+            return False
+        return self._scopes.depends_on(motion) is not None
 
     def _action(self, index: int) -> _Action:
         motion, intent = self._program.motions[index], self._intents[index]
@@ -135,7 +146,7 @@ class _Attempt:
             return _Action(drop=True)
         if isinstance(motion, Move) and intent.wish is not None:
             own = index in self._choices.own
-            several = self._runs[motion.written.statement] > 1
+            several = self._is_bound(motion)
             wish = intent.wish
             point = self._targets.own(motion, wish) if own else self._targets.point(motion, wish, several)
             return _Action(point=point, fast=intent.fast, monitored=intent.wish.monitored)
@@ -173,7 +184,8 @@ class _Attempt:
             more = f" and {len(self._monitored) - 1} more" if len(self._monitored) > 1 else ""
             what = "the nearest configuration is not the planned one, so confdata is switched on for the move"
             self._notes.append(Notice(NoticeKind.CHANGED, what, f"{self._monitored[0]}{more}"))
-        return RapidExport(self._edits.result(), (*self._notes, *self._targets.notes), new)
+        notes = dict.fromkeys((*self._notes, *self._targets.notes))  # passes of one statement say the same
+        return RapidExport(self._edits.result(), (*notes,), new)
 
     # ------------------------------------------------------------------------------------------------ in their place
 

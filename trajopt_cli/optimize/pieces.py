@@ -25,15 +25,18 @@ def _pinned(problem: Problem, k: int) -> bool:
 def cut(problem: Problem, chain: Chain) -> Iterator[tuple[Problem, Chain]]:
     """The pieces of a problem with their part of the chain, in order."""
     marks = [k for k in range(len(problem.waypoints)) if _pinned(problem, k)]
+    marks = [k for k in marks if not any(group[0] < k < group[-1] for group in problem.ties)]
     ends = sorted({0, *marks, len(problem.waypoints) - 1})
     for first, last in pairwise(ends):
         legs = tuple(replace(leg, start=leg.start - first) for leg in problem.legs[first:last])
         stops = problem.waypoints[first : last + 1]
+        inside = [group for group in problem.ties if first <= group[0] and group[-1] <= last]
+        ties = tuple(tuple(k - first for k in group) for group in inside)
         part = Chain(
             chain.q[first : last + 1], chain.w[first : last + 1], chain.labels[first : last + 1],
             chain.times[first:last], float(np.sum(chain.times[first:last])),
         )  # fmt: skip
-        yield replace(problem, waypoints=stops, legs=legs, stations=()), part
+        yield replace(problem, waypoints=stops, legs=legs, stations=(), ties=ties), part
 
 
 def key(problem: Problem, chain: Chain) -> bytes:
@@ -44,6 +47,7 @@ def key(problem: Problem, chain: Chain) -> bytes:
     for leg in problem.legs:
         numbers = (leg.v_tcp, leg.a_tcp, leg.v_ori, leg.v_rail, leg.duration, leg.rail_moves)
         parts += [leg.kind.value.encode(), np.round(leg.X_FT, 12).tobytes(), repr(numbers).encode()]
+    parts.append(repr(problem.ties).encode())
     parts.append(repr([label.cfx for label in chain.labels]).encode())
     return b"|".join(parts)
 
@@ -73,7 +77,7 @@ def alone(problem: Problem, draft: Draft, k: int) -> tuple[Problem, Draft]:
     stops = tuple(
         replace(problem.waypoints[i], rail=(float(layout.place(draft.q[i])),) * 2, rest=True) for i in (k, k + 1)
     )
-    piece = replace(problem, waypoints=stops, legs=(replace(problem.legs[k], start=0),), stations=())
+    piece = replace(problem, waypoints=stops, legs=(replace(problem.legs[k], start=0),), stations=(), ties=())
     return piece, Draft(draft.q[k : k + 2], draft.qd[k : k + 2], draft.cfx[k : k + 2], (draft.legs[k],))
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from scipy import ndimage
 
 from trajopt_cli.geometry import Array, BoolArray, inverse_pose
-from trajopt_cli.motion import Motion, MoveJ, MoveL
+from trajopt_cli.motion import MoveJ, MoveL, motion_name
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.tuning import ELBOW, LINE_NODES, REACH_GRID, WRIST
 from trajopt_cli.path.line import Line
@@ -189,7 +189,7 @@ def _out_of_reach(axes: Axes, problem: Problem, k: int, d: Array) -> bool:
 
 def problem_at(problem: Problem, k: int) -> Problem:
     """The problem of one waypoint alone."""
-    return replace(problem, waypoints=(problem.waypoints[k],), legs=(), stations=((0, 0),))
+    return replace(problem, waypoints=(problem.waypoints[k],), legs=(), stations=((0, 0),), ties=())
 
 
 def _passable(problem: Problem, table: StationTable, i: int) -> bool:
@@ -237,7 +237,7 @@ def _unreachable(axes: Axes, problem: Problem, k: int, d: Array) -> Infeasible:
         reason = _other_configurations(axes, problem, stop, float(near))
         if stop.conf is not None:
             reason += _remedy(axes, problem, k)
-    text = f"{motion.source}: {_title(motion)} cannot be reached{where}: {reason}"
+    text = f"{motion.source}: {motion_name(motion)} cannot be reached{where}: {reason}"
     return Infeasible(stop.motion, motion.source, text)
 
 
@@ -309,10 +309,6 @@ def _abreast(axes: Axes, X_WF: Array) -> float:
     return float(np.sum(p @ axes.rail_axis))
 
 
-def _title(motion: Motion) -> str:
-    return f"{type(motion).__name__} {getattr(motion, 'target', '')}".strip()
-
-
 def _broken_line(axes: Axes, problem: Problem, k: int, d: Array, labels: tuple[Label, ...]) -> Infeasible | None:
     """Name the point on line k that serves no rail position and branch which served everything before it; labels: the
     configurations that did. None where every point has such."""
@@ -345,7 +341,7 @@ def _broken_line(axes: Axes, problem: Problem, k: int, d: Array, labels: tuple[L
     p = X_WT[:3, 3] * 1e3
     way = leg.chord * 1e3
     text = (
-        f"{motion.source}: {_title(motion)} breaks at {shares[at] * way:.1f} mm of {way:.1f} mm,"
+        f"{motion.source}: {motion_name(motion)} breaks at {shares[at] * way:.1f} mm of {way:.1f} mm,"
         f" point [{p[0]:.1f}, {p[1]:.1f}, {p[2]:.1f}] mm{where}: {reason}"
     )
     return Infeasible(leg.motion, motion.source, text)
@@ -371,7 +367,7 @@ def _in_limits(axes: Axes, arm: Array) -> BoolArray:
 
 def _no_single(problem: Problem, k: int) -> Infeasible:
     motion = problem.motion(problem.legs[k].motion)
-    return Infeasible(problem.legs[k].motion, motion.source, f"{motion.source}: {_title(motion)}: {_NO_SINGLE}")
+    return Infeasible(problem.legs[k].motion, motion.source, f"{motion.source}: {motion_name(motion)}: {_NO_SINGLE}")
 
 
 def _no_common(problem: Problem, first: int, last: int) -> Infeasible:
@@ -380,7 +376,7 @@ def _no_common(problem: Problem, first: int, last: int) -> Infeasible:
     start = problem.motion(problem.waypoints[first].motion) if problem.waypoints[first].motion >= 0 else None
     begin = f"{start.source}" if start else "the start"
     text = (
-        f"{motion.source}: {_title(motion)}: no configuration serves all points from {begin} to here; the lines between"
-        " them keep the branch and the turns of the joints"
+        f"{motion.source}: {motion_name(motion)}: no configuration serves all points from {begin} to here; the lines"
+        " between them keep the branch and the turns of the joints"
     )
     return Infeasible(index, motion.source, text)

@@ -46,6 +46,8 @@ def read(program: Transcription, x: Array) -> Draft:
 def _polished(axes: Axes, problem: Problem, draft: Draft, q: Array, qd: Array) -> tuple[Array, Array]:
     """Waypoint states with the arm exactly where the rail puts it; the solver leaves a residual."""
     rail, arm = axes.layout.rail, axes.layout.arm
+    for first, *others in problem.ties:
+        q[others, rail] = q[first, rail]
     for k, stop in enumerate(problem.waypoints):
         if stop.q is not None:
             continue

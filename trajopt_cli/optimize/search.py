@@ -15,6 +15,7 @@ from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.double_integrator import reach, shortest_time, trapezoid_time
 from trajopt_cli.optimize.reach import Label, StationTable, rail_grid, station_table
+from trajopt_cli.optimize.tied import Ties, best_tied
 from trajopt_cli.optimize.tuning import (
     CURVED,
     LEAST_ROOM,
@@ -89,7 +90,8 @@ def _joint_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
         out[part] = np.maximum(T, trapezoid_time(chord, leg.v_tcp, leg.a_tcp))
     if leg.duration is not None:
         out = np.where(out <= leg.duration, leg.duration, out)
-    return out
+    stays = axes.layout.place(a.q)[:, None] == axes.layout.place(b.q)
+    return np.where(stays | leg.rail_moves, out, np.inf)
 
 
 def _line_time(axes: Axes, leg: Leg, table: StationTable, i: int, a: _Layer, b: _Layer) -> Array:
@@ -183,7 +185,9 @@ def _edges(
     return edges
 
 
-def _best(layers: list[_Layer], edges: list[Array]) -> tuple[float, list[int], list[Array], list[Array]]:
+def _best(layers: list[_Layer], edges: list[Array], ties: Ties) -> tuple[float, list[int], list[Array], list[Array]]:
+    """Cost and states of the best chain, and the least cost from the start to, and from there to the end of, a state
+    where no tie is kept."""
     forward = [np.zeros(len(layers[0].q))]
     back: list[Array] = []
     for T in edges:
@@ -194,6 +198,9 @@ def _best(layers: list[_Layer], edges: list[Array]) -> tuple[float, list[int], l
     for T in reversed(edges):
         backward.append(np.min(T + backward[-1][None], axis=1))
     backward.reverse()
+    if ties:
+        through = [a + b for a, b in zip(forward, backward, strict=True)]
+        return *best_tied([layer.q for layer in layers], edges, through, ties), forward, backward
     end = int(np.argmin(forward[-1]))
     path = [end]
     for b in reversed(back):
@@ -213,7 +220,7 @@ def search(axes: Axes, problem: Problem) -> Chain | None:
     still = np.zeros(1)
     layers = [_layer(axes, problem, tables[where[k]], k, still) for k in range(len(problem.waypoints))]
     edges = _edges(axes, problem, tables, where, layers)
-    cost, path, forward, backward = _best(layers, edges)
+    cost, path, forward, backward = _best(layers, edges, problem.ties)
     if not np.isfinite(cost):
         return None
     coarse = _chain(problem, tables, where, layers, edges, path, cost)
@@ -223,18 +230,14 @@ def search(axes: Axes, problem: Problem) -> Chain | None:
     top = float(axes.layout.place(axes.velocity))
     speeds = still if problem.coordinated or not problem.freedom.through_stops else top * np.array(PASSING)
     fine_tables = []
-    for (first, last), table in zip(problem.stations, tables, strict=True):
+    windows = _windows(axes, problem, tables, where, coarse)
+    for (first, last), table, window in zip(problem.stations, tables, windows, strict=True):
         keep: set[int] = set()
-        low, high = np.inf, -np.inf
         for k in range(first, last + 1):
             through = forward[k] + backward[k]
             near = through <= NEAR_BEST * cost
             keep |= set(layers[k].label[near].tolist())
-            stands = float(axes.layout.place(layers[k].q[path[k]]))
-            low, high = min(low, stands), max(high, stands)
-        spacing = (table.d[-1] - table.d[0]) / max(len(table.d) - 1, 1)
-        margin = max(2 * spacing, SEARCH_WINDOW)
-        d = rail_grid(problem, first, last, SEARCH_FINE, (low - margin, high + margin))
+        d = rail_grid(problem, first, last, SEARCH_FINE, window)
         fine = station_table(axes, problem, first, last, d)
         labels = [i for i in range(len(fine.labels)) if _like(fine, i, table, keep)]
         fine_tables.append(_restrict(fine, labels) if labels else fine)
@@ -244,8 +247,29 @@ def search(axes: Axes, problem: Problem) -> Chain | None:
     if not all(len(layer.q) for layer in layers):
         return coarse
     edges = _edges(axes, problem, fine_tables, where, layers)
-    cost, path, _, _ = _best(layers, edges)
+    cost, path, _, _ = _best(layers, edges, problem.ties)
     return _chain(problem, fine_tables, where, layers, edges, path, cost) if np.isfinite(cost) else coarse
+
+
+def _windows(
+    axes: Axes, problem: Problem, tables: list[StationTable], where: list[int], coarse: Chain
+) -> list[tuple[float, float]]:
+    """The rail's range [m] of every station's fine search: near the coarse chain; one range for stations that share a
+    tie or a rail that is held, so that their grids have positions in common."""
+    windows = []
+    for (first, last), table in zip(problem.stations, tables, strict=True):
+        rail = axes.layout.place(coarse.q[first : last + 1])
+        spacing = (table.d[-1] - table.d[0]) / max(len(table.d) - 1, 1)
+        margin = max(2 * spacing, SEARCH_WINDOW)
+        windows.append((float(rail.min()) - margin, float(rail.max()) + margin))
+    held = [(leg.start, leg.start + 1) for leg in problem.legs if leg.kind is LegKind.JOINT and not leg.rail_moves]
+    together = [sorted({where[k] for k in group}) for group in (*problem.ties, *held)]
+    for _ in together:  # a group may join what others have joined
+        for stations in together:
+            low, high = min(windows[i][0] for i in stations), max(windows[i][1] for i in stations)
+            for i in stations:
+                windows[i] = low, high
+    return windows
 
 
 def _station_of(problem: Problem) -> list[int]:

@@ -30,10 +30,11 @@ from trajopt_cli.optimize.tuning import (
     ROW_APART,
     SLOWER,
 )
+from trajopt_cli.problem.changes import Changes, everything
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.problem import Coupling, LegKind, Problem, build_problem, droppable
+from trajopt_cli.problem.problem import Coupling, LegKind, Problem, build_problem
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.trajectory import Trajectory, hermite
 
@@ -45,13 +46,17 @@ class NoCleanPlan(Exception):
 
 
 def check_feasible(
-    program: Program, plant: Plant, target: Target = Target.STREAM, freedom: Freedom = EVERYTHING
+    program: Program,
+    plant: Plant,
+    target: Target = Target.STREAM,
+    freedom: Freedom = EVERYTHING,
+    changes: Changes | None = None,
 ) -> Infeasible | None:
     """The first motion that cannot be done, by name, or None. Takes seconds at most; optimises nothing.
 
-    Motions that the user lets go are left out where that helps.
+    changes: as in optimize. Motions that the user lets go are left out where that helps.
     """
-    problems = _problems(program, plant, freedom, target)
+    problems = _problems(program, plant, freedom, target, changes)
     first = problems[0]
     return first if isinstance(first, Infeasible) and not any(isinstance(one, Problem) for one in problems) else None
 
@@ -63,17 +68,19 @@ def optimize(
     freedom: Freedom = EVERYTHING,
     progress: Report | None = None,
     bounded: bool = True,
+    changes: Changes | None = None,
 ) -> Plan | Infeasible:
     """The fastest motion found for a program on one target, with a lower bound of the same model if bounded.
 
-    Raises NoCleanPlan when the solver fails from every start.
+    freedom: what may change at all. changes: which motions may have it, None for all of them (a plan that nobody
+    writes back into the program's text). Raises NoCleanPlan when the solver fails from every start.
     """
     tell: Report = progress or (lambda _: None)
     seconds: dict[str, float] = {}
     start = perf_counter()
     axes = Axes.of(plant)
     tell(Progress("reach"))
-    problems = _problems(program, plant, freedom, target)
+    problems = _problems(program, plant, freedom, target, changes)
     open_ = [c for c in problems if isinstance(c, Problem)]
     if not open_:
         assert isinstance(problems[0], Infeasible)
@@ -84,7 +91,7 @@ def optimize(
     found = [(chain, problem) for problem in open_ if (chain := search(axes, problem)) is not None]
     seconds["search"] = perf_counter() - start
     if not found:
-        return _disconnected(program, plant)
+        return _disconnected(program, any(problem.ties for problem in open_))
     chain, problem = min(found, key=lambda pair: pair[0].cost)
     draft, legs, trajectory, bounds = _clean_plan(axes, problem, chain, tell, seconds)
     bound = None
@@ -105,6 +112,15 @@ def _checked_bound(axes: Axes, problem: Problem, duration: float) -> float:
     if bound > duration * (1 + 1e-6):
         raise NoCleanPlan(f"an error in trajopt: the lower bound {bound:.6f} s lies above the plan, {duration:.6f} s")
     return min(bound, duration)  # equal up to rounding where the bound is exact
+
+
+def search_estimate(program: Program, plant: Plant, target: Target, changes: Changes) -> float | None:
+    """The cycle time [s] of the best chain that the search finds: what optimize starts from, a few percent from its
+    answer. None where there is no chain."""
+    axes = Axes.of(plant)
+    open_ = [c for c in _problems(program, plant, EVERYTHING, target, changes) if isinstance(c, Problem)]
+    found = [chain.cost for problem in open_ if (chain := search(axes, problem)) is not None]
+    return min(found, default=None)
 
 
 Clean = tuple[Draft, list[LegMotion], Trajectory, Array]
@@ -173,13 +189,16 @@ def _passing(axes: Axes, trajectory: Trajectory) -> IndexArray:
     return np.flatnonzero(over)
 
 
-def _problems(program: Program, plant: Plant, freedom: Freedom, target: Target) -> list[Problem | Infeasible]:
+def _problems(
+    program: Program, plant: Plant, freedom: Freedom, target: Target, changes: Changes | None
+) -> list[Problem | Infeasible]:
     """The whole program, and without the motions the user lets go if there are any; each checked for reach."""
     axes = Axes.of(plant)
-    optional = droppable(program, plant) if freedom.drop else frozenset()
+    changes = changes or everything(program, plant)
+    optional = changes.droppable if freedom.drop else frozenset()
     out: list[Problem | Infeasible] = []
     for dropped in [frozenset[int]()] + ([optional] if optional else []):
-        problem = build_problem(program, plant, freedom, target, dropped)
+        problem = build_problem(program, plant, freedom, target, changes, dropped)
         if isinstance(problem, Problem):
             out.append(check_reach(axes, problem) or problem)
         else:
@@ -187,10 +206,13 @@ def _problems(program: Program, plant: Plant, freedom: Freedom, target: Target) 
     return out
 
 
-def _disconnected(program: Program, plant: Plant) -> Infeasible:
+def _disconnected(program: Program, tied: bool) -> Infeasible:
     index = len(program.motions) - 1
     source = program.motions[index].source
-    return Infeasible(index, source, f"{source}: no chain of configurations connects the start with the program's end")
+    why = "no chain of configurations connects the start with the program's end"
+    if tied:
+        why += ", each target of a loop or routine in one configuration for all passes; --loops unroll asks for less"
+    return Infeasible(index, source, f"{source}: {why}")
 
 
 def _refine(axes: Axes, problem: Problem, chain: Chain, tell: Report, seconds: dict[str, float]) -> Draft:

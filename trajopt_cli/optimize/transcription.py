@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 
@@ -136,16 +137,22 @@ class Transcription:
 
     # ---- ties
     def _ties(self) -> None:
-        """Waypoints of a station share one rail position where the freedom says so."""
+        """Waypoints of a station share one rail position where the freedom says so, and so do tied ones."""
         rail = self.axes.layout.rail
+        pairs = [pair for group in self.problem.ties for pair in pairwise(group)]
         for k, leg in enumerate(self.problem.legs):
-            hold = leg.kind is not LegKind.JOINT and not leg.rail_moves
+            hold = not leg.rail_moves
             if self.problem.freedom.rail is RailFreedom.STATION and leg.kind is not LegKind.JOINT:
                 hold = True
-            a, b = self.problem.waypoints[k], self.problem.waypoints[k + 1]
-            if hold and not (a.rail[0] == a.rail[1] and b.rail[0] == b.rail[1]):
-                for x, y in zip(self.waypoint_q[k][rail], self.waypoint_q[k + 1][rail], strict=True):
+            if hold:
+                pairs.append((k, k + 1))
+        held = list(range(len(self.problem.waypoints)))  # what is held equal already: no row says it twice
+        for i, k in pairs:
+            a, b = self.problem.waypoints[i], self.problem.waypoints[k]
+            if held[i] != held[k] and not (a.rail[0] == a.rail[1] and b.rail[0] == b.rail[1]):
+                for x, y in zip(self.waypoint_q[i][rail], self.waypoint_q[k][rail], strict=True):
                     self._hold(self.formulation.equal(), {"x": x, "y": y})
+                held = [held[i] if one == held[k] else one for one in held]
 
     # ---- legs
     def _leg(self, leg: Leg, motion: LegMotion | None, margins: Margins | None) -> LegVariables | None:
@@ -317,6 +324,10 @@ class Transcription:
         out.qa = nlp.variables(motion.a, -JOINT_CURVE, JOINT_CURVE).reshape(N, n)
         nlp.damp(out.qa.ravel(), DAMPING)
         V, A = self.axes.velocity_on(leg), self.axes.acceleration
+        rail = self.axes.layout.rail
+        for inside in out.q[1:-2, rail] if not leg.rail_moves else ():  # the last one follows from the chain
+            for x, y in zip(self.waypoint_q[k0][rail], inside, strict=True):
+                self._hold(self.formulation.equal(), {"x": x, "y": y})
         for j in range(n):
             self._integrate(motion.grid, out.q[:, j], out.qv[:, j], out.qa[:, j])
             for node, k in ((0, k0), (N, k0 + 1)):

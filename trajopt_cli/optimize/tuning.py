@@ -28,6 +28,15 @@ NEAR_BEST = 1.04  # labels within this of the best cycle stay in the fine search
 SHIFT = 0.45  # m that the rail may move on a line beyond what it can at top velocity in the tool's time. Not measured.
 CURVED = 0.6  # share of a line's top velocity at which its curvature is charged against acceleration. Not measured.
 LEAST_ROOM = 0.15  # share of each acceleration limit that is always left for that. Not measured.
+SAME_STATE = 1e-6  # rad or m between two tables' joints for one and the same state of tied waypoints. Not measured.
+WIDER = (
+    1.05,
+    1.25,
+    2.0,
+    float("inf"),
+)  # times the untied cost beyond which states of tied waypoints are left out, tried in
+# turn. Not measured.
+CANDIDATES = 40  # states of a tied waypoint that are tried by coordinate descent. Not measured.
 SEARCH_CHUNK = 2_000_000  # numbers per work array: 16 MB. Not measured.
 
 # ---- transcription: the nonlinear program

@@ -16,9 +16,10 @@ from math import floor, pi
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
-from trajopt_cli.motion import ConfData, MoveAbsJ, MoveC, MoveJ, MoveL, Program, SignalEvent, Source, Wait
+from trajopt_cli.motion import ConfData, MoveAbsJ, MoveC, MoveJ, MoveL, Program, SignalEvent, Source, Wait, motion_name
 from trajopt_cli.problem.along import ArmLine, Followed, follow
-from trajopt_cli.problem.plannable import demands_configuration, name
+from trajopt_cli.problem.plan import Plan
+from trajopt_cli.problem.plannable import demands_configuration
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import confdata, confdata_admits, inverse, why_unreachable
 from trajopt_cli.robot.turns import ON_LIMIT
@@ -27,6 +28,7 @@ _DOUBT = 1e-6  # rad or m, as in confdata_admits: where rounding decides, the ne
 _SAME = 1e-5  # rad between two ways to the same joints
 _CHUNK = 4000  # poses at once: 60 MB of work arrays
 _LISTED = 6  # confdata in a message; the finding has them all
+_TOLD = 20  # changed configurations in an answer; the files have them all
 _FAR = 0.5 * np.pi / 180  # rad: joints that differ less are not told of
 
 
@@ -119,6 +121,21 @@ def _points(program: Program, plant: Plant) -> list[_Point]:
             X_WF = motion.X_WT @ inverse_pose(motion.tool.X_FT)
             points.append(_Point(index, motion, X_WF, rail, demands_configuration(motion)))
     return points
+
+
+def changed_configurations(program: Program, plant: Plant, plan: Plan) -> tuple[str, ...]:
+    """The moves whose confdata counts and that a plan ends in another configuration, a line each, alike passes once."""
+    lines: dict[str, None] = {}
+    for planned in plan.motions:
+        motion = program.motions[planned.index]
+        if planned.dropped or not isinstance(motion, MoveJ | MoveL | MoveC) or not demands_configuration(motion):
+            continue
+        arm = np.asarray(planned.q_1[-6:])
+        if not confdata_admits(plant.robot, motion.conf, arm):
+            now = shown(confdata(plant.robot, arm))
+            lines[f"{motion.source}: {motion_name(motion)}: confdata {shown(motion.conf)} → {now}"] = None
+    more = (f"and {len(lines) - _TOLD} moves more in another configuration",) if len(lines) > _TOLD else ()
+    return (*[*lines][:_TOLD], *more)
 
 
 # ------------------------------------------------------------------------------------------------------- the points
@@ -260,10 +277,10 @@ def _after(point: _Point, plant: Plant, joints: Array, now: Array | None) -> Arr
 def _finding(
     point: _Point, plant: Plant, misfit: Misfit, text: str, reachable: tuple[ConfData, ...] = ()
 ) -> ConfigurationFinding:
-    motion = point.motion
+    motion, name = point.motion, motion_name(point.motion)
     rail = point.rail if plant.robot.has_rail else None
     return ConfigurationFinding(
-        point.index, motion.source, name(motion), misfit, motion.conf, reachable, rail, f"{name(motion)} {text}"
+        point.index, motion.source, name, misfit, motion.conf, reachable, rail, f"{name} {text}"
     )
 
 

@@ -22,6 +22,7 @@ from trajopt_cli.motion import (
     Singularity,
     Source,
     Wait,
+    motion_name,
 )
 from trajopt_cli.problem.plant import Plant
 
@@ -48,7 +49,7 @@ def refusals(program: Program, plant: Plant) -> tuple[Refusal, ...]:
             continue
         for kind, demand, advice in (*_demands(motion, plant), *axes.demands(motion)):
             key = (motion.source, kind)
-            found.setdefault(key, Refusal(kind, motion.source, f"{name(motion)} {demand}; {advice}"))
+            found.setdefault(key, Refusal(kind, motion.source, f"{motion_name(motion)} {demand}; {advice}"))
     return tuple(found.values())
 
 
@@ -117,12 +118,6 @@ def demands_configuration(motion: Move) -> bool:
             return motion.settings.conf_l
         case _:
             return False
-
-
-def name(motion: Move) -> str:
-    """A motion as the program spells it: instruction and target."""
-    instruction = motion.process.instruction if motion.process else type(motion).__name__
-    return f"{instruction} {motion.target}"
 
 
 def _demands(motion: Move, plant: Plant) -> Iterator[tuple[str, str, str]]:

@@ -6,21 +6,44 @@ lines and dwells form a station: within it the IK branch and the turns of the jo
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Collection
-from dataclasses import dataclass
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
 from enum import Enum
 
 import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose
-from trajopt_cli.motion import ConfData, Motion, MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, SignalEvent, Wait
+from trajopt_cli.motion import (
+    ConfData,
+    Hold,
+    Motion,
+    Move,
+    MoveAbsJ,
+    MoveC,
+    MoveExtJ,
+    MoveJ,
+    MoveL,
+    Program,
+    SignalEvent,
+    Wait,
+    motion_name,
+)
+from trajopt_cli.problem.changes import Changes
 from trajopt_cli.problem.freedom import Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.plannable import demands_configuration
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import confdata_admits, solutions
+
+_POINT = 1e-9  # m, rad: a line to where it starts
+_STILL = 1e-7  # m of rail: less is the rounding of a num
+_HOLDERS = {
+    Hold.PROGRAM: "a comment in the program",
+    Hold.CELL: "hold_rail in the cell file",
+    Hold.GRIPPER: "an output set just before",
+}
+_ON_LIMIT = 1e-9  # m, rad an axis may stand outside its range by rounding
 
 
 class Coupling(Enum):
@@ -60,7 +83,7 @@ class Waypoint:
 class Leg:
     """From stop `start` to stop `start + 1`. X_FT: tool in force. v_tcp, v_ori, v_rail: programmed caps (inf if none).
 
-    duration: fixed time [s] or None. rail_moves: the rail may move during a line or dwell. chord [m], angle [rad].
+    duration: fixed time [s] or None. rail_moves: the rail may move during the leg. chord [m], angle [rad].
     """
 
     motion: int
@@ -79,10 +102,10 @@ class Leg:
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """Stops and legs in order; stations as (first stop, last stop); dropped: motions that take no time at all.
+    """Waypoints and legs in order, for one target; stations as (first waypoint, last); the motions left out.
 
-    target: the machine it is for; coupling: how the axes are bound to each other, which need not be as loose as the
-    target allows.
+    coupling: how the axes of a leg are bound to each other, which need not be as loose as the target allows. ties:
+    waypoints, in order, that must have one rail position and one configuration.
     """
 
     plant: Plant
@@ -94,6 +117,7 @@ class Problem:
     dropped: frozenset[int]
     target: Target
     coupling: Coupling
+    ties: tuple[tuple[int, ...], ...] = ()
 
     @property
     def coordinated(self) -> bool:
@@ -105,152 +129,235 @@ class Problem:
         return self.waypoints[k].rest or self.coordinated or not self.rail_may_pass(k)
 
     def rail_may_pass(self, k: int) -> bool:
-        """Whether the rail may have speed at stop k: no neighbouring line or dwell holds it still."""
+        """Whether the rail may have speed at stop k: no leg beside it holds it still."""
         near = [self.legs[i] for i in (k - 1, k) if 0 <= i < len(self.legs)]
-        return self.plant.robot.has_rail and all(leg.kind is LegKind.JOINT or leg.rail_moves for leg in near)
+        return self.plant.robot.has_rail and all(leg.rail_moves for leg in near)
 
     def motion(self, index: int) -> Motion:
         """The program's motion number index."""
         return self.program.motions[index]
 
 
-def droppable(program: Program, plant: Plant) -> frozenset[int]:
-    """Motions the user marked and that can go without moving another path: the next motion is a joint move.
-
-    Where the plan must be written back (Program.writable), the text must let them go, too.
-    """
-    out = set()
-    motions = program.motions
-    for i, motion in enumerate(motions[:-1]):
-        if isinstance(motion, Wait | SignalEvent) or not isinstance(motions[i + 1], MoveJ | MoveAbsJ):
-            continue
-        if program.writable is not None and i not in program.writable:
-            continue
-        if motion.optional or motion.target.lower() in plant.droppable:
-            out.add(i)
-    return frozenset(out)
-
-
-def editable(program: Program) -> frozenset[int]:
-    """Motions whose text can carry a plan of their own.
-
-    Where nobody has looked closer (Program.writable): the target is a literal, and the statement runs only once.
-    """
-    if program.writable is not None:
-        return program.writable
-    runs = Counter(motion.written.statement for motion in program.motions)
-    out = set()
-    for i, motion in enumerate(program.motions):
-        literal = isinstance(motion, Wait) or getattr(motion.written, "aggregate", None) is not None
-        if literal and runs[motion.written.statement] == 1:
-            out.add(i)
-    return frozenset(out)
-
-
 def build_problem(
-    program: Program, plant: Plant, freedom: Freedom, target: Target, dropped: Collection[int] = ()
+    program: Program,
+    plant: Plant,
+    freedom: Freedom,
+    target: Target,
+    changes: Changes,
+    dropped: Collection[int] = (),
 ) -> Problem | Infeasible:
-    """Stops and legs of a program under a freedom, or why a fixed position is out of range.
+    """Waypoints and legs of a program on one target, or why a fixed position is out of range.
 
-    A rapid plan must be written back into the program: motions that cannot be edited keep their rail and confdata.
+    freedom: what may change at all. changes: which motions may have it; the others keep their rail and confdata.
+    dropped: motions that are left out.
     """
-    free = editable(program) if target is Target.RAPID else frozenset(range(len(program.motions)))
-    robot = plant.robot
-    rail_range = (float(plant.limits.lower[0]), float(plant.limits.upper[0])) if robot.has_rail else (0.0, 0.0)
-    pinned_rail = freedom.rail is RailFreedom.PROGRAMMED or plant.rail_fixed
-    written = float(plant.start[0]) if robot.has_rail else 0.0
-    stops = [Waypoint(-1, robot.forward(plant.start), plant.start, (written, written), written, True)]
-    legs: list[Leg] = []
-
-    def pose_stop(index: int, X_WF: Array, conf: ConfData | None) -> Waypoint:
-        rail = rail_range if index in free and not pinned_rail else (written, written)
-        asked = None if freedom.configuration and index in free else conf
-        return Waypoint(index, X_WF, None, rail, written, not freedom.through_stops, asked)
-
-    def joint_stop(index: int, q: Array, source: object) -> Waypoint:
-        for name, value, low, high in zip(plant.limits.names, q, plant.limits.lower, plant.limits.upper, strict=True):
-            if not low - 1e-9 <= value <= high + 1e-9:
-                raise _OutOfRange(index, name, value, low, high)
-        return Waypoint(index, robot.forward(q), q, (written, written), written, True)
-
+    build = _Build(plant, freedom, changes)
     try:
-        for i, motion in enumerate(program.motions):
-            if isinstance(motion, SignalEvent) or i in dropped:
-                continue
-            if isinstance(motion, Wait):
-                previous = stops[-1]
-                rest = motion.condition is not None
-                if motion.duration == 0.0:
-                    if rest:
-                        stops[-1] = _resting(previous)
-                    continue
-                legs.append(
-                    Leg(
-                        i, LegKind.DWELL, len(stops) - 1, np.eye(4), np.inf, np.inf, np.inf, np.inf,
-                        duration=motion.duration,
-                        rail_moves=freedom.dwells and previous.rail[0] < previous.rail[1] and i in free,
-                    )
-                )  # fmt: skip
-                stops.append(
-                    Waypoint(i, previous.X_WF, previous.q, previous.rail, written, rest or previous.rest, previous.conf)
-                )
-                continue
-            given = plant.rail_value(motion.extax)
-            if given is not None:
-                if not rail_range[0] - 1e-9 <= given <= rail_range[1] + 1e-9 and (
-                    pinned_rail or isinstance(motion, MoveAbsJ | MoveExtJ)
-                ):
-                    raise _OutOfRange(i, plant.limits.names[0], given, *rail_range)
-                written = given
-            speed = motion.speed
-            uncapped = plant.free_speed and isinstance(motion, MoveJ | MoveAbsJ)
-            caps = (np.inf, np.inf, np.inf) if uncapped else (speed.v_tcp, speed.v_ori, speed.v_leax)
-            X_FT = np.eye(4) if isinstance(motion, MoveExtJ) else motion.tool.X_FT
-            kind, chord, angle, moves = LegKind.JOINT, 0.0, 0.0, True
-            if isinstance(motion, MoveAbsJ):
-                stops.append(joint_stop(i, np.r_[[written] if robot.has_rail else [], motion.q], motion.source))
-            elif isinstance(motion, MoveExtJ):
-                arm = _arm_as_written(stops[-1], plant)
-                if isinstance(arm, Infeasible):
-                    return arm
-                stops[-1] = Waypoint(
-                    stops[-1].motion, stops[-1].X_WF, arm, (float(arm[0]),) * 2, float(arm[0]), stops[-1].rest
-                )
-                stops.append(joint_stop(i, np.r_[written, arm[1:]], motion.source))
-                caps = (np.inf, np.inf, speed.v_leax)
-            else:
-                X_WF = motion.X_WT @ inverse_pose(X_FT)
-                if isinstance(motion, MoveL):
-                    X_0 = stops[-1].X_WF @ X_FT
-                    chord = float(np.linalg.norm(motion.X_WT[:3, 3] - X_0[:3, 3]))
-                    angle = axis_angle(X_0[:3, :3].T @ motion.X_WT[:3, :3])[1]
-                    kind, moves = LegKind.LINE, freedom.lines and robot.has_rail
-                    if chord < 1e-9 and angle < 1e-9:
-                        kind, chord, angle, moves = LegKind.DWELL, 0.0, 0.0, robot.has_rail
-                stops.append(pose_stop(i, X_WF, motion.conf if demands_configuration(motion) else None))
-                moves = moves or (robot.has_rail and _apart(stops[-2].rail, stops[-1].rail))
-            legs.append(
-                Leg(
-                    i, kind, len(stops) - 2, X_FT, min(caps[0], plant.tcp.speed), plant.tcp.acceleration, caps[1],
-                    caps[2], duration=motion.duration, rail_moves=moves, chord=chord, angle=angle,
-                )
-            )  # fmt: skip
-    except _OutOfRange as out:
-        source = program.motions[out.index].source
-        return Infeasible(out.index, source, f"{source}: {_name(program.motions[out.index])} {out}")
-    stops[-1] = _resting(stops[-1])
-    coupling = Coupling.COORDINATED if target is Target.RAPID else Coupling.FREE
-    stations = _stations(legs, len(stops))
-    return Problem(plant, program, freedom, tuple(stops), tuple(legs), stations, frozenset(dropped), target, coupling)
+        for index, motion in enumerate(program.motions):
+            if index not in dropped:
+                build.add(index, motion)
+    except _Impossible as out:
+        motion = program.motions[out.index]
+        return Infeasible(out.index, motion.source, f"{motion.source}: {motion_name(motion)} {out}")
+    waypoints = [*build.waypoints[:-1], replace(build.waypoints[-1], rest=True)]
+    ties = _ties(changes, waypoints)
+    for group in ties:
+        pinned = [waypoints[k].rail for k in group if waypoints[k].rail[0] == waypoints[k].rail[1]]
+        for k in group if pinned else ():
+            waypoints[k] = replace(waypoints[k], rail=pinned[0])
+    return Problem(
+        plant,
+        program,
+        freedom,
+        tuple(waypoints),
+        tuple(build.legs),
+        _stations(build.legs, len(waypoints)),
+        frozenset(dropped),
+        target,
+        Coupling.COORDINATED if target is Target.RAPID else Coupling.FREE,
+        ties,
+    )
 
 
-class _OutOfRange(Exception):
+def _ties(changes: Changes, waypoints: Sequence[Waypoint]) -> tuple[tuple[int, ...], ...]:
+    """The waypoints of tied motions; those that joints fix, or that a plan may not change, are what they are."""
+    ends = {
+        waypoint.motion: k
+        for k, waypoint in enumerate(waypoints)
+        if waypoint.q is None and (waypoint.rail[0] < waypoint.rail[1] or waypoint.conf is None)
+    }
+    groups = (tuple(ends[index] for index in group if index in ends) for group in changes.ties)
+    return tuple(group for group in groups if len(group) > 1)
+
+
+class _Impossible(Exception):
+    def __init__(self, index: int, why: str):
+        super().__init__(why)
+        self.index = index
+
+
+class _OutOfRange(_Impossible):
     def __init__(self, index: int, axis: str, value: float, low: float, high: float):
         unit, factor = ("mm", 1e3) if axis == "rail" else ("deg", 180 / np.pi)
         super().__init__(
-            f"asks for {axis} = {value * factor:.6g} {unit}, range {low * factor:.6g}..{high * factor:.6g} {unit}"
+            index,
+            f"asks for {axis} = {value * factor:.6g} {unit}, range {low * factor:.6g}..{high * factor:.6g} {unit}",
         )
-        self.index = index
+
+
+class _Held(_Impossible):
+    def __init__(self, index: int, motion: Move, rail: float, asked: float):
+        assert motion.hold is not None
+        super().__init__(
+            index,
+            f"takes the rail from {rail * 1e3:.6g} mm to {asked * 1e3:.6g} mm, and {_HOLDERS[motion.hold]} says that it"
+            " stands still there; give both ends the same position, or take the hold back",
+        )
+
+
+class _Build:
+    """Waypoints and legs of the motions added so far. written [m]: the rail as the program has it there."""
+
+    def __init__(self, plant: Plant, freedom: Freedom, changes: Changes):
+        self._plant, self._freedom, self._changes = plant, freedom, changes
+        self._has_rail = plant.robot.has_rail
+        lower, upper = plant.limits.lower, plant.limits.upper
+        self._stroke = (float(lower[0]), float(upper[0])) if self._has_rail else (0.0, 0.0)
+        self._pinned = freedom.rail is RailFreedom.PROGRAMMED or plant.rail_fixed
+        self._written = float(plant.start[0]) if self._has_rail else 0.0
+        self.waypoints = [self._at_joints(-1, plant.start)]
+        self.legs: list[Leg] = []
+
+    def add(self, index: int, motion: Motion) -> None:
+        """The next motion. Raises _Impossible for what the program itself asks for and cannot be."""
+        match motion:
+            case SignalEvent():
+                pass
+            case Wait():
+                self._wait(index, motion)
+            case MoveAbsJ():
+                self._take_rail(index, motion)
+                self._to(self._at_joints(index, self._axes(motion.q)), motion, _caps(motion, self._plant))
+            case MoveExtJ():
+                self._external(index, motion)
+            case MoveL():
+                self._line(index, motion)
+            case _:
+                self._to(self._at_pose(index, motion), motion, _caps(motion, self._plant))
+
+    # ------------------------------------------------------------------------------------------------------- motions
+
+    def _wait(self, index: int, wait: Wait) -> None:
+        """The tool rests for a time; the rail may move, where the text has room for it. A condition ends at rest."""
+        before, rest = self.waypoints[-1], wait.condition is not None
+        if wait.duration == 0.0:
+            self.waypoints[-1] = replace(before, rest=before.rest or rest)
+            return
+        moves = self._freedom.dwells and before.rail[0] < before.rail[1] and index in self._changes.values
+        dwell = Leg(
+            index, LegKind.DWELL, len(self.legs), np.eye(4), np.inf, np.inf, np.inf, np.inf,
+            duration=wait.duration, rail_moves=moves and wait.hold is None,
+        )  # fmt: skip
+        self.legs.append(dwell)
+        self.waypoints.append(replace(before, motion=index, written=self._written, rest=before.rest or rest))
+
+    def _external(self, index: int, motion: MoveExtJ) -> None:
+        """The arm's joints hold, so the waypoint before is as the program writes it."""
+        self._take_rail(index, motion)
+        before = self.waypoints[-1]
+        q = _as_written(before, self._plant)
+        self.waypoints[-1] = replace(before, q=q, rail=(float(q[0]),) * 2, written=float(q[0]), conf=None)
+        self._to(self._at_joints(index, self._axes(q[-6:])), motion, (np.inf, np.inf, motion.speed.v_leax))
+
+    def _line(self, index: int, motion: MoveL) -> None:
+        """A line; one of no length is a dwell that lasts as long as its rail needs."""
+        start = self.waypoints[-1]
+        end = self._at_pose(index, motion)
+        X_0 = start.X_WF @ motion.tool.X_FT
+        chord = float(np.linalg.norm(motion.X_WT[:3, 3] - X_0[:3, 3]))
+        angle = axis_angle(X_0[:3, :3].T @ motion.X_WT[:3, :3])[1]
+        still = chord < _POINT and angle < _POINT
+        moves = still or self._freedom.lines
+        moves = self._has_rail and (moves or _apart(start.rail, end.rail)) and motion.hold is None
+        self._to(end, motion, _caps(motion, self._plant))
+        kind, way = (LegKind.DWELL, (0.0, 0.0)) if still else (LegKind.LINE, (chord, angle))
+        self.legs[-1] = replace(self.legs[-1], kind=kind, rail_moves=moves, chord=way[0], angle=way[1])
+
+    def _to(self, end: Waypoint, motion: Move, caps: tuple[float, float, float]) -> None:
+        """A joint move to a waypoint. caps: programmed speeds of tool [m/s], turning [rad/s] and rail [m/s]."""
+        X_FT = np.eye(4) if isinstance(motion, MoveExtJ) else motion.tool.X_FT
+        v_tcp, v_ori, v_rail = caps
+        tcp = self._plant.tcp
+        leg = Leg(
+            end.motion, LegKind.JOINT, len(self.legs), X_FT, min(v_tcp, tcp.speed), tcp.acceleration, v_ori, v_rail,
+            duration=motion.duration, rail_moves=motion.hold is None or not self._has_rail,
+        )  # fmt: skip
+        self.legs.append(leg)
+        self.waypoints.append(end)
+        if not leg.rail_moves:
+            self._hold(motion)
+
+    # ----------------------------------------------------------------------------------------------------- waypoints
+
+    def _take_rail(self, index: int, motion: Move) -> None:
+        """The rail goes where a motion's external axes say, or stays; where it must go it has to be in its stroke."""
+        given, (low, high) = self._plant.rail_value(motion.extax), self._stroke
+        if given is None:
+            if index not in self._changes.values:  # nobody can say where instead, so it must be there already
+                self._pin(-1, self._written)
+            return
+        fixed = self._pinned or isinstance(motion, MoveAbsJ | MoveExtJ)
+        if fixed and not low - _ON_LIMIT <= given <= high + _ON_LIMIT:
+            raise _OutOfRange(index, self._plant.limits.names[0], given, low, high)
+        self._written = given
+
+    def _hold(self, motion: Move) -> None:
+        """The rail stands still on the last leg: where one end of it is fixed, the other is there, too."""
+        (low, high), (end_low, end_high) = self.waypoints[-2].rail, self.waypoints[-1].rail
+        if low == high and end_low == end_high and abs(end_low - low) > _STILL:
+            raise _Held(self.waypoints[-1].motion, motion, low, end_low)
+        if low == high:
+            self._pin(-1, low)
+        elif end_low == end_high:
+            self._pin(-2, end_low)
+
+    def _pin(self, k: int, rail: float) -> None:
+        """The rail at waypoint k stands where it is said [m], if it was free."""
+        if self.waypoints[k].q is None:
+            self.waypoints[k] = replace(self.waypoints[k], rail=(rail, rail))
+
+    def _at_pose(self, index: int, motion: MoveJ | MoveL | MoveC) -> Waypoint:
+        self._take_rail(index, motion)
+        free = index in self._changes.values
+        rail = self._stroke if free and not self._pinned else (self._written, self._written)
+        demanded = demands_configuration(motion) and not (free and self._freedom.configuration)
+        return Waypoint(
+            index,
+            motion.X_WT @ inverse_pose(motion.tool.X_FT),
+            None,
+            rail,
+            self._written,
+            not self._freedom.through_stops,
+            motion.conf if demanded else None,
+        )
+
+    def _at_joints(self, index: int, q: Array) -> Waypoint:
+        limits = self._plant.limits
+        for name, value, low, high in zip(limits.names, q, limits.lower, limits.upper, strict=True):
+            if not low - _ON_LIMIT <= value <= high + _ON_LIMIT:
+                raise _OutOfRange(index, name, value, low, high)
+        return Waypoint(index, self._plant.robot.forward(q), q, (self._written, self._written), self._written, True)
+
+    def _axes(self, arm: Array) -> Array:
+        """All axes (k,) with the rail as written and the arm's joints (6,)."""
+        return np.asarray(np.r_[[self._written] if self._has_rail else [], arm])
+
+
+def _caps(motion: MoveJ | MoveL | MoveC | MoveAbsJ, plant: Plant) -> tuple[float, float, float]:
+    """Programmed speeds of tool, turning and rail; none for joint moves where the cell frees them."""
+    if plant.free_speed and isinstance(motion, MoveJ | MoveAbsJ):
+        return np.inf, np.inf, np.inf
+    return motion.speed.v_tcp, motion.speed.v_ori, motion.speed.v_leax
 
 
 def _apart(a: tuple[float, float], b: tuple[float, float]) -> bool:
@@ -258,21 +365,13 @@ def _apart(a: tuple[float, float], b: tuple[float, float]) -> bool:
     return a[1] < b[0] or b[1] < a[0]
 
 
-def _name(motion: Motion) -> str:
-    return f"{type(motion).__name__} {getattr(motion, 'target', '')}".strip()
-
-
-def _resting(stop: Waypoint) -> Waypoint:
-    return Waypoint(stop.motion, stop.X_WF, stop.q, stop.rail, stop.written, True, stop.conf)
-
-
-def _arm_as_written(stop: Waypoint, plant: Plant) -> Array | Infeasible:
-    """All axes at a stop as the program writes it: its rail value and its confdata."""
-    if stop.q is not None:
-        return stop.q
-    rail = stop.written if plant.robot.has_rail else None
-    for _, q in solutions(plant.robot, stop.X_WF, rail, plant.limits):
-        if stop.conf is None or confdata_admits(plant.robot, stop.conf, q):
+def _as_written(waypoint: Waypoint, plant: Plant) -> Array:
+    """All axes at a waypoint as the program writes it: its rail value and its confdata."""
+    if waypoint.q is not None:
+        return waypoint.q
+    rail = waypoint.written if plant.robot.has_rail else None
+    for _, q in solutions(plant.robot, waypoint.X_WF, rail, plant.limits):
+        if waypoint.conf is None or confdata_admits(plant.robot, waypoint.conf, q):
             return np.asarray(np.r_[[] if rail is None else [rail], q])
     raise InputError(
         "MoveExtJ holds the arm's joints, but the point before it cannot be reached with its confdata at its own rail"
@@ -280,7 +379,7 @@ def _arm_as_written(stop: Waypoint, plant: Plant) -> Array | Infeasible:
     )
 
 
-def _stations(legs: list[Leg], n_stops: int) -> tuple[tuple[int, int], ...]:
+def _stations(legs: list[Leg], count: int) -> tuple[tuple[int, int], ...]:
     starts = [0] + [leg.start + 1 for leg in legs if leg.kind is LegKind.JOINT]
-    ends = [start - 1 for start in starts[1:]] + [n_stops - 1]
+    ends = [start - 1 for start in starts[1:]] + [count - 1]
     return tuple(zip(starts, ends, strict=True))

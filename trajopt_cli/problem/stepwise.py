@@ -14,7 +14,7 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose, readonly
-from trajopt_cli.motion import Move, MoveAbsJ, MoveExtJ, Program, SignalEvent, Source, Wait
+from trajopt_cli.motion import Move, MoveAbsJ, MoveExtJ, Program, SignalEvent, Source, Wait, motion_name
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.timing.point_to_point import rest_to_rest
 
@@ -189,7 +189,7 @@ def _time(motion: Move, way: float, speed: float, what: str) -> float:
     if speed <= 0:
         source = motion.source
         raise InputError(
-            f"{type(motion).__name__} {motion.target}: {motion.speed.name} gives {what} 0; a speed above 0 is needed",
+            f"{motion_name(motion)}: {motion.speed.name} gives {what} 0; a speed above 0 is needed",
             file=source.file, line=source.line, column=source.column,
         )  # fmt: skip
     return way / speed

@@ -31,6 +31,7 @@ from trajopt_cli.motion import (
     Singularity,
     Source,
     Wait,
+    instruction_name,
 )
 from trajopt_cli.rapid.zones import effective_radii, ways
 from trajopt_cli.units import DEG, MM
@@ -242,7 +243,7 @@ def _move_row(
     return Row(
         index,
         motion.source,
-        motion.process.instruction if motion.process else type(motion).__name__,
+        instruction_name(motion),
         type(motion).__name__,
         target=motion.target,
         position=None if pose is None else _point(pose.X_WT[:3, 3]),

@@ -46,6 +46,7 @@ class PlanOptions(Section):
     entry: str = "main"
     assume_identity: list[str] = Field(default_factory=list)
     target: str = ""
+    loops: str = "keep"
 
 
 class AddedModule(Section):

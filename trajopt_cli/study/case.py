@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from trajopt_cli.motion import Motion, Move, Program
+from trajopt_cli.motion import Move, Program
 from trajopt_cli.problem.freedom import Freedom
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.units import DEG
 
-# The optimiser as baselines see it: a program (theirs or one made from it), a target, what may change.
+# The optimiser as baselines see it: a program, a target, what may change. The user's own program may change as far as
+# `optimize` would change it; one that a baseline makes is written back by nobody, so there the freedom says all.
 Solve = Callable[[Program, Target, Freedom], Plan | Infeasible]
 
 
@@ -46,11 +47,6 @@ class Case:
             return True
         moves = (motion for motion in self.program.motions if isinstance(motion, Move))
         return any(self.plant.rail_value(move.extax) is not None for move in moves)
-
-
-def is_detour(motion: Motion, plant: Plant) -> bool:
-    """Whether the user lets a motion go."""
-    return isinstance(motion, Move) and (motion.optional or motion.target.lower() in plant.droppable)
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 from trajopt_cli.beside import in_turns
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Program, Wait
-from trajopt_cli.pipeline import Listener, NoPlan, judge
+from trajopt_cli.pipeline import Listener, NoPlan, changes_of, judge
+from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
@@ -69,13 +70,16 @@ class Comparison:
     waits: float
 
 
-def compare(job: Job, listen: Listener, rule: RailRule | None = None) -> Comparison:
-    """Every baseline on this job, judged, in the table's order, and the saving by cause. rule: of the row `thesis`."""
+def compare(job: Job, listen: Listener, rule: RailRule | None = None, loops: Loops = Loops.KEEP) -> Comparison:
+    """Every baseline on this job, judged, in the table's order, and the saving by cause.
+
+    rule: of the row `thesis`. loops: as in optimise.
+    """
     from trajopt_cli.study.causes import causes
     from trajopt_cli.study.table import BASELINES
 
-    study = _Study(job, rule)
-    reasons = causes(job.plant, study.optional)
+    study = _Study(job, rule, loops)
+    reasons = causes(job.plant, bool(study.changes[Target.STREAM].droppable))
     names = {study.question(cause.target, cause.freedom): cause.name for cause in reasons}
     asks = {name: study.question(one.target, one.freedom) for name, one in BASELINES.items() if one.freedom}
     names |= {question: name for name, question in asks.items()}
@@ -126,20 +130,20 @@ def _effort(item: tuple[Question, str]) -> int:
 
 
 class _Study:
-    """What is asked of the optimiser about one job, and what it answered. optional: some motions may be dropped."""
+    """What is asked of the optimiser about one job, and what it answered. changes: what may change, by target."""
 
-    def __init__(self, job: Job, rule: RailRule | None):
-        from trajopt_cli.study.case import RailRule, is_detour
+    def __init__(self, job: Job, rule: RailRule | None, loops: Loops):
+        from trajopt_cli.study.case import RailRule
 
         self.job, self.rule = job, rule or RailRule()
-        self.optional = any(is_detour(motion, job.plant) for motion in job.program.motions)
+        self.changes = {target: changes_of(job, target, loops) for target in Target}
         self._known: dict[Question, Result] = {}
 
     def question(self, target: Target, freedom: Freedom) -> Question:
         """A question in the form that is equal for all that ask for the same plan."""
         from trajopt_cli.study.causes import asked
 
-        return target, asked(freedom, self.job.plant, self.optional)
+        return target, asked(freedom, self.job.plant, bool(self.changes[target].droppable))
 
     def answer(
         self, name: str, question: Question, following: Sequence[str], tell: Tell
@@ -194,7 +198,8 @@ class _Study:
                         raise NoCleanPlan(message)
             bounded = program is self.job.program and question == self.question(target, EVERYTHING)
             listen = lambda progress: tell((name, progress))  # noqa: E731
-            return optimize(program, self.job.plant, target, freedom, listen, bounded)
+            changes = self.changes[target] if program is self.job.program else None
+            return optimize(program, self.job.plant, target, freedom, listen, bounded, changes)
 
         return solve
 

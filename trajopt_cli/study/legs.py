@@ -12,7 +12,7 @@ from enum import Enum
 import numpy as np
 
 from trajopt_cli.geometry import Array, inverse_pose
-from trajopt_cli.motion import Motion, MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, SignalEvent, Wait
+from trajopt_cli.motion import Motion, MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, SignalEvent, Wait, motion_name
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.freedom import FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
@@ -56,7 +56,7 @@ class Leg:
     @property
     def name(self) -> str:
         """The motion's place, kind and target, as messages begin."""
-        return f"{self.motion.source}: {type(self.motion).__name__} {getattr(self.motion, 'target', '')}".strip()
+        return f"{self.motion.source}: {motion_name(self.motion)}"
 
     @property
     def key(self) -> bytes:

@@ -18,12 +18,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trajopt_cli.geometry import Array, inverse_pose
-from trajopt_cli.motion import Motion, Move, MoveJ, MoveL, Program
+from trajopt_cli.motion import Motion, Move, MoveJ, MoveL, Program, motion_name
+from trajopt_cli.problem.changes import droppable
 from trajopt_cli.problem.freedom import AS_WRITTEN
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.workspace import rail_ranges
-from trajopt_cli.study.case import Answer, Attempt, Case, NotApplicable, RailRule, is_detour
+from trajopt_cli.study.case import Answer, Attempt, Case, NotApplicable, RailRule
 from trajopt_cli.study.practice import with_rail
 from trajopt_cli.timing.point_to_point import rest_to_rest
 from trajopt_cli.units import DEG
@@ -69,15 +70,16 @@ def thesis(case: Case) -> Answer:
 
 
 def work_points(program: Program, plant: Plant, rule: RailRule) -> list[WorkPoint] | Infeasible:
-    """Every point but those of optional motions (the thesis leaves the detours out), with its rail ranges.
+    """Every point but those that may be dropped (the thesis leaves the detours out), with its rail ranges.
 
     A joint target stands on the one rail position the program gives it.
     """
     out: list[WorkPoint] = []
     rail, station = float(plant.start[0]), 0
     X_WT = plant.robot.forward(plant.start)
+    detours = droppable(program, plant)
     for i, motion in enumerate(program.motions):
-        if not isinstance(motion, Move) or is_detour(motion, plant):
+        if not isinstance(motion, Move) or i in detours:
             continue
         given = plant.rail_value(motion.extax)
         rail = rail if given is None else given
@@ -86,9 +88,8 @@ def work_points(program: Program, plant: Plant, rule: RailRule) -> list[WorkPoin
         if isinstance(motion, MoveJ | MoveL):
             ranges = _ranges(motion, plant, rule)
             if not len(ranges):
-                target = f"{type(motion).__name__} {motion.target}"
                 why = f"no rail position keeps joint 3 {rule.phi_min / DEG:g} deg from the stretched elbow there"
-                return Infeasible(i, motion.source, f"{motion.source}: {target}: {why}")
+                return Infeasible(i, motion.source, f"{motion.source}: {motion_name(motion)}: {why}")
             X_before, X_WT = X_WT, motion.X_WT
             out.append(WorkPoint(i, ranges, _arm_time(motion, X_before, plant), station))
         else:

@@ -13,7 +13,7 @@ from trajopt_cli.compliance.task.document import PoseSection
 from trajopt_cli.compliance.task.model import AngleMeaning, Waypoint
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.geometry import Array
-from trajopt_cli.motion import Motion, MoveJ, MoveL, Program, SignalEvent, Singularity, Source, Wait
+from trajopt_cli.motion import Motion, MoveJ, MoveL, Program, SignalEvent, Singularity, Source, Wait, instruction_name
 from trajopt_cli.yaml_file import line_of
 
 _SAME = 1e-12  # m, rad: rounding of one and the same target
@@ -132,7 +132,7 @@ def _check_plain(motion: MoveL | MoveJ) -> None:
         if active:
             raise _refused(motion.source, f"{instruction} is active here; a task's segments have none, so take it out")
     if motion.process is not None or motion.events:
-        name = motion.process.instruction if motion.process is not None else type(motion).__name__
+        name = instruction_name(motion)
         raise _refused(motion.source, f"{name} does more than move; a task takes plain MoveL (and a first MoveJ) only")
     if motion.tool.stationary:
         raise _refused(motion.source, f"tool {motion.tool.name} stands still (robhold FALSE); a task's tool is carried")

@@ -1,0 +1,73 @@
+"""`optimize` on programs with loops and routines, as a person runs it."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from trajopt_cli.cli import run
+
+CELL = (Path(__file__).parents[2] / "programs" / "hinge_cell.yaml").read_text(encoding="utf-8")
+DATA = """MODULE work
+    CONST jointtarget j_home:=[[0,0,0,0,30,0],[0,9E9,9E9,9E9,9E9,9E9]];
+    CONST robtarget p_pick:=[[500,700,380],[0,0,1,0],[0,0,0,0],[700,9E9,9E9,9E9,9E9,9E9]];
+    CONST robtarget p_left:=[[500,0,400],[0,0,1,0],[0,0,0,0],[0,9E9,9E9,9E9,9E9,9E9]];
+    CONST robtarget p_right:=[[500,1700,400],[0,0,1,0],[0,0,0,0],[1700,9E9,9E9,9E9,9E9,9E9]];
+    CONST robtarget p_place{3}:=[
+        [[500,0,400],[0,0,1,0],[0,0,0,0],[0,9E9,9E9,9E9,9E9,9E9]],
+        [[500,1700,400],[0,0,1,0],[0,0,0,0],[1700,9E9,9E9,9E9,9E9,9E9]],
+        [[500,0,400],[0,0,1,0],[0,0,0,0],[0,9E9,9E9,9E9,9E9,9E9]]];
+"""
+LOOP = """    PROC main()
+        FOR i FROM 1 TO 3 DO
+            MoveJ p_place{i}, v2500, fine, tool0;
+            MoveJ p_pick, v2500, fine, tool0;
+            MoveJ p_place{i}, v2500, fine, tool0;
+        ENDFOR
+        MoveAbsJ j_home, v2500, fine, tool0;
+    ENDPROC
+ENDMODULE
+"""
+ROUTINE = """    PROC main()
+        serve p_left;
+        serve p_right;
+        MoveAbsJ j_home, v2500, fine, tool0;
+    ENDPROC
+    PROC serve(robtarget p)
+        MoveJ p, v2500, fine, tool0;
+        MoveJ p_pick, v2500, fine, tool0;
+        MoveJ p, v2500, fine, tool0;
+    ENDPROC
+ENDMODULE
+"""
+NUMBER = re.compile(r"-?\d+(\.\d+)?")
+
+
+@pytest.mark.parametrize("body", [LOOP, ROUTINE], ids=["loop", "routine"])
+def test_loops_stay_unless_they_are_unrolled(
+    body: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The pick is best served from the left when it comes from there and goes there, and from the right likewise."""
+    monkeypatch.chdir(tmp_path)
+    Path("work.mod").write_text(DATA + body, encoding="utf-8")
+    Path("work.yaml").write_text(CELL, encoding="utf-8")
+    times = {}
+    for loops in ("unroll", "keep"):
+        assert run(["optimize", "work.mod", "--loops", loops, "--output", loops]) == 0
+        times[loops] = json.loads(Path(loops, "summary.json").read_text())["plans"]["rapid"]["cycle_time_s"]
+        assert json.loads(Path(loops, "run.json").read_text())["options"]["loops"] == loops
+    assert times["unroll"] < times["keep"] - 0.1
+    said = " ".join(capsys.readouterr().out.split())
+    (estimate,) = re.findall(r"--loops unroll would save about (\d\.\d\d) s \(.*?\) more, by an estimate", said)
+    assert float(estimate) == pytest.approx(times["keep"] - times["unroll"], abs=0.1)
+
+    assert Path("unroll/program/main_flat.mod").exists()
+    assert not Path("keep/program").exists()
+    given, kept = (DATA + body).splitlines(), Path("keep/program.mod").read_text(encoding="utf-8").splitlines()
+    changed = [i for i, (one, other) in enumerate(zip(given, kept, strict=True)) if one != other]
+    assert changed
+    assert max(changed) < len(DATA.splitlines())
+    assert [NUMBER.sub("#", line) for line in given] == [NUMBER.sub("#", line) for line in kept]
