@@ -101,6 +101,12 @@ def test_a_computed_target_of_an_open_rail_is_declared_for_all_passes(plant: Pla
     assert "            MoveJ p2_2,v100,fine,tool0;" in export.texts["m.mod"]
 
 
+def test_a_wait_in_which_the_rail_moves_by_less_than_a_num_can_say_stays(plant: Plant) -> None:
+    program = made(f"{J1}        WaitTime 0.5;\n        MoveL p1,v100,fine,tool0;\n")
+    export = export_rapid(program, plan_for(program, plant, {0: 0.3, 1: 0.3 + 2e-9, 2: 0.3 + 2e-9}), plant)
+    assert "        WaitTime 0.5;\n" in export.texts["m.mod"]
+
+
 def test_every_wish_that_keeps_the_ties_can_be_written(plant: Plant) -> None:
     rng = np.random.default_rng(3)
     program = made(PICK.replace("p2", "p3"), P3)
