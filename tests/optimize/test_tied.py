@@ -7,10 +7,13 @@ from itertools import pairwise, product
 
 import numpy as np
 import pytest
-from small_cells import plant_with_rail, rapid
+from small_cells import plant_with_rail, problem_of, rapid
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize import optimize, tied
+from trajopt_cli.optimize.pieces import cut
+from trajopt_cli.optimize.reach import Label
+from trajopt_cli.optimize.search import Chain
 from trajopt_cli.optimize.tied import Ties, best_tied
 from trajopt_cli.problem.changes import Changes
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
@@ -135,3 +138,16 @@ def test_beyond_three_neighbours_candidates_are_tried_one_by_one(monkeypatch: py
         assert cost <= guess
         worse += cost < guess
     assert worse
+
+
+def test_a_problem_is_cut_at_fixed_joints_but_not_between_tied_waypoints() -> None:
+    body = "FOR i FROM 1 TO 2 DO\nMoveJ p_in, v500, fine, tool0;\nMoveAbsJ j_home, v500, fine, tool0;\nENDFOR"
+    body += "\nMoveJ p_low, v500, fine, tool0;"
+    program, plant = rapid(body), plant_with_rail()
+    found = []
+    for ties in ((), ((0, 2),)):
+        problem = problem_of(program, plant, Target.RAPID, changes=Changes(frozenset(range(5)), ties))
+        label = Label(0, np.zeros(6))
+        chain = Chain(np.zeros((6, 7)), np.zeros((6, 7)), (label,) * 6, np.zeros(5), 0.0)
+        found.append([(len(piece.legs), piece.ties) for piece, _ in cut(problem, chain, True)])
+    assert found == [[(2, ()), (2, ()), (1, ())], [(4, ((1, 3),)), (1, ())]]
