@@ -46,6 +46,7 @@ def test_a_folder_is_optimised_and_its_results_stand_alone(
         "entry": "Go",
         "assume_identity": ["tgun"],
         "target": "stream",
+        "loops": "keep",
     }
     assert record["inputs"]["program"] == "input/Tiny.mod"
     assert [(one["path"], one["copy"], one["rapid"]) for one in record["inputs"]["files"]] == [

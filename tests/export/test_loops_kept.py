@@ -13,6 +13,7 @@ from trajopt_cli.cell.loader import load_cell
 from trajopt_cli.export.rapid import export_rapid
 from trajopt_cli.export.rapid_reading import Reading
 from trajopt_cli.export.rapid_writable import KEPT, text_changes
+from trajopt_cli.job import read_job
 from trajopt_cli.motion import MoveJ, MoveL, Program, SignalEvent
 from trajopt_cli.problem.changes import Changes, Loops
 from trajopt_cli.problem.plant import Plant, build_plant
@@ -101,6 +102,12 @@ def test_a_computed_target_of_an_open_rail_is_declared_for_all_passes(plant: Pla
     assert "            MoveJ p2_2,v100,fine,tool0;" in export.texts["m.mod"]
 
 
+def test_a_wait_in_which_the_rail_moves_by_less_than_a_num_can_say_stays(plant: Plant) -> None:
+    program = made(f"{J1}        WaitTime 0.5;\n        MoveL p1,v100,fine,tool0;\n")
+    export = export_rapid(program, plan_for(program, plant, {0: 0.3, 1: 0.3 + 2e-9, 2: 0.3 + 2e-9}), plant)
+    assert "        WaitTime 0.5;\n" in export.texts["m.mod"]
+
+
 def test_every_wish_that_keeps_the_ties_can_be_written(plant: Plant) -> None:
     rng = np.random.default_rng(3)
     program = made(PICK.replace("p2", "p3"), P3)
@@ -172,6 +179,18 @@ def test_a_literal_that_a_kept_target_is_computed_from_stays(plant: Plant) -> No
         "m.mod:9 (cannot be edited without moving others)",
         "m.mod:10 (depend on i)",
     ]
+
+
+def test_without_a_rail_a_configuration_would_be_theirs_too() -> None:
+    """The shipped bench: what is set down at p is also approached at Offs(p,0,0,lift)."""
+    job = read_job(PROGRAMS / "bench_irb140.mod")
+    reading = Reading(job.program, job.plant, job.scenario)
+    found = text_changes(job.program, job.plant, reading)
+    lines = {motion.source.line for i, motion in enumerate(job.program.motions) if i in found.values}
+    assert lines & set(range(30, 44)) == {30, 31, 32, 34, 35}
+    assert len(text_changes(job.program, job.plant, reading, Loops.UNROLL).values) == len(
+        [motion for motion in job.program.motions if not isinstance(motion, SignalEvent)]
+    )
 
 
 def test_one_literal_in_two_places_cannot_have_one_configuration(plant: Plant) -> None:

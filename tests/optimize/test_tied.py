@@ -7,10 +7,13 @@ from itertools import pairwise, product
 
 import numpy as np
 import pytest
-from small_cells import plant_with_rail, rapid
+from small_cells import plant_with_rail, problem_of, rapid
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize import optimize, tied
+from trajopt_cli.optimize.pieces import cut
+from trajopt_cli.optimize.reach import Label
+from trajopt_cli.optimize.search import Chain
 from trajopt_cli.optimize.tied import Ties, best_tied
 from trajopt_cli.problem.changes import Changes
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
@@ -89,34 +92,38 @@ def test_ties_without_a_state_in_common_have_no_chain() -> None:
     assert best_tied(states, edges, through, ((0, 2),)) == (np.inf, [])
 
 
+NEAR = """CONST robtarget p_up:=[[500,600,450],[0,0,1,0],[0,0,0,0],[460,9E9,9E9,9E9,9E9,9E9]];
+CONST robtarget p_down:=[[500,600,390],[0,0,1,0],[0,0,0,0],[460,9E9,9E9,9E9,9E9,9E9]];"""
 TWICE = """FOR i FROM 1 TO 2 DO
-MoveJ p_in, v2500, fine, tool0;
-MoveL p_low, v500, fine, tool0;
-MoveJ Offs(p_in,0,700*(2-i),0), v2500, fine, tool0;
+MoveJ p_up, v2500, fine, tool0;
+MoveL p_down, v500, fine, tool0;
+MoveJ Offs(p_up,0,700*(2-i),0), v2500, fine, tool0;
 ENDFOR
 MoveAbsJ j_home, v1000, fine, tool0;"""
 
 
 def test_tied_waypoints_get_one_rail_position_and_one_configuration() -> None:
     """To the last bit, as they are written with one number; untied they are elsewhere in either pass, and the tied
-    plan is slower and no faster than the bound of the untied."""
-    program, plant = rapid(TWICE), plant_with_rail()
+    plan is slower, but no slower than with both held at 460 mm, and no faster than the bound of the untied."""
+    program, plant = rapid(TWICE, data=NEAR), plant_with_rail()
     every = frozenset(range(len(program.motions)))
     one = optimize(program, plant, Target.RAPID, changes=Changes(every, ((0, 3), (1, 4))))
     other = optimize(program, plant, Target.RAPID, changes=Changes(every))
+    held = optimize(program, plant, Target.RAPID, changes=Changes(every - {0, 1, 3, 4}), bounded=False)
     assert isinstance(one, Plan)
     assert isinstance(other, Plan)
+    assert isinstance(held, Plan)
     for first, second in ((0, 3), (1, 4)):
         np.testing.assert_array_equal(one.motions[first].q_1, one.motions[second].q_1)
         assert abs(other.motions[first].q_1[0] - other.motions[second].q_1[0]) > 0.05
-    assert other.duration < one.duration
+    assert other.duration < one.duration <= held.duration
     assert other.lower_bound is not None
     assert other.lower_bound == one.lower_bound <= other.duration
 
 
 def test_a_tie_that_cannot_be_kept_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("trajopt_cli.optimize.search.best_tied", lambda *_: (np.inf, []))
-    program = rapid(TWICE)
+    program = rapid(TWICE, data=NEAR)
     answer = optimize(program, plant_with_rail(), Target.RAPID, changes=Changes(frozenset(range(7)), ((0, 3), (1, 4))))
     assert isinstance(answer, Infeasible)
     assert answer.message.endswith("in one configuration for all passes; --loops unroll asks for less")
@@ -135,3 +142,16 @@ def test_beyond_three_neighbours_candidates_are_tried_one_by_one(monkeypatch: py
         assert cost <= guess
         worse += cost < guess
     assert worse
+
+
+def test_a_problem_is_cut_at_fixed_joints_but_not_between_tied_waypoints() -> None:
+    body = "FOR i FROM 1 TO 2 DO\nMoveJ p_up, v500, fine, tool0;\nMoveAbsJ j_home, v500, fine, tool0;\nENDFOR"
+    body += "\nMoveJ p_down, v500, fine, tool0;"
+    program, plant = rapid(body, data=NEAR), plant_with_rail()
+    found = []
+    for ties in ((), ((0, 2),)):
+        problem = problem_of(program, plant, Target.RAPID, changes=Changes(frozenset(range(5)), ties))
+        label = Label(0, np.zeros(6))
+        chain = Chain(np.zeros((6, 7)), np.zeros((6, 7)), (label,) * 6, np.zeros(5), 0.0)
+        found.append([(len(piece.legs), piece.ties) for piece, _ in cut(problem, chain, True)])
+    assert found == [[(2, ()), (2, ()), (1, ())], [(4, ((1, 3),)), (1, ())]]

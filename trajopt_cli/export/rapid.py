@@ -26,7 +26,7 @@ from collections import Counter
 from dataclasses import replace
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.export.rapid_check import mismatches
+from trajopt_cli.export.rapid_check import mismatches, rail_moves
 from trajopt_cli.export.rapid_reading import Reading
 from trajopt_cli.export.rapid_scopes import Scopes
 from trajopt_cli.export.rapid_stretches import Stretches
@@ -36,11 +36,9 @@ from trajopt_cli.export.rapid_writable import safest
 from trajopt_cli.export.rapid_write import Choices, Intent, RapidExport, write
 from trajopt_cli.motion import Move, Program, Wait
 from trajopt_cli.problem.changes import Loops
-from trajopt_cli.problem.plan import Plan, PlannedMotion, Target
+from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.scenario import Scenario
-
-_RAIL_STILL = 1e-9  # m
 
 
 def export_rapid(
@@ -111,11 +109,6 @@ def _hanging(program: Program, scopes: Scopes, stretches: Stretches, index: int)
     return refusal(
         motion.source, f"the plan wants other values for {motion.target}, which {why}; it cannot be written out"
     )
-
-
-def rail_moves(planned: PlannedMotion, plant: Plant) -> bool:
-    """Whether the rail is elsewhere at the end of a motion."""
-    return plant.rail_eax is not None and abs(float(planned.q_1[0] - planned.q_0[0])) > _RAIL_STILL
 
 
 def _is_computed(program: Program, index: int) -> bool:

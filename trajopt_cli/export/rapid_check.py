@@ -59,7 +59,7 @@ def mismatches(
         if planned is not None and planned.dropped:
             continue
         match motion:
-            case Wait() if planned is not None and _rail_moves(planned, plant):
+            case Wait() if planned is not None and rail_moves(planned, plant):
                 errors = _check_dwell(motion, before, planned, plant, next(read, None))
                 if motion.condition is not None:
                     errors = [*errors, *_check_same(motion, next(read, None))]
@@ -100,7 +100,8 @@ def same_motion(motion: Motion, other: Motion) -> bool:
     return not any(_otherwise(motion, other)) and not any(_elsewhere(motion, other))
 
 
-def _rail_moves(planned: PlannedMotion, plant: Plant) -> bool:
+def rail_moves(planned: PlannedMotion, plant: Plant) -> bool:
+    """Whether the rail is elsewhere at the end of a motion, as far as a num can tell."""
     return plant.rail_eax is not None and abs(float(planned.q_1[0] - planned.q_0[0])) > _RAIL
 
 
@@ -149,7 +150,7 @@ def _otherwise(motion: Move, read: Move, fast: bool = False, monitored: bool = F
 def _differences(motion: Move, planned: PlannedMotion, plant: Plant, read: Move) -> Iterator[str]:
     if plant.rail_eax is not None:
         wanted, given = float(planned.q_1[0]), plant.rail_value(read.extax)
-        stays = given is None and not _rail_moves(planned, plant)  # an open axis stays where it is
+        stays = given is None and not rail_moves(planned, plant)  # an open axis stays where it is
         if not stays and (given is None or not abs(wanted - given) <= _RAIL):
             shown = "open" if given is None else f"{given / MM:.6f} mm"
             yield f"the rail at {wanted / MM:.6f} mm, and the target says {shown}"

@@ -89,9 +89,9 @@ class _Text:
             wrong = self._disturbed(free, Choices(frozenset(own), ()), ties)
             if wrong is None:
                 return free, ties
-            groups = self._without_what_moves(wrong, groups)
             if not groups:
                 break
+            groups = self._without_what_moves(wrong, groups)
         return self._free(set(), []) & self.single - self.bound, ()
 
     def _with(self, own: set[int], groups: list[Passes]) -> tuple[frozenset[int], tuple[Passes, ...]]:
@@ -106,19 +106,21 @@ class _Text:
         """The groups but those whose literal a motion computes with; but all with a literal where that is none."""
         motion = self.program.motions[wrong] if wrong < len(self.program.motions) else None
         names = {name.lower() for name in names_in(motion.target)} if isinstance(motion, Move) else set()
-        firsts = [(group, self.program.motions[group[0]].written) for group in groups]
-        read = [
-            group
-            for group, written in firsts
-            if written.declaration is not None and self._declared_name(written.declaration) in names
-        ]
-        gone = read or [group for group, written in firsts if written.aggregate is not None] or groups
+        literals = [group for group in groups if self.program.motions[group[0]].written.aggregate is not None]
+        read = [group for group in literals if not names.isdisjoint(self._called(group))]
+        gone = read or literals or groups
         self.moving |= {i for group in gone for i in group}
         return [group for group in groups if group not in gone]
 
-    def _declared_name(self, declaration: Span) -> str:
-        text = self.program.files[declaration.file].text[declaration.start : declaration.end]
-        return declared_name(text).lower()
+    def _called(self, group: Passes) -> Iterator[str]:
+        """What the literal of a group is called where it is declared and where it is moved to, in lower case."""
+        declaration = self.program.motions[group[0]].written.declaration
+        if declaration is not None:
+            text = self.program.files[declaration.file].text[declaration.start : declaration.end]
+            yield declared_name(text).lower()
+        for motion in (self.program.motions[i] for i in group):
+            if isinstance(motion, Move):
+                yield motion.target.lower()
 
     # ---------------------------------------------------------------------------------------------------- written flat
 
@@ -226,11 +228,8 @@ class _Text:
         return frozenset(i for i in going if statements[i] not in staying)
 
     def _disturbed(self, free: Set[int], choices: Choices, ties: Iterable[Passes] = ()) -> int | None:
-        """The first motion that becomes another when every free move is given a rail position of its own, of tied ones
-        the same; None where all become what they should."""
-        eax = self.plant.rail_eax
-        if eax is None:
-            return None
+        """The first motion that becomes another when every free move is given a rail position of its own (without a
+        rail: a configuration), of tied ones the same; None where all become what they should."""
         program = self.program
         first = {i: group[0] for group in ties for i in group}
         targets = Targets(program, self.plant, Edits(program.files), Names({}), self.scopes)
@@ -241,10 +240,7 @@ class _Text:
             elif isinstance(motion, Move):
                 wish = targets.as_written(motion)
                 if i in free:
-                    value = round((motion.extax[eax] or 0.0) + _STEP * (first.get(i, i) % _STEPS + 1), 3)
-                    axes = list(motion.extax)
-                    axes[eax] = value
-                    wanted[i] = other = replace(motion, extax=cast(ExternalAxes, tuple(axes)))
+                    wanted[i] = other = self._moved(motion, first.get(i, i) % _STEPS + 1)
                     wish = targets.as_written(other)
                 intents[i] = Intent(wish)
         try:
@@ -254,6 +250,17 @@ class _Text:
         except InputError as error:
             return _blamed(program, error)
         return first_difference(replace(program, motions=tuple(wanted)), read)
+
+    def _moved(self, motion: Move, steps: int) -> Move:
+        """A move to the same place with so many steps added to its rail position, without a rail to its confdata."""
+        eax = self.plant.rail_eax
+        if eax is not None:
+            axes = list(motion.extax)
+            axes[eax] = round((motion.extax[eax] or 0.0) + _STEP * steps, 3)
+            return replace(motion, extax=cast(ExternalAxes, tuple(axes)))
+        if isinstance(motion, PoseMove) and confdata_counts(motion):
+            return replace(motion, conf=replace(motion.conf, cf6=motion.conf.cf6 + steps))
+        return motion
 
     def kept(self, free: Set[int], loops: Loops) -> Iterator[str]:
         """What users should know of the moves that are no free ones: where they are, why, what would free them.
@@ -280,11 +287,12 @@ class _Text:
             if computed and (variable := self.scopes.depends_on(move)) is not None:
                 remedy = "a declared target would free them, or --loops unroll, which writes this run's values out"
                 return f"depend on {variable}", remedy
-            if runs > 1 and index not in self.moving:
+            if index in self.moving:
+                remedy = "declared targets of their own would free them, or --loops unroll"
+                return "cannot be edited without moving others", remedy
+            if runs > 1:
                 remedy = "a statement of its own for each time would free them, or --loops unroll"
                 return f"run {runs} times in one loop or routine", remedy
-        if index in self.moving:
-            thing, runs = None, 1
         return _why_kept(move, runs, thing, span in self.scopes.compact)
 
 

@@ -73,7 +73,8 @@ def optimize(
     """The fastest motion found for a program on one target, with a lower bound of the same model if bounded.
 
     freedom: what may change at all. changes: which motions may have it, None for all of them (a plan that nobody
-    writes back into the program's text). Raises NoCleanPlan when the solver fails from every start.
+    writes back into the program's text). The bound leaves ties of passes out, so it holds with them, too.
+    Raises NoCleanPlan when the solver fails from every start.
     """
     tell: Report = progress or (lambda _: None)
     seconds: dict[str, float] = {}

@@ -61,11 +61,13 @@ def _merged(states: Sequence[Array], ties: Ties) -> tuple[list[int], list[IndexA
 
 @dataclass
 class _Graph:
-    """own: cost of each state of a node (n,). pair: cost of two nodes' states together (n_a, n_b), a < b. bound: a
-    lower bound through each state. constant: cost of nodes that were taken out."""
+    """own: cost of each state of a node (n,). pair: cost of two nodes' states together (n_a, n_b), a < b. near: the
+    nodes that share such a cost with a node. bound: a lower bound through each state. constant: cost of nodes that were
+    taken out."""
 
     own: dict[int, Array]
     pair: dict[tuple[int, int], Array]
+    near: dict[int, set[int]]
     bound: dict[int, Array] = field(default_factory=dict)
     constant: float = 0.0
 
@@ -74,7 +76,7 @@ class _Graph:
         cls, node: Sequence[int], rows: Sequence[IndexArray], edges: Sequence[Array], through: Sequence[Array]
     ) -> _Graph:
         """The legs between nodes added up."""
-        graph = cls({number: np.zeros(len(rows[number])) for number in node}, {})
+        graph = cls({number: np.zeros(len(rows[number])) for number in node}, {}, {number: set() for number in node})
         for k, number in enumerate(node):
             bound = through[k][rows[k]]
             graph.bound[number] = np.maximum(graph.bound[number], bound) if number in graph.bound else bound
@@ -91,10 +93,8 @@ class _Graph:
         """More cost (n_a, n_b) between two nodes."""
         key, table = ((a, b), table) if a < b else ((b, a), table.T)
         self.pair[key] = self.pair[key] + table if key in self.pair else table
-
-    def neighbours(self, x: int) -> list[int]:
-        """The nodes that share a cost with x, in order."""
-        return sorted(a + b - x for a, b in self.pair if x in (a, b))
+        self.near[a].add(b)
+        self.near[b].add(a)
 
     def table(self, x: int, y: int) -> Array:
         """The cost of x (rows) and y together."""
@@ -124,7 +124,7 @@ class _Graph:
 
     def _hard(self) -> list[int]:
         """Nodes without which all others can be taken out exactly."""
-        near = {x: set(self.neighbours(x)) for x in self.own}
+        near = {x: set(others) for x, others in self.near.items()}
         hard = []
         while near:
             x = min(near, key=lambda x: (len(near[x]), x))
@@ -140,17 +140,17 @@ class _Graph:
 
     def _given(self, fixed: Mapping[int, int]) -> tuple[float, dict[int, int]]:
         """As solve, with the states of some nodes given, so that all others can be taken out one by one."""
-        graph = _Graph(dict(self.own), dict(self.pair))
+        graph = _Graph(dict(self.own), dict(self.pair), {x: set(others) for x, others in self.near.items()})
         total = 0.0
         for x, state in fixed.items():
             total += float(graph.own[x][state])
-            for y in graph.neighbours(x):
+            for y in graph.near[x]:
                 graph.own[y] = graph.own[y] + graph.table(x, y)[state]
             graph._remove(x)
         taken: list[tuple[int, list[int], IndexArray]] = []
         while graph.own:
-            x = min(graph.own, key=lambda x: (len(graph.neighbours(x)), x))
-            beside = graph.neighbours(x)
+            x = min(graph.own, key=lambda x: (len(graph.near[x]), x))
+            beside = sorted(graph.near[x])
             taken.append((x, beside, graph._take_out(x, beside)))
         cost = total + graph.constant
         chosen = dict(fixed)
@@ -185,4 +185,6 @@ class _Graph:
 
     def _remove(self, x: int) -> None:
         del self.own[x]
-        self.pair = {key: table for key, table in self.pair.items() if x not in key}
+        for y in self.near.pop(x):
+            self.near[y].discard(x)
+            del self.pair[min(x, y), max(x, y)]
