@@ -66,7 +66,7 @@ def test_the_loop_stays_and_its_targets_are_edited(plant: Plant) -> None:
         "+            MoveL p1_2,v100,fine,tool0;",
         "+            MoveL p1_b, v100 \\T:=0.5, fine, tool0;",
     ]
-    assert len([note for note in export.notes if "is computed" in note]) == 1
+    assert len([note for note in export.notes if "is computed" in note.text]) == 1
     for motion, planned in zip(read_back(program, export).motions, plan.motions, strict=True):
         if isinstance(motion, MoveJ | MoveL):
             assert plant.rail_value(motion.extax) == pytest.approx(planned.q_1[0], abs=1e-9)

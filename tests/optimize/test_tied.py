@@ -153,5 +153,5 @@ def test_a_problem_is_cut_at_fixed_joints_but_not_between_tied_waypoints() -> No
         problem = problem_of(program, plant, Target.RAPID, changes=Changes(frozenset(range(5)), ties))
         label = Label(0, np.zeros(6))
         chain = Chain(np.zeros((6, 7)), np.zeros((6, 7)), (label,) * 6, np.zeros(5), 0.0)
-        found.append([(len(piece.legs), piece.ties) for piece, _ in cut(problem, chain, True)])
+        found.append([(len(piece.legs), piece.ties) for piece, _ in cut(problem, chain)])
     assert found == [[(2, ()), (2, ()), (1, ())], [(4, ((1, 3),)), (1, ())]]
