@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from time import perf_counter
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from trajopt_cli.beside import Beside, cores
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
@@ -16,6 +16,7 @@ from trajopt_cli.job import Job, read_results_job
 from trajopt_cli.motion import Program, TextFile, Wait
 from trajopt_cli.notices import NoticeKind
 from trajopt_cli.problem.changes import Changes, Loops, everything
+from trajopt_cli.problem.freedom import AS_WRITTEN
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.runs import SUMMARY
@@ -39,6 +40,7 @@ from trajopt_cli.runs.results import (
 if TYPE_CHECKING:
     from trajopt_cli.export.rapid_write import RapidExport
     from trajopt_cli.findings import Finding, Report
+    from trajopt_cli.optimize import Memory
     from trajopt_cli.problem.plant import Plant
     from trajopt_cli.trajectory import Trajectory
 
@@ -77,12 +79,14 @@ class Collides:
 class Optimised:
     """The answer of optimize: both targets' judged plans, what the user should know, and where the files are.
 
+    written: the program as it stands, driven under the same limits, or why it cannot be.
     no_rapid: why the RAPID plan could not be written as RAPID; then rapid_files is empty.
     """
 
     job: Job
     target: Target
     judged: Mapping[Target, Judged]
+    written: Plan | str
     warnings: tuple[str, ...]
     notes: tuple[str, ...]
     folder: Path
@@ -139,7 +143,8 @@ def optimise(
         return infeasible
     inputs = _inputs(job)
     judged: dict[Target, Judged] = {}
-    for one, answer in _both(job, listen, clock, changes).items():
+    answers, written = _all_three(job, listen, clock, changes)
+    for one, answer in answers.items():
         if not isinstance(answer, Judged):
             return answer
         if not answer.report.legal:
@@ -157,7 +162,7 @@ def optimise(
             notices = (*notices, f"no RAPID text: {no_rapid}")
         placed = _placed(export, folder) if export is not None else ()
         notes = (*_configurations(job, judged), *placed, *changes[Target.RAPID].kept, *unrolled)
-        files = _files(job, target, judged, inputs, export, notices, notes, changes[Target.RAPID].kept)
+        files = _files(job, target, judged, inputs, export, notices, notes, changes[Target.RAPID].kept, written)
     if plots:
         listen("results", Progress("plots"))
         with clock.phase("plots"):
@@ -188,7 +193,7 @@ def optimise(
         seconds={name: round(value, 3) for name, value in clock.seconds.items()},
     )
     modules = (*(given.rapid for given in inputs.values() if given.rapid in files), *added.values())
-    return Optimised(job, target, judged, notices, notes, folder, modules, no_rapid, clock.seconds)
+    return Optimised(job, target, judged, written, notices, notes, folder, modules, no_rapid, clock.seconds)
 
 
 def _export(job: Job, rapid: Plan, loops: Loops) -> tuple[RapidExport | None, str | None]:
@@ -212,10 +217,12 @@ def _files(
     notices: tuple[str, ...],
     notes: tuple[str, ...],
     kept: tuple[str, ...],
+    written: Plan | str,
 ) -> dict[str, bytes]:
     """The results folder's files but run.json."""
+    plant = job.plant
     files = {
-        SUMMARY: summary(job.program, target, judged, notices, job.plant.notes, job.plant.unchecked, notes, kept),
+        SUMMARY: summary(job.program, target, judged, written, notices, plant.notes, plant.unchecked, notes, kept),
         CHOSEN: judged[target].csv.encode("ascii"),
         **{CSV[one]: judged[one].csv.encode("ascii") for one in Target},
     }
@@ -305,45 +312,59 @@ def _out_of_reach(job: Job, clock: _Clock, changes: Mapping[Target, Changes], lo
     return None
 
 
-def _both(
+def _all_three(
     job: Job, listen: Listener, clock: _Clock, changes: Mapping[Target, Changes]
-) -> dict[Target, Judged | Infeasible | NoPlan]:
-    """Both targets, beside each other where there are two cores; a stream that cannot be done ends the run at once."""
+) -> tuple[dict[Target, Judged | Infeasible | NoPlan], Plan | str]:
+    """Both targets, and the program as written; beside each other where there are two cores. A stream that cannot be
+    done ends the run at once."""
     stream, rapid = Target.STREAM, Target.RAPID
+
+    def second(
+        tell: Callable[[Progress], None],
+    ) -> tuple[Judged | Infeasible | NoPlan, Plan | str, dict[str, float]]:
+        own, memory = _Clock(), dict[bytes, Any]()
+        answer = solve(job, rapid, changes[rapid], lambda _, progress: tell(progress), own, memory)
+        written = as_written(job, changes[rapid], own, memory) if isinstance(answer, Judged) else ""
+        return answer, written, own.seconds
+
+    def hear(progress: Progress) -> None:
+        listen(rapid.value, progress)
+
     if cores() == 1:
         first = solve(job, stream, changes[stream], listen, clock)
-        second = solve(job, rapid, changes[rapid], listen, clock) if isinstance(first, Judged) else first
-        return {stream: first, rapid: second}
-
-    def second_target(tell: Callable[[Progress], None]) -> tuple[Judged | Infeasible | NoPlan, dict[str, float]]:
-        own = _Clock()
-        return solve(job, rapid, changes[rapid], lambda _, progress: tell(progress), own), own.seconds
-
-    with Beside(second_target, lambda progress: listen(rapid.value, progress)) as beside:
-
-        def listen_to_both(label: str, progress: Progress) -> None:
-            listen(label, progress)
-            beside.listen()
-
-        first = solve(job, stream, changes[stream], listen_to_both, clock)
         if not isinstance(first, Judged):
-            return {stream: first}
-        answer, seconds = beside.answer()
+            return {stream: first}, ""
+        answer, written, seconds = second(hear)
+    else:
+        with Beside(second, hear) as beside:
+
+            def listen_to_both(label: str, progress: Progress) -> None:
+                listen(label, progress)
+                beside.listen()
+
+            first = solve(job, stream, changes[stream], listen_to_both, clock)
+            if not isinstance(first, Judged):
+                return {stream: first}, ""
+            answer, written, seconds = beside.answer()
     clock.seconds |= seconds
-    return {stream: first, rapid: answer}
+    return {stream: first, rapid: answer}, written
 
 
-def solve(job: Job, target: Target, changes: Changes, listen: Listener, clock: _Clock) -> Judged | Infeasible | NoPlan:
+def solve(
+    job: Job, target: Target, changes: Changes, listen: Listener, clock: _Clock, memory: Memory | None = None
+) -> Judged | Infeasible | NoPlan:
     """Plan one target, write its trajectory as CSV text, and let the judge read that text."""
     from trajopt_cli.joint_csv import write_csv_text
     from trajopt_cli.optimize import NoCleanPlan, optimize
 
     label = target.value
+
+    def tell(progress: Progress) -> None:
+        listen(label, progress)
+
     with clock.phase(f"{label}: plan"):
         try:
-            plan = optimize(
-                job.program, job.plant, target, progress=lambda progress: listen(label, progress), changes=changes
-            )
+            plan = optimize(job.program, job.plant, target, progress=tell, changes=changes, memory=memory)
         except NoCleanPlan as failure:
             return NoPlan(label, str(failure))
     if isinstance(plan, Infeasible):
@@ -356,6 +377,28 @@ def solve(job: Job, target: Target, changes: Changes, listen: Listener, clock: _
         dropped = tuple(motion.index for motion in plan.motions if motion.dropped)
         report = judge(job.plant, job.program, text, CSV[target], dropped, target)
     return Judged(plan, text, report)
+
+
+def as_written(job: Job, changes: Changes, clock: _Clock, memory: Memory) -> Plan | str:
+    """The program as it stands, driven by the RAPID controller under the same limits; or why it cannot be, one line.
+
+    The same question as that of the first row of `compare`. memory: pieces that the rapid plan has solved.
+    """
+    from trajopt_cli.joint_csv import write_csv_text
+    from trajopt_cli.optimize import NoCleanPlan, optimize
+
+    with clock.phase("as written"):
+        try:
+            plan = optimize(
+                job.program, job.plant, Target.RAPID, AS_WRITTEN, bounded=False, changes=changes, memory=memory
+            )
+        except NoCleanPlan as failure:
+            return f"no plan found: {failure}"
+        if isinstance(plan, Infeasible):
+            return plan.message
+        text = write_csv_text(plan.trajectory)
+        report = judge(job.plant, job.program, text, "as written", (), Target.RAPID, advice=False)
+    return plan if report.legal else f"not legal: {_worst(report).message}"
 
 
 def changes_of(job: Job, target: Target, loops: Loops = Loops.KEEP) -> Changes:

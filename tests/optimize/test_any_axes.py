@@ -89,7 +89,7 @@ def test_a_rail_that_is_the_last_axis_changes_nothing_but_the_order(target: Targ
         axes = Axes.of(one.plant)
         chain = search(axes, one)
         assert chain is not None
-        _, _, trajectory, _ = _clean_plan(axes, one, chain, lambda _: None, {})
+        _, _, trajectory, _ = _clean_plan(axes, one, chain, {}, lambda _: None, {})
         plans.append(trajectory)
         bounds.append(lower_bound(axes, one, trajectory.duration))
     first, last = plans

@@ -35,7 +35,7 @@ def optimize(
     """
     from trajopt_cli.cli.console import answer_no, stdout
     from trajopt_cli.cli.progress import ProgressView
-    from trajopt_cli.cli.tables import cycle_line, motions_table
+    from trajopt_cli.cli.tables import cycle_line, motions_table, saving_line
     from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.pipeline import Optimised, optimise
     from trajopt_cli.problem.changes import Loops
@@ -50,6 +50,8 @@ def optimize(
     if not isinstance(answer, Optimised):
         answer_no(answer)
     console = stdout()
+    console.print(saving_line(answer))
+    console.print()
     console.print(motions_table(answer))
     for one in Target:
         console.print(cycle_line(one.value, answer.judged[one].plan))

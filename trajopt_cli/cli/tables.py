@@ -25,23 +25,53 @@ def cycle_line(label: str, plan: Plan) -> str:
     return f"{label}: T = {plan.duration:.3f} s{bound}, grid {plan.grid}"
 
 
+def saving_line(answer: Optimised) -> str:
+    """The answer in one line: as written, and what the plans make of it."""
+    plans = [answer.judged[one].plan for one in (Target.STREAM, Target.RAPID)]
+    names = ("as a joint stream", "by the RAPID controller")
+    before = answer.written
+    if isinstance(before, str):
+        told = ", ".join(f"{plan.duration:.3f} s {name}" for plan, name in zip(plans, names, strict=True))
+        return f"as written it cannot be driven ({before}) → {told}"
+    told = ", ".join(
+        f"{plan.duration:.3f} s ({change(before.duration, plan.duration)}) {name}"
+        for plan, name in zip(plans, names, strict=True)
+    )
+    return f"as written {before.duration:.3f} s → {told}"
+
+
+def change(before: float, after: float) -> str:
+    """What becomes of a time, in per cent: "−26.5 %"."""
+    percent = f"{100 * (after / before - 1):+.1f}" if before > 0 else "+0.0"
+    return f"{percent.replace('-', '−')} %"
+
+
 def motions_table(answer: Optimised) -> Table:
-    """Every motion with its time on both targets; binding limits are those of the target in trajectory.csv."""
-    program, chosen = answer.job.program, answer.target
+    """Every motion as written and on both targets; binding limits are those of the target in trajectory.csv."""
+    program, chosen, before = answer.job.program, answer.target, answer.written
     table = plain_table(
         f"{answer.job.program_path} on {answer.job.plant.robot.name}",
-        *("place", "instruction", "target", ">stream [s]", ">rapid [s]", f"what limits the {chosen.value} plan"),
+        *(
+            "place",
+            "instruction",
+            "target",
+            ">written [s]",
+            ">stream [s]",
+            ">rapid [s]",
+            f"what limits the {chosen.value} plan",
+        ),
     )
     plans = {one: answer.judged[one].plan for one in Target}
     for i, motion in enumerate(plans[chosen].motions):
         instruction, name = motion_label(program, motion.index)
-        times = []
+        times = ["-" if isinstance(before, str) else f"{before.motions[i].t_1 - before.motions[i].t_0:.3f}"]
         for one in (Target.STREAM, Target.RAPID):
             planned = plans[one].motions[i]
             times.append("dropped" if planned.dropped else f"{planned.t_1 - planned.t_0:.3f}")
         table.add_row(place(motion.source), instruction, name, *times, motion.binding)
     table.add_section()
-    totals = [f"{plans[one].duration:.3f}" for one in (Target.STREAM, Target.RAPID)]
+    totals = ["-" if isinstance(before, str) else f"{before.duration:.3f}"]
+    totals += [f"{plans[one].duration:.3f}" for one in (Target.STREAM, Target.RAPID)]
     table.add_row("cycle", "", "", *totals, "")
     return table
 

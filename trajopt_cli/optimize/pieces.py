@@ -11,10 +11,14 @@ from itertools import pairwise
 
 import numpy as np
 
+from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.legs import LegMotion
 from trajopt_cli.optimize.search import Chain
+from trajopt_cli.problem.freedom import RailFreedom
 from trajopt_cli.problem.problem import Problem
+
+Memory = dict[bytes, Draft]  # pieces of one plant that are solved, by key
 
 
 def _pinned(problem: Problem, k: int) -> bool:
@@ -41,29 +45,33 @@ def cut(problem: Problem, chain: Chain) -> Iterator[tuple[Problem, Chain]]:
 
 def key(problem: Problem, chain: Chain) -> bytes:
     """Equal for pieces that ask for the same motion."""
-    parts: list[bytes] = [np.round(chain.q, 12).tobytes(), np.round(chain.w, 12).tobytes()]
-    for stop in problem.waypoints:
-        parts += [np.round(stop.X_WF, 12).tobytes(), repr((stop.rail, stop.rest, stop.q is None)).encode()]
+    parts = [_digits(chain.q), _digits(chain.w)]
+    for k, stop in enumerate(problem.waypoints):
+        parts += [_digits(stop.X_WF), repr((stop.rail, problem.rests(k), stop.q is None)).encode()]
     for leg in problem.legs:
         numbers = (leg.v_tcp, leg.a_tcp, leg.v_ori, leg.v_rail, leg.duration, leg.rail_moves)
-        parts += [leg.kind.value.encode(), np.round(leg.X_FT, 12).tobytes(), repr(numbers).encode()]
-    parts.append(repr(problem.ties).encode())
+        parts += [leg.kind.value.encode(), _digits(leg.X_FT), repr(numbers).encode()]
+    held = problem.freedom.rail is RailFreedom.STATION
+    parts.append(repr((problem.ties, problem.coupling.value, held)).encode())
     parts.append(repr([label.cfx for label in chain.labels]).encode())
     return b"|".join(parts)
 
 
+def _digits(values: Array) -> bytes:
+    return (np.round(values, 12) + 0.0).tobytes()  # -0 is 0
+
+
 def solve_pieces(
-    problem: Problem, chain: Chain, solve: Callable[[Problem, Chain], Draft],
+    problem: Problem, chain: Chain, memory: Memory, solve: Callable[[Problem, Chain], Draft],
     report: Callable[[list[LegMotion | None]], None],
 ) -> Draft:  # fmt: skip
-    """Solve every different piece once and join the drafts; report: the legs found so far."""
-    known: dict[bytes, Draft] = {}
+    """Solve every piece that is not in memory, and join the drafts; report: the legs found so far."""
     drafts: list[Draft] = []
     for piece, part in cut(problem, chain):
         name = key(piece, part)
-        if name not in known:
-            known[name] = solve(piece, part)
-        drafts.append(known[name])
+        if name not in memory:
+            memory[name] = solve(piece, part)
+        drafts.append(memory[name])
         report([leg for draft in drafts for leg in draft.legs])
     q = np.concatenate([d.q[:-1] for d in drafts] + [drafts[-1].q[-1:]])
     qd = np.concatenate([d.qd[:-1] for d in drafts] + [drafts[-1].qd[-1:]])

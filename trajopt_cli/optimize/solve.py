@@ -18,7 +18,7 @@ from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.driver import NotConverged, Refiner, first_draft
 from trajopt_cli.optimize.formulation import Formulation
 from trajopt_cli.optimize.legs import JointProfiles, LegMotion, PathLeg
-from trajopt_cli.optimize.pieces import alone, cut, solve_pieces, with_leg
+from trajopt_cli.optimize.pieces import Memory, alone, cut, solve_pieces, with_leg
 from trajopt_cli.optimize.reach import check_reach
 from trajopt_cli.optimize.search import Chain, search
 from trajopt_cli.optimize.tuning import (
@@ -69,11 +69,13 @@ def optimize(
     progress: Report | None = None,
     bounded: bool = True,
     changes: Changes | None = None,
+    memory: Memory | None = None,
 ) -> Plan | Infeasible:
     """The fastest motion found for a program on one target, with a lower bound of the same model if bounded.
 
     freedom: what may change at all. changes: which motions may have it, None for all of them (a plan that nobody
-    writes back into the program's text). The bound leaves ties of passes out, so it holds with them, too.
+    writes back into the program's text). The bound leaves ties of passes out, so it holds with them, too. memory: what
+    was solved for other plans on this plant; pieces that are the same are taken from it, new ones added.
     Raises NoCleanPlan when the solver fails from every start.
     """
     tell: Report = progress or (lambda _: None)
@@ -94,7 +96,7 @@ def optimize(
     if not found:
         return _disconnected(program, any(problem.ties for problem in open_))
     chain, problem = min(found, key=lambda pair: pair[0].cost)
-    draft, legs, trajectory, bounds = _clean_plan(axes, problem, chain, tell, seconds)
+    draft, legs, trajectory, bounds = _clean_plan(axes, problem, chain, {} if memory is None else memory, tell, seconds)
     bound = None
     if bounded:
         start = perf_counter()
@@ -127,7 +129,9 @@ def search_estimate(program: Program, plant: Plant, target: Target, changes: Cha
 Clean = tuple[Draft, list[LegMotion], Trajectory, Array]
 
 
-def _clean_plan(axes: Axes, problem: Problem, chain: Chain, tell: Report, seconds: dict[str, float]) -> Clean:
+def _clean_plan(
+    axes: Axes, problem: Problem, chain: Chain, memory: Memory, tell: Report, seconds: dict[str, float]
+) -> Clean:
     """The draft, its legs, rows and leg boundaries. A stream may also be coordinated, as a rapid plan is: that is tried
     where the freer problem finds nothing, or nothing near what the search promised."""
     failure = None
@@ -143,7 +147,7 @@ def _clean_plan(axes: Axes, problem: Problem, chain: Chain, tell: Report, second
                 break
             chain = other
         try:
-            draft = _refine(axes, problem, chain, tell, seconds)
+            draft = _refine(axes, problem, chain, memory, tell, seconds)
         except NoCleanPlan as said:
             failure = said
             continue
@@ -216,7 +220,9 @@ def _disconnected(program: Program, tied: bool) -> Infeasible:
     return Infeasible(index, source, f"{source}: {why}")
 
 
-def _refine(axes: Axes, problem: Problem, chain: Chain, tell: Report, seconds: dict[str, float]) -> Draft:
+def _refine(
+    axes: Axes, problem: Problem, chain: Chain, memory: Memory, tell: Report, seconds: dict[str, float]
+) -> Draft:
     formulation = Formulation(axes)
 
     def report(phase: str, legs: Sequence[LegMotion | None]) -> None:
@@ -242,7 +248,7 @@ def _refine(axes: Axes, problem: Problem, chain: Chain, tell: Report, seconds: d
                 _add(seconds, refiner.seconds)
         raise NoCleanPlan(f"{problem.motion(piece.legs[0].motion).source}: {'; '.join(said)}")
 
-    draft = solve_pieces(problem, chain, solve, lambda legs: report("solve", legs))
+    draft = solve_pieces(problem, chain, memory, solve, lambda legs: report("solve", legs))
     if problem.coordinated:  # at rest in every waypoint, the rail's positions chosen: each line can be timed by itself
         for k, leg in enumerate(problem.legs):
             if leg.kind is LegKind.LINE and draft.legs[k].N < LAST_ALONE:  # type: ignore[union-attr]

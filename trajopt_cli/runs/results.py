@@ -201,6 +201,7 @@ def summary(
     program: Program,
     target: Target,
     judged: Mapping[Target, Judged],
+    written: Plan | str,
     warnings: Iterable[str],
     limits: Iterable[str],
     unchecked: Iterable[str],
@@ -209,13 +210,15 @@ def summary(
 ) -> bytes:
     """summary.json: the answer in numbers, SI, the same bytes for the same inputs.
 
-    limits: how sure they are. unchecked: what the judge was given nothing to hold the motion against. notes: what the
-    RAPID text changes, and what it could not; kept: those of the latter.
+    written: the program as it stands, or why it cannot be driven so. limits: how sure they are. unchecked: what the
+    judge was given nothing to hold the motion against. notes: what the RAPID text changes, and what it could not; kept:
+    those of the latter.
     """
     return as_json(
         {
             "target": target.value,
             "plans": {one.value: _plan(program, judged[one]) for one in Target},
+            "as_written": _as_written(written),
             "zones_planned_as_stops": zones_as_stops(program),
             "warnings": list(warnings),
             "limits": list(limits),
@@ -224,6 +227,13 @@ def summary(
             "kept": list(kept),
         }
     )
+
+
+def _as_written(written: Plan | str) -> dict[str, Any]:
+    if isinstance(written, str):
+        return {"cycle_time_s": None, "motion_times_s": [], "why_not": written}
+    times = [motion.t_1 - motion.t_0 for motion in written.motions]
+    return {"cycle_time_s": written.duration, "motion_times_s": times, "why_not": None}
 
 
 def _plan(program: Program, judged: Judged) -> dict[str, Any]:

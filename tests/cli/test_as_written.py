@@ -1,0 +1,90 @@
+"""What was saved against the program as it stands: the first line of the answer, the table, the summary."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from fake_planner import Planner
+
+from trajopt_cli.cli import run
+from trajopt_cli.job import read_job
+from trajopt_cli.optimize import Memory, optimize
+from trajopt_cli.pipeline import changes_of
+from trajopt_cli.problem.freedom import AS_WRITTEN
+from trajopt_cli.problem.plan import Infeasible, Plan, Target
+
+
+def test_the_answer_begins_with_what_was_saved(
+    program: Path,
+    planner: Planner,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    planner.freest = 1.0 / 0.9  # plans that may choose the configuration are faster: not the program as written
+    planner.speed = 0.9
+    assert run(["optimize", str(program)]) == 0
+    out = capsys.readouterr().out
+    plans = json.loads(Path("results/tiny/summary.json").read_text())
+    before, stream, rapid = (
+        plans["as_written"]["cycle_time_s"],
+        *(plans["plans"][one]["cycle_time_s"] for one in Target),
+    )
+    assert stream < rapid < before
+    percent = [f"{100 * (1 - after / before):.1f}" for after in (stream, rapid)]
+    assert out.splitlines()[0] == (
+        f"as written {before:.3f} s → {stream:.3f} s (−{percent[0]} %) as a joint stream, "
+        f"{rapid:.3f} s (−{percent[1]} %) by the RAPID controller"
+    )
+    times = plans["as_written"]["motion_times_s"]
+    assert sum(times) == pytest.approx(before)
+    assert f"{times[0]:.3f}" in next(line for line in out.splitlines() if "j_side" in line)
+
+
+def test_a_program_that_cannot_be_driven_as_written_is_told_so(
+    program: Path,
+    planner: Planner,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    right = planner.__call__
+
+    class Picky(Planner):
+        def __call__(self, program, plant, target, freedom=None, *arguments, **more):  # type: ignore[no-untyped-def]
+            if freedom == AS_WRITTEN:
+                return Infeasible(0, program.motions[0].source, "tiny.mod:6:9: MoveAbsJ j_side cannot be reached")
+            return right(program, plant, target, *arguments, **more)
+
+    monkeypatch.setattr("trajopt_cli.optimize.optimize", Picky())
+    assert run(["optimize", str(program)]) == 0
+    first = capsys.readouterr().out.splitlines()[0]
+    assert first.startswith("as written it cannot be driven (tiny.mod:6:9: MoveAbsJ j_side cannot be reached) → ")
+    written = json.loads(Path("results/tiny/summary.json").read_text())["as_written"]
+    assert written["cycle_time_s"] is None
+    assert written["why_not"] == "tiny.mod:6:9: MoveAbsJ j_side cannot be reached"
+
+
+def test_pieces_in_memory_change_no_plan(tmp_path: Path) -> None:
+    text = (
+        "MODULE m\nCONST jointtarget j:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+        "CONST robtarget p:=[[450,0,350],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+        "PROC main()\nMoveJ p,v500,fine,tool0;\nMoveL Offs(p,0,0,-20),v100,fine,tool0;\nMoveAbsJ j,v500,fine,tool0;\n"
+        "ENDPROC\nENDMODULE\n"
+    )
+    (tmp_path / "m.mod").write_text(text)
+    (tmp_path / "m.yaml").write_text('robot: irb140\nstart: {joints: "[0, 0, 0, 0, 30, 0] deg"}\n')
+    job = read_job(tmp_path / "m.mod")
+    changes = changes_of(job, Target.RAPID)
+    memory: Memory = {}
+    optimize(job.program, job.plant, Target.RAPID, bounded=False, changes=changes, memory=memory)
+    solved = dict(memory)
+    plans = [
+        optimize(job.program, job.plant, Target.RAPID, AS_WRITTEN, bounded=False, changes=changes, memory=known)
+        for known in (None, memory)
+    ]
+    first, second = plans
+    assert isinstance(first, Plan)
+    assert isinstance(second, Plan)
+    assert first.trajectory.q.tobytes() == second.trajectory.q.tobytes()
+    assert first.duration == second.duration
+    assert len(memory) == len(solved)  # without a rail the same legs, so nothing was solved again
