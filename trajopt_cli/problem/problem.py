@@ -158,7 +158,7 @@ def build_problem(
                 build.add(index, motion)
     except _Impossible as out:
         motion = program.motions[out.index]
-        return Infeasible(out.index, motion.source, f"{motion.source}: {motion_name(motion)} {out}")
+        return Infeasible(out.index, motion.source, f"{motion_name(motion)} {out}")
     waypoints = [*build.waypoints[:-1], replace(build.waypoints[-1], rest=True)]
     ties = _ties(changes, waypoints)
     for group in ties:

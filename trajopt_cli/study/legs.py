@@ -55,8 +55,8 @@ class Leg:
 
     @property
     def name(self) -> str:
-        """The motion's place, kind and target, as messages begin."""
-        return f"{self.motion.source}: {motion_name(self.motion)}"
+        """The motion's kind and target."""
+        return motion_name(self.motion)
 
     @property
     def key(self) -> bytes:

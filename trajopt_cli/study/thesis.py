@@ -89,7 +89,7 @@ def work_points(program: Program, plant: Plant, rule: RailRule) -> list[WorkPoin
             ranges = _ranges(motion, plant, rule)
             if not len(ranges):
                 why = f"no rail position keeps joint 3 {rule.phi_min / DEG:g} deg from the stretched elbow there"
-                return Infeasible(i, motion.source, f"{motion.source}: {motion_name(motion)}: {why}")
+                return Infeasible(i, motion.source, f"{motion_name(motion)}: {why}")
             X_before, X_WT = X_WT, motion.X_WT
             out.append(WorkPoint(i, ranges, _arm_time(motion, X_before, plant), station))
         else:
