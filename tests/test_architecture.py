@@ -347,7 +347,7 @@ def test_the_judge_shares_data_with_the_optimiser_and_nothing_that_computes() ->
         ("verify.machine", "import importlib", "importlib is out of the judge's reach"),
         ("motion", "from trajopt_cli.geometry import rotation_about", "geometry.rotation_about computes"),
         ("findings", "from trajopt_cli import trajectory", "trajectory. computes"),
-        ("collision.pair", "from trajopt_cli.robot.chain import link_poses", "the judge reaches robot.chain"),
+        ("collision.pair", "from trajopt_cli.robot.chain import pin_model", "the judge reaches robot.chain"),
         ("timing.topp", "import casadi", "casadi is out of the judge's reach"),
         ("optimize.solve", "from trajopt_cli.timing.topp import x", "judge and optimiser both reach timing.topp"),
         ("problem", "from trajopt_cli.robot.model import RobotModel", "the judge reaches robot.model"),

@@ -9,6 +9,9 @@ from pathlib import Path
 import pytest
 
 from trajopt_cli.cell.loader import load_cell
+from trajopt_cli.compliance.job.folder import open_folder
+from trajopt_cli.compliance.task.equilibrium_csv import read_angles_csv
+from trajopt_cli.compliance.task.loader import load_task, parse_task
 from trajopt_cli.errors import ErrorKind, InputError, InputErrorGroup, of_kind
 from trajopt_cli.job import read_job
 from trajopt_cli.joint_csv import read_csv_text
@@ -67,6 +70,10 @@ def test_every_room_s_door_says_what_is_wrong(tmp_path: Path) -> None:
         (lambda: load_cell(tmp_path / "none.yaml"), ErrorKind.CELL),
         (lambda: load_robot(str(tmp_path / "x.yaml")), ErrorKind.ROBOT),
         (lambda: verify_results(tmp_path), ErrorKind.RESULTS),
+        (lambda: load_task(tmp_path / "none.yaml"), ErrorKind.PROGRAM),
+        (lambda: parse_task("robot: iiwa7\n", "t.yaml"), ErrorKind.PROGRAM),
+        (lambda: open_folder(tmp_path), ErrorKind.RESULTS),
+        (lambda: read_angles_csv("a,b\n", "e.csv"), ErrorKind.RESULTS),
         (lambda: read_csv_text("a,b\n", "j.csv"), ErrorKind.RESULTS),
         (lambda: read_job(tmp_path / "none.mod"), ErrorKind.OPTION),
     ]

@@ -10,7 +10,7 @@ from enum import Enum
 class ErrorKind(Enum):
     """What is wrong, so that nobody has to read it out of the words."""
 
-    PROGRAM = "program"  # its text, or what it does when run
+    PROGRAM = "program"  # its text, or what it does when run; an iiwa task, too
     CELL = "cell"  # the cell file, or what it does not say
     ROBOT = "robot"  # a robot's own files
     RESULTS = "results"  # a results folder, or a trajectory file

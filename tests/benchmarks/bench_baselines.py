@@ -31,7 +31,7 @@ def main(names: list[str]) -> None:
         start = perf_counter()
         plan = optimize(job.program, job.plant, Target.STREAM, FIXED_RAIL, bounded=False)
         if isinstance(plan, Infeasible):
-            print(f"{name}: {plan.message}")
+            print(f"{name}: {plan}")
             continue
         print(f"{name}: fixed-rail plan {plan.duration:.4f} s, solved in {perf_counter() - start:.2f} s")
         for label, row in ROWS.items():

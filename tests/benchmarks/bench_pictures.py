@@ -31,7 +31,7 @@ def main() -> None:
     job = read_job(options.program)
     plan = optimize(job.program, job.plant, Target.STREAM, bounded=False)
     if isinstance(plan, Infeasible):
-        raise SystemExit(plan.message)
+        raise SystemExit(str(plan))
     cpu, wall = process_time(), perf_counter()
     from trajopt_cli.report.pictures import draw
 

@@ -140,6 +140,24 @@ def test_a_spring_wall_holds_the_tool_back(task: Path, capsys: pytest.CaptureFix
     assert summary["stopped"] is None
 
 
+@pytest.mark.parametrize(
+    ("engine", "installed", "said"), [([], False, True), ([], True, False), (["--engine", "spring"], False, False)]
+)
+def test_springs_in_place_of_mujoco_are_told(
+    engine: list[str],
+    installed: bool,
+    said: bool,
+    task: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setattr("trajopt_cli.compliance.world.mujoco_world.available", lambda: installed)
+    folder = segments(task)
+    (task.parent / "wall.yaml").write_text(WALL)
+    assert run(["iiwa", "simulate", str(folder), "--contact", str(task.parent / "wall.yaml"), *engine]) == 0
+    assert (" (MuJoCo is not installed), the whole loop because of contact" in capsys.readouterr().out) is said
+
+
 def test_dosing_keeps_the_bound_and_leaves_the_source_alone(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
     folder = segments(task)
     before = contents(folder)

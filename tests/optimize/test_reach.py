@@ -41,7 +41,7 @@ def test_a_target_too_far_from_every_rail_position_is_named() -> None:
     arm = plant_with_rail().robot.arm
     r = np.hypot(np.hypot(0.5, 0.8) - arm.a1, 0.4 + arm.L6 - arm.d1)
     assert answer.index == 1
-    assert answer.message == (
+    assert str(answer) == (
         "t.mod:6:1: MoveJ p_far cannot be reached at rail 2200.0 mm: wrist centre outside the outer workspace:"
         f" {r:.6g} m from axis 2, at most {arm.L2 + arm.L4:.6g} m"
     )
@@ -51,14 +51,14 @@ def test_a_target_beyond_a_joint_limit_names_joint_value_and_limit() -> None:
     """The flange pointing up above the arm: in reach, but only with joint 5 beyond 115 degrees."""
     program = rapid("MoveJ p_up, v500, fine, tool0;", data=target("p_up", (0.45, 0.5, 0.15), R=np.eye(3)))
     answer = said(program, plant_with_rail())
-    assert answer.message.startswith("t.mod:5:1: MoveJ p_up cannot be reached at rail ")
-    assert "joint_5" in answer.message
-    assert "limit" in answer.message
+    assert str(answer).startswith("t.mod:5:1: MoveJ p_up cannot be reached at rail ")
+    assert "joint_5" in str(answer)
+    assert "limit" in str(answer)
 
 
 def test_without_a_rail_no_rail_position_is_spoken_of() -> None:
     program = rapid("MoveJ p_far, v500, fine, tool0;", data=target("p_far", (1.5, 0, 0.4)))
-    message = said(program, plant_without_rail()).message
+    message = str(said(program, plant_without_rail()))
     assert message.startswith("t.mod:5:1: MoveJ p_far cannot be reached: wrist centre outside the outer workspace: ")
 
 
@@ -81,10 +81,10 @@ def test_a_line_whose_middle_is_out_of_reach_is_named_where_it_breaks() -> None:
     answer = said(program, plant)
     assert answer.index == 1
     place = 450 - 900 * first
-    assert answer.message.startswith(
+    assert str(answer).startswith(
         f"t.mod:6:1: MoveL p_b breaks at {first * 900:.1f} mm of 900.0 mm, point [150.0, {place:.1f}, 250.0] mm: "
     )
-    assert "limit" in answer.message or "workspace" in answer.message
+    assert "limit" in str(answer) or "workspace" in str(answer)
 
 
 def test_a_line_that_a_short_rail_cannot_carry_past_is_named_too() -> None:
@@ -96,7 +96,7 @@ def test_a_line_that_a_short_rail_cannot_carry_past_is_named_too() -> None:
     data = target("p_a", a) + target("p_b", b)
     answer = said(rapid("MoveJ p_a, v500, fine, tool0;\nMoveL p_b, v500, fine, tool0;", data=data), plant)
     assert answer.index == 1
-    assert answer.message.startswith("t.mod:6:1: MoveL p_b breaks at ")
+    assert str(answer).startswith("t.mod:6:1: MoveL p_b breaks at ")
 
 
 TWO_LINES = "MoveJ p_a, v500, fine, tool0;\nMoveL p_b, v500, fine, tool0;"
@@ -110,7 +110,7 @@ def test_the_end_of_a_second_line_outside_the_workspace_is_named(plant: Plant) -
     answer = said(rapid(THREE, data=NEAR_A + NEAR_B + target("p_c", (0.9, 0.1, 0.4))), plant)
     where = " at rail 5.0 mm" if plant.robot.has_rail else ""
     start = f"t.mod:7:1: MoveL p_c cannot be reached{where}: wrist centre outside the outer workspace: "
-    assert answer.message.startswith(start)
+    assert str(answer).startswith(start)
     assert answer.index == 2
 
 
@@ -126,7 +126,7 @@ def test_a_line_that_can_be_done_is_never_blamed_for_the_next_one() -> None:
         answer = check_feasible(rapid(THREE, data=NEAR_A + NEAR_B + target("p_c", p, R=R)), plant)
         if answer is None:
             continue
-        assert answer.message.startswith("t.mod:7:1: MoveL p_c"), answer.message
+        assert str(answer).startswith("t.mod:7:1: MoveL p_c"), str(answer)
         assert answer.index == 2
         lost += bool(solutions(plant.robot, pose(R, p), None, plant.limits))
     assert lost > 5
@@ -164,10 +164,10 @@ def test_the_same_line_with_the_rail_held_still_is_named(long_line: Program) -> 
     longest = shares[np.argmin(alive)] * 1400  # mm that some rail position serves both ends of
     answer = said(long_line, plant, FIXED_RAIL)
     assert answer.index == 1
-    assert answer.message.startswith("t.mod:6:1: MoveL p_b breaks at ")
-    at = float(answer.message.split("breaks at ")[1].split(" mm")[0])
+    assert str(answer).startswith("t.mod:6:1: MoveL p_b breaks at ")
+    at = float(str(answer).split("breaks at ")[1].split(" mm")[0])
     assert longest - 90 <= at <= longest + 30
-    assert "of 1400.0 mm, point [550.0, " in answer.message
+    assert "of 1400.0 mm, point [550.0, " in str(answer)
 
 
 @pytest.mark.parametrize("rail_fixed", [True, False])
@@ -185,7 +185,7 @@ def test_confdata_that_cannot_be_had_lists_the_nearest_that_could(rail_fixed: bo
     near = sorted(confs, key=lambda conf: (4 - away[conf].count(0), sum(away[conf]), conf))
     listed = ", ".join(f"[{','.join(map(str, conf))}]" for conf in near[:4])
     assert len(confs) > 4
-    assert answer.message == (
+    assert str(answer) == (
         "t.mod:5:1: MoveJ p_c cannot be reached at rail 500.0 mm: not with confdata [1,1,1,0]; "
         f"there would be {listed} and {len(confs) - 4} more; correct the confdata, or set ConfJ \\Off before it"
     )
@@ -197,11 +197,11 @@ def test_the_places_of_confdata_that_cannot_be_had_are_told_together() -> None:
     data = target("p_c", (0.5, 0.1, 0.4), conf="1,1,1,0") + target("p_d", (0.5, 0.1, 0.4))
     moves = ["MoveJ p_c, v500, fine, tool0;", "WaitTime 1;", "MoveJ p_d, v500, fine, tool0;"]
     program = rapid("\n".join([*moves, *["MoveJ p_c, v500, fine, tool0;"] * 6]), data=data)
-    message = said(program, plant_without_rail(), AS_WRITTEN).message
+    message = str(said(program, plant_without_rail(), AS_WRITTEN))
     assert message.startswith("t.mod:5:1: MoveJ p_c cannot be reached: not with confdata [1,1,1,0]; there would be [")
     assert message.endswith("; likewise t.mod:8:1, t.mod:9:1, t.mod:10:1, t.mod:11:1 and 2 more")
     again = rapid("FOR i FROM 1 TO 3 DO\nMoveJ p_c, v500, fine, tool0;\nENDFOR", data=data)
-    assert "likewise" not in said(again, plant_without_rail(), AS_WRITTEN).message
+    assert "likewise" not in str(said(again, plant_without_rail(), AS_WRITTEN))
     off = rapid("ConfJ \\Off;\nMoveJ p_c, v500, fine, tool0;", data=data)
     assert check_feasible(off, plant_without_rail(), Target.STREAM, AS_WRITTEN) is None
 
@@ -216,7 +216,7 @@ def test_a_program_can_be_done_where_the_user_lets_the_bad_motion_go() -> None:
 def test_one_of_the_listed_confdata_passes() -> None:
     plant = plant_with_rail()
     wrong = rapid("MoveJ p_c, v500, fine, tool0;", data=target("p_c", (0.5, 0.55, 0.4), conf="1,1,1,0", eax="500"))
-    first = said(wrong, plant, AS_WRITTEN).message.split("there would be [")[1].split("]")[0]
+    first = str(said(wrong, plant, AS_WRITTEN)).split("there would be [")[1].split("]")[0]
     right = rapid("MoveJ p_c, v500, fine, tool0;", data=target("p_c", (0.5, 0.55, 0.4), conf=first, eax="500"))
     assert check_feasible(right, plant, Target.STREAM, AS_WRITTEN) is None
 
@@ -234,8 +234,8 @@ def test_two_points_whose_confdata_differ_share_no_configuration() -> None:
     program = rapid("MoveJ p_a, v500, fine, tool0;\nMoveL p_b, v500, fine, tool0;", data=data)
     answer = said(program, plant, AS_WRITTEN)
     assert answer.index == 1
-    assert answer.message.startswith("t.mod:6:1: MoveL p_b")
-    assert "configuration" in answer.message
+    assert str(answer).startswith("t.mod:6:1: MoveL p_b")
+    assert "configuration" in str(answer)
     assert check_feasible(program, plant) is None
 
 

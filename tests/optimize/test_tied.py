@@ -126,7 +126,7 @@ def test_a_tie_that_cannot_be_kept_is_said(monkeypatch: pytest.MonkeyPatch) -> N
     program = rapid(TWICE, data=NEAR)
     answer = optimize(program, plant_with_rail(), Target.RAPID, changes=Changes(frozenset(range(7)), ((0, 3), (1, 4))))
     assert isinstance(answer, Infeasible)
-    assert answer.message.endswith("in one configuration for all passes; --loops unroll asks for less")
+    assert str(answer).endswith("in one configuration for all passes; --loops unroll asks for less")
 
 
 def test_beyond_three_neighbours_candidates_are_tried_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:

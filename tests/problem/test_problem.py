@@ -206,7 +206,7 @@ def test_joints_out_of_range_are_named_with_motion_value_and_range() -> None:
     answer = build_problem(program, plant_with_rail(), EVERYTHING, Target.STREAM, EVERY)
     assert isinstance(answer, Infeasible)
     assert answer.index == 0
-    assert answer.message == "t.mod:5:1: MoveAbsJ j_bad asks for joint_5 = 130 deg, range -115..115 deg"
+    assert str(answer) == "t.mod:5:1: MoveAbsJ j_bad asks for joint_5 = 130 deg, range -115..115 deg"
 
 
 @pytest.mark.parametrize("move", ["MoveAbsJ j_far, v500, fine, tool0;", "MoveExtJ j_far, v500, fine;"])
@@ -214,7 +214,7 @@ def test_a_rail_out_of_its_stroke_is_named(move: str) -> None:
     data = "CONST jointtarget j_far:=[[0,0,0,0,30,0],[2500,9E9,9E9,9E9,9E9,9E9]];"
     answer = build_problem(rapid(move, data=data), plant_with_rail(), EVERYTHING, Target.STREAM, EVERY)
     assert isinstance(answer, Infeasible)
-    assert answer.message == f"t.mod:5:1: {move.split()[0]} j_far asks for rail = 2500 mm, range -200..2200 mm"
+    assert str(answer) == f"t.mod:5:1: {move.split()[0]} j_far asks for rail = 2500 mm, range -200..2200 mm"
 
 
 def test_a_free_rail_may_be_written_out_of_its_stroke_and_a_fixed_one_may_not() -> None:
@@ -224,7 +224,7 @@ def test_a_free_rail_may_be_written_out_of_its_stroke_and_a_fixed_one_may_not() 
     for plant, freedom in ((plant_with_rail(rail_fixed=True), EVERYTHING), (plant_with_rail(), AS_WRITTEN)):
         answer = build_problem(program, plant, freedom, Target.STREAM, EVERY)
         assert isinstance(answer, Infeasible)
-        assert answer.message == "t.mod:5:1: MoveJ p_off asks for rail = 2500 mm, range -200..2200 mm"
+        assert str(answer) == "t.mod:5:1: MoveJ p_off asks for rail = 2500 mm, range -200..2200 mm"
 
 
 def test_the_tool_is_taken_off_the_target() -> None:
@@ -371,7 +371,7 @@ def test_a_program_that_moves_a_held_rail_itself_is_answered_with_both() -> None
     body = "MoveJ p_in, v500, fine, tool0;\nMoveAbsJ j_home, v500, fine, tool0; ! trajopt: hold rail"
     answer = build_problem(rapid(body), plant_with_rail(), AS_WRITTEN, Target.STREAM, EVERY)
     assert isinstance(answer, Infeasible)
-    assert answer.message == (
+    assert str(answer) == (
         "t.mod:6:1: MoveAbsJ j_home takes the rail from 600 mm to 0 mm, and a comment in the program says that it"
         " stands still there; give both ends the same position, or take the hold back"
     )

@@ -149,8 +149,8 @@ def test_a_way_out_of_the_workspace_is_named() -> None:
     case = Case(rapid("MoveAbsJ j_home, vmax, fine, tool0;"), plant_with_rail(start=left), lambda *_: None)  # type: ignore[arg-type,return-value]
     answer = alone(case, right)
     assert isinstance(answer, Infeasible)
-    assert answer.message.startswith("t.mod:4:1: MoveAbsJ j_home leaves the workspace after 0.")
-    assert "mm at rail 300.0 mm: wrist centre outside the outer workspace" in answer.message
+    assert str(answer).startswith("t.mod:4:1: MoveAbsJ j_home leaves the workspace after 0.")
+    assert "mm at rail 300.0 mm: wrist centre outside the outer workspace" in str(answer)
 
 
 def test_another_configuration_and_too_short_a_time_are_named() -> None:
@@ -158,9 +158,9 @@ def test_another_configuration_and_too_short_a_time_are_named() -> None:
     case = Case(rapid("MoveAbsJ j_home, vmax, fine, tool0;"), plant, lambda *_: None)  # type: ignore[arg-type,return-value]
     flipped = alone(case, np.r_[0.0, 0.1, 0.0, 0.0, 0.0, -0.4, 0.0])
     assert isinstance(flipped, Infeasible)
-    assert "ends in another configuration than it begins in" in flipped.message
+    assert "ends in another configuration than it begins in" in str(flipped)
     short = alone(case, plant.start + np.r_[0.0, 0.3, 0, 0, 0, 0, 0], duration=0.05)
     assert isinstance(short, Infeasible)
-    assert "cannot be made in 0.05 s: the generator needs " in short.message
+    assert "cannot be made in 0.05 s: the generator needs " in str(short)
     exact = attempt(alone(case, plant.start + np.r_[0.0, 0.3, 0, 0, 0, 0, 0], duration=0.9))
     assert exact.trajectory.duration == pytest.approx(0.9, abs=1e-12)

@@ -157,7 +157,7 @@ def test_an_unreachable_point_is_named() -> None:
     motions[1] = replace(motions[1], X_WT=far)  # type: ignore[type-var]
     answer = thesis(Case(replace(job.program, motions=tuple(motions)), job.plant, ask))
     assert isinstance(answer, Infeasible)
-    assert "MoveL p_n1: no rail position keeps joint 3 10 deg from the stretched elbow there" in answer.message
+    assert "MoveL p_n1: no rail position keeps joint 3 10 deg from the stretched elbow there" in str(answer)
 
 
 def test_areas_are_as_long_as_one_rail_position_serves_them() -> None:

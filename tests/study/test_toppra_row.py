@@ -57,4 +57,4 @@ def test_too_short_a_time_is_refused() -> None:
     motions = (*case.program.motions[:5], replace(hurried, duration=0.2), *case.program.motions[6:])  # type: ignore[call-arg]
     answer: Answer = toppra(Case(replace(case.program, motions=motions), case.plant, lambda *_: plan))
     assert isinstance(answer, Infeasible)
-    assert "t.mod:9:1: MoveAbsJ j_home cannot be made in 0.2 s: TOPP-RA needs " in answer.message
+    assert "t.mod:9:1: MoveAbsJ j_home cannot be made in 0.2 s: TOPP-RA needs " in str(answer)

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from legal_motion import HOME, plant_with_rail, plant_without_rail, program, rapid_case
 from legal_motion import home as home_move
+from link_poses import link_poses
 
 from trajopt_cli.collision.pair import Pair
 from trajopt_cli.findings import Finding
@@ -350,7 +351,7 @@ def test_no_point_moves_farther_than_the_bound(rng: np.random.Generator) -> None
             bodies = [Body(n, robot.capsules[n], i) for i, n in enumerate(robot.link_names)]
             for i, (s_0, s_1) in enumerate(nodes):
                 s = np.r_[look.middle[i], np.linspace(s_0, s_1, 200)]
-                X = robot.link_poses(course.at(s))
+                X = link_poses(robot, course.at(s))
                 for body in bodies:
                     for since in range(-1, body.frame):
                         seen = X[:, body.frame] if since < 0 else inverse_pose(X[:, since]) @ X[:, body.frame]

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from hypothesis import given
@@ -13,7 +11,6 @@ from hypothesis.extra.numpy import arrays
 from trajopt_cli.errors import InputError
 from trajopt_cli.joint_csv import header, read_csv_text, write_csv_text
 from trajopt_cli.trajectory import Trajectory
-from trajopt_cli.verify.csv import read_trajectory
 
 NAMES = ("rail", "joint_1", "joint_2")
 
@@ -93,14 +90,3 @@ def test_a_malformed_file_is_one_line_with_its_place(text: str, message: str) ->
     with pytest.raises(InputError) as caught:
         read_csv_text(text, "a.csv")
     assert str(caught.value) == message
-
-
-def test_files_on_disk(tmp_path: Path) -> None:
-    path = tmp_path / "joints.csv"
-    path.write_bytes(b"\xef\xbb\xbf" + GOOD.replace("\n", "\r\n").encode())
-    assert read_trajectory(path)[0].duration == pytest.approx(0.1)
-    with pytest.raises(InputError, match=r"missing.csv: cannot be read: No such file or directory"):
-        read_trajectory(tmp_path / "missing.csv")
-    path.write_bytes(b"t [s],\xff")
-    with pytest.raises(InputError, match=r"is not UTF-8 text \(byte 6\)"):
-        read_trajectory(path)

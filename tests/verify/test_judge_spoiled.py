@@ -81,6 +81,13 @@ def test_the_message_says_place_value_time_and_limit() -> None:
     assert re.fullmatch(r"cell\.mod:15:5: rail acceleration 3\.307 m/s2 at t = 1\.\d{3} s, limit 3", failed[0])
 
 
+@pytest.mark.parametrize(("name", "unit"), [("TCP speed", "m/s"), ("TCP acceleration", "m/s2")])
+def test_the_tcp_is_named_once(name: str, unit: str) -> None:
+    spoiled_one = next(key for key, (_, check, *_) in SPOILED.items() if check == name)
+    found = next(f for f in judged(spoiled_one).findings if f.check == name)
+    assert re.fullmatch(rf"cell\.mod:12:5: {name} [\d.]+ {unit} at t = [\d.]+ s, limit [\d.]+", found.message)
+
+
 def test_tolerances_are_the_promised_ones() -> None:
     assert (tol.JOINT, tol.TCP) == (1e-6, 1e-4)
     assert tol.LINE_POSITION <= 1e-6

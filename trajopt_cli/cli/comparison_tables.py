@@ -93,9 +93,8 @@ def row_records(answer: Comparison) -> list[dict[str, Any]]:
                     "lower_bound_s": bound,
                     "notes": list(attempt.notes),
                 }
-            case Infeasible(source=source, message=message):
-                why = message if message.startswith(str(source)) else f"{source}: {message}"
-                record |= {"legal": False, "why": why}
+            case Infeasible() as no:
+                record |= {"legal": False, "why": str(no)}
             case NoPlan(message=message):
                 record |= {"legal": False, "why": f"no plan found: {message}"}
             case str(why):

@@ -44,8 +44,8 @@ def stderr() -> Console:
 def answer_no(answer: Infeasible | NoPlan | Illegal | Collides) -> NoReturn:
     """Say on stderr why there is no result, and stop with exit code 1."""
     match answer:
-        case Infeasible(source=source, message=message):
-            typer.echo(message if message.startswith(str(source)) else f"{source}: {message}", err=True)
+        case Infeasible():
+            typer.echo(str(answer), err=True)
         case NoPlan(label=label, message=message):
             typer.echo(
                 f"NOTHING WRITTEN: no {label} plan found although the program can be done ({message}). "

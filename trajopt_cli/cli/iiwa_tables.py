@@ -143,7 +143,7 @@ def contact_lines(run: Simulated) -> list[str]:
 
     if run.loop is None:
         return ["contact not simulated: the task names no obstacles"] if run.contact is None else []
-    fallback = "" if "--engine" in run.why or run.loop.world.startswith("MuJoCo") else " (MuJoCo is not installed)"
+    fallback = " (MuJoCo is not installed)" if run.fallback else ""
     lines = [f"world: {run.loop.world}{fallback}, the whole loop because of {', '.join(run.why)}"]
     touch = touches(run)
     if touch is None:

@@ -102,7 +102,7 @@ def same_motion(motion: Motion, other: Motion) -> bool:
 
 def rail_moves(planned: PlannedMotion, plant: Plant) -> bool:
     """Whether the rail is elsewhere at the end of a motion, as far as a num can tell."""
-    return plant.rail_eax is not None and abs(float(planned.q_1[0] - planned.q_0[0])) > _RAIL
+    return abs(float(plant.layout.place(planned.q_1 - planned.q_0))) > _RAIL
 
 
 def _near(one: Array, other: Array) -> bool:
@@ -149,7 +149,7 @@ def _otherwise(motion: Move, read: Move, fast: bool = False, monitored: bool = F
 
 def _differences(motion: Move, planned: PlannedMotion, plant: Plant, read: Move) -> Iterator[str]:
     if plant.rail_eax is not None:
-        wanted, given = float(planned.q_1[0]), plant.rail_value(read.extax)
+        wanted, given = float(plant.layout.place(planned.q_1)), plant.rail_value(read.extax)
         stays = given is None and not rail_moves(planned, plant)  # an open axis stays where it is
         if not stays and (given is None or not abs(wanted - given) <= _RAIL):
             shown = "open" if given is None else f"{given / MM:.6f} mm"
@@ -157,7 +157,7 @@ def _differences(motion: Move, planned: PlannedMotion, plant: Plant, read: Move)
     yield from _elsewhere(motion, read)
     if isinstance(motion, PoseMove) and isinstance(read, PoseMove):
         if confdata_counts(read):
-            if not confdata_admits(plant.robot, read.conf, np.asarray(planned.q_1[-6:])):
+            if not confdata_admits(plant.robot, read.conf, np.asarray(planned.q_1[plant.layout.arm])):
                 conf = read.conf
                 yield f"another configuration than the target's [{conf.cf1},{conf.cf4},{conf.cf6},{conf.cfx}]"
         elif read is not motion and not is_nearest(plant, planned):
@@ -179,10 +179,10 @@ def _check_dwell(
 ) -> list[InputError]:
     if not isinstance(read, MoveL) or before is None:
         return [_mismatch(wait, "a MoveL there that takes the rail along")]
-    wanted, given = float(planned.q_1[0]), plant.rail_value(read.extax)
+    wanted, given = float(plant.layout.place(planned.q_1)), plant.rail_value(read.extax)
     if given is None or not abs(wanted - given) <= _RAIL:
         return [_mismatch(wait, difference) for difference in _differences(read, planned, plant, read)]
-    if confdata_counts(read) and not confdata_admits(plant.robot, read.conf, np.asarray(planned.q_1[-6:])):
+    if confdata_counts(read) and not confdata_admits(plant.robot, read.conf, np.asarray(planned.q_1[plant.layout.arm])):
         return [_mismatch(wait, difference) for difference in _differences(read, planned, plant, read)]
     if isinstance(before, PoseMove):
         same = _near(before.X_WT, read.X_WT)

@@ -80,14 +80,14 @@ class Targets:
         leave_open: an open rail (9E9) may stay open in a move that does not take the rail along. dwell: for a line
         at the place of the move, along which only the rail moves, so that no configuration is nearer than the planned.
         """
-        rail, q, eax = None, planned.q_1, self._plant.rail_eax
+        rail, q, eax, layout = None, planned.q_1, self._plant.rail_eax, self._plant.layout
         if eax is not None:
-            still = abs(float(q[0] - planned.q_0[0])) <= _RAIL_STILL
+            still = abs(float(layout.place(q - planned.q_0))) <= _RAIL_STILL
             if not (leave_open and still and move.extax[eax] is None):
-                rail = plain(float(q[0]) / MM - self._offsets(move)[eax])
+                rail = plain(float(layout.place(q)) / MM - self._offsets(move)[eax])
         conf, monitored = None, False
         if isinstance(move, PoseMove):
-            robot, arm = self._plant.robot, np.asarray(q[-6:])
+            robot, arm = self._plant.robot, np.asarray(q[layout.arm])
             monitored = not dwell and not confdata_counts(move) and not is_nearest(self._plant, planned)
             if confdata_counts(move) or monitored or dwell:
                 conf = move.conf if confdata_admits(robot, move.conf, arm) else confdata(robot, arm)
@@ -155,8 +155,9 @@ class Targets:
                 f"the plan moves the rail while the program waits at {move.target}, which are joints, under a program "
                 "displacement; end it with PDispOff before, or move to a robtarget",
             )
-        rail = None if eax is None else plain(float(q[0]) / MM - move.settings.eax_offset[eax])
-        wish = Wish(rail, confdata(self._plant.robot, np.asarray(q[-6:])))
+        layout = self._plant.layout
+        rail = None if eax is None else plain(float(layout.place(q)) / MM - move.settings.eax_offset[eax])
+        wish = Wish(rail, confdata(self._plant.robot, np.asarray(q[layout.arm])))
         assert wish.conf is not None
         return f"[{_pose(X_WT)},{_conf(wish.conf)},{self._external(move, wish, move.settings.eax_offset)}]"
 
@@ -371,8 +372,8 @@ def is_nearest(plant: Plant, planned: PlannedMotion) -> bool:
     With confdata switched off the controller takes the nearest; nobody says in which measure, so nearest counts in the
     largest turn of a joint, in the sum of all, and in the sum of squares.
     """
-    q_0, q_1 = (np.asarray(q[-6:]) for q in (planned.q_0, planned.q_1))
-    rail = float(planned.q_1[0]) if plant.robot.has_rail else None
+    q_0, q_1 = (np.asarray(q[plant.layout.arm]) for q in (planned.q_0, planned.q_1))
+    rail = float(plant.layout.place(planned.q_1)) if plant.robot.has_rail else None
     others = [q for _, q in solutions(plant.robot, plant.robot.forward(planned.q_1), rail, plant.limits)]
     planned_turns = [float(np.linalg.norm(q_1 - q_0, measure)) for measure in _MEASURES]
     return all(

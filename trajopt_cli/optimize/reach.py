@@ -237,7 +237,7 @@ def _unreachable(axes: Axes, problem: Problem, k: int, d: Array) -> Infeasible:
         reason = _other_configurations(axes, problem, stop, float(near))
         if stop.conf is not None:
             reason += _remedy(axes, problem, k)
-    text = f"{motion.source}: {motion_name(motion)} cannot be reached{where}: {reason}"
+    text = f"{motion_name(motion)} cannot be reached{where}: {reason}"
     return Infeasible(stop.motion, motion.source, text)
 
 
@@ -341,7 +341,7 @@ def _broken_line(axes: Axes, problem: Problem, k: int, d: Array, labels: tuple[L
     p = X_WT[:3, 3] * 1e3
     way = leg.chord * 1e3
     text = (
-        f"{motion.source}: {motion_name(motion)} breaks at {shares[at] * way:.1f} mm of {way:.1f} mm,"
+        f"{motion_name(motion)} breaks at {shares[at] * way:.1f} mm of {way:.1f} mm,"
         f" point [{p[0]:.1f}, {p[1]:.1f}, {p[2]:.1f}] mm{where}: {reason}"
     )
     return Infeasible(leg.motion, motion.source, text)
@@ -367,7 +367,7 @@ def _in_limits(axes: Axes, arm: Array) -> BoolArray:
 
 def _no_single(problem: Problem, k: int) -> Infeasible:
     motion = problem.motion(problem.legs[k].motion)
-    return Infeasible(problem.legs[k].motion, motion.source, f"{motion.source}: {motion_name(motion)}: {_NO_SINGLE}")
+    return Infeasible(problem.legs[k].motion, motion.source, f"{motion_name(motion)}: {_NO_SINGLE}")
 
 
 def _no_common(problem: Problem, first: int, last: int) -> Infeasible:
@@ -376,7 +376,7 @@ def _no_common(problem: Problem, first: int, last: int) -> Infeasible:
     start = problem.motion(problem.waypoints[first].motion) if problem.waypoints[first].motion >= 0 else None
     begin = f"{start.source}" if start else "the start"
     text = (
-        f"{motion.source}: {motion_name(motion)}: no configuration serves all points from {begin} to here; the lines"
+        f"{motion_name(motion)}: no configuration serves all points from {begin} to here; the lines"
         " between them keep the branch and the turns of the joints"
     )
     return Infeasible(index, motion.source, text)

@@ -217,7 +217,7 @@ def _disconnected(program: Program, tied: bool) -> Infeasible:
     why = "no chain of configurations connects the start with the program's end"
     if tied:
         why += ", each target of a loop or routine in one configuration for all passes; --loops unroll asks for less"
-    return Infeasible(index, source, f"{source}: {why}")
+    return Infeasible(index, source, why)
 
 
 def _refine(

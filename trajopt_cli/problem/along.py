@@ -126,7 +126,7 @@ def _sampled(plant: Plant, lines: Sequence[ArmLine], samples: int) -> tuple[Arra
     rail = np.array([line.rail for line in lines])
     rails = rail[:, :1] + s * (rail[:, 1:] - rail[:, :1]) if plant.robot.has_rail else None
     branches = inverse(plant.robot, X_WF.reshape(-1, 4, 4), None if rails is None else rails.reshape(-1))
-    branches = branches.reshape(m, samples, 8, 6)
+    branches = branches.reshape(m, samples, *branches.shape[1:])
     start = np.array([line.q for line in lines])
     away = branches[:, 0] - start[:, None]
     away = np.abs(away - 2 * np.pi * np.round(away / (2 * np.pi))).max(axis=-1)
@@ -144,11 +144,11 @@ def _followed(plant: Plant, chord: float, q: Array, steps: Array, weak: BoolArra
     gone = np.flatnonzero(np.isnan(q[:, 0]))
     lost = None if not len(gone) else int(gone[0]) / last
     jumps = np.flatnonzero((steps > _JUMP).any(axis=1))
-    jump = np.nan_to_num(steps[jumps]).max(axis=0) if len(jumps) else np.zeros(6)
+    jump = np.nan_to_num(steps[jumps]).max(axis=0) if len(jumps) else np.zeros(q.shape[-1])
     singular = (int(jumps[0]) + 0.5) / last if len(jumps) else None
     if weak.any():
         singular = int(np.nanargmin(np.abs(np.sin(q[:, 4])))) / last
-    low, high = plant.limits.lower[-6:], plant.limits.upper[-6:]
+    low, high = plant.limits.lower[plant.layout.arm], plant.limits.upper[plant.layout.arm]
     with np.errstate(invalid="ignore"):
         out = (q < low - _BEYOND) | (q > high + _BEYOND)
     beyond = None

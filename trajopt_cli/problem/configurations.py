@@ -110,7 +110,7 @@ def check_configurations(program: Program, plant: Plant) -> tuple[ConfigurationF
 
 
 def _points(program: Program, plant: Plant) -> list[_Point]:
-    rail = float(plant.start[0]) if plant.robot.has_rail else 0.0
+    rail = float(plant.layout.place(plant.start))
     points = []
     for index, motion in enumerate(program.motions):
         if isinstance(motion, Wait | SignalEvent):
@@ -130,7 +130,7 @@ def changed_configurations(program: Program, plant: Plant, plan: Plan) -> tuple[
         motion = program.motions[planned.index]
         if planned.dropped or not isinstance(motion, MoveJ | MoveL | MoveC) or not demands_configuration(motion):
             continue
-        arm = np.asarray(planned.q_1[-6:])
+        arm = np.asarray(planned.q_1[plant.layout.arm])
         if not confdata_admits(plant.robot, motion.conf, arm):
             now = shown(confdata(plant.robot, arm))
             lines[f"{motion.source}: {motion_name(motion)}: confdata {shown(motion.conf)} → {now}"] = None
@@ -151,7 +151,7 @@ def _turned(plant: Plant, q: Array) -> tuple[Array, BoolArray]:
 
 
 def _reached(points: Sequence[_Point], plant: Plant) -> _Poses:
-    reachable, joints = np.zeros(len(points), dtype=bool), np.full((len(points), 6), np.nan)
+    reachable, joints = np.zeros(len(points), dtype=bool), np.full((len(points), plant.layout.joints), np.nan)
     others = {}
     for start in range(0, len(points), _CHUNK):
         part = slice(start, start + _CHUNK)
@@ -173,7 +173,7 @@ def _branches(plant: Plant, X_WF: Array, rail: Array) -> Array:
     if not plant.robot.has_rail:
         return inverse(plant.robot, X_WF)
     q = np.array(inverse(plant.robot, X_WF, rail))
-    low, high = plant.limits.lower[0], plant.limits.upper[0]
+    low, high = plant.layout.place(plant.limits.lower), plant.layout.place(plant.limits.upper)
     q[(rail < low - ON_LIMIT) | (rail > high + ON_LIMIT)] = np.nan
     return q
 
@@ -232,8 +232,8 @@ def _lines(program: Program, plant: Plant, points: Sequence[_Point], poses: _Pos
     lines: list[tuple[int, ArmLine]] = []
     if not wanted:
         return lines
-    now: Array | None = plant.start[-6:]
-    rail = float(plant.start[0]) if robot.has_rail else 0.0
+    now: Array | None = plant.start[plant.layout.arm]
+    rail = float(plant.layout.place(plant.start))
     X_WF: Array | None = None  # the flange as programmed; None where only the joints tell
     for index, motion in enumerate(program.motions):
         if isinstance(motion, Wait | SignalEvent):
@@ -316,7 +316,7 @@ def _not_as_written(
 
 def _misled(point: _Point, plant: Plant, joints: Array, along: Followed) -> ConfigurationFinding | None:
     """What is wrong with a line to a point that can be reached in joints as programmed; None for nothing."""
-    names = plant.limits.names[-6:]
+    names = plant.limits.names[plant.layout.arm]
     if along.lost is not None:
         return _finding(point, plant, Misfit.REACH, f"cannot run as a line: {along.at(along.lost)} it is out of reach")
     if along.singular is not None:

@@ -69,8 +69,15 @@ class Plan:
 
 @dataclass(frozen=True)
 class Infeasible:
-    """The answer no: which motion cannot be done, where on it, and the limit that forbids it (message, one line)."""
+    """The answer no: which motion cannot be done, where on it, and the limit that forbids it (message, one line).
+
+    index: its place in Program.motions. source: its place in the program, which message leaves out; str() is the line
+    to print, with both.
+    """
 
     index: int
     source: Source
     message: str
+
+    def __str__(self) -> str:
+        return f"{self.source}: {self.message}"

@@ -11,6 +11,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.motion import ExternalAxes
+from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.model import RobotModel, load_robot
 from trajopt_cli.shapes import ATTACHED, MeshFile, Solid
 from trajopt_cli.units import MM
@@ -42,6 +43,11 @@ class Plant:
     attached: tuple[Solid, ...] = ()
     may_touch: frozenset[frozenset[str]] = frozenset()
     clearance: float = 0.0
+
+    @property
+    def layout(self) -> AxisLayout:
+        """Where the rail and the arm's joints stand in vectors of all axes."""
+        return self.robot.layout
 
     @property
     def self_pairs(self) -> tuple[tuple[str, str], ...]:

@@ -158,7 +158,7 @@ def build_problem(
                 build.add(index, motion)
     except _Impossible as out:
         motion = program.motions[out.index]
-        return Infeasible(out.index, motion.source, f"{motion.source}: {motion_name(motion)} {out}")
+        return Infeasible(out.index, motion.source, f"{motion_name(motion)} {out}")
     waypoints = [*build.waypoints[:-1], replace(build.waypoints[-1], rest=True)]
     ties = _ties(changes, waypoints)
     for group in ties:
@@ -221,10 +221,9 @@ class _Build:
     def __init__(self, plant: Plant, freedom: Freedom, changes: Changes):
         self._plant, self._freedom, self._changes = plant, freedom, changes
         self._has_rail = plant.robot.has_rail
-        lower, upper = plant.limits.lower, plant.limits.upper
-        self._stroke = (float(lower[0]), float(upper[0])) if self._has_rail else (0.0, 0.0)
+        self._stroke = float(plant.layout.place(plant.limits.lower)), float(plant.layout.place(plant.limits.upper))
         self._pinned = freedom.rail is RailFreedom.PROGRAMMED or plant.rail_fixed
-        self._written = float(plant.start[0]) if self._has_rail else 0.0
+        self._written = float(plant.layout.place(plant.start))
         self.waypoints = [self._at_joints(-1, plant.start)]
         self.legs: list[Leg] = []
 
@@ -265,9 +264,10 @@ class _Build:
         """The arm's joints hold, so the waypoint before is as the program writes it."""
         self._take_rail(index, motion)
         before = self.waypoints[-1]
-        q = _as_written(before, self._plant)
-        self.waypoints[-1] = replace(before, q=q, rail=(float(q[0]),) * 2, written=float(q[0]), conf=None)
-        self._to(self._at_joints(index, self._axes(q[-6:])), motion, (np.inf, np.inf, motion.speed.v_leax))
+        q, layout = _as_written(before, self._plant), self._plant.layout
+        rail = float(layout.place(q))
+        self.waypoints[-1] = replace(before, q=q, rail=(rail, rail), written=rail, conf=None)
+        self._to(self._at_joints(index, self._axes(q[layout.arm])), motion, (np.inf, np.inf, motion.speed.v_leax))
 
     def _line(self, index: int, motion: MoveL) -> None:
         """A line; one of no length is a dwell that lasts as long as its rail needs."""
@@ -308,7 +308,7 @@ class _Build:
             return
         fixed = self._pinned or isinstance(motion, MoveAbsJ | MoveExtJ)
         if fixed and not low - _ON_LIMIT <= given <= high + _ON_LIMIT:
-            raise _OutOfRange(index, self._plant.limits.names[0], given, low, high)
+            raise _OutOfRange(index, self._plant.limits.names[self._plant.layout.rail][0], given, low, high)
         self._written = given
 
     def _hold(self, motion: Move) -> None:

@@ -28,14 +28,14 @@ class PlantKinematics:
         plant = self.plant
         extax = list(NO_EXTERNAL_AXES)
         if plant.rail_eax is not None:
-            extax[plant.rail_eax] = float(plant.start[0]) / MM
+            extax[plant.rail_eax] = float(plant.layout.place(plant.start)) / MM
         a, b, c, d, e, f = extax
-        return plant.start[-6:], (a, b, c, d, e, f)
+        return plant.start[plant.layout.arm], (a, b, c, d, e, f)
 
     def forward(self, q: Array, extax: ExternalAxes) -> Array:
         """X_WF (4, 4) at arm joints q (6,) [rad]; the rail at its start where extax leaves it open."""
         rail = self._rail(extax)
-        return self.plant.robot.forward(np.asarray(q) if rail is None else np.r_[rail, q])
+        return self.plant.robot.forward(self.plant.layout.join(rail or 0.0, np.asarray(q)))
 
     def inverse(self, X_WF: Array, extax: ExternalAxes, conf: ConfData | None, near: Array | None) -> Array | None:
         """Arm joints (6,) [rad] that bring the flange to X_WF in configuration conf, of several the nearest to near."""
@@ -43,7 +43,7 @@ class PlantKinematics:
         found = [q for _, q in solutions(robot, X_WF, self._rail(extax), self.plant.limits)]
         if conf is not None:
             found = [q for q in found if confdata_admits(robot, conf, q)]
-        centre = self.plant.start[-6:] if near is None else near
+        centre = self.plant.start[self.plant.layout.arm] if near is None else near
         return min(found, key=lambda q: float(np.linalg.norm(q - centre)), default=None)
 
     def confdata(self, q: Array) -> ConfData:
@@ -55,4 +55,4 @@ class PlantKinematics:
         if self.plant.rail_eax is None:
             return None
         given = self.plant.rail_value(extax)
-        return float(self.plant.start[0]) if given is None else given
+        return float(self.plant.layout.place(self.plant.start)) if given is None else given

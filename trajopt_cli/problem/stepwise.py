@@ -115,8 +115,8 @@ def analyse(program: Program, plant: Plant) -> Analysis:
     Raises InputError, placed in the program, where something must move at a programmed speed of 0.
     """
     robot = plant.robot
-    X_BF = inverse_pose(robot.base(plant.start[0])) @ robot.forward(plant.start)
-    rail = float(plant.start[0]) if robot.has_rail else 0.0
+    X_BF = inverse_pose(robot.base(plant.layout.place(plant.start))) @ robot.forward(plant.start)
+    rail = float(plant.layout.place(plant.start))
     X_FT: Array = np.eye(4)  # a MoveExtJ names no tool; the one before stays in force
     moves, waits = [], []
     for i, motion in enumerate(program.motions):
@@ -174,8 +174,8 @@ def _step(index: int, motion: Move, plant: Plant, X_BT: tuple[Array, Array], rai
         t_rail = motion.duration
     else:
         _time(motion, way, motion.speed.v_leax, "speed of linear external axes")
-        v_rail = min(motion.speed.v_leax, float(plant.limits.velocity[0]))
-        t_rail = rest_to_rest(np.zeros(1), np.array([way]), np.array([v_rail]), plant.limits.acceleration[:1])
+        top, a_rail = plant.limits.velocity[plant.layout.rail], plant.limits.acceleration[plant.layout.rail]
+        t_rail = rest_to_rest(np.zeros(1), np.array([way]), np.minimum(motion.speed.v_leax, top), a_rail)
     return StepMove(
         index, motion.source, X_BT_0, X_BT_1, X_WB_0 @ X_BT_0, X_WB_1 @ X_BT_1, *rail,
         chord=chord, angle=angle, v_tcp=v_tcp, t_arm=t_arm, t_rail=t_rail,

@@ -20,7 +20,7 @@ def reachable(plant: Plant, X_WF: Array, rail: Array, phi_min: float = 0.0, bran
     """
     rail = np.asarray(rail, dtype=np.float64)
     q = inverse(plant.robot, np.broadcast_to(X_WF, (len(rail), 4, 4)), rail if plant.robot.has_rail else None)
-    low, high = plant.limits.lower[-6:], plant.limits.upper[-6:]
+    low, high = plant.limits.lower[plant.layout.arm], plant.limits.upper[plant.layout.arm]
     # A joint's angle is known up to whole turns; it is inside its range if any turn of it is.
     turns = np.ceil((low - _ON_LIMIT - q) / (2 * np.pi))
     with np.errstate(invalid="ignore"):
@@ -39,7 +39,7 @@ def rail_ranges(plant: Plant, X_WF: Array, phi_min: float = 0.0, branch: int | N
     """
     if not plant.robot.has_rail:
         raise ValueError(f"rail_ranges: robot {plant.robot.name} has no rail")
-    low, high = float(plant.limits.lower[0]), float(plant.limits.upper[0])
+    low, high = (float(plant.layout.place(end)) for end in (plant.limits.lower, plant.limits.upper))
     rail = np.linspace(low, high, int(np.ceil((high - low) / STEP)) + 1)
     ok = reachable(plant, X_WF, rail, phi_min, branch)
     edges = np.flatnonzero(np.diff(ok.astype(int)))
@@ -58,7 +58,8 @@ def sections(plant: Plant, count: int = 361) -> tuple[Array, Array]:
     Columns: ahead of axis 1 and up, in the arm's base frame. Joints 2 and 3 stay in range. Together they are the
     thesis' figure 5.1; each is joint 2 at its least, the elbow stretched, joint 2 at its greatest, the elbow folded.
     """
-    arm, low, high = plant.robot.arm, plant.limits.lower[-6:], plant.limits.upper[-6:]
+    arm, joints = plant.robot.arm, plant.layout.arm
+    low, high = plant.limits.lower[joints], plant.limits.upper[joints]
     stretched = -np.pi / 2
     q2 = np.linspace(low[1], high[1], count)
 

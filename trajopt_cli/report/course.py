@@ -141,8 +141,8 @@ def wrist_section(plant: Plant, q: Array) -> Array:
 def skeleton(plant: Plant, q: Array, X_FT: Array) -> Array:
     """Base, foot of joint 2, joints 2 and 3, wrist centre, flange, TCP: (7, 3) [m] in the world at q (k,)."""
     robot = plant.robot
-    X_WB = robot.base(q[0] if robot.has_rail else 0.0)
-    points = axes_and_points(robot.arm, q[-6:])[1].T  # (6, 3): a point on each axis, in the base frame
+    X_WB = robot.base(plant.layout.place(q))
+    points = axes_and_points(robot.arm, q[plant.layout.arm])[1].T  # (6, 3): a point on each axis, in the base frame
     inside = np.array([[0.0, 0, 0], [0, 0, robot.arm.d1], points[1], points[2], points[4]])
     X_WF = robot.forward(q)
     chain = inside @ X_WB[:3, :3].T + X_WB[:3, 3]

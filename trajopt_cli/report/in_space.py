@@ -179,7 +179,7 @@ def arm(course: Course) -> Figure:
     p = course.X_WT[:, :3, 3] / MM
     beam = np.empty((0, 3))
     if robot.rail_axis_W is not None:
-        ends = np.array([limits.lower[0], limits.upper[0]])[:, None] * robot.rail_axis_W
+        ends = np.array([limits.lower, limits.upper])[:, course.plant.layout.rail] * robot.rail_axis_W
         beam = (robot.X_WB0[:3, 3] + ends) / MM
         axes.plot(*beam.T, color="#c8c8c8", linewidth=11, solid_capstyle="butt", zorder=1)
         axes.plot(*beam.T, color=GREY, linewidth=1, zorder=1.1)

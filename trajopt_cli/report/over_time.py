@@ -105,8 +105,9 @@ def rail(course: Course) -> Figure | None:
             axes.plot(
                 leg.t_1, asked / MM, "x", color=VERMILLION, markersize=8, markeredgewidth=2, zorder=6, clip_on=False
             )
-    axes.plot(course.t, course.q[:, 0] / MM, color=BLACK, linewidth=2.4, zorder=5, gid="rail")
-    low, high = course.plant.limits.lower[0] / MM, course.plant.limits.upper[0] / MM
+    axes.plot(course.t, course.plant.layout.place(course.q) / MM, color=BLACK, linewidth=2.4, zorder=5, gid="rail")
+    layout, limits = course.plant.layout, course.plant.limits
+    low, high = float(layout.place(limits.lower)) / MM, float(layout.place(limits.upper)) / MM
     name_limit(axes, high, f"end of the rail {number(high)} mm")
     name_limit(axes, low, f"end of the rail {number(low)} mm", below=True)
     axes.set_ylim(low - 0.09 * (high - low), high + 0.09 * (high - low))
@@ -195,22 +196,22 @@ def effector(course: Course) -> Figure:
 
 def motors(course: Course) -> Figure:
     """Angle and speed of every motor of the arm, and the rail's trajectory. Figs 6.4, 6.5 and 6.6."""
-    has_rail = course.plant.robot.has_rail
+    has_rail, joints = course.plant.layout.has_rail, course.plant.layout.arm
     figure = new_figure(9.4 if has_rail else 7.4, "Motors", course.below)
     heights = [3, 3, 2] if has_rail else [3, 3]
     grid = figure.subplots(len(heights), 1, sharex=True, height_ratios=heights)
     for panel, values in zip(grid, (course.q, course.qd), strict=False):
-        for i, (color, line) in enumerate(JOINT_STYLES):
-            panel.plot(course.t, values[:, i - 6] / DEG, color=color, linestyle=line)
+        for value, (color, line) in zip(values[:, joints].T, JOINT_STYLES, strict=True):
+            panel.plot(course.t, value / DEG, color=color, linestyle=line)
     grid[0].set_ylabel("angle [deg]")
     grid[1].set_ylabel("speed [deg/s]")
     grid[1].axhline(0, color=GREY, linewidth=0.7)
     if has_rail:
-        grid[2].plot(course.t, course.q[:, 0] / MM, color=BLACK)
+        grid[2].plot(course.t, course.plant.layout.place(course.q) / MM, color=BLACK)
         grid[2].set_ylabel("rail [mm]")
     grid[-1].set_xlabel(TIME)
     mark_motions(course, grid)
-    styles = zip(course.plant.limits.names[-6:], JOINT_STYLES, strict=True)
+    styles = zip(course.plant.limits.names[joints], JOINT_STYLES, strict=True)
     key(figure, course, [Line2D([], [], color=c, linestyle=s, label=readable(n)) for n, (c, s) in styles])
     return named(course, figure, grid[0])
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -11,27 +11,6 @@ import numpy as np
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.limits import JointLimits
-from trajopt_cli.robot.urdf import UrdfJoint
-
-
-def link_poses(chain: Sequence[UrdfJoint], X_WB: Array, q: Array) -> Array:
-    """Poses X_WL (n, m + 1, 4, 4) of the base, at X_WB (n, 4, 4) or (4, 4), and of the links behind m revolute joints.
-
-    q (n, m) [rad]. The joints' origins must not be turned and their axes be +-x, +-y or +-z, as the closed forms need.
-    """
-    X = np.empty((len(q), len(chain) + 1, 4, 4))
-    X[:, 0] = X_WB
-    for i, joint in enumerate(chain):
-        before, here = X[:, i], X[:, i + 1]
-        here[:] = before
-        here[:, :3, 3] += before[:, :3, :3] @ joint.X[:3, 3]
-        # A turn about one of the frame's axes mixes the other two.
-        axis = int(np.argmax(np.abs(joint.axis)))
-        u, v = (axis + 1) % 3, (axis + 2) % 3
-        c, s = np.cos(q[:, i, None]), joint.axis[axis] * np.sin(q[:, i, None])
-        here[:, :3, u] = c * before[:, :3, u] + s * before[:, :3, v]
-        here[:, :3, v] = c * before[:, :3, v] - s * before[:, :3, u]
-    return X
 
 
 def pin_model(urdf: Path, X_WR: Array) -> Any:

@@ -22,7 +22,7 @@ from trajopt_cli.motion import ConfData
 from trajopt_cli.robot import arm as arm_products
 from trajopt_cli.robot import inverse as closed_form
 from trajopt_cli.robot.arm import Arm, arm_from_chain
-from trajopt_cli.robot.chain import checked_pose, link_poses, named_profile, pin_model
+from trajopt_cli.robot.chain import checked_pose, named_profile, pin_model
 from trajopt_cli.robot.enclosure import Enclosure, enclose
 from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.structure import Structure
@@ -153,20 +153,8 @@ class RobotModel:
 
     @cached_property
     def link_names(self) -> tuple[str, ...]:
-        """The arm's links in the order of link_poses: the base, then the link behind each of the six joints."""
+        """The arm's links from the base on: the base, then the link behind each of the six joints."""
         return (self.chain[0].parent, *(joint.child for joint in self.chain[:6]))
-
-    @cached_property
-    def link_axes(self) -> Array:
-        """Unit axis (6, 3), x, y or z, of each joint in the frame of the link behind it; its origin is on the axis."""
-        return readonly([joint.axis for joint in self.chain[:6]])
-
-    def link_poses(self, q: Array) -> Array:
-        """Poses X_WL (n, 7, 4, 4) of the links in link_names order at axis positions q (n, k)."""
-        q = np.asarray(q, dtype=np.float64)
-        self._check(q, "q")
-        X_WB = self.base(q[:, 0] if self.has_rail else np.zeros(len(q)))
-        return link_poses(self.chain[:6], X_WB, q[:, -6:])
 
     def jacobian(self, q: Array, X_FT: Array | None = None) -> Array:
         """Geometric Jacobian (..., 6, k) at the TCP in world axes, linear rows first: [v; omega] = J qd.

@@ -18,7 +18,7 @@ import numpy as np
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.limits import JointLimits
-from trajopt_cli.robot.chain import checked_pose, link_poses, named_profile, pin_model
+from trajopt_cli.robot.chain import checked_pose, named_profile, pin_model
 from trajopt_cli.robot.urdf import UrdfJoint, check_ranges
 from trajopt_cli.shapes import Capsule
 
@@ -125,12 +125,8 @@ class SrsRobot:
 
     @cached_property
     def link_names(self) -> tuple[str, ...]:
-        """The links in the order of link_poses: the base, then the link behind each of the seven joints."""
+        """The links from the base on: the base, then the link behind each of the seven joints."""
         return (self.chain[0].parent, *(joint.child for joint in self.chain[:JOINTS]))
-
-    def link_poses(self, q: Array) -> Array:
-        """Poses X_WL (n, 8, 4, 4) of the links in link_names order at joints q (n, 7)."""
-        return link_poses(self.chain[:JOINTS], self.X_WB, self._joints(q))
 
     @cached_property
     def pin_model(self) -> Any:

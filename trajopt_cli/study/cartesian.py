@@ -88,12 +88,12 @@ def _move(plant: Plant, leg: Leg) -> _Move:
         return _Move(leg, seen.X_0, seen.axis, np.zeros(0), np.zeros(0), np.zeros(0))
     turning = motion.speed.v_ori
     softly = turning * (caps.acceleration / caps.speed)
-    rail = plant.robot.has_rail
-    way_rail = float(leg.q_1[0] - leg.q_0[0]) if rail else 0.0
+    layout, limits, rail = plant.layout, plant.limits, plant.layout.has_rail
+    way_rail = float(plant.layout.place(leg.q_1 - leg.q_0))
     if leg.kind is LegKind.JOINT:
         way = np.r_[seen.chord, seen.angle, way_rail]
         way[np.abs(way) < _POINT] = 0.0
-        v_rail, a_rail = (plant.limits.velocity[0], plant.limits.acceleration[0]) if rail else (1.0, 1.0)
+        v_rail, a_rail = (float(layout.place(top)) if rail else 1.0 for top in (limits.velocity, limits.acceleration))
         return _Move(
             leg,
             seen.X_0,
@@ -111,8 +111,8 @@ def _move(plant: Plant, leg: Leg) -> _Move:
         v.append(turning * length / line.angle)
         a.append(softly * length / line.angle)
     if abs(way_rail) > _POINT:
-        v.append(float(plant.limits.velocity[0]) * length / abs(way_rail))
-        a.append(float(plant.limits.acceleration[0]) * length / abs(way_rail))
+        v.append(float(layout.place(limits.velocity)) * length / abs(way_rail))
+        a.append(float(layout.place(limits.acceleration)) * length / abs(way_rail))
     plain = line.length > _POINT and abs(way_rail) <= _POINT
     return _Move(
         leg,

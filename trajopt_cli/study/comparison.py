@@ -228,8 +228,8 @@ def _nothing(result: Result) -> str:
     match result:
         case Tried():
             return "its plan is not legal"
-        case Infeasible(message=message):
-            return message
+        case Infeasible() as no:
+            return str(no)
         case NoPlan(message=message):
             return f"no plan found: {message}"
     return result

@@ -55,8 +55,8 @@ class Leg:
 
     @property
     def name(self) -> str:
-        """The motion's place, kind and target, as messages begin."""
-        return f"{self.motion.source}: {motion_name(self.motion)}"
+        """The motion's kind and target."""
+        return motion_name(self.motion)
 
     @property
     def key(self) -> bytes:
@@ -132,10 +132,10 @@ def _leg(
 
 
 def speed_limits(plant: Plant, leg: Leg) -> Array:
-    """Speeds (k,) the axes may have on a leg: their own and the rail's programmed one."""
+    """Speed limits (k,) of the axes on a leg: their own and the rail's programmed one."""
     limits = np.array(plant.limits.velocity)
-    if plant.robot.has_rail:
-        limits[0] = min(limits[0], leg.v_rail)
+    rail = plant.layout.rail
+    limits[rail] = np.minimum(limits[rail], leg.v_rail)
     return limits
 
 

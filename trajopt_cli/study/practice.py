@@ -31,7 +31,9 @@ def practice(case: Case) -> Answer:
         best = case.solve(program, Target.STREAM, FIXED_RAIL)
         if isinstance(best, Infeasible):
             return best
-        program = with_rail(program, case.plant, [float(motion.q_1[0]) for motion in best.motions])
+        program = with_rail(
+            program, case.plant, [float(case.plant.layout.place(motion.q_1)) for motion in best.motions]
+        )
     detoured = with_detours(program, case.plant)
     added = len(detoured.motions) - len(program.motions)
     note = f"{added} moves added: home and the rail alone" if added else "the program makes these detours itself"

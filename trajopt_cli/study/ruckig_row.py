@@ -210,7 +210,8 @@ def _along(line: JointsOnLine, jerk: Array | None) -> PointToPoint:
             if duration < shortest:
                 best, shortest = (v, top_a * a, j), duration
     if best is None:
-        raise ValueError(f"ruckig: {leg.name} finds no speed under all limits, although the fixed-rail plan has one")
+        name = f"{leg.motion.source}: {leg.name}"
+        raise ValueError(f"ruckig: {name} finds no speed under all limits, although the fixed-rail plan has one")
     v, a, j = best
     for attempt in range(_ATTEMPTS):
         # a hair slower and, more so, softer: no phase of the profile gets shorter by that

@@ -75,7 +75,7 @@ def work_points(program: Program, plant: Plant, rule: RailRule) -> list[WorkPoin
     A joint target stands on the one rail position the program gives it.
     """
     out: list[WorkPoint] = []
-    rail, station = float(plant.start[0]), 0
+    rail, station = float(plant.layout.place(plant.start)), 0
     X_WT = plant.robot.forward(plant.start)
     detours = droppable(program, plant)
     for i, motion in enumerate(program.motions):
@@ -89,7 +89,7 @@ def work_points(program: Program, plant: Plant, rule: RailRule) -> list[WorkPoin
             ranges = _ranges(motion, plant, rule)
             if not len(ranges):
                 why = f"no rail position keeps joint 3 {rule.phi_min / DEG:g} deg from the stretched elbow there"
-                return Infeasible(i, motion.source, f"{motion.source}: {motion_name(motion)}: {why}")
+                return Infeasible(i, motion.source, f"{motion_name(motion)}: {why}")
             X_before, X_WT = X_WT, motion.X_WT
             out.append(WorkPoint(i, ranges, _arm_time(motion, X_before, plant), station))
         else:
@@ -116,8 +116,8 @@ def functional_areas(points: Sequence[WorkPoint]) -> list[range]:
 
 def rail_positions(points: Sequence[WorkPoint], areas: Sequence[range], plant: Plant, rule: RailRule) -> list[float]:
     """The rail at every point [m]."""
-    speed, acceleration = _area_speed(plant, rule), float(plant.limits.acceleration[0])
-    rail = float(plant.start[0])
+    speed, acceleration = _area_speed(plant, rule), float(plant.layout.place(plant.limits.acceleration))
+    rail = float(plant.layout.place(plant.start))
     out: list[float] = []
     for number, area in enumerate(areas):
         following = points[areas[number + 1].start] if number + 1 < len(areas) else None
@@ -155,7 +155,7 @@ def _driven(
     """The program with the chosen rail positions, the rail's speed capped as the rule says."""
     where = {point.motion: position for point, position in zip(points, rail, strict=True)}
     inside = {points[k].motion for area in areas for k in area[1:]}
-    positions, now = [], float(plant.start[0])
+    positions, now = [], float(plant.layout.place(plant.start))
     motions: list[Motion] = []
     for i, motion in enumerate(program.motions):
         now = where.get(i, now)
@@ -189,7 +189,7 @@ def _way(time: float, speed: float, acceleration: float) -> float:
 
 
 def _area_speed(plant: Plant, rule: RailRule) -> float:
-    own = float(plant.limits.velocity[0])
+    own = float(plant.layout.place(plant.limits.velocity))
     return own if rule.v_area is None else min(own, rule.v_area)
 
 

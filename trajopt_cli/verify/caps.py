@@ -76,14 +76,9 @@ def check_caps(line: Timeline, frames: dict[bytes, Frame]) -> list[Finding]:
             passed = worst.value <= worst.limit * (1 + TCP)
             out.append(
                 finding(f"TCP {check}", "TCP", worst.value, worst.limit, unit, passed, time=worst.time,
-                        source=line.source_at(worst.time))
+                        source=line.source_at(worst.time), words=check)
             )  # fmt: skip
-    return [_short(f) for f in out + programmed]
-
-
-def _short(f: Finding) -> Finding:
-    return Finding(f.check, f.subject, f.value, f.limit, f.unit, f.passed, f.time, f.source,
-                   f.message.replace("TCP TCP ", "TCP ", 1))  # fmt: skip
+    return out + programmed
 
 
 def _stretches(line: Timeline) -> Iterator[tuple[int, int, Array, list[tuple[Stop, int, int]]]]:

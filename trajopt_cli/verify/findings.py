@@ -54,14 +54,16 @@ def finding(
     source: Source | None = None,
     bound: str = "limit",
     note: str = "",
+    words: str = "",
 ) -> Finding:
-    """A finding; where it fails, its one-line message. bound: what the limit is ("limit", "at least", "wanted")."""
+    """A finding; where it fails, its one-line message. bound: what the limit is ("limit", "at least", "wanted").
+    words: the check as the message says it behind the subject, where that is not the check's name."""
     message = ""
     if not passed:
         printed, limit_printed = digits(value, limit)
         when = "" if time is None else f" at t = {time:.3f} s"
         place = "" if source is None else f"{source}: "
-        message = f"{place}{subject} {check} {printed} {unit}{when}, {bound} {limit_printed}{note}"
+        message = f"{place}{subject} {words or check} {printed} {unit}{when}, {bound} {limit_printed}{note}"
     return Finding(check, subject, float(value), float(limit), unit, bool(passed), time, source, message)
 
 

@@ -30,20 +30,12 @@ def check_joints(rows: Rows, source_at: SourceAt) -> list[Finding]:
             out.append(
                 finding(
                     f"joint {check}", name, worst.value, float(top), unit + unit_rate, passed,
-                    time=worst.time, source=source_at(worst.time),
+                    time=worst.time, source=source_at(worst.time), words=check,
                 )
             )  # fmt: skip
         if rows.qd is not None:
             out.append(_speed_column(rows, j, source_at))
-    return [_reworded(f) for f in out]
-
-
-def _reworded(f: Finding) -> Finding:
-    """`joint_2 acceleration`, not `joint_2 joint acceleration`."""
-    return Finding(
-        f.check, f.subject, f.value, f.limit, f.unit, f.passed, f.time, f.source,
-        f.message.replace(f"{f.subject} joint ", f"{f.subject} ", 1),
-    )  # fmt: skip
+    return out
 
 
 def _worst(places: Iterator[tuple[Array, Array]], limit: float) -> Worst:
@@ -83,7 +75,7 @@ def _position(rows: Rows, j: int, allowed: float, source_at: SourceAt) -> Findin
     excess = (value - high if upper_is_worse else low - value) - rows.doubt_q[j] / 2
     return finding(
         "joint position", name, float(value), float(limit), axis_unit(name), excess <= allowed,
-        time=time, source=source_at(time),
+        time=time, source=source_at(time), words="position",
     )  # fmt: skip
 
 

@@ -470,7 +470,10 @@ def test_wrong_rows_and_periods_are_refused(robot: SrsRobot) -> None:
         replace(SETTINGS, h=0.0)
 
 
-def test_nothing_is_collected_during_a_run_and_everything_afterwards(robot: SrsRobot) -> None:
+@pytest.mark.parametrize("collecting", [True, False])
+def test_nothing_is_collected_during_a_run_and_the_collector_is_as_before_afterwards(
+    robot: SrsRobot, collecting: bool
+) -> None:
     class Watching(Ideal):
         collects: ClassVar[list[bool]] = []
 
@@ -480,8 +483,14 @@ def test_nothing_is_collected_during_a_run_and_everything_afterwards(robot: SrsR
                 raise RuntimeError("the arm broke")
             return super().step(q)
 
-    assert gc.isenabled()
-    with pytest.raises(RuntimeError, match="broke"):
-        go(robot, SETTINGS, way(robot, 10, (0.001, 0, 0, 0, 0, 0)), Watching(robot))
-    assert gc.isenabled()
+    before = (gc.get_threshold(), gc.get_freeze_count())
+    if not collecting:
+        gc.disable()
+    try:
+        with pytest.raises(RuntimeError, match="broke"):
+            go(robot, SETTINGS, way(robot, 10, (0.001, 0, 0, 0, 0, 0)), Watching(robot))
+        assert gc.isenabled() is collecting
+    finally:
+        gc.enable()
+    assert (gc.get_threshold(), gc.get_freeze_count()) == before
     assert Watching.collects == [False] * 4

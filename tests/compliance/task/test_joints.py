@@ -17,7 +17,6 @@ from joint_ways import HOME, H, line, product_forward, quintic, sequence, spin
 
 from trajopt_cli.compliance.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.compliance.task.joint_checks import stops_loop
-from trajopt_cli.compliance.task.joint_rows import rate_caps
 from trajopt_cli.compliance.task.joints import Followed, Unfollowable, follow
 from trajopt_cli.compliance.task.model import AngleMeaning
 from trajopt_cli.findings import Finding
@@ -317,45 +316,6 @@ def test_one_row_or_other_joints_are_refused() -> None:
         followed(sequence(np.zeros((1, 6)), np.eye(3)[None], AngleMeaning.ABSOLUTE, H))
     with pytest.raises(ValueError, match=r"start joints \(6,\)"):
         followed(spin(X, np.zeros(3)), HOME[:6])
-
-
-def test_rate_caps_of_a_turning_tool_are_the_joints_speed() -> None:
-    s = np.linspace(0, 1.2, 25)
-    X = ROBOT.forward(HOME) @ pose(rotation_about([0, 0, 1], s), np.zeros(3))
-    caps = rate_caps(X, s, ROBOT, LIMITS, ArmAngle.FARIA, 0.0, 2)
-    np.testing.assert_allclose(caps, LIMITS.velocity[6], rtol=1e-10)
-    half = rate_caps(X, 2 * s, ROBOT, LIMITS, ArmAngle.FARIA, 0.0, 2)  # twice the coordinate, twice the rate
-    np.testing.assert_allclose(half, 2 * LIMITS.velocity[6], rtol=1e-10)
-
-
-def test_a_path_run_at_its_rate_caps_uses_a_joint_speed_up_and_breaks_none() -> None:
-    X = ROBOT.forward(HOME)
-    s = np.linspace(0.0, 1.0, 801)
-    poses = np.repeat(X[None], len(s), axis=0)
-    poses[:, :3, 3] += s[:, None] * [0.1, 0.3, -0.1]
-    caps = rate_caps(poses, s, ROBOT, LIMITS, ArmAngle.SWIVEL, 0.0, 2)
-    way = sequence(
-        np.concatenate([poses[:, :3, 3], np.zeros((801, 3))], axis=1), poses[:, :3, :3], AngleMeaning.ABSOLUTE, H
-    )
-    answer = followed(way, definition=ArmAngle.SWIVEL)
-    rate = np.abs(np.diff(answer.trajectory.q, axis=0)) / np.diff(s)[:, None] / LIMITS.velocity
-    used = np.minimum(caps[1:], caps[:-1])[:, None] * rate
-    assert used.max() <= 1 + 1e-12
-    np.testing.assert_allclose(caps[1:-1], 1 / np.maximum(rate[1:], rate[:-1]).max(axis=1), rtol=1e-9)
-
-
-def test_rate_caps_where_nothing_moves_or_cannot() -> None:
-    X = ROBOT.forward(HOME)
-    turned = X @ pose(rotation_about([0, 0, 1], 0.1), np.zeros(3))
-    args = (ROBOT, LIMITS, ArmAngle.FARIA, 0.0, 2)
-    np.testing.assert_array_equal(rate_caps(np.stack([X, X, X]), np.array([0.0, 0, 1]), *args), np.inf)
-    np.testing.assert_array_equal(rate_caps(np.stack([X, turned]), np.zeros(2), *args), 0.0)
-    far = X.copy()
-    far[0, 3] += 1.0
-    with pytest.raises(ValueError, match="pose 1 is out of reach"):
-        rate_caps(np.stack([X, far]), np.array([0.0, 1]), *args)
-    with pytest.raises(ValueError, match="falls or is no number after row 1"):
-        rate_caps(np.stack([X, X, X]), np.array([0.0, 1, 0.5]), *args)
 
 
 def test_a_minute_at_1_khz_is_followed_in_under_a_second() -> None:

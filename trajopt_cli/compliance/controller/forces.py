@@ -71,12 +71,6 @@ def zero(F: ArrayLike, zeroing: Zeroing) -> Array:
     return np.asarray(F @ passing(zeroing).T)
 
 
-def clamp(values: ArrayLike, bounds: ArrayLike) -> Array:
-    """values (..., k) with every component within +-bounds (k,)."""
-    bounds = np.asarray(bounds, dtype=np.float64)
-    return np.asarray(np.clip(values, -bounds, bounds), dtype=np.float64)
-
-
 class ForceMap:
     """force_of() of one sample: LAPACK's factors of J J^T, called without NumPy's tests of shapes and types."""
 

@@ -14,7 +14,7 @@ from pydantic import Field, model_validator
 
 from trajopt_cli.compliance.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.compliance.task.model import AngleMeaning, RotationLaw, Task
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.quantity import complain
 from trajopt_cli.runs import RUN, SUMMARY
 from trajopt_cli.runs.folder import TASK, Run, read_run, write_run
@@ -124,6 +124,7 @@ def check_place(place: Path | None, option: str) -> None:
         raise InputError(f"{option}: {error.strerror}", file=str(place)) from error
 
 
+@of_kind(ErrorKind.RESULTS)
 def open_folder(folder: Path) -> Opened:
     """A folder read back: its task, and the sequence as its files have it. Raises InputError if it is none."""
     from trajopt_cli.compliance.task.equilibrium_csv import read_angles_csv, read_quaternion_csv
@@ -159,10 +160,11 @@ def counted_from_start(opened: Opened) -> Opened:
     try:
         sequence = counted(opened.equilibrium, AngleMeaning.RELATIVE, opened.X_start[:3, :3])
     except InputError as error:
-        raise InputError(str(error), file=opened.task.file) from error
+        raise InputError(str(error), file=opened.task.file, kind=error.kind) from error
     return replace(opened, equilibrium=sequence)
 
 
+@of_kind(ErrorKind.RESULTS)
 def read_task_run(folder: Path) -> TaskRun:
     """A folder read back. Raises InputError for a folder that is none, or whose files were changed since."""
     return read_run(folder, TaskRecord, (SUMMARY,))

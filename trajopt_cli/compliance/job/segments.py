@@ -70,7 +70,7 @@ def make_segments(path: Path, folder: Path, task: Path | None, angles: AngleMean
         try:
             equilibrium = counted(equilibrium, angles, opened.X_start[:3, :3])
         except InputError as error:
-            raise InputError(str(error), file=str(task_path)) from error
+            raise InputError(str(error), file=str(task_path), kind=error.kind) from error
         opened = replace(opened, equilibrium=equilibrium)
     notes = (*read.notes, *equilibrium.notes, *_start_notes(opened))
     inputs = _inputs(read, task_path, program)

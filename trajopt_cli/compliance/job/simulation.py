@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from trajopt_cli.compliance.controller.loop import LoopRun
     from trajopt_cli.compliance.controller.stability import AxisStability
     from trajopt_cli.compliance.task.joints import Followed, Unfollowable
+    from trajopt_cli.compliance.world.worlds import Engine
 
 _LONGEST_SETTLING = 10.0  # s
 _FORCES = ("fx [N]", "fy [N]", "fz [N]", "mx [Nm]", "my [Nm]", "mz [Nm]")
@@ -49,7 +50,8 @@ class Simulated:
 
     x_e, x (n, 6) [m, rad]: equilibrium and controller, angles from the start. force (n, 6) [N, Nm]: what the controller
     believes pushes the tool. lag: how far x stays behind. joints: the arm's, where it follows exactly. loop: the whole
-    controller against its world, None where nothing asks for it; why: what does.
+    controller against its world, None where nothing asks for it; why: what does. fallback: its world is springs only
+    because MuJoCo is not installed.
     """
 
     opened: Opened
@@ -64,6 +66,7 @@ class Simulated:
     feed: Feed
     settle: float
     why: tuple[str, ...]
+    fallback: bool = False
 
     @property
     def t(self) -> Array:
@@ -130,6 +133,8 @@ def run_controller(
     """As simulate, on a sequence at hand; nothing is written. place: the contact's file, for messages."""
     from trajopt_cli.compliance.controller.lag import worst_lag
     from trajopt_cli.compliance.controller.stability import Verdict, stability
+    from trajopt_cli.compliance.world.mujoco_world import available
+    from trajopt_cli.compliance.world.worlds import Engine
 
     task = opened.task if integration is None else replace(opened.task, integration=integration)
     opened = counted_from_start(replace(opened, task=task))
@@ -148,8 +153,10 @@ def run_controller(
         slowest = [axis.slowest for axis in axes if np.isfinite(axis.slowest) and axis.k > 0]
         settle = min(_LONGEST_SETTLING, 8 * max(slowest, default=0.0))
     why = _loop_needed(task, contact, engine)
+    fallback = bool(why) and engine is None and not available()
     if why:
-        loop = _loop(opened, contact, engine, feed, settle, place)
+        chosen = Engine(engine) if engine is not None else Engine.SPRING if fallback else Engine.MUJOCO
+        loop = _loop(opened, contact, chosen, feed, settle, place)
         if len(loop.x) == 0:
             assert loop.stop is not None
             return NoRun((loop.stop.message,))
@@ -169,7 +176,7 @@ def run_controller(
         lag = replace(lag, turn_maximum=float(turn[worst]), turn_time=worst * sequence.h)
         if not frames_change(task):
             x = np.column_stack([x[:, :3], angles_near(R @ opened.X_start[:3, :3].T, x_e[:, 3:])])
-    return Simulated(opened, x_e, x, force, lag, axes, joints, loop, contact, feed, settle, why)
+    return Simulated(opened, x_e, x, force, lag, axes, joints, loop, contact, feed, settle, why, fallback)
 
 
 def frames_change(task: Task) -> bool:
@@ -322,18 +329,16 @@ def _loop_needed(task: Task, contact: Contact | None, engine: str | None) -> tup
 
 
 def _loop(
-    opened: Opened, contact: Contact | None, engine: str | None, feed: Feed, settle: float, place: str | None
+    opened: Opened, contact: Contact | None, engine: Engine, feed: Feed, settle: float, place: str | None
 ) -> LoopRun:
     from trajopt_cli.compliance.controller.admittance import Controller
     from trajopt_cli.compliance.controller.loop import run
     from trajopt_cli.compliance.controller.parameters import Settings
-    from trajopt_cli.compliance.world.mujoco_world import available
-    from trajopt_cli.compliance.world.worlds import Engine, make_world
+    from trajopt_cli.compliance.world.worlds import make_world
 
     task, sequence = opened.task, opened.equilibrium
-    chosen = Engine(engine) if engine is not None else Engine.MUJOCO if available() else Engine.SPRING
     try:
-        world = make_world(chosen, opened.robot, task.X_FT, task.load, contact, sequence.h)
+        world = make_world(engine, opened.robot, task.X_FT, task.load, contact, sequence.h)
     except ValueError as error:
         raise InputError(str(error), file=place) from error
     q_0 = task.start_joints.tolist()

@@ -227,9 +227,9 @@ def contact_figure(run: Following, depth: ArrayLike, axis: int, title: str) -> F
     # what the contact pushed away, not the lag before it; without a contact the lag is all there is
     away = np.where(inside > 0, flange - planned, 0.0) if (inside > 0).any() else flange - planned
     if float(np.abs(away).max()) > MOVES / MM:
-        at, _, text = peak(run.t, away, "mm")
+        at, _, text = peak(run.t, away, "mm", " from the plan")
         i = int(np.searchsorted(run.t, at))
-        marks.append((grid[0], [(at, float(flange[i]), text.replace(" at ", " from the plan at "))]))
+        marks.append((grid[0], [(at, float(flange[i]), text)]))
     if float(np.abs(force[:, axis]).max()) > ACTS:
         marks.append((grid[1], [peak(run.t, force[:, axis], "N")]))
     if across:

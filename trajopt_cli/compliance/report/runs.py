@@ -144,11 +144,12 @@ def moving(*paths: Array, rows: Sequence[int] = range(6), least: float = MOVES) 
     return [i for i in rows if max(float(np.ptp(path[:, i])) for path in paths) > least]
 
 
-def peak(t: Array, values: Array, unit: str) -> tuple[float, float, str]:
-    """The mark of the value (n,) furthest from zero: where, how much, and both in words."""
+def peak(t: Array, values: Array, unit: str, of: str = "") -> tuple[float, float, str]:
+    """The mark of the value (n,) furthest from zero: where, how much, and both in words; of: what the value is, said
+    between them."""
     i = int(np.argmax(np.abs(values)))
     shown = abs(float(values[i]))
-    return float(t[i]), float(values[i]), f"{quantity_of(shown, unit)} at {number_of(float(t[i]))} s"
+    return float(t[i]), float(values[i]), f"{quantity_of(shown, unit)}{of} at {number_of(float(t[i]))} s"
 
 
 def number_of(value: float) -> str:

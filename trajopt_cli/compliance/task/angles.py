@@ -109,18 +109,6 @@ def _wrapped(angles: Array) -> Array:
     return np.asarray(angles - 2 * np.pi * np.rint(angles / (2 * np.pi)), dtype=np.float64)
 
 
-def rate_matrix(angles: ArrayLike) -> Array:
-    """E (..., 3, 3) with omega = E d(angles)/dt, omega in the frame the angles count from; singular at the lock."""
-    angles = np.asarray(angles, dtype=np.float64)
-    sb, cb = np.sin(angles[..., 1]), np.cos(angles[..., 1])
-    sg, cg = np.sin(angles[..., 2]), np.cos(angles[..., 2])
-    E = np.zeros((*angles.shape[:-1], 3, 3))
-    E[..., 0, 0], E[..., 1, 0], E[..., 2, 0] = cg * cb, sg * cb, -sb
-    E[..., 0, 1], E[..., 1, 1] = -sg, cg
-    E[..., 2, 2] = 1.0
-    return E
-
-
 def rotation_vector(R: ArrayLike) -> Array:
     """Turn vectors (..., 3) [rad] of R (..., 3, 3): the axis times the angle in [0, pi] (the matrix logarithm)."""
     q = wxyz_from_rotation(R)
@@ -128,18 +116,3 @@ def rotation_vector(R: ArrayLike) -> Array:
     angle = 2.0 * np.arctan2(sine, q[..., :1])
     # 2 is the limit of angle / sine for small turns, where the quotient is 0 / 0
     return np.asarray(q[..., 1:] * np.divide(angle, sine, out=np.full_like(sine, 2.0), where=sine > 1e-150))
-
-
-def from_rotation_vector(turns: ArrayLike) -> Array:
-    """R (..., 3, 3) of turn vectors (..., 3) [rad] of any length (the matrix exponential, Rodrigues)."""
-    turns = np.asarray(turns, dtype=np.float64)
-    angle = np.linalg.norm(turns, axis=-1)
-    a = np.sinc(angle / np.pi)  # sin(angle) / angle, 1 at 0
-    b = np.sinc(angle / (2 * np.pi)) ** 2 / 2  # (1 - cos(angle)) / angle^2 without its cancellation
-    x, y, z = np.moveaxis(turns, -1, 0)
-    R = np.empty((*turns.shape[:-1], 3, 3))
-    R[..., 0, 0], R[..., 1, 1], R[..., 2, 2] = 1 - b * (y * y + z * z), 1 - b * (x * x + z * z), 1 - b * (x * x + y * y)
-    R[..., 0, 1], R[..., 1, 0] = b * x * y - a * z, b * x * y + a * z
-    R[..., 0, 2], R[..., 2, 0] = b * x * z + a * y, b * x * z - a * y
-    R[..., 1, 2], R[..., 2, 1] = b * y * z - a * x, b * y * z + a * x
-    return R

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from trajopt_cli.compliance.task.equilibrium import Equilibrium
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, rotation_from_wxyz, wxyz_from_rotation
 
 ANGLES_HEAD = "t [s],x [m],y [m],z [m],alpha [rad],beta [rad],gamma [rad]"
@@ -34,6 +34,7 @@ def write_quaternion_csv(t: Array, p: Array, R: Array) -> str:
     return _write(QUATERNION_HEAD, t, np.column_stack([p, q * signs[:, None]]))
 
 
+@of_kind(ErrorKind.RESULTS)
 def read_angles_csv(text: str, file: str) -> tuple[float, Array]:
     """Period h [s] and poses (n, 6) [m, rad] of a text as write_angles_csv gives it. file is for messages.
 
@@ -48,6 +49,7 @@ def read_angles_csv(text: str, file: str) -> tuple[float, Array]:
     return float(table[1, 0]), table[:, 1:]
 
 
+@of_kind(ErrorKind.RESULTS)
 def read_quaternion_csv(text: str, file: str) -> tuple[Array, Array, Array]:
     """Times (n,) [s], positions (n, 3) [m] and orientations (n, 3, 3) of a text as write_quaternion_csv gives it.
 

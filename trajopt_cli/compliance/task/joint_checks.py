@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from math import degrees, pi, radians
 
 import numpy as np
@@ -96,14 +97,17 @@ def _remedy(check: str, j: int, free: bool) -> str:
 def _finding(
     check: str, name: str, value: float, limit: float, passed: bool, row: int, h: float, place: Place, remedy: str
 ) -> Finding:
-    message = ""
-    if not passed:
-        unit = _UNITS[check]
-        printed, limit_printed = apart(degrees(value), degrees(limit))
-        at = f"t = {row * h:.3f} s ({place(row)})"
-        message = f"{name} {check} {printed}{unit} at {at}, limit {limit_printed}{unit}; {remedy}"
     unit = {POSITION: "rad", SPEED: "rad/s", ACCELERATION: "rad/s2"}[check]
-    return Finding(check, name, value, limit, unit, passed, row * h, None, message)
+    found = Finding(check, name, value, limit, unit, passed, row * h, None)
+    return found if passed else replace(found, message=f"{broken_limit(found, place(row))}; {remedy}")
+
+
+def broken_limit(finding: Finding, place: str) -> str:
+    """What a joint exceeds, by how much, when and where, without what to do about it."""
+    unit = _UNITS[finding.check]
+    printed, limit = apart(degrees(finding.value), degrees(finding.limit))
+    at = f"t = {finding.time:.3f} s ({place})"
+    return f"{finding.subject} {finding.check} {printed}{unit} at {at}, limit {limit}{unit}"
 
 
 def apart(value: float, limit: float) -> tuple[str, str]:

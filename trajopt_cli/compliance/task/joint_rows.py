@@ -66,36 +66,3 @@ def passes(q: Array, h: float, limits: JointLimits) -> bool:
     in_range = position_excess(q, limits) <= RELATIVE * (limits.upper - limits.lower)
     slow = speeds(q, h) <= limits.velocity * (1 + RELATIVE) + 2 * ROUNDING / h
     return bool(in_range.all() and slow.all())
-
-
-def rate_caps(
-    X_WF: Array,
-    s: Array,
-    robot: SrsRobot,
-    limits: JointLimits,
-    definition: ArmAngle,
-    arm_angle: Array | float,
-    configuration: int,
-) -> Array:
-    """Greatest ds/dt (n,) at flange poses X_WF (n, 4, 4) along a path at which no joint exceeds its speed limit.
-
-    s (n,): the path's coordinate, never falling, in whatever unit. arm_angle: one for all or (n,) [rad]. A row's cap
-    is the smaller one of the two steps beside it, from finite differences of the joints; a step in which no joint
-    moves allows any rate (inf), one in which joints move while s stands allows none (0). Raises ValueError for shapes
-    that do not fit, for a falling s and for a pose out of reach.
-    """
-    s = np.asarray(s, dtype=np.float64)
-    if s.shape != (len(X_WF),) or len(s) < 2:
-        raise ValueError(f"rate_caps: s has shape {s.shape} for {len(X_WF)} poses; wanted ({len(X_WF)},), two or more")
-    ds = np.diff(s)
-    if not np.all(ds >= 0):
-        raise ValueError(f"rate_caps: s falls or is no number after row {int(np.argmin(ds >= 0))}")
-    q = inverse_branch(robot, X_WF, arm_angle, definition, configuration)
-    lost = np.isnan(q).any(axis=1)
-    if lost.any():
-        raise ValueError(f"rate_caps: pose {int(np.argmax(lost))} is out of reach")
-    step = np.abs(np.diff(np.unwrap(q, axis=0), axis=0))
-    least_time = np.where(step > 2 * ROUNDING, step / limits.velocity, 0.0).max(axis=1)
-    caps = np.full(len(ds), np.inf)
-    np.divide(ds, least_time, out=caps, where=least_time > 0)
-    return np.asarray(np.minimum(np.concatenate([caps[:1], caps]), np.concatenate([caps, caps[-1:]])))

@@ -9,7 +9,7 @@ import numpy as np
 
 from trajopt_cli.compliance.task.arm_course import ArmCourse, find_course
 from trajopt_cli.compliance.task.equilibrium import Equilibrium
-from trajopt_cli.compliance.task.joint_checks import ELBOW, check_joints, place_of, remarks, stops_loop
+from trajopt_cli.compliance.task.joint_checks import ELBOW, broken_limit, check_joints, place_of, remarks, stops_loop
 from trajopt_cli.compliance.task.joint_rows import central_speeds, joints_along
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose, pose, readonly
@@ -109,7 +109,7 @@ def follow(
             findings = check_joints(q, h, limits, place, free=True, stops=stops)
             notes.append(
                 f"the arm angle moves between {_printed(float(angles.min()))} and {_printed(float(angles.max()))};"
-                f" held at {_printed(fixed)}: {broken[0].message.split(';')[0]}"
+                f" held at {_printed(fixed)}: {broken_limit(broken[0], place(round((broken[0].time or 0.0) / h)))}"
             )
         else:
             findings = check_joints(q, h, limits, place, free=True, stops=stops)

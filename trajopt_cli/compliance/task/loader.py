@@ -36,7 +36,7 @@ from trajopt_cli.compliance.task.model import (
     Zeroing,
 )
 from trajopt_cli.compliance.task.poses import program_route, written_waypoints
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.robot.dynamics import ToolLoad
@@ -74,6 +74,7 @@ def minimal_task(program: str) -> str:
     return "\n".join(lines) + "\n"
 
 
+@of_kind(ErrorKind.PROGRAM)
 def load_task(path: str | Path, poses_from: str | Path | None = None) -> Task:
     """Read the task file at path (UTF-8 YAML), and the RAPID program it names.
 
@@ -84,6 +85,7 @@ def load_task(path: str | Path, poses_from: str | Path | None = None) -> Task:
     return parse_task(read_text(path, "task file"), file, poses_from)
 
 
+@of_kind(ErrorKind.PROGRAM)
 def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Task:
     """The Task in a task file's text; file is its name in messages, programs are looked up beside it."""
     content, lines = parse(text, file, _NEEDED)
@@ -154,11 +156,11 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         else None,
         contact=_contact(document.contact, lines, file) if document.contact is not None else None,
         notes=notes,
-        lines=lines,
         sources=texts,
     )
 
 
+@of_kind(ErrorKind.PROGRAM)
 def load_contact(path: str | Path) -> tuple[Contact, str]:
     """The contact section of a task file, or of a file that holds nothing else, and the file's text.
 

@@ -9,10 +9,11 @@ import numpy as np
 from trajopt_cli.compliance.task.angles import angles_of, continuous
 from trajopt_cli.compliance.task.equilibrium import Equilibrium
 from trajopt_cli.compliance.task.model import BETA_LIMIT, AngleMeaning, RotationLaw
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array
 
 
+@of_kind(ErrorKind.PROGRAM)
 def counted(equilibrium: Equilibrium, meaning: AngleMeaning, R_start: Array) -> Equilibrium:
     """equilibrium with its angles in this meaning; R_start (3, 3): the tool's orientation where it is switched on.
 

@@ -16,10 +16,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.shapes import Box
-from trajopt_cli.yaml_file import line_of
 
 if TYPE_CHECKING:
     from trajopt_cli.robot.dynamics import ToolLoad
@@ -226,7 +224,7 @@ class Task:
 
     start_joints (7,) [rad]: where the controller is switched on; configuration, arm angle and R_start come from them.
     limits: which of the robot's limit profiles holds. arm_angle [rad] by definition: None for the one at the start.
-    notes: what the user should know. lines: the line of every key by its dotted path. sources: name -> text of the
+    notes: what the user should know. sources: name -> text of the
     files the task came from, the task file first.
     """
 
@@ -249,16 +247,11 @@ class Task:
     sensor: Sensor | None
     contact: Contact | None
     notes: tuple[str, ...] = ()
-    lines: Mapping[str, int] = field(default_factory=dict)
     sources: Mapping[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         for name in ("start_joints", "X_WB", "X_FT"):
             object.__setattr__(self, name, readonly(getattr(self, name)))
-
-    def error(self, key: str, message: str) -> InputError:
-        """The error message about key, placed at its line in the task file (or at its closest parent's)."""
-        return InputError(f"{key}: {message}", file=self.file, line=line_of(key, self.lines))
 
 
 def _vector(values: ArrayLike, count: int, what: str) -> Array:

@@ -16,7 +16,7 @@ from trajopt_cli.compliance.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.compliance.task.laws import FullSpeed, Ramps, full_speed, ramps
 from trajopt_cli.compliance.task.legs import Leg, legs, whole_periods
 from trajopt_cli.compliance.task.model import COORDINATES, Profile, RotationLaw, Route, Waypoint
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, rotation_about
 
 MOST_ROWS = 5_000_000
@@ -54,6 +54,7 @@ class _Stage:
     dwell: bool
 
 
+@of_kind(ErrorKind.PROGRAM)
 def interpolate(route: Route) -> Equilibrium:
     """Poses every h from the route's first pose to its last, by its profile and rotation law.
 

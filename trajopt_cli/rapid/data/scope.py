@@ -56,6 +56,11 @@ class Datum:
             self.value = other.value
 
     @property
+    def declared_constant(self) -> bool:
+        """Whether a CONST declares it: the same all along, unlike a loop's variable."""
+        return isinstance(self._constant, tuple)
+
+    @property
     def constant(self) -> str | None:
         """Why it may not be assigned to, None where it may."""
         if isinstance(self._constant, tuple):

@@ -191,7 +191,7 @@ def _constant(run: Run, node: Expression) -> bool:
         return _constant(run, node.operand)
     if isinstance(node, Name):
         place = run.find(node.name)
-        return isinstance(place, Datum) and place.constant is not None and place.constant.startswith("a CONST")
+        return isinstance(place, Datum) and place.declared_constant
     return False
 
 
