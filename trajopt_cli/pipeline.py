@@ -44,7 +44,7 @@ if TYPE_CHECKING:
     from trajopt_cli.problem.plant import Plant
     from trajopt_cli.trajectory import Trajectory
 
-_FREED = "kept as programmed, as it serves several passes or depends on a variable: --loops unroll frees it"
+_WRITTEN_OUT = "loops and routines are written out as with --loops unroll, as none of their plans could be driven"
 _WORTH = 5e-3  # s of an estimate that are worth a word
 
 # What is being solved ("stream", "rapid", a baseline's name) and how far it is.
@@ -137,10 +137,11 @@ def optimise(
     if hits := collisions(check_start(job.program, job.plant, start)):
         return Collides("", hits)
     clock, started = _Clock({"read": job.read_seconds}), datetime.now(UTC)
-    with clock.phase("rapid: text"):
-        changes = {one: changes_of(job, one, loops) for one in Target}
-    if (infeasible := _out_of_reach(job, clock, changes, loops)) is not None:
-        return infeasible
+    with clock.phase("reach"):
+        agreed = may_change(job, loops)
+    if agreed.infeasible is not None:
+        return agreed.infeasible
+    changes, loops = agreed.changes, agreed.loops
     inputs = _inputs(job)
     judged: dict[Target, Judged] = {}
     answers, written = _all_three(job, listen, clock, changes)
@@ -157,7 +158,7 @@ def optimise(
     listen("results", Progress("write"))
     with clock.phase("export"):
         export, no_rapid = _export(job, judged[Target.RAPID].plan, loops)
-        notices = (*_notices(job), *_one_way(job, export))
+        notices = (*_notices(job), *agreed.notices, *_one_way(job, export))
         if no_rapid is not None:
             notices = (*notices, f"no RAPID text: {no_rapid}")
         placed = _placed(export, folder) if export is not None else ()
@@ -296,22 +297,6 @@ def plan_pictures(job: Job, plan: Plan) -> dict[str, bytes]:
     return {f"plots/{place}": content for place, content in pictures.items()}
 
 
-def _out_of_reach(job: Job, clock: _Clock, changes: Mapping[Target, Changes], loops: Loops) -> Infeasible | None:
-    """What one of the two targets cannot do, known before either is solved."""
-    from trajopt_cli.optimize import check_feasible
-
-    with clock.phase("reach"):
-        for target in Target:
-            infeasible = check_feasible(job.program, job.plant, target, changes=changes[target])
-            if infeasible is None:
-                continue
-            kept = infeasible.index not in changes[target].values and loops is Loops.KEEP
-            if kept and infeasible.index in changes_of(job, target, Loops.UNROLL).values:
-                return replace(infeasible, message=f"{infeasible.message}; {_FREED}")
-            return infeasible
-    return None
-
-
 def _all_three(
     job: Job, listen: Listener, clock: _Clock, changes: Mapping[Target, Changes]
 ) -> tuple[dict[Target, Judged | Infeasible | NoPlan], Plan | str]:
@@ -395,14 +380,46 @@ def as_written(job: Job, changes: Changes, clock: _Clock, memory: Memory) -> Pla
         except NoCleanPlan as failure:
             return f"no plan found: {failure}"
         if isinstance(plan, Infeasible):
-            return plan.message
+            return str(plan)
         text = write_csv_text(plan.trajectory)
         report = judge(job.plant, job.program, text, "as written", (), Target.RAPID, advice=False)
     return plan if report.legal else f"not legal: {_worst(report).message}"
 
 
+@dataclass(frozen=True)
+class MayChange:
+    """What plans may change, by target, and what that makes of loops. notices: what a user should know of that.
+    infeasible: what cannot be done on one of the targets whatever changes, known before either is solved."""
+
+    changes: Mapping[Target, Changes]
+    loops: Loops
+    notices: tuple[str, ...] = ()
+    infeasible: Infeasible | None = None
+
+
+def may_change(job: Job, loops: Loops) -> MayChange:
+    """What plans of this job may change: for all commands that plan, so that they answer one question alike.
+
+    Loops that are to be kept, but that no plan could drive, are written out, and that is said.
+    """
+    from trajopt_cli.optimize import check_feasible
+
+    def held_against_reach(loops: Loops) -> MayChange:
+        changes = {one: changes_of(job, one, loops) for one in Target}
+        found = (check_feasible(job.program, job.plant, one, changes=changes[one]) for one in Target)
+        return MayChange(changes, loops, infeasible=next((one for one in found if one is not None), None))
+
+    asked = held_against_reach(loops)
+    if asked.infeasible is None or loops is Loops.UNROLL:
+        return asked
+    freer = held_against_reach(Loops.UNROLL)
+    if freer.infeasible is not None:
+        return asked
+    return replace(freer, notices=(f"{_WRITTEN_OUT}: {asked.infeasible}",))
+
+
 def changes_of(job: Job, target: Target, loops: Loops = Loops.KEEP) -> Changes:
-    """What a plan may change on one target: for all commands that plan, so that they answer one question alike.
+    """What a plan may change on one target.
 
     loops: what a plan for the RAPID controller makes of them; a stream has none.
     """

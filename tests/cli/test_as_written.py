@@ -52,7 +52,7 @@ def test_a_program_that_cannot_be_driven_as_written_is_told_so(
     class Picky(Planner):
         def __call__(self, program, plant, target, freedom=None, *arguments, **more):  # type: ignore[no-untyped-def]
             if freedom == AS_WRITTEN:
-                return Infeasible(0, program.motions[0].source, "tiny.mod:6:9: MoveAbsJ j_side cannot be reached")
+                return Infeasible(0, program.motions[0].source, "MoveAbsJ j_side cannot be reached")
             return right(program, plant, target, *arguments, **more)
 
     monkeypatch.setattr("trajopt_cli.optimize.optimize", Picky())

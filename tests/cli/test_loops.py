@@ -9,6 +9,10 @@ from pathlib import Path
 import pytest
 
 from trajopt_cli.cli import run
+from trajopt_cli.job import read_job
+from trajopt_cli.pipeline import changes_of, may_change
+from trajopt_cli.problem.changes import Loops
+from trajopt_cli.problem.plan import Target
 
 CELL = (Path(__file__).parents[2] / "programs" / "hinge_cell.yaml").read_text(encoding="utf-8")
 DATA = """MODULE work
@@ -71,3 +75,36 @@ def test_loops_stay_unless_they_are_unrolled(
     assert changed
     assert max(changed) < len(DATA.splitlines())
     assert [NUMBER.sub("#", line) for line in given] == [NUMBER.sub("#", line) for line in kept]
+
+
+OFF = """    PROC main()
+        FOR i FROM 1 TO 2 DO
+            MoveJ Offs(p_place{i},0,0,100), v2500, fine, tool0;
+            MoveL p_place{i}, v500, fine, tool0;
+        ENDFOR
+        MoveAbsJ j_home, v2500, fine, tool0;
+    ENDPROC
+ENDMODULE
+"""
+
+
+def test_loops_that_cannot_be_driven_as_they_are_are_written_out_and_that_is_said(tmp_path: Path) -> None:
+    """The approach is computed from i, so a kept loop leaves its confdata as programmed, and that is out of reach."""
+    wrong = DATA.replace("[[500,0,400],[0,0,1,0],[0,0,0,0]", "[[500,0,400],[0,0,1,0],[1,0,1,0]")
+    (tmp_path / "work.mod").write_text(wrong + OFF, encoding="utf-8")
+    (tmp_path / "work.yaml").write_text(CELL, encoding="utf-8")
+    job = read_job(tmp_path / "work.mod")
+    agreed = may_change(job, Loops.KEEP)
+    assert agreed.infeasible is None
+    assert agreed.loops is Loops.UNROLL
+    assert agreed.changes[Target.RAPID] == changes_of(job, Target.RAPID, Loops.UNROLL)
+    (notice,) = agreed.notices
+    assert notice.startswith(
+        "loops and routines are written out as with --loops unroll, as none of their plans could be"
+    )
+    assert "work.mod:12:13: MoveJ Offs(p_place{i},0,0,100) cannot be reached" in notice
+    assert "not with confdata [1,0,1,0]" in notice
+
+    (tmp_path / "work.mod").write_text(DATA + OFF, encoding="utf-8")
+    kept = may_change(read_job(tmp_path / "work.mod"), Loops.KEEP)
+    assert (kept.loops, kept.notices, kept.infeasible) == (Loops.KEEP, (), None)

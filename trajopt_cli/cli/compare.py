@@ -92,7 +92,7 @@ def baseline(
             console.print(f"saving by cause: not available, there is no plan to start from ({answer.steps})")
         else:
             show(console, causes_table(answer.steps))
-        for line in job.plant.unchecked:
+        for line in (*job.plant.unchecked, *answer.notices):
             console.print(line)
     if plots is not None:
         pictures = comparison_pictures(answer)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from trajopt_cli.beside import in_turns
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Program, Wait
-from trajopt_cli.pipeline import Listener, NoPlan, changes_of, judge
+from trajopt_cli.pipeline import Listener, NoPlan, judge, may_change
 from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
@@ -68,6 +68,7 @@ class Comparison:
     rows: tuple[Row, ...]
     steps: tuple[Step, ...] | str
     waits: float
+    notices: tuple[str, ...] = ()
 
 
 def compare(job: Job, listen: Listener, rule: RailRule | None = None, loops: Loops = Loops.KEEP) -> Comparison:
@@ -96,7 +97,7 @@ def compare(job: Job, listen: Listener, rule: RailRule | None = None, loops: Loo
     rows = tuple(Row(name, one, results[asks.get(name, name)]) for name, one in BASELINES.items())
     steps = _steps([(cause.name, results[study.question(cause.target, cause.freedom)]) for cause in reasons])
     waits = sum(motion.duration for motion in job.program.motions if isinstance(motion, Wait))
-    return Comparison(job, rows, steps, waits)
+    return Comparison(job, rows, steps, waits, study.notices)
 
 
 def comparison_pictures(answer: Comparison) -> dict[str, bytes]:
@@ -136,7 +137,8 @@ class _Study:
         from trajopt_cli.study.case import RailRule
 
         self.job, self.rule = job, rule or RailRule()
-        self.changes = {target: changes_of(job, target, loops) for target in Target}
+        agreed = may_change(job, loops)
+        self.changes, self.notices = agreed.changes, agreed.notices
         self._known: dict[Question, Result] = {}
 
     def question(self, target: Target, freedom: Freedom) -> Question:
