@@ -15,6 +15,7 @@ from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.motion import (
     NO_EXTERNAL_AXES,
     ConfData,
+    Hold,
     Motion,
     MoveAbsJ,
     MoveExtJ,
@@ -89,8 +90,9 @@ def move_ext(line: int, rail: float) -> MoveExtJ:
     return MoveExtJ(**_common(line, "j_rail", V2500, rail))
 
 
-def wait(line: int, duration: float, condition: str | None = None) -> Wait:
-    return Wait(source=Source("cell.mod", line, 5), written=_WRITTEN, duration=duration, condition=condition)
+def wait(line: int, duration: float, condition: str | None = None, hold: Hold | None = None) -> Wait:
+    source = Source("cell.mod", line, 5)
+    return Wait(source=source, written=_WRITTEN, duration=duration, condition=condition, hold=hold)
 
 
 def program(*motions: Motion) -> Program:
@@ -339,6 +341,61 @@ def stream_case() -> Case:
         joint_move(plant, q_4, plant.start),
     )  # fmt: skip
     return Case(plant, motions, pieces)
+
+
+HELD_RAILS = (0.05, 0.08, 0.11)
+
+
+def held_case() -> Case:
+    """A rail that is held on a line, in a wait, on a joint move and in a wait that follows a ride without a programmed
+    time; free in the waits between: legal for both targets."""
+    plant = plant_with_rail()
+    d_0, d_1, d_2 = HELD_RAILS
+    q_in, q_a, q_free, q_b, q_end = (
+        arm_at(plant, X[None], np.array([d]))[0] for X, d in ((A_IN, d_0), (A, d_0), (A, d_1), (B_IN, d_1), (B_IN, d_2))
+    )
+    motions = program(
+        move_j(11, "p_a_in", A_IN, d_0),
+        move_l(12, "p_a", A, d_0, hold=Hold.PROGRAM),
+        wait(13, 0.1, hold=Hold.GRIPPER),
+        wait(14, 0.3),
+        move_j(15, "p_b_in", B_IN, d_1, hold=Hold.CELL),
+        move_l(16, "p_b_in", B_IN, d_2),
+        wait(17, 0.1, hold=Hold.GRIPPER),
+        home(18),
+    )
+    pieces = (
+        joint_move(plant, plant.start, q_in),
+        line_move(plant, A_IN, A, rail_share(d_0, d_0), 6.0, 60.0),
+        hold(q_a, 0.1),
+        ride(plant, A, d_0, d_1),
+        joint_move(plant, q_free, q_b),
+        ride(plant, B_IN, d_1, d_2),
+        hold(q_end, 0.1),
+        joint_move(plant, q_end, plant.start),
+    )
+    return Case(plant, motions, pieces)
+
+
+def ride(plant: Plant, X: Array, d_0: float, d_1: float, T: float = 0.3) -> Piece:
+    """The TCP rests, the rail goes from rest to rest as a triangle of speed."""
+    T, at, switches = trapezoid(1e9, 4 / T**2)
+
+    def rail(t: Array) -> tuple[Array, Array]:
+        s, sd = at(t)
+        return d_0 + s * (d_1 - d_0), sd * (d_1 - d_0)
+
+    return self_motion(plant, X, rail, T, switches=switches)
+
+
+def swayed(plant: Plant, X: Array, d: float, T: float, way: float) -> Piece:
+    """The TCP rests for a time T, the rail goes away and comes back, smoothly."""
+
+    def rail(t: Array) -> tuple[Array, Array]:
+        phase = np.pi * t / T
+        return d + way * np.sin(phase) ** 2, way * np.pi / T * np.sin(2 * phase)
+
+    return self_motion(plant, X, rail, T)
 
 
 def bench_case() -> Case:

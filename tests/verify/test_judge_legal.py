@@ -6,7 +6,7 @@ from functools import partial
 
 import numpy as np
 import pytest
-from legal_motion import B_IN, B, Case, bench_case, faster, hold, rapid_case, stream_case
+from legal_motion import B_IN, B, Case, bench_case, faster, held_case, hold, rapid_case, stream_case
 
 from trajopt_cli.joint_csv import Resolution, header, read_csv_text
 from trajopt_cli.problem.plan import Target
@@ -14,7 +14,7 @@ from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.judge import verify as verify_with_advice
 
 verify = partial(verify_with_advice, advice=False)
-CASES = {"rapid": rapid_case, "stream": stream_case, "bench": bench_case}
+CASES = {"rapid": rapid_case, "stream": stream_case, "bench": bench_case, "held": held_case}
 
 
 def printed(trajectory: Trajectory, decimals: int | None, speeds: bool) -> tuple[Trajectory, Resolution | None]:
@@ -36,7 +36,7 @@ def printed(trajectory: Trajectory, decimals: int | None, speeds: bool) -> tuple
 def test_a_legal_motion_passes(name: str, rows: dict[str, object], decimals: int | None, speeds: bool) -> None:
     case = CASES[name]()
     trajectory, resolution = printed(case.rows(**rows), decimals, speeds)
-    targets = [None, Target.RAPID] if name == "rapid" else [None]
+    targets = [None, Target.RAPID] if name in ("rapid", "held") else [None]
     for target in targets:
         report = verify(case.program, case.plant, trajectory, resolution, target=target)
         assert report.legal, [f.message for f in report.findings if not f.passed]

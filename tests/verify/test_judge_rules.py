@@ -8,11 +8,14 @@ import numpy as np
 import pytest
 from legal_motion import (
     A_IN,
+    HELD_RAILS,
     V2500,
     A,
     B,
     Case,
     arm_at,
+    bench_case,
+    held_case,
     hold,
     home,
     joint_move,
@@ -23,16 +26,20 @@ from legal_motion import (
     program,
     rail_share,
     rapid_case,
+    ride,
     wait,
 )
 from spoil_book import OVER, limited, verify
+from spoiled_holds import in_the_wait, rail_rides_through_a_held_wait
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.joint_csv import read_csv_text, write_csv_text
+from trajopt_cli.motion import Hold
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.joints import check_joints
 from trajopt_cli.verify.rows import look
+from trajopt_cli.verify.tolerances import HELD
 
 
 def test_nan_and_reversed_time_are_malformed_files() -> None:
@@ -154,3 +161,44 @@ def test_a_program_without_moves_is_a_rest_at_the_start() -> None:
     assert failed == ["dwell length"]
     report = verify(program(), case.plant, case.rows())
     assert "end" in [f.check for f in report.findings if not f.passed]
+
+
+def test_a_wait_after_an_output_says_what_lets_the_rail_move() -> None:
+    case, rows, _ = rail_rides_through_a_held_wait()
+    report = verify(case.program, case.plant, rows)
+    (failed,) = [f.message for f in report.findings if not f.passed]
+    end = case.starts[7]
+    assert failed == (
+        f"cell.mod:17:5: rail way while held 0.0675 m at t = {end:.3f} s, limit 1e-06 in the wait at MoveL p_b: "
+        "it holds still after an output; 'hold_rail: {gripper: false}' in the cell file lets it move"
+    )
+    assert verify(rapid_case().program, case.plant, rows).legal
+
+
+def test_a_rail_that_sways_less_than_promised_is_held() -> None:
+    case = in_the_wait(0.9 * HELD)
+    assert verify(case.program, case.plant, case.rows()).legal
+
+
+@pytest.mark.parametrize("when", ["before", "after"])
+def test_a_held_wait_may_lie_anywhere_in_a_longer_rest(when: str) -> None:
+    """Foreign files may ride to their rail position before the process begins, or away when it is over."""
+    case = held_case()
+    d_0, d_1, _ = HELD_RAILS
+    pieces = list(case.pieces)
+    d = d_1 if when == "before" else d_0
+    held = hold(arm_at(case.plant, A[None], np.array([d]))[0], 0.1)
+    free = hold(arm_at(case.plant, A[None], np.array([d_1]))[0], 0.3)
+    move = ride(case.plant, A, d_0, d_1, 0.25)
+    pieces[2:4] = [move, held, free] if when == "before" else [held, move, free]
+    late = replace(case, pieces=tuple(pieces))
+    for rows in (late.rows(), late.rows(grid_only=True, step=0.004)):
+        for target in (None, Target.RAPID):
+            report = verify(case.program, case.plant, rows, target=target)
+            assert report.legal, [f.message for f in report.findings if not f.passed]
+
+
+def test_a_robot_without_a_rail_holds_none() -> None:
+    case = bench_case()
+    motions = [replace(motion, hold=Hold.PROGRAM) for motion in case.program.motions]
+    assert verify(program(*motions), case.plant, case.rows()).legal

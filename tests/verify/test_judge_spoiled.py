@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+import spoiled_holds
 import spoiled_shapes
 import spoiled_stops
 from legal_motion import (
@@ -21,13 +22,14 @@ from legal_motion import (
     rapid_case,
 )
 from spoil_book import OVER, SPOILED, verify
+from spoiled_holds import in_the_joint_move, in_the_wait, on_the_line
 from spoiled_stops import short_of
 
 from trajopt_cli.findings import Report
 from trajopt_cli.joint_csv import header, read_csv_text
 from trajopt_cli.verify import tolerances as tol
 
-REGISTERED = (spoiled_shapes, spoiled_stops)  # importing them fills SPOILED
+REGISTERED = (spoiled_holds, spoiled_shapes, spoiled_stops)  # importing them fills SPOILED
 
 
 def judged(name: str) -> Report:
@@ -52,7 +54,7 @@ def test_every_spoiled_motion_is_caught_by_the_right_check(name: str) -> None:
 
 
 def test_there_are_enough_of_them() -> None:
-    assert len(REGISTERED) == 2
+    assert len(REGISTERED) == 3
     assert len(SPOILED) >= 40
     assert OVER == 1.1
 
@@ -115,6 +117,9 @@ FOREIGN: dict[str, tuple[Callable[[Case], Case], str]] = {
         "dwell length",
     ),
     "drifts by 10 um": (lambda c: c.swap(p2=nudged(c.plant, c.pieces[2], [0, 1.0, 0, 0, 0, 0], 1e-5)), "dwell drift"),
+    "the held rail sways by 10 um in a wait": (lambda _: in_the_wait(1e-5), "way while held"),
+    "the held rail sways by 10 um on a line": (lambda _: on_the_line(1e-5), "way while held"),
+    "the held rail sways by 1 mm in a joint move": (lambda _: in_the_joint_move(1e-3), "way while held"),
     "turns 0.2 mm before the point": (lambda _: short_of(np.array([0, 0, 2e-4]))[0], "stop reached"),
 }
 

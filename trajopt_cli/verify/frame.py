@@ -104,7 +104,7 @@ class Frame:
         times, X = rows.hermite_places[0], rows.hermite_motion[0]
         inner, left = slice(first * n, last * n), np.repeat(np.arange(first, last), n)
         linear, angular = (
-            np.einsum("ij,ij->i", columns[first:last], self._inner_doubt[first:last]) for columns in self._columns
+            np.einsum("ij,ij->i", columns[first:last], rows.inner_doubt[first:last]) for columns in self._columns
         )
         order = np.argsort(np.r_[rows.t[part], times[inner]], kind="stable")
         return Places(
@@ -114,17 +114,6 @@ class Frame:
             np.r_[at_rows.doubt_p, linear[left - first]][order],
             np.r_[at_rows.doubt_angle, angular[left - first]][order],
         )
-
-    @cached_property
-    def _inner_doubt(self) -> Array:
-        """Doubt about axis positions between rows (n-1, k): that of a row, and what doubts about speeds (4/27 h each)
-        and about the interval's length add to a Hermite."""
-        assert self.rows.qd is not None
-        h, v = np.diff(self.rows.t)[:, None], np.abs(self.rows.qd)
-        out = self.rows.doubt_q / 2 + 8 / 27 * (
-            h * self.rows.doubt_v / 2 + np.maximum(v[1:], v[:-1]) * self.rows.doubt_t
-        )
-        return np.asarray(out)
 
 
 @dataclass(frozen=True, eq=False)

@@ -18,6 +18,7 @@ from trajopt_cli.verify.clearance import check_clearance
 from trajopt_cli.verify.course import may_drop, stops_of
 from trajopt_cli.verify.findings import finding
 from trajopt_cli.verify.frame import Frame
+from trajopt_cli.verify.held import check_held
 from trajopt_cli.verify.joints import check_joints
 from trajopt_cli.verify.lines import check_shapes
 from trajopt_cli.verify.machine import Machine
@@ -62,6 +63,7 @@ def verify(
         *_dropped(program, plant, dropped or ()),
         *check_stops(line, frames, rapid),
         *check_shapes(line, frames, rapid),
+        *check_held(line),
         *check_joints(rows, line.source_at),
         *check_caps(line, frames),
         *check_clearance(program, plant, trajectory, line.source_at),

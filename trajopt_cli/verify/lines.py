@@ -11,7 +11,7 @@ from trajopt_cli.verify.findings import axis_unit, finding
 from trajopt_cli.verify.frame import Frame, Places
 from trajopt_cli.verify.geometry import Line, angle_between
 from trajopt_cli.verify.rows import Rows
-from trajopt_cli.verify.timeline import Timeline, Visit
+from trajopt_cli.verify.timeline import Timeline, Visit, rows_of_move
 from trajopt_cli.verify.tolerances import BACKWARD, JOINT_TARGET, LINE_POSITION, LINE_ROTATION
 
 
@@ -30,20 +30,12 @@ def check_shapes(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> lis
     return out
 
 
-def _stretch(rows: Rows, before: Visit, visit: Visit) -> tuple[int, int]:
-    """Rows of the move alone: between rests. Where no row stands at a rest, its nearest row is not on the line yet."""
-    first, last = before.depart, visit.arrive
-    if not rows.marked and last - first > 2:
-        return first + 1, last - 1
-    return first, last
-
-
 def _line(rows: Rows, before: Visit, visit: Visit, frame: Frame, rapid: bool) -> list[Finding]:
     """Distance from the chord, angle from the slerp at the same share of the way, way back; RAPID: the rail's share."""
     stop = visit.stop
     assert stop.X_WF is not None
     X_0, X_1 = before.X_WF @ stop.X_FT, stop.X_WF @ stop.X_FT
-    first, last = _stretch(rows, before, visit)
+    first, last = rows_of_move(rows, before, visit)
     places = frame.places(first, last)
     line = Line.between(X_0, X_1, places.R)
     s = line.progress(places.p, places.R)
@@ -118,7 +110,7 @@ def _arm_holds(rows: Rows, before: Visit, visit: Visit) -> Finding:
 
 def _straight(rows: Rows, before: Visit, visit: Visit) -> Finding:
     """RAPID: every row on the straight line between the axis values at both ends."""
-    first, last = _stretch(rows, before, visit)
+    first, last = rows_of_move(rows, before, visit)
     q_0, q_1 = rows.q[before.depart], rows.q[visit.arrive]
     weight = 1 / rows.plant.limits.velocity
     way = (q_1 - q_0) * weight

@@ -173,6 +173,15 @@ class Rows:
         return times.ravel(), q.reshape(-1, k), qd.reshape(-1, k), qdd.reshape(-1, k)
 
     @cached_property
+    def inner_doubt(self) -> Array:
+        """Doubt about axis positions between rows (n-1, k): that of a row, and what doubts about speeds (4/27 h each)
+        and about the interval's length add to a Hermite."""
+        assert self.qd is not None
+        h, v = np.diff(self.t)[:, None], np.abs(self.qd)
+        out = self.doubt_q / 2 + 8 / 27 * (h * self.doubt_v / 2 + np.maximum(v[1:], v[:-1]) * self.doubt_t)
+        return np.asarray(out)
+
+    @cached_property
     def hermite_motion(self) -> tuple[Array, Array, Array]:
         """Flange poses (m, 4, 4), velocities and accelerations (m, 6) at hermite_places."""
         return self.mechanism.flange_motion(*self.hermite_places[1:])
@@ -196,6 +205,11 @@ def look(plant: Machine, trajectory: Trajectory, resolution: Resolution | None, 
         marked=marked,
         open_time=np.zeros(len(t)) if marked else gaps / 2,
     )
+
+
+def unseen(rows: Rows, row: int) -> float:
+    """How much longer than its rows a rest may be, s: nearly a gap at both ends. 0 where boundaries have rows."""
+    return 4 * float(rows.open_time[row])
 
 
 def shortest(h: Array, doubt_t: float) -> Array:

@@ -10,8 +10,8 @@ from trajopt_cli.motion import MoveExtJ, Source
 from trajopt_cli.verify.findings import axis_unit, finding
 from trajopt_cli.verify.frame import Frame, Places
 from trajopt_cli.verify.geometry import angle_between
-from trajopt_cli.verify.rows import Rows
-from trajopt_cli.verify.timeline import Timeline, Visit, unseen
+from trajopt_cli.verify.rows import Rows, unseen
+from trajopt_cli.verify.timeline import Timeline, Visit
 from trajopt_cli.verify.tolerances import (
     DURATION,
     DWELL,

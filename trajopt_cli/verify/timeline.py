@@ -11,7 +11,8 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Source, Wait
 from trajopt_cli.verify.course import Stop, stays
 from trajopt_cli.verify.frame import Frame
-from trajopt_cli.verify.rows import Rows
+from trajopt_cli.verify.rail import still_from
+from trajopt_cli.verify.rows import Rows, unseen
 from trajopt_cli.verify.tolerances import DWELL
 from trajopt_cli.verify.visits import Event, Match, closeness, events_of
 
@@ -79,9 +80,12 @@ class Timeline:
         ]
 
 
-def unseen(rows: Rows, row: int) -> float:
-    """How much longer than its rows a rest may be, s: nearly a gap at both ends. 0 where boundaries have rows."""
-    return 4 * float(rows.open_time[row])
+def rows_of_move(rows: Rows, before: Visit, visit: Visit) -> tuple[int, int]:
+    """Rows of the move alone: between rests. Where no row stands at a rest, its nearest row is not on the line yet."""
+    first, last = before.depart, visit.arrive
+    if not rows.marked and last - first > 2:
+        return first + 1, last - 1
+    return first, last
 
 
 def build_timeline(
@@ -137,9 +141,12 @@ def _visit(rows: Rows, m: Match, event: Event, before: Visit, limit: int, rapid:
 
 
 def _holds(rows: Rows, stop: Stop, time: float, depart: int, rapid: bool) -> tuple[Hold, ...]:
-    """Let every wait take its time from `time` on, and go on until every axis stands where that is wanted."""
+    """Let every wait take its time from `time` on, and go on until every axis stands where that is wanted. One that
+    holds the rail begins when the rail has come to rest: a stop may last longer than its waits."""
     out = []
     for _, wait in stop.holds:
+        if wait.hold is not None and rows.mechanism.has_rail:
+            time = still_from(rows, time, wait.duration, depart)
         end, rests = time + wait.duration, None
         if wait.condition is not None or rapid:
             slack = DWELL + rows.doubt_t + unseen(rows, depart)

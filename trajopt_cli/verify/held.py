@@ -1,0 +1,67 @@
+"""Whether the rail stands still in the waits and moves that hold it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from trajopt_cli.findings import Finding
+from trajopt_cli.motion import Hold, Source
+from trajopt_cli.verify.findings import finding
+from trajopt_cli.verify.rail import rail_course, still_from
+from trajopt_cli.verify.rows import Rows
+from trajopt_cli.verify.timeline import Timeline, rows_of_move
+from trajopt_cli.verify.tolerances import DWELL, HELD
+
+_WHY = {
+    Hold.PROGRAM: "a comment in the program holds the rail still",
+    Hold.CELL: "hold_rail in the cell file holds the rail still",
+    Hold.GRIPPER: "it holds still after an output; 'hold_rail: {gripper: false}' in the cell file lets it move",
+}
+
+
+def check_held(line: Timeline) -> list[Finding]:
+    """The way of the rail in every wait and every move that holds it; none on a robot without a rail."""
+    return [*_waits(line), *_moves(line)] if line.rows.mechanism.has_rail else []
+
+
+def _waits(line: Timeline) -> Iterator[Finding]:
+    for visit in line.visits:
+        for hold in visit.holds if visit.event is not None else ():
+            wait = hold.wait
+            if wait.hold is not None and wait.duration > 0:
+                part = _within(line.rows, hold.begin, wait.duration, visit.depart)
+                yield _still(line.rows, part, f"the wait at {visit.stop.name}", wait.hold, wait.source)
+
+
+def _moves(line: Timeline) -> Iterator[Finding]:
+    """A move to the point where the TCP is already has a stretch of its own only where it has a programmed time."""
+    rows = line.rows
+    for before, visit in zip(line.visits, line.visits[1:], strict=False):
+        stop = visit.stop
+        if stop.move is None or stop.move.hold is None or before.event is None or visit.event is None:
+            continue
+        if not visit.stay:
+            yield _still(rows, rows_of_move(rows, before, visit), stop.name, stop.move.hold, stop.source)
+        elif stop.duration:
+            begin = still_from(rows, before.ready, stop.duration, visit.depart)
+            part = _within(rows, begin, stop.duration, visit.depart)
+            yield _still(rows, part, stop.name, stop.move.hold, stop.source)
+
+
+def _within(rows: Rows, begin: float, duration: float, depart: int) -> tuple[int, int]:
+    """First and last row of a wait, without those that may lie beside it."""
+    slack = DWELL + rows.doubt_t
+    first = min(int(np.searchsorted(rows.t, begin - slack)), depart)
+    end = begin + duration - 2 * rows.open_time[first]
+    return first, max(min(int(np.searchsorted(rows.t, end + slack, side="right")) - 1, depart), first)
+
+
+def _still(rows: Rows, part: tuple[int, int], name: str, why: Hold, source: Source | None) -> Finding:
+    """The way of the rail from its least to its greatest position; its time is where it is farthest from the first."""
+    t, d, doubt = rail_course(rows, *part)
+    way = max(float((d - doubt).max() - (d + doubt).min()), 0.0)
+    far = int(np.argmax(np.abs(d - d[0])))
+    return finding("way while held", rows.plant.limits.names[0], way, HELD, "m", way <= HELD, time=float(t[far]),
+                   source=source, note=f" in {name}: {_WHY[why]}")  # fmt: skip
