@@ -150,7 +150,7 @@ def _tree(yaml: YAML, text: str, file: str, needed: str) -> MappingNode:
     except YAMLError as error:
         raise InputError(f"broken YAML: {str(error).splitlines()[0]}", file=file) from error
     except (ValueError, OverflowError) as error:  # "\UFFFFFFFF": ruamel hands the number to chr unseen
-        raise InputError("broken YAML: an escape after \\ is no character", file=file) from error
+        raise InputError("broken YAML: an escape after \\ is not a character", file=file) from error
     if not isinstance(tree, MappingNode) or tree.tag != _TAG + "map":
         raise InputError(f"holds no 'key: value' lines; {needed}", file=file, line=1)
     return tree

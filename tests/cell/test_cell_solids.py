@@ -165,19 +165,19 @@ def test_messages_of_the_file(text: str, expected: str) -> None:
     [
         (
             obstacle("{box: {size: [1, 1, 1]}, ignore: [base_lnk]}"),
-            "cell.yaml:4: obstacles.table.ignore: 'base_lnk' is nothing that could touch it; did you mean 'base_link'?",
+            "cell.yaml:4: obstacles.table.ignore: 'base_lnk' cannot touch it; did you mean 'base_link'?",
         ),
         (
             ARM + f"attached: {{grip: {{box: {{size: [1, 1, 1]}}, ignore: [table]}}}}\nobstacles: {{table: {BOX}}}\n",
-            f"cell.yaml:3: attached.grip.ignore: 'table' is nothing that could touch it; known: {LINKS}",
+            f"cell.yaml:3: attached.grip.ignore: 'table' cannot touch it; known: {LINKS}",
         ),
         (
             ARM + f"obstacles: {{link_3: {BOX}}}\n",
-            "cell.yaml:3: obstacles.link_3: robot irb140 has a link of this name; give the body another",
+            "cell.yaml:3: obstacles.link_3: robot irb140 has a link of this name; give the body another name",
         ),
         (
             ARM + "may_touch:\n  - [link_4, link_1]\n  - [link_1, link_3]\n",
-            "cell.yaml:5: may_touch.1: [link_1, link_3] is no pair that is checked; known: [base_link, link_3], "
+            "cell.yaml:5: may_touch.1: [link_1, link_3] is not a pair that is checked; known: [base_link, link_3], "
             "[base_link, link_4], [base_link, link_5], [base_link, link_6], [link_1, link_4], [link_1, link_5], "
             "[link_1, link_6]",
         ),

@@ -52,7 +52,7 @@ def message(text: str) -> str:
         ("h: !mine 3\n", "t.yaml:1: h: has the tag !mine; remove it"),
         ("h: !!set {a}\n", "t.yaml:1: h: has the tag !!set; remove it"),
         ("h: !!map [1]\n", "t.yaml:1: h: has the tag !!map; remove it"),
-        ('h: "\\UFFFFFFFF"\n', "t.yaml: broken YAML: an escape after \\ is no character"),
+        ('h: "\\UFFFFFFFF"\n', "t.yaml: broken YAML: an escape after \\ is not a character"),
         ('h: "\\ud800"\n', 't.yaml:1: h: "\\ud800" holds half of a character (a surrogate)'),
         ("{a: " * 3000, f"t.yaml:1: {DEEP}"),
         ("a: " + "[" * 100_000, f"t.yaml:1: {DEEP}"),

@@ -126,15 +126,15 @@ def test_a_flipped_wrist_is_told_with_what_it_would_do() -> None:
     assert found.reachable == (ConfData(0, 0, 0, 0),)
     assert found.message == (
         "MoveL p_end leads from its start to confdata [0,0,0,0], and [0,-2,-2,1] is programmed: the wrist would have to"
-        " flip beside the line (joint_4 by -180°, joint_5 by -90°, joint_6 by -180°); write [0,0,0,0] there, or use"
-        " MoveJ"
+        " flip on top of the line's own motion (joint_4 by -180°, joint_5 by -90°, joint_6 by -180°);"
+        " write [0,0,0,0] there, or use MoveJ"
     )
 
 
 def test_a_whole_turn_of_the_wrist_is_a_flip_too() -> None:
     (found,) = findings(to(START), to(END, MoveL, conf=ConfData(0, 0, -4, 0)))
     assert found.misfit is Misfit.FLIP
-    assert "the wrist would have to wind beside the line (joint_6 by -360°)" in found.message
+    assert "the wrist would have to wind on top of the line's own motion (joint_6 by -360°)" in found.message
     assert findings(to([*START[:5], START[5] - 360]), to(END, MoveL, conf=ConfData(0, 0, -4, 0))) == []
 
 

@@ -62,57 +62,57 @@ def passes(*motions: Motion, cell: str | None = None) -> bool:
         ),
         (
             move_l(tool=STATIONARY),
-            "MoveL p brings its work to tool tGlue, which stands still (robhold FALSE); plans hold to a tool on the "
-            "flange (robhold TRUE)",
+            "MoveL p carries the workpiece to the stationary tool tGlue (robhold FALSE); plans support only a "
+            "tool on the flange (robhold TRUE)",
         ),
         (
             replace(move_abs_j(), tool=STATIONARY),
-            "MoveAbsJ j brings its work to tool tGlue, which stands still (robhold FALSE); plans hold to a tool on the "
-            "flange (robhold TRUE)",
+            "MoveAbsJ j carries the workpiece to the stationary tool tGlue (robhold FALSE); plans support only a "
+            "tool on the flange (robhold TRUE)",
         ),
         (
             move_l(settings=Settings(singularity=Singularity.WRIST)),
-            "MoveL p may leave its orientation (SingArea \\Wrist); plans hold to exact orientation: set SingArea \\Off "
-            "before it",
+            "MoveL p may leave its orientation (SingArea \\Wrist); plans keep the exact orientation: set SingArea "
+            "\\Off before it",
         ),
         (
             move_l(settings=Settings(singularity=Singularity.LOCK_AXIS_4)),
-            "MoveL p may leave its orientation (SingArea \\LockAxis4); plans hold to exact orientation: set SingArea "
+            "MoveL p may leave its orientation (SingArea \\LockAxis4); plans keep the exact orientation: set SingArea "
             "\\Off before it",
         ),
         (
             move_j(settings=Settings(acceleration=0.5)),
-            "MoveJ p is to accelerate softly (AccSet 50, 100); plans hold to the cell file's limits: set AccSet "
+            "MoveJ p asks for reduced acceleration (AccSet 50, 100); plans use the cell file's limits: set AccSet "
             "100, 100 before it and lower the accelerations there",
         ),
         (
             move_abs_j(settings=Settings(ramp=0.3)),
-            "MoveAbsJ j is to accelerate softly (AccSet 100, 30); plans hold to the cell file's limits: set AccSet "
+            "MoveAbsJ j asks for reduced acceleration (AccSet 100, 30); plans use the cell file's limits: set AccSet "
             "100, 100 before it and lower the accelerations there",
         ),
         (
             move_l(settings=Settings(path_acceleration=4.0)),
-            "MoveL p limits the TCP to 4 m/s² (PathAccLim); plans hold to the cell's 20 m/s²: lower tcp.acceleration "
+            "MoveL p limits the TCP to 4 m/s² (PathAccLim); plans use the cell's 20 m/s²: lower tcp.acceleration "
             "in the cell file to 4",
         ),
         (
             move_l(settings=Settings(path_deceleration=3.5)),
-            "MoveL p limits the TCP to 3.5 m/s² (PathAccLim); plans hold to the cell's 20 m/s²: lower "
+            "MoveL p limits the TCP to 3.5 m/s² (PathAccLim); plans use the cell's 20 m/s²: lower "
             "tcp.acceleration in the cell file to 3.5",
         ),
         (
             move_j(settings=Settings(world_acceleration=2.0)),
-            "MoveJ p limits the TCP to 2 m/s² (WorldAccLim); plans hold to the cell's 20 m/s²: lower "
+            "MoveJ p limits the TCP to 2 m/s² (WorldAccLim); plans use the cell's 20 m/s²: lower "
             "tcp.acceleration in the cell file to 2",
         ),
         (
             move_l(zone=Zone("z10", stop=True, criterion="stoptime0_5")),
-            "MoveL p stops by stoptime0_5, whose time is not planned; plans hold to a plain stop: use fine or \\Inpos "
-            "with inpos20, inpos50, inpos100, and a WaitTime",
+            "MoveL p stops by stoptime0_5, whose time is not planned; plans support only a plain stop: use fine or "
+            "\\Inpos with inpos20, inpos50, inpos100, and a WaitTime",
         ),
         (
             move_ext_j(target="j_turn"),
-            "MoveExtJ j_turn moves external axes alone, and the cell has none; the cell knows no external axis: add a "
+            "MoveExtJ j_turn moves external axes only, and the cell has none; the cell knows no external axis: add a "
             "rail section if eax_a is one, else hold it still",
         ),
     ],
@@ -194,9 +194,9 @@ def test_what_is_planned_otherwise_is_said_once() -> None:
     )
     assert planned_otherwise(many) == (
         "confdata is ignored on joint moves (ConfJ \\Off) and on lines (ConfL \\Off), as the program asks",
-        "2 events on the path take no time: they change no plan",
+        "path events (2) take no time and do not affect the plan",
         "process instructions are planned as the plain moves they make: ArcL 2, SearchL 1",
-        "loads (part) change nothing here: the cell's acceleration limits hold for any load",
+        "loads (part) do not affect the plan: the cell's acceleration limits apply to any load",
     )
 
 

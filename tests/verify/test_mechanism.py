@@ -140,5 +140,5 @@ def test_what_hangs_beside_the_chain_does_not_count(tmp_path: Path, rng: np.rand
 def test_a_urdf_that_pin_does_not_read_is_told_in_one_line(tmp_path: Path) -> None:
     path = tmp_path / "hole.urdf"
     path.write_text((ROBOTS / "irb140.urdf").read_text().replace('<link name="link_3"/>', ""))
-    with pytest.raises(InputError, match=r"^\S*hole.urdf: the judge's URDF reader .* need their <link>$"):
+    with pytest.raises(InputError, match=r"^\S*hole.urdf: pin cannot read it as a URDF; .* need their <link>$"):
         Mechanism(path, np.eye(4))

@@ -134,7 +134,7 @@ def changed_configurations(program: Program, plant: Plant, plan: Plan) -> tuple[
         if not confdata_admits(plant.robot, motion.conf, arm):
             now = shown(confdata(plant.robot, arm))
             lines[f"{motion.source}: {motion_name(motion)}: confdata {shown(motion.conf)} → {now}"] = None
-    more = (f"and {len(lines) - _TOLD} moves more in another configuration",) if len(lines) > _TOLD else ()
+    more = (f"and {len(lines) - _TOLD} more moves in another configuration",) if len(lines) > _TOLD else ()
     return (*[*lines][:_TOLD], *more)
 
 
@@ -341,7 +341,7 @@ def _misled(point: _Point, plant: Plant, joints: Array, along: Followed) -> Conf
     parts = [part for bit, part in ((4, "shoulder"), (2, "elbow"), (1, "wrist")) if other & bit]
     flip = f"the {' and '.join(parts)} would have to flip" if parts else "the wrist would have to wind"
     text = (
-        f"leads from its start to confdata {shown(leads)}, and {shown(point.motion.conf)} is programmed: {flip} beside"
-        f" the line ({turns}); write {shown(leads)} there, or use MoveJ"
+        f"leads from its start to confdata {shown(leads)}, and {shown(point.motion.conf)} is programmed: {flip} on top"
+        f" of the line's own motion ({turns}); write {shown(leads)} there, or use MoveJ"
     )
     return _finding(point, plant, Misfit.FLIP, text, (leads,))

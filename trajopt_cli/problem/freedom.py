@@ -19,7 +19,7 @@ class Freedom:
     """rail: its position at the points. lines, dwells: the rail may move while the TCP follows a line, or rests; on a
     line between two programmed rail positions that differ it always does.
 
-    through_stops: the rail may have speed while the TCP stops (stream only). configuration: the IK branch may differ
+    through_stops: the rail may move while the TCP stops (stream only). configuration: the IK branch may differ
     from the program's confdata. drop: motions marked optional may be left out.
     """
 

@@ -98,13 +98,13 @@ def planned_otherwise(program: Program) -> tuple[str, ...]:
     if off:
         lines.append(f"confdata is ignored {' and '.join(sorted(off))}, as the program asks")
     if events := sum(len(move.events) for move in moves):
-        lines.append(f"{events} events on the path take no time: they change no plan")
+        lines.append(f"path events ({events}) take no time and do not affect the plan")
     if written := Counter(move.process.instruction for move in moves if move.process is not None):
         told = ", ".join(f"{instruction} {count}" for instruction, count in written.items())
         lines.append(f"process instructions are planned as the plain moves they make: {told}")
     if loads := dict.fromkeys(move.settings.load.name for move in moves if move.settings.load is not None):
         lines.append(
-            f"loads ({', '.join(loads)}) change nothing here: the cell's acceleration limits hold for any load"
+            f"loads ({', '.join(loads)}) do not affect the plan: the cell's acceleration limits apply to any load"
         )
     return tuple(lines)
 
@@ -128,20 +128,20 @@ def _demands(motion: Move, plant: Plant) -> Iterator[tuple[str, str, str]]:
     if isinstance(motion, MoveJ | MoveL | MoveC | MoveAbsJ) and motion.tool.stationary:
         yield (
             "stationary tools",
-            f"brings its work to tool {motion.tool.name}, which stands still (robhold FALSE)",
-            "plans hold to a tool on the flange (robhold TRUE)",
+            f"carries the workpiece to the stationary tool {motion.tool.name} (robhold FALSE)",
+            "plans support only a tool on the flange (robhold TRUE)",
         )
     if isinstance(motion, MoveL | MoveC) and settings.singularity is not Singularity.OFF:
         yield (
             "SingArea",
             f"may leave its orientation (SingArea \\{settings.singularity.value})",
-            "plans hold to exact orientation: set SingArea \\Off before it",
+            "plans keep the exact orientation: set SingArea \\Off before it",
         )
     if settings.acceleration < 1.0 or settings.ramp < 1.0:
         yield (
             "AccSet",
-            f"is to accelerate softly (AccSet {settings.acceleration * 100:g}, {settings.ramp * 100:g})",
-            "plans hold to the cell file's limits: set AccSet 100, 100 before it and lower the accelerations there",
+            f"asks for reduced acceleration (AccSet {settings.acceleration * 100:g}, {settings.ramp * 100:g})",
+            "plans use the cell file's limits: set AccSet 100, 100 before it and lower the accelerations there",
         )
     cap = plant.tcp.acceleration
     if not isinstance(motion, MoveExtJ):
@@ -154,13 +154,13 @@ def _demands(motion: Move, plant: Plant) -> Iterator[tuple[str, str, str]]:
                 yield (
                     word,
                     f"limits the TCP to {value:g} m/s² ({word})",
-                    f"plans hold to the cell's {cap:g} m/s²: lower tcp.acceleration in the cell file to {value:g}",
+                    f"plans use the cell's {cap:g} m/s²: lower tcp.acceleration in the cell file to {value:g}",
                 )
     if motion.zone.criterion is not None and motion.zone.criterion.lower() not in _STOP_POINTS:
         yield (
             "stop times",
             f"stops by {motion.zone.criterion}, whose time is not planned",
-            f"plans hold to a plain stop: use fine or \\Inpos with {', '.join(_STOP_POINTS)}, and a WaitTime",
+            f"plans support only a plain stop: use fine or \\Inpos with {', '.join(_STOP_POINTS)}, and a WaitTime",
         )
 
 
@@ -182,7 +182,7 @@ class _OtherAxes:
                 yield "external axes", f"moves eax_{'abcdef'[axis]} from {before:g} to {value:g}", self._advice(axis)
                 return
         if isinstance(motion, MoveExtJ) and self._plant.rail_eax is None:
-            yield "external axes", "moves external axes alone, and the cell has none", self._advice(0)
+            yield "external axes", "moves external axes only, and the cell has none", self._advice(0)
 
     def _advice(self, axis: int) -> str:
         if self._plant.rail_eax is None:

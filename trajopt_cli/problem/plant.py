@@ -145,7 +145,7 @@ def _may_touch(cell: Cell, plant: Plant) -> frozenset[frozenset[str]]:
     for i, given in enumerate(cell.may_touch):
         if set(given) not in [set(pair) for pair in plant.self_pairs]:
             known = ", ".join(f"[{', '.join(pair)}]" for pair in plant.self_pairs)
-            raise cell.error(f"may_touch.{i}", f"[{', '.join(given)}] is no pair that is checked; known: {known}")
+            raise cell.error(f"may_touch.{i}", f"[{', '.join(given)}] is not a pair that is checked; known: {known}")
     return frozenset(frozenset(given) for given in cell.may_touch)
 
 
@@ -158,12 +158,12 @@ def _solids(cell: Cell, robot: RobotModel, section: str) -> tuple[Solid, ...]:
 def _solid(cell: Cell, robot: RobotModel, section: str, solid: Solid) -> Solid:
     key = f"{section}.{solid.name}"
     if solid.name in (*robot.link_names, ATTACHED):
-        raise cell.error(key, f"robot {robot.name} has a link of this name; give the body another")
+        raise cell.error(key, f"robot {robot.name} has a link of this name; give the body another name")
     carried = () if section == "attached" else tuple(other.name for other in cell.attached)
     known = (*robot.capsules, *carried)
     for name in sorted(solid.ignore):
         if name not in known:
-            raise cell.error(f"{key}.ignore", f"'{name}' is nothing that could touch it; {hint(name, known)}")
+            raise cell.error(f"{key}.ignore", f"'{name}' cannot touch it; {hint(name, known)}")
     if not isinstance(solid.shape, MeshFile):
         return solid
     from trajopt_cli.collision.meshes import load_mesh

@@ -129,7 +129,7 @@ class Problem:
         return self.waypoints[k].rest or self.coordinated or not self.rail_may_pass(k)
 
     def rail_may_pass(self, k: int) -> bool:
-        """Whether the rail may have speed at stop k: no leg beside it holds it still."""
+        """Whether the rail may move through stop k: no leg beside it holds it still."""
         near = [self.legs[i] for i in (k - 1, k) if 0 <= i < len(self.legs)]
         return self.plant.robot.has_rail and all(leg.rail_moves for leg in near)
 

@@ -105,7 +105,7 @@ def _arm_holds(rows: Rows, before: Visit, visit: Visit) -> Finding:
     value = float(least[i, j])
     return finding("arm holds", name, value, JOINT_TARGET, "rad", value <= JOINT_TARGET,
                    time=float(rows.t[first + int(i)]), source=visit.stop.source,
-                   note=f": {visit.stop.name} moves external axes alone")  # fmt: skip
+                   note=f": {visit.stop.name} moves external axes only")  # fmt: skip
 
 
 def _straight(rows: Rows, before: Visit, visit: Visit) -> Finding:

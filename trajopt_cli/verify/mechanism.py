@@ -33,7 +33,7 @@ class Mechanism:
         try:
             model = pin.buildModelFromUrdf(str(urdf))
         except ValueError as error:
-            message = "the judge's URDF reader takes it for none; parent and child of every joint need their <link>"
+            message = "pin cannot read it as a URDF; parent and child of every joint need their <link>"
             raise InputError(message, file=str(urdf)) from error
         chain = set(model.supports[model.frames[_flange(model)].parentJoint])
         others = [joint for joint in range(1, model.njoints) if joint not in chain]

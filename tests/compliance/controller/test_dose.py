@@ -327,7 +327,7 @@ def test_what_cannot_be_dosed_says_why() -> None:
             500.0,
             "along x, where the controller takes 5e+05 s to lose two thirds of a deviation (k = 0.001, d = 500",
         ),
-        (1e-300, 500.0, "as good as never loses two thirds of a deviation (k = 1e-300"),
+        (1e-300, 500.0, "practically never loses two thirds of a deviation (k = 1e-300"),
         (1.0, 500.0, "more than the 100 s that dosing allows; raise k or lower d"),
         (1.0, 1.0, "more than the 20 s that dosing allows; raise d, or lower m or h"),
         (1000.0, 1.0000001, "raise d, or lower m or h"),  # all but unstable, however fast the continuous law is
@@ -378,7 +378,7 @@ def test_the_exact_law_is_refused_by_its_own_conditions() -> None:
     assert isinstance(dose(path, compliance(1000.0, 0.9), 1e-3, 0.005), CannotDose)  # h k > d
     swings = dose(path, compliance(1000.0, 0.0), 1e-3, 0.005, integration=Integration.EXACT)
     assert isinstance(swings, CannotDose)
-    assert "x has d = 0 with k = 1000 N/m: it swings for ever; give it some damping" in swings.message
+    assert "x has d = 0 with k = 1000 N/m: it oscillates forever; give it some damping" in swings.message
     nearly = dose(path, compliance(1000.0, 0.1), 1e-3, 0.005, integration=Integration.EXACT)
     assert isinstance(nearly, CannotDose)
     assert nearly.message.endswith("raise d or lower m")

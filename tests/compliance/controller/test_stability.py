@@ -154,7 +154,7 @@ def test_the_slow_pole_survives_rounding() -> None:
             0,
             25,
             EXACT,
-            "x has d = 0 with k = 1000 N/m: it swings for ever; give it some damping",
+            "x has d = 0 with k = 1000 N/m: it oscillates forever; give it some damping",
         ),
     ],
 )

@@ -171,7 +171,7 @@ def test_none_is_found_only_where_a_flood_finds_none(
     assert said.time == pytest.approx(row * H, abs=0.05)
     assert said.message == (
         f"at t = {said.time:.3f} s (row {round(said.time / H)})"
-        " no arm angle that keeps every joint in its range can be got to in time"
+        " no arm angle that keeps every joint in its range can be reached in time"
     )
     np.testing.assert_array_equal(free.trajectory.q, fixed.trajectory.q)
     assert broken(free) == broken(fixed) != set()

@@ -341,7 +341,7 @@ def test_pure_translation_and_pure_rotation_need_no_cap_of_the_other_part(law: R
         ),
         (
             route(pose("a", 1e9), pose("b", 1e9 + 0.01), speeds=replace(SPEEDS, v_max=0.001)),
-            "cube.yaml:8: segment a -> b: 1e-06 m and 0 rad per period drown in the rounding of coordinates this "
+            "cube.yaml:8: segment a -> b: 1e-06 m and 0 rad per period are lost in the rounding of coordinates this "
             "large; give higher speeds, or coordinates from a nearer origin",
         ),
     ],

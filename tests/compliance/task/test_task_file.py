@@ -112,7 +112,7 @@ MISTAKES = [
         changed("K: [1000,", "K: [0,").replace("D: [500,", "D: [0,"),
         "t.yaml:7: K and D of x are both 0: nothing would stop the motion; give it some damping",
     ),
-    (changed("  - [0.5, 0.1, 300 mm, 0, 10 deg, 0]\n", ""), "t.yaml:2: poses: 1 given; a way needs at least two"),
+    (changed("  - [0.5, 0.1, 300 mm, 0, 10 deg, 0]\n", ""), "t.yaml:2: poses: 1 given; a path needs at least two"),
     (changed("[0.5, 0.1, 300 mm, 0, 10 deg, 0]", "[0.5, 0.1]"), "t.yaml:4: poses.1.at: needs 6 values, not 2"),
     (
         changed("10 deg", "10 mm"),
@@ -141,7 +141,7 @@ MISTAKES = [
     (changed("M: [25,", "M: [1e-300,"), "t.yaml:9: M: 1e-300 is below anything a cell has"),
     (changed("v_max: 0.2", "v_max: 1e-300"), "t.yaml:5: v_max: 1e-300 is below anything a cell has"),
     (changed("  - start\n", f"  - {{name: {'a' * 101}, at: start}}\n"), "poses.0.name: needs a name of 1 to 100"),
-    (PROGRAM_TASK + "program: no.mod\n", "program: no.mod is no file"),
+    (PROGRAM_TASK + "program: no.mod\n", "program: there is no file no.mod"),
     (
         "contact: {tip: 20, obstacles: {b: {box: {size: [1, 1, 1]}, stiffness: 1}}}\n" + MINIMAL,
         "t.yaml:1: contact.tip: 20 m is thicker than 1 m",
@@ -192,7 +192,7 @@ def test_rapid_moves_are_poses_with_their_speeds_and_waits(tmp_path: Path) -> No
     assert [speeds.v_max for speeds in task.route.speeds] == [0.1, 0.2]
     assert task.route.waypoints[1].dwell == 0.5
     assert any("do1 is left out" in note for note in task.notes)
-    assert any("seam.mod:11: a is the pose before once more; left out" in note for note in task.notes)
+    assert any("seam.mod:11: a repeats the pose before; left out" in note for note in task.notes)
     assert load_task(path, tmp_path / "seam.mod").route.waypoints[1].name == "b"
     # the program's tool is the task's: 100 mm along the flange's z, and the start is where that tool is
     np.testing.assert_array_equal(task.X_FT[:3, 3], [0, 0, 0.1])
@@ -227,11 +227,11 @@ def test_a_task_has_the_programs_one_tool_and_says_what_it_makes_of_zones(tmp_pa
         (
             "WaitTime 0.5;",
             "MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v100, fine, tip;",
-            "MoveAbsJ is no straight",
+            "MoveAbsJ is not a straight",
         ),
-        ("WaitTime 0.5;", "MoveJ a, v100, fine, tip;", "MoveJ is no straight segment"),
+        ("WaitTime 0.5;", "MoveJ a, v100, fine, tip;", "MoveJ is not a straight segment"),
         ("MoveJ a", "WaitTime 1; MoveJ a", "a wait before the first pose"),
-        ("WaitTime 0.5;", "MoveC Offs(b,9,9,0), a, v100, fine, tip;", "MoveC is no straight segment"),
+        ("WaitTime 0.5;", "MoveC Offs(b,9,9,0), a, v100, fine, tip;", "MoveC is not a straight segment"),
         ("MoveJ a", "AccSet 50,100; MoveJ a", "6:20: AccSet is active here; a task's segments have none, so take it"),
         ("MoveJ a", "PathAccLim TRUE\\AccMax:=2,FALSE; MoveJ a", "PathAccLim or WorldAccLim is active here"),
         ("MoveJ a", "SingArea\\Wrist; MoveJ a", "SingArea is active here"),

@@ -221,7 +221,7 @@ def _unfollowed(path: DosePath, laws: Sequence[AxisStability], h: float, integra
             return CannotDose(f"the path moves along {law.axis}, but {law.sentence}")
         most = h * (SLOWEST_SWING if law.damping_ratio < 1 else SLOWEST)
         if law.slowest > most:
-            takes = f"takes {law.slowest:.3g} s to lose" if isfinite(law.slowest) else "as good as never loses"
+            takes = f"takes {law.slowest:.3g} s to lose" if isfinite(law.slowest) else "practically never loses"
             change = "raise k or lower d"
             if law.damping_ratio < 1:
                 change = "raise d or lower m" if integration is Integration.EXACT else "raise d, or lower m or h"

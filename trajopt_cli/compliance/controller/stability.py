@@ -20,7 +20,7 @@ from trajopt_cli.geometry import Array
 
 
 class Verdict(IntEnum):
-    """Poles inside the unit circle; simple poles on it (stays where it is put, or swings for ever); beyond it."""
+    """Poles inside the unit circle; simple poles on it (stays where it is put, or oscillates forever); beyond it."""
 
     UNSTABLE = 0
     MARGINAL = 1
@@ -134,8 +134,8 @@ def _sentence(axis: str, k: float, d: float, m: float, h: float, integration: In
     if k == 0 and verdict is Verdict.MARGINAL:
         return f"{axis} has k = 0: it stays where it is put (hand guiding)"
     if integration is Integration.EXACT:
-        return f"{axis} has d = 0 with k = {k:g} {stiffness}: it swings for ever; give it some damping"
-    word = "swings for ever" if verdict is Verdict.MARGINAL else "is unstable"
+        return f"{axis} has d = 0 with k = {k:g} {stiffness}: it oscillates forever; give it some damping"
+    word = "oscillates forever" if verdict is Verdict.MARGINAL else "is unstable"
     period = f"h = {1e3 * h:g} ms"
     if d <= h * k:
         return (

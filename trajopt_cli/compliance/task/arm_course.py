@@ -142,7 +142,7 @@ def _cheapest(fans: Iterator[Array], dt: Array, limits: JointLimits, cell: float
         if not np.isfinite(cost).any():
             if not np.isfinite(held).any():
                 return _Blocked(k + 1, f"no arm angle keeps every joint in its range: {_outside(q, limits)}")
-            return _Blocked(k + 1, "no arm angle that keeps every joint in its range can be got to in time")
+            return _Blocked(k + 1, "no arm angle that keeps every joint in its range can be reached in time")
         before = q
     cells_back = [int(np.argmin(cost))]
     for origins in reversed(came):

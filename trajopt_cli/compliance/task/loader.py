@@ -112,7 +112,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
     if document.program is not None:
         program = Path(poses_from) if poses_from is not None else Path(file).parent / document.program
         if not program.is_file():
-            message = f"program: {program} is no file; it stands in the task file's folder or below it"
+            message = f"program: there is no file {program}; it must be in the task file's folder or below it"
             raise InputError(message, file=file, line=line_of("program", lines))
         placed = document.tool.model_fields_set & {"position", "wxyz", "rpy"}
         found = program_route(program, meaning, X_WF[:3, :3], X_FT if placed else None)
@@ -189,8 +189,8 @@ def _check_start(robot: SrsRobot, start: Array, limits: JointLimits, lines: Mapp
             message = f"start.joints: {name} = {np.degrees(value):.6g}°, outside its range"
             raise InputError(f"{message} {np.degrees(low):g}°..{np.degrees(high):g}°", file=file, line=line)
     for singular in singularities(robot, start[None], _SINGULAR):
-        message = f"start.joints: singular, {singular.name}: arm angle and configuration cannot be told there"
-        raise InputError(f"{message}; start a degree beside it", file=file, line=line)
+        message = f"start.joints: singular, {singular.name}: arm angle and configuration are not defined there"
+        raise InputError(f"{message}; start a degree away from it", file=file, line=line)
 
 
 def _speeds(

@@ -51,7 +51,7 @@ def written_waypoints(
         out.append(Waypoint(section.name or str(i + 1), pose, place, section.dwell))
     if len(out) < 2:
         place = f"{file}:{line_of('poses', lines)}"
-        raise InputError(f"poses: {len(out)} given; a way needs at least two", file=place)
+        raise InputError(f"poses: {len(out)} given; a path needs at least two", file=place)
     return tuple(out)
 
 
@@ -90,16 +90,18 @@ def program_route(path: Path, meaning: AngleMeaning, R_WF: Array, X_FT: Array | 
                 pose = np.concatenate([motion.X_WT[:3, 3], angles])
                 place = f"{motion.source.file}:{motion.source.line}"
                 if waypoints and np.allclose(pose, waypoints[-1].pose, rtol=0, atol=_SAME):
-                    notes.append(f"{place}: {motion.target} is the pose before once more; left out")
+                    notes.append(f"{place}: {motion.target} repeats the pose before; left out")
                     continue
                 if waypoints:
                     speeds.append((motion.speed.v_tcp, motion.speed.v_ori))
                 waypoints.append(Waypoint(motion.target, pose, place))
             case _:
-                message = f"{type(motion).__name__} is no straight segment; a task takes MoveL (and a first MoveJ) only"
+                message = (
+                    f"{type(motion).__name__} is not a straight segment; a task takes MoveL (and a first MoveJ) only"
+                )
                 raise _refused(motion.source, message)
     if len(waypoints) < 2:
-        raise InputError(f"gives {len(waypoints)} different poses; a way needs at least two", file=str(path))
+        raise InputError(f"gives {len(waypoints)} different poses; a path needs at least two", file=str(path))
     if fly_by:
         notes.append(f"{fly_by} fly-by zones are taken as stops: every pose is reached")
     text = program.files[next(iter(program.files))].text
@@ -147,7 +149,7 @@ def _one_tool(motions: Sequence[Motion], X_FT: Array | None) -> Array:
         if found is None:
             found = motion
         elif not np.allclose(motion.tool.X_FT, found.tool.X_FT, rtol=0, atol=_SAME):
-            message = f"tool {motion.tool.name} after {found.tool.name}; a task has one tool for the whole way"
+            message = f"tool {motion.tool.name} after {found.tool.name}; a task has one tool for the whole path"
             raise _refused(motion.source, message)
     if found is None:
         return np.eye(4) if X_FT is None else X_FT

@@ -149,7 +149,7 @@ def _travel(leg: Leg, route: Route) -> _Stage:
             return _Stage(leg.origin.name, leg.goal.name, pose[1:], R[1:], dwell=False)
     step, turn = leg.L_p / law.periods, leg.L_theta / law.periods
     raise InputError(
-        f"{leg.name}: {step:.3g} m and {turn:.3g} rad per period drown in the rounding of coordinates this large; "
+        f"{leg.name}: {step:.3g} m and {turn:.3g} rad per period are lost in the rounding of coordinates this large; "
         "give higher speeds, or coordinates from a nearer origin",
         file=leg.goal.place,
     )
