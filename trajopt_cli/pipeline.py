@@ -436,7 +436,15 @@ def _notices(job: Job) -> tuple[str, ...]:
             f"{len(waits)} waits for signals are counted with the least time the cell gives them, {least:g} s in all: "
             "the cycle times are plus waiting"
         )
-    return (*map(str, job.program.warnings), *out, *planned_otherwise(job.program))
+    return (*map(str, job.program.warnings), *out, *planned_otherwise(job.program), *held_unasked(job))
+
+
+def held_unasked(job: Job) -> Iterator[str]:
+    """A word on the waits that hold the rail because an output was set just before; none where there is no rail."""
+    from trajopt_cli.rapid.execution.holding import held_after_outputs
+
+    if job.plant.rail_eax is not None and (held := held_after_outputs(job.program)):
+        yield held
 
 
 def judge(

@@ -59,6 +59,7 @@ def baseline(
     from trajopt_cli.cli.console import show, stdout
     from trajopt_cli.cli.progress import ProgressView
     from trajopt_cli.job import read_program_or_results
+    from trajopt_cli.pipeline import held_unasked
     from trajopt_cli.problem.changes import Loops
     from trajopt_cli.runs.files import write_file, write_files
     from trajopt_cli.study.case import RailRule
@@ -92,7 +93,7 @@ def baseline(
             console.print(f"saving by cause: not available, there is no plan to start from ({answer.steps})")
         else:
             show(console, causes_table(answer.steps))
-        for line in job.plant.unchecked:
+        for line in (*job.plant.unchecked, *held_unasked(job)):
             console.print(line)
     if plots is not None:
         pictures = comparison_pictures(answer)
