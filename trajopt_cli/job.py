@@ -16,6 +16,7 @@ from trajopt_cli.runs import RUN
 if TYPE_CHECKING:
     from trajopt_cli.cell.model import Cell
     from trajopt_cli.kinematics import Kinematics
+    from trajopt_cli.problem.changes import Loops
     from trajopt_cli.problem.plant import Plant
     from trajopt_cli.scenario import Scenario
 
@@ -156,20 +157,33 @@ def read_results_job(folder: Path, judged: bool = False) -> Job:
 
     judged: as in read_results.
     """
+    return _of_results(folder, judged)[0]
+
+
+def _of_results(folder: Path, judged: bool = False) -> tuple[Job, Loops]:
     from trajopt_cli.runs.results import read_results
 
     with of_kind(ErrorKind.RESULTS):
         results = read_results(folder, judged)
-    return read_job(results.modules, results.cell, results.entry, results.assume_identity)
+    return read_job(results.modules, results.cell, results.entry, results.assume_identity), results.loops
 
 
 def read_program_or_results(
-    programs: Sequence[Path], cell: Path | None = None, entry: str | None = None, assume_identity: Sequence[str] = ()
-) -> Job:
-    """The job of a program, or of a results folder: the inputs it was made from. Raises InputError as read_job."""
+    programs: Sequence[Path],
+    cell: Path | None = None,
+    entry: str | None = None,
+    assume_identity: Sequence[str] = (),
+    loops: Loops | None = None,
+) -> tuple[Job, Loops]:
+    """The job of a program, or of a results folder: the inputs it was made from; and what its plan makes of loops.
+
+    loops: of a program, KEEP for None; a results folder brings its run's. Raises InputError as read_job.
+    """
+    from trajopt_cli.problem.changes import Loops
+
     results = [path for path in programs if is_results(path)]
     if not results:
-        return read_job(programs, cell, entry or MAIN, assume_identity)
+        return read_job(programs, cell, entry or MAIN, assume_identity), loops or Loops.KEEP
     if len(programs) > 1:
         raise InputError("is a results folder; give it alone", file=str(results[0]))
     if cell is not None:
@@ -177,7 +191,10 @@ def read_program_or_results(
     if entry is not None or assume_identity:
         message = "a results folder brings its own entry and assumptions; leave --entry and --assume-identity out"
         raise InputError(message, file=str(results[0]))
-    return read_results_job(results[0])
+    if loops is not None:
+        message = "a results folder brings its own answer to what loops become; leave --loops out"
+        raise InputError(message, file=str(results[0]))
+    return _of_results(results[0])
 
 
 def is_results(path: Path) -> bool:

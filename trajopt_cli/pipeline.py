@@ -181,7 +181,7 @@ def optimise(
             entry=job.program.entry,
             assume_identity=list(job.assume_identity),
             target=target.value,
-            loops=loops.value,
+            loops=loops,
         ),
         inputs=Inputs(
             program=first.place,

@@ -33,6 +33,6 @@ def test_what_holds_the_rail_unasked_is_said_once(
     )
     for command in (["optimize", "held.mod"], ["compare", "baseline", "held.mod"]):
         assert run(command) == 0
-        assert " ".join(capsys.readouterr().out.split()).count(f"{sentence} file lets it move") == gripper
+        assert " ".join(capsys.readouterr().out.split()).count(f"{sentence} lets it move") == gripper
     said = json.loads(Path("results/held/summary.json").read_text())["warnings"]
     assert sum(line.startswith(sentence) for line in said) == gripper

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, LoopsOption
+from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, LoopsOfProgram
 from trajopt_cli.cli.process import reading
 
 _SHOWN = 3  # failed checks per row; an illegal plan breaks many at once
@@ -32,7 +32,7 @@ def baseline(
     cell: CellPath = None,
     entry: Entry = None,
     assume_identity: AssumeIdentity = None,
-    loops: LoopsOption = "keep",
+    loops: LoopsOfProgram = None,
     as_json: AsJson = False,
     csv: Annotated[Path | None, typer.Option("--csv", metavar="FILE.csv", help="Write the rows as CSV, too.")] = None,
     plots: Annotated[
@@ -67,10 +67,11 @@ def baseline(
     from trajopt_cli.units import DEG
 
     with reading():
-        job = read_program_or_results(program, cell, entry, assume_identity or ())
+        wanted = Loops(loops) if loops else None
+        job, made_of_loops = read_program_or_results(program, cell, entry, assume_identity or (), wanted)
     _check_places(csv, plots)
     with ProgressView() as view:
-        answer = compare(job, view.show, RailRule(phi_min * DEG, v_transfer, v_area), Loops(loops))
+        answer = compare(job, view.show, RailRule(phi_min * DEG, v_transfer, v_area), made_of_loops)
     record = comparison_record(answer)
     if csv is not None:
         write_file(csv, rows_csv(record["rows"]).encode())

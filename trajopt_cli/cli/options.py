@@ -35,11 +35,12 @@ AssumeIdentity = Annotated[
 ]
 ResultsFolder = Annotated[Path, typer.Argument(metavar="RESULTS", help="Results folder of trajopt optimize.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")]
-LoopsOption = Annotated[
-    Literal["keep", "unroll"],
-    typer.Option(
-        "--loops",
-        help="RAPID plan: keep loops and routines, with one rail position and configuration per target in all passes, "
-        "or write them out motion by motion where that is faster.",
-    ),
+_LOOPS = (
+    "RAPID plan: keep loops and routines, with one rail position and configuration per target in all passes, or write "
+    "them out motion by motion where that is faster."
+)
+LoopsOption = Annotated[Literal["keep", "unroll"], typer.Option("--loops", help=_LOOPS)]
+LoopsOfProgram = Annotated[
+    Literal["keep", "unroll"] | None,
+    typer.Option("--loops", help=f"{_LOOPS} Of a program, keep; a results folder brings its own.", show_default=False),
 ]

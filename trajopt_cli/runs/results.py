@@ -13,6 +13,7 @@ from pydantic import BeforeValidator, Field, model_validator
 from trajopt_cli.errors import InputError
 from trajopt_cli.findings import Report, finding_record
 from trajopt_cli.motion import Move, Program, SignalEvent, Wait
+from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.quantity import complain
 from trajopt_cli.runs import SUMMARY
@@ -46,7 +47,7 @@ class PlanOptions(Section):
     entry: str = "main"
     assume_identity: list[str] = Field(default_factory=list)
     target: str = ""
-    loops: str = "keep"
+    loops: Annotated[Loops, Field(strict=False)] = Loops.KEEP
 
 
 class AddedModule(Section):
@@ -149,7 +150,7 @@ class RapidModule:
 class Results:
     """A results folder read back. modules and cell are the copies of the run's inputs inside it, in their order.
 
-    entry, assume_identity: as the run was asked for. texts: the three CSV files by name. dropped: by target, the
+    entry, assume_identity, loops: as the run was asked for. texts: the three CSV files by name. dropped: by target, the
     indices of the motions left out. holds: when the chosen plan stands still until a signal comes [s], and for what.
     rapid: the optimised modules; none where no_rapid says why. kept: what they keep as programmed, and why.
     """
@@ -160,6 +161,7 @@ class Results:
     cell: Path
     entry: str
     assume_identity: tuple[str, ...]
+    loops: Loops
     texts: Mapping[str, str]
     dropped: Mapping[Target, tuple[int, ...]]
     holds: tuple[tuple[float, str], ...]
@@ -285,6 +287,7 @@ def read_results(folder: Path, judged: bool = False) -> Results:
         cell=folder / str(inputs.cell),
         entry=options.entry,
         assume_identity=tuple(options.assume_identity),
+        loops=options.loops,
         texts={name: run.text(name) for name in plans},
         dropped={one: tuple(row.index for row in digest.plans.of(one).motions if row.dropped) for one in Target},
         holds=tuple((row.start_s + row.time_s, row.target) for row in waits),
