@@ -16,18 +16,27 @@ from trajopt_cli.verify.tolerances import BACKWARD, JOINT_TARGET, LINE_POSITION,
 
 
 def check_shapes(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> list[Finding]:
-    """Findings about every move between its rests, in program order."""
+    """Findings about every move between its rests, in program order; a kind that no check knows is never legal."""
     out = []
     for before, visit in line.legs():
-        move = visit.stop.move
-        if isinstance(move, MoveL):
-            frame = frames[np.asarray(visit.stop.X_FT).tobytes()]
-            out.extend(_line(line.rows, before, visit, frame, rapid))
-        elif isinstance(move, MoveExtJ):
-            out.append(_arm_holds(line.rows, before, visit))
-        elif rapid and isinstance(move, MoveJ | MoveAbsJ):
-            out.append(_straight(line.rows, before, visit))
+        match visit.stop.move:
+            case MoveL():
+                frame = frames[np.asarray(visit.stop.X_FT).tobytes()]
+                out.extend(_line(line.rows, before, visit, frame, rapid))
+            case MoveExtJ():
+                out.append(_arm_holds(line.rows, before, visit))
+            case MoveJ() | MoveAbsJ():
+                if rapid:
+                    out.append(_straight(line.rows, before, visit))
+            case _:
+                out.append(_unknown(line.rows, visit))
     return out
+
+
+def _unknown(rows: Rows, visit: Visit) -> Finding:
+    note = ": the judge has no check for the shape of such a motion"
+    return finding("known shape", visit.stop.name, 1.0, 0.0, "unknown", False, time=float(rows.t[visit.arrive]),
+                   source=visit.stop.source, note=note)  # fmt: skip
 
 
 def _line(rows: Rows, before: Visit, visit: Visit, frame: Frame, rapid: bool) -> list[Finding]:
