@@ -17,7 +17,7 @@ from trajopt_cli.job import read_job
 from trajopt_cli.joint_csv import read_csv_text
 from trajopt_cli.motion import Source
 from trajopt_cli.notices import Notice, NoticeKind
-from trajopt_cli.pipeline import verify_results
+from trajopt_cli.pipeline.folder import verify_results
 from trajopt_cli.rapid.reader import read_program
 from trajopt_cli.robot.model import load_robot
 

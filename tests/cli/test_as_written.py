@@ -11,7 +11,7 @@ from fake_planner import Planner
 from trajopt_cli.cli import run
 from trajopt_cli.job import read_job
 from trajopt_cli.optimize import Memory, optimize
-from trajopt_cli.pipeline import changes_of
+from trajopt_cli.pipeline.planning import changes_of
 from trajopt_cli.problem.freedom import AS_WRITTEN
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 

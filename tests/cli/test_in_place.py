@@ -14,7 +14,7 @@ from fake_planner import Planner
 
 from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError
-from trajopt_cli.pipeline import rapid_export
+from trajopt_cli.pipeline.folder import rapid_export
 from trajopt_cli.runs.files import replace_files
 from trajopt_cli.runs.results import RapidModule, write_in_place
 

@@ -10,7 +10,7 @@ import pytest
 
 from trajopt_cli.cli import run
 from trajopt_cli.job import read_job
-from trajopt_cli.pipeline import changes_of, may_change
+from trajopt_cli.pipeline.planning import changes_of, may_change
 from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.plan import Target
 

@@ -10,7 +10,7 @@ import pytest
 
 from trajopt_cli.job import Job, read_job
 from trajopt_cli.optimize import solve
-from trajopt_cli.pipeline import Optimised, optimise
+from trajopt_cli.pipeline.optimise import Optimised, optimise
 from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.freedom import EVERYTHING
 from trajopt_cli.problem.plan import Infeasible, Target
@@ -89,7 +89,7 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> dict[tuple[Target, bool], set[tupl
     monkeypatch.setattr(solve, "check_reach", check_reach)
     monkeypatch.setattr(solve, "search", lambda *_: None)
     monkeypatch.setattr("trajopt_cli.beside.cores", lambda: 1)
-    monkeypatch.setattr("trajopt_cli.pipeline.cores", lambda: 1)
+    monkeypatch.setattr("trajopt_cli.pipeline.planning.cores", lambda: 1)
     return found
 
 
@@ -111,7 +111,7 @@ def test_both_commands_ask_for_the_same_problems(
 
 def test_the_programs_have_something_to_differ_in(tmp_path: Path) -> None:
     """Free, tied and kept targets, things to drop: else the test above would say nothing."""
-    from trajopt_cli.pipeline import changes_of
+    from trajopt_cli.pipeline.planning import changes_of
 
     jobs = [job_of(listing(seed), tmp_path) for seed in SEEDS]
     changes = [changes_of(job, Target.RAPID) for job in jobs]

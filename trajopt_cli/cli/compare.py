@@ -59,7 +59,7 @@ def baseline(
     from trajopt_cli.cli.console import show, stdout
     from trajopt_cli.cli.progress import ProgressView
     from trajopt_cli.job import read_program_or_results
-    from trajopt_cli.pipeline import held_unasked
+    from trajopt_cli.pipeline.optimise import held_unasked
     from trajopt_cli.problem.changes import Loops
     from trajopt_cli.runs.files import write_file, write_files
     from trajopt_cli.study.case import RailRule

@@ -12,7 +12,7 @@ from rich.table import Table
 from trajopt_cli.cli.layout import plain_table
 from trajopt_cli.cli.tables import failures
 from trajopt_cli.findings import Report
-from trajopt_cli.pipeline import NoPlan
+from trajopt_cli.pipeline.planning import NoPlan
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.study.comparison import Comparison, Step, Tried
 

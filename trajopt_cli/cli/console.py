@@ -9,7 +9,8 @@ from rich.console import Console
 from rich.measure import Measurement
 from rich.table import Table
 
-from trajopt_cli.pipeline import Collides, Illegal, NoPlan
+from trajopt_cli.pipeline.optimise import Collides, Illegal
+from trajopt_cli.pipeline.planning import NoPlan
 from trajopt_cli.problem.plan import Infeasible
 
 _PIPED_WIDTH = 300  # columns when nobody tells; tables of paths and numbers must not wrap in a log

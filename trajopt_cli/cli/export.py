@@ -20,7 +20,7 @@ def joint(
     rate: Annotated[float, typer.Option(metavar="HZ", help="Rows per second.")] = 1000.0,
 ) -> None:
     """Joint positions and speeds of trajectory.csv's target at a fixed rate, the exact end as last row."""
-    from trajopt_cli.pipeline import joint_export
+    from trajopt_cli.pipeline.folder import joint_export
     from trajopt_cli.runs.files import write_file
 
     source, trajectory, text = joint_export(results, rate)
@@ -45,7 +45,7 @@ def rapid(
     ] = False,
 ) -> None:
     """The program with the rapid plan in it; everything else is byte for byte as given."""
-    from trajopt_cli.pipeline import rapid_export
+    from trajopt_cli.pipeline.folder import rapid_export
     from trajopt_cli.runs.files import write_file
     from trajopt_cli.runs.results import write_in_place
 

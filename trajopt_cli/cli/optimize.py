@@ -37,7 +37,7 @@ def optimize(
     from trajopt_cli.cli.progress import ProgressView
     from trajopt_cli.cli.tables import cycle_line, motions_table, saving_line
     from trajopt_cli.job import MAIN, read_job
-    from trajopt_cli.pipeline import Optimised, optimise
+    from trajopt_cli.pipeline.optimise import Optimised, optimise
     from trajopt_cli.problem.changes import Loops
     from trajopt_cli.problem.plan import Target
     from trajopt_cli.verify.clearance import least_clearance

@@ -11,7 +11,7 @@ from rich.table import Table
 from trajopt_cli.cli.layout import place, plain_table
 from trajopt_cli.findings import Finding, Report
 from trajopt_cli.limits import JointLimits
-from trajopt_cli.pipeline import Optimised
+from trajopt_cli.pipeline.optimise import Optimised
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.srs import SrsRobot

@@ -29,7 +29,7 @@ def verify(
     from trajopt_cli.cli.console import stdout
     from trajopt_cli.cli.tables import advice_table, failures, findings_table, verdict
     from trajopt_cli.job import MAIN, read_job
-    from trajopt_cli.pipeline import verify_file, verify_results
+    from trajopt_cli.pipeline.folder import verify_file, verify_results
 
     if what.is_dir():
         if program or cell is not None:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from trajopt_cli.beside import in_turns
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Program, Wait
-from trajopt_cli.pipeline import Listener, NoPlan, judge, may_change
+from trajopt_cli.pipeline.planning import Listener, NoPlan, judge, may_change
 from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
@@ -102,7 +102,7 @@ def compare(job: Job, listen: Listener, rule: RailRule | None = None, loops: Loo
 
 def comparison_pictures(answer: Comparison) -> dict[str, bytes]:
     """Bars of all rows, the saving by cause, and the pictures of the fastest legal plan, by file name."""
-    from trajopt_cli.pipeline import plan_pictures
+    from trajopt_cli.pipeline.optimise import plan_pictures
     from trajopt_cli.report.pictures import comparison, savings
 
     name = answer.job.title

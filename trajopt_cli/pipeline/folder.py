@@ -1,0 +1,96 @@
+"""What is done with a results folder or a CSV file: judged again, resampled, its modules put together."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from trajopt_cli.errors import ErrorKind, InputError, of_kind
+from trajopt_cli.job import Job, read_results_job
+from trajopt_cli.motion import TextFile
+from trajopt_cli.pipeline.planning import judge
+from trajopt_cli.problem.plan import Target
+from trajopt_cli.runs.results import (
+    CHOSEN,
+    CSV,
+    RapidModule,
+    Results,
+    read_results,
+)
+
+if TYPE_CHECKING:
+    from trajopt_cli.findings import Report
+    from trajopt_cli.trajectory import Trajectory
+
+
+@dataclass(frozen=True)
+class RapidFiles:
+    """The optimised modules of a results folder. patch: their difference from the program as given, for patch -p1;
+    difference: the same to read. kept: what the plan had to leave as programmed, and why.
+    """
+
+    modules: tuple[RapidModule, ...]
+    patch: bytes
+    difference: str
+    kept: tuple[str, ...]
+
+
+@of_kind(ErrorKind.RESULTS)
+def verify_results(folder: Path) -> tuple[Job, dict[str, Report]]:
+    """Judge the CSV files of a results folder against the program and cell inside it; reports by file name."""
+    results = read_results(folder, judged=True)
+    job = read_results_job(folder, judged=True)
+    texts = {CSV[target]: (target, results.texts[CSV[target]]) for target in Target}
+    if results.texts[CHOSEN] != results.texts[CSV[results.target]]:
+        texts[CHOSEN] = (results.target, results.texts[CHOSEN])
+    reports = {}
+    for name, (target, text) in texts.items():
+        reports[name] = judge(job.plant, job.program, text, str(folder / name), results.dropped[target], target)
+    return job, reports
+
+
+def verify_file(path: Path, job: Job) -> Report:
+    """Judge a CSV file that anybody wrote against a program and its cell."""
+    return judge(job.plant, job.program, _text(path), str(path))
+
+
+@of_kind(ErrorKind.RESULTS)
+def joint_export(folder: Path, rate: float) -> tuple[Results, Trajectory, str]:
+    """The chosen target's motion of a results folder at rate [Hz], as trajectory and as CSV text."""
+    from trajopt_cli.export.joint import resample
+    from trajopt_cli.joint_csv import read_csv_text, write_csv_text
+
+    results = read_results(folder)
+    recorded, _ = read_csv_text(results.texts[CHOSEN], str(folder / CHOSEN))
+    trajectory = resample(recorded, rate)
+    return results, trajectory, write_csv_text(trajectory)
+
+
+@of_kind(ErrorKind.RESULTS)
+def rapid_export(folder: Path) -> RapidFiles:
+    """The optimised modules of a results folder. Raises InputError where the plan could not be written as RAPID."""
+    from trajopt_cli.export.rapid_diff import patch, unified_diff
+    from trajopt_cli.rapid.language.text import decode
+
+    results = read_results(folder)
+    if results.no_rapid is not None:
+        raise InputError(f"holds no RAPID text: {results.no_rapid}", file=str(folder))
+    given, texts, new = dict[str, TextFile](), dict[str, str](), dict[str, TextFile]()
+    for one in results.rapid:
+        path = str(one.path)
+        if one.given is None:
+            new[path] = TextFile(path, *decode(one.content))
+        else:
+            given[path] = TextFile(path, *decode(one.given))
+            texts[path] = one.content.decode(given[path].encoding)
+    return RapidFiles(results.rapid, patch(given, texts, new), unified_diff(given, texts, new), results.kept)
+
+
+def _text(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8")
+    except OSError as error:
+        raise InputError(f"cannot read: {error.strerror}", file=str(path)) from error
+    except UnicodeDecodeError as error:
+        raise InputError(f"byte {error.start} is not UTF-8 text", file=str(path)) from error

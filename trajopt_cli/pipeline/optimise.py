@@ -1,0 +1,287 @@
+"""`optimize` from a job to its results folder: both plans, what a reader must know of them, the files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.job import Job
+from trajopt_cli.motion import Wait
+from trajopt_cli.notices import NoticeKind
+from trajopt_cli.pipeline.planning import Clock, Listener, NoPlan, all_three, changes_of, may_change, worst
+from trajopt_cli.problem.changes import Changes, Loops
+from trajopt_cli.problem.plan import Infeasible, Plan, Target
+from trajopt_cli.problem.progress import Progress
+from trajopt_cli.runs import SUMMARY
+from trajopt_cli.runs.folder import check_replaceable, write_run
+from trajopt_cli.runs.record import INPUT, InputFile, Inputs
+from trajopt_cli.runs.results import (
+    CHOSEN,
+    CSV,
+    AddedModule,
+    Judged,
+    PlanOptions,
+    PlanRecord,
+    distinct_names,
+    summary,
+    zones_as_stops,
+)
+
+if TYPE_CHECKING:
+    from trajopt_cli.export.rapid_write import RapidExport
+    from trajopt_cli.findings import Finding
+
+_WORTH = 5e-3  # s of an estimate that are worth a word
+
+
+@dataclass(frozen=True)
+class Illegal:
+    """The judge forbids a plan: an error in trajopt itself, never a result. label: what was being solved."""
+
+    label: str
+    finding: Finding
+
+
+@dataclass(frozen=True)
+class Collides:
+    """A plan that keeps every limit but touches something: the planner looks at no obstacles. hits: in time order."""
+
+    label: str
+    hits: tuple[Finding, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Optimised:
+    """The answer of optimize: both targets' judged plans, what the user should know, and where the files are.
+
+    written: the program as it stands, driven under the same limits, or why it cannot be.
+    no_rapid: why the RAPID plan could not be written as RAPID; then rapid_files is empty.
+    """
+
+    job: Job
+    target: Target
+    judged: Mapping[Target, Judged]
+    written: Plan | str
+    warnings: tuple[str, ...]
+    notes: tuple[str, ...]
+    folder: Path
+    rapid_files: tuple[str, ...]
+    no_rapid: str | None
+    seconds: Mapping[str, float]
+
+
+def optimise(
+    job: Job, target: Target, folder: Path, listen: Listener, plots: bool = False, loops: Loops = Loops.KEEP
+) -> Optimised | Infeasible | NoPlan | Illegal | Collides:
+    """Solve both targets, judge both, and write the results folder; nothing is written unless both are legal.
+
+    target: which plan trajectory.csv carries. plots: its pictures, too. loops: what the RAPID plan makes of them.
+    Raises InputError where folder may not be replaced.
+    """
+    from trajopt_cli.verify.clearance import check_start, collisions
+
+    check_replaceable(folder)
+    start = f"{job.cell.file}: the start pose"
+    if hits := collisions(check_start(job.program, job.plant, start)):
+        return Collides("", hits)
+    clock, started = Clock({"read": job.read_seconds}), datetime.now(UTC)
+    with clock.phase("reach"):
+        agreed = may_change(job, loops)
+    if agreed.infeasible is not None:
+        return agreed.infeasible
+    changes, loops = agreed.changes, agreed.loops
+    inputs = _inputs(job)
+    judged: dict[Target, Judged] = {}
+    answers, written = all_three(job, listen, clock, changes)
+    for one, answer in answers.items():
+        if not isinstance(answer, Judged):
+            return answer
+        if not answer.report.legal:
+            hits = collisions(answer.report.findings)
+            touches_only = len(hits) == sum(not finding.passed for finding in answer.report.findings)
+            return Collides(one.value, hits) if touches_only else Illegal(one.value, worst(answer.report))
+        judged[one] = answer
+    with clock.phase("loops"):
+        unrolled = tuple(_unrolled(job, changes[Target.RAPID], loops))
+    listen("results", Progress("write"))
+    with clock.phase("export"):
+        export, no_rapid = _export(job, judged[Target.RAPID].plan, loops)
+        notices = (*_notices(job), *agreed.notices, *_one_way(job, export))
+        if no_rapid is not None:
+            notices = (*notices, f"no RAPID text: {no_rapid}")
+        placed = _placed(export, folder) if export is not None else ()
+        notes = (*_configurations(job, judged), *placed, *changes[Target.RAPID].kept, *unrolled)
+        files = _files(job, target, judged, inputs, export, notices, notes, changes[Target.RAPID].kept, written)
+    if plots:
+        listen("results", Progress("plots"))
+        with clock.phase("plots"):
+            files |= plan_pictures(job, judged[target].plan)
+    added = {path: _place_of_new(path) for path in export.new} if export is not None else {}
+    first, cell = inputs[next(iter(job.program.files))], inputs[str(job.cell_path)]
+    write_run(
+        folder,
+        PlanRecord,
+        files,
+        command="optimize",
+        options=PlanOptions(
+            program=[str(path) for path in job.paths],
+            cell=str(job.cell_path),
+            entry=job.program.entry,
+            assume_identity=list(job.assume_identity),
+            target=target.value,
+            loops=loops,
+        ),
+        inputs=Inputs(
+            program=first.place,
+            cell=cell.place,
+            files=[one.record(rapid=export is not None) for one in dict.fromkeys((first, cell, *inputs.values()))],
+        ),
+        no_rapid=no_rapid,
+        added=[AddedModule(path=path, rapid=place) for path, place in added.items()],
+        started=started.isoformat(),
+        seconds={name: round(value, 3) for name, value in clock.seconds.items()},
+    )
+    modules = (*(given.rapid for given in inputs.values() if given.rapid in files), *added.values())
+    return Optimised(job, target, judged, written, notices, notes, folder, modules, no_rapid, clock.seconds)
+
+
+def _export(job: Job, rapid: Plan, loops: Loops) -> tuple[RapidExport | None, str | None]:
+    """The RAPID export; None, and why, where the program's text cannot carry the plan, which is as good without."""
+    from trajopt_cli.export.faster import faster_than_programmed
+    from trajopt_cli.export.rapid import export_rapid
+
+    faster = faster_than_programmed(job.program, rapid, job.plant)
+    try:
+        return export_rapid(job.program, rapid, job.plant, faster, job.scenario, job.program.entry, loops), None
+    except InputError as error:
+        return None, str(error)
+
+
+def _files(
+    job: Job,
+    target: Target,
+    judged: Mapping[Target, Judged],
+    inputs: Mapping[str, InputFile],
+    export: RapidExport | None,
+    notices: tuple[str, ...],
+    notes: tuple[str, ...],
+    kept: tuple[str, ...],
+    written: Plan | str,
+) -> dict[str, bytes]:
+    """The results folder's files but run.json."""
+    plant = job.plant
+    files = {
+        SUMMARY: summary(job.program, target, judged, written, notices, plant.notes, plant.unchecked, notes, kept),
+        CHOSEN: judged[target].csv.encode("ascii"),
+        **{CSV[one]: judged[one].csv.encode("ascii") for one in Target},
+    }
+    for given in inputs.values():
+        files[given.place] = given.content
+        if given.rapid is not None and export is not None:
+            files[given.rapid] = export.texts[given.path].encode(job.program.files[given.path].encoding)
+    for path, new in export.new.items() if export is not None else ():
+        files[_place_of_new(path)] = new.text.encode(new.encoding)
+    return files
+
+
+def _one_way(job: Job, export: RapidExport | None) -> Iterator[str]:
+    """A word on an endless loop that was run once, where the plan changes the program."""
+    ended = any(warning.kind is NoticeKind.ENDLESS for warning in job.program.warnings)
+    once = ended and job.scenario.endless_passes == 1
+    changed = export is None or any(text != job.program.files[path].text for path, text in export.texts.items())
+    if once and changed:
+        yield "the way from the end of the loop back to its beginning is planned only with endless_passes: 2 or more"
+
+
+def _unrolled(job: Job, kept: Changes, loops: Loops) -> Iterator[str]:
+    """What it would save to let every pass of a loop or routine have its own answer, by the search's estimates."""
+    from trajopt_cli.optimize import search_estimate
+
+    often = len({motion.written.statement for motion in job.program.motions}) < len(job.program.motions)
+    if loops is Loops.UNROLL or not (often or kept.kept):
+        return
+    free = changes_of(job, Target.RAPID, Loops.UNROLL)
+    if free.values == kept.values and not kept.ties:
+        return
+    now, then = (search_estimate(job.program, job.plant, Target.RAPID, changes) for changes in (kept, free))
+    if now is None or then is None:
+        return
+    if now - then < _WORTH:
+        yield "--loops unroll would save nothing, by an estimate of the search"
+    else:
+        saved = f"{now - then:.2f} s ({(now - then) / now:.1%})"
+        yield f"--loops unroll would save about {saved} more, by an estimate of the search"
+
+
+def _configurations(job: Job, judged: Mapping[Target, Judged]) -> Iterator[str]:
+    """Which moves end in another configuration than programmed, by target."""
+    from trajopt_cli.problem.configurations import changed_configurations
+
+    for target, one in judged.items():
+        for line in changed_configurations(job.program, job.plant, one.plan):
+            yield f"{target.value}: {line}"
+
+
+def _placed(export: RapidExport, folder: Path) -> Iterator[str]:
+    """The notes of an export, with each new module called by the place where it is now."""
+    for note in export.notes:
+        new = note.kind is NoticeKind.NEW_MODULE
+        yield str(replace(note, place=f"{folder / _place_of_new(str(note.place))}") if new else note)
+
+
+def _place_of_new(path: str) -> str:
+    """Where the results folder keeps a module that the export added."""
+    return f"program/{Path(path).name}"
+
+
+def plan_pictures(job: Job, plan: Plan) -> dict[str, bytes]:
+    """The pictures of one plan and of the program in steps of speed, by their place in a results folder."""
+    from trajopt_cli.problem.stepwise import analyse
+    from trajopt_cli.report.pictures import draw, stepwise
+
+    name = job.title
+    pictures = draw(job.program, job.plant, plan, name)
+    pictures |= stepwise(job.program, analyse(job.program, job.plant), name)
+    return {f"plots/{place}": content for place, content in pictures.items()}
+
+
+def _notices(job: Job) -> tuple[str, ...]:
+    """What a reader of the cycle times must know: the program's oddities, what is planned otherwise than it asks."""
+    from trajopt_cli.problem.plannable import planned_otherwise
+
+    zones = zones_as_stops(job.program)
+    out = [f"{zones} fly-by zones are planned as stops: the cycle times are upper bounds"] if zones else []
+    waits = [m for m in job.program.motions if isinstance(m, Wait) and m.condition is not None]
+    if waits:
+        least = sum(wait.duration for wait in waits)
+        out.append(
+            f"{len(waits)} waits for signals are counted with the least time the cell gives them, {least:g} s in all: "
+            "the cycle times are plus waiting"
+        )
+    return (*map(str, job.program.warnings), *out, *planned_otherwise(job.program), *held_unasked(job))
+
+
+def held_unasked(job: Job) -> Iterator[str]:
+    """A word on the waits that hold the rail because an output was set just before; none where there is no rail."""
+    from trajopt_cli.rapid.execution.holding import held_after_outputs
+
+    if job.plant.rail_eax is not None and (held := held_after_outputs(job.program)):
+        yield held
+
+
+def _inputs(job: Job) -> dict[str, InputFile]:
+    """Every file the job was read from, by the path it was read under, with its exact bytes."""
+    inputs = {}
+    for path, name in distinct_names(list(job.program.files)).items():
+        place = "program.mod" if len(job.program.files) == 1 else f"program/{name}"
+        inputs[path] = InputFile(path, f"{INPUT}{name}", Path(path).read_bytes(), place)
+    for mesh in job.cell.mesh_files:
+        copy = mesh.relative_to(job.cell_path.parent).as_posix()
+        inputs[str(mesh)] = InputFile(str(mesh), f"{INPUT}{copy}", mesh.read_bytes())
+    cell = str(job.cell_path)
+    inputs[cell] = InputFile(cell, f"{INPUT}{job.cell_path.name}", job.cell_path.read_bytes())
+    return inputs

@@ -1,0 +1,211 @@
+"""What plans of a job may change, the plans of both targets, and the judge on the text of each."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from time import perf_counter
+from typing import TYPE_CHECKING, Any
+
+from trajopt_cli.beside import Beside, cores
+from trajopt_cli.job import Job
+from trajopt_cli.motion import Program
+from trajopt_cli.problem.changes import Changes, Loops, everything
+from trajopt_cli.problem.freedom import AS_WRITTEN
+from trajopt_cli.problem.plan import Infeasible, Plan, Target
+from trajopt_cli.problem.progress import Progress
+from trajopt_cli.runs.results import (
+    CSV,
+    Judged,
+)
+
+if TYPE_CHECKING:
+    from trajopt_cli.findings import Finding, Report
+    from trajopt_cli.optimize import Memory
+    from trajopt_cli.problem.plant import Plant
+
+_WRITTEN_OUT = "loops and routines are written out as with --loops unroll, as none of their plans could be driven"
+# What is being solved ("stream", "rapid", a baseline's name) and how far it is.
+Listener = Callable[[str, Progress], None]
+
+
+@dataclass(frozen=True)
+class NoPlan:
+    """The solver failed on a program that can be done: neither an answer nor the user's mistake."""
+
+    label: str
+    message: str
+
+
+@dataclass
+class Clock:
+    """Seconds per phase, added up by name."""
+
+    seconds: dict[str, float] = field(default_factory=dict)
+
+    @contextmanager
+    def phase(self, name: str) -> Iterator[None]:
+        """Add what happens inside to a phase."""
+        start = perf_counter()
+        try:
+            yield
+        finally:
+            self.seconds[name] = self.seconds.get(name, 0.0) + perf_counter() - start
+
+
+@dataclass(frozen=True)
+class MayChange:
+    """What plans may change, by target, and what that makes of loops. notices: what a user should know of that.
+    infeasible: what cannot be done on one of the targets whatever changes, known before either is solved."""
+
+    changes: Mapping[Target, Changes]
+    loops: Loops
+    notices: tuple[str, ...] = ()
+    infeasible: Infeasible | None = None
+
+
+def may_change(job: Job, loops: Loops) -> MayChange:
+    """What plans of this job may change: for all commands that plan, so that they answer one question alike.
+
+    Loops that are to be kept, but that no plan could drive, are written out, and that is said.
+    """
+    from trajopt_cli.optimize import check_feasible
+
+    def held_against_reach(loops: Loops) -> MayChange:
+        changes = {one: changes_of(job, one, loops) for one in Target}
+        found = (check_feasible(job.program, job.plant, one, changes=changes[one]) for one in Target)
+        return MayChange(changes, loops, infeasible=next((one for one in found if one is not None), None))
+
+    asked = held_against_reach(loops)
+    if asked.infeasible is None or loops is Loops.UNROLL:
+        return asked
+    freer = held_against_reach(Loops.UNROLL)
+    if freer.infeasible is not None:
+        return asked
+    return replace(freer, notices=(f"{_WRITTEN_OUT}: {asked.infeasible}",))
+
+
+def changes_of(job: Job, target: Target, loops: Loops = Loops.KEEP) -> Changes:
+    """What a plan may change on one target.
+
+    loops: what a plan for the RAPID controller makes of them; a stream has none.
+    """
+    from trajopt_cli.export.rapid_reading import Reading
+    from trajopt_cli.export.rapid_writable import text_changes
+
+    if target is Target.STREAM:
+        return everything(job.program, job.plant)
+    reading = Reading(job.program, job.plant, job.scenario, job.program.entry)
+    return text_changes(job.program, job.plant, reading, loops)
+
+
+def all_three(
+    job: Job, listen: Listener, clock: Clock, changes: Mapping[Target, Changes]
+) -> tuple[dict[Target, Judged | Infeasible | NoPlan], Plan | str]:
+    """Both targets, and the program as written; beside each other where there are two cores. A stream that cannot be
+    done ends the run at once."""
+    stream, rapid = Target.STREAM, Target.RAPID
+
+    def second(
+        tell: Callable[[Progress], None],
+    ) -> tuple[Judged | Infeasible | NoPlan, Plan | str, dict[str, float]]:
+        own, memory = Clock(), dict[bytes, Any]()
+        answer = solve(job, rapid, changes[rapid], lambda _, progress: tell(progress), own, memory)
+        written = as_written(job, changes[rapid], own, memory) if isinstance(answer, Judged) else ""
+        return answer, written, own.seconds
+
+    def hear(progress: Progress) -> None:
+        listen(rapid.value, progress)
+
+    if cores() == 1:
+        first = solve(job, stream, changes[stream], listen, clock)
+        if not isinstance(first, Judged):
+            return {stream: first}, ""
+        answer, written, seconds = second(hear)
+    else:
+        with Beside(second, hear) as beside:
+
+            def listen_to_both(label: str, progress: Progress) -> None:
+                listen(label, progress)
+                beside.listen()
+
+            first = solve(job, stream, changes[stream], listen_to_both, clock)
+            if not isinstance(first, Judged):
+                return {stream: first}, ""
+            answer, written, seconds = beside.answer()
+    clock.seconds |= seconds
+    return {stream: first, rapid: answer}, written
+
+
+def solve(
+    job: Job, target: Target, changes: Changes, listen: Listener, clock: Clock, memory: Memory | None = None
+) -> Judged | Infeasible | NoPlan:
+    """Plan one target, write its trajectory as CSV text, and let the judge read that text."""
+    from trajopt_cli.joint_csv import write_csv_text
+    from trajopt_cli.optimize import NoCleanPlan, optimize
+
+    label = target.value
+
+    def tell(progress: Progress) -> None:
+        listen(label, progress)
+
+    with clock.phase(f"{label}: plan"):
+        try:
+            plan = optimize(job.program, job.plant, target, progress=tell, changes=changes, memory=memory)
+        except NoCleanPlan as failure:
+            return NoPlan(label, str(failure))
+    if isinstance(plan, Infeasible):
+        return plan
+    for phase, spent in plan.seconds.items():
+        clock.seconds[f"{label}: {phase}"] = spent
+    listen(label, Progress("judge", plan.duration, plan.lower_bound))
+    with clock.phase(f"{label}: judge"):
+        text = write_csv_text(plan.trajectory)
+        dropped = tuple(motion.index for motion in plan.motions if motion.dropped)
+        report = judge(job.plant, job.program, text, CSV[target], dropped, target)
+    return Judged(plan, text, report)
+
+
+def as_written(job: Job, changes: Changes, clock: Clock, memory: Memory) -> Plan | str:
+    """The program as it stands, driven by the RAPID controller under the same limits; or why it cannot be, one line.
+
+    The same question as that of the first row of `compare`. memory: pieces that the rapid plan has solved.
+    """
+    from trajopt_cli.joint_csv import write_csv_text
+    from trajopt_cli.optimize import NoCleanPlan, optimize
+
+    with clock.phase("as written"):
+        try:
+            plan = optimize(
+                job.program, job.plant, Target.RAPID, AS_WRITTEN, bounded=False, changes=changes, memory=memory
+            )
+        except NoCleanPlan as failure:
+            return f"no plan found: {failure}"
+        if isinstance(plan, Infeasible):
+            return str(plan)
+        text = write_csv_text(plan.trajectory)
+        report = judge(job.plant, job.program, text, "as written", (), Target.RAPID, advice=False)
+    return plan if report.legal else f"not legal: {worst(report).message}"
+
+
+def judge(
+    plant: Plant,
+    program: Program,
+    text: str,
+    file: str,
+    dropped: tuple[int, ...] | None = None,
+    target: Target | None = None,
+    advice: bool = True,
+) -> Report:
+    """What the judge says of a CSV file's text; file is its name in messages, the rest as in verify."""
+    from trajopt_cli.joint_csv import read_csv_text
+    from trajopt_cli.verify.judge import verify
+
+    trajectory, resolution = read_csv_text(text, file)
+    return verify(program, plant, trajectory, resolution, dropped, target, advice)
+
+
+def worst(report: Report) -> Finding:
+    """The failed finding that is farthest beyond its limit."""
+    return min((finding for finding in report.findings if not finding.passed), key=lambda finding: finding.margin)
