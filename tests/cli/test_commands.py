@@ -608,3 +608,14 @@ def test_places_that_cannot_be_written_are_told_before_the_work(
     assert run(["compare", "baseline", str(program), *options]) == 2
     assert capsys.readouterr().err.strip() == line
     assert planner.asked == []
+
+
+def test_a_program_whose_moves_end_where_the_robot_stands_is_a_wrong_request(
+    program: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    body = "        MoveAbsJ j_home, v1000, fine, tool0;\n"
+    program.write_text(TEXT[: TEXT.index("        MoveAbsJ")] + body + "    ENDPROC\nENDMODULE\n")
+    assert run(["optimize", str(program)]) == 2
+    assert capsys.readouterr().err.splitlines()[-1] == (
+        "tiny.mod: main moves nothing: every move ends where the robot stands at the start"
+    )

@@ -189,7 +189,8 @@ def _configurations(found: Sequence[ConfigurationFinding] | None) -> Iterator[st
     first: dict[tuple[object, object], list[ConfigurationFinding]] = {}
     for one in found:
         first.setdefault((one.source, one.misfit), []).append(one)
-    yield f"configurations: {len(found)} motions do not fit the robot"
+    count = f"{len(found)} motions do" if len(found) > 1 else "1 motion does"
+    yield f"configurations: {count} not fit the robot"
     for group in list(first.values())[:_SHOWN]:
         again = f" (and {len(group) - 1} more passes)" if len(group) > 1 else ""
         yield f"  {group[0].source}: {group[0].message}{again}"

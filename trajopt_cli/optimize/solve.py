@@ -9,7 +9,7 @@ from time import perf_counter
 import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray
-from trajopt_cli.motion import Program
+from trajopt_cli.motion import Hold, Program
 from trajopt_cli.optimize.assemble import rows_of
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.binding import binding_limit
@@ -38,6 +38,7 @@ from trajopt_cli.problem.problem import Coupling, LegKind, Problem, build_proble
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.trajectory import Trajectory, hermite
 
+_HELD = "the rail is held still there (hold_rail): begin the hold behind the approach, or let the rail move"
 Report = Callable[[Progress], None]
 
 
@@ -58,7 +59,11 @@ def check_feasible(
     """
     problems = _problems(program, plant, freedom, target, changes)
     first = problems[0]
-    return first if isinstance(first, Infeasible) and not any(isinstance(one, Problem) for one in problems) else None
+    if not isinstance(first, Infeasible) or any(isinstance(one, Problem) for one in problems):
+        return None
+    held = getattr(program.motions[first.index], "hold", None)
+    asked = held in (Hold.CELL, Hold.PROGRAM) and plant.robot.has_rail
+    return replace(first, message=f"{first.message}; {_HELD}") if asked else first
 
 
 def optimize(
@@ -331,7 +336,7 @@ def _grid(legs: list[LegMotion], problem: Problem) -> str:
         isinstance(m, JointProfiles) and leg.kind is LegKind.JOINT for leg, m in zip(problem.legs, legs, strict=True)
     )
     if closed:
-        parts.append(f"{closed} joint moves in closed form")
+        parts.append(f"{closed} joint move{'s' if closed > 1 else ''} in closed form")
     return ", ".join(parts)
 
 

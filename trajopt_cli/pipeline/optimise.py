@@ -254,13 +254,14 @@ def _notices(job: Job) -> tuple[str, ...]:
     from trajopt_cli.problem.plannable import planned_otherwise
 
     zones = zones_as_stops(job.program)
-    out = [f"{zones} fly-by zones are planned as stops: the cycle times are upper bounds"] if zones else []
+    fly_by = f"{zones} fly-by zone{'s are' if zones > 1 else ' is'} planned as stop{'s' if zones > 1 else ''}"
+    out = [f"{fly_by}: the cycle times are upper bounds"] if zones else []
     waits = [m for m in job.program.motions if isinstance(m, Wait) and m.condition is not None]
     if waits:
         least = sum(wait.duration for wait in waits)
         out.append(
-            f"{len(waits)} waits for signals are counted with the least time the cell gives them, {least:g} s in all: "
-            "the cycle times are plus waiting"
+            f"{len(waits)} wait{'s' if len(waits) > 1 else ''} for signals: counted with the least time that the cell "
+            f"file gives, {least:g} s in all; real waiting comes on top"
         )
     return (*map(str, job.program.warnings), *out, *planned_otherwise(job.program), *held_unasked(job))
 

@@ -9,6 +9,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 from trajopt_cli.beside import Beside, cores
+from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Program
 from trajopt_cli.problem.changes import Changes, Loops, everything
@@ -157,6 +158,9 @@ def solve(
             return NoPlan(label, str(failure))
     if isinstance(plan, Infeasible):
         return plan
+    if plan.duration == 0.0:
+        message = f"{job.program.entry} moves nothing: every move ends where the robot stands at the start"
+        raise InputError(message, file=str(job.program_path))
     for phase, spent in plan.seconds.items():
         clock.seconds[f"{label}: {phase}"] = spent
     listen(label, Progress("judge", plan.duration, plan.lower_bound))

@@ -63,8 +63,11 @@ class Plan:
 
     @property
     def gap(self) -> float | None:
-        """(duration - lower_bound) / lower_bound: how much faster a motion of the same model could be at most."""
-        return None if self.lower_bound is None else (self.duration - self.lower_bound) / self.lower_bound
+        """(duration - lower_bound) / lower_bound: how much faster a motion of the same model could be at most; 0 where
+        nothing takes any time."""
+        if self.lower_bound is None or self.duration == self.lower_bound:
+            return None if self.lower_bound is None else 0.0
+        return (self.duration - self.lower_bound) / self.lower_bound
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ class Progress:
 
     @property
     def gap(self) -> float | None:
-        """(incumbent - bound) / bound, None until both are known."""
+        """(incumbent - bound) / bound, None until both are known; 0 where nothing takes any time."""
         if self.incumbent is None or self.bound is None:
             return None
-        return (self.incumbent - self.bound) / self.bound
+        return (self.incumbent - self.bound) / self.bound if self.incumbent > self.bound else 0.0

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from trajopt_cli.beside import in_turns
 from trajopt_cli.job import Job
-from trajopt_cli.motion import Program, Wait
+from trajopt_cli.motion import MoveJ, MoveL, Program, Wait
 from trajopt_cli.pipeline.planning import Listener, NoPlan, judge, may_change
 from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom, RailFreedom
@@ -163,7 +163,22 @@ class _Study:
         """A row that makes a motion of its own."""
         from trajopt_cli.study.table import BASELINES
 
-        return {name: self._tried(name, BASELINES[name].target, BASELINES[name].make, tell)}
+        one = BASELINES[name]
+        result = self._tried(name, one.target, one.make, tell)
+        if isinstance(result, Tried) and one.target is Target.RAPID:
+            result = replace(
+                result, attempt=replace(result.attempt, notes=(*result.attempt.notes, *self._beyond_the_text()))
+            )
+        return {name: result}
+
+    def _beyond_the_text(self) -> Iterator[str]:
+        """A word where the optimum is held to what the program's text can carry, and a motion of its own is not."""
+        free = self.changes[Target.RAPID].values
+        kept = sum(
+            isinstance(motion, MoveJ | MoveL) and i not in free for i, motion in enumerate(self.job.program.motions)
+        )
+        if kept and self.job.plant.layout.has_rail:
+            yield f"may put the rail elsewhere in {kept} moves that the program's text keeps, as no RAPID optimum does"
 
     def _tried(self, name: str, target: Target, make: Callable[[Case], Answer], tell: Tell) -> Result:
         """What make gives, judged as the CSV text it would be written as."""
