@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
+from fake_planner import Planner
 from small_cells import plant_with_rail, plant_without_rail, rapid
 
+from trajopt_cli.cli import run
 from trajopt_cli.motion import Hold, Program
 from trajopt_cli.optimize import check_feasible
 from trajopt_cli.problem.progress import Progress
@@ -38,3 +41,20 @@ def test_without_a_rail_no_hold_is_blamed() -> None:
 def test_a_plan_that_takes_no_time_has_no_gap() -> None:
     assert Progress("done", 0.0, 0.0).gap == 0.0
     assert Progress("done", 1.1, 1.0).gap == pytest.approx(0.1)
+
+
+@pytest.mark.parametrize("command", [["export", "joint"], ["export", "rapid"]])
+def test_an_export_writes_over_no_folder_and_no_file_of_the_results(
+    command: list[str], program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["optimize", str(program)]) == 0
+    before = {path: path.read_bytes() for path in Path("results").rglob("*") if path.is_file()}
+    capsys.readouterr()
+    assert run([*command, "results/tiny", "--output", "results"]) == 2
+    assert capsys.readouterr().err == "results: is a folder; --output names a file\n"
+    assert run([*command, "results/tiny", "--output", "results/tiny/stream.csv"]) == 2
+    assert capsys.readouterr().err == (
+        "results/tiny/stream.csv: is a file of the results folder; write to another place\n"
+    )
+    assert {path: path.read_bytes() for path in Path("results").rglob("*") if path.is_file()} == before
+    assert run([*command, "results/tiny", "--output", "out.txt"]) == 0

@@ -23,6 +23,7 @@ def joint(
     from trajopt_cli.pipeline.folder import joint_export
     from trajopt_cli.runs.files import write_file
 
+    _check_output(output, results)
     source, trajectory, text = joint_export(results, rate)
     write_file(output, text.encode("ascii"))
     rows = len(trajectory.t)
@@ -63,6 +64,7 @@ def rapid(
     if output is not None:
         for one in files.modules:
             path = output / one.place if len(files.modules) > 1 else output
+            _check_output(path, results)
             write_file(path, one.content)
             typer.echo(f"{path}: the rapid plan", err=diff)
     if in_place:
@@ -77,3 +79,13 @@ def rapid(
         if any(one.given is None for one in files.modules):
             every = " ".join(str(one.path) for one in files.modules)
             typer.echo(f"from now on give the folder, or all files: trajopt parse {every}", err=diff)
+
+
+def _check_output(output: Path, results: Path) -> None:
+    """Refuse to write over a folder, or over what a results folder holds: its files are held against their hashes."""
+    from trajopt_cli.errors import InputError
+
+    if output.is_dir():
+        raise InputError("is a folder; --output names a file", file=str(output))
+    if output.exists() and output.resolve().is_relative_to(results.resolve()):
+        raise InputError("is a file of the results folder; write to another place", file=str(output))
