@@ -63,9 +63,9 @@ def first_draft(axes: Axes, problem: Problem, chain: Chain) -> Draft:
         d_0, joints = q_0[axes.layout.rail], q_0[axes.layout.arm]
         way = q_1[axes.layout.rail] - d_0
         d, w, b = d_0 + way * s[:, None], way * v[:, None], way * a[:, None]
-        X_0, X_1 = (problem.waypoints[i].X_WF @ leg.X_FT for i in (k, k + 1))
+        X_WT = problem.waypoints[k].X_WF @ leg.X_FT
         cfx = chain.labels[k].cfx if chain.labels[k].cfx >= 0 else chain.labels[k + 1].cfx
-        legs.append(PathLeg(T, Line(X_0, X_1), leg.X_FT, cfx, joints, grid, s, v, a, d, w, b))
+        legs.append(PathLeg(T, leg.segment or Line(X_WT, X_WT), leg.X_FT, cfx, joints, grid, s, v, a, d, w, b))
     return Draft(chain.q, chain.w, tuple(label.cfx for label in chain.labels), tuple(legs))
 
 

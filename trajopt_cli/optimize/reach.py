@@ -16,7 +16,6 @@ from trajopt_cli.geometry import Array, BoolArray, inverse_pose
 from trajopt_cli.motion import MoveJ, MoveL, motion_name
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.tuning import ELBOW, LINE_NODES, REACH_GRID, WRIST
-from trajopt_cli.path.line import Line
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.problem import Leg, LegKind, Problem, Waypoint
 
@@ -91,12 +90,11 @@ def station_table(axes: Axes, problem: Problem, first: int, last: int, d: Array)
             stops_raw.append(_unwrap(raw, 1))
             continue
         leg = problem.legs[k - 1]
-        if leg.kind is LegKind.DWELL:
+        if leg.segment is None:
             stops_raw.append(stops_raw[-1])
             lines_raw.append(None)
             continue
-        X_0, X_1 = problem.waypoints[k - 1].X_WF @ leg.X_FT, stop.X_WF @ leg.X_FT
-        X = Line(X_0, X_1).pose(np.linspace(0, 1, LINE_NODES)) @ inverse_pose(leg.X_FT)
+        X = leg.segment.pose(np.linspace(0, 1, LINE_NODES)) @ inverse_pose(leg.X_FT)
         raw = axes.inverse(np.broadcast_to(X[:, None], (LINE_NODES, n, 4, 4)).reshape(-1, 4, 4), np.tile(d, LINE_NODES))
         raw = _usable(axes, np.moveaxis(raw.reshape(LINE_NODES, n, *raw.shape[1:]), 2, 0))
         start = stops_raw[-1]
@@ -314,9 +312,9 @@ def _broken_line(axes: Axes, problem: Problem, k: int, d: Array, labels: tuple[L
     configurations that did. None where every point has such."""
     leg = problem.legs[k]
     motion = problem.motion(leg.motion)
-    X_0, X_1 = problem.waypoints[k].X_WF @ leg.X_FT, problem.waypoints[k + 1].X_WF @ leg.X_FT
+    assert leg.segment is not None
     shares = np.linspace(0, 1, 101)
-    X = Line(X_0, X_1).pose(shares)
+    X = leg.segment.pose(shares)
     rails = d
     fixed = [
         problem.waypoints[j].rail[0] for j in (k, k + 1) if problem.waypoints[j].rail[0] == problem.waypoints[j].rail[1]

@@ -13,7 +13,7 @@ from enum import Enum
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array, axis_angle, inverse_pose
+from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.motion import (
     ConfData,
     Hold,
@@ -29,6 +29,8 @@ from trajopt_cli.motion import (
     Wait,
     motion_name,
 )
+from trajopt_cli.path.line import Line
+from trajopt_cli.path.segment import Segment
 from trajopt_cli.problem.changes import Changes
 from trajopt_cli.problem.freedom import Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Target
@@ -83,7 +85,8 @@ class Waypoint:
 class Leg:
     """From stop `start` to stop `start + 1`. X_FT: tool in force. v_tcp, v_ori, v_rail: programmed caps (inf if none).
 
-    duration: fixed time [s] or None. rail_moves: the rail may move during the leg. chord [m], angle [rad].
+    duration: fixed time [s] or None. rail_moves: the rail may move during the leg. segment:
+    the way of a line, tool in the world; None where the tool rests or the joints decide.
     """
 
     motion: int
@@ -96,8 +99,17 @@ class Leg:
     v_rail: float
     duration: float | None = None
     rail_moves: bool = True
-    chord: float = 0.0
-    angle: float = 0.0
+    segment: Segment | None = None
+
+    @property
+    def chord(self) -> float:
+        """The tool's way on a line [m]."""
+        return 0.0 if self.segment is None else self.segment.length
+
+    @property
+    def angle(self) -> float:
+        """Reorientation on a line [rad]."""
+        return 0.0 if self.segment is None else self.segment.angle
 
 
 @dataclass(frozen=True, eq=False)
@@ -273,15 +285,13 @@ class _Build:
         """A line; one of no length is a dwell that lasts as long as its rail needs."""
         start = self.waypoints[-1]
         end = self._at_pose(index, motion)
-        X_0 = start.X_WF @ motion.tool.X_FT
-        chord = float(np.linalg.norm(motion.X_WT[:3, 3] - X_0[:3, 3]))
-        angle = axis_angle(X_0[:3, :3].T @ motion.X_WT[:3, :3])[1]
-        still = chord < _POINT and angle < _POINT
+        line = Line(start.X_WF @ motion.tool.X_FT, end.X_WF @ motion.tool.X_FT)
+        still = line.length < _POINT and line.angle < _POINT
         moves = still or self._freedom.lines
         moves = self._has_rail and (moves or _apart(start.rail, end.rail)) and motion.hold is None
         self._to(end, motion, _caps(motion, self._plant))
-        kind, way = (LegKind.DWELL, (0.0, 0.0)) if still else (LegKind.LINE, (chord, angle))
-        self.legs[-1] = replace(self.legs[-1], kind=kind, rail_moves=moves, chord=way[0], angle=way[1])
+        kind, segment = (LegKind.DWELL, None) if still else (LegKind.LINE, line)
+        self.legs[-1] = replace(self.legs[-1], kind=kind, rail_moves=moves, segment=segment)
 
     def _to(self, end: Waypoint, motion: Move, caps: tuple[float, float, float]) -> None:
         """A joint move to a waypoint. caps: programmed speeds of tool [m/s], turning [rad/s] and rail [m/s]."""
