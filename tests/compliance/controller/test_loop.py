@@ -483,7 +483,7 @@ def test_nothing_is_collected_during_a_run_and_the_collector_is_as_before_afterw
                 raise RuntimeError("the arm broke")
             return super().step(q)
 
-    before = (gc.get_threshold(), gc.get_freeze_count())
+    thresholds, frozen = gc.get_threshold(), gc.get_freeze_count()
     if not collecting:
         gc.disable()
     try:
@@ -492,5 +492,6 @@ def test_nothing_is_collected_during_a_run_and_the_collector_is_as_before_afterw
         assert gc.isenabled() is collecting
     finally:
         gc.enable()
-    assert (gc.get_threshold(), gc.get_freeze_count()) == before
+    assert gc.get_threshold() == thresholds
+    assert gc.get_freeze_count() <= frozen  # something frozen by an earlier test may have been released meanwhile
     assert Watching.collects == [False] * 4
