@@ -48,7 +48,7 @@ def here(tmp_path: Path) -> Callable[[str, str], Path]:
         ("MoveL p,v100,fine,tool0;", f"{CELL}stat: 1\n", ErrorKind.CELL),
         ("MoveL p,v100,fine,tool0;", CELL.replace("irb140", "irb141"), ErrorKind.CELL),
         ("MoveL p,v100,fine,tool0;", CELL.replace("0.5, 0]", "0.5]"), ErrorKind.CELL),
-        ("MoveJ p,v100,fine,tool0; AccSet 50,50; MoveL Offs(p,0,0,9),v100,fine,tool0;", CELL, ErrorKind.UNPLANNABLE),
+        ("SingArea \\LockAxis4; MoveL p,v100,fine,tool0;", CELL, ErrorKind.UNPLANNABLE),
         ("WaitTime 1;", CELL, ErrorKind.UNPLANNABLE),
     ],
 )

@@ -72,6 +72,15 @@ class Zone:
     criterion: str | None = None
 
 
+class FlyBy(NamedTuple):
+    """The corner that is driven at a fly-by point: how far from the point [m], along the ways before and after it, the
+    position, the orientation and the external axes are rounded; radius is the least of them."""
+
+    radius: float
+    turning: float
+    external: float
+
+
 @dataclass(frozen=True)
 class Load:
     """mass [kg], cog: centre of gravity in the tool's flange frame [m], aom: its axes of moment (w, x, y, z),
@@ -203,7 +212,7 @@ class _Move:
     target: as written. extax: as the controller drives them, offsets included. duration: the programmed \T in s.
     optional: it may be dropped. settings: the modal state. events: what happens on the way. process: the instruction
     where it is none of the four plain moves. hold: why the rail must stand still from this move's start to its end,
-    None where it may move.
+    None where it may move. constant_speed: a line or an arc that should keep its programmed speed from end to end.
     """
 
     source: Source
@@ -218,6 +227,7 @@ class _Move:
     events: tuple[PathEvent, ...] = ()
     process: Process | None = None
     hold: Hold | None = None
+    constant_speed: bool = False
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -260,10 +270,11 @@ class MoveC(_PoseMove):
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class MoveAbsJ(_Move):
-    """To arm joints q (6,) in rad, axes free on the way."""
+    r"""To arm joints q (6,) in rad, axes free on the way. wobj: named by \WObj, without effect on the joints."""
 
     q: Array
     tool: Tool
+    wobj: str | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "q", readonly(self.q))
@@ -276,16 +287,23 @@ class MoveExtJ(_Move):
 
 @dataclass(frozen=True, kw_only=True)
 class Wait:
-    """Standing still. duration [s]: exact when condition is None; else the least time until the condition holds.
+    r"""Standing still. duration [s]: exact when condition is None; else the least time until the condition holds.
 
-    hold: why the rail must stand still as well, None where it may move.
+    in_position: the robot comes to rest first, however short the wait is (\InPos, \ZeroSpeed). hold: why the rail must
+    stand still as well, None where it may move.
     """
 
     source: Source
     written: Written
     duration: float
     condition: str | None = None
+    in_position: bool = False
     hold: Hold | None = None
+
+    @property
+    def stops(self) -> bool:
+        """Whether the point before it is a stop; a wait of no time without a condition is none."""
+        return self.duration > 0 or self.condition is not None or self.in_position
 
 
 @dataclass(frozen=True, kw_only=True)

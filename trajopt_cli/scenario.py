@@ -6,6 +6,7 @@ import json
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from trajopt_cli.errors import ErrorKind, InputError, InputErrorGroup
 from trajopt_cli.motion import Source
@@ -21,17 +22,40 @@ class Given:
     type: str | None = None
 
 
+class Lines(NamedTuple):
+    """Lines of a program, first to last. file: a path or the end of one, None for the only file."""
+
+    file: str | None
+    first: int
+    last: int
+
+    def __str__(self) -> str:
+        lines = f"{self.first}" if self.first == self.last else f"{self.first}-{self.last}"
+        return f"{self.file}:{lines}" if self.file else lines
+
+
+@dataclass(frozen=True)
+class ConstantSpeed:
+    """Where lines and arcs should keep their programmed speed from end to end, because a process runs.
+
+    procedures: while these run, with all that they call; names in lower case. lines: while the statements that begin
+    there run.
+    """
+
+    procedures: frozenset[str] = frozenset()
+    lines: frozenset[Lines] = frozenset()
+
+
 @dataclass(frozen=True)
 class HoldRail:
     """Where the rail must stand still, because a process runs or a gripper works.
 
     procedures: while these run, with all that they call; names in lower case. lines: while the statements that begin
-    there run; (file, line), file as a path or the end of one, None for the only file. waits: during every wait.
-    gripper: during a wait that begins at most 0.1 s after an output was set.
+    there run. waits: during every wait. gripper: during a wait that begins at most 0.1 s after an output was set.
     """
 
     procedures: frozenset[str] = frozenset()
-    lines: frozenset[tuple[str | None, int]] = frozenset()
+    lines: frozenset[Lines] = frozenset()
     waits: bool = False
     gripper: bool = True
 
@@ -49,7 +73,8 @@ class Scenario:
     is taken to be over. pass_limit: how often any other loop may run, and statement_limit how many statements, passes,
     calls and changes of large data in all, before the reader gives up. assume_identity: tools, work objects and
     mechanical units that are taken as the identity where the program does not declare them. stubs: procedures that are
-    taken as doing nothing where no file declares them. hold_rail: where the rail stands still.
+    taken as doing nothing where no file declares them. hold_rail: where the rail stands still. constant_speed: where
+    the tool should keep its programmed speed.
     """
 
     signals: Mapping[str, float | tuple[float, ...]] = field(default_factory=dict)
@@ -63,6 +88,7 @@ class Scenario:
     assume_identity: frozenset[str] = frozenset()
     stubs: frozenset[str] = frozenset()
     hold_rail: HoldRail = HoldRail()
+    constant_speed: ConstantSpeed = ConstantSpeed()
 
 
 LONGEST_WAIT = 1_000_000  # [s]; what is longer is a slip, and swamps every other time of the cycle

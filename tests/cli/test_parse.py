@@ -90,7 +90,7 @@ def test_each_motion_is_a_row_with_what_it_has(here: Path, capsys: pytest.Captur
     below = text.split("\n\n")[-1].splitlines()
     assert below[0] == "8 motions, 200.0 mm of lines and 157.1 mm of arcs with a known start"
     assert "no effect on motion: TPWrite 1" in below
-    assert "3 fly-by zones; optimize plans them as stops" in below
+    assert "3 fly-by zones, planned as corners where the point is passed" in below
     assert below[-1] == "configurations not checked: no cell file"
 
 
@@ -99,8 +99,13 @@ def test_the_robot_adds_what_only_it_knows(here: Path, capsys: pytest.CaptureFix
     write("e.yaml", CELL)
     below = printed(capsys, "e.mod").split("\n\n")[-1].splitlines()
     assert "confdata is ignored on lines (ConfL \\Off), as the program asks" in below
-    assert "optimize will refuse this program: arcs 1, AccSet 2" in below
+    assert "AccSet's ramp (2) does not affect the plan: it shapes jerk, which plans do not limit" in below
+    assert not any("refuse" in line for line in below)
     assert below[-1] == "configurations: every point and line fits the robot"
+    locked = EVERYTHING.replace("MoveC", "SingArea \\LockAxis4;\n        MoveC", 1)
+    write("locked.mod", locked)
+    write("locked.yaml", CELL)
+    assert "optimize will refuse this program: SingArea" in printed(capsys, "locked.mod")
     write("line.mod", EVERYTHING.replace("MoveJ p_a", "MoveL p_a"))
     assert "with a known start, 1 without" in printed(capsys, "line.mod")
     write("line.yaml", CELL)

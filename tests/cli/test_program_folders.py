@@ -147,11 +147,11 @@ def test_motions_that_no_plan_keeps_are_refused_before_any_work(
     line: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
 ) -> None:
     module = line / "RAPID/TASK1/PROGMOD/Tiny.mod"
-    module.write_bytes(module.read_bytes().replace(b"        WaitTime 0.5;", b"        AccSet 50,100;"))
+    module.write_bytes(module.read_bytes().replace(b"fine", b"fine\\Inpos:=stoptime0_5"))
     for arguments in (["optimize", "line"], ["analyse", "line"], ["compare", "baseline", "line"]):
         message = said([*arguments, *GO], capsys)
-        assert f"{module}:6:9: " in message
-        assert "AccSet" in message
+        assert f"{module}:4:9: " in message
+        assert "stoptime0_5" in message
     assert planner.asked == []
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -58,3 +59,16 @@ def test_an_export_writes_over_no_folder_and_no_file_of_the_results(
     )
     assert {path: path.read_bytes() for path in Path("results").rglob("*") if path.is_file()} == before
     assert run([*command, "results/tiny", "--output", "out.txt"]) == 0
+
+
+def test_a_fly_by_that_is_a_stop_is_told_with_its_reason(
+    program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+) -> None:
+    program.write_text(program.read_text().replace("j_side, v1000, fine", "j_side, v1000, z10"))
+    assert run(["optimize", str(program)]) == 0
+    assert "1 fly-by point is a stop: a wait follows (1)" in " ".join(capsys.readouterr().out.split())
+    summary = json.loads(Path("results/tiny/summary.json").read_text())
+    assert summary["fly_bys_passed"] == {"stream": 0, "rapid": 0}
+    assert summary["fly_bys_stopped"] == [{"index": 0, "source": "tiny.mod:6:9", "why": "a wait follows"}]
+    # the key of older folders says nothing that is read back
+    assert run(["verify", "results/tiny"]) == 0

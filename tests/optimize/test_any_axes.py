@@ -14,12 +14,12 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.bound import lower_bound
-from trajopt_cli.optimize.search import search
-from trajopt_cli.optimize.solve import _clean_plan
-from trajopt_cli.problem.plan import Target
+from trajopt_cli.optimize.solve import _end, _improved, _legal, _rows
+from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.model import RobotModel
+from trajopt_cli.trajectory import Trajectory
 
 FIRST = np.array([6, 0, 1, 2, 3, 4, 5])  # the rail-first vector is q[..., FIRST] of the rail-last one
 LAST = np.array([1, 2, 3, 4, 5, 6, 0])
@@ -51,8 +51,8 @@ class RailLast:
     def jacobian_rate(self, q: Array, qd: Array, X_FT: Array | None = None) -> Array:
         return self.robot.jacobian_rate(q[..., FIRST], qd[..., FIRST], X_FT)[..., LAST]
 
-    def enclose(self, X_WF: Array, rail: Array, limits: JointLimits) -> object:
-        return self.robot.enclose(X_WF, rail, in_order(limits, FIRST))
+    def enclose(self, X_WF: Array, rail: Array, limits: JointLimits, twist: Array | None = None) -> object:
+        return self.robot.enclose(X_WF, rail, in_order(limits, FIRST), twist)
 
     @cached_property
     def expressions(self) -> object:
@@ -79,6 +79,19 @@ def rail_last(problem: Problem) -> Problem:
     return replace(problem, plant=plant, waypoints=waypoints)
 
 
+def planned(axes: Axes, problem: Problem) -> Trajectory:
+    """What optimize makes of a problem."""
+    seconds: dict[str, float] = {}
+    found = _legal(axes, [problem], lambda _: None, seconds)
+    assert not isinstance(found, Infeasible)
+    problem, chain, draft = found
+    if not problem.coordinated:
+        draft = _improved(axes, problem, chain, draft, {}, lambda _: None, seconds)
+    rows = _rows(axes, draft, _end(problem, draft))
+    assert rows is not None
+    return rows[0]
+
+
 @pytest.mark.parametrize("target", Target)
 def test_a_rail_that_is_the_last_axis_changes_nothing_but_the_order(target: Target) -> None:
     body = "MoveJ p_in, v2500, fine, tool0;\nMoveL p_low, v500, fine, tool0;\nWaitTime 0.1;\n"
@@ -87,10 +100,8 @@ def test_a_rail_that_is_the_last_axis_changes_nothing_but_the_order(target: Targ
     plans, bounds = [], []
     for one in (problem, rail_last(problem)):
         axes = Axes.of(one.plant)
-        chain = search(axes, one)
-        assert chain is not None
-        _, _, trajectory, _ = _clean_plan(axes, one, chain, {}, lambda _: None, {})
-        plans.append(trajectory)
+        plans.append(planned(axes, one))
+        trajectory = plans[-1]
         bounds.append(lower_bound(axes, one, trajectory.duration))
     first, last = plans
     assert last.names == (*(f"joint_{i}" for i in range(1, 7)), "rail")

@@ -31,7 +31,7 @@ class Spike:
     def breaks(self) -> Array:
         return np.array([0.0, self.T])
 
-    def sample(self, axes: Axes, t: Array) -> Sample:
+    def sample(self, axes: Axes, t: Array, right: bool = True) -> Sample:
         q = np.tile(np.r_[0.0, HOME], (len(t), 1))
         qdd = np.zeros_like(q)
         qdd[np.abs(t - self.at) < self.width / 2, 3] = self.value

@@ -9,8 +9,8 @@ from small_cells import MOUNTS, mounted, plant_without_rail, safe_arm
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose, pose, rotation_about
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.formulation import Formulation, ToolCap
+from trajopt_cli.path.arc import Arc, ArcSymbols
 from trajopt_cli.path.line import Line, LineSymbols
-from trajopt_cli.problem.problem import Coupling
 from trajopt_cli.robot.kinematics import forward_acceleration, forward_velocity, inverse_acceleration, inverse_velocity
 from trajopt_cli.robot.symbolic_inverse import BranchSigns
 
@@ -87,13 +87,12 @@ def arm_rows(axes: Axes, cfx: int, q: Array, qd: Array, qdds: list[Array], T: fl
 
 
 @pytest.mark.parametrize("sides", ["l", "lr"])
-@pytest.mark.parametrize("coupling", Coupling)
 @pytest.mark.parametrize("turning", [False, True], ids=["straight", "turning"])
 def test_path_rows_are_the_motion_over_its_limits(
-    axes: Axes, formulation: Formulation, sides: str, coupling: Coupling, turning: bool
+    axes: Axes, formulation: Formulation, sides: str, turning: bool
 ) -> None:
     rng = np.random.default_rng(11)
-    node = formulation.path_node(LineSymbols(turning), sides, coupling)
+    node = formulation.path_node(LineSymbols(turning), sides)
     n, r, rail = len(sides), axes.layout.r, axes.layout.rail
     assert len(node.block.lower) == 6 + 2 + 6 + 6 * n + 2 + r + (1 + r) * n
     for X_0, X_1, d, cfx in lines(axes, rng, turning):
@@ -102,12 +101,8 @@ def test_path_rows_are_the_motion_over_its_limits(
         V, A, room = axes.velocity * 0.9, axes.acceleration * 0.8, rng.uniform(0.7, 1, 6)
         caps = rng.uniform(0.1, 1, 3)
         z = {"s": s, "v": v, "T": T, **{f"a_{side}": a for side, a in zip(sides, acc, strict=True)}}
-        if coupling is Coupling.COORDINATED:
-            z |= {"d_0": rails(axes, d - 0.1 * s), "d_1": rails(axes, d + 0.1 * (1 - s))}
-            w, rail_acc = v * 0.1, acc * 0.1
-        else:
-            z |= {"d": rails(axes, d), "w": rails(axes, w)}
-            z |= {f"b_{side}": rails(axes, b) for side, b in zip(sides, rail_acc, strict=True)}
+        z |= {"d": rails(axes, d), "w": rails(axes, w)}
+        z |= {f"b_{side}": rails(axes, b) for side, b in zip(sides, rail_acc, strict=True)}
         q, qd, _ = motion_at(axes, X_0, X_1, cfx, s, d, v, w, 0.0, 0.0)
         qdds = [motion_at(axes, X_0, X_1, cfx, s, d, v, w, a, b)[2] for a, b in zip(acc, rail_acc, strict=True)]
         near = q[axes.layout.arm] + rng.uniform(-1, 1, 6)
@@ -117,6 +112,38 @@ def test_path_rows_are_the_motion_over_its_limits(
         for a, b in zip(acc, rail_acc, strict=True):
             wanted += [caps[1] * a / T**2, rails(axes, b) / (A[rail] * T**2)]
         np.testing.assert_allclose(got, np.hstack(wanted), rtol=1e-9, atol=1e-9)
+
+
+@pytest.mark.parametrize("turning", [False, True], ids=["even", "turning"])
+def test_rows_of_an_arc_hold_the_acceleration_towards_its_centre(
+    axes: Axes, formulation: Formulation, turning: bool
+) -> None:
+    """The tool's acceleration from the axes' by the numeric Jacobian is what the row says."""
+    rng = np.random.default_rng(17)
+    symbols = ArcSymbols(turning)
+    node = formulation.path_node(symbols, "l")
+    for X_0, X_1, d, cfx in lines(axes, rng, turning, 6):
+        aside = np.cross(X_1[:3, 3] - X_0[:3, 3], rng.normal(size=3))
+        arc = Arc.through(X_0, (X_0 + X_1)[:3, 3] / 2 + 0.01 * aside / np.linalg.norm(aside), X_1)
+        s, v, w, T, a, b = 0.55, rng.normal(), rng.normal() * 0.5, rng.uniform(0.3, 2), rng.normal() * 3, rng.normal()
+        X_WF = arc.pose(np.array([s])) @ inverse_pose(X_FT)
+        q = axes.layout.join(d, axes.inverse(X_WF, np.array([d]))[0, cfx])
+        twist, bend = arc.twist(np.array([s]))[0], arc.twist_rate(np.array([s]))[0]
+        qd = inverse_velocity(axes.robot, q, twist * v / T, w / T, X_FT)
+        qdd = inverse_acceleration(axes.robot, q, qd, (twist * a + bend * v**2) / T**2, b / T**2, X_FT)
+        A = forward_acceleration(axes.robot, q, qd, qdd, X_FT)[:3]
+        p = {"path": symbols.vector(arc, inverse_pose(axes.X_WB0), X_FT), "branch": BranchSigns.from_cfx(cfx).vector()}
+        p |= {
+            "near": q[axes.layout.arm],
+            **at_node(axes.velocity, axes.acceleration, [1, arc.length / 3, 1], np.ones(6)),
+        }
+        z = {"s": s, "v": v, "d": rails(axes, d), "w": rails(axes, w), "a_l": a, "b_l": rails(axes, b), "T": T}
+        got = node.value(z, p)
+        wanted = arm_rows(axes, cfx, q, qd * T, [qdd * T**2], T, axes.velocity, axes.acceleration, np.ones(6))
+        np.testing.assert_allclose(got[:20], np.hstack(wanted), rtol=1e-9, atol=1e-9)
+        r = axes.layout.r
+        assert got[22 + r] == pytest.approx(np.sum(A**2) / 3**2, rel=1e-9)
+        assert node.block.upper[22 + r] == 1.0
 
 
 @pytest.mark.parametrize("sides", ["l", "lr"])
@@ -161,7 +188,7 @@ def test_waypoint_rows_vanish_at_the_self_motion_and_nowhere_else(axes: Axes, fo
 def test_tool_rows_are_squared_shares_of_the_caps(name: str, cap: ToolCap) -> None:
     axes = Axes.of(plant_without_rail()) if name == "no rail" else mounted(name)
     rng, n, formulation = np.random.default_rng(14), axes.n, Formulation(axes)
-    free, straight = formulation.tool_cap(X_FT, cap), formulation.coordinated_tool_cap(X_FT, cap)
+    row = formulation.tool_cap(X_FT, cap)
 
     def share(q: Array, v: Array, a: Array, T: float, limit: float) -> float:
         V, A = forward_velocity(axes.robot, q, v / T, X_FT), forward_acceleration(axes.robot, q, v / T, a / T**2, X_FT)
@@ -172,14 +199,9 @@ def test_tool_rows_are_squared_shares_of_the_caps(name: str, cap: ToolCap) -> No
         q, v, a = axes.layout.join(rng.uniform(0, 1), arm), rng.normal(size=n), rng.normal(size=n) * 5
         T, limit = rng.uniform(0.3, 2), rng.uniform(0.5, 5)
         acc = {"a": a} if cap is ToolCap.ACCELERATION else {}
-        got = free.value({"q": q, "v": v, **acc, "T": T}, {"cap": limit})
+        got = row.value({"q": q, "v": v, **acc, "T": T}, {"cap": limit})
         assert got == pytest.approx([share(q, v, a, T, limit)], rel=1e-9)
-        q_1, s, sv, sa = q + rng.normal(size=n), rng.uniform(), rng.normal(), rng.normal() * 4
-        way = q_1 - q
-        acc = {"a": sa} if cap is ToolCap.ACCELERATION else {}
-        got = straight.value({"s": s, "v": sv, **acc, "q_0": q, "q_1": q_1, "T": T}, {"cap": limit})
-        assert got == pytest.approx([share(q + s * way, sv * way, sa * way, T, limit)], rel=1e-9)
-    assert free.block.upper.tolist() == [1.0]
+    assert row.block.upper.tolist() == [1.0]
 
 
 def test_small_relations_say_what_their_names_say(formulation: Formulation) -> None:
@@ -195,12 +217,6 @@ def test_small_relations_say_what_their_names_say(formulation: Formulation) -> N
     assert formulation.equal().value({"x": 0.5, "y": 0.75}) == [-0.25]
     got = formulation.axis_node("lr").value({"v": 1.2, "a_l": 3.0, "a_r": -4.0, "T": 0.5}, {"V": 2.0, "A": 10.0})
     np.testing.assert_allclose(got, [1.2 / 1.0, 3 / 2.5, -4 / 2.5])
-    got = formulation.top_of_share().value({"q_0": 0.2, "q_1": 1.2, "top_v": 3.0, "top_a": 5.0}, {"V": 2.0, "A": 10.0})
-    np.testing.assert_allclose(got, [1.5, 0.5])
-    # a share of the way in T = 2 at top velocity 0.8 and acceleration 2: 1/0.8 + 0.8/2 = 1.65 s
-    top = {"top_v": 0.8, "top_a": 2.0, "T": 2.0}
-    assert formulation.trapezoid().value(top) == pytest.approx([0.35])
-    np.testing.assert_allclose(formulation.share_node("l").value({"v": 0.5, "a_l": 3.0, **top}), [1.1, 5.0, 11.0])
 
 
 def test_axis_reach_rows_are_distances_to_the_reachable_interval(formulation: Formulation) -> None:
@@ -215,9 +231,9 @@ def test_axis_reach_rows_are_distances_to_the_reachable_interval(formulation: Fo
 
 
 def test_a_relation_is_built_once_per_kind(formulation: Formulation) -> None:
-    free = formulation.path_node(LineSymbols(True), "lr", Coupling.FREE)
-    assert formulation.path_node(LineSymbols(True), "lr", Coupling.FREE) is free
-    assert formulation.path_node(LineSymbols(False), "lr", Coupling.FREE) is not free
+    free = formulation.path_node(LineSymbols(True), "lr")
+    assert formulation.path_node(LineSymbols(True), "lr") is free
+    assert formulation.path_node(LineSymbols(False), "lr") is not free
     assert len({id(formulation.axis_node(sides)) for sides in ("l", "r", "lr")}) == 3
     caps = [formulation.tool_cap(pose(np.eye(3), [0, 0, z]), ToolCap.SPEED) for z in (0.1, 0.2)]
     assert caps[0] is not caps[1]
@@ -231,7 +247,6 @@ def test_a_relation_refuses_a_name_it_does_not_have(formulation: Formulation) ->
 def test_without_a_rail_no_relation_has_a_variable_of_one(axes: Axes, formulation: Formulation) -> None:
     """Two per node less for position and velocity, one less per acceleration; a row less for each."""
     r = axes.layout.r
-    assert formulation.path_node(LineSymbols(True), "lr", Coupling.FREE).z.size == 5 + 4 * r
-    assert formulation.path_node(LineSymbols(True), "lr", Coupling.COORDINATED).z.size == 5 + 2 * r
+    assert formulation.path_node(LineSymbols(True), "lr").z.size == 5 + 4 * r
     assert formulation.waypoint().z.size == 12 + 2 * r
     assert formulation.tool_cap(X_FT, ToolCap.SPEED).z.size == 2 * (6 + r) + 1

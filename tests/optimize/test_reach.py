@@ -12,7 +12,7 @@ from trajopt_cli.geometry import pose, rotation_about, wxyz_from_rotation
 from trajopt_cli.motion import Program
 from trajopt_cli.optimize import check_feasible
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.reach import check_reach, rail_grid, station_table
+from trajopt_cli.optimize.reach import check_reach, line_nodes, rail_grid, station_table
 from trajopt_cli.optimize.tuning import LINE_NODES
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, FIXED_RAIL
@@ -251,7 +251,7 @@ def test_station_tables_hold_every_configuration_and_none_else(turning: bool) ->
     d = rail_grid(problem, 1, 2, 31)
     table = station_table(axes, problem, 1, 2, d)
     X = Line(problem.waypoints[1].X_WF, problem.waypoints[2].X_WF).pose(np.linspace(0, 1, LINE_NODES))
-    line = table.lines[0]
+    line = table.line(0)
     assert line is not None
     held = 0
     for label, arm in zip(table.labels, line, strict=True):
@@ -281,6 +281,24 @@ def test_station_tables_hold_every_configuration_and_none_else(turning: bool) ->
         if not turning:
             assert have == wanted
     assert held > 1000
+
+
+def test_a_line_in_many_short_ones_ends_in_the_same_configurations() -> None:
+    """Short lines have fewer nodes, and are asked for in bulk; the way is one and the same."""
+    plant = plant_with_rail()
+    axes, d = Axes.of(plant), np.linspace(0.2, 0.9, 15)
+    ends = [(0.5 - 0.05 * u, 0.5 + 0.1 * u, 0.45 - 0.1 * u) for u in np.linspace(0, 1, 41)]
+    data = "".join(target(f"p_{i}", p) for i, p in enumerate(ends))
+    moves = [f"MoveL p_{i}, v500, fine, tool0;" for i in range(1, 41)]
+    whole, parts = (
+        problem_of(rapid("\n".join(["MoveJ p_0, v500, fine, tool0;", *some]), data=data), plant)
+        for some in (moves[-1:], moves)
+    )
+    assert [line_nodes(leg) for leg in (whole.legs[1], parts.legs[1])] == [LINE_NODES, 3]
+    one, many = station_table(axes, whole, 1, 2, d), station_table(axes, parts, 1, 41, d)
+    assert [(a.cfx, *a.turns) for a in one.labels] == [(a.cfx, *a.turns) for a in many.labels]
+    np.testing.assert_allclose(many.waypoints[-1], one.waypoints[-1], rtol=0, atol=1e-9)
+    assert np.isfinite(one.waypoints[-1]).sum() > 100
 
 
 def test_grids_hold_fixed_rail_values_exactly() -> None:

@@ -133,7 +133,8 @@ def test_no_leg_of_a_plan_beats_the_bound_between_the_cells_that_hold_its_ends(t
     held = []
     for k, stop in enumerate(problem.waypoints):
         q, qd = trajectory.q[rows[k], :4, None], trajectory.qd[rows[k], :4, None]
-        cells = bound._cells(axes, problem, k, bound._grid(stop), level, None, {})
+        place = bound._Place(k, None, stop.rail)
+        cells = bound._cells(axes, problem, place, bound._grid(problem, place), level, None, {})
         inside = (cells.q.lo - 1e-9 <= q) & (q <= cells.q.hi + 1e-9)
         inside &= (cells.v.lo - 1e-6 <= qd) & (qd <= cells.v.hi + 1e-6)
         keep = np.flatnonzero(np.all(inside, axis=0))
@@ -141,7 +142,8 @@ def test_no_leg_of_a_plan_beats_the_bound_between_the_cells_that_hold_its_ends(t
         held.append(shrunk(cells, keep))
     for k, leg in enumerate(problem.legs):
         a, b = held[k], held[k + 1]
-        T = bound._edge(axes, problem, leg, a, b, np.zeros(len(a.key)), np.zeros(len(b.key)), np.inf)
+        run = bound._run(axes, problem, k, k + 1)
+        T = bound._edge(axes, problem, run, a, b, np.zeros(len(a.key)), np.zeros(len(b.key)), np.inf)
         assert np.max(T) <= times[k + 1] - times[k] + 1e-6, f"leg {k} at level {level}"
         if level == BOUND_LEVELS - 1 and leg.duration is None:
             assert np.min(T) > 0.5 * (times[k + 1] - times[k])

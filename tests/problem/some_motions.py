@@ -69,7 +69,10 @@ def move_l(X_WT: Array | None = None, target: str = "p", **more: Any) -> MoveL:
 
 
 def move_c(X_WT: Array | None = None, target: str = "p", **more: Any) -> MoveC:
-    return MoveC(X_WV=np.eye(4), **_pose(X_WT, target, more))
+    """An arc from where the other motions end by default."""
+    via, end = np.eye(4), np.eye(4)
+    via[:3, 3], end[0, 3] = (0.05, 0.05, 0), 0.1
+    return MoveC(X_WV=via, **_pose(end if X_WT is None else X_WT, target, more))
 
 
 def move_abs_j(q: Array | None = None, target: str = "j", **more: Any) -> MoveAbsJ:

@@ -35,6 +35,7 @@ from trajopt_cli.motion import (
 )
 from trajopt_cli.problem.plannable import SHOWN, check_plannable, demands_configuration, planned_otherwise, rail_doubts
 
+LOCKED = Settings(singularity=Singularity.LOCK_AXIS_4)
 STATIONARY = Tool("tGlue", np.eye(4), stationary=True)
 
 
@@ -53,14 +54,6 @@ def passes(*motions: Motion, cell: str | None = None) -> bool:
     ("motion", "line"),
     [
         (
-            move_c(target="p2"),
-            "MoveC p2 is an arc, which is read but not planned yet; replace it by lines (MoveL) to be planned",
-        ),
-        (
-            move_c(target="p2", process=Process("ArcC")),
-            "ArcC p2 is an arc, which is read but not planned yet; replace it by lines (MoveL) to be planned",
-        ),
-        (
             move_l(tool=STATIONARY),
             "MoveL p carries the workpiece to the stationary tool tGlue (robhold FALSE); plans support only a "
             "tool on the flange (robhold TRUE)",
@@ -71,39 +64,9 @@ def passes(*motions: Motion, cell: str | None = None) -> bool:
             "tool on the flange (robhold TRUE)",
         ),
         (
-            move_l(settings=Settings(singularity=Singularity.WRIST)),
-            "MoveL p may leave its orientation (SingArea \\Wrist); plans keep the exact orientation: set SingArea "
-            "\\Off before it",
-        ),
-        (
             move_l(settings=Settings(singularity=Singularity.LOCK_AXIS_4)),
-            "MoveL p may leave its orientation (SingArea \\LockAxis4); plans keep the exact orientation: set SingArea "
-            "\\Off before it",
-        ),
-        (
-            move_j(settings=Settings(acceleration=0.5)),
-            "MoveJ p asks for reduced acceleration (AccSet 50, 100); plans use the cell file's limits: set AccSet "
-            "100, 100 before it and lower the accelerations there",
-        ),
-        (
-            move_abs_j(settings=Settings(ramp=0.3)),
-            "MoveAbsJ j asks for reduced acceleration (AccSet 100, 30); plans use the cell file's limits: set AccSet "
-            "100, 100 before it and lower the accelerations there",
-        ),
-        (
-            move_l(settings=Settings(path_acceleration=4.0)),
-            "MoveL p limits the TCP to 4 m/s² (PathAccLim); plans use the cell's 20 m/s²: lower tcp.acceleration "
-            "in the cell file to 4",
-        ),
-        (
-            move_l(settings=Settings(path_deceleration=3.5)),
-            "MoveL p limits the TCP to 3.5 m/s² (PathAccLim); plans use the cell's 20 m/s²: lower "
-            "tcp.acceleration in the cell file to 3.5",
-        ),
-        (
-            move_j(settings=Settings(world_acceleration=2.0)),
-            "MoveJ p limits the TCP to 2 m/s² (WorldAccLim); plans use the cell's 20 m/s²: lower "
-            "tcp.acceleration in the cell file to 2",
+            "MoveL p holds axis 4 and leaves its orientation (SingArea \\LockAxis4); plans keep the exact orientation: "
+            "set SingArea \\Off before it",
         ),
         (
             move_l(zone=Zone("z10", stop=True, criterion="stoptime0_5")),
@@ -144,13 +107,19 @@ def test_what_changes_no_plan_passes() -> None:
         override=0.5,
         v_max=0.8,
         displaced=True,
-        path_acceleration=20.0,
-        world_acceleration=30.0,
+        acceleration=0.5,
+        ramp=0.3,
+        path_acceleration=2.0,
+        path_deceleration=3.5,
+        world_acceleration=3.0,
         load=Load("part", 2.0, (0, 0, 0.1), (1, 0, 0, 0), (0, 0, 0)),
     )
     event = PathEvent(Happens.SIGNAL, "do1", 1.0)
     assert passes(
         move_j(settings=replace(settings, singularity=Singularity.WRIST)),  # joint moves have no orientation to leave
+        move_j(settings=Settings(singularity=Singularity.LOCK_AXIS_4)),
+        move_l(settings=Settings(singularity=Singularity.WRIST)),
+        move_abs_j(settings=settings),
         move_l(settings=settings, events=(event,), process=Process("SearchL")),
         move_l(zone=Zone("z10", stop=True, criterion="inpos50")),
         wait(),
@@ -159,11 +128,11 @@ def test_what_changes_no_plan_passes() -> None:
 
 def test_a_motion_is_named_once_for_each_thing_it_asks_for() -> None:
     motion = replace(
-        move_c(tool=STATIONARY, settings=Settings(acceleration=0.5, ramp=0.5)), source=Source("m.mod", 7, 3)
+        move_l(tool=STATIONARY, settings=Settings(singularity=Singularity.LOCK_AXIS_4)), source=Source("m.mod", 7, 3)
     )
     found = refused_as_they_are(*[motion] * 100)
-    assert [line.split()[0] for line in found] == ["m.mod:7:3:"] * 3
-    assert len(set(found)) == 3
+    assert [line.split()[0] for line in found] == ["m.mod:7:3:"] * 2
+    assert len(set(found)) == 2
 
 
 def refused_as_they_are(*motions: Motion) -> list[str]:
@@ -173,7 +142,7 @@ def refused_as_they_are(*motions: Motion) -> list[str]:
 
 
 def test_a_thousand_of_them_are_counted() -> None:
-    found = refused(*[move_c() for _ in range(15)], *[move_l(tool=STATIONARY) for _ in range(15)])
+    found = refused(*[move_l(settings=LOCKED) for _ in range(15)], *[move_l(tool=STATIONARY) for _ in range(15)])
     assert len(found) == SHOWN + 1
     assert found[-1] == "and 10 more that cannot be planned: stationary tools 10"
 
@@ -198,6 +167,25 @@ def test_what_is_planned_otherwise_is_said_once() -> None:
         "process instructions are planned as the plain moves they make: ArcL 2, SearchL 1",
         "loads (part) do not affect the plan: the cell's acceleration limits apply to any load",
     )
+
+
+def test_settings_that_a_plan_keeps_its_own_way_are_said() -> None:
+    wrist, capped = Settings(singularity=Singularity.WRIST), Settings(path_acceleration=2.0, acceleration=0.5)
+    many = program(
+        move_l(settings=wrist),
+        move_c(settings=wrist),
+        move_j(settings=wrist),
+        move_j(settings=Settings(ramp=0.5, acceleration=0.5)),
+        move_l(settings=capped),
+        move_abs_j(settings=capped),
+        move_j(settings=Settings(path_deceleration=3.0)),
+    )
+    assert planned_otherwise(many) == (
+        "lines that may leave their orientation (SingArea \\Wrist, 2) are planned with the exact one",
+        "AccSet's ramp (1) does not affect the plan: it shapes jerk, which plans do not limit",
+        "PathAccLim (3) caps the whole acceleration of the TCP, in bends too",
+    )
+    assert planned_otherwise(program(move_l(settings=Settings(acceleration=0.5, world_acceleration=2.0)))) == ()
 
 
 def eax(**given: float) -> ExternalAxes:

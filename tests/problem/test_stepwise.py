@@ -60,7 +60,7 @@ def test_lengths_by_pythagoras_at_programmed_speed(tmp_path: Path) -> None:
         MoveL p_3, v100, fine, tool0;"""
     out = analysed(tmp_path, RAIL, data, code)
     first = sqrt((0.5 - HOME[0]) ** 2 + 0.2**2 + (0.4 - HOME[2]) ** 2)
-    assert [move.chord for move in out.moves] == pytest.approx([first, 0.13, 0.15], abs=1e-12)
+    assert [move.length for move in out.moves] == pytest.approx([first, 0.13, 0.15], abs=1e-12)
     assert [move.t_arm for move in out.moves] == pytest.approx([first / 1.0, 0.26, 1.5], abs=1e-12)
     assert out.moves[0].angle == pytest.approx(pi / 3, abs=1e-7)  # from 30 degrees below level to straight down
     assert [move.index for move in out.moves] == [0, 1, 5]
@@ -149,8 +149,8 @@ def test_the_tool_in_force_is_the_point_that_travels(tmp_path: Path) -> None:
     code = """MoveJ p_1, v500, fine, tool0; MoveL p_2, v500, fine, long;
         MoveL p_3, v500, fine, long; MoveExtJ j_far, v500, fine;"""
     out = analysed(tmp_path, RAIL, data, code).moves
-    assert (out[1].chord, out[1].t_arm) == (0.0, 0.0)
-    assert out[2].chord == pytest.approx(0.05, abs=1e-12)
+    assert (out[1].length, out[1].t_arm) == (0.0, 0.0)
+    assert out[2].length == pytest.approx(0.05, abs=1e-12)
     np.testing.assert_allclose(out[3].X_WT_1[:3, 3], [0.5, 1.14, 0.33], atol=1e-12)
 
 
@@ -163,10 +163,10 @@ def test_a_robot_without_a_rail_is_seen_from_its_base(tmp_path: Path) -> None:
     first, second = out.moves
     np.testing.assert_allclose(first.X_BT_0[:3, 3], [0.515, 0, 0.712], atol=1e-12)
     np.testing.assert_allclose(first.X_WT_0[:3, 3], [0.1, 0.315, 1.012], atol=1e-12)
-    assert first.chord == pytest.approx(0.2, abs=1e-12)
+    assert first.length == pytest.approx(0.2, abs=1e-12)
     np.testing.assert_allclose(first.velocity, [-0.5, 0, 0], atol=1e-12)
     np.testing.assert_allclose(second.velocity, [0.06, 0.08, 0], atol=1e-12)
-    assert second.chord == pytest.approx(hypot(0.03, 0.04), abs=1e-12)
+    assert second.length == pytest.approx(hypot(0.03, 0.04), abs=1e-12)
     assert out.rail == 0.0
     assert out.cycle == out.arm
 
@@ -268,3 +268,33 @@ def test_the_line_has_two_functional_areas(line: Program, plant: Plant) -> None:
     for ranges, rail in ((first, 0.0), (second, 1.5)):
         assert all(((one[:, 0] < rail - 0.1) & (rail + 0.1 < one[:, 1])).any() for one in ranges)
     assert max(one.max() for one in first) < min(one.min() for one in second)
+
+
+def test_an_arc_counts_along_the_arc(tmp_path: Path) -> None:
+    """Half a circle of 100 mm: 314.16 mm at v100, zones or not; the mean velocity goes straight across."""
+    data = target("p_1", 500, -100, 400) + target("p_2", 600, 0, 400) + target("p_3", 500, 100, 400)
+    code = "MoveJ p_1, v1000, z10, tool0;\nMoveC p_2, p_3, v100, z50, tool0;\nMoveL p_1, v100, fine, tool0;"
+    arc, back = analysed(tmp_path, FIXED.replace("rpy: [0, 0, 90 deg]", "rpy: [0, 0, 0]"), data, code).moves[1:]
+    assert arc.length == pytest.approx(0.1 * pi, rel=1e-12)
+    assert (arc.t_arm, back.t_arm) == pytest.approx((pi, 2.0))
+    np.testing.assert_allclose(arc.velocity, [0, 0.2 / pi, 0], atol=1e-12)
+    np.testing.assert_allclose(np.linalg.norm(arc.real - [0.5, 0, 0.4], axis=1), 0.1, atol=1e-12)
+    shares, velocities = arc.velocities
+    assert shares[[0, -1]].tolist() == [0, 1]
+    np.testing.assert_allclose(np.linalg.norm(velocities, axis=1), 0.1, rtol=1e-3)  # chords of a 96th of the arc
+    np.testing.assert_allclose(velocities[0], [0.1, 0, 0], atol=2e-3)
+
+
+def test_an_arc_on_a_moving_carriage_is_what_the_carriage_sees(tmp_path: Path) -> None:
+    """Its length against the sum of 100000 chords of the same way, circle minus rail."""
+    data = (
+        target("p_1", 500, 200, 400, "200") + target("p_2", 600, 300, 400, "9E9") + target("p_3", 500, 400, 400, "300")
+    )
+    arc = analysed(tmp_path, RAIL, data, "MoveJ p_1, v1000, fine, tool0;\nMoveC p_2, p_3, v100, fine, tool0;").moves[1]
+    share = np.linspace(0, 1, 100_001)
+    phi = pi * share
+    seen = np.column_stack([0.1 * np.sin(phi), -0.1 * np.cos(phi) - 0.1 * share])
+    assert arc.length == pytest.approx(np.linalg.norm(np.diff(seen, axis=0), axis=1).sum(), rel=1e-8)
+    assert arc.length < 0.1 * pi
+    ends = arc.X_BT_1[:3, 3] - arc.X_BT_0[:3, 3]
+    np.testing.assert_allclose(arc.seen[-1] - arc.seen[0], ends, atol=1e-12)

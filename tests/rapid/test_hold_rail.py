@@ -109,8 +109,8 @@ def test_the_program_s_own_mark_goes_first() -> None:
     ("wish", "message"),
     [
         ("{procedures: [maine]}", "the program has no procedure 'maine'; did you mean 'main'?"),
-        ("{lines: [5]}", "no statement begins in line 5"),
-        ("{lines: ['x.mod:4']}", "no statement begins in line x.mod:4"),
+        ("{lines: [5]}", "no statement begins in line 5; the nearest one is in line 4"),
+        ("{lines: ['x.mod:4']}", "no statement begins in line x.mod:4; there is m.mod"),
     ],
 )
 def test_a_name_or_a_line_that_the_program_does_not_have_is_an_error(wish: str, message: str) -> None:

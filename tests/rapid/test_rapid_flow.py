@@ -263,6 +263,7 @@ def test_for(loop: str, values: list[float]) -> None:
         ("WHILE forever DO WaitTime 1; ENDWHILE", "WHILE forever"),
         ("a: WaitTime 1; GOTO a;", "GOTO a"),
         ("a: IF go WaitTime 1; GOTO a;", "GOTO a"),
+        ("VAR bool on:=TRUE; WHILE on=TRUE DO WaitTime 1; ENDWHILE", "WHILE on=TRUE"),
     ],
 )
 def test_a_loop_that_cannot_end_runs_as_often_as_the_scenario_says(loop: str, name: str) -> None:
@@ -271,6 +272,36 @@ def test_a_loop_that_cannot_end_runs_as_often_as_the_scenario_says(loop: str, na
     assert [m.duration for m in program.motions if isinstance(m, Wait)] == [1, 1, 1]
     (warning,) = tuple(map(str, program.warnings))
     assert f"{name} never ends by itself; the program is taken to be over after 3 passes (endless_passes)" in warning
+
+
+@pytest.mark.parametrize(
+    "change",
+    ["on:=FALSE;", "swap on;", "FOR i FROM 1 TO 1 DO on:=NOT on; ENDFOR", "WaitTime 1/0; ERROR on:=FALSE; TRYNEXT;"],
+)
+def test_a_variable_that_its_routine_changes_may_end_a_loop(change: str) -> None:
+    inside, _, handler = change.partition(" ERROR ")
+    body = f"VAR bool on:=TRUE; WHILE on DO {inside} ENDWHILE WaitTime 9; {'ERROR ' + handler if handler else ''}"
+    rest = "PROC swap(INOUT bool x)\nx:=NOT x;\nENDPROC"
+    assert trace(body, rest=rest, scenario=Scenario(endless_passes=3)) == [9]
+
+
+def test_a_variable_of_the_module_may_be_changed_by_anybody() -> None:
+    body = "WHILE on DO WaitTime 1; other; ENDWHILE"
+    rest = "PROC other()\non:=FALSE;\nENDPROC"
+    assert trace(body, "VAR bool on:=TRUE;", rest, Scenario(endless_passes=3)) == [1]
+
+
+def test_a_routine_that_calls_itself_at_its_end_is_a_loop_without_end() -> None:
+    program = run("WaitTime 1; main;", scenario=Scenario(endless_passes=3))
+    assert [m.duration for m in program.motions if isinstance(m, Wait)] == [1, 1, 1]
+    (warning,) = tuple(map(str, program.warnings))
+    assert "PROC main, whose last statement calls it again, never ends by itself" in warning
+    assert "(endless_passes)" in warning
+
+
+def test_a_routine_that_calls_itself_with_a_way_out_takes_it() -> None:
+    rest = "PROC again()\nIncr n;\nWaitTime n;\nIF n=4 RETURN;\nagain;\nENDPROC"
+    assert trace("again; WaitTime 9;", "VAR num n;", rest) == [1, 2, 3, 4, 9]
 
 
 @pytest.mark.parametrize("body", ["WaitTime 1;", "IF TRUE GOTO next; next: WaitTime 1;"])
@@ -313,8 +344,8 @@ def test_budgets_end_what_does_not_end(body: str, scenario: Scenario, message: s
 def test_motions_have_a_limit_of_their_own(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("trajopt_cli.rapid.execution.interpreter.MOTION_LIMIT", 3)
     assert len(trace("FOR i FROM 1 TO 3 DO WaitTime i; ENDFOR")) == 3
-    message = "m.mod:4:22: the program makes more than 3 motions"
-    assert error("FOR i FROM 1 TO 9 DO WaitTime i; ENDFOR") == message
+    message = "m.mod:4:22: the program makes more than 3 motions; if a loop around this one goes on and on, "
+    assert error("FOR i FROM 1 TO 9 DO WaitTime i; ENDFOR").startswith(message)
 
 
 def test_a_large_array_counts_by_its_size() -> None:

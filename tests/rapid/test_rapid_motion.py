@@ -248,6 +248,9 @@ def test_corners_before_waits_are_stops_unless_the_wait_is_nothing() -> None:
     assert corners(body.format("WaitTime 0.1;"))[1] == 0
     assert corners(body.format("WaitDI di1,1;"))[1] == 0
     assert corners(body.format("WaitTime 0;"))[1] == 10
+    assert corners(body.format("WaitTime\\InPos, 0;"))[1] == 0
+    assert corners(body.format("WaitRob\\ZeroSpeed;"))[1] == 0
+    assert corners(body.format("WaitRob;"))[1] == 10
     assert corners(body.format("SetDO do1,1;"))[1] == 10
 
 

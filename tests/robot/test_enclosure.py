@@ -117,3 +117,36 @@ def test_ranges_hold_every_combination_of_their_members() -> None:
         assert np.all(np.abs(x) <= a.magnitude())
     crossing = Range(np.array([-1.0]), np.array([2.0]))
     assert (crossing.square().lo[0], crossing.square().hi[0]) == (0.0, 4.0)
+
+
+@pytest.mark.parametrize("mount", MOUNTS)
+def test_rates_on_a_way_of_the_tool_lie_inside(mount: str) -> None:
+    """The first three joints' rates as the flange follows a twist with the rail at rest, against the Jacobian's."""
+    axes = mounted(mount, (-1.5, 1.5))
+    rng = np.random.default_rng(7)
+    nodes = np.arange(-1.2, 1.2, 0.02)
+    limits = replace(axes.robot.profile(), lower=axes.lower, upper=axes.upper)
+    checked, tight = 0, 0
+    for X in poses(axes, rng, 20, 0.0):
+        twist = rng.normal(size=6) * [0.3, 0.3, 0.3, 1, 1, 1]
+        e = axes.robot.enclose(X, nodes, limits, twist)
+        assert e.way is not None
+        d = rng.uniform(nodes[0], nodes[-1], 200)
+        arm = axes.inverse(np.broadcast_to(X, (200, 4, 4)), d)
+        for cfx in range(8):
+            row, q = 2 * bool(cfx & 4) + bool(cfx & 2), arm[:, cfx]
+            whole = np.column_stack([d, q])
+            with np.errstate(invalid="ignore"):
+                ok = (np.abs(np.cos(q[:, 2])) > 1e-3) & (np.abs(np.sin(q[:, 4])) > 1e-2) & ~np.isnan(q[:, 0])
+            ok[ok] &= axis_distance(axes, q[ok]) > 1e-3
+            if not ok.any():
+                continue
+            i = np.searchsorted(nodes, d[ok], side="right") - 1
+            rate = np.linalg.solve(axes.jacobian(whole[ok], np.eye(4))[:, :, 1:], twist)[:, :3]
+            lo, hi = (x[:, row, i].T for x in (e.way.lo, e.way.hi))
+            slack = 1e-7 * (1 + np.abs(rate))
+            assert np.all((lo - slack <= rate) & (rate <= hi + slack)), f"{mount}, cfx {cfx}"
+            checked += rate.size
+            tight += int(np.sum(hi - lo < 0.2 + np.abs(rate)))
+    assert checked > 3000
+    assert tight > 0.5 * checked

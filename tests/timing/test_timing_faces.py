@@ -7,8 +7,9 @@ import pytest
 from ruckig import InputParameter, Ruckig, Synchronization, Trajectory
 
 from trajopt_cli.geometry import Array
+from trajopt_cli.timing.law import TimeLaw, fastest_law
 from trajopt_cli.timing.point_to_point import point_to_point, rest_to_rest, straight_rest_to_rest
-from trajopt_cli.timing.topp import TimeLaw, fastest_law, shortest_time
+from trajopt_cli.timing.topp import shortest_time
 
 
 def trapezoid_time(way: float, v: float, a: float) -> float:

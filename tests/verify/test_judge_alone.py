@@ -13,7 +13,7 @@ from scipy.interpolate import CubicHermiteSpline
 from scipy.spatial.transform import Rotation, Slerp
 
 from trajopt_cli.geometry import Array, pose, rotation_about
-from trajopt_cli.motion import MoveC, MoveL
+from trajopt_cli.motion import MoveL, _PoseMove
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.shapes import Box, Capsule, Solid
@@ -109,13 +109,17 @@ def test_poses_are_inverted() -> None:
     np.testing.assert_allclose(inverse_pose(X), np.linalg.inv(X), rtol=0, atol=1e-15)
 
 
+class MoveS(_PoseMove):
+    """A spline, say."""
+
+
 def test_a_kind_of_move_without_a_check_of_its_shape_is_never_legal() -> None:
     case = rapid_case()
     lines = [i for i, motion in enumerate(case.program.motions) if isinstance(motion, MoveL)]
     given = case.program.motions[lines[0]]
     assert isinstance(given, MoveL)
-    arc = MoveC(**{field.name: getattr(given, field.name) for field in fields(MoveL)}, X_WV=given.X_WT)
-    motions = [arc if i == lines[0] else motion for i, motion in enumerate(case.program.motions)]
+    spline = MoveS(**{field.name: getattr(given, field.name) for field in fields(MoveL)})
+    motions = [spline if i == lines[0] else motion for i, motion in enumerate(case.program.motions)]
     report = verify(replace(case.program, motions=tuple(motions)), case.plant, case.rows(), advice=False)
     (bad,) = (found for found in report.findings if not found.passed)
     assert (bad.check, bad.source) == ("known shape", given.source)

@@ -8,6 +8,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 import spoiled_holds
+import spoiled_runs
 import spoiled_shapes
 import spoiled_stops
 from legal_motion import (
@@ -29,7 +30,7 @@ from trajopt_cli.findings import Report
 from trajopt_cli.joint_csv import header, read_csv_text
 from trajopt_cli.verify import tolerances as tol
 
-REGISTERED = (spoiled_holds, spoiled_shapes, spoiled_stops)  # importing them fills SPOILED
+REGISTERED = (spoiled_holds, spoiled_runs, spoiled_shapes, spoiled_stops)  # importing them fills SPOILED
 
 
 def judged(name: str) -> Report:
@@ -53,9 +54,24 @@ def test_every_spoiled_motion_is_caught_by_the_right_check(name: str) -> None:
         assert f.message
 
 
+IN_RUNS = [name for name, (make, *_) in SPOILED.items() if make.__module__ == "spoiled_runs"]
+# An arc driven the other way round leaves the circle's part and comes back from its far end; a wait that is not
+# stopped for is told of the stop and of the wait; far beyond the sphere one is off the way and outside the triangle.
+TWICE = {
+    "arc_the_wrong_way_round": {"arc position", "arc progress"},
+    "wait_at_a_fly_by_not_stopped_for": {"stop rest", "dwell rest"},
+    "corner_beyond_its_sphere": {"line position", "corner position"},
+}
+
+
+@pytest.mark.parametrize("name", IN_RUNS)
+def test_an_offence_in_a_run_is_told_by_one_check(name: str) -> None:
+    assert {f.check for f in judged(name).findings if not f.passed} == TWICE.get(name, {SPOILED[name][1]})
+
+
 def test_there_are_enough_of_them() -> None:
-    assert len(REGISTERED) == 3
-    assert len(SPOILED) >= 40
+    assert len(REGISTERED) == 4
+    assert len(SPOILED) >= 40 + 20
     assert OVER == 1.1
 
 

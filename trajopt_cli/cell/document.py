@@ -7,7 +7,16 @@ from collections.abc import Callable
 from pathlib import PurePath
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, StrictBool, StrictStr, model_validator
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    PlainValidator,
+    StrictBool,
+    StrictStr,
+    model_validator,
+)
 
 from trajopt_cli.quantity import (
     ACCELERATION,
@@ -28,7 +37,7 @@ from trajopt_cli.quantity import (
     positive,
     shown,
 )
-from trajopt_cli.scenario import LONGEST_WAIT, NUM_LIMIT, Scenario
+from trajopt_cli.scenario import LONGEST_WAIT, NUM_LIMIT, Lines, Scenario
 
 MAX_SEQUENCE = 10_000  # values of one signal or answer; a program that polls reads a few dozen
 
@@ -264,22 +273,44 @@ def _pair(value: Any) -> Any:
     return value
 
 
-_LINE = re.compile(r"(?:(.*):)?\s*([1-9]\d*)", re.DOTALL)
+_LINES = re.compile(r"(?:(.*):)?\s*([1-9]\d*)(?:\s*-\s*([1-9]\d*))?", re.DOTALL)
+_NAME = re.compile(r"[^\W\d]\w*")
 
 
-def _place(value: Any) -> tuple[str | None, int]:
-    """A line of the program: its number, or a text `file:line`."""
-    match = _LINE.fullmatch(str(value).strip()) if isinstance(value, int | str) else None
+def _lines(value: Any) -> Lines | None:
+    """Lines of the program: a number, or a text `first-last`, `file:line`, `file:first-last`; None for others."""
+    match = _LINES.fullmatch(str(value).strip()) if isinstance(value, int | str) else None
     if match is None or isinstance(value, bool):
+        return None
+    file = match[1].strip() or None if match[1] else None
+    return Lines(file, int(match[2]), int(match[3] or match[2]))
+
+
+def _place(value: Any) -> Lines:
+    """One line of the program."""
+    lines = _lines(value)
+    if lines is None or lines.first != lines.last:
         raise complain(f"needs a line of the program, 41 or 'hinge.mod:41', not {shown(value)}")
-    return (match[1].strip() or None) if match[1] else None, int(match[2])
+    return lines
+
+
+def _part(value: Any) -> Lines | str:
+    """A procedure, or lines of the program."""
+    if isinstance(value, str) and _NAME.fullmatch(value.strip()):
+        return value.strip()
+    lines = _lines(value)
+    if lines is None:
+        raise complain(f"needs a procedure or lines of the program, weld, 41 or 'glue.mod:35-48', not {shown(value)}")
+    if lines.last < lines.first:
+        raise complain(f"goes from line {lines.first} to line {lines.last}; the first one comes first")
+    return lines
 
 
 class HoldRailSection(_Section):
     """Where the rail stands still: procedures by name, lines, all waits; gripper: waits right after an output."""
 
     procedures: tuple[StrictStr, ...] = ()
-    lines: tuple[Annotated[tuple[str | None, int], BeforeValidator(_place)], ...] = ()
+    lines: tuple[Annotated[Lines, PlainValidator(_place)], ...] = ()
     waits: StrictBool = False
     gripper: StrictBool = True
 
@@ -327,6 +358,7 @@ class CellDocument(_Section):
     endless_passes: Annotated[int, Field(strict=True, gt=0, le=MAX_ENDLESS_PASSES)] | None = None
     optional: tuple[StrictStr, ...] = ()
     hold_rail: HoldRailSection = HoldRailSection()
+    constant_speed: tuple[Annotated[Lines | str, PlainValidator(_part)], ...] = ()
     free_speed: StrictBool = False
     pass_limit: Annotated[int, Field(strict=True, gt=0)] = Scenario.pass_limit
     statement_limit: Annotated[int, Field(strict=True, gt=0)] = Scenario.statement_limit

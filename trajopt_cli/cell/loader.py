@@ -13,7 +13,7 @@ from trajopt_cli.cell.model import Cell, LimitOverride, Rail
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, pose, rotation_about, rotation_from_wxyz
 from trajopt_cli.limits import TcpCaps
-from trajopt_cli.scenario import Given, HoldRail, Scenario, condition_key
+from trajopt_cli.scenario import ConstantSpeed, Given, HoldRail, Scenario, condition_key
 from trajopt_cli.shapes import Box, Capsule, MeshFile, Solid
 from trajopt_cli.yaml_file import line_of, parse, read_text, validated
 
@@ -100,6 +100,10 @@ def _scenario(document: CellDocument, file: str, lines: Mapping[str, int]) -> Sc
             frozenset(document.hold_rail.lines),
             document.hold_rail.waits,
             document.hold_rail.gripper,
+        ),
+        constant_speed=ConstantSpeed(
+            frozenset(part.lower() for part in document.constant_speed if isinstance(part, str)),
+            frozenset(part for part in document.constant_speed if not isinstance(part, str)),
         ),
     )
 

@@ -13,7 +13,8 @@ def analyse(
     assume_identity: AssumeIdentity = None,
     as_json: AsJson = False,
 ) -> None:
-    """Add up PROGRAM's times as written: every move straight as seen from the carriage, speed changing in steps.
+    """Add up PROGRAM's times as written: every move straight (MoveC along its arc) as seen from the carriage, speed
+    changing in steps.
 
     Waits are counted apart. No limit of a joint is asked, so this is not a motion a robot can do.
     """

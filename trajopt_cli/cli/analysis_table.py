@@ -14,8 +14,8 @@ from trajopt_cli.runs.results import motion_label
 from trajopt_cli.units import DEG, MM
 
 MODEL = (
-    "steps of speed, straight in carriage-relative space, waits excluded (Krotký 2014, 4.2); "
-    "not a motion a robot can do"
+    "steps of speed through every point, straight or along the arc in carriage-relative space, waits excluded "
+    "(Krotký 2014, 4.2); not a motion a robot can do; zones change nothing, ways that corners would cut off are counted"
 )
 
 
@@ -47,7 +47,7 @@ def _move_record(program: Program, move: StepMove) -> dict[str, Any]:
         "world_to_mm": [float(value) / MM for value in move.X_WT_1[:3, 3]],
         "rail_from_mm": move.rail_0 / MM,
         "rail_to_mm": move.rail_1 / MM,
-        "length_mm": move.chord / MM,
+        "length_mm": move.length / MM,
         "turn_deg": move.angle / DEG,
         "speed_mm_s": move.v_tcp / MM,
         "velocity_mm_s": [float(value) / MM for value in move.velocity],
@@ -73,7 +73,7 @@ def analysis_table(name: str, program: Program, analysis: Analysis) -> Table:
         x, y, z = (_figure(float(value) / MM) for value in entry.velocity)
         table.add_row(
             *label,
-            *(_figure(entry.chord / MM), _figure(entry.angle / DEG), _figure((entry.rail_1 - entry.rail_0) / MM)),
+            *(_figure(entry.length / MM), _figure(entry.angle / DEG), _figure((entry.rail_1 - entry.rail_0) / MM)),
             *(_figure(entry.v_tcp / MM), x, y, z, f"{entry.duration:.3f}", ""),
         )
     return table

@@ -24,7 +24,7 @@ _LONGEST = {
     "zone": 26,
 }  # figures and expressions written out in the program: cut in the middle
 _SAYABLE = ("speed", "zone", "conf", "ext. axes", "tool", "wobj", "orientation w x y z", "settings")  # once for all
-_OF_POSES = {"conf", "wobj", "orientation w x y z"}  # moves to joints have none
+_OF_POSES = {"conf", "wobj", "orientation w x y z"}  # moves to joints need none
 _NAMED = re.compile(r"(v|vrot|vlin)(\d+)$", re.IGNORECASE)
 _SAID = (Hold.PROGRAM, Hold.CELL)  # a note below the table tells of the waits after an output
 _ZONE = re.compile(r"z(\d+)$", re.IGNORECASE)
@@ -113,11 +113,14 @@ def _labelled(name: str, text: str) -> str:
 
 
 def _cut(name: str, text: str) -> str:
-    longest = _LONGEST.get(name)
-    if longest is None or len(text) <= longest:
-        return text
+    return shortened(text, _LONGEST[name]) if name in _LONGEST else text
+
+
+def shortened(text: str, longest: int) -> str:
+    """A text on one line; one of more than longest characters without its middle."""
+    text = " ".join(text.split())
     half = (longest - 1) // 2
-    return f"{text[:half]}…{text[-half:]}"
+    return text if len(text) <= longest else f"{text[:half]}…{text[-half:]}"
 
 
 def _figures(values: tuple[float, ...] | None, digits: int = 2) -> str:
@@ -210,5 +213,6 @@ def _setting(value: Any) -> str:
 
 
 def _besides(row: Row) -> str:
-    marks = [*(["optional"] if row.optional else []), *(["hold rail"] if row.hold in _SAID else [])]
+    said = {"optional": row.optional, "hold rail": row.hold in _SAID, "constant speed": row.constant_speed}
+    marks = [mark for mark, there in said.items() if there]
     return ", ".join([*(f"{key} {value}" for key, value in row.process), *marks])

@@ -85,6 +85,7 @@ def row_record(row: Row) -> dict[str, Any]:
         "criterion": row.criterion,
         "radius": _figure(row.radius),
         "effective_radius": _figure(row.effective_radius),
+        "stop_reason": row.stop_reason,
         "tool": row.tool,
         "wobj": row.wobj,
         "extax": _rounded(row.extax, _DEG),
@@ -98,6 +99,7 @@ def row_record(row: Row) -> dict[str, Any]:
         "events": [_event(event) for event in row.events],
         "process": dict(row.process),
         "hold": None if row.hold is None else row.hold.value,
+        "constant_speed": row.constant_speed,
     }
 
 

@@ -35,7 +35,7 @@ def optimize(
     """
     from trajopt_cli.cli.console import answer_no, stdout
     from trajopt_cli.cli.progress import ProgressView
-    from trajopt_cli.cli.tables import cycle_line, motions_table, saving_line
+    from trajopt_cli.cli.tables import cycle_line, motions_table, saving_line, speed_lines
     from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.pipeline.optimise import Optimised, optimise
     from trajopt_cli.problem.changes import Loops
@@ -55,6 +55,8 @@ def optimize(
     console.print(motions_table(answer))
     for one in Target:
         console.print(cycle_line(one.value, answer.judged[one].plan))
+    for line in speed_lines(target, answer.kept_speed[answer.target]):
+        console.print(line)
     for one in Target:
         nearest = least_clearance(answer.judged[one].report.findings)
         if nearest is not None:

@@ -20,10 +20,11 @@ if TYPE_CHECKING:
     from trajopt_cli.motion import Program
     from trajopt_cli.problem.configurations import ConfigurationFinding
     from trajopt_cli.problem.plant import Plant
-    from trajopt_cli.rapid.listing import Listing
+    from trajopt_cli.rapid.listing import Listing, Row
     from trajopt_cli.scenario import Lack
 
 _SHOWN = 20  # configuration findings in text; --json has them all
+_TARGET = 44  # characters of one in a sentence
 _UNCALLED = 10  # routines that did not run
 
 
@@ -90,7 +91,8 @@ def parse(
     from trajopt_cli.cli.listing import listing_lines, terminal_width
 
     title = " ".join(str(path) for path in program)
-    lines = [*listing_lines(title, listing, terminal_width()), "", *_sums(listing), *notes]
+    lines = [*listing_lines(title, listing, terminal_width()), "", *_sums(listing)]
+    lines += [_short(note, flat) for note in notes]
     lines += [f"warning: {_short(str(warning), flat)}" for warning in flat.warnings]
     if any(row.conf is not None for row in listing.rows):
         lines += [_short(line, flat) for line in _configurations(found)]
@@ -165,7 +167,8 @@ def notes_on(flat: Program, listing: Listing, plant: Plant | None) -> Iterator[s
         told = ", ".join(f"{instruction} {count}" for instruction, count in flat.ignored.items())
         yield f"no effect on motion: {told}"
     if listing.fly_by:
-        yield f"{listing.fly_by} fly-by zone{'s' * (listing.fly_by > 1)}; optimize plans them as stops"
+        yield f"{listing.fly_by} fly-by zone{'s' * (listing.fly_by > 1)}, planned as corners where the point is passed"
+    yield from _stopped(listing)
     if plant is None:
         return
     from trajopt_cli.problem.plannable import planned_otherwise, refusals
@@ -176,6 +179,20 @@ def notes_on(flat: Program, listing: Listing, plant: Plant | None) -> Iterator[s
     yield from planned_otherwise(flat)
     if refused := Counter(one.kind for one in refusals(flat, plant)):
         yield f"optimize will refuse this program: {', '.join(f'{kind} {count}' for kind, count in refused.items())}"
+
+
+def _stopped(listing: Listing) -> Iterator[str]:
+    """Fly-by points that are stops all the same: the first one of each reason, and how many more there are."""
+    from trajopt_cli.cli.listing import shortened
+
+    found: dict[str, list[Row]] = {}
+    for row in listing.rows:
+        if row.stop_reason is not None:
+            found.setdefault(row.stop_reason, []).append(row)
+    for reason, (row, *others) in found.items():
+        target = shortened(row.target or "", _TARGET)
+        more = f" ({len(others)} more)" if others else ""
+        yield f"{row.source}: {row.zone} at {target} is a stop: {reason}{more}"
 
 
 def _configurations(found: Sequence[ConfigurationFinding] | None) -> Iterator[str]:

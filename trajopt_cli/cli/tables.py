@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict
 
 from rich.table import Table
 
 from trajopt_cli.cli.layout import place, plain_table
+from trajopt_cli.cli.listing import shortened
 from trajopt_cli.findings import Finding, Report
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.pipeline.optimise import Optimised
+from trajopt_cli.problem.constant_speed import DIP, Dip, Stretch, Why
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.runs.results import motion_label
 from trajopt_cli.units import DEG, MM
+
+_NAME = 50  # characters of a motion's name: many targets are written in numbers
+_DIPS = 10  # of constant speed, in text; summary.json has them all
 
 
 def cycle_line(label: str, plan: Plan) -> str:
@@ -38,6 +43,41 @@ def saving_line(answer: Optimised) -> str:
         for plan, name in zip(plans, names, strict=True)
     )
     return f"as written {before.duration:.3f} s → {told}"
+
+
+def speed_lines(label: str, stretches: Sequence[Stretch]) -> Iterator[str]:
+    """How well a plan keeps the programmed speed where it should: one line in all, and one for each place where it does
+    not, the same in several passes said once."""
+    if not stretches:
+        return
+    dips = [dip for stretch in stretches for dip in stretch.dips]
+    far = f"{sum(stretch.length for stretch in stretches) / MM:.1f} mm"
+    found = f"constant speed ({label}): {far} in {_count(len(stretches), 'stretch', 'es')}"
+    if not dips:
+        yield f"{found}, kept within {100 * DIP:g} %"
+        return
+    short = f"{sum(dip.length for dip in dips) / MM:.1f} mm and {sum(dip.duration for dip in dips):.3f} s"
+    yield f"{found}, kept within {100 * DIP:g} % but for {_count(len(dips), 'dip')} of {short}"
+    groups: dict[tuple[object, ...], list[Dip]] = {}
+    for dip in dips:
+        groups.setdefault((dip.source, dip.why, dip.detail), []).append(dip)
+    for group in list(groups.values())[:_DIPS]:
+        yield f"  {_dip(max(group, key=lambda dip: dip.duration), len(group) - 1)}"
+    if more := len(dips) - sum(len(group) for group in list(groups.values())[:_DIPS]):
+        yield f"  and {more} more, all in summary.json"
+
+
+def _dip(dip: Dip, others: int) -> str:
+    low = f"reaches {dip.highest / MM:.4g}" if dip.why is Why.SHORT else f"{dip.lowest / MM:.4g}"
+    speed = f"{low} of {dip.programmed / MM:.4g} mm/s"
+    depth = "" if dip.why is Why.SHORT else f" (−{dip.depth:.0%})".replace("%", " %")
+    more = f" ({others} more times)" if others > 1 else " (once more)" if others else ""
+    where = f"{place(dip.source)} {shortened(dip.name, _NAME)} at {dip.along / MM:.1f} mm"
+    return f"{where}: {speed}{depth}, for {dip.duration:.3f} s and {dip.length / MM:.1f} mm: {dip.cause}{more}"
+
+
+def _count(number: int, what: str, plural: str = "s") -> str:
+    return f"{number} {what}{plural if number > 1 else ''}"
 
 
 def change(before: float, after: float) -> str:

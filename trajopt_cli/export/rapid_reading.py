@@ -15,7 +15,7 @@ from trajopt_cli.problem.programmed import PlantKinematics
 from trajopt_cli.rapid.language.parser import parse_module
 from trajopt_cli.rapid.language.syntax import Binary, Call, Name, Node, Number, String, Test
 from trajopt_cli.rapid.reader import run_program
-from trajopt_cli.scenario import Answer, HoldRail, Scenario
+from trajopt_cli.scenario import Answer, ConstantSpeed, HoldRail, Scenario
 
 _NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?![\w.])")
 _NEAR = 6  # values that a program compares something with and that are tried
@@ -37,7 +37,8 @@ class Reading:
         """The program of edited texts, by path, and of new modules. Raises InputError as reading does."""
         files = [replace(file, text=texts[path]) for path, file in self.program.files.items()]
         kinematics = PlantKinematics(self.plant)
-        world = replace(scenario or self.scenario, hold_rail=HoldRail())  # its lines are those of the text as it was
+        # Their lines are those of the text as it was.
+        world = replace(scenario or self.scenario, hold_rail=HoldRail(), constant_speed=ConstantSpeed())
         return run_program([*files, *(new or {}).values()], world, self.entry, kinematics)
 
     def otherwise(self) -> Iterator[tuple[str, list[Scenario]]]:

@@ -8,7 +8,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.legs import LegMotion
+from trajopt_cli.optimize.legs import LegMotion, sampled
 from trajopt_cli.optimize.tuning import ROW_APART, ROW_EVERY, SAME_TIME
 from trajopt_cli.trajectory import Trajectory
 
@@ -19,18 +19,10 @@ def rows_of(axes: Axes, legs: list[LegMotion], end: Array, more: Sequence[float]
     end (n,): axes at the end, written into the last row exactly. more: times [s] that get a row as well.
     """
     bounds = np.concatenate([[0.0], np.cumsum([leg.T for leg in legs])])
-    times, q, qd = [], [], []
-    for i, leg in enumerate(legs):
-        t = _leg_rows(leg, bounds[i], bounds[i + 1], more)
-        sample = leg.sample(axes, np.clip(t - bounds[i], 0.0, leg.T))
-        times.append(t[:-1])
-        q.append(sample.q[:-1])
-        qd.append(sample.qd[:-1])
-    times.append(bounds[-1:])
-    q.append(end[None])
-    qd.append(np.zeros((1, axes.n)))
-    trajectory = Trajectory(axes.robot.axis_names, np.concatenate(times), np.concatenate(q), np.concatenate(qd))
-    return trajectory, bounds
+    times = [_leg_rows(leg, bounds[i], bounds[i + 1], more)[:-1] for i, leg in enumerate(legs)]
+    sample = sampled(axes, legs, [np.clip(t - bounds[i], 0.0, legs[i].T) for i, t in enumerate(times)])
+    q, qd = np.vstack([sample.q, end]), np.vstack([sample.qd, np.zeros(axes.n)])
+    return Trajectory(axes.robot.axis_names, np.concatenate([*times, bounds[-1:]]), q, qd), bounds
 
 
 def _leg_rows(leg: LegMotion, start: float, end: float, more: Sequence[float]) -> Array:

@@ -2,15 +2,34 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, inverse_pose
+from trajopt_cli.geometry import Array, IndexArray, inverse_pose
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Leg
 from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.protocol import Robot
+
+
+@dataclass(frozen=True, eq=False)
+class Caps:
+    """Limits in force at m places: of the axes' velocity and acceleration (m, n), of the tool's speed [m/s],
+    acceleration [m/s2] and turning [rad/s] (m,)."""
+
+    velocity: Array
+    acceleration: Array
+    v_tcp: Array
+    a_tcp: Array
+    v_ori: Array
+
+    def at(self, places: IndexArray) -> Caps:
+        """Those of some of the places, in any order."""
+        return Caps(
+            self.velocity[places], self.acceleration[places], self.v_tcp[places], self.a_tcp[places], self.v_ori[places]
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,11 +64,26 @@ class Axes:
         """How many axes."""
         return self.layout.n
 
+    def narrowed(self, room: float) -> Axes:
+        """The same axes with a share of the room that their ranges leave on either side of the middle."""
+        middle, half = (self.upper + self.lower) / 2, (self.upper - self.lower) / 2
+        return replace(self, lower=middle - room * half, upper=middle + room * half)
+
     def velocity_on(self, leg: Leg) -> Array:
         """Velocity limits (n,) on a leg: the rail's is capped by the program as well."""
         V = self.velocity.copy()
         V[self.layout.rail] = np.minimum(V[self.layout.rail], leg.v_rail)
         return V
+
+    def acceleration_on(self, leg: Leg) -> Array:
+        """Acceleration limits (n,) on a leg: the program may ask for a share of them."""
+        return self.acceleration * leg.acceleration
+
+    def caps(self, legs: Sequence[Leg]) -> Caps:
+        """The limits on each leg."""
+        velocity, acceleration = ([of(leg) for leg in legs] for of in (self.velocity_on, self.acceleration_on))
+        tool = np.array([(leg.v_tcp, leg.a_tcp, leg.v_ori) for leg in legs])
+        return Caps(np.array(velocity), np.array(acceleration), *tool.T)
 
     def in_base(self, X_W: Array) -> Array:
         """A world pose seen from the arm's base with the rail at 0."""

@@ -4,24 +4,27 @@ from __future__ import annotations
 
 import numpy as np
 
+from trajopt_cli.limits import TcpCaps
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.exchange import tool_ratios
+from trajopt_cli.optimize.exchange import tool_of, tool_ratios
 from trajopt_cli.optimize.legs import LegMotion
-from trajopt_cli.optimize.tuning import AT_LIMIT, BINDING_SAMPLES, STILL
-from trajopt_cli.problem.problem import Leg, LegKind
+from trajopt_cli.optimize.tuning import AT_LIMIT, BINDING_SAMPLES, FEWEST_SAMPLES, LOOK, STILL
+from trajopt_cli.problem.problem import Leg
 
 
-def binding_limit(axes: Axes, leg: Leg, motion: LegMotion) -> str:
+def binding_limit(axes: Axes, tcp: TcpCaps, leg: Leg, motion: LegMotion) -> str:
     """The limit a motion stands at for the largest share of its time, as "joint_1 acceleration" or "programmed ...";
-    "already there" where no axis has to move."""
+    "already there" where no axis has to move. tcp: the cell's caps, which a programmed speed may lie below."""
     if leg.duration is not None:
         return "programmed duration"
-    sample = motion.sample(axes, (np.arange(BINDING_SAMPLES) + 0.5) / BINDING_SAMPLES * motion.T)
+    places = np.zeros(int(np.clip(motion.T / LOOK, FEWEST_SAMPLES, BINDING_SAMPLES)), dtype=np.intp)
+    sample = motion.sample(axes, (np.arange(len(places)) + 0.5) / len(places) * motion.T)
     if np.all(np.ptp(sample.q, axis=0) < STILL):
         return "already there"
-    tool = tool_ratios(axes, leg, sample.q, sample.qd, sample.qdd)
+    tool = tool_ratios(axes.caps([leg]).at(places), tool_of(axes, [leg.X_FT], places, sample))
     names = [f"{name} speed" for name in axes.names] + [f"{name} acceleration" for name in axes.names]
-    names += ["programmed TCP speed" if leg.kind is LegKind.LINE else "TCP speed", "TCP acceleration", "TCP turning"]
+    programmed = leg.v_tcp < tcp.speed
+    names += ["programmed TCP speed" if programmed else "TCP speed", "TCP acceleration", "TCP turning"]
     ratios = np.concatenate([np.abs(sample.qd) / axes.velocity, np.abs(sample.qdd) / axes.acceleration, tool], axis=1)
     share = np.mean(ratios >= AT_LIMIT, axis=0)
     best = int(np.argmax(share)) if np.any(share > 0) else int(np.argmax(np.max(ratios, axis=0)))

@@ -9,13 +9,12 @@ from typing import Any
 
 import numpy as np
 
-from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.blocks import NlpResult
 from trajopt_cli.optimize.draft import Draft, Margins
 from trajopt_cli.optimize.exchange import back_off, check_leg
 from trajopt_cli.optimize.formulation import Formulation
-from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, parabola, share_of, straight
+from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, parabola
 from trajopt_cli.optimize.profiles import hold
 from trajopt_cli.optimize.reading import read
 from trajopt_cli.optimize.search import Chain
@@ -31,7 +30,6 @@ from trajopt_cli.optimize.tuning import (
     GRID_JOINT,
     LAST,
     LAST_ALONE,
-    LAST_COORDINATED,
     LEAST_DRAFT,
     MOST_ITERATIONS,
     NEAR_CAP,
@@ -78,7 +76,7 @@ class Refiner:
 
     def __init__(self, axes: Axes, formulation: Formulation, problem: Problem):
         self.axes, self.formulation, self.problem = axes, formulation, problem
-        self.last = LAST_ALONE if len(problem.legs) == 1 else LAST_COORDINATED if problem.coordinated else LAST
+        self.last = LAST_ALONE if len(problem.legs) == 1 else LAST
         self.seconds = {"build": 0.0, "solve": 0.0, "check": 0.0}
 
     def _solve(
@@ -160,8 +158,8 @@ class Refiner:
                 ratios = check_leg(self.axes, leg, motion)
                 worst = max(worst, ratios.worst)
                 if m is not None:
-                    resting = leg.kind is LegKind.DWELL and leg.duration is not None and not self.problem.coordinated
-                    rail = self.axes.acceleration[self.axes.layout.rail] if resting else None
+                    resting = leg.kind is LegKind.DWELL and leg.duration is not None
+                    rail = self.axes.acceleration_on(leg)[self.axes.layout.rail] if resting else None
                     changed |= back_off(m, ratios, motion, SAFE, rail)
             self.seconds["check"] += perf_counter() - start
             if not (changed or opened):
@@ -208,12 +206,11 @@ class Refiner:
         for k, motion in enumerate(legs):
             m = margins[k]
             if isinstance(motion, JointProfiles) and m is not None:
-                legs[k] = self._on_grid(motion, draft.q[k], draft.q[k + 1], len(m.tool) - 1)
+                legs[k] = self._on_grid(motion, len(m.tool) - 1)
         return replace(draft, legs=tuple(legs))
 
-    def _on_grid(self, motion: JointProfiles, q_0: Array, q_1: Array, N: int) -> JointNodes:
+    def _on_grid(self, motion: JointProfiles, N: int) -> JointNodes:
         grid = np.linspace(0, 1, N + 1)
         sample = motion.sample(self.axes, grid * motion.T)
         v = sample.qd * motion.T
-        out = JointNodes(motion.T, grid, sample.q, v, np.diff(v, axis=0) * N)
-        return straight(motion.T, grid, q_0, q_1, *share_of(out)) if self.problem.coordinated else out
+        return JointNodes(motion.T, grid, sample.q, v, np.diff(v, axis=0) * N)

@@ -6,15 +6,28 @@ densely; where a ratio to a limit exceeds one, the nodes around get that limit t
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import groupby
 
 import numpy as np
 
-from trajopt_cli.geometry import Array
-from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.geometry import Array, IndexArray
+from trajopt_cli.optimize.axes import Axes, Caps
 from trajopt_cli.optimize.draft import Margins
-from trajopt_cli.optimize.legs import LegMotion, PathLeg
-from trajopt_cli.optimize.tuning import AMPLE, BEYOND, DENSE, LEAST_PUSH, PUSHED, UNREACHED
+from trajopt_cli.optimize.legs import LegMotion, PathLeg, Sample, sampled
+from trajopt_cli.optimize.tuning import (
+    AMPLE,
+    BEYOND,
+    BRIEF,
+    CHECKED,
+    DENSE,
+    LEAST_PUSH,
+    LOOK,
+    MOST_LOOKS,
+    PUSHED,
+    UNREACHED,
+)
 from trajopt_cli.problem.problem import Leg
 
 
@@ -35,37 +48,78 @@ class Ratios:
 
 def check_leg(axes: Axes, leg: Leg, motion: LegMotion) -> Ratios:
     """Sample every interval of a leg, both ends included from inside, and compare with the true limits."""
+    return check_legs(axes, [leg], [motion])[0]
+
+
+def check_legs(axes: Axes, legs: Sequence[Leg], motions: Sequence[LegMotion]) -> list[Ratios]:
+    """The same for many legs."""
+    out: list[Ratios] = []
+    looks = [_looks(motion) for motion in motions]
+    behind = np.cumsum([len(t) for t, _ in looks])
+    for _, group in groupby(range(len(legs)), key=lambda i: int(behind[i]) // CHECKED):
+        at = [*group]
+        out += _checked(axes, [legs[i] for i in at], [motions[i] for i in at], [looks[i] for i in at])
+    return out
+
+
+def _looks(motion: LegMotion) -> tuple[Array, IndexArray]:
+    """When a leg is looked at, and the number of its first look in each interval (N,)."""
     breaks = motion.breaks()
-    N = len(breaks) - 1
-    u = np.r_[1e-9, (np.arange(DENSE) + 0.5) / DENSE, 1 - 1e-9]
-    t = (breaks[:-1, None] + np.diff(breaks)[:, None] * u).ravel()
-    sample = motion.sample(axes, t)
-    velocity = np.abs(sample.qd) / axes.velocity_on(leg)
-    acceleration = np.abs(sample.qdd) / axes.acceleration
+    steps = np.diff(breaks)
+    most = int(np.clip(np.max(steps) / LOOK, DENSE, MOST_LOOKS))
+    looks = np.where(steps < LOOK, BRIEF, most)
+    starts = np.concatenate([[0], np.cumsum(looks + 2)])
+    inside = np.arange(starts[-1]) - np.repeat(starts[:-1], looks + 2) - 0.5
+    u = np.clip(inside / np.repeat(looks, looks + 2), 1e-9, 1 - 1e-9)
+    return np.repeat(breaks[:-1], looks + 2) + np.repeat(steps, looks + 2) * u, starts[:-1]
+
+
+def _checked(
+    axes: Axes, legs: Sequence[Leg], motions: Sequence[LegMotion], looks: Sequence[tuple[Array, IndexArray]]
+) -> list[Ratios]:
+    counts = [len(t) for t, _ in looks]
+    edges = np.concatenate([[0], np.cumsum(counts)])
+    sample = sampled(axes, motions, [t for t, _ in looks])
+    number = np.repeat(np.arange(len(legs)), counts)
+    caps = axes.caps(legs).at(number)
     middle, half = (axes.upper + axes.lower) / 2, np.maximum((axes.upper - axes.lower) / 2, 1e-9)
-    position = np.abs(sample.q - middle) / half
-    tool = tool_ratios(axes, leg, sample.q, sample.qd, sample.qdd)
+    first = np.concatenate([edge + starts for edge, (_, starts) in zip(edges, looks, strict=False)])
 
     def fold(x: Array) -> Array:
-        return np.asarray(np.where(np.isnan(x), UNREACHED, x).reshape(N, len(u), -1).max(axis=1))
+        return np.asarray(np.maximum.reduceat(np.where(np.isnan(x), UNREACHED, x), first))
 
-    return Ratios(fold(velocity), fold(acceleration), fold(position), fold(tool))
+    ratios = [
+        fold(x)
+        for x in (
+            np.abs(sample.qd) / caps.velocity,
+            np.abs(sample.qdd) / caps.acceleration,
+            np.abs(sample.q - middle) / half,
+            tool_ratios(caps, tool_of(axes, [leg.X_FT for leg in legs], number, sample)),
+        )
+    ]
+    intervals = np.cumsum([len(starts) for _, starts in looks])[:-1]
+    return [Ratios(*of_leg) for of_leg in zip(*(np.split(x, intervals) for x in ratios), strict=True)]
 
 
-def tool_ratios(axes: Axes, leg: Leg, q: Array, qd: Array, qdd: Array) -> Array:
-    """TCP speed, acceleration and reorientation (n, 3) as shares of a leg's caps."""
-    J = axes.jacobian(q, leg.X_FT)
-    Jd = axes.jacobian_rate(q, qd, leg.X_FT)
-    V = (J @ qd[..., None])[..., 0]
-    A = (J @ qdd[..., None])[..., 0] + (Jd @ qd[..., None])[..., 0]
-    return np.stack(
-        [
-            np.linalg.norm(V[:, :3], axis=1) / leg.v_tcp,
-            np.linalg.norm(A[:, :3], axis=1) / leg.a_tcp,
-            np.linalg.norm(V[:, 3:], axis=1) / leg.v_ori,
-        ],
-        axis=1,
-    )
+def tool_of(axes: Axes, X_FT: Sequence[Array], number: IndexArray, sample: Sample) -> Array:
+    """The tool's twist and its rate (m, 2, 6) at every place of a sample, where tool X_FT[number] is meant."""
+    tool = np.full((len(sample.t), 2, 6), np.nan) if sample.tool is None else sample.tool.copy()
+    names = [X.tobytes() for X in X_FT]
+    unknown = np.isnan(tool[:, 0, 0])
+    for name in dict.fromkeys(names) if unknown.any() else ():
+        at = np.flatnonzero(unknown & np.array([one == name for one in names])[number])
+        q, qd, qdd = sample.q[at], sample.qd[at], sample.qdd[at]
+        J, Jd = axes.jacobian(q, X_FT[names.index(name)]), axes.jacobian_rate(q, qd, X_FT[names.index(name)])
+        tool[at, 0] = (J @ qd[..., None])[..., 0]
+        tool[at, 1] = (J @ qdd[..., None])[..., 0] + (Jd @ qd[..., None])[..., 0]
+    return tool
+
+
+def tool_ratios(caps: Caps, tool: Array) -> Array:
+    """TCP speed, acceleration and reorientation (m, 3) as shares of the caps, of the tool's twist and its rate
+    (m, 2, 6)."""
+    speed, acceleration, turning = (np.linalg.norm(x, axis=1) for x in (tool[:, 0, :3], tool[:, 1, :3], tool[:, 0, 3:]))
+    return np.column_stack([speed / caps.v_tcp, acceleration / caps.a_tcp, turning / caps.v_ori])
 
 
 def back_off(margins: Margins, ratios: Ratios, motion: LegMotion, target: float, rail: Array | None = None) -> bool:

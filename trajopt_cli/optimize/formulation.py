@@ -4,7 +4,6 @@
     s.t.  dynamics      x_1 = x_0 + h x_0' + h^2/2 x'',   x_1' = x_0' + h x''       exact, x'' constant per interval
           path          arm = IK(X(s), d) on a fixed branch, within reach, off singularities, within ranges
           limits        |qd| <= V,  |qdd| <= A,  tool within its caps               at both ends of every interval
-          coupling      free: every axis for itself;  coordinated: one share s for all axes, d = d_0 + s (d_1 - d_0)
           boundary      waypoints hold their pose or joints, legs begin and end at their velocities
           ties          waypoints that share one rail position
 
@@ -25,9 +24,9 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.relation import Relation, Rows, Shapes
 from trajopt_cli.optimize.tuning import ELBOW, WRIST
+from trajopt_cli.path.arc import ArcSymbols
 from trajopt_cli.path.dwell import DwellSymbols
 from trajopt_cli.path.line import LineSymbols
-from trajopt_cli.problem.problem import Coupling
 from trajopt_cli.robot.symbolic import Reached
 
 INF = float("inf")
@@ -125,34 +124,33 @@ class Formulation:
     def _rail_acceleration(self, b: ca.SX, z: SimpleNamespace, p: SimpleNamespace) -> tuple[ca.SX, float, float]:
         return b / (p.A[self.rail] * z.T * z.T), -1.0, 1.0
 
-    def path_node(self, track: LineSymbols, sides: str, coupling: Coupling) -> Relation:
+    def path_node(self, track: LineSymbols | ArcSymbols, sides: str) -> Relation:
         """A node of a path: arm = IK(X(s), d) within all limits, the tool within its caps along the way.
 
         track: the kind of path. sides: the intervals it ends and begins, "l", "r" or "lr", each with an acceleration.
         """
-        free = coupling is Coupling.FREE
-        own: Shapes = {"d": self._rails, "w": self._rails} if free else {}
-        shared: Shapes = {} if free else {"d_0": self._rails, "d_1": self._rails}
-        accelerations = beside(a=(), b=self._rails) if free else beside(a=())
-        z: Shapes = {"s": (), "v": (), **own, **accelerations[sides], **shared, "T": ()}
+        accelerations = beside(a=(), b=self._rails)[sides]
+        z: Shapes = {"s": (), "v": (), "d": self._rails, "w": self._rails, **accelerations, "T": ()}
 
         def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-            acc = [getattr(z, f"a_{side}") for side in sides]
-            if free:
-                d, w, rail_acc = z.d, z.w, [getattr(z, f"b_{side}") for side in sides]
-            else:
-                way = z.d_1 - z.d_0
-                d, w, rail_acc = z.d_0 + z.s * way, z.v * way, [a * way for a in acc]
-            at, qd, qdds = self._along(p, track, z.s, d, ca.vertcat(z.v, w), acc, rail_acc)
+            acc, rail_acc = ([getattr(z, f"{name}_{side}") for side in sides] for name in "ab")
+            at, qd, qdds = self._along(p, track, z.s, z.d, ca.vertcat(z.v, z.w), acc, rail_acc)
             out = self._joint_limits(at, qd, qdds, z.T, p)
             out += [(ca.vertcat(p.at_speed * z.v / z.T, p.at_turning * z.v / z.T), -1.0, 1.0)]
-            out += [self._rail_velocity(w, z, p)]
+            out += [self._rail_velocity(z.w, z, p)]
             for a, b in zip(acc, rail_acc, strict=True):
-                out += [(p.at_acceleration * a / (z.T * z.T), -1.0, 1.0), self._rail_acceleration(b, z, p)]
+                out += [self._tool_acceleration(track, a, z, p), self._rail_acceleration(b, z, p)]
             return out
 
         p = {**self._at_node, "path": (track.size,)}
-        return self._relation(("path", track, sides, coupling), z, p, rows)
+        return self._relation(("path", track, sides), z, p, rows)
+
+    def _tool_acceleration(self, track, a, z, p):  # type: ignore[no-untyped-def]
+        """|L a| <= a_tcp T^2 on a line; on an arc with the part towards the centre, squared."""
+        if isinstance(track, LineSymbols):
+            return p.at_acceleration * a / (z.T * z.T), -1.0, 1.0
+        inward = track.layout.split(p.path)["sweep"] * z.v**2
+        return (p.at_acceleration / z.T**2) ** 2 * (a**2 + inward**2), -INF, 1.0
 
     def _along(self, p, track, s, d, rate, acc, rail_acc):  # type: ignore[no-untyped-def]
         """Joints with their walls, and derivatives by tau along x = (s, d): q' = J x', q'' = J x'' + x'^T H x'."""
@@ -240,47 +238,6 @@ class Formulation:
         acc = ca.jtimes(rate, Q, dQ) + ca.jtimes(tcp, Q, a)
         acc = ca.substitute(acc, ca.vertcat(Q, dQ), ca.vertcat(q, v))
         return ca.sumsqr(acc) / (limit * T * T) ** 2, -INF, 1.0
-
-    # ---- coupling: coordinated joint moves, q = q_0 + s (q_1 - q_0) for all axes
-
-    def top_of_share(self) -> Relation:
-        """The share's top velocity and acceleration that one axis allows: |q_1 - q_0| top_v <= V, the same for A."""
-        z: Shapes = {"q_0": (), "q_1": (), "top_v": (), "top_a": ()}
-
-        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-            way = z.q_1 - z.q_0
-            return [(way * z.top_v / p.V, -1.0, 1.0), (way * z.top_a / p.A, -1.0, 1.0)]
-
-        return self._relation(("way",), z, {"V": (), "A": ()}, rows)
-
-    def trapezoid(self) -> Relation:
-        """T >= 1 / top_v + top_v / top_a: a common trapezoid from rest to rest, without tool caps."""
-        z: Shapes = {"top_v": (), "top_a": (), "T": ()}
-        return self._relation(("trapezoid",), z, {}, lambda z, p: [(z.T - 1 / z.top_v - z.top_v / z.top_a, 0.0, INF)])
-
-    def share_node(self, sides: str) -> Relation:
-        """v <= top_v T and |a| <= top_a T^2 of the share at a node."""
-        z: Shapes = {"v": (), **beside(a=())[sides], "top_v": (), "top_a": (), "T": ()}
-
-        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-            out = [(z.top_v * z.T - z.v, 0.0, INF)]
-            for a in (getattr(z, f"a_{side}") for side in sides):
-                out += [(z.top_a * z.T * z.T - a, 0.0, INF), (z.top_a * z.T * z.T + a, 0.0, INF)]
-            return out
-
-        return self._relation(("share", sides), z, {}, rows)
-
-    def coordinated_tool_cap(self, X_FT: Array, cap: ToolCap) -> Relation:
-        """tool_cap at a node of a coordinated joint move."""
-        acceleration: Shapes = {"a": ()} if cap is ToolCap.ACCELERATION else {}
-        z: Shapes = {"s": (), "v": (), **acceleration, "q_0": self._all, "q_1": self._all, "T": ()}
-
-        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-            way = z.q_1 - z.q_0
-            a = way * z.a if acceleration else None
-            return [self._tool(X_FT, cap, z.q_0 + z.s * way, way * z.v, a, z.T, p.cap)]
-
-        return self._relation(("straight", cap.name, *np.round(X_FT[:3, 3], 9)), z, {"cap": ()}, rows)
 
     # ---- boundary: waypoints, and legs that begin and end there
 

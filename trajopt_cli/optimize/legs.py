@@ -6,14 +6,21 @@ time without loss, and splitting an interval changes nothing.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import groupby
 from typing import Literal
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, inverse_pose
+from trajopt_cli.geometry import Array, IndexArray, inverse_pose
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.path.segment import Segment
+from trajopt_cli.optimize.tuning import SAMPLED
+from trajopt_cli.path.segment import Segment, along_all
+
+_NUMB = 1e-6  # sine of joint 5 below which the inverse kinematics tells joints 4 and 6 apart by convention only
+_BESIDE = 1e-6  # share of a way by which one goes beside such a place
 
 
 def integrate(grid: Array, x: Array, v: Array, tau: Array, right: bool = True) -> tuple[Array, Array, Array]:
@@ -58,12 +65,14 @@ def parabola(grid: Array) -> tuple[Array, Array, Array]:
 
 @dataclass(frozen=True, eq=False)
 class Sample:
-    """All axes (m, n) at times t (m,) of a leg: positions, velocities, accelerations."""
+    """All axes (m, n) at times t (m,) of a leg: positions, velocities, accelerations. tool (m, 2, 6): the tool's twist
+    and its rate where they decide the axes, NaN where it is the other way round; None where it is so everywhere."""
 
     t: Array
     q: Array
     qd: Array
     qdd: Array
+    tool: Array | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,37 +115,78 @@ class PathLeg:
 
     def sample(self, axes: Axes, t: Array, right: bool = True) -> Sample:
         """Positions by inverse kinematics, velocities, accelerations through the Jacobian. At a break: right side."""
-        tau = np.clip(t / self.T, 0.0, 1.0)
-        s, sv, sa = integrate(self.grid, self.s, self.v, tau, right)
-        d, dv, da = integrate(self.grid, self.d, self.w, tau, right)
-        sv, dv, sa, da = sv / self.T, dv / self.T, sa / self.T**2, da / self.T**2
-        arm = axes.inverse(self.segment.pose(s) @ inverse_pose(self.X_FT), axes.layout.value(d))[:, self.cfx, :]
-        q = axes.layout.merge(d, unwind(arm, self.reference))
-        twist, bend = self.segment.twist(s), self.segment.twist_rate(s)
-        J = axes.jacobian(q, self.X_FT)
-        Jr, Ja = J[:, :, axes.layout.rail], J[:, :, axes.layout.arm]
+        return _on_ways(axes, [self], [t], right)
 
-        def arm_follows(tool: Array, rail: Array) -> Array:
-            """Joint rates (n, m) that move the tool by its part of a rate, the rail having its own."""
-            return np.asarray(np.linalg.solve(Ja, (tool - (Jr @ rail[..., None])[..., 0])[..., None])[..., 0])
+    def progress(self, t: Array, right: bool) -> Array:
+        """At times t (m,): share of the way and rail, their rates and second derivatives (3, m, 1 + r)."""
+        x, v = np.column_stack([self.s, self.d]), np.column_stack([self.v, self.w])
+        found = integrate(self.grid, x, v, np.clip(t / self.T, 0.0, 1.0), right)
+        return np.stack(found) / np.array([1.0, self.T, self.T**2])[:, None, None]
 
-        qd = axes.layout.merge(dv, arm_follows(sv[:, None] * twist, dv))
-        carried = (axes.jacobian_rate(q, qd, self.X_FT) @ qd[..., None])[..., 0]
-        qdd = axes.layout.merge(da, arm_follows(sa[:, None] * twist + sv[:, None] ** 2 * bend - carried, da))
-        return Sample(t, q, qd, qdd)
+
+def _on_ways(axes: Axes, legs: Sequence[PathLeg], times: Sequence[Array], right: bool) -> Sample:
+    """Many such motions with one tool, each at times (m,) of its own, one after the other."""
+    counts, X_TF, X_FT = [len(t) for t in times], inverse_pose(legs[0].X_FT), legs[0].X_FT
+    at, rates, changes = np.concatenate([leg.progress(t, right) for leg, t in zip(legs, times, strict=True)], axis=1)
+    edges, cfx = np.cumsum(counts)[:-1], np.repeat([leg.cfx for leg in legs], counts)
+    starts = np.concatenate([[0], edges])
+    references = np.array([leg.reference for leg in legs])
+    s, d, sv, dv, sa, da = at[:, 0], at[:, 1:], rates[:, 0], rates[:, 1:], changes[:, 0], changes[:, 1:]
+
+    def placed(s: Array, d: Array) -> tuple[Array, Array, Array]:
+        """Arm joints (m, joints) in whatever turn, twist and its rate by s (m, 6)."""
+        X, twist, bend = along_all([leg.segment for leg in legs], np.split(s, edges))
+        return axes.inverse(X @ X_TF, axes.layout.value(d))[np.arange(len(s)), cfx], twist, bend
+
+    arm, twist, bend = placed(s, d)
+    numb = axes.robot.walls(arm)[1] < _NUMB
+    back, along = np.where(numb, s - np.clip(s, _BESIDE, 1 - _BESIDE), 0.0)[:, None], np.zeros_like(d)
+    if numb.any():  # a wrist that the line leaves: joints and rates are those beside it, followed back
+        along = _ratio(dv, da, sv, sa)
+        s, d = s - back[:, 0], d - back * along
+        arm, twist, bend = placed(s, d)
+    q = axes.layout.merge(d, _unwound(arm, starts, references))
+    J = axes.jacobian(q, X_FT)
+    Jr, Ja = J[:, :, axes.layout.rail], J[:, :, axes.layout.arm]
+
+    def arm_follows(tool: Array, rail: Array) -> Array:
+        """Joint rates (n, m) that move the tool by its part of a rate, the rail having its own."""
+        return np.asarray(np.linalg.solve(Ja, (tool - (Jr @ rail[..., None])[..., 0])[..., None])[..., 0])
+
+    tool = np.stack([sv[:, None] * twist, sa[:, None] * twist + sv[:, None] ** 2 * bend], axis=1)
+    qd = axes.layout.merge(dv, arm_follows(tool[:, 0], dv))
+    carried = (axes.jacobian_rate(q, qd, X_FT) @ qd[..., None])[..., 0]
+    qdd = axes.layout.merge(da, arm_follows(tool[:, 1] - carried, da))
+    if numb.any():
+        q = q + np.where(numb[:, None], back * axes.layout.merge(along, arm_follows(twist, along)), 0.0)
+    return Sample(np.concatenate(times), q, qd, qdd, tool)
+
+
+def _ratio(dv: Array, da: Array, sv: Array, sa: Array) -> Array:
+    """How far the rail goes (m, r) per share of the way: of the rates, or from rest of the accelerations."""
+    rests = sv == 0
+    over, under = np.where(rests[:, None], da, dv), np.where(rests, sa, sv)[:, None]
+    return np.asarray(np.divide(over, under, out=np.zeros_like(over), where=under != 0))
 
 
 def unwind(arm: Array, reference: Array) -> Array:
     """Joints (m, joints) moved by whole turns: the first near the reference, each next near the one before."""
-    first = arm[0] + 2 * np.pi * np.round((reference - arm[0]) / (2 * np.pi))
-    steps = np.diff(arm, axis=0)
-    steps -= 2 * np.pi * np.round(steps / (2 * np.pi))
-    return np.concatenate([first[None], first + np.cumsum(steps, axis=0)])
+    return _unwound(arm, np.zeros(1, dtype=np.intp), reference[None])
+
+
+def _unwound(arm: Array, starts: IndexArray, references: Array) -> Array:
+    """The same for many, one after the other, which begin at rows starts (k,) near references (k, joints)."""
+    before = np.concatenate([references[:1], arm[:-1]])
+    before[starts] = references
+    turns = np.cumsum(np.nan_to_num(np.round((arm - before) / (2 * np.pi))), axis=0)
+    spent = np.concatenate([np.zeros_like(references[:1]), turns])[starts]  # by those before
+    counts = np.diff(starts, append=len(arm))
+    return np.asarray(arm - 2 * np.pi * (turns - np.repeat(spent, counts, axis=0)))
 
 
 @dataclass(frozen=True, eq=False)
 class JointNodes:
-    """A joint move on a grid: q, v (N+1, n), a (N, n), scaled time. Also a straight one with one profile for all."""
+    """A joint move on a grid: q, v (N+1, n), a (N, n), scaled time. Also axes that share one progress."""
 
     T: float
     grid: Array
@@ -199,19 +249,82 @@ class JointProfiles:
         return Sample(t, q, qd, qdd)
 
 
-LegMotion = PathLeg | JointNodes | JointProfiles
+@dataclass(frozen=True, eq=False)
+class Pieces:
+    """A leg's motions one after the other: of the half corner before it, its way, the half corner behind it."""
+
+    pieces: tuple[PathLeg | JointNodes, ...]
+
+    @cached_property
+    def _starts(self) -> Array:
+        return np.concatenate([[0.0], np.cumsum([piece.T for piece in self.pieces])])
+
+    @property
+    def T(self) -> float:
+        """Time [s] of all."""
+        return float(self._starts[-1])
+
+    @property
+    def N(self) -> int:
+        """Intervals of all."""
+        return sum(piece.N for piece in self.pieces)
+
+    def breaks(self) -> Array:
+        """Times (N+1,) where an acceleration may jump."""
+        inner = [start + piece.breaks()[1:] for start, piece in zip(self._starts[:-1], self.pieces, strict=True)]
+        return np.concatenate([[0.0], *inner])
+
+    def sample(self, axes: Axes, t: Array, right: bool = True) -> Sample:
+        """As of the piece at each time."""
+        return sampled(axes, [self], [t], right)
+
+    def split(self, t: Array, right: bool) -> Iterator[tuple[PathLeg | JointNodes, IndexArray, Array]]:
+        """The pieces that hold any of the times t (m,), with the numbers of theirs, and these as times of the piece."""
+        side: Literal["left", "right"] = "right" if right else "left"
+        number = np.clip(np.searchsorted(self._starts, t, side=side) - 1, 0, len(self.pieces) - 1)
+        for i in np.unique(number).tolist():
+            at = np.flatnonzero(number == i)
+            yield self.pieces[i], at, np.clip(t[at] - self._starts[i], 0.0, self.pieces[i].T)
 
 
-def share_of(motion: JointNodes) -> tuple[Array, Array, Array]:
-    """The common share s, v, a of a straight joint move."""
-    way = motion.q[-1] - motion.q[0]
-    j = int(np.argmax(np.abs(way)))
-    if way[j] == 0:
-        return motion.grid, np.zeros(motion.N + 1), np.zeros(motion.N)
-    return (motion.q[:, j] - motion.q[0, j]) / way[j], motion.v[:, j] / way[j], motion.a[:, j] / way[j]
+LegMotion = PathLeg | JointNodes | JointProfiles | Pieces
 
 
-def straight(T: float, grid: Array, q_0: Array, q_1: Array, s: Array, v: Array, a: Array) -> JointNodes:
-    """A straight joint move from its common share."""
-    way = q_1 - q_0
-    return JointNodes(T, grid, q_0 + s[:, None] * way, v[:, None] * way, a[:, None] * way)
+def sampled(axes: Axes, motions: Sequence[LegMotion], times: Sequence[Array], right: bool = True) -> Sample:
+    """Many motions, each at times (m,) of its own, one after the other."""
+    t = np.concatenate(times)
+    q, qd, qdd = (np.empty((len(t), axes.n)) for _ in range(3))
+    tool = np.full((len(t), 2, 6), np.nan)
+    ways: list[tuple[PathLeg, IndexArray, Array]] = []
+    first = 0
+
+    def put(at: IndexArray, sample: Sample) -> None:
+        q[at], qd[at], qdd[at] = sample.q, sample.qd, sample.qdd
+        if sample.tool is not None:
+            tool[at] = sample.tool
+
+    for motion, own in zip(motions, times, strict=True):
+        pieces = motion.split(own, right) if isinstance(motion, Pieces) else [(motion, np.arange(len(own)), own)]
+        for piece, at, when in pieces:
+            if isinstance(piece, PathLeg):
+                ways += [(piece, first + at, when)] if len(when) else []
+            else:
+                put(first + at, piece.sample(axes, when, right))
+        first += len(own)
+    for group in _together(ways):
+        numbers = np.concatenate([at for _, at, _ in group])
+        put(numbers, _on_ways(axes, [leg for leg, _, _ in group], [when for _, _, when in group], right))
+    return Sample(t, q, qd, qdd, tool)
+
+
+def _together(
+    ways: Sequence[tuple[PathLeg, IndexArray, Array]],
+) -> Iterator[list[tuple[PathLeg, IndexArray, Array]]]:
+    """Motions to be sampled at once: of one tool, and few enough for the memory."""
+    behind = np.cumsum([len(t) for _, _, t in ways])
+
+    def key(i: int) -> tuple[bytes, int]:
+        return ways[i][0].X_FT.tobytes(), int(behind[i]) // SAMPLED
+
+    for _, group in groupby(range(len(ways)), key=key):
+        yield [ways[i] for i in group]

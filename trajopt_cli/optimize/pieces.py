@@ -15,6 +15,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.legs import LegMotion
 from trajopt_cli.optimize.search import Chain
+from trajopt_cli.path.arc import Arc
 from trajopt_cli.problem.freedom import RailFreedom
 from trajopt_cli.problem.problem import Problem
 
@@ -23,6 +24,8 @@ Memory = dict[bytes, Draft]  # pieces of one plant that are solved, by key
 
 def _pinned(problem: Problem, k: int) -> bool:
     stop = problem.waypoints[k]
+    if problem.passes(k):
+        return False
     return stop.q is not None or (stop.rail[0] == stop.rail[1] and problem.rests(k))
 
 
@@ -47,10 +50,13 @@ def key(problem: Problem, chain: Chain) -> bytes:
     """Equal for pieces that ask for the same motion."""
     parts = [_digits(chain.q), _digits(chain.w)]
     for k, stop in enumerate(problem.waypoints):
-        parts += [_digits(stop.X_WF), repr((stop.rail, problem.rests(k), stop.q is None)).encode()]
+        parts += [_digits(stop.X_WF), repr((stop.rail, problem.rests(k), stop.q is None, stop.fly_by)).encode()]
     for leg in problem.legs:
-        numbers = (leg.v_tcp, leg.a_tcp, leg.v_ori, leg.v_rail, leg.duration, leg.rail_moves)
+        numbers = (leg.v_tcp, leg.a_tcp, leg.v_ori, leg.v_rail, leg.duration, leg.rail_moves, leg.acceleration)
         parts += [leg.kind.value.encode(), _digits(leg.X_FT), repr(numbers).encode()]
+        if isinstance(leg.segment, Arc):  # a line is what lies between its ends
+            arc = leg.segment
+            parts += [_digits(arc.centre), _digits(arc.normal), repr(arc.sweep).encode()]
     held = problem.freedom.rail is RailFreedom.STATION
     parts.append(repr((problem.ties, problem.coupling.value, held)).encode())
     parts.append(repr([label.cfx for label in chain.labels]).encode())
@@ -77,18 +83,3 @@ def solve_pieces(
     qd = np.concatenate([d.qd[:-1] for d in drafts] + [drafts[-1].qd[-1:]])
     cfx = tuple(c for d in drafts for c in d.cfx[:-1]) + drafts[-1].cfx[-1:]
     return Draft(q, qd, cfx, tuple(leg for d in drafts for leg in d.legs))
-
-
-def alone(problem: Problem, draft: Draft, k: int) -> tuple[Problem, Draft]:
-    """Leg k between its waypoints as the draft has them, the rail fixed there."""
-    layout = problem.plant.robot.layout
-    stops = tuple(
-        replace(problem.waypoints[i], rail=(float(layout.place(draft.q[i])),) * 2, rest=True) for i in (k, k + 1)
-    )
-    piece = replace(problem, waypoints=stops, legs=(replace(problem.legs[k], start=0),), stations=(), ties=())
-    return piece, Draft(draft.q[k : k + 2], draft.qd[k : k + 2], draft.cfx[k : k + 2], (draft.legs[k],))
-
-
-def with_leg(draft: Draft, k: int, leg: LegMotion | None) -> Draft:
-    """The draft with one leg replaced."""
-    return replace(draft, legs=(*draft.legs[:k], leg, *draft.legs[k + 1 :]))

@@ -6,8 +6,9 @@ configuration in the whole station. What cannot be reached is named here, before
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import astuple, dataclass, replace
-from itertools import product
+from itertools import groupby, product
 
 import numpy as np
 from scipy import ndimage
@@ -15,7 +16,8 @@ from scipy import ndimage
 from trajopt_cli.geometry import Array, BoolArray, inverse_pose
 from trajopt_cli.motion import MoveJ, MoveL, motion_name
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.tuning import ELBOW, LINE_NODES, REACH_GRID, WRIST
+from trajopt_cli.optimize.singular_start import SingularStart, usable
+from trajopt_cli.optimize.tuning import FEWEST_NODES, LINE_NODES, LONG_LINE, LONG_TURN, REACH_CHUNK, REACH_GRID
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.problem import Leg, LegKind, Problem, Waypoint
 
@@ -36,15 +38,37 @@ class Label:
 class StationTable:
     """Arm joints of one station on a rail grid.
 
-    d: (n,); waypoints: for each (L, n, m) with NaN where the configuration is not to be had, L labels; lines: per leg
-    (L, LINE_NODES, n, m), None for dwells. At a waypoint with fixed joints only its own rail value is open.
+    d: (n,); waypoints: for each (L, n, m) with NaN where the configuration is not to be had, L labels; raw: per leg
+    (branches, nodes, n, m) without turns, None for dwells. At a waypoint with fixed joints only its own rail value is
+    open. limits (2, m): lower and upper ones. leaves (L, n): where the first line begins at a singularity, to which
+    places the rail can go in proportion; else None.
     """
 
     first: int
     d: Array
     labels: tuple[Label, ...]
     waypoints: tuple[Array, ...]
-    lines: tuple[Array | None, ...]
+    raw: tuple[Array | None, ...]
+    limits: Array
+    leaves: BoolArray | None = None
+
+    def line(self, i: int) -> Array | None:
+        """Joints (L, nodes, n, m) along leg i of the station, NaN where the configuration is not to be had; None for a
+        dwell."""
+        raw = self.raw[i]
+        if raw is None:
+            return None
+        q = raw[[label.cfx for label in self.labels]] + np.array([label.turns for label in self.labels])[:, None, None]
+        return np.where(self._within(q)[..., None], q, np.nan)
+
+    def open_on(self, i: int, label: int) -> BoolArray:
+        """Where (nodes, n) along line i of the station one label is to be had."""
+        raw = self.raw[i]
+        assert raw is not None
+        return self._within(raw[self.labels[label].cfx] + self.labels[label].turns)
+
+    def _within(self, q: Array) -> BoolArray:
+        return np.asarray(np.all((q >= self.limits[0]) & (q <= self.limits[1]), axis=-1))
 
 
 def rail_grid(problem: Problem, first: int, last: int, n: int, window: tuple[float, float] | None = None) -> Array:
@@ -60,91 +84,127 @@ def rail_grid(problem: Problem, first: int, last: int, n: int, window: tuple[flo
     return np.unique(np.r_[np.linspace(low, high, n), fixed])
 
 
-def _unwrap(arm: Array, axis: int) -> Array:
-    """Whole turns removed between neighbours along an axis, gaps of NaN bridged."""
-    filled = np.moveaxis(arm, axis, 0).copy()
-    last = filled[0].copy()
-    for i in range(1, len(filled)):
-        jump = filled[i] - last
-        filled[i] -= 2 * np.pi * np.round(np.where(np.isnan(jump), 0.0, jump) / (2 * np.pi))
-        last = np.where(np.isnan(filled[i]), last, filled[i])
-    return np.moveaxis(filled, 0, axis)
+def _unwrap(arm: Array, axis: int, first: int = 0) -> Array:
+    """Whole turns removed between neighbours along an axis, gaps of NaN bridged; first: where to begin, both ways."""
+    if first:
+        before, behind = np.split(arm, [first], axis)
+        behind = _unwrap(behind, axis)
+        start = np.take(behind, [0], axis)
+        back = _unwrap(np.flip(np.concatenate([before, start], axis), axis), axis)
+        return np.concatenate([np.delete(np.flip(back, axis), -1, axis), behind], axis)
+    x = np.moveaxis(arm, axis, 0)
+    missing = np.isnan(x)
+    before = x[:-1]
+    if missing.any():
+        rows = np.arange(len(x)).reshape(-1, *[1] * (x.ndim - 1))
+        held = np.maximum.accumulate(np.where(missing, 0, rows), axis=0)
+        before = np.take_along_axis(x, held[:-1], axis=0)
+    steps = np.nan_to_num(np.round((x[1:] - before) / (2 * np.pi)))
+    if not steps.any():
+        return arm
+    turns = np.concatenate([np.zeros_like(x[:1]), np.cumsum(steps, axis=0)])
+    return np.moveaxis(x - 2 * np.pi * turns, 0, axis)
 
 
-def _usable(axes: Axes, arm: Array) -> Array:
-    """NaN where a configuration stands too near a singularity for a line, a dwell or a waypoint with a free rail."""
-    elbow, wrist = axes.robot.walls(arm)
-    bad = (elbow > ELBOW) | (wrist < WRIST)
-    return np.where(bad[..., None], np.nan, arm)
+def line_nodes(leg: Leg) -> int:
+    """How many points of a line or an arc are held against the inverse kinematics: fewer on short ones."""
+    share = max(leg.chord / LONG_LINE, leg.angle / LONG_TURN)
+    return int(np.clip(1 + np.ceil((LINE_NODES - 1) * min(share, 1.0)), FEWEST_NODES, LINE_NODES))
+
+
+def _on_lines(axes: Axes, legs: Sequence[tuple[Leg, int]], d: Array) -> Iterator[Array]:
+    """Joints (branches, nodes, n, m) along lines with so many nodes, in whatever turn, where they are usable."""
+    n = len(d)
+    behind = np.cumsum([nodes * n for _, nodes in legs])
+    for _, group in groupby(range(len(legs)), key=lambda i: int(behind[i]) // REACH_CHUNK):
+        some = [legs[i] for i in group]
+        X = [leg.segment.pose(np.linspace(0, 1, m)) @ inverse_pose(leg.X_FT) for leg, m in some if leg.segment]
+        counts = [m for _, m in some]
+        arm = axes.inverse(np.repeat(np.concatenate(X), n, axis=0), np.tile(d, sum(counts)))
+        arm = np.moveaxis(usable(axes, arm).reshape(sum(counts), n, *arm.shape[1:]), 2, 0)
+        yield from np.split(arm, np.cumsum(counts)[:-1], axis=1)
+
+
+def _raw(
+    axes: Axes, problem: Problem, first: int, last: int, d: Array, given: SingularStart | None
+) -> tuple[list[Array], list[Array | None], BoolArray | None]:
+    """Joints of a station by branch at its waypoints (branches, n, m) and along its legs (branches, nodes, n, m), each
+    continued from the one before; and where the first line can leave to."""
+    leaves = None
+    if given is not None:
+        start, leaves = given.table(axes, problem, d)
+    else:
+        arm = axes.inverse(np.broadcast_to(problem.waypoints[first].X_WF, (len(d), 4, 4)), d)
+        arm = np.moveaxis(arm, 1, 0)
+        start = _unwrap(arm if _rests(problem, first, last) else usable(axes, arm), 1)
+    stops, lines = [start], list[Array | None]()
+    legs = problem.legs[first:last]
+    left = None if given is None else given.leg
+    ways = [(leg, LINE_NODES if leg is left else line_nodes(leg)) for leg in legs if leg.segment is not None]
+    found = _on_lines(axes, ways, d)
+    for leg in legs:
+        if leg.segment is None:
+            stops.append(stops[-1])
+            lines.append(None)
+            continue
+        raw = next(found)
+        raw[:, 0] = stops[-1]
+        # along the line first; then along the rail, for columns whose start is out of reach and gave no reference
+        line = _unwrap(_unwrap(raw, 1), 2, given.column(d) if given is not None and left is leg else 0)
+        lines.append(line)
+        stops.append(line[:, -1])
+    return stops, lines, leaves
 
 
 def station_table(axes: Axes, problem: Problem, first: int, last: int, d: Array) -> StationTable:
     """Tables of one station."""
-    n = len(d)
-    stops_raw: list[Array] = []  # (branches, n, joints)
-    lines_raw: list[Array | None] = []
-    for k in range(first, last + 1):
-        stop = problem.waypoints[k]
-        if k == first:
-            raw = _usable(axes, np.moveaxis(axes.inverse(np.broadcast_to(stop.X_WF, (n, 4, 4)), d), 1, 0))
-            stops_raw.append(_unwrap(raw, 1))
-            continue
-        leg = problem.legs[k - 1]
-        if leg.segment is None:
-            stops_raw.append(stops_raw[-1])
-            lines_raw.append(None)
-            continue
-        X = leg.segment.pose(np.linspace(0, 1, LINE_NODES)) @ inverse_pose(leg.X_FT)
-        raw = axes.inverse(np.broadcast_to(X[:, None], (LINE_NODES, n, 4, 4)).reshape(-1, 4, 4), np.tile(d, LINE_NODES))
-        raw = _usable(axes, np.moveaxis(raw.reshape(LINE_NODES, n, *raw.shape[1:]), 2, 0))
-        start = stops_raw[-1]
-        raw[:, 0] = start
-        # along the line first; then along the rail, for columns whose start is out of reach and gave no reference
-        line = _unwrap(_unwrap(raw, 1), 2)
-        lines_raw.append(line)
-        stops_raw.append(line[:, -1])
-    limits_low, limits_high = axes.lower[axes.layout.arm] - 1e-9, axes.upper[axes.layout.arm] + 1e-9
-
-    labels: list[Label] = []
-    stops: list[list[Array]] = [[] for _ in stops_raw]
-    lines: list[list[Array | None]] = [[] for _ in lines_raw]
-    for cfx, turn in product(range(len(stops_raw[0])), axes.robot.turns):
-        tables = []
-        for i, raw in enumerate(stops_raw):
-            q = raw[cfx] + turn
-            ok = np.all((q >= limits_low) & (q <= limits_high), axis=-1)
-            stop = problem.waypoints[first + i]
-            if stop.rail[0] == stop.rail[1]:
-                ok &= np.abs(d - stop.rail[0]) < 1e-12
-            if stop.conf is not None:
-                for j in np.flatnonzero(ok & (np.abs(d - stop.written) < 1e-12)):
-                    ok[j] = axes.robot.admits(stop.conf, q[j])
-            if stop.q is not None:
-                ok &= np.all(np.abs(q - stop.q[axes.layout.arm]) < 1e-6, axis=-1)
-            tables.append(np.where(ok[:, None], q, np.nan))
-        if not all(np.any(~np.isnan(t[:, 0])) for t in tables):
-            continue
-        labels.append(Label(cfx, turn))
-        for i, t in enumerate(tables):
-            stops[i].append(t)
-        for i, line_raw in enumerate(lines_raw):
-            if line_raw is None:
-                lines[i].append(None)
-                continue
-            q = line_raw[cfx] + turn
-            ok = np.all((q >= limits_low) & (q <= limits_high), axis=-1)
-            lines[i].append(np.where(ok[..., None], q, np.nan))
+    given = SingularStart.of(axes, problem, first, last)
+    stops, lines, leaves = _raw(axes, problem, first, last, d, given)
+    limits = np.array([axes.lower[axes.layout.arm] - 1e-9, axes.upper[axes.layout.arm] + 1e-9])
     alone = problem.waypoints[first].q if first == last else None
     if alone is not None:
         d, arm = axes.layout.place(alone[None]), alone[axes.layout.arm]
-        return StationTable(first, d, (Label(-1, np.zeros_like(arm)),), (arm[None, None],), ())
+        return StationTable(first, d, (Label(-1, np.zeros_like(arm)),), (arm[None, None],), (), limits)
+    labels = [Label(cfx, turns) for cfx, turns in product(range(len(stops[0])), axes.robot.turns)]
+    kept = np.arange(len(labels))
+    tables: list[Array] = []
+    for i, raw in enumerate(stops):  # a label that is not to be had at some waypoint is none
+        if not len(kept):
+            break
+        of = [labels[j] for j in kept]
+        q = raw[[label.cfx for label in of]] + np.array([label.turns for label in of])[:, None]
+        tables.append(np.where(_to_be_had(axes, problem.waypoints[first + i], q, d, limits)[..., None], q, np.nan))
+        some = ~np.isnan(tables[-1][..., 0]).all(axis=1)
+        if not some.all():
+            kept, tables = kept[some], [one[some] for one in tables]
     return StationTable(
         first,
         d,
-        tuple(labels),
-        tuple(np.array(s).reshape(-1, n, axes.layout.joints) for s in stops),
-        tuple(None if not x or x[0] is None else np.array(x) for x in lines),
+        tuple(labels[j] for j in kept),
+        tuple(tables),
+        tuple(lines),
+        limits,
+        None if leaves is None else leaves[[labels[j].cfx for j in kept]],
     )
+
+
+def _to_be_had(axes: Axes, stop: Waypoint, q: Array, d: Array, limits: Array) -> BoolArray:
+    """Where joints q (L, n, m) at rail positions d (n,) may be those of a waypoint."""
+    ok = np.all((q >= limits[0]) & (q <= limits[1]), axis=-1)
+    if stop.rail[0] == stop.rail[1]:
+        ok &= np.abs(d - stop.rail[0]) < 1e-12
+    if stop.conf is not None:
+        for label, j in np.argwhere(ok & (np.abs(d - stop.written) < 1e-12)):
+            ok[label, j] = axes.robot.admits(stop.conf, q[label, j])
+    if stop.q is not None:
+        ok &= np.all(np.abs(q - stop.q[axes.layout.arm]) < 1e-6, axis=-1)
+    return np.asarray(ok)
+
+
+def _rests(problem: Problem, first: int, last: int) -> bool:
+    """Whether no axis moves in a station, so that no singularity matters to it."""
+    low, high = problem.waypoints[first].rail
+    return low == high and not any(leg.segment or leg.rail_moves for leg in problem.legs[first:last])
 
 
 def check_reach(axes: Axes, problem: Problem, n: int = REACH_GRID) -> Infeasible | None:
@@ -156,7 +216,9 @@ def check_reach(axes: Axes, problem: Problem, n: int = REACH_GRID) -> Infeasible
             return _lost(axes, problem, first, last, d)
         for i in range(last - first):
             if problem.legs[first + i].kind is LegKind.LINE and not _passable(problem, table, i):
-                return _broken_line(axes, problem, first + i, d, table.labels) or _no_single(problem, first + i)
+                return _broken_line(axes, problem, first + i, d, table.labels) or _about(
+                    problem, first + i, f": {_NO_SINGLE}"
+                )
     return None
 
 
@@ -172,6 +234,11 @@ def _lost(axes: Axes, problem: Problem, first: int, last: int, d: Array) -> Infe
         if labels:
             continue
         line = problem.legs[k - 1].kind is LegKind.LINE
+        given = SingularStart.of(axes, problem, first, k)
+        if given is not None and given.leg is problem.legs[k - 1]:
+            if text := given.jump(axes, problem, d):
+                return _about(problem, k - 1, text)
+            before = ()
         broken = _broken_line(axes, problem, k - 1, d, before) if line else None
         return broken or _no_common(problem, first, k)
     raise AssertionError("a station without a label has a first stop where the labels end")
@@ -192,18 +259,12 @@ def problem_at(problem: Problem, k: int) -> Problem:
 
 def _passable(problem: Problem, table: StationTable, i: int) -> bool:
     """Some label runs the whole line: with the rail moving if it may, else at one rail position."""
-    line = table.lines[i]
     leg = problem.legs[table.first + i]
-    assert line is not None
-    open_ = ~np.isnan(line[..., 0])
-    open_[:, 0] &= ~np.isnan(table.waypoints[i][..., 0])
-    open_[:, -1] &= ~np.isnan(table.waypoints[i + 1][..., 0])
-    for grid in open_:
-        if not leg.rail_moves:
-            if np.any(np.all(grid, axis=0)):
-                return True
-            continue
-        if _crosses(grid):
+    for label in range(len(table.labels)):
+        open_ = table.open_on(i, label)
+        open_[0] &= ~np.isnan(table.waypoints[i][label, :, 0])
+        open_[-1] &= ~np.isnan(table.waypoints[i + 1][label, :, 0])
+        if _crosses(open_) if leg.rail_moves else open_.all(axis=0).any():
             return True
     return False
 
@@ -324,10 +385,13 @@ def _broken_line(axes: Axes, problem: Problem, k: int, d: Array, labels: tuple[L
     X_WF = X @ inverse_pose(leg.X_FT)
     arm = [axes.inverse(np.broadcast_to(X, (len(rails), 4, 4)), rails) for X in X_WF]
     # a point out of everything's reach says most; else the one where the last configuration ends
-    known = {label.cfx for label in labels} if all(label.cfx >= 0 for label in labels) else set(range(arm[0].shape[1]))
+    known = {label.cfx for label in labels if label.cfx >= 0} or set(range(arm[0].shape[1]))
     at = _first_lost(axes, leg, arm, set(range(arm[0].shape[1])))
     if at is None:
-        at = _first_lost(axes, leg, [_usable(axes, q) for q in arm], known)
+        stands = problem.waypoints[k].q is not None  # joints are given there: no singularity is in the way
+        at = _first_lost(
+            axes, leg, [arm[0] if stands else usable(axes, arm[0]), *(usable(axes, q) for q in arm[1:])], known
+        )
     if at is None:
         return None
     X_WT, X_WF = X[at], X_WF[at]
@@ -363,9 +427,9 @@ def _in_limits(axes: Axes, arm: Array) -> BoolArray:
     return ok
 
 
-def _no_single(problem: Problem, k: int) -> Infeasible:
+def _about(problem: Problem, k: int, text: str) -> Infeasible:
     motion = problem.motion(problem.legs[k].motion)
-    return Infeasible(problem.legs[k].motion, motion.source, f"{motion_name(motion)}: {_NO_SINGLE}")
+    return Infeasible(problem.legs[k].motion, motion.source, f"{motion_name(motion)}{text}")
 
 
 def _no_common(problem: Problem, first: int, last: int) -> Infeasible:

@@ -9,7 +9,7 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.draft import Draft
-from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, straight
+from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg
 from trajopt_cli.optimize.profiles import hold, profiles
 from trajopt_cli.optimize.transcription import LegVariables, Transcription
 from trajopt_cli.problem.problem import Leg, Problem
@@ -31,12 +31,11 @@ def read(program: Transcription, x: Array) -> Draft:
         elif var is None:  # a dwell in which nothing moves
             legs.append(hold(motion.T, q[k]))
         elif isinstance(motion, PathLeg):
-            legs.append(_path(axes, motion, var, x, q[k], q[k + 1]))
+            legs.append(_path(axes, motion, var, x, q[k]))
         elif isinstance(motion, JointProfiles):
-            legs.append(_profiles(axes, problem, leg, q[k : k + 2], qd[k : k + 2], float(x[var.T])))
-        elif problem.coordinated:
-            legs.append(straight(float(x[var.T]), motion.grid, q[k], q[k + 1], x[var.s], x[var.v], x[var.a]))
+            legs.append(_profiles(axes, leg, q[k : k + 2], qd[k : k + 2], float(x[var.T])))
         else:
+            assert isinstance(motion, JointNodes)
             T, nodes, velocities = float(x[var.T]), x[var.q], x[var.qv]
             nodes[0], nodes[-1], velocities[0], velocities[-1] = q[k], q[k + 1], qd[k] * T, qd[k + 1] * T
             legs.append(JointNodes(T, motion.grid, nodes, velocities, x[var.qa]))
@@ -57,21 +56,16 @@ def _polished(axes: Axes, problem: Problem, draft: Draft, q: Array, qd: Array) -
     return q, qd
 
 
-def _path(axes: Axes, motion: PathLeg, var: LegVariables, x: Array, q_0: Array, q_1: Array) -> PathLeg:
-    rail, arm = axes.layout.rail, axes.layout.arm
+def _path(axes: Axes, motion: PathLeg, var: LegVariables, x: Array, q_0: Array) -> PathLeg:
     lengths = np.repeat(x[var.h], motion.N // 3)
     grid = np.concatenate([[0.0], np.cumsum(lengths[:-1]), [1.0]])
     s, v, a = (x[var.s], x[var.v], x[var.a]) if len(var.s) else (motion.s, motion.v, motion.a)
-    if len(var.d):
-        d, w, b = x[var.d], x[var.w], x[var.b]
-    else:
-        way = q_1[rail] - q_0[rail]
-        d, w, b = q_0[rail] + way * s[:, None], way * v[:, None], way * a[:, None]
-    return replace(motion, T=float(x[var.T]), grid=grid, s=s, v=v, a=a, d=d, w=w, b=b, reference=q_0[arm])
+    d, w, b = x[var.d], x[var.w], x[var.b]
+    reference = q_0[axes.layout.arm]
+    return replace(motion, T=float(x[var.T]), grid=grid, s=s, v=v, a=a, d=d, w=w, b=b, reference=reference)
 
 
-def _profiles(axes: Axes, problem: Problem, leg: Leg, q: Array, qd: Array, T: float) -> JointProfiles:
+def _profiles(axes: Axes, leg: Leg, q: Array, qd: Array, T: float) -> JointProfiles:
     # between given states the least time is known in closed form; the solver's T only comes near it
     least = T if leg.duration is not None else 0.0
-    V = axes.velocity_on(leg)
-    return profiles(q[0], qd[0], q[1], qd[1], V, axes.acceleration, least, problem.coordinated)
+    return profiles(q[0], qd[0], q[1], qd[1], axes.velocity_on(leg), axes.acceleration_on(leg), least, common=False)

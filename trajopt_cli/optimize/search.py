@@ -7,6 +7,7 @@ are exact without the tool caps; those of lines are estimates.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,12 +15,12 @@ import numpy as np
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.double_integrator import reach, shortest_time, trapezoid_time
+from trajopt_cli.optimize.edges import Band, Dense, Edge
 from trajopt_cli.optimize.reach import Label, StationTable, rail_grid, station_table
 from trajopt_cli.optimize.tied import Ties, best_tied
 from trajopt_cli.optimize.tuning import (
     CURVED,
     LEAST_ROOM,
-    LINE_NODES,
     NEAR_BEST,
     PASSING,
     SEARCH_CHUNK,
@@ -27,6 +28,8 @@ from trajopt_cli.optimize.tuning import (
     SEARCH_FINE,
     SEARCH_WINDOW,
     SHIFT,
+    WAY_NODES,
+    WIDEST,
 )
 from trajopt_cli.problem.freedom import RailFreedom
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
@@ -52,6 +55,11 @@ class _Layer:
     label: IndexArray
     rail: IndexArray
 
+    @property
+    def place(self) -> IndexArray:
+        """Label and rail number (2, m)."""
+        return np.stack([self.label, self.rail])
+
 
 def _layer(axes: Axes, problem: Problem, table: StationTable, k: int, speeds: Array) -> _Layer:
     arm = table.waypoints[k - table.first]
@@ -69,7 +77,8 @@ def _layer(axes: Axes, problem: Problem, table: StationTable, k: int, speeds: Ar
 
 
 def _joint_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) -> Array:
-    """(n_a, n_b) least time of joint moves; the tool caps enter by a trapezoid over the chord."""
+    """(n_a, n_b) least time of joint moves; the tool caps enter by a trapezoid over the tool's way, which is its chord
+    where every axis may go its own way."""
     V, A = axes.velocity_on(leg), axes.acceleration
     out = np.empty((len(a.q), len(b.q)))
     moving = np.any(a.qd) or np.any(b.qd)
@@ -88,26 +97,46 @@ def _joint_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
             T = np.max(trapezoid_time(D, V, A), axis=-1)
         chord = np.linalg.norm(p_a[part, None, :3, 3] - p_b[None, :, :3, 3], axis=-1)
         out[part] = np.maximum(T, trapezoid_time(chord, leg.v_tcp, leg.a_tcp))
+        if problem.coordinated:
+            _lengthen(axes, leg, a.q[part], b.q, out[part])
     if leg.duration is not None:
         out = np.where(out <= leg.duration, leg.duration, out)
     stays = axes.layout.place(a.q)[:, None] == axes.layout.place(b.q)
     return np.where(stays | leg.rail_moves, out, np.inf)
 
 
-def _line_time(axes: Axes, leg: Leg, table: StationTable, i: int, a: _Layer, b: _Layer) -> Array:
-    """(n_a, n_b) estimated time of a line with the rail linear in the path; infinite where it cannot be."""
-    line = table.lines[i]
+def _lengthen(axes: Axes, leg: Leg, q_0: Array, q_1: Array, T: Array) -> None:
+    """Times T (n_0, n_1) of straight joint moves raised, in place, to what the tool's way takes, where that matters."""
+    reach = np.linalg.norm(leg.X_FT[:3, 3]) + WIDEST
+    lever = np.where(np.arange(axes.n) >= axes.layout.arm.start, reach, 1.0)
+    most = np.abs(q_1[None] - q_0[:, None]) @ lever
+    i, k = np.nonzero(np.isfinite(T) & (most > leg.v_tcp * T))
+    for at in range(0, len(i), SEARCH_CHUNK // 64):
+        a, b = i[at : at + SEARCH_CHUNK // 64], k[at : at + SEARCH_CHUNK // 64]
+        s = np.linspace(0, 1, WAY_NODES)[:, None, None]
+        tool = (axes.forward(q_0[a] + s * (q_1[b] - q_0[a])) @ leg.X_FT)[..., :3, 3]
+        length = np.linalg.norm(np.diff(tool, axis=0), axis=-1).sum(axis=0)
+        T[a, b] = np.maximum(T[a, b], trapezoid_time(length, leg.v_tcp, leg.a_tcp))
+
+
+def _line_times(axes: Axes, problem: Problem, table: StationTable, k: int, a: _Layer, b: _Layer) -> Band:
+    """Estimated times of a line, leg k, with the rail linear in the path, whatever the rates of the states."""
+    leg, i = problem.legs[k], k - table.first
+    line = table.line(i)
     assert line is not None
     d = table.d
     n = len(d)
     limits_v, limits_a = axes.velocity_on(leg), axes.acceleration
     spacing = (d[-1] - d[0]) / max(n - 1, 1)
     cruise = leg.chord / leg.v_tcp + leg.angle / leg.v_ori
-    widest = (
-        0 if not leg.rail_moves else int(np.ceil((SHIFT + axes.layout.place(limits_v) * cruise) / max(spacing, 1e-9)))
-    )
-    best = np.full((len(table.labels), n, n), np.inf)
-    S = np.linspace(0, 1, LINE_NODES)
+    beyond = 0.0 if problem.passes(k) and problem.passes(k + 1) else SHIFT
+    farthest = (beyond + axes.layout.place(limits_v) * cruise) if leg.rail_moves else 0.0
+    if problem.freedom.rail is RailFreedom.STATION:
+        farthest = 0.0
+    widest = int(np.ceil(farthest / max(spacing, 1e-9)))
+    leaves = table.leaves if problem.coordinated and all(before is None for before in table.raw[:i]) else None
+    best: dict[int, Array] = {}
+    S = np.linspace(0, 1, line.shape[1])
     for shift in range(-min(widest, n - 1), min(widest, n - 1) + 1):
         i0 = np.arange(max(0, -shift), min(n, n - shift))
         i1 = i0 + shift
@@ -116,8 +145,8 @@ def _line_time(axes: Axes, leg: Leg, table: StationTable, i: int, a: _Layer, b: 
         low = np.clip(np.floor(position + 1e-9).astype(int), 0, n - 1)
         high = np.minimum(low + 1, n - 1)
         f = (position - low)[None, :, :, None]
-        k = np.arange(LINE_NODES)[:, None]
-        arm = line[:, k, low] * (1 - f) + np.where(f > 1e-9, line[:, k, high], 0.0) * f
+        node = np.arange(len(S))[:, None]
+        arm = line[:, node, low] * (1 - f) + np.where(f > 1e-9, line[:, node, high], 0.0) * f
         q = axes.layout.join(d[i0] + way * S[:, None], arm)
         dq = np.gradient(q, S, axis=1)
         ddq = np.gradient(dq, S, axis=1)
@@ -127,18 +156,21 @@ def _line_time(axes: Axes, leg: Leg, table: StationTable, i: int, a: _Layer, b: 
         acc = np.min(room / np.maximum(np.abs(dq), 1e-9), axis=(1, 3))
         acc = np.minimum(acc, leg.a_tcp / max(leg.chord, 1e-12))
         T = trapezoid_time(1.0, v, acc)
-        best[:, i0, i1] = np.where(np.isnan(T), np.inf, T)
-    T = best[a.label[:, None], a.rail[:, None], b.rail[None]]
-    T = np.where(a.label[:, None] == b.label[None], T, np.inf)
-    if np.any(a.qd) or np.any(b.qd):
-        fast = np.isfinite(T)
-        ia, ib = np.nonzero(fast)
-        T[ia, ib] = np.maximum(
-            T[ia, ib], shortest_time(b.q[ib] - a.q[ia], a.qd[ia], b.qd[ib], limits_v, limits_a, rounds=2)
-        )
-    if leg.duration is not None:
-        T = np.where(leg.duration >= T, leg.duration, T)
-    return T
+        lost = np.isnan(T) if leaves is None else np.isnan(T) | ~leaves[:, i1]
+        best[shift] = np.where(lost, np.inf, np.maximum(T, leg.duration or 0.0))
+    return Band.between(best, len(table.labels), n, a.place, b.place)
+
+
+def _line_edge(axes: Axes, problem: Problem, table: StationTable, k: int, a: _Layer, b: _Layer) -> Edge:
+    """The same, and no less than the rates of the states allow."""
+    band, leg = _line_times(axes, problem, table, k, a, b), problem.legs[k]
+    if not (np.any(a.qd) or np.any(b.qd)):
+        return band
+    T = band.dense()
+    ia, ib = np.nonzero(np.isfinite(T))
+    V, A = axes.velocity_on(leg), axes.acceleration
+    T[ia, ib] = np.maximum(T[ia, ib], shortest_time(b.q[ib] - a.q[ia], a.qd[ia], b.qd[ib], V, A, rounds=2))
+    return Dense(T)
 
 
 def _dwell_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) -> Array:
@@ -167,45 +199,51 @@ def _dwell_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
 
 def _edges(
     axes: Axes, problem: Problem, tables: list[StationTable], where: list[int], layers: list[_Layer]
-) -> list[Array]:
-    edges = []
+) -> list[Edge]:
+    edges: list[Edge] = []
     for k, leg in enumerate(problem.legs):
-        a, b = layers[k], layers[k + 1]
+        a, b, table = layers[k], layers[k + 1], tables[where[k]]
         if leg.kind is LegKind.JOINT:
-            edges.append(_joint_time(axes, problem, leg, a, b))
-            continue
-        table = tables[where[k]]
-        if leg.kind is LegKind.LINE:
-            T = _line_time(axes, leg, table, k - table.first, a, b)
+            edges.append(Dense(_joint_time(axes, problem, leg, a, b)))
+        elif leg.kind is LegKind.LINE:
+            edges.append(_line_edge(axes, problem, table, k, a, b))
         else:
             T = _dwell_time(axes, problem, leg, a, b)
-        if problem.freedom.rail is RailFreedom.STATION:
-            T = np.where(a.rail[:, None] == b.rail[None], T, np.inf)
-        edges.append(T)
+            held = problem.freedom.rail is RailFreedom.STATION
+            edges.append(Dense(np.where(a.rail[:, None] == b.rail[None], T, np.inf) if held else T))
     return edges
 
 
-def _best(layers: list[_Layer], edges: list[Array], ties: Ties) -> tuple[float, list[int], list[Array], list[Array]]:
+def _best(layers: list[_Layer], edges: Sequence[Edge], ties: Ties) -> tuple[float, list[int], list[Array], list[Array]]:
     """Cost and states of the best chain, and the least cost from the start to, and from there to the end of, a state
     where no tie is kept."""
     forward = [np.zeros(len(layers[0].q))]
-    back: list[Array] = []
-    for T in edges:
-        total = forward[-1][:, None] + T
-        back.append(np.argmin(total, axis=0))
-        forward.append(np.min(total, axis=0))
+    back: list[IndexArray] = []
+    for edge in edges:
+        source, cost = edge.into(forward[-1])
+        back.append(source)
+        forward.append(cost)
     backward = [np.zeros(len(layers[-1].q))]
-    for T in reversed(edges):
-        backward.append(np.min(T + backward[-1][None], axis=1))
+    for edge in reversed(edges):
+        backward.append(edge.out(backward[-1]))
     backward.reverse()
     if ties:
         through = [a + b for a, b in zip(forward, backward, strict=True)]
-        return *best_tied([layer.q for layer in layers], edges, through, ties), forward, backward
+        tables = [edge.dense() for edge in edges]
+        return *best_tied([layer.q for layer in layers], tables, through, ties), forward, backward
     end = int(np.argmin(forward[-1]))
     path = [end]
     for b in reversed(back):
         path.append(int(b[path[-1]]))
     return float(forward[-1][end]), path[::-1], forward, backward
+
+
+def best_chain(q: list[Array], edges: list[Array], ties: Ties) -> tuple[float, list[int]]:
+    """The least cost, and which of the axes q (m, n) of every waypoint the best chain takes."""
+    none = np.zeros(0, dtype=np.intp)
+    layers = [_Layer(x, np.zeros_like(x), none, none) for x in q]
+    cost, path, _, _ = _best(layers, [Dense(T) for T in edges], ties)
+    return cost, path
 
 
 def search(axes: Axes, problem: Problem) -> Chain | None:
@@ -299,16 +337,18 @@ def _restrict(table: StationTable, labels: list[int]) -> StationTable:
         table.d,
         tuple(table.labels[i] for i in labels),
         tuple(s[labels] for s in table.waypoints),
-        tuple(None if line is None else line[labels] for line in table.lines),
+        table.raw,
+        table.limits,
+        None if table.leaves is None else table.leaves[labels],
     )
 
 
 def _chain(
-    problem: Problem, tables: list[StationTable], where: list[int], layers: list[_Layer], edges: list[Array],
+    problem: Problem, tables: list[StationTable], where: list[int], layers: list[_Layer], edges: list[Edge],
     path: list[int], cost: float,
 ) -> Chain:  # fmt: skip
     q = np.array([layers[k].q[i] for k, i in enumerate(path)])
     w = np.array([layers[k].qd[i] for k, i in enumerate(path)])
     labels = tuple(tables[where[k]].labels[layers[k].label[i]] for k, i in enumerate(path))
-    times = np.array([edges[k][path[k], path[k + 1]] for k in range(len(problem.legs))])
+    times = np.array([edges[k].at(path[k], path[k + 1]) for k in range(len(problem.legs))])
     return Chain(q, w, labels, times, cost)

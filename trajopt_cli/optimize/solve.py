@@ -9,7 +9,7 @@ from time import perf_counter
 import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray
-from trajopt_cli.motion import Hold, Program
+from trajopt_cli.motion import Hold, Program, motion_name
 from trajopt_cli.optimize.assemble import rows_of
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.binding import binding_limit
@@ -17,21 +17,32 @@ from trajopt_cli.optimize.bound import lower_bound
 from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.driver import NotConverged, Refiner, first_draft
 from trajopt_cli.optimize.formulation import Formulation
-from trajopt_cli.optimize.legs import JointProfiles, LegMotion, PathLeg
-from trajopt_cli.optimize.pieces import Memory, alone, cut, solve_pieces, with_leg
+from trajopt_cli.optimize.incumbent import (
+    NotDriven,
+    duration,
+    least_time,
+    polished,
+    refined,
+    stopped,
+    stopped_at_joint_moves,
+    stopping,
+    timed,
+)
+from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg
+from trajopt_cli.optimize.pieces import Memory, cut, solve_pieces
 from trajopt_cli.optimize.reach import check_reach
 from trajopt_cli.optimize.search import Chain, search
 from trajopt_cli.optimize.tuning import (
     DENSER,
-    DISAPPOINTING,
-    LAST_ALONE,
+    LEAST_GAIN,
     RESIDUAL,
-    RETIMED,
+    ROOMS,
     ROW_APART,
     SLOWER,
+    WORTH_TRYING,
 )
 from trajopt_cli.problem.changes import Changes, everything
-from trajopt_cli.problem.freedom import EVERYTHING, Freedom, RailFreedom
+from trajopt_cli.problem.freedom import EVERYTHING, Freedom
 from trajopt_cli.problem.plan import Infeasible, Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Coupling, LegKind, Problem, build_problem
@@ -94,14 +105,17 @@ def optimize(
         assert isinstance(problems[0], Infeasible)
         return problems[0]
     seconds["reach"] = perf_counter() - start
-    tell(Progress("search"))
-    start = perf_counter()
-    found = [(chain, problem) for problem in open_ if (chain := search(axes, problem)) is not None]
-    seconds["search"] = perf_counter() - start
-    if not found:
-        return _disconnected(program, any(problem.ties for problem in open_))
-    chain, problem = min(found, key=lambda pair: pair[0].cost)
-    draft, legs, trajectory, bounds = _clean_plan(axes, problem, chain, {} if memory is None else memory, tell, seconds)
+    found = _legal(axes, open_, tell, seconds)
+    if isinstance(found, Infeasible):
+        return found
+    problem, chain, draft = found
+    if not problem.coordinated:
+        draft = _improved(axes, problem, chain, draft, {} if memory is None else memory, tell, seconds)
+    rows = _rows(axes, draft, _end(problem, draft))
+    if rows is None:
+        raise NoCleanPlan("the written rows would pass a limit between each other")
+    trajectory, bounds = rows
+    legs = _motions(draft)
     bound = None
     if bounded:
         start = perf_counter()
@@ -131,49 +145,120 @@ def search_estimate(program: Program, plant: Plant, target: Target, changes: Cha
     return min(found, default=None)
 
 
-Clean = tuple[Draft, list[LegMotion], Trajectory, Array]
+def _legal(
+    axes: Axes, problems: Sequence[Problem], tell: Report, seconds: dict[str, float]
+) -> tuple[Problem, Chain, Draft] | Infeasible:
+    """A legal motion, at rest at every stop: that of the problem with the fastest chain that can be driven. Where none
+    can, as an axis would leave its range between the places that the search looks at, with narrower ranges."""
+    tell(Progress("search"))
+    failure: tuple[Problem, NotDriven] | None = None
+    for room in ROOMS:
+        start = perf_counter()
+        narrow = axes.narrowed(room)
+        together = [one if one.coordinated else replace(one, coupling=Coupling.COORDINATED) for one in problems]
+        chains = [(search(narrow, bound), bound, problem) for bound, problem in zip(together, problems, strict=True)]
+        found = [
+            # a rail that suits joint moves on one progress is legal for free axes, too, and may be the better one
+            ([one for coupled in dict.fromkeys((bound, problem)) for one in _shifted(narrow, coupled, chain)], problem)
+            for chain, bound, problem in chains
+            if chain is not None
+        ]
+        _add(seconds, {"search": perf_counter() - start})
+        start = perf_counter()
+        for tried, problem in sorted(found, key=lambda pair: pair[0][0].cost):
+            drafts: list[tuple[float, Chain, Draft]] = []
+            for chain in tried:
+                try:
+                    draft = timed(axes, problem, chain)
+                except NotDriven as said:
+                    failure = failure or (problem, said)
+                else:
+                    drafts.append((duration(draft), chain, draft))
+            _add(seconds, {"timing": perf_counter() - start})
+            if drafts:
+                best, chain, draft = min(drafts, key=lambda one: one[0])
+                tell(Progress("timing", incumbent=best))
+                return problem, chain, draft
+        if failure is None:
+            return _disconnected(problems[0].program, any(problem.ties for problem in problems))
+    assert failure is not None
+    return _not_driven(axes, *failure)
 
 
-def _clean_plan(
-    axes: Axes, problem: Problem, chain: Chain, memory: Memory, tell: Report, seconds: dict[str, float]
-) -> Clean:
-    """The draft, its legs, rows and leg boundaries. A stream may also be coordinated, as a rapid plan is: that is tried
-    where the freer problem finds nothing, or nothing near what the search promised."""
-    failure = None
-    best: Clean | None = None
-    for tried in dict.fromkeys((problem.coupling, Coupling.COORDINATED)):
-        if tried is not problem.coupling:
-            good = best is not None and best[2].duration <= DISAPPOINTING * chain.cost
-            if good and problem.freedom.rail is not RailFreedom.STATION:  # few stations: two basins are worth a look
-                break
-            problem = replace(problem, coupling=tried)
-            other = search(axes, problem)
-            if other is None:
-                break
-            chain = other
+def _shifted(axes: Axes, problem: Problem, chain: Chain) -> list[Chain]:
+    """The chain with its rail refined, leg by leg; with corners also as if every fly-by was a stop, as small corners
+    are nearly that, and a leg alone does not see how the rail bends in them."""
+    out = [refined(axes, problem, chain)]
+    if any(problem.passes(k) for k in range(len(problem.waypoints))) and axes.layout.has_rail:
+        out = [polished(axes, problem, one) for one in (*out, refined(axes, stopped(problem), chain))]
+    return out
+
+
+def _not_driven(axes: Axes, problem: Problem, failure: NotDriven) -> Infeasible:
+    """The answer no where a leg has less time than it takes, or passes a singularity. Raises NoCleanPlan where it is
+    for neither."""
+    leg = problem.legs[failure.run[0] if failure.singular is None else failure.singular.leg]
+    motion = problem.motion(leg.motion)
+    if failure.least is not None:
+        text = f"has {leg.duration:g} s and takes {failure.least:.3f} s as fast as was found; give it more time"
+    elif failure.singular is not None:
+        elbow, wrist = axes.robot.walls(failure.singular.q[axes.layout.arm])
+        what = "the wrist singularity (joint_5 = 0)" if wrist < 1 - elbow else "the stretched or folded elbow"
+        p = (axes.forward(failure.singular.q) @ leg.X_FT)[:3, 3] * 1e3
+        text = (
+            f"passes {what} at [{p[0]:.1f}, {p[1]:.1f}, {p[2]:.1f}] mm, where no speed is low enough; tilt the tool,"
+            " shift the way, or use MoveJ"
+        )
+    else:
+        raise NoCleanPlan(f"{motion.source}: no way of driving it from {motion_name(motion)} on was found")
+    return Infeasible(leg.motion, motion.source, f"{motion_name(motion)} {text}")
+
+
+def _improved(
+    axes: Axes, problem: Problem, chain: Chain, draft: Draft, memory: Memory, tell: Report, seconds: dict[str, float]
+) -> Draft:
+    """The draft, or a faster one that the nonlinear program finds: from the search's chain with a rail in motion at the
+    stops, or else from the draft's own chain. Runs with corners stay as they are, and so do the ends of them; but where
+    joint moves meet at a fly-by, a stop there is tried, too."""
+    best = draft
+    starts: list[tuple[Problem, Chain]] = []
+    if any(problem.passes(k) for k in range(len(problem.waypoints))):
+        starts = [(one, chain) for one in (stopping(axes, problem, chain), stopped_at_joint_moves(problem))]
+    elif axes.layout.has_rail and problem.freedom.through_stops:
+        start = perf_counter()
+        moving = search(axes, problem)
+        _add(seconds, {"search": perf_counter() - start})
+        starts = [(problem, one) for one in (moving, chain) if one is not None]
+    else:
+        starts = [(problem, chain)]
+    for tried, beginning in starts:
         try:
-            draft = _refine(axes, problem, chain, memory, tell, seconds)
-        except NoCleanPlan as said:
-            failure = said
+            found = _refine(axes, _frozen(tried, beginning), beginning, duration(best), memory, tell, seconds)
+        except NoCleanPlan:
             continue
-        legs = _final_legs(problem, draft)
-        rows = _rows(axes, legs, _end(problem, draft))
-        if rows is None:
-            failure = NoCleanPlan("the written rows would pass a limit between each other")
-            continue
-        trajectory, bounds = rows
-        if best is None or trajectory.duration < best[2].duration:
-            best = draft, legs, trajectory, bounds
-    if best is None:
-        assert failure is not None
-        raise failure
+        if duration(found) < duration(best) - LEAST_GAIN:
+            best = found
+            if tried is problem:
+                break
     return best
 
 
-def _rows(axes: Axes, legs: list[LegMotion], end: Array) -> tuple[Trajectory, Array] | None:
+def _frozen(problem: Problem, chain: Chain) -> Problem:
+    """The problem with the ends of every run with corners at rest where the chain has them."""
+    layout = problem.plant.robot.layout
+    waypoints = list(problem.waypoints)
+    for first, last in problem.runs:
+        for k in range(first, last + 1) if last > first + 1 else ():
+            rail = float(layout.place(chain.q[k]))
+            waypoints[k] = replace(waypoints[k], rail=(rail, rail), rest=not problem.passes(k))
+    return replace(problem, waypoints=tuple(waypoints))
+
+
+def _rows(axes: Axes, draft: Draft, end: Array) -> tuple[Trajectory, Array] | None:
     """The rows and leg boundaries of a clean draft, denser where the cubic between two rows would pass a limit; None
     where that does not help."""
     more: list[float] = []
+    legs = _motions(draft)
     for _ in range(DENSER + 1):
         trajectory, bounds = rows_of(axes, legs, end, more)
         over = _passing(axes, trajectory)
@@ -226,73 +311,68 @@ def _disconnected(program: Program, tied: bool) -> Infeasible:
 
 
 def _refine(
-    axes: Axes, problem: Problem, chain: Chain, memory: Memory, tell: Report, seconds: dict[str, float]
+    axes: Axes, problem: Problem, chain: Chain, best: float, memory: Memory, tell: Report, seconds: dict[str, float]
 ) -> Draft:
+    """Every piece of the problem by the nonlinear program, from the chain, or as its runs are timed where that finds
+    nothing faster. best: the cycle time [s] known already."""
     formulation = Formulation(axes)
 
     def report(phase: str, legs: Sequence[LegMotion | None]) -> None:
-        """The time of the legs at hand and the search's estimate for the others; a rapid dwell counts in full."""
+        """The time of the legs at hand and the search's estimate for the others."""
         total = float(np.sum(chain.times))
-        for leg, estimate, motion in zip(problem.legs, chain.times, legs, strict=False):
-            if motion is not None and not (leg.kind is LegKind.DWELL and leg.duration is not None):
+        for estimate, motion in zip(chain.times, legs, strict=False):
+            if motion is not None:
                 total += motion.T - float(estimate)
-        tell(Progress(phase, incumbent=total))
+        tell(Progress(phase, incumbent=min(total, best)))
 
     whole = sum(1 for _ in cut(problem, chain)) == 1
 
     def solve(piece: Problem, part: Chain) -> Draft:
         said = []
-        for start in _starts(part):
+        try:
+            legal = timed(axes, piece, replace(part, w=np.zeros_like(part.w)))
+        except NotDriven:
+            legal = None
+        if legal is not None and not _may_gain(axes, piece, legal):
+            return legal
+        for start in _starts(part) if legal is None else [part]:
             refiner = Refiner(axes, formulation, piece)
             try:
                 first = first_draft(axes, piece, start)
-                return refiner.run(first, lambda phase, draft: report(phase, draft.legs) if whole else None)
+                found = refiner.run(first, lambda phase, draft: report(phase, draft.legs) if whole else None)
+                return found if legal is None or duration(found) < duration(legal) else legal
             except NotConverged as failure:
                 said.append(str(failure))
             finally:
                 _add(seconds, refiner.seconds)
+        if legal is not None:
+            return legal
         raise NoCleanPlan(f"{problem.motion(piece.legs[0].motion).source}: {'; '.join(said)}")
 
-    draft = solve_pieces(problem, chain, memory, solve, lambda legs: report("solve", legs))
-    if problem.coordinated:  # at rest in every waypoint, the rail's positions chosen: each line can be timed by itself
-        for k, leg in enumerate(problem.legs):
-            if leg.kind is LegKind.LINE and draft.legs[k].N < LAST_ALONE:  # type: ignore[union-attr]
-                tell(Progress("retime", incumbent=_time(problem, draft)))
-                piece, part = alone(problem, draft, k)
-                refiner = Refiner(axes, formulation, piece)
-                draft = with_leg(draft, k, _finer(refiner, part))
-                _add(seconds, refiner.seconds)
-    return draft
+    return solve_pieces(problem, chain, memory, solve, lambda legs: report("solve", legs))
 
 
-def _finer(refiner: Refiner, draft: Draft) -> LegMotion | None:
-    """The leg of a one-leg draft on a grid of at least RETIMED intervals; as it was when nothing cleaner is found."""
-    motion = draft.legs[0]
-    assert isinstance(motion, PathLeg)
-    start = motion
-    while start.N < RETIMED:
-        start = start.refined()
-    try:
-        finer = refiner.run(replace(draft, legs=(start,)), lambda phase, draft: None).legs[0]
-    except NotConverged:
-        return motion
-    return finer if finer is not None and motion.T > finer.T else motion
+def _may_gain(axes: Axes, piece: Problem, legal: Draft) -> bool:
+    """Whether the nonlinear program could find something faster: a rail is free, or a joint move takes longer than its
+    axes and the tool's chord ask for."""
+    if any(piece.passes(k) for k in range(len(piece.waypoints))):
+        return False
+    moves = any(leg.rail_moves and leg.kind is not LegKind.JOINT for leg in piece.legs) and piece.plant.robot.has_rail
+    free = any(point.q is None and point.rail[0] < point.rail[1] for point in piece.waypoints)
+    return (
+        moves
+        or free
+        or any(
+            isinstance(motion, JointNodes)
+            and WORTH_TRYING * least_time(axes, leg, legal.q[k], legal.q[k + 1]) < motion.T
+            for k, (leg, motion) in enumerate(zip(piece.legs, legal.legs, strict=True))
+        )
+    )
 
 
 def _add(total: dict[str, float], part: dict[str, float]) -> None:
     for name, spent in part.items():
         total[name] = total.get(name, 0.0) + spent
-
-
-def _time(problem: Problem, draft: Draft) -> float:
-    """Cycle time of a draft: a rapid dwell counts in full, whatever its own profile needs."""
-    total = 0.0
-    for leg, motion in zip(problem.legs, draft.legs, strict=True):
-        if leg.kind is LegKind.DWELL and leg.duration is not None:
-            total += leg.duration
-        elif motion is not None:
-            total += motion.T
-    return total
 
 
 def _starts(chain: Chain) -> list[Chain]:
@@ -306,20 +386,8 @@ def _end(problem: Problem, draft: Draft) -> Array:
     return stop.q if stop.q is not None else draft.q[-1]
 
 
-def _final_legs(problem: Problem, draft: Draft) -> list[LegMotion]:
-    """A rapid dwell's profile is played as slowly as the dwell is long."""
-    legs = []
-    for leg, motion in zip(problem.legs, draft.legs, strict=True):
-        assert motion is not None
-        if (
-            problem.coordinated
-            and isinstance(motion, PathLeg)
-            and leg.kind is LegKind.DWELL
-            and leg.duration is not None
-        ):
-            motion = replace(motion, T=leg.duration)
-        legs.append(motion)
-    return legs
+def _motions(draft: Draft) -> list[LegMotion]:
+    return [motion for motion in draft.legs if motion is not None]
 
 
 def _grid(legs: list[LegMotion], problem: Problem) -> str:
@@ -331,7 +399,9 @@ def _grid(legs: list[LegMotion], problem: Problem) -> str:
             "joint moves": lambda kind, m: kind is LegKind.JOINT and not isinstance(m, JointProfiles),
         }.items()
     }
-    parts = [f"{'/'.join(map(str, n))} intervals per {name[:-1]}" for name, n in sizes.items() if n]
+    parts = [
+        f"{' to '.join(map(str, sorted({n[0], n[-1]})))} intervals per {name[:-1]}" for name, n in sizes.items() if n
+    ]
     closed = sum(
         isinstance(m, JointProfiles) and leg.kind is LegKind.JOINT for leg, m in zip(problem.legs, legs, strict=True)
     )
@@ -352,7 +422,7 @@ def _planned(
             out.append(PlannedMotion(i, motion.source, now, now, q_now, q_now, "", i in problem.dropped))
             continue
         q_1 = draft.q[k + 1]
-        binding = binding_limit(axes, problem.legs[k], legs[k])
+        binding = binding_limit(axes, problem.plant.tcp, problem.legs[k], legs[k])
         out.append(PlannedMotion(i, motion.source, float(bounds[k]), float(bounds[k + 1]), q_now, q_1, binding))
         now, q_now = float(bounds[k + 1]), q_1
     return tuple(out)

@@ -1,8 +1,7 @@
 """The whole problem as one nonlinear program: which variables a draft has, and where each relation holds.
 
-Free: each axis of a joint move has its own profile (closed form while the tool caps sleep, a grid once they bind), the
-rail moves freely along lines and dwells. Coordinated: joint moves run straight in joint space, the rail in proportion
-to the path, every axis rests at every waypoint.
+Each axis of a joint move has its own profile (closed form while the tool caps sleep, a grid once they bind), the rail
+moves freely along lines and dwells.
 """
 
 from __future__ import annotations
@@ -18,30 +17,26 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.blocks import BlockNlp
 from trajopt_cli.optimize.draft import Draft, Margins
 from trajopt_cli.optimize.formulation import LEFT, RIGHT, Formulation, ToolCap
-from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, share_of
+from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg
 from trajopt_cli.optimize.relation import Parts, Relation
 from trajopt_cli.optimize.tuning import (
     DAMPING,
     DAMPING_DWELL,
-    EXACT,
     FREE_ZONES,
     JOINT_CURVE,
     JOINT_RATE,
     LEAST_TIME,
-    LEAST_TOP,
     LEAST_ZONE,
     LONGEST,
-    MOST_TOP_A,
-    MOST_TOP_V,
     MOST_ZONES,
-    PACED,
     SHARE_CURVE,
     SHARE_RATE,
 )
+from trajopt_cli.path.arc import Arc, ArcSymbols
 from trajopt_cli.path.dwell import Dwell, DwellSymbols
 from trajopt_cli.path.line import Line, LineSymbols
 from trajopt_cli.problem.freedom import RailFreedom
-from trajopt_cli.problem.problem import Coupling, Leg, LegKind, Problem
+from trajopt_cli.problem.problem import Leg, LegKind, Problem
 
 NONE: IndexArray = np.zeros(0, dtype=np.intp)
 
@@ -158,44 +153,45 @@ class Transcription:
     def _leg(self, leg: Leg, motion: LegMotion | None, margins: Margins | None) -> LegVariables | None:
         if motion is None or (isinstance(motion, JointProfiles) and leg.kind is LegKind.DWELL):
             return None
-        coordinated = self.problem.coordinated
         low, high = (leg.duration, leg.duration) if leg.duration is not None else (LEAST_TIME, LONGEST)
         if leg.duration is not None and leg.kind is not LegKind.DWELL:
             high = LONGEST
-        paced = coordinated and leg.kind is LegKind.DWELL and leg.duration is not None
-        if paced:
-            low = LEAST_TIME  # the profile's own least time; played slower so that it lasts the dwell
         T = int(self.nlp.variables([motion.T], low, high)[0])
-        self.nlp.minimise(T, PACED if paced else 1.0)
+        self.nlp.minimise(T)
         out = LegVariables(T)
         if isinstance(motion, PathLeg):
             assert margins is not None
-            (self._coordinated_path if coordinated or not leg.rail_moves else self._free_path)(
-                leg, motion, margins, out
-            )
+            self._path(leg, motion, margins, out)
         elif isinstance(motion, JointProfiles):
             self._joint_closed(leg, out)
         else:
             assert margins is not None
-            (self._coordinated_joints if coordinated else self._free_joints)(leg, motion, margins, out)
+            assert isinstance(motion, JointNodes)
+            self._joints(leg, motion, margins, out)
         return out
 
-    def _path_parameters(self, leg: Leg, motion: PathLeg, margins: Margins, track: LineSymbols) -> Iterator[Parts]:
-        """Parameters of a path's nodes, one after the other."""
+    def _track(self, leg: Leg, motion: PathLeg) -> tuple[LineSymbols | ArcSymbols, Array]:
+        """A path's kind, and its parameters."""
+        X_BW, turning, segment = inverse_pose(self.axes.X_WB0), leg.angle > 1e-9, motion.segment
+        if isinstance(segment, Arc):
+            arc = ArcSymbols(turning)
+            return arc, arc.vector(segment, X_BW, motion.X_FT)
+        assert isinstance(segment, Line)
+        line = LineSymbols(turning)
+        return line, line.vector(segment, X_BW, motion.X_FT)
+
+    def _path_parameters(self, leg: Leg, motion: PathLeg, margins: Margins, path: Array) -> Iterator[Parts]:
+        """Parameters of the nodes of a path with its own ones, one after the other."""
         arm, m = self.axes.layout.arm, margins
-        assert isinstance(motion.segment, Line)  # no other kind is planned yet
-        path = track.vector(motion.segment, inverse_pose(self.axes.X_WB0), motion.X_FT)
         caps = np.array([leg.chord / leg.v_tcp, leg.chord / leg.a_tcp, leg.angle / leg.v_ori])
         for k, joints in enumerate(motion.node_arm(self.axes)):
             at = caps / m.tool[k]
-            V = self.axes.velocity * m.velocity[k]
-            V[self.axes.layout.rail] = np.minimum(V[self.axes.layout.rail], leg.v_rail)
             yield {
                 "path": path,
                 "branch": self.axes.robot.expressions.branch(motion.cfx),
                 "near": joints,
-                "V": V,
-                "A": self.axes.acceleration * m.acceleration[k],
+                "V": self.axes.velocity_on(leg) * m.velocity[k],
+                "A": self.axes.acceleration_on(leg) * m.acceleration[k],
                 "at_speed": at[0],
                 "at_acceleration": at[1],
                 "at_turning": at[2],
@@ -219,7 +215,7 @@ class Transcription:
         """
         per_zone = motion.N // 3
         lengths = np.diff(motion.grid)[[0, per_zone, 2 * per_zone]]
-        if self.problem.coordinated or motion.N != FREE_ZONES:
+        if motion.N != FREE_ZONES:
             return self.nlp.variables(lengths, lengths, lengths)
         h = self.nlp.variables(lengths, LEAST_ZONE / per_zone, MOST_ZONES / per_zone)
         self._hold(self.formulation.zones(), {"h": h}, {"n": per_zone})
@@ -237,8 +233,13 @@ class Transcription:
         out.a = self.nlp.variables(a, -SHARE_CURVE, SHARE_CURVE)
 
     def _rail_on_path(self, leg: Leg, motion: PathLeg, margins: Margins, out: LegVariables) -> None:
-        """Variables of a rail that moves as it likes, from waypoint to waypoint."""
+        """Variables of a rail that moves as it likes, from waypoint to waypoint, or is held where it is."""
         nlp, N, layout = self.nlp, motion.N, self.axes.layout
+        if not leg.rail_moves:
+            out.d = np.tile(self.waypoint_q[leg.start][layout.rail], (N + 1, 1))
+            out.w = nlp.variables(np.zeros((N + 1) * layout.r), 0.0, 0.0).reshape(N + 1, layout.r)
+            out.b = nlp.variables(np.zeros(N * layout.r), 0.0, 0.0).reshape(N, layout.r)
+            return
         ends = [self.waypoint_q[k][None, layout.rail] for k in (leg.start, leg.start + 1)]
         low, high = self._rail_range(margins.position[1:-1, layout.rail])
         inner = nlp.variables(np.clip(motion.d[1:-1], low, high), low.ravel(), high.ravel())
@@ -246,7 +247,7 @@ class Transcription:
         out.w = nlp.variables(motion.w, -SHARE_RATE, SHARE_RATE).reshape(N + 1, layout.r)
         most = np.full((N, layout.r), SHARE_CURVE)
         if leg.kind is LegKind.DWELL and leg.duration is not None:
-            most = margins.push[:, None] * self.axes.acceleration[layout.rail] * leg.duration**2
+            most = margins.push[:, None] * self.axes.acceleration_on(leg)[layout.rail] * leg.duration**2
         out.b = nlp.variables(np.clip(motion.b, -most, most), -most.ravel(), most.ravel()).reshape(N, layout.r)
         for j in range(layout.r):
             self._integrate_zones(out.h, out.d[:, j], out.w[:, j], out.b[:, j])
@@ -256,41 +257,25 @@ class Transcription:
                 z = {"xd": self.waypoint_qd[k][layout.rail][j], "v": out.w[node, j], "T": out.T}
                 self._hold(self.formulation.velocity_link(), z)
 
-    def _free_path(self, leg: Leg, motion: PathLeg, margins: Margins, out: LegVariables) -> None:
+    def _path(self, leg: Leg, motion: PathLeg, margins: Margins, out: LegVariables) -> None:
         out.h = self._zones(motion)
         line = leg.kind is LegKind.LINE
         if line:
             self._share(motion.s, motion.v, motion.a, out)
             self._integrate_zones(out.h, out.s, out.v, out.a)
         self._rail_on_path(leg, motion, margins, out)
-        track = LineSymbols(turning=leg.angle > 1e-9)
-        for k, p in enumerate(self._path_parameters(leg, motion, margins, track)):
+        track, path = self._track(leg, motion)
+        for k, p in enumerate(self._path_parameters(leg, motion, margins, path)):
             sides, around = _around(k, motion.N)
             z = {"d": out.d[k], "w": out.w[k], **{f"b_{side}": out.b[i] for i, side in around}, "T": out.T}
             if line:
                 z |= {"s": out.s[k], "v": out.v[k], **{f"a_{side}": out.a[i] for i, side in around}}
-                self._hold(self.formulation.path_node(track, sides, Coupling.FREE), z, p)
+                self._hold(self.formulation.path_node(track, sides), z, p)
             else:
                 self._hold(self.formulation.dwell_node(sides), z, p)
 
-    def _coordinated_path(self, leg: Leg, motion: PathLeg, margins: Margins, out: LegVariables) -> None:
-        out.h = self._zones(motion)
-        self._share(motion.s, motion.v, motion.a, out)
-        self._integrate_zones(out.h, out.s, out.v, out.a)
-        d_0, d_1 = (self.waypoint_q[k][self.axes.layout.rail] for k in (leg.start, leg.start + 1))
-        track = LineSymbols(turning=leg.angle > 1e-9)
-        for k, p in enumerate(self._path_parameters(leg, motion, margins, track)):
-            sides, around = _around(k, motion.N)
-            z = {"s": out.s[k], "v": out.v[k], **{f"a_{side}": out.a[i] for i, side in around}}
-            z |= {"d_0": d_0, "d_1": d_1, "T": out.T}
-            self._hold(self.formulation.path_node(track, sides, Coupling.COORDINATED), z, p)
-
     def _joint_closed(self, leg: Leg, out: LegVariables) -> None:
-        k, V, A = leg.start, self.axes.velocity_on(leg), self.axes.acceleration
-        if self.problem.coordinated:
-            top_v, top_a = self._top(leg, 1.0)
-            self._hold(self.formulation.trapezoid(), {"top_v": top_v, "top_a": top_a, "T": out.T})
-            return
+        k, V, A = leg.start, self.axes.velocity_on(leg), self.axes.acceleration_on(leg)
         for j in range(self.axes.n):
             z = {
                 "q_0": self.waypoint_q[k][j], "qd_0": self.waypoint_qd[k][j],
@@ -298,23 +283,11 @@ class Transcription:
             }  # fmt: skip
             self._hold(self.formulation.axis_reach(), z, {"V": V[j], "A": A[j]})
 
-    def _top(self, leg: Leg, share: float) -> IndexArray:
-        """Top velocity and acceleration of a coordinated joint move's share; share: how much of each limit."""
-        k, V, A = leg.start, self.axes.velocity_on(leg), self.axes.acceleration
-        way = np.maximum(np.abs(self.draft.q[k + 1] - self.draft.q[k]), 1e-9)
-        v = min(1e3, float(np.min(V / way)))
-        a = min(1e4, float(np.min(A / way)))
-        top = self.nlp.variables([min(v, np.sqrt(a)), a], [LEAST_TOP, LEAST_TOP], [MOST_TOP_V, MOST_TOP_A])
-        for j in range(self.axes.n):
-            z = {"q_0": self.waypoint_q[k][j], "q_1": self.waypoint_q[k + 1][j], "top_v": top[0], "top_a": top[1]}
-            self._hold(self.formulation.top_of_share(), z, {"V": V[j] * share, "A": A[j] * share})
-        return top
-
     def _caps_in_force(self, leg: Leg, margins: Margins, k: int) -> list[tuple[ToolCap, float]]:
         caps = (leg.v_tcp, leg.a_tcp, leg.v_ori)
         return [(cap, caps[cap] * margins.tool[k, cap]) for cap in ToolCap if margins.rows[k, cap]]
 
-    def _free_joints(self, leg: Leg, motion: JointNodes, margins: Margins, out: LegVariables) -> None:
+    def _joints(self, leg: Leg, motion: JointNodes, margins: Margins, out: LegVariables) -> None:
         nlp, N, n, k0 = self.nlp, motion.N, self.axes.n, leg.start
         middle, half = (self.axes.upper + self.axes.lower) / 2, (self.axes.upper - self.axes.lower) / 2
         room = half * margins.position[1:-1]
@@ -323,7 +296,7 @@ class Transcription:
         out.qv = nlp.variables(motion.v, -JOINT_RATE, JOINT_RATE).reshape(N + 1, n)
         out.qa = nlp.variables(motion.a, -JOINT_CURVE, JOINT_CURVE).reshape(N, n)
         nlp.damp(out.qa.ravel(), DAMPING)
-        V, A = self.axes.velocity_on(leg), self.axes.acceleration
+        V, A = self.axes.velocity_on(leg), self.axes.acceleration_on(leg)
         rail = self.axes.layout.rail
         for inside in out.q[1:-2, rail] if not leg.rail_moves else ():  # the last one follows from the chain
             for x, y in zip(self.waypoint_q[k0][rail], inside, strict=True):
@@ -343,17 +316,3 @@ class Transcription:
                 for acceleration in [{"a": out.qa[i]} for i, _ in around] if cap is ToolCap.ACCELERATION else [{}]:
                     z = {"q": out.q[k], "v": out.qv[k], **acceleration, "T": out.T}
                     self._hold(self.formulation.tool_cap(leg.X_FT, cap), z, {"cap": limit})
-
-    def _coordinated_joints(self, leg: Leg, motion: JointNodes, margins: Margins, out: LegVariables) -> None:
-        N, ends = motion.N, {"q_0": self.waypoint_q[leg.start], "q_1": self.waypoint_q[leg.start + 1], "T": out.T}
-        self._share(*share_of(motion), out)
-        self._integrate(motion.grid, out.s, out.v, out.a)
-        top_v, top_a = self._top(leg, EXACT)
-        for k in range(N + 1):
-            sides, around = _around(k, N)
-            z = {"v": out.v[k], **{f"a_{side}": out.a[i] for i, side in around}}
-            self._hold(self.formulation.share_node(sides), {**z, "top_v": top_v, "top_a": top_a, "T": out.T})
-            for cap, limit in self._caps_in_force(leg, margins, k):
-                for acceleration in [{"a": out.a[i]} for i, _ in around] if cap is ToolCap.ACCELERATION else [{}]:
-                    z = {"s": out.s[k], "v": out.v[k], **acceleration, **ends}
-                    self._hold(self.formulation.coordinated_tool_cap(leg.X_FT, cap), z, {"cap": limit})

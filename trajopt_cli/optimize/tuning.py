@@ -12,10 +12,19 @@ from collections.abc import Mapping
 # ---- reach: may the program be done at all
 REACH_GRID = 193  # rail positions per station; 12.5 mm on a stroke of 2.4 m. Not measured.
 LINE_NODES = 13  # points on a line held against the inverse kinematics. Not measured.
+FEWEST_NODES = 3  # of them on a short line. Not measured.
+LONG_LINE = 0.05  # m, from which a line has all of them. Not measured.
+LONG_TURN = 0.5  # rad, the same. Not measured.
+REACH_CHUNK = 16_384  # poses that the inverse kinematics is asked for at once: 6 MB. Not measured.
 ELBOW = 0.999  # largest |sin q3|: the last 0.2 mm of reach, where every derivative used grows without bound. Measured:
 # the prototype's event problem needs such a wall (it had |cos| <= 0.9999 of the elbow); this value was not compared.
 WRIST = 1e-3  # least |sin q5| on lines, dwells and waypoints with a free rail. Measured: the prototype saw acceleration
 # seventeen times too high beside the wrist singularity; this value was not compared.
+STRETCHED = 1 - 1e-6  # |sin q3| up to which an arm given by its joints has not met its other branch: 0.08 degrees. Not
+# measured.
+LEAVING = 1e-7  # rad between joints given at a singularity and those with which a line leaves it. Measured: with 1e-6
+# too much the rows of a plan pass acceleration limits at the start.
+NEAREST = 16  # halvings of a line's first interval that look for where it has left a singularity. Not measured.
 
 # ---- search: dynamic programming that picks the basin
 SEARCH_COARSE = 33  # rail positions, all branches and turns, rail at rest. Measured: 1 to 2 s in the prototype;
@@ -25,6 +34,9 @@ SEARCH_WINDOW = 0.1  # m beside the best chain at least that the fine search loo
 PASSING = (-0.5, 0.0, 0.5)  # shares of the rail's top velocity tried at a waypoint. Not measured (the prototype had 5).
 NEAR_BEST = 1.04  # labels within this of the best cycle stay in the fine search. Not measured; the search alone was
 # 0.6 to 11.4 % (median 3.2 %) above the optimum in the prototype.
+WIDEST = 1.0  # m from an arm's axis to its flange at most; farther ones only miss that a slow joint move is long. Not
+# measured.
+WAY_NODES = 6  # places on a joint move whose distances add up to the tool's way. Not measured.
 SHIFT = 0.45  # m that the rail may move on a line beyond what it can at top velocity in the tool's time. Not measured.
 CURVED = 0.6  # share of a line's top velocity at which its curvature is charged against acceleration. Not measured.
 LEAST_ROOM = 0.15  # share of each acceleration limit that is always left for that. Not measured.
@@ -39,13 +51,72 @@ WIDER = (
 CANDIDATES = 40  # states of a tied waypoint that are tried by coordinate descent. Not measured.
 SEARCH_CHUNK = 2_000_000  # numbers per work array: 16 MB. Not measured.
 
+# ---- course: a run's parts between two stops
+END_CURVE = 0.7  # how much closer together a leg's nodes are beside its stops. Measured on hinge_line: 20 nodes in the
+# search for rail positions gave a plan of 12.452 s evenly spaced, of 12.412 s with a curve of 0.6; 40 evenly spaced
+# 12.413 s.
+CORNER_PART = 4  # intervals of each part of a corner's half. Not measured.
+ZONE_SAMPLES = 33  # places on half a joint move where the tool's distance from its end is looked at. Not measured.
+SPHERE_SAMPLES = 17  # places in a corner of all axes that are held against its zone. Not measured.
+SPHERE = 1 + 1e-6  # times the zone's radius that they may be away. Not measured.
+SHRINK = 0.8  # a corner of all axes that leaves its zone is made smaller by this. Not measured.
+SHRINKS = 12  # times at most. Not measured.
+
+# ---- pace: how fast a course is driven
+TOOL_DIRECTIONS = 8  # of the tool's acceleration on a half circle; the polygon passes the limit by 2 % at its corners,
+# which the dense check takes back where it is used. Measured: with directions along the way and across it among them
+# bench_irb140 took 9.528 s for 9.472 s, as both ends of an interval then hold the whole limit; 16 gave 9.472 s, too.
+STEEP = 1.25  # times by which the greatest rate may differ between two nodes before they are put closer. Not measured.
+LED = 0.02  # rad, m by which axes may be elsewhere at the next node than their slopes lead. Not measured.
+LOST = 0.2  # rad, m by which they may be with the nodes as close as they get. Not measured.
+RESOLVED = 8  # halvings at most. Not measured.
+LOOK = 1e-3  # s between two looks at a motion at most. Not measured.
+BRIEF = 12  # looks at an interval shorter than that: no row of the file stands inside. Measured: on 1,000 points of z1
+# at v100, 8, 12, 20 and 40 gave one and the same motion.
+CHECKED = 50_000  # looks of the legs checked at once: 50 MB. Not measured.
+SAMPLED = 2048  # places whose kinematics are asked for at once. Measured: 512 to 8192 take the same time within 15 %.
+MOST_LOOKS = 1000  # within one interval. Not measured.
+LEAST_FELT = 0.5  # of a share is left at least in one round. Not measured; shares tightened from what they allow, not
+# from what is used, left a line of 3 mm at v100 under 20 m/s2 alone without a law after 25 rounds, else 3 suffice.
+PACE_ROUNDS = 25  # of checking and tightening. Not measured.
+
+# ---- incumbent: a legal motion before any nonlinear program
+RUN_NODES = 96  # intervals of a leg in a run with corners. Not measured.
+ALONE_NODES = (
+    288  # intervals of a leg between two stops. Measured on 50 random programs of stops: with 96 a plain peer on
+)
+# 400 points was faster on 14 of them, by 0.02 % at most.
+PAIR_NODES = 20  # intervals of a leg that is timed to compare rail positions. Measured with END_CURVE.
+SHORT_NODES = 6  # the same of a short line passed at both ends. Not measured.
+PAIRS_AT_ONCE = 1500  # pairs of rail positions timed at once: 60 MB. Not measured.
+RUSH = 4.0  # times the rail's way at top speed in a short line's time that its ends may be apart. Not measured.
+REFINE_OFFSETS = (-2.0, -1.0, 0.0, 1.0, 2.0)  # steps beside a rail position that are tried. Not measured.
+REFINE_STEP = 0.03  # m, the first step: the search's grid. Not measured.
+REFINE_LAST = 2e-4  # m, the last. Not measured.
+POLISH = (
+    2500  # legs of runs with corners that are timed in all while the rail is shifted at their points. Not measured.
+)
+POLISH_STEP = 0.06  # m, the first. Not measured.
+POLISH_LAST = 2e-3  # m, the last. Not measured.
+LEAST_POLISH = 1e-5  # s that a shift must save. Not measured.
+REFINE_GAIN = 1e-6  # share of the time that a step must gain to be tried again. Measured: on 1,000 points of z1 along a
+# rail chains of one time drifted to and fro for 30 rounds.
+SLACK = 1 + 1e-4  # times its least time that a wait must have, for limits are not used to the last hair. Not measured.
+REFINE_ROUNDS = 40  # at most. Not measured.
+
+MOST_MARKS = (
+    6  # stops and fly-bys beside joint moves that a part of a run may span where stopping is tried. Not measured.
+)
+ROOMS = (1.0, 0.99, 0.97, 0.93)  # shares of the axes' ranges that are tried in turn. Not measured.
+WORTH_TRYING = 1.005  # times what it takes at least that a joint move must take before axes of their own are tried. Not
+# measured.
+LEAST_GAIN = 1e-6  # s that a nonlinear program must save to be worth another motion. Not measured.
+
 # ---- transcription: the nonlinear program
 FIRST = 6  # intervals of a path on the first grid, doubled from solve to solve. Measured: direct starts on 16 or 20
 # intervals failed sometimes, nested grids from 6 did not.
 LAST = 24  # intervals on the last grid. Measured: 48 gave 6.4883 s for 6.4935 s on hinge_cell.
-LAST_COORDINATED = 12  # the same where every line is timed by itself afterwards (RETIMED). Not measured.
 LAST_ALONE = 48  # the same where a leg is solved by itself: cheap there. Not measured.
-RETIMED = 96  # intervals of a coordinated line timed by itself. Not measured.
 GRID_JOINT = 24  # intervals of a joint move once a tool cap or a range binds. Not measured.
 FREE_ZONES = 12  # intervals at which run-up, middle and run-out of a path may shift; kept on finer grids, which saves
 # iterations. Not measured.
@@ -54,7 +125,6 @@ MOST_ZONES = 0.9  # and at most. Not measured.
 LEAST_TIME = 1e-3  # s of a leg without a way, so that scaled time stays defined. Not measured.
 LEAST_DRAFT = 2e-3  # s of such a leg in the first draft. Not measured.
 LONGEST = 60.0  # s of one leg. Not measured.
-PACED = 1e-4  # weight in the cost of a dwell's own least time where the dwell is longer anyway. Not measured.
 DAMPING = 4e-7  # s per squared scaled acceleration, where many motions take the same time. Not measured.
 DAMPING_DWELL = 4e-6  # the same while the tool rests. Measured: with less a long dwell's rail chatters between the
 # nodes; with it and PUSHED, hinge_line's stream plan came to 11.819 s in 33 s, from 12.437 s in 220 s (54fd039).
@@ -62,9 +132,6 @@ SHARE_RATE = 50.0  # bound of a share's or rail's first derivative by scaled tim
 SHARE_CURVE = 500.0  # of the second. Not measured.
 JOINT_RATE = 100.0  # bound of a joint's first derivative on a grid. Not measured.
 JOINT_CURVE = 1000.0  # of the second. Not measured.
-LEAST_TOP = 1e-3  # 1/s, 1/s2: least top velocity and acceleration of a coordinated joint move. Not measured.
-MOST_TOP_V = 1e4  # 1/s, the largest. Not measured.
-MOST_TOP_A = 1e6  # 1/s2, the largest. Not measured.
 
 # ---- solver
 MOST_ITERATIONS = 100  # a start that converges needs 25 to 60. Measured: 500 let some
@@ -107,8 +174,6 @@ PUSHED = 1e-3  # share of its acceleration from which the rail drives the arm. M
 LEAST_PUSH = 0.1  # share that one round leaves of a push at least. Not measured.
 NEAR_CAP = 0.7  # share of a tool cap from which a joint move's node holds it explicitly. Not measured.
 OVER = 1e-6  # share by which a closed-form joint move may pass a cap before it goes on a grid. Not measured.
-DISAPPOINTING = 1.05  # times the search's estimate: a slower stream plan is doubted, and the coordinated problem is
-# tried too. Not measured.
 
 # ---- rows of the written file
 ROW_EVERY = 1e-3  # s, the grid: what a machine that follows a stream takes. Not measured.
@@ -121,11 +186,12 @@ ATTEMPTS = 245  # of them: less than a millisecond in all. Not measured.
 GENTLER = (1.0, 0.9998, 0.9995, 0.999, 0.998, 0.995, 0.99, 0.97, 0.9, 0.8, 0.65, 0.5, 0.3, 0.1, 0.03, 0.01, 1e-3, 1e-4)
 # shares of its top acceleration that an axis with time to spare tries in turn. Not measured.
 RESIDUAL = 1e-14  # rad or m: rounding of a position in a row. Not measured.
-DENSER = 3  # times that rows are put between rows where the cubic passes a limit. Not measured.
+DENSER = 6  # times that rows are put between rows where the cubic passes a limit. Not measured.
 
 # ---- what limits a motion
 AT_LIMIT = 0.99  # share of a limit that counts as standing at it. Not measured.
-BINDING_SAMPLES = 400  # per motion. Not measured.
+BINDING_SAMPLES = 400  # per motion of 0.4 s and more, one per LOOK of shorter ones. Not measured.
+FEWEST_SAMPLES = 40  # of a motion at least. Not measured.
 STILL = 1e-9  # rad or m: no way to go. Not measured.
 
 # ---- lower bound

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections import Counter
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -14,6 +15,8 @@ from trajopt_cli.motion import Wait
 from trajopt_cli.notices import NoticeKind
 from trajopt_cli.pipeline.planning import Clock, Listener, NoPlan, all_three, changes_of, may_change, worst
 from trajopt_cli.problem.changes import Changes, Loops
+from trajopt_cli.problem.constant_speed import Stretch, constant_speed
+from trajopt_cli.problem.corners import PARABOLIC, Corners, corners_of, passed_in
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.runs import SUMMARY
@@ -28,7 +31,6 @@ from trajopt_cli.runs.results import (
     PlanRecord,
     distinct_names,
     summary,
-    zones_as_stops,
 )
 
 if TYPE_CHECKING:
@@ -59,6 +61,7 @@ class Optimised:
     """The answer of optimize: both targets' judged plans, what the user should know, and where the files are.
 
     written: the program as it stands, driven under the same limits, or why it cannot be.
+    kept_speed: the stretches that should keep their programmed speed, with the dips of each target's plan.
     no_rapid: why the RAPID plan could not be written as RAPID; then rapid_files is empty.
     """
 
@@ -66,6 +69,7 @@ class Optimised:
     target: Target
     judged: Mapping[Target, Judged]
     written: Plan | str
+    kept_speed: Mapping[Target, tuple[Stretch, ...]]
     warnings: tuple[str, ...]
     notes: tuple[str, ...]
     folder: Path
@@ -110,12 +114,15 @@ def optimise(
     listen("results", Progress("write"))
     with clock.phase("export"):
         export, no_rapid = _export(job, judged[Target.RAPID].plan, loops)
-        notices = (*_notices(job), *agreed.notices, *_one_way(job, export))
+        notices = (*_notices(job, judged), *agreed.notices, *_one_way(job, export))
         if no_rapid is not None:
             notices = (*notices, f"no RAPID text: {no_rapid}")
         placed = _placed(export, folder) if export is not None else ()
         notes = (*_configurations(job, judged), *placed, *changes[Target.RAPID].kept, *unrolled)
-        files = _files(job, target, judged, inputs, export, notices, notes, changes[Target.RAPID].kept, written)
+        kept_speed = {one: constant_speed(job.program, judged[one].plan, job.plant) for one in Target}
+        files = _files(
+            job, target, judged, inputs, export, notices, notes, changes[Target.RAPID].kept, written, kept_speed
+        )
     if plots:
         listen("results", Progress("plots"))
         with clock.phase("plots"):
@@ -146,7 +153,7 @@ def optimise(
         seconds={name: round(value, 3) for name, value in clock.seconds.items()},
     )
     modules = (*(given.rapid for given in inputs.values() if given.rapid in files), *added.values())
-    return Optimised(job, target, judged, written, notices, notes, folder, modules, no_rapid, clock.seconds)
+    return Optimised(job, target, judged, written, kept_speed, notices, notes, folder, modules, no_rapid, clock.seconds)
 
 
 def _export(job: Job, rapid: Plan, loops: Loops) -> tuple[RapidExport | None, str | None]:
@@ -171,11 +178,25 @@ def _files(
     notes: tuple[str, ...],
     kept: tuple[str, ...],
     written: Plan | str,
+    kept_speed: Mapping[Target, tuple[Stretch, ...]],
 ) -> dict[str, bytes]:
     """The results folder's files but run.json."""
     plant = job.plant
     files = {
-        SUMMARY: summary(job.program, target, judged, written, notices, plant.notes, plant.unchecked, notes, kept),
+        SUMMARY: summary(
+            job.program,
+            target,
+            judged,
+            written,
+            kept_speed,
+            corners_of(job.program, plant),
+            {one: len(passed_in(job.program, plant, judged[one].plan)) for one in Target},
+            notices,
+            plant.notes,
+            plant.unchecked,
+            notes,
+            kept,
+        ),
         CHOSEN: judged[target].csv.encode("ascii"),
         **{CSV[one]: judged[one].csv.encode("ascii") for one in Target},
     }
@@ -249,13 +270,12 @@ def plan_pictures(job: Job, plan: Plan) -> dict[str, bytes]:
     return {f"plots/{place}": content for place, content in pictures.items()}
 
 
-def _notices(job: Job) -> tuple[str, ...]:
+def _notices(job: Job, judged: Mapping[Target, Judged]) -> tuple[str, ...]:
     """What a reader of the cycle times must know: the program's oddities, what is planned otherwise than it asks."""
     from trajopt_cli.problem.plannable import planned_otherwise
 
-    zones = zones_as_stops(job.program)
-    fly_by = f"{zones} fly-by zone{'s are' if zones > 1 else ' is'} planned as stop{'s' if zones > 1 else ''}"
-    out = [f"{fly_by}: the cycle times are upper bounds"] if zones else []
+    no_stops = {target: _no_stops(job, one.plan) for target, one in judged.items()}
+    out = [*fly_bys_told(corners_of(job.program, job.plant), no_stops)]
     waits = [m for m in job.program.motions if isinstance(m, Wait) and m.condition is not None]
     if waits:
         least = sum(wait.duration for wait in waits)
@@ -264,6 +284,28 @@ def _notices(job: Job) -> tuple[str, ...]:
             f"file gives, {least:g} s in all; real waiting comes on top"
         )
     return (*map(str, job.program.warnings), *out, *planned_otherwise(job.program), *held_unasked(job))
+
+
+def _no_stops(job: Job, plan: Plan) -> frozenset[int]:
+    """The fly-bys that a plan passes, or leaves out."""
+    dropped = (motion.index for motion in plan.motions if motion.dropped)
+    return passed_in(job.program, job.plant, plan).union(dropped)
+
+
+def fly_bys_told(corners: Corners, plans: Mapping[Target, Collection[int]] | None = None) -> Iterator[str]:
+    """How many fly-by points are passed, and how many are stops, and why. plans: the motions at whose end a plan stops
+    not; of the others it stops at what could be passed."""
+    if passed := len(corners.passed):
+        points = "fly-by points are passed in corners" if passed > 1 else "fly-by point is passed in a corner"
+        yield f"{passed} {points}: {PARABOLIC}"
+        for target, moving in (plans or {}).items():
+            if stops := sum(index not in moving for index in corners.passed):
+                why = "joint moves between stops need not be straight"
+                yield f"the {target.value} plan stops at {stops} of them: {why}"
+    if stopped := len(corners.stopped):
+        points = "fly-by points are stops" if stopped > 1 else "fly-by point is a stop"
+        whys = ", ".join(f"{why} ({count})" for why, count in Counter(corners.stopped.values()).items())
+        yield f"{stopped} {points}: {whys}"
 
 
 def held_unasked(job: Job) -> Iterator[str]:

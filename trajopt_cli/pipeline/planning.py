@@ -136,7 +136,19 @@ def all_three(
                 return {stream: first}, ""
             answer, written, seconds = beside.answer()
     clock.seconds |= seconds
-    return {stream: first, rapid: answer}, written
+    return {stream: _no_slower(job, first, answer, clock), rapid: answer}, written
+
+
+def _no_slower(job: Job, first: Judged, rapid: Judged | Infeasible | NoPlan, clock: Clock) -> Judged:
+    """The stream plan, or the RAPID plan in its place where that is faster: any motion that the RAPID controller makes
+    can be streamed."""
+    if not isinstance(rapid, Judged) or not rapid.report.legal or rapid.plan.duration >= first.plan.duration:
+        return first
+    plan = replace(rapid.plan, target=Target.STREAM, lower_bound=first.plan.lower_bound, seconds=first.plan.seconds)
+    dropped = tuple(motion.index for motion in plan.motions if motion.dropped)
+    with clock.phase("stream: judge"):
+        report = judge(job.plant, job.program, rapid.csv, CSV[Target.STREAM], dropped, Target.STREAM)
+    return Judged(plan, rapid.csv, report)
 
 
 def solve(

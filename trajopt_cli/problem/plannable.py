@@ -24,6 +24,7 @@ from trajopt_cli.motion import (
     Wait,
     motion_name,
 )
+from trajopt_cli.problem.circles import Circles
 from trajopt_cli.problem.plant import Plant
 
 SHOWN = 20  # lines of one error; a program of a thousand arcs needs no thousand lines
@@ -43,11 +44,11 @@ class Refusal:
 def refusals(program: Program, plant: Plant) -> tuple[Refusal, ...]:
     """What no plan can keep, in program order; a statement that runs many times is named once per thing it asks for."""
     found: dict[tuple[Source, str], Refusal] = {}
-    axes = _OtherAxes(plant)
+    axes, circles = _OtherAxes(plant), Circles(plant)
     for motion in program.motions:
         if isinstance(motion, Wait | SignalEvent):
             continue
-        for kind, demand, advice in (*_demands(motion, plant), *axes.demands(motion)):
+        for kind, demand, advice in (*_demands(motion), *axes.demands(motion), *circles.wrong(motion)):
             key = (motion.source, kind)
             found.setdefault(key, Refusal(kind, motion.source, f"{motion_name(motion)} {demand}; {advice}"))
     return tuple(found.values())
@@ -97,6 +98,18 @@ def planned_otherwise(program: Program) -> tuple[str, ...]:
     }
     if off:
         lines.append(f"confdata is ignored {' and '.join(sorted(off))}, as the program asks")
+    if lines_at := sum(
+        isinstance(move, MoveL | MoveC) and move.settings.singularity is Singularity.WRIST for move in moves
+    ):
+        lines.append(
+            f"lines that may leave their orientation (SingArea \\Wrist, {lines_at}) are planned with the exact one"
+        )
+    if ramps := sum(move.settings.ramp < 1.0 for move in moves):
+        lines.append(f"AccSet's ramp ({ramps}) does not affect the plan: it shapes jerk, which plans do not limit")
+    if caps := sum(bool(move.settings.path_acceleration or move.settings.path_deceleration) for move in moves):
+        lines.append(f"PathAccLim ({caps}) caps the whole acceleration of the TCP, in bends too")
+    if timed := sum(move.duration is not None and not move.zone.stop for move in moves):
+        lines.append(f"programmed times (\\T, {timed}) of moves with a fly-by zone are planned as the speeds they make")
     if events := sum(len(move.events) for move in moves):
         lines.append(f"path events ({events}) take no time and do not affect the plan")
     if written := Counter(move.process.instruction for move in moves if move.process is not None):
@@ -120,42 +133,21 @@ def demands_configuration(motion: Move) -> bool:
             return False
 
 
-def _demands(motion: Move, plant: Plant) -> Iterator[tuple[str, str, str]]:
+def _demands(motion: Move) -> Iterator[tuple[str, str, str]]:
     """Kind, demand and advice, in words, of everything a motion asks for and no plan keeps."""
     settings = motion.settings
-    if isinstance(motion, MoveC):
-        yield "arcs", "is an arc, which is read but not planned yet", "replace it by lines (MoveL) to be planned"
     if isinstance(motion, MoveJ | MoveL | MoveC | MoveAbsJ) and motion.tool.stationary:
         yield (
             "stationary tools",
             f"carries the workpiece to the stationary tool {motion.tool.name} (robhold FALSE)",
             "plans support only a tool on the flange (robhold TRUE)",
         )
-    if isinstance(motion, MoveL | MoveC) and settings.singularity is not Singularity.OFF:
+    if isinstance(motion, MoveL | MoveC) and settings.singularity is Singularity.LOCK_AXIS_4:
         yield (
             "SingArea",
-            f"may leave its orientation (SingArea \\{settings.singularity.value})",
+            "holds axis 4 and leaves its orientation (SingArea \\LockAxis4)",
             "plans keep the exact orientation: set SingArea \\Off before it",
         )
-    if settings.acceleration < 1.0 or settings.ramp < 1.0:
-        yield (
-            "AccSet",
-            f"asks for reduced acceleration (AccSet {settings.acceleration * 100:g}, {settings.ramp * 100:g})",
-            "plans use the cell file's limits: set AccSet 100, 100 before it and lower the accelerations there",
-        )
-    cap = plant.tcp.acceleration
-    if not isinstance(motion, MoveExtJ):
-        for word, value in (
-            ("PathAccLim", settings.path_acceleration),
-            ("PathAccLim", settings.path_deceleration),
-            ("WorldAccLim", settings.world_acceleration),
-        ):
-            if value is not None and value < cap:
-                yield (
-                    word,
-                    f"limits the TCP to {value:g} m/s² ({word})",
-                    f"plans use the cell's {cap:g} m/s²: lower tcp.acceleration in the cell file to {value:g}",
-                )
     if motion.zone.criterion is not None and motion.zone.criterion.lower() not in _STOP_POINTS:
         yield (
             "stop times",

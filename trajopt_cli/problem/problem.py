@@ -1,14 +1,18 @@
 """The program as the optimiser sees it: stops joined by legs, in stations that one arm configuration serves.
 
-A stop is where the TCP rests. A leg leads from one stop to the next: a joint move, a line, or a dwell. Stops joined by
-lines and dwells form a station: within it the IK branch and the turns of the joints cannot change.
+A waypoint is where a motion of the program ends: a stop, where the TCP rests, or a fly-by, which is passed inside its
+zone. A leg leads from one waypoint to the next: a joint move, a line or arc, or a dwell. A run is the legs between two
+stops, driven in one go. Waypoints joined by lines, arcs and dwells form a station: within it the IK branch and the
+turns of the joints cannot change.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
+from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 
@@ -16,6 +20,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.motion import (
     ConfData,
+    FlyBy,
     Hold,
     Motion,
     Move,
@@ -29,9 +34,14 @@ from trajopt_cli.motion import (
     Wait,
     motion_name,
 )
+from trajopt_cli.path.arc import Arc
+from trajopt_cli.path.carried import Carried
+from trajopt_cli.path.dwell import Dwell
 from trajopt_cli.path.line import Line
-from trajopt_cli.path.segment import Segment
+from trajopt_cli.path.of_motion import segment_of
 from trajopt_cli.problem.changes import Changes
+from trajopt_cli.problem.corners import corners_of
+from trajopt_cli.problem.demands import acceleration_share, tcp_acceleration
 from trajopt_cli.problem.freedom import Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.plannable import demands_configuration
@@ -56,7 +66,7 @@ class Coupling(Enum):
 
 
 class LegKind(Enum):
-    """How a leg moves."""
+    """How a leg moves: axes free on the way, the tool on its way (a line or an arc), or not at all."""
 
     JOINT = "joint"
     LINE = "line"
@@ -65,11 +75,12 @@ class LegKind(Enum):
 
 @dataclass(frozen=True, eq=False)
 class Waypoint:
-    """A point where the TCP rests. motion: index of the motion that ends here, -1 for the start.
+    """Where a motion ends. motion: its index, -1 for the start.
 
     X_WF: flange pose, None where joints decide. q: all axes (k,) if the program fixes them. rail: range allowed [m].
     written: the rail value of the program as written. rest: every axis must stand still here. conf:
-    the program's confdata, demanded at the written rail value; None where any configuration will do.
+    the program's confdata, demanded at the written rail value; None where any configuration will do. fly_by: how large
+    its corner is, None where the TCP stops.
     """
 
     motion: int
@@ -79,14 +90,17 @@ class Waypoint:
     written: float
     rest: bool
     conf: ConfData | None = None
+    fly_by: FlyBy | None = None
 
 
 @dataclass(frozen=True, eq=False)
 class Leg:
-    """From stop `start` to stop `start + 1`. X_FT: tool in force. v_tcp, v_ori, v_rail: programmed caps (inf if none).
+    """From waypoint `start` to waypoint `start + 1`. X_FT: tool in force. v_tcp, v_ori, v_rail: programmed caps (inf if
+    none).
 
     duration: fixed time [s] or None. rail_moves: the rail may move during the leg. segment:
-    the way of a line, tool in the world; None where the tool rests or the joints decide.
+    the way of a line or an arc, tool in the world; None where the tool rests or the joints decide. acceleration: share
+    of every axis' acceleration limit that is in force.
     """
 
     motion: int
@@ -99,16 +113,17 @@ class Leg:
     v_rail: float
     duration: float | None = None
     rail_moves: bool = True
-    segment: Segment | None = None
+    segment: Line | Arc | Carried | None = None
+    acceleration: float = 1.0
 
     @property
     def chord(self) -> float:
-        """The tool's way on a line [m]."""
+        """The tool's way on a line or an arc [m]."""
         return 0.0 if self.segment is None else self.segment.length
 
     @property
     def angle(self) -> float:
-        """Reorientation on a line [rad]."""
+        """Reorientation on a line or an arc [rad]."""
         return 0.0 if self.segment is None else self.segment.angle
 
 
@@ -136,8 +151,20 @@ class Problem:
         """Whether all axes of a leg share one way and rest at every stop."""
         return self.coupling is Coupling.COORDINATED
 
+    def passes(self, k: int) -> bool:
+        """Whether waypoint k is a fly-by."""
+        return self.waypoints[k].fly_by is not None
+
+    @cached_property
+    def runs(self) -> tuple[tuple[int, int], ...]:
+        """The runs, as (first waypoint, last): stops with nothing but fly-bys between them."""
+        stops = [k for k in range(len(self.waypoints)) if not self.passes(k)]
+        return tuple(pairwise(stops))
+
     def rests(self, k: int) -> bool:
-        """Whether every axis stands still at stop k."""
+        """Whether every axis stands still at waypoint k."""
+        if self.passes(k):
+            return False
         return self.waypoints[k].rest or self.coordinated or not self.rail_may_pass(k)
 
     def rail_may_pass(self, k: int) -> bool:
@@ -163,7 +190,7 @@ def build_problem(
     freedom: what may change at all. changes: which motions may have it; the others keep their rail and confdata.
     dropped: motions that are left out.
     """
-    build = _Build(plant, freedom, changes)
+    build = _Build(plant, freedom, changes, corners_of(program, plant, dropped).passed)
     try:
         for index, motion in enumerate(program.motions):
             if index not in dropped:
@@ -182,13 +209,23 @@ def build_problem(
         program,
         freedom,
         tuple(waypoints),
-        tuple(build.legs),
+        tuple(_timed(leg, waypoints) for leg in build.legs),
         _stations(build.legs, len(waypoints)),
         frozenset(dropped),
         target,
         Coupling.COORDINATED if target is Target.RAPID else Coupling.FREE,
         ties,
     )
+
+
+def _timed(leg: Leg, waypoints: Sequence[Waypoint]) -> Leg:
+    """A leg whose programmed time stands for a speed: between fly-bys it has no beginning and no end of its own."""
+    before, after = waypoints[leg.start : leg.start + 2]
+    if leg.duration is None or (before.fly_by is None and after.fly_by is None):
+        return leg
+    X_0, X_1 = before.X_WF @ leg.X_FT, after.X_WF @ leg.X_FT
+    way = leg.chord or float(np.linalg.norm(X_1[:3, 3] - X_0[:3, 3]))
+    return replace(leg, duration=None, v_tcp=min(leg.v_tcp, way / leg.duration))
 
 
 def _ties(changes: Changes, waypoints: Sequence[Waypoint]) -> tuple[tuple[int, ...], ...]:
@@ -230,8 +267,8 @@ class _Held(_Impossible):
 class _Build:
     """Waypoints and legs of the motions added so far. written [m]: the rail as the program has it there."""
 
-    def __init__(self, plant: Plant, freedom: Freedom, changes: Changes):
-        self._plant, self._freedom, self._changes = plant, freedom, changes
+    def __init__(self, plant: Plant, freedom: Freedom, changes: Changes, fly_bys: Mapping[int, FlyBy]):
+        self._plant, self._freedom, self._changes, self._fly_bys = plant, freedom, changes, fly_bys
         self._has_rail = plant.robot.has_rail
         self._stroke = float(plant.layout.place(plant.limits.lower)), float(plant.layout.place(plant.limits.upper))
         self._pinned = freedom.rail is RailFreedom.PROGRAMMED or plant.rail_fixed
@@ -251,8 +288,8 @@ class _Build:
                 self._to(self._at_joints(index, self._axes(motion.q)), motion, _caps(motion, self._plant))
             case MoveExtJ():
                 self._external(index, motion)
-            case MoveL():
-                self._line(index, motion)
+            case MoveL() | MoveC():
+                self._way(index, motion)
             case _:
                 self._to(self._at_pose(index, motion), motion, _caps(motion, self._plant))
 
@@ -281,29 +318,31 @@ class _Build:
         self.waypoints[-1] = replace(before, q=q, rail=(rail, rail), written=rail, conf=None)
         self._to(self._at_joints(index, self._axes(q[layout.arm])), motion, (np.inf, np.inf, motion.speed.v_leax))
 
-    def _line(self, index: int, motion: MoveL) -> None:
-        """A line; one of no length is a dwell that lasts as long as its rail needs."""
+    def _way(self, index: int, motion: MoveL | MoveC) -> None:
+        """A line or an arc; a line of no length is a dwell that lasts as long as its rail needs."""
         start = self.waypoints[-1]
         end = self._at_pose(index, motion)
-        line = Line(start.X_WF @ motion.tool.X_FT, end.X_WF @ motion.tool.X_FT)
-        still = line.length < _POINT and line.angle < _POINT
+        way = segment_of(motion, start.X_WF @ motion.tool.X_FT)
+        assert not isinstance(way, Dwell)
+        still = way.length < _POINT and way.angle < _POINT
         moves = still or self._freedom.lines
         moves = self._has_rail and (moves or _apart(start.rail, end.rail)) and motion.hold is None
         self._to(end, motion, _caps(motion, self._plant))
-        kind, segment = (LegKind.DWELL, None) if still else (LegKind.LINE, line)
+        kind, segment = (LegKind.DWELL, None) if still else (LegKind.LINE, way)
         self.legs[-1] = replace(self.legs[-1], kind=kind, rail_moves=moves, segment=segment)
 
     def _to(self, end: Waypoint, motion: Move, caps: tuple[float, float, float]) -> None:
         """A joint move to a waypoint. caps: programmed speeds of tool [m/s], turning [rad/s] and rail [m/s]."""
         X_FT = np.eye(4) if isinstance(motion, MoveExtJ) else motion.tool.X_FT
         v_tcp, v_ori, v_rail = caps
-        tcp = self._plant.tcp
+        tcp, zone = self._plant.tcp, self._fly_bys.get(end.motion)
+        v_tcp, a_tcp = min(v_tcp, tcp.speed), tcp_acceleration(motion, tcp)
         leg = Leg(
-            end.motion, LegKind.JOINT, len(self.legs), X_FT, min(v_tcp, tcp.speed), tcp.acceleration, v_ori, v_rail,
-            duration=motion.duration, rail_moves=motion.hold is None or not self._has_rail,
+            end.motion, LegKind.JOINT, len(self.legs), X_FT, v_tcp, a_tcp, v_ori, v_rail, duration=motion.duration,
+            rail_moves=motion.hold is None or not self._has_rail, acceleration=acceleration_share(motion),
         )  # fmt: skip
         self.legs.append(leg)
-        self.waypoints.append(end)
+        self.waypoints.append(end if zone is None else replace(end, rest=False, fly_by=zone))
         if not leg.rail_moves:
             self._hold(motion)
 
@@ -364,8 +403,9 @@ class _Build:
 
 
 def _caps(motion: MoveJ | MoveL | MoveC | MoveAbsJ, plant: Plant) -> tuple[float, float, float]:
-    """Programmed speeds of tool, turning and rail; none for joint moves where the cell frees them."""
-    if plant.free_speed and isinstance(motion, MoveJ | MoveAbsJ):
+    """Programmed speeds of tool, turning and rail; none for joint moves where the cell frees them, nor where a time
+    replaces the speed."""
+    if motion.duration is not None or (plant.free_speed and isinstance(motion, MoveJ | MoveAbsJ)):
         return np.inf, np.inf, np.inf
     return motion.speed.v_tcp, motion.speed.v_ori, motion.speed.v_leax
 

@@ -1,8 +1,10 @@
 """The thesis' analysis of a program as written: steps of speed, straight in carriage-relative space (Krotký 2014, 4.2).
 
 The rail was driven apart from the arm, so the arm's own workspace looks deformed: every point stands where the carriage
-sees it. In that space each move is taken as a straight line at its programmed speed from the first instant to the last.
-No robot can do that; it is a lower estimate of the work the program asks for, comparable with the thesis' figures.
+sees it. In that space each move is taken as a straight line at its programmed speed from the first instant to the last,
+a MoveC as its arc as far as the rail leaves it one. No robot can do that; it is an estimate of the work the program
+asks for, comparable with the thesis' figures. Nothing is sped up or slowed down, so stops and fly-bys are the same in
+it: every way leads through its point, and what a corner would cut off is counted.
 Frames: W world, B the arm's base on its carriage, F flange, T tool centre point.
 """
 
@@ -14,11 +16,15 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose, readonly
-from trajopt_cli.motion import Move, MoveAbsJ, MoveExtJ, Program, SignalEvent, Source, Wait, motion_name
+from trajopt_cli.motion import Move, MoveAbsJ, MoveC, MoveExtJ, Program, SignalEvent, Source, Wait, motion_name
+from trajopt_cli.path.arc import Arc
+from trajopt_cli.path.of_motion import segment_of
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.timing.point_to_point import rest_to_rest
 
 _STANDS = 1e-9  # m or rad: less is rounding of poses and no motion
+_GAUSS = 64  # places at which an arc's length is summed up
+_PLACES = 97  # of an arc that are kept
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,9 +32,11 @@ class StepMove:
     """One move in steps of speed.
 
     index: its place in Program.motions. X_BT_0, X_BT_1 (4, 4): the TCP from the carriage at both ends. X_WT_0, X_WT_1:
-    the same in the world. rail_0, rail_1 [m]: the rail there, 0 for a robot without one. chord [m], angle [rad]: from
-    X_BT_0 to X_BT_1. v_tcp [m/s]: programmed speed under the TCP cap, or what a programmed duration comes to; 0 where
-    the arm stands. t_arm, t_rail [s]: what either needs, 0 where it stands.
+    the same in the world. rail_0, rail_1 [m]: the rail there, 0 for a robot without one. length [m], angle [rad]: of
+    the way as the carriage sees it, along an arc where it is one. v_tcp [m/s]: programmed speed under the TCP cap, or
+    what a programmed duration comes to; 0 where the arm stands. t_arm, t_rail [s]: what either needs, 0 where it
+    stands. seen, real (n, 3) [m]: places of the TCP on its way, as the carriage sees them and in the world; of a
+    straight way both ends.
     """
 
     index: int
@@ -39,14 +47,16 @@ class StepMove:
     X_WT_1: Array
     rail_0: float
     rail_1: float
-    chord: float
+    length: float
     angle: float
     v_tcp: float
     t_arm: float
     t_rail: float
+    seen: Array
+    real: Array
 
     def __post_init__(self) -> None:
-        for name in ("X_BT_0", "X_BT_1", "X_WT_0", "X_WT_1"):
+        for name in ("X_BT_0", "X_BT_1", "X_WT_0", "X_WT_1", "seen", "real"):
             object.__setattr__(self, name, readonly(getattr(self, name)))
 
     @property
@@ -58,10 +68,20 @@ class StepMove:
     def velocity(self) -> Array:
         """The TCP's velocity (3,) [m/s] along the carriage's axes (thesis fig. 4.5), for t_arm; 0 where it stands.
 
-        Its norm is v_tcp unless the turning takes longer than the chord at that speed.
+        Its norm is v_tcp unless the turning takes longer than the way at that speed; on an arc it is the mean.
         """
         step = self.X_BT_1[:3, 3] - self.X_BT_0[:3, 3]
         return step / self.t_arm if self.t_arm > 0 else np.zeros(3)
+
+    @property
+    def velocities(self) -> tuple[Array, Array]:
+        """Shares of t_arm (n,) at which the TCP is at seen, and its velocities (n-1, 3) [m/s] between them: one on a
+        straight way."""
+        steps = np.diff(self.seen, axis=0)
+        far = np.linalg.norm(steps, axis=1)
+        if len(steps) == 1 or self.t_arm == 0:
+            return np.array([0.0, 1.0]), self.velocity[None]
+        return np.concatenate([[0.0], np.cumsum(far)]) / far.sum(), steps * (far.sum() / far / self.t_arm)[:, None]
 
 
 @dataclass(frozen=True)
@@ -109,7 +129,7 @@ class Analysis:
 def analyse(program: Program, plant: Plant) -> Analysis:
     """Every move of the program in steps of speed, from the cell's start on; nothing is dropped.
 
-    The arm needs max(chord / v_tcp, angle / v_ori) in carriage-relative space, v_tcp under the plant's TCP speed cap.
+    The arm needs max(length / v_tcp, angle / v_ori) in carriage-relative space, v_tcp under the plant's TCP speed cap.
     The rail stands where the move's external axes say, or stays; it needs its least time from rest to rest under its
     limits and the programmed v_leax. A programmed duration replaces both. Whether a point is in reach is not asked.
     Raises InputError, placed in the program, where something must move at a programmed speed of 0.
@@ -155,18 +175,22 @@ def _target(motion: Move, plant: Plant, rail: float, X_BF: Array) -> Array:
 def _step(index: int, motion: Move, plant: Plant, X_BT: tuple[Array, Array], rail: tuple[float, float]) -> StepMove:
     X_BT_0, X_BT_1 = X_BT
     X_WB_0, X_WB_1 = (plant.robot.base(position) for position in rail)
-    chord = float(np.linalg.norm(X_BT_1[:3, 3] - X_BT_0[:3, 3]))
+    X_WT_0, X_WT_1 = X_WB_0 @ X_BT_0, X_WB_1 @ X_BT_1
+    length = float(np.linalg.norm(X_BT_1[:3, 3] - X_BT_0[:3, 3]))
+    seen, real = (np.array([X_0[:3, 3], X_1[:3, 3]]) for X_0, X_1 in (X_BT, (X_WT_0, X_WT_1)))
+    if isinstance(motion, MoveC) and isinstance(arc := segment_of(motion, X_WT_0), Arc):
+        length, seen, real = _along(arc, plant, rail)
     angle = axis_angle(X_BT_0[:3, :3].T @ X_BT_1[:3, :3])[1]
     way = abs(rail[1] - rail[0])
     v_tcp = min(motion.speed.v_tcp, plant.tcp.speed)
-    if max(chord, angle) <= _STANDS:
-        chord = angle = v_tcp = t_arm = 0.0
+    if max(length, angle) <= _STANDS:
+        length = angle = v_tcp = t_arm = 0.0
     elif motion.duration is not None:
         t_arm = motion.duration
-        v_tcp = chord / t_arm
+        v_tcp = length / t_arm
     else:
         t_arm = max(
-            _time(motion, chord, v_tcp, "TCP speed"), _time(motion, angle, motion.speed.v_ori, "reorientation speed")
+            _time(motion, length, v_tcp, "TCP speed"), _time(motion, angle, motion.speed.v_ori, "reorientation speed")
         )
     if way <= _STANDS:
         t_rail = 0.0
@@ -177,9 +201,21 @@ def _step(index: int, motion: Move, plant: Plant, X_BT: tuple[Array, Array], rai
         top, a_rail = plant.limits.velocity[plant.layout.rail], plant.limits.acceleration[plant.layout.rail]
         t_rail = rest_to_rest(np.zeros(1), np.array([way]), np.minimum(motion.speed.v_leax, top), a_rail)
     return StepMove(
-        index, motion.source, X_BT_0, X_BT_1, X_WB_0 @ X_BT_0, X_WB_1 @ X_BT_1, *rail,
-        chord=chord, angle=angle, v_tcp=v_tcp, t_arm=t_arm, t_rail=t_rail,
+        index, motion.source, X_BT_0, X_BT_1, X_WT_0, X_WT_1, *rail,
+        length=length, angle=angle, v_tcp=v_tcp, t_arm=t_arm, t_rail=t_rail, seen=seen, real=real,
     )  # fmt: skip
+
+
+def _along(arc: Arc, plant: Plant, rail: tuple[float, float]) -> tuple[float, Array, Array]:
+    """An arc as the carriage sees it, the rail going in proportion: its length, and places on it from there and in the
+    world (n, 3)."""
+    x, weight = np.polynomial.legendre.leggauss(_GAUSS)
+    carried = np.zeros(3) if plant.robot.rail_axis_W is None else (rail[1] - rail[0]) * plant.robot.rail_axis_W
+    length = float(weight @ np.linalg.norm(arc.twist((1 + x) / 2)[:, :3] - carried, axis=1)) / 2
+    s = np.linspace(0.0, 1.0, _PLACES)
+    X_WT = arc.pose(s)
+    X_BT = inverse_pose(plant.robot.base(rail[0] + s * (rail[1] - rail[0]))) @ X_WT
+    return length, X_BT[:, :3, 3], X_WT[:, :3, 3]
 
 
 def _time(motion: Move, way: float, speed: float, what: str) -> float:

@@ -33,7 +33,7 @@ from trajopt_cli.motion import (
     Wait,
     instruction_name,
 )
-from trajopt_cli.rapid.zones import effective_radii, ways
+from trajopt_cli.rapid.zones import effective_radii, stopped_fly_bys, ways
 from trajopt_cli.units import DEG, MM
 
 Triple = tuple[float, float, float]
@@ -48,11 +48,13 @@ class Row:
     "SignalEvent"). target: as written; of a wait its condition, of a signal event the signal. position: world.
     orientation: world, unit quaternion w x y z. via: the point an arc goes through. joints: of the arm. speed, zone:
     their names. v_tcp and the rest: their figures, VelSet and \\V included. radius: programmed, of a fly-by;
-    effective_radius: what the ways to its neighbours leave of it, 0 at a stop, None where only the robot tells. extax:
-    mm or deg; extax_kept: where axes stand meanwhile that the robot has and extax leaves open. duration: seconds of
-    a wait (at least, where a condition ends it), or the programmed time of a move. value: what a signal is set to.
-    length: of a line or an arc whose start is known. settings: what differs from the default, by the name of the
-    instruction. process: what an instruction of a process has besides, by parameter. hold: why the rail stands still.
+    effective_radius: what the ways to its neighbours leave of it, 0 at a stop, None where only the robot tells.
+    stop_reason: why a fly-by is a stop all the same. extax: mm or deg; extax_kept: where axes stand meanwhile that the
+    robot has and extax leaves open. duration: seconds of a wait (at least, where a condition ends it), or the
+    programmed time of a move. value: what a signal is set to. length: of a line or an arc whose start is known.
+    settings: what differs from the default, by the name of the instruction. process: what an instruction of a process
+    has besides, by parameter. hold: why the rail stands still. constant_speed:
+    whether its programmed speed should be kept from end to end.
     """
 
     index: int
@@ -74,6 +76,7 @@ class Row:
     criterion: str | None = None
     radius: float | None = None
     effective_radius: float | None = None
+    stop_reason: str | None = None
     tool: str | None = None
     wobj: str | None = None
     extax: ExternalAxes | None = None
@@ -87,6 +90,7 @@ class Row:
     events: tuple[PathEvent, ...] = ()
     process: tuple[tuple[str, str], ...] = ()
     hold: Hold | None = None
+    constant_speed: bool = False
 
 
 @dataclass(frozen=True)
@@ -112,6 +116,7 @@ def describe(program: Program, kinematics: Kinematics | None = None) -> Listing:
     quaternions = _quaternions(program.motions)
     spelled = _Spelling(program)
     radii = effective_radii(program, lengths)
+    stopped = stopped_fly_bys(program, kinematics)
     settings: dict[int, dict[str, Any]] = {}  # by identity: thousands of motions share one
     at = NO_EXTERNAL_AXES if kinematics is None else kinematics.start[1]
     rows = []
@@ -133,6 +138,8 @@ def describe(program: Program, kinematics: Kinematics | None = None) -> Listing:
             row = _move_row(index, motion, quaternions.get(index), lengths[index], radii[index], known)
             if motion.events:
                 row = replace(row, events=tuple(spelled.event(event, motion) for event in motion.events))
+            if index in stopped:
+                row = replace(row, stop_reason=stopped[index])
             if at is not NO_EXTERNAL_AXES and any(
                 value is not None and given is None for value, given in zip(at, motion.extax, strict=True)
             ):
@@ -261,14 +268,15 @@ def _move_row(
         radius=None if zone.stop else zone.radius / MM,
         effective_radius=None if effective is None else effective / MM,
         tool=None if isinstance(motion, MoveExtJ) else motion.tool.name,
-        wobj=None if pose is None else pose.wobj,
+        wobj=None if isinstance(motion, MoveExtJ) else motion.wobj,
         extax=motion.extax,
         conf=None if pose is None else pose.conf,
         duration=motion.duration,
-        length=None if length is None or isinstance(motion, MoveJ) else length / MM,
+        length=length / MM if length is not None and isinstance(motion, MoveL | MoveC) else None,
         optional=motion.optional,
         settings=settings,
         events=motion.events,
         process=motion.process.data if motion.process else (),
         hold=motion.hold,
+        constant_speed=motion.constant_speed,
     )

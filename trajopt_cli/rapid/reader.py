@@ -11,6 +11,7 @@ from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import Move, Program, Source, Span, TextFile
 from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.rapid.entry import find_entry
+from trajopt_cli.rapid.execution.beads import fill_constant_speed
 from trajopt_cli.rapid.execution.holding import fill_holds
 from trajopt_cli.rapid.execution.interpreter import Run
 from trajopt_cli.rapid.execution.loading import load
@@ -98,6 +99,7 @@ def try_program(
         routine, scope = find_entry([*zip(trees, scopes, strict=True)], entry, subject)
         run.start(routine, scope)
         fill_holds(run, modules)
+        fill_constant_speed(run, modules)
     except InputError as error:
         _show(run, error)
         if not run.world.lacks:

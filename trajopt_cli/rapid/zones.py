@@ -1,16 +1,25 @@
-"""How large the corners of fly-by points really are: a zone ends at the middle of the way to the next point."""
+"""Which fly-by points are passed, how large their corners really are, and which are stops all the same and why.
+
+A zone ends at the middle of the way to the next point. What is written for orientation and external axes reaches as
+far as the zone of the tool centre point at least, and counts with the smallest share of the ways (RAPID, zonedata).
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import dist
+from typing import NamedTuple
 
-from trajopt_cli.geometry import Array, inverse_pose
+import numpy as np
+
+from trajopt_cli.geometry import Array, axis_angle, inverse_pose
 from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import (
     NO_EXTERNAL_AXES,
     ExternalAxes,
+    FlyBy,
+    Move,
     MoveAbsJ,
     MoveC,
     MoveExtJ,
@@ -20,8 +29,14 @@ from trajopt_cli.motion import (
     SignalEvent,
     Tool,
     Wait,
+    Zone,
 )
 from trajopt_cli.path.circle import Point, arc_length, circle_through
+from trajopt_cli.path.segment import POINT
+from trajopt_cli.units import MM
+
+# [m] A shorter way has no corner: seven digits of a num tell points 10 m away no better.
+_NO_WAY = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,67 +54,177 @@ class _Place:
         return X_WF @ tool.X_FT
 
 
+class _Way(NamedTuple):
+    """From one point to the next, of the tool of the motion that goes there.
+
+    length [m], angle [rad] of its reorientation, travel [m] of the external axis that goes farthest.
+    """
+
+    length: float
+    angle: float
+    travel: float
+
+
 def ways(program: Program, kinematics: Kinematics | None = None) -> list[float | None]:
     """Length [m] of the tool's way over the work to the end of each motion, in the order of program.motions.
 
-    Of MoveJ as if it were a line. None for what is no move to a pose, and where the start is not known: at the
-    beginning and after moves to joints only kinematics tell it.
+    Of joint moves as if they were lines. None for what moves no tool, and where an end is not known: that of the start
+    and of moves to joints only kinematics tell.
     """
-    out: list[float | None] = []
-    place, extax = None, NO_EXTERNAL_AXES
-    if kinematics is not None:
-        q, extax = kinematics.start
-        place = _Place(kinematics.forward(q, extax), None)
-    for motion in program.motions:
-        match motion:
-            case Wait() | SignalEvent():
-                out.append(None)
-                continue
-            case MoveJ() | MoveL() | MoveC():
-                out.append(None if place is None else _length(motion, place))
-                place = _Place(motion.X_WT, motion.tool)
-            case MoveAbsJ() | MoveExtJ():
-                out.append(None)
-                place = None
-        if kinematics is not None:
-            extax = _taken_over(extax, motion.extax)
-            if isinstance(motion, MoveAbsJ):
-                place = _Place(kinematics.forward(motion.q, extax), None)
+    out: list[float | None] = [None] * len(program.motions)
+    for index, motion, start, end, _ in _courses(program, kinematics):
+        if start is not None and end is not None and not isinstance(motion, MoveExtJ):
+            out[index] = _length(motion, start, end)
     return out
 
 
 def effective_radii(program: Program, lengths: Sequence[float | None] | None = None) -> tuple[float | None, ...]:
     """The radius [m] of the corner at the end of each motion, in the order of program.motions.
 
-    At most half the way from the point before and half the way to the next one, arcs along the arc; 0 at a stop, at the
-    last move, before a wait, and for what is no move. None for a fly-by whose own place, or a neighbour's, only the
-    robot knows (MoveAbsJ, MoveExtJ). Signals between two moves change nothing: they are set on the way. lengths: what
-    ways() gives, if it is known already.
+    At most half the way from the point before and half the way to the next one, arcs along the arc; 0 at a stop, also
+    at a fly-by that is one (see stopped_fly_bys), and for what is no move. None for a fly-by whose own place, or a
+    neighbour's, only the robot knows. lengths: what ways() gives, if it is known already.
     """
     lengths = ways(program) if lengths is None else lengths
     radii: list[float | None] = [0.0] * len(program.motions)
-    way_in: float | None = None  # from the point before to the point at last; None where nobody knows
-    last: tuple[int, float] | None = None  # a fly-by that waits for its way out: index, radius
+    for index, move, after, reason in _programmed(program, lengths):
+        if after is not None and reason is None:
+            before, behind = lengths[index], lengths[after]
+            radii[index] = None if before is None or behind is None else min(move.zone.radius, before / 2, behind / 2)
+    return tuple(radii)
+
+
+def fly_bys(program: Program, kinematics: Kinematics | None = None) -> dict[int, FlyBy]:
+    """The corners of the fly-by points that are passed, by the index of the motion that ends there.
+
+    Positions take the programmed radius; orientations path_ori, external axes path_eax, both no less than the radius;
+    all at most half of the shorter way. Where ori or leax is given and a smaller share of what turns or travels on one
+    of the ways, it counts instead, still no less than the radius. Travel is that of the robot's own axes, all linear,
+    as programmed; kinematics tell which they are, without them there is none. Points whose ways only the robot knows
+    are left out.
+    """
+    lengths = ways(program, kinematics)
+    found = _programmed(program, lengths)
+    passed = {index: (move, after) for index, move, after, reason in found if after is not None and reason is None}
+    wanted = {*passed, *(after for _, after in passed.values())}
+    known: dict[int, _Way] = {}
+    for index, motion, start, end, travel in _courses(program, kinematics):
+        length = lengths[index]
+        if index in wanted and length is not None and start and end and not isinstance(motion, MoveExtJ):
+            R_0, R_1 = start.seen_by(motion.tool)[:3, :3], end.seen_by(motion.tool)[:3, :3]
+            known[index] = _Way(length, axis_angle(R_0.T @ R_1)[1], travel)
+    return {
+        index: _fly_by(move.zone, (known[index], known[after]))
+        for index, (move, after) in passed.items()
+        if index in known and after in known
+    }
+
+
+def stopped_fly_bys(program: Program, kinematics: Kinematics | None = None) -> dict[int, str]:
+    """Why a programmed fly-by is a stop, in words, by the index of its motion; those that are passed are left out.
+
+    Without kinematics a point is taken to be passed where only they tell that no way leads to it or on from it.
+    """
+    found = _programmed(program, ways(program, kinematics))
+    return {index: reason for index, _, _, reason in found if reason is not None}
+
+
+def _fly_by(zone: Zone, sides: tuple[_Way, _Way]) -> FlyBy:
+    half = min(way.length for way in sides) / 2
+    radius = min(zone.radius, half)
+
+    def reach(path: float, size: float, turns: Sequence[float]) -> float:
+        shares = [size / turn * way.length for turn, way in zip(turns, sides, strict=True) if size > 0 and turn > POINT]
+        return max(radius, min(max(path, zone.radius), half, *shares))
+
+    turning = reach(zone.path_ori, zone.ori, [way.angle for way in sides])
+    return FlyBy(radius, turning, reach(zone.path_eax, zone.leax, [way.travel for way in sides]))
+
+
+def _programmed(
+    program: Program, lengths: Sequence[float | None]
+) -> Iterator[tuple[int, Move, int | None, str | None]]:
+    """Every programmed fly-by: index and move, the index of the next move, and why it is a stop, None where passed.
+
+    Signals between two moves change nothing: they are set on the way.
+    """
+    last: tuple[int, Move] | None = None  # a fly-by that waits for its way out
     for index, motion in enumerate(program.motions):
         match motion:
             case SignalEvent():
                 continue
             case Wait():
-                if motion.duration > 0 or motion.condition is not None:
-                    last = None  # radii holds 0 for it
+                if last is not None and motion.stops:
+                    yield *last, None, "a wait follows"
+                    last = None
                 continue
-        way = lengths[index]
         if last is not None:
-            before, wanted = last
-            radii[before] = None if way is None or way_in is None else min(wanted, way / 2, way_in / 2)
-        way_in = way
-        last = None if motion.zone.stop else (index, motion.zone.radius)
-    return tuple(radii)
+            yield *last, index, _reason(last[1], motion, lengths[last[0]], lengths[index])
+        last = None if motion.zone.stop else (index, motion)
+    if last is not None:
+        yield *last, None, "no move follows"
 
 
-def _length(motion: MoveJ | MoveL | MoveC, place: _Place) -> float:
-    start = _point(place.seen_by(motion.tool)[:3, 3])
-    end = _point(motion.X_WT[:3, 3])
+def _reason(move: Move, after: Move, way_in: float | None, way_out: float | None) -> str | None:
+    """Why the end of a move is a stop although another move follows."""
+    if isinstance(move, MoveExtJ) or isinstance(after, MoveExtJ):
+        return f"external axes alone move {'to it' if isinstance(move, MoveExtJ) else 'next'}"
+    if move.zone.radius == 0:
+        return "its zone is 0 mm"
+    if not _same(move.tool, after.tool):
+        return "the tool changes"
+    if way_in is not None and way_in < _NO_WAY:
+        return "its move has no length"
+    if way_out is not None and way_out < _NO_WAY:
+        return "the next move has no length"
+    return None
+
+
+def _same(a: Tool, b: Tool) -> bool:
+    """Whether two motions have one tool centre point; a stationary tool is made anew for every target."""
+    if a is b or a.stationary or b.stationary:
+        return a.stationary == b.stationary and a.name == b.name
+    return np.array_equal(a.X_FT, b.X_FT)
+
+
+def _courses(
+    program: Program, kinematics: Kinematics | None
+) -> Iterator[tuple[int, Move, _Place | None, _Place | None, float]]:
+    """Every move: its index, where the robot stands before and after it, and the external axes' travel [m]."""
+    place, extax = None, NO_EXTERNAL_AXES
+    if kinematics is not None:
+        q, extax = kinematics.start
+        place = _Place(kinematics.forward(q, extax), None)
+    for index, motion in enumerate(program.motions):
+        if isinstance(motion, Wait | SignalEvent):
+            continue
+        start, before, extax = place, extax, _taken_over(extax, motion.extax)
+        match motion:
+            case MoveJ() | MoveL() | MoveC():
+                place = _Place(motion.X_WT, motion.tool)
+            case MoveAbsJ():
+                place = None if kinematics is None else _Place(kinematics.forward(motion.q, extax), None)
+            case MoveExtJ():
+                place = None if kinematics is None or place is None else _carried(kinematics, place, before, extax)
+        yield index, motion, start, place, _travel(kinematics, before, extax)
+
+
+def _carried(kinematics: Kinematics, place: _Place, before: ExternalAxes, extax: ExternalAxes) -> _Place:
+    """Where an arm stands that external axes took along: they move every pose of it alike."""
+    q, _ = kinematics.start
+    X_01 = kinematics.forward(q, extax) @ inverse_pose(kinematics.forward(q, before))
+    return _Place(X_01 @ place.X_WT, place.tool)
+
+
+def _travel(kinematics: Kinematics | None, before: ExternalAxes, extax: ExternalAxes) -> float:
+    if kinematics is None:
+        return 0.0
+    own = zip(kinematics.start[1], before, extax, strict=True)
+    return max((abs(b - a) * MM for has, a, b in own if has is not None and a is not None and b is not None), default=0)
+
+
+def _length(motion: MoveJ | MoveL | MoveC | MoveAbsJ, before: _Place, after: _Place) -> float:
+    start, end = (_point(place.seen_by(motion.tool)[:3, 3]) for place in (before, after))
     if isinstance(motion, MoveC) and not motion.tool.stationary:  # else the work moves: its points pass the tool
         course = circle_through(start, _point(motion.X_WV[:3, 3]), end)
         if course is not None:

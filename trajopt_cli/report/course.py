@@ -3,27 +3,41 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, inverse_pose, xyz_from_rotation
-from trajopt_cli.motion import MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, Wait
+from trajopt_cli.geometry import Array, BoolArray, inverse_pose, xyz_from_rotation
+from trajopt_cli.motion import MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL, Program, Wait
+from trajopt_cli.problem.corners import corners_of, passed_in
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.arm import axes_and_points
 from trajopt_cli.trajectory import hermite
 
+_EDGE = 1 + 1e-6  # of a zone: its edge is inside
 _TURN = np.pi / 2  # rad between two samples: no angle moves so fast, it is the singularity of the three angles
 
 
 @dataclass(frozen=True, eq=False)
 class Leg:
-    """A move or a wait of the plan that was not dropped: from t_0 to t_1 [s], its motion, the tool in force."""
+    """A move or a wait of the plan that was not dropped: from t_0 to t_1 [s], its motion, the tool in force.
+
+    q_1 (k,): axes at its point. zone [m]: how near the tool comes to a point that it passes in a corner; t_1 is then in
+    the middle of that. 0 at a stop.
+    """
 
     t_0: float
     t_1: float
-    motion: MoveJ | MoveL | MoveAbsJ | MoveExtJ | Wait
+    motion: MoveJ | MoveL | MoveC | MoveAbsJ | MoveExtJ | Wait
     X_FT: Array
+    q_1: Array
+    zone: float = 0.0
+
+    @property
+    def passed(self) -> bool:
+        """Whether the plan does not stop at its end."""
+        return self.zone > 0
 
     @property
     def name(self) -> str:
@@ -71,6 +85,30 @@ class Course:
         """The samples of a leg, both ends included."""
         return slice(int(np.searchsorted(self.t, leg.t_0)), int(np.searchsorted(self.t, leg.t_1, side="right")))
 
+    @cached_property
+    def points(self) -> Array:
+        """The points that the moves lead to (m, 3) [m], as programmed: those that are passed lie beside the path."""
+        X_WT = [self.plant.robot.forward(leg.q_1) @ leg.X_FT for leg in self.moves]
+        return np.reshape([X[:3, 3] for X in X_WT], (-1, 3))
+
+    @cached_property
+    def passed(self) -> BoolArray:
+        """Which of them are passed (m,)."""
+        return np.array([leg.passed for leg in self.moves], dtype=bool)
+
+    @cached_property
+    def corners(self) -> list[slice]:
+        """The samples inside the zones of the points that are passed, in order."""
+        out = []
+        for leg, point in zip(self.moves, self.points, strict=True):
+            if leg.passed:
+                near = np.linalg.norm(self.X_WT[:, :3, 3] - point, axis=1) <= leg.zone * _EDGE
+                middle = self.at(leg.t_1)
+                before, after = np.flatnonzero(~near[:middle]), np.flatnonzero(~near[middle:])
+                first = int(before[-1]) if before.size else 0
+                out.append(slice(first, middle + int(after[0]) + 1 if after.size else len(near)))
+        return out
+
     def at(self, time: float) -> int:
         """The last sample not after time [s]."""
         return max(int(np.searchsorted(self.t, time, side="right")) - 1, 0)
@@ -78,7 +116,7 @@ class Course:
 
 def follow(program: Program, plant: Plant, plan: Plan, title: str) -> Course:
     """Sample a plan. title: the program's name for people. Raises ValueError for a trajectory without speeds."""
-    legs = _legs(program, plan)
+    legs = _legs(program, plant, plan)
     rows = plan.trajectory.t
     # The last number before a row still belongs to the interval that ends there.
     t = np.column_stack([rows[:-1], np.nextafter(rows[1:], -np.inf)]).ravel()
@@ -93,19 +131,22 @@ def follow(program: Program, plant: Plant, plan: Plan, title: str) -> Course:
     return Course(program, plant, plan, below, legs, t, q, qd, qdd, X_WT, V_WT)
 
 
-def _legs(program: Program, plan: Plan) -> tuple[Leg, ...]:
+def _legs(program: Program, plant: Plant, plan: Plan) -> tuple[Leg, ...]:
     legs: list[Leg] = []
+    passed = passed_in(program, plant, plan)
+    zones = corners_of(program, plant, {motion.index for motion in plan.motions if motion.dropped}).passed
     # A program may wait, or move external axes, before its first tool: then that tool counts from the start.
-    tools = (m.tool.X_FT for m in program.motions if isinstance(m, MoveJ | MoveL | MoveAbsJ))
+    tools = (m.tool.X_FT for m in program.motions if isinstance(m, MoveJ | MoveL | MoveC | MoveAbsJ))
     X_FT = next(tools, np.eye(4))
     for planned in plan.motions:
         motion = program.motions[planned.index]
-        if planned.dropped or not isinstance(motion, MoveJ | MoveL | MoveAbsJ | MoveExtJ | Wait):
+        if planned.dropped or not isinstance(motion, MoveJ | MoveL | MoveC | MoveAbsJ | MoveExtJ | Wait):
             continue
-        if isinstance(motion, MoveJ | MoveL | MoveAbsJ):
+        if isinstance(motion, MoveJ | MoveL | MoveC | MoveAbsJ):
             X_FT = motion.tool.X_FT
         if planned.t_1 > planned.t_0:
-            legs.append(Leg(planned.t_0, planned.t_1, motion, X_FT))
+            zone = zones[planned.index].radius if planned.index in passed else 0.0
+            legs.append(Leg(planned.t_0, planned.t_1, motion, X_FT, planned.q_1, zone))
     return tuple(legs)
 
 
@@ -119,7 +160,7 @@ def _tools(legs: tuple[Leg, ...], t: Array) -> list[tuple[Array, slice]]:
 
 def target_flange(leg: Leg) -> Array | None:
     """The flange pose X_WF (4, 4) a leg ends in, where the program names a pose; None for joints and waits."""
-    if isinstance(leg.motion, MoveJ | MoveL):
+    if isinstance(leg.motion, MoveJ | MoveL | MoveC):
         return leg.motion.X_WT @ inverse_pose(leg.motion.tool.X_FT)
     return None
 

@@ -11,7 +11,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.motion import MoveL, Wait
+from trajopt_cli.motion import MoveC, MoveL, Wait
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.workspace import sections
 from trajopt_cli.report.course import Course, Leg, skeleton, wrist_section
@@ -32,12 +32,17 @@ from trajopt_cli.report.style import (
 )
 from trajopt_cli.units import MM
 
-# How the path looks in lines (the thesis' functional parts), elsewhere, and where only the rail moves.
+# How the path looks in lines and arcs (the thesis' functional parts), elsewhere, where only the rail moves, in corners.
 KINDS: dict[str, dict[str, Any]] = {
     "line": {"color": VERMILLION, "linewidth": 3.4, "label": "lines (MoveL)"},
+    "arc": {"color": PURPLE, "linewidth": 3.4, "label": "arcs (MoveC)"},
     "free": {"color": BLUE, "linewidth": 1.4, "label": "free moves"},
     "wait": {"color": GREY, "linewidth": 2.0, "linestyle": (0, (1.5, 1.2)), "label": "waits"},
+    "corner": {"color": GREEN, "linewidth": 2.4, "linestyle": (0, (2.5, 0.7)), "label": "in zones (fly-by)"},
 }
+# A point where the plan stops, and one that it passes.
+STOP: dict[str, Any] = {"marker": "o", "linestyle": "", "color": BLACK, "markersize": 4.5}
+PASSED: dict[str, Any] = {**STOP, "markerfacecolor": "white", "markersize": 5.5}
 SAME = 5e-3  # m: points nearer than this share a name tag
 _TAG = 45.0  # mm from an elbow up to its number
 _NAMES = "xyz"
@@ -53,18 +58,41 @@ def path(course: Course) -> Figure:
     spaces = [("real space", points)]
     if course.plant.robot.has_rail:
         spaces.append(("relative to the carriage", points - course.rail))
-    parts = [(course.during(leg), _kind(leg)) for leg in course.legs]
-    tags = [
-        by_place(p[[course.during(leg).stop - 1 for leg in course.moves]], [leg.name for leg in course.moves], SAME)
-        for _, p in spaces
-    ]
-    return path_figure(
-        "Path of the tool centre point", course.below, spaces, parts, tags, along_page(course.plant, points)
-    )
+    ends = [course.points, course.points - _carried(course)][: len(spaces)]
+    tags = [by_place(places, [leg.name for leg in course.moves], SAME) for places in ends]
+    marks = [(places[~course.passed], places[course.passed]) for places in ends]
+    heading = "Path of the tool centre point"
+    along = along_page(course.plant, points)
+    return path_figure(heading, course.below, spaces, _parts(course), tags, along, marks=marks)
+
+
+def _carried(course: Course) -> Array:
+    """Where the carriage stands at the points that the moves lead to (m, 3) [m], from the rail's 0."""
+    axis, place = course.plant.robot.rail_axis_W, course.plant.layout.place
+    return np.zeros(3) if axis is None else np.array([place(leg.q_1) * axis for leg in course.moves]).reshape(-1, 3)
+
+
+def _parts(course: Course) -> list[tuple[slice, str]]:
+    """Samples and how they are drawn: every leg, but for what of it lies in a corner; the corners."""
+    out = [(corner, "corner") for corner in course.corners]
+    for leg in course.legs:
+        own = course.during(leg)
+        first = max((c.stop - 1 for c in course.corners if c.start < own.start < c.stop), default=own.start)
+        last = min((c.start + 1 for c in course.corners if c.start < own.stop < c.stop), default=own.stop)
+        if first < last:
+            out.append((slice(first, last), _kind(leg)))
+    return out
 
 
 def _kind(leg: Leg) -> str:
-    return "line" if isinstance(leg.motion, MoveL) else "wait" if isinstance(leg.motion, Wait) else "free"
+    match leg.motion:
+        case MoveL():
+            return "line"
+        case MoveC():
+            return "arc"
+        case Wait():
+            return "wait"
+    return "free"
 
 
 def path_figure(
@@ -75,17 +103,21 @@ def path_figure(
     tags: list[tuple[Array, list[str]]],
     along: int,
     kinds: dict[str, dict[str, Any]] = KINDS,
+    marks: list[tuple[Array, Array]] | None = None,
 ) -> Figure:
     """Spaces side by side (name, points (n, 3) [m]), seen from the side and from above, all to one scale.
 
     parts: samples and the key of kinds they are drawn in. tags: per space places (m, 3) [m] and their names. along: the
-    world axis across the page. One space alone has its two views side by side.
+    world axis across the page. marks: per space the points at which the plan stops and those it passes, (m, 3) [m]
+    each; all tags are stops if not given. One space alone has its two views side by side.
     """
+    marks = marks or [(places, np.empty((0, 3))) for places, _ in tags]
     across = 1 - along
     views = [[(i, up) for i in range(len(spaces))] for up in (2, across)]
     if len(spaces) == 1:
         views = [[(0, 2), (0, across)]]
-    spans = [np.ptp(p, axis=0) for _, p in spaces]
+    shown = [np.vstack([p, *marks[i]]) for i, (_, p) in enumerate(spaces)]
+    spans = [np.ptp(p, axis=0) for p in shown]
     room = 0.12 * max(float(span.max()) for span in spans) + 0.02  # m for names at every side
     wide = [spans[i][along] + 2 * room for i, _ in views[0]]
     wide = [max(width, 0.6 * max(wide)) for width in wide]  # a narrow space has as many names
@@ -99,8 +131,9 @@ def path_figure(
             space, p = spaces[i]
             for part, kind in parts:
                 axes.plot(p[part, along] / MM, p[part, up] / MM, **kinds[kind], solid_capstyle="round", gid=kind)
-            axes.plot(tags[i][0][:, along] / MM, tags[i][0][:, up] / MM, "o", color=BLACK, markersize=4.5, zorder=4)
-            middle = (p.max(axis=0) + p.min(axis=0)) / 2
+            for points, style in zip(marks[i], (STOP, PASSED), strict=True):
+                axes.plot(points[:, along] / MM, points[:, up] / MM, **style, zorder=4)
+            middle = (shown[i].max(axis=0) + shown[i].min(axis=0)) / 2
             axes.set_xlim((middle[along] - width / 2) / MM, (middle[along] + width / 2) / MM)
             axes.set_ylim((middle[up] - height / 2) / MM, (middle[up] + height / 2) / MM)
             axes.set_aspect("equal")
@@ -111,6 +144,8 @@ def path_figure(
             axes.set_title(f"{space}, {'side view' if up == 2 else 'from above'}", size=SMALL + 0.5, loc="left")
     used = {kind for _, kind in parts}
     handles = [Line2D([], [], **style) for kind, style in kinds.items() if kind in used]
+    if len(marks[0][1]):
+        handles += [Line2D([], [], **STOP, label="stop"), Line2D([], [], **PASSED, label="passed")]
     figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
     settle(figure)
     for axes, (i, up) in zip(grid[0], views[0], strict=True):
@@ -142,8 +177,9 @@ def workspace(course: Course) -> Figure:
         axes.plot(*outline.T / MM, color=color, linestyle=line, linewidth=1.6)
     wrist = wrist_section(course.plant, course.q)
     axes.plot(*wrist.T / MM, color=BLUE, linewidth=2.2, gid="wrist")
-    ends = wrist[[course.at(leg.t_1) for leg in course.moves]].reshape(-1, 2)
-    axes.plot(*ends.T / MM, "o", color=BLACK, markersize=4.5, zorder=4)
+    ends = np.vstack([np.empty((0, 2)), *(wrist_section(course.plant, leg.q_1[None]) for leg in course.moves)])
+    for passed, style in ((False, STOP), (True, PASSED)):
+        axes.plot(*ends[course.passed == passed].T / MM, **style, zorder=4)
     arm = course.plant.robot.arm
     base = np.array([[0, 0], [0, arm.d1], [arm.a1, arm.d1]])
     knee = base[2] + arm.L2 * np.array([np.sin(course.q[0, -5]), np.cos(course.q[0, -5])])
@@ -158,7 +194,9 @@ def workspace(course: Course) -> Figure:
         Line2D([], [], color=BLUE, linewidth=2.2, label="this plan"),
         Line2D([], [], color="#b0b0b0", linewidth=5, label="arm at the start"),
     ]
-    figure.legend(handles=handles, loc="outside lower center", ncols=4, columnspacing=1.4)
+    if course.passed.any():
+        handles.append(Line2D([], [], **PASSED, label="point passed"))
+    figure.legend(handles=handles, loc="outside lower center", ncols=len(handles), columnspacing=1.4)
     # Equal scales leave room at the sides of the page: names stand in it, right of the outline.
     low, high = axes.get_xlim()
     axes.set_xlim(low, high + 0.17 * (high - low))
@@ -271,14 +309,14 @@ def _pixels(axes: Any, points: Array) -> Array:
 
 
 def _stations(course: Course) -> list[tuple[int, str, Array]]:
-    """Sample, label and tool of the start and of where the plan waits (else of where moves end), five at most."""
+    """Sample, label and tool of the start and of where the plan waits (else of where it stops), five at most."""
     named = [(0, "start", course.legs[0].X_FT if course.legs else np.eye(4))]
     waits = [
         (before.t_1, before.name, before.X_FT)
         for before, leg in zip(course.legs, course.legs[1:], strict=False)
         if isinstance(leg.motion, Wait) and before.name
     ]
-    for time, name, X_FT in waits or [(leg.t_1, leg.name, leg.X_FT) for leg in course.moves]:
+    for time, name, X_FT in waits or [(leg.t_1, leg.name, leg.X_FT) for leg in course.moves if not leg.passed]:
         i = course.at(time)
         if len(named) <= 5 and all(_apart(course, i, j) for j, _, _ in named):
             named.append((i, f"{short(name)}, {course.t[i]:.2f} s", X_FT))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Sequence
 from functools import cache
 
@@ -15,6 +16,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.report.style import GREY, SMALL
 
 LONGEST = 18  # letters of a target's name that are shown
+MOST_PLACES = 6  # that one name is written at
 _SLANT = 50.0  # deg
 _LIFT = 10.0  # pt: from the top of the panel to the foot of a slanted name
 _REACHES = (7.0, 13.0, 20.0, 29.0, 40.0, 54.0, 72.0, 94.0)  # pt: from a place to the edge of its name
@@ -96,7 +98,10 @@ def _apart(wanted: Array, gap: float, low: float, high: float) -> Array:
 
 
 def by_place(places: Array, names: list[str], apart: float) -> tuple[Array, list[str]]:
-    """Places (m, d) [m] with those nearer than apart [m] put together, the names of one place below each other."""
+    """Places (m, d) [m] with those nearer than apart [m] put together, the names of one place below each other.
+
+    A name of more than MOST_PLACES places, as of a target computed in a loop, stands at the first, others have none.
+    """
     kept: list[Array] = []
     groups: list[list[str]] = []
     for place, name in zip(places, map(short, names), strict=True):
@@ -106,6 +111,11 @@ def by_place(places: Array, names: list[str], apart: float) -> tuple[Array, list
             groups.append([name])
         elif name not in groups[near[0]]:
             groups[near[0]].append(name)
+    count = Counter(name for group in groups for name in group)
+    told: set[str] = set()
+    for group in groups:
+        group[:] = [name for name in group if count[name] <= MOST_PLACES or name not in told]
+        told.update(group)
     return np.array(kept).reshape(-1, places.shape[1]), ["\n".join(group) for group in groups]
 
 
@@ -114,6 +124,7 @@ def name_places(axes: Axes, places: Array, names: list[str], avoid: Array) -> No
 
     avoid (n, 2): points of curves that a name should not cover. The figure must be settled.
     """
+    places, names = places[[bool(name) for name in names]], [name for name in names if name]
     if not names:
         return
     canvas = axes.figure.canvas

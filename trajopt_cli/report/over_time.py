@@ -14,7 +14,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.motion import MoveAbsJ, MoveExtJ, MoveJ, Wait
 from trajopt_cli.problem.workspace import rail_ranges
 from trajopt_cli.report.course import Course, angles, target_flange
-from trajopt_cli.report.marks import WAIT, mark_motions
+from trajopt_cli.report.marks import PASSED, WAIT, mark_motions
 from trajopt_cli.report.names import name_times, spread
 from trajopt_cli.report.style import (
     AXIS_STYLES,
@@ -243,8 +243,9 @@ def readable(axis: str) -> str:
 
 
 def key(figure: Figure, course: Course, handles: list[Line2D] | list[Line2D | Patch]) -> None:
-    """The legend in one row under the picture; with the waits where there are any."""
-    legend(figure, [*handles, *([WAIT] if any(isinstance(leg.motion, Wait) for leg in course.legs) else [])])
+    """The legend in one row under the picture; with the waits and the points passed where there are any."""
+    more: list[Line2D | Patch] = [WAIT] if any(isinstance(leg.motion, Wait) for leg in course.legs) else []
+    legend(figure, [*handles, *more, *([PASSED] if course.passed.any() else [])])
 
 
 def legend(figure: Figure, entries: Sequence[Line2D | Patch]) -> None:

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from trajopt_cli.geometry import inverse_pose
+from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.motion import Program, SignalEvent, Wait
 from trajopt_cli.problem.stepwise import Analysis, StepMove
 from trajopt_cli.report.in_space import SAME, path_figure
@@ -27,7 +27,7 @@ _KINDS: dict[str, dict[str, Any]] = {
     RAIL: {"color": BLUE, "linewidth": 1.8, "linestyle": (0, (1.2, 1.6)), "label": "rail alone"},
 }
 _RAIL_ALONE = Patch(color="#cfe3f1", linewidth=0, label="rail alone")
-_ALONG = np.linspace(0.0, 1.0, 33)[:, None]  # a straight line is drawn with points for names to keep away from
+_PLACES = 97  # on every way that is drawn: a straight one has points for names to keep away from, too
 _STANDS = 1e-6  # m: no way to show
 
 
@@ -78,7 +78,10 @@ def speed(steps: Steps) -> Figure:
     grid = figure.subplots(4, 1, sharex=True, height_ratios=[3, 2, 2, 2])
     rows: list[tuple[float, float, float, float, float]] = []  # time, programmed speed, velocity along x, y, z
     for begin, move in zip(begins, moves, strict=False):
-        rows += [(begin + after, move.v_tcp, *move.velocity) for after in (0.0, move.t_arm) if move.t_arm > 0]
+        if move.t_arm > 0:
+            at, velocities = move.velocities
+            for i, velocity in enumerate(velocities):
+                rows += [(begin + float(share) * move.t_arm, move.v_tcp, *velocity) for share in at[i : i + 2]]
         if move.t_rail > move.t_arm:
             rows += [(begin + after, 0.0, 0.0, 0.0, 0.0) for after in (move.t_arm, move.t_rail)]
     t, *speeds = np.array(rows).T
@@ -103,27 +106,34 @@ def speed(steps: Steps) -> Figure:
 
 
 def path(steps: Steps) -> Figure:
-    """The straight ways between the points, in the real space and as the carriage sees them. Figs 4.3 and 4.6.
+    """The ways between the points, straight or along their arcs, in the real space and as the carriage sees them. Figs
+    4.3 and 4.6.
 
     What the carriage sees is drawn along the world's axes, and agrees with the real space where the carriage starts.
     """
     moves = steps.analysis.moves
     carriage = [m.X_WT_0 @ inverse_pose(m.X_BT_0) for m in moves] + [moves[-1].X_WT_1 @ inverse_pose(moves[-1].X_BT_1)]
-    real = [(m.X_WT_0[:3, 3], m.X_WT_1[:3, 3]) for m in moves]
-    seen = [((carriage[0] @ m.X_BT_0)[:3, 3], (carriage[0] @ m.X_BT_1)[:3, 3]) for m in moves]
+    real = [m.real for m in moves]
+    seen = [m.seen @ carriage[0][:3, :3].T + carriage[0][:3, 3] for m in moves]
     ways = [("real space", real)] + ([("relative to the carriage", seen)] if steps.rides else [])
     spaces, tags = [], []
     for name, ends in ways:
-        spaces.append((name, np.vstack([a + _ALONG * (b - a) for a, b in ends])))
+        spaces.append((name, np.vstack([_dense(way) for way in ends])))
         names = ["start", *(steps.target(m) for m in moves)]
-        tags.append(by_place(np.array([ends[0][0], *(b for _, b in ends)]), names, SAME))
-    size = len(_ALONG)
+        tags.append(by_place(np.array([ends[0][0], *(way[-1] for way in ends)]), names, SAME))
+    size = _PLACES
     parts = [
         (slice(k * size, (k + 1) * size), steps.kind(m))
         for k, m in enumerate(moves)
-        if max(float(np.linalg.norm(b - a)) for a, b in (real[k], seen[k])) > _STANDS
+        if max(float(np.ptp(way, axis=0).max()) for way in (real[k], seen[k])) > _STANDS
     ]
     ride = np.ptp([X[:3, 3] for X in carriage], axis=0)
     across = ride if ride[:2].max() > _STANDS else np.ptp(spaces[0][1], axis=0)
-    heading = "Path of the tool centre point as programmed, straight between the points"
+    heading = "Path of the tool centre point as programmed, through every point"
     return path_figure(heading, steps.below, spaces, parts, tags, int(np.argmax(across[:2])), _KINDS)
+
+
+def _dense(way: Array) -> Array:
+    """A way (n, 3) in as many places as every other."""
+    share, wanted = np.linspace(0.0, 1.0, len(way)), np.linspace(0.0, 1.0, _PLACES)
+    return np.column_stack([np.interp(wanted, share, column) for column in way.T])

@@ -56,11 +56,13 @@ class Range:
 
 @dataclass(frozen=True, eq=False)
 class Enclosure:
-    """Per branch pair and rail interval (4, n): joints and their rates per rail metre as ranges (3, 4, n); alive."""
+    """Per branch pair and rail interval (4, n): joints and their rates per rail metre as ranges (3, 4, n); alive. way:
+    their rates on the tool's way, None for a pose that stands."""
 
     q: Range
     rate: Range
     alive: Array
+    way: Range | None = None
 
 
 def _hull(values: Array) -> Range:
@@ -68,11 +70,13 @@ def _hull(values: Array) -> Range:
     return Range(np.minimum(values[..., :-1], values[..., 1:]), np.maximum(values[..., :-1], values[..., 1:]))
 
 
-def enclose(arm: Arm, X_BF: Array, e: Array, nodes: Array, lower: Array, upper: Array) -> Enclosure:
+def enclose(
+    arm: Arm, X_BF: Array, e: Array, nodes: Array, lower: Array, upper: Array, twist: Array | None = None
+) -> Enclosure:
     """Enclosures between rail nodes (k + 1,), for shoulder and elbow signs (+,+), (+,-), (-,+), (-,-).
 
     X_BF (4, 4), e (3,): the flange with the rail at 0 and the rail's direction, zero without a rail, both seen from the
-    arm's base. lower, upper (3,): ranges of the joints.
+    arm's base. lower, upper (3,): ranges of the joints. twist (6,): of the flange on its way, in the base's axes.
     """
     # wrist centre at the nodes, linear in between
     w = (X_BF[:3, 3] - arm.L6 * X_BF[:3, 2])[:, None] - e[:, None] * nodes
@@ -88,22 +92,18 @@ def enclose(arm: Arm, X_BF: Array, e: Array, nodes: Array, lower: Array, upper: 
     if flat > 0:
         r2 = Range(np.where((along.lo <= 0) & (along.hi >= 0), cross**2 / flat, r2.lo), r2.hi)
     r = Range(np.sqrt(np.maximum(r2.lo, 0)), np.sqrt(r2.hi))
-    r_rate = along.scaled(-1.0).over(r)
     z = Range(wz.lo - arm.d1, wz.hi - arm.d1)
-    z_rate = Range(np.full_like(h, -e[2]), np.full_like(h, -e[2]))
-    c = arm.L4**2 - arm.L2**2
-    q_lo, q_hi, d_lo, d_hi = (np.empty((3, 4, len(h))) for _ in range(4))
+    q_lo, q_hi = (np.empty((3, 4, len(h))) for _ in range(2))
+    ways = [-e] if twist is None else [-e, twist[:3] - arm.L6 * np.cross(twist[3:], X_BF[:3, 2])]  # of the wrist centre
+    rates = [(np.empty((3, 4, len(h))), np.empty((3, 4, len(h)))) for _ in ways]
     alive = np.zeros((4, len(h)), dtype=bool)
     for i, (shoulder, elbow) in enumerate(((1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0))):
         turn = np.arctan2(shoulder * w[1], shoulder * w[0])
         q1 = _hull(turn)
         cut = (q1.hi - q1.lo > np.pi) | (r.lo < 1e-6)
         q1 = Range(np.where(cut, -np.pi, q1.lo), np.where(cut, np.pi, q1.hi))
-        q1_rate = Range(np.full_like(h, -cross), np.full_like(h, -cross)).over(r2)
         u = Range(r.lo - arm.a1, r.hi - arm.a1) if shoulder > 0 else Range(-r.hi - arm.a1, -r.lo - arm.a1)
-        u_rate = r_rate.scaled(shoulder)
         rho2 = u.square() + z.square()
-        half_rate = u * u_rate + z * z_rate
         s3 = Range(*((arm.L2**2 + arm.L4**2 - x) / (2 * arm.L2 * arm.L4) for x in (rho2.hi, rho2.lo)))
         alive[i] = (s3.lo <= 1 + WIDEN) & (s3.hi >= -1 - WIDEN)
         s3 = Range(np.clip(s3.lo, -1, 1), np.clip(s3.hi, -1, 1))
@@ -111,26 +111,61 @@ def enclose(arm: Arm, X_BF: Array, e: Array, nodes: Array, lower: Array, upper: 
         q3 = a3 if elbow > 0 else Range(-np.pi - a3.hi, -np.pi - a3.lo)
         s3_2 = s3.square()
         c3 = Range(np.sqrt(np.maximum(1 - s3_2.hi, 0)), np.sqrt(np.maximum(1 - s3_2.lo, 0)))
-        q3_rate = half_rate.scaled(-1 / (arm.L2 * arm.L4)).over(c3).scaled(elbow)
-        phi_rate = (u_rate * z - u * z_rate).over(rho2)
-        one = Range(np.ones_like(h), np.ones_like(h))
-        factor = one + Range(np.full_like(h, c), np.full_like(h, c)).over(rho2)
-        psi_rate = (factor * half_rate).scaled(-1 / (2 * arm.L2 * arm.L4)).over(c3)
-        q2_rate = phi_rate - psi_rate.scaled(elbow)
+        triangle = _Triangle(arm, w, r, r2, u, z, rho2, c3, shoulder, elbow)
+        q_rates = [triangle.rates(way) for way in ways]
         q2 = _second_joint(arm, u, z, rho2, elbow)
-        for j, (value, rate) in enumerate(((q1, q1_rate), (q2, q2_rate), (q3, q3_rate))):
+        for j, value in enumerate((q1, q2, q3)):
             q_lo[j, i], q_hi[j, i] = value.lo - WIDEN, value.hi + WIDEN
-            d_lo[j, i], d_hi[j, i] = rate.lo - WIDEN * (1 + np.abs(rate.lo)), rate.hi + WIDEN * (1 + np.abs(rate.hi))
+            for (low, high), found in zip(rates, q_rates, strict=True):
+                rate = found[j]
+                low[j, i], high[j, i] = rate.lo - WIDEN * (1 + np.abs(rate.lo)), rate.hi + WIDEN * (1 + np.abs(rate.hi))
         # by its rate where that is tighter: within the hull of the nodes, widened where the joint may turn back
         node2 = _second_joint_at(arm, shoulder * np.hypot(w[0], w[1]) - arm.a1, w[2] - arm.d1, elbow)
         hull = _hull(node2)
+        q2_rate = q_rates[0][1]
         spread = np.where(q2_rate.lo * q2_rate.hi <= 0, h / 2 * q2_rate.magnitude(), 0.0)
         ok = ~np.isnan(hull.lo) & (spread < 1.0)
         q_lo[1, i] = np.where(ok, np.maximum(q_lo[1, i], hull.lo - spread - WIDEN), q_lo[1, i])
         q_hi[1, i] = np.where(ok, np.minimum(q_hi[1, i], hull.hi + spread + WIDEN), q_hi[1, i])
     low, high = lower[:, None, None], upper[:, None, None]
     alive &= np.all((q_lo <= high) & (q_hi >= low), axis=0)
-    return Enclosure(Range(np.maximum(q_lo, low), np.minimum(q_hi, high)), Range(d_lo, d_hi), alive)
+    rail, way = [*(Range(*rate) for rate in rates), None][:2]
+    assert rail is not None
+    return Enclosure(Range(np.maximum(q_lo, low), np.minimum(q_hi, high)), rail, alive, way)
+
+
+@dataclass(frozen=True, eq=False)
+class _Triangle:
+    """Shoulder, elbow and wrist centre between rail nodes: wrist centres w (3, k + 1) at the nodes, its distance r from
+    axis 1, u and z from axis 2 in the arm's plane, with squares, and |cos q3|."""
+
+    arm: Arm
+    w: Array
+    r: Range
+    r2: Range
+    u: Range
+    z: Range
+    rho2: Range
+    c3: Range
+    shoulder: float
+    elbow: float
+
+    def rates(self, way: Array) -> tuple[Range, Range, Range]:
+        """Of the three joints as the wrist centre goes along a vector (3,)."""
+        arm, n = self.arm, self.w.shape[1] - 1
+
+        def constant(value: float) -> Range:
+            return Range(np.full(n, value), np.full(n, value))
+
+        q1_rate = _hull(self.w[0] * way[1] - self.w[1] * way[0]).over(self.r2)
+        u_rate = _hull(self.w[0] * way[0] + self.w[1] * way[1]).over(self.r).scaled(self.shoulder)
+        z_rate = constant(way[2])
+        half_rate = self.u * u_rate + self.z * z_rate
+        q3_rate = half_rate.scaled(-1 / (arm.L2 * arm.L4)).over(self.c3).scaled(self.elbow)
+        phi_rate = (u_rate * self.z - self.u * z_rate).over(self.rho2)
+        factor = constant(1.0) + constant(arm.L4**2 - arm.L2**2).over(self.rho2)
+        psi_rate = (factor * half_rate).scaled(-1 / (2 * arm.L2 * arm.L4)).over(self.c3)
+        return q1_rate, phi_rate - psi_rate.scaled(self.elbow), q3_rate
 
 
 def _second_joint(arm: Arm, u: Range, z: Range, rho2: Range, elbow: float) -> Range:

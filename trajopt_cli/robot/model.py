@@ -103,12 +103,14 @@ class RobotModel:
         """Whether a target with this confdata may be reached with joints (6,)."""
         return closed_form.confdata_admits(self, conf, arm)
 
-    def enclose(self, X_WF: Array, rail: Array, limits: JointLimits) -> Enclosure:
+    def enclose(self, X_WF: Array, rail: Array, limits: JointLimits, twist: Array | None = None) -> Enclosure:
         """The first three joints and their rates over the intervals between rail positions (k + 1,)."""
         X_BW = inverse_pose(self.X_WB0)
         e = np.zeros(3) if self.rail_axis_W is None else X_BW[:3, :3] @ self.rail_axis_W
         lower, upper = (x[self.layout.arm][:3] for x in (limits.lower, limits.upper))
-        return enclose(self.arm, X_BW @ X_WF, e, rail, lower, upper)
+        R_BW = X_BW[:3, :3]
+        twist_B = None if twist is None else np.concatenate([R_BW @ twist[:3], R_BW @ twist[3:]])
+        return enclose(self.arm, X_BW @ X_WF, e, rail, lower, upper, twist_B)
 
     @cached_property
     def expressions(self) -> Expressions:

@@ -68,8 +68,9 @@ class Robot(Protocol):
     def why_unreachable(self, X_WF: Array, rail: float | None, limits: JointLimits) -> str:
         """Why there are none, in one clause. Raises ValueError where there are some."""
 
-    def enclose(self, X_WF: Array, rail: Array, limits: JointLimits) -> Enclosure:
-        """The first three joints and their rates over the intervals between rail positions (k + 1,)."""
+    def enclose(self, X_WF: Array, rail: Array, limits: JointLimits, twist: Array | None = None) -> Enclosure:
+        """The first three joints and their rates over the intervals between rail positions (k + 1,); twist (6,): of the
+        flange on its way through the pose, world axes."""
 
     # ---- configurations as RAPID names them
     def confdata(self, arm: Array) -> ConfData:

@@ -12,8 +12,10 @@ from pydantic import BeforeValidator, Field, model_validator
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.findings import Report, finding_record
-from trajopt_cli.motion import Move, Program, SignalEvent, Wait
+from trajopt_cli.motion import Program, SignalEvent, Wait
 from trajopt_cli.problem.changes import Loops
+from trajopt_cli.problem.constant_speed import Stretch, stretch_record
+from trajopt_cli.problem.corners import Corners
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.quantity import complain
 from trajopt_cli.runs import SUMMARY
@@ -194,16 +196,14 @@ def motion_label(program: Program, index: int) -> tuple[str, str]:
     return type(motion).__name__, motion.target
 
 
-def zones_as_stops(program: Program) -> int:
-    """How many fly-by zones the plan takes as stops."""
-    return sum(isinstance(motion, Move) and not motion.zone.stop for motion in program.motions)
-
-
 def summary(
     program: Program,
     target: Target,
     judged: Mapping[Target, Judged],
     written: Plan | str,
+    kept_speed: Mapping[Target, Sequence[Stretch]],
+    corners: Corners,
+    passed: Mapping[Target, int],
     warnings: Iterable[str],
     limits: Iterable[str],
     unchecked: Iterable[str],
@@ -212,16 +212,21 @@ def summary(
 ) -> bytes:
     """summary.json: the answer in numbers, SI, the same bytes for the same inputs.
 
-    written: the program as it stands, or why it cannot be driven so. limits: how sure they are. unchecked: what the
-    judge was given nothing to hold the motion against. notes: what the RAPID text changes, and what it could not; kept:
-    those of the latter.
+    written: the program as it stands, or why it cannot be driven so. kept_speed: the stretches that should keep their
+    programmed speed, by target. corners: of the whole program. passed: at how many fly-bys a plan does not stop.
+    limits: how sure they are. unchecked: what the judge was given nothing to hold the motion against. notes: what the
+    RAPID text changes, and what it could not; kept: those of the latter.
     """
     return as_json(
         {
             "target": target.value,
-            "plans": {one.value: _plan(program, judged[one]) for one in Target},
+            "plans": {one.value: _plan(program, judged[one], kept_speed[one]) for one in Target},
             "as_written": _as_written(written),
-            "zones_planned_as_stops": zones_as_stops(program),
+            "fly_bys_passed": {one.value: passed[one] for one in Target},
+            "fly_bys_stopped": [
+                {"index": index, "source": str(program.motions[index].source), "why": why}
+                for index, why in corners.stopped.items()
+            ],
             "warnings": list(warnings),
             "limits": list(limits),
             "unchecked": list(unchecked),
@@ -238,7 +243,7 @@ def _as_written(written: Plan | str) -> dict[str, Any]:
     return {"cycle_time_s": written.duration, "motion_times_s": times, "why_not": None}
 
 
-def _plan(program: Program, judged: Judged) -> dict[str, Any]:
+def _plan(program: Program, judged: Judged, stretches: Sequence[Stretch]) -> dict[str, Any]:
     plan = judged.plan
     motions = []
     for motion in plan.motions:
@@ -263,6 +268,7 @@ def _plan(program: Program, judged: Judged) -> dict[str, Any]:
         "grid": plan.grid,
         "axes": list(plan.trajectory.names),
         "motions": motions,
+        "constant_speed": [stretch_record(program, one) for one in stretches],
         "judge": {
             "legal": judged.report.legal,
             "findings": [finding_record(finding) for finding in judged.report.findings],

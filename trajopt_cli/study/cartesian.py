@@ -9,6 +9,10 @@ the axes' limits. At a point without a wait an axis keeps speed v if it goes on 
 of both moves: so each can still come to rest on its way, and no time a slower axis needs is out of reach. Into and out
 of a line it keeps what runs along the line, if every axis of it goes on. Else, and where the program waits, it stops.
 
+A run with corners, or an arc, is the generator's one axis along the course that the plan drives: from part to part of
+it from speed to speed, each at a speed and an acceleration that keep the tool's caps and the rail's limits everywhere
+on it. The thesis has no corners; these are the ones every other row drives.
+
 Rail positions at the points and the arm's configuration are the fixed-rail plan's. The joints' motion is the inverse
 kinematics of all that. Joint limits play no part in it: as a rule the result is not legal.
 """
@@ -18,7 +22,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
-from itertools import pairwise
+from itertools import groupby, pairwise
 
 import numpy as np
 
@@ -27,9 +31,10 @@ from trajopt_cli.motion import SignalEvent, Wait
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.study.bang_bang import AxisMotion, common_time, in_time
+from trajopt_cli.study.along_course import on_course
+from trajopt_cli.study.bang_bang import AxisMotion, bang_bang, common_time, in_time
 from trajopt_cli.study.case import Answer, Attempt, Case
-from trajopt_cli.study.legs import JointsOnLine, Leg, LegKind, fixed_rail
+from trajopt_cli.study.legs import Caps, JointsOnLine, Leg, LegKind, Run, fixed_rail
 from trajopt_cli.study.rows import LONGER, Piece, apart, hold, rows_of
 
 _STEP = 1e-3  # s between places where the motion is looked at before it is accepted
@@ -44,20 +49,25 @@ def bang_bang_row(case: Case) -> Answer:
     given = fixed_rail(case)
     if isinstance(given, Infeasible):
         return given
-    moves = [_move(case.plant, leg) for leg in given.legs]
     pieces = []
-    speeds = _speeds(moves)
-    for move, v_0, v_1 in zip(moves, speeds, speeds[1:], strict=False):
-        piece = _piece(case.plant, move, v_0, v_1)
-        if isinstance(piece, Infeasible):
-            return piece
-        pieces.append(piece)
-    end = given.legs[-1].q_1 if given.legs else case.plant.start
+    for on_courses, group in groupby(given.runs, key=lambda run: run.course is not None):
+        if on_courses:
+            found = [_ridden(case.plant, run) for run in group]
+        else:
+            moves = [_move(case.plant, run.legs[0]) for run in group]
+            speeds = _speeds(moves)
+            found = [_piece(case.plant, *one) for one in zip(moves, speeds, speeds[1:], strict=False)]
+        for piece in found:
+            if isinstance(piece, Infeasible):
+                return piece
+            pieces.append(piece)
+    end = case.plant.start if given.end is None else given.end
     trajectory = rows_of(case.plant.robot.axis_names, pieces or [hold(end, 1e-3)], end)
     caps = case.plant.tcp
     notes = (
         f"each Cartesian axis by itself at {caps.acceleration:g} m/s² and {caps.speed:g} m/s; joint limits are ignored",
         "points without a wait are passed at speed where the way goes on",
+        *(("corners and arcs: one profile along the path",) if any(run.course for run in given.runs) else ()),
         *given.notes,
     )
     return Attempt(given.program, trajectory, notes=notes)
@@ -196,6 +206,37 @@ def _piece(plant: Plant, move: _Move, begin: tuple[Array, Array], end: tuple[Arr
     space = _Space(plant, move, motion, duration, _branch(plant, leg))
     refused = space.refusal()
     return refused or Piece(duration, _switches(motion), space.at)
+
+
+def _ridden(plant: Plant, run: Run) -> Piece | Infeasible:
+    """A run along its course."""
+    piece = on_course(plant, run, [_caps(plant, leg) for leg in run.legs], None, _drive)
+    leg = run.legs[0]
+    if len(run.legs) > 1 or leg.duration is None:
+        return piece
+    if piece.duration > leg.duration * (1 + 1e-9):
+        return leg.refusal(f"cannot be made in {leg.duration:g} s: the generator needs {piece.duration:.4f} s")
+    return piece.slowed(leg.duration / piece.duration)
+
+
+def _caps(plant: Plant, leg: Leg) -> Caps:
+    """The tool's caps, those of the rail, and none of the joints; a joint move knows no programmed speed."""
+    motion, rail = leg.motion, plant.layout.rail
+    assert not isinstance(motion, Wait | SignalEvent)
+    speed, acceleration = (np.full(len(plant.start), np.inf) for _ in range(2))
+    speed[rail], acceleration[rail] = plant.limits.velocity[rail], plant.limits.acceleration[rail]
+    v_tcp = plant.tcp.speed if leg.kind is LegKind.JOINT else leg.v_tcp
+    return Caps(speed, acceleration, v_tcp, plant.tcp.acceleration, motion.speed.v_ori, leg.X_FT)
+
+
+def _drive(v_0: float, v_1: float, way: float, v: float, a: float, _: float | None) -> Piece:
+    motion = bang_bang(0.0, v_0, way, v_1, v, a)
+
+    def at(t: Array) -> tuple[Array, Array]:
+        s, rate, _ = motion.at(t)
+        return s, rate
+
+    return Piece(float(motion.duration), np.unique(motion.switches), at)
 
 
 def _switches(motion: AxisMotion) -> Array:

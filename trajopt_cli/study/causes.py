@@ -1,9 +1,13 @@
-"""The saving by cause: plans in a fixed order, each free to change one thing more than the one before."""
+"""The saving by cause: plans in a fixed order, each free to change one thing more than the one before.
+
+A program with corners begins with none: every fly-by is made a stop, so that it shows what its zones save.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+from trajopt_cli.motion import Move, Program, Zone
 from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import Plant
@@ -11,14 +15,17 @@ from trajopt_cli.problem.plant import Plant
 
 @dataclass(frozen=True)
 class Cause:
-    """name: what is free from this plan on, besides all before it. needs_rail: it says nothing without a rail."""
+    """name: what is free from this plan on, besides all before it. needs_rail: it says nothing without a rail. stops:
+    of the program with every fly-by a stop."""
 
     name: str
     target: Target
     freedom: Freedom
     needs_rail: bool = False
+    stops: bool = False
 
 
+CORNERS = "corners"
 _TIMED = Freedom(RailFreedom.PROGRAMMED, False, False, False, configuration=False, drop=False)
 
 CAUSES: tuple[Cause, ...] = (
@@ -35,10 +42,23 @@ CAUSES: tuple[Cause, ...] = (
 )
 
 
-def causes(plant: Plant, optional: bool) -> tuple[Cause, ...]:
-    """The causes that can make a difference. optional: the program has motions that may be dropped."""
+def causes(plant: Plant, optional: bool, corners: bool = False) -> tuple[Cause, ...]:
+    """The causes that can make a difference. optional: the program has motions that may be dropped. corners: it passes
+    fly-bys; then the first plan is that with stops, and the second the program as written."""
     kept = [cause for cause in CAUSES if plant.robot.has_rail or not cause.needs_rail]
-    return tuple(cause for cause in kept if optional or not cause.freedom.drop)
+    kept = [cause for cause in kept if optional or not cause.freedom.drop]
+    if corners:
+        written, *others = kept
+        kept = [replace(written, name=f"{written.name}, fly-bys as stops", stops=True), replace(written, name=CORNERS)]
+        kept += others
+    return tuple(kept)
+
+
+def with_stops(program: Program) -> Program:
+    """The program with every fly-by a stop."""
+    fine = Zone("fine", True)
+    motions = (replace(motion, zone=fine) if isinstance(motion, Move) else motion for motion in program.motions)
+    return replace(program, motions=tuple(motions))
 
 
 def asked(freedom: Freedom, plant: Plant, optional: bool) -> Freedom:

@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING
 
 from trajopt_cli.beside import in_turns
 from trajopt_cli.job import Job
-from trajopt_cli.motion import MoveJ, MoveL, Program, Wait
+from trajopt_cli.motion import MoveC, MoveJ, MoveL, Program, Wait
 from trajopt_cli.pipeline.planning import Listener, NoPlan, judge, may_change
 from trajopt_cli.problem.changes import Loops
+from trajopt_cli.problem.corners import corners_of
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
@@ -35,7 +36,7 @@ class Tried:
 
 Result = Tried | Infeasible | NoPlan | str  # the text says why there is nothing to say
 Tell = Callable[[tuple[str, Progress]], None]
-Question = tuple[Target, Freedom]
+Question = tuple[Target, Freedom, bool]  # the last: of the program with every fly-by a stop
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +52,8 @@ class Row:
 class Step:
     """One cause of the saving. plan: the fastest legal one up to here. saved: seconds against the step before.
 
-    why_not: what became of the step's own plan where the one before stands; empty where the plan is its own.
+    why_not: what became of the step's own plan where the one before stands, or of the step before the first; empty
+    where the plan is its own.
     """
 
     name: str
@@ -80,8 +82,9 @@ def compare(job: Job, listen: Listener, rule: RailRule | None = None, loops: Loo
     from trajopt_cli.study.table import BASELINES
 
     study = _Study(job, rule, loops)
-    reasons = causes(job.plant, bool(study.changes[Target.STREAM].droppable))
-    names = {study.question(cause.target, cause.freedom): cause.name for cause in reasons}
+    passed = bool(corners_of(job.program, job.plant).passed)
+    reasons = causes(job.plant, bool(study.changes[Target.STREAM].droppable), passed)
+    names = {study.question(cause.target, cause.freedom, cause.stops): cause.name for cause in reasons}
     asks = {name: study.question(one.target, one.freedom) for name, one in BASELINES.items() if one.freedom}
     names |= {question: name for name, question in asks.items()}
 
@@ -95,7 +98,8 @@ def compare(job: Job, listen: Listener, rule: RailRule | None = None, loops: Loo
     for found in in_turns(tasks, lambda told: listen(*told)).values():
         results |= found
     rows = tuple(Row(name, one, results[asks.get(name, name)]) for name, one in BASELINES.items())
-    steps = _steps([(cause.name, results[study.question(cause.target, cause.freedom)]) for cause in reasons])
+    answers = [(cause.name, results[study.question(cause.target, cause.freedom, cause.stops)]) for cause in reasons]
+    steps = _with_corners(answers) if passed else _steps(answers)
     waits = sum(motion.duration for motion in job.program.motions if isinstance(motion, Wait))
     return Comparison(job, rows, steps, waits, study.notices)
 
@@ -125,7 +129,7 @@ def comparison_pictures(answer: Comparison) -> dict[str, bytes]:
 def _effort(item: tuple[Question, str]) -> int:
     """Orders the longest solves first, so that two processes end together: the more may move, the longer it takes, and
     rows wait for the rail that stands still."""
-    target, free = item[0]
+    target, free, _ = item[0]
     moves = (free.rail is not RailFreedom.PROGRAMMED) + free.lines + free.dwells + free.through_stops
     return -2 * moves - (target is Target.STREAM) - 3 * (free.rail is RailFreedom.STATION)
 
@@ -135,17 +139,19 @@ class _Study:
 
     def __init__(self, job: Job, rule: RailRule | None, loops: Loops):
         from trajopt_cli.study.case import RailRule
+        from trajopt_cli.study.causes import with_stops
 
         self.job, self.rule = job, rule or RailRule()
+        self.stopping = with_stops(job.program)
         agreed = may_change(job, loops)
         self.changes, self.notices = agreed.changes, agreed.notices
         self._known: dict[Question, Result] = {}
 
-    def question(self, target: Target, freedom: Freedom) -> Question:
+    def question(self, target: Target, freedom: Freedom, stops: bool = False) -> Question:
         """A question in the form that is equal for all that ask for the same plan."""
         from trajopt_cli.study.causes import asked
 
-        return target, asked(freedom, self.job.plant, bool(self.changes[target].droppable))
+        return target, asked(freedom, self.job.plant, bool(self.changes[target].droppable)), stops
 
     def answer(
         self, name: str, question: Question, following: Sequence[str], tell: Tell
@@ -153,7 +159,9 @@ class _Study:
         """The answer to a question, and the rows that start from its plan."""
         from trajopt_cli.study.table import solved
 
-        self._known[question] = self._tried(name, question[0], solved(*question), tell)
+        target, freedom, stops = question
+        program = self.stopping if stops else self.job.program
+        self._known[question] = self._tried(name, target, solved(target, freedom), tell, program)
         out: dict[Question | str, Result] = {question: self._known[question]}
         for row in following:
             out |= self.make(row, tell)
@@ -164,7 +172,7 @@ class _Study:
         from trajopt_cli.study.table import BASELINES
 
         one = BASELINES[name]
-        result = self._tried(name, one.target, one.make, tell)
+        result = self._tried(name, one.target, one.make, tell, self.job.program)
         if isinstance(result, Tried) and one.target is Target.RAPID:
             result = replace(
                 result, attempt=replace(result.attempt, notes=(*result.attempt.notes, *self._beyond_the_text()))
@@ -175,19 +183,20 @@ class _Study:
         """A word where the optimum is held to what the program's text can carry, and a motion of its own is not."""
         free = self.changes[Target.RAPID].values
         kept = sum(
-            isinstance(motion, MoveJ | MoveL) and i not in free for i, motion in enumerate(self.job.program.motions)
+            isinstance(motion, MoveJ | MoveL | MoveC) and i not in free
+            for i, motion in enumerate(self.job.program.motions)
         )
         if kept and self.job.plant.layout.has_rail:
             yield f"may put the rail elsewhere in {kept} moves that the program's text keeps, as no RAPID optimum does"
 
-    def _tried(self, name: str, target: Target, make: Callable[[Case], Answer], tell: Tell) -> Result:
+    def _tried(self, name: str, target: Target, make: Callable[[Case], Answer], tell: Tell, program: Program) -> Result:
         """What make gives, judged as the CSV text it would be written as."""
         from trajopt_cli.joint_csv import write_csv_text
         from trajopt_cli.optimize import NoCleanPlan
         from trajopt_cli.study.case import Case, NotApplicable
 
         try:
-            answer = make(Case(self.job.program, self.job.plant, self._solver(name, tell), self.rule))
+            answer = make(Case(program, self.job.plant, self._solver(name, tell), self.rule))
         except NoCleanPlan as failure:
             return NoPlan(name, str(failure))
         if isinstance(answer, NotApplicable):
@@ -215,10 +224,25 @@ class _Study:
                         raise NoCleanPlan(message)
             bounded = program is self.job.program and question == self.question(target, EVERYTHING)
             listen = lambda progress: tell((name, progress))  # noqa: E731
-            changes = self.changes[target] if program is self.job.program else None
+            changes = self.changes[target] if program in (self.job.program, self.stopping) else None
             return optimize(program, self.job.plant, target, freedom, listen, bounded, changes)
 
         return solve
+
+
+def _with_corners(answers: list[tuple[str, Result]]) -> tuple[Step, ...] | str:
+    """The saving by cause from the program with stops on: its corners are driven whatever they save, for they are in
+    the program."""
+    (stopping, stops), (corners, written), *others = answers
+    steps = _steps([("as written", written), *others])
+    if isinstance(steps, str):
+        return steps
+    first, *later = steps
+    if isinstance(stops, Tried) and stops.report.legal and stops.attempt.plan:
+        before = stops.attempt.plan
+        saved = before.duration - first.plan.duration
+        return (Step(stopping, before, 0.0), replace(first, name=corners, saved=saved), *later)
+    return (replace(first, why_not=f"with fly-bys as stops: {_nothing(stops)}"), *later)
 
 
 def _steps(answers: list[tuple[str, Result]]) -> tuple[Step, ...] | str:

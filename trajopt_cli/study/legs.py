@@ -1,27 +1,48 @@
 """The fixed-rail plan's legs: what remains to be timed when rail positions and configurations are given.
 
 Rows that time a motion by other means than the optimiser's take from its fixed-rail plan where the rail stands at
-every stop and which branch the arm is in, and nothing else.
+every point and which branch the arm is in, and nothing else. Legs with corners between them, and arcs, are driven on
+the course that the plan is driven on, too.
 """
 
 from __future__ import annotations
 
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 from enum import Enum
 
 import numpy as np
 
 from trajopt_cli.geometry import Array, inverse_pose
-from trajopt_cli.motion import Motion, MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, SignalEvent, Wait, motion_name
+from trajopt_cli.motion import (
+    Motion,
+    MoveAbsJ,
+    MoveC,
+    MoveExtJ,
+    MoveJ,
+    MoveL,
+    Program,
+    SignalEvent,
+    Wait,
+    motion_name,
+)
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.course import Course, course_of
+from trajopt_cli.optimize.tuning import RUN_NODES
 from trajopt_cli.path.line import Line
+from trajopt_cli.problem.changes import everything
+from trajopt_cli.problem.corners import corners_of, passed_in
+from trajopt_cli.problem.demands import acceleration_share, tcp_acceleration
 from trajopt_cli.problem.freedom import FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.problem import Problem, build_problem
 from trajopt_cli.robot.kinematics import inverse_acceleration, inverse_velocity
 from trajopt_cli.study.case import Case
 
 _NODES = 401  # of a line's table: at 0.5 m 1.2 mm apart
-_POINT = 1e-9  # m, rad: a line to where it starts
+_ON_BRANCH = 1e-6  # rad: axes are what a branch says
+_CAPS = ("speed", "acceleration", "v_tcp", "a_tcp", "v_ori")
 
 
 class LegKind(Enum):
@@ -34,10 +55,11 @@ class LegKind(Enum):
 
 @dataclass(frozen=True, eq=False)
 class Leg:
-    """From rest to rest. index: of its motion in the program carried out. q_0, q_1 (k,): axes at both ends.
+    """From point to point. index: of its motion in the program carried out. q_0, q_1 (k,): axes at both ends, at a
+    fly-by as if it stopped there.
 
-    X_FT: tool in force. v_tcp, a_tcp, v_ori, v_rail: caps in force, infinite for none. duration: programmed time [s] or
-    None. span: when the fixed-rail plan makes it [s].
+    X_FT: tool in force. v_tcp, a_tcp, v_ori, v_rail: caps in force, infinite for none. share: of the axes' acceleration
+    limits in force. duration: programmed time [s] or None. span: when the fixed-rail plan makes it [s].
     """
 
     index: int
@@ -52,6 +74,7 @@ class Leg:
     v_rail: float
     duration: float | None
     span: tuple[float, float]
+    share: float = 1.0
 
     @property
     def name(self) -> str:
@@ -61,9 +84,7 @@ class Leg:
     @property
     def key(self) -> bytes:
         """Equal for legs that ask for the same motion."""
-        numbers = np.array(
-            [self.v_tcp, self.a_tcp, self.v_ori, self.v_rail, np.nan if self.duration is None else self.duration]
-        )
+        numbers = np.array([self.v_tcp, self.a_tcp, self.v_ori, self.v_rail, self.share, self.duration or np.nan])
         arrays = (self.q_0, self.q_1, self.X_FT, numbers)
         return self.kind.value.encode() + b"".join(np.asarray(x).tobytes() for x in arrays)
 
@@ -78,22 +99,53 @@ class Leg:
 
 
 @dataclass(frozen=True, eq=False)
+class Run:
+    """The legs from one stop to the next. course: where they lead, for an arc and for legs with corners between them;
+    None for a joint move, a line or a hold alone."""
+
+    legs: tuple[Leg, ...]
+    course: Course | None = None
+
+    @property
+    def key(self) -> bytes:
+        """Equal for runs that ask for the same motion."""
+        led = () if self.course is None else (self.course.sigma, self.course.along.q)
+        return b"".join(leg.key for leg in self.legs) + b"".join(x.tobytes() for x in led)
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """When the fixed-rail plan makes it [s]."""
+        return self.legs[0].span[0], self.legs[-1].span[1]
+
+
+@dataclass(frozen=True, eq=False)
 class FixedRail:
-    """program: what is carried out, without the motions the plan drops. legs: all that takes time, in order."""
+    """program: what is carried out, without the motions the plan drops. runs: all that takes time, in order. stops: at
+    how many fly-bys that could be passed the plan stops, because it is faster so."""
 
     program: Program
     plan: Plan
-    legs: tuple[Leg, ...]
+    runs: tuple[Run, ...]
+    stops: int = 0
+
+    @property
+    def end(self) -> Array | None:
+        """Axes (k,) where it all ends; None where nothing takes time."""
+        return self.runs[-1].legs[-1].q_1 if self.runs else None
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What the plan decided besides, for the reader of a row made from it; one line or none."""
+        """What the plan decided besides, for the reader of a row made from it."""
         left_out = sum(motion.dropped for motion in self.plan.motions)
-        return (f"optional motions left out as in the fixed-rail plan: {left_out}",) if left_out else ()
+        told = {
+            f"optional motions left out as in the fixed-rail plan: {left_out}": left_out,
+            f"fly-by points that are stops as in the fixed-rail plan, which is faster so: {self.stops}": self.stops,
+        }
+        return tuple(line for line, count in told.items() if count)
 
 
 def fixed_rail(case: Case) -> FixedRail | Infeasible:
-    """The case's fixed-rail plan cut into legs, or why there is none."""
+    """The case's fixed-rail plan cut into runs, or why there is none."""
     plan = case.solve(case.program, Target.STREAM, FIXED_RAIL)
     if isinstance(plan, Infeasible):
         return plan
@@ -101,14 +153,53 @@ def fixed_rail(case: Case) -> FixedRail | Infeasible:
     program = replace(case.program, motions=tuple(case.program.motions[motion.index] for motion in kept))
     plant = case.plant
     X_FT = np.eye(4)
-    legs = []
+    legs: list[Leg] = []
     for index, planned in enumerate(kept):
         motion = program.motions[index]
         if not isinstance(motion, Wait | SignalEvent | MoveExtJ):
             X_FT = np.asarray(motion.tool.X_FT)
         if planned.t_1 > planned.t_0:
             legs.append(_leg(plant, index, motion, X_FT, planned.q_0, planned.q_1, (planned.t_0, planned.t_1)))
-    return FixedRail(program, plan, tuple(legs))
+    own = {motion.index: i for i, motion in enumerate(kept)}
+    passed = {own[index] for index in passed_in(case.program, plant, plan)}
+    stops = len(corners_of(program, plant).passed) - len(passed)
+    return FixedRail(program, plan, tuple(_runs(program, plant, legs, passed)), stops)
+
+
+def _runs(program: Program, plant: Plant, legs: list[Leg], passed: Collection[int]) -> Iterator[Run]:
+    """passed: the motions at whose end the plan stops not."""
+    if not passed and not any(isinstance(leg.motion, MoveC) for leg in legs):
+        yield from (Run((leg,)) for leg in legs)
+        return
+    problem = build_problem(program, plant, FIXED_RAIL, Target.STREAM, everything(program, plant))
+    assert isinstance(problem, Problem)  # there is a plan for it
+    after = {leg.motion: k + 1 for k, leg in enumerate(problem.legs)}
+    q = np.tile(plant.start, (len(problem.waypoints), 1))
+    for leg in legs:
+        q[after[leg.index]] = leg.q_1
+    cfx = [_branch(plant, axes) for axes in q]
+    run: list[Leg] = []
+    for leg in legs:
+        run.append(leg)
+        if leg.index in passed:
+            continue
+        ends = after[run[0].index] - 1, after[leg.index]
+        course = None
+        if len(run) > 1 or isinstance(leg.motion, MoveC):
+            course = course_of(Axes.of(plant), problem, ends, q, cfx, RUN_NODES)
+            if course is None:
+                raise ValueError(f"{leg.motion.source}: {leg.name} has no course, although the fixed-rail plan has one")
+        yield Run(tuple(run), course)
+        run = []
+
+
+def _branch(plant: Plant, q: Array) -> int:
+    """The branch (cfx) that axes (k,) are on; -1 at a singularity, where they are on none."""
+    layout = plant.robot.layout
+    found = plant.robot.branches(plant.robot.forward(q)[None], layout.place(q[None]))[0]
+    off = found - q[layout.arm]
+    apart = np.nan_to_num(np.abs(off - _whole_turns(off)).max(axis=1), nan=np.inf)
+    return int(np.argmin(apart)) if apart.min() < _ON_BRANCH else -1
 
 
 def _leg(
@@ -116,27 +207,48 @@ def _leg(
 ) -> Leg:
     """A leg with the caps that the judge holds against it."""
     v_tcp, a_tcp, v_ori, v_rail, duration = plant.tcp.speed, plant.tcp.acceleration, np.inf, np.inf, None
-    kind = LegKind.HOLD
+    kind, share = LegKind.HOLD, 1.0
     if isinstance(motion, Wait | SignalEvent):
         duration = motion.duration if isinstance(motion, Wait) else None
     else:
         duration = motion.duration
         moves = bool(np.abs(q_1 - q_0).max() > 0)
-        kind = LegKind.HOLD if not moves else LegKind.LINE if isinstance(motion, MoveL) else LegKind.JOINT
+        kind = LegKind.HOLD if not moves else LegKind.LINE if isinstance(motion, MoveL | MoveC) else LegKind.JOINT
+        a_tcp, share = tcp_acceleration(motion, plant.tcp), acceleration_share(motion)
         free = plant.free_speed and isinstance(motion, MoveJ | MoveAbsJ)
         if duration is None and not free:  # a programmed time replaces the speed
             v_rail = motion.speed.v_leax
             if not isinstance(motion, MoveExtJ):
                 v_tcp, v_ori = min(v_tcp, motion.speed.v_tcp), motion.speed.v_ori
-    return Leg(index, motion, kind, q_0, q_1, X_FT, v_tcp, a_tcp, v_ori, v_rail, duration, span)
+    return Leg(index, motion, kind, q_0, q_1, X_FT, v_tcp, a_tcp, v_ori, v_rail, duration, span, share)
 
 
-def speed_limits(plant: Plant, leg: Leg) -> Array:
-    """Speed limits (k,) of the axes on a leg: their own and the rail's programmed one."""
-    limits = np.array(plant.limits.velocity)
-    rail = plant.layout.rail
-    limits[rail] = np.minimum(limits[rail], leg.v_rail)
-    return limits
+@dataclass(frozen=True, eq=False)
+class Caps:
+    """Limits in force: of the axes' speeds and accelerations (k,), of the TCP's speed, acceleration and turning. At n
+    samples all of them may differ: (n, k) and (n,)."""
+
+    speed: Array
+    acceleration: Array
+    v_tcp: Array | float
+    a_tcp: Array | float
+    v_ori: Array | float
+    X_FT: Array
+
+
+def caps_of(plant: Plant, leg: Leg) -> Caps:
+    """What is in force on a leg; the rail's speed is the programmed one."""
+    speed, rail = np.array(plant.limits.velocity), plant.layout.rail
+    speed[rail] = np.minimum(speed[rail], leg.v_rail)
+    return Caps(speed, plant.limits.acceleration * leg.share, leg.v_tcp, leg.a_tcp, leg.v_ori, leg.X_FT)
+
+
+def caps_in(plant: Plant, run: Run, t: Array) -> Caps:
+    """What is in force at times t (n,) [s] of the fixed-rail plan; the tool is one in all of a run."""
+    every = [caps_of(plant, leg) for leg in run.legs]
+    i = np.searchsorted([leg.span[1] for leg in run.legs[:-1]], t, side="right")
+    arrays = {name: np.array([getattr(caps, name) for caps in every])[i] for name in _CAPS}
+    return Caps(**arrays, X_FT=run.legs[0].X_FT)
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,19 +277,25 @@ class Use:
         return max(float(self.any_speed.max()), float(np.sqrt(self.any_acceleration.max())))
 
 
-def use_of(plant: Plant, leg: Leg, q: Array, qd: Array, qdd: Array) -> Use:
-    """Use of a leg's limits at samples q, qd, qdd (n, k)."""
-    J = plant.robot.jacobian(q, leg.X_FT)
-    V = (J @ qd[..., None])[..., 0]
-    A = (J[:, :3] @ qdd[..., None])[..., 0]
-    A += (plant.robot.jacobian_rate(q, qd, leg.X_FT)[:, :3] @ qd[..., None])[..., 0]
+def use_of(plant: Plant, caps: Caps, q: Array, qd: Array, qdd: Array) -> Use:
+    """Use of limits at samples q, qd, qdd (n, k)."""
+    V, A = tool_rates(plant, caps.X_FT, q, qd, qdd)
     moving, turning = np.linalg.norm(V[:, :3], axis=1), np.linalg.norm(V[:, 3:], axis=1)
     return Use(
-        np.max(np.abs(qd) / speed_limits(plant, leg), axis=1),
-        np.max(np.abs(qdd) / plant.limits.acceleration, axis=1),
-        np.maximum(moving / leg.v_tcp, turning / leg.v_ori),
-        np.linalg.norm(A, axis=1) / leg.a_tcp,
+        np.max(np.abs(qd) / caps.speed, axis=1),
+        np.max(np.abs(qdd) / caps.acceleration, axis=1),
+        np.maximum(moving / caps.v_tcp, turning / caps.v_ori),
+        np.linalg.norm(A, axis=1) / caps.a_tcp,
     )
+
+
+def tool_rates(plant: Plant, X_FT: Array, q: Array, dq: Array, ddq: Array) -> tuple[Array, Array]:
+    """The TCP's twist (n, 6) and the second derivative of its position (n, 3), by whatever dq and ddq (n, k) are by."""
+    J = plant.robot.jacobian(q, X_FT)
+    V = (J @ dq[..., None])[..., 0]
+    A = (J[:, :3] @ ddq[..., None])[..., 0]
+    A += (plant.robot.jacobian_rate(q, dq, X_FT)[:, :3] @ dq[..., None])[..., 0]
+    return V, A
 
 
 @dataclass(frozen=True, eq=False)

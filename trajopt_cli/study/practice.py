@@ -6,7 +6,19 @@ from dataclasses import replace
 
 import numpy as np
 
-from trajopt_cli.motion import ExternalAxes, Motion, Move, MoveAbsJ, MoveExtJ, MoveL, Program, Tool, Written, Zone
+from trajopt_cli.motion import (
+    ExternalAxes,
+    Motion,
+    Move,
+    MoveAbsJ,
+    MoveC,
+    MoveExtJ,
+    MoveL,
+    Program,
+    Tool,
+    Written,
+    Zone,
+)
 from trajopt_cli.problem.freedom import AS_WRITTEN, FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.plant import Plant
@@ -50,7 +62,7 @@ def with_rail(program: Program, plant: Plant, rail: list[float]) -> Program:
 
 
 def with_detours(program: Program, plant: Plant) -> Program:
-    """The program in which the rail moves only while the arm is folded; lines that carry the rail along stay."""
+    """The program in which the rail moves only while the arm is folded; lines and arcs that carry it along stay."""
     out: list[Motion] = []
     layout = plant.robot.layout
     home, rail, folded = plant.start[layout.arm], float(layout.place(plant.start)), True
@@ -59,7 +71,7 @@ def with_detours(program: Program, plant: Plant) -> Program:
             given = plant.rail_value(motion.extax)
             moves = given is not None and abs(given - rail) > _SAME
             ends_folded = isinstance(motion, MoveAbsJ) and bool(np.abs(motion.q - home).max() <= _SAME)
-            if moves and not isinstance(motion, MoveL):
+            if moves and not isinstance(motion, MoveL | MoveC):
                 assert given is not None
                 if not folded:
                     out.append(_fold(motion, plant, rail))

@@ -28,6 +28,15 @@ class Piece:
     def __post_init__(self) -> None:
         object.__setattr__(self, "switches", readonly(self.switches))
 
+    def slowed(self, factor: float) -> Piece:
+        """The same motion in `factor` times the time."""
+
+        def at(t: Array) -> tuple[Array, Array]:
+            q, qd = self.at(np.clip(t / factor, 0.0, self.duration))
+            return q, qd / factor
+
+        return Piece(self.duration * factor, self.switches * factor, at)
+
 
 def hold(q: Array, duration: float) -> Piece:
     """All axes (k,) at rest for duration seconds."""

@@ -2,7 +2,8 @@
 
 Rail positions and configurations are the fixed-rail plan's. Joint moves: all axes from rest to rest, together, at full
 limits; where the TCP would pass a cap, the move's limits are scaled down until it does not. Lines: one axis along the
-line at one speed and one acceleration (and jerk), the best that all axes and the TCP allow everywhere on it.
+line at one speed and one acceleration (and jerk), the best that all axes and the TCP allow everywhere on it. Runs with
+corners, and arcs: one axis along the course, with a speed and an acceleration for each of its parts.
 """
 
 from __future__ import annotations
@@ -16,8 +17,9 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.study.along_course import on_course
 from trajopt_cli.study.case import Answer, Attempt, Case, NotApplicable
-from trajopt_cli.study.legs import JointsOnLine, Leg, LegKind, Use, fixed_rail, speed_limits, use_of
+from trajopt_cli.study.legs import JointsOnLine, Leg, LegKind, Run, Use, caps_of, fixed_rail, use_of
 from trajopt_cli.study.rows import LONGER, Piece, apart, hold, rows_of
 from trajopt_cli.timing.point_to_point import PointToPoint, point_to_point
 
@@ -50,18 +52,47 @@ def _row(case: Case, jerk: Array | None) -> Answer:
         return given
     known: dict[bytes, Piece | Infeasible] = {}
     pieces = []
-    for leg in given.legs:
-        key = leg.key
+    for run in given.runs:
+        key = run.key
         if key not in known:
-            known[key] = _piece(case.plant, leg, jerk)
+            known[key] = _piece(case.plant, run.legs[0], jerk) if run.course is None else _ridden(case.plant, run, jerk)
         piece = known[key]
         if isinstance(piece, Infeasible):
             return piece
         pieces.append(piece)
-    end = given.legs[-1].q_1 if given.legs else case.plant.start
+    end = case.plant.start if given.end is None else given.end
     trajectory = rows_of(case.plant.robot.axis_names, pieces or [hold(end, 1e-3)], end)
-    note = "rail positions and configurations are the fixed-rail plan's; one speed and acceleration per line"
-    return Attempt(given.program, trajectory, notes=(note, *given.notes))
+    notes = ["rail positions and configurations are the fixed-rail plan's; one speed and acceleration per line"]
+    if any(run.course is not None for run in given.runs):
+        notes.append("corners and arcs: one profile along the path, with a speed and an acceleration for each part")
+        if jerk is not None:
+            notes.append("jerk is free where a corner or an arc begins or ends: the path's curvature jumps there")
+    return Attempt(given.program, trajectory, notes=(*notes, *given.notes))
+
+
+def _ridden(plant: Plant, run: Run, jerk: Array | None) -> Piece | Infeasible:
+    """A run along its course."""
+    piece = on_course(plant, run, [caps_of(plant, leg) for leg in run.legs], jerk, _drive)
+    leg = run.legs[0]
+    if len(run.legs) > 1 or leg.duration is None:
+        return piece
+    if piece.duration > leg.duration * (1 + 1e-9):
+        return leg.refusal(f"cannot be made in {leg.duration:g} s: Ruckig needs {piece.duration:.4f} s")
+    return piece.slowed(leg.duration / piece.duration)
+
+
+def _drive(v_0: float, v_1: float, way: float, v: float, a: float, j: float | None) -> Piece:
+    given = [None if x is None else np.array([x]) for x in (v, a, j, v_0, v_1)]
+    speed, acceleration, jerk, begin, end = given
+    assert speed is not None
+    assert acceleration is not None
+    motion = point_to_point(np.zeros(1), np.array([way]), speed, acceleration, jerk, v_0=begin, v_1=end)
+
+    def at(t: Array) -> tuple[Array, Array]:
+        s, rate, _ = motion.at(t)
+        return s[:, 0], rate[:, 0]
+
+    return Piece(motion.duration, motion.switches, at)
 
 
 def _piece(plant: Plant, leg: Leg, jerk: Array | None) -> Piece | Infeasible:
@@ -96,7 +127,8 @@ class _JointMove:
     def made(self, v: float, a: float) -> PointToPoint:
         """Ruckig's motion at shares v of the speeds and a of accelerations and jerks; a hair longer where switches of
         two axes would stand too near for rows of their own."""
-        speed, acceleration = speed_limits(self.plant, self.leg) * v, self.plant.limits.acceleration * a
+        caps = caps_of(self.plant, self.leg)
+        speed, acceleration = caps.speed * v, caps.acceleration * a
         jerk = None if self.jerk is None else self.jerk * a
         ends = self.leg.q_0, self.leg.q_1
         move = point_to_point(*ends, speed, acceleration, jerk, straight=self.straight)
@@ -110,7 +142,7 @@ class _JointMove:
     def use(self, move: PointToPoint) -> Use:
         """Use of the limits over the whole move, both sides of every switch included."""
         t = np.linspace(0.0, move.duration, int(np.ceil(move.duration / STEP)) + 2)
-        return use_of(self.plant, self.leg, *move.at(np.concatenate([t, _beside(move)])))
+        return use_of(self.plant, caps_of(self.plant, self.leg), *move.at(np.concatenate([t, _beside(move)])))
 
     def slow(self, v: float) -> bool:
         """Whether the TCP's speeds hold with the axes' speeds at share v."""
@@ -167,7 +199,8 @@ def _along(line: JointsOnLine, jerk: Array | None) -> PointToPoint:
     slopes = line.slopes(line.q)
     bends = line.bends(line.q, slopes)
     twists = np.gradient(bends, line.s, axis=0)
-    speed, acceleration = speed_limits(plant, leg), plant.limits.acceleration
+    caps = caps_of(plant, leg)
+    speed, acceleration = caps.speed, caps.acceleration
     way, turn = max(line.line.length, 1e-12), max(line.line.angle, 1e-12)
     steepest = np.maximum(np.abs(slopes), 1e-12)
     top_v = min(float(np.min(speed / steepest)), leg.v_tcp / way, leg.v_ori / turn) * SAFE

@@ -3,11 +3,14 @@
 The thesis chooses the rail first and the arm's motion after it. Its generator knows no joint limits; here each leg is
 timed under all of them, so that the row can stand beside legal ones. What the text leaves open is read as follows.
 
-- A functional area is the longest run of stations (points joined by lines) that one rail position serves.
+- A functional area is the longest run of stations (points joined by lines and arcs) that one rail position serves.
 - Where an area begins the rail stands nearest to where it comes from. Inside it goes on towards the next point that is
   out of reach from where it stands, or when all are in reach towards the next area, while the arm moves and as far as
   the arm's own time for the move allows; it goes back only where a point is out of reach otherwise.
-- That time is the generator's: each carriage-relative axis from rest to rest under the tool's caps.
+- That time is the generator's: each carriage-relative axis from rest to rest under the tool's caps, an arc as one axis
+  along it.
+
+The thesis has no corners. The program's own are driven here as in every other row: its fly-by points are passed.
 """
 
 from __future__ import annotations
@@ -18,7 +21,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trajopt_cli.geometry import Array, inverse_pose
-from trajopt_cli.motion import Motion, Move, MoveJ, MoveL, Program, motion_name
+from trajopt_cli.motion import Motion, Move, MoveC, MoveJ, MoveL, Program, motion_name
+from trajopt_cli.path.of_motion import segment_of
 from trajopt_cli.problem.changes import droppable
 from trajopt_cli.problem.freedom import AS_WRITTEN
 from trajopt_cli.problem.plan import Infeasible, Target
@@ -35,7 +39,7 @@ _SAME = 1e-9  # m
 @dataclass(frozen=True, eq=False)
 class WorkPoint:
     """One point of the program. motion: its index. ranges (m, 2): rail positions that serve it [m]. time [s]: the arm's
-    own for the move that leads here. station: number of its station; points of one station are joined by lines."""
+    own for the move that leads here. station: number of its station; its points are joined by lines and arcs."""
 
     motion: int
     ranges: Array
@@ -85,9 +89,9 @@ def work_points(program: Program, plant: Plant, rule: RailRule) -> list[WorkPoin
             continue
         given = plant.rail_value(motion.extax)
         rail = rail if given is None else given
-        if not isinstance(motion, MoveL):
+        if not isinstance(motion, MoveL | MoveC):
             station += 1
-        if isinstance(motion, MoveJ | MoveL):
+        if isinstance(motion, MoveJ | MoveL | MoveC):
             ranges = _ranges(motion, plant, rule)
             if not len(ranges):
                 why = f"no rail position keeps joint 3 {rule.phi_min / DEG:g} deg from the stretched elbow there"
@@ -170,16 +174,20 @@ def _driven(
     return with_rail(replace(program, motions=tuple(motions)), plant, positions)
 
 
-def _ranges(motion: MoveJ | MoveL, plant: Plant, rule: RailRule) -> Array:
+def _ranges(motion: MoveJ | MoveL | MoveC, plant: Plant, rule: RailRule) -> Array:
     """Rail ranges of a point on the branch its confdata names; on any branch where that one has none."""
     X_WF = motion.X_WT @ inverse_pose(motion.tool.X_FT)
     kept = rail_ranges(plant, X_WF, rule.phi_min, motion.conf.cfx)
     return kept if len(kept) else rail_ranges(plant, X_WF, rule.phi_min)
 
 
-def _arm_time(motion: MoveJ | MoveL, X_before: Array, plant: Plant) -> float:
-    """Seconds the thesis' generator takes from the point before, every Cartesian axis from rest to rest."""
+def _arm_time(motion: MoveJ | MoveL | MoveC, X_before: Array, plant: Plant) -> float:
+    """Seconds the thesis' generator takes from the point before, every Cartesian axis from rest to rest; on an arc the
+    one axis along it."""
     speed = plant.tcp.speed if isinstance(motion, MoveJ) else min(plant.tcp.speed, motion.speed.v_tcp)
+    if isinstance(motion, MoveC):
+        way = np.array([segment_of(motion, X_before).length])
+        return rest_to_rest(np.zeros(1), way, np.array([speed]), np.array([plant.tcp.acceleration]))
     caps = np.full(3, speed), np.full(3, plant.tcp.acceleration)
     return rest_to_rest(X_before[:3, 3], motion.X_WT[:3, 3], *caps)
 

@@ -1,1 +1,1 @@
-"""Thin faces of the timing libraries: one path or one point-to-point move in, the shortest time out."""
+"""The shortest time along paths and between points: faces of TOPP-RA and Ruckig, and TOPP-RA for many paths at once."""

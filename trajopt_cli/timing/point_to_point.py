@@ -1,4 +1,4 @@
-"""ruckig: the fastest motion from rest to rest between two points, every axis on its own."""
+"""ruckig: the fastest motion between two points, every axis on its own."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from trajopt_cli.geometry import Array, readonly
 
 @dataclass(frozen=True, eq=False)
 class PointToPoint:
-    """k axes from rest to rest, each in m phases of constant jerk (of constant acceleration where jerk is free).
+    """k axes from point to point, each in m phases of constant jerk (of constant acceleration where jerk is free).
 
     begins (k, m): when each phase begins [s]; q, qd, qdd (k, m) there; qddd (k, m) in it. duration [s]: of all axes.
     """
@@ -67,21 +67,25 @@ def point_to_point(
     jerk: Array | None = None,
     least: float = 0.0,
     straight: bool = False,
+    v_0: Array | None = None,
+    v_1: Array | None = None,
 ) -> PointToPoint:
-    """The fastest motion of k axes from q_0 (k,) to q_1, at rest at both, all arriving together.
+    """The fastest motion of k axes from q_0 (k,) to q_1, all arriving together; at speeds v_0, v_1 (k,), None for rest.
 
     Speeds, accelerations and, unless None, jerks stay within their limits, each (k,). least: least duration [s].
     straight: the axes keep to the straight line between the points, where their limits admit one profile.
     Raises ValueError for limits that are not positive and finite.
     """
-    found = _calculate(q_0, q_1, speed, acceleration, jerk, least, straight)
+    still = np.zeros(len(q_0))
+    v_0, v_1 = (still if v is None else v for v in (v_0, v_1))
+    found = _calculate(q_0, q_1, speed, acceleration, jerk, least, straight, v_0, v_1)
     profiles = found.profiles[0]
     k = len(q_0)
     begins = np.array([np.r_[0.0, np.cumsum(profile.t)] for profile in profiles])
     q, qd, qdd = (np.array([getattr(profile, name) for profile in profiles]) for name in ("p", "v", "a"))
     qddd = np.column_stack([[profile.j for profile in profiles], np.zeros(k)])
-    # the last column is the rest after an axis' last phase
-    q[:, -1], qd[:, -1], qdd[:, -1] = q_1, 0.0, 0.0
+    # the last column is what comes after an axis' last phase
+    q[:, -1], qd[:, -1], qdd[:, -1] = q_1, v_1, 0.0
     return PointToPoint(float(found.duration), begins, q, qd, qdd, qddd)
 
 
@@ -90,12 +94,14 @@ def rest_to_rest(q_0: Array, q_1: Array, speed: Array, acceleration: Array) -> f
 
     Jerk is free; the axes end together. Raises ValueError for limits that are not positive and finite.
     """
-    return float(_calculate(q_0, q_1, speed, acceleration, None, 0.0, False).duration)
+    still = np.zeros(len(q_0))
+    return float(_calculate(q_0, q_1, speed, acceleration, None, 0.0, False, still, still).duration)
 
 
 def _calculate(
-    q_0: Array, q_1: Array, speed: Array, acceleration: Array, jerk: Array | None, least: float, straight: bool
-) -> Any:
+    q_0: Array, q_1: Array, speed: Array, acceleration: Array, jerk: Array | None, least: float, straight: bool,
+    v_0: Array, v_1: Array,
+) -> Any:  # fmt: skip
     """Ruckig's own trajectory; it comes without types."""
     from ruckig import InputParameter, Result, Ruckig, Synchronization, Trajectory
 
@@ -106,7 +112,7 @@ def _calculate(
     k = len(q_0)
     wish = InputParameter(k)
     wish.current_position, wish.target_position = list(map(float, q_0)), list(map(float, q_1))
-    wish.current_velocity = wish.target_velocity = [0.0] * k
+    wish.current_velocity, wish.target_velocity = list(map(float, v_0)), list(map(float, v_1))
     wish.current_acceleration = wish.target_acceleration = [0.0] * k
     wish.max_velocity, wish.max_acceleration = list(map(float, speed)), list(map(float, acceleration))
     wish.max_jerk = [float("inf")] * k if jerk is None else list(map(float, jerk))

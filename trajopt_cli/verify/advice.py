@@ -38,19 +38,20 @@ end may be only just within reach. The last can lengthen nothing and shorten a l
 
 
 def advise(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> list[Finding]:
-    """One finding per line and per joint move that a library can time, in program order. Needs speed columns."""
+    """One finding per line and per joint move from stop to stop that a library can time, in program order. Needs speed
+    columns."""
     rows = line.rows
     if rows.qd is None:
         return []
     out = []
-    for before, visit in line.legs():
-        frame = frames[np.asarray(visit.stop.X_FT).tobytes()]
+    for before, visit in (run for run in line.runs() if len(run) == 2):
+        frame = frames[np.asarray(visit.point.X_FT).tobytes()]
         first, last = before.depart, visit.arrive
-        if visit.stop.duration is not None or last - first < 3:
+        if visit.point.duration is not None or last - first < 3:
             continue
-        if isinstance(visit.stop.move, MoveL):
+        if isinstance(visit.point.move, MoveL):
             out.append(_line(rows, before, visit, frame))
-        elif isinstance(visit.stop.move, MoveJ | MoveAbsJ) and _caps_inactive(rows, visit, frame, first, last):
+        elif isinstance(visit.point.move, MoveJ | MoveAbsJ) and _caps_inactive(rows, visit, frame, first, last):
             rests = (np.abs(rows.qd[[first, last]]) <= REST_JOINT).all()
             if rests:
                 out.append(_joint_move(rows, before, visit, rapid))
@@ -59,7 +60,7 @@ def advise(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> list[Find
 
 def _line(rows: Rows, before: Visit, visit: Visit, frame: Frame) -> Finding:
     """Share of the line's time that TOPP-RA shaves off."""
-    stop, limits, caps = visit.stop, rows.plant.limits, rows.plant.tcp
+    stop, limits, caps = visit.point, rows.plant.limits, rows.plant.tcp
     assert rows.qd is not None
     assert stop.X_WF is not None
     assert stop.move is not None
@@ -107,14 +108,14 @@ def _retimed(t: Array, z: Array, zd: Array, speed: Array, acceleration: Array) -
 
 def _caps_inactive(rows: Rows, visit: Visit, frame: Frame, first: int, last: int) -> bool:
     """Whether no TCP cap and no programmed speed comes near its limit at the rows of the move."""
-    assert visit.stop.move is not None
+    assert visit.point.move is not None
     assert rows.qd is not None
-    caps, speed = rows.plant.tcp, visit.stop.move.speed
+    caps, speed = rows.plant.tcp, visit.point.move.speed
     part = slice(first, last + 1)
     v = frame.least_speed[part].max()
     a = np.linalg.norm(np.diff(frame.V[part, :3], axis=0), axis=1) / np.diff(rows.t[part])
     used = max(v / caps.speed, float(a.max()) / caps.acceleration)
-    if obeys_programmed_speed(visit.stop, rows.plant):
+    if obeys_programmed_speed(visit.point, rows.plant):
         used = max(used, v / speed.v_tcp, frame.least_turning[part].max() / speed.v_ori)
         if rows.mechanism.has_rail:
             used = max(used, float(np.abs(rows.qd[part, 0]).max()) / speed.v_leax)
@@ -123,7 +124,7 @@ def _caps_inactive(rows: Rows, visit: Visit, frame: Frame, first: int, last: int
 
 def _joint_move(rows: Rows, before: Visit, visit: Visit, rapid: bool) -> Finding:
     """The move's time less Ruckig's (RAPID: less that of one common profile)."""
-    limits, stop = rows.plant.limits, visit.stop
+    limits, stop = rows.plant.limits, visit.point
     library = straight_rest_to_rest if rapid else rest_to_rest
     best = library(rows.q[before.depart], rows.q[visit.arrive], limits.velocity, limits.acceleration)
     taken = float(rows.t[visit.arrive] - rows.t[before.depart])

@@ -1,29 +1,47 @@
-"""The program as the judge reads it: points where the TCP must stop, in order, and what is held there."""
+"""The program as the judge reads it: points where the TCP must stop or which it passes, in order, and what is held
+there."""
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 
+from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.geometry import Array
-from trajopt_cli.motion import ExternalAxes, Move, MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, SignalEvent, Source, Wait
+from trajopt_cli.motion import (
+    ExternalAxes,
+    FlyBy,
+    Move,
+    MoveAbsJ,
+    MoveC,
+    MoveExtJ,
+    MoveJ,
+    MoveL,
+    Program,
+    SignalEvent,
+    Source,
+    Wait,
+)
 from trajopt_cli.units import MM
-from trajopt_cli.verify.geometry import angle_between, inverse_pose
+from trajopt_cli.verify.geometry import Arc, Line, angle_between, inverse_pose
 from trajopt_cli.verify.machine import Machine
 from trajopt_cli.verify.mechanism import mechanism_of
 
 _SAME_POINT = 1e-9  # m and rad: a line to the pose where it starts, a move of the redundant axis alone
+_NO_WAY = 1e-6  # m: beside a shorter way of the tool there is no zone
 
 
 @dataclass(frozen=True, eq=False)
-class Stop:
+class Point:
     """Where a move ends (move None: where the program starts).
 
     X_WF: flange pose there, None where the joints on the way decide it (MoveExtJ, MoveAbsJ with a free rail). X_FT:
     tool in force. arm (6,) and rail: axis values the program fixes, None where they are free. optional: it may be left
-    out. holds: the waits that follow, with their index.
+    out. holds: the waits that follow, with their index. fly_by: None for a stop. circle: an arc's, None where it is
+    none or where only the joints know its start.
     """
 
     index: int
@@ -36,11 +54,19 @@ class Stop:
     rail: float | None
     optional: bool
     holds: tuple[tuple[int, Wait], ...] = ()
+    fly_by: FlyBy | None = None
+    circle: Arc | None = None
 
     @property
     def duration(self) -> float | None:
         """The programmed time of the move, s."""
         return None if self.move is None else self.move.duration
+
+    @property
+    def X_WT(self) -> Array:
+        """Where the tool is when the flange is at X_WF (4, 4)."""
+        assert self.X_WF is not None
+        return np.asarray(self.X_WF @ self.X_FT)
 
 
 def may_drop(program: Program, plant: Machine, index: int) -> bool:
@@ -53,44 +79,134 @@ def may_drop(program: Program, plant: Machine, index: int) -> bool:
     return motion.optional or motion.target.lower() in plant.droppable
 
 
-def stops_of(program: Program, plant: Machine, dropped: Collection[int] | None) -> list[Stop]:
-    """Start and stops in program order. dropped: motions left out; None: the file may leave out optional ones."""
-    moves = [m for m in program.motions if not isinstance(m, Wait | SignalEvent | MoveExtJ)]
-    X_FT = np.asarray(moves[0].tool.X_FT) if moves else np.eye(4)
-    mechanism = mechanism_of(plant)
-    has_rail = mechanism.has_rail
-    rail = float(plant.start[0]) if has_rail else None
-    start = Stop(-1, None, None, "start", mechanism.flange_pose(plant.start), X_FT, plant.start[-6:], rail, False)
-    stops, holds = [start], list[list[tuple[int, Wait]]]([[]])
+def points_of(program: Program, plant: Machine, dropped: Collection[int] = (), optional: bool = False) -> list[Point]:
+    """Start and points in program order. dropped: motions left out; optional: the file may leave out others as well,
+    those that the user marked.
+
+    A point is a stop where the program says so (fine, \\Inpos), at the last move, before a wait that waits for
+    anything, beside external axes that move alone, where the tool changes, and where a fly-by has no zone: a radius of
+    0 mm, or no way of the tool to it or on from it. All others are passed. A MoveAbsJ that is passed and leaves the
+    rail open (9E9) is where the rail was programmed last.
+    """
+    points = [_start(program, plant)]
+    alone = set[int]()  # points beside external axes that move alone
+    rail, holds = points[0].rail, list[list[tuple[int, Wait]]]([[]])
     for i, motion in enumerate(program.motions):
-        if isinstance(motion, SignalEvent) or (dropped is not None and i in dropped):
+        if isinstance(motion, SignalEvent) or i in dropped:
             continue
         if isinstance(motion, Wait):
             holds[-1].append((i, motion))
             continue
-        name = f"{type(motion).__name__} {motion.target}"
-        optional = dropped is None and may_drop(program, plant, i)
-        wanted = _rail(plant, motion.extax)
-        arm: Array | None = None
-        X_WF: Array | None = None
         if isinstance(motion, MoveExtJ):
-            if wanted is None:
+            alone |= {len(points) - 1, len(points)}
+            if _rail(plant, motion.extax) is None:
+                alone -= {len(points)}
                 continue  # it moves no axis that this robot has
-            rail = wanted
-        elif isinstance(motion, MoveAbsJ):
-            X_FT, arm, rail = motion.tool.X_FT, motion.q, wanted
-            known = rail is not None or not has_rail
-            if known:
-                X_WF = mechanism.flange_pose(np.r_[[rail] if has_rail else [], arm])
-        else:
-            X_FT, rail = motion.tool.X_FT, wanted if plant.rail_fixed else None
-            X_WF = motion.X_WT @ inverse_pose(X_FT)
-        stops.append(Stop(i, motion, motion.source, name, X_WF, X_FT, arm, rail, optional))
+        points.append(_point(plant, i, motion, points[-1].X_FT, optional and may_drop(program, plant, i)))
         holds.append([])
-    return [replace(stop, holds=tuple(waits)) for stop, waits in zip(stops, holds, strict=True)]
+    points = [replace(point, holds=tuple(waits)) for point, waits in zip(points, holds, strict=True)]
+    return _passed(plant, points, alone, rail)
 
 
-def stays(stop: Stop, X_WF_before: Array) -> bool:
+def _start(program: Program, plant: Machine) -> Point:
+    moves = [m for m in program.motions if not isinstance(m, Wait | SignalEvent | MoveExtJ)]
+    X_FT = np.asarray(moves[0].tool.X_FT) if moves else np.eye(4)
+    mechanism = mechanism_of(plant)
+    rail = float(plant.start[0]) if mechanism.has_rail else None
+    return Point(-1, None, None, "start", mechanism.flange_pose(plant.start), X_FT, plant.start[-6:], rail, False)
+
+
+def _point(plant: Machine, index: int, motion: Move, X_FT: Array, optional: bool) -> Point:
+    """A move's end; X_FT: the tool before it, which a MoveExtJ keeps."""
+    name, wanted = f"{type(motion).__name__} {motion.target}", _rail(plant, motion.extax)
+    if isinstance(motion, MoveExtJ):
+        return Point(index, motion, motion.source, name, None, X_FT, None, wanted, optional)
+    X_FT = np.asarray(motion.tool.X_FT)
+    if isinstance(motion, MoveAbsJ):
+        X_WF = _at_joints(plant, motion.q, wanted)
+        return Point(index, motion, motion.source, name, X_WF, X_FT, motion.q, wanted, optional)
+    rail, X_WF = wanted if plant.rail_fixed else None, motion.X_WT @ inverse_pose(X_FT)
+    return Point(index, motion, motion.source, name, X_WF, X_FT, None, rail, optional)
+
+
+def _at_joints(plant: Machine, arm: Array, rail: float | None) -> Array | None:
+    """The flange at an arm's joints; None where it stands on a rail that is anywhere."""
+    mechanism = mechanism_of(plant)
+    if rail is None and mechanism.has_rail:
+        return None
+    return mechanism.flange_pose(np.r_[[rail] if mechanism.has_rail else [], arm])
+
+
+def _passed(plant: Machine, points: Sequence[Point], alone: Collection[int], rail: float | None) -> list[Point]:
+    """The same points with their circles and, where they are passed, their zones and places."""
+    placed: list[Point] = []  # as if all fly-bys were passed
+    for point in points:
+        rail = next((d for d in (_rail(plant, point.move.extax) if point.move else None, rail) if d is not None), None)
+        if point.arm is not None and point.X_WF is None and _programmed_fly_by(point):
+            point = replace(point, X_WF=_at_joints(plant, point.arm, rail))
+        if isinstance(point.move, MoveC) and placed[-1].X_WF is not None:
+            point = replace(point, circle=arc_to(placed[-1].X_WF, point))
+        placed.append(point)
+    ways = [_way(a, b) for a, b in pairwise(placed)]
+    out: list[Point] = []
+    for k, point in enumerate(points):
+        fly_by = None
+        if 0 < k < len(points) - 1 and k not in alone and np.array_equal(point.X_FT, points[k + 1].X_FT):
+            fly_by = _fly_by(point, ways[k - 1 : k + 1])
+        if fly_by is not None:
+            point = replace(point, fly_by=fly_by, X_WF=placed[k].X_WF)
+        if k > 0 and out[-1].X_WF is not None:
+            point = replace(point, circle=placed[k].circle)
+        out.append(point)
+    return out
+
+
+def _fly_by(point: Point, ways: Sequence[float | None]) -> FlyBy | None:
+    """The zone of a point between two ways [m]; None where it is a stop. Angular and linear sizes (zone_ori,
+    zone_leax), which make its parts for orientation and external axes smaller at most, are not counted."""
+    waits = any(wait.duration > 0 or wait.condition is not None for _, wait in point.holds)
+    half = min((way for way in ways if way is not None), default=np.inf) / 2
+    if point.move is None or not _programmed_fly_by(point) or waits or 2 * half < _NO_WAY:
+        return None
+    zone = point.move.zone
+    radius, turning, external = (min(max(size, zone.radius), half) for size in (0.0, zone.path_ori, zone.path_eax))
+    return FlyBy(radius, turning, external) if radius > 0 else None
+
+
+def _programmed_fly_by(point: Point) -> bool:
+    return point.move is not None and not isinstance(point.move, MoveExtJ) and not point.move.zone.stop
+
+
+def _way(a: Point, b: Point) -> float | None:
+    """The tool's way from point to point [m], along an arc, else the chord; None where only the joints know an end.
+    Such an end makes no zone smaller."""
+    if b.circle is not None:
+        return b.circle.length
+    if a.X_WF is None or b.X_WF is None:
+        return None
+    return float(np.linalg.norm((a.X_WF @ b.X_FT - b.X_WT)[:3, 3]))
+
+
+def arc_to(X_WF_before: Array, point: Point, R: Array | None = None) -> Arc:
+    """The arc of a MoveC from where the flange is before it. R (m, 3, 3): rotations on it.
+
+    Raises InputError where its three points lie on one line or in one place, with its place in the program.
+    """
+    move, X_0, X_1 = point.move, X_WF_before @ point.X_FT, point.X_WT
+    assert isinstance(move, MoveC)
+    arc = Arc.through(Line.between(X_0, X_1, X_0[None, :3, :3] if R is None else R), move.X_WV[:3, 3])
+    if arc is None:
+        places = ", ".join("[" + ", ".join(f"{x * 1e3:.3f}" for x in X[:3, 3]) + "]" for X in (X_0, move.X_WV, X_1))
+        file, line, column = move.source
+        raise InputError(
+            f"{point.name}: start, point on the way and end {places} mm lie on one line, no circle leads through them;"
+            " move the point on the way, or use MoveL",
+            file=file, line=line, column=column, kind=ErrorKind.PROGRAM,
+        )  # fmt: skip
+    return arc
+
+
+def stays(stop: Point, X_WF_before: Array) -> bool:
     """Whether the move is a line to the pose where it starts: the TCP rests, only the redundant axis moves."""
     if not isinstance(stop.move, MoveL) or stop.X_WF is None:
         return False
@@ -105,7 +221,7 @@ def _rail(plant: Machine, extax: ExternalAxes) -> float | None:
     return None if value is None else value * MM
 
 
-def obeys_programmed_speed(stop: Stop, plant: Machine) -> bool:
+def obeys_programmed_speed(stop: Point, plant: Machine) -> bool:
     """Whether the move's programmed TCP speed and reorientation cap it.
 
     A programmed time replaces the speed; external axes alone know only v_leax (RAPID reference: MoveL \\T, MoveExtJ).

@@ -83,16 +83,43 @@ class Frame:
         h = np.diff(self.rows.t)
         return both_sides(np.maximum(way / (h + self.rows.doubt_t) - top * h / 2, 0.0)[:, None])[:, 0]
 
+    @cached_property
+    def chords(self) -> Array:
+        """Distances (n-1,) between neighbouring rows, m."""
+        return np.asarray(np.linalg.norm(np.diff(self.p, axis=0), axis=1))
+
+    @cached_property
+    def squares(self) -> Array:
+        """Squares (n,) of the positions' lengths, m2."""
+        return np.asarray((self.p * self.p).sum(axis=1))
+
+    @cached_property
+    def reach(self) -> Array:
+        """How far (n-1,) the TCP may be from the chords between rows, m: a h^2/8, and what printing leaves open."""
+        sagitta = self.rows.plant.tcp.acceleration * np.diff(self.rows.t) ** 2 / 8
+        return np.asarray(sagitta + np.maximum(self.doubt_p[1:], self.doubt_p[:-1]))
+
     def path_lengths(self, lag: int) -> Array:
         """Least distance (n-lag,) between rows i and i + lag."""
-        way = np.linalg.norm(self.p[lag:] - self.p[:-lag], axis=1)
-        return np.asarray(np.maximum(way - self.doubt_p[lag:] - self.doubt_p[:-lag], 0.0))
+        if lag not in self._lengths:
+            way = np.linalg.norm(self.p[lag:] - self.p[:-lag], axis=1)
+            self._lengths[lag] = np.maximum(way - self.doubt_p[lag:] - self.doubt_p[:-lag], 0.0)
+        return self._lengths[lag]
 
     def angles(self, lag: int) -> Array:
         """Least angle (n-lag,) between rows i and i + lag."""
-        return np.asarray(
-            np.maximum(angle_between(self.R[:-lag], self.R[lag:]) - self.doubt_R[lag:] - self.doubt_R[:-lag], 0.0)
-        )
+        if lag not in self._angles:
+            turned = angle_between(self.R[:-lag], self.R[lag:])
+            self._angles[lag] = np.maximum(turned - self.doubt_R[lag:] - self.doubt_R[:-lag], 0.0)
+        return self._angles[lag]
+
+    @cached_property
+    def _lengths(self) -> dict[int, Array]:
+        return {}
+
+    @cached_property
+    def _angles(self) -> dict[int, Array]:
+        return {}
 
     def places(self, first: int, last: int) -> Places:
         """All there is to see from row first to row last: the rows, and the Hermite between them where it is exact."""

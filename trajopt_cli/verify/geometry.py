@@ -1,4 +1,4 @@
-"""The judge's own geometry: angles between rotations, and the line that a MoveL asks for."""
+"""The judge's own geometry: angles between rotations, the line that a MoveL asks for and the arc of a MoveC."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import pinocchio as pin
 from trajopt_cli.geometry import Array
 
 _POINT = 1e-6  # m: a line shorter than this is a reorientation, its progress is an angle
+_FLAT = 1e-9  # sine of the angle between two chords below which three points lie on one line
 _HALF_TURN = 1e-6  # rad: a reorientation this close to half a turn may go either way
 
 
@@ -17,6 +18,14 @@ def angle_between(A: Array, B: Array) -> Array:
     """Angle (...) in rad between rotations (..., 3, 3); exact to rounding near zero."""
     chord = np.linalg.norm(np.asarray(B) - np.asarray(A), axis=(-2, -1)) / (2 * np.sqrt(2.0))
     return np.asarray(2 * np.arcsin(np.minimum(chord, 1.0)))
+
+
+def rotation_vectors(R: Array) -> Array:
+    """Axis times angle (..., 3) of rotations (..., 3, 3); not for half turns."""
+    skew = np.stack([R[..., i, j] - R[..., j, i] for i, j in ((2, 1), (0, 2), (1, 0))], axis=-1) / 2
+    sine = np.linalg.norm(skew, axis=-1, keepdims=True)
+    angle = np.arctan2(sine, (np.trace(R, axis1=-2, axis2=-1)[..., None] - 1) / 2)
+    return np.asarray(skew * np.where(sine > 0, angle / np.where(sine > 0, sine, 1.0), 1.0))
 
 
 def inverse_pose(X: Array) -> Array:
@@ -83,3 +92,83 @@ class Line:
         sine, cosine = (f(s * self.angle)[:, None, None] for f in (np.sin, np.cos))
         R = self.X_0[:3, :3] @ (np.eye(3) + sine * K + (1 - cosine) * (K @ K))
         return self.X_0[:3, 3] + s[:, None] * self.chord, R
+
+
+@dataclass(frozen=True, eq=False)
+class Arc:
+    """From where line begins to where it ends, on a circle about centre (3,) [m]: first (3,) leads from there to the
+    start, side (3,) as far to the point a quarter turn on; by sweep [rad] in (0, 2 pi). The tool turns as on the line.
+    """
+
+    line: Line
+    centre: Array
+    first: Array
+    side: Array
+    sweep: float
+
+    @classmethod
+    def through(cls, line: Line, via: Array) -> Arc | None:
+        """The arc with the line's ends through a point via (3,) [m]; None where no circle leads through all three."""
+        start, u, v = line.X_0[:3, 3], via - line.X_0[:3, 3], line.chord
+        normal = np.cross(u, v)
+        if np.linalg.norm(normal) <= _FLAT * np.linalg.norm(u) * np.linalg.norm(v):
+            return None
+        # the centre is as far from all three: (c - start) u = u u / 2, likewise v, and in their plane
+        first = -np.linalg.solve(np.stack([u, v, normal]), np.array([u @ u / 2, v @ v / 2, 0.0]))
+        side = np.cross(normal / np.linalg.norm(normal), first)
+        last = first + v
+        return cls(line, start - first, first, side, float(np.arctan2(last @ side, last @ first) % (2 * np.pi)))
+
+    @property
+    def length(self) -> float:
+        """Way of the TCP, m."""
+        return float(np.linalg.norm(self.first)) * self.sweep
+
+    @property
+    def angle(self) -> float:
+        """How far the tool turns, rad."""
+        return self.line.angle
+
+    @property
+    def only_turns(self) -> bool:
+        """Never: its progress is a length."""
+        return False
+
+    @property
+    def way(self) -> float:
+        """What progress is counted in: the length [m]."""
+        return self.length
+
+    def progress(self, p: Array, R: Array | None = None) -> Array:
+        """Share of the way (m,) at positions p (m, 3), not clipped; what the circle leaves over belongs half to its
+        start and half to its end. Rotations do not matter."""
+        out = p - self.centre
+        left_over = 2 * np.pi - self.sweep
+        phi = np.arctan2(out @ self.side, out @ self.first)
+        return np.asarray(((phi + left_over / 2) % (2 * np.pi) - left_over / 2) / self.sweep)
+
+    def at(self, s: Array) -> tuple[Array, Array]:
+        """Positions (m, 3) and rotations (m, 3, 3) at shares s (m,)."""
+        phi = (s * self.sweep)[:, None]
+        return self.centre + np.cos(phi) * self.first + np.sin(phi) * self.side, self.line.at(s)[1]
+
+
+def off_segments(p: Array, a: Array, b: Array) -> Array:
+    """Distances (m,) of points p from the segments a to b, all (m, 3)."""
+    way = b - a
+    share = np.einsum("ij,ij->i", p - a, way) / np.maximum(np.einsum("ij,ij->i", way, way), 1e-300)
+    return np.asarray(np.linalg.norm(p - a - np.clip(share, 0.0, 1.0)[:, None] * way, axis=1))
+
+
+def off_triangles(p: Array, a: Array, b: Array, c: Array) -> Array:
+    """Distances (m,) of points p from the triangles a, b, c, all (m, 3); a triangle may be flat."""
+    u, v, w = a - b, c - b, p - b
+    normal = np.cross(u, v)
+    area = np.einsum("ij,ij->i", normal, normal)
+    real = area > (_FLAT * np.linalg.norm(u, axis=1) * np.linalg.norm(v, axis=1)) ** 2
+    area = np.where(real, area, 1.0)
+    alpha = np.einsum("ij,ij->i", np.cross(w, v), normal) / area
+    beta = np.einsum("ij,ij->i", np.cross(u, w), normal) / area
+    inside = real & (alpha >= 0) & (beta >= 0) & (alpha + beta <= 1)
+    edges = np.minimum(np.minimum(off_segments(p, a, b), off_segments(p, b, c)), off_segments(p, a, c))
+    return np.where(inside, np.abs(np.einsum("ij,ij->i", w, normal)) / np.sqrt(area), edges)

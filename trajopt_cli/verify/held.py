@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 import numpy as np
 
 from trajopt_cli.findings import Finding
 from trajopt_cli.motion import Hold, Source
 from trajopt_cli.verify.findings import finding
+from trajopt_cli.verify.frame import Frame
 from trajopt_cli.verify.rail import rail_course, still_from
 from trajopt_cli.verify.rows import Rows
-from trajopt_cli.verify.timeline import Timeline, rows_of_move
+from trajopt_cli.verify.timeline import Timeline, outside_zones
 from trajopt_cli.verify.tolerances import DWELL, HELD
 
 _WHY = {
@@ -21,9 +23,9 @@ _WHY = {
 }
 
 
-def check_held(line: Timeline) -> list[Finding]:
+def check_held(line: Timeline, frames: dict[bytes, Frame]) -> list[Finding]:
     """The way of the rail in every wait and every move that holds it; none on a robot without a rail."""
-    return [*_waits(line), *_moves(line)] if line.rows.mechanism.has_rail else []
+    return [*_waits(line), *_moves(line, frames)] if line.rows.mechanism.has_rail else []
 
 
 def _waits(line: Timeline) -> Iterator[Finding]:
@@ -32,18 +34,23 @@ def _waits(line: Timeline) -> Iterator[Finding]:
             wait = hold.wait
             if wait.hold is not None and wait.duration > 0:
                 part = _within(line.rows, hold.begin, wait.duration, visit.depart)
-                yield _still(line.rows, part, f"the wait at {visit.stop.name}", wait.hold, wait.source)
+                yield _still(line.rows, part, f"the wait at {visit.point.name}", wait.hold, wait.source)
 
 
-def _moves(line: Timeline) -> Iterator[Finding]:
-    """A move to the point where the TCP is already has a stretch of its own only where it has a programmed time."""
-    rows = line.rows
-    for before, visit in zip(line.visits, line.visits[1:], strict=False):
-        stop = visit.stop
+def _moves(line: Timeline, frames: dict[bytes, Frame]) -> Iterator[Finding]:
+    """A move to the point where the TCP is already has a stretch of its own only where it has a programmed time. In the
+    zone between a move that holds the rail and one that does not it may move."""
+    rows, moves = line.rows, [visit.point.move for visit in line.visits[1:]]
+    for i, (before, visit) in enumerate(pairwise(line.visits)):
+        stop = visit.point
         if stop.move is None or stop.move.hold is None or before.event is None or visit.event is None:
             continue
         if not visit.stay:
-            yield _still(rows, rows_of_move(rows, before, visit), stop.name, stop.move.hold, stop.source)
+            free = [move is None or move.hold is None for move in (moves[i - 1] if i else None, *moves[i + 1 : i + 2])]
+            frame = frames[np.asarray(stop.X_FT).tobytes()]
+            part = outside_zones(frame, before, visit, "external", free[0], free[-1])
+            if part[1] >= part[0]:
+                yield _still(rows, part, stop.name, stop.move.hold, stop.source)
         elif stop.duration:
             begin = still_from(rows, before.ready, stop.duration, visit.depart)
             part = _within(rows, begin, stop.duration, visit.depart)

@@ -23,7 +23,7 @@ def check_joints(rows: Rows, source_at: SourceAt) -> list[Finding]:
         out.append(_position(rows, j, float(allowed[j]), source_at))
         for check, places, top, unit_rate in (
             ("speed", _speeds(rows, j), limits.velocity[j], "/s"),
-            ("acceleration", _accelerations(rows, j), limits.acceleration[j], "/s2"),
+            ("acceleration", accelerations(rows, j), limits.acceleration[j], "/s2"),
         ):
             worst = _worst(places, float(top))
             passed = worst.value <= top * (1 + JOINT)
@@ -108,25 +108,28 @@ def _speeds(rows: Rows, j: int) -> Iterator[tuple[Array, Array]]:
         yield t[:-1], (total + top * h) / 2 - np.sqrt(top * np.maximum(spare, 0.0)) - rows.doubt_v[j]
 
 
-def _accelerations(rows: Rows, j: int) -> Iterator[tuple[Array, Array]]:
-    """Second divided differences over all lags, from rest at both ends; speed differences; the Hermite's ends."""
-    t, q, doubt = rows.t, rows.q[:, j : j + 1], rows.doubt_q[j]
+def accelerations(rows: Rows, j: int, first: int = 0, last: int | None = None) -> Iterator[tuple[Array, Array]]:
+    """Least accelerations of axis j between two rows, with their times: second divided differences over all lags;
+    speed differences; the Hermite's ends. Of the whole file also from rest at both ends."""
+    part, between = slice(first, None if last is None else last + 1), slice(first, last)
+    t, q, doubt = rows.t[part], rows.q[part, j : j + 1], rows.doubt_q[j]
     for m, value, uncertain in second_differences(t, q, np.array([[doubt / 2]]), rows.doubt_t):
         yield t[m : len(t) - m], (np.abs(value) - uncertain)[:, 0]
     h = np.diff(t)
-    ends = np.array([0, len(h) - 1])  # the file begins and ends at rest: q moves by A h^2/2 at most beside them
-    step = np.maximum(np.abs(np.diff(q[:, 0]))[ends] - doubt, 0.0)
-    yield t[ends + np.array([0, 1])], 2 * step / (h[ends] + rows.doubt_t) ** 2
+    if last is None:
+        ends = np.array([0, len(h) - 1])  # the file begins and ends at rest: q moves by A h^2/2 at most beside them
+        step = np.maximum(np.abs(np.diff(q[:, 0]))[ends] - doubt, 0.0)
+        yield t[ends + np.array([0, 1])], 2 * step / (h[ends] + rows.doubt_t) ** 2
     if rows.qd is None:
         return
-    v = rows.qd[:, j]
+    v = rows.qd[part, j]
     for m in LAGS:
         if m < len(t):
             yield t[:-m], np.maximum(np.abs(v[m:] - v[:-m]) - rows.doubt_v[j], 0) / (t[m:] - t[:-m] + rows.doubt_t)
     if rows.exact:
         mean = np.diff(v) / h
-        swing = 6 * rows.mismatch[0][:, j] / h
-        uncertain = rows.hermite_rounding[:, j] + rows.truncation[:, j]
+        swing = 6 * rows.mismatch[0][between, j] / h
+        uncertain = (rows.hermite_rounding + rows.truncation)[between, j]
         yield t[:-1], np.abs(mean + swing) - uncertain
         yield t[1:], np.abs(mean - swing) - uncertain
 

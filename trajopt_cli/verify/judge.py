@@ -15,7 +15,8 @@ from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.advice import advise
 from trajopt_cli.verify.caps import check_caps
 from trajopt_cli.verify.clearance import check_clearance
-from trajopt_cli.verify.course import may_drop, stops_of
+from trajopt_cli.verify.course import may_drop, points_of
+from trajopt_cli.verify.demands import check_demands
 from trajopt_cli.verify.findings import finding
 from trajopt_cli.verify.frame import Frame
 from trajopt_cli.verify.held import check_held
@@ -27,7 +28,7 @@ from trajopt_cli.verify.rows import Rows, look
 from trajopt_cli.verify.stops import check_stops
 from trajopt_cli.verify.timeline import build_timeline
 from trajopt_cli.verify.tolerances import COARSEST_PRINT, LARGEST_GAP
-from trajopt_cli.verify.visits import match
+from trajopt_cli.verify.visits import match, never_near
 
 
 def verify(
@@ -53,19 +54,22 @@ def verify(
     if trajectory.names != names:
         raise InputError(f"the file's axes are {', '.join(trajectory.names)}; the robot's are {', '.join(names)}")
     _check_rows(trajectory)
-    stops = stops_of(program, plant, dropped)
-    rows = look(plant, trajectory, resolution, marks=len(stops) - 1)
+    points = points_of(program, plant, dropped or (), optional=dropped is None)
+    rows = look(plant, trajectory, resolution, marks=len(points) - 1)
     rapid = target is Target.RAPID
-    frames = {key: Frame(rows, X_FT) for key, X_FT in {np.asarray(s.X_FT).tobytes(): s.X_FT for s in stops}.items()}
-    line = build_timeline(rows, frames, stops[0], match(rows, frames, stops, rapid), rapid)
+    frames = {key: Frame(rows, X_FT) for key, X_FT in {np.asarray(p.X_FT).tobytes(): p.X_FT for p in points}.items()}
+    if dropped is None and (absent := never_near(rows, frames, points)):  # zones reach from point to point
+        points = points_of(program, plant, absent, optional=True)
+    line = build_timeline(rows, frames, points[0], match(rows, frames, points, rapid), rapid)
     findings = [
-        *_file(rows, frames[np.asarray(stops[0].X_FT).tobytes()]),
+        *_file(rows, frames[np.asarray(points[0].X_FT).tobytes()]),
         *_dropped(program, plant, dropped or ()),
         *check_stops(line, frames, rapid),
         *check_shapes(line, frames, rapid),
-        *check_held(line),
+        *check_held(line, frames),
         *check_joints(rows, line.source_at),
         *check_caps(line, frames),
+        *check_demands(line, frames),
         *check_clearance(program, plant, trajectory, line.source_at),
     ]
     return Report(tuple(findings), tuple(advise(line, frames, rapid)) if advice else ())

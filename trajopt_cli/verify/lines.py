@@ -1,106 +1,182 @@
-"""The shape of motions: lines against chord and slerp, the arm held by MoveExtJ, and what RAPID makes straight."""
+"""The shape of motions: lines and arcs and the corners between them, the arm held by MoveExtJ, and what RAPID makes
+straight.
+
+Outside its zones a line is held to chord and slerp, an arc to circle and slerp. Inside one the TCP is within the zone's
+sphere, anything else shows as a place off its way; between two lines it is in the triangle of entry, point and exit
+as well, where the controller's parabola lies and a stop at the point. Between two lines or arcs the same holds of the
+tool's rotation vectors in the zone of orientation. Beside a joint move the sphere is all that is known.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from itertools import pairwise
+
 import numpy as np
+from numpy.typing import NDArray
 
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
-from trajopt_cli.motion import MoveAbsJ, MoveExtJ, MoveJ, MoveL
+from trajopt_cli.motion import MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL
 from trajopt_cli.verify.findings import axis_unit, finding
-from trajopt_cli.verify.frame import Frame, Places
-from trajopt_cli.verify.geometry import Line, angle_between
+from trajopt_cli.verify.frame import Frame
+from trajopt_cli.verify.geometry import Arc, Line, angle_between, off_triangles, rotation_vectors
 from trajopt_cli.verify.rows import Rows
-from trajopt_cli.verify.timeline import Timeline, Visit, rows_of_move
+from trajopt_cli.verify.run import Indices, Run, off_way, runs_of
+from trajopt_cli.verify.timeline import Timeline, Visit
 from trajopt_cli.verify.tolerances import BACKWARD, JOINT_TARGET, LINE_POSITION, LINE_ROTATION
 
 
 def check_shapes(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> list[Finding]:
-    """Findings about every move between its rests, in program order; a kind that no check knows is never legal."""
-    out = []
-    for before, visit in line.legs():
-        match visit.stop.move:
-            case MoveL():
-                frame = frames[np.asarray(visit.stop.X_FT).tobytes()]
-                out.extend(_line(line.rows, before, visit, frame, rapid))
-            case MoveExtJ():
-                out.append(_arm_holds(line.rows, before, visit))
-            case MoveJ() | MoveAbsJ():
-                if rapid:
-                    out.append(_straight(line.rows, before, visit))
-            case _:
-                out.append(_unknown(line.rows, visit))
+    """Findings about every move between its rests, in program order; a kind that no check knows is never legal. Of a
+    run without one of its points nothing is said: that the point is missing is."""
+    out: list[Finding] = []
+    for run in runs_of(line.rows, frames, line.runs()):
+        for leg, visit in enumerate(run.visits[1:]):
+            match visit.point.move:
+                case MoveL() | MoveC():
+                    out.extend(_way(run, leg))
+                    if rapid and line.rows.mechanism.has_rail:
+                        out.extend(_rail_share(run, leg))
+                case MoveExtJ():
+                    out.append(_arm_holds(line.rows, run.visits[leg], visit))
+                case MoveJ() | MoveAbsJ():
+                    if rapid:
+                        out.extend(_straight(run, leg))
+                case _:
+                    out.append(_unknown(line.rows, visit))
+        out.extend(_corners(run))
     return out
 
 
 def _unknown(rows: Rows, visit: Visit) -> Finding:
     note = ": the judge has no check for the shape of such a motion"
-    return finding("known shape", visit.stop.name, 1.0, 0.0, "unknown", False, time=float(rows.t[visit.arrive]),
-                   source=visit.stop.source, note=note)  # fmt: skip
+    return finding("known shape", visit.point.name, 1.0, 0.0, "unknown", False, time=float(rows.t[visit.arrive]),
+                   source=visit.point.source, note=note)  # fmt: skip
 
 
-def _line(rows: Rows, before: Visit, visit: Visit, frame: Frame, rapid: bool) -> list[Finding]:
-    """Distance from the chord, angle from the slerp at the same share of the way, way back; RAPID: the rail's share."""
-    stop = visit.stop
-    assert stop.X_WF is not None
-    X_0, X_1 = before.X_WF @ stop.X_FT, stop.X_WF @ stop.X_FT
-    first, last = rows_of_move(rows, before, visit)
-    places = frame.places(first, last)
-    line = Line.between(X_0, X_1, places.R)
-    s = line.progress(places.p, places.R)
-    wanted_p, wanted_R = line.at(np.clip(s, 0.0, 1.0))
-    off = np.linalg.norm(places.p - wanted_p, axis=1)
-    turned = angle_between(places.R, wanted_R)
-    # a doubt about the place on the line is one about the wanted angle there
-    doubt_R = places.doubt_angle + (0.0 if line.only_turns else line.angle / line.length) * places.doubt_p
-    out = []
-    for check, value, doubt, limit, unit in (
-        ("line position", off, places.doubt_p, LINE_POSITION, "m"),
-        ("line rotation", turned, doubt_R, LINE_ROTATION, "rad"),
-        ("line progress", *_way_back(line, s, places)),
+def _way(run: Run, leg: int) -> Iterator[Finding]:
+    """Outside zones: distance from chord or circle, angle from the slerp at the same share of the way, way back."""
+    way, part, places, point = run.ways[leg], run.on(leg), run.places, run.visits[leg + 1].point
+    assert way is not None
+    target = "" if point.move is None else point.move.target
+    kind, shape = ("arc", "circle") if isinstance(way, Arc) else ("line", "chord")
+    t, s, free = places.t[part], run.shares[part], run.zone[part] < 0
+    off = off_way(way, places.p[part], s)
+    turned = angle_between(places.R[part], way.at(np.clip(s, 0.0, 1.0))[1])
+    # a doubt about the place on the way is one about the wanted angle there
+    doubt_p, doubt_angle = places.doubt_p[part], places.doubt_angle[part]
+    doubt_R = doubt_angle + (0.0 if way.only_turns else way.angle / way.length) * doubt_p
+    doubt, unit = (doubt_angle, "rad") if way.only_turns else (doubt_p, "m")
+    for check, value, doubts, where, limit, its_unit, words in (
+        ("position", off, doubt_p, free, LINE_POSITION, "m", f"from the {shape}"),
+        ("rotation", turned, doubt_R, run.beyond(leg, "turning"), LINE_ROTATION, "rad", "from the slerp"),
+        ("progress", _way_back(way, s, free), 2 * doubt, free, BACKWARD, unit, "backwards"),
     ):
-        least = np.maximum(value - doubt, 0.0)
-        i = int(np.argmax(least))
-        words = {"line position": "from the chord", "line rotation": "from the slerp", "line progress": "backwards"}
-        out.append(
-            finding(check, "TCP", float(least[i]), limit, unit, bool(least[i] <= limit), time=float(places.t[i]),
-                    source=stop.source, note=f" {words[check]} to {stop.move.target}" if stop.move else "")
-        )  # fmt: skip
-    if rapid and rows.mechanism.has_rail:
-        out.append(_rail_share(rows, before, visit, frame, (first, last)))
-    return out
+        least = np.where(where, np.maximum(value - doubts, 0.0), 0.0)
+        if len(least):
+            i = int(np.argmax(least))
+            yield finding(f"{kind} {check}", "TCP", float(least[i]), limit, its_unit, bool(least[i] <= limit),
+                          time=float(t[i]), source=point.source, note=f" {words} to {target}")  # fmt: skip
 
 
-def _way_back(line: Line, s: Array, places: Places) -> tuple[Array, Array, float, str]:
-    """How far every place lies behind the farthest one before it, the doubt about that, limit and unit."""
-    way = s * line.way
-    doubt, unit = (places.doubt_angle, "rad") if line.only_turns else (places.doubt_p, "m")
-    return np.maximum.accumulate(way) - way, 2 * doubt, BACKWARD, unit
+def _way_back(way: Line | Arc, s: Array, free: NDArray[np.bool_]) -> Array:
+    """How far every place (m,) lies behind the farthest one before it; those in zones do not count."""
+    done = s * way.way
+    return np.maximum.accumulate(np.where(free, done, -np.inf)) - done
 
 
-def _rail_share(rows: Rows, before: Visit, visit: Visit, frame: Frame, part: tuple[int, int]) -> Finding:
-    """The rail against its linear share of the path at every row."""
-    stop = visit.stop
-    assert stop.X_WF is not None
-    first, last = part
-    where = slice(first, last + 1)
-    X_0, X_1 = before.X_WF @ stop.X_FT, stop.X_WF @ stop.X_FT
-    line = Line.between(X_0, X_1, frame.R[where])
-    s = line.progress(frame.p[where], frame.R[where])
-    d_0, d_1 = (float(rows.q[row, 0]) for row in (before.depart, visit.arrive))
-    doubt = (frame.doubt_R if line.only_turns else frame.doubt_p)[where] / line.way
-    granted = _end_doubt(rows, before, visit)[0] + rows.doubt_q[0] / 2 + abs(d_1 - d_0) * doubt
-    off = np.maximum(np.abs(rows.q[where, 0] - (d_0 + np.clip(s, 0, 1) * (d_1 - d_0))) - granted, 0.0)
+def _corners(run: Run) -> Iterator[Finding]:
+    """Findings about every point that is passed between two lines or arcs."""
+    ways = [None, *run.ways, None]  # before and behind every visit
+    flat = np.array([isinstance(a, Line) and isinstance(b, Line) for a, b in pairwise(ways)])
+    known = np.array([a is not None and b is not None for a, b in pairwise(ways)])
+    yield from _worst(run, run.zone, flat, _off_triangles, ("corner position", LINE_POSITION, "m"),
+                      "outside the triangle of its zone")  # fmt: skip
+    yield from _worst(run, run.turning_zone, known, _off_turns, ("corner rotation", LINE_ROTATION, "rad"),
+                      "outside the turns of its ways")  # fmt: skip
+
+
+def _worst(
+    run: Run,
+    zone: Indices,
+    looked_at: NDArray[np.bool_],
+    value: Callable[[Run, Indices, Indices], Array],
+    check: tuple[str, float, str],
+    words: str,
+) -> Iterator[Finding]:
+    """The greatest value in the zone (m,) of every visit that is looked at (n + 1,). value: of places and visits (i,),
+    the doubt about it taken off. check: name, limit and unit."""
+    here = np.flatnonzero((zone >= 0) & looked_at[zone])
+    if not len(here):
+        return
+    here = here[np.argsort(zone[here], kind="stable")]
+    values, visits = value(run, here, zone[here]), zone[here]
+    for part in np.split(np.arange(len(here)), np.flatnonzero(np.diff(visits)) + 1):
+        i = part[np.argmax(values[part])]
+        point, worst = run.visits[visits[i]].point, max(float(values[i]), 0.0)
+        name, limit, unit = check
+        yield finding(name, "TCP", worst, limit, unit, worst <= limit, time=float(run.places.t[here[i]]),
+                      source=point.source, note=f" {words} at {point.name}")  # fmt: skip
+
+
+def _off_triangles(run: Run, here: Indices, visits: Indices) -> Array:
+    """How far places (i,) are from the triangle of entry, point and exit of the visits whose zones they are in."""
+    edges = {k: (run.edge(k - 1, k, "radius")[0], run.edge(k, k, "radius")[0]) for k in np.unique(visits).tolist()}
+    entry, leave = (np.array([edges[k][side] for k in visits.tolist()]) for side in (0, 1))
+    off = off_triangles(run.places.p[here], entry, run.X_WT[visits, :3, 3], leave)
+    return np.asarray(off - run.places.doubt_p[here])
+
+
+def _off_turns(run: Run, here: Indices, visits: Indices) -> Array:
+    """How far the orientations of places (i,) are from the triangle of entry, point and exit, as rotation vectors seen
+    from the point.
+
+    Where a turn a goes over into a turn b, exp(-x a) exp(y b) has the rotation vector y b - x a but for x y |a x b| / 2
+    and smaller terms; x y is 1/16 at most in a quadratic Bezier, so |a x b| / 16 covers them all.
+    """
+    R_P = run.X_WT[:, :3, :3]
+    edges = {
+        k: [rotation_vectors(R_P[k].T @ run.edge(leg, k, "turning")[1]) for leg in (k - 1, k)]
+        for k in np.unique(visits).tolist()
+    }
+    entry, leave = (np.array([edges[k][side] for k in visits.tolist()]) for side in (0, 1))
+    found = rotation_vectors(np.swapaxes(R_P[visits], 1, 2) @ run.places.R[here])
+    granted = np.linalg.norm(np.cross(entry, leave), axis=1) / 16 + run.places.doubt_angle[here]
+    # a place at a zone's edge may be a hair outside
+    sizes = run.zones("turning")[visits]
+    granted += LINE_POSITION / sizes * np.maximum(np.linalg.norm(entry, axis=1), np.linalg.norm(leave, axis=1))
+    return np.asarray(off_triangles(found, entry, np.zeros_like(entry), leave) - granted)
+
+
+def _rail_share(run: Run, leg: int) -> Iterator[Finding]:
+    """The rail against its linear share of the way at every row outside the zones of external axes, between what it is
+    at the stops or at the first and last of those rows."""
+    rows, way, before, visit = run.rows, run.ways[leg], run.visits[leg], run.visits[leg + 1]
+    assert way is not None
+    here = np.arange(len(run.places.t))[run.on(leg)]
+    here = here[run.beyond(leg, "external") & (here % run.step == 0)]
+    where = run.part[0] + here // run.step
+    if not len(here):
+        return
+    s, d = run.shares[here], rows.q[where, 0]
+    s_0, d_0 = (0.0, rows.q[before.depart, 0]) if before.point.fly_by is None else (s[0], d[0])
+    s_1, d_1 = (1.0, rows.q[visit.arrive, 0]) if visit.point.fly_by is None else (s[-1], d[-1])
+    slope = (d_1 - d_0) / max(s_1 - s_0, 1e-9)
+    doubt = (run.places.doubt_angle if way.only_turns else run.places.doubt_p)[here] / way.way
+    granted = _end_doubt(rows, before, visit)[0] + rows.doubt_q[0] / 2 + 2 * abs(slope) * doubt
+    off = np.maximum(np.abs(d - (d_0 + (np.clip(s, 0.0, 1.0) - s_0) * slope)) - granted, 0.0)
     i = int(np.argmax(off))
-    name = rows.plant.limits.names[0]
-    return finding("rail along line", name, float(off[i]), JOINT_TARGET, "m", bool(off[i] <= JOINT_TARGET),
-                   time=float(rows.t[first + i]), source=stop.source,
-                   note=": a RAPID controller moves it in proportion to the path")  # fmt: skip
+    kind = "arc" if isinstance(way, Arc) else "line"
+    yield finding(f"rail along {kind}", rows.plant.limits.names[0], float(off[i]), JOINT_TARGET, "m",
+                  bool(off[i] <= JOINT_TARGET), time=float(rows.t[where[i]]), source=visit.point.source,
+                  note=": a RAPID controller moves it in proportion to the path")  # fmt: skip
 
 
 def _end_doubt(rows: Rows, before: Visit, visit: Visit) -> Array:
     """How far axes at the rows of both rests may be from where they really rested (k,)."""
-    tau = max(float(rows.open_time[before.depart]), float(rows.open_time[visit.arrive]))
+    stops = [(before, before.depart), (visit, visit.arrive)]
+    tau = max((float(rows.open_time[row]) for one, row in stops if one.point.fly_by is None), default=0.0)
     return np.asarray(rows.doubt_q / 2 + rows.plant.limits.acceleration * tau**2 / 2)
 
 
@@ -113,17 +189,24 @@ def _arm_holds(rows: Rows, before: Visit, visit: Visit) -> Finding:
     name = rows.plant.limits.names[len(rows.plant.limits.names) - 6 + int(j)]
     value = float(least[i, j])
     return finding("arm holds", name, value, JOINT_TARGET, "rad", value <= JOINT_TARGET,
-                   time=float(rows.t[first + int(i)]), source=visit.stop.source,
-                   note=f": {visit.stop.name} moves external axes only")  # fmt: skip
+                   time=float(rows.t[first + int(i)]), source=visit.point.source,
+                   note=f": {visit.point.name} moves external axes only")  # fmt: skip
 
 
-def _straight(rows: Rows, before: Visit, visit: Visit) -> Finding:
-    """RAPID: every row on the straight line between the axis values at both ends."""
-    first, last = rows_of_move(rows, before, visit)
-    q_0, q_1 = rows.q[before.depart], rows.q[visit.arrive]
+def _straight(run: Run, leg: int) -> Iterator[Finding]:
+    """RAPID: every row outside zones on the straight line between the axis values at the stops, or at the first and
+    last of those rows."""
+    rows, before, visit = run.rows, run.visits[leg], run.visits[leg + 1]
+    here = np.arange(len(run.places.t))[run.on(leg)]
+    here = here[(run.zone[here] < 0) & run.sure[here] & (here % run.step == 0)]
+    where = run.part[0] + here // run.step
+    if not len(here):
+        return
+    q_0 = rows.q[before.depart if before.point.fly_by is None else where[0]]
+    q_1 = rows.q[visit.arrive if visit.point.fly_by is None else where[-1]]
     weight = 1 / rows.plant.limits.velocity
     way = (q_1 - q_0) * weight
-    q = rows.q[first : last + 1]
+    q = rows.q[where]
     share = ((q - q_0) * weight) @ way / max(float(way @ way), 1e-300)
     off = np.abs(q - (q_0 + np.clip(share, 0, 1)[:, None] * (q_1 - q_0)))
     # rounding of all axes enters the share
@@ -132,6 +215,6 @@ def _straight(rows: Rows, before: Visit, visit: Visit) -> Finding:
     least = np.maximum(off - granted, 0.0)
     i, j = np.unravel_index(int(np.argmax(least)), least.shape)
     name, value = rows.plant.limits.names[int(j)], float(least[i, j])
-    return finding("joint line", name, value, JOINT_TARGET, axis_unit(name), value <= JOINT_TARGET,
-                   time=float(rows.t[first + int(i)]), source=visit.stop.source,
-                   note=f": a RAPID controller runs {visit.stop.name} straight in the joints")  # fmt: skip
+    yield finding("joint line", name, value, JOINT_TARGET, axis_unit(name), value <= JOINT_TARGET,
+                  time=float(rows.t[where[i]]), source=visit.point.source,
+                  note=f": a RAPID controller runs {visit.point.name} straight in the joints")  # fmt: skip

@@ -1,8 +1,9 @@
-"""Findings about stops: start and end, points reached at rest, waits, programmed times."""
+"""Findings about points: start and end, stops reached at rest, fly-bys passed, waits, programmed times."""
 
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
@@ -22,21 +23,26 @@ from trajopt_cli.verify.tolerances import (
     STOP_POSITION,
     STOP_ROTATION,
 )
+from trajopt_cli.verify.visits import off_chords
 
 
 def check_stops(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> list[Finding]:
-    """All findings about stops in program order, the start's first and the end's last."""
+    """All findings about points in program order, the start's first and the end's last."""
     rows = line.rows
     out = [*_ends(rows, 0, "start", rows.plant.start, None)]
     for i, visit in enumerate(line.visits):
-        frame = frames[np.asarray(visit.stop.X_FT).tobytes()]
+        frame = frames[np.asarray(visit.point.X_FT).tobytes()]
         before = line.visits[max(i - 1, 0)]
+        if visit.point.fly_by is not None:
+            out.append(_passed(rows, visit, frame, line, i))
+            continue
         if i > 0:
             out.append(_reached(rows, visit, frame, line, i))
         if visit.event is None:
             continue
         out.extend(_rail(rows, visit))
-        if i > 0 and visit.stop.duration is not None:
+        # in a run the moves beside a point share the time of its corner
+        if i > 0 and visit.point.duration is not None and before.point.fly_by is None:
             out.append(_duration(rows, before, visit))
         out.extend(_dwells(rows, visit))
         if visit.holds or visit.stay:
@@ -44,14 +50,14 @@ def check_stops(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> list
         if rapid:
             out.extend(_axes_stand(rows, visit))
     last = line.visits[-1]
-    out.extend(_ends(rows, len(rows.t) - 1, "end", None, last.stop.source))
+    out.extend(_ends(rows, len(rows.t) - 1, "end", None, last.point.source))
     if last.event is not None:
         over = float(rows.t[-1] - rows.t[last.depart])
-        message_note = f": nothing may follow {last.stop.name}"
+        message_note = f": nothing may follow {last.point.name}"
         passed = last.depart == len(rows.t) - 1
         out.append(
             finding("end", "motion after it", over, 0.0, "s", passed, time=float(rows.t[last.depart]),
-                    source=last.stop.source, note=message_note)
+                    source=last.point.source, note=message_note)
         )  # fmt: skip
     return out
 
@@ -88,17 +94,37 @@ def _ends(rows: Rows, row: int, name: str, wanted: Array | None, source: Source 
     return out
 
 
+def _passed(rows: Rows, visit: Visit, frame: Frame, line: Timeline, i: int) -> Finding:
+    """Whether a point was passed in program order, no farther away than its zone reaches."""
+    point, P = visit.point, visit.point.X_WT[:3, 3]
+    assert point.fly_by is not None
+    chords = _meanwhile(rows, line, i) if visit.event is None else np.arange(visit.event.first, visit.event.last)
+    distance = off_chords(frame.p, P, chords)[0]
+    at = int(np.argmin(distance))
+    least = max(float(distance[at] - frame.reach[chords[at]]), 0.0)
+    return finding("fly-by passed", "TCP", least, point.fly_by.radius, "m", visit.event is not None,
+                   time=float(rows.t[chords[at]]), source=point.source, bound="at most",
+                   note=f": {point.name} is not passed in program order")  # fmt: skip
+
+
+def _meanwhile(rows: Rows, line: Timeline, i: int) -> NDArray[np.intp]:
+    """The intervals between rows from the point before a visit that is missing to the next one found, at least one."""
+    following = next((v for v in line.visits[i + 1 :] if v.event is not None), None)
+    last = len(rows.t) - 1 if following is None else following.arrive
+    first = min(line.visits[i].depart, last, len(rows.t) - 2)
+    return np.arange(first, max(last, first + 1))
+
+
 def _reached(rows: Rows, visit: Visit, frame: Frame, line: Timeline, i: int) -> Finding:
     """Whether the stop was reached, and at rest; else the closest the file comes to it before the next stop."""
-    stop, close = visit.stop, visit.match.close
+    stop, close = visit.point, visit.match.close
+    assert close is not None
     unit, subject = ("m", "TCP") if stop.X_WF is not None and stop.arm is None else ("rad", "arm")
     if isinstance(stop.move, MoveExtJ):
         unit, subject = "m", rows.plant.limits.names[0]
     if visit.event is None:
-        following = next((v for v in line.visits[i + 1 :] if v.event is not None), None)
-        last = len(rows.t) - 1 if following is None else following.arrive
-        first = min(visit.depart, last)
-        row = first + int(np.argmin(close.distance[first : last + 1]))
+        between = _meanwhile(rows, line, i)
+        row = int(between[0]) + int(np.argmin(close.distance[between[0] : between[-1] + 2]))
         axes = stop.arm is not None or isinstance(stop.move, MoveExtJ)
         value, limit, unit = (
             _off(rows, visit, frame, row) if not axes else (close.distance[row] * JOINT_TARGET, JOINT_TARGET, unit)
@@ -120,7 +146,7 @@ def _reached(rows: Rows, visit: Visit, frame: Frame, line: Timeline, i: int) -> 
 
 def _off(rows: Rows, visit: Visit, frame: Frame, row: int) -> tuple[float, float, str]:
     """Distance or angle from the stop's pose at a row, whichever is farther in tolerances; its limit and unit."""
-    X_WT = visit.X_WF @ visit.stop.X_FT
+    X_WT = visit.X_WF @ visit.point.X_FT
     d_p = float(np.linalg.norm(frame.p[row] - X_WT[:3, 3]))
     d_R = float(angle_between(frame.R[row], X_WT[:3, :3]))
     if d_p / STOP_POSITION >= d_R / STOP_ROTATION:
@@ -130,9 +156,10 @@ def _off(rows: Rows, visit: Visit, frame: Frame, row: int) -> tuple[float, float
 
 def _rail(rows: Rows, visit: Visit) -> list[Finding]:
     """The rail at its programmed value, where the program fixes it."""
-    stop = visit.stop
+    stop = visit.point
     if stop.rail is None or isinstance(stop.move, MoveExtJ) or stop.move is None:
         return []
+    assert visit.match.close is not None
     met = visit.match.close.rail_met[visit.arrive]
     name = rows.plant.limits.names[0]
     return [
@@ -146,7 +173,7 @@ def _duration(rows: Rows, before: Visit, visit: Visit) -> Finding:
 
     A rest longer than its waits may belong to the move or not; of a move that stays only the least can be seen.
     """
-    wanted = visit.stop.duration or 0.0
+    wanted = visit.point.duration or 0.0
     rest_after = max(float(rows.t[visit.depart]) - visit.ready, 0.0)
     if visit.stay:
         taken = min(wanted, float(rows.t[visit.depart]) - sum(h.end - h.begin for h in visit.holds) - before.ready)
@@ -157,8 +184,8 @@ def _duration(rows: Rows, before: Visit, visit: Visit) -> Finding:
     passed = abs(taken - wanted) <= DURATION + 2 * rows.doubt_t + unseen(rows, before.depart) / 2 + unseen(
         rows, visit.arrive
     )
-    return finding("duration", visit.stop.name, taken, wanted, "s", passed, time=float(rows.t[visit.arrive]),
-                   source=visit.stop.source, bound="programmed")  # fmt: skip
+    return finding("duration", visit.point.name, taken, wanted, "s", passed, time=float(rows.t[visit.arrive]),
+                   source=visit.point.source, bound="programmed")  # fmt: skip
 
 
 def _dwells(rows: Rows, visit: Visit) -> list[Finding]:
@@ -168,7 +195,7 @@ def _dwells(rows: Rows, visit: Visit) -> list[Finding]:
     slack = DWELL + rows.doubt_t + unseen(rows, visit.depart)
     for hold in visit.holds:
         wait = hold.wait
-        note = f" at {visit.stop.name}"
+        note = f" at {visit.point.name}"
         if wait.duration > 0:
             lasts = min(max(leaves - hold.begin, 0.0), wait.duration)
             out.append(
@@ -197,9 +224,9 @@ def _drift(rows: Rows, visit: Visit, before: Visit, frame: Frame) -> Finding:
         first += 1
     while not rows.marked and first < last and rows.t[last] > end - 2 * rows.open_time[visit.depart]:
         last -= 1
-    source = visit.holds[0].wait.source if visit.holds else visit.stop.source
-    return deviation("dwell drift", frame.places(first, max(first, last)), visit.X_WF @ visit.stop.X_FT, source,
-                     f" at {visit.stop.name}")  # fmt: skip
+    source = visit.holds[0].wait.source if visit.holds else visit.point.source
+    return deviation("dwell drift", frame.places(first, max(first, last)), visit.X_WF @ visit.point.X_FT, source,
+                     f" at {visit.point.name}")  # fmt: skip
 
 
 def deviation(check: str, places: Places, X_WT: Array, source: Source | None, note: str) -> Finding:
@@ -218,14 +245,14 @@ def _axes_stand(rows: Rows, visit: Visit) -> list[Finding]:
     """RAPID: every axis at rest when the TCP arrives, when a wait ends and when it leaves. Where an event has rows with
     every axis at rest, arrival and departure are the first and the last of them."""
     out = []
-    moments = [(visit.arrive, visit.stop.source), (visit.depart, visit.stop.source)]
+    moments = [(visit.arrive, visit.point.source), (visit.depart, visit.point.source)]
     moments += [(h.rests if h.rests is not None else visit.depart, h.wait.source) for h in visit.holds]
     for row, source in moments:
         granted = REST_JOINT + rows.plant.limits.acceleration * rows.open_time[row]
         j = int(np.argmax(rows.least_axis_speed[row] / granted))
         name = rows.plant.limits.names[j]
         value = float(rows.least_axis_speed[row, j])
-        note = f": a RAPID controller stops every axis at {visit.stop.name}"
+        note = f": a RAPID controller stops every axis at {visit.point.name}"
         out.append(
             finding("axes rest", name, value, float(granted[j]), axis_unit(name) + "/s", value <= granted[j],
                     time=float(rows.t[row]), source=source, note=note)

@@ -1,4 +1,4 @@
-"""Arrivals and departures: each stop of the program with its rows, its waits and the time left over."""
+"""Arrivals and departures: each point of the program with its rows, its waits and the time left over."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Source, Wait
-from trajopt_cli.verify.course import Stop, stays
+from trajopt_cli.verify.course import Point, stays
 from trajopt_cli.verify.frame import Frame
-from trajopt_cli.verify.rail import still_from
+from trajopt_cli.verify.rail import Indices, still_from
 from trajopt_cli.verify.rows import Rows, unseen
 from trajopt_cli.verify.tolerances import DWELL
-from trajopt_cli.verify.visits import Event, Match, closeness, events_of
+from trajopt_cli.verify.visits import Event, Match, closeness, events_of, off_chords
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,7 +30,7 @@ class Hold:
 
 @dataclass(frozen=True, eq=False)
 class Visit:
-    """A stop as it came out.
+    """A point as it came out; one that is passed arrives with the row before it and departs with the row after it.
 
     event: None where the file never shows it; the rows are then those of the stop before. arrive, depart: first and
     last row. ready: the earliest time [s] at which the next move may begin. X_WF: the wanted pose, or the one at
@@ -47,14 +47,14 @@ class Visit:
     holds: tuple[Hold, ...] = ()
 
     @property
-    def stop(self) -> Stop:
+    def point(self) -> Point:
         """What was asked for."""
-        return self.match.stop
+        return self.match.point
 
 
 @dataclass(frozen=True, eq=False)
 class Timeline:
-    """All stops with their rows; the start first."""
+    """All points with their rows; the start first."""
 
     rows: Rows
     visits: tuple[Visit, ...]
@@ -65,31 +65,65 @@ class Timeline:
             if visit.event is None:
                 continue
             if time <= self.rows.t[visit.arrive] + self.rows.doubt_t:
-                return visit.stop.source
+                return visit.point.source
             for hold in visit.holds:
                 if time < hold.end - self.rows.doubt_t:
                     return hold.wait.source
-        return self.visits[-1].stop.source
+        return self.visits[-1].point.source
 
-    def legs(self) -> list[tuple[Visit, Visit]]:
-        """Moves whose both ends the file shows and that leave their point: (from, to)."""
-        return [
-            (before, visit)
-            for before, visit in zip(self.visits, self.visits[1:], strict=False)
-            if before.event is not None and visit.event is not None and not visit.stay
-        ]
+    def runs(self) -> list[tuple[Visit, ...]]:
+        """From stop to stop with all that is passed between them, where the file shows every point and leaves the
+        first."""
+        found, chain = [], [self.visits[0]]
+        for visit in self.visits[1:]:
+            chain.append(visit)
+            if visit.point.fly_by is None:
+                if not visit.stay and all(one.event is not None for one in chain):
+                    found.append(tuple(chain))
+                chain = [visit]
+        return found
 
 
-def rows_of_move(rows: Rows, before: Visit, visit: Visit) -> tuple[int, int]:
-    """Rows of the move alone: between rests. Where no row stands at a rest, its nearest row is not on the line yet."""
-    first, last = before.depart, visit.arrive
+def rows_of_run(rows: Rows, visits: Sequence[Visit]) -> tuple[int, int]:
+    """Rows of a run alone: between rests. Where no row stands at a rest, its nearest row is not on the way yet."""
+    first, last = visits[0].depart, visits[-1].arrive
     if not rows.marked and last - first > 2:
         return first + 1, last - 1
     return first, last
 
 
+def rows_of_move(rows: Rows, before: Visit, visit: Visit) -> tuple[int, int]:
+    """Rows of a move from stop to stop, or of its part of a run; the nearest row of a rest without a row of its own
+    left out."""
+    first, last = before.depart, visit.arrive
+    if not rows.marked and last - first > 2:
+        return first + (before.point.fly_by is None), last - (visit.point.fly_by is None)
+    return first, last
+
+
+def outside_zones(
+    frame: Frame, before: Visit, visit: Visit, zone: str, first: bool = True, last: bool = True
+) -> tuple[int, int]:
+    """First and last row of a move outside the zones (radius, turning or external) at its ends; the last before the
+    first where there is none. first, last: which zones to leave out."""
+    a, b = rows_of_move(frame.rows, before, visit)
+    if first and before.point.fly_by is not None:
+        out = _far(frame, a, b, before.point, zone)
+        a = int(out[0]) if len(out) else b + 1
+    if last and visit.point.fly_by is not None:
+        out = _far(frame, a, b, visit.point, zone)
+        b = int(out[-1]) if len(out) else a - 1
+    return a, b
+
+
+def _far(frame: Frame, a: int, b: int, point: Point, zone: str) -> Indices:
+    """The rows a to b farther from a point than its zone reaches."""
+    away = np.linalg.norm(frame.p[a : b + 1] - point.X_WT[:3, 3], axis=1)
+    return a + np.flatnonzero(away > getattr(point.fly_by, zone))
+
+
 def build_timeline(
-    rows: Rows, frames: dict[bytes, Frame], start: Stop, matches: Sequence[Match], rapid: bool
+    rows: Rows, frames: dict[bytes, Frame], start: Point, matches: Sequence[Match], rapid: bool
 ) -> Timeline:
     """Walk through the stops in order. rapid: every axis must stand at the end of every wait."""
     visits = [_start(rows, frames[np.asarray(start.X_FT).tobytes()], start, rapid)]
@@ -97,9 +131,12 @@ def build_timeline(
         after = next((n.event for n in matches[k + 1 :] if n.event is not None and n.event is not m.event), None)
         before = visits[-1]
         if m.event is None:
-            if not m.stop.optional:
-                X_WF = before.X_WF if m.stop.X_WF is None else m.stop.X_WF
+            if not m.point.optional:
+                X_WF = before.X_WF if m.point.X_WF is None else m.point.X_WF
                 visits.append(Visit(m, None, False, before.arrive, before.depart, before.ready, X_WF))
+            continue
+        if m.point.fly_by is not None:
+            visits.append(_pass(rows, frames[np.asarray(m.point.X_FT).tobytes()], m, m.event, before))
             continue
         visit = _visit(rows, m, m.event, before, len(rows.t) if after is None else after.first, rapid)
         if visit.arrive < before.depart:  # both in one rest: the stop before ends where this one begins
@@ -108,10 +145,10 @@ def build_timeline(
     return Timeline(rows, tuple(visits))
 
 
-def _start(rows: Rows, frame: Frame, start: Stop, rapid: bool) -> Visit:
+def _start(rows: Rows, frame: Frame, start: Point, rapid: bool) -> Visit:
     """The stop at the first row, whatever its axes are; it lasts as long as the TCP rests there."""
     assert start.X_WF is not None
-    here = Stop(-1, None, None, start.name, start.X_WF, start.X_FT, None, None, False, start.holds)
+    here = Point(-1, None, None, start.name, start.X_WF, start.X_FT, None, None, False, start.holds)
     close = closeness(rows, frame, here, rapid)
     events = events_of(close)
     event = events[0] if events and events[0].first == 0 else Event(0, 0, np.array([], dtype=np.intp), 0)
@@ -122,8 +159,18 @@ def _start(rows: Rows, frame: Frame, start: Stop, rapid: bool) -> Visit:
     return Visit(m, event, False, 0, depart, ready, start.X_WF, holds)
 
 
+def _pass(rows: Rows, frame: Frame, m: Match, event: Event, before: Visit) -> Visit:
+    """A point that is passed, where the chords between rows come nearest to it, not before the point before it."""
+    assert m.point.X_WF is not None
+    first = min(before.depart, len(rows.t) - 2)
+    chords = np.arange(max(event.first, first), max(event.last, first + 1))
+    arrive = max(int(chords[np.argmin(off_chords(frame.p, m.point.X_WT[:3, 3], chords)[0])]), before.depart)
+    depart = min(arrive + 1, len(rows.t) - 1)
+    return Visit(m, event, False, arrive, depart, float(rows.t[arrive]), m.point.X_WF)
+
+
 def _visit(rows: Rows, m: Match, event: Event, before: Visit, limit: int, rapid: bool) -> Visit:
-    stop, good = m.stop, event.good
+    stop, good = m.point, event.good
     stay = stays(stop, before.X_WF)
     least = before.ready + ((stop.duration or 0.0) if stay else 0.0)
     arrive, depart = event.best, event.best
@@ -140,7 +187,7 @@ def _visit(rows: Rows, m: Match, event: Event, before: Visit, limit: int, rapid:
     return Visit(m, event, stay, arrive, depart, ready, X_WF, holds)
 
 
-def _holds(rows: Rows, stop: Stop, time: float, depart: int, rapid: bool) -> tuple[Hold, ...]:
+def _holds(rows: Rows, stop: Point, time: float, depart: int, rapid: bool) -> tuple[Hold, ...]:
     """Let every wait take its time from `time` on, and go on until every axis stands where that is wanted. One that
     holds the rail begins when the rail has come to rest: a stop may last longer than its waits."""
     out = []
@@ -166,7 +213,7 @@ def _across_drift(rows: Rows, m: Match, arrive: int, depart: int, limit: int) ->
 
     The drift itself is found where the dwell is looked at; here it must not pass for a dwell cut short.
     """
-    wanted = float(rows.t[arrive]) + sum(wait.duration for _, wait in m.stop.holds)
+    wanted = float(rows.t[arrive]) + sum(wait.duration for _, wait in m.point.holds)
     if rows.t[depart] >= wanted - DWELL - unseen(rows, depart):
         return depart
     back = [e for e in m.later if e.first < limit and rows.t[e.first] <= wanted + rows.doubt_t and len(e.good)]

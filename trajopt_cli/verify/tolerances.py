@@ -16,13 +16,15 @@ TCP = 1e-4
 rows of 1 kHz is good to 3e-5 of it."""
 
 LINE_POSITION = 1e-6
-"""Distance from the chord, m: a thirtieth of the robot's repeatability (0.03 mm)."""
+"""Distance from the chord or the circle, and in a corner from the zone's sphere and from the triangle of entry, point
+and exit, m: a thirtieth of the robot's repeatability (0.03 mm)."""
 
 LINE_ROTATION = 1e-6
-"""Angle from the slerp, rad: 1 um at a lever of 1 m."""
+"""Angle from the slerp, and in a corner of the rotation vector from its triangle, rad: 1 um at a lever of 1 m."""
 
 BACKWARD = 1e-6
-"""Way back along a line against the farthest point reached so far, m (rad on a pure reorientation)."""
+"""Way back along a line or an arc, outside zones, against the farthest point reached so far, m (rad on a pure
+reorientation)."""
 
 STOP_POSITION = 1e-6
 """Distance from a programmed point where the motion counts as there, m; also what it may drift in a dwell."""

@@ -1,4 +1,4 @@
-"""When a file without marks is at which stop of the program.
+"""When a file without marks is at which point of the program.
 
 Near rows: a row is near a stop when its pose is the wanted one within tolerance (for a MoveAbsJ its arm joints, for a
 MoveExtJ its rail with the TCP at rest). A file that has no row at the boundary itself shows a stop in its nearest row,
@@ -9,6 +9,10 @@ and a programmed rail position is met. Events are then matched with the stops in
 a good event (an event without good rows counts less, a missed optional point hardly), the earliest where several do. So
 one wrong stop stays one wrong stop: a point flown by, skipped or swapped does not shift the blame to the points after
 it. Consecutive stops at one pose (waits and moves of the redundant axis) share an event.
+
+A point that is passed needs no row: between two rows the TCP is no farther from their chord than a h^2/8. Its events
+are unbroken runs of intervals whose chords come so near to its zone (on an arc, to its second half), and its place in
+time is where the polyline through the rows comes nearest. It is matched in order with the stops.
 
 Within an event the time runs: the first good row is the arrival, each wait and each `\\T` takes its length from there,
 the last good row is the latest departure. A rest may be longer than asked; a slow plan is legal.
@@ -24,7 +28,7 @@ from numpy.typing import NDArray
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import MoveExtJ
-from trajopt_cli.verify.course import Stop
+from trajopt_cli.verify.course import Point
 from trajopt_cli.verify.frame import Frame, angular_acceleration
 from trajopt_cli.verify.geometry import angle_between
 from trajopt_cli.verify.rows import Rows
@@ -72,15 +76,16 @@ class Event:
 
 @dataclass(frozen=True, eq=False)
 class Match:
-    """What a stop found in the file. event None: it was never near. later: other events of the same stop."""
+    """What a point found in the file. event None: it was never near. later: other events of the same stop. close: None
+    for a point that is passed."""
 
-    stop: Stop
-    close: Closeness
+    point: Point
+    close: Closeness | None
     event: Event | None
     later: tuple[Event, ...]
 
 
-def closeness(rows: Rows, frame: Frame, stop: Stop, rapid: bool) -> Closeness:
+def closeness(rows: Rows, frame: Frame, stop: Point, rapid: bool) -> Closeness:
     """Every row against one stop. rapid: every axis must stand there."""
     limits, tau = rows.plant.limits, rows.open_time
     a, alpha = rows.plant.tcp.acceleration, angular_acceleration(rows)
@@ -134,52 +139,133 @@ def _core(close: Closeness, good: NDArray[np.intp]) -> NDArray[np.intp]:
     return np.concatenate(kept) if kept else good
 
 
-def match(rows: Rows, frames: dict[bytes, Frame], stops: Sequence[Stop], rapid: bool) -> list[Match]:
-    """Every stop after the start with its event; see the module's docstring for the rule."""
-    known: dict[tuple[object, ...], tuple[Closeness, tuple[Event, ...]]] = {}
+def passages(rows: Rows, frame: Frame, point: Point) -> tuple[Event, ...]:
+    """All events of a point that is passed, in time order; best: the row before the nearest place, and the one that
+    counts, for the chord to it may hold more points."""
+    assert point.fly_by is not None
+    P = point.X_WT[:3, 3]
+    size = point.fly_by.radius + STOP_POSITION
+    far = frame.squares - 2 * frame.p @ P + P @ P  # squares of the distances, to rounding
+    close = np.flatnonzero(far[:-1] <= (size + frame.reach + frame.chords) ** 2 + 1e-9)
+    if not len(close):
+        return ()
+    distance, share = off_chords(frame.p, P, close)
+    near = distance <= size + frame.reach[close]
+    away = close[:0]
+    if point.circle is not None:
+        at = frame.p[close] + share[:, None] * (frame.p[close + 1] - frame.p[close])
+        first_half = point.circle.progress(at) < 0.5
+        away, near = close[first_half], near & ~first_half
+    close, distance = close[near], distance[near]
+    gaps = [
+        int(k)
+        for k in np.flatnonzero(np.diff(close) > 1) + 1
+        if _leaves(close[k - 1], close[k], far, size + float(frame.reach[close[[k - 1, k]]].max()), away)
+    ]
+    out = []
+    for run in np.split(np.arange(len(close)), gaps) if len(close) else []:
+        best = int(close[run[np.argmin(distance[run])]])
+        out.append(Event(int(close[run[0]]), int(close[run[-1]]) + 1, np.array([max(best - 1, 0)]), best))
+    return tuple(out)
+
+
+def _leaves(before: int, after: int, far: Array, size: float, away: NDArray[np.intp]) -> bool:
+    """Whether the TCP is farther away between two intervals that come near than they are granted, or on the first half
+    of an arc. At a zone's edge a long interval may count as near and a short one behind it not."""
+    between = slice(*np.searchsorted(away, (before, after)))
+    return len(away[between]) > 0 or float(far[before + 1 : after + 1].max()) > size**2
+
+
+def never_near(rows: Rows, frames: dict[bytes, Frame], points: Sequence[Point]) -> set[int]:
+    """The indices of optional moves to whose points, or zones as programmed, the TCP never comes."""
+    out = set[int]()
+    for point in points:
+        if point.optional and point.X_WF is not None and point.move is not None:
+            frame = frames[np.asarray(point.X_FT).tobytes()]
+            reach = point.move.zone.radius + STOP_POSITION + frame.reach
+            chords = np.arange(len(rows.t) - 1)
+            if (off_chords(frame.p, point.X_WT[:3, 3], chords)[0] > reach).all():
+                out.add(point.index)
+    return out
+
+
+def off_chords(p: Array, P: Array, chords: NDArray[np.intp]) -> tuple[Array, Array]:
+    """Distances (m,) of a point P (3,) from the chords that begin at places p[chords], and the share of each where it
+    is nearest."""
+    a, way = p[chords], p[chords + 1] - p[chords]
+    share = np.clip(((P - a) * way).sum(axis=1) / np.maximum((way * way).sum(axis=1), 1e-300), 0.0, 1.0)
+    return np.linalg.norm(a + share[:, None] * way - P, axis=1), share
+
+
+def match(rows: Rows, frames: dict[bytes, Frame], points: Sequence[Point], rapid: bool) -> list[Match]:
+    """Every point after the start with its event; see the module's docstring for the rule."""
+    known: dict[tuple[object, ...], tuple[Closeness | None, tuple[Event, ...]]] = {}
     found = []
-    for stop in stops[1:]:
-        key = tuple(None if part is None else np.asarray(part).tobytes() for part in (stop.X_WF, stop.X_FT, stop.arm))
-        full = (*key, stop.rail, isinstance(stop.move, MoveExtJ))
+    for point in points[1:]:
+        key = tuple(
+            None if part is None else np.asarray(part).tobytes() for part in (point.X_WF, point.X_FT, point.arm)
+        )
+        circle = None if point.circle is None or point.fly_by is None else id(point)
+        full = (*key, point.rail, isinstance(point.move, MoveExtJ), point.fly_by, circle)
         if full not in known:
-            frame = frames[np.asarray(stop.X_FT).tobytes()]
-            close = closeness(rows, frame, stop, rapid)
-            known[full] = close, events_of(close)
+            frame = frames[np.asarray(point.X_FT).tobytes()]
+            if point.fly_by is not None:
+                known[full] = None, passages(rows, frame, point)
+            else:
+                close = closeness(rows, frame, point, rapid)
+                known[full] = close, events_of(close)
         found.append(known[full])
-    chosen = _align(stops[1:], [events for _, events in found])
+    chosen = _align(points[1:], [events for _, events in found])
     return [
-        Match(stop, close, event, tuple(e for e in events if event is None or e.first > event.last))
-        for stop, (close, events), event in zip(stops[1:], found, chosen, strict=True)
+        Match(point, close, event, tuple(e for e in events if event is None or e.first > event.last) if close else ())
+        for point, (close, events), event in zip(points[1:], found, chosen, strict=True)
     ]
 
 
-def _align(stops: Sequence[Stop], events: Sequence[tuple[Event, ...]]) -> list[Event | None]:
-    """Dynamic programme from the last stop back: value[r] is what the stops from here on are worth from rank r on."""
-    ends = sorted({event.end for own in events for event in own})
-    rank = {end: r for r, end in enumerate(ends)}
+def _align(points: Sequence[Point], events: Sequence[tuple[Event, ...]]) -> list[Event | None]:
+    """Dynamic programme from the last point back: value[r] is what the points from here on are worth from rank r on.
+
+    Of the passages of one point all are worth the same, so the first that is not over yet is the best."""
+    ends = np.array(sorted({event.end for own in events for event in own}), dtype=np.intp)
+    rank = {int(end): r for r, end in enumerate(ends)}
     values = [np.zeros(len(ends) + 1)]
-    for stop, own in zip(reversed(stops), reversed(events), strict=True):
+    for point, own in zip(reversed(points), reversed(events), strict=True):
         after = values[-1]
+        if point.fly_by is not None:
+            values.append(_passing(point, own, ends, after))
+            continue
         gain = np.full(len(ends) + 1, -np.inf)
         for event in own:
             r = rank[event.end]
-            gain[r] = max(gain[r], _worth(stop, event) + after[r])
+            gain[r] = max(gain[r], _worth(point, event) + after[r])
         values.append(np.maximum(after, np.maximum.accumulate(gain[::-1])[::-1]))
     values.reverse()
     chosen: list[Event | None] = []
     now = 0
-    for k, (stop, own) in enumerate(zip(stops, events, strict=True)):
+    for k, (point, own) in enumerate(zip(points, events, strict=True)):
         pick = None
         for event in own:
-            r = rank[event.end]
-            if r >= now and _worth(stop, event) + values[k + 1][r] >= values[k][now] - 1e-9:
-                pick = event
+            over = now < len(ends) and event.last < ends[now] if point.fly_by is not None else rank[event.end] < now
+            r = max(rank[event.end], now)
+            if not over and _worth(point, event) + values[k + 1][r] >= values[k][now] - 1e-9:
+                pick, now = event, r
                 break
         chosen.append(pick)
-        if pick is not None:
-            now = rank[pick.end]
     return chosen
 
 
-def _worth(stop: Stop, event: Event) -> float:
-    return (0.25 if stop.optional else 1.0) * (1.0 if len(event.good) else 0.6)
+def _passing(point: Point, own: tuple[Event, ...], ends: NDArray[np.intp], after: Array) -> Array:
+    """The values before a point that is passed, from those after it."""
+    if not own:
+        return after
+    first = np.searchsorted([event.last for event in own], ends)
+    ranks = np.searchsorted(ends, [event.end for event in own])
+    there = np.flatnonzero(first < len(own))
+    out = np.array(after)
+    then = np.maximum(ranks[first[there]], there)
+    out[there] = np.maximum(out[there], _worth(point, own[0]) + after[then])
+    return out
+
+
+def _worth(point: Point, event: Event) -> float:
+    return (0.25 if point.optional else 1.0) * (1.0 if len(event.good) else 0.6)

@@ -17,6 +17,7 @@ from trajopt_cli.rapid.execution.functions.table import FUNCTIONS
 from trajopt_cli.rapid.execution.instructions.table import INSTRUCTIONS
 from trajopt_cli.rapid.execution.jumps import Jump, Return
 from trajopt_cli.rapid.execution.loading import find_type
+from trajopt_cli.rapid.execution.loops import count_endless, leaves
 from trajopt_cli.rapid.execution.mismatch import Mismatch
 from trajopt_cli.rapid.execution.operators import computed
 from trajopt_cli.rapid.language.syntax import (
@@ -164,6 +165,11 @@ def enter(run: Run, routine: Routine, scope: ModuleScope, args: Sequence[Argumen
         raise run.exhausted(node)
     head = _head(run, routine, scope)
     frame = Frame(scope, returns=head.returns, routine=routine, motions=len(run.motions))
+    if routine is run.frame.routine and node is routine.body[-1] and not args and len(run.motions) > run.frame.motions:
+        loop = f"{routine.kind} {routine.name}, whose last statement calls it again,"
+        counted = run.frame.turns.get(id(node), (0, 0))[1]
+        counted = count_endless(run, node, loop, leaves(routine.body), run.depth, counted, run.frame.motions)
+        frame.turns[id(node)] = (frame.motions, counted)
     if args or routine.parameters:
         _pass(run, routine, head, present(run, args), frame, node)
     before, link = run.frame, run.link

@@ -7,13 +7,9 @@ from dataclasses import dataclass
 from pathlib import PurePath
 from typing import TYPE_CHECKING
 
-from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.motion import Happens, Hold, Motion, PathEvent, Program, SignalEvent, Source, Span, Wait
 from trajopt_cli.notices import NoticeKind
-from trajopt_cli.rapid.execution.once import Link
-from trajopt_cli.rapid.language.syntax import Module, Routine, Statement
-from trajopt_cli.rapid.language.text import Places
-from trajopt_cli.rapid.language.walk import walk
+from trajopt_cli.rapid.execution.named import Around, Modules, named
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
@@ -33,7 +29,7 @@ class _Entry:
     place: Source | None = None
 
 
-def fill_holds(run: Run, modules: Sequence[tuple[Module, Places]]) -> None:
+def fill_holds(run: Run, modules: Modules) -> None:
     """Fill the hold of every motion of a finished run, and warn of marks and entries that hold none.
 
     Raises InputError for a procedure or a line in the cell file that the program does not have.
@@ -70,48 +66,16 @@ def _marked(run: Run) -> Iterator[_Entry]:
         yield _Entry(Hold.PROGRAM, (span,), "marked 'hold rail', but no move and no wait ran there", place)
 
 
-def _named(run: Run, modules: Sequence[tuple[Module, Places]]) -> Iterator[_Entry]:
+def _named(run: Run, modules: Modules) -> Iterator[_Entry]:
     """What the cell file names by procedure or line."""
     wish = run.scenario.hold_rail
-    if wish.procedures:
-        routines = [
-            (places.span(node.start, node.end), node.name)
-            for module, places in modules
-            for node in module.items
-            if isinstance(node, Routine)
-        ]
-        for name in sorted(wish.procedures):
-            spans = tuple(span for span, spelled in routines if spelled.lower() == name)
-            if not spans:
-                message = f"hold_rail in the cell file: the program has no procedure '{name}'"
-                raise InputError(run.meant(name, message, [spelled for _, spelled in routines]), kind=ErrorKind.CELL)
-            yield _Entry(Hold.CELL, spans, f"hold_rail in the cell file: no move and no wait ran in {name}")
-    for file, line in sorted(wish.lines, key=lambda one: (one[0] or "", one[1])):
-        shown = f"{file}:{line}" if file else str(line)
-        spans = tuple(_statements(file, line, shown, modules))
-        if not spans:
-            raise InputError(f"hold_rail in the cell file: no statement begins in line {shown}", kind=ErrorKind.CELL)
-        yield _Entry(Hold.CELL, spans, f"hold_rail in the cell file: no move and no wait ran in line {shown}")
-
-
-def _statements(file: str | None, line: int, shown: str, modules: Sequence[tuple[Module, Places]]) -> Iterator[Span]:
-    """The statements and routines that begin in a line."""
-    files = sorted({places.file for _, places in modules})
-    if file is None and len(files) > 1:
-        example = f"{PurePath(files[0]).name}:{line}"
-        message = f"line {shown} could be in any of {len(files)} files; name one, '{example}'"
-        raise InputError(f"hold_rail in the cell file: {message}", kind=ErrorKind.CELL)
-    for module, places in modules:
-        if file is None or PurePath(places.file).name.lower() == file.lower():
-            for node in walk(module):
-                if isinstance(node, Statement | Routine) and places.line(node.start) == line:
-                    yield places.span(node.start, node.end)
+    for one in named(run, modules, "hold_rail", wish.procedures, wish.lines):
+        yield _Entry(Hold.CELL, one.spans, f"hold_rail in the cell file: no move and no wait ran in {one.text}")
 
 
 def _held(run: Run, entries: Sequence[_Entry]) -> dict[int, Hold]:
     """Why motions are held, by their index; warns of the entries that hold none."""
-    stretches = [(span, number) for number, entry in enumerate(entries) for span in entry.spans]
-    around = _Around(stretches)
+    around = Around([entry.spans for entry in entries])
     used: set[int] = set()
     out: dict[int, Hold] = {}
     for index, (motion, link) in enumerate(zip(run.motions, run.links, strict=True)):
@@ -122,33 +86,6 @@ def _held(run: Run, entries: Sequence[_Entry]) -> dict[int, Hold]:
         if number not in used:
             run.warn(NoticeKind.UNUSED, entry.unused, entry.place)
     return out
-
-
-class _Around:
-    """Which entries a motion stands in, by the statement that made it and those that it ran inside, calls included."""
-
-    def __init__(self, stretches: Sequence[tuple[Span, int]]):
-        self._stretches = stretches
-        self._links: dict[int, frozenset[int]] = {}  # by id
-        self._statements: dict[int, frozenset[int]] = {}  # by id, of the statement alone
-
-    def __call__(self, link: Link | None) -> frozenset[int]:
-        passed = []
-        while link is not None and id(link) not in self._links:
-            passed.append(link)
-            link = link[1]
-        found = frozenset[int]() if link is None else self._links[id(link)]
-        for one in reversed(passed):
-            self._links[id(one)] = found = found | self._own(one)
-        return found
-
-    def _own(self, link: Link) -> frozenset[int]:
-        node, _, file = link
-        if id(node) not in self._statements:
-            self._statements[id(node)] = frozenset(
-                number for span, number in self._stretches if span.file == file and span.start <= node.start < span.end
-            )
-        return self._statements[id(node)]
 
 
 def _after_outputs(motions: Sequence[Motion]) -> Iterator[Wait]:

@@ -22,6 +22,7 @@ from trajopt_cli.rapid.execution.calls import Head, enter, function
 from trajopt_cli.rapid.execution.evaluate import convertible, locate
 from trajopt_cli.rapid.execution.faults import Fault, Undeclared
 from trajopt_cli.rapid.execution.jumps import Exit
+from trajopt_cli.rapid.execution.loops import unchanged
 from trajopt_cli.rapid.execution.once import Link, fill_once
 from trajopt_cli.rapid.execution.operators import computed
 from trajopt_cli.rapid.execution.outside import Outside
@@ -39,6 +40,7 @@ from trajopt_cli.rapid.language.syntax import (
     Name,
     Node,
     Routine,
+    While,
 )
 from trajopt_cli.rapid.language.text import Places
 from trajopt_cli.scenario import Scenario
@@ -86,6 +88,7 @@ class Run:
         self.links: list[Link | None] = []  # of each motion
         self.takes: dict[str, tuple[str, ...]] = {}  # the required arguments of instructions and functions that ran
         self._labels: dict[int, dict[str, int]] = {}  # by the block's id
+        self._kept: dict[int, frozenset[str]] = {}  # by the loop's id
         self._noted: set[str] = set()
 
     # ---------------------------------------------------------------------------------------- places and messages
@@ -253,7 +256,10 @@ class Run:
         elif missing > 0:
             self.links += [self.link] * missing
         if len(self.motions) > MOTION_LIMIT:
-            message = f"the program makes more than {MOTION_LIMIT} motions"
+            message = (
+                f"the program makes more than {MOTION_LIMIT} motions; if a loop around this one goes on and on, "
+                "give values that end it in the cell file (signals, answers, data)"
+            )
             raise self.error(self.link[0], message) if self.link else InputError(message, file=self.file)
 
     def labels(self, block: Block) -> dict[str, int]:
@@ -262,6 +268,13 @@ class Run:
         if found is None:
             found = {node.name.lower(): i for i, node in enumerate(block) if isinstance(node, Label)}
             self._labels[id(block)] = found
+        return found
+
+    def kept(self, loop: While) -> frozenset[str]:
+        """The variables of the routine that runs, in lower case, that it names nowhere but in a loop's condition."""
+        found = self._kept.get(id(loop))
+        if found is None:
+            found = self._kept[id(loop)] = unchanged(self.frame.routine, loop)
         return found
 
     def spend(self, node: Node, size: int) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING
 
 from trajopt_cli.errors import InputError
@@ -15,6 +15,7 @@ from trajopt_cli.rapid.execution.mismatch import mismatch
 from trajopt_cli.rapid.language.syntax import (
     Binary,
     Boolean,
+    DataDeclaration,
     Expression,
     For,
     Goto,
@@ -25,6 +26,7 @@ from trajopt_cli.rapid.language.syntax import (
     ProcedureCall,
     Raise,
     Return,
+    Routine,
     Simple,
     Statement,
     String,
@@ -32,6 +34,7 @@ from trajopt_cli.rapid.language.syntax import (
     Unary,
     While,
 )
+from trajopt_cli.rapid.language.walk import walk
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
@@ -73,8 +76,8 @@ def _bound(run: Run, node: Expression) -> tuple[float, Type]:
 
 
 def run_while(run: Run, node: While) -> None:
-    """WHILE; one whose condition is always true runs as often as the scenario says."""
-    if always(run, node.condition):
+    """WHILE; one whose condition is always true, or nothing can change, runs as often as the scenario says."""
+    if always(run, node.condition, run.kept(node)):
         loop = f"WHILE {run.text(node.condition)}"
         exits, passes, counted = leaves(node.body), 0, 0
         while True:
@@ -172,9 +175,12 @@ def count_endless(run: Run, node: Statement, loop: str, exits: bool, passes: int
     return counted
 
 
-def always(run: Run, node: Expression) -> bool:
-    """Whether a condition is TRUE whatever happens: made of literals and constants."""
-    return _constant(run, node) and condition(run, node)
+def always(run: Run, node: Expression, kept: Collection[str] = ()) -> bool:
+    """Whether a condition is TRUE whatever happens: made of literals, constants, and variables that nobody changes.
+
+    kept: these variables, in lower case.
+    """
+    return _constant(run, node, kept) and condition(run, node)
 
 
 def never(run: Run, node: Expression) -> bool:
@@ -182,16 +188,30 @@ def never(run: Run, node: Expression) -> bool:
     return _constant(run, node) and not condition(run, node)
 
 
-def _constant(run: Run, node: Expression) -> bool:
+def unchanged(routine: Routine | None, loop: While) -> frozenset[str]:
+    """The variables of a routine's own, in lower case, that it names nowhere but in a loop's condition."""
+    if routine is None:
+        return frozenset()
+    condition_ = {id(node) for node in walk(loop.condition)}
+    declared: set[str] = set()
+    used: set[str] = set()
+    for node in walk((routine.body, routine.handlers)):
+        name = getattr(node, "name", None)
+        if isinstance(name, str) and id(node) not in condition_:
+            (declared if isinstance(node, DataDeclaration) else used).add(name.lower())
+    return frozenset(declared - used)
+
+
+def _constant(run: Run, node: Expression, kept: Collection[str] = ()) -> bool:
     if isinstance(node, (Boolean, Number, String)):
         return True
     if isinstance(node, Binary):
-        return _constant(run, node.left) and _constant(run, node.right)
+        return _constant(run, node.left, kept) and _constant(run, node.right, kept)
     if isinstance(node, Unary):
-        return _constant(run, node.operand)
+        return _constant(run, node.operand, kept)
     if isinstance(node, Name):
         place = run.find(node.name)
-        return isinstance(place, Datum) and place.declared_constant
+        return isinstance(place, Datum) and (place.declared_constant or node.name.lower() in kept)
     return False
 
 

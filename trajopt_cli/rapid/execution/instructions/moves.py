@@ -128,6 +128,7 @@ def move_abs_j(run: Run, node: ProcedureCall) -> None:
         settings=run.settings,
         q=np.array(robax) * DEG,
         tool=setup.tool or Tool(setup.name, matrix(setup.base or IDENTITY), stationary=True),
+        wobj=setup.wobj if "wobj" in args.optional else None,
     )
     run.motions.append(motion)
     run.position.to_joints(setup, motion.q, motion.extax)
@@ -193,6 +194,7 @@ def to_pose(
         "events": events,
         "process": process,
         "hold": None,
+        "constant_speed": False,
         "conf": conf,
         "tool": setup.tool or Tool(setup.name, matrix(placed), stationary=True),
         "wobj": setup.wobj,

@@ -39,10 +39,15 @@ if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
 
 
-def record(run: Run, node: ProcedureCall, duration: float, condition: str | None = None) -> None:
+def record(
+    run: Run, node: ProcedureCall, duration: float, condition: str | None = None, in_position: bool = False
+) -> None:
     """Stand still; see motion.Wait."""
     written = Written(statement=run.places().span(node.start, node.end))
-    run.motions.append(Wait(source=run.source(node), written=written, duration=duration, condition=condition))
+    made = Wait(
+        source=run.source(node), written=written, duration=duration, condition=condition, in_position=in_position
+    )
+    run.motions.append(made)
 
 
 # ------------------------------------------------------------------------------------------------- time, standstill
@@ -56,12 +61,12 @@ def _wait_time(run: Run, node: ProcedureCall) -> None:
     if seconds > LONGEST_WAIT:
         message = f"WaitTime {seconds:.6g} s: more than {LONGEST_WAIT:,} s (11 days); check the value"
         raise run.error(args.required[0], message)
-    record(run, node, seconds)
+    record(run, node, seconds, in_position="inpos" in args.optional)
 
 
 def _wait_robot(run: Run, node: ProcedureCall) -> None:
     if bind(run, node, (), ("InPos", "ZeroSpeed")).optional:
-        record(run, node, 0.0)
+        record(run, node, 0.0, in_position=True)
     else:
         run.ignored["WaitRob"] += 1
 

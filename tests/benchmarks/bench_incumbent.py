@@ -1,0 +1,498 @@
+"""Against a plain peer: python tests/benchmarks/bench_incumbent.py [--seeds 101-150] [--json FILE].
+
+Programs of stops by the generator of bench_cells.py. The peer is what an engineer writes in a day around toppra:
+dynamic programming over rail positions on a uniform grid (and those written), branches and turns at every point; joint
+moves straight in the joints, lines and waits along a rail that shares the way's progress; every edge of the best chain
+timed by toppra, the chain searched anew until none of its edges is an estimate; then twice on finer grids around it.
+Caps on the TCP's acceleration slow a whole leg down until they hold. Beside it stand trajopt's legal incumbent, which
+is its plan for the RAPID controller and answers the same question, and its plan for a stream of joint positions, which
+may do more. All are judged from the rows of a file; seconds are those of the processor, from program to rows.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import multiprocessing
+import os
+import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from itertools import count, pairwise
+from multiprocessing.connection import Connection
+from pathlib import Path
+from time import process_time
+
+import numpy as np
+from bench_cells import PATIENCE, program
+
+from trajopt_cli.geometry import Array, inverse_pose
+from trajopt_cli.job import Job, read_job
+from trajopt_cli.joint_csv import write_csv_text
+from trajopt_cli.optimize import optimize
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.reach import StationTable, station_table
+from trajopt_cli.pipeline.planning import judge, may_change, worst
+from trajopt_cli.problem.changes import Loops
+from trajopt_cli.problem.freedom import EVERYTHING
+from trajopt_cli.problem.plan import Infeasible, Target
+from trajopt_cli.problem.problem import Leg, LegKind, Problem, build_problem
+from trajopt_cli.robot.kinematics import inverse_acceleration, inverse_velocity
+from trajopt_cli.study.rows import Piece, hold, rows_of
+from trajopt_cli.timing.law import TimeLaw, fastest_law
+from trajopt_cli.trajectory import Trajectory, hermite
+
+POSITIONS = 25  # of the rail on the first grid
+FINER = ((4, 4), (4, 16))  # positions to either side of the chain's, and into how many parts they split the first grid
+COARSE, FINE = 25, 401  # points of toppra on an edge of the search, and of the answer
+AGAIN = 25  # chains between two times that states out of the question are left out
+NEARLY = 0.97  # of an estimated time stand for a least one
+BUDGET = 8.0  # s of processor for the peer's search on each grid
+SETTLED = 2e-4  # relative: the chain is that near the least that any could take
+SAFE = 1 + 2e-6  # slowing besides: rows of a file are not quite the path
+
+
+@dataclass(frozen=True, eq=False)
+class Way:
+    """One leg from axes q_0 to q_1 (k,): at shares s (m,) of it q, dq/ds, d2q/ds2 (m, k)."""
+
+    axes: Axes
+    leg: Leg
+    q_0: Array
+    q_1: Array
+    X_WF: Array  # (4, 4) where the tool rests
+    cfx: int
+
+    def at(self, s: Array) -> tuple[Array, Array, Array] | None:
+        """None where the configuration ends on the way."""
+        D = self.q_1 - self.q_0
+        if self.leg.kind is LegKind.JOINT:
+            return self.q_0 + s[:, None] * D, np.tile(D, (len(s), 1)), np.zeros((len(s), len(D)))
+        layout, robot, segment = self.axes.layout, self.axes.robot, self.leg.segment
+        way = float(layout.place(D))
+        # turns are followed from the begin, so the points between are dense whatever s is
+        every = np.union1d(s, np.linspace(0, 1, COARSE))
+        X_WF = self.X_WF if segment is None else segment.pose(every) @ inverse_pose(self.leg.X_FT)
+        rail = float(layout.place(self.q_0)) + every * way
+        arm = self.axes.inverse(np.broadcast_to(X_WF, (len(every), 4, 4)), rail)[:, self.cfx]
+        arm = np.unwrap(arm, axis=0)
+        arm += 2 * np.pi * np.round((self.q_0[layout.arm] - arm[0]) / (2 * np.pi))
+        q = layout.join(rail, arm)
+        inside = (q >= self.axes.lower - 1e-9) & (q <= self.axes.upper + 1e-9)
+        if not inside.all() or np.abs(q[[0, -1]] - [self.q_0, self.q_1]).max() > 1e-6:
+            return None
+        q[0], q[-1] = self.q_0, self.q_1
+        q = q[np.searchsorted(every, s)]
+        twist = np.zeros((len(s), 6)) if segment is None else segment.twist(s)
+        try:
+            dq = inverse_velocity(robot, q, twist, way if layout.has_rail else None, self.leg.X_FT)
+            ddq = inverse_acceleration(robot, q, dq, 0 * twist, 0.0 if layout.has_rail else None, self.leg.X_FT)
+        except ValueError:  # singular on the way
+            return None
+        return q, dq, ddq
+
+    def tool(self, q: Array, qd: Array, qdd: Array) -> tuple[Array, Array]:
+        """The TCP's velocity (m, 6) and acceleration (m, 3)."""
+        J, J_rate = self.axes.jacobian(q, self.leg.X_FT), self.axes.jacobian_rate(q, qd, self.leg.X_FT)
+        A = J[:, :3] @ qdd[..., None] + J_rate[:, :3] @ qd[..., None]
+        return (J @ qd[..., None])[..., 0], A[..., 0]
+
+    def used(self, qd: Array, V: Array) -> Array:
+        """The greatest share (m,) of a speed's limit that axes at qd (m, k) and the tool at V (m, 6) use."""
+        tool = np.linalg.norm(V[:, :3], axis=1) / self.leg.v_tcp, np.linalg.norm(V[:, 3:], axis=1) / self.leg.v_ori
+        return np.max([(np.abs(qd) / self.axes.velocity_on(self.leg)).max(axis=1), *tool], axis=0)
+
+    def slowing(self, q: Array, qd: Array, qdd: Array) -> float:
+        """By what factor a motion on this leg must take longer to keep its limits."""
+        V, A = self.tool(q, qd, qdd)
+        hard = (np.abs(qdd) / self.axes.acceleration).max(), np.linalg.norm(A, axis=1).max() / self.leg.a_tcp
+        return float(max(1.0, self.used(qd, V).max(), np.sqrt(max(hard))))
+
+    def law(self, n: int) -> TimeLaw | None:
+        """By toppra on n points; longer where the TCP's acceleration wants it, and where the program says how long."""
+        s = np.linspace(0, 1, n)
+        path = self.at(s)
+        if path is None:
+            return None
+        q, dq, ddq = path
+        V, bent = self.tool(q, dq, ddq)
+        used = self.used(dq, V)
+        # toppra's solver dislikes columns of nothing
+        moves = np.abs(dq).max(axis=0) > 1e-9
+        slope, bend = ((x / self.axes.acceleration)[:, moves] for x in (dq, ddq))
+        law = None
+        if moves.any():
+            for scale in (1.0, 10.0, 0.1):  # it also gives up on some numbers that it finds too large or too small
+                rows = slope / scale, bend / scale**2
+                law = fastest_law(
+                    s * scale, scale / np.maximum(used, 1e-6), (rows[0][:-1], rows[1][:-1]),
+                    (rows[0][1:], rows[1][1:]), 0.0, 0.0,
+                )  # fmt: skip
+                if law is not None:
+                    law = TimeLaw(s, law.rates / scale)
+                    break
+        if law is None:
+            return None
+        u = np.gradient(law.rates**2, s) / 2
+        A = V[:, :3] * u[:, None] + bent * (law.rates**2)[:, None]
+        law = law.slowed(max(1.0, float(np.sqrt(np.linalg.norm(A, axis=1).max() / self.leg.a_tcp))))
+        if self.leg.duration is None:
+            return law
+        return law.slowed(self.leg.duration / law.duration) if law.duration <= self.leg.duration else None
+
+    def piece(self) -> Piece | None:
+        """The motion as it is written, slowed down until the cubics between rows keep all limits."""
+        still = not np.any(self.q_1 != self.q_0)
+        if still:
+            return hold(self.q_0, self.leg.duration or 0.0)
+        law = self.law(FINE)
+        for _ in range(3):
+            if law is None:
+                return None
+            piece = Piece(law.duration, law.times, partial(self._run, law))
+            rows = rows_of(self.axes.names, [piece], self.q_1)
+            factor = self.slowing(*hermite(rows, np.r_[rows.t[:-1] + 1e-9, rows.t[1:] - 1e-9]))
+            if factor == 1.0 or self.leg.duration is not None:
+                break
+            law = law.slowed(factor * SAFE)
+        return piece
+
+    def _run(self, law: TimeLaw, t: Array) -> tuple[Array, Array]:
+        s, rate, _ = law.at(t)
+        unique, where = np.unique(s, return_inverse=True)
+        path = self.at(unique)
+        assert path is not None, "the way was driven at its points"
+        return path[0][where], path[1][where] * rate[:, None]
+
+
+@dataclass(frozen=True, eq=False)
+class Layer:
+    """What the axes may be at one waypoint: q (m, k), the number of the station's label and its branch (m,)."""
+
+    q: Array
+    label: Array
+    cfx: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Chain:
+    """Axes q and branch at every waypoint, and the time that all legs take by toppra."""
+
+    time: float
+    q: list[Array]
+    cfx: list[int]
+
+
+def trapezoid(way: Array, v: Array | float, a: Array | float) -> Array:
+    """Time of a way from rest to rest."""
+    return np.where(way > v * v / a, way / v + v / a, 2 * np.sqrt(way / a))
+
+
+class Peer:
+    """The search of one program."""
+
+    def __init__(self, axes: Axes, problem: Problem):
+        if problem.ties:
+            raise NotImplementedError("targets that serve several passes: the peer knows no such thing")
+        self.axes, self.problem = axes, problem
+        self.times: dict[tuple[int, bytes], float] = {}  # of edges that toppra timed
+
+    # ---------------------------------------------------------------------------------------------- states and edges
+
+    def layers(self, chain: list[Array] | None, beside: int, parts: int) -> list[Layer]:
+        """States at all waypoints: on the first grid, or beside a chain (M, k) on a finer one."""
+        place, out = self.axes.layout.place, list[Layer]()
+        for first, last in self.problem.stations:
+            stops = self.problem.waypoints[first : last + 1]
+            fixed = [stop.rail[0] for stop in stops if stop.rail[0] == stop.rail[1]]
+            low, high = max((stop.rail for stop in stops), key=lambda rail: rail[1] - rail[0])
+            grid = np.linspace(low, high, POSITIONS)
+            if chain is not None:
+                step = (grid[1] - grid[0]) / parts
+                near = np.array([float(place(q)) for q in chain[first : last + 1]])
+                grid = (near[:, None] + step * np.arange(-beside, beside + 1)).ravel()
+            written = [stop.written for stop in stops]
+            grid = np.round(np.clip(np.r_[grid, written], low, high), 9)
+            table = station_table(self.axes, self.problem, first, last, np.unique(np.r_[grid, fixed]))
+            out += [self._layer(table, i) for i in range(last - first + 1)]
+        return out
+
+    def _layer(self, table: StationTable, i: int) -> Layer:
+        arm = table.waypoints[i]
+        label, rail = np.nonzero(~np.isnan(arm[..., 0]))
+        cfx = np.array([one.cfx for one in table.labels], dtype=int)
+        return Layer(self.axes.layout.join(table.d[rail], arm[label, rail]), label, cfx[label])
+
+    def least(self, k: int, a: Layer, b: Layer) -> Array:
+        """No edge (m_a, m_b) of leg k takes less: every axis by itself (in joint moves all in proportion), and the
+        tool along the chord."""
+        leg, axes = self.problem.legs[k], self.axes
+        D = np.abs(b.q[None] - a.q[:, None])
+        V, A = axes.velocity_on(leg), axes.acceleration
+        rail = axes.layout.place(D) > 0 if axes.layout.has_rail else np.zeros(D.shape[:2], dtype=bool)
+        if leg.kind is LegKind.JOINT:
+            share = np.maximum(D, 1e-12)
+            T = trapezoid(np.ones(D.shape[:2]), (V / share).min(axis=-1), (A / share).min(axis=-1))
+            p_a, p_b = ((axes.forward(x.q) @ leg.X_FT)[:, :3, 3] for x in (a, b))
+            chord = np.linalg.norm(p_b[None] - p_a[:, None], axis=-1)
+            T = np.maximum(T, trapezoid(chord, leg.v_tcp, leg.a_tcp))
+        else:
+            T = trapezoid(D, V, A).max(axis=-1)
+            if leg.segment is not None:
+                T = np.maximum(T, trapezoid(np.array(leg.chord), leg.v_tcp, leg.a_tcp))
+                T = np.maximum(T, leg.angle / leg.v_ori)
+            T = np.where(a.label[:, None] == b.label, T, np.inf)
+        if leg.duration is not None:
+            T = np.where(leg.duration * (1 + 1e-9) >= T, leg.duration, np.inf)
+        return np.where(rail & (not leg.rail_moves), np.inf, T)
+
+    def bent(self, k: int, a: Layer, b: Layer, rows: Array, columns: Array) -> Array:
+        """Somewhat less than the time of the given edges of a joint move: a trapezoid whose top follows the tool's way
+        through nine places."""
+        leg, axes = self.problem.legs[k], self.axes
+        s = np.linspace(0, 1, 9)[:, None]
+        T = np.empty(len(rows))
+        for part in np.array_split(np.arange(len(rows)), len(rows) // 2000 + 1):
+            q_0, q_1 = a.q[rows[part]], b.q[columns[part]]
+            p = (axes.forward(q_0[:, None] + s * (q_1 - q_0)[:, None]) @ leg.X_FT)[..., :3, 3]
+            slope = np.linalg.norm(np.diff(p, axis=1), axis=-1) * (len(s) - 1)
+            D = np.maximum(np.abs(q_1 - q_0), 1e-12)
+            hard, axis_top = ((limit / D).min(axis=1) for limit in (axes.acceleration, axes.velocity_on(leg)))
+            top = np.minimum(leg.v_tcp / np.maximum(slope, 1e-9), np.minimum(axis_top, np.sqrt(hard))[:, None])
+            T[part] = NEARLY * ((1 / top).mean(axis=1) + (top[:, 0] + top[:, -1]) / (2 * hard))
+        return T
+
+    def way(self, k: int, q_0: Array, q_1: Array, cfx: int) -> Way:
+        """Leg k between two states."""
+        return Way(self.axes, self.problem.legs[k], q_0, q_1, np.asarray(self.problem.waypoints[k].X_WF), cfx)
+
+    def timed(self, k: int, q_0: Array, q_1: Array, cfx: int) -> float:
+        """Time of an edge by toppra, infinite where there is none."""
+        key = k, q_0.tobytes() + q_1.tobytes()
+        if key not in self.times:
+            leg = self.problem.legs[k]
+            law = self.way(k, q_0, q_1, cfx).law(COARSE) if np.any(q_0 != q_1) else None
+            still = np.inf if np.any(q_0 != q_1) else leg.duration or 0.0
+            self.times[key] = still if law is None else law.duration
+        return self.times[key]
+
+    # -------------------------------------------------------------------------------------------------------- search
+
+    def best(self, layers: list[Layer], found: Chain | None = None) -> Chain | None:
+        """The chain of least time: estimates say too little, and are replaced along each best chain in turn. found: a
+        chain known already, which the answer does not fall behind."""
+        if not all(len(layer.q) for layer in layers):
+            return found
+        edges = [self.least(k, a, b) for k, (a, b) in enumerate(pairwise(layers))]
+        until = process_time() + BUDGET
+        for turn in count():
+            if found is not None and turn % AGAIN == 0:
+                self._bend(layers, edges, found.time)
+                layers, edges = _cut(layers, edges, found.time)
+            least, path = _shortest(edges)
+            if not np.isfinite(least) or process_time() > until:
+                break
+            if found is not None and least >= found.time * (1 - SETTLED):
+                break
+            for k, (i, j) in enumerate(pairwise(path)):
+                a, b = layers[k], layers[k + 1]
+                edges[k][i, j] = self.timed(k, a.q[i], b.q[j], int(max(a.cfx[i], b.cfx[j])))
+            time = float(sum(T[i, j] for T, (i, j) in zip(edges, pairwise(path), strict=True)))
+            if np.isfinite(time) and (found is None or time < found.time):
+                states = list(zip(layers, path, strict=True))
+                found = Chain(time, [x.q[i] for x, i in states], [int(x.cfx[i]) for x, i in states])
+        return found
+
+    def _bend(self, layers: list[Layer], edges: list[Array], most: float) -> None:
+        """The sharper estimate for all joint moves that may be part of a chain that takes less than `most`."""
+        before, after = _from_ends(edges)
+        for k, T in enumerate(edges):
+            if self.problem.legs[k].kind is LegKind.JOINT and np.isfinite(self.problem.legs[k].v_tcp):
+                rows, columns = np.nonzero(before[k][:, None] + T + after[k + 1] < most)
+                T[rows, columns] = np.maximum(T[rows, columns], self.bent(k, layers[k], layers[k + 1], rows, columns))
+
+
+def _shortest(edges: list[Array]) -> tuple[float, list[int]]:
+    """The least time from the first layer to the last, and the states on the way."""
+    before, back = np.zeros(len(edges[0])), []
+    for T in edges:
+        total = before[:, None] + T
+        back.append(np.argmin(total, axis=0))
+        before = total.min(axis=0)
+    path = [int(np.argmin(before))]
+    for step in reversed(back):
+        path.append(int(step[path[-1]]))
+    return float(before.min()), path[::-1]
+
+
+def _from_ends(edges: list[Array]) -> tuple[list[Array], list[Array]]:
+    """The least time to every state from the first layer, and from it to the last."""
+    before, after = [np.zeros(len(edges[0]))], [np.zeros(edges[-1].shape[1])]
+    for T in edges:
+        before.append((before[-1][:, None] + T).min(axis=0))
+    for T in reversed(edges):
+        after.append((T + after[-1]).min(axis=1))
+    return before, after[::-1]
+
+
+def _cut(layers: list[Layer], edges: list[Array], most: float) -> tuple[list[Layer], list[Array]]:
+    """Without the states that no chain goes through in less than `most`; those of one such chain remain."""
+    before, after = _from_ends(edges)
+    keep = [a + b <= most * (1 + 1e-9) for a, b in zip(before, after, strict=True)]
+    kept = [Layer(x.q[some], x.label[some], x.cfx[some]) for x, some in zip(layers, keep, strict=True)]
+    return kept, [T[np.ix_(a, b)] for T, (a, b) in zip(edges, pairwise(keep), strict=True)]
+
+
+def peer(job: Job) -> tuple[Trajectory | str, Target]:
+    """The peer's motion, which is one for the RAPID controller; or why there is none."""
+    agreed = may_change(job, Loops.KEEP)
+    problem = build_problem(job.program, job.plant, EVERYTHING, Target.RAPID, agreed.changes[Target.RAPID])
+    if isinstance(problem, Infeasible):
+        return str(problem), Target.RAPID
+    axes = Axes.of(job.plant)
+    search = Peer(axes, problem)
+    found = search.best(search.layers(None, 0, 1))
+    for beside, parts in FINER if axes.layout.has_rail else ():
+        if found is not None:
+            found = search.best(search.layers(found.q, beside, parts), found)
+    if found is None:
+        return "no chain", Target.RAPID
+    pieces, q, cfx = [], found.q, found.cfx
+    for k in range(len(problem.legs)):
+        piece = search.way(k, q[k], q[k + 1], max(cfx[k], cfx[k + 1])).piece()
+        if piece is None:
+            return f"leg {k} is not timed on the fine grid", Target.RAPID
+        if piece.duration > 0:
+            pieces.append(piece)
+    return rows_of(axes.names, pieces, q[-1]), Target.RAPID
+
+
+def incumbent(job: Job) -> tuple[Trajectory | str, Target]:
+    """trajopt's legal motion before any nonlinear program: it is the plan for the RAPID controller."""
+    return planned(job, Target.RAPID)
+
+
+def plan(job: Job) -> tuple[Trajectory | str, Target]:
+    """trajopt's plan for a machine that follows a stream: what the nonlinear program makes of the incumbent."""
+    return planned(job, Target.STREAM)
+
+
+def planned(job: Job, target: Target) -> tuple[Trajectory | str, Target]:
+    """The plan for a target, without its lower bound."""
+    changes = may_change(job, Loops.KEEP).changes[target]
+    found = optimize(job.program, job.plant, target, bounded=False, changes=changes)
+    return (str(found) if isinstance(found, Infeasible) else found.trajectory), target
+
+
+Maker = Callable[[Job], tuple[Trajectory | str, Target]]
+MAKERS: dict[str, Maker] = {"peer": peer, "incumbent": incumbent, "plan": plan}
+
+
+def answer(make: Maker, job: Job) -> dict[str, object]:
+    """One maker's answer as numbers: its time, the processor's seconds, the judge's word; or why there is none."""
+    found, target = make(job)
+    out: dict[str, object] = {"seconds": round(sum(os.times()[:4]), 1)}
+    if isinstance(found, str):
+        return out | {"says": found}
+    report = judge(job.plant, job.program, write_csv_text(found), "rows", (), target, advice=False)
+    return out | {"time": found.duration, "says": "legal" if report.legal else f"ILLEGAL: {worst(report).message}"}
+
+
+def apart(make: Maker, job: Job) -> dict[str, object]:
+    """The answer of a process of its own, so that no failure and no patience ends the table."""
+
+    def work(end: Connection) -> None:
+        end.send(answer(make, job))
+
+    ours, theirs = multiprocessing.Pipe(duplex=False)
+    process = multiprocessing.get_context("fork").Process(target=work, args=(theirs,))
+    process.start()
+    theirs.close()
+    try:
+        if ours.poll(PATIENCE):
+            return dict(ours.recv())
+        return {"seconds": PATIENCE, "says": f"nothing after {PATIENCE:g} s"}
+    except EOFError:
+        return {"says": "failed; its traceback stands above"}
+    finally:
+        process.terminate()
+        process.join()
+
+
+def run(seed: int, folder: Path) -> dict[str, object]:
+    """All answers to one program."""
+    kind, text, cell = program(seed)
+    module = folder / f"cell{seed}.mod"
+    module.write_text(text)
+    module.with_suffix(".yaml").write_text(cell)
+    job, row = read_job(module), dict[str, object]()
+    for name, make in MAKERS.items():
+        row[name] = apart(make, job)
+    return {"seed": seed, "kind": kind, "moves": len(job.program.motions), **row}
+
+
+def line(row: dict[str, object]) -> str:
+    """A row of the table: times, ours as a difference to the peer's, seconds of processor, and what is wrong."""
+    answers = {name: row[name] for name in MAKERS}
+    text, says = f"{row['seed']:4} {row['kind']:8}", list[str]()
+    theirs = answers["peer"].get("time") if isinstance(answers["peer"], dict) else None
+    for name, one in answers.items():
+        assert isinstance(one, dict)
+        time = one.get("time")
+        text += f" {time:8.3f}" if time else f" {'-':>8}"
+        if name != "peer":
+            text += f" {100 * (time / theirs - 1):+6.2f} %" if time and theirs else f" {'-':>8}"
+        text += f" {one.get('seconds', 0):6.1f} s"
+        if one["says"] != "legal":
+            says.append(f"{name}: {one['says']}")
+    return text + "  " + "; ".join(says)
+
+
+def main() -> None:
+    """Run every seed and print the table."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--seeds", default="101-150")
+    parser.add_argument("--json", type=Path)
+    parser.add_argument("--only", choices=tuple(MAKERS), action="append", help="leave the others out")
+    options = parser.parse_args()
+    first, _, last = options.seeds.partition("-")
+    for name in [*MAKERS] if options.only else []:
+        if name not in options.only:
+            MAKERS[name] = left_out
+    rows = []
+    print(f"seed kind     {'peer':>8} {'':8} {'incumbent':>17} {'':8} {'plan':>17}")
+    with tempfile.TemporaryDirectory() as place:
+        for seed in range(int(first), int(last or first) + 1):
+            rows.append(run(seed, Path(place)))
+            print(line(rows[-1]), flush=True)
+            if options.json:
+                options.json.write_text(json.dumps(rows, indent=1))
+    ours = [summary(rows, name) for name in MAKERS if name != "peer"]
+    print("\n".join(ours))
+
+
+def left_out(job: Job) -> tuple[Trajectory | str, Target]:
+    """For --only."""
+    return "left out", Target.RAPID
+
+
+def summary(rows: list[dict[str, object]], name: str) -> str:
+    """How one of ours stands against the peer over all programs on which both are legal."""
+    ratios, answered = [], 0
+    for row in rows:
+        ours, theirs = row[name], row["peer"]
+        assert isinstance(ours, dict)
+        assert isinstance(theirs, dict)
+        answered += ours["says"] == "legal"
+        if ours["says"] == theirs["says"] == "legal":
+            ratios.append(ours["time"] / theirs["time"] - 1)
+    slower = sum(ratio > 1e-4 for ratio in ratios)
+    text = f"{name}: legal on {answered} of {len(rows)}; slower than the peer on {slower} of {len(ratios)}"
+    if ratios:
+        text += f", {100 * float(np.median(ratios)):+.2f} % in the middle, {100 * max(ratios):+.2f} % at most"
+    return text
+
+
+if __name__ == "__main__":
+    main()

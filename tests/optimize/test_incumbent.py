@@ -1,0 +1,91 @@
+"""The legal motion that every plan begins with: refined for the better, honest about time, also under tool caps."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from small_cells import HOME, down, plant_with_rail, plant_without_rail, problem_of, rapid
+
+from trajopt_cli.geometry import wxyz_from_rotation
+from trajopt_cli.optimize import optimize
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.incumbent import duration, refined, timed
+from trajopt_cli.optimize.search import search
+from trajopt_cli.problem.plan import Infeasible, Plan, Target
+from trajopt_cli.verify.judge import verify
+
+
+def random_cell(seed: int) -> tuple[str, str]:
+    """Body and data of three stations beside the rail, each approached, entered on a line, waited in and left."""
+    rng = np.random.default_rng(seed)
+    body, data = [], []
+    for i in range(3):
+        y, turn = rng.uniform(0.2, 1.6), rng.uniform(-0.5, 0.5)
+        X = down(rng.uniform(0.4, 0.55), y, rng.uniform(0.38, 0.5), turn)
+        place = ",".join(f"{x * 1e3:.6f}" for x in X[:3, 3])
+        turned = ",".join(f"{x:.12f}" for x in wxyz_from_rotation(X[:3, :3]))
+        data.append(f"CONST robtarget p_{i}:=[[{place}],[{turned}],[0,0,0,0],[{y * 1e3:.3f},9E9,9E9,9E9,9E9,9E9]];")
+        speed = rng.choice([200, 500, 1000])
+        body += [
+            f"MoveJ p_{i}, v2500, fine, tool0;",
+            f"MoveL Offs(p_{i},0,{rng.uniform(-30, 30):.3f},-60), v{speed}, fine, tool0;",
+            f"WaitTime {rng.uniform(0.05, 0.3):.3f};",
+            f"MoveL p_{i}, v1000, fine, tool0;",
+        ]
+    return "\n".join([*body, "MoveAbsJ j_home, v2500, fine, tool0;"]), "\n".join(data)
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+@pytest.mark.parametrize("target", Target)
+def test_refining_the_rail_is_never_slower(seed: int, target: Target) -> None:
+    body, data = random_cell(seed)
+    plant = plant_with_rail()
+    problem, axes = problem_of(rapid(body, data=data), plant, target), Axes.of(plant)
+    chain = search(axes, problem)
+    assert chain is not None
+    before = duration(timed(axes, problem, replace(chain, w=np.zeros_like(chain.w))))
+    after = duration(timed(axes, problem, refined(axes, problem, chain)))
+    assert after < before * (1 - 1e-3)
+
+
+@pytest.mark.parametrize("target", Target)
+def test_a_time_too_short_is_infeasible_and_names_the_motion(target: Target) -> None:
+    """60 mm under 2.5 m/s and 20 m/s2 take 0.11 s at least."""
+    body = "MoveJ p_in, v2500, fine, tool0;\nMoveL p_low, v500\\T:={}, fine, tool0;"
+    answer = optimize(rapid(body.format(0.01)), plant_with_rail(), target, bounded=False)
+    assert isinstance(answer, Infeasible)
+    assert (answer.index, str(answer.source)) == (1, "t.mod:6:1")
+    assert answer.message.startswith("MoveL p_low has 0.01 s and takes 0.1")
+    enough = optimize(rapid(body.format(0.5)), plant_with_rail(), target, bounded=False)
+    assert isinstance(enough, Plan)
+    assert enough.motions[1].t_1 - enough.motions[1].t_0 == pytest.approx(0.5, abs=1e-9)
+
+
+@pytest.mark.parametrize("target", Target)
+def test_slow_joint_moves_of_a_long_tool_are_planned_and_legal(target: Target) -> None:
+    """Every cap of the tool binds all the way; the corner lies between two joint moves."""
+    data = """PERS tooldata t_long:=[TRUE,[[80,-40,250],[0.96592583,0,0.25881905,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];
+CONST jointtarget j_a:=[[40,20,-10,15,50,30],[9E9,9E9,9E9,9E9,9E9,9E9]];
+CONST jointtarget j_b:=[[-30,-10,10,-20,40,-60],[9E9,9E9,9E9,9E9,9E9,9E9]];
+CONST robtarget p_by:=[[500,-100,450],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];"""
+    body = "\n".join([
+        "ConfJ \\Off;",
+        "MoveAbsJ j_a, v50, fine, t_long;",
+        "MoveAbsJ j_b, v30, fine, t_long;",
+        "MoveJ p_by, v100, z50, t_long;",
+        "MoveAbsJ j_a, v100, fine, t_long;",
+    ])  # fmt: skip
+    program, plant = rapid(body, data=data), plant_without_rail()
+    plan = optimize(program, plant, target, bounded=False)
+    assert isinstance(plan, Plan)
+    report = verify(program, plant, plan.trajectory, target=target, advice=False)
+    assert [f"{f.check} {f.subject} {f.value} > {f.limit}" for f in report.findings if not f.passed] == []
+    # the tool at its programmed speeds all the way is the least time there is; ramps and corners add little
+    t, q = plan.trajectory.t, plan.trajectory.q
+    tool = (plant.robot.forward(q) @ problem_of(program, plant, target).legs[-1].X_FT)[:, :3, 3]
+    way = np.linalg.norm(np.diff(tool, axis=0), axis=1)
+    speed = np.select([(t[1:] <= plan.motions[0].t_1), (t[1:] <= plan.motions[1].t_1)], [0.05, 0.03], 0.1)
+    assert np.sum(way / speed) <= plan.duration <= 1.1 * np.sum(way / speed)
+    np.testing.assert_allclose(q[0], HOME)

@@ -1,0 +1,469 @@
+"""Where a run leads all axes: its parts in order, with derivatives along them, for given axes at its waypoints.
+
+The axes share one progress. A leg is cut where its formula changes: half of the corner before it, the way itself, half
+of the corner behind it, and where the rail has left its own corner. The parameter sigma goes on through the whole run
+with continuous first derivatives: it counts the metres of a line or an arc, and a joint move in the measure that the
+corner beside it asks for. Second derivatives jump between parts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import groupby, pairwise
+from typing import Any
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.tuning import CORNER_PART, END_CURVE, SHRINK, SHRINKS, SPHERE, SPHERE_SAMPLES, ZONE_SAMPLES
+from trajopt_cli.path.arc import Arc
+from trajopt_cli.path.carried import Carried
+from trajopt_cli.path.corner import Corner
+from trajopt_cli.path.joint_corner import JointCorner
+from trajopt_cli.path.joint_move import JointMove
+from trajopt_cli.path.line import Line
+from trajopt_cli.path.segment import along_all
+from trajopt_cli.problem.problem import LegKind, Problem
+
+_SHORT = 1e-9  # of a way, or of a share: no part of it
+_INSIDE = 1e-9  # share of a part by which a sample keeps from its ends, where derivatives jump
+_NUMB = 1e-6  # sine of joint 5 below which the inverse kinematics has no derivative
+_ASIDE = 1e-3  # share of a part beside such a place, where derivatives are taken instead
+_FIELDS = ("q", "dq", "ddq", "v", "w", "bend")
+_APART = 1e-4  # rad, m: axes of two parts that are not one place
+
+Way = Line | Arc | Carried
+Segment = Way | Corner | JointMove | JointCorner
+
+
+@dataclass(frozen=True, eq=False)
+class Rail:
+    """The rail on a part, over its share u: d + u (slope + u bend); each (r,)."""
+
+    d: Array
+    slope: Array
+    bend: Array
+
+    def at(self, u: Array) -> tuple[Array, Array, Array]:
+        """Position and both derivatives by u, each (m, r), at shares u (m,)."""
+        u = u[:, None]
+        rate = self.slope + 2 * u * self.bend
+        return self.d + u * (self.slope + u * self.bend), rate, 2 * np.broadcast_to(self.bend, rate.shape)
+
+
+@dataclass(frozen=True, eq=False)
+class Part:
+    """From s_0 to s_1 of a segment, of one leg (its number in the problem). size: how much sigma it is. u (N+1,): its
+    nodes, as shares of it.
+
+    rail, cfx: rail and branch on a segment of the tool; None and -1 on one of the axes.
+    """
+
+    leg: int
+    segment: Segment
+    s_0: float
+    s_1: float
+    size: float
+    u: Array
+    rail: Rail | None
+    cfx: int
+
+    @property
+    def N(self) -> int:
+        """Intervals."""
+        return len(self.u) - 1
+
+    def own(self, u: Array) -> Array:
+        """The segment's parameter (m,) at shares u (m,) of the part."""
+        return self.s_0 + u * (self.s_1 - self.s_0)
+
+
+@dataclass(frozen=True, eq=False)
+class Along:
+    """At m places: axes q with their derivatives dq, ddq (m, n), and the tool's position's v, bend and turning's first
+    one w (m, 3), all by sigma."""
+
+    q: Array
+    dq: Array
+    ddq: Array
+    v: Array
+    w: Array
+    bend: Array
+
+    def at(self, rows: slice) -> Along:
+        """Some of the places."""
+        return Along(*(getattr(self, name)[rows] for name in _FIELDS))
+
+    def by(self, size: Array) -> Along:
+        """The derivatives by a parameter that grows size (m,) times as fast."""
+        k = 1 / size[:, None]
+        return Along(self.q, self.dq * k, self.ddq * k**2, self.v * k, self.w * k, self.bend * k**2)
+
+
+def joined(pieces: Sequence[Along]) -> Along:
+    """One after the other."""
+    return Along(*(np.concatenate([getattr(piece, name) for piece in pieces]) for name in _FIELDS))
+
+
+@dataclass(frozen=True, eq=False)
+class Course:
+    """A run's parts, and what is along them at their nodes, part by part: a place between two parts stands twice.
+
+    q (M, n): axes at all waypoints of the problem.
+    """
+
+    parts: tuple[Part, ...]
+    along: Along
+    q: Array
+
+    @cached_property
+    def counts(self) -> IndexArray:
+        """Intervals of each part (P,)."""
+        return np.array([part.N for part in self.parts])
+
+    @cached_property
+    def part(self) -> IndexArray:
+        """Number of the part of each interval (N,)."""
+        return np.repeat(np.arange(len(self.parts)), self.counts)
+
+    @cached_property
+    def leg(self) -> IndexArray:
+        """Number of the leg of each interval (N,)."""
+        return np.array([part.leg for part in self.parts])[self.part]
+
+    @cached_property
+    def first(self) -> IndexArray:
+        """Row of `along` where each interval begins (N,); it ends in the next one."""
+        return np.arange(len(self.part)) + self.part
+
+    @cached_property
+    def sigma(self) -> Array:
+        """The parameter where intervals meet (N+1,), 0 at the run's start."""
+        steps = [part.size * np.diff(part.u) for part in self.parts]
+        return np.concatenate([[0.0], np.cumsum(np.concatenate(steps))])
+
+
+def course_of(
+    axes: Axes, problem: Problem, run: tuple[int, int], q: Array, cfx: Sequence[int], nodes: int
+) -> Course | None:
+    """The course of a run, given as its first and last waypoint. q (M, n), cfx: axes and branches at all waypoints of
+    the problem, those of a fly-by at its point. nodes: intervals of a leg, about. None where the arm cannot follow.
+    """
+    parts = _Cut(axes, problem, run, q, cfx, nodes).parts()
+    return None if parts is None else _course(axes, problem, parts, q)
+
+
+def finer(axes: Axes, problem: Problem, course: Course, wanted: BoolArray) -> Course | None:
+    """The same course with a node in the middle of every interval that is wanted (N,)."""
+    parts = []
+    for i, part in enumerate(course.parts):
+        middles = (part.u[:-1] + part.u[1:]) / 2
+        parts.append(replace(part, u=np.sort(np.r_[part.u, middles[wanted[course.part == i]]])))
+    return _course(axes, problem, parts, course.q)
+
+
+def _course(axes: Axes, problem: Problem, parts: Sequence[Part], q: Array) -> Course | None:
+    along = _along(axes, problem, parts, q)
+    return None if along is None else Course(tuple(parts), along, q)
+
+
+@dataclass(frozen=True, eq=False)
+class _Bend:
+    """The corner at a waypoint: the shares of the legs before and behind it that it replaces, and those in which the
+    rail is bent by itself (0 where the corner is one of all axes)."""
+
+    corner: Corner | JointCorner
+    before: float
+    after: float
+    rail_before: float = 0.0
+    rail_after: float = 0.0
+
+
+class _Cut:
+    """A run cut into parts."""
+
+    def __init__(self, axes: Axes, problem: Problem, run: tuple[int, int], q: Array, cfx: Sequence[int], nodes: int):
+        self._axes, self._problem, self._q, self._cfx, self._nodes = axes, problem, q, cfx, nodes
+        self._first, self._last = run
+        self._ways = {k: self._way(k) for k in range(*run)}
+
+    def parts(self) -> list[Part] | None:
+        """The parts in order; None where a corner's joints are not to be had."""
+        bends: dict[int, _Bend] = {}
+        for k in range(self._first + 1, self._last):
+            bend = self._bend(k)
+            if bend is None:
+                return None
+            bends[k] = bend
+        out: list[Part] = []
+        measure, half = self._measure(self._first), 0.0
+        for k in range(self._first, self._last):
+            if k in bends:  # both halves of a corner are equally much sigma
+                measure = half / bends[k].after
+            out += self._leg(k, bends.get(k), bends.get(k + 1), measure)
+            half = measure * bends[k + 1].before if k + 1 in bends else 0.0
+        return out
+
+    def _way(self, k: int) -> Way | JointMove:
+        """A leg's segment; of a wait the line of no length."""
+        leg = self._problem.legs[k]
+        if leg.kind is LegKind.JOINT:
+            return JointMove(self._q[k], self._q[k + 1])
+        if leg.segment is not None:
+            return leg.segment
+        X_WT = self._problem.waypoints[k].X_WF @ leg.X_FT
+        return Line(X_WT, X_WT)
+
+    def _measure(self, k: int) -> float:
+        """How much sigma the run's first leg is: metres of the tool's way, radians of a turn in place, 1 for what is
+        neither."""
+        leg = self._problem.legs[k]
+        return leg.chord if leg.chord > _SHORT else leg.angle if leg.angle > _SHORT else 1.0
+
+    # ---- a leg's parts
+    def _leg(self, k: int, start: _Bend | None, end: _Bend | None, measure: float) -> Iterator[Part]:
+        """The parts of leg k between the middles of its corners."""
+        t_0, t_1 = (start.after if start else 0.0), 1 - (end.before if end else 0.0)
+        cuts = {0.0, t_0, t_1, 1.0}
+        if start:
+            cuts |= {start.rail_after, *(start.after * (2 * s - 1) for s in start.corner.breaks if s > 0.5)}
+        if end:
+            cuts |= {1 - end.rail_before, *(1 - end.before * (1 - 2 * s) for s in end.corner.breaks if s < 0.5)}
+        for a, b in pairwise(_distinct(cuts)):
+            middle = (a + b) / 2
+            segment: Segment = self._ways[k]
+            own = a, b
+            if start and middle < t_0:
+                segment, own = start.corner, (0.5 + a / t_0 / 2, 0.5 + b / t_0 / 2)
+            elif end and middle > t_1:
+                segment, own = end.corner, ((a - t_1) / (1 - t_1) / 2, (b - t_1) / (1 - t_1) / 2)
+            corner = segment is not self._ways[k]
+            N = CORNER_PART if corner else max(2, round(self._nodes * (b - a)))
+            joints = isinstance(segment, JointMove | JointCorner)
+            rail = None if joints else self._rail(k, start, end, a, b)
+            u = spaced(N) if b - a == 1.0 else np.linspace(0.0, 1.0, N + 1)
+            yield Part(
+                k,
+                segment,
+                *own,
+                measure * (b - a),
+                u,
+                rail,
+                -1 if joints else self._branch(k),
+            )
+
+    def _branch(self, k: int) -> int:
+        return self._cfx[k] if self._cfx[k] >= 0 else self._cfx[k + 1]
+
+    def _rail(self, k: int, start: _Bend | None, end: _Bend | None, a: float, b: float) -> Rail:
+        """The rail from share a to b of leg k: in proportion to the way, between its corners."""
+        d_0, way, h = self._d(k), self._d(k + 1) - self._d(k), b - a
+        middle = (a + b) / 2
+        if start and middle < start.rail_after:
+            zone, slope = start.rail_after, self._slope_in(k, k - 1)
+            # the parabola through both edges of the corner with the slopes of both ways
+            curve, t = (way - slope) / (4 * zone), a + zone
+            return Rail(d_0 + slope * a + curve * t**2, (slope + 2 * curve * t) * h, curve * h**2)
+        if end and middle > 1 - end.rail_before:
+            zone, slope, t = end.rail_before, self._slope_in(k, k + 1), a - 1 + end.rail_before
+            curve = (slope - way) / (4 * zone)
+            return Rail(d_0 + way * a + curve * t**2, (way + 2 * curve * t) * h, curve * h**2)
+        return Rail(d_0 + way * a, way * h, np.zeros_like(way))
+
+    def _d(self, k: int) -> Array:
+        return np.asarray(self._q[k, self._axes.layout.rail])
+
+    def _slope_in(self, k: int, other: int) -> Array:
+        """The rail's way per metre on another leg, in the measure of leg k."""
+        legs = self._problem.legs
+        return np.asarray((self._d(other + 1) - self._d(other)) * legs[k].chord / legs[other].chord)
+
+    # ---- corners
+    def _bend(self, k: int) -> _Bend | None:
+        """The corner at waypoint k, between legs k - 1 and k."""
+        zone = self._problem.waypoints[k].fly_by
+        assert zone is not None
+        before, after = self._ways[k - 1], self._ways[k]
+        if not (isinstance(before, Line | Arc) and isinstance(after, Line | Arc)):
+            return self._joint_bend(k, zone.radius)
+        corner = Corner.of_zone(before, after, zone.radius, zone.turning)
+        rail_before, rail_after = (zone.external / way.length for way in (before, after))
+        return _Bend(corner, corner.share_before, corner.share_after, rail_before, rail_after)
+
+    def _joint_bend(self, k: int, radius: float) -> _Bend | None:
+        """A corner of all axes, small enough that the tool stays within its zone."""
+        legs, point = self._problem.legs, self._problem.waypoints[k].X_WF @ self._problem.legs[k].X_FT
+        shares = []
+        for leg, end in ((k - 1, True), (k, False)):
+            way = self._ways[leg]
+            if isinstance(way, JointMove):
+                shares.append(_reaching(self._axes, way, legs[leg].X_FT, point[:3, 3], radius, end))
+            else:
+                shares.append(radius / way.length)
+        for _ in range(SHRINKS):
+            states = [self._state(k - 1, 1 - shares[0]), self._state(k, shares[1])]
+            if any(np.isnan(q).any() for q, _ in states):
+                return None
+            (q_0, rate_0), (q_1, rate_1) = states
+            corner = JointCorner(q_0, 2 * shares[0] * rate_0, q_1, 2 * shares[1] * rate_1)
+            tool = self._axes.forward(corner.axes(np.linspace(0, 1, SPHERE_SAMPLES))) @ legs[k].X_FT
+            if np.linalg.norm(tool[:, :3, 3] - point[:3, 3], axis=1).max() <= radius * SPHERE:
+                break
+            shares = [share * SHRINK for share in shares]
+        return _Bend(corner, *shares)
+
+    def _state(self, k: int, share: float) -> tuple[Array, Array]:
+        """Axes (n,) at a share of leg k, and their derivative by it."""
+        way, t = self._ways[k], np.array([share])
+        if isinstance(way, JointMove):
+            return way.axes(t)[0], way.rate(t)[0]
+        rail = Rail(self._d(k), self._d(k + 1) - self._d(k), np.zeros_like(self._d(k)))
+        part = Part(k, way, 0.0, 1.0, 1.0, t, rail, self._branch(k))
+        near = self._q[k] + share * (self._q[k + 1] - self._q[k])
+        along = _on_ways(self._axes, self._problem, [part], [t])
+        turns = 2 * np.pi * np.round((near - along.q[0]) / (2 * np.pi))
+        turns[self._axes.layout.rail] = 0.0
+        return along.q[0] + turns, along.dq[0]
+
+
+def spaced(N: int) -> Array:
+    """Shares (N+1,) of a way between two stops, closer together where the tool speeds up and slows down."""
+    x = np.linspace(0.0, 1.0, N + 1)
+    return np.asarray(x - END_CURVE * np.sin(2 * np.pi * x) / (2 * np.pi))
+
+
+def _distinct(cuts: set[float]) -> list[float]:
+    """Cuts in order, those that are one but for rounding once."""
+    out = [0.0]
+    for cut in sorted(cuts):
+        if cut > out[-1] + _SHORT:
+            out.append(cut)
+    out[-1] = 1.0
+    return out
+
+
+def _reaching(axes: Axes, move: JointMove, X_FT: Array, point: Array, radius: float, end: bool) -> float:
+    """Which share of a joint move, at its end or its start, lies within a radius [m] of a point (3,): half at most."""
+    share = np.linspace(0, 0.5, ZONE_SAMPLES)
+    away = np.linalg.norm((axes.forward(move.axes(1 - share if end else share)) @ X_FT)[:, :3, 3] - point, axis=1)
+    outside = np.flatnonzero(away > radius)
+    if not len(outside):
+        return 0.5
+    i = max(int(outside[0]), 1)
+    part = (radius - away[i - 1]) / max(away[i] - away[i - 1], 1e-300)
+    return float(max(share[i - 1] + np.clip(part, 0, 1) * (share[i] - share[i - 1]), _SHORT * 10))
+
+
+# ------------------------------------------------------------------------------------------- axes along the parts
+
+
+def _along(axes: Axes, problem: Problem, parts: Sequence[Part], q: Array) -> Along | None:
+    """What is along the parts at their nodes; None where the arm does not reach, or would have to jump."""
+    pieces: list[Along] = []
+    for on_way, group in groupby(parts, key=lambda part: part.rail is not None):
+        stretch = list(group)
+        if not on_way:
+            pieces += [_on_axes(axes, problem, part) for part in stretch]
+            continue
+        found = _on_ways(axes, problem, stretch, [_shares(part) for part in stretch])
+        _unwind(axes, found.q, q[stretch[0].leg])
+        pieces.append(found)
+    nodes = [part.N + 1 for part in parts]
+    out = joined(pieces).by(np.repeat([part.size for part in parts], nodes))
+    if not all(np.isfinite(x).all() for x in (out.q, out.dq, out.ddq)):
+        return None
+    behind = np.cumsum(nodes)
+    begins = np.vstack([out.q[np.r_[0, behind[:-1]]], q[parts[-1].leg + 1]])
+    ends = np.vstack([q[parts[0].leg], out.q[behind - 1]])
+    return out if np.abs(begins - ends).max() < _APART else None
+
+
+def _shares(part: Part) -> Array:
+    return np.clip(part.u, _INSIDE, 1 - _INSIDE)
+
+
+def _unwind(axes: Axes, q: Array, near: Array) -> None:
+    """Whole turns off joints (m, n), in place: the first row near another, each next near the one before."""
+    rail = axes.layout.rail
+    steps = np.diff(np.vstack([near, q]), axis=0)
+    turns = np.cumsum(np.round(steps / (2 * np.pi)), axis=0)
+    turns[:, rail] = 0.0
+    q -= np.where(np.isnan(turns), 0.0, 2 * np.pi * turns)
+
+
+def _on_axes(axes: Axes, problem: Problem, part: Part) -> Along:
+    """Along a part that axes decide, by its share."""
+    segment = part.segment
+    assert isinstance(segment, JointMove | JointCorner)
+    s, k = part.own(part.u), part.s_1 - part.s_0
+    q, dq, ddq = segment.axes(s), segment.rate(s) * k, segment.rate_change(s) * k**2
+    X_FT = problem.legs[part.leg].X_FT
+    J = axes.jacobian(q, X_FT)
+    twist = (J @ dq[..., None])[..., 0]
+    bend = (J @ ddq[..., None])[..., 0] + (axes.jacobian_rate(q, dq, X_FT) @ dq[..., None])[..., 0]
+    return Along(q, dq, ddq, twist[:, :3], twist[:, 3:], bend[:, :3])
+
+
+def _on_ways(axes: Axes, problem: Problem, parts: Sequence[Part], shares: Sequence[Array]) -> Along:
+    """Along parts of the tool's way by their shares, at shares (m,) of each, one part after the other; joints in
+    whatever turn, NaN out of reach."""
+    found = []
+    tools = [problem.legs[part.leg].X_FT for part in parts]
+    for _, group in groupby(range(len(parts)), key=lambda i: tools[i].tobytes()):
+        numbers = list(group)
+        ways = [parts[i] for i in numbers]
+        found.append(_with_tool(axes, tools[numbers[0]], ways, [shares[i] for i in numbers]))
+    return joined(found)
+
+
+def _with_tool(axes: Axes, X_FT: Array, parts: Sequence[Part], shares: Sequence[Array]) -> Along:
+    """The same with one tool on all parts."""
+    counts = [len(u) for u in shares]
+    edges = np.cumsum(counts)[:-1]
+    rows, cfx = np.arange(sum(counts)), np.repeat([part.cfx for part in parts], counts)
+    way = np.repeat([part.s_1 - part.s_0 for part in parts], counts)[:, None]
+    segments: list[Any] = [part.segment for part in parts]
+
+    def at(u: Array) -> tuple[Array, Array, Array, Array, Array, Array]:
+        pieces = list(zip(parts, np.split(u, edges), strict=True))
+        X, twist, bend = along_all(segments, [part.own(own) for part, own in pieces])
+        rails = zip(*(part.rail.at(own) for part, own in pieces if part.rail is not None), strict=True)
+        d, dd, ddd = (np.concatenate(one) for one in rails)
+        arm = axes.inverse(X @ inverse_pose(X_FT), axes.layout.value(d))[rows, cfx]
+        return axes.layout.merge(d, arm), arm, twist * way, bend * way**2, dd, ddd
+
+    u = np.concatenate(shares)
+    q, arm, twist, bend, dd, ddd = at(u)
+    numb = axes.robot.walls(arm)[1] < _NUMB
+    place = q
+    if numb.any():  # there a derivative is what it is a little farther on
+        place, _, twist, bend, dd, ddd = at(np.where(numb, np.clip(u, _ASIDE, 1 - _ASIDE), u))
+    dq, ddq = rates(axes, place, X_FT, twist, bend, dd, ddd)
+    return Along(q, dq, ddq, twist[:, :3], twist[:, 3:], bend[:, :3])
+
+
+def rates(axes: Axes, q: Array, X_FT: Array, twist: Array, bend: Array, dd: Array, ddd: Array) -> tuple[Array, Array]:
+    """Both derivatives of all axes (m, n) where the tool moves by twist and bend (m, 6), the rail by dd and ddd (m, r),
+    all by one parameter."""
+    J = axes.jacobian(q, X_FT)
+    Jr, Ja = J[:, :, axes.layout.rail], J[:, :, axes.layout.arm]
+
+    def arm_follows(tool: Array, rail: Array) -> Array:
+        return _solved(Ja, tool - (Jr @ rail[..., None])[..., 0])
+
+    dq = axes.layout.merge(dd, arm_follows(twist, dd))
+    carried = (axes.jacobian_rate(q, dq, X_FT) @ dq[..., None])[..., 0]
+    return dq, axes.layout.merge(ddd, arm_follows(bend - carried, ddd))
+
+
+def _solved(A: Array, b: Array) -> Array:
+    """x (m, k) of A x = b; NaN where A (m, k, k) is singular."""
+    try:
+        return np.asarray(np.linalg.solve(A, b[..., None])[..., 0])
+    except np.linalg.LinAlgError:
+        singular = np.abs(np.linalg.det(A)) < 1e-15
+        safe = np.where(singular[:, None, None], np.eye(A.shape[-1]), A)
+        return np.where(singular[:, None], np.nan, np.linalg.solve(safe, b[..., None])[..., 0])

@@ -1,0 +1,149 @@
+"""The least time the tool needs from stop to stop: its ways at the programmed speeds, points passed in their zones.
+
+Nothing is asked of a motion but what the program says: outside the zones the tool is on its lines and arcs, inside it
+may go any way, a joint move may take it anywhere, and no leg is faster than its caps.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, axis_angle, inverse_pose
+from trajopt_cli.optimize.double_integrator import trapezoid_time
+from trajopt_cli.path.arc import Arc
+from trajopt_cli.path.carried import Carried
+from trajopt_cli.path.segment import POINT, Segment
+from trajopt_cli.problem.problem import Leg, LegKind, Problem
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of the tool's way: at least this length [m], at most this speed [m/s]; its turn takes so long [s]."""
+
+    length: float
+    speed: float
+    turn: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class Gate:
+    """A pose X_WF (4, 4) that the flange goes through on every legal motion: on a line or an arc, number leg, where
+    the zone of waypoint k begins or ends that lies between it and a joint move; nothing is rounded there. twist (6,):
+    of the flange there at the greatest speed."""
+
+    k: int
+    leg: int
+    X_WF: Array
+    twist: Array
+
+
+def course(problem: Problem, first: int, last: int) -> Iterator[Part | Gate]:
+    """What the tool does from the stop `first` to the next one, `last`, in order, as far as the program fixes it."""
+    for leg in problem.legs[first:last]:
+        yield from _leg(problem, leg)
+        if leg.start + 1 < last:
+            yield _through(problem, leg.start + 1)
+
+
+def tool_time(problem: Problem, first: int, last: int) -> float:
+    """Least time [s] from the stop `first` to the next one, `last`, that the tool needs on any legal motion."""
+    legs = problem.legs[first:last]
+    parts = [part for part in course(problem, first, last) if isinstance(part, Part)]
+    duration = legs[0].duration if len(legs) == 1 else None
+    return max(duration or 0.0, parts_time(parts, max(leg.a_tcp for leg in legs)))
+
+
+def parts_time(parts: Sequence[Part], a: float, rests: int = 2) -> float:
+    """Least time [s] over parts, in whatever order, with the tool's acceleration a [m/s2] and at rest at so many ends.
+
+    Where no part's cap is below `top`, the share of its cap that the tool drives at is never above that of a run-up to
+    `top`, so the parts take no less than that run-up over as much way as they would be at that speed. Slower parts are
+    taken as if they allowed `top`.
+    """
+    least = sum(part.turn for part in parts)
+    for top in {part.speed for part in parts if part.length > 0}:
+        way = sum(p.length * (1.0 if p.speed <= top else top / p.speed) for p in parts)
+        # one run-up is half of the trapezoid over twice the way
+        time = (
+            trapezoid_time(2 * way, top, a) / 2 if rests == 1 else trapezoid_time(way, top, a) if rests else way / top
+        )
+        least = max(least, float(time))
+    return least
+
+
+def straight(problem: Problem, legs: Sequence[Leg], X_WF_0: Array, X_WF_1: Array) -> Part:
+    """From one pose of the flange to another, over several legs of one tool as if there were nothing between."""
+    a, b = (X_WF @ legs[0].X_FT for X_WF in (X_WF_0, X_WF_1))
+    v, v_ori = np.max([_caps(problem, leg) for leg in legs], axis=0)
+    way = 0.0 if any(isinstance(leg.segment, Carried) for leg in legs) else float(np.linalg.norm(b[:3, 3] - a[:3, 3]))
+    return Part(way, v, _angle(a, b) / v_ori)
+
+
+def _caps(problem: Problem, leg: Leg) -> tuple[float, float]:
+    r"""Speeds of tool [m/s] and turning [rad/s]; a programmed time replaces the programmed ones (RAPID: \T)."""
+    return (leg.v_tcp, leg.v_ori) if leg.duration is None else (problem.plant.tcp.speed, np.inf)
+
+
+def _leg(problem: Problem, leg: Leg) -> Iterable[Part | Gate]:
+    """The parts of a leg outside the zones at its ends: where nothing is rounded, and beside it where only the turn is;
+    of a joint move the chord."""
+    ends = leg.start, leg.start + 1
+    zones = [problem.waypoints[k].fly_by for k in ends]
+    v, v_ori = _caps(problem, leg)
+    near, far = (0.0 if zone is None else zone.radius for zone in zones)
+    if leg.kind is LegKind.JOINT:
+        a, b = (problem.waypoints[k].X_WF @ leg.X_FT for k in ends)
+        way = max(float(np.linalg.norm(b[:3, 3] - a[:3, 3])) - near - far, 0.0)
+        passed = any(zone is not None for zone in zones)  # nobody can say what turn is left outside the zones
+        return [Part(way, v, 0.0 if passed else _angle(a, b) / v_ori)]
+    if leg.segment is None:
+        return []
+    way, turn = leg.segment.length, leg.segment.angle
+    if way <= POINT:  # a turn on the spot begins and ends with a stop
+        return [Part(0.0, v, turn / v_ori)]
+    if isinstance(leg.segment, Arc):
+        v = min(v, float(np.sqrt(leg.a_tcp * leg.segment.radius)))
+    begins, ends_at = (0.0 if zone is None else zone.turning for zone in zones)
+    exact = max(way - begins - ends_at, 0.0)
+    steady = min(v, v_ori * way / turn) if turn > 0 else v
+    return [
+        Part(begins - near, v),
+        *_gate(problem, leg, leg.start, begins, steady),
+        Part(exact, steady, turn * exact / way / v_ori),
+        *_gate(problem, leg, leg.start + 1, way - ends_at, steady),
+        Part(ends_at - far, v),
+    ]
+
+
+def _gate(problem: Problem, leg: Leg, k: int, way: float, speed: float) -> list[Gate]:
+    """The gate at a length on a leg beside waypoint k, if that is passed to or from a joint move; greatest speed."""
+    if not problem.passes(k) or problem.legs[k - 1 if leg.start == k else k].kind is not LegKind.JOINT:
+        return []
+    assert leg.segment is not None
+    X_WF = _at(leg.segment, way) @ inverse_pose(leg.X_FT)
+    share = np.array([way / leg.segment.length])
+    twist = leg.segment.twist(share)[0] * speed / leg.segment.length
+    arm = X_WF[:3, :3] @ leg.X_FT[:3, 3]  # from the flange to the tool
+    return [Gate(k, leg.start, X_WF, np.concatenate([twist[:3] - np.cross(twist[3:], arm), twist[3:]]))]
+
+
+def _at(segment: Segment, way: float) -> Array:
+    return np.asarray(segment.pose(np.array([min(max(way / segment.length, 0.0), 1.0)]))[0])
+
+
+def _angle(a: Array, b: Array) -> float:
+    return axis_angle(a[:3, :3].T @ b[:3, :3])[1]
+
+
+def _through(problem: Problem, k: int) -> Part:
+    """Straight through a zone, from where the way before enters it to where the next one begins; the shortest turn."""
+    legs, zone = problem.legs[k - 1 : k + 1], problem.waypoints[k].fly_by
+    before, after = (leg.segment for leg in legs)
+    caps = np.max([_caps(problem, leg) for leg in legs], axis=0)
+    if before is None or after is None or zone is None or isinstance(before, Carried) or isinstance(after, Carried):
+        return Part(0.0, caps[0])  # joint moves may go anywhere, and a tool that stands has its way over the work
+    (a, b), (c, d) = ((_at(before, before.length - size), _at(after, size)) for size in (zone.radius, zone.turning))
+    return Part(float(np.linalg.norm(b[:3, 3] - a[:3, 3])), caps[0], _angle(c, d) / caps[1])

@@ -1,0 +1,80 @@
+"""Arcs whose three points make no circle, held against where the robot stands before them.
+
+The reader refuses points that are too near each other where it knows all three; the start behind a move to joints is
+known only here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+from math import dist
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, inverse_pose
+from trajopt_cli.motion import Move, MoveAbsJ, MoveC, MoveExtJ
+from trajopt_cli.path.circle import Point, circle_through
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.units import MM
+
+NEAR = 0.1 * MM  # m; a controller refuses circles with points nearer than this
+
+
+class Circles:
+    """Where the robot stands along a program, for the arcs that begin there."""
+
+    def __init__(self, plant: Plant):
+        self._robot, self._layout, self._rail_value = plant.robot, plant.layout, plant.rail_value
+        self._rail = float(plant.layout.place(plant.start))
+        self._at: Array = plant.start  # all axes (k,), or the flange (4, 4): made only where an arc asks
+        self._carried = 0.0  # m that the rail has gone since, alone
+
+    def wrong(self, motion: Move) -> Iterator[tuple[str, str, str]]:
+        """Kind, demand and advice, in words, where a motion is an arc that no circle makes; then it is over."""
+        before, given = self._rail, self._rail_value(motion.extax)
+        self._rail = before if given is None else given
+        if isinstance(motion, MoveExtJ):
+            self._carried += self._rail - before
+            return
+        if isinstance(motion, MoveC) and (found := _wrong(_points(motion, self._flange()))):
+            yield "no circle", *found
+        if isinstance(motion, MoveAbsJ):
+            self._at = self._layout.join(self._rail, motion.q)
+        else:
+            self._at = motion.X_WT @ inverse_pose(motion.tool.X_FT)
+        self._carried = 0.0
+
+    def _flange(self) -> Array:
+        X_WF = np.array(self._at if self._at.ndim == 2 else self._robot.forward(self._at))
+        if self._robot.rail_axis_W is not None:
+            X_WF[:3, 3] += self._carried * self._robot.rail_axis_W
+        return X_WF
+
+
+def _points(motion: MoveC, X_WF: Array) -> dict[str, Point]:
+    """The three points by name, where the circle is: in the world, or on the work that is carried to the tool."""
+    X_FT = motion.tool.X_FT
+    poses = X_WF @ X_FT, motion.X_WV, motion.X_WT
+    if motion.tool.stationary:
+        poses = inverse_pose(X_WF) @ motion.X_WT, X_FT @ inverse_pose(motion.X_WV) @ motion.X_WT, X_FT
+    return {
+        name: (float(x), float(y), float(z))
+        for name, (x, y, z) in zip(("start", "point on the way", "end"), (X[:3, 3] for X in poses), strict=True)
+    }
+
+
+def _wrong(points: dict[str, Point]) -> tuple[str, str] | None:
+    for (one, p), (other, q) in combinations(points.items(), 2):
+        if (apart := dist(p, q)) < NEAR:
+            return (
+                f"has no circle: {one} and {other} are {apart / MM:.3g} mm apart, least {NEAR / MM:g} mm",
+                "move one of them, or use MoveL",
+            )
+    if circle_through(*points.values()) is None:
+        places = ", ".join("[" + ", ".join(f"{x / MM:.3f}" for x in p) + "]" for p in points.values())
+        return (
+            f"has no circle: start, point on the way and end {places} mm lie on one line",
+            "move the point on the way, or use MoveL",
+        )
+    return None

@@ -1,0 +1,109 @@
+"""What ran in the procedures and lines that the cell file names, with all that was called there."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import PurePath
+from typing import TYPE_CHECKING
+
+from trajopt_cli.errors import ErrorKind, InputError
+from trajopt_cli.motion import Span
+from trajopt_cli.rapid.execution.once import Link
+from trajopt_cli.rapid.language.syntax import Module, Routine, Statement
+from trajopt_cli.rapid.language.text import Places
+from trajopt_cli.rapid.language.walk import walk
+from trajopt_cli.scenario import Lines
+
+if TYPE_CHECKING:
+    from trajopt_cli.rapid.execution.interpreter import Run
+
+Modules = Sequence[tuple[Module, Places]]
+_SHOWN = 5  # names in a message
+
+
+@dataclass(frozen=True)
+class Named:
+    """A procedure or some lines: where they stand, and what messages call them ("weld", "line 41")."""
+
+    spans: tuple[Span, ...]
+    text: str
+
+
+def named(
+    run: Run, modules: Modules, key: str, procedures: Collection[str], lines: Collection[Lines]
+) -> Iterator[Named]:
+    """What a key of the cell file names, procedures first. procedures: in lower case.
+
+    Raises InputError for a procedure or a line that the program does not have.
+    """
+    if procedures:
+        routines = [
+            (places.span(node.start, node.end), node.name)
+            for module, places in modules
+            for node in module.items
+            if isinstance(node, Routine)
+        ]
+        for name in sorted(procedures):
+            spans = tuple(span for span, spelled in routines if spelled.lower() == name)
+            if not spans:
+                message = f"{key} in the cell file: the program has no procedure '{name}'"
+                known = [spelled for _, spelled in routines]
+                hinted = run.meant(name, message, known)
+                raise InputError(f"{message}; {_few(known)}" if hinted == message else hinted, kind=ErrorKind.CELL)
+            yield Named(spans, name)
+    for one in sorted(lines, key=lambda one: (one.file or "", one.first, one.last)):
+        text = f"line {one}" if one.first == one.last else f"lines {one}"
+        names = sorted({PurePath(places.file).name for _, places in modules})
+        if one.file is None and len(names) > 1:
+            message = f"{text} could be in any of {len(names)} files; name one, '{names[0]}:{one}'"
+            raise InputError(f"{key} in the cell file: {message}", kind=ErrorKind.CELL)
+        begun = [*_statements(one.file, modules)]
+        spans = tuple(span for line, span in begun if one.first <= line <= one.last)
+        if not spans:
+            near = min((line for line, _ in begun), key=lambda line: abs(line - one.first), default=None)
+            hint = _few(names) if near is None else f"the nearest one is in line {near}"
+            raise InputError(f"{key} in the cell file: no statement begins in {text}; {hint}", kind=ErrorKind.CELL)
+        yield Named(spans, text)
+
+
+def _few(names: Sequence[str]) -> str:
+    more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
+    return f"there is {', '.join(names[:_SHOWN])}{more}"
+
+
+def _statements(file: str | None, modules: Modules) -> Iterator[tuple[int, Span]]:
+    """The statements and routines of a file, or of the only one, each with the line it begins in."""
+    for module, places in modules:
+        if file is None or PurePath(places.file).name.lower() == file.lower():
+            for node in walk(module):
+                if isinstance(node, Statement | Routine):
+                    yield places.line(node.start), places.span(node.start, node.end)
+
+
+class Around:
+    """Which stretches a motion stands in, by the statement that made it and those it ran inside, calls included."""
+
+    def __init__(self, stretches: Sequence[Sequence[Span]]):
+        self._stretches = [(span, number) for number, spans in enumerate(stretches) for span in spans]
+        self._links: dict[int, frozenset[int]] = {}  # by id
+        self._statements: dict[int, frozenset[int]] = {}  # by id, of the statement alone
+
+    def __call__(self, link: Link | None) -> frozenset[int]:
+        """The numbers of those stretches."""
+        passed = []
+        while link is not None and id(link) not in self._links:
+            passed.append(link)
+            link = link[1]
+        found = frozenset[int]() if link is None else self._links[id(link)]
+        for one in reversed(passed):
+            self._links[id(one)] = found = found | self._own(one)
+        return found
+
+    def _own(self, link: Link) -> frozenset[int]:
+        node, _, file = link
+        if id(node) not in self._statements:
+            self._statements[id(node)] = frozenset(
+                number for span, number in self._stretches if span.file == file and span.start <= node.start < span.end
+            )
+        return self._statements[id(node)]

@@ -1,0 +1,227 @@
+"""The shortest time along many given paths at once: TOPP-RA in closed form, for limits that are symmetric.
+
+Pham and Pham, "A new approach to time-optimal path parameterization based on reachability analysis", T-RO 2018. With
+x = (ds/dt)^2 at the points and u = d2s/dt2 on the intervals, x_{i+1} = x_i + 2 h u, every limit is a row
+|p x_{i+1} + r x_i| <= 1. Limits from -1 to 1 hold a pair (x_i, x_{i+1}) as well as its negative; so the rows leave
+x_i <= f(x_{i+1}) and x_i >= -f(-x_{i+1}), f(y) = min over rows of (1 - sign(r) p y) / |r|, which is concave. One linear
+program per interval, where f is greatest, does not depend on the recursion; the rest is a minimum over rows at a point.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.timing.law import TimeLaw
+
+_UNBOUND = 1e12  # (ds/dt)^2 that stands for none
+_FAINT = 1e-9  # share of its limit below which a row's part of one point is a constant: dividing by it is rounding
+_ROUNDING = 1e-9  # relative: rates at the ends may pass what is feasible by this and are then taken as its bound
+_ELEMENTS = 800_000  # of the greatest work arrays; about ten live at once
+
+
+@dataclass(frozen=True, eq=False)
+class TimeLaws:
+    """How B paths are run: s (B, n) and ds/dt there, rates (B, n), NaN for a path that has no timing.
+
+    d2s/dt2 is constant between the points. durations (B,) [s]: inf where there is none or the path stands still.
+    """
+
+    s: Array
+    rates: Array
+    durations: Array
+
+    def __post_init__(self) -> None:
+        for name in ("s", "rates", "durations"):
+            object.__setattr__(self, name, readonly(getattr(self, name)))
+
+    def law(self, k: int) -> TimeLaw | None:
+        """The time law of path k; None where it has none."""
+        return TimeLaw(self.s[k], self.rates[k]) if np.isfinite(self.durations[k]) else None
+
+
+def fastest_laws(
+    s: Array,
+    top: Array,
+    begins: tuple[Array, Array],
+    ends: tuple[Array, Array],
+    rate_0: Array | float,
+    rate_1: Array | float,
+) -> TimeLaws:
+    """The fastest way to run each of B paths given by numbers alone; as `law.fastest_law`, but all at once.
+
+    s (B, n) or (n,): each path's parameter at its points, increasing. top (B, n): the greatest ds/dt there, inf for
+    none. begins, ends: slopes and bends, both (B, n-1, m), where each interval begins and where it ends: for every
+    column |slope d2s/dt2 + bend (ds/dt)^2| <= 1; a column of zeros is none. rate_0, rate_1: ds/dt at both ends, (B,)
+    or one for all; inf for whatever is fastest. Paths do not influence each other: one alone has the same answer.
+    Raises ValueError for shapes that differ, s that does not increase, rates below zero, and slopes or bends that are
+    not finite.
+    """
+    top = np.asarray(top, dtype=np.float64)
+    s = np.broadcast_to(np.asarray(s, dtype=np.float64), top.shape)
+    rows = [np.asarray(x, dtype=np.float64) for x in (*begins, *ends)]
+    B, n = top.shape
+    for name, x in zip(("begin slopes", "begin bends", "end slopes", "end bends"), rows, strict=True):
+        if x.shape != (B, n - 1, rows[0].shape[-1]):
+            raise ValueError(f"fastest laws: {name} {x.shape}, wanted ({B}, {n - 1}, {rows[0].shape[-1]})")
+        if not np.isfinite(x).all():
+            raise ValueError(f"fastest laws: {name} must be finite")
+    if n < 2 or not (np.diff(s) > 0).all():
+        raise ValueError("fastest laws: wanted two points or more and s that increases")
+    rates_at_ends = [np.broadcast_to(np.asarray(rate, dtype=np.float64), (B,)) for rate in (rate_0, rate_1)]
+    if not all((x >= 0).all() for x in (top, *rates_at_ends)):
+        raise ValueError("fastest laws: wanted top, rate_0 and rate_1 of zero or more")
+    x_0, x_1 = (rate**2 for rate in rates_at_ends)
+    rates, durations = np.empty((B, n)), np.empty(B)
+    for part in _parts(B, (n - 1) * 2 * rows[0].shape[-1]):
+        step = np.diff(s[part])
+        x = _recursion(step, top[part], [row[part] for row in rows], x_0[part], x_1[part])
+        rates[part] = np.sqrt(x)
+        with np.errstate(divide="ignore"):
+            taken = (2 * step / (rates[part, 1:] + rates[part, :-1])).sum(axis=1)
+        durations[part] = np.where(np.isnan(taken), np.inf, taken)
+    return TimeLaws(s, rates, durations)
+
+
+def _parts(B: int, elements: int) -> Iterator[slice]:
+    """Slices of the B paths that keep a work array of so many elements each in bounds."""
+    size = max(1, _ELEMENTS // max(elements, 1))
+    return (slice(k, k + size) for k in range(0, B, size))
+
+
+def _recursion(step: Array, top: Array, rows: list[Array], x_0: Array, x_1: Array) -> Array:
+    """(ds/dt)^2 (B, n) of each path, NaN where there is none; rows: slopes and bends of begins, then of ends."""
+    B, n = top.shape
+    h = 2 * step[..., None]
+    p = np.concatenate([rows[0] / h, rows[2] / h + rows[3]], axis=-1).reshape(B * (n - 1), -1)
+    r = np.concatenate([rows[1] - rows[0] / h, -rows[2] / h], axis=-1).reshape(p.shape)
+    cap = np.minimum(top, np.sqrt(_UNBOUND)) ** 2
+    # what the rows of an interval alone leave at its points tells which parts of rows are too faint to divide by
+    far = _reach(r, p, cap[:, 1:].ravel())
+    at, peak = _peaks(r, p, far)
+    here, there = np.minimum(peak, cap[:, :-1].ravel()), far
+    p, r, here, there = _without_faint(p, r, here, there)
+    cap[:, :-1] = np.minimum(cap[:, :-1], here.reshape(B, -1))
+    cap[:, 1:] = np.minimum(cap[:, 1:], there.reshape(B, -1))
+    # points first, paths last: every step of the passes reads one contiguous block
+    before, after = (
+        np.ascontiguousarray(np.reshape(_lines(of, other), (2, B, n - 1, -1)).transpose(0, 2, 3, 1))
+        for of, other in ((r, p), (p, r))
+    )
+    at, cap = np.ascontiguousarray(at.reshape(B, -1).T), np.ascontiguousarray(cap.T)
+    low, high, fails = _controllable(before, at, cap, x_1)
+    return _forward(after, low, high, fails, x_0).T
+
+
+def _lines(of: Array, other: Array) -> tuple[Array, Array]:
+    """What rows |other y + of x| <= 1 leave for x: x <= intercept + slope y; inf and 0 where x is not in the row."""
+    held = of != 0
+    safe = np.where(held, of, 1.0)
+    return np.where(held, 1 / np.abs(safe), np.inf), np.where(held, -other / safe, 0.0)
+
+
+def _reach(r: Array, p: Array, far: Array) -> Array:
+    """The greatest y, at most far, for which rows |p y + r x| <= 1 leave some x.
+
+    f(y) + f(-y), the room for x, is concave and even; Newton's method from beyond its zero ends there.
+    """
+    c, m = _lines(r, p)
+    y = far.copy()
+    at = np.arange(len(y))
+    for _ in range(2 * c.shape[1]):
+        above, below = c + m * y[at, None], c - m * y[at, None]
+        k, up, down = np.arange(len(at)), np.argmin(above, axis=1), np.argmin(below, axis=1)
+        on = above[k, up] + below[k, down] < 0
+        if not on.any():
+            break
+        c, m, at, up, down = c[on], m[on], at[on], up[on], down[on]
+        k = np.arange(len(at))
+        y[at] = (c[k, up] + c[k, down]) / (m[k, down] - m[k, up])
+    return y
+
+
+def _peaks(r: Array, p: Array, far: Array) -> tuple[Array, Array]:
+    """Where, for y from -far to far, x is greatest under rows |p y + r x| <= 1; and this x. far is within _reach.
+
+    The two lines that hold x on either side of the peak meet above it; the line that is lowest there replaces one of
+    them, until none is lower: a linear program in as many steps as it has rows at most.
+    """
+    c, m = _lines(r, p)
+    k = np.arange(len(c))
+    left, right = (np.argmin(c + m * y[:, None], axis=1) for y in (-far, far))
+    y = np.where(m[k, left] > 0, far, -far)
+    side = np.where(m[k, left] > 0, right, left)
+    x = c[k, side] + m[k, side] * y
+    at = np.flatnonzero((m[k, left] > 0) & (m[k, right] < 0))
+    c, m, left, right = c[at], m[at], left[at], right[at]
+    for _ in range(c.shape[1]):
+        if not len(at):
+            break
+        k = np.arange(len(c))
+        y[at] = (c[k, right] - c[k, left]) / (m[k, left] - m[k, right])
+        values = c + m * y[at, None]
+        lowest = np.argmin(values, axis=1)
+        x[at], slope = values[k, lowest], m[k, lowest]
+        on = (lowest != left) & (lowest != right) & (slope != 0)
+        left, right = np.where(slope > 0, lowest, left)[on], np.where(slope < 0, lowest, right)[on]
+        c, m, at = c[on], m[on], at[on]
+    return y, x
+
+
+def _without_faint(p: Array, r: Array, x: Array, y: Array) -> tuple[Array, Array, Array, Array]:
+    """The rows |p y + r x| <= 1 that need both points, and the greatest x and y with the other rows in them.
+
+    A part that stays below _FAINT is taken at its greatest: the row loses that much and is never passed.
+    """
+    part_x, part_y = np.abs(r) * x[:, None], np.abs(p) * y[:, None]
+    faint_x, faint_y = part_x < _FAINT, part_y < _FAINT
+    with np.errstate(divide="ignore", invalid="ignore"):
+        x = np.minimum(x, np.where(faint_y & ~faint_x, (1 - part_y) / np.abs(r), np.inf).min(axis=1))
+        y = np.minimum(y, np.where(faint_x & ~faint_y, (1 - part_x) / np.abs(p), np.inf).min(axis=1))
+    drop = faint_x | faint_y
+    return np.where(drop, 0.0, p), np.where(drop, 0.0, r), x, y
+
+
+def _controllable(lines: Array, at: Array, cap: Array, x_1: Array) -> tuple[Array, Array, Array]:
+    """Least and greatest x (n, B) at every point from which the end can be reached with x_1; and which paths fail."""
+    c, m = lines
+    low, high = np.zeros_like(cap), np.empty_like(cap)
+    work = np.empty(c.shape[1:])
+    free = np.isinf(x_1)
+    fails = (x_1 > cap[-1] * (1 + _ROUNDING)) & ~free
+    high[-1] = np.minimum(x_1, cap[-1])
+    low[-1] = np.where(free, 0.0, high[-1])
+    lifted = bool(low[-1].any())
+    for i in range(len(c) - 1, -1, -1):
+        np.multiply(m[i], np.minimum(np.maximum(at[i], low[i + 1]), high[i + 1]), out=work)
+        work += c[i]
+        np.minimum(np.minimum.reduce(work, axis=0), cap[i], out=high[i])
+        if lifted:
+            # rest can be reached from rest: once the set holds 0 it holds it at all points before
+            np.multiply(m[i], np.minimum(np.maximum(at[i], -high[i + 1]), -low[i + 1]), out=work)
+            work += c[i]
+            np.maximum(-np.minimum.reduce(work, axis=0), 0.0, out=low[i])
+            fails |= low[i] > high[i] * (1 + _ROUNDING)
+            np.maximum(high[i], 0.0, out=high[i])
+            np.minimum(low[i], high[i], out=low[i])
+            lifted = bool(low[i].any())
+    return low, high, fails
+
+
+def _forward(lines: Array, low: Array, high: Array, fails: Array, x_0: Array) -> Array:
+    """The greatest x (n, B) that starts with x_0 and stays controllable; NaN for paths that fail."""
+    c, m = lines
+    fails = fails | ((x_0 > high[0] * (1 + _ROUNDING)) & ~np.isinf(x_0)) | (x_0 < low[0] * (1 - _ROUNDING))
+    work = np.empty(c.shape[1:])
+    x = np.empty_like(high)
+    x[0] = np.clip(x_0, low[0], high[0])
+    for i in range(len(c)):
+        np.multiply(m[i], x[i], out=work)
+        work += c[i]
+        np.minimum(np.minimum.reduce(work, axis=0), high[i + 1], out=x[i + 1])
+        np.maximum(x[i + 1], low[i + 1], out=x[i + 1])
+    x[:, fails] = np.nan
+    return x
