@@ -1,12 +1,12 @@
-"""A band of times answers what the table of all pairs does."""
+"""A band of times, and times that are found where they matter, answer what the table of all pairs does."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 
-from trajopt_cli.geometry import IndexArray
-from trajopt_cli.optimize.edges import Band, Dense
+from trajopt_cli.geometry import Array, IndexArray
+from trajopt_cli.optimize.edges import Band, Dense, Lazy
 
 LABELS, RAILS = 3, 9
 
@@ -21,20 +21,46 @@ def states(rng: np.random.Generator) -> IndexArray:
 def test_a_band_answers_as_the_table_of_all_pairs(seed: int, widest: int) -> None:
     """The table is filled pair by pair; times are whole numbers: of equal ones the first counts."""
     rng = np.random.default_rng(seed)
-    best = {d: rng.integers(1, 4, (LABELS, RAILS - abs(d))) * 1.0 for d in range(-widest, widest + 1)}
-    best[0][rng.random(best[0].shape) < 0.2] = np.inf
+    shifts = np.arange(widest, -widest - 1, -1)
+    behind = np.arange(RAILS) + shifts[:, None]
+    times = rng.integers(1, 4, (len(shifts), LABELS, RAILS)) * 1.0
+    times[rng.random(times.shape) < 0.1] = np.inf
+    times[np.broadcast_to(((behind < 0) | (behind >= RAILS))[:, None], times.shape)] = np.inf
     a, b = states(rng), states(rng)
     table = np.full((a.shape[1], b.shape[1]), np.inf)
     for i, (label, rail) in enumerate(a.T):
         for j, (other, to) in enumerate(b.T):
             if label == other and abs(to - rail) <= widest:
-                table[i, j] = best[to - rail][label, rail - max(0, rail - to)]
-    band, dense = Band.between(best, LABELS, RAILS, a, b), Dense(table)
-    before, behind = rng.integers(0, 3, len(table)) * 1.0, rng.integers(0, 3, table.shape[1]) * 1.0
+                table[i, j] = times[widest - (to - rail), label, rail]
+    band, dense = Band(shifts, times, a, b), Dense(table)
+    before, beyond = rng.integers(0, 3, len(table)) * 1.0, rng.integers(0, 3, table.shape[1]) * 1.0
     source, least = band.into(before)
     wanted, cost = dense.into(before)
     np.testing.assert_array_equal(least, cost)
     np.testing.assert_array_equal(source[np.isfinite(cost)], wanted[np.isfinite(cost)])
-    np.testing.assert_array_equal(band.out(behind), dense.out(behind))
+    np.testing.assert_array_equal(band.out(beyond), dense.out(beyond))
     np.testing.assert_array_equal(band.dense(), table)
     assert all(band.at(i, j) == table[i, j] for i, j in np.ndindex(table.shape))
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_times_in_doubt_are_found_where_they_matter_and_only_there(seed: int) -> None:
+    """A doubtful time is at most the true one; of 40 x 30 of them a few answer for all."""
+    rng = np.random.default_rng(seed)
+    true = rng.uniform(1, 9, (40, 30))
+    doubt = rng.random(true.shape) < 0.8
+    asked = np.zeros(true.shape, dtype=int)
+
+    def sure(i: IndexArray, j: IndexArray) -> Array:
+        np.add.at(asked, (i, j), 1)
+        return true[i, j]
+
+    lazy, dense = Lazy(np.where(doubt, true - rng.uniform(0, 0.5, true.shape), true), doubt, sure), Dense(true)
+    before, beyond = rng.uniform(0, 5, 40), rng.uniform(0, 5, 30)
+    for mine, its in zip(lazy.into(before), dense.into(before), strict=True):
+        np.testing.assert_array_equal(mine, its)
+    np.testing.assert_array_equal(lazy.out(beyond), dense.out(beyond))
+    assert 0 < asked.sum() < 0.25 * true.size
+    assert asked.max() == 1
+    assert lazy.at(3, 4) == true[3, 4]
+    np.testing.assert_array_equal(lazy.dense(), true)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, IndexArray
+from trajopt_cli.geometry import Array, BoolArray, IndexArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,6 +37,59 @@ class Dense:
 
 
 @dataclass(frozen=True, eq=False)
+class Lazy:
+    """Times T (n_a, n_b) between all states, of which those in doubt (n_a, n_b) are no more than at least so much; sure
+    tells what such take, given the numbers of their states (k,), and is asked only where that may matter."""
+
+    T: Array
+    doubt: BoolArray
+    sure: Callable[[IndexArray, IndexArray], Array]
+
+    def into(self, cost: Array) -> tuple[IndexArray, Array]:
+        """As of Dense."""
+        self._settle(cost[:, None])
+        total = cost[:, None] + self.T
+        source = np.argmin(total, axis=0)
+        return source, total[source, np.arange(total.shape[1])]
+
+    def out(self, cost: Array) -> Array:
+        """As of Dense."""
+        self._settle(cost[None])
+        return np.asarray(np.min(self.T + cost[None], axis=1))
+
+    def at(self, i: int, j: int) -> float:
+        """As of Dense."""
+        self._ask(np.array([i]), np.array([j]))
+        return float(self.T[i, j])
+
+    def dense(self) -> Array:
+        """As of Dense."""
+        self._ask(*np.nonzero(self.doubt))
+        return self.T
+
+    def _settle(self, cost: Array) -> None:
+        """Nothing in doubt that could be the least of its row or column, cost (n_a, 1) or (1, n_b) being added."""
+        axis = 0 if cost.shape[1] == 1 else 1
+        total = cost + self.T
+        for _ in range(3):
+            first = np.argmin(total, axis=axis)
+            states = (first, np.arange(len(first)))[:: 1 if axis == 0 else -1]
+            states = tuple(x[self.doubt[states]] for x in states)
+            if not len(states[0]):
+                return
+            self._ask(*states)
+            total[states] = np.broadcast_to(cost, total.shape)[states] + self.T[states]
+        known = np.min(np.where(self.doubt, np.inf, total), axis=axis, keepdims=True)
+        self._ask(*np.nonzero(self.doubt & (total < known)))
+
+    def _ask(self, a: IndexArray, b: IndexArray) -> None:
+        doubtful = self.doubt[a, b]
+        a, b = a[doubtful], b[doubtful]
+        if len(a):
+            self.T[a, b], self.doubt[a, b] = self.sure(a, b), False
+
+
+@dataclass(frozen=True, eq=False)
 class Band:
     """Times between states of one label whose rail positions are a few steps apart. A state is a pair of label and
     rail number, in a and b (2, n_a), (2, n_b).
@@ -47,15 +101,6 @@ class Band:
     times: Array
     a: IndexArray
     b: IndexArray
-
-    @classmethod
-    def between(cls, best: dict[int, Array], labels: int, n: int, a: IndexArray, b: IndexArray) -> Band:
-        """Of times (L, n - |shift|) by shift."""
-        shifts = sorted(best, reverse=True)
-        times = np.full((len(shifts), labels, n), np.inf)
-        for number, shift in enumerate(shifts):
-            times[number, :, max(0, -shift) : n - max(0, shift)] = best[shift]
-        return cls(np.array(shifts), times, a, b)
 
     @cached_property
     def _parts(self) -> list[tuple[slice, slice, Array]]:
@@ -107,4 +152,4 @@ class Band:
         return np.where(self.a[0][:, None] == self.b[0][None], T, np.inf)
 
 
-Edge = Dense | Band
+Edge = Dense | Lazy | Band

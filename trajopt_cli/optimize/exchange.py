@@ -25,6 +25,7 @@ from trajopt_cli.optimize.tuning import (
     LEAST_PUSH,
     LOOK,
     MOST_LOOKS,
+    NEAR_LOOK,
     PUSHED,
     UNREACHED,
 )
@@ -67,7 +68,7 @@ def _looks(motion: LegMotion) -> tuple[Array, IndexArray]:
     breaks = motion.breaks()
     steps = np.diff(breaks)
     most = int(np.clip(np.max(steps) / LOOK, DENSE, MOST_LOOKS))
-    looks = np.where(steps < LOOK, BRIEF, most)
+    looks = np.clip(np.ceil(steps / NEAR_LOOK).astype(int), BRIEF, most)
     starts = np.concatenate([[0], np.cumsum(looks + 2)])
     inside = np.arange(starts[-1]) - np.repeat(starts[:-1], looks + 2) - 0.5
     u = np.clip(inside / np.repeat(looks, looks + 2), 1e-9, 1 - 1e-9)

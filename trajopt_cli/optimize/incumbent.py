@@ -213,26 +213,23 @@ def refined(axes: Axes, problem: Problem, chain: Chain) -> Chain:
     still = replace(chain, w=np.zeros_like(chain.w))
     if not free or not axes.layout.has_rail:
         return still
-    step, best, reached = REFINE_STEP, still, np.inf
+    best, reached, cost = still, np.inf, np.inf
+    step = np.where(np.isin(np.arange(len(problem.waypoints)), free), REFINE_STEP, 0.0)
     near: list[Array] = []
     edges: list[Array] = []
     for _ in range(REFINE_ROUNDS):
-        before, near = near, [_near(axes, problem, best, k, step) for k in range(len(problem.waypoints))]
-        same = [bool(before) and np.array_equal(a, b) for a, b in zip(before or near, near, strict=True)]
-        new = [k for k in range(len(problem.legs)) if not (same[k] and same[k + 1])]
-        found = dict(zip(new, _edges(axes, problem, new, near, best), strict=True))
-        edges = [found[k] if k in found else edges[k] for k in range(len(problem.legs))]
+        before, near = near, [_near(axes, problem, best, k, step[k]) for k in range(len(problem.waypoints))]
+        edges = _edges(axes, problem, near, best, before, edges)
         cost, path = best_chain(near, edges, problem.ties)
         if not np.isfinite(cost):
             break
         q = np.array([near[k][i] for k, i in enumerate(path)])
         times = np.array([edges[k][path[k], path[k + 1]] for k in range(len(edges))])
-        middle = all(np.abs(q[k] - best.q[k]).max() < _SAME for k in free) or cost > reached * (1 - REFINE_GAIN)
+        there = (np.abs(q - best.q).max(axis=1) < _SAME) | (cost > reached * (1 - REFINE_GAIN))
         best, reached = replace(best, q=q, times=times, cost=cost), cost
-        if middle or step <= REFINE_LAST:
-            step /= 2
-        if step < REFINE_LAST:
+        if np.all(there & (step <= REFINE_LAST)):
             break
+        step[there] = np.maximum(step[there] / 2, np.where(step[there] > 0, REFINE_LAST, 0.0))
     return best
 
 
@@ -324,20 +321,39 @@ class _Pairs:
         return replace(self, q_0=self.q_0[these], q_1=self.q_1[these])
 
 
-def _edges(axes: Axes, problem: Problem, legs: Sequence[int], near: Sequence[Array], chain: Chain) -> list[Array]:
+def _edges(
+    axes: Axes,
+    problem: Problem,
+    near: Sequence[Array],
+    chain: Chain,
+    before: Sequence[Array] = (),
+    known: Sequence[Array] = (),
+) -> list[Array]:
     """(m_a, m_b) least time of each leg between the axes near its ends, infinite where it cannot be. A fly-by at an end
-    is passed as fast as may be: its corner is not looked at."""
+    is passed as fast as may be: its corner is not looked at. known: the same between the axes that were near before."""
     timed, opens, out = [], [], []
-    for k in legs:
+    same = [_places(a, b) for a, b in zip(near, before, strict=True)] if before else []
+    for k in range(len(problem.legs)):
         a, b = near[k], near[k + 1]
-        ia, ib = (x.ravel() for x in np.indices((len(a), len(b))))
-        opens.append(_worth(axes, problem, k, a[ia], b[ib], chain))
-        timed.append(_Pairs(k, a[ia[opens[-1]]], b[ib[opens[-1]]], _branch(chain, k)))
-    for k, open_, T in zip(legs, opens, leg_times(axes, problem, timed), strict=True):
-        edge = np.full(len(open_), np.inf)
+        edge = np.full((len(a), len(b)), np.nan)
+        if before:
+            (i, i_before), (j, j_before) = same[k : k + 2]
+            edge[np.ix_(i, j)] = known[k][np.ix_(i_before, j_before)]
+        ia, ib = np.nonzero(np.isnan(edge))
+        worth = _worth(axes, problem, k, a[ia], b[ib], chain)
+        edge[ia, ib] = np.inf
+        opens.append((ia[worth], ib[worth]))
+        timed.append(_Pairs(k, a[ia[worth]], b[ib[worth]], _branch(chain, k)))
+        out.append(edge)
+    for edge, open_, T in zip(out, opens, leg_times(axes, problem, timed), strict=True):
         edge[open_] = T
-        out.append(edge.reshape(len(near[k]), len(near[k + 1])))
     return out
+
+
+def _places(a: Array, b: Array) -> tuple[IndexArray, IndexArray]:
+    """Which rows of a (m, n) are rows of b, and which."""
+    i, j = np.nonzero(np.abs(a[:, None] - b[None]).max(axis=2) < _SAME)
+    return i, j
 
 
 def _worth(axes: Axes, problem: Problem, k: int, q_0: Array, q_1: Array, chain: Chain) -> BoolArray:
@@ -404,19 +420,19 @@ def _own_times(axes: Axes, leg: Leg, q_0: Array, q_1: Array) -> Array:
 def _topp_times(axes: Axes, problem: Problem, pairs: Sequence[_Pairs]) -> list[Array]:
     """The same, of what moves; legs of one tool and kind at once, as many as the memory takes."""
     counts = np.array([len(one.q_0) for one in pairs], dtype=np.intp)
-    behind = np.cumsum(counts)
     out = [np.zeros(0)] * len(pairs)
-
-    def key(i: int) -> tuple[bytes, bool, bool, int]:
+    alike: dict[tuple[bytes, bool, bool], list[int]] = {}
+    for i in np.flatnonzero(counts).tolist():
         leg = problem.legs[pairs[i].k]
-        alike = leg.X_FT.tobytes(), leg.kind is LegKind.JOINT, _short(problem, pairs[i].k)
-        return *alike, int(behind[i]) // PAIRS_AT_ONCE
-
-    for _, group in groupby(np.flatnonzero(counts).tolist(), key=key):
-        numbers = list(group)
-        T = _timed_together(axes, problem, [pairs[i] for i in numbers])
-        for i, times in zip(numbers, np.split(T, np.cumsum(counts[numbers])[:-1]), strict=True):
-            out[i] = times
+        key = leg.X_FT.tobytes(), leg.kind is LegKind.JOINT, _short(problem, pairs[i].k)
+        alike.setdefault(key, []).append(i)
+    for numbers in alike.values():
+        behind = np.cumsum(counts[numbers])
+        for _, group in groupby(range(len(numbers)), key=lambda i: int(behind[i]) // PAIRS_AT_ONCE):
+            some = [numbers[i] for i in group]
+            T = _timed_together(axes, problem, [pairs[i] for i in some])
+            for i, times in zip(some, np.split(T, np.cumsum(counts[some])[:-1]), strict=True):
+                out[i] = times
     return out
 
 

@@ -7,7 +7,7 @@ are exact without the tool caps; those of lines are estimates.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,12 +15,13 @@ import numpy as np
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.double_integrator import reach, shortest_time, trapezoid_time
-from trajopt_cli.optimize.edges import Band, Dense, Edge
+from trajopt_cli.optimize.edges import Band, Dense, Edge, Lazy
 from trajopt_cli.optimize.reach import Label, StationTable, rail_grid, station_table
 from trajopt_cli.optimize.tied import Ties, best_tied
 from trajopt_cli.optimize.tuning import (
     CURVED,
     LEAST_ROOM,
+    LINE_CHUNK,
     NEAR_BEST,
     PASSING,
     SEARCH_CHUNK,
@@ -33,6 +34,8 @@ from trajopt_cli.optimize.tuning import (
 )
 from trajopt_cli.problem.freedom import RailFreedom
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
+
+_LEAST = 1e-12  # s, s2: of a leg that goes nowhere
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,89 +79,139 @@ def _layer(axes: Axes, problem: Problem, table: StationTable, k: int, speeds: Ar
     return _Layer(q[ok], qd[ok], labels[ok], rails[ok])
 
 
-def _joint_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) -> Array:
-    """(n_a, n_b) least time of joint moves; the tool caps enter by a trapezoid over the tool's way, which is its chord
-    where every axis may go its own way."""
+def _joint_edge(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) -> Edge:
+    """Least times of joint moves between all states; the tool caps enter by a trapezoid over the tool's way, which is
+    its chord where every axis may go its own way."""
     V, A = axes.velocity_on(leg), axes.acceleration
-    out = np.empty((len(a.q), len(b.q)))
-    moving = np.any(a.qd) or np.any(b.qd)
-    p_a, p_b = (axes.forward(x.q) @ leg.X_FT for x in (a, b))
-    rows = max(1, SEARCH_CHUNK // max(1, axes.n * len(b.q)))
-    for i in range(0, len(a.q), rows):
-        part = slice(i, i + rows)
-        D = b.q[None] - a.q[part, None]
+    p_a, p_b = ((axes.forward(x.q) @ leg.X_FT)[:, :3, 3] for x in (a, b))
+    slow, hard, most, chord = (np.zeros((len(a.q), len(b.q))) for _ in range(4))
+    lever = np.where(np.arange(axes.n) >= axes.layout.arm.start, np.linalg.norm(leg.X_FT[:3, 3]) + WIDEST, 1.0)
+    T = np.zeros_like(slow)
+    for j in range(axes.n):
+        way = np.abs(b.q[None, :, j] - a.q[:, None, j])
+        most += way * lever[j]
+        np.maximum(slow, way / V[j], out=slow)
         if problem.coordinated:
-            way = np.maximum(np.abs(D), 1e-12)
-            T = trapezoid_time(1.0, np.min(V / way, axis=-1), np.min(A / way, axis=-1))
-        elif moving:
-            T = shortest_time(D, a.qd[part, None], b.qd[None], V, A, rounds=3)
+            np.maximum(hard, way / A[j], out=hard)
         else:
-            D = np.abs(D)
-            T = np.max(trapezoid_time(D, V, A), axis=-1)
-        chord = np.linalg.norm(p_a[part, None, :3, 3] - p_b[None, :, :3, 3], axis=-1)
-        out[part] = np.maximum(T, trapezoid_time(chord, leg.v_tcp, leg.a_tcp))
-        if problem.coordinated:
-            _lengthen(axes, leg, a.q[part], b.q, out[part])
-    if leg.duration is not None:
-        out = np.where(out <= leg.duration, leg.duration, out)
+            np.maximum(T, trapezoid_time(way, V[j], A[j]), out=T)
+    if problem.coordinated:  # one profile for all: over a share of 1, at 1 / slow and 1 / hard at most
+        slow, hard = np.maximum(slow, _LEAST), np.maximum(hard, _LEAST)
+        T = np.where(slow * slow > hard, slow + hard / slow, 2 * np.sqrt(hard))
+    elif np.any(a.qd) or np.any(b.qd):
+        T = shortest_time(b.q[None] - a.q[:, None], a.qd[:, None], b.qd[None], V, A, rounds=3)
+    for j in range(3):
+        chord += (p_b[None, :, j] - p_a[:, None, j]) ** 2
+    T = np.maximum(T, trapezoid_time(np.sqrt(chord), leg.v_tcp, leg.a_tcp))
+    doubt = most > leg.v_tcp * T if problem.coordinated else np.zeros(T.shape, dtype=bool)
     stays = axes.layout.place(a.q)[:, None] == axes.layout.place(b.q)
-    return np.where(stays | leg.rail_moves, out, np.inf)
+    forbidden = np.zeros(T.shape, dtype=bool) if leg.rail_moves else ~stays
+
+    def within(T: Array) -> Array:
+        return T if leg.duration is None else np.where(leg.duration >= T, leg.duration, T)
+
+    def sure(i: IndexArray, k: IndexArray) -> Array:
+        return within(np.maximum(bare[i, k], _driven(axes, leg, a.q[i], b.q[k])))
+
+    bare, T = T, within(T)
+    return (
+        Lazy(np.where(forbidden, np.inf, T), doubt & ~forbidden, sure)
+        if doubt.any()
+        else Dense(np.where(forbidden, np.inf, T))
+    )
 
 
-def _lengthen(axes: Axes, leg: Leg, q_0: Array, q_1: Array, T: Array) -> None:
-    """Times T (n_0, n_1) of straight joint moves raised, in place, to what the tool's way takes, where that matters."""
-    reach = np.linalg.norm(leg.X_FT[:3, 3]) + WIDEST
-    lever = np.where(np.arange(axes.n) >= axes.layout.arm.start, reach, 1.0)
-    most = np.abs(q_1[None] - q_0[:, None]) @ lever
-    i, k = np.nonzero(np.isfinite(T) & (most > leg.v_tcp * T))
-    for at in range(0, len(i), SEARCH_CHUNK // 64):
-        a, b = i[at : at + SEARCH_CHUNK // 64], k[at : at + SEARCH_CHUNK // 64]
+def _driven(axes: Axes, leg: Leg, q_0: Array, q_1: Array) -> Array:
+    """What the tool's way takes (k,) on straight joint moves between axes (k, n)."""
+    out = np.empty(len(q_0))
+    for i in range(0, len(out), SEARCH_CHUNK // 64):
+        part = slice(i, i + SEARCH_CHUNK // 64)
         s = np.linspace(0, 1, WAY_NODES)[:, None, None]
-        tool = (axes.forward(q_0[a] + s * (q_1[b] - q_0[a])) @ leg.X_FT)[..., :3, 3]
+        tool = (axes.forward(q_0[part] + s * (q_1[part] - q_0[part])) @ leg.X_FT)[..., :3, 3]
         length = np.linalg.norm(np.diff(tool, axis=0), axis=-1).sum(axis=0)
-        T[a, b] = np.maximum(T[a, b], trapezoid_time(length, leg.v_tcp, leg.a_tcp))
+        out[part] = trapezoid_time(length, leg.v_tcp, leg.a_tcp)
+    return out
 
 
 def _line_times(axes: Axes, problem: Problem, table: StationTable, k: int, a: _Layer, b: _Layer) -> Band:
     """Estimated times of a line, leg k, with the rail linear in the path, whatever the rates of the states."""
     leg, i = problem.legs[k], k - table.first
-    line = table.line(i)
-    assert line is not None
-    d = table.d
-    n = len(d)
-    limits_v, limits_a = axes.velocity_on(leg), axes.acceleration
+    raw = table.raw[i]
+    assert raw is not None
+    d, n, nodes = table.d, len(table.d), raw.shape[1]
+    V, A = axes.velocity_on(leg), axes.acceleration
     spacing = (d[-1] - d[0]) / max(n - 1, 1)
     cruise = leg.chord / leg.v_tcp + leg.angle / leg.v_ori
     beyond = 0.0 if problem.passes(k) and problem.passes(k + 1) else SHIFT
-    farthest = (beyond + axes.layout.place(limits_v) * cruise) if leg.rail_moves else 0.0
+    farthest = (beyond + axes.layout.place(V) * cruise) if leg.rail_moves else 0.0
     if problem.freedom.rail is RailFreedom.STATION:
         farthest = 0.0
-    widest = int(np.ceil(farthest / max(spacing, 1e-9)))
+    widest = min(int(np.ceil(farthest / max(spacing, 1e-9))), n - 1)
+    shifts = np.arange(widest, -widest - 1, -1)
+    cfx = np.array([label.cfx for label in table.labels])
+    used, of = np.unique(cfx, return_inverse=True)
+    arm = np.moveaxis(raw[used], -1, 0).reshape(-1, nodes * n)  # (m * branches, places)
+    open_ = np.array([table.open_on(i, label) for label in range(len(cfx))]).reshape(len(cfx), -1)
+    times = np.empty((len(shifts), len(cfx), n))
+    rows = max(1, LINE_CHUNK // arm.size)
     leaves = table.leaves if problem.coordinated and all(before is None for before in table.raw[:i]) else None
-    best: dict[int, Array] = {}
-    S = np.linspace(0, 1, line.shape[1])
-    for shift in range(-min(widest, n - 1), min(widest, n - 1) + 1):
-        i0 = np.arange(max(0, -shift), min(n, n - shift))
-        i1 = i0 + shift
-        way = d[i1] - d[i0]
-        position = i0[None] + shift * S[:, None]  # fractional rail index along the line; grid is uniform when free
-        low = np.clip(np.floor(position + 1e-9).astype(int), 0, n - 1)
-        high = np.minimum(low + 1, n - 1)
-        f = (position - low)[None, :, :, None]
-        node = np.arange(len(S))[:, None]
-        arm = line[:, node, low] * (1 - f) + np.where(f > 1e-9, line[:, node, high], 0.0) * f
-        q = axes.layout.join(d[i0] + way * S[:, None], arm)
-        dq = np.gradient(q, S, axis=1)
-        ddq = np.gradient(dq, S, axis=1)
-        v = np.min(limits_v / np.maximum(np.abs(dq), 1e-9), axis=(1, 3))
-        v = np.minimum(v, min(leg.v_tcp / max(leg.chord, 1e-12), leg.v_ori / max(leg.angle, 1e-12)))
-        room = np.maximum(limits_a - np.abs(ddq) * (CURVED * v[:, None, :, None]) ** 2, LEAST_ROOM * limits_a)
-        acc = np.min(room / np.maximum(np.abs(dq), 1e-9), axis=(1, 3))
-        acc = np.minimum(acc, leg.a_tcp / max(leg.chord, 1e-12))
-        T = trapezoid_time(1.0, v, acc)
-        lost = np.isnan(T) if leaves is None else np.isnan(T) | ~leaves[:, i1]
-        best[shift] = np.where(lost, np.inf, np.maximum(T, leg.duration or 0.0))
-    return Band.between(best, len(table.labels), n, a.place, b.place)
+    for start in range(0, len(shifts), rows):
+        some = shifts[start : start + rows]
+        behind = np.arange(n) + some[:, None]  # (s, n) rail number at the line's end
+        at = some[:, None] * np.linspace(0, 1, nodes)
+        whole = np.floor(at + 1e-9)
+        f = np.where(at - whole > 1e-9, at - whole, 0.0)[..., None]
+        low = np.clip(
+            np.arange(n) + whole.astype(int)[..., None], 0, n - 1
+        )  # (s, nodes, n); fractional between low, high
+        high = np.where(f > 0, np.minimum(low + 1, n - 1), low)
+        low, high = (np.arange(nodes)[:, None] * n + x for x in (low, high))
+        q = (arm[:, low] * (1 - f) + arm[:, high] * f).reshape(axes.layout.joints, len(used), *low.shape)
+        T = _along_line(axes, leg, q, (d[np.clip(behind, 0, n - 1)] - d), V, A)
+        ok = np.all(open_[:, low] & open_[:, high], axis=2) & ((behind >= 0) & (behind < n))
+        if leaves is not None:
+            ok &= leaves[:, np.clip(behind, 0, n - 1)]
+        T = T[of]
+        times[start : start + rows] = np.where(ok & ~np.isnan(T), np.maximum(T, leg.duration or 0.0), np.inf).swapaxes(
+            0, 1
+        )
+    return Band(shifts, times, a.place, b.place)
+
+
+def _along_line(axes: Axes, leg: Leg, arm: Array, way: Array, V: Array, A: Array) -> Array:
+    """Estimated times (B, s, n) of joints (m, B, s, nodes, n) along a line, the rail going its way (s, n) meanwhile."""
+    h = 1 / (arm.shape[3] - 1)
+
+    def slope(x: Array) -> Array:
+        out = np.empty_like(x)
+        out[..., 1:-1, :] = (x[..., 2:, :] - x[..., :-2, :]) / (2 * h)
+        out[..., 0, :], out[..., -1, :] = (x[..., 1, :] - x[..., 0, :]) / h, (x[..., -1, :] - x[..., -2, :]) / h
+        return out
+
+    def most(shares: Iterable[Array]) -> Array:
+        """The greatest (B, s, n) of axes and nodes."""
+        out = np.zeros(arm.shape[1:])
+        for share in shares:
+            np.maximum(out, share, out=out)
+        return np.asarray(np.max(out, axis=2))
+
+    dq = slope(arm)
+    ddq = np.abs(slope(dq))
+    np.abs(dq, out=dq)
+    rail, layout = np.abs(way), axes.layout
+    slow = most(x / limit for x, limit in zip(dq, V[layout.arm], strict=True))
+    for limit in V[layout.rail]:
+        slow = np.maximum(slow, rail / limit)
+    slow = np.maximum(slow, max(leg.chord / leg.v_tcp, leg.angle / leg.v_ori, _LEAST))
+    charged = ((CURVED / slow) ** 2)[:, :, None]
+    hard = most(
+        x / np.maximum(limit - bend * charged, LEAST_ROOM * limit)
+        for x, bend, limit in zip(dq, ddq, A[layout.arm], strict=True)
+    )
+    for limit in A[layout.rail]:
+        hard = np.maximum(hard, rail / limit)
+    hard = np.maximum(hard, max(leg.chord / leg.a_tcp, _LEAST))
+    return np.where(slow * slow > hard, slow + hard / slow, 2 * np.sqrt(hard))
 
 
 def _line_edge(axes: Axes, problem: Problem, table: StationTable, k: int, a: _Layer, b: _Layer) -> Edge:
@@ -204,7 +257,7 @@ def _edges(
     for k, leg in enumerate(problem.legs):
         a, b, table = layers[k], layers[k + 1], tables[where[k]]
         if leg.kind is LegKind.JOINT:
-            edges.append(Dense(_joint_time(axes, problem, leg, a, b)))
+            edges.append(_joint_edge(axes, problem, leg, a, b))
         elif leg.kind is LegKind.LINE:
             edges.append(_line_edge(axes, problem, table, k, a, b))
         else:

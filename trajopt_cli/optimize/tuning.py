@@ -49,6 +49,7 @@ WIDER = (
 )  # times the untied cost beyond which states of tied waypoints are left out, tried in
 # turn. Not measured.
 CANDIDATES = 40  # states of a tied waypoint that are tried by coordinate descent. Not measured.
+LINE_CHUNK = 100_000  # joints of a line at once: 0.8 MB. Not measured.
 SEARCH_CHUNK = 2_000_000  # numbers per work array: 16 MB. Not measured.
 
 # ---- course: a run's parts between two stops
@@ -71,8 +72,9 @@ LED = 0.02  # rad, m by which axes may be elsewhere at the next node than their 
 LOST = 0.2  # rad, m by which they may be with the nodes as close as they get. Not measured.
 RESOLVED = 8  # halvings at most. Not measured.
 LOOK = 1e-3  # s between two looks at a motion at most. Not measured.
-BRIEF = 12  # looks at an interval shorter than that: no row of the file stands inside. Measured: on 1,000 points of z1
-# at v100, 8, 12, 20 and 40 gave one and the same motion.
+NEAR_LOOK = 2e-4  # s between two looks in a short interval, which has fewer than DENSE then. Not measured.
+BRIEF = 12  # looks at an interval at least. Measured: on 1,000 points of z1 at v100, 8, 12, 20 and 40 gave one and the
+# same motion.
 CHECKED = 50_000  # looks of the legs checked at once: 50 MB. Not measured.
 SAMPLED = 2048  # places whose kinematics are asked for at once. Measured: 512 to 8192 take the same time within 15 %.
 MOST_LOOKS = 1000  # within one interval. Not measured.
