@@ -37,6 +37,7 @@ from trajopt_cli.optimize.tuning import (
     POLISH_STEP,
     REFINE_GAIN,
     REFINE_LAST,
+    REFINE_NARROW,
     REFINE_OFFSETS,
     REFINE_ROUNDS,
     REFINE_STEP,
@@ -47,6 +48,7 @@ from trajopt_cli.optimize.tuning import (
 )
 from trajopt_cli.path.line import Line
 from trajopt_cli.path.segment import Segment, along_all
+from trajopt_cli.problem.alike import leg_name
 from trajopt_cli.problem.freedom import RailFreedom
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.timing.retiming import fastest_laws
@@ -77,9 +79,16 @@ def timed(axes: Axes, problem: Problem, chain: Chain) -> Draft:
     limits allow. Raises NotDriven."""
     legs: list[LegMotion | None] = [None] * len(problem.legs)
     cfx = tuple(label.cfx for label in chain.labels)
-    for run in problem.runs:
-        for k, motion in _fastest(axes, problem, run, chain.q, cfx).items():
-            legs[k] = motion
+    known: dict[bytes, dict[int, LegMotion]] = {}
+    for first, last in problem.runs:
+        points = [problem.waypoints[k].fly_by for k in range(first, last + 1)]
+        name = repr((cfx[first : last + 1], points)).encode() + chain.q[first : last + 1].tobytes()
+        name = b"|".join([name, *(_leg_name(problem, k) for k in range(first, last))])
+        if name not in known:  # equal runs are driven alike
+            found = _fastest(axes, problem, (first, last), chain.q, cfx)
+            known[name] = {k - first: motion for k, motion in found.items()}
+        for k, motion in known[name].items():
+            legs[first + k] = motion
     return Draft(chain.q, np.zeros_like(chain.q), cfx, tuple(legs))
 
 
@@ -214,22 +223,27 @@ def refined(axes: Axes, problem: Problem, chain: Chain) -> Chain:
     if not free or not axes.layout.has_rail:
         return still
     best, reached, cost = still, np.inf, np.inf
+    changed = np.ones(len(problem.waypoints), dtype=bool)
     step = np.where(np.isin(np.arange(len(problem.waypoints)), free), REFINE_STEP, 0.0)
     near: list[Array] = []
     edges: list[Array] = []
     for _ in range(REFINE_ROUNDS):
-        before, near = near, [_near(axes, problem, best, k, step[k]) for k in range(len(problem.waypoints))]
+        before = near
+        found = iter(_near(axes, problem, best, np.flatnonzero(changed), step))
+        near = [next(found) if changed[k] else before[k] for k in range(len(step))]
         edges = _edges(axes, problem, near, best, before, edges)
         cost, path = best_chain(near, edges, problem.ties)
         if not np.isfinite(cost):
             break
         q = np.array([near[k][i] for k, i in enumerate(path)])
         times = np.array([edges[k][path[k], path[k + 1]] for k in range(len(edges))])
-        there = (np.abs(q - best.q).max(axis=1) < _SAME) | (cost > reached * (1 - REFINE_GAIN))
+        stays = np.abs(q - best.q).max(axis=1) < _SAME
+        there = stays | (cost > reached * (1 - REFINE_GAIN))
         best, reached = replace(best, q=q, times=times, cost=cost), cost
         if np.all(there & (step <= REFINE_LAST)):
             break
-        step[there] = np.maximum(step[there] / 2, np.where(step[there] > 0, REFINE_LAST, 0.0))
+        shorter = np.where(there & (step > REFINE_LAST), np.maximum(step / 2, REFINE_LAST), step)
+        changed, step = ~stays | (shorter != step), shorter
     return best
 
 
@@ -294,17 +308,30 @@ def _branch(chain: Chain, k: int) -> int:
     return chain.labels[k].cfx if chain.labels[k].cfx >= 0 else chain.labels[k + 1].cfx
 
 
-def _near(axes: Axes, problem: Problem, chain: Chain, k: int, step: float) -> Array:
-    """Axes (m, n) to try at waypoint k, those of the chain among them."""
-    point, q = problem.waypoints[k], chain.q[k]
-    if point.q is not None or point.rail[0] == point.rail[1]:
-        return q[None]
-    d = np.unique(np.clip(axes.layout.place(q) + step * np.array(REFINE_OFFSETS), *point.rail))
-    arm = axes.inverse(np.broadcast_to(point.X_WF, (len(d), 4, 4)), d)[:, chain.labels[k].cfx, :]
-    turned = arm + 2 * np.pi * np.round((q[axes.layout.arm] - arm) / (2 * np.pi))
-    out = axes.layout.join(d, turned)
-    ok = np.all((out >= axes.lower - 1e-9) & (out <= axes.upper + 1e-9), axis=1)
-    return np.asarray(out[ok]) if ok.any() else q[None]
+def _near(axes: Axes, problem: Problem, chain: Chain, at: IndexArray, step: Array) -> list[Array]:
+    """Axes (m, n) to try at each of some waypoints, those of the chain among them; step [m] at every waypoint."""
+    points = [problem.waypoints[k] for k in at]
+    free = [i for i, point in enumerate(points) if point.q is None and point.rail[0] < point.rail[1]]
+    out = [chain.q[k][None] for k in at]
+    if not free:
+        return out
+    k, low, high = at[free], *np.array([points[i].rail for i in free]).T
+    d = axes.layout.place(chain.q[k])[:, None] + step[k][:, None] * np.array(REFINE_OFFSETS)
+    far = np.abs(REFINE_OFFSETS) > 1
+    d[:, far] = np.where(step[k][:, None] < REFINE_NARROW, d[:, ~far][:, :1], d[:, far])  # once is enough
+    d = np.sort(np.clip(d, low[:, None], high[:, None]), axis=1)
+    tries = d.shape[1]
+    X_WF = np.repeat([points[i].X_WF for i in free], tries, axis=0)
+    cfx = np.repeat([chain.labels[i].cfx for i in k], tries)
+    arm = axes.inverse(X_WF, d.ravel())[np.arange(d.size), cfx]
+    turned = arm + 2 * np.pi * np.round((np.repeat(chain.q[k][:, axes.layout.arm], tries, axis=0) - arm) / (2 * np.pi))
+    q = axes.layout.join(d.ravel(), turned)
+    ok = np.all((q >= axes.lower - 1e-9) & (q <= axes.upper + 1e-9), axis=1).reshape(d.shape)
+    ok[:, 1:] &= np.diff(d, axis=1) > 0
+    for i, every, these in zip(free, q.reshape(*d.shape, -1), ok, strict=True):
+        if these.any():
+            out[i] = every[these]
+    return out
 
 
 @dataclass(frozen=True, eq=False)
@@ -332,21 +359,27 @@ def _edges(
     """(m_a, m_b) least time of each leg between the axes near its ends, infinite where it cannot be. A fly-by at an end
     is passed as fast as may be: its corner is not looked at. known: the same between the axes that were near before."""
     timed, opens, out = [], [], []
-    same = [_places(a, b) for a, b in zip(near, before, strict=True)] if before else []
+    same = [None if a is b else _places(a, b) for a, b in zip(near, before, strict=True)] if before else []
     for k in range(len(problem.legs)):
         a, b = near[k], near[k + 1]
+        if before and a is before[k] and b is before[k + 1]:
+            out.append(known[k])
+            continue
         edge = np.full((len(a), len(b)), np.nan)
         if before:
-            (i, i_before), (j, j_before) = same[k : k + 2]
+            (i, i_before), (j, j_before) = (
+                (np.arange(len(x)), np.arange(len(x))) if at is None else at
+                for x, at in zip((a, b), same[k : k + 2], strict=True)
+            )
             edge[np.ix_(i, j)] = known[k][np.ix_(i_before, j_before)]
         ia, ib = np.nonzero(np.isnan(edge))
         worth = _worth(axes, problem, k, a[ia], b[ib], chain)
         edge[ia, ib] = np.inf
-        opens.append((ia[worth], ib[worth]))
+        opens.append((edge, ia[worth], ib[worth]))
         timed.append(_Pairs(k, a[ia[worth]], b[ib[worth]], _branch(chain, k)))
         out.append(edge)
-    for edge, open_, T in zip(out, opens, leg_times(axes, problem, timed), strict=True):
-        edge[open_] = T
+    for (edge, ia, ib), T in zip(opens, leg_times(axes, problem, timed), strict=True):
+        edge[ia, ib] = T
     return out
 
 
@@ -377,7 +410,27 @@ def _short(problem: Problem, k: int) -> bool:
 
 
 def leg_times(axes: Axes, problem: Problem, pairs: Sequence[_Pairs]) -> list[Array]:
-    """Least times (m,) of legs between axes, by TOPP on a few nodes."""
+    """Least times (m,) of legs between axes, by TOPP on a few nodes; of equal ones once."""
+    names = [_name(problem, one) for one in pairs]
+    distinct = {name: one for name, one in zip(reversed(names), reversed(pairs), strict=True)}
+    times = dict(zip(distinct, _leg_times(axes, problem, [*distinct.values()]), strict=True))
+    return [times[name] for name in names]
+
+
+def _name(problem: Problem, pairs: _Pairs) -> bytes:
+    k = pairs.k
+    ends = problem.passes(k), problem.passes(k + 1), pairs.cfx
+    return b"|".join([_leg_name(problem, k), repr(ends).encode(), pairs.q_0.tobytes(), pairs.q_1.tobytes()])
+
+
+def _leg_name(problem: Problem, k: int) -> bytes:
+    """Of a leg; of a wait with its pose."""
+    X_WF = problem.waypoints[k].X_WF if problem.legs[k].kind is LegKind.DWELL else np.zeros(0)
+    return leg_name(problem.legs[k]) + X_WF.tobytes()
+
+
+def _leg_times(axes: Axes, problem: Problem, pairs: Sequence[_Pairs]) -> list[Array]:
+    """The same, one by one."""
     resting = [_resting(problem, one) for one in pairs]
     moved = _topp_times(axes, problem, [one.only(~rest) for one, rest in zip(pairs, resting, strict=True)])
     out = []

@@ -17,7 +17,16 @@ from trajopt_cli.geometry import Array, BoolArray, inverse_pose
 from trajopt_cli.motion import MoveJ, MoveL, motion_name
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.singular_start import SingularStart, usable
-from trajopt_cli.optimize.tuning import FEWEST_NODES, LINE_NODES, LONG_LINE, LONG_TURN, REACH_CHUNK, REACH_GRID
+from trajopt_cli.optimize.tuning import (
+    FEWEST_NODES,
+    LINE_NODES,
+    LONG_LINE,
+    LONG_TURN,
+    REACH_APART,
+    REACH_CHUNK,
+    REACH_GRID,
+)
+from trajopt_cli.problem.alike import stretch_name
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.problem import Leg, LegKind, Problem, Waypoint
 
@@ -82,6 +91,30 @@ def rail_grid(problem: Problem, first: int, last: int, n: int, window: tuple[flo
     if window:
         low, high = max(low, window[0]), min(high, window[1])
     return np.unique(np.r_[np.linspace(low, high, n), fixed])
+
+
+def grid_in_reach(axes: Axes, problem: Problem, first: int, last: int, fewest: int, apart: float) -> Array:
+    """The same over the whole stroke, fewest positions or more that are no farther apart [m]; left out are those from
+    which the arm is too short for all waypoints and all ways between them."""
+    ranges = [problem.waypoints[k].rail for k in range(first, last + 1)]
+    low, high = next(((low, high) for low, high in ranges if low != high), (0.0, 0.0))
+    d = rail_grid(problem, first, last, max(fewest, 1 + int(np.ceil((high - low) / apart - 1e-9))))
+    if low == high:
+        return d
+    near = np.clip(hull_in_reach(axes, problem, first, last), d[0], d[-1])
+    step = float(np.diff(d).max())
+    fixed = np.array([at for at, end in ranges if at == end])
+    return np.asarray(d[((d > near[0] - step) & (d < near[1] + step)) | np.isin(d, fixed)])
+
+
+def hull_in_reach(axes: Axes, problem: Problem, first: int, last: int) -> tuple[float, float]:
+    """From which rail position to which [m] the arm could be long enough for some of the waypoints first..last."""
+    X_WF = [problem.waypoints[k].X_WF for k in range(first, last + 1)]
+    for leg in problem.legs[first:last]:
+        if leg.segment is not None and leg.chord > 0:
+            X_WF += [*(leg.segment.pose(np.array([0.25, 0.5, 0.75])) @ inverse_pose(leg.X_FT))]
+    ends = axes.robot.rail_within(np.array(X_WF))
+    return float(ends.min()), float(ends.max())
 
 
 def _unwrap(arm: Array, axis: int, first: int = 0) -> Array:
@@ -207,10 +240,15 @@ def _rests(problem: Problem, first: int, last: int) -> bool:
     return low == high and not any(leg.segment or leg.rail_moves for leg in problem.legs[first:last])
 
 
-def check_reach(axes: Axes, problem: Problem, n: int = REACH_GRID) -> Infeasible | None:
+def check_reach(axes: Axes, problem: Problem) -> Infeasible | None:
     """The first waypoint that no rail position and branch reaches, or line that none can serve, by name."""
+    served: set[bytes] = set()
     for first, last in problem.stations:
-        d = rail_grid(problem, first, last, n)
+        name = stretch_name(problem, first, last)
+        if name in served:
+            continue
+        served.add(name)
+        d = grid_in_reach(axes, problem, first, last, REACH_GRID, REACH_APART)
         table = station_table(axes, problem, first, last, d)
         if not table.labels:  # else one configuration reaches all of its waypoints
             return _lost(axes, problem, first, last, d)

@@ -8,7 +8,7 @@ are exact without the tool caps; those of lines are estimates.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -16,22 +16,27 @@ from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.double_integrator import reach, shortest_time, trapezoid_time
 from trajopt_cli.optimize.edges import Band, Dense, Edge, Lazy
-from trajopt_cli.optimize.reach import Label, StationTable, rail_grid, station_table
+from trajopt_cli.optimize.reach import Label, StationTable, grid_in_reach, rail_grid, station_table
 from trajopt_cli.optimize.tied import Ties, best_tied
 from trajopt_cli.optimize.tuning import (
     CURVED,
     LEAST_ROOM,
     LINE_CHUNK,
     NEAR_BEST,
+    NEAR_SPAN,
     PASSING,
+    SEARCH_AHEAD,
+    SEARCH_APART,
     SEARCH_CHUNK,
     SEARCH_COARSE,
     SEARCH_FINE,
+    SEARCH_LEGS,
     SEARCH_WINDOW,
     SHIFT,
     WAY_NODES,
     WIDEST,
 )
+from trajopt_cli.problem.alike import leg_name, stretch_name
 from trajopt_cli.problem.freedom import RailFreedom
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 
@@ -64,8 +69,8 @@ class _Layer:
         return np.stack([self.label, self.rail])
 
 
-def _layer(axes: Axes, problem: Problem, table: StationTable, k: int, speeds: Array) -> _Layer:
-    arm = table.waypoints[k - table.first]
+def _layer(axes: Axes, problem: Problem, table: StationTable, i: int, k: int, speeds: Array) -> _Layer:
+    arm = table.waypoints[i]
     labels, rails = np.nonzero(~np.isnan(arm[..., 0]))
     stop = problem.waypoints[k]
     q = axes.layout.join(table.d[rails], arm[labels, rails])
@@ -133,9 +138,10 @@ def _driven(axes: Axes, leg: Leg, q_0: Array, q_1: Array) -> Array:
     return out
 
 
-def _line_times(axes: Axes, problem: Problem, table: StationTable, k: int, a: _Layer, b: _Layer) -> Band:
-    """Estimated times of a line, leg k, with the rail linear in the path, whatever the rates of the states."""
-    leg, i = problem.legs[k], k - table.first
+def _line_times(axes: Axes, problem: Problem, table: StationTable, i: int, k: int, a: _Layer, b: _Layer) -> Band:
+    """Estimated times of a line, leg k and number i of its station, with the rail linear in the path, whatever the
+    rates of the states."""
+    leg = problem.legs[k]
     raw = table.raw[i]
     assert raw is not None
     d, n, nodes = table.d, len(table.d), raw.shape[1]
@@ -214,9 +220,9 @@ def _along_line(axes: Axes, leg: Leg, arm: Array, way: Array, V: Array, A: Array
     return np.where(slow * slow > hard, slow + hard / slow, 2 * np.sqrt(hard))
 
 
-def _line_edge(axes: Axes, problem: Problem, table: StationTable, k: int, a: _Layer, b: _Layer) -> Edge:
+def _line_edge(axes: Axes, problem: Problem, table: StationTable, i: int, k: int, a: _Layer, b: _Layer) -> Edge:
     """The same, and no less than the rates of the states allow."""
-    band, leg = _line_times(axes, problem, table, k, a, b), problem.legs[k]
+    band, leg = _line_times(axes, problem, table, i, k, a, b), problem.legs[k]
     if not (np.any(a.qd) or np.any(b.qd)):
         return band
     T = band.dense()
@@ -253,17 +259,24 @@ def _dwell_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
 def _edges(
     axes: Axes, problem: Problem, tables: list[StationTable], where: list[int], layers: list[_Layer]
 ) -> list[Edge]:
+    """Between all states; equal legs between equal states share one."""
     edges: list[Edge] = []
+    known: dict[tuple[object, ...], Edge] = {}
     for k, leg in enumerate(problem.legs):
         a, b, table = layers[k], layers[k + 1], tables[where[k]]
+        name = id(a), id(b), leg_name(leg), problem.passes(k), problem.passes(k + 1)
+        if name in known:
+            edges.append(known[name])
+            continue
         if leg.kind is LegKind.JOINT:
             edges.append(_joint_edge(axes, problem, leg, a, b))
         elif leg.kind is LegKind.LINE:
-            edges.append(_line_edge(axes, problem, table, k, a, b))
+            edges.append(_line_edge(axes, problem, table, k - problem.stations[where[k]][0], k, a, b))
         else:
             T = _dwell_time(axes, problem, leg, a, b)
             held = problem.freedom.rail is RailFreedom.STATION
             edges.append(Dense(np.where(a.rail[:, None] == b.rail[None], T, np.inf) if held else T))
+        known[name] = edges[-1]
     return edges
 
 
@@ -272,13 +285,28 @@ def _best(layers: list[_Layer], edges: Sequence[Edge], ties: Ties) -> tuple[floa
     where no tie is kept."""
     forward = [np.zeros(len(layers[0].q))]
     back: list[IndexArray] = []
+    # costs above the least one come again where legs do
+    into: dict[tuple[int, bytes], tuple[IndexArray, Array, float]] = {}
+    out: dict[tuple[int, bytes], tuple[Array, float]] = {}
+    above, base = forward[0], 0.0
     for edge in edges:
-        source, cost = edge.into(forward[-1])
+        name = id(edge), above.tobytes()
+        if name not in into:
+            source, cost = edge.into(above)
+            into[name] = source, *_above(cost)
+        source, above, least = into[name]
+        base += least
         back.append(source)
-        forward.append(cost)
+        forward.append(above + base)
     backward = [np.zeros(len(layers[-1].q))]
+    above, base = backward[0], 0.0
     for edge in reversed(edges):
-        backward.append(edge.out(backward[-1]))
+        name = id(edge), above.tobytes()
+        if name not in out:
+            out[name] = _above(edge.out(above))
+        above, least = out[name]
+        base += least
+        backward.append(above + base)
     backward.reverse()
     if ties:
         through = [a + b for a, b in zip(forward, backward, strict=True)]
@@ -291,6 +319,12 @@ def _best(layers: list[_Layer], edges: Sequence[Edge], ties: Ties) -> tuple[floa
     return float(forward[-1][end]), path[::-1], forward, backward
 
 
+def _above(cost: Array) -> tuple[Array, float]:
+    """Costs above the least of them, and that; as they are where all are infinite."""
+    least = float(np.min(cost, initial=np.inf))
+    return (cost - least, least) if np.isfinite(least) else (cost, 0.0)
+
+
 def best_chain(q: list[Array], edges: list[Array], ties: Ties) -> tuple[float, list[int]]:
     """The least cost, and which of the axes q (m, n) of every waypoint the best chain takes."""
     none = np.zeros(0, dtype=np.intp)
@@ -300,41 +334,132 @@ def best_chain(q: list[Array], edges: list[Array], ties: Ties) -> tuple[float, l
 
 
 def search(axes: Axes, problem: Problem) -> Chain | None:
-    """The best chain found, or None when no chain of waypoints is connected on the grid."""
+    """The best chain found, or None when no chain of waypoints is connected on the grid.
+
+    Long programs are searched in windows, each from where the one before it is certain enough; equal ones once.
+    """
+    ends = [last for _, last in problem.stations if not any(group[0] < last < group[-1] for group in problem.ties)]
+    known: dict[bytes, Chain | None] = {}
+    parts: list[Chain] = []
+    begin, final = 0, len(problem.waypoints) - 1
+    while True:
+        end = next((k for k in ends if k - begin >= SEARCH_LEGS), final)
+        sure = max((k for k in ends if begin < k <= end - SEARCH_AHEAD), default=end) if end < final else final
+        window = _window(problem, begin, end, parts[-1].q[-1] if parts else None)
+        name = _name(window)
+        if name not in known:
+            known[name] = _search(axes, window)
+        chain = known[name]
+        if chain is None:
+            return None
+        parts.append(_cut(chain, sure - begin))
+        if sure == final:
+            return _joined(parts)
+        begin = sure
+
+
+def _window(problem: Problem, first: int, last: int, q: Array | None) -> Problem:
+    """The problem from one waypoint to another, both the last ones of their stations; it begins at axes q (n,)."""
+    if first == 0 and last == len(problem.waypoints) - 1:
+        return problem
+    waypoints = list(problem.waypoints[first : last + 1])
+    if q is not None:
+        rail = float(problem.plant.layout.place(q))
+        waypoints[0] = replace(waypoints[0], q=q, rail=(rail, rail), rest=True)
+    stations = [(max(a, first) - first, b - first) for a, b in problem.stations if first <= b <= last]
+    legs = tuple(replace(leg, start=leg.start - first) for leg in problem.legs[first:last])
+    ties = tuple(tuple(k - first for k in group) for group in problem.ties if first <= group[0] and group[-1] <= last)
+    return replace(problem, waypoints=tuple(waypoints), legs=legs, stations=tuple(stations), ties=ties)
+
+
+def _name(problem: Problem) -> bytes:
+    """Equal for problems that have one answer."""
+    asked = repr((problem.stations, problem.ties)).encode()
+    return stretch_name(problem, 0, len(problem.waypoints) - 1) + asked
+
+
+def _cut(chain: Chain, n: int) -> Chain:
+    """The first n legs of a chain."""
+    times = chain.times[:n]
+    return Chain(chain.q[: n + 1], chain.w[: n + 1], chain.labels[: n + 1], times, float(np.sum(times)))
+
+
+def _joined(chains: Sequence[Chain]) -> Chain:
+    """Chains each of which begins where the one before it ends."""
+    first, *others = chains
+    if not others:
+        return first
+    q, w = (np.concatenate([getattr(first, x), *(getattr(one, x)[1:] for one in others)]) for x in ("q", "w"))
+    times = np.concatenate([one.times for one in chains])
+    labels = first.labels + tuple(label for one in others for label in one.labels[1:])
+    return Chain(q, w, labels, times, float(np.sum(times)))
+
+
+def _tables(axes: Axes, problem: Problem, grids: Sequence[Array]) -> list[StationTable]:
+    """Of all stations on their grids; equal ones once."""
+    known: dict[bytes, StationTable] = {}
+    out = []
+    for (first, last), d in zip(problem.stations, grids, strict=True):
+        name = stretch_name(problem, first, last) + d.tobytes()
+        if name not in known:
+            known[name] = station_table(axes, problem, first, last, d)
+        out.append(known[name])
+    return out
+
+
+def _layers(axes: Axes, problem: Problem, tables: list[StationTable], speeds: Array) -> list[_Layer]:
+    """The states at all waypoints; at equal ones of equal stations one and the same."""
+    known: dict[tuple[int, int], _Layer] = {}
+    out = []
+    for (first, last), table in zip(problem.stations, tables, strict=True):
+        for k in range(first, last + 1):
+            name = id(table), k - first
+            if name not in known:
+                known[name] = _layer(axes, problem, table, k - first, k, speeds)
+            out.append(known[name])
+    return out
+
+
+def _search(axes: Axes, problem: Problem) -> Chain | None:
+    """The same, all at once."""
     where = _station_of(problem)
-    tables = [
-        station_table(axes, problem, first, last, rail_grid(problem, first, last, SEARCH_COARSE))
-        for first, last in problem.stations
-    ]
+    grids = [grid_in_reach(axes, problem, first, last, SEARCH_COARSE, SEARCH_APART) for first, last in problem.stations]
+    tables = _tables(axes, problem, grids)
     if not all(t.labels for t in tables):
         return None
     still = np.zeros(1)
-    layers = [_layer(axes, problem, tables[where[k]], k, still) for k in range(len(problem.waypoints))]
+    layers = _layers(axes, problem, tables, still)
     edges = _edges(axes, problem, tables, where, layers)
     cost, path, forward, backward = _best(layers, edges, problem.ties)
     if not np.isfinite(cost):
         return None
     coarse = _chain(problem, tables, where, layers, edges, path, cost)
+    del edges
     if all(s.rail[0] == s.rail[1] for s in problem.waypoints):
         return coarse
     # the fine search: labels near the best, rail near the best
     top = float(axes.layout.place(axes.velocity))
     speeds = still if problem.coordinated or not problem.freedom.through_stops else top * np.array(PASSING)
-    fine_tables = []
+    limit = cost + (NEAR_BEST - 1) * min(cost, NEAR_SPAN)
     windows = _windows(axes, problem, tables, where, coarse)
-    for (first, last), table, window in zip(problem.stations, tables, windows, strict=True):
+    grids = [
+        rail_grid(problem, first, last, SEARCH_FINE, window)
+        for (first, last), window in zip(problem.stations, windows, strict=True)
+    ]
+    fine_tables, known = [], dict[tuple[object, ...], StationTable]()
+    finer = _tables(axes, problem, grids)
+    for (first, last), table, fine in zip(problem.stations, tables, finer, strict=True):
         keep: set[int] = set()
         for k in range(first, last + 1):
-            through = forward[k] + backward[k]
-            near = through <= NEAR_BEST * cost
-            keep |= set(layers[k].label[near].tolist())
-        d = rail_grid(problem, first, last, SEARCH_FINE, window)
-        fine = station_table(axes, problem, first, last, d)
-        labels = [i for i in range(len(fine.labels)) if _like(fine, i, table, keep)]
-        fine_tables.append(_restrict(fine, labels) if labels else fine)
+            keep |= set(layers[k].label[forward[k] + backward[k] <= limit].tolist())
+        name = id(table), id(fine), frozenset(keep)
+        if name not in known:
+            labels = [i for i in range(len(fine.labels)) if _like(fine, i, table, keep)]
+            known[name] = _restrict(fine, labels) if labels else fine
+        fine_tables.append(known[name])
     if not all(t.labels for t in fine_tables):
         return coarse
-    layers = [_layer(axes, problem, fine_tables[where[k]], k, speeds) for k in range(len(problem.waypoints))]
+    layers = _layers(axes, problem, fine_tables, speeds)
     if not all(len(layer.q) for layer in layers):
         return coarse
     edges = _edges(axes, problem, fine_tables, where, layers)
@@ -355,7 +480,9 @@ def _windows(
         windows.append((float(rail.min()) - margin, float(rail.max()) + margin))
     held = [(leg.start, leg.start + 1) for leg in problem.legs if leg.kind is LegKind.JOINT and not leg.rail_moves]
     together = [sorted({where[k] for k in group}) for group in (*problem.ties, *held)]
-    for _ in together:  # a group may join what others have joined
+    before: list[tuple[float, float]] = []
+    while before != windows:  # a group may join what others have joined
+        before = list(windows)
         for stations in together:
             low, high = min(windows[i][0] for i in stations), max(windows[i][1] for i in stations)
             for i in stations:

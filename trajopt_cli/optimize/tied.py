@@ -7,6 +7,7 @@ programs that visit their targets in changing orders is searched by coordinate d
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -51,6 +52,9 @@ def _merged(states: Sequence[Array], ties: Ties) -> tuple[list[int], list[IndexA
     for first, *others in ties:
         for k in others:
             node[k] = first
+            if states[k] is states[first]:
+                index[k] = index[first]
+                continue
             apart = np.abs(states[first][index[first]][:, None] - states[k][None]).max(axis=2)
             there = apart.min(axis=1, initial=np.inf) <= SAME_STATE
             for known in (first, *others[: others.index(k)]):
@@ -80,9 +84,15 @@ class _Graph:
         for k, number in enumerate(node):
             bound = through[k][rows[k]]
             graph.bound[number] = np.maximum(graph.bound[number], bound) if number in graph.bound else bound
+        often = Counter(
+            (node[k], node[k + 1], id(T), rows[k].tobytes(), rows[k + 1].tobytes()) for k, T in enumerate(edges)
+        )
         for k, T in enumerate(edges):
             a, b = node[k], node[k + 1]
-            part = T[np.ix_(rows[k], rows[k + 1])]
+            times = often.pop((a, b, id(T), rows[k].tobytes(), rows[k + 1].tobytes()), 0)
+            if not times:  # counted with an equal leg before
+                continue
+            part = times * T[np.ix_(rows[k], rows[k + 1])]
             if a == b:
                 graph.own[a] = graph.own[a] + np.diagonal(part)
             else:

@@ -10,7 +10,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 # ---- reach: may the program be done at all
-REACH_GRID = 193  # rail positions per station; 12.5 mm on a stroke of 2.4 m. Not measured.
+REACH_GRID = 193  # rail positions on a stroke at least; 12.5 mm on one of 2.4 m. Not measured.
+REACH_APART = 0.0125  # m between two of them at most. Not measured.
 LINE_NODES = 13  # points on a line held against the inverse kinematics. Not measured.
 FEWEST_NODES = 3  # of them on a short line. Not measured.
 LONG_LINE = 0.05  # m, from which a line has all of them. Not measured.
@@ -27,13 +28,17 @@ LEAVING = 1e-7  # rad between joints given at a singularity and those with which
 NEAREST = 16  # halvings of a line's first interval that look for where it has left a singularity. Not measured.
 
 # ---- search: dynamic programming that picks the basin
-SEARCH_COARSE = 33  # rail positions, all branches and turns, rail at rest. Measured: 1 to 2 s in the prototype;
-# 13 of its 14 other starts ended in the same optimum.
+SEARCH_COARSE = 33  # rail positions on a stroke at least, all branches and turns, rail at rest. Measured: 1 to 2 s in
+# the prototype; 13 of its 14 other starts ended in the same optimum.
+SEARCH_APART = 0.075  # m between two of them at most: as far on 2.4 m. Measured: 33 on 40 m connect nothing.
+SEARCH_LEGS = 96  # legs that are searched at once; longer programs in windows. Not measured.
+SEARCH_AHEAD = 24  # of them that are searched again with what comes behind them. Not measured.
 SEARCH_FINE = 25  # rail positions around the best chain. Not measured (the prototype had 121 over the whole stroke).
 SEARCH_WINDOW = 0.1  # m beside the best chain at least that the fine search looks at. Not measured.
 PASSING = (-0.5, 0.0, 0.5)  # shares of the rail's top velocity tried at a waypoint. Not measured (the prototype had 5).
 NEAR_BEST = 1.04  # labels within this of the best cycle stay in the fine search. Not measured; the search alone was
 # 0.6 to 11.4 % (median 3.2 %) above the optimum in the prototype.
+NEAR_SPAN = 10.0  # s of a cycle at most of which that share is taken: what is far away does not matter. Not measured.
 WIDEST = 1.0  # m from an arm's axis to its flange at most; farther ones only miss that a slow joint move is long. Not
 # measured.
 WAY_NODES = 6  # places on a joint move whose distances add up to the tool's way. Not measured.
@@ -93,6 +98,8 @@ SHORT_NODES = 6  # the same of a short line passed at both ends. Not measured.
 PAIRS_AT_ONCE = 1500  # pairs of rail positions timed at once: 60 MB. Not measured.
 RUSH = 4.0  # times the rail's way at top speed in a short line's time that its ends may be apart. Not measured.
 REFINE_OFFSETS = (-2.0, -1.0, 0.0, 1.0, 2.0)  # steps beside a rail position that are tried. Not measured.
+REFINE_NARROW = 5e-3  # m, steps below which only the nearest of them are. Measured on 100 moves of a pallet: always all
+# of them gave 36.896 s in 2.3 s, never the farther ones 36.902 s in 1.45 s.
 REFINE_STEP = 0.03  # m, the first step: the search's grid. Not measured.
 REFINE_LAST = 2e-4  # m, the last. Not measured.
 POLISH = (

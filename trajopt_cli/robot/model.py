@@ -153,6 +153,18 @@ class RobotModel:
             X[..., :3, 3] += q[..., :1] * self.rail_axis_W
         return X
 
+    def rail_within(self, X_WF: Array) -> Array:
+        """Rail positions (k, 2) [m] outside which the arm is too short for flange poses (k, 4, 4), whatever its joints;
+        both where the base is abreast of a pose that is out of reach everywhere. Without a rail they do not matter."""
+        if self.rail_axis_W is None:
+            return np.zeros((len(X_WF), 2))
+        arm = self.arm
+        away = X_WF[:, :3, 3] - self.X_WB0[:3] @ np.array([0.0, 0.0, arm.d1, 1.0])
+        along = away @ self.rail_axis_W
+        aside = np.sum(away**2, axis=1) - along**2
+        half = np.sqrt(np.maximum((abs(arm.a1) + arm.L2 + arm.L4 + abs(arm.L6)) ** 2 - aside, 0.0))
+        return np.stack([along - half, along + half], axis=1)
+
     @cached_property
     def link_names(self) -> tuple[str, ...]:
         """The arm's links from the base on: the base, then the link behind each of the six joints."""

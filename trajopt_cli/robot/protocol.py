@@ -53,6 +53,10 @@ class Robot(Protocol):
     def jacobian_rate(self, q: Array, qd: Array, X_FT: Array | None = None) -> Array:
         """Its exact time derivative (..., 6, n)."""
 
+    def rail_within(self, X_WF: Array) -> Array:
+        """Rail positions (k, 2) outside which the arm is too short for flange poses (k, 4, 4), whatever its joints;
+        both abreast of a pose that is out of reach everywhere."""
+
     # ---- joints of a pose
     def branches(self, X_WF: Array, rail: Array | None) -> Array:
         """Joints (k, b, m) of all branches for flange poses (k, 4, 4) at rail positions (k,); NaN where there is none.

@@ -1,0 +1,100 @@
+"""Long programs and long rails: searched in windows, within the arm's reach, equal stretches once."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from small_cells import down, plant_with_rail, problem_of, rapid
+
+from trajopt_cli.geometry import wxyz_from_rotation
+from trajopt_cli.optimize import search as searching
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.incumbent import timed
+from trajopt_cli.optimize.search import search
+from trajopt_cli.problem.plan import Target
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.problem import Problem
+from trajopt_cli.robot.inverse import inverse
+
+
+def places(ys: list[float], plant: Plant, target: Target = Target.RAPID) -> Problem:
+    """A place at each y, with a way down and up."""
+    data, body = [], []
+    for i, y in enumerate(ys):
+        X = down(0.45 + 0.01 * (i % 7), y, 0.4, 0.1 * (i % 3))
+        place = ",".join(f"{x * 1e3:.6f}" for x in X[:3, 3])
+        turned = ",".join(f"{x:.12f}" for x in wxyz_from_rotation(X[:3, :3]))
+        data.append(f"CONST robtarget p_{i}:=[[{place}],[{turned}],[0,0,0,0],[{y * 1e3:.3f},9E9,9E9,9E9,9E9,9E9]];")
+        body += [f"MoveJ p_{i}, v2500, fine, tool0;", f"MoveL Offs(p_{i},0,0,-60), v500, fine, tool0;"]
+        body += [f"MoveL p_{i}, v1000, fine, tool0;"]
+    return problem_of(
+        rapid("\n".join([*body, "MoveAbsJ j_home, v2500, fine, tool0;"]), data="\n".join(data)), plant, target
+    )
+
+
+@pytest.mark.parametrize("target", Target)
+def test_windows_find_what_the_whole_search_finds(target: Target, monkeypatch: pytest.MonkeyPatch) -> None:
+    """12 places: the windows' chain hangs together, is driven, and as fast as that of all legs at once but for what six
+    legs ahead cannot see."""
+    problem = places([*np.random.default_rng(4).uniform(0.1, 1.8, 12)], plant_with_rail(), target)
+    axes = Axes.of(problem.plant)
+    whole = search(axes, problem)
+    monkeypatch.setattr(searching, "SEARCH_LEGS", 15)
+    monkeypatch.setattr(searching, "SEARCH_AHEAD", 6)
+    parts = search(axes, problem)
+    assert whole is not None
+    assert parts is not None
+    assert parts.q.shape == whole.q.shape
+    assert len(parts.labels) == len(whole.labels)
+    assert len(parts.times) == len(problem.legs)
+    np.testing.assert_allclose(parts.times.sum(), whole.times.sum(), rtol=4e-3)
+    timed(axes, problem, replace(parts, w=np.zeros_like(parts.w)))
+
+
+def test_equal_passes_are_searched_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Forty times the same three places in windows of four passes: all windows but few are known already."""
+    monkeypatch.setattr(searching, "SEARCH_LEGS", 36)
+    monkeypatch.setattr(searching, "SEARCH_AHEAD", 9)
+    seen = []
+    plain = searching._search
+
+    def counted(axes: Axes, problem: Problem) -> object:
+        seen.append(problem)
+        return plain(axes, problem)
+
+    monkeypatch.setattr(searching, "_search", counted)
+    problem = places([0.3, 1.2, 1.7] * 14, plant_with_rail())
+    data = places([0.3, 1.2, 1.7], plant_with_rail())
+    points = [problem.waypoints[0], *data.waypoints[1:10] * 14, problem.waypoints[-1]]
+    names = [replace(a, motion=b.motion) for a, b in zip(points, problem.waypoints, strict=True)]
+    segments = [data.legs[i % 9].segment for i in range(126)]
+    legs = [replace(a, segment=b) for a, b in zip(problem.legs, [*segments, problem.legs[-1].segment], strict=True)]
+    chain = search(Axes.of(problem.plant), replace(problem, waypoints=tuple(names), legs=tuple(legs)))
+    assert chain is not None
+    assert len(chain.times) == 127
+    assert len(seen) <= 3
+
+
+def test_a_rail_of_forty_metres_is_searched_where_the_arm_reaches() -> None:
+    problem = places([1.0, 20.0, 38.5], plant_with_rail((-0.2, 40.0)))
+    axes = Axes.of(problem.plant)
+    chain = search(axes, problem)
+    assert chain is not None
+    rail = axes.layout.place(chain.q)
+    assert np.all(np.abs(rail[1:-1] - np.repeat([1.0, 20.0, 38.5], 3)) < 0.8)
+
+
+def test_the_arm_reaches_from_nowhere_outside_its_rail_range() -> None:
+    """The closed form against the inverse kinematics, at random poses and rail positions."""
+    robot, rng = plant_with_rail().robot, np.random.default_rng(2)
+    q = rng.uniform(-1.5, 1.5, (400, 7))
+    X_WF = robot.forward(q)
+    ends = robot.rail_within(X_WF)
+    assert np.all((q[:, 0] > ends[:, 0]) & (q[:, 0] < ends[:, 1]))
+    d = rng.uniform(-4, 4, 400)
+    outside = (d < ends[:, 0]) | (d > ends[:, 1])
+    assert np.isnan(inverse(robot, X_WF[outside], d[outside])).all()
+    assert 100 < outside.sum() < 390
+    assert np.ptp(ends, axis=1).max() < 2 * 0.9

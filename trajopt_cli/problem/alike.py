@@ -1,0 +1,41 @@
+"""Names of legs and problems: equal where the same is asked, so that it is searched, timed and bounded once."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.path.arc import Arc
+from trajopt_cli.path.carried import Carried
+from trajopt_cli.problem.problem import Leg, Problem, Waypoint
+
+
+def leg_name(leg: Leg) -> bytes:
+    """Of a leg with its way and its caps, wherever it stands in a program."""
+    numbers = leg.v_tcp, leg.a_tcp, leg.v_ori, leg.v_rail, leg.duration, leg.rail_moves, leg.acceleration
+    parts = [leg.kind.value.encode(), repr(numbers).encode(), _digits(leg.X_FT)]
+    way = leg.segment
+    if isinstance(way, Carried):
+        return b"|".join([*parts, str(id(way)).encode()])
+    if way is not None:
+        parts += [_digits(way.pose(np.array([0.0, 1.0])))]
+    if isinstance(way, Arc):
+        parts += [_digits(way.centre), _digits(way.normal), repr(way.sweep).encode()]
+    return b"|".join(parts)
+
+
+def stretch_name(problem: Problem, first: int, last: int) -> bytes:
+    """Of what is asked from one waypoint to another, and at them."""
+    points = [_point_name(point) for point in problem.waypoints[first : last + 1]]
+    legs = [leg_name(leg) for leg in problem.legs[first:last]]
+    held = problem.freedom.rail.value, problem.freedom.through_stops, problem.coupling.value
+    return b"|".join([*points, *legs, repr(held).encode()])
+
+
+def _point_name(point: Waypoint) -> bytes:
+    asked = point.rail, point.written, point.rest, point.conf, point.fly_by
+    return b"|".join([_digits(point.X_WF), repr(asked).encode(), b"" if point.q is None else _digits(point.q)])
+
+
+def _digits(values: Array) -> bytes:
+    return (np.round(values, 12) + 0.0).tobytes()  # -0 is 0
