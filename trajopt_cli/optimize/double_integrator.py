@@ -51,6 +51,17 @@ def shortest_time(D: ArrayLike, v0: ArrayLike, v1: ArrayLike, V: ArrayLike, A: A
     return T.reshape(shape)
 
 
+def alone(D: Array, v0: Array, v1: Array, V: float, A: float) -> Array:
+    """Least T in which one axis travels D from v0 to v1."""
+    ahead = np.where(D < 0, -1.0, 1.0)
+    D, both = np.abs(D), ahead * (v0 + v1)
+    T = np.abs(v1 - v0) / A
+    squares = (v0 * v0 + v1 * v1) / 2
+    peak = np.sqrt(A * D + squares)
+    late = np.where(peak <= V, (2 * peak - both) / A, (2 * V - both) / A + (D - (V * V - squares) / A) / V)
+    return np.where(both * T / 2 < D - 1e-12, np.maximum(T, late), T)
+
+
 def trapezoid_time(D: ArrayLike, V: ArrayLike, A: ArrayLike) -> Array:
     """Least time from rest to rest over D >= 0; V may be infinite."""
     D, V, A = np.broadcast_arrays(*(np.asarray(x, dtype=float) for x in (D, V, A)))

@@ -14,7 +14,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.double_integrator import reach, shortest_time, trapezoid_time
+from trajopt_cli.optimize.double_integrator import alone, reach, shortest_time, trapezoid_time
 from trajopt_cli.optimize.edges import Band, Dense, Edge, Lazy
 from trajopt_cli.optimize.reach import Label, StationTable, grid_in_reach, rail_grid, station_table
 from trajopt_cli.optimize.tied import Ties, best_tied
@@ -91,24 +91,25 @@ def _joint_edge(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
     p_a, p_b = ((axes.forward(x.q) @ leg.X_FT)[:, :3, 3] for x in (a, b))
     slow, hard, most, chord = (np.zeros((len(a.q), len(b.q))) for _ in range(4))
     lever = np.where(np.arange(axes.n) >= axes.layout.arm.start, np.linalg.norm(leg.X_FT[:3, 3]) + WIDEST, 1.0)
-    T = np.zeros_like(slow)
+    T, moving = np.zeros_like(slow), np.any(a.qd) or np.any(b.qd)
     for j in range(axes.n):
         way = np.abs(b.q[None, :, j] - a.q[:, None, j])
         most += way * lever[j]
         np.maximum(slow, way / V[j], out=slow)
         if problem.coordinated:
             np.maximum(hard, way / A[j], out=hard)
-        else:
+        elif not moving:
             np.maximum(T, trapezoid_time(way, V[j], A[j]), out=T)
     if problem.coordinated:  # one profile for all: over a share of 1, at 1 / slow and 1 / hard at most
         slow, hard = np.maximum(slow, _LEAST), np.maximum(hard, _LEAST)
         T = np.where(slow * slow > hard, slow + hard / slow, 2 * np.sqrt(hard))
-    elif np.any(a.qd) or np.any(b.qd):
-        T = shortest_time(b.q[None] - a.q[:, None], a.qd[:, None], b.qd[None], V, A, rounds=3)
+    elif moving:  # every axis by itself: no more than all of them together
+        for j in range(axes.n):
+            T = np.maximum(T, alone(b.q[None, :, j] - a.q[:, None, j], a.qd[:, None, j], b.qd[None, :, j], V[j], A[j]))
     for j in range(3):
         chord += (p_b[None, :, j] - p_a[:, None, j]) ** 2
     T = np.maximum(T, trapezoid_time(np.sqrt(chord), leg.v_tcp, leg.a_tcp))
-    doubt = most > leg.v_tcp * T if problem.coordinated else np.zeros(T.shape, dtype=bool)
+    doubt = most > leg.v_tcp * T if problem.coordinated else np.full(T.shape, moving)
     stays = axes.layout.place(a.q)[:, None] == axes.layout.place(b.q)
     forbidden = np.zeros(T.shape, dtype=bool) if leg.rail_moves else ~stays
 
@@ -116,7 +117,10 @@ def _joint_edge(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
         return T if leg.duration is None else np.where(leg.duration >= T, leg.duration, T)
 
     def sure(i: IndexArray, k: IndexArray) -> Array:
-        return within(np.maximum(bare[i, k], _driven(axes, leg, a.q[i], b.q[k])))
+        if problem.coordinated:
+            return within(np.maximum(bare[i, k], _driven(axes, leg, a.q[i], b.q[k])))
+        together = shortest_time(b.q[k] - a.q[i], a.qd[i], b.qd[k], V, A, rounds=3)
+        return within(np.maximum(bare[i, k], together))
 
     bare, T = T, within(T)
     return (
@@ -225,11 +229,12 @@ def _line_edge(axes: Axes, problem: Problem, table: StationTable, i: int, k: int
     band, leg = _line_times(axes, problem, table, i, k, a, b), problem.legs[k]
     if not (np.any(a.qd) or np.any(b.qd)):
         return band
-    T = band.dense()
-    ia, ib = np.nonzero(np.isfinite(T))
-    V, A = axes.velocity_on(leg), axes.acceleration
-    T[ia, ib] = np.maximum(T[ia, ib], shortest_time(b.q[ib] - a.q[ia], a.qd[ia], b.qd[ib], V, A, rounds=2))
-    return Dense(T)
+    T, V, A = band.dense().copy(), axes.velocity_on(leg), axes.acceleration
+
+    def sure(i: IndexArray, k: IndexArray) -> Array:
+        return np.maximum(T[i, k], shortest_time(b.q[k] - a.q[i], a.qd[i], b.qd[k], V, A, rounds=2))
+
+    return Lazy(T, np.isfinite(T), sure)
 
 
 def _dwell_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) -> Array:

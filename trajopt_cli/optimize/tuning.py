@@ -38,7 +38,7 @@ SEARCH_WINDOW = 0.1  # m beside the best chain at least that the fine search loo
 PASSING = (-0.5, 0.0, 0.5)  # shares of the rail's top velocity tried at a waypoint. Not measured (the prototype had 5).
 NEAR_BEST = 1.04  # labels within this of the best cycle stay in the fine search. Not measured; the search alone was
 # 0.6 to 11.4 % (median 3.2 %) above the optimum in the prototype.
-NEAR_SPAN = 10.0  # s of a cycle at most of which that share is taken: what is far away does not matter. Not measured.
+NEAR_SPAN = 7.0  # s of a cycle at most of which that share is taken: what is far away does not matter. Not measured.
 WIDEST = 1.0  # m from an arm's axis to its flange at most; farther ones only miss that a slow joint move is long. Not
 # measured.
 WAY_NODES = 6  # places on a joint move whose distances add up to the tool's way. Not measured.
