@@ -30,7 +30,7 @@ FLOORS: tuple[tuple[str, ...], ...] = (
         "yaml_file",
     ),
     # segments of paths: rapid measures arcs with it
-    ("path",),
+    ("path", "native"),
     ("rapid", "robot", "cell", "timing", "collision"),
     ("problem",),
     ("runs",),
@@ -68,7 +68,9 @@ INNER: dict[str, tuple[tuple[str, ...], ...]] = {
 }
 # Where each third party may be imported, as patterns of paths inside the package.
 ADDRESSES: dict[str, tuple[str, ...]] = {
-    "casadi": ("robot/symbolic*.py", "path/*", "optimize/*"),
+    "casadi": ("robot/symbolic*.py", "path/*", "native/*", "optimize/*"),
+    "llvmlite": ("native/*",),
+    "platformdirs": ("native/*",),
     "pinocchio": ("robot/*", "verify/geometry.py", "verify/mechanism.py"),
     "coal": ("collision/*",),
     "toppra": ("timing/*",),

@@ -1,7 +1,8 @@
 """A nonlinear program put together from many copies of a few small blocks, with exact sparse derivatives.
 
-CasADi differentiates each block once; the copies are evaluated by a map and their nonzeros are gathered into the
-Jacobian and the Hessian of the Lagrangian. Construction stays a fraction of the solve however long the program is.
+CasADi writes and differentiates each block once. A block's functions are evaluated for all its copies in one call, and
+their numbers gathered into the Jacobian and the Hessian of the Lagrangian. Construction stays a fraction of the solve
+however long the program is.
 """
 
 from __future__ import annotations
@@ -15,7 +16,21 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from trajopt_cli.geometry import Array, IndexArray
+from trajopt_cli.optimize.evaluation import Copies, Evaluation, Kernel, MapKernel
 from trajopt_cli.optimize.tuning import IPOPT, WARM_PUSH
+
+
+@dataclass(frozen=True, eq=False)
+class Shape:
+    """What a block asks for, without its functions: numbers of variables and parameters, bounds (m,), and rows and
+    columns of the nonzeros of its Jacobian and of the upper triangle of its Hessian."""
+
+    n_variables: int
+    n_parameters: int
+    lower: Array
+    upper: Array
+    jacobian_at: tuple[IndexArray, IndexArray]
+    hessian_at: tuple[IndexArray, IndexArray]
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,27 +38,54 @@ class Block:
     """One kind of constraint: lower <= g(z, p) <= upper, with its derivatives' nonzeros as functions."""
 
     name: str
-    lower: Array
-    upper: Array
-    g: ca.Function
-    jacobian: ca.Function
-    jacobian_pattern: ca.Sparsity
-    hessian: ca.Function
-    hessian_pattern: ca.Sparsity
+    shape: Shape
+    g: Kernel
+    jacobian: Kernel
+    hessian: Kernel
 
     @property
     def sizes(self) -> tuple[int, int, int]:
         """Numbers of variables, parameters and rows."""
-        return self.g.size1_in(0), self.g.size1_in(1), self.g.size1_out(0)
+        return self.shape.n_variables, self.shape.n_parameters, len(self.shape.lower)
+
+    def values(self, z: Array, p: Array) -> tuple[Array, Array]:
+        """g (n, m) and the Jacobian's nonzeros of n copies at variables (n, n_z) and parameters (n, n_p)."""
+        m, nonzeros = len(self.shape.lower), len(self.shape.jacobian_at[0])
+        return _called(self.g, m, z, p), _called(self.jacobian, nonzeros, z, p)
+
+    def curvature(self, z: Array, p: Array, lam: Array) -> Array:
+        """The Hessian's nonzeros of n copies at variables, parameters and multipliers (n, m)."""
+        return _called(self.hessian, len(self.shape.hessian_at[0]), z, p, lam)
 
 
-def make_block(
-    name: str,
-    n_variables: int,
-    n_parameters: int,
-    rows: Callable[[ca.SX, ca.SX], Sequence[tuple[ca.SX, float, float]]],
-) -> Block:
-    """Build a block from rows(z, p) -> [(expression, lower, upper), ...]; vector expressions share their bounds."""
+def _called(kernel: Kernel, k: int, z: Array, p: Array, lam: Array | None = None) -> Array:
+    copies = Copies(len(z), kernel.lanes)
+    none = np.zeros((len(z), 0))
+    packed_z, packed_p, packed_lam = (copies.packed(x) for x in (z, p, none if lam is None else lam))
+    out = np.zeros(copies.groups * copies.lanes * k)
+    kernel.bound(copies.groups, packed_z, packed_p, packed_lam, out)()
+    return out[copies.places(k)]
+
+
+@dataclass(frozen=True, eq=False)
+class Expressed:
+    """A block as CasADi functions."""
+
+    shape: Shape
+    g: ca.Function
+    jacobian: ca.Function
+    hessian: ca.Function
+
+    def block(self, name: str) -> Block:
+        """The block that CasADi evaluates."""
+        return Block(name, self.shape, *(MapKernel(one) for one in (self.g, self.jacobian, self.hessian)))
+
+
+Rows = Callable[[ca.SX, ca.SX], Sequence[tuple[ca.SX, float, float]]]
+
+
+def express(n_variables: int, n_parameters: int, rows: Rows) -> Expressed:
+    """A block from rows(z, p) -> [(expression, lower, upper), ...]; vector expressions share their bounds."""
     z, p = ca.SX.sym("z", n_variables), ca.SX.sym("p", n_parameters)
     entries = [(ca.vec(ca.densify(e)), low, high) for e, low, high in rows(z, p)]
     g = ca.vertcat(*(e for e, _, _ in entries))
@@ -52,23 +94,38 @@ def make_block(
     jac = ca.jacobian(g, z)
     lam = ca.SX.sym("lam", g.numel())
     hess = ca.triu(ca.hessian(ca.dot(lam, g), z)[0])
-    return Block(
-        name,
-        lower,
-        upper,
-        ca.Function(f"{name}_g", [z, p], [g], {"cse": True}),
-        ca.Function(f"{name}_j", [z, p], [ca.densify(jac.nz[:])], {"cse": True}),
-        jac.sparsity(),
-        ca.Function(f"{name}_h", [z, p, lam], [ca.densify(hess.nz[:])], {"cse": True}),
-        hess.sparsity(),
+    return Expressed(
+        Shape(n_variables, n_parameters, lower, upper, _places(jac), _places(hess)),
+        ca.Function("g", [z, p], [g], {"cse": True}),
+        ca.Function("jacobian", [z, p], [ca.densify(jac.nz[:])], {"cse": True}),
+        ca.Function("hessian", [z, p, lam], [ca.densify(hess.nz[:])], {"cse": True}),
     )
 
 
+def _places(of: ca.SX) -> tuple[IndexArray, IndexArray]:
+    rows, cols = of.sparsity().get_triplet()
+    return np.array(rows, dtype=np.intp), np.array(cols, dtype=np.intp)
+
+
+def make_block(name: str, n_variables: int, n_parameters: int, rows: Rows) -> Block:
+    """A block from its rows, see express, that CasADi evaluates."""
+    return express(n_variables, n_parameters, rows).block(name)
+
+
 @dataclass
-class _Copies:
-    block: Block
+class _Held:
+    """Where a block holds: variables (n, n_z) and parameters (n, n_p) of n copies, added bit by bit."""
+
     z: list[IndexArray] = field(default_factory=list)
     p: list[Array] = field(default_factory=list)
+
+    @property
+    def all_z(self) -> IndexArray:
+        return np.concatenate(self.z)
+
+    @property
+    def all_p(self) -> Array:
+        return np.concatenate(self.p)
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,7 +150,7 @@ class BlockNlp:
         self._count = 0
         self._cost: list[tuple[int, float]] = []
         self._damped: list[tuple[IndexArray, float]] = []
-        self._copies: dict[str, _Copies] = {}
+        self._held: dict[Block, _Held] = {}
 
     def variables(self, guess: ArrayLike, lower: ArrayLike, upper: ArrayLike) -> IndexArray:
         """Add len(guess) variables; returns their indices."""
@@ -115,71 +172,29 @@ class BlockNlp:
         self._damped.append((indices, weight))
 
     def add(self, block: Block, z: Sequence[int] | IndexArray, p: Sequence[float] | Array = ()) -> None:
-        """Add one copy on variables z with parameters p."""
-        copies = self._copies.setdefault(block.name, _Copies(block))
-        z, p = np.asarray(z, dtype=int), np.asarray(p, dtype=float)
+        """Add one copy on variables z (n_z,) with parameters p (n_p,), or n of them: z (n, n_z), p (n, n_p)."""
+        held = self._held.setdefault(block, _Held())
+        Z, P = np.atleast_2d(np.asarray(z, dtype=np.intp)), np.atleast_2d(np.asarray(p, dtype=float))
         n_z, n_p, _ = block.sizes
-        if z.shape != (n_z,) or p.shape != (n_p,):
-            raise ValueError(f"block {block.name}: z {z.shape}, p {p.shape}; wanted ({n_z},), ({n_p},)")
-        if len(np.unique(z)) != n_z:
-            raise ValueError(f"block {block.name}: a variable stands twice in z = {z.tolist()}")
-        copies.z.append(z)
-        copies.p.append(p)
+        if Z.shape[1:] != (n_z,) or P.shape != (len(Z), n_p):
+            raise ValueError(f"block {block.name}: z {Z.shape}, p {P.shape}; wanted (n, {n_z}), (n, {n_p})")
+        ordered = np.sort(Z, axis=1)
+        twice = np.flatnonzero(np.any(ordered[:, 1:] == ordered[:, :-1], axis=1))
+        if len(twice):
+            raise ValueError(f"block {block.name}: a variable stands twice in z = {Z[twice[0]].tolist()}")
+        held.z.append(Z)
+        held.p.append(P)
 
     def build(self) -> None:
-        """Assemble the functions and the solver."""
-        x, f_lam = ca.MX.sym("x", self._count), ca.MX.sym("lam_f")
-        cost = np.zeros(self._count)
+        """Assemble the functions."""
+        cost, weights = np.zeros(self._count), np.zeros(self._count)
         for index, weight in self._cost:
             cost[index] += weight
-        total_p = sum(c.block.sizes[1] * len(c.z) for c in self._copies.values())
-        total_g = sum(c.block.sizes[2] * len(c.z) for c in self._copies.values())
-        p, lam = ca.MX.sym("p", total_p), ca.MX.sym("lam_g", total_g)
-        gs, js, hs = [], [], []
-        j_rows, j_cols, h_rows, h_cols = [], [], [], []
-        at_p = at_g = 0
-        for copies in self._copies.values():
-            block, n = copies.block, len(copies.z)
-            n_z, n_p, n_g = block.sizes
-            Zi = np.array(copies.z)  # (n, n_z)
-            Z = ca.reshape(x[Zi.ravel().tolist()], n_z, n)
-            P = ca.reshape(p[at_p : at_p + n_p * n], n_p, n)
-            L = ca.reshape(lam[at_g : at_g + n_g * n], n_g, n)
-            gs.append(ca.vec(block.g.map(n)(Z, P)))
-            rows, cols = (np.array(a, dtype=int) for a in block.jacobian_pattern.get_triplet())
-            js.append(ca.vec(block.jacobian.map(n)(Z, P)))
-            j_rows.append((at_g + n_g * np.arange(n)[:, None] + rows).ravel())
-            j_cols.append(Zi[:, cols].ravel())
-            rows, cols = (np.array(a, dtype=int) for a in block.hessian_pattern.get_triplet())
-            if len(rows):
-                hs.append(ca.vec(block.hessian.map(n)(Z, P, L)))
-                a, b = Zi[:, rows].ravel(), Zi[:, cols].ravel()
-                h_rows.append(np.minimum(a, b))
-                h_cols.append(np.maximum(a, b))
-            at_p += n_p * n
-            at_g += n_g * n
-        g = ca.vertcat(*gs)
-        jac = _scatter(ca.vertcat(*js), np.concatenate(j_rows), np.concatenate(j_cols), total_g, self._count)
-        hess = ca.MX(self._count, self._count)
-        if hs:
-            hess = _scatter(ca.vertcat(*hs), np.concatenate(h_rows), np.concatenate(h_cols), self._count, self._count)
-        weights = np.zeros(self._count)
         for indices, weight in self._damped:
             weights[indices] += weight
-        f = ca.dot(ca.DM(cost), x) + ca.dot(ca.DM(weights), x**2) / 2
-        gradient = ca.DM(cost) + ca.DM(weights) * x
-        hess = hess + f_lam * ca.diag(ca.sparsify(ca.DM(weights)))
-        functions = {
-            "grad_f": ca.Function("nlp_grad_f", [x, p], [f, gradient], ["x", "p"], ["f", "grad_f_x"]),
-            "jac_g": ca.Function("nlp_jac_g", [x, p], [g, jac], ["x", "p"], ["g", "jac_g_x"]),
-            "hess_lag": ca.Function(
-                "nlp_hess_l", [x, p, f_lam, lam], [hess], ["x", "p", "lam_f", "lam_g"], ["triu_hess_gamma_x_x"]
-            ),
-        }
-        self._functions = functions
-        self._problem = {"x": x, "p": p, "f": f, "g": g}
-        self._g_lower = np.concatenate([np.tile(c.block.lower, len(c.z)) for c in self._copies.values()])
-        self._g_upper = np.concatenate([np.tile(c.block.upper, len(c.z)) for c in self._copies.values()])
+        kinds = [(block, held.all_z) for block, held in self._held.items()]
+        self._evaluation = Evaluation(kinds, cost, weights)
+        self._functions = self._evaluation.functions()
 
     @property
     def guess(self) -> Array:
@@ -189,17 +204,14 @@ class BlockNlp:
     @property
     def empty(self) -> bool:
         """True when nothing constrains anything: there is no question to solve."""
-        return not self._copies
+        return not self._held
 
     def adopt(self, other: BlockNlp) -> None:
         """Take over the built functions of a program with the same blocks on the same variables."""
-        mine, theirs = self._copies, other._copies
-        if list(mine) != list(theirs) or any(
-            not np.array_equal(mine[k].z, theirs[k].z) or mine[k].block is not theirs[k].block for k in mine
-        ):
+        mine, theirs = self._held, other._held
+        if list(mine) != list(theirs) or any(not np.array_equal(mine[k].all_z, theirs[k].all_z) for k in mine):
             raise ValueError("adopt: the two programs differ in structure")
-        self._functions, self._problem = other._functions, other._problem
-        self._g_lower, self._g_upper = other._g_lower, other._g_upper
+        self._evaluation, self._functions = other._evaluation, other._functions
 
     def solve(
         self, guess: NlpResult | None = None, *, mu: float = 1e-1, tolerance: float = 1e-8, most: int = 200
@@ -215,6 +227,8 @@ class BlockNlp:
             "ipopt.max_iter": most,
             "ipopt.mu_init": mu,
             **IPOPT,
+            "no_nlp_grad": True,
+            "calc_lam_p": False,
             **self._functions,
         }
         if guess is not None:
@@ -226,14 +240,17 @@ class BlockNlp:
                 "ipopt.warm_start_bound_frac": WARM_PUSH,
                 "ipopt.warm_start_slack_bound_frac": WARM_PUSH,
             }
-        solver = ca.nlpsol("solver", "ipopt", self._problem, options)
+        x, p = (ca.MX.sym(name, self._functions["jac_g"].size_in(i)) for i, name in enumerate("xp"))
+        f, g = self._functions["grad_f"](x, p)[0], self._functions["jac_g"](x, p)[0]
+        solver = ca.nlpsol("solver", "ipopt", {"x": x, "p": p, "f": f, "g": g}, options)
+        held = self._held.items()
         arguments = {
             "x0": guess.x if guess else self.guess,
-            "p": np.concatenate([np.concatenate(c.p) for c in self._copies.values()]),
+            "p": self._evaluation.parameters([one.all_p for _, one in held]),
             "lbx": np.concatenate(self._lower),
             "ubx": np.concatenate(self._upper),
-            "lbg": self._g_lower,
-            "ubg": self._g_upper,
+            "lbg": np.concatenate([np.tile(block.shape.lower, len(one.all_z)) for block, one in held]),
+            "ubg": np.concatenate([np.tile(block.shape.upper, len(one.all_z)) for block, one in held]),
         }
         if guess is not None:
             arguments |= {"lam_g0": guess.lam_g, "lam_x0": guess.lam_x}
@@ -247,15 +264,3 @@ class BlockNlp:
             str(stats["return_status"]),
             int(stats["iter_count"]),
         )
-
-
-def _scatter(values: ca.MX, rows: Array, cols: Array, n_rows: int, n_cols: int) -> ca.MX:
-    """The sparse matrix (n_rows, n_cols) with values summed at (rows, cols)."""
-    key = cols.astype(np.int64) * n_rows + rows
-    unique, inverse = np.unique(key, return_inverse=True)
-    pattern = ca.Sparsity.triplet(n_rows, n_cols, (unique % n_rows).tolist(), (unique // n_rows).tolist())
-    if len(unique) == len(key):
-        order = np.argsort(key, kind="stable")
-        return ca.MX(pattern, values[order.tolist()])
-    gather = ca.DM(ca.Sparsity.triplet(len(unique), len(key), inverse.tolist(), list(range(len(key)))), 1.0)
-    return ca.MX(pattern, ca.mtimes(gather, values))

@@ -18,10 +18,11 @@ from enum import IntEnum
 from types import SimpleNamespace
 
 import casadi as ca
-import numpy as np
 
-from trajopt_cli.geometry import Array
+from trajopt_cli.native.store import exact
 from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.library import Library
+from trajopt_cli.optimize.library import library as users_library
 from trajopt_cli.optimize.relation import Relation, Rows, Shapes
 from trajopt_cli.optimize.tuning import ELBOW, WRIST
 from trajopt_cli.path.arc import ArcSymbols
@@ -52,14 +53,15 @@ def beside(**shapes: tuple[int, ...]) -> dict[str, dict[str, tuple[int, ...]]]:
 class Formulation:
     """The relations of one plant's problem. Each is compiled once, on first use, and holds at many nodes."""
 
-    def __init__(self, axes: Axes):
+    def __init__(self, axes: Axes, library: Library | None = None):
         self.axes, layout = axes, axes.layout
+        self._library = library or users_library()
         self.lower, self.upper = axes.lower[layout.arm], axes.upper[layout.arm]
         self.rail_axis = ca.DM(axes.rail_axis)
         self.rail, self.arm = layout.rail, layout.arm
         self._all, self._joints, self._rails = (axes.n,), (layout.joints,), (layout.r,)
-        q = ca.SX.sym("q", axes.n)
-        self.flange = ca.Function("flange", [q], [*axes.robot.expressions.flange(q)])
+        # what every relation is made from, besides its own key
+        self._identity = exact((axes.robot, layout.rail, layout.arm, axes.rail_axis, self.lower, self.upper))
         self._cache: dict[tuple[object, ...], Relation] = {}
         # parameters of a pose on a path: the path, the branch, joints within half a turn of the answer
         self._on_path: Shapes = {"path": (DwellSymbols().size,), "branch": (3,), "near": self._joints}
@@ -71,9 +73,11 @@ class Formulation:
         }  # fmt: skip
 
     def _relation(self, key: tuple[object, ...], z: Shapes, p: Shapes, rows: Rows) -> Relation:
-        if key not in self._cache:
-            self._cache[key] = Relation.of(f"{key[0]}{len(self._cache)}", z, p, rows)
-        return self._cache[key]
+        names = (*key, *z)
+        if names not in self._cache:  # variables of other names in the same places make the same block
+            whole = f"{self._identity} {key!r} {[*z.values()]!r} {dict(p)!r}"
+            self._cache[names] = Relation.of(self._library, str(key[0]), whole, z, p, rows)
+        return self._cache[names]
 
     # ---- dynamics
 
@@ -143,7 +147,7 @@ class Formulation:
             return out
 
         p = {**self._at_node, "path": (track.size,)}
-        return self._relation(("path", track, sides), z, p, rows)
+        return self._relation(("path", track, len(sides)), z, p, rows)
 
     def _tool_acceleration(self, track, a, z, p):  # type: ignore[no-untyped-def]
         """|L a| <= a_tcp T^2 on a line; on an arc with the part towards the centre, squared."""
@@ -179,7 +183,7 @@ class Formulation:
             out = self._joint_limits(Reached(*there), J @ z.w, [curve + J @ b for b in acc], z.T, p)
             return [*out, self._rail_velocity(z.w, z, p), *(self._rail_acceleration(b, z, p) for b in acc)]
 
-        return self._relation(("dwell", sides), z, self._at_node, rows)
+        return self._relation(("dwell", len(sides)), z, self._at_node, rows)
 
     # ---- limits of joint moves
 
@@ -211,26 +215,28 @@ class Formulation:
             acc = [getattr(z, f"a_{side}") for side in sides]
             return [(z.v / (p.V * z.T), -1.0, 1.0), *((a / (p.A * z.T * z.T), -1.0, 1.0) for a in acc)]
 
-        return self._relation(("axis", sides), z, {"V": (), "A": ()}, rows)
+        return self._relation(("axis", len(sides)), z, {"V": (), "A": ()}, rows)
 
-    def tool_cap(self, X_FT: Array, cap: ToolCap) -> Relation:
-        """|tool| <= cap at a node of a joint move, squared so that it stays smooth where the tool rests."""
+    def tool_cap(self, cap: ToolCap) -> Relation:
+        """|tool| <= cap at a node of a joint move, squared so that it stays smooth where the tool rests.
+
+        tcp: the tool centre point in the flange's frame."""
         acceleration: Shapes = {"a": self._all} if cap is ToolCap.ACCELERATION else {}
         z: Shapes = {"q": self._all, "v": self._all, **acceleration, "T": ()}
 
         def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-            return [self._tool(X_FT, cap, z.q, z.v, getattr(z, "a", None), z.T, p.cap)]
+            return [self._tool(p.tcp, cap, z.q, z.v, getattr(z, "a", None), z.T, p.cap)]
 
-        return self._relation(("tool", cap.name, *np.round(X_FT[:3, 3], 9)), z, {"cap": ()}, rows)
+        return self._relation(("tool", cap.name), z, {"tcp": (3,), "cap": ()}, rows)
 
-    def _tool(self, X_FT, cap, q, v, a, T, limit):  # type: ignore[no-untyped-def]
+    def _tool(self, p_FT, cap, q, v, a, T, limit):  # type: ignore[no-untyped-def]
         Q, dQ = ca.SX.sym("Q", *self._all), ca.SX.sym("dQ", *self._all)
-        pos, R = self.flange(Q)
+        pos, R = self.axes.robot.expressions.flange(Q)
         if cap is ToolCap.REORIENTATION:
             spin = R.T @ ca.reshape(ca.jtimes(ca.vec(R), Q, dQ), 3, 3)
             omega = ca.substitute(ca.vertcat(spin[2, 1], spin[0, 2], spin[1, 0]), ca.vertcat(Q, dQ), ca.vertcat(q, v))
             return ca.sumsqr(omega) / (limit * T) ** 2, -INF, 1.0
-        tcp = pos + R @ ca.DM(X_FT[:3, 3])
+        tcp = pos + R @ p_FT
         rate = ca.jtimes(tcp, Q, dQ)
         if cap is ToolCap.SPEED:
             rate = ca.substitute(rate, ca.vertcat(Q, dQ), ca.vertcat(q, v))

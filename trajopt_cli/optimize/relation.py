@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from math import prod
 from types import SimpleNamespace
 
 import casadi as ca
@@ -11,7 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.optimize.blocks import Block, BlockNlp, make_block
+from trajopt_cli.optimize.blocks import Block, BlockNlp, Expressed, express
+from trajopt_cli.optimize.library import Library
 from trajopt_cli.path.symbols import Layout
 
 Shapes = Mapping[str, tuple[int, ...]]
@@ -29,24 +31,45 @@ class Relation:
     block: Block
 
     @classmethod
-    def of(cls, name: str, z: Shapes, p: Shapes, rows: Rows) -> Relation:
-        """From rows(z, p) -> [(expression, lower, upper), ...], where z.v is the variable named v."""
+    def of(cls, library: Library, name: str, key: str, z: Shapes, p: Shapes, rows: Rows) -> Relation:
+        """From rows(z, p) -> [(expression, lower, upper), ...], where z.v is the variable named v. key: equal for
+        relations with equal rows only."""
         z_layout, p_layout = Layout(z), Layout(p)
 
         def flat(z: ca.SX, p: ca.SX) -> Sequence[tuple[ca.SX, float, float]]:
             return rows(SimpleNamespace(**z_layout.split(z)), SimpleNamespace(**p_layout.split(p)))
 
-        return cls(z_layout, p_layout, make_block(name, z_layout.size, p_layout.size, flat))
+        def expressed() -> Expressed:
+            return express(z_layout.size, p_layout.size, flat)
+
+        return cls(z_layout, p_layout, library.block(name, key, expressed))
 
     def holds(self, nlp: BlockNlp, z: Parts, p: Parts = NOTHING) -> None:
-        """Demand it of the variables with these indices and parameters with these values. Raises ValueError for names
-        or shapes that are not the relation's."""
-        nlp.add(self.block, _flat(self.z, z).astype(np.intp), _flat(self.p, p))
+        """Demand it of the variables with these indices and parameters with these values, or of many at once: parts
+        that differ from one to the next have an axis (n, ...) more, in front. Raises ValueError for names or shapes
+        that are not the relation's."""
+        Z, P = _flat(self.z, z).astype(np.intp), _flat(self.p, p)
+        n = max(len(Z), len(P))
+        nlp.add(self.block, np.broadcast_to(Z, (n, Z.shape[1])), np.broadcast_to(P, (n, P.shape[1])))
 
     def value(self, z: Parts, p: Parts = NOTHING) -> Array:
         """g (m,) at values of z and p."""
-        return np.ravel(self.block.g(_flat(self.z, z), _flat(self.p, p)))
+        return self.block.values(_flat(self.z, z), _flat(self.p, p))[0][0]
 
 
 def _flat(layout: Layout, parts: Parts) -> Array:
-    return layout.vector(parts) if parts or layout.size else np.zeros(0)
+    """Rows (n, size) of all parts side by side; n is 1 where none has an axis more than its shape."""
+    if parts.keys() != layout.shapes.keys():
+        raise ValueError(f"the parts are {', '.join(layout.shapes)}; found {', '.join(parts)}")
+    arrays = {name: np.asarray(part, dtype=np.float64) for name, part in parts.items()}
+    n = next((len(arrays[name]) for name, shape in layout.shapes.items() if arrays[name].ndim > len(shape)), 1)
+    columns = [np.zeros((n, 0))]
+    for name, shape in layout.shapes.items():
+        part = arrays[name]
+        if part.shape not in (shape, (n, *shape)):
+            raise ValueError(f"{name} has shape {part.shape}, wanted {shape} or {(n, *shape)}")
+        many = np.broadcast_to(part, (n, *shape))
+        if len(shape) > 1:  # column by column
+            many = np.swapaxes(many, -1, -2)
+        columns.append(many.reshape(n, prod(shape)))
+    return np.concatenate(columns, axis=1)

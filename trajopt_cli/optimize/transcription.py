@@ -315,4 +315,4 @@ class Transcription:
             for cap, limit in self._caps_in_force(leg, margins, k):
                 for acceleration in [{"a": out.qa[i]} for i, _ in around] if cap is ToolCap.ACCELERATION else [{}]:
                     z = {"q": out.q[k], "v": out.qv[k], **acceleration, "T": out.T}
-                    self._hold(self.formulation.tool_cap(leg.X_FT, cap), z, {"cap": limit})
+                    self._hold(self.formulation.tool_cap(cap), z, {"tcp": leg.X_FT[:3, 3], "cap": limit})

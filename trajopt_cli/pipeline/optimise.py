@@ -86,6 +86,7 @@ def optimise(
     target: which plan trajectory.csv carries. plots: its pictures, too. loops: what the RAPID plan makes of them.
     Raises InputError where folder may not be replaced.
     """
+    from trajopt_cli.optimize.library import evaluation_notices
     from trajopt_cli.verify.clearance import check_start, collisions
 
     check_replaceable(folder)
@@ -114,7 +115,7 @@ def optimise(
     listen("results", Progress("write"))
     with clock.phase("export"):
         export, no_rapid = _export(job, judged[Target.RAPID].plan, loops)
-        notices = (*_notices(job, judged), *agreed.notices, *_one_way(job, export))
+        notices = (*_notices(job, judged), *agreed.notices, *_one_way(job, export), *evaluation_notices())
         if no_rapid is not None:
             notices = (*notices, f"no RAPID text: {no_rapid}")
         placed = _placed(export, folder) if export is not None else ()

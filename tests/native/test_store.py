@@ -1,0 +1,141 @@
+"""What is kept between runs: it comes back as it was, or not at all."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import replace
+from pathlib import Path
+
+import casadi as ca
+import numpy as np
+import pytest
+from small_cells import plant_with_rail
+
+from trajopt_cli.native import store as module
+from trajopt_cli.native.machine import machine
+from trajopt_cli.native.store import Store, exact
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.blocks import Expressed, express
+from trajopt_cli.optimize.formulation import Formulation
+from trajopt_cli.optimize.library import Native
+
+ARRAYS = {"a": np.arange(12.0).reshape(3, 4), "b": np.array([1, 2], dtype=np.int64)}
+
+
+def test_what_was_written_is_read(tmp_path: Path) -> None:
+    Store(tmp_path / "new").write("key", ARRAYS)
+    found = Store(tmp_path / "new").read("key")
+    assert found is not None
+    assert found.keys() == ARRAYS.keys()
+    for name, wanted in ARRAYS.items():
+        np.testing.assert_array_equal(found[name], wanted, strict=True)
+    assert Store(tmp_path / "new").read("other key") is None
+
+
+def spoiled(content: bytes) -> dict[str, bytes]:
+    middle = len(content) // 2
+    return {
+        "cut off": content[:middle],
+        "empty": b"",
+        "one bit": content[:middle] + bytes([content[middle] ^ 1]) + content[middle + 1 :],
+        "longer": content + b"\0",
+        "text": b"hello\n",
+    }
+
+
+@pytest.mark.parametrize("how", spoiled(b"12"))
+def test_a_damaged_entry_is_made_anew(tmp_path: Path, how: str) -> None:
+    store = Store(tmp_path)
+    store.write("key", ARRAYS)
+    (file,) = tmp_path.iterdir()
+    file.write_bytes(spoiled(file.read_bytes())[how])
+    assert store.read("key") is None
+    store.write("key", ARRAYS)
+    assert store.read("key") is not None
+
+
+def test_an_entry_under_anothers_name_is_absent(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    store.write("key", ARRAYS)
+    (file,) = tmp_path.iterdir()
+    store.write("other", ARRAYS)
+    (other,) = set(tmp_path.iterdir()) - {file}
+    other.write_bytes(file.read_bytes())
+    assert store.read("other") is None
+
+
+def test_a_folder_that_cannot_be_made_is_done_without(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("in the way")
+    for folder, why in ((tmp_path / "file" / "trajopt", "Not a directory"), (Path("~/x"), "no home folder")):
+        store = Store(folder)
+        assert store.read("key") is None
+        assert store.trouble is None
+        store.write("key", ARRAYS)
+        assert why in str(store.trouble)
+        assert store.read("key") is None
+    assert not Path("~").exists()
+
+
+def test_the_oldest_entries_make_room(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    store = Store(tmp_path)
+    store.write("0", ARRAYS)
+    (first,) = tmp_path.iterdir()
+    monkeypatch.setattr(module, "MOST_BYTES", 3.5 * first.stat().st_size)
+    (tmp_path / "notes.txt").write_text("not ours")
+    (tmp_path / "killed.part").write_bytes(b"x" * first.stat().st_size)
+    for i in range(1, 5):
+        for file in tmp_path.iterdir():  # older than what comes next
+            os.utime(file, ns=(file.stat().st_mtime_ns - 10**9,) * 2)
+        store.write(str(i), ARRAYS)
+    assert [store.read(str(i)) is not None for i in range(5)] == [False, False, True, True, True]
+    assert sorted(file.suffix for file in tmp_path.iterdir()) == [".block"] * 3 + [".txt"]
+
+
+def small() -> Expressed:
+    return express(2, 1, lambda z, p: [(ca.sin(z[0]) * z[1] ** 2 - p[0], 0.0, 1.0)])
+
+
+def test_a_kept_block_is_not_expressed_again(tmp_path: Path) -> None:
+    z, p, lam = np.array([[0.5, 2.0]]), np.array([[0.25]]), np.array([[3.0]])
+    first = Native(machine(), Store(tmp_path)).block("small", "key", small)
+
+    def unwanted() -> Expressed:
+        raise AssertionError("expressed again")
+
+    again = Native(machine(), Store(tmp_path)).block("small", "key", unwanted)
+    with pytest.raises(AssertionError, match="expressed again"):
+        Native(machine(), Store(tmp_path)).block("small", "key 2", unwanted)
+    s, c = np.sin(0.5), np.cos(0.5)
+    for block in (first, again):
+        g, jacobian = block.values(z, p)
+        np.testing.assert_allclose(g, [[4 * s - 0.25]], rtol=1e-15)
+        np.testing.assert_allclose(jacobian, [[4 * c, 4 * s]], rtol=1e-15)
+        np.testing.assert_allclose(block.curvature(z, p, lam), 3 * np.array([[-4 * s, 4 * c, 2 * s]]), rtol=1e-15)
+        assert [x.tolist() for x in block.shape.hessian_at] == [[0, 0, 1], [0, 1, 1]]
+        assert (block.shape.lower.tolist(), block.shape.upper.tolist()) == ([0.0], [1.0])
+
+
+def test_code_for_another_computer_is_not_taken(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    Native(machine(), Store(tmp_path)).block("small", "key", small)
+    monkeypatch.setattr(type(machine()), "identity", "another computer")
+    Native(machine(), Store(tmp_path)).block("small", "key", small)
+    assert len(list(tmp_path.iterdir())) == 2
+
+
+def test_robots_that_differ_in_a_hair_have_blocks_of_their_own(tmp_path: Path) -> None:
+    axes = Axes.of(plant_with_rail())
+    ours = Native(machine(), Store(tmp_path))
+    same = Formulation(Axes.of(plant_with_rail()), ours).axis_node("l").block
+    assert Formulation(axes, ours).axis_node("l").block is same
+    longer = replace(axes.robot, arm=replace(axes.robot.arm, L2=np.nextafter(axes.robot.arm.L2, 1.0)))
+    assert Formulation(replace(axes, robot=longer), ours).axis_node("l").block is not same
+    higher = replace(axes, upper=np.nextafter(axes.upper, 9.0))
+    assert Formulation(higher, ours).axis_node("l").block is not same
+
+
+def test_only_data_has_an_exact_text() -> None:
+    assert exact({"b": 1, "a": (2.0, None)}) == exact({"a": (2.0, None), "b": 1})
+    assert exact(np.zeros(2)) != exact(np.zeros((1, 2)))
+    assert exact(0.1 + 0.2) != exact(0.3)
+    with pytest.raises(TypeError, match="function is no plain data"):
+        exact(small)

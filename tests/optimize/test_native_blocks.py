@@ -1,0 +1,79 @@
+"""Every relation compiled for this computer against CasADi's evaluation of the same functions."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from small_cells import plant_with_rail, problem_of, rapid
+
+from trajopt_cli.native.machine import machine
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.blocks import NlpResult
+from trajopt_cli.optimize.draft import Margins
+from trajopt_cli.optimize.driver import first_draft
+from trajopt_cli.optimize.formulation import Formulation, ToolCap
+from trajopt_cli.optimize.library import Library, Maps, library
+from trajopt_cli.optimize.search import search
+from trajopt_cli.optimize.transcription import Transcription
+from trajopt_cli.path.arc import ArcSymbols
+from trajopt_cli.path.line import LineSymbols
+
+SIDES = ("l", "r", "lr")
+TRACKS = [symbols(turning) for symbols in (LineSymbols, ArcSymbols) for turning in (False, True)]
+KINDS: dict[str, list[tuple[object, ...]]] = {
+    "path_node": [(track, sides) for track in TRACKS for sides in SIDES],
+    "dwell_node": [(sides,) for sides in SIDES],
+    "axis_node": [(sides,) for sides in SIDES],
+    "tool_cap": [(cap,) for cap in ToolCap],
+}
+NO_ARGUMENTS = (
+    "integration", "zoned_integration", "zones", "axis_reach", "waypoint", "resting_waypoint", "velocity_link", "equal",
+)  # fmt: skip
+KINDS |= {name: [()] for name in NO_ARGUMENTS}
+
+
+@pytest.fixture(scope="module")
+def both() -> tuple[Formulation, Formulation]:
+    axes = Axes.of(plant_with_rail())
+    return Formulation(axes, library()), Formulation(axes, Maps())
+
+
+def test_no_kind_of_relation_is_left_out() -> None:
+    public = {name for name, what in vars(Formulation).items() if callable(what) and not name.startswith("_")}
+    assert public == set(KINDS)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_native_functions_equal_casadis(both: tuple[Formulation, Formulation], kind: str) -> None:
+    """To 1e-13 of the largest entry, at as many copies as leave lanes without one."""
+    rng, n = np.random.default_rng(21), machine().lanes + 3
+    for arguments in KINDS[kind]:
+        ours, casadis = (getattr(formulation, kind)(*arguments).block for formulation in both)
+        n_z, n_p, m = ours.sizes
+        z, p, lam = (rng.uniform(0.2, 1.0, (n, k)) for k in (n_z, n_p, m))
+        for got, wanted in zip(
+            (*ours.values(z, p), ours.curvature(z, p, lam)),
+            (*casadis.values(z, p), casadis.curvature(z, p, lam)),
+            strict=True,
+        ):
+            assert np.all(np.isfinite(wanted))
+            assert len(np.unique(wanted, axis=0)) == n or kind in ("equal", "integration", "zones", "velocity_link")
+            np.testing.assert_allclose(got, wanted, rtol=0, atol=1e-13 * np.abs(wanted).max(initial=0.0))
+
+
+def test_a_program_has_one_answer_whoever_evaluates_it() -> None:
+    plant = plant_with_rail()
+    axes, moves = Axes.of(plant), "MoveAbsJ j_home,v1000,fine,tool0;MoveJ p_in,v1000,fine,tool0;"
+    problem = problem_of(rapid(f"{moves}MoveL p_low,v200,fine,tool0;WaitTime 0.4;"), plant)
+    chain = search(axes, problem)
+    assert chain is not None
+    draft = first_draft(axes, problem, chain)
+    margins = [Margins.full(m.N, axes.n, 1.0) if hasattr(m, "N") else None for m in draft.legs]
+
+    def solved(library: Library) -> NlpResult:
+        return Transcription(axes, Formulation(axes, library), problem, draft, margins).nlp.solve(mu=1e-2)
+
+    native, casadis = solved(library()), solved(Maps())
+    assert native.converged
+    np.testing.assert_allclose(native.x, casadis.x, rtol=0, atol=1e-9)
+    assert native.iterations == casadis.iterations
