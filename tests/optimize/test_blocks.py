@@ -180,3 +180,20 @@ def test_what_has_no_answer_is_not_called_converged() -> None:
     nlp.minimise(0)
     nlp.add(product_block(), x, [1.0])
     assert not nlp.solve().converged
+
+
+def test_many_copies_at_once_are_as_many_one_by_one() -> None:
+    """And none at all is no copy."""
+    rng, curvy = np.random.default_rng(2), make_block("curvy", 3, 2, curvy_rows)
+    where, p = np.array([[0, 1, 2], [5, 2, 0], [6, 3, 2]]), rng.normal(size=(3, 2))
+    once, singly = BlockNlp(), BlockNlp()
+    for nlp in (once, singly):
+        nlp.variables(np.ones(7), -9.0, 9.0)
+        nlp.add(curvy, np.zeros((0, 3)), np.zeros((0, 2)))
+        assert nlp.empty
+    once.add(curvy, where, p)
+    for row, parameters in zip(where, p, strict=True):
+        singly.add(curvy, row, parameters)
+    for nlp in (once, singly):
+        nlp.minimise(0)
+    np.testing.assert_array_equal(once.solve(most=5).x, singly.solve(most=5).x)

@@ -8,6 +8,7 @@ from small_cells import MOUNTS, mounted, plant_without_rail, safe_arm
 
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose, pose, rotation_about
 from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.blocks import BlockNlp
 from trajopt_cli.optimize.formulation import Formulation, ToolCap
 from trajopt_cli.optimize.library import Maps
 from trajopt_cli.path.arc import Arc, ArcSymbols
@@ -251,3 +252,16 @@ def test_without_a_rail_no_relation_has_a_variable_of_one(axes: Axes, formulatio
     assert formulation.path_node(LineSymbols(True), "lr").z.size == 5 + 4 * r
     assert formulation.waypoint().z.size == 12 + 2 * r
     assert formulation.tool_cap(ToolCap.SPEED).z.size == 2 * (6 + r) + 1
+
+
+def test_a_relation_holds_at_many_nodes_at_once(formulation: Formulation) -> None:
+    """Parts with an axis more differ from node to node, the others are the same at all; matrices column by column."""
+    relation = formulation.zoned_integration()
+    x, v, a = np.arange(4), np.arange(4, 8), np.arange(8, 11)
+    nlp = BlockNlp()
+    nlp.variables(np.zeros(12), -1.0, 1.0)
+    relation.holds(nlp, {"x_0": x[:-1], "v_0": v[:-1], "a": a, "x_1": x[1:], "v_1": v[1:], "h": 11})
+    (held,) = nlp._held.values()
+    assert held.all_z.tolist() == [[k, k + 4, k + 8, k + 1, k + 5, 11] for k in range(3)]
+    with pytest.raises(ValueError, match=r"a has shape \(2,\), wanted \(\) or \(3,\)"):
+        relation.holds(nlp, {"x_0": x[:-1], "v_0": v[:-1], "a": a[:2], "x_1": x[1:], "v_1": v[1:], "h": 11})

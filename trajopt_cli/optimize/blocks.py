@@ -173,7 +173,6 @@ class BlockNlp:
 
     def add(self, block: Block, z: Sequence[int] | IndexArray, p: Sequence[float] | Array = ()) -> None:
         """Add one copy on variables z (n_z,) with parameters p (n_p,), or n of them: z (n, n_z), p (n, n_p)."""
-        held = self._held.setdefault(block, _Held())
         Z, P = np.atleast_2d(np.asarray(z, dtype=np.intp)), np.atleast_2d(np.asarray(p, dtype=float))
         n_z, n_p, _ = block.sizes
         if Z.shape[1:] != (n_z,) or P.shape != (len(Z), n_p):
@@ -182,8 +181,10 @@ class BlockNlp:
         twice = np.flatnonzero(np.any(ordered[:, 1:] == ordered[:, :-1], axis=1))
         if len(twice):
             raise ValueError(f"block {block.name}: a variable stands twice in z = {Z[twice[0]].tolist()}")
-        held.z.append(Z)
-        held.p.append(P)
+        if len(Z):
+            held = self._held.setdefault(block, _Held())
+            held.z.append(Z)
+            held.p.append(P)
 
     def build(self) -> None:
         """Assemble the functions."""

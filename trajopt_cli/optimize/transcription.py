@@ -6,11 +6,12 @@ moves freely along lines and dwells.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from trajopt_cli.geometry import Array, IndexArray, inverse_pose
 from trajopt_cli.optimize.axes import Axes
@@ -59,10 +60,28 @@ class LegVariables:
     qa: IndexArray = field(default_factory=NONE.copy)
 
 
-def _around(k: int, N: int) -> tuple[str, list[tuple[int, str]]]:
-    """The sides of node k of N intervals, and the interval on each."""
-    inside = [(i, side) for i, side in ((k - 1, LEFT), (k, RIGHT)) if 0 <= i < N]
-    return "".join(side for _, side in inside), inside
+@dataclass(frozen=True, eq=False)
+class Nodes:
+    """The nodes (m,) of a leg that have intervals on the same sides, and the interval (m,) on each side."""
+
+    sides: str
+    at: IndexArray
+    beside: Mapping[str, IndexArray]
+
+    def around(self, **accelerations: IndexArray) -> dict[str, IndexArray]:
+        """Accelerations by name and side at these nodes, of those (N, ...) in each interval: around(a=x) has a_l of
+        the intervals on the left, a_r on the right."""
+        return {f"{name}_{side}": x[i] for name, x in accelerations.items() for side, i in self.beside.items()}
+
+
+def _nodes_by_sides(N: int) -> tuple[Nodes, Nodes, Nodes]:
+    """The first, the inner and the last node of N intervals."""
+    first, inner, last = np.arange(1), np.arange(1, N), np.array([N])
+    return (
+        Nodes(RIGHT, first, {RIGHT: first}),
+        Nodes(LEFT + RIGHT, inner, {LEFT: inner - 1, RIGHT: inner}),
+        Nodes(LEFT, last, {LEFT: last - 1}),
+    )
 
 
 class Transcription:
@@ -180,33 +199,31 @@ class Transcription:
         line = LineSymbols(turning)
         return line, line.vector(segment, X_BW, motion.X_FT)
 
-    def _path_parameters(self, leg: Leg, motion: PathLeg, margins: Margins, path: Array) -> Iterator[Parts]:
-        """Parameters of the nodes of a path with its own ones, one after the other."""
-        arm, m = self.axes.layout.arm, margins
-        caps = np.array([leg.chord / leg.v_tcp, leg.chord / leg.a_tcp, leg.angle / leg.v_ori])
-        for k, joints in enumerate(motion.node_arm(self.axes)):
-            at = caps / m.tool[k]
-            yield {
-                "path": path,
-                "branch": self.axes.robot.expressions.branch(motion.cfx),
-                "near": joints,
-                "V": self.axes.velocity_on(leg) * m.velocity[k],
-                "A": self.axes.acceleration_on(leg) * m.acceleration[k],
-                "at_speed": at[0],
-                "at_acceleration": at[1],
-                "at_turning": at[2],
-                "room": m.position[k, arm],
-            }
-
-    def _integrate(self, grid: Array, x: IndexArray, v: IndexArray, a: IndexArray) -> None:
-        for k, h in enumerate(np.diff(grid)):
-            z = {"x_0": x[k], "v_0": v[k], "a": a[k], "x_1": x[k + 1], "v_1": v[k + 1]}
-            self._hold(self.formulation.integration(), z, {"h": h})
+    def _path_parameters(self, leg: Leg, motion: PathLeg, margins: Margins, path: Array) -> dict[str, Array]:
+        """Parameters of all nodes of a path."""
+        m = margins
+        caps = np.array([leg.chord / leg.v_tcp, leg.chord / leg.a_tcp, leg.angle / leg.v_ori]) / m.tool
+        return {
+            "path": np.tile(path, (len(caps), 1)),
+            "branch": np.tile(self.axes.robot.expressions.branch(motion.cfx), (len(caps), 1)),
+            "near": motion.node_arm(self.axes),
+            "V": self.axes.velocity_on(leg) * m.velocity,
+            "A": self.axes.acceleration_on(leg) * m.acceleration,
+            "at_speed": caps[:, 0],
+            "at_acceleration": caps[:, 1],
+            "at_turning": caps[:, 2],
+            "room": m.position[:, self.axes.layout.arm],
+        }
 
     def _integrate_zones(self, h: IndexArray, x: IndexArray, v: IndexArray, a: IndexArray) -> None:
-        for k in range(len(a)):
-            z = {"x_0": x[k], "v_0": v[k], "a": a[k], "x_1": x[k + 1], "v_1": v[k + 1], "h": h[3 * k // len(a)]}
-            self._hold(self.formulation.zoned_integration(), z)
+        z = {"x_0": x[:-1], "v_0": v[:-1], "a": a, "x_1": x[1:], "v_1": v[1:], "h": np.repeat(h, len(a) // 3)}
+        self._hold(self.formulation.zoned_integration(), z)
+
+    def _linked(self, leg: Leg, axes: slice, v: IndexArray, T: int) -> None:
+        """Velocities v (N+1, m) of some axes begin and end as the waypoints' do."""
+        for node, k in ((0, leg.start), (-1, leg.start + 1)):
+            z = {"xd": self.waypoint_qd[k][axes], "v": v[node], "T": T}
+            self._hold(self.formulation.velocity_link(), z)
 
     def _zones(self, motion: PathLeg) -> IndexArray:
         """Interval lengths of a path's three zones (run-up, middle, run-out).
@@ -252,10 +269,7 @@ class Transcription:
         for j in range(layout.r):
             self._integrate_zones(out.h, out.d[:, j], out.w[:, j], out.b[:, j])
         nlp.damp(out.b.ravel(), DAMPING if leg.kind is LegKind.LINE else DAMPING_DWELL)
-        for j in range(layout.r):
-            for node, k in ((0, leg.start), (N, leg.start + 1)):
-                z = {"xd": self.waypoint_qd[k][layout.rail][j], "v": out.w[node, j], "T": out.T}
-                self._hold(self.formulation.velocity_link(), z)
+        self._linked(leg, layout.rail, out.w, out.T)
 
     def _path(self, leg: Leg, motion: PathLeg, margins: Margins, out: LegVariables) -> None:
         out.h = self._zones(motion)
@@ -265,27 +279,24 @@ class Transcription:
             self._integrate_zones(out.h, out.s, out.v, out.a)
         self._rail_on_path(leg, motion, margins, out)
         track, path = self._track(leg, motion)
-        for k, p in enumerate(self._path_parameters(leg, motion, margins, path)):
-            sides, around = _around(k, motion.N)
-            z = {"d": out.d[k], "w": out.w[k], **{f"b_{side}": out.b[i] for i, side in around}, "T": out.T}
+        p = self._path_parameters(leg, motion, margins, path)
+        for nodes in _nodes_by_sides(motion.N):
+            at = nodes.at
+            z: dict[str, ArrayLike] = {"T": out.T, "d": out.d[at], "w": out.w[at], **nodes.around(b=out.b)}
             if line:
-                z |= {"s": out.s[k], "v": out.v[k], **{f"a_{side}": out.a[i] for i, side in around}}
-                self._hold(self.formulation.path_node(track, sides), z, p)
-            else:
-                self._hold(self.formulation.dwell_node(sides), z, p)
+                z |= {"s": out.s[at], "v": out.v[at], **nodes.around(a=out.a)}
+            relation = (
+                self.formulation.path_node(track, nodes.sides) if line else self.formulation.dwell_node(nodes.sides)
+            )
+            self._hold(relation, z, {name: x[at] for name, x in p.items()})
 
     def _joint_closed(self, leg: Leg, out: LegVariables) -> None:
         k, V, A = leg.start, self.axes.velocity_on(leg), self.axes.acceleration_on(leg)
-        for j in range(self.axes.n):
-            z = {
-                "q_0": self.waypoint_q[k][j], "qd_0": self.waypoint_qd[k][j],
-                "q_1": self.waypoint_q[k + 1][j], "qd_1": self.waypoint_qd[k + 1][j], "T": out.T,
-            }  # fmt: skip
-            self._hold(self.formulation.axis_reach(), z, {"V": V[j], "A": A[j]})
-
-    def _caps_in_force(self, leg: Leg, margins: Margins, k: int) -> list[tuple[ToolCap, float]]:
-        caps = (leg.v_tcp, leg.a_tcp, leg.v_ori)
-        return [(cap, caps[cap] * margins.tool[k, cap]) for cap in ToolCap if margins.rows[k, cap]]
+        z: Parts = {
+            "q_0": self.waypoint_q[k], "qd_0": self.waypoint_qd[k],
+            "q_1": self.waypoint_q[k + 1], "qd_1": self.waypoint_qd[k + 1], "T": out.T,
+        }  # fmt: skip
+        self._hold(self.formulation.axis_reach(), z, {"V": V, "A": A})
 
     def _joints(self, leg: Leg, motion: JointNodes, margins: Margins, out: LegVariables) -> None:
         nlp, N, n, k0 = self.nlp, motion.N, self.axes.n, leg.start
@@ -298,21 +309,37 @@ class Transcription:
         nlp.damp(out.qa.ravel(), DAMPING)
         V, A = self.axes.velocity_on(leg), self.axes.acceleration_on(leg)
         rail = self.axes.layout.rail
-        for inside in out.q[1:-2, rail] if not leg.rail_moves else ():  # the last one follows from the chain
-            for x, y in zip(self.waypoint_q[k0][rail], inside, strict=True):
-                self._hold(self.formulation.equal(), {"x": x, "y": y})
-        for j in range(n):
-            self._integrate(motion.grid, out.q[:, j], out.qv[:, j], out.qa[:, j])
-            for node, k in ((0, k0), (N, k0 + 1)):
-                z = {"xd": self.waypoint_qd[k][j], "v": out.qv[node, j], "T": out.T}
-                self._hold(self.formulation.velocity_link(), z)
-        for k in range(N + 1):
-            sides, around = _around(k, N)
-            for j in range(n):
-                z = {"v": out.qv[k, j], **{f"a_{side}": out.qa[i, j] for i, side in around}, "T": out.T}
-                p = {"V": V[j] * margins.velocity[k, j], "A": A[j] * margins.acceleration[k, j]}
-                self._hold(self.formulation.axis_node(sides), z, p)
-            for cap, limit in self._caps_in_force(leg, margins, k):
-                for acceleration in [{"a": out.qa[i]} for i, _ in around] if cap is ToolCap.ACCELERATION else [{}]:
-                    z = {"q": out.q[k], "v": out.qv[k], **acceleration, "T": out.T}
-                    self._hold(self.formulation.tool_cap(cap), z, {"tcp": leg.X_FT[:3, 3], "cap": limit})
+        if not leg.rail_moves:
+            held = out.q[1:-2, rail]  # the last one follows from the chain
+            x = np.broadcast_to(self.waypoint_q[k0][rail], held.shape)
+            self._hold(self.formulation.equal(), {"x": x.ravel(), "y": held.ravel()})
+        self._integrate(motion.grid, out.q, out.qv, out.qa)
+        self._linked(leg, slice(None), out.qv, out.T)
+        for nodes in _nodes_by_sides(N):
+            at = nodes.at
+            acc = {name: i.ravel() for name, i in nodes.around(a=out.qa).items()}
+            z: Parts = {"v": out.qv[at].ravel(), "T": out.T, **acc}
+            p = {"V": (V * margins.velocity[at]).ravel(), "A": (A * margins.acceleration[at]).ravel()}
+            self._hold(self.formulation.axis_node(nodes.sides), z, p)
+        self._tool_caps(leg, margins, out)
+
+    def _integrate(self, grid: Array, x: IndexArray, v: IndexArray, a: IndexArray) -> None:
+        """Chains (N+1, n) of all axes on one grid."""
+        h = np.repeat(np.diff(grid), a.shape[1])
+        z = {"x_0": x[:-1], "v_0": v[:-1], "a": a, "x_1": x[1:], "v_1": v[1:]}
+        self._hold(self.formulation.integration(), {name: i.ravel() for name, i in z.items()}, {"h": h})
+
+    def _tool_caps(self, leg: Leg, margins: Margins, out: LegVariables) -> None:
+        """The caps in force at the nodes of a joint move; of the acceleration on either side."""
+        N = len(out.qa)
+        for cap, limit in zip(ToolCap, (leg.v_tcp, leg.a_tcp, leg.v_ori), strict=True):
+            at = np.flatnonzero(margins.rows[:, cap])
+            beside: dict[str, ArrayLike] = {}
+            if cap is ToolCap.ACCELERATION:
+                at, i = np.repeat(at, 2), np.ravel(np.column_stack([at - 1, at]))
+                at, i = at[(i >= 0) & (i < N)], i[(i >= 0) & (i < N)]
+                beside = {"a": out.qa[i]}
+            z: Parts = {"q": out.q[at], "v": out.qv[at], **beside, "T": out.T}
+            if len(at):  # or the relation is not needed
+                p = {"tcp": leg.X_FT[:3, 3], "cap": limit * margins.tool[at, cap]}
+                self._hold(self.formulation.tool_cap(cap), z, p)
