@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import multiprocessing
 import os
 from dataclasses import replace
 from pathlib import Path
@@ -89,6 +90,30 @@ def test_the_oldest_entries_make_room(tmp_path: Path, monkeypatch: pytest.Monkey
         store.write(str(i), ARRAYS)
     assert [store.read(str(i)) is not None for i in range(5)] == [False, False, True, True, True]
     assert sorted(file.suffix for file in tmp_path.iterdir()) == [".block"] * 3 + [".txt"]
+
+
+def test_processes_that_write_at_once_leave_a_whole_entry(tmp_path: Path) -> None:
+    context = multiprocessing.get_context("fork")
+    many = {"a": np.arange(50_000.0)}
+
+    def write() -> None:
+        for _ in range(20):
+            Store(tmp_path).write("key", many)
+
+    writers = [context.Process(target=write) for _ in range(3)]
+    for one in writers:
+        one.start()
+    read = 0
+    while any(one.is_alive() for one in writers):
+        found = Store(tmp_path).read("key")
+        if found is not None:
+            np.testing.assert_array_equal(found["a"], many["a"])
+            read += 1
+        else:
+            assert not read, "an entry was there and is damaged or gone"
+    assert [one.exitcode for one in writers] == [0, 0, 0]
+    assert Store(tmp_path).read("key") is not None
+    assert len(list(tmp_path.iterdir())) == 1
 
 
 def small() -> Expressed:

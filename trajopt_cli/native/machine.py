@@ -21,7 +21,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.native.writing import LIBM, module_text
 
 _ENTRY = ctypes.CFUNCTYPE(None, ctypes.c_int64, *[ctypes.c_void_p] * 4)
-_LEVEL = 0  # of code generation. Measured: see CONTRIBUTING.md
+_LEVEL = 0  # of code generation. Measured: see CONTRIBUTING.md, Machine code
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,7 +48,7 @@ class Machine:
         llvm.initialize_native_asmprinter()
         features = llvm.get_host_cpu_features()
         self._cpu, self._features = llvm.get_host_cpu_name(), features.flatten()
-        self.lanes = 8 if features.get("avx512f") else 4
+        self.lanes = 8 if features.get("avx512f") else 4  # measured: see there
         self._target = self._target_machine()
         self._jit = llvm.create_lljit_compiler(self._target_machine())
         libm = ctypes.CDLL(find_library("m") or "ucrtbase")

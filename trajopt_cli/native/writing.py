@@ -1,8 +1,8 @@
 """CasADi functions written as LLVM IR text, several copies side by side in the lanes of a vector.
 
 An SX function is a flat list of scalar instructions on numbered registers. Each becomes one instruction on vectors
-whose lanes are different copies. The list is cut into functions of a thousand instructions; what one of them leaves for
-another goes through memory.
+whose lanes are different copies. The list is cut into functions of two hundred instructions; what one of them leaves
+for another goes through memory.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from struct import pack
 
 import casadi as ca
 
-CHUNK = 1000  # instructions per LLVM function. Measured: see CONTRIBUTING.md
+CHUNK = 200  # instructions per LLVM function. Measured: see CONTRIBUTING.md, Machine code
 _BINARY = {ca.OP_ADD: "fadd", ca.OP_SUB: "fsub", ca.OP_MUL: "fmul", ca.OP_DIV: "fdiv"}
 _COMPARED = {ca.OP_LT: "olt", ca.OP_LE: "ole", ca.OP_EQ: "oeq", ca.OP_NE: "une"}
 _OF_ONE = {ca.OP_SQRT: "llvm.sqrt", ca.OP_FABS: "llvm.fabs"}
