@@ -8,6 +8,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import casadi as ca
+import llvmlite
+import llvmlite.binding as llvm
 import numpy as np
 import pytest
 from small_cells import plant_with_rail
@@ -142,6 +144,8 @@ def test_a_kept_block_is_not_expressed_again(tmp_path: Path) -> None:
 
 def test_code_for_another_computer_is_not_taken(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     Native(machine(), Store(tmp_path)).block("small", "key", small)
+    for part in (llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten(), llvmlite.__version__):
+        assert f" {part}" in machine().identity
     monkeypatch.setattr(type(machine()), "identity", "another computer")
     Native(machine(), Store(tmp_path)).block("small", "key", small)
     assert len(list(tmp_path.iterdir())) == 2

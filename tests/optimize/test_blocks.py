@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import casadi as ca
 import numpy as np
 import pytest
 
-from trajopt_cli.optimize.blocks import Block, BlockNlp, make_block
+from trajopt_cli.native.machine import machine
+from trajopt_cli.native.store import Store
+from trajopt_cli.optimize.blocks import Block, BlockNlp, express, make_block
+from trajopt_cli.optimize.library import Library, Maps, Native
 
 INF = float("inf")
 
@@ -66,12 +71,13 @@ def test_damped_variables_have_their_parabola() -> None:
     np.testing.assert_allclose(result.x, [-5.0, -2.75], atol=1e-6)
 
 
-def assembled(repeat: bool) -> tuple[BlockNlp, list[tuple[np.ndarray, np.ndarray]]]:
+def assembled(library: Library, repeat: bool) -> tuple[BlockNlp, list[tuple[np.ndarray, np.ndarray]]]:
     """Seven variables, three copies of a curvy block that share some, in no order, and two linear ones."""
     nlp = BlockNlp()
     first, second = nlp.variables(np.arange(4.0), -9.0, 9.0), nlp.variables(np.ones(3), -9.0, 9.0)
     x = np.r_[first, second]
-    curvy, line = make_block("curvy", 3, 2, curvy_rows), make_block("line", 2, 0, linear_rows)
+    curvy = library.block("curvy", "curvy", lambda: express(3, 2, curvy_rows))
+    line = library.block("line", "line", lambda: express(2, 0, linear_rows))
     copies = [(x[[0, 1, 2]], [0.7, 0.1]), (x[[5, 2, 0]], [1.3, -0.4]), (x[[6, 3, 2]], [-2.0, 0.9])]
     if repeat:
         copies.append((x[[4, 4, 1]], [0.5, 0.5]))
@@ -87,13 +93,14 @@ def assembled(repeat: bool) -> tuple[BlockNlp, list[tuple[np.ndarray, np.ndarray
     return nlp, [(z, np.array(p)) for z, p in copies]
 
 
-def test_assembled_derivatives_equal_casadis() -> None:
-    compare(*assembled(repeat=False))
+@pytest.mark.parametrize("native", [False, True], ids=["by casadi", "native"])
+def test_assembled_derivatives_equal_casadis(native: bool, tmp_path: Path) -> None:
+    compare(*assembled(Native(machine(), Store(tmp_path)) if native else Maps(), repeat=False))
 
 
 def test_a_copy_that_holds_a_variable_twice_is_refused_or_differentiated_right() -> None:
     try:
-        built = assembled(repeat=True)
+        built = assembled(Maps(), repeat=True)
     except ValueError:
         return
     compare(*built)

@@ -11,6 +11,7 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.blocks import BlockNlp
 from trajopt_cli.optimize.formulation import Formulation, ToolCap
 from trajopt_cli.optimize.library import Maps
+from trajopt_cli.optimize.relation import Relation
 from trajopt_cli.path.arc import Arc, ArcSymbols
 from trajopt_cli.path.line import Line, LineSymbols
 from trajopt_cli.robot.kinematics import forward_acceleration, forward_velocity, inverse_acceleration, inverse_velocity
@@ -265,3 +266,17 @@ def test_a_relation_holds_at_many_nodes_at_once(formulation: Formulation) -> Non
     assert held.all_z.tolist() == [[k, k + 4, k + 8, k + 1, k + 5, 11] for k in range(3)]
     with pytest.raises(ValueError, match=r"a has shape \(2,\), wanted \(\) or \(3,\)"):
         relation.holds(nlp, {"x_0": x[:-1], "v_0": v[:-1], "a": a[:2], "x_1": x[1:], "v_1": v[1:], "h": 11})
+
+
+def test_rows_of_parts_are_the_vectors_of_each() -> None:
+    """Matrices column by column, as an expression is split."""
+    relation = Relation.of(
+        Maps(), "m", "m", {"x": ()}, {"M": (2, 3), "b": (2,)}, lambda z, p: [(p.M[1, 2] + z.x, 0, 0)]
+    )
+    M = np.arange(12.0).reshape(2, 2, 3)
+    nlp = BlockNlp()
+    nlp.variables(np.zeros(2), -1.0, 1.0)
+    relation.holds(nlp, {"x": [0, 1]}, {"M": M, "b": [7.0, 8.0]})
+    (held,) = nlp._held.values()
+    assert held.all_p.tolist() == [relation.p.vector({"M": one, "b": [7.0, 8.0]}).tolist() for one in M]
+    assert relation.value({"x": 0.5}, {"M": M[0], "b": [7.0, 8.0]}) == [5.5]

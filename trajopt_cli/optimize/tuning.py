@@ -163,8 +163,8 @@ IPOPT: Mapping[str, object] = {
     "ipopt.honor_original_bounds": "yes",  # the same
     "ipopt.linear_solver": "mumps",  # measured: FATROP a tenth to a fifth faster, spral half as fast
     "ipopt.mumps_pivot_order": 0,  # AMD; measured: a fifth faster than the automatic choice
-    "ipopt.mumps_mem_percent": 100,  # room beside the estimate; measured: with IPOPT's 1000 a seventh of hinge_cell's last
-    # solve is the system's, which fetches pages anew for every factorization; the numbers are the same
+    "ipopt.mumps_mem_percent": 100,  # room beside the estimate. Measured: with IPOPT's 1000 the system gets pages for
+    # every factorization, a seventh of hinge_cell's last solve; the numbers are the same
 }
 
 # ---- exchange: the dense check and the back-off

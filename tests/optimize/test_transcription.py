@@ -1,0 +1,122 @@
+"""Where each relation holds, written down once more node by node."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from small_cells import plant_with_rail, problem_of, rapid
+
+from trajopt_cli.geometry import Array, IndexArray
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.draft import Margins
+from trajopt_cli.optimize.driver import first_draft
+from trajopt_cli.optimize.formulation import Formulation, ToolCap
+from trajopt_cli.optimize.legs import JointNodes
+from trajopt_cli.optimize.library import library
+from trajopt_cli.optimize.relation import Relation
+from trajopt_cli.optimize.search import search
+from trajopt_cli.optimize.transcription import Transcription
+from trajopt_cli.path.line import LineSymbols
+from trajopt_cli.problem.problem import LegKind
+
+N_JOINT = 5
+
+
+@pytest.fixture(scope="module")
+def program() -> Transcription:
+    """A joint move on a grid with some tool caps in force, a line, a wait."""
+    plant = plant_with_rail()
+    axes, moves = Axes.of(plant), "MoveJ p_in,v1000,fine,tool0;MoveL p_low,v200,fine,tool0;WaitTime 0.4;"
+    problem = problem_of(rapid(moves), plant)
+    chain = search(axes, problem)
+    assert chain is not None
+    draft = first_draft(axes, problem, chain)
+    rng, n = np.random.default_rng(5), axes.n
+    margins: list[Margins | None] = []
+    legs = []
+    for leg, motion in zip(problem.legs, draft.legs, strict=True):
+        if leg.kind is LegKind.JOINT:
+            grid = np.linspace(0, 1, N_JOINT + 1)
+            motion = JointNodes(1.0, grid, *(np.zeros((k, n)) for k in (N_JOINT + 1, N_JOINT + 1, N_JOINT)))
+        legs.append(motion)
+        m = Margins.full(motion.N, n, 1.0)
+        for share in (m.velocity, m.acceleration, m.tool):
+            share[:] = rng.uniform(0.5, 1.0, share.shape)
+        margins.append(m)
+        m.rows[[0, 2], ToolCap.ACCELERATION] = True
+        m.rows[[1, N_JOINT], ToolCap.SPEED] = True
+    return Transcription(axes, Formulation(axes, library()), problem, replace(draft, legs=tuple(legs)), margins)
+
+
+def held(program: Transcription, relation: Relation) -> tuple[dict[tuple[int, ...], Array], int]:
+    """The relation's parameters by its variables, and how many copies its block has."""
+    copies = program.nlp._held[relation.block]
+    return {tuple(z): p for z, p in zip(copies.all_z.tolist(), copies.all_p, strict=True)}, len(copies.all_z)
+
+
+def row(*parts: int | IndexArray | Sequence[int]) -> tuple[int, ...]:
+    return tuple(int(i) for i in np.hstack(parts))
+
+
+def leg_of(program: Transcription, kind: LegKind) -> int:
+    return next(k for k, leg in enumerate(program.problem.legs) if leg.kind is kind)
+
+
+def test_every_node_of_a_path_has_the_accelerations_beside_it(program: Transcription) -> None:
+    for kind in (LegKind.LINE, LegKind.DWELL):
+        k = leg_of(program, kind)
+        x, m, N = program.legs[k], program.margins[k], program.draft.legs[k].N
+        for i in range(N + 1):
+            beside = [j for j in (i - 1, i) if 0 <= j < N]
+            sides = {(N - 1,): "l", (0,): "r"}.get(tuple(beside), "lr")
+            if kind is LegKind.LINE:
+                relation = program.formulation.path_node(LineSymbols(False), sides)
+                wanted = row(x.s[i], x.v[i], x.d[i], x.w[i], *(row(x.a[j], x.b[j]) for j in beside), x.T)
+            else:
+                relation = program.formulation.dwell_node(sides)
+                wanted = row(x.d[i], x.w[i], *(x.b[j] for j in beside), x.T)
+            copies, count = held(program, relation)
+            assert count == (2 if len(beside) == 1 else N - 1)
+            at = list(relation.p.shapes).index("V")
+            begin = sum(int(np.prod(shape)) for shape in list(relation.p.shapes.values())[:at])
+            limits = copies[wanted][begin : begin + 2 * program.axes.n]
+            V, A = (of(program.problem.legs[k]) for of in (program.axes.velocity_on, program.axes.acceleration_on))
+            np.testing.assert_array_equal(limits, np.r_[V * m.velocity[i], A * m.acceleration[i]])
+
+
+def test_every_node_of_a_joint_move_keeps_each_axis(program: Transcription) -> None:
+    k, n = leg_of(program, LegKind.JOINT), program.axes.n
+    x, m, leg = program.legs[k], program.margins[k], program.problem.legs[k]
+    V, A = program.axes.velocity_on(leg), program.axes.acceleration_on(leg)
+    for i in range(N_JOINT + 1):
+        beside = [j for j in (i - 1, i) if 0 <= j < N_JOINT]
+        sides = "lr" if len(beside) == 2 else "r" if i == 0 else "l"
+        copies, count = held(program, program.formulation.axis_node(sides))
+        assert count == (n * (N_JOINT - 1) if len(beside) == 2 else 2 * n)
+        for j in range(n):
+            p = copies[row(x.qv[i, j], *(x.qa[one, j] for one in beside), x.T)]
+            np.testing.assert_array_equal(p, [V[j] * m.velocity[i, j], A[j] * m.acceleration[i, j]])
+    chain, count = held(program, program.formulation.integration())
+    assert count == n * N_JOINT
+    for i in range(N_JOINT):
+        for j in range(n):
+            z = row(x.q[i, j], x.qv[i, j], x.qa[i, j], x.q[i + 1, j], x.qv[i + 1, j])
+            np.testing.assert_allclose(chain[z], 1 / N_JOINT)
+
+
+def test_tool_caps_hold_where_they_are_in_force(program: Transcription) -> None:
+    k = leg_of(program, LegKind.JOINT)
+    x, m, leg = program.legs[k], program.margins[k], program.problem.legs[k]
+    copies, count = held(program, program.formulation.tool_cap(ToolCap.ACCELERATION))
+    assert count == 3
+    for i, beside in ((0, 0), (2, 1), (2, 2)):
+        p = copies[row(x.q[i], x.qv[i], x.qa[beside], x.T)]
+        np.testing.assert_array_equal(p, [*leg.X_FT[:3, 3], leg.a_tcp * m.tool[i, ToolCap.ACCELERATION]])
+    copies, count = held(program, program.formulation.tool_cap(ToolCap.SPEED))
+    assert count == 2
+    for i in (1, N_JOINT):
+        p = copies[row(x.q[i], x.qv[i], x.T)]
+        np.testing.assert_array_equal(p, [*leg.X_FT[:3, 3], leg.v_tcp * m.tool[i, ToolCap.SPEED]])
