@@ -14,8 +14,9 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.bound import lower_bound
-from trajopt_cli.optimize.solve import _end, _improved, _legal, _rows
-from trajopt_cli.problem.plan import Infeasible, Target
+from trajopt_cli.optimize.legal import Legal, legal_of
+from trajopt_cli.optimize.solve import _end, _improved, _rows
+from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.model import RobotModel
@@ -82,11 +83,11 @@ def rail_last(problem: Problem) -> Problem:
 def planned(axes: Axes, problem: Problem) -> Trajectory:
     """What optimize makes of a problem."""
     seconds: dict[str, float] = {}
-    found = _legal(axes, [problem], lambda _: None, seconds)
-    assert not isinstance(found, Infeasible)
-    problem, chain, draft = found
+    found = legal_of(axes, [problem], seconds)
+    assert isinstance(found, Legal)
+    draft = found.draft
     if not problem.coordinated:
-        draft = _improved(axes, problem, chain, draft, {}, lambda _: None, seconds)
+        draft, _ = _improved(axes, found, lambda _: None, seconds)
     rows = _rows(axes, draft, _end(problem, draft))
     assert rows is not None
     return rows[0]

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from trajopt_cli.job import Job, read_job
-from trajopt_cli.optimize import solve
+from trajopt_cli.optimize import legal
 from trajopt_cli.pipeline.optimise import Optimised, optimise
 from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.freedom import EVERYTHING
@@ -86,8 +86,8 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> dict[tuple[Target, bool], set[tupl
         if replace(problem.freedom, drop=True) == EVERYTHING:
             found.setdefault((problem.target, bool(problem.dropped)), set()).add(said(problem))
 
-    monkeypatch.setattr(solve, "check_reach", check_reach)
-    monkeypatch.setattr(solve, "search", lambda *_: None)
+    monkeypatch.setattr(legal, "check_reach", check_reach)
+    monkeypatch.setattr(legal, "search", lambda *_: None)
     monkeypatch.setattr("trajopt_cli.beside.cores", lambda: 1)
     monkeypatch.setattr("trajopt_cli.pipeline.planning.cores", lambda: 1)
     return found

@@ -103,14 +103,14 @@ class Refiner:
             raise NotConverged(result.status)
         return out, t, result
 
-    def run(self, draft: Draft, progress: Callable[[str, Draft], None]) -> Draft:
+    def run(self, draft: Draft, progress: Callable[[str], None]) -> Draft:
         """From a draft on its grid to the clean draft with the shortest time found. Raises NotConverged."""
         margins: list[Margins | None] = [
             Margins.full(m.N, self.axes.n, START) if isinstance(m, PathLeg) else None for m in draft.legs
         ]
         draft, warm = self._first(draft, margins)
         while True:
-            progress("solve", draft)
+            progress("solve")
             good = draft, margins, warm
             n = max((m.N for m in draft.legs if isinstance(m, PathLeg)), default=self.last)
             opened = self._open_grids(draft, margins)
@@ -145,7 +145,7 @@ class Refiner:
 
     def _exchange(
         self, draft: Draft, margins: list[Margins | None], warm: Sequence[Any],
-        progress: Callable[[str, Draft], None],
+        progress: Callable[[str], None],
     ) -> Draft:  # fmt: skip
         """Check densely, back_off where a limit is passed, solve again, until nothing is passed."""
         for _ in range(ROUNDS):
@@ -171,7 +171,7 @@ class Refiner:
                     draft, *warm = self._solve(draft, margins, BARRIER_WARM, warm=warm)
                 except NotConverged:  # a warm start keeps to the limits it knows; a cold one finds its way round
                     draft, *warm = self._solve(draft, margins, BARRIER_COLD)
-            progress("exchange", draft)
+            progress("exchange")
         raise NotConverged(f"a limit is still passed by {worst - 1:.2e} after {ROUNDS} rounds of tightening")
 
     def _open_grids(self, draft: Draft, margins: list[Margins | None]) -> bool:

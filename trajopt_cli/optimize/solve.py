@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections import Counter
 from dataclasses import replace
 from time import perf_counter
 
 import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray
-from trajopt_cli.motion import Hold, Program, motion_name
+from trajopt_cli.motion import Hold, Program
 from trajopt_cli.optimize.assemble import rows_of
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.binding import binding_limit
@@ -21,40 +21,31 @@ from trajopt_cli.optimize.incumbent import (
     NotDriven,
     duration,
     least_time,
-    polished,
-    refined,
-    stopped,
     stopped_at_joint_moves,
     stopping,
     timed,
 )
+from trajopt_cli.optimize.legal import Legal, Memory, NoCleanPlan, Question, add, legal_motion
 from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg
-from trajopt_cli.optimize.pieces import Memory, cut, solve_pieces
-from trajopt_cli.optimize.reach import check_reach
+from trajopt_cli.optimize.pieces import solve_pieces
 from trajopt_cli.optimize.search import Chain, search
 from trajopt_cli.optimize.tuning import (
     DENSER,
     LEAST_GAIN,
     RESIDUAL,
-    ROOMS,
     ROW_APART,
     SLOWER,
     WORTH_TRYING,
 )
-from trajopt_cli.problem.changes import Changes, everything
+from trajopt_cli.problem.changes import Changes
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom
 from trajopt_cli.problem.plan import Infeasible, Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.problem import Coupling, LegKind, Problem, build_problem
-from trajopt_cli.problem.progress import Progress
+from trajopt_cli.problem.problem import LegKind, Problem
+from trajopt_cli.problem.progress import Progress, Report, never_worse
 from trajopt_cli.trajectory import Trajectory, hermite
 
 _HELD = "the rail is held still there (hold_rail): begin the hold behind the approach, or let the rail move"
-Report = Callable[[Progress], None]
-
-
-class NoCleanPlan(Exception):
-    """Every start ended with a limit passed or without convergence. A failure of the optimiser, not of the program."""
 
 
 def check_feasible(
@@ -68,7 +59,7 @@ def check_feasible(
 
     changes: as in optimize. Motions that the user lets go are left out where that helps.
     """
-    problems = _problems(program, plant, freedom, target, changes)
+    problems = Question(program, plant, target, freedom, changes).problems(Axes.of(plant))
     first = problems[0]
     if not isinstance(first, Infeasible) or any(isinstance(one, Problem) for one in problems):
         return None
@@ -90,27 +81,20 @@ def optimize(
     """The fastest motion found for a program on one target, with a lower bound of the same model if bounded.
 
     freedom: what may change at all. changes: which motions may have it, None for all of them (a plan that nobody
-    writes back into the program's text). The bound leaves ties of passes out, so it holds with them, too. memory: what
-    was solved for other plans on this plant; pieces that are the same are taken from it, new ones added.
+    writes back into the program's text). The bound leaves ties of passes out, so it holds with them, too. memory: legal
+    motions of other questions about this program, plant and changes; those found here are added.
     Raises NoCleanPlan when the solver fails from every start.
     """
-    tell: Report = progress or (lambda _: None)
+    tell = never_worse(progress or (lambda _: None))
     seconds: dict[str, float] = {}
-    start = perf_counter()
     axes = Axes.of(plant)
-    tell(Progress("reach"))
-    problems = _problems(program, plant, freedom, target, changes)
-    open_ = [c for c in problems if isinstance(c, Problem)]
-    if not open_:
-        assert isinstance(problems[0], Infeasible)
-        return problems[0]
-    seconds["reach"] = perf_counter() - start
-    found = _legal(axes, open_, tell, seconds)
-    if isinstance(found, Infeasible):
-        return found
-    problem, chain, draft = found
+    question = Question(program, plant, target, freedom, changes)
+    legal = legal_motion(axes, question, {} if memory is None else memory, tell, seconds)
+    if isinstance(legal, Infeasible):
+        return legal
+    problem, draft, notes = legal.problem, legal.draft, tuple[str, ...]()
     if not problem.coordinated:
-        draft = _improved(axes, problem, chain, draft, {} if memory is None else memory, tell, seconds)
+        draft, notes = _improved(axes, legal, tell, seconds)
     rows = _rows(axes, draft, _end(problem, draft))
     if rows is None:
         raise NoCleanPlan("the written rows would pass a limit between each other")
@@ -125,7 +109,7 @@ def optimize(
     tell(Progress("done", incumbent=trajectory.duration, bound=bound))
     grid = _grid(legs, problem)
     motions = _planned(axes, program, problem, draft, legs, bounds)
-    return Plan(target, trajectory, motions, bound, grid, seconds)
+    return Plan(target, trajectory, motions, bound, grid, seconds, notes)
 
 
 def _checked_bound(axes: Axes, problem: Problem, duration: float) -> float:
@@ -140,107 +124,39 @@ def search_estimate(program: Program, plant: Plant, target: Target, changes: Cha
     """The cycle time [s] of the best chain that the search finds: what optimize starts from, a few percent from its
     answer. None where there is no chain."""
     axes = Axes.of(plant)
-    open_ = [c for c in _problems(program, plant, EVERYTHING, target, changes) if isinstance(c, Problem)]
+    open_ = [c for c in Question(program, plant, target, EVERYTHING, changes).problems(axes) if isinstance(c, Problem)]
     found = [chain.cost for problem in open_ if (chain := search(axes, problem)) is not None]
     return min(found, default=None)
 
 
-def _legal(
-    axes: Axes, problems: Sequence[Problem], tell: Report, seconds: dict[str, float]
-) -> tuple[Problem, Chain, Draft] | Infeasible:
-    """A legal motion, at rest at every stop: that of the problem with the fastest chain that can be driven. Where none
-    can, as an axis would leave its range between the places that the search looks at, with narrower ranges."""
-    tell(Progress("search"))
-    failure: tuple[Problem, NotDriven] | None = None
-    for room in ROOMS:
-        start = perf_counter()
-        narrow = axes.narrowed(room)
-        together = [one if one.coordinated else replace(one, coupling=Coupling.COORDINATED) for one in problems]
-        chains = [(search(narrow, bound), bound, problem) for bound, problem in zip(together, problems, strict=True)]
-        found = [
-            # a rail that suits joint moves on one progress is legal for free axes, too, and may be the better one
-            ([one for coupled in dict.fromkeys((bound, problem)) for one in _shifted(narrow, coupled, chain)], problem)
-            for chain, bound, problem in chains
-            if chain is not None
-        ]
-        _add(seconds, {"search": perf_counter() - start})
-        start = perf_counter()
-        for tried, problem in sorted(found, key=lambda pair: pair[0][0].cost):
-            drafts: list[tuple[float, Chain, Draft]] = []
-            for chain in tried:
-                try:
-                    draft = timed(axes, problem, chain)
-                except NotDriven as said:
-                    failure = failure or (problem, said)
-                else:
-                    drafts.append((duration(draft), chain, draft))
-            _add(seconds, {"timing": perf_counter() - start})
-            if drafts:
-                best, chain, draft = min(drafts, key=lambda one: one[0])
-                tell(Progress("timing", incumbent=best))
-                return problem, chain, draft
-        if failure is None:
-            return _disconnected(problems[0].program, any(problem.ties for problem in problems))
-    assert failure is not None
-    return _not_driven(axes, *failure)
-
-
-def _shifted(axes: Axes, problem: Problem, chain: Chain) -> list[Chain]:
-    """The chain with its rail refined, leg by leg; with corners also as if every fly-by was a stop, as small corners
-    are nearly that, and a leg alone does not see how the rail bends in them."""
-    out = [refined(axes, problem, chain)]
-    if any(problem.passes(k) for k in range(len(problem.waypoints))) and axes.layout.has_rail:
-        out = [polished(axes, problem, one) for one in (*out, refined(axes, stopped(problem), chain))]
-    return out
-
-
-def _not_driven(axes: Axes, problem: Problem, failure: NotDriven) -> Infeasible:
-    """The answer no where a leg has less time than it takes, or passes a singularity. Raises NoCleanPlan where it is
-    for neither."""
-    leg = problem.legs[failure.run[0] if failure.singular is None else failure.singular.leg]
-    motion = problem.motion(leg.motion)
-    if failure.least is not None:
-        text = f"has {leg.duration:g} s and takes {failure.least:.3f} s as fast as was found; give it more time"
-    elif failure.singular is not None:
-        elbow, wrist = axes.robot.walls(failure.singular.q[axes.layout.arm])
-        what = "the wrist singularity (joint_5 = 0)" if wrist < 1 - elbow else "the stretched or folded elbow"
-        p = (axes.forward(failure.singular.q) @ leg.X_FT)[:3, 3] * 1e3
-        text = (
-            f"passes {what} at [{p[0]:.1f}, {p[1]:.1f}, {p[2]:.1f}] mm, where no speed is low enough; tilt the tool,"
-            " shift the way, or use MoveJ"
-        )
-    else:
-        raise NoCleanPlan(f"{motion.source}: no way of driving it from {motion_name(motion)} on was found")
-    return Infeasible(leg.motion, motion.source, f"{motion_name(motion)} {text}")
-
-
-def _improved(
-    axes: Axes, problem: Problem, chain: Chain, draft: Draft, memory: Memory, tell: Report, seconds: dict[str, float]
-) -> Draft:
+def _improved(axes: Axes, legal: Legal, tell: Report, seconds: dict[str, float]) -> tuple[Draft, tuple[str, ...]]:
     """The draft, or a faster one that the nonlinear program finds: from the search's chain with a rail in motion at the
     stops, or else from the draft's own chain. Runs with corners stay as they are, and so do the ends of them; but where
-    joint moves meet at a fly-by, a stop there is tried, too."""
-    best = draft
+    joint moves meet at a fly-by, a stop there is tried, too. And what a reader should know of it."""
+    problem, chain, best = legal.problem, legal.chain, legal.draft
     starts: list[tuple[Problem, Chain]] = []
     if any(problem.passes(k) for k in range(len(problem.waypoints))):
         starts = [(one, chain) for one in (stopping(axes, problem, chain), stopped_at_joint_moves(problem))]
     elif axes.layout.has_rail and problem.freedom.through_stops:
         start = perf_counter()
         moving = search(axes, problem)
-        _add(seconds, {"search": perf_counter() - start})
+        add(seconds, "search", perf_counter() - start)
         starts = [(problem, one) for one in (moving, chain) if one is not None]
     else:
         starts = [(problem, chain)]
-    for tried, beginning in starts:
+    tried: Counter[bool] = Counter()
+    for one, beginning in starts:
         try:
-            found = _refine(axes, _frozen(tried, beginning), beginning, duration(best), memory, tell, seconds)
+            found = _refine(axes, _frozen(one, beginning), beginning, duration(best), tried, tell, seconds)
         except NoCleanPlan:
             continue
         if duration(found) < duration(best) - LEAST_GAIN:
             best = found
-            if tried is problem:
+            if one is problem:
                 break
-    return best
+    if best is not legal.draft or not tried:
+        return best, ()
+    return best, ("each leg has one progress for all axes, as a RAPID controller drives it: nothing faster was found",)
 
 
 def _frozen(problem: Problem, chain: Chain) -> Problem:
@@ -284,48 +200,21 @@ def _passing(axes: Axes, trajectory: Trajectory) -> IndexArray:
     return np.flatnonzero(over)
 
 
-def _problems(
-    program: Program, plant: Plant, freedom: Freedom, target: Target, changes: Changes | None
-) -> list[Problem | Infeasible]:
-    """The whole program, and without the motions the user lets go if there are any; each checked for reach."""
-    axes = Axes.of(plant)
-    changes = changes or everything(program, plant)
-    optional = changes.droppable if freedom.drop else frozenset()
-    out: list[Problem | Infeasible] = []
-    for dropped in [frozenset[int]()] + ([optional] if optional else []):
-        problem = build_problem(program, plant, freedom, target, changes, dropped)
-        if isinstance(problem, Problem):
-            out.append(check_reach(axes, problem) or problem)
-        else:
-            out.append(problem)
-    return out
-
-
-def _disconnected(program: Program, tied: bool) -> Infeasible:
-    index = len(program.motions) - 1
-    source = program.motions[index].source
-    why = "no chain of configurations connects the start with the program's end"
-    if tied:
-        why += ", each target of a loop or routine in one configuration for all passes; --loops unroll asks for less"
-    return Infeasible(index, source, why)
-
-
 def _refine(
-    axes: Axes, problem: Problem, chain: Chain, best: float, memory: Memory, tell: Report, seconds: dict[str, float]
+    axes: Axes,
+    problem: Problem,
+    chain: Chain,
+    best: float,
+    tried: Counter[bool],
+    tell: Report,
+    seconds: dict[str, float],
 ) -> Draft:
     """Every piece of the problem by the nonlinear program, from the chain, or as its runs are timed where that finds
-    nothing faster. best: the cycle time [s] known already."""
+    nothing faster. best: the cycle time [s] known already. tried: counts whether what was tried gave a clean motion."""
     formulation = Formulation(axes)
 
-    def report(phase: str, legs: Sequence[LegMotion | None]) -> None:
-        """The time of the legs at hand and the search's estimate for the others."""
-        total = float(np.sum(chain.times))
-        for estimate, motion in zip(chain.times, legs, strict=False):
-            if motion is not None:
-                total += motion.T - float(estimate)
-        tell(Progress(phase, incumbent=min(total, best)))
-
-    whole = sum(1 for _ in cut(problem, chain)) == 1
+    def report(phase: str) -> None:
+        tell(Progress(phase, incumbent=best))
 
     def solve(piece: Problem, part: Chain) -> Draft:
         said = []
@@ -339,17 +228,20 @@ def _refine(
             refiner = Refiner(axes, formulation, piece)
             try:
                 first = first_draft(axes, piece, start)
-                found = refiner.run(first, lambda phase, draft: report(phase, draft.legs) if whole else None)
+                found = refiner.run(first, report)
+                tried[True] += 1
                 return found if legal is None or duration(found) < duration(legal) else legal
             except NotConverged as failure:
                 said.append(str(failure))
             finally:
-                _add(seconds, refiner.seconds)
+                for phase, spent in refiner.seconds.items():
+                    add(seconds, phase, spent)
+        tried[False] += 1
         if legal is not None:
             return legal
         raise NoCleanPlan(f"{problem.motion(piece.legs[0].motion).source}: {'; '.join(said)}")
 
-    return solve_pieces(problem, chain, memory, solve, lambda legs: report("solve", legs))
+    return solve_pieces(problem, chain, {}, solve, lambda _: report("solve"))
 
 
 def _may_gain(axes: Axes, piece: Problem, legal: Draft) -> bool:
@@ -368,11 +260,6 @@ def _may_gain(axes: Axes, piece: Problem, legal: Draft) -> bool:
             for k, (leg, motion) in enumerate(zip(piece.legs, legal.legs, strict=True))
         )
     )
-
-
-def _add(total: dict[str, float], part: dict[str, float]) -> None:
-    for name, spent in part.items():
-        total[name] = total.get(name, 0.0) + spent
 
 
 def _starts(chain: Chain) -> list[Chain]:

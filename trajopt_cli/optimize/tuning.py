@@ -155,6 +155,7 @@ BARRIER_COLD = 1e-3  # where that warm start fails. Not measured.
 WARM_PUSH = 1e-7  # how far a warm start is pushed off its bounds. Not measured.
 SLOWER = 1.5  # times the search's estimate: the third start. Not measured.
 IPOPT: Mapping[str, object] = {
+    "show_eval_warnings": False,  # a place where a block has no value is left by IPOPT itself; nobody need read of it
     "ipopt.constr_viol_tol": 1e-10,  # not measured
     "ipopt.acceptable_iter": 12,  # not measured
     "ipopt.acceptable_tol": 1e-5,  # not measured

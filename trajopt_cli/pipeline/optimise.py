@@ -119,7 +119,8 @@ def optimise(
         if no_rapid is not None:
             notices = (*notices, f"no RAPID text: {no_rapid}")
         placed = _placed(export, folder) if export is not None else ()
-        notes = (*_configurations(job, judged), *placed, *changes[Target.RAPID].kept, *unrolled)
+        ways = tuple(f"{one.value}: {note}" for one in Target for note in judged[one].plan.notes)
+        notes = (*ways, *_configurations(job, judged), *placed, *changes[Target.RAPID].kept, *unrolled)
         kept_speed = {one: constant_speed(job.program, judged[one].plan, job.plant) for one in Target}
         files = _files(
             job, target, judged, inputs, export, notices, notes, changes[Target.RAPID].kept, written, kept_speed

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 from time import perf_counter
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from trajopt_cli.beside import Beside, cores
 from trajopt_cli.errors import InputError
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from trajopt_cli.optimize import Memory
     from trajopt_cli.problem.plant import Plant
 
+_ROUNDING = 1e-6  # of a cycle time: rows are a few of them longer where switches would not stand apart
 _WRITTEN_OUT = "loops and routines are written out as with --loops unroll, as none of their plans could be driven"
 # What is being solved ("stream", "rapid", a baseline's name) and how far it is.
 Listener = Callable[[str, Progress], None]
@@ -106,12 +108,14 @@ def all_three(
 ) -> tuple[dict[Target, Judged | Infeasible | NoPlan], Plan | str]:
     """Both targets, and the program as written; beside each other where there are two cores. A stream that cannot be
     done ends the run at once."""
+    from trajopt_cli.optimize import Memory
+
     stream, rapid = Target.STREAM, Target.RAPID
 
     def second(
         tell: Callable[[Progress], None],
     ) -> tuple[Judged | Infeasible | NoPlan, Plan | str, dict[str, float]]:
-        own, memory = Clock(), dict[bytes, Any]()
+        own, memory = Clock(), Memory()
         answer = solve(job, rapid, changes[rapid], lambda _, progress: tell(progress), own, memory)
         written = as_written(job, changes[rapid], own, memory) if isinstance(answer, Judged) else ""
         return answer, written, own.seconds
@@ -121,7 +125,7 @@ def all_three(
 
     if cores() == 1:
         first = solve(job, stream, changes[stream], listen, clock)
-        if not isinstance(first, Judged):
+        if isinstance(first, Infeasible):
             return {stream: first}, ""
         answer, written, seconds = second(hear)
     else:
@@ -132,23 +136,42 @@ def all_three(
                 beside.listen()
 
             first = solve(job, stream, changes[stream], listen_to_both, clock)
-            if not isinstance(first, Judged):
+            if isinstance(first, Infeasible):
                 return {stream: first}, ""
             answer, written, seconds = beside.answer()
     clock.seconds |= seconds
-    return {stream: _no_slower(job, first, answer, clock), rapid: answer}, written
+    fastest = first.plan if isinstance(first, Judged) else None
+    if isinstance(answer, Judged) and answer.report.legal and (plan := streamed(answer.plan, fastest)) is not None:
+        with clock.phase("stream: judge"):
+            dropped = tuple(motion.index for motion in plan.motions if motion.dropped)
+            first = Judged(plan, answer.csv, judge(job.plant, job.program, answer.csv, CSV[stream], dropped, stream))
+    plans = {one.value: judged.plan for one, judged in ((stream, first), (rapid, answer)) if isinstance(judged, Judged)}
+    if isinstance(written, Plan):
+        plans["as-written"] = written
+    if (wrong := out_of_order(plans)) is not None:
+        return {stream: NoPlan(stream.value, wrong)}, written
+    return {stream: first, rapid: answer}, written
 
 
-def _no_slower(job: Job, first: Judged, rapid: Judged | Infeasible | NoPlan, clock: Clock) -> Judged:
-    """The stream plan, or the RAPID plan in its place where that is faster: any motion that the RAPID controller makes
-    can be streamed."""
-    if not isinstance(rapid, Judged) or not rapid.report.legal or rapid.plan.duration >= first.plan.duration:
-        return first
-    plan = replace(rapid.plan, target=Target.STREAM, lower_bound=first.plan.lower_bound, seconds=first.plan.seconds)
-    dropped = tuple(motion.index for motion in plan.motions if motion.dropped)
-    with clock.phase("stream: judge"):
-        report = judge(job.plant, job.program, rapid.csv, CSV[Target.STREAM], dropped, Target.STREAM)
-    return Judged(plan, rapid.csv, report)
+def streamed(rapid: Plan, stream: Plan | None) -> Plan | None:
+    """A legal RAPID plan as the stream plan, where that is faster or there is none; else None. Any motion that the
+    RAPID controller makes can be streamed."""
+    if stream is not None and rapid.duration >= stream.duration:
+        return None
+    bound, seconds = (None, rapid.seconds) if stream is None else (stream.lower_bound, stream.seconds)
+    notes = ("the plan is the rapid plan: nothing faster was found",)
+    return replace(rapid, target=Target.STREAM, lower_bound=bound, seconds=seconds, notes=notes)
+
+
+def out_of_order(plans: Mapping[str, Plan]) -> str | None:
+    """What is wrong where a plan takes longer than one behind it, which may change less; None where nothing is."""
+    for (free, plan), (bound, other) in pairwise(plans.items()):
+        if plan.duration > other.duration * (1 + _ROUNDING):
+            return (
+                f"an error in trajopt: the {free} plan takes {plan.duration:.6f} s, the {bound} plan, which may change "
+                f"less, {other.duration:.6f} s"
+            )
+    return None
 
 
 def solve(
@@ -186,7 +209,7 @@ def solve(
 def as_written(job: Job, changes: Changes, clock: Clock, memory: Memory) -> Plan | str:
     """The program as it stands, driven by the RAPID controller under the same limits; or why it cannot be, one line.
 
-    The same question as that of the first row of `compare`. memory: pieces that the rapid plan has solved.
+    The same question as that of the first row of `compare`. memory: legal motions that the rapid plan has found.
     """
     from trajopt_cli.joint_csv import write_csv_text
     from trajopt_cli.optimize import NoCleanPlan, optimize

@@ -30,6 +30,18 @@ class Freedom:
     configuration: bool = True
     drop: bool = True
 
+    def and_not_more_than(self, other: Freedom) -> Freedom:
+        """What both of them allow."""
+        rails = list(RailFreedom)
+        return Freedom(
+            rails[min(rails.index(self.rail), rails.index(other.rail))],
+            self.lines and other.lines,
+            self.dwells and other.dwells,
+            self.through_stops and other.through_stops,
+            self.configuration and other.configuration,
+            self.drop and other.drop,
+        )
+
 
 EVERYTHING = Freedom()
 AS_WRITTEN = Freedom(

@@ -47,6 +47,7 @@ class Plan:
 
     lower_bound: no legal motion of this target's model is faster [s], None where none was asked for.
     grid: intervals per motion the optimiser ended with, for the printed duration. seconds: time spent per phase.
+    notes: where the plan came by another way than hoped, one line each.
     """
 
     target: Target
@@ -55,6 +56,7 @@ class Plan:
     lower_bound: float | None
     grid: str
     seconds: Mapping[str, float] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
 
     @property
     def duration(self) -> float:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
 
 @dataclass(frozen=True)
@@ -19,3 +20,19 @@ class Progress:
         if self.incumbent is None or self.bound is None:
             return None
         return (self.incumbent - self.bound) / self.bound if self.incumbent > self.bound else 0.0
+
+
+Report = Callable[[Progress], None]
+
+
+def never_worse(report: Report) -> Report:
+    """A report that passes on what it is told, with the best cycle time told so far."""
+    best: float | None = None
+
+    def tell(progress: Progress) -> None:
+        nonlocal best
+        known = [time for time in (best, progress.incumbent) if time is not None]
+        best = min(known, default=None)
+        report(replace(progress, incumbent=best))
+
+    return tell

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING
 from trajopt_cli.beside import in_turns
 from trajopt_cli.job import Job
 from trajopt_cli.motion import MoveC, MoveJ, MoveL, Program, Wait
-from trajopt_cli.pipeline.planning import Listener, NoPlan, judge, may_change
+from trajopt_cli.pipeline.planning import Listener, NoPlan, judge, may_change, out_of_order, streamed
 from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.corners import corners_of
-from trajopt_cli.problem.freedom import EVERYTHING, Freedom, RailFreedom
+from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
 
@@ -97,6 +97,7 @@ def compare(job: Job, listen: Listener, rule: RailRule | None = None, loops: Loo
     results: dict[Question | str, Result] = {}
     for found in in_turns(tasks, lambda told: listen(*told)).values():
         results |= found
+    results |= study.ordered(results)
     rows = tuple(Row(name, one, results[asks.get(name, name)]) for name, one in BASELINES.items())
     answers = [(cause.name, results[study.question(cause.target, cause.freedom, cause.stops)]) for cause in reasons]
     steps = _with_corners(answers) if passed else _steps(answers)
@@ -189,9 +190,25 @@ class _Study:
         if kept and self.job.plant.layout.has_rail:
             yield f"may put the rail elsewhere in {kept} moves that the program's text keeps, as no RAPID optimum does"
 
+    def ordered(self, results: Mapping[Question | str, Result]) -> dict[Question | str, Result]:
+        """The answers that another one changes: a stream optimum that the RAPID optimum beats is that, as in optimize;
+        and a plan that takes longer than one that may change less is none."""
+        from trajopt_cli.study.case import Attempt
+
+        stream, rapid = (self.question(target, EVERYTHING) for target in (Target.STREAM, Target.RAPID))
+        written = self.question(Target.RAPID, AS_WRITTEN)
+        names = {stream: "optimum stream", rapid: "optimum rapid", written: "as-written"}
+        plans = {one: plan for one in names if (plan := _legal_plan(results.get(one))) is not None}
+        out: dict[Question | str, Result] = {}
+        if stream in results and rapid in plans and (plan := streamed(plans[rapid], plans.get(stream))) is not None:
+            out[stream] = self._judged(names[stream], Target.STREAM, Attempt(self.job.program, plan.trajectory, plan))
+            plans = {stream: plan} | plans | {stream: plan}
+        if wrong := out_of_order({names[one]: plan for one, plan in plans.items()}):
+            out |= {one: NoPlan(names[one], wrong) for one in (stream, rapid) if one in results}
+        return out
+
     def _tried(self, name: str, target: Target, make: Callable[[Case], Answer], tell: Tell, program: Program) -> Result:
         """What make gives, judged as the CSV text it would be written as."""
-        from trajopt_cli.joint_csv import write_csv_text
         from trajopt_cli.optimize import NoCleanPlan
         from trajopt_cli.study.case import Case, NotApplicable
 
@@ -204,9 +221,13 @@ class _Study:
         if isinstance(answer, Infeasible):
             return answer
         tell((name, Progress("judge", answer.trajectory.duration)))
+        return self._judged(name, target, answer)
+
+    def _judged(self, name: str, target: Target, answer: Attempt) -> Tried:
+        from trajopt_cli.joint_csv import write_csv_text
+
         text = write_csv_text(answer.trajectory)
-        report = judge(self.job.plant, answer.program, text, name, answer.dropped, target, advice=False)
-        return Tried(answer, report)
+        return Tried(answer, judge(self.job.plant, answer.program, text, name, answer.dropped, target, advice=False))
 
     def _solver(self, name: str, tell: Tell) -> Solve:
         """The optimiser, that does not answer twice; a plan gets a bound where everything is free."""
@@ -228,6 +249,11 @@ class _Study:
             return optimize(program, self.job.plant, target, freedom, listen, bounded, changes)
 
         return solve
+
+
+def _legal_plan(result: Result | None) -> Plan | None:
+    """The plan of a legal answer."""
+    return result.attempt.plan if isinstance(result, Tried) and result.report.legal else None
 
 
 def _with_corners(answers: list[tuple[str, Result]]) -> tuple[Step, ...] | str:

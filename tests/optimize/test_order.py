@@ -1,0 +1,95 @@
+"""More freedom is never slower: by construction, on cells nobody tuned for, and where the search goes wrong."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from small_cells import plant_with_rail, rapid
+
+from trajopt_cli.motion import Program
+from trajopt_cli.optimize import legal, optimize
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.search import Chain, search
+from trajopt_cli.pipeline.planning import out_of_order, streamed
+from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom, RailFreedom
+from trajopt_cli.problem.plan import Plan, Target
+from trajopt_cli.problem.problem import Problem
+from trajopt_cli.problem.progress import Progress, never_worse
+
+
+def random_cell(seed: int) -> Program:
+    """Two stations anywhere along the rail, the second with a wait."""
+    rng = np.random.default_rng(seed)
+    data, body = [], []
+    for i in range(2):
+        x, y, z, turn = rng.uniform(430, 560), rng.uniform(0, 1900), rng.uniform(200, 400), rng.uniform(-0.7, 0.7)
+        quaternion = f"[0,{np.sin(turn / 2):.7f},{np.cos(turn / 2):.7f},0]"
+        data.append(
+            f"CONST robtarget s{i}:=[[{x:.1f},{y:.1f},{z:.1f}],{quaternion},[0,0,0,0],[{y:.1f},9E9,9E9,9E9,9E9,9E9]];"
+        )
+        body += [f"MoveJ Offs(s{i},0,0,80), v1000, fine, tool0;", f"MoveL s{i}, v500, fine, tool0;"]
+        body += ["WaitTime 0.2;"] * i + [f"MoveL Offs(s{i},0,0,80), v500, fine, tool0;"]
+    return rapid("\n".join([*body, "MoveAbsJ j_home, v1000, fine, tool0;"]), data="\n".join(data))
+
+
+def rapid_time(program: Program, freedom: Freedom) -> float | None:
+    plan = optimize(program, plant_with_rail(), Target.RAPID, freedom, bounded=False)
+    return plan.duration if isinstance(plan, Plan) else None
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_more_freedom_is_never_slower_on_random_cells(seed: int) -> None:
+    times = [rapid_time(random_cell(seed), one) for one in (EVERYTHING, FIXED_RAIL, AS_WRITTEN)]
+    assert times[0] is not None
+    assert times[1] is not None
+    assert times[0] <= times[1]
+    assert times[2] is None or times[1] <= times[2]
+
+
+def test_where_the_search_finds_nothing_a_lesser_freedom_answers(monkeypatch: pytest.MonkeyPatch) -> None:
+    def poor(axes: Axes, problem: Problem) -> Chain | None:
+        return None if problem.freedom.rail is RailFreedom.STOP else search(axes, problem)
+
+    fixed = rapid_time(random_cell(1), FIXED_RAIL)
+    monkeypatch.setattr(legal, "search", poor)
+    found = rapid_time(random_cell(1), EVERYTHING)
+    assert found is not None
+    assert fixed is not None
+    assert found < fixed  # its rail is refined in the freedom that there is
+
+
+def test_what_both_freedoms_allow() -> None:
+    assert EVERYTHING.and_not_more_than(FIXED_RAIL) == FIXED_RAIL
+    assert AS_WRITTEN.and_not_more_than(EVERYTHING) == AS_WRITTEN
+    both = FIXED_RAIL.and_not_more_than(AS_WRITTEN)
+    assert both.rail is RailFreedom.PROGRAMMED
+    assert [both.lines, both.dwells, both.through_stops, both.configuration, both.drop] == [False] * 5
+
+
+def test_the_best_that_is_told_never_gets_worse() -> None:
+    heard: list[Progress] = []
+    tell = never_worse(heard.append)
+    for one in (Progress("a"), Progress("b", 3.0), Progress("c", 4.0, 1.0), Progress("d"), Progress("e", 2.0)):
+        tell(one)
+    assert [one.incumbent for one in heard] == [None, 3.0, 3.0, 3.0, 2.0]
+    assert heard[2].bound == 1.0
+
+
+def test_a_rapid_plan_that_is_faster_is_the_stream_plan() -> None:
+    slow = optimize(random_cell(0), plant_with_rail(), Target.RAPID, FIXED_RAIL, bounded=False)
+    fast = optimize(random_cell(0), plant_with_rail(), Target.RAPID, EVERYTHING, bounded=False)
+    assert isinstance(slow, Plan)
+    assert isinstance(fast, Plan)
+    assert streamed(slow, fast) is None
+    stream = streamed(fast, replace(slow, lower_bound=1.0))
+    assert stream is not None
+    assert (stream.target, stream.lower_bound, stream.duration) == (Target.STREAM, 1.0, fast.duration)
+    assert stream.notes == ("the plan is the rapid plan: nothing faster was found",)
+    assert out_of_order({"stream": fast, "rapid": fast, "as-written": slow}) is None
+    wrong = out_of_order({"stream": slow, "rapid": fast})
+    assert wrong == (
+        f"an error in trajopt: the stream plan takes {slow.duration:.6f} s, the rapid plan, which may change less, "
+        f"{fast.duration:.6f} s"
+    )

@@ -1,0 +1,224 @@
+"""A legal motion for the whole program before any nonlinear program: the best chain of waypoints that can be driven.
+
+What may change less may be driven as well: the chains of lesser freedoms are tried too, so that more freedom is never
+slower, whatever the search misses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from time import perf_counter
+
+from trajopt_cli.motion import Program, motion_name
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.draft import Draft
+from trajopt_cli.optimize.incumbent import NotDriven, duration, polished, refined, stopped, timed
+from trajopt_cli.optimize.reach import check_reach
+from trajopt_cli.optimize.search import Chain, search
+from trajopt_cli.optimize.tuning import ROOMS
+from trajopt_cli.problem.changes import Changes, everything
+from trajopt_cli.problem.freedom import AS_WRITTEN, FIXED_RAIL, Freedom, RailFreedom
+from trajopt_cli.problem.plan import Infeasible, Target
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.problem import Coupling, Problem, build_problem
+from trajopt_cli.problem.progress import Progress, Report
+
+
+class NoCleanPlan(Exception):
+    """Every start ended with a limit passed or without convergence. A failure of the optimiser, not of the program."""
+
+
+@dataclass(frozen=True, eq=False)
+class Legal:
+    """A motion at rest at every stop that keeps every limit, and the chain it was timed from."""
+
+    problem: Problem
+    chain: Chain
+    draft: Draft
+
+    @property
+    def duration(self) -> float:
+        """Cycle time [s]."""
+        return duration(self.draft)
+
+
+Memory = dict[tuple[Target, Freedom], Legal | Infeasible]  # of one program, its plant, and what may change in it
+
+
+@dataclass(frozen=True, eq=False)
+class Question:
+    """What is asked: a program on a plant and a target, what may change at all, and which motions may have it."""
+
+    program: Program
+    plant: Plant
+    target: Target
+    freedom: Freedom
+    changes: Changes | None = None
+
+    def problems(self, axes: Axes) -> list[Problem | Infeasible]:
+        """The whole program, and without the motions the user lets go if there are any; each checked for reach."""
+        changes = self.changes or everything(self.program, self.plant)
+        optional = changes.droppable if self.freedom.drop else frozenset()
+        out: list[Problem | Infeasible] = []
+        for dropped in [frozenset[int]()] + ([optional] if optional else []):
+            problem = build_problem(self.program, self.plant, self.freedom, self.target, changes, dropped)
+            if isinstance(problem, Problem):
+                out.append(check_reach(axes, problem) or problem)
+            else:
+                out.append(problem)
+        return out
+
+    def lesser(self) -> Iterator[Question]:
+        """The same of a RAPID controller with less that may change; each has a motion that this one allows."""
+        if self.target is not Target.RAPID or self.freedom.rail is RailFreedom.PROGRAMMED:
+            return
+        lesser = (self.freedom.and_not_more_than(one) for one in (FIXED_RAIL, AS_WRITTEN))
+        yield from (replace(self, freedom=one) for one in lesser if one != self.freedom)
+
+
+def legal_motion(
+    axes: Axes, question: Question, memory: Memory, tell: Report, seconds: dict[str, float]
+) -> Legal | Infeasible:
+    """The fastest legal motion of the question's own chains and of those with less freedom. memory: what was found for
+    other questions about the same program. Raises NoCleanPlan."""
+    start = perf_counter()
+    tell(Progress("reach"))
+    problems = question.problems(axes)
+    open_ = [one for one in problems if isinstance(one, Problem)]
+    add(seconds, "reach", perf_counter() - start)
+    if not open_:
+        assert isinstance(problems[0], Infeasible)
+        return problems[0]
+    own: Legal | Infeasible | NoCleanPlan
+    tell(Progress("search"))
+    try:
+        own = memory.get((question.target, question.freedom)) or legal_of(axes, open_, seconds)
+    except NoCleanPlan as failure:
+        own = failure
+    best = own if isinstance(own, Legal) else None
+    for less in question.lesser():
+        found = _of_lesser(axes, less, open_, memory, seconds)
+        if found is not None and (best is None or found.duration < best.duration):
+            best = min([found, *_again(axes, found, seconds)], key=lambda one: one.duration)
+    if best is None and isinstance(own, NoCleanPlan):
+        raise own
+    if best is None:
+        assert isinstance(own, Infeasible)
+        return own
+    memory[question.target, question.freedom] = best
+    tell(Progress("timing", incumbent=best.duration))
+    return best
+
+
+def _of_lesser(
+    axes: Axes, less: Question, problems: Sequence[Problem], memory: Memory, seconds: dict[str, float]
+) -> Legal | None:
+    """The legal motion of a question with less freedom as one of these problems', None where there is none, or where it
+    asks for the same."""
+    mine = {one.dropped: one for one in problems}
+    asked = [one for one in less.problems(axes) if isinstance(one, Problem) and one.dropped in mine]
+    if all(_says(one) == _says(mine[one.dropped]) for one in asked):
+        return None
+    name = less.target, less.freedom
+    if name not in memory:
+        try:
+            memory[name] = legal_of(axes, asked, seconds)
+        except NoCleanPlan:
+            return None
+    found = memory[name]
+    return replace(found, problem=mine[found.problem.dropped]) if isinstance(found, Legal) else None
+
+
+def _says(problem: Problem) -> tuple[object, ...]:
+    """What differs between problems of one program and target with different freedoms."""
+    free = any(point.rail[0] < point.rail[1] for point in problem.waypoints)
+    points = tuple((point.rail, point.conf, point.rest) for point in problem.waypoints)
+    return points, tuple(leg.rail_moves for leg in problem.legs), free and problem.freedom.rail is RailFreedom.STATION
+
+
+def _again(axes: Axes, found: Legal, seconds: dict[str, float]) -> Iterator[Legal]:
+    """The motion of a lesser freedom with its rail refined in the freedom at hand."""
+    start = perf_counter()
+    for chain in _shifted(axes, found.problem, found.chain):
+        try:
+            yield Legal(found.problem, chain, timed(axes, found.problem, chain))
+        except NotDriven:
+            continue
+    add(seconds, "timing", perf_counter() - start)
+
+
+def legal_of(axes: Axes, problems: Sequence[Problem], seconds: dict[str, float]) -> Legal | Infeasible:
+    """That of the problem with the fastest chain that can be driven. Where none can, as an axis would leave its range
+    between the places that the search looks at, with narrower ranges. Raises NoCleanPlan."""
+    failure: tuple[Problem, NotDriven] | None = None
+    for room in ROOMS:
+        start = perf_counter()
+        narrow = axes.narrowed(room)
+        together = [one if one.coordinated else replace(one, coupling=Coupling.COORDINATED) for one in problems]
+        chains = [(search(narrow, bound), bound, problem) for bound, problem in zip(together, problems, strict=True)]
+        found = [
+            # a rail that suits joint moves on one progress is legal for free axes, too, and may be the better one
+            ([one for coupled in dict.fromkeys((bound, problem)) for one in _shifted(narrow, coupled, chain)], problem)
+            for chain, bound, problem in chains
+            if chain is not None
+        ]
+        add(seconds, "search", perf_counter() - start)
+        for tried, problem in sorted(found, key=lambda pair: pair[0][0].cost):
+            start = perf_counter()
+            drafts: list[Legal] = []
+            for chain in tried:
+                try:
+                    drafts.append(Legal(problem, chain, timed(axes, problem, chain)))
+                except NotDriven as said:
+                    failure = failure or (problem, said)
+            add(seconds, "timing", perf_counter() - start)
+            if drafts:
+                return min(drafts, key=lambda one: one.duration)
+        if failure is None:
+            return _disconnected(problems[0].program, any(problem.ties for problem in problems))
+    assert failure is not None
+    return _not_driven(axes, *failure)
+
+
+def _shifted(axes: Axes, problem: Problem, chain: Chain) -> list[Chain]:
+    """The chain with its rail refined, leg by leg; with corners also as if every fly-by was a stop, as small corners
+    are nearly that, and a leg alone does not see how the rail bends in them."""
+    out = [refined(axes, problem, chain)]
+    if any(problem.passes(k) for k in range(len(problem.waypoints))) and axes.layout.has_rail:
+        out = [polished(axes, problem, one) for one in (*out, refined(axes, stopped(problem), chain))]
+    return out
+
+
+def _not_driven(axes: Axes, problem: Problem, failure: NotDriven) -> Infeasible:
+    """The answer no where a leg has less time than it takes, or passes a singularity. Raises NoCleanPlan where it is
+    for neither."""
+    leg = problem.legs[failure.run[0] if failure.singular is None else failure.singular.leg]
+    motion = problem.motion(leg.motion)
+    if failure.least is not None:
+        text = f"has {leg.duration:g} s and takes {failure.least:.3f} s as fast as was found; give it more time"
+    elif failure.singular is not None:
+        elbow, wrist = axes.robot.walls(failure.singular.q[axes.layout.arm])
+        what = "the wrist singularity (joint_5 = 0)" if wrist < 1 - elbow else "the stretched or folded elbow"
+        p = (axes.forward(failure.singular.q) @ leg.X_FT)[:3, 3] * 1e3
+        text = (
+            f"passes {what} at [{p[0]:.1f}, {p[1]:.1f}, {p[2]:.1f}] mm, where no speed is low enough; tilt the tool,"
+            " shift the way, or use MoveJ"
+        )
+    else:
+        raise NoCleanPlan(f"{motion.source}: no way of driving it from {motion_name(motion)} on was found")
+    return Infeasible(leg.motion, motion.source, f"{motion_name(motion)} {text}")
+
+
+def _disconnected(program: Program, tied: bool) -> Infeasible:
+    index = len(program.motions) - 1
+    source = program.motions[index].source
+    why = "no chain of configurations connects the start with the program's end"
+    if tied:
+        why += ", each target of a loop or routine in one configuration for all passes; --loops unroll asks for less"
+    return Infeasible(index, source, why)
+
+
+def add(total: dict[str, float], phase: str, spent: float) -> None:
+    """Add seconds to a phase."""
+    total[phase] = total.get(phase, 0.0) + spent
