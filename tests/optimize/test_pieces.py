@@ -8,8 +8,9 @@ import pytest
 from small_cells import plant_without_rail, problem_of, rapid
 
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.pieces import key
+from trajopt_cli.optimize.incumbent import timed
 from trajopt_cli.optimize.search import search
+from trajopt_cli.optimize.windows import Window
 from trajopt_cli.problem.problem import Problem
 
 TO = "MoveJ p_near, v500, fine, tool0;\n"
@@ -38,5 +39,7 @@ def test_what_makes_another_motion_makes_another_key(one: str, other: str) -> No
     a, b = problem(one), problem(other)
     chain = search(Axes.of(a.plant), a)
     assert chain is not None
-    assert key(a, chain) == key(replace(problem(one), plant=a.plant), chain)
-    assert key(a, chain) != key(b, chain)
+    draft, whole = timed(Axes.of(a.plant), a, chain), (0, len(a.legs))
+    key = Window.of(a, draft, whole).key()
+    assert key == Window.of(replace(problem(one), plant=a.plant), draft, whole).key()
+    assert key != Window.of(b, draft, whole).key()

@@ -11,10 +11,8 @@ from small_cells import plant_with_rail, problem_of, rapid
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize import optimize, tied
-from trajopt_cli.optimize.pieces import cut
-from trajopt_cli.optimize.reach import Label
-from trajopt_cli.optimize.search import Chain
 from trajopt_cli.optimize.tied import Ties, best_tied
+from trajopt_cli.optimize.windows import pieces
 from trajopt_cli.problem.changes import Changes
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 
@@ -151,7 +149,5 @@ def test_a_problem_is_cut_at_fixed_joints_but_not_between_tied_waypoints() -> No
     found = []
     for ties in ((), ((0, 2),)):
         problem = problem_of(program, plant, Target.RAPID, changes=Changes(frozenset(range(5)), ties))
-        label = Label(0, np.zeros(6))
-        chain = Chain(np.zeros((6, 7)), np.zeros((6, 7)), (label,) * 6, np.zeros(5), 0.0)
-        found.append([(len(piece.legs), piece.ties) for piece, _ in cut(problem, chain)])
-    assert found == [[(2, ()), (2, ()), (1, ())], [(4, ((1, 3),)), (1, ())]]
+        found.append([last - first for first, last in pieces(problem)])
+    assert found == [[2, 2, 1], [4, 1]]

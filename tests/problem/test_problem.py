@@ -10,8 +10,7 @@ from small_cells import HOME, plant_with_rail, plant_without_rail, problem_of, r
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import ConfData, MoveJ, MoveL, SignalEvent, motion_name
-from trajopt_cli.optimize.pieces import cut
-from trajopt_cli.optimize.search import Chain
+from trajopt_cli.optimize.windows import pieces
 from trajopt_cli.problem.changes import Changes, droppable, everything
 from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom
 from trajopt_cli.problem.plan import Infeasible, Target
@@ -259,15 +258,7 @@ MoveAbsJ j_home, v500, fine, tool0;"""
     def lengths(freedom: Freedom, coupling: Coupling, **plant: object) -> list[int]:
         problem = problem_of(rapid(body, data=data), plant_with_rail(**plant), freedom=freedom)
         problem = replace(problem, coupling=coupling)
-        n = len(problem.waypoints)
-        chain = Chain(np.zeros((n, 7)), np.zeros((n, 7)), (None,) * n, np.ones(n - 1), n - 1.0)
-        pieces = list(cut(problem, chain))
-        assert [leg.start for piece, _ in pieces for leg in piece.legs] == [
-            i for piece, _ in pieces for i in range(len(piece.legs))
-        ]
-        assert all(len(part.q) == len(piece.waypoints) for piece, part in pieces)
-        assert [leg.motion for piece, _ in pieces for leg in piece.legs] == [leg.motion for leg in problem.legs]
-        return [len(piece.legs) for piece, _ in pieces]
+        return [last - first for first, last in pieces(problem)]
 
     assert lengths(EVERYTHING, FREE) == [2, 3]
     assert lengths(EVERYTHING, COORDINATED) == [2, 3]

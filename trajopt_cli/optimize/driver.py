@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from time import perf_counter
 from typing import Any
 
 import numpy as np
 
+from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.blocks import NlpResult
 from trajopt_cli.optimize.draft import Draft, Margins
@@ -17,7 +18,6 @@ from trajopt_cli.optimize.formulation import Formulation
 from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, parabola
 from trajopt_cli.optimize.profiles import hold
 from trajopt_cli.optimize.reading import read
-from trajopt_cli.optimize.search import Chain
 from trajopt_cli.optimize.transcription import Transcription
 from trajopt_cli.optimize.tuning import (
     BARRIER_COLD,
@@ -44,27 +44,60 @@ from trajopt_cli.path.line import Line
 from trajopt_cli.problem.problem import LegKind, Problem
 
 
-def first_draft(axes: Axes, problem: Problem, chain: Chain) -> Draft:
-    """Rest-to-rest parabolas between the chain's waypoints."""
+def first_draft(axes: Axes, problem: Problem, q: Array, qd: Array, cfx: tuple[int, ...], times: Array) -> Draft:
+    """Rest-to-rest parabolas between axes q with velocities qd (M, n) at the waypoints, on their branches; times (M-1,)
+    of the legs."""
     legs: list[LegMotion | None] = []
     for k, leg in enumerate(problem.legs):
-        q_0, q_1 = chain.q[k], chain.q[k + 1]
-        T = max(float(chain.times[k]), LEAST_DRAFT)
+        T = max(float(times[k]), LEAST_DRAFT)
         if leg.kind is LegKind.JOINT:
-            legs.append(JointProfiles(T, q_0, chain.w[k], np.zeros((axes.n, 4)), np.zeros((axes.n, 3))))
-            continue
-        if leg.kind is LegKind.DWELL and not leg.rail_moves:
-            legs.append(hold(leg.duration or 0.0, q_0))
-            continue
-        grid = np.linspace(0, 1, FIRST + 1)
-        s, v, a = parabola(grid)
-        d_0, joints = q_0[axes.layout.rail], q_0[axes.layout.arm]
-        way = q_1[axes.layout.rail] - d_0
-        d, w, b = d_0 + way * s[:, None], way * v[:, None], way * a[:, None]
-        X_WT = problem.waypoints[k].X_WF @ leg.X_FT
-        cfx = chain.labels[k].cfx if chain.labels[k].cfx >= 0 else chain.labels[k + 1].cfx
-        legs.append(PathLeg(T, leg.segment or Line(X_WT, X_WT), leg.X_FT, cfx, joints, grid, s, v, a, d, w, b))
-    return Draft(chain.q, chain.w, tuple(label.cfx for label in chain.labels), tuple(legs))
+            legs.append(_closed(axes, T, q[k], qd[k]))
+        elif leg.kind is LegKind.DWELL and not leg.rail_moves:
+            legs.append(hold(leg.duration or 0.0, q[k]))
+        else:
+            s, v, a = parabola(np.linspace(0, 1, FIRST + 1))
+            way = q[k + 1, axes.layout.rail] - q[k, axes.layout.rail]
+            d, w, b = q[k, axes.layout.rail] + way * s[:, None], way * v[:, None], way * a[:, None]
+            legs.append(_path(axes, problem, k, T, q[k], cfx[k] if cfx[k] >= 0 else cfx[k + 1], (s, v, a, d, w, b)))
+    return Draft(q, qd, cfx, tuple(legs))
+
+
+def on_last_grid(axes: Axes, problem: Problem, draft: Draft) -> Draft:
+    """The motion on the last grid, as near as its nodes come."""
+    legs: list[LegMotion | None] = []
+    for k, (leg, motion) in enumerate(zip(problem.legs, draft.legs, strict=True)):
+        q, at_hand = draft.q[k], motion is not None and motion.N == LAST
+        if motion is None or (leg.kind is LegKind.DWELL and not leg.rail_moves):
+            legs.append(motion)
+        elif leg.kind is LegKind.JOINT:
+            keep = isinstance(motion, JointProfiles) or at_hand
+            legs.append(motion if keep else _closed(axes, motion.T, q, draft.qd[k]))
+        elif isinstance(motion, PathLeg) and at_hand:
+            legs.append(motion)
+        else:
+            s, v, a = parabola(np.linspace(0, 1, LAST + 1))
+            d = np.tile(q[axes.layout.rail], (LAST + 1, 1))  # where nothing moves
+            nodes = s, v, a, d, np.zeros_like(d), np.zeros_like(d[1:])
+            if isinstance(motion, PathLeg):
+                at, rate, _ = motion.progress(motion.T * np.linspace(0, 1, LAST + 1), right=True)
+                x, v = at, rate * motion.T
+                a = np.diff(v, axis=0) * LAST
+                nodes = x[:, 0], v[:, 0], a[:, 0], x[:, 1:], v[:, 1:], a[:, 1:]
+            legs.append(_path(axes, problem, k, motion.T, q, max(draft.cfx[k], draft.cfx[k + 1]), nodes))
+    return Draft(draft.q, draft.qd, draft.cfx, tuple(legs))
+
+
+def _closed(axes: Axes, T: float, q_0: Array, qd_0: Array) -> JointProfiles:
+    """A joint move of which the time alone is guessed [s]."""
+    return JointProfiles(T, q_0, qd_0, np.zeros((axes.n, 4)), np.zeros((axes.n, 3)))
+
+
+def _path(axes: Axes, problem: Problem, k: int, T: float, q_0: Array, cfx: int, nodes: Sequence[Array]) -> PathLeg:
+    """A line, an arc or a wait of T seconds on an even grid. nodes: s, v, a, d, w, b."""
+    leg = problem.legs[k]
+    X_WT = problem.waypoints[k].X_WF @ leg.X_FT
+    grid = np.linspace(0, 1, len(nodes[0]))
+    return PathLeg(T, leg.segment or Line(X_WT, X_WT), leg.X_FT, cfx, q_0[axes.layout.arm], grid, *nodes)
 
 
 class NotConverged(Exception):
@@ -72,7 +105,7 @@ class NotConverged(Exception):
 
 
 class Refiner:
-    """Solves one target of one problem from a chain."""
+    """Solves one problem from a draft."""
 
     def __init__(self, axes: Axes, formulation: Formulation, problem: Problem):
         self.axes, self.formulation, self.problem = axes, formulation, problem
@@ -103,14 +136,17 @@ class Refiner:
             raise NotConverged(result.status)
         return out, t, result
 
-    def run(self, draft: Draft, progress: Callable[[str], None]) -> Draft:
+    def run(self, draft: Draft) -> Draft:
         """From a draft on its grid to the clean draft with the shortest time found. Raises NotConverged."""
         margins: list[Margins | None] = [
-            Margins.full(m.N, self.axes.n, START) if isinstance(m, PathLeg) else None for m in draft.legs
+            Margins.full(m.N, self.axes.n, START if isinstance(m, PathLeg) else EXACT)
+            if isinstance(m, PathLeg | JointNodes)
+            else None
+            for m in draft.legs
         ]
+        self._watch(draft, margins)
         draft, warm = self._first(draft, margins)
         while True:
-            progress("solve")
             good = draft, margins, warm
             n = max((m.N for m in draft.legs if isinstance(m, PathLeg)), default=self.last)
             opened = self._open_grids(draft, margins)
@@ -131,7 +167,7 @@ class Refiner:
                 # the coarser grid's answer is a motion too; cleaned, it is only a little slower
                 draft, margins, warm = good
                 break
-        return self._exchange(draft, margins, warm, progress)
+        return self._exchange(draft, margins, warm)
 
     def _first(self, draft: Draft, margins: list[Margins | None]) -> tuple[Draft, list[Any]]:
         """The first solve: a rough one from estimates, a sharp one from a draft already on the last grid."""
@@ -143,10 +179,7 @@ class Refiner:
             out, *warm = self._solve(draft, margins, BARRIER_DOUBT, tolerance)
         return out, warm
 
-    def _exchange(
-        self, draft: Draft, margins: list[Margins | None], warm: Sequence[Any],
-        progress: Callable[[str], None],
-    ) -> Draft:  # fmt: skip
+    def _exchange(self, draft: Draft, margins: list[Margins | None], warm: Sequence[Any]) -> Draft:
         """Check densely, back_off where a limit is passed, solve again, until nothing is passed."""
         for _ in range(ROUNDS):
             start = perf_counter()
@@ -171,7 +204,6 @@ class Refiner:
                     draft, *warm = self._solve(draft, margins, BARRIER_WARM, warm=warm)
                 except NotConverged:  # a warm start keeps to the limits it knows; a cold one finds its way round
                     draft, *warm = self._solve(draft, margins, BARRIER_COLD)
-            progress("exchange")
         raise NotConverged(f"a limit is still passed by {worst - 1:.2e} after {ROUNDS} rounds of tightening")
 
     def _open_grids(self, draft: Draft, margins: list[Margins | None]) -> bool:

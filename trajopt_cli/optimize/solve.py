@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import replace
 from time import perf_counter
 
@@ -15,27 +14,14 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.binding import binding_limit
 from trajopt_cli.optimize.bound import lower_bound
 from trajopt_cli.optimize.draft import Draft
-from trajopt_cli.optimize.driver import NotConverged, Refiner, first_draft
-from trajopt_cli.optimize.formulation import Formulation
-from trajopt_cli.optimize.incumbent import (
-    NotDriven,
-    duration,
-    least_time,
-    stopped_at_joint_moves,
-    stopping,
-    timed,
-)
-from trajopt_cli.optimize.legal import Legal, Memory, NoCleanPlan, Question, add, legal_motion
-from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg
-from trajopt_cli.optimize.pieces import solve_pieces
-from trajopt_cli.optimize.search import Chain, search
+from trajopt_cli.optimize.improve import improved
+from trajopt_cli.optimize.legal import Memory, NoCleanPlan, Question, legal_motion
+from trajopt_cli.optimize.legs import JointProfiles, LegMotion, PathLeg
+from trajopt_cli.optimize.search import search
 from trajopt_cli.optimize.tuning import (
     DENSER,
-    LEAST_GAIN,
     RESIDUAL,
     ROW_APART,
-    SLOWER,
-    WORTH_TRYING,
 )
 from trajopt_cli.problem.changes import Changes
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom
@@ -94,7 +80,7 @@ def optimize(
         return legal
     problem, draft, notes = legal.problem, legal.draft, tuple[str, ...]()
     if not problem.coordinated:
-        draft, notes = _improved(axes, legal, tell, seconds)
+        draft, notes = improved(axes, legal, tell, seconds)
     rows = _rows(axes, draft, _end(problem, draft))
     if rows is None:
         raise NoCleanPlan("the written rows would pass a limit between each other")
@@ -129,47 +115,6 @@ def search_estimate(program: Program, plant: Plant, target: Target, changes: Cha
     return min(found, default=None)
 
 
-def _improved(axes: Axes, legal: Legal, tell: Report, seconds: dict[str, float]) -> tuple[Draft, tuple[str, ...]]:
-    """The draft, or a faster one that the nonlinear program finds: from the search's chain with a rail in motion at the
-    stops, or else from the draft's own chain. Runs with corners stay as they are, and so do the ends of them; but where
-    joint moves meet at a fly-by, a stop there is tried, too. And what a reader should know of it."""
-    problem, chain, best = legal.problem, legal.chain, legal.draft
-    starts: list[tuple[Problem, Chain]] = []
-    if any(problem.passes(k) for k in range(len(problem.waypoints))):
-        starts = [(one, chain) for one in (stopping(axes, problem, chain), stopped_at_joint_moves(problem))]
-    elif axes.layout.has_rail and problem.freedom.through_stops:
-        start = perf_counter()
-        moving = search(axes, problem)
-        add(seconds, "search", perf_counter() - start)
-        starts = [(problem, one) for one in (moving, chain) if one is not None]
-    else:
-        starts = [(problem, chain)]
-    tried: Counter[bool] = Counter()
-    for one, beginning in starts:
-        try:
-            found = _refine(axes, _frozen(one, beginning), beginning, duration(best), tried, tell, seconds)
-        except NoCleanPlan:
-            continue
-        if duration(found) < duration(best) - LEAST_GAIN:
-            best = found
-            if one is problem:
-                break
-    if best is not legal.draft or not tried:
-        return best, ()
-    return best, ("each leg has one progress for all axes, as a RAPID controller drives it: nothing faster was found",)
-
-
-def _frozen(problem: Problem, chain: Chain) -> Problem:
-    """The problem with the ends of every run with corners at rest where the chain has them."""
-    layout = problem.plant.robot.layout
-    waypoints = list(problem.waypoints)
-    for first, last in problem.runs:
-        for k in range(first, last + 1) if last > first + 1 else ():
-            rail = float(layout.place(chain.q[k]))
-            waypoints[k] = replace(waypoints[k], rail=(rail, rail), rest=not problem.passes(k))
-    return replace(problem, waypoints=tuple(waypoints))
-
-
 def _rows(axes: Axes, draft: Draft, end: Array) -> tuple[Trajectory, Array] | None:
     """The rows and leg boundaries of a clean draft, denser where the cubic between two rows would pass a limit; None
     where that does not help."""
@@ -198,74 +143,6 @@ def _passing(axes: Axes, trajectory: Trajectory) -> IndexArray:
         _, qd, qdd = hermite(trajectory, trajectory.t[:-1] + u * h)
         over |= np.any((np.abs(qd) > V * (1 + 1e-6)) | (np.abs(qdd) > A * (1 + 1e-6) + noise), axis=1)
     return np.flatnonzero(over)
-
-
-def _refine(
-    axes: Axes,
-    problem: Problem,
-    chain: Chain,
-    best: float,
-    tried: Counter[bool],
-    tell: Report,
-    seconds: dict[str, float],
-) -> Draft:
-    """Every piece of the problem by the nonlinear program, from the chain, or as its runs are timed where that finds
-    nothing faster. best: the cycle time [s] known already. tried: counts whether what was tried gave a clean motion."""
-    formulation = Formulation(axes)
-
-    def report(phase: str) -> None:
-        tell(Progress(phase, incumbent=best))
-
-    def solve(piece: Problem, part: Chain) -> Draft:
-        said = []
-        try:
-            legal = timed(axes, piece, replace(part, w=np.zeros_like(part.w)))
-        except NotDriven:
-            legal = None
-        if legal is not None and not _may_gain(axes, piece, legal):
-            return legal
-        for start in _starts(part) if legal is None else [part]:
-            refiner = Refiner(axes, formulation, piece)
-            try:
-                first = first_draft(axes, piece, start)
-                found = refiner.run(first, report)
-                tried[True] += 1
-                return found if legal is None or duration(found) < duration(legal) else legal
-            except NotConverged as failure:
-                said.append(str(failure))
-            finally:
-                for phase, spent in refiner.seconds.items():
-                    add(seconds, phase, spent)
-        tried[False] += 1
-        if legal is not None:
-            return legal
-        raise NoCleanPlan(f"{problem.motion(piece.legs[0].motion).source}: {'; '.join(said)}")
-
-    return solve_pieces(problem, chain, {}, solve, lambda _: report("solve"))
-
-
-def _may_gain(axes: Axes, piece: Problem, legal: Draft) -> bool:
-    """Whether the nonlinear program could find something faster: a rail is free, or a joint move takes longer than its
-    axes and the tool's chord ask for."""
-    if any(piece.passes(k) for k in range(len(piece.waypoints))):
-        return False
-    moves = any(leg.rail_moves and leg.kind is not LegKind.JOINT for leg in piece.legs) and piece.plant.robot.has_rail
-    free = any(point.q is None and point.rail[0] < point.rail[1] for point in piece.waypoints)
-    return (
-        moves
-        or free
-        or any(
-            isinstance(motion, JointNodes)
-            and WORTH_TRYING * least_time(axes, leg, legal.q[k], legal.q[k + 1]) < motion.T
-            for k, (leg, motion) in enumerate(zip(piece.legs, legal.legs, strict=True))
-        )
-    )
-
-
-def _starts(chain: Chain) -> list[Chain]:
-    """The chain itself, the same at rest in every waypoint, and slower."""
-    still = replace(chain, w=np.zeros_like(chain.w))
-    return [chain, still, replace(still, times=chain.times * SLOWER)]
 
 
 def _end(problem: Problem, draft: Draft) -> Array:

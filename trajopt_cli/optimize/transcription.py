@@ -110,7 +110,7 @@ class Transcription:
         q, qd = self.draft.q[k], self.draft.qd[k]
         if stop.q is not None:
             self.waypoint_q.append(nlp.variables(stop.q, stop.q, stop.q))
-            self.waypoint_qd.append(nlp.variables(np.zeros(axes.n), 0.0, 0.0))
+            self.waypoint_qd.append(nlp.variables(qd, qd, qd))  # at rest but where a window is held in motion
             return
         low, high = self._waypoint_range(k, stop.rail)
         d = nlp.variables(np.clip(q[rail], low, high), low, high)

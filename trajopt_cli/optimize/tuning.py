@@ -119,6 +119,12 @@ MOST_MARKS = (
 ROOMS = (1.0, 0.99, 0.97, 0.93)  # shares of the axes' ranges that are tried in turn. Not measured.
 WORTH_TRYING = 1.005  # times what it takes at least that a joint move must take before axes of their own are tried. Not
 # measured.
+WINDOW = 24  # legs of the nonlinear program at most. Measured on 26 legs of a random cell: one solve 9.863 s in 18 s of
+# processor time, windows of 14 legs 9.897 s in 45 s, of 9 legs 9.874 s in 71 s; so one solve as long as it converges.
+LEAST_WINDOW = 4  # legs of the halves of one that does not. Not measured.
+SWEEPS = 6  # of windows over one another's borders at most. Not measured.
+SWEEP_GAIN = 2e-4  # share that the windows over a window's borders must have saved before it is solved again. Not
+# measured.
 LEAST_GAIN = 1e-6  # s that a nonlinear program must save to be worth another motion. Not measured.
 
 # ---- transcription: the nonlinear program
@@ -153,7 +159,6 @@ BARRIER_REFINED = 1e-4  # from the same motion on a coarser grid or with another
 BARRIER_WARM = 1e-5  # from the same program with tightened limits. Not measured.
 BARRIER_COLD = 1e-3  # where that warm start fails. Not measured.
 WARM_PUSH = 1e-7  # how far a warm start is pushed off its bounds. Not measured.
-SLOWER = 1.5  # times the search's estimate: the third start. Not measured.
 IPOPT: Mapping[str, object] = {
     "show_eval_warnings": False,  # a place where a block has no value is left by IPOPT itself; nobody need read of it
     "ipopt.constr_viol_tol": 1e-10,  # not measured

@@ -1,0 +1,229 @@
+"""A legal motion made faster by the nonlinear program, window by window: whatever one does, the motion stays legal.
+
+A window's answer counts where its dense check is clean and it is faster than what it replaces. Windows are swept until
+little is gained; what was asked before is not asked again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
+from time import perf_counter
+
+import numpy as np
+
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.draft import Draft
+from trajopt_cli.optimize.driver import NotConverged, Refiner, first_draft, on_last_grid
+from trajopt_cli.optimize.formulation import Formulation
+from trajopt_cli.optimize.incumbent import NotDriven, duration, least_time, stopped_at_joint_moves, stopping, timed
+from trajopt_cli.optimize.legal import Legal, add
+from trajopt_cli.optimize.legs import JointNodes
+from trajopt_cli.optimize.search import Chain, search
+from trajopt_cli.optimize.tuning import LEAST_GAIN, LEAST_WINDOW, SWEEP_GAIN, SWEEPS, WORTH_TRYING
+from trajopt_cli.optimize.windows import Span, Window, colours, middle
+from trajopt_cli.problem.problem import LegKind, Problem
+from trajopt_cli.problem.progress import Progress, Report
+
+Best = Callable[[float], None]
+
+
+@dataclass(frozen=True, eq=False)
+class Outcome:
+    """What came of a window: its motion where that counts; whether any solve was clean; seconds per phase."""
+
+    found: Draft | None
+    clean: bool
+    seconds: dict[str, float]
+
+
+@dataclass
+class Tally:
+    """Windows that were tried, and those of which no solve was clean."""
+
+    tried: set[Span] = field(default_factory=set)
+    failed: set[Span] = field(default_factory=set)
+
+    def notes(self, gained: bool) -> Iterator[str]:
+        """What a reader should know of it, one line each."""
+        if self.tried and not gained:
+            yield "each leg has one progress for all axes, as a RAPID controller drives it: nothing faster was found"
+        if count := len(self.failed):
+            parts = "its part stays" if count == 1 else "their parts stay"
+            yield f"{count} of {len(self.tried)} windows failed to converge: {parts} as found without them"
+
+
+def improved(axes: Axes, legal: Legal, tell: Report, seconds: dict[str, float]) -> tuple[Draft, tuple[str, ...]]:
+    """The legal motion, or a faster one, and what a reader should know of it.
+
+    Where a rail may be in motion at the stops, the search's chain with such a rail is a start. Runs with corners stay
+    as they are, and so do the ends of them; but where joint moves meet at a fly-by, a stop there is tried, too.
+    """
+    problem, chain, best = legal.problem, legal.chain, legal.draft
+    bases = [(problem, best)]
+    hopes: Chain | None = None
+    if any(problem.passes(k) for k in range(len(problem.waypoints))):
+        bases = [*_stopping(axes, problem, chain)]
+    elif axes.layout.has_rail and problem.freedom.through_stops:
+        start = perf_counter()
+        hopes = search(axes, problem)
+        add(seconds, "search", perf_counter() - start)
+    sweeps, tally = Sweeps(axes, seconds), Tally()
+    for one, base in bases:
+        found = sweeps.run(one, base, hopes, tally, partial(_tell_best, tell, duration(best)))
+        if duration(found) < duration(best) - LEAST_GAIN:
+            best = found
+    return best, tuple(tally.notes(best is not legal.draft))
+
+
+def _tell_best(tell: Report, known: float, now: float) -> None:
+    """Tell the best of two cycle times [s]."""
+    tell(Progress("solve", min(known, now)))
+
+
+def _stopping(axes: Axes, problem: Problem, chain: Chain) -> Iterator[tuple[Problem, Draft]]:
+    """The problem with stops at fly-bys beside joint moves: where the timed chain has them, and at all of them."""
+    for one in (stopping(axes, problem, chain), stopped_at_joint_moves(problem)):
+        try:
+            yield _frozen(one, chain), timed(axes, one, chain)
+        except NotDriven:
+            continue
+
+
+def _frozen(problem: Problem, chain: Chain) -> Problem:
+    """The problem with the ends of every run with corners at rest where the chain has them."""
+    layout = problem.plant.robot.layout
+    waypoints = list(problem.waypoints)
+    for first, last in problem.runs:
+        for k in range(first, last + 1) if last > first + 1 else ():
+            rail = float(layout.place(chain.q[k]))
+            waypoints[k] = replace(waypoints[k], rail=(rail, rail), rest=not problem.passes(k))
+    return replace(problem, waypoints=tuple(waypoints))
+
+
+class Sweeps:
+    """Sweeps windows over the motions of one plant's problems, and remembers what came of each."""
+
+    def __init__(self, axes: Axes, seconds: dict[str, float]):
+        self._axes, self._seconds, self._formulation = axes, seconds, Formulation(axes)
+        self._known: dict[bytes, Outcome] = {}
+
+    def run(self, problem: Problem, base: Draft, hopes: Chain | None, tally: Tally, tell: Best) -> Draft:
+        """The legal motion base, faster where a window found something. hopes: where the search would begin. tell: is
+        told the cycle time [s] after every window."""
+        draft, (even, odd) = base, colours(problem)
+        moved = dict.fromkeys((*even, *odd), np.inf)  # what was gained over each window's borders since it was solved
+        for _ in range(SWEEPS):
+            if max(moved.values()) <= SWEEP_GAIN:
+                break
+            for spans, others in ((even, odd), (odd, even)):
+                due = [span for span in spans if moved[span] > SWEEP_GAIN]
+                before, asked = draft, due
+                while asked:
+                    draft = self._colour(problem, base, draft, hopes, asked, tally, tell)
+                    asked = [half for span in asked if span in tally.failed for half in _halves(problem, span, tally)]
+                for first, last in due:
+                    moved[first, last] = 0.0
+                    was, now = (sum(m.T for m in one.legs[first:last] if m) for one in (before, draft))
+                    for span in others:
+                        moved[span] += (was - now) / was if first < span[1] and span[0] < last and was else 0.0
+        return draft
+
+    def _colour(
+        self, problem: Problem, base: Draft, draft: Draft, hopes: Chain | None, spans: Sequence[Span], tally: Tally,
+        tell: Best,
+    ) -> Draft:  # fmt: skip
+        """The motion after windows side by side, which know nothing of one another."""
+        windows = [Window.of(problem, draft, span) for span in spans]
+        for window in windows:
+            if not _may_gain(self._axes, window.problem, window.draft):
+                continue
+            part = slice(window.first, window.last)
+            untouched = all(now is then for now, then in zip(draft.legs[part], base.legs[part], strict=True))
+            hoped = [_hoped(self._axes, problem, window, hopes)] if hopes is not None and untouched else []
+            key = window.key(*hoped)
+            outcome = self._known.get(key)
+            if outcome is None:
+                outcome = self._known[key] = self._solve(window, hoped, untouched)
+            span = window.first, window.last
+            tally.tried.add(span)
+            (tally.failed.discard if outcome.clean else tally.failed.add)(span)
+            if outcome.found is not None:
+                draft = window.put(outcome.found, draft)
+                self._known.setdefault(Window.of(problem, draft, span).key(), replace(outcome, found=None))
+            tell(duration(draft))
+        return draft
+
+    def _solve(self, window: Window, hoped: Sequence[Draft], untouched: bool) -> Outcome:
+        """From what the search hoped for, or else from the motion at hand."""
+        own, problem = window.draft, window.problem
+        times = np.array([0.0 if motion is None else motion.T for motion in own.legs])
+        coarse = first_draft(self._axes, problem, own.q, own.qd, own.cfx, times)
+        starts = [*hoped, coarse] if untouched else [on_last_grid(self._axes, problem, own), coarse]
+        clean, seconds = False, dict[str, float]()
+        for start in starts:
+            refiner = Refiner(self._axes, self._formulation, problem)
+            try:
+                found = refiner.run(start)
+                clean = True
+            except NotConverged:
+                continue
+            finally:
+                for phase, spent in refiner.seconds.items():
+                    add(self._seconds, phase, spent)
+            if duration(found) < window.duration - LEAST_GAIN:
+                return Outcome(found, True, seconds)
+            if not untouched:  # a motion found before: from farther away the way leads back to it
+                break
+        return Outcome(None, clean, seconds)
+
+
+def _halves(problem: Problem, span: Span, tally: Tally) -> list[Span]:
+    """A window that failed in two, to be tried in its place; none where it is small."""
+    border = middle(problem, *span) if span[1] - span[0] >= 2 * LEAST_WINDOW else None
+    if border is None:
+        return []
+    tally.tried.discard(span)
+    tally.failed.discard(span)
+    return [(span[0], border), (border, span[1])]
+
+
+def _hoped(axes: Axes, problem: Problem, window: Window, chain: Chain) -> Draft:
+    """The search's chain between the window's ends; stations at an end in another configuration there stay as they
+    are."""
+    at, own = slice(window.first, window.last + 1), window.draft
+    q, qd, times = chain.q[at].copy(), chain.w[at].copy(), chain.times[window.first : window.last].copy()
+    cfx = [label.cfx for label in chain.labels[at]]
+    kept: set[int] = set()
+    for end, point in ((0, window.problem.waypoints[0]), (len(cfx) - 1, window.problem.waypoints[-1])):
+        if point.q is None:
+            continue
+        kept.add(end)
+        if cfx[end] != own.cfx[end] or np.abs(q[end] - own.q[end])[axes.layout.arm].max() > np.pi:
+            first, last = next(one for one in problem.stations if one[0] <= window.first + end <= one[1])
+            kept |= {k for k in range(len(cfx)) if first <= window.first + k <= last}
+    for k in kept:
+        q[k], qd[k], cfx[k] = own.q[k], own.qd[k], own.cfx[k]
+    for k, motion in enumerate(own.legs):
+        if motion is not None and (k in kept or k + 1 in kept):
+            times[k] = max(times[k], motion.T)
+    return first_draft(axes, window.problem, q, qd, tuple(cfx), times)
+
+
+def _may_gain(axes: Axes, piece: Problem, legal: Draft) -> bool:
+    """Whether the nonlinear program could find something faster: a rail is free, or a joint move takes longer than its
+    axes and the tool's chord ask for."""
+    if any(piece.passes(k) for k in range(len(piece.waypoints))):
+        return False
+    moves = any(leg.rail_moves and leg.kind is not LegKind.JOINT for leg in piece.legs) and piece.plant.robot.has_rail
+    free = any(point.q is None and point.rail[0] < point.rail[1] for point in piece.waypoints)
+    return (
+        moves
+        or free
+        or any(
+            isinstance(motion, JointNodes)
+            and WORTH_TRYING * least_time(axes, leg, legal.q[k], legal.q[k + 1]) < motion.T
+            for k, (leg, motion) in enumerate(zip(piece.legs, legal.legs, strict=True))
+        )
+    )
