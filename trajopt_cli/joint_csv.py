@@ -65,7 +65,8 @@ def write_csv_text(trajectory: Trajectory) -> str:
 
 @of_kind(ErrorKind.RESULTS)
 def read_csv_text(text: str, file: str) -> tuple[Trajectory, Resolution]:
-    """The trajectory of a CSV text in SI, and how finely it is printed. file is for messages.
+    """The trajectory of a CSV text in SI, and how finely it is printed. file is for messages. A byte-order mark, as
+    spreadsheets write one, is no part of the header.
 
     Raises InputError with file, line and column (in characters) for an unknown or missing head, a row of another
     length, anything that is not a finite number, times that do not increase, and fewer than two rows.
@@ -75,7 +76,7 @@ def read_csv_text(text: str, file: str) -> tuple[Trajectory, Resolution]:
         lines.pop()
     if not lines:
         raise InputError("the file is empty; its first line must be the header t [s],<axis> [unit],...", file=file)
-    names, factors, speeds = _read_header(lines[0].rstrip("\r"), file)
+    names, factors, speeds = _read_header(lines[0].removeprefix("\ufeff").rstrip("\r"), file)
     k, width = len(names), len(factors)
     fields = [line.rstrip("\r").split(",") for line in lines[1:]]
     for number, row in enumerate(fields, start=2):

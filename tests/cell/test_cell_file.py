@@ -141,6 +141,11 @@ def test_estimated_accelerations_are_said_and_measured_ones_are_not() -> None:
             "cell.yaml:3: rail: stroke goes from 2.2 to -0.2; the lower end comes first",
         ),
         (
+            RAIL.replace("stroke: [-0.2, 2.2]", "stroke: [-200, 2200]"),
+            "cell.yaml:3: rail: stroke is 2400 m long, no rail is longer than 200 m; if these are millimetres, write"
+            " [-0.2, 2.2] or [-200 mm, 2200 mm]",
+        ),
+        (
             RAIL.replace("stroke: [-0.2, 2.2]", "stroke: [0, 2 deg]"),
             "cell.yaml:3: rail.stroke: unit 'deg' of \"2 deg\" is not one of m, cm, mm",
         ),
@@ -280,8 +285,13 @@ def test_messages_of_the_file(text: str, expected: str) -> None:
             "cell.yaml:2: start.joints: joint_5 = 2.0944 lies outside its range -2.00713..2.00713",
         ),
         (
-            RAIL.replace("rail: 0", "rail: 3"),
-            "cell.yaml:2: start.rail: rail = 3 lies outside its range -0.2..2.2",
+            RAIL.replace("rail: 0", "rail: 3000"),
+            "cell.yaml:2: start.rail: rail = 3000 lies outside its range -0.2..2.2",
+        ),
+        (
+            RAIL.replace("rail: 0", "rail: 1500"),
+            "cell.yaml:2: start.rail: rail = 1500 lies outside its range -0.2..2.2; if this is in millimetres, write"
+            " 1.5 or 1500 mm",
         ),
     ],
 )

@@ -66,6 +66,13 @@ def test_bad_rates_are_named(rate: float) -> None:
     assert str(caught.value) == f"rate {rate:g} Hz lies outside (0, 100000] Hz; 1000 suits most controllers"
 
 
+def test_more_rows_than_anybody_reads_are_refused_before_they_are_made() -> None:
+    day = Trajectory(("a",), np.array([0.0, 86400.0]), np.zeros((2, 1)), np.zeros((2, 1)))
+    with pytest.raises(InputError, match=r"^86400 s at 1000 Hz are 86400000 rows, at most 5000000: give .* 57.8 Hz"):
+        resample(day, 1000)
+    assert len(resample(day, 1).t) == 86401
+
+
 def test_a_trajectory_without_speeds_is_refused() -> None:
     trajectory = Trajectory(("rail", "joint_1"), KNOTS, cubic(KNOTS)[0])
     with pytest.raises(InputError, match="the trajectory has no speed columns; resampling needs them"):

@@ -326,9 +326,16 @@ def test_rows_stand_at_every_boundary_and_switch_and_each_millisecond(written: t
     assert nearest.max() < 1e-9
     grid = np.arange(int(t[-1] / ROW_EVERY) + 1) * ROW_EVERY
     free = np.min(np.abs(grid[:, None] - switches), axis=1) >= ROW_APART * 1.000001
+    at_rest = [k for k, leg in enumerate(legs) if leg.resting().all()]
+    assert len(at_rest) == 1
+    (rest,) = at_rest
+    inside = (grid > bounds[rest]) & (grid < bounds[rest + 1])
+    assert inside.sum() > 10
+    assert not np.any((t > bounds[rest]) & (t < bounds[rest + 1]))
+    free &= ~inside
     assert np.min(np.abs(grid[free][:, None] - t), axis=1).max() < 1e-12
     assert np.sum(free) > 500
-    assert np.all(np.diff(t) <= ROW_EVERY + ROW_APART)
+    assert np.all(np.diff(t)[t[:-1] != bounds[rest]] <= ROW_EVERY + ROW_APART)
     np.testing.assert_array_equal(trajectory.q[-1], home)
     assert not np.any(trajectory.qd[-1])
 
@@ -353,7 +360,7 @@ def test_switches_all_but_one_are_written_once() -> None:
     times = np.tile([0.0, 0.01, 0.02, 0.03], (7, 1))
     times[3, 1] += 1e-12
     times[4, 2] = 0.03 - 1e-12
-    leg = JointProfiles(0.03, np.zeros(7), np.zeros(7), times, np.zeros((7, 3)))
+    leg = JointProfiles(0.03, np.zeros(7), np.ones(7), times, np.zeros((7, 3)))
     trajectory, bounds = rows_of(axes, [leg, leg], np.zeros(7))
     assert np.min(np.diff(trajectory.t)) >= 1e-5
     assert np.all(np.isin(bounds, trajectory.t))

@@ -45,6 +45,10 @@ def test_foreign_units_are_converted() -> None:
     assert resolution.qd == pytest.approx([1e-3, np.radians(1)], rel=1e-12)
 
 
+def test_a_byte_order_mark_is_no_part_of_the_header() -> None:
+    assert read_csv_text("\ufeff" + GOOD, "a.csv")[0].names == ("rail", "joint_1")
+
+
 def test_resolution_is_that_of_the_finest_digit() -> None:
     text = "t [s],rail [m],joint_1 [rad],joint_2 [rad]\n"
     text += "0.0,0.0,0.12,1e-3\n0.013,0.0,0.125,2.5e-4\n0.02,0.0,0.2,1\n0.03,0.0,0.2,1\n"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 from legal_motion import B_IN, B, Case, bench_case, faster, held_case, hold, rapid_case, stream_case
 
 from trajopt_cli.joint_csv import Resolution, header, read_csv_text
+from trajopt_cli.motion import Wait
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.judge import verify as verify_with_advice
@@ -48,6 +50,58 @@ def test_a_rapid_motion_passes_whatever_its_rows_miss(step: float) -> None:
     case = rapid_case()
     report = verify(case.program, case.plant, case.rows(grid_only=True, step=step), target=Target.RAPID)
     assert report.legal, [f.message for f in report.findings if not f.passed]
+
+
+def without_the_wait(trajectory: Trajectory, first: int, last: int) -> Trajectory:
+    keep = np.r_[: first + 1, last : len(trajectory.t)]
+    qd = None if trajectory.qd is None else trajectory.qd[keep]
+    return Trajectory(trajectory.names, trajectory.t[keep], trajectory.q[keep], qd)
+
+
+def long_rest(seconds: float) -> tuple[Case, Trajectory, int, int]:
+    """The bench's motion with a long wait, and the rows at which that begins and ends."""
+    case = bench_case()
+    wait = next(k for k, motion in enumerate(case.program.motions) if isinstance(motion, Wait))
+    motions = list(case.program.motions)
+    motions[wait] = replace(motions[wait], duration=seconds)
+    pieces = list(case.pieces)
+    pieces[wait] = hold(pieces[wait].at(np.zeros(1))[0][0], seconds)
+    case = Case(case.plant, replace(case.program, motions=tuple(motions)), tuple(pieces))
+    rows = case.rows()
+    first, last = np.searchsorted(rows.t, [case.starts[wait], case.starts[wait] + seconds])
+    return case, rows, int(first), int(last)
+
+
+@pytest.mark.parametrize("grid", [False, True], ids=["own", "250Hz"])
+def test_a_rest_needs_two_rows_however_long_it_is(grid: bool) -> None:
+    case, rows, first, last = long_rest(1.0)
+    if grid:
+        rows = case.rows(grid_only=True, step=0.004)
+        still = np.flatnonzero(~rows.qd.any(axis=1) & (rows.t > 0.1) & (rows.t < rows.t[-1] - 0.1))
+        first, last = int(still[0]), int(still[-1])
+    assert rows.t[last] - rows.t[first] > 0.9
+    report = verify(case.program, case.plant, without_the_wait(rows, first, last), target=Target.RAPID)
+    assert report.legal, [f.message for f in report.findings if not f.passed]
+
+
+def test_a_rest_between_two_rows_is_one_only_where_both_say_so() -> None:
+    case, rows, first, last = long_rest(1.0)
+    sparse = without_the_wait(rows, first, last)
+    moved, fast = sparse.q.copy(), sparse.qd.copy()
+    moved[first + 1, 3] += 1e-9
+    fast[first + 1, 3] = 1e-9
+    for q, qd in ((sparse.q, None), (moved, sparse.qd), (sparse.q, fast)):
+        report = verify(case.program, case.plant, Trajectory(sparse.names, sparse.t, q, qd))
+        assert "row spacing" in {f.check for f in report.findings if not f.passed}
+
+
+def test_a_wait_cut_short_is_seen_between_two_rows_as_well() -> None:
+    case, rows, first, last = long_rest(1.0)
+    sparse = without_the_wait(rows, first, last)
+    t = sparse.t.copy()
+    t[first + 1 :] -= 1e-6
+    report = verify(case.program, case.plant, Trajectory(sparse.names, t, sparse.q, sparse.qd))
+    assert [f.check for f in report.findings if not f.passed] == ["dwell length"]
 
 
 def test_one_odd_row_makes_no_marked_file() -> None:

@@ -39,6 +39,7 @@ from trajopt_cli.quantity import (
 )
 from trajopt_cli.scenario import LONGEST_WAIT, NUM_LIMIT, Lines, Scenario
 
+LONGEST_RAIL = 200.0  # m of stroke; beyond, somebody wrote millimetres
 MAX_SEQUENCE = 10_000  # values of one signal or answer; a program that polls reads a few dozen
 
 
@@ -142,6 +143,12 @@ class RailSection(_Section):
     def _ordered(self) -> RailSection:
         if not self.stroke[0] < self.stroke[1]:
             raise complain(f"stroke goes from {self.stroke[0]:g} to {self.stroke[1]:g}; the lower end comes first")
+        if self.stroke[1] - self.stroke[0] > LONGEST_RAIL:
+            low, high = self.stroke
+            raise complain(
+                f"stroke is {high - low:g} m long, no rail is longer than {LONGEST_RAIL:g} m; if these are millimetres,"
+                f" write [{low / 1e3:g}, {high / 1e3:g}] or [{low:g} mm, {high:g} mm]"
+            )
         return self
 
 

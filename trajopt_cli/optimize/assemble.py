@@ -1,4 +1,7 @@
-"""From leg motions to the rows of a file: a row at every boundary and every switch, a millisecond grid between."""
+"""From leg motions to the rows of a file: a row at every boundary and every switch, a millisecond grid between.
+
+Where nothing moves from one of them to the next there is no grid: the cubic between two rows at rest stays where it is.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from trajopt_cli.geometry import Array
+from trajopt_cli.geometry import Array, BoolArray
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.legs import LegMotion, sampled
 from trajopt_cli.optimize.tuning import ROW_APART, ROW_EVERY, SAME_TIME
@@ -34,7 +37,7 @@ def _leg_rows(leg: LegMotion, start: float, end: float, more: Sequence[float]) -
     breaks = breaks[keep]
     if len(breaks) > 2 and breaks[-1] - breaks[-2] <= SAME_TIME:
         breaks = np.delete(breaks, -2)
-    grid = np.arange(np.ceil(start / ROW_EVERY - 1e-9), np.floor(end / ROW_EVERY + 1e-9) + 1) * ROW_EVERY
+    grid = _grid(start + leg.breaks(), ~leg.resting())
     at = np.searchsorted(breaks, grid)
     gap = np.minimum(
         np.abs(grid - breaks[np.clip(at - 1, 0, len(breaks) - 1)]),
@@ -42,3 +45,13 @@ def _leg_rows(leg: LegMotion, start: float, end: float, more: Sequence[float]) -
     )
     inside = [t for t in more if start < t < end]
     return np.unique(np.concatenate([breaks, grid[(gap >= ROW_APART) & (grid > start) & (grid < end)], inside]))
+
+
+def _grid(breaks: Array, moving: BoolArray) -> Array:
+    """The grid times from break to break (N+1,) while something moves (N,)."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], moving, [False]])))
+    ticks = [
+        np.arange(np.ceil(breaks[a] / ROW_EVERY - 1e-9), np.floor(breaks[b] / ROW_EVERY + 1e-9) + 1)
+        for a, b in zip(edges[::2], edges[1::2], strict=True)
+    ]
+    return ROW_EVERY * np.concatenate([np.zeros(0), *ticks])

@@ -330,8 +330,9 @@ def _pairs(
     for j in order:
         low, high = b.q.lo[j, ib] - a.q.hi[j, ia], b.q.hi[j, ib] - a.q.lo[j, ia]
         if run.still:
-            least = np.maximum(np.maximum(low, -high), 1e-12)
+            least = np.maximum(np.maximum(low, -high), 0.0)
             if run.straight:
+                least = np.maximum(least, 1e-12)
                 top_v, top_a = np.minimum(top_v, V[j] / least), np.minimum(top_a, A[j] / least)
                 time = trapezoid_time(1.0, top_v, top_a)
             else:

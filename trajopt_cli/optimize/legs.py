@@ -14,7 +14,7 @@ from typing import Literal
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, IndexArray, inverse_pose
+from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.tuning import SAMPLED
 from trajopt_cli.path.segment import Segment, along_all
@@ -54,6 +54,12 @@ def split(grid: Array, x: Array, v: Array, a: Array) -> tuple[Array, Array, Arra
     xs, vs, _ = integrate(grid, x, v, finer)
     xs[::2], vs[::2] = x, v
     return xs, vs, np.repeat(a, 2, axis=0)
+
+
+def _resting(v: Array) -> BoolArray:
+    """Between which nodes (N,) rates v (N+1, k) that change evenly are none."""
+    still = np.all(v == 0.0, axis=1)
+    return np.asarray(still[:-1] & still[1:])
 
 
 def parabola(grid: Array) -> tuple[Array, Array, Array]:
@@ -106,6 +112,10 @@ class PathLeg:
     def breaks(self) -> Array:
         """Times (N+1,) where an acceleration may jump."""
         return self.T * self.grid
+
+    def resting(self) -> BoolArray:
+        """The intervals (N,) between breaks in which nothing moves."""
+        return _resting(np.column_stack([self.v, self.w]))
 
     def node_arm(self, axes: Axes) -> Array:
         """Arm joints (N+1, joints) at the nodes."""
@@ -207,6 +217,10 @@ class JointNodes:
         """Times (N+1,) where an acceleration may jump."""
         return self.T * self.grid
 
+    def resting(self) -> BoolArray:
+        """The intervals (N,) between breaks in which nothing moves."""
+        return _resting(self.v)
+
     def sample(self, axes: Axes, t: Array, right: bool = True) -> Sample:
         """Exact polynomial values."""
         q, v, a = integrate(self.grid, self.q, self.v, np.clip(t / self.T, 0.0, 1.0), right)
@@ -232,6 +246,10 @@ class JointProfiles:
         """Times where some axis switches, ascending; twice the start where no axis moves."""
         times = np.unique(self.times.ravel())
         return times if len(times) > 1 else np.repeat(times, 2)
+
+    def resting(self) -> BoolArray:
+        """The intervals between breaks, all or none, in which nothing moves."""
+        return np.full(len(self.breaks()) - 1, not (self.qd_0.any() or self.accelerations.any()))
 
     def sample(self, axes: Axes, t: Array, right: bool = True) -> Sample:
         """Exact polynomial values."""
@@ -273,6 +291,10 @@ class Pieces:
         """Times (N+1,) where an acceleration may jump."""
         inner = [start + piece.breaks()[1:] for start, piece in zip(self._starts[:-1], self.pieces, strict=True)]
         return np.concatenate([[0.0], *inner])
+
+    def resting(self) -> BoolArray:
+        """The intervals (N,) between breaks in which nothing moves."""
+        return np.concatenate([piece.resting() for piece in self.pieces])
 
     def sample(self, axes: Axes, t: Array, right: bool = True) -> Sample:
         """As of the piece at each time."""

@@ -253,6 +253,7 @@ def _dwell_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
     if problem.coordinated:
         way = np.maximum(np.abs(D), 1e-12)
         fits = trapezoid_time(1.0, np.min(V / way, axis=-1), np.min(A / way, axis=-1)) <= T
+        fits |= ~D.any(axis=-1)  # however short
     else:
         up = reach(T, a.qd[ia], b.qd[ib], V, A) >= D - 1e-12
         down = reach(T, -a.qd[ia], -b.qd[ib], V, A) >= -D - 1e-12

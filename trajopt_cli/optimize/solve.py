@@ -177,16 +177,18 @@ def _grid(legs: list[LegMotion], problem: Problem) -> str:
 def _planned(
     axes: Axes, program: Program, problem: Problem, draft: Draft, legs: list[LegMotion], bounds: Array
 ) -> tuple[PlannedMotion, ...]:
-    by_motion = {leg.motion: k for k, leg in enumerate(problem.legs)}
+    first = {leg.motion: k for k, leg in reversed([*enumerate(problem.legs)])}
+    last = {leg.motion: k for k, leg in enumerate(problem.legs)}
     out = []
     now, q_now = 0.0, draft.q[0]
     for i, motion in enumerate(program.motions):
-        k = by_motion.get(i)
+        k = last.get(i)
         if k is None:
             out.append(PlannedMotion(i, motion.source, now, now, q_now, q_now, "", i in problem.dropped))
             continue
         q_1 = draft.q[k + 1]
         binding = binding_limit(axes, problem.plant.tcp, problem.legs[k], legs[k])
-        out.append(PlannedMotion(i, motion.source, float(bounds[k]), float(bounds[k + 1]), q_now, q_1, binding))
+        begin = float(bounds[first[i]])
+        out.append(PlannedMotion(i, motion.source, begin, float(bounds[k + 1]), q_now, q_1, binding))
         now, q_now = float(bounds[k + 1]), q_1
     return tuple(out)

@@ -136,7 +136,9 @@ def _start(cell: Cell, limits: JointLimits) -> Array:
     for name, value, low, high in zip(limits.names, start, limits.lower, limits.upper, strict=True):
         if not low <= value <= high:
             key = "start.rail" if name == "rail" else "start.joints"
-            raise cell.error(key, f"{name} = {value:.6g} lies outside its range {low:.6g}..{high:.6g}")
+            metres = name == "rail" and low <= value / 1e3 <= high
+            hint = f"; if this is in millimetres, write {value / 1e3:g} or {value:g} mm" if metres else ""
+            raise cell.error(key, f"{name} = {value:.6g} lies outside its range {low:.6g}..{high:.6g}{hint}")
     return readonly(start)
 
 

@@ -56,6 +56,8 @@ _HOLDERS = {
     Hold.GRIPPER: "an output set just before",
 }
 _ON_LIMIT = 1e-9  # m, rad an axis may stand outside its range by rounding
+_LONG = 4.0  # times what the axes take to come to rest: a wait as long has a rest between its ends. Measured: with ends
+# of twice the time a wait of a day gave a stream plan of 1.1199 s besides the wait for 1.1051 s.
 
 
 class Coupling(Enum):
@@ -190,7 +192,7 @@ def build_problem(
     freedom: what may change at all. changes: which motions may have it; the others keep their rail and confdata.
     dropped: motions that are left out.
     """
-    build = _Build(plant, freedom, changes, corners_of(program, plant, dropped).passed)
+    build = _Build(plant, freedom, changes, target, corners_of(program, plant, dropped).passed)
     try:
         for index, motion in enumerate(program.motions):
             if index not in dropped:
@@ -267,8 +269,9 @@ class _Held(_Impossible):
 class _Build:
     """Waypoints and legs of the motions added so far. written [m]: the rail as the program has it there."""
 
-    def __init__(self, plant: Plant, freedom: Freedom, changes: Changes, fly_bys: Mapping[int, FlyBy]):
+    def __init__(self, plant: Plant, freedom: Freedom, changes: Changes, target: Target, fly_bys: Mapping[int, FlyBy]):
         self._plant, self._freedom, self._changes, self._fly_bys = plant, freedom, changes, fly_bys
+        self._target = target
         self._has_rail = plant.robot.has_rail
         self._stroke = float(plant.layout.place(plant.limits.lower)), float(plant.layout.place(plant.limits.upper))
         self._pinned = freedom.rail is RailFreedom.PROGRAMMED or plant.rail_fixed
@@ -296,18 +299,31 @@ class _Build:
     # ------------------------------------------------------------------------------------------------------- motions
 
     def _wait(self, index: int, wait: Wait) -> None:
-        """The tool rests for a time; the rail may move, where the text has room for it. A condition ends at rest."""
+        """The tool rests for a time; the rail may move, where the text has room for it. A condition ends at rest.
+
+        In a long wait it moves at the beginning and at the end only, which together is time for its whole stroke, and
+        rests in between; for a RAPID controller, whose text would have one creeping move, it rests all the time.
+        """
         before, rest = self.waypoints[-1], wait.condition is not None
         if wait.duration == 0.0:
             self.waypoints[-1] = replace(before, rest=before.rest or rest)
             return
         moves = self._freedom.dwells and before.rail[0] < before.rail[1] and index in self._changes.values
-        dwell = Leg(
-            index, LegKind.DWELL, len(self.legs), np.eye(4), np.inf, np.inf, np.inf, np.inf,
-            duration=wait.duration, rail_moves=moves and wait.hold is None,
-        )  # fmt: skip
-        self.legs.append(dwell)
-        self.waypoints.append(replace(before, motion=index, written=self._written, rest=before.rest or rest))
+        moves = moves and wait.hold is None
+        settled = _settled(self._plant) if moves else np.inf
+        parts = [(wait.duration, moves)]
+        if wait.duration > _LONG * settled:
+            rests = wait.duration - 2 * settled, False
+            parts = [(settled, True), rests, (settled, True)]
+            if self._target is Target.RAPID:
+                parts = [(wait.duration, False)]
+        for seconds, moves in parts:
+            dwell = Leg(
+                index, LegKind.DWELL, len(self.legs), np.eye(4), np.inf, np.inf, np.inf, np.inf,
+                duration=seconds, rail_moves=moves,
+            )  # fmt: skip
+            self.legs.append(dwell)
+            self.waypoints.append(replace(before, motion=index, written=self._written, rest=before.rest or rest))
 
     def _external(self, index: int, motion: MoveExtJ) -> None:
         """The arm's joints hold, so the waypoint before is as the program writes it."""
@@ -400,6 +416,14 @@ class _Build:
     def _axes(self, arm: Array) -> Array:
         """All axes (k,) with the rail as written and the arm's joints (6,)."""
         return np.asarray(np.r_[[self._written] if self._has_rail else [], arm])
+
+
+def _settled(plant: Plant) -> float:
+    """What any axis takes at least to come from its top speed to rest half its range, or a quarter turn, away [s]."""
+    limits, rail = plant.limits, plant.layout.rail
+    way = np.minimum(limits.upper - limits.lower, np.pi)
+    way[rail] = (limits.upper - limits.lower)[rail]
+    return float((way / 2 / limits.velocity + limits.velocity / limits.acceleration).max())
 
 
 def _caps(motion: MoveJ | MoveL | MoveC | MoveAbsJ, plant: Plant) -> tuple[float, float, float]:

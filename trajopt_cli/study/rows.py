@@ -19,11 +19,13 @@ LONGER = 4e-6  # s that a motion is given more at a time until its switches stan
 @dataclass(frozen=True, eq=False)
 class Piece:
     """A motion of all axes from rest or speed to rest or speed. duration [s]. switches (m,): times where some axis
-    changes its acceleration abruptly, both ends included, in order. at: q, qd (n, k) at times (n,) in it."""
+    changes its acceleration abruptly, both ends included, in order. at: q, qd (n, k) at times (n,) in it. rests:
+    nothing moves in it."""
 
     duration: float
     switches: Array
     at: Callable[[Array], tuple[Array, Array]]
+    rests: bool = False
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "switches", readonly(self.switches))
@@ -35,12 +37,13 @@ class Piece:
             q, qd = self.at(np.clip(t / factor, 0.0, self.duration))
             return q, qd / factor
 
-        return Piece(self.duration * factor, self.switches * factor, at)
+        return Piece(self.duration * factor, self.switches * factor, at, self.rests)
 
 
 def hold(q: Array, duration: float) -> Piece:
     """All axes (k,) at rest for duration seconds."""
-    return Piece(duration, np.array([0.0, duration]), lambda t: (np.tile(q, (len(t), 1)), np.zeros((len(t), len(q)))))
+    switches = np.array([0.0, duration])
+    return Piece(duration, switches, lambda t: (np.tile(q, (len(t), 1)), np.zeros((len(t), len(q)))), rests=True)
 
 
 def apart(switches: Array) -> bool:
@@ -54,7 +57,7 @@ def rows_of(names: tuple[str, ...], pieces: Sequence[Piece], end: Array) -> Traj
     bounds = np.concatenate([[0.0], np.cumsum([piece.duration for piece in pieces])])
     times, q, qd = [], [], []
     for piece, start, stop in zip(pieces, bounds, bounds[1:], strict=False):
-        t = _row_times(piece.switches, start, stop)[:-1]
+        t = np.array([start]) if piece.rests else _row_times(piece.switches, start, stop)[:-1]
         positions, speeds = piece.at(np.clip(t - start, 0.0, piece.duration))
         times.append(t)
         q.append(positions)

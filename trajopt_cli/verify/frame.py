@@ -96,7 +96,7 @@ class Frame:
     @cached_property
     def reach(self) -> Array:
         """How far (n-1,) the TCP may be from the chords between rows, m: a h^2/8, and what printing leaves open."""
-        sagitta = self.rows.plant.tcp.acceleration * np.diff(self.rows.t) ** 2 / 8
+        sagitta = self.rows.plant.tcp.acceleration * self.rows.gaps**2 / 8
         return np.asarray(sagitta + np.maximum(self.doubt_p[1:], self.doubt_p[:-1]))
 
     def path_lengths(self, lag: int) -> Array:

@@ -92,9 +92,8 @@ def _check_rows(trajectory: Trajectory) -> None:
 
 def _file(rows: Rows, frame: Frame) -> list[Finding]:
     """Whether the rows are close and fine enough to show stops and lines at all."""
-    gaps = np.diff(rows.t)
-    i, k = int(np.argmax(gaps)), int(np.argmax(frame.doubt_p))
-    far, coarse = float(gaps[i]), float(frame.doubt_p[k])
+    i, k = int(np.argmax(rows.gaps)), int(np.argmax(frame.doubt_p))
+    far, coarse = float(rows.gaps[i]), float(frame.doubt_p[k])
     note = ": rows this far apart do not show whether the TCP stops; sample the motion at 50 Hz or more"
     digits = ": printed digits leave the TCP this uncertain; print more of them"
     return [

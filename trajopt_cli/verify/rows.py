@@ -46,8 +46,9 @@ class Rows:
     """A file's rows with the doubt about them, and the flange at each.
 
     doubt_t [s], doubt_q, doubt_v (k,): printed step, never under COMPUTED. marked: a row stands at every boundary and
-    switch. open_time (n,) [s]: how far the nearest boundary may be from a row that shows it, half the gap beside it;
-    0 where marked.
+    switch. gaps (n-1,) [s]: times between rows, those of a standstill no longer than the others: where the speeds of
+    both rows are zero and the positions the same, nothing is open however long it lasts. open_time (n,) [s]: how far
+    the nearest boundary may be from a row that shows it, half the gap beside it; 0 where marked.
     """
 
     plant: Machine
@@ -56,6 +57,7 @@ class Rows:
     doubt_q: Array
     doubt_v: Array
     marked: bool
+    gaps: Array
     open_time: Array
 
     @property
@@ -194,8 +196,10 @@ def look(plant: Machine, trajectory: Trajectory, resolution: Resolution | None, 
     t = trajectory.t
     k = len(trajectory.names)
     r = resolution or Resolution(0.0, np.zeros(k), np.zeros(k))
-    marked = _marked(np.diff(t), r.t, marks)
-    gaps = both_sides(np.diff(t)[:, None])[:, 0]
+    gaps = np.diff(t)
+    still = _standstill(trajectory)
+    gaps[still] = np.minimum(gaps, np.median(gaps))[still]
+    marked = _marked(gaps, r.t, marks)
     return Rows(
         plant=plant,
         trajectory=trajectory,
@@ -203,8 +207,18 @@ def look(plant: Machine, trajectory: Trajectory, resolution: Resolution | None, 
         doubt_q=np.maximum(r.q, COMPUTED),
         doubt_v=np.maximum(r.qd, COMPUTED),
         marked=marked,
-        open_time=np.zeros(len(t)) if marked else gaps / 2,
+        gaps=gaps,
+        open_time=np.zeros(len(t)) if marked else both_sides(gaps[:, None])[:, 0] / 2,
     )
+
+
+def _standstill(trajectory: Trajectory) -> NDArray[np.bool_]:
+    """Between which rows (n-1,) nothing moves, as both say: without speeds none of them says so."""
+    if trajectory.qd is None:
+        return np.zeros(len(trajectory.t) - 1, dtype=bool)
+    speed = np.abs(trajectory.qd).max(axis=1)
+    way = np.maximum(speed[1:], speed[:-1]) * np.diff(trajectory.t)
+    return np.asarray((way <= COMPUTED) & (np.abs(np.diff(trajectory.q, axis=0)).max(axis=1) <= COMPUTED))
 
 
 def unseen(rows: Rows, row: int) -> float:

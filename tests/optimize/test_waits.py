@@ -1,0 +1,66 @@
+"""Waits of a microsecond and of a day: neither costs more than one of a second."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from small_cells import plant_with_rail, plant_without_rail, problem_of, rapid
+
+from trajopt_cli.optimize import optimize
+from trajopt_cli.problem.plan import Plan, Target
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.verify.judge import verify
+
+BODY = """MoveJ p_in, v2500, fine, tool0;
+WaitTime %s;
+MoveAbsJ j_home, v2500, fine, tool0;"""
+DAY = 86400.0
+
+
+def solved(wait: float, target: Target, plant: Plant) -> Plan:
+    program = rapid(BODY % f"{wait:.6f}")
+    plan = optimize(program, plant, target, bounded=wait < 1)
+    assert isinstance(plan, Plan), plan
+    report = verify(program, plant, plan.trajectory, target=target, advice=False)
+    assert report.legal, [f.message for f in report.findings if not f.passed]
+    return plan
+
+
+def test_the_rail_of_a_stream_moves_at_both_ends_of_a_day_and_that_of_a_controller_not_at_all() -> None:
+    stream, controller = (problem_of(rapid(BODY % "86400"), plant_with_rail(), target=target) for target in Target)
+    parts = stream.legs[1:-1]
+    assert [leg.rail_moves for leg in parts] == [True, False, True]
+    assert sum(leg.duration or 0.0 for leg in parts) == pytest.approx(DAY, abs=1e-10)
+    # from 1 m/s to rest takes 1/3 s and 1/6 m, the rest of half the stroke as long as it is
+    assert parts[0].duration == parts[2].duration >= 1.2
+    assert stream.rests(2)
+    assert stream.rests(3)
+    assert not stream.rests(1)
+    (wait,) = controller.legs[1:-1]
+    assert (wait.rail_moves, wait.duration) == (False, DAY)
+    short = problem_of(rapid(BODY % "1"), plant_with_rail(), target=Target.RAPID)
+    assert [leg.rail_moves for leg in short.legs[1:-1]] == [True]
+
+
+@pytest.mark.parametrize("target", Target)
+def test_a_day_is_two_rows_and_what_moves_besides(target: Target) -> None:
+    plan = solved(DAY, target, plant_with_rail((-0.16, 0.8)))
+    wait = plan.motions[1]
+    assert wait.t_1 - wait.t_0 == pytest.approx(DAY, abs=1e-9)
+    assert np.diff(plan.trajectory.t).max() > 0.99 * DAY
+    assert len(plan.trajectory.t) < 10_000
+
+
+@pytest.mark.parametrize("wait", [1e-6, 1e-3])
+def test_the_shortest_wait_is_planned_and_bounded(wait: float) -> None:
+    plan = solved(wait, Target.RAPID, plant_with_rail((-0.16, 0.8)))
+    none = optimize(rapid(BODY.replace("WaitTime %s;\n", "")), plant_with_rail((-0.16, 0.8)), Target.RAPID)
+    assert isinstance(none, Plan)
+    assert plan.duration - wait == pytest.approx(none.duration, abs=1e-6)
+    assert plan.lower_bound is not None
+    assert plan.lower_bound <= plan.duration
+
+
+def test_without_a_rail_nothing_moves_in_a_wait() -> None:
+    plan = solved(DAY, Target.STREAM, plant_without_rail())
+    assert np.diff(plan.trajectory.t).max() == pytest.approx(DAY, rel=1e-12)
