@@ -1,12 +1,14 @@
-"""Against a plain peer: python tests/benchmarks/bench_incumbent.py [--seeds 101-150] [--json FILE].
+"""Against plain peers: python tests/benchmarks/bench_peers.py [--seeds 101-150] [--jobs N] [--json FILE] [--only ...]
 
-Programs of stops by the generator of bench_cells.py. The peer is what an engineer writes in a day around toppra:
+Each seed is one program of stops of one kind on a cell of its own: stations at random places along a rail (or around a
+robot without one), served in random order. The peer is what an engineer writes in a day around toppra:
 dynamic programming over rail positions on a uniform grid (and those written), branches and turns at every point; joint
 moves straight in the joints, lines and waits along a rail that shares the way's progress; every edge of the best chain
 timed by toppra, the chain searched anew until none of its edges is an estimate; then twice on finer grids around it.
-Caps on the TCP's acceleration slow a whole leg down until they hold. Beside it stand trajopt's legal incumbent, which
-is its plan for the RAPID controller and answers the same question, and its plan for a stream of joint positions, which
-may do more. All are judged from the rows of a file; seconds are those of the processor, from program to rows.
+Caps on the TCP's acceleration slow a whole leg down until they hold. That answers the question of a RAPID controller;
+for a stream, Ruckig drives the joint moves of the same chain, every axis on its own, where that is faster. Drake, where
+it is installed, says how long the chain takes by its own Toppra. Beside them stand trajopt's plans for both targets.
+All but Drake's are judged from the rows of a file; seconds are those of the processor, from program to rows.
 """
 
 from __future__ import annotations
@@ -16,16 +18,17 @@ import json
 import multiprocessing
 import os
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from itertools import count, pairwise
 from multiprocessing.connection import Connection
 from pathlib import Path
 from time import process_time
+from typing import Any
 
 import numpy as np
-from bench_cells import PATIENCE, program
 
 from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.job import Job, read_job
@@ -40,9 +43,26 @@ from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.problem import Leg, LegKind, Problem, build_problem
 from trajopt_cli.robot.kinematics import inverse_acceleration, inverse_velocity
 from trajopt_cli.study.rows import Piece, hold, rows_of
+from trajopt_cli.study.rows import apart as apart_enough
 from trajopt_cli.timing.law import TimeLaw, fastest_law
+from trajopt_cli.timing.point_to_point import point_to_point
 from trajopt_cli.trajectory import Trajectory, hermite
 
+KINDS = ("literal", "offs", "loop", "call", "bench")  # bench: no rail
+PATIENCE = 400.0  # s of wall clock for one answer
+HOME = "[[0,0,0,0,30,0],[0,9E9,9E9,9E9,9E9,9E9]]"
+
+CELL = """robot: irb140_rail
+profile: default
+rail: {eax: a, stroke: [-0.2, 2.2]}
+limits:
+  rail: {velocity: 1.0, acceleration: 3.0, source: "benchmark"}
+tcp: {speed: 2.5, acceleration: 20, source: "benchmark"}
+start: {joints: "[0, 0, 0, 0, 30, 0] deg", rail: 0}
+"""
+BENCH = 'robot: irb140\nprofile: default\nstart: {joints: "[0, 0, 0, 0, 30, 0] deg"}\n'
+REPOSITORY = Path(__file__).parents[2]
+Row = dict[str, Any]  # of the table: seed, kind, and the answers by name
 POSITIONS = 25  # of the rail on the first grid
 FINER = ((4, 4), (4, 16))  # positions to either side of the chain's, and into how many parts they split the first grid
 COARSE, FINE = 25, 401  # points of toppra on an edge of the search, and of the answer
@@ -51,6 +71,47 @@ NEARLY = 0.97  # of an estimated time stand for a least one
 BUDGET = 8.0  # s of processor for the peer's search on each grid
 SETTLED = 2e-4  # relative: the chain is that near the least that any could take
 SAFE = 1 + 2e-6  # slowing besides: rows of a file are not quite the path
+
+
+def program(seed: int) -> tuple[str, str, str]:
+    """Kind, RAPID text and cell file of one seed."""
+    rng = np.random.default_rng(seed)
+    kind = KINDS[(seed - 1) % len(KINDS)]
+    n, rail = int(rng.integers(2, 6)), kind != "bench"
+    lift = int(rng.integers(60, 141))
+    fast, slow = rng.choice(["v1000", "v2500"]), rng.choice(["v200", "v500", "v800"])
+    targets, waits = [], [f"{rng.choice([0.15, 0.3, 0.5, 0.8]):g}" for _ in range(n)]
+    for _ in range(n):
+        x = rng.uniform(430, 560)
+        y = rng.uniform(0, 1900) if rail else rng.uniform(-280, 280)
+        z, turn = rng.uniform(200, 400), rng.uniform(-np.pi / 4, np.pi / 4)
+        eax = f"{y:.1f}" if rail else "9E9"
+        quaternion = f"[0,{np.sin(turn / 2):.7f},{np.cos(turn / 2):.7f},0]"
+        targets.append(f"[[{x:.1f},{y:.1f},%s],{quaternion},[0,0,0,0],[{eax},9E9,9E9,9E9,9E9,9E9]]|{z:.1f}")
+    at = [t.split("|")[0] % t.split("|")[1] for t in targets]
+    above = [t.split("|")[0] % f"{float(t.split('|')[1]) + lift:.1f}" for t in targets]
+    head = ["MODULE Cell", f"CONST jointtarget home:={HOME if rail else HOME.replace('[0,9E9', '[9E9,9E9')};"]
+    serve = f"MoveJ Offs(p,0,0,{lift}), {fast}, fine, tool0;\nMoveL p, {slow}, fine, tool0;\nWaitTime %s;\n"
+    serve += f"MoveL Offs(p,0,0,{lift}), {slow}, fine, tool0;\n"
+    body = ""
+    for i in range(n):
+        head.append(f"CONST robtarget p{i}:={at[i]};")
+        if kind in ("literal", "bench"):
+            head.append(f"CONST robtarget a{i}:={above[i]};")
+            move = f"a{i}, %s, fine, tool0;\n"
+            body += f"MoveJ {move % fast}MoveL p{i}, {slow}, fine, tool0;\nWaitTime {waits[i]};\nMoveL {move % slow}"
+        elif kind == "offs":
+            body += (serve % waits[i]).replace("Offs(p,", f"Offs(p{i},").replace("MoveL p,", f"MoveL p{i},")
+        elif kind == "call":
+            body += f"serve p{i};\n"
+    tail = ""
+    if kind == "loop":
+        head.append(f"CONST robtarget p{{{n}}}:=[{','.join(at)}];")
+        body = f"FOR i FROM 1 TO {n} DO\n{(serve % waits[0]).replace('(p,', '(p{i},').replace(' p,', ' p{i},')}ENDFOR\n"
+    elif kind == "call":
+        tail = f"PROC serve(robtarget p)\n{serve % waits[0]}ENDPROC\n"
+    text = "\n".join(head) + f"\nPROC main()\n{body}MoveAbsJ home, {fast}, fine, tool0;\nENDPROC\n{tail}ENDMODULE\n"
+    return kind, text, CELL if rail else BENCH
 
 
 @dataclass(frozen=True, eq=False)
@@ -157,6 +218,20 @@ class Way:
                 break
             law = law.slowed(factor * SAFE)
         return piece
+
+    def by_ruckig(self) -> tuple[Piece, ...]:
+        """A joint move with every axis on its own, slowed down until the tool's caps hold; none for other legs."""
+        if self.leg.kind is not LegKind.JOINT or not np.any(self.q_1 != self.q_0):
+            return ()
+        V, A = self.axes.velocity_on(self.leg), self.axes.acceleration
+        found = point_to_point(self.q_0, self.q_1, V, A, least=self.leg.duration or 0.0)
+        factor = self.slowing(*found.at(np.linspace(0, found.duration, FINE)))
+        if factor > 1.0 and self.leg.duration is not None:
+            return ()
+        if factor > 1.0:
+            found = found.slowed(factor * SAFE)
+        piece = Piece(found.duration, found.switches, lambda t: found.at(t)[:2])
+        return (piece,) if apart_enough(found.switches) else ()
 
     def _run(self, law: TimeLaw, t: Array) -> tuple[Array, Array]:
         s, rate, _ = law.at(t)
@@ -344,12 +419,16 @@ def _cut(layers: list[Layer], edges: list[Array], most: float) -> tuple[list[Lay
     return kept, [T[np.ix_(a, b)] for T, (a, b) in zip(edges, pairwise(keep), strict=True)]
 
 
-def peer(job: Job) -> tuple[Trajectory | str, Target]:
-    """The peer's motion, which is one for the RAPID controller; or why there is none."""
+Answers = dict[str, tuple[Trajectory | str | float, Target]]
+
+
+def peer(job: Job) -> Answers:
+    """The peer's motion, which is one for the RAPID controller, with Ruckig one for a stream, and Drake's time; or why
+    there is none."""
     agreed = may_change(job, Loops.KEEP)
     problem = build_problem(job.program, job.plant, EVERYTHING, Target.RAPID, agreed.changes[Target.RAPID])
     if isinstance(problem, Infeasible):
-        return str(problem), Target.RAPID
+        return {"toppra": (str(problem), Target.RAPID)}
     axes = Axes.of(job.plant)
     search = Peer(axes, problem)
     found = search.best(search.layers(None, 0, 1))
@@ -357,138 +436,176 @@ def peer(job: Job) -> tuple[Trajectory | str, Target]:
         if found is not None:
             found = search.best(search.layers(found.q, beside, parts), found)
     if found is None:
-        return "no chain", Target.RAPID
-    pieces, q, cfx = [], found.q, found.cfx
-    for k in range(len(problem.legs)):
-        piece = search.way(k, q[k], q[k + 1], max(cfx[k], cfx[k + 1])).piece()
-        if piece is None:
-            return f"leg {k} is not timed on the fine grid", Target.RAPID
-        if piece.duration > 0:
-            pieces.append(piece)
-    return rows_of(axes.names, pieces, q[-1]), Target.RAPID
+        return {"toppra": ("no chain", Target.RAPID)}
+    q, cfx = found.q, found.cfx
+    ways = [search.way(k, q[k], q[k + 1], max(cfx[k], cfx[k + 1])) for k in range(len(problem.legs))]
+    pieces = [way.piece() for way in ways]
+    straight = [piece for piece in pieces if piece is not None]
+    if len(straight) < len(ways):
+        return {"toppra": (f"leg {pieces.index(None)} is not timed on the fine grid", Target.RAPID)}
+    own = [
+        min((piece, *way.by_ruckig()), key=lambda one: one.duration) for way, piece in zip(ways, straight, strict=True)
+    ]
+    out: Answers = {}
+    for name, chosen, target in (("toppra", straight, Target.RAPID), ("ruckig", own, Target.STREAM)):
+        out[name] = rows_of(axes.names, [piece for piece in chosen if piece.duration > 0], q[-1]), target
+    return out | {"drake": (by_drake(job, ways), Target.RAPID)}
 
 
-def incumbent(job: Job) -> tuple[Trajectory | str, Target]:
-    """trajopt's legal motion before any nonlinear program: it is the plan for the RAPID controller."""
-    return planned(job, Target.RAPID)
+def by_drake(job: Job, ways: list[Way]) -> float | str:
+    """The time [s] of all legs by Drake's Toppra under the limits of the axes and of the tool's speed; caps on turning
+    and on the tool's acceleration are left out, so it may be too short."""
+    try:
+        from pydrake.multibody.optimization import Toppra
+        from pydrake.multibody.parsing import Parser
+        from pydrake.multibody.plant import MultibodyPlant
+        from pydrake.trajectories import PiecewisePolynomial
+    except ImportError:
+        return "not installed"
+    plant, total, s = MultibodyPlant(0.0), 0.0, np.linspace(0, 1, FINE)
+    model = Parser(plant).AddModels(str(REPOSITORY / "robots" / f"{job.plant.robot.name}.urdf"))[0]
+    root = plant.get_body(plant.GetBodyIndices(model)[0])
+    plant.WeldFrames(plant.world_frame(), root.body_frame())
+    plant.Finalize()
+    for way in ways:
+        path = way.at(s) if np.any(way.q_0 != way.q_1) else None
+        if path is None:
+            total += way.leg.duration or 0.0
+            continue
+        curve = PiecewisePolynomial.CubicHermite(s, path[0].T, path[1].T)  # Toppra does not keep it alive
+        solver = Toppra(curve, plant, s)
+        V, A = way.axes.velocity_on(way.leg), way.axes.acceleration
+        solver.AddJointVelocityLimit(-V, V)
+        solver.AddJointAccelerationLimit(-A, A)
+        solver.AddFrameTranslationalSpeedLimit(plant.GetFrameByName("tool0"), min(way.leg.v_tcp, 1e3))
+        law = solver.SolvePathParameterization()
+        if law is None:
+            return "no timing"
+        total += max(float(law.end_time()), way.leg.duration or 0.0)
+    return total
 
 
-def plan(job: Job) -> tuple[Trajectory | str, Target]:
-    """trajopt's plan for a machine that follows a stream: what the nonlinear program makes of the incumbent."""
-    return planned(job, Target.STREAM)
-
-
-def planned(job: Job, target: Target) -> tuple[Trajectory | str, Target]:
-    """The plan for a target, without its lower bound."""
+def planned(job: Job, target: Target) -> Answers:
+    """trajopt's plan for a target, without its lower bound."""
     changes = may_change(job, Loops.KEEP).changes[target]
     found = optimize(job.program, job.plant, target, bounded=False, changes=changes)
-    return (str(found) if isinstance(found, Infeasible) else found.trajectory), target
+    return {target.value: (str(found) if isinstance(found, Infeasible) else found.trajectory, target)}
 
 
-Maker = Callable[[Job], tuple[Trajectory | str, Target]]
-MAKERS: dict[str, Maker] = {"peer": peer, "incumbent": incumbent, "plan": plan}
+MAKERS: dict[str, Callable[[Job], Answers]] = {
+    "peer": peer,
+    "rapid": partial(planned, target=Target.RAPID),
+    "stream": partial(planned, target=Target.STREAM),
+}
+NAMES = ("toppra", "ruckig", "drake", "rapid", "stream")
+AGAINST = {"rapid": "toppra", "stream": "ruckig"}  # who answers the same question
 
 
-def answer(make: Maker, job: Job) -> dict[str, object]:
-    """One maker's answer as numbers: its time, the processor's seconds, the judge's word; or why there is none."""
-    found, target = make(job)
-    out: dict[str, object] = {"seconds": round(sum(os.times()[:4]), 1)}
-    if isinstance(found, str):
-        return out | {"says": found}
-    report = judge(job.plant, job.program, write_csv_text(found), "rows", (), target, advice=False)
-    return out | {"time": found.duration, "says": "legal" if report.legal else f"ILLEGAL: {worst(report).message}"}
+def answer(job: Job, name: str) -> dict[str, dict[str, object]]:
+    """One maker's answers as numbers: time, the processor's seconds, the judge's word; or why there is none."""
+    found = MAKERS[name](job)
+    seconds, out = round(sum(os.times()[:4]), 1), dict[str, dict[str, object]]()
+    for one, (motion, target) in found.items():
+        if isinstance(motion, str):
+            out[one] = {"seconds": seconds, "says": motion}
+        elif isinstance(motion, float):
+            out[one] = {"seconds": seconds, "says": "", "time": motion}
+        else:
+            report = judge(job.plant, job.program, write_csv_text(motion), "rows", (), target, advice=False)
+            says = "legal" if report.legal else f"ILLEGAL: {worst(report).message}"
+            out[one] = {"seconds": seconds, "says": says, "time": motion.duration}
+    return out
 
 
-def apart(make: Maker, job: Job) -> dict[str, object]:
-    """The answer of a process of its own, so that no failure and no patience ends the table."""
+def apart(job: Job, name: str) -> dict[str, dict[str, object]]:
+    """The answers of a process of its own, so that no failure and no patience ends the table."""
 
     def work(end: Connection) -> None:
-        end.send(answer(make, job))
+        end.send(answer(job, name))
 
     ours, theirs = multiprocessing.Pipe(duplex=False)
     process = multiprocessing.get_context("fork").Process(target=work, args=(theirs,))
     process.start()
     theirs.close()
+    first = "toppra" if name == "peer" else name
     try:
         if ours.poll(PATIENCE):
             return dict(ours.recv())
-        return {"seconds": PATIENCE, "says": f"nothing after {PATIENCE:g} s"}
+        return {first: {"seconds": PATIENCE, "says": f"nothing after {PATIENCE:g} s"}}
     except EOFError:
-        return {"says": "failed; its traceback stands above"}
+        return {first: {"says": "failed; its traceback stands above"}}
     finally:
         process.terminate()
         process.join()
 
 
-def run(seed: int, folder: Path) -> dict[str, object]:
+def run(seed: int, folder: Path, makers: Sequence[str]) -> Row:
     """All answers to one program."""
     kind, text, cell = program(seed)
     module = folder / f"cell{seed}.mod"
     module.write_text(text)
     module.with_suffix(".yaml").write_text(cell)
-    job, row = read_job(module), dict[str, object]()
-    for name, make in MAKERS.items():
-        row[name] = apart(make, job)
-    return {"seed": seed, "kind": kind, "moves": len(job.program.motions), **row}
+    job, row = read_job(module), {"seed": seed, "kind": kind}
+    for name in makers:
+        row |= apart(job, name)
+    return row
 
 
-def line(row: dict[str, object]) -> str:
+def line(row: Row) -> str:
     """A row of the table: times, ours as a difference to the peer's, seconds of processor, and what is wrong."""
-    answers = {name: row[name] for name in MAKERS}
     text, says = f"{row['seed']:4} {row['kind']:8}", list[str]()
-    theirs = answers["peer"].get("time") if isinstance(answers["peer"], dict) else None
-    for name, one in answers.items():
-        assert isinstance(one, dict)
-        time = one.get("time")
-        text += f" {time:8.3f}" if time else f" {'-':>8}"
-        if name != "peer":
-            text += f" {100 * (time / theirs - 1):+6.2f} %" if time and theirs else f" {'-':>8}"
-        text += f" {one.get('seconds', 0):6.1f} s"
-        if one["says"] != "legal":
+    for name in NAMES:
+        one = row.get(name, {})
+        text += f" {one['time']:8.3f}" if "time" in one else f" {'-':>8}"
+        if name in AGAINST:
+            lead = ahead(row, name)
+            text += f" {'-':>8}" if lead is None else f" {100 * lead:+6.2f} %"
+        if name not in ("ruckig", "drake"):
+            text += f" {one.get('seconds', 0):6.1f} s"
+        if one.get("says", "legal") not in ("legal", "", "not installed"):
             says.append(f"{name}: {one['says']}")
     return text + "  " + "; ".join(says)
 
 
+def ahead(row: Row, name: str) -> float | None:
+    """How one of ours stands against the peer that answers the same question; None where one of the two is missing."""
+    ours, theirs = row.get(name, {}), row.get(AGAINST[name], {})
+    if not ours.get("says") == theirs.get("says") == "legal":
+        return None
+    return float(ours["time"] / theirs["time"] - 1)
+
+
 def main() -> None:
-    """Run every seed and print the table."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    """Run every seed and print the table, worst first at the end."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seeds", default="101-150")
+    parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--json", type=Path)
     parser.add_argument("--only", choices=tuple(MAKERS), action="append", help="leave the others out")
     options = parser.parse_args()
     first, _, last = options.seeds.partition("-")
-    for name in [*MAKERS] if options.only else []:
-        if name not in options.only:
-            MAKERS[name] = left_out
-    rows = []
-    print(f"seed kind     {'peer':>8} {'':8} {'incumbent':>17} {'':8} {'plan':>17}")
-    with tempfile.TemporaryDirectory() as place:
-        for seed in range(int(first), int(last or first) + 1):
-            rows.append(run(seed, Path(place)))
-            print(line(rows[-1]), flush=True)
+    rows: list[Row] = []
+    ours = "".join(f" {name:>8} {'':8} {'':8}" for name in AGAINST)
+    head = f"seed kind     {'toppra':>8} {'':8} {'ruckig':>8} {'drake':>8}{ours}"
+    print(head)
+    with tempfile.TemporaryDirectory() as place, ThreadPoolExecutor(options.jobs) as pool:
+        work = partial(run, folder=Path(place), makers=options.only or [*MAKERS])
+        for row in pool.map(work, range(int(first), int(last or first) + 1)):
+            rows.append(row)
+            print(line(row), flush=True)
             if options.json:
                 options.json.write_text(json.dumps(rows, indent=1))
-    ours = [summary(rows, name) for name in MAKERS if name != "peer"]
-    print("\n".join(ours))
+    print("\nworst first\n" + head)
+    for row in sorted(rows, key=lambda row: -max(ahead(row, name) or -1.0 for name in AGAINST)):
+        print(line(row))
+    print("\n".join(summary(rows, name) for name in AGAINST))
 
 
-def left_out(job: Job) -> tuple[Trajectory | str, Target]:
-    """For --only."""
-    return "left out", Target.RAPID
-
-
-def summary(rows: list[dict[str, object]], name: str) -> str:
+def summary(rows: list[Row], name: str) -> str:
     """How one of ours stands against the peer over all programs on which both are legal."""
-    ratios, answered = [], 0
-    for row in rows:
-        ours, theirs = row[name], row["peer"]
-        assert isinstance(ours, dict)
-        assert isinstance(theirs, dict)
-        answered += ours["says"] == "legal"
-        if ours["says"] == theirs["says"] == "legal":
-            ratios.append(ours["time"] / theirs["time"] - 1)
-    slower = sum(ratio > 1e-4 for ratio in ratios)
-    text = f"{name}: legal on {answered} of {len(rows)}; slower than the peer on {slower} of {len(ratios)}"
+    ratios = [lead for row in rows if (lead := ahead(row, name)) is not None]
+    answered, slower = sum(row.get(name, {}).get("says") == "legal" for row in rows), sum(x > 1e-4 for x in ratios)
+    text = f"{name}: legal on {answered} of {len(rows)}; slower than {AGAINST[name]} on {slower} of {len(ratios)}"
     if ratios:
         text += f", {100 * float(np.median(ratios)):+.2f} % in the middle, {100 * max(ratios):+.2f} % at most"
     return text
