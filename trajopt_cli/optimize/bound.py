@@ -26,12 +26,16 @@ from trajopt_cli.optimize.tuning import (
     BOUND_AIM,
     BOUND_CHUNK,
     BOUND_COARSE,
+    BOUND_HOPS,
     BOUND_LEVELS,
+    BOUND_LIKELY,
     BOUND_ORDER,
     BOUND_RAIL,
     BOUND_SPEEDS,
+    BOUND_WINDOW,
     FEW_PAIRS,
     MOST_PAIRS,
+    WINDOW_PAIRS,
 )
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.robot.enclosure import Enclosure, Range
@@ -89,44 +93,170 @@ def lower_bound(axes: Axes, problem: Problem, incumbent: float) -> float:
     incumbent: a legal cycle time. Cells through which no chain is faster than the value aimed at are dropped; when none
     are left, that value is the bound, whatever the incumbent's quality.
     """
-    cache: dict[bytes, Enclosure] = {}
     chain = _chain(axes, problem)
-    grids = [_grid(problem, place) for place in chain.places]
-    keep: list[IndexArray | None] = [None] * len(grids)
-    ahead: list[Array | None] = [None] * len(grids)
-    best, aim = 0.0, incumbent
-    for level in range(BOUND_LEVELS if axes.layout.has_rail else 1):  # only rails have anything to halve
-        cells = [_cells(axes, problem, place, grids[i], level, keep[i], cache) for i, place in enumerate(chain.places)]
-        if any(not len(c.key) for c in cells):
-            return aim
-        pairs = max(len(a.key) * len(b.key) for a, b in pairwise(cells))
-        if level and pairs > MOST_PAIRS:
-            break
-        parents = [
-            np.zeros(len(c.key)) if known is None or keys is None else _parent_values(c, keys, known)
-            for c, keys, known in zip(cells, keep, ahead, strict=True)
+    refinement = _Refinement(axes, problem, [_grid(axes, problem, place) for place in chain.places], {})
+    zeros = [np.zeros(0)] * len(chain.places)
+    if len(chain.hops) <= BOUND_HOPS:
+        return refinement.of(chain, 0, None, zeros, incumbent, BOUND_AIM * incumbent)[0]
+    # long programs in windows: what is ahead of each window is known from the first level
+    cells, ahead = refinement.ahead(chain)
+    least = [float(np.min(x, initial=np.inf)) for x in ahead]
+    if not np.isfinite(least[0]):
+        return incumbent
+    begin, spent, best = 0, ahead[0] * 0.0, least[0]
+    while begin < len(chain.hops):
+        end = _cut(chain, begin)
+        share = (least[begin] - least[end]) / least[0]
+        aims = (best + max(share * (aim - least[0]), 0.0) for aim in (incumbent, BOUND_AIM * incumbent))
+        keys = cells[begin].key, cells[end].key
+        _, reached = refinement.of(_part(chain, begin, end), begin, (keys, spent), ahead[begin : end + 1], *aims)
+        assert reached is not None
+        begin, spent = end, reached
+        best = max(best, float(np.min(spent + ahead[end])))
+    return min(best, incumbent)
+
+
+def _cut(chain: _Chain, begin: int) -> int:
+    """Where a window of the chain ends: at a stop."""
+    for end in range(begin + BOUND_WINDOW, len(chain.hops)):
+        if chain.places[end].gate is None and not any(i < end < j for i, j in chain.direct):
+            return end
+    return len(chain.hops)
+
+
+def _part(chain: _Chain, begin: int, end: int) -> _Chain:
+    direct = {(i - begin, j - begin): run for (i, j), run in chain.direct.items() if begin <= i and j <= end}
+    return _Chain(chain.places[begin : end + 1], chain.hops[begin:end], direct)
+
+
+@dataclass(frozen=True, eq=False)
+class _Refinement:
+    """Cells that are halved level by level. grids: of all places; cache: enclosures by pose."""
+
+    axes: Axes
+    problem: Problem
+    grids: list[Array]
+    cache: dict[bytes, Enclosure]
+
+    def _cells(self, chain: _Chain, first: int, level: int, keep: Sequence[IndexArray | None]) -> list[_Cells]:
+        return [
+            _cells(self.axes, self.problem, place, self.grids[first + i], level, keep[i], self.cache)
+            for i, place in enumerate(chain.places)
         ]
-        forward, backward = _costs(axes, problem, chain, cells, parents, aim)
-        best = max(best, min(float(np.min(forward[-1])), aim))
-        for k, c in enumerate(cells):
-            live = forward[k] + backward[k] <= aim
-            keep[k], ahead[k] = c.key[live], backward[k][live]
-        if any(not len(x) for x in keep if x is not None):
-            return aim
-        next_pairs = (2 if problem.coordinated else 4) ** 2 * max(
-            a * b for a, b in pairwise([len(x) for x in keep if x is not None])
-        )
-        if best < BOUND_AIM * incumbent and next_pairs > FEW_PAIRS:
-            aim = BOUND_AIM * incumbent
-    return best
+
+    def ahead(self, chain: _Chain) -> tuple[list[_Cells], list[Array]]:
+        """The cells of the first level, and the least time from each to the end."""
+        cells = self._cells(chain, 0, 0, [None] * len(chain.places))
+        ahead = [np.zeros(len(cells[-1].key))]
+        for k in reversed(range(len(chain.hops))):
+            ahead.append(_least(self.axes, self.problem, chain.hops[k], cells[k], cells[k + 1], ahead[-1]))
+            for (i, j), run in chain.direct.items() if len(chain.direct) else ():
+                if i == k:
+                    beyond = ahead[len(chain.hops) - j]
+                    straight = _least(self.axes, self.problem, run, cells[k], cells[j], beyond)
+                    ahead[-1] = np.maximum(ahead[-1], straight)
+        return cells, ahead[::-1]
+
+    def of(
+        self, chain: _Chain, first: int, ends: tuple[tuple[IndexArray, IndexArray], Array] | None,
+        known: Sequence[Array], aim: float, lower_aim: float,
+    ) -> tuple[float, Array | None]:  # fmt: skip
+        """A bound, at most the aim, on the time of all motions through some places, the first of which has a number.
+
+        ends: keys of the first level at the first place and the last, and the time spent before each of the first.
+        known: of the first level, the least time from there to the end. Also the least time spent at each cell of the
+        first level at the last place. Without ends nothing is spent, and nothing comes behind.
+        """
+        axes, problem = self.axes, self.problem
+        keep: list[IndexArray | None] = [None] * len(chain.places)
+        ahead: list[Array | None] = [None] * len(chain.places)
+        dead = np.isinf(known[-1]) if ends is not None else np.zeros(0, dtype=bool)
+
+        def left(aim: float) -> Array:
+            """What is spent at least at each last cell by motions that are not looked at."""
+            return np.where(dead, np.inf, aim - np.where(dead, 0.0, known[-1]))
+
+        reached = None if ends is None else left(aim)
+        start = aim if ends is None else float(np.min(ends[1] + known[0]))
+        best = 0.0 if ends is None else start
+        for level in range(BOUND_LEVELS if axes.layout.has_rail else 1):  # only rails have anything to halve
+            cells = self._cells(chain, first, level, keep)
+            if any(not len(c.key) for c in cells):
+                return aim, reached
+            pairs = max(len(a.key) * len(b.key) for a, b in pairwise(cells))
+            if level and pairs > MOST_PAIRS:
+                break
+            parents = [
+                (np.zeros(len(c.key)) if ends is None else at_first)
+                if found is None or keys is None
+                else _parent_values(c, keys, found)
+                for c, keys, found, at_first in zip(cells, keep, ahead, known, strict=True)
+            ]
+            if ends is None:
+                spent, beyond = np.zeros(len(cells[0].key)), np.zeros(len(cells[-1].key))
+            else:
+                spent = _coarse_values(cells[0], level, ends[0][0], ends[1])
+                beyond = _coarse_values(cells[-1], level, ends[0][1], known[-1])
+            forward, backward = _costs(axes, problem, chain, cells, parents, aim, spent, beyond)
+            best = max(best, min(float(np.min(forward[-1] + beyond)), aim))
+            if ends is not None:
+                reached = _at_first_level(cells[-1], level, ends[0][1], forward[-1], left(aim))
+            for k, c in enumerate(cells):
+                live = forward[k] + backward[k] <= aim
+                keep[k], ahead[k] = c.key[live], backward[k][live]
+            if any(not len(x) for x in keep if x is not None):
+                return aim, None if ends is None else left(aim)
+            next_pairs = (2 if problem.coordinated else 4) ** 2 * max(
+                a * b for a, b in pairwise([len(x) for x in keep if x is not None])
+            )
+            if ends is not None and next_pairs > WINDOW_PAIRS:
+                break
+            if best < lower_aim < aim and next_pairs > FEW_PAIRS:
+                aim = lower_aim
+        return best, reached
+
+
+def _coarse_values(cells: _Cells, level: int, keys: IndexArray, values: Array) -> Array:
+    """Of each cell the value of the one of the first level that it is in."""
+    table = {tuple(key): value for key, value in zip(keys.tolist(), values.tolist(), strict=True)}
+    return np.array([table[s, d >> level, v >> level] for s, d, v in cells.key.tolist()])
+
+
+def _at_first_level(cells: _Cells, level: int, keys: IndexArray, values: Array, most: Array) -> Array:
+    """Of each cell of the first level the least value of those in it, which are for all motions that spend no more."""
+    place = {tuple(key): i for i, key in enumerate(keys.tolist())}
+    out = most.copy()
+    at = [place[s, d >> level, v >> level] for s, d, v in cells.key.tolist()]
+    np.minimum.at(out, at, values)
+    return out
+
+
+def _least(axes: Axes, problem: Problem, run: _Run, a: _Cells, b: _Cells, ahead: Array) -> Array:
+    """The least time (n_a,) through any cell b, ahead (n_b,) being what comes behind it. What a few likely cells take
+    settles most of the others."""
+    out = np.full(len(a.key), np.inf)
+    if not len(ahead) or not len(out):
+        return out
+    gap = _gap(axes, run, a, b, slice(None)) + ahead
+    if run.branch:
+        gap[a.key[:, :1] != b.key[:, 0]] = np.inf
+    few = min(BOUND_LIKELY, gap.shape[1])
+    ib = np.argpartition(gap, few - 1, axis=1)[:, :few].ravel()
+    ia = np.repeat(np.arange(len(out)), few)
+    ia, ib = (x[np.isfinite(gap[ia, ib])] for x in (ia, ib))
+    T, ia, ib = _pairs(axes, problem, run, a, b, ia, ib, np.zeros(len(out)), np.zeros(len(ahead)), np.inf)
+    np.minimum.at(out, ia, T + ahead[ib])
+    T = _edge(axes, problem, run, a, b, -out, ahead, 1e-12)
+    return np.minimum(out, np.min(T + ahead, axis=1))
 
 
 def _costs(
-    axes: Axes, problem: Problem, chain: _Chain, cells: list[_Cells], parents: list[Array], aim: float
-) -> tuple[list[Array], list[Array]]:
-    """Least time from the start to every cell of every place, and from there to the end."""
+    axes: Axes, problem: Problem, chain: _Chain, cells: list[_Cells], parents: list[Array], aim: float, spent: Array,
+    beyond: Array,
+) -> tuple[list[Array], list[Array]]:  # fmt: skip
+    """Least time to every cell of every place, spent at those of the first, and from there on, beyond the last."""
     starts = {j: i for i, j in chain.direct}
-    forward = [np.zeros(len(cells[0].key))]
+    forward = [spent]
     edges, direct = [], {}
     for k, run in enumerate(chain.hops):
         T = _edge(axes, problem, run, cells[k], cells[k + 1], forward[-1], parents[k + 1], aim)
@@ -137,7 +267,7 @@ def _costs(
             T = _edge(axes, problem, run, cells[i], cells[k + 1], forward[i], parents[k + 1], aim)
             direct[i] = k + 1, T
             forward[-1] = np.maximum(forward[-1], np.min(forward[i][:, None] + T, axis=0))
-    backward = [np.zeros(len(cells[-1].key))]
+    backward = [beyond]
     for k in reversed(range(len(edges))):
         backward.append(np.min(edges[k] + backward[-1][None], axis=1))
         if k in direct:
@@ -208,13 +338,20 @@ def _rail_at(axes: Axes, problem: Problem, k: int) -> tuple[float, float]:
     return min(low for low, _ in near), max(high for _, high in near)
 
 
-def _grid(problem: Problem, place: _Place) -> Array:
+def _grid(axes: Axes, problem: Problem, place: _Place) -> Array:
+    """Ends of the rail intervals at a place: those within the arm's reach, whole cells of the first level."""
     low, high = place.rail
     if low == high or (place.gate is None and problem.waypoints[place.k].q is not None):
         return np.array([low, high])
     n = max(1, int(np.ceil((high - low) / BOUND_RAIL)))
     n = -(-n // BOUND_COARSE) * BOUND_COARSE
-    return np.linspace(low, high, n + 1)
+    d = np.linspace(low, high, n + 1)
+    X_WF = problem.waypoints[place.k].X_WF if place.gate is None else place.gate.X_WF
+    near = np.clip(axes.robot.rail_within(X_WF[None])[0], low, high)
+    first, last = (int(np.searchsorted(d, at)) for at in near)
+    first = max(first - 1, 0) // BOUND_COARSE * BOUND_COARSE
+    last = min(-(-(last + 1) // BOUND_COARSE) * BOUND_COARSE, n)
+    return d[first : max(last, first + BOUND_COARSE) + 1]
 
 
 def _parent_values(cells: _Cells, parent_keys: IndexArray, values: Array) -> Array:
@@ -306,11 +443,25 @@ def _edge(
     out = np.full((len(a.key), len(b.key)), np.inf)
     rows = max(1, BOUND_CHUNK // len(b.key))
     for start in range(0, len(a.key), rows):
-        part = np.arange(start, min(start + rows, len(a.key)))
-        ia, ib = (x.ravel() for x in np.meshgrid(part, np.arange(len(b.key)), indexing="ij"))
+        part = slice(start, start + rows)
+        least = np.maximum(_gap(axes, run, a, b, part), run.floor)
+        live = so_far[part, None] + least + ahead <= incumbent
+        if run.branch:
+            live &= a.key[part, :1] == b.key[:, 0]
+        ia, ib = np.nonzero(live)
+        ia += start
         T, ia, ib = _pairs(axes, problem, run, a, b, ia, ib, so_far, ahead, incumbent)
         out[ia, ib] = T
     return out
+
+
+def _gap(axes: Axes, run: _Run, a: _Cells, b: _Cells, part: slice) -> Array:
+    """What the rail's way (n_a, n_b) between cells takes at least, at its top speed all along."""
+    T = np.zeros((len(a.key[part]), len(b.key)))
+    for j in range(axes.layout.r):
+        apart = np.maximum(b.q.lo[j] - a.q.hi[j, part, None], a.q.lo[j, part, None] - b.q.hi[j])
+        np.maximum(T, apart / run.V[j], out=T)
+    return T
 
 
 def _pairs(
@@ -319,9 +470,6 @@ def _pairs(
 ) -> tuple[Array, IndexArray, IndexArray]:  # fmt: skip
     columns, r = _columns(axes), axes.layout.r
     V, A = run.V, run.A
-    if run.branch:
-        same = a.key[ia, 0] == b.key[ib, 0]
-        ia, ib = ia[same], ib[same]
     T = np.full(len(ia), run.floor)
     turns = np.ptp([axes.lower[columns[r]], axes.upper[columns[r]]]) > 2 * np.pi + 1e-6  # joint_1 may come round
     order = [*range(r), *(r + j for j in BOUND_ORDER if not (j == 0 and turns))]
