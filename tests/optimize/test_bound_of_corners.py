@@ -80,7 +80,7 @@ def test_no_stretch_of_a_plan_beats_the_bound_between_the_cells_that_hold_its_en
         gate = place.gate
         t = ends[place.k] if gate is None else crossing(axes, plan, gate.X_WF, ends[gate.leg], ends[gate.leg + 1])
         q, qd, _ = hermite(plan.trajectory, np.array([t]))
-        cells = bound._cells(axes, problem, place, bound._grid(problem, place), level, None, {})
+        cells = bound._cells(axes, problem, place, bound._grid(axes, problem, place), level, None, {})
         slack, slack_v = (1e-9, 1e-6) if gate is None else (1e-3, 2e-2)  # found within 2e-4 m, m/s
         inside = (cells.q.lo - slack <= q[0, :4, None]) & (q[0, :4, None] <= cells.q.hi + slack)
         inside &= (cells.v.lo - slack_v <= qd[0, :4, None]) & (qd[0, :4, None] <= cells.v.hi + slack_v)

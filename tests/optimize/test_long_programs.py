@@ -9,13 +9,14 @@ import pytest
 from small_cells import down, plant_with_rail, problem_of, rapid
 
 from trajopt_cli.geometry import wxyz_from_rotation
+from trajopt_cli.optimize import bound
 from trajopt_cli.optimize import search as searching
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.incumbent import timed
+from trajopt_cli.optimize.incumbent import duration, refined, timed
 from trajopt_cli.optimize.search import search
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.problem import Problem
+from trajopt_cli.problem.problem import Coupling, Problem
 from trajopt_cli.robot.inverse import inverse
 
 
@@ -34,11 +35,10 @@ def places(ys: list[float], plant: Plant, target: Target = Target.RAPID) -> Prob
     )
 
 
-@pytest.mark.parametrize("target", Target)
-def test_windows_find_what_the_whole_search_finds(target: Target, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_windows_find_what_the_whole_search_finds(monkeypatch: pytest.MonkeyPatch) -> None:
     """12 places: the windows' chain hangs together, is driven, and as fast as that of all legs at once but for what six
     legs ahead cannot see."""
-    problem = places([*np.random.default_rng(4).uniform(0.1, 1.8, 12)], plant_with_rail(), target)
+    problem = places([*np.random.default_rng(4).uniform(0.1, 1.8, 12)], plant_with_rail())
     axes = Axes.of(problem.plant)
     whole = search(axes, problem)
     monkeypatch.setattr(searching, "SEARCH_LEGS", 15)
@@ -75,6 +75,23 @@ def test_equal_passes_are_searched_once(monkeypatch: pytest.MonkeyPatch) -> None
     assert chain is not None
     assert len(chain.times) == 127
     assert len(seen) <= 3
+
+
+@pytest.mark.parametrize("target", Target)
+def test_a_bound_in_windows_holds_and_is_hardly_weaker(target: Target, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Against a legal motion, whatever is aimed at, and against the bound over all cells at once."""
+    problem = places([0.3, 1.4, 0.8, 1.7], plant_with_rail(), target)
+    axes = Axes.of(problem.plant)
+    chain = search(axes, replace(problem, coupling=Coupling.COORDINATED))
+    assert chain is not None
+    legal = duration(timed(axes, problem, refined(axes, replace(problem, coupling=Coupling.COORDINATED), chain)))
+    whole = bound.lower_bound(axes, problem, legal)
+    monkeypatch.setattr(bound, "BOUND_HOPS", 8)
+    monkeypatch.setattr(bound, "BOUND_WINDOW", 4)
+    for aim in (legal, 1.5 * legal):
+        parts = bound.lower_bound(axes, problem, aim)
+        assert 0.95 * whole < parts < legal
+    assert bound.lower_bound(axes, problem, 0.5 * whole) == 0.5 * whole
 
 
 def test_a_rail_of_forty_metres_is_searched_where_the_arm_reaches() -> None:

@@ -134,7 +134,7 @@ def test_no_leg_of_a_plan_beats_the_bound_between_the_cells_that_hold_its_ends(t
     for k, stop in enumerate(problem.waypoints):
         q, qd = trajectory.q[rows[k], :4, None], trajectory.qd[rows[k], :4, None]
         place = bound._Place(k, None, stop.rail)
-        cells = bound._cells(axes, problem, place, bound._grid(problem, place), level, None, {})
+        cells = bound._cells(axes, problem, place, bound._grid(axes, problem, place), level, None, {})
         inside = (cells.q.lo - 1e-9 <= q) & (q <= cells.q.hi + 1e-9)
         inside &= (cells.v.lo - 1e-6 <= qd) & (qd <= cells.v.hi + 1e-6)
         keep = np.flatnonzero(np.all(inside, axis=0))
