@@ -7,12 +7,15 @@ Where a number of the point goes and where a result belongs is looked up in inde
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 import casadi as ca
 import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray
+
+if TYPE_CHECKING:
+    from trajopt_cli.optimize.blocks import Block
 
 Numbers = TypeVar("Numbers", Array, IndexArray)
 
@@ -76,7 +79,7 @@ class Evaluation:
     kinds: each block with its copies' variables (n, n_z). Rows follow each other kind by kind, copy by copy.
     """
 
-    def __init__(self, kinds: Sequence[tuple[Any, IndexArray]], cost: Array, weights: Array):
+    def __init__(self, kinds: Sequence[tuple[Block, IndexArray]], cost: Array, weights: Array):
         self.cost, self.weights = cost, weights
         n_x, n_g = len(cost), sum(len(Z) * block.sizes[2] for block, Z in kinds)
         self._copies = [Copies(len(Z), block.g.lanes) for block, Z in kinds]
@@ -117,7 +120,7 @@ class Evaluation:
         self._h_bins[np.concatenate(h_from)] = bins[: len(bins) - len(diagonal)]
         self._on_diagonal, self._curved = bins[len(bins) - len(diagonal) :], weights[diagonal]
 
-    def _bind(self, kinds: Sequence[tuple[Any, IndexArray]], lengths: IndexArray) -> None:
+    def _bind(self, kinds: Sequence[tuple[Block, IndexArray]], lengths: IndexArray) -> None:
         ends = np.cumsum(lengths, axis=0)
         self._calls: list[list[Callable[[], object]]] = [[], [], []]
         for i, ((block, _), copies) in enumerate(zip(kinds, self._copies, strict=True)):
@@ -208,7 +211,8 @@ Named = tuple[str, ca.Sparsity]
 
 
 class _Callback(ca.Callback):
-    """A function of Python's among CasADi's: inputs and outputs are arrays of nonzeros, None where nobody asks."""
+    """A function of Python's among CasADi's, without copies: inputs and outputs are arrays of nonzeros, an output that
+    nobody asks for is None. The methods are CasADi's questions."""
 
     def __init__(self, name: str, inputs: Sequence[Named], outputs: Sequence[Named], evaluate: Callable[..., None]):
         ca.Callback.__init__(self)
@@ -216,35 +220,30 @@ class _Callback(ca.Callback):
         self.construct(name, {})
 
     def get_n_in(self) -> int:
-        """CasADi's question."""
         return len(self._inputs)
 
     def get_n_out(self) -> int:
-        """CasADi's question."""
         return len(self._outputs)
 
     def get_name_in(self, i: int) -> str:
-        """CasADi's question."""
         return self._inputs[i][0]
 
     def get_name_out(self, i: int) -> str:
-        """CasADi's question."""
         return self._outputs[i][0]
 
     def get_sparsity_in(self, i: int) -> ca.Sparsity:
-        """CasADi's question."""
         return self._inputs[i][1]
 
     def get_sparsity_out(self, i: int) -> ca.Sparsity:
-        """CasADi's question."""
         return self._outputs[i][1]
 
     def has_eval_buffer(self) -> bool:
-        """Without copies."""
         return True
 
     def eval_buffer(self, arg: Sequence[Any], res: Sequence[Any]) -> int:
-        """CasADi's question."""
-        inputs = [np.frombuffer(one) if one is not None else np.zeros(0) for one in arg]
+        inputs = [
+            np.zeros(of.nnz()) if one is None else np.frombuffer(one)  # None is CasADi's word for zeros
+            for one, (_, of) in zip(arg, self._inputs, strict=True)
+        ]
         self._evaluate(*inputs, *(None if one is None else np.frombuffer(one) for one in res))
         return 0
