@@ -52,7 +52,7 @@ class Planner:
         progress: Callable[[Progress], None] = lambda _: None,
         bounded: bool = True,
         changes: Changes | None = None,
-        memory: dict[bytes, object] | None = None,
+        **more: object,
     ) -> Plan | Infeasible:
         self.asked.append(target)
         progress(Progress("search", 2.0, 1.6))

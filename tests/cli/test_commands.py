@@ -443,7 +443,7 @@ def sleeping(*arguments, **more):
     os.write(1, b"planning\\n")  # one write, so that two processes do not mix
     time.sleep(60)
 
-def swallowing(program, plant, target, progress, changes, memory):
+def swallowing(program, plant, target, progress, **more):
     try:
         sleeping()
     except KeyboardInterrupt:

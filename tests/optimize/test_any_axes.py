@@ -17,6 +17,7 @@ from trajopt_cli.optimize.bound import lower_bound
 from trajopt_cli.optimize.improve import improved
 from trajopt_cli.optimize.legal import Legal, legal_of
 from trajopt_cli.optimize.solve import _end, _rows
+from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.problem import Problem
 from trajopt_cli.robot.layout import AxisLayout
@@ -88,7 +89,7 @@ def planned(axes: Axes, problem: Problem) -> Trajectory:
     assert isinstance(found, Legal)
     draft = found.draft
     if not problem.coordinated:
-        draft, _ = improved(axes, found, lambda _: None, seconds)
+        draft, _ = improved(axes, found, Patience(), lambda _: None, seconds)
     rows = _rows(axes, draft, _end(problem, draft))
     assert rows is not None
     return rows[0]

@@ -21,6 +21,7 @@ from trajopt_cli.optimize.improve import Sweeps, Tally, improved
 from trajopt_cli.optimize.incumbent import duration
 from trajopt_cli.optimize.legal import Legal, legal_of
 from trajopt_cli.optimize.windows import Span, Window, colours, pieces
+from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.problem import Problem
 
 STATION = """MoveJ Offs(p_in,0,{y},0), v2500, fine, tool0;
@@ -47,7 +48,7 @@ def base(*places: float, home: str = "") -> Legal:
 @cache
 def whole() -> Draft:
     """One window over two stations."""
-    draft, notes = improved(AXES, base(0, 300), lambda _: None, {})
+    draft, notes = improved(AXES, base(0, 300), Patience(), lambda _: None, {})
     assert notes == ()
     return draft
 
@@ -71,7 +72,7 @@ def quicker(problem: Problem, draft: Draft) -> Draft:
 
 
 def swept(legal: Legal, tally: Tally | None = None) -> Draft:
-    return Sweeps(AXES, {}).run(legal.problem, legal.draft, None, tally or Tally(), lambda _: None)
+    return Sweeps(AXES, Patience(), {}).run(legal.problem, legal.draft, None, tally or Tally(), lambda _: None)
 
 
 @pytest.mark.parametrize("most", [4, 5, 14])
@@ -103,7 +104,7 @@ def test_a_window_is_held_where_and_as_fast_as_the_motion_passes_its_ends(monkey
     window = Window.of(legal.problem, draft, (2, 5))
     assert np.abs(draft.qd[[2, 5], 0]).min() > 0.05
     start = on_last_grid(AXES, window.problem, window.draft)
-    found = Refiner(AXES, Formulation(AXES), window.problem).run(start)
+    found = Refiner(AXES, Formulation(AXES), window.problem, Patience()).run(start)
     np.testing.assert_array_equal(found.q[[0, -1]], draft.q[[2, 5]])
     np.testing.assert_array_equal(found.qd[[0, -1]], draft.qd[[2, 5]])
     assert duration(found) == pytest.approx(window.duration, rel=1e-3)  # nothing is to be gained there
@@ -132,7 +133,7 @@ def test_a_window_that_fails_changes_nothing(monkeypatch: pytest.MonkeyPatch) ->
     np.testing.assert_array_equal(found.q, legal.draft.q)
     assert (0, 3) in tally.tried
     failed = sum(first >= 3 for first, _ in tally.tried)
-    assert list(tally.notes(True)) == [
+    assert list(tally.notes(True, Patience())) == [
         f"{failed} of {len(tally.tried)} windows failed to converge: their parts stay as found without them"
     ]
 
@@ -145,7 +146,7 @@ def test_a_window_that_is_slower_changes_nothing(monkeypatch: pytest.MonkeyPatch
     legal = base(0, 300)
     tally = Tally()
     assert swept(legal, tally) is legal.draft
-    assert list(tally.notes(False)) == [
+    assert list(tally.notes(False, Patience())) == [
         "each leg has one progress for all axes, as a RAPID controller drives it: nothing faster was found"
     ]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -9,6 +10,7 @@ import typer
 
 from trajopt_cli.cli.options import AssumeIdentity, CellPath, Entry, LoopsOption, ProgramPaths
 from trajopt_cli.cli.process import reading
+from trajopt_cli.errors import InputError
 
 
 def optimize(
@@ -27,6 +29,16 @@ def optimize(
     plots: Annotated[
         bool, typer.Option("--plots", help="Draw the chosen plan as well: SVG and PNG in the folder's plots/.")
     ] = False,
+    time_limit: Annotated[
+        float | None,
+        typer.Option(
+            "--time-limit",
+            metavar="S",
+            help="Look for a faster plan until S seconds after the start, at most; 0 gives the first legal plan. Two "
+            "such runs may differ. Ctrl-C ends the search, too; a second one gives up.",
+            show_default=False,
+        ),
+    ] = None,
 ) -> None:
     """Find the fastest legal motion for PROGRAM, have it judged, and write it as joint CSV and as RAPID.
 
@@ -39,14 +51,18 @@ def optimize(
     from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.pipeline.optimise import Optimised, optimise
     from trajopt_cli.problem.changes import Loops
+    from trajopt_cli.problem.patience import Patience
     from trajopt_cli.problem.plan import Target
     from trajopt_cli.verify.clearance import least_clearance
 
+    if time_limit is not None and not 0 <= time_limit < math.inf:
+        raise InputError(f"--time-limit: needs a time of 0 s or more, not {time_limit:g}")
+    patience = Patience(time_limit)
     with reading():
         job = read_job(program, cell, entry or MAIN, assume_identity or ())
     folder = output or Path("results") / job.program.name
-    with ProgressView() as view:
-        answer = optimise(job, Target(target), folder, view.show, plots, Loops(loops))
+    with ProgressView(patience) as view:
+        answer = optimise(job, Target(target), folder, view.show, plots, Loops(loops), patience)
     if not isinstance(answer, Optimised):
         answer_no(answer)
     console = stdout()

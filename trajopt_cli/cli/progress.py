@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import signal
 from types import FrameType, TracebackType
-from typing import NoReturn
 
 from trajopt_cli.cli.console import stderr
+from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.progress import Progress
 
 _ABREAST = 2  # plans under way at once: one for each process
@@ -19,10 +19,12 @@ class ProgressView:
     CasADi takes a KeyboardInterrupt inside a solver for a request to stop that solver, and the caller goes on with what
     it got. So an interrupt is remembered and raised again until it is through: every half second, and when the next
     progress is told.
+
+    Where there is patience and an answer at hand, the first interrupt ends only the search for a better one.
     """
 
-    def __init__(self) -> None:
-        self._interrupted = False
+    def __init__(self, patience: Patience | None = None) -> None:
+        self._interrupted, self._patience = False, patience
         self._console = stderr()
         self._status = self._console.status("reading") if self._console.is_terminal else None
         self._latest: dict[str, str] = {}  # what was said last, by label: two plans may be under way
@@ -31,7 +33,12 @@ class ProgressView:
         self._before = {number: signal.signal(number, self._interrupt) for number in (signal.SIGINT, signal.SIGALRM)}
         return self
 
-    def _interrupt(self, number: int, frame: FrameType | None) -> NoReturn:
+    def _interrupt(self, number: int, frame: FrameType | None) -> None:
+        patience = self._patience
+        if patience is not None and patience.answered and not (patience.interrupted or self._interrupted):
+            patience.interrupt()
+            self._console.print("stopping: the best plan so far is being completed (Ctrl-C again to give it up)")
+            return
         self._interrupted = True
         signal.setitimer(signal.ITIMER_REAL, _AGAIN)
         raise KeyboardInterrupt

@@ -7,7 +7,7 @@ however long the program is.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -215,9 +215,11 @@ class BlockNlp:
         self._evaluation, self._functions = other._evaluation, other._functions
 
     def solve(
-        self, guess: NlpResult | None = None, *, mu: float = 1e-1, tolerance: float = 1e-8, most: int = 200
-    ) -> NlpResult:
-        """Solve from the variables' guesses, or warm from an earlier result of the same program."""
+        self, guess: NlpResult | None = None, *, mu: float = 1e-1, tolerance: float = 1e-8, most: int = 200,
+        stop: Callable[[], bool] | None = None,
+    ) -> NlpResult:  # fmt: skip
+        """Solve from the variables' guesses, or warm from an earlier result of the same program. stop: asked in every
+        iteration whether to end there, without convergence."""
         if not hasattr(self, "_functions"):
             self.build()
         options: dict[str, Any] = {
@@ -243,7 +245,11 @@ class BlockNlp:
             }
         x, p = (ca.MX.sym(name, self._functions["jac_g"].size_in(i)) for i, name in enumerate("xp"))
         f, g = self._functions["grad_f"](x, p)[0], self._functions["jac_g"](x, p)[0]
-        solver = ca.nlpsol("solver", "ipopt", {"x": x, "p": p, "f": f, "g": g}, options)
+        problem = {"x": x, "p": p, "f": f, "g": g}
+        watch = _Watch(stop, problem) if stop is not None else None
+        if watch is not None:
+            options["iteration_callback"] = watch
+        solver = ca.nlpsol("solver", "ipopt", problem, options)
         held = self._held.items()
         arguments = {
             "x0": guess.x if guess else self.guess,
@@ -265,3 +271,40 @@ class BlockNlp:
             str(stats["return_status"]),
             int(stats["iter_count"]),
         )
+
+
+class _Watch(ca.Callback):
+    """Ends IPOPT's iterations when stop says so."""
+
+    def __init__(self, stop: Callable[[], bool], problem: Mapping[str, ca.MX]):
+        super().__init__()
+        rows = {"f": 1, "lam_p": problem["p"].numel()}
+        rows |= {name: problem["x"].numel() for name in ("x", "lam_x")}
+        rows |= {name: problem["g"].numel() for name in ("g", "lam_g")}
+        self._stop, self._rows = stop, [rows[name] for name in ca.nlpsol_out()]
+        self.construct("watch", {})
+
+    def get_n_in(self) -> int:
+        return len(self._rows)
+
+    def get_n_out(self) -> int:
+        return 1
+
+    def get_sparsity_in(self, i: int) -> ca.Sparsity:
+        return ca.Sparsity.dense(self._rows[i], 1)
+
+    def eval(self, arguments: Sequence[ca.DM]) -> list[int]:
+        """1 ends the iterations."""
+        return [int(self._stop())]
+
+
+def _scatter(values: ca.MX, rows: Array, cols: Array, n_rows: int, n_cols: int) -> ca.MX:
+    """The sparse matrix (n_rows, n_cols) with values summed at (rows, cols)."""
+    key = cols.astype(np.int64) * n_rows + rows
+    unique, inverse = np.unique(key, return_inverse=True)
+    pattern = ca.Sparsity.triplet(n_rows, n_cols, (unique % n_rows).tolist(), (unique // n_rows).tolist())
+    if len(unique) == len(key):
+        order = np.argsort(key, kind="stable")
+        return ca.MX(pattern, values[order.tolist()])
+    gather = ca.DM(ca.Sparsity.triplet(len(unique), len(key), inverse.tolist(), list(range(len(key)))), 1.0)
+    return ca.MX(pattern, ca.mtimes(gather, values))

@@ -41,6 +41,7 @@ from trajopt_cli.optimize.tuning import (
     START,
 )
 from trajopt_cli.path.line import Line
+from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.problem import LegKind, Problem
 
 
@@ -104,11 +105,15 @@ class NotConverged(Exception):
     """The nonlinear program found no clean answer from this start; the message is the solver's word."""
 
 
-class Refiner:
-    """Solves one problem from a draft."""
+class Stopped(Exception):
+    """There is no patience left for this solve."""
 
-    def __init__(self, axes: Axes, formulation: Formulation, problem: Problem):
-        self.axes, self.formulation, self.problem = axes, formulation, problem
+
+class Refiner:
+    """Solves one problem from a draft, as long as there is patience."""
+
+    def __init__(self, axes: Axes, formulation: Formulation, problem: Problem, patience: Patience):
+        self.axes, self.formulation, self.problem, self.patience = axes, formulation, problem, patience
         self.last = LAST_ALONE if len(problem.legs) == 1 else LAST
         self.seconds = {"build": 0.0, "solve": 0.0, "check": 0.0}
 
@@ -116,6 +121,8 @@ class Refiner:
         self, draft: Draft, margins: list[Margins | None], mu: float, tolerance: float = SHARP,
         warm: Sequence[Any] | None = None,
     ) -> tuple[Draft, Transcription, NlpResult | None]:  # fmt: skip
+        if self.patience.over:
+            raise Stopped
         start = perf_counter()
         t = Transcription(self.axes, self.formulation, self.problem, draft, margins)
         if t.nlp.empty:
@@ -125,19 +132,23 @@ class Refiner:
         else:
             t.nlp.adopt(warm[0].nlp)
         middle = perf_counter()
-        result = t.nlp.solve(warm[1] if warm else None, mu=mu, tolerance=tolerance, most=MOST_ITERATIONS)
+        guess = warm[1] if warm else None
+        stop = lambda: self.patience.over  # noqa: E731
+        result = t.nlp.solve(guess, mu=mu, tolerance=tolerance, most=MOST_ITERATIONS, stop=stop)
         self.seconds["build"] += middle - start
         self.seconds["solve"] += perf_counter() - middle
         try:
             out = read(t, result.x) if result.converged else draft
         except ValueError as odd:  # a joint move whose switches cannot be told apart in a file
             raise NotConverged(str(odd)) from odd
+        if not result.converged and self.patience.over:
+            raise Stopped
         if not result.converged:
             raise NotConverged(result.status)
         return out, t, result
 
     def run(self, draft: Draft) -> Draft:
-        """From a draft on its grid to the clean draft with the shortest time found. Raises NotConverged."""
+        """From a draft on its grid to the clean draft with the shortest time found. Raises NotConverged and Stopped."""
         margins: list[Margins | None] = [
             Margins.full(m.N, self.axes.n, START if isinstance(m, PathLeg) else EXACT)
             if isinstance(m, PathLeg | JointNodes)

@@ -15,7 +15,7 @@ import numpy as np
 
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.draft import Draft
-from trajopt_cli.optimize.driver import NotConverged, Refiner, first_draft, on_last_grid
+from trajopt_cli.optimize.driver import NotConverged, Refiner, Stopped, first_draft, on_last_grid
 from trajopt_cli.optimize.formulation import Formulation
 from trajopt_cli.optimize.incumbent import NotDriven, duration, least_time, stopped_at_joint_moves, stopping, timed
 from trajopt_cli.optimize.legal import Legal, add
@@ -23,6 +23,7 @@ from trajopt_cli.optimize.legs import JointNodes
 from trajopt_cli.optimize.search import Chain, search
 from trajopt_cli.optimize.tuning import LEAST_GAIN, LEAST_WINDOW, SWEEP_GAIN, SWEEPS, WORTH_TRYING
 from trajopt_cli.optimize.windows import Span, Window, colours, middle
+from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.problem import LegKind, Problem
 from trajopt_cli.problem.progress import Progress, Report
 
@@ -31,30 +32,37 @@ Best = Callable[[float], None]
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """What came of a window: its motion where that counts; whether any solve was clean; seconds per phase."""
+    """What came of a window: its motion where that counts; whether any solve was clean; seconds per phase; whether
+    patience ended before it was solved."""
 
     found: Draft | None
     clean: bool
     seconds: dict[str, float]
+    stopped: bool = False
 
 
 @dataclass
 class Tally:
-    """Windows that were tried, and those of which no solve was clean."""
+    """Windows that were tried, and those of which no solve was clean; whether patience ended first."""
 
     tried: set[Span] = field(default_factory=set)
     failed: set[Span] = field(default_factory=set)
+    stopped: bool = False
 
-    def notes(self, gained: bool) -> Iterator[str]:
+    def notes(self, gained: bool, patience: Patience) -> Iterator[str]:
         """What a reader should know of it, one line each."""
-        if self.tried and not gained:
+        if self.stopped:
+            yield f"{patience.why()}: the best plan so far; the search for a faster one was not finished"
+        elif self.tried and not gained:
             yield "each leg has one progress for all axes, as a RAPID controller drives it: nothing faster was found"
         if count := len(self.failed):
             parts = "its part stays" if count == 1 else "their parts stay"
             yield f"{count} of {len(self.tried)} windows failed to converge: {parts} as found without them"
 
 
-def improved(axes: Axes, legal: Legal, tell: Report, seconds: dict[str, float]) -> tuple[Draft, tuple[str, ...]]:
+def improved(
+    axes: Axes, legal: Legal, patience: Patience, tell: Report, seconds: dict[str, float]
+) -> tuple[Draft, tuple[str, ...]]:
     """The legal motion, or a faster one, and what a reader should know of it.
 
     Where a rail may be in motion at the stops, the search's chain with such a rail is a start. Runs with corners stay
@@ -63,18 +71,21 @@ def improved(axes: Axes, legal: Legal, tell: Report, seconds: dict[str, float]) 
     problem, chain, best = legal.problem, legal.chain, legal.draft
     bases = [(problem, best)]
     hopes: Chain | None = None
+    if patience.over:
+        why = f"{patience.why()}: the first legal plan; the search for a faster one was not begun"
+        return best, (why,)
     if any(problem.passes(k) for k in range(len(problem.waypoints))):
         bases = [*_stopping(axes, problem, chain)]
     elif axes.layout.has_rail and problem.freedom.through_stops:
         start = perf_counter()
         hopes = search(axes, problem)
         add(seconds, "search", perf_counter() - start)
-    sweeps, tally = Sweeps(axes, seconds), Tally()
+    sweeps, tally = Sweeps(axes, patience, seconds), Tally()
     for one, base in bases:
         found = sweeps.run(one, base, hopes, tally, partial(_tell_best, tell, duration(best)))
         if duration(found) < duration(best) - LEAST_GAIN:
             best = found
-    return best, tuple(tally.notes(best is not legal.draft))
+    return best, tuple(tally.notes(best is not legal.draft, patience))
 
 
 def _tell_best(tell: Report, known: float, now: float) -> None:
@@ -105,8 +116,8 @@ def _frozen(problem: Problem, chain: Chain) -> Problem:
 class Sweeps:
     """Sweeps windows over the motions of one plant's problems, and remembers what came of each."""
 
-    def __init__(self, axes: Axes, seconds: dict[str, float]):
-        self._axes, self._seconds, self._formulation = axes, seconds, Formulation(axes)
+    def __init__(self, axes: Axes, patience: Patience, seconds: dict[str, float]):
+        self._axes, self._patience, self._seconds, self._formulation = axes, patience, seconds, Formulation(axes)
         self._known: dict[bytes, Outcome] = {}
 
     def run(self, problem: Problem, base: Draft, hopes: Chain | None, tally: Tally, tell: Best) -> Draft:
@@ -115,7 +126,7 @@ class Sweeps:
         draft, (even, odd) = base, colours(problem)
         moved = dict.fromkeys((*even, *odd), np.inf)  # what was gained over each window's borders since it was solved
         for _ in range(SWEEPS):
-            if max(moved.values()) <= SWEEP_GAIN:
+            if tally.stopped or max(moved.values()) <= SWEEP_GAIN:
                 break
             for spans, others in ((even, odd), (odd, even)):
                 due = [span for span in spans if moved[span] > SWEEP_GAIN]
@@ -145,7 +156,13 @@ class Sweeps:
             key = window.key(*hoped)
             outcome = self._known.get(key)
             if outcome is None:
-                outcome = self._known[key] = self._solve(window, hoped, untouched)
+                outcome = self._solve(window, hoped, untouched)
+                for phase, spent in outcome.seconds.items():
+                    add(self._seconds, phase, spent)
+            if outcome.stopped:
+                tally.stopped = True
+                break
+            self._known[key] = outcome
             span = window.first, window.last
             tally.tried.add(span)
             (tally.failed.discard if outcome.clean else tally.failed.add)(span)
@@ -163,15 +180,17 @@ class Sweeps:
         starts = [*hoped, coarse] if untouched else [on_last_grid(self._axes, problem, own), coarse]
         clean, seconds = False, dict[str, float]()
         for start in starts:
-            refiner = Refiner(self._axes, self._formulation, problem)
+            refiner = Refiner(self._axes, self._formulation, problem, self._patience)
             try:
                 found = refiner.run(start)
                 clean = True
             except NotConverged:
                 continue
+            except Stopped:
+                return Outcome(None, clean, seconds, stopped=True)
             finally:
                 for phase, spent in refiner.seconds.items():
-                    add(self._seconds, phase, spent)
+                    add(seconds, phase, spent)
             if duration(found) < window.duration - LEAST_GAIN:
                 return Outcome(found, True, seconds)
             if not untouched:  # a motion found before: from farther away the way leads back to it

@@ -107,7 +107,6 @@ def legal_motion(
         assert isinstance(own, Infeasible)
         return own
     memory[question.target, question.freedom] = best
-    tell(Progress("timing", incumbent=best.duration))
     return best
 
 

@@ -25,6 +25,7 @@ from trajopt_cli.optimize.tuning import (
 )
 from trajopt_cli.problem.changes import Changes
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom
+from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Infeasible, Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import LegKind, Problem
@@ -63,14 +64,17 @@ def optimize(
     bounded: bool = True,
     changes: Changes | None = None,
     memory: Memory | None = None,
+    patience: Patience | None = None,
 ) -> Plan | Infeasible:
     """The fastest motion found for a program on one target, with a lower bound of the same model if bounded.
 
     freedom: what may change at all. changes: which motions may have it, None for all of them (a plan that nobody
     writes back into the program's text). The bound leaves ties of passes out, so it holds with them, too. memory: legal
     motions of other questions about this program, plant and changes; those found here are added.
+    patience: how long a faster plan is looked for once there is a legal one; notes say where that was cut short.
     Raises NoCleanPlan when the solver fails from every start.
     """
+    patience = patience or Patience()
     tell = never_worse(progress or (lambda _: None))
     seconds: dict[str, float] = {}
     axes = Axes.of(plant)
@@ -80,14 +84,17 @@ def optimize(
         return legal
     problem, draft, notes = legal.problem, legal.draft, tuple[str, ...]()
     if not problem.coordinated:
-        draft, notes = improved(axes, legal, tell, seconds)
+        patience.answer()
+    tell(Progress("timing", incumbent=legal.duration))
+    if not problem.coordinated:
+        draft, notes = improved(axes, legal, patience, tell, seconds)
     rows = _rows(axes, draft, _end(problem, draft))
     if rows is None:
         raise NoCleanPlan("the written rows would pass a limit between each other")
     trajectory, bounds = rows
     legs = _motions(draft)
     bound = None
-    if bounded:
+    if bounded and not patience.interrupted:
         start = perf_counter()
         tell(Progress("bound", incumbent=trajectory.duration))
         bound = _checked_bound(axes, problem, trajectory.duration)

@@ -17,6 +17,7 @@ from trajopt_cli.pipeline.planning import Clock, Listener, NoPlan, all_three, ch
 from trajopt_cli.problem.changes import Changes, Loops
 from trajopt_cli.problem.constant_speed import Stretch, constant_speed
 from trajopt_cli.problem.corners import PARABOLIC, Corners, corners_of, passed_in
+from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.runs import SUMMARY
@@ -79,12 +80,18 @@ class Optimised:
 
 
 def optimise(
-    job: Job, target: Target, folder: Path, listen: Listener, plots: bool = False, loops: Loops = Loops.KEEP
+    job: Job,
+    target: Target,
+    folder: Path,
+    listen: Listener,
+    plots: bool = False,
+    loops: Loops = Loops.KEEP,
+    patience: Patience | None = None,
 ) -> Optimised | Infeasible | NoPlan | Illegal | Collides:
     """Solve both targets, judge both, and write the results folder; nothing is written unless both are legal.
 
     target: which plan trajectory.csv carries. plots: its pictures, too. loops: what the RAPID plan makes of them.
-    Raises InputError where folder may not be replaced.
+    patience: how long a faster plan is looked for. Raises InputError where folder may not be replaced.
     """
     from trajopt_cli.optimize.library import evaluation_notices
     from trajopt_cli.verify.clearance import check_start, collisions
@@ -101,7 +108,7 @@ def optimise(
     changes, loops = agreed.changes, agreed.loops
     inputs = _inputs(job)
     judged: dict[Target, Judged] = {}
-    answers, written = all_three(job, listen, clock, changes)
+    answers, written = all_three(job, listen, clock, changes, patience or Patience())
     for one, answer in answers.items():
         if not isinstance(answer, Judged):
             return answer

@@ -15,6 +15,7 @@ from trajopt_cli.job import Job
 from trajopt_cli.motion import Program
 from trajopt_cli.problem.changes import Changes, Loops, everything
 from trajopt_cli.problem.freedom import AS_WRITTEN
+from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.runs.results import (
@@ -104,7 +105,7 @@ def changes_of(job: Job, target: Target, loops: Loops = Loops.KEEP) -> Changes:
 
 
 def all_three(
-    job: Job, listen: Listener, clock: Clock, changes: Mapping[Target, Changes]
+    job: Job, listen: Listener, clock: Clock, changes: Mapping[Target, Changes], patience: Patience
 ) -> tuple[dict[Target, Judged | Infeasible | NoPlan], Plan | str]:
     """Both targets, and the program as written; beside each other where there are two cores. A stream that cannot be
     done ends the run at once."""
@@ -116,7 +117,7 @@ def all_three(
         tell: Callable[[Progress], None],
     ) -> tuple[Judged | Infeasible | NoPlan, Plan | str, dict[str, float]]:
         own, memory = Clock(), Memory()
-        answer = solve(job, rapid, changes[rapid], lambda _, progress: tell(progress), own, memory)
+        answer = solve(job, rapid, changes[rapid], lambda _, progress: tell(progress), own, patience, memory)
         written = as_written(job, changes[rapid], own, memory) if isinstance(answer, Judged) else ""
         return answer, written, own.seconds
 
@@ -124,7 +125,7 @@ def all_three(
         listen(rapid.value, progress)
 
     if cores() == 1:
-        first = solve(job, stream, changes[stream], listen, clock)
+        first = solve(job, stream, changes[stream], listen, clock, patience)
         if isinstance(first, Infeasible):
             return {stream: first}, ""
         answer, written, seconds = second(hear)
@@ -135,7 +136,7 @@ def all_three(
                 listen(label, progress)
                 beside.listen()
 
-            first = solve(job, stream, changes[stream], listen_to_both, clock)
+            first = solve(job, stream, changes[stream], listen_to_both, clock, patience)
             if isinstance(first, Infeasible):
                 return {stream: first}, ""
             answer, written, seconds = beside.answer()
@@ -158,8 +159,10 @@ def streamed(rapid: Plan, stream: Plan | None) -> Plan | None:
     RAPID controller makes can be streamed."""
     if stream is not None and rapid.duration >= stream.duration:
         return None
-    bound, seconds = (None, rapid.seconds) if stream is None else (stream.lower_bound, stream.seconds)
-    notes = ("the plan is the rapid plan: nothing faster was found",)
+    note = "the plan is the rapid plan: nothing faster was found"
+    if stream is None:
+        return replace(rapid, target=Target.STREAM, lower_bound=None, notes=(note,))
+    bound, seconds, notes = stream.lower_bound, stream.seconds, (note, *stream.notes)
     return replace(rapid, target=Target.STREAM, lower_bound=bound, seconds=seconds, notes=notes)
 
 
@@ -175,7 +178,13 @@ def out_of_order(plans: Mapping[str, Plan]) -> str | None:
 
 
 def solve(
-    job: Job, target: Target, changes: Changes, listen: Listener, clock: Clock, memory: Memory | None = None
+    job: Job,
+    target: Target,
+    changes: Changes,
+    listen: Listener,
+    clock: Clock,
+    patience: Patience,
+    memory: Memory | None = None,
 ) -> Judged | Infeasible | NoPlan:
     """Plan one target, write its trajectory as CSV text, and let the judge read that text."""
     from trajopt_cli.joint_csv import write_csv_text
@@ -188,7 +197,9 @@ def solve(
 
     with clock.phase(f"{label}: plan"):
         try:
-            plan = optimize(job.program, job.plant, target, progress=tell, changes=changes, memory=memory)
+            plan = optimize(
+                job.program, job.plant, target, progress=tell, changes=changes, memory=memory, patience=patience
+            )
         except NoCleanPlan as failure:
             return NoPlan(label, str(failure))
     if isinstance(plan, Infeasible):

@@ -1,0 +1,138 @@
+"""A search that is cut short leaves the best motion so far, and says so."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import casadi as ca
+import pytest
+from small_cells import plant_with_rail, problem_of, rapid
+
+from trajopt_cli.cli import run
+from trajopt_cli.optimize import windows
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.blocks import BlockNlp, make_block
+from trajopt_cli.optimize.draft import Draft
+from trajopt_cli.optimize.driver import Refiner, Stopped
+from trajopt_cli.optimize.improve import improved
+from trajopt_cli.optimize.incumbent import duration
+from trajopt_cli.optimize.legal import Legal, legal_of
+from trajopt_cli.problem.patience import Patience
+
+REPOSITORY = Path(__file__).parents[2]
+BODY = """MoveJ p_in, v2500, fine, tool0;
+MoveL p_low, v500, fine, tool0;
+WaitTime 0.3;
+MoveL p_in, v500, fine, tool0;
+MoveJ Offs(p_in,0,150,0), v2500, fine, tool0;
+MoveL Offs(p_low,0,150,0), v500, fine, tool0;
+MoveL Offs(p_in,0,150,0), v500, fine, tool0;
+MoveAbsJ j_home, v2500, fine, tool0;"""
+DATA = """CONST jointtarget j_home:=[[0,0,0,0,30,0],[0,9E9,9E9,9E9,9E9,9E9]];
+CONST robtarget p_in:=[[500,600,450],[0,0,1,0],[0,0,0,0],[600,9E9,9E9,9E9,9E9,9E9]];
+CONST robtarget p_low:=[[500,600,390],[0,0,1,0],[0,0,0,0],[600,9E9,9E9,9E9,9E9,9E9]];"""
+CELL = """robot: irb140_rail
+rail: {eax: a, stroke: [-0.16, 0.8]}
+limits:
+  rail: {velocity: 1.0, acceleration: 3.0, source: test}
+tcp: {speed: 2.5, acceleration: 20, source: test}
+start: {joints: "[0, 0, 0, 0, 30, 0] deg", rail: 0}
+"""
+
+
+@pytest.fixture
+def cell(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    Path("t.mod").write_text(f"MODULE T\n{DATA}\nPROC main()\n{BODY}\nENDPROC\nENDMODULE\n")
+    Path("t.yaml").write_text(CELL)
+    return Path("t.mod")
+
+
+def legal() -> Legal:
+    plant = plant_with_rail((-0.16, 0.8))
+    found = legal_of(Axes.of(plant), [problem_of(rapid(BODY), plant)], {})
+    assert isinstance(found, Legal)
+    return found
+
+
+def test_what_was_found_before_the_end_stays(monkeypatch: pytest.MonkeyPatch) -> None:
+    patience, first = Patience(), True
+
+    def solve(self: Refiner, draft: Draft) -> Draft:
+        nonlocal first
+        if not first:
+            patience.interrupt()
+            raise Stopped
+        first = False
+        legs = [type(motion)(**{**vars(motion), "T": 0.9 * motion.T}) for motion in draft.legs if motion is not None]
+        return Draft(draft.q, draft.qd, draft.cfx, tuple(legs))
+
+    monkeypatch.setattr(windows, "WINDOW", 4)
+    monkeypatch.setattr(Refiner, "run", solve)
+    monkeypatch.setattr("trajopt_cli.optimize.improve.search", lambda *_: None)
+    base = legal()
+    draft, notes = improved(Axes.of(base.problem.plant), base, patience, lambda _: None, {})
+    assert duration(draft) < base.duration
+    assert draft.legs[-1] is base.draft.legs[-1]
+    assert notes == ("stopped by Ctrl-C: the best plan so far; the search for a faster one was not finished",)
+
+
+def test_a_solver_ends_when_it_is_told_to() -> None:
+    asked = 0
+
+    def stop() -> bool:
+        nonlocal asked
+        asked += 1
+        return asked == 4
+
+    nlp = BlockNlp()
+    x = nlp.variables([3.0, 1.0], -10.0, 10.0)
+    nlp.minimise(int(x[0]))
+    nlp.add(make_block("bowl", 2, 0, lambda z, _: [(z[0] - ca.exp(z[1]) - z[1] ** 2, 0.0, ca.inf)]), x)
+    assert nlp.solve().iterations > 4
+    result = nlp.solve(stop=stop)
+    assert not result.converged
+    assert (asked, result.iterations) == (4, 3)
+
+
+def test_no_time_gives_the_first_legal_plan_and_says_so(cell: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["optimize", str(cell), "--time-limit", "0"]) == 0
+    note = (
+        "stream: stopped by the time limit after 0 s: the first legal plan; the search for a faster one was not begun"
+    )
+    assert f"note: {note}" in capsys.readouterr().out.splitlines()
+    summary = json.loads(Path("results/t/summary.json").read_text())
+    assert note in summary["notes"]
+    assert summary["plans"]["stream"]["cycle_time_s"] <= summary["plans"]["rapid"]["cycle_time_s"]
+
+
+@pytest.mark.parametrize("limit", ["-1", "nan", "inf"])
+def test_a_time_that_is_none_is_a_wrong_request(limit: str, cell: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["optimize", str(cell), "--time-limit", limit]) == 2
+    assert capsys.readouterr().err == f"--time-limit: needs a time of 0 s or more, not {limit}\n"
+
+
+def test_ctrl_c_behind_the_first_legal_plan_writes_the_best_so_far(cell: Path) -> None:
+    """Sent to the whole group, as a terminal does."""
+    process = subprocess.Popen(
+        [sys.executable, "-m", "trajopt_cli.cli", "optimize", str(cell)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONPATH": str(REPOSITORY)},
+        start_new_session=True,
+    )
+    assert process.stderr is not None
+    assert any(line.startswith("stream: timing") for line in process.stderr)
+    os.killpg(process.pid, signal.SIGINT)
+    out, err = process.communicate(timeout=120)
+    assert process.returncode == 0, err
+    assert "stopping: the best plan so far is being completed (Ctrl-C again to give it up)" in err.splitlines()
+    assert "note: stream: stopped by Ctrl-C: " in out
+    assert "Traceback" not in err
+    assert run(["verify", "results/t"]) == 0
