@@ -1,17 +1,22 @@
-"""Work in a second process beside this one: the two targets of a run, or many tasks taken in turns."""
+"""Work in processes beside this one: the two targets of a run, or many tasks taken in turns."""
 
 from __future__ import annotations
 
+import ctypes
 import multiprocessing
 import os
 import signal
+import sys
 from collections.abc import Callable, Mapping
+from contextlib import ExitStack
 from multiprocessing.connection import Connection
+from multiprocessing.process import BaseProcess
 from types import TracebackType
 from typing import Any, Generic, TypeVar
 
 from trajopt_cli.errors import InputError
 
+_DIE_WITH_PARENT = 1  # PR_SET_PDEATHSIG
 Answer = TypeVar("Answer")
 Name = TypeVar("Name")
 
@@ -32,8 +37,8 @@ class Beside(Generic[Answer]):
         self._hear = hear
         fork = multiprocessing.get_context("fork")
         self._messages, theirs = fork.Pipe(duplex=False)
-        self._process = fork.Process(target=_run, args=(work, theirs), daemon=True)
-        self._process.start()
+        self._process = fork.Process(target=_run, args=(work, theirs, os.getpid()), daemon=True)
+        _start(self._process)
         theirs.close()  # only the other process holds that end, so that its death is an end of file here
         self._answer: list[Answer] = []
 
@@ -46,6 +51,12 @@ class Beside(Generic[Answer]):
         self._process.terminate()
         self._process.join()
         self._messages.close()
+
+    @property
+    def done(self) -> bool:
+        """Whether the answer is there; what was told so far is heard."""
+        self.listen()
+        return bool(self._answer)
 
     def listen(self) -> None:
         """Hear what was told so far, without waiting."""
@@ -72,8 +83,22 @@ class Beside(Generic[Answer]):
             self._hear(content)
 
 
-def _run(work: Callable[[Callable[[Any], None]], Any], pipe: Connection) -> None:
+def _start(process: BaseProcess) -> None:
+    """Start a process that begins with Ctrl-C held back: _run takes it from there."""
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        process.start()
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _run(work: Callable[[Callable[[Any], None]], Any], pipe: Connection, parent: int) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the first process' to answer; it ends this one
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
+    if sys.platform == "linux":  # elsewhere a process that is left alone ends when it next says something
+        ctypes.CDLL(None).prctl(_DIE_WITH_PARENT, signal.SIGKILL)
+    if os.getppid() != parent:  # it went before it could be said
+        os._exit(1)
     try:
         pipe.send(("answer", work(lambda message: pipe.send(("told", message)))))
     except InputError as error:
@@ -81,15 +106,19 @@ def _run(work: Callable[[Callable[[Any], None]], Any], pipe: Connection) -> None
 
 
 def in_turns(
-    tasks: Mapping[Name, Callable[[Callable[[Any], None]], Answer]], hear: Callable[[Any], None]
+    tasks: Mapping[Name, Callable[[Callable[[Any], None]], Answer]],
+    hear: Callable[[Any], None],
+    jobs: int | None = None,
 ) -> dict[Name, Answer]:
-    """Every task's answer under its name, in the tasks' order; two processes take the next task as they come free.
+    """Every task's answer under its name, in the tasks' order; processes take the next task as they come free.
 
-    A task is given what it may tell; that is heard here. On one core all is done in this process. What a task leaves
-    behind besides its answer may be lost: it is done in either process.
+    jobs: how many processes, this one among them; by default one for every core. A task is given what it may tell; that
+    is heard here. With one process all is done in this one. What a task leaves behind besides its answer may be lost:
+    it is done in any process.
     """
     names = list(tasks)
-    if cores() == 1 or len(names) < 2:
+    hands = min(jobs or cores(), len(names))
+    if hands < 2:
         return {name: task(hear) for name, task in tasks.items()}
     taken = multiprocessing.get_context("fork").Value("i", 0)
 
@@ -103,11 +132,15 @@ def in_turns(
                 return done
             done[i] = tasks[names[i]](tell)
 
-    with Beside(work, hear) as beside:
+    with ExitStack() as stack:
+        others = [stack.enter_context(Beside(work, hear)) for _ in range(hands - 1)]
 
-        def hear_both(message: Any) -> None:
+        def hear_all(message: Any) -> None:
             hear(message)
-            beside.listen()
+            for other in others:
+                other.listen()
 
-        done = work(hear_both) | beside.answer()
+        done = work(hear_all)
+        for other in others:
+            done |= other.answer()
     return {name: done[i] for i, name in enumerate(names)}

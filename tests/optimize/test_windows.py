@@ -190,3 +190,15 @@ def test_sweeps_end(monkeypatch: pytest.MonkeyPatch) -> None:
     even, odd = colours(legal.problem)
     assert len(even) + len(odd) == 5
     assert 5 < len(asked) <= 10  # the even ones again, which gain nothing, and so the odd ones are not
+
+
+def test_any_number_of_processes_finds_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(windows, "WINDOW", 4)
+    stand_in(monkeypatch, quicker)
+    legal, found = base(0, 300, 600), []
+    for hands in (1, 3):
+        told: list[float] = []
+        sweeps = Sweeps(AXES, Patience(), {}, lambda hands=hands: hands)
+        found.append(sweeps.run(legal.problem, legal.draft, None, Tally(), told.append))
+        assert told[-1] == pytest.approx(duration(found[-1]))
+    assert [motion.T for motion in found[0].legs if motion] == [motion.T for motion in found[1].legs if motion]

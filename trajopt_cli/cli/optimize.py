@@ -29,6 +29,16 @@ def optimize(
     plots: Annotated[
         bool, typer.Option("--plots", help="Draw the chosen plan as well: SVG and PNG in the folder's plots/.")
     ] = False,
+    jobs: Annotated[
+        int | None,
+        typer.Option(
+            "--jobs",
+            min=1,
+            metavar="N",
+            help="Processes at work; default: one for every core. The plans are the same for any number.",
+            show_default=False,
+        ),
+    ] = None,
     time_limit: Annotated[
         float | None,
         typer.Option(
@@ -62,7 +72,7 @@ def optimize(
         job = read_job(program, cell, entry or MAIN, assume_identity or ())
     folder = output or Path("results") / job.program.name
     with ProgressView(patience) as view:
-        answer = optimise(job, Target(target), folder, view.show, plots, Loops(loops), patience)
+        answer = optimise(job, Target(target), folder, view.show, plots, Loops(loops), patience, jobs)
     if not isinstance(answer, Optimised):
         answer_no(answer)
     console = stdout()

@@ -5,6 +5,9 @@ from __future__ import annotations
 import signal
 from types import FrameType, TracebackType
 
+from rich.live import Live
+from rich.text import Text
+
 from trajopt_cli.cli.console import stderr
 from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.progress import Progress
@@ -26,7 +29,8 @@ class ProgressView:
     def __init__(self, patience: Patience | None = None) -> None:
         self._interrupted, self._patience = False, patience
         self._console = stderr()
-        self._status = self._console.status("reading") if self._console.is_terminal else None
+        # without a thread that draws: other processes are forked while it is up
+        self._line = Live(console=self._console, auto_refresh=False, transient=True)
         self._latest: dict[str, str] = {}  # what was said last, by label: two plans may be under way
 
     def __enter__(self) -> ProgressView:
@@ -49,8 +53,7 @@ class ProgressView:
         signal.setitimer(signal.ITIMER_REAL, 0.0)
         for number, handler in self._before.items():
             signal.signal(number, handler)
-        if self._status is not None:
-            self._status.stop()
+        self._line.stop()
 
     def show(self, label: str, progress: Progress) -> None:
         """Tell that the plan called label has reached progress."""
@@ -60,9 +63,9 @@ class ProgressView:
         known = self._latest.get(label, "")
         self._latest.pop(label, None)
         self._latest[label] = text
-        if self._status is not None:
-            self._status.start()  # only now: it draws from a thread, and a second process may be forked before
-            self._status.update("   ".join([*self._latest.values()][-_ABREAST:]))
+        if self._console.is_terminal:
+            self._line.start()
+            self._line.update(Text("   ".join([*self._latest.values()][-_ABREAST:])), refresh=True)
         elif not known.startswith(f"{label}: {progress.phase}  ") and known != f"{label}: {progress.phase}":
             self._console.print(text)
 

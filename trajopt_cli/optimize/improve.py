@@ -10,9 +10,11 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from time import perf_counter
+from typing import Any
 
 import numpy as np
 
+from trajopt_cli.beside import in_turns
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.driver import NotConverged, Refiner, Stopped, first_draft, on_last_grid
@@ -61,9 +63,14 @@ class Tally:
 
 
 def improved(
-    axes: Axes, legal: Legal, patience: Patience, tell: Report, seconds: dict[str, float]
+    axes: Axes,
+    legal: Legal,
+    patience: Patience,
+    tell: Report,
+    seconds: dict[str, float],
+    hands: Callable[[], int] = lambda: 1,
 ) -> tuple[Draft, tuple[str, ...]]:
-    """The legal motion, or a faster one, and what a reader should know of it.
+    """The legal motion, or a faster one, and what a reader should know of it. hands: how many processes may work now.
 
     Where a rail may be in motion at the stops, the search's chain with such a rail is a start. Runs with corners stay
     as they are, and so do the ends of them; but where joint moves meet at a fly-by, a stop there is tried, too.
@@ -80,7 +87,7 @@ def improved(
         start = perf_counter()
         hopes = search(axes, problem)
         add(seconds, "search", perf_counter() - start)
-    sweeps, tally = Sweeps(axes, patience, seconds), Tally()
+    sweeps, tally = Sweeps(axes, patience, seconds, hands), Tally()
     for one, base in bases:
         found = sweeps.run(one, base, hopes, tally, partial(_tell_best, tell, duration(best)))
         if duration(found) < duration(best) - LEAST_GAIN:
@@ -116,7 +123,8 @@ def _frozen(problem: Problem, chain: Chain) -> Problem:
 class Sweeps:
     """Sweeps windows over the motions of one plant's problems, and remembers what came of each."""
 
-    def __init__(self, axes: Axes, patience: Patience, seconds: dict[str, float]):
+    def __init__(self, axes: Axes, patience: Patience, seconds: dict[str, float], hands: Callable[[], int] = lambda: 1):
+        self._hands = hands
         self._axes, self._patience, self._seconds, self._formulation = axes, patience, seconds, Formulation(axes)
         self._known: dict[bytes, Outcome] = {}
 
@@ -146,22 +154,31 @@ class Sweeps:
         tell: Best,
     ) -> Draft:  # fmt: skip
         """The motion after windows side by side, which know nothing of one another."""
-        windows = [Window.of(problem, draft, span) for span in spans]
-        for window in windows:
+        asked: list[tuple[Window, bytes]] = []
+        tasks: dict[bytes, Callable[[Callable[[Any], None]], Outcome]] = {}
+        for window in (Window.of(problem, draft, span) for span in spans):
             if not _may_gain(self._axes, window.problem, window.draft):
                 continue
             part = slice(window.first, window.last)
             untouched = all(now is then for now, then in zip(draft.legs[part], base.legs[part], strict=True))
             hoped = [_hoped(self._axes, problem, window, hopes)] if hopes is not None and untouched else []
             key = window.key(*hoped)
-            outcome = self._known.get(key)
-            if outcome is None:
-                outcome = self._solve(window, hoped, untouched)
-                for phase, spent in outcome.seconds.items():
-                    add(self._seconds, phase, spent)
+            asked.append((window, key))
+            if key not in self._known:
+                tasks.setdefault(key, partial(self._solve, window, hoped, untouched, key))
+        saved = dict.fromkeys(tasks, 0.0)
+
+        def hear(told: tuple[bytes, float]) -> None:
+            key, gain = told
+            saved[key] = gain * sum(one == key for _, one in asked)
+            tell(duration(draft) - sum(saved.values()))
+
+        outcomes = self._known | in_turns(tasks, hear, self._hands())
+        for window, key in asked:
+            outcome = outcomes[key]
             if outcome.stopped:
                 tally.stopped = True
-                break
+                continue
             self._known[key] = outcome
             span = window.first, window.last
             tally.tried.add(span)
@@ -169,11 +186,16 @@ class Sweeps:
             if outcome.found is not None:
                 draft = window.put(outcome.found, draft)
                 self._known.setdefault(Window.of(problem, draft, span).key(), replace(outcome, found=None))
-            tell(duration(draft))
+        for key in tasks:
+            for phase, spent in outcomes[key].seconds.items():
+                add(self._seconds, phase, spent)
         return draft
 
-    def _solve(self, window: Window, hoped: Sequence[Draft], untouched: bool) -> Outcome:
-        """From what the search hoped for, or else from the motion at hand."""
+    def _solve(
+        self, window: Window, hoped: Sequence[Draft], untouched: bool, key: bytes,
+        tell: Callable[[tuple[bytes, float]], None],
+    ) -> Outcome:  # fmt: skip
+        """From what the search hoped for, or else from the motion at hand. tell: its key and what it saves [s]."""
         own, problem = window.draft, window.problem
         times = np.array([0.0 if motion is None else motion.T for motion in own.legs])
         coarse = first_draft(self._axes, problem, own.q, own.qd, own.cfx, times)
@@ -192,6 +214,7 @@ class Sweeps:
                 for phase, spent in refiner.seconds.items():
                     add(seconds, phase, spent)
             if duration(found) < window.duration - LEAST_GAIN:
+                tell((key, window.duration - duration(found)))
                 return Outcome(found, True, seconds)
             if not untouched:  # a motion found before: from farther away the way leads back to it
                 break

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from time import perf_counter
 
@@ -65,6 +66,7 @@ def optimize(
     changes: Changes | None = None,
     memory: Memory | None = None,
     patience: Patience | None = None,
+    hands: Callable[[], int] = lambda: 1,
 ) -> Plan | Infeasible:
     """The fastest motion found for a program on one target, with a lower bound of the same model if bounded.
 
@@ -72,6 +74,7 @@ def optimize(
     writes back into the program's text). The bound leaves ties of passes out, so it holds with them, too. memory: legal
     motions of other questions about this program, plant and changes; those found here are added.
     patience: how long a faster plan is looked for once there is a legal one; notes say where that was cut short.
+    hands: how many processes may work, asked whenever there is work for several; the plan is the same for any number.
     Raises NoCleanPlan when the solver fails from every start.
     """
     patience = patience or Patience()
@@ -87,7 +90,7 @@ def optimize(
         patience.answer()
     tell(Progress("timing", incumbent=legal.duration))
     if not problem.coordinated:
-        draft, notes = improved(axes, legal, patience, tell, seconds)
+        draft, notes = improved(axes, legal, patience, tell, seconds, hands)
     rows = _rows(axes, draft, _end(problem, draft))
     if rows is None:
         raise NoCleanPlan("the written rows would pass a limit between each other")

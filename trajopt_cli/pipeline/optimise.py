@@ -9,6 +9,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from trajopt_cli.beside import cores
 from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Wait
@@ -87,11 +88,13 @@ def optimise(
     plots: bool = False,
     loops: Loops = Loops.KEEP,
     patience: Patience | None = None,
+    jobs: int | None = None,
 ) -> Optimised | Infeasible | NoPlan | Illegal | Collides:
     """Solve both targets, judge both, and write the results folder; nothing is written unless both are legal.
 
     target: which plan trajectory.csv carries. plots: its pictures, too. loops: what the RAPID plan makes of them.
-    patience: how long a faster plan is looked for. Raises InputError where folder may not be replaced.
+    patience: how long a faster plan is looked for. jobs: processes, by default one for every core.
+    Raises InputError where folder may not be replaced.
     """
     from trajopt_cli.optimize.library import evaluation_notices
     from trajopt_cli.verify.clearance import check_start, collisions
@@ -108,7 +111,7 @@ def optimise(
     changes, loops = agreed.changes, agreed.loops
     inputs = _inputs(job)
     judged: dict[Target, Judged] = {}
-    answers, written = all_three(job, listen, clock, changes, patience or Patience())
+    answers, written = all_three(job, listen, clock, changes, patience or Patience(), jobs or cores())
     for one, answer in answers.items():
         if not isinstance(answer, Judged):
             return answer

@@ -9,7 +9,7 @@ from itertools import pairwise
 from time import perf_counter
 from typing import TYPE_CHECKING
 
-from trajopt_cli.beside import Beside, cores
+from trajopt_cli.beside import Beside
 from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Program
@@ -105,9 +105,9 @@ def changes_of(job: Job, target: Target, loops: Loops = Loops.KEEP) -> Changes:
 
 
 def all_three(
-    job: Job, listen: Listener, clock: Clock, changes: Mapping[Target, Changes], patience: Patience
+    job: Job, listen: Listener, clock: Clock, changes: Mapping[Target, Changes], patience: Patience, jobs: int
 ) -> tuple[dict[Target, Judged | Infeasible | NoPlan], Plan | str]:
-    """Both targets, and the program as written; beside each other where there are two cores. A stream that cannot be
+    """Both targets, and the program as written, in up to `jobs` processes. A stream that cannot be
     done ends the run at once."""
     from trajopt_cli.optimize import Memory
 
@@ -124,7 +124,7 @@ def all_three(
     def hear(progress: Progress) -> None:
         listen(rapid.value, progress)
 
-    if cores() == 1:
+    if jobs == 1:
         first = solve(job, stream, changes[stream], listen, clock, patience)
         if isinstance(first, Infeasible):
             return {stream: first}, ""
@@ -136,7 +136,15 @@ def all_three(
                 listen(label, progress)
                 beside.listen()
 
-            first = solve(job, stream, changes[stream], listen_to_both, clock, patience)
+            first = solve(
+                job,
+                stream,
+                changes[stream],
+                listen_to_both,
+                clock,
+                patience,
+                hands=lambda: max(1, jobs - (not beside.done)),
+            )
             if isinstance(first, Infeasible):
                 return {stream: first}, ""
             answer, written, seconds = beside.answer()
@@ -185,6 +193,7 @@ def solve(
     clock: Clock,
     patience: Patience,
     memory: Memory | None = None,
+    hands: Callable[[], int] = lambda: 1,
 ) -> Judged | Infeasible | NoPlan:
     """Plan one target, write its trajectory as CSV text, and let the judge read that text."""
     from trajopt_cli.joint_csv import write_csv_text
@@ -198,7 +207,14 @@ def solve(
     with clock.phase(f"{label}: plan"):
         try:
             plan = optimize(
-                job.program, job.plant, target, progress=tell, changes=changes, memory=memory, patience=patience
+                job.program,
+                job.plant,
+                target,
+                progress=tell,
+                changes=changes,
+                memory=memory,
+                patience=patience,
+                hands=hands,
             )
         except NoCleanPlan as failure:
             return NoPlan(label, str(failure))
