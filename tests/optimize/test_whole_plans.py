@@ -12,7 +12,10 @@ from small_cells import HOME, plant_with_rail, plant_without_rail, problem_of, r
 from trajopt_cli.geometry import Array, wxyz_from_rotation
 from trajopt_cli.motion import Program
 from trajopt_cli.optimize import bound, optimize
+from trajopt_cli.optimize.assemble import rows_of
 from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.profiles import profiles
+from trajopt_cli.optimize.solve import _passing
 from trajopt_cli.optimize.tuning import BOUND_LEVELS
 from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, FIXED_RAIL, Freedom
 from trajopt_cli.problem.plan import Plan, Target
@@ -283,3 +286,24 @@ def test_a_robot_without_a_rail_is_never_told_that_a_rail_limits_it() -> None:
     assert isinstance(plan, Plan)
     assert [m.binding for m in plan.motions][1:] == ["already there"] * 2
     assert plan.motions[0].binding.startswith(("joint_", "TCP "))
+
+
+def test_rounding_far_along_a_rail_is_no_limit_that_is_passed() -> None:
+    """At 39 m a double has fewer digits behind the point, and the pieces of a profile add their roundings up."""
+    axes = Axes.of(plant_with_rail((-0.2, 39.8)))
+    for end in np.linspace(38.0, 39.0, 12):
+        q_1 = np.array([end, 0.1, 0.2, -0.3, 0.4, 0.5, 0.6])
+        leg = profiles(np.zeros(7), np.zeros(7), q_1, np.zeros(7), axes.velocity, axes.acceleration, 0.0, common=True)
+        assert not len(_passing(axes, rows_of(axes, [leg], q_1)[0]))
+
+
+def test_a_programmed_time_is_kept_although_the_rail_would_use_all_of_it() -> None:
+    """In 0.5 s the rail goes 3 m/s2 (0.5 s)2 / 4 to the last hair, which no row of a file can."""
+    body = STATION.replace("v500, fine", "v500 \\T:=0.5, fine").replace("MoveAbsJ j_home", "MoveJ Offs(p_low,0,900,0)")
+    program = rapid(body)
+    plan = optimize(program, plant_with_rail(), RAPID, bounded=False)
+    assert isinstance(plan, Plan), plan
+    line = plan.motions[1]
+    assert line.t_1 - line.t_0 == pytest.approx(0.5, abs=1e-9)
+    assert 0.15 < abs(line.q_1[0] - line.q_0[0]) <= 0.75 * 0.5**2
+    assert verify(program, plant_with_rail(), plan.trajectory, target=RAPID, advice=False).legal

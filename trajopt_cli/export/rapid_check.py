@@ -32,6 +32,7 @@ from trajopt_cli.units import MM
 
 _POSE = 2e-7  # m, rad and rotation entries: a computed target, written out, is rounded to the 24 bits of a num
 _RAIL = 1e-7  # m: a num has 24 bits, which is half of this at 2 m
+_NUM = 2.0**-24  # share of a value by which rounding to a num may change it
 _SPEED = 1e-8  # m/s, rad/s
 
 
@@ -105,13 +106,18 @@ def rail_moves(planned: PlannedMotion, plant: Plant) -> bool:
     return abs(float(plant.layout.place(planned.q_1 - planned.q_0))) > _RAIL
 
 
+def _same_rail(one: float, other: float) -> bool:
+    """Whether two rail positions [m] are one as far as a num can tell, which on a long rail is micrometres."""
+    return abs(one - other) <= max(_RAIL, 2 * _NUM * abs(one))
+
+
 def _near(one: Array, other: Array) -> bool:
     return np.allclose(one, other, rtol=0.0, atol=_POSE)
 
 
 def _same_axes(motion: Move, read: Move) -> bool:
     return all(
-        one is other or (one is not None and other is not None and abs(one - other) * MM <= _RAIL)
+        one is other or (one is not None and other is not None and _same_rail(one * MM, other * MM))
         for one, other in zip(motion.extax, read.extax, strict=True)
     )
 
@@ -151,7 +157,7 @@ def _differences(motion: Move, planned: PlannedMotion, plant: Plant, read: Move)
     if plant.rail_eax is not None:
         wanted, given = float(plant.layout.place(planned.q_1)), plant.rail_value(read.extax)
         stays = given is None and not rail_moves(planned, plant)  # an open axis stays where it is
-        if not stays and (given is None or not abs(wanted - given) <= _RAIL):
+        if not stays and (given is None or not _same_rail(wanted, given)):
             shown = "open" if given is None else f"{given / MM:.6f} mm"
             yield f"the rail at {wanted / MM:.6f} mm, and the target says {shown}"
     yield from _elsewhere(motion, read)
@@ -180,7 +186,7 @@ def _check_dwell(
     if not isinstance(read, MoveL) or before is None:
         return [_mismatch(wait, "a MoveL there that takes the rail along")]
     wanted, given = float(plant.layout.place(planned.q_1)), plant.rail_value(read.extax)
-    if given is None or not abs(wanted - given) <= _RAIL:
+    if given is None or not _same_rail(wanted, given):
         return [_mismatch(wait, difference) for difference in _differences(read, planned, plant, read)]
     if confdata_counts(read) and not confdata_admits(plant.robot, read.conf, np.asarray(planned.q_1[plant.layout.arm])):
         return [_mismatch(wait, difference) for difference in _differences(read, planned, plant, read)]

@@ -25,6 +25,7 @@ from trajopt_cli.optimize.profiles import hold, profiles
 from trajopt_cli.optimize.search import Chain, best_chain
 from trajopt_cli.optimize.tuning import (
     ALONE_NODES,
+    LATE,
     LEAST_POLISH,
     LONG_LINE,
     LONG_TURN,
@@ -446,7 +447,10 @@ def _leg_times(axes: Axes, problem: Problem, pairs: Sequence[_Pairs]) -> list[Ar
             problem.coordinated or problem.passes(one.k) or problem.passes(one.k + 1)
         ):
             T = np.minimum(T, _own_times(axes, leg, one.q_0, one.q_1))
-        out.append(T if leg.duration is None else np.where(np.isfinite(T), np.maximum(T, leg.duration), np.inf))
+        if leg.duration is not None:  # what takes longer than it may is no answer, but shows the way to one
+            late = np.maximum(T * SLACK - leg.duration, 0.0)
+            T = np.where(np.isfinite(T), leg.duration + LATE * late, np.inf)
+        out.append(T)
     return out
 
 

@@ -146,7 +146,9 @@ def _passing(axes: Axes, trajectory: Trajectory) -> IndexArray:
     """The intervals between rows in which the cubic Hermite passes an axis' velocity or acceleration by more than what
     rounding does to rows that stand near each other."""
     h = np.diff(trajectory.t)
-    noise = 6 * RESIDUAL / (h * h)[:, None]
+    # far along a rail and late in a cycle there is more of it, and the pieces of a profile add theirs up
+    rounding = RESIDUAL + 16 * float(np.finfo(np.float64).eps) * (np.abs(trajectory.q[1:]) + trajectory.t[1:, None])
+    noise = 6 * rounding / (h * h)[:, None]
     V, A = axes.velocity, axes.acceleration
     over = np.zeros(len(h), dtype=bool)
     for u in (1e-6, 1 - 1e-6):

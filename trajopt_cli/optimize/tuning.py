@@ -111,6 +111,7 @@ LEAST_POLISH = 1e-5  # s that a shift must save. Not measured.
 REFINE_GAIN = 1e-6  # share of the time that a step must gain to be tried again. Measured: on 1,000 points of z1 along a
 # rail chains of one time drifted to and fro for 30 rounds.
 SLACK = 1 + 1e-4  # times its least time that a wait must have, for limits are not used to the last hair. Not measured.
+LATE = 1e3  # times what a leg would pass its programmed time by, added to the chain's. Not measured.
 REFINE_ROUNDS = 40  # at most. Not measured.
 
 MOST_MARKS = (
