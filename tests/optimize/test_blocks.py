@@ -123,14 +123,16 @@ def compare(nlp: BlockNlp, copies: list[tuple[np.ndarray, np.ndarray]]) -> None:
         [x, sigma, lam],
         [f, ca.gradient(f, x), g, ca.jacobian(g, x), ca.triu(ca.hessian(lagrangian, x)[0])],
     )
-    p = nlp._evaluation.parameters([held.all_p for held in nlp._held.values()])
+    of = nlp._evaluation
+    of.put([held.all_p for held in nlp._held.values()])
     rng = np.random.default_rng(1)
     for _ in range(5):
-        at, multipliers, scale = rng.normal(size=7), rng.normal(size=g.numel()), rng.uniform(0.1, 2)
-        f_0, grad_0, g_0, jac_0, hess_0 = (np.array(o.full()) for o in whole(at, scale, multipliers))
-        f_1, grad_1 = (o.full() for o in nlp._functions["grad_f"](at, p))
-        g_1, jac_1 = (o.full() for o in nlp._functions["jac_g"](at, p))
-        hess_1 = nlp._functions["hess_lag"](at, p, scale, multipliers).full()
+        at, multipliers = rng.normal(size=7), rng.normal(size=g.numel())
+        f_0, grad_0, g_0, jac_0, hess_0 = (np.squeeze(o.full()) for o in whole(at, 1.0, multipliers))
+        f_1, grad_1, g_1 = of.cost(at), of.gradient(at), of.constraints(at)
+        jac_1, hess_1 = np.zeros((g.numel(), 7)), np.zeros((7, 7))
+        np.add.at(jac_1, of.jacobian_at, of.jacobian(at))
+        np.add.at(hess_1, of.hessian_at, of.hessian(at, multipliers))
         for ours, theirs in ((f_1, f_0), (grad_1, grad_0), (g_1, g_0), (jac_1, jac_0), (hess_1, hess_0)):
             np.testing.assert_allclose(ours, theirs, rtol=0, atol=1e-13)
     assert np.all(np.tril(hess_1, -1) == 0)

@@ -7,9 +7,8 @@ however long the program is.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -17,7 +16,7 @@ from numpy.typing import ArrayLike
 
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.optimize.evaluation import Copies, Evaluation, Kernel, MapKernel
-from trajopt_cli.optimize.tuning import IPOPT, WARM_PUSH
+from trajopt_cli.optimize.interior_point import Bounds, InteriorPoint, NlpResult
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,20 +127,8 @@ class _Held:
         return np.concatenate(self.p)
 
 
-@dataclass(frozen=True, eq=False)
-class NlpResult:
-    """x at the end, the multipliers, the solver's own word and whether it converged."""
-
-    x: Array
-    lam_g: Array
-    lam_x: Array
-    converged: bool
-    status: str
-    iterations: int
-
-
 class BlockNlp:
-    """Collects variables and block copies, then solves min cost . x by IPOPT."""
+    """Collects variables and block copies, then solves min cost . x."""
 
     def __init__(self) -> None:
         self._lower: list[Array] = []
@@ -187,7 +174,7 @@ class BlockNlp:
             held.p.append(P)
 
     def build(self) -> None:
-        """Assemble the functions."""
+        """Assemble what evaluates it, and what solves it."""
         cost, weights = np.zeros(self._count), np.zeros(self._count)
         for index, weight in self._cost:
             cost[index] += weight
@@ -195,7 +182,9 @@ class BlockNlp:
             weights[indices] += weight
         kinds = [(block, held.all_z) for block, held in self._held.items()]
         self._evaluation = Evaluation(kinds, cost, weights)
-        self._functions = self._evaluation.functions()
+        bounds = self._bounds()
+        free, equations = bounds.lower < bounds.upper, bounds.g_lower == bounds.g_upper
+        self._interior = InteriorPoint(self._evaluation.jacobian_at, self._evaluation.hessian_at, free, equations)
 
     @property
     def guess(self) -> Array:
@@ -212,7 +201,16 @@ class BlockNlp:
         mine, theirs = self._held, other._held
         if list(mine) != list(theirs) or any(not np.array_equal(mine[k].all_z, theirs[k].all_z) for k in mine):
             raise ValueError("adopt: the two programs differ in structure")
-        self._evaluation, self._functions = other._evaluation, other._functions
+        self._evaluation, self._interior = other._evaluation, other._interior
+
+    def _bounds(self) -> Bounds:
+        held = self._held.items()
+        return Bounds(
+            np.concatenate(self._lower),
+            np.concatenate(self._upper),
+            np.concatenate([np.tile(block.shape.lower, len(one.all_z)) for block, one in held]),
+            np.concatenate([np.tile(block.shape.upper, len(one.all_z)) for block, one in held]),
+        )
 
     def solve(
         self, guess: NlpResult | None = None, *, mu: float = 1e-1, tolerance: float = 1e-8, most: int = 200,
@@ -220,91 +218,8 @@ class BlockNlp:
     ) -> NlpResult:  # fmt: skip
         """Solve from the variables' guesses, or warm from an earlier result of the same program. stop: asked in every
         iteration whether to end there, without convergence."""
-        if not hasattr(self, "_functions"):
+        if not hasattr(self, "_evaluation"):
             self.build()
-        options: dict[str, Any] = {
-            "print_time": False,
-            "ipopt.print_level": 0,
-            "ipopt.sb": "yes",
-            "ipopt.tol": tolerance,
-            "ipopt.max_iter": most,
-            "ipopt.mu_init": mu,
-            **IPOPT,
-            "no_nlp_grad": True,
-            "calc_lam_p": False,
-            **self._functions,
-        }
-        if guess is not None:
-            options |= {
-                "ipopt.warm_start_init_point": "yes",
-                "ipopt.warm_start_bound_push": WARM_PUSH,
-                "ipopt.warm_start_slack_bound_push": WARM_PUSH,
-                "ipopt.warm_start_mult_bound_push": WARM_PUSH,
-                "ipopt.warm_start_bound_frac": WARM_PUSH,
-                "ipopt.warm_start_slack_bound_frac": WARM_PUSH,
-            }
-        x, p = (ca.MX.sym(name, self._functions["jac_g"].size_in(i)) for i, name in enumerate("xp"))
-        f, g = self._functions["grad_f"](x, p)[0], self._functions["jac_g"](x, p)[0]
-        problem = {"x": x, "p": p, "f": f, "g": g}
-        watch = _Watch(stop, problem) if stop is not None else None
-        if watch is not None:
-            options["iteration_callback"] = watch
-        solver = ca.nlpsol("solver", "ipopt", problem, options)
-        held = self._held.items()
-        arguments = {
-            "x0": guess.x if guess else self.guess,
-            "p": self._evaluation.parameters([one.all_p for _, one in held]),
-            "lbx": np.concatenate(self._lower),
-            "ubx": np.concatenate(self._upper),
-            "lbg": np.concatenate([np.tile(block.shape.lower, len(one.all_z)) for block, one in held]),
-            "ubg": np.concatenate([np.tile(block.shape.upper, len(one.all_z)) for block, one in held]),
-        }
-        if guess is not None:
-            arguments |= {"lam_g0": guess.lam_g, "lam_x0": guess.lam_x}
-        out = solver(**arguments)
-        stats = solver.stats()
-        return NlpResult(
-            np.asarray(out["x"]).ravel(),
-            np.asarray(out["lam_g"]).ravel(),
-            np.asarray(out["lam_x"]).ravel(),
-            bool(stats["success"]),
-            str(stats["return_status"]),
-            int(stats["iter_count"]),
-        )
-
-
-class _Watch(ca.Callback):
-    """Ends IPOPT's iterations when stop says so."""
-
-    def __init__(self, stop: Callable[[], bool], problem: Mapping[str, ca.MX]):
-        super().__init__()
-        rows = {"f": 1, "lam_p": problem["p"].numel()}
-        rows |= {name: problem["x"].numel() for name in ("x", "lam_x")}
-        rows |= {name: problem["g"].numel() for name in ("g", "lam_g")}
-        self._stop, self._rows = stop, [rows[name] for name in ca.nlpsol_out()]
-        self.construct("watch", {})
-
-    def get_n_in(self) -> int:
-        return len(self._rows)
-
-    def get_n_out(self) -> int:
-        return 1
-
-    def get_sparsity_in(self, i: int) -> ca.Sparsity:
-        return ca.Sparsity.dense(self._rows[i], 1)
-
-    def eval(self, arguments: Sequence[ca.DM]) -> list[int]:
-        """1 ends the iterations."""
-        return [int(self._stop())]
-
-
-def _scatter(values: ca.MX, rows: Array, cols: Array, n_rows: int, n_cols: int) -> ca.MX:
-    """The sparse matrix (n_rows, n_cols) with values summed at (rows, cols)."""
-    key = cols.astype(np.int64) * n_rows + rows
-    unique, inverse = np.unique(key, return_inverse=True)
-    pattern = ca.Sparsity.triplet(n_rows, n_cols, (unique % n_rows).tolist(), (unique // n_rows).tolist())
-    if len(unique) == len(key):
-        order = np.argsort(key, kind="stable")
-        return ca.MX(pattern, values[order.tolist()])
-    gather = ca.DM(ca.Sparsity.triplet(len(unique), len(key), inverse.tolist(), list(range(len(key)))), 1.0)
-    return ca.MX(pattern, ca.mtimes(gather, values))
+        self._evaluation.put([one.all_p for one in self._held.values()])
+        start = self.guess if guess is None else guess
+        return self._interior.solve(self._evaluation, self._bounds(), start, mu, tolerance, most, stop)

@@ -11,11 +11,11 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.blocks import NlpResult
 from trajopt_cli.optimize.draft import Draft, Margins
 from trajopt_cli.optimize.exchange import back_off, check_leg
 from trajopt_cli.optimize.formulation import Formulation
-from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, parabola
+from trajopt_cli.optimize.interior_point import NlpResult
+from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, Pieces, parabola
 from trajopt_cli.optimize.profiles import hold
 from trajopt_cli.optimize.reading import read
 from trajopt_cli.optimize.transcription import Transcription
@@ -32,17 +32,19 @@ from trajopt_cli.optimize.tuning import (
     LAST_ALONE,
     LEAST_DRAFT,
     MOST_ITERATIONS,
+    MOST_SLOWED,
     NEAR_CAP,
     OVER,
     ROUGH,
     ROUNDS,
     SAFE,
     SHARP,
+    SLOWED,
     START,
 )
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.patience import Patience
-from trajopt_cli.problem.problem import LegKind, Problem
+from trajopt_cli.problem.problem import Leg, LegKind, Problem
 
 
 def first_draft(axes: Axes, problem: Problem, q: Array, qd: Array, cfx: tuple[int, ...], times: Array) -> Draft:
@@ -99,6 +101,23 @@ def _path(axes: Axes, problem: Problem, k: int, T: float, q_0: Array, cfx: int, 
     X_WT = problem.waypoints[k].X_WF @ leg.X_FT
     grid = np.linspace(0, 1, len(nodes[0]))
     return PathLeg(T, leg.segment or Line(X_WT, X_WT), leg.X_FT, cfx, q_0[axes.layout.arm], grid, *nodes)
+
+
+def slowed(problem: Problem, draft: Draft, times: float) -> Draft:
+    """The same motion, so many times as long; waits keep their time."""
+
+    def leg(leg: Leg, motion: LegMotion | None) -> LegMotion | None:
+        if motion is None or leg.duration is not None:
+            return motion
+        if isinstance(motion, JointProfiles):
+            return JointProfiles(
+                motion.T * times, motion.q_0, motion.qd_0 / times, motion.times * times, motion.accelerations / times**2
+            )
+        return replace(motion, T=motion.T * times) if not isinstance(motion, Pieces) else motion
+
+    return replace(
+        draft, qd=draft.qd / times, legs=tuple(leg(*one) for one in zip(problem.legs, draft.legs, strict=True))
+    )
 
 
 class NotConverged(Exception):
@@ -173,7 +192,8 @@ class Refiner:
             if opened:
                 self._watch(draft, margins)
             try:
-                draft, *warm = self._solve(draft, margins, BARRIER_REFINED, SHARP if 2 * n >= self.last else ROUGH)
+                start = self._slowed(draft, margins)
+                draft, *warm = self._solve(start, margins, BARRIER_REFINED, SHARP if 2 * n >= self.last else ROUGH)
             except NotConverged:
                 # the coarser grid's answer is a motion too; cleaned, it is only a little slower
                 draft, margins, warm = good
@@ -209,13 +229,28 @@ class Refiner:
             if not (changed or opened):
                 return draft
             if self._watch(draft, margins, SAFE) or opened:
-                draft, *warm = self._solve(draft, margins, BARRIER_REFINED)
+                draft, *warm = self._solve(self._slowed(draft, margins), margins, BARRIER_REFINED)
             else:
                 try:
                     draft, *warm = self._solve(draft, margins, BARRIER_WARM, warm=warm)
                 except NotConverged:  # a warm start keeps to the limits it knows; a cold one finds its way round
-                    draft, *warm = self._solve(draft, margins, BARRIER_COLD)
+                    draft, *warm = self._solve(self._slowed(draft, margins), margins, BARRIER_COLD)
         raise NotConverged(f"a limit is still passed by {worst - 1:.2e} after {ROUNDS} rounds of tightening")
+
+    def _slowed(self, draft: Draft, margins: list[Margins | None]) -> Draft:
+        """The same motion so slow that no limit in force is reached: the solver keeps to them from where it begins."""
+        most = 1.0
+        for leg, motion, m in zip(self.problem.legs, draft.legs, margins, strict=True):
+            if motion is not None and m is not None:
+                r = check_leg(self.axes, leg, motion)
+                shares = m.velocity.min(), m.acceleration.min(), *m.tool.min(axis=0)
+                rates = r.velocity.max(), np.sqrt(r.acceleration.max()), r.tool[:, 0].max(), np.sqrt(r.tool[:, 1].max())
+                most = max(
+                    most, *(one / share for one, share in zip((*rates, r.tool[:, 2].max()), shares, strict=True))
+                )
+        if most > MOST_SLOWED or most == 1.0:
+            return draft
+        return slowed(self.problem, draft, most * SLOWED)
 
     def _open_grids(self, draft: Draft, margins: list[Margins | None]) -> bool:
         """Joint moves whose closed-form profiles break a tool cap or a range go on a grid."""

@@ -7,8 +7,6 @@ around a comparison) stays where it is used.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 # ---- reach: may the program be done at all
 REACH_GRID = 193  # rail positions on a stroke at least; 12.5 mm on one of 2.4 m. Not measured.
 REACH_APART = 0.0125  # m between two of them at most. Not measured.
@@ -150,29 +148,36 @@ JOINT_RATE = 100.0  # bound of a joint's first derivative on a grid. Not measure
 JOINT_CURVE = 1000.0  # of the second. Not measured.
 
 # ---- solver
-MOST_ITERATIONS = 100  # a start that converges needs 25 to 60. Measured: 500 let some
+MOST_ITERATIONS = 150  # a start that converges needs 25 to 60. Measured: 500 let some
 # cells converge that fail with 100, while another then tightens its limits without end.
 SHARP = 1e-8  # tolerance of the last grids. Not measured.
 ROUGH = 1e-4  # tolerance of the grids before. Not measured.
 BARRIER_FIRST = 1e-2  # first barrier parameter from the search's estimates. Not measured.
 BARRIER_DOUBT = 1e-1  # where that fails. Not measured.
 BARRIER_REFINED = 1e-4  # from the same motion on a coarser grid or with another structure. Not measured.
-BARRIER_WARM = 1e-5  # from the same program with tightened limits. Not measured.
+BARRIER_WARM = (
+    1e-8  # from the same program with tightened limits, with its multipliers. Measured on hinge_cell and hinge_line:
+)
+# 13 to 17 iterations, 23 to 25 with 1e-7, 24 to 38 with 1e-5.
 BARRIER_COLD = 1e-3  # where that warm start fails. Not measured.
 WARM_PUSH = 1e-7  # how far a warm start is pushed off its bounds. Not measured.
-IPOPT: Mapping[str, object] = {
-    "show_eval_warnings": False,  # a place where a block has no value is left by IPOPT itself; nobody need read of it
-    "ipopt.constr_viol_tol": 1e-10,  # not measured
-    "ipopt.acceptable_iter": 12,  # not measured
-    "ipopt.acceptable_tol": 1e-5,  # not measured
-    "ipopt.acceptable_constr_viol_tol": 1e-8,  # not measured
-    "ipopt.bound_relax_factor": 0.0,  # a limit is a limit; not measured
-    "ipopt.honor_original_bounds": "yes",  # the same
-    "ipopt.linear_solver": "mumps",  # measured: FATROP a tenth to a fifth faster, spral half as fast
-    "ipopt.mumps_pivot_order": 0,  # AMD; measured: a fifth faster than the automatic choice
-    "ipopt.mumps_mem_percent": 100,  # room beside the estimate. Measured: with IPOPT's 1000 the system gets pages for
-    # every factorization, a seventh of hinge_cell's last solve; the numbers are the same
-}
+SLOWED = 1.002  # times as long as it must be a motion is made for another grid to begin with. Not measured.
+MOST_SLOWED = 3.0  # times; what passes limits by more is no motion to begin with. Not measured.
+FIRST_PUSH = 1e-2  # the same of a start without multipliers. Not measured.
+BARRIER_ERROR = 10.0  # times the barrier parameter that may be off before it falls. Measured: 30 takes up to 3 of 26
+# iterations less on one program and fails on another.
+BARRIER_FACTOR = 0.2  # times that it falls at least, and
+BARRIER_POWER = 1.5  # its power. Measured: 0.1 makes no difference.
+LEAST_TAU = 0.99  # share of the way to a bound that a step may go. Not measured.
+FEASIBLE = 1e-10  # by which a row may be off in the end. Not measured.
+FEASIBLE_ROUGH = 1e-7  # the same on a grid that is refined afterwards. Not measured.
+MENDINGS = 20  # steps in a row that only mend rows, at most. Not measured.
+MENDED = 0.3  # share of what rows were off that may be left of it then. Not measured.
+BACKTRACKS = 30  # halvings of a step. Not measured.
+FIRST_SHIFT = 1e-4  # first multiple of the identity where the program is not convex. Not measured.
+MOST_SHIFT = 1e40  # largest. Not measured.
+EQUATION_EPS = 1e-9  # regularisation of equations that depend on each other. Not measured.
+REFINEMENTS = 2  # of each solution of a linear system. Not measured.
 
 # ---- exchange: the dense check and the back-off
 START = 1.0 - 5e-5  # share of every limit a path's grid starts with: rounding and Hermite rows need a hair of room.
