@@ -74,6 +74,7 @@ ADDRESSES: dict[str, tuple[str, ...]] = {
     "pinocchio": ("robot/*", "verify/geometry.py", "verify/mechanism.py"),
     "coal": ("collision/*",),
     "toppra": ("timing/*",),
+    "qdldl": ("optimize/interior_point.py",),
     "ruckig": ("timing/*",),
     "scipy": ("optimize/*", "timing/*", "compliance/controller/*"),
     "typer": ("cli/*",),

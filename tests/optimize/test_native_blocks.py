@@ -67,7 +67,8 @@ def test_a_program_has_one_answer_whoever_evaluates_it() -> None:
     problem = problem_of(rapid(f"{moves}MoveL p_low,v200,fine,tool0;WaitTime 0.4;"), plant)
     chain = search(axes, problem)
     assert chain is not None
-    draft = first_draft(axes, problem, chain)
+    cfx = tuple(label.cfx for label in chain.labels)
+    draft = first_draft(axes, problem, chain.q, chain.w, cfx, chain.times)
     margins = [Margins.full(m.N, axes.n, 1.0) if hasattr(m, "N") else None for m in draft.legs]
 
     def solved(library: Library) -> NlpResult:

@@ -33,7 +33,8 @@ def program() -> Transcription:
     problem = problem_of(rapid(moves), plant)
     chain = search(axes, problem)
     assert chain is not None
-    draft = first_draft(axes, problem, chain)
+    cfx = tuple(label.cfx for label in chain.labels)
+    draft = first_draft(axes, problem, chain.q, chain.w, cfx, chain.times)
     rng, n = np.random.default_rng(5), axes.n
     margins: list[Margins | None] = []
     legs = []

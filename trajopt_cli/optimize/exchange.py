@@ -136,9 +136,10 @@ def back_off(margins: Margins, ratios: Ratios, motion: LegMotion, target: float,
         pushed = np.max(np.abs(motion.b) / (rail * motion.T**2), axis=1)
         over = (ratio > target) & (pushed > PUSHED)
         share = np.maximum(1 - AMPLE * (1 - (target - BEYOND) / np.maximum(ratio, 1.0)), LEAST_PUSH)
+        once = over & (margins.push == 1.0)  # what is over again is so by more than the push
         margins.push[over] = np.minimum(margins.push, pushed * share)[over]
         changed = bool(over.any())
-        ratios = replace(ratios, acceleration=np.where(over[:, None], 0.0, ratios.acceleration))
+        ratios = replace(ratios, acceleration=np.where(once[:, None], 0.0, ratios.acceleration))
     pairs = [(margins.tool, ratios.tool)]
     touching = np.where(ratios.position > 1.0, ratios.position, 0.0)  # a range may be used to its very end
     pairs += [(margins.position, touching * target)]

@@ -129,7 +129,7 @@ LEAST_GAIN = 1e-6  # s that a nonlinear program must save to be worth another mo
 # ---- transcription: the nonlinear program
 FIRST = 6  # intervals of a path on the first grid, doubled from solve to solve. Measured: direct starts on 16 or 20
 # intervals failed sometimes, nested grids from 6 did not.
-LAST = 24  # intervals on the last grid. Measured: 48 gave 6.4883 s for 6.4935 s on hinge_cell.
+LAST = 48  # intervals on the last grid. Measured: 48 gave 6.4883 s for 6.4935 s on hinge_cell.
 LAST_ALONE = 48  # the same where a leg is solved by itself: cheap there. Not measured.
 GRID_JOINT = 24  # intervals of a joint move once a tool cap or a range binds. Not measured.
 FREE_ZONES = 12  # intervals at which run-up, middle and run-out of a path may shift; kept on finer grids, which saves
@@ -154,10 +154,9 @@ SHARP = 1e-8  # tolerance of the last grids. Not measured.
 ROUGH = 1e-4  # tolerance of the grids before. Not measured.
 BARRIER_FIRST = 1e-2  # first barrier parameter from the search's estimates. Not measured.
 BARRIER_DOUBT = 1e-1  # where that fails. Not measured.
-BARRIER_REFINED = 1e-4  # from the same motion on a coarser grid or with another structure. Not measured.
-BARRIER_WARM = (
-    1e-8  # from the same program with tightened limits, with its multipliers. Measured on hinge_cell and hinge_line:
-)
+BARRIER_REFINED = 1e-5  # from the same motion on a coarser grid or with another structure. Measured on ten programs: 1e-4 and
+# 1e-5 end within 0.05 % of each other, 1e-3 fails on two.
+BARRIER_WARM = 1e-8  # from the same program with tightened limits, with its multipliers. Measured on two programs:
 # 13 to 17 iterations, 23 to 25 with 1e-7, 24 to 38 with 1e-5.
 BARRIER_COLD = 1e-3  # where that warm start fails. Not measured.
 WARM_PUSH = 1e-7  # how far a warm start is pushed off its bounds. Not measured.
@@ -166,8 +165,8 @@ MOST_SLOWED = 3.0  # times; what passes limits by more is no motion to begin wit
 FIRST_PUSH = 1e-2  # the same of a start without multipliers. Not measured.
 BARRIER_ERROR = 10.0  # times the barrier parameter that may be off before it falls. Measured: 30 takes up to 3 of 26
 # iterations less on one program and fails on another.
-BARRIER_FACTOR = 0.2  # times that it falls at least, and
-BARRIER_POWER = 1.5  # its power. Measured: 0.1 makes no difference.
+BARRIER_FACTOR = 0.2  # times that it falls at least. Not measured.
+BARRIER_POWER = 1.5  # or to this power of itself, whichever falls less. Measured: 0.1 makes no difference.
 LEAST_TAU = 0.99  # share of the way to a bound that a step may go. Not measured.
 FEASIBLE = 1e-10  # by which a row may be off in the end. Not measured.
 FEASIBLE_ROUGH = 1e-7  # the same on a grid that is refined afterwards. Not measured.

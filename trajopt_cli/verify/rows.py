@@ -198,7 +198,7 @@ def look(plant: Machine, trajectory: Trajectory, resolution: Resolution | None, 
     r = resolution or Resolution(0.0, np.zeros(k), np.zeros(k))
     gaps = np.diff(t)
     still = _standstill(trajectory)
-    gaps[still] = np.minimum(gaps, np.median(gaps))[still]
+    gaps[still] = np.minimum(gaps, np.median(gaps[~still]) if not still.all() else 0.0)[still]
     marked = _marked(gaps, r.t, marks)
     return Rows(
         plant=plant,
