@@ -486,11 +486,8 @@ def _pairs(
             else:
                 time = trapezoid_time(least, V[j], A[j])
         else:
-            a_lo, a_hi, c_lo, c_hi = a.v.lo[j, ia], a.v.hi[j, ia], b.v.lo[j, ib], b.v.hi[j, ib]
-            time = T.copy()
-            for _ in range(2):
-                time = _leave(time, low, a_lo, a_hi, c_lo, c_hi, V[j], A[j])
-                time = _leave(time, -high, -a_hi, -a_lo, -c_hi, -c_lo, V[j], A[j])
+            rates = a.v.lo[j, ia], a.v.hi[j, ia], b.v.lo[j, ib], b.v.hi[j, ib]
+            time = _least_of_axis(T, low, high, rates, V[j], A[j])
         if run.fixed:
             live = time <= run.floor + 1e-9
         else:
@@ -500,23 +497,37 @@ def _pairs(
     return T, ia, ib
 
 
-def _leave(T: Array, D: Array, a_lo: Array, a_hi: Array, c_lo: Array, c_hi: Array, V: float, A: float) -> Array:
-    """The least time >= T in which some motion between the velocity boxes travels at least D; see _most."""
-    T = np.maximum(T, np.maximum(c_lo - a_hi, a_lo - c_hi) / A)
-    short = _most(T, a_hi, c_hi, V, A) < D - 1e-9
-    m, M = np.minimum(a_hi, c_hi), np.maximum(a_hi, c_hi)
+def _least_of_axis(T: Array, low: Array, high: Array, rates: tuple[Array, ...], V: float, A: float) -> Array:
+    """The least times >= T (k,) in which an axis can travel between low and high, from the first range of velocity to
+    the second: rates (lo, hi, lo, hi). Where it gets as far as low at last it is not beyond high, and reversely."""
+    a_lo, a_hi, c_lo, c_hi = rates
+    out = np.maximum(T, np.maximum(c_lo - a_hi, a_lo - c_hi) / A)
+    _leave(out, low, a_hi, c_hi, V, A)
+    _leave(out, -high, -a_lo, -c_lo, V, A)
+    return out
+
+
+def _leave(T: Array, D: Array, a: Array, c: Array, V: float, A: float) -> None:
+    """Put T (k,), in place, to the least time >= T in which some motion with end velocities below a and c travels at
+    least D; see _most."""
+    short = np.flatnonzero(_most(T, a, c, V, A) < D - 1e-9)
+    t, d, v, w = T[short], D[short], a[short], c[short]
+    m, M = np.minimum(v, w), np.maximum(v, w)
+    squares = (v * v + w * w) / 2
     with np.errstate(invalid="ignore", divide="ignore"):
-        early = (np.sqrt(np.maximum(m * m + 2 * A * D, 0)) - m) / A
-        energy = A * D + (a_hi**2 + c_hi**2) / 2
-        peak = np.sqrt(np.maximum(energy, 0))
-        slow = (2 * peak - a_hi - c_hi) / A
-        fast = (2 * V - a_hi - c_hi) / A + (D - (V * V - (a_hi**2 + c_hi**2) / 2) / A) / V
+        early = (np.sqrt(np.maximum(m * m + 2 * A * d, 0)) - m) / A
+        peak = np.sqrt(np.maximum(A * d + squares, 0))
+        slow = (2 * peak - v - w) / A
+        fast = (2 * V - v - w) / A + (d - (V * V - squares) / A) / V
     late = np.where(peak <= V, slow, fast)
-    end = np.where((M >= 0) & ((M * M - m * m) / (2 * A) > D), early, late)
-    return np.where(short, np.maximum(T, end - 1e-9), T)
+    end = np.where((M >= 0) & ((M * M - m * m) / (2 * A) > d), early, late)
+    T[short] = np.maximum(t, end - 1e-9)
 
 
 def _most(T: Array, a: Array, c: Array, V: float, A: float) -> Array:
     """Most displacement in T when the end velocities may be chosen below a and c: convex and smooth in T."""
-    m, M = np.minimum(a, c), np.maximum(a, c)
-    return np.where(M - m > T * A, m * T + A * T * T / 2, reach(T, a, c, V, A))
+    out = reach(T, a, c, V, A)
+    early = np.flatnonzero(np.abs(c - a) > T * A)
+    m, T = np.minimum(a[early], c[early]), T[early]
+    out[early] = m * T + A * T * T / 2
+    return out
