@@ -39,7 +39,7 @@ from trajopt_cli.problem.plan import Target
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.joints import check_joints
 from trajopt_cli.verify.rows import look
-from trajopt_cli.verify.tolerances import HELD
+from trajopt_cli.verify.tolerances import DURATION, HELD
 
 
 def test_nan_and_reversed_time_are_malformed_files() -> None:
@@ -62,6 +62,24 @@ def test_a_programmed_time_replaces_the_programmed_speed() -> None:
     motions = list(case.program.motions)
     motions[1] = move_l(12, "p_a", A, 0.08, speed=slow, duration=case.pieces[1].T)
     assert verify(program(*motions), case.plant, case.rows()).legal
+
+
+@pytest.mark.parametrize("stays", [0, 1, 2])
+def test_a_programmed_time_may_end_in_a_rest_that_later_moves_share(stays: int) -> None:
+    """A line that comes to rest before its time is over: lines of no length behind its wait take nothing of that."""
+    case, rest = rapid_case(), 0.02
+    q = case.pieces[2].at(np.zeros(1))[0][0]
+    case = case.swap(p2=hold(q, 0.1 + rest))
+
+    def programmed(T: float) -> list[str]:
+        motions = list(case.program.motions)
+        motions[1] = move_l(12, "p_a", A, 0.08, duration=T)
+        motions[3:3] = [move_l(19 + k, "p_a", A, 0.08) for k in range(stays)]
+        return [f.check for f in verify(program(*motions), case.plant, case.rows()).findings if not f.passed]
+
+    T = case.pieces[1].T
+    assert programmed(T) == programmed(T + rest / 2) == programmed(T + rest) == []
+    assert programmed(T + rest + OVER * DURATION) == programmed(T - OVER * DURATION) == ["duration"]
 
 
 def test_two_joint_moves_to_one_pose_share_a_rest() -> None:

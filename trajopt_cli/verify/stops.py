@@ -43,7 +43,7 @@ def check_stops(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> list
         out.extend(_rail(rows, visit))
         # in a run the moves beside a point share the time of its corner
         if i > 0 and visit.point.duration is not None and before.point.fly_by is None:
-            out.append(_duration(rows, before, visit))
+            out.append(_duration(rows, before, visit, _rest_over(line, i)))
         out.extend(_dwells(rows, visit))
         if visit.holds or visit.stay:
             out.append(_drift(rows, visit, before, frame))
@@ -168,13 +168,21 @@ def _rail(rows: Rows, visit: Visit) -> list[Finding]:
     ]  # fmt: skip
 
 
-def _duration(rows: Rows, before: Visit, visit: Visit) -> Finding:
+def _rest_over(line: Timeline, i: int) -> float:
+    """By how much the rest at visit i, with all moves behind it that stay there, is longer than they and their waits
+    [s]."""
+    behind = next((k for k in range(i + 1, len(line.visits)) if not line.visits[k].stay), len(line.visits))
+    last = line.visits[behind - 1]
+    return max(float(line.rows.t[last.depart]) - last.ready, 0.0)
+
+
+def _duration(rows: Rows, before: Visit, visit: Visit, rest_after: float) -> Finding:
     """The programmed time of a move against the times it can have taken: between the rests beside it.
 
     A rest longer than its waits may belong to the move or not; of a move that stays only the least can be seen.
+    rest_after [s]: how much of that there is behind it.
     """
     wanted = visit.point.duration or 0.0
-    rest_after = max(float(rows.t[visit.depart]) - visit.ready, 0.0)
     if visit.stay:
         taken = min(wanted, float(rows.t[visit.depart]) - sum(h.end - h.begin for h in visit.holds) - before.ready)
     else:
