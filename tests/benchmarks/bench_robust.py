@@ -24,6 +24,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
+from threading import Event
 from time import monotonic, sleep
 
 import numpy as np
@@ -48,6 +49,7 @@ DIGIT = "%.4f"
 SLOW = 10.0  # times the median of all seconds per move is worth a look
 RAIL_STEP, PLACES = 0.01, 61  # of the check of an answer no: the rail's positions [m], places on a line or an arc
 SHIFTS = 0.6  # m by which the rail may move along one line there
+STOPPED = Event()  # Ctrl-C or SIGTERM: what runs is killed, what waits is not begun
 BEYOND = 1e-9  # rad an axis may stand outside its range
 SINGULAR = 1e-3  # sine of joint 5 and cosine of joint 3's angle to the stretched arm that a line stays away from
 
@@ -331,13 +333,14 @@ def command(arguments: list[str], patience: float) -> tuple[int | None, str, flo
         process = subprocess.Popen(
             line, stdout=subprocess.DEVNULL, stderr=said, cwd=REPOSITORY, start_new_session=True
         )  # fmt: skip
-        until, code = monotonic() + patience, None
+        until, code, others = monotonic() + patience, None, 0.0
         while True:
             pid, status, used = os.wait4(process.pid, os.WNOHANG)
             if pid:
                 process.returncode = code = os.waitstatus_to_exitcode(status)
                 break
-            if monotonic() > until:
+            if monotonic() > until or STOPPED.is_set():
+                others = _seconds_of_others(process.pid)
                 os.killpg(process.pid, signal.SIGKILL)
                 used = os.wait4(process.pid, 0)[2]
                 process.returncode = -signal.SIGKILL
@@ -346,17 +349,36 @@ def command(arguments: list[str], patience: float) -> tuple[int | None, str, flo
         said.seek(0)
         lines = [one for one in said.read().splitlines() if one.strip()]
         crash = any(one.startswith("Traceback") for one in lines)
-        return code, ("Traceback: " if crash else "") + (lines[-1] if lines else ""), used.ru_utime + used.ru_stime
+        return (
+            code,
+            ("Traceback: " if crash else "") + (lines[-1] if lines else ""),
+            used.ru_utime + used.ru_stime + others,
+        )
 
 
-def run(seed: int, folder: Path, patience: float, starts: int) -> dict[str, object]:
-    """One program as a user would do it; what came of it."""
+def _seconds_of_others(group: int) -> float:
+    """Seconds of processor of a process' children while they run: nobody waits for those that are killed with it."""
+    ticks = 0
+    for place in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            fields = place.read_text().rpartition(")")[2].split()  # from the state, the third field, on
+        except OSError:  # it has ended meanwhile
+            continue
+        if int(fields[2]) == group and int(place.parent.name) != group:
+            ticks += int(fields[11]) + int(fields[12])
+    return ticks / os.sysconf("SC_CLK_TCK")
+
+
+def run(seed: int, folder: Path, patience: float, starts: int) -> dict[str, object] | None:
+    """One program as a user would do it; what came of it, None where nobody waits for that any more."""
     made = _Writer(seed).made()
     module, out = folder / f"robust{seed}.mod", folder / f"out{seed}"
     module.write_text(made.text)
     module.with_suffix(".yaml").write_text(made.cell)
     moves = made.text.count("\nMove")
     code, said, seconds = command(["optimize", str(module), "--output", str(out)], patience)
+    if STOPPED.is_set():
+        return None
     row: dict[str, object] = {"seed": seed, "odd": ", ".join(made.odd), "moves": moves, "seconds": round(seconds, 1)}
     row["rail"], row["says"] = "robot: irb140_rail" in made.cell, said.replace(str(folder), "") if code else ""
     if code is None:
@@ -388,6 +410,30 @@ def checked(module: Path, said: str) -> str:
         return no_way(read_job(module))
     except InputError as error:
         return f"not checked: {error}"
+
+
+def check_is_sound() -> None:
+    """The command's answer no to a line that leaves the reach of every rail position is confirmed, with a rail and
+    without; an answer no to the same line left out would be contradicted."""
+    for name, eax in (("irb140_rail", "0"), ("irb140", "9E9")):
+        with tempfile.TemporaryDirectory() as place:
+            module = Path(place) / "no.mod"
+            rail = "rail: {eax: a, stroke: [-0.2, 2.2]}\n" if name == "irb140_rail" else ""
+            start = 'start: {joints: "[0, 0, 0, 0, 30, 0] deg"' + (", rail: 0}" if rail else "}")
+            module.with_suffix(".yaml").write_text(f"robot: {name}\nprofile: default\n{rail}{start}\n")
+            near, far = (
+                f"[[{x},0,300],[0,0,1,0],[0,0,0,0],[{eax},9E9,9E9,9E9,9E9,9E9]], v300, fine, tool0;\n"
+                for x in (450, 950)
+            )
+            said = []
+            for moves in (f"MoveJ {near}MoveL {far}", f"MoveJ {near}"):
+                module.write_text(f"MODULE No\nPROC main()\n{moves}ENDPROC\nENDMODULE\n")
+                code, last, _ = command(["optimize", str(module), "--output", str(Path(place) / "out")], 60.0)
+                said.append((code, checked(module, last)))
+            assert said[0][0] == 1, said
+            assert said[0][1].startswith("confirmed from"), said
+            assert said[1][0] == 0, said
+            assert said[1][1].startswith("CONTRADICTED"), said
 
 
 def others(job: Job, found: dict[Target, float], starts: int, seed: int) -> str:
@@ -425,7 +471,7 @@ def line(row: dict[str, object]) -> str:
 
 
 def main() -> None:
-    """Run the seeds; print every program, then how many of each kind there are, and what is slow."""
+    """Run the seeds; print every program, and the summary in any case: also after Ctrl-C or SIGTERM."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seeds", default="1000:1300", help="first and behind the last, or a list with commas")
     parser.add_argument("--jobs", type=int, default=1)
@@ -435,10 +481,13 @@ def main() -> None:
     parser.add_argument("--keep", type=Path)
     options = parser.parse_args()
     arm_is_pins()
+    check_is_sound()
     first, _, last = options.seeds.partition(":")
     seeds = range(int(first), int(last)) if last else [int(one) for one in first.split(",")]
     os.environ.setdefault("OMP_NUM_THREADS", "1")
-    rows = []
+    rows: list[dict[str, object]] = []
+    for one in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(one, lambda *_: STOPPED.set())
     print(f" seed kind       cell moves {'stream':>9} {'rapid':>10} {'seconds':>9} /move  odd, says")
     with tempfile.TemporaryDirectory() as place:
         folder = options.keep or Path(place)
@@ -446,20 +495,30 @@ def main() -> None:
         with ThreadPoolExecutor(options.jobs) as pool:
             work = partial(run, folder=folder, patience=options.timeout, starts=options.starts)
             for row in pool.map(work, seeds):
+                if row is None:
+                    continue
                 rows.append(row)
                 print(line(row), flush=True)
                 if options.json:
                     options.json.write_text(json.dumps(rows, indent=1))
-    each = {row["seed"]: float(str(row["seconds"])) / max(int(str(row["moves"])), 1) for row in rows}
-    middle = float(np.median([*each.values()]))
-    slow = sorted((seed for seed in each if each[seed] > SLOW * middle), key=lambda seed: -each[seed])
+    print("\n".join(summary(rows)))
+    if len(rows) < len(seeds):
+        sys.exit(f"stopped after {len(rows)} of {len(seeds)} programs")
+
+
+def summary(rows: list[dict[str, object]]) -> Iterator[str]:
+    """How many of each kind there are, and what is slow."""
     counts = Counter(str(row["kind"]) for row in rows)
     no = Counter(
         str(row["says"]).rpartition("[")[2].split()[0].rstrip("]:") for row in rows if row["kind"] == "infeasible"
     )
-    print(", ".join(f"{n} {kind}" for kind, n in counts.most_common()), f"of {len(rows)}")
-    print("infeasible:", ", ".join(f"{n} {word}" for word, n in no.most_common()) or "none")
-    print(f"seconds of processor per move: {middle:.2f} in the middle; over {SLOW:g} times that: {slow or 'none'}")
+    yield f"{', '.join(f'{n} {kind}' for kind, n in counts.most_common()) or 'none'} of {len(rows)}"
+    yield f"infeasible: {', '.join(f'{n} {word}' for word, n in no.most_common()) or 'none'}"
+    if rows:
+        each = {row["seed"]: float(str(row["seconds"])) / max(int(str(row["moves"])), 1) for row in rows}
+        middle = float(np.median([*each.values()]))
+        slow = sorted((seed for seed in each if each[seed] > SLOW * middle), key=lambda seed: -each[seed])
+        yield f"seconds of processor per move: {middle:.2f} in the middle; over {SLOW:g} times that: {slow or 'none'}"
 
 
 if __name__ == "__main__":
