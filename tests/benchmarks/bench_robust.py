@@ -6,7 +6,7 @@ of the ODDITIES. It is optimised by the command, in a process of its own, and wh
 An answer that it cannot be done is held against a check of its own: an inverse kinematics written here, tested against
 pin, on rail positions, branches and turns finer than the planner's, along all lines and arcs of a station. --starts N:
 each program that has a plan is planned N times more in cells that are narrowed at random; what is faster there is legal
-in the whole cell, too, and was missed.
+in the whole cell, too, and was missed. --timeout: seconds of processor, all processes of a program together.
 """
 
 from __future__ import annotations
@@ -49,6 +49,7 @@ DIGIT = "%.4f"
 SLOW = 10.0  # times the median of all seconds per move is worth a look
 RAIL_STEP, PLACES = 0.01, 61  # of the check of an answer no: the rail's positions [m], places on a line or an arc
 SHIFTS = 0.6  # m by which the rail may move along one line there
+CLOCK = 10.0  # seconds of the clock per second of processor that a program may take: on a busy machine, or asleep
 STOPPED = Event()  # Ctrl-C or SIGTERM: what runs is killed, what waits is not begun
 BEYOND = 1e-9  # rad an axis may stand outside its range
 SINGULAR = 1e-3  # sine of joint 5 and cosine of joint 3's angle to the stretched arm that a line stays away from
@@ -326,46 +327,41 @@ def _half(q: Array) -> Array:
 
 
 def command(arguments: list[str], patience: float) -> tuple[int | None, str, float]:
-    """Exit code (None: nothing after so long), the last line on stderr, seconds of processor, of the program's
-    command."""
+    """Exit code (None: killed after so many seconds of processor), the last line on stderr, seconds of processor, of
+    the program's command."""
     with tempfile.TemporaryFile("w+") as said:
         line = [sys.executable, "-m", "trajopt_cli.cli", *arguments]
         process = subprocess.Popen(
             line, stdout=subprocess.DEVNULL, stderr=said, cwd=REPOSITORY, start_new_session=True
         )  # fmt: skip
-        until, code, others = monotonic() + patience, None, 0.0
+        until, code, seconds = monotonic() + CLOCK * patience, None, 0.0
         while True:
             pid, status, used = os.wait4(process.pid, os.WNOHANG)
             if pid:
                 process.returncode = code = os.waitstatus_to_exitcode(status)
+                seconds = used.ru_utime + used.ru_stime
                 break
-            if monotonic() > until or STOPPED.is_set():
-                others = _seconds_of_others(process.pid)
+            seconds = _seconds(process.pid)
+            if seconds > patience or monotonic() > until or STOPPED.is_set():
                 os.killpg(process.pid, signal.SIGKILL)
-                used = os.wait4(process.pid, 0)[2]
-                process.returncode = -signal.SIGKILL
+                process.wait()
                 break
-            sleep(0.05)
+            sleep(0.2)
         said.seek(0)
         lines = [one for one in said.read().splitlines() if one.strip()]
         crash = any(one.startswith("Traceback") for one in lines)
-        return (
-            code,
-            ("Traceback: " if crash else "") + (lines[-1] if lines else ""),
-            used.ru_utime + used.ru_stime + others,
-        )
+        return code, ("Traceback: " if crash else "") + (lines[-1] if lines else ""), seconds
 
 
-def _seconds_of_others(group: int) -> float:
-    """Seconds of processor of a process' children while they run: nobody waits for those that are killed with it."""
+def _seconds(group: int) -> float:
+    """Seconds of processor of a process and its children so far, those that run and those that it has waited for."""
     ticks = 0
     for place in Path("/proc").glob("[0-9]*/stat"):
         try:
             fields = place.read_text().rpartition(")")[2].split()  # from the state, the third field, on
         except OSError:  # it has ended meanwhile
             continue
-        if int(fields[2]) == group and int(place.parent.name) != group:
-            ticks += int(fields[11]) + int(fields[12])
+        ticks += sum(map(int, fields[11:15])) if int(fields[2]) == group else 0
     return ticks / os.sysconf("SC_CLK_TCK")
 
 
@@ -382,7 +378,7 @@ def run(seed: int, folder: Path, patience: float, starts: int) -> dict[str, obje
     row: dict[str, object] = {"seed": seed, "odd": ", ".join(made.odd), "moves": moves, "seconds": round(seconds, 1)}
     row["rail"], row["says"] = "robot: irb140_rail" in made.cell, said.replace(str(folder), "") if code else ""
     if code is None:
-        row["kind"], row["says"] = "no answer", f"nothing after {patience:g} s of the clock"
+        row["kind"], row["says"] = "no answer", f"nothing after {patience:g} s of processor"
     elif code == 0:
         plans = json.loads((out / "summary.json").read_text())["plans"]
         for name, one in plans.items():
