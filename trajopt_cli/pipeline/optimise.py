@@ -14,7 +14,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Wait
 from trajopt_cli.notices import NoticeKind
-from trajopt_cli.pipeline.planning import Clock, Listener, NoPlan, all_three, changes_of, may_change, worst
+from trajopt_cli.pipeline.planning import Clock, Listener, NoPlan, all_three, changes_of, may_change, touches, worst
 from trajopt_cli.problem.changes import Changes, Loops
 from trajopt_cli.problem.constant_speed import Stretch, constant_speed
 from trajopt_cli.problem.corners import PARABOLIC, Corners, corners_of, passed_in
@@ -116,9 +116,8 @@ def optimise(
         if not isinstance(answer, Judged):
             return answer
         if not answer.report.legal:
-            hits = collisions(answer.report.findings)
-            touches_only = len(hits) == sum(not finding.passed for finding in answer.report.findings)
-            return Collides(one.value, hits) if touches_only else Illegal(one.value, worst(answer.report))
+            hits = touches(answer)
+            return Collides(one.value, hits) if hits else Illegal(one.value, worst(answer.report))
         judged[one] = answer
     with clock.phase("loops"):
         unrolled = tuple(_unrolled(job, changes[Target.RAPID], loops))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
@@ -108,7 +108,8 @@ def all_three(
     job: Job, listen: Listener, clock: Clock, changes: Mapping[Target, Changes], patience: Patience, jobs: int
 ) -> tuple[dict[Target, Judged | Infeasible | NoPlan], Plan | str]:
     """Both targets, and the program as written, in up to `jobs` processes. A stream that cannot be
-    done ends the run at once."""
+    done ends the run at once. A plan that collides gives way to the next one that may change less and does not."""
+    from trajopt_cli.joint_csv import write_csv_text
     from trajopt_cli.optimize import Memory
 
     stream, rapid = Target.STREAM, Target.RAPID
@@ -149,11 +150,18 @@ def all_three(
                 return {stream: first}, ""
             answer, written, seconds = beside.answer()
     clock.seconds |= seconds
+    if isinstance(answer, Judged) and isinstance(written, Plan) and (hits := touches(answer)):
+        note = f"the plan is the program as written: a faster one collides: {hits[0].message}"
+        slower = replace(written, lower_bound=answer.plan.lower_bound, seconds=answer.plan.seconds, notes=(note,))
+        answer = _judged(job, slower, write_csv_text(slower.trajectory), clock)
+    hits = touches(first) if isinstance(first, Judged) else ()
     fastest = first.plan if isinstance(first, Judged) else None
-    if isinstance(answer, Judged) and answer.report.legal and (plan := streamed(answer.plan, fastest)) is not None:
-        with clock.phase("stream: judge"):
-            dropped = tuple(motion.index for motion in plan.motions if motion.dropped)
-            first = Judged(plan, answer.csv, judge(job.plant, job.program, answer.csv, CSV[stream], dropped, stream))
+    if (
+        isinstance(answer, Judged)
+        and answer.report.legal
+        and (plan := streamed(answer.plan, fastest, hits)) is not None
+    ):
+        first = _judged(job, plan, answer.csv, clock)
     plans = {one.value: judged.plan for one, judged in ((stream, first), (rapid, answer)) if isinstance(judged, Judged)}
     if isinstance(written, Plan):
         plans["as-written"] = written
@@ -162,12 +170,22 @@ def all_three(
     return {stream: first, rapid: answer}, written
 
 
-def streamed(rapid: Plan, stream: Plan | None) -> Plan | None:
-    """A legal RAPID plan as the stream plan, where that is faster or there is none; else None. Any motion that the
-    RAPID controller makes can be streamed."""
-    if stream is not None and rapid.duration >= stream.duration:
+def touches(judged: Judged) -> tuple[Finding, ...]:
+    """What a plan hits, in time order, where that is all that is wrong with it; else none."""
+    from trajopt_cli.verify.clearance import collisions
+
+    hits = collisions(judged.report.findings)
+    return hits if len(hits) == sum(not finding.passed for finding in judged.report.findings) else ()
+
+
+def streamed(rapid: Plan, stream: Plan | None, hits: Sequence[Finding] = ()) -> Plan | None:
+    """A legal RAPID plan as the stream plan, where that is faster, or there is none that hits nothing; else None. Any
+    motion that the RAPID controller makes can be streamed. hits: what the stream plan hits."""
+    if stream is not None and rapid.duration >= stream.duration and not hits:
         return None
     note = "the plan is the rapid plan: nothing faster was found"
+    if hits:
+        note = f"the plan is the rapid plan: a stream plan that was found collides: {hits[0].message}"
     if stream is None:
         return replace(rapid, target=Target.STREAM, lower_bound=None, notes=(note,))
     bound, seconds, notes = stream.lower_bound, stream.seconds, (note, *stream.notes)
@@ -228,9 +246,14 @@ def solve(
     listen(label, Progress("judge", plan.duration, plan.lower_bound))
     with clock.phase(f"{label}: judge"):
         text = write_csv_text(plan.trajectory)
+    return _judged(job, plan, text, clock)
+
+
+def _judged(job: Job, plan: Plan, text: str, clock: Clock) -> Judged:
+    """A plan with what the judge says of its text."""
+    with clock.phase(f"{plan.target.value}: judge"):
         dropped = tuple(motion.index for motion in plan.motions if motion.dropped)
-        report = judge(job.plant, job.program, text, CSV[target], dropped, target)
-    return Judged(plan, text, report)
+        return Judged(plan, text, judge(job.plant, job.program, text, CSV[plan.target], dropped, plan.target))
 
 
 def as_written(job: Job, changes: Changes, clock: Clock, memory: Memory) -> Plan | str:

@@ -1,0 +1,77 @@
+"""A plan that touches something gives way to one that does not."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from fake_planner import Planner
+
+from trajopt_cli.cli import run
+from trajopt_cli.findings import Report
+from trajopt_cli.pipeline import planning
+from trajopt_cli.problem.plan import Target
+from trajopt_cli.verify.findings import finding
+
+HIT = "link_1 self clearance -0.1 m at t = 0.200 s, limit 0"
+OF_STREAM = f"stream: the plan is the rapid plan: a stream plan that was found collides: {HIT}"
+OF_RAPID = f"rapid: the plan is the program as written: a faster one collides: {HIT}"
+
+
+@pytest.fixture
+def colliding(planner: Planner, monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest) -> str:
+    """Plans as written are slower, RAPID plans slower than streams; the judge finds a hit in some, by their text."""
+    planner.speed, planner.freest = 0.9, 1.0 / 0.9
+    right, texts = planning.judge, dict[str, str]()
+
+    def judge(plant, program, text, file, *more, **others):  # type: ignore[no-untyped-def]
+        report = right(plant, program, text, file, *more, **others)
+        name = texts.setdefault(text, "as written" if file == "as written" else Path(file).stem)
+        if not any(one in name for one in request.param.split(" and ")):
+            return report
+        hit = finding("self clearance", "link_1", -0.1, 0.0, "m", False, time=0.2)
+        return Report((*report.findings, hit), report.advice)
+
+    monkeypatch.setattr(planning, "judge", judge)
+    return str(request.param)
+
+
+@pytest.mark.parametrize(
+    ("colliding", "notes", "order"),
+    [
+        ("nothing", [], "stream < rapid < written"),
+        ("stream", [OF_STREAM], "stream = rapid < written"),
+        ("rapid", [OF_RAPID], "stream < rapid = written"),
+        ("stream and rapid", [OF_STREAM, OF_RAPID], "stream = rapid = written"),
+    ],
+    indirect=["colliding"],
+)
+def test_the_best_plan_that_touches_nothing_is_the_answer(
+    program: Path, colliding: str, notes: list[str], order: str
+) -> None:
+    assert run(["optimize", str(program), "--jobs", "1"]) == 0
+    summary = json.loads(Path("results/tiny/summary.json").read_text())
+    stream, rapid = (summary["plans"][one]["cycle_time_s"] for one in Target)
+    written = summary["as_written"]["cycle_time_s"]
+    signs = ["=" if a == b else "<" if a < b else ">" for a, b in ((stream, rapid), (rapid, written))]
+    assert f"stream {signs[0]} rapid {signs[1]} written" == order
+    assert [one for one in summary["notes"] if HIT in one] == notes
+    for one in Target:
+        assert float(Path(f"results/tiny/{one.value}.csv").read_text().splitlines()[-1].split(",")[0]) == pytest.approx(
+            summary["plans"][one]["cycle_time_s"]
+        )
+
+
+@pytest.mark.parametrize(
+    ("colliding", "label"), [("stream and rapid and written", "stream"), ("rapid and written", "rapid")],
+    indirect=["colliding"],
+)  # fmt: skip
+def test_where_every_plan_touches_something_nothing_is_written(
+    program: Path, colliding: str, label: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["optimize", str(program), "--jobs", "1"]) == 1
+    first, last = capsys.readouterr().err.splitlines()[-2:]
+    assert first == HIT
+    assert last.startswith(f"NOTHING WRITTEN: the {label} plan collides.")
+    assert not Path("results").exists()
