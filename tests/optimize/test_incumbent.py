@@ -12,8 +12,11 @@ from trajopt_cli.geometry import wxyz_from_rotation
 from trajopt_cli.optimize import optimize
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.incumbent import duration, refined, timed
-from trajopt_cli.optimize.search import search
+from trajopt_cli.optimize.search import Chain, search
+from trajopt_cli.optimize.tuning import ROOMS
+from trajopt_cli.problem.freedom import FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
+from trajopt_cli.problem.problem import Problem
 from trajopt_cli.verify.judge import verify
 
 
@@ -61,6 +64,23 @@ def test_a_time_too_short_is_infeasible_and_names_the_motion(target: Target) -> 
     enough = optimize(rapid(body.format(0.5)), plant_with_rail(), target, bounded=False)
     assert isinstance(enough, Plan)
     assert enough.motions[1].t_1 - enough.motions[1].t_0 == pytest.approx(0.5, abs=1e-9)
+
+
+def test_a_time_far_too_short_is_refused_without_trying_narrower_ranges(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One search; a time a little too short is worth all of them."""
+    searched: list[float] = []
+
+    def counted(axes: Axes, problem: Problem) -> Chain | None:
+        searched.append(float(axes.upper[0] - axes.lower[0]))
+        return search(axes, problem)
+
+    monkeypatch.setattr("trajopt_cli.optimize.legal.search", counted)
+    body = "MoveJ p_in, v2500, fine, tool0;\nMoveL p_low, v500\\T:={}, fine, tool0;"
+    for T, count in ((0.01, 1), (0.1, len(ROOMS))):
+        searched.clear()
+        answer = optimize(rapid(body.format(T)), plant_with_rail(), Target.RAPID, FIXED_RAIL, bounded=False)
+        assert isinstance(answer, Infeasible), answer
+        assert len(set(searched)) == count
 
 
 @pytest.mark.parametrize("target", Target)

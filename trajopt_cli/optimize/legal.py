@@ -16,7 +16,7 @@ from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.incumbent import NotDriven, duration, polished, refined, stopped, timed
 from trajopt_cli.optimize.reach import check_reach
 from trajopt_cli.optimize.search import Chain, search
-from trajopt_cli.optimize.tuning import ROOMS
+from trajopt_cli.optimize.tuning import HOPELESS, ROOMS
 from trajopt_cli.problem.changes import Changes, everything
 from trajopt_cli.problem.freedom import AS_WRITTEN, FIXED_RAIL, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Target
@@ -163,6 +163,7 @@ def legal_of(axes: Axes, problems: Sequence[Problem], seconds: dict[str, float])
             if chain is not None
         ]
         add(seconds, "search", perf_counter() - start)
+        hopeless = bool(found)  # with less room it takes no less
         for tried, problem in sorted(found, key=lambda pair: pair[0][0].cost):
             start = perf_counter()
             drafts: list[Legal] = []
@@ -171,11 +172,15 @@ def legal_of(axes: Axes, problems: Sequence[Problem], seconds: dict[str, float])
                     drafts.append(Legal(problem, chain, timed(axes, problem, chain)))
                 except NotDriven as said:
                     failure = failure or (problem, said)
+                    wanted = problem.legs[said.run[0]].duration
+                    hopeless &= said.least is not None and wanted is not None and said.least > HOPELESS * wanted
             add(seconds, "timing", perf_counter() - start)
             if drafts:
                 return min(drafts, key=lambda one: one.duration)
         if failure is None:
             return _disconnected(problems[0].program, any(problem.ties for problem in problems))
+        if hopeless:
+            break
     assert failure is not None
     return _not_driven(axes, *failure)
 
