@@ -133,7 +133,7 @@ LEAST_GAIN = 1e-6  # s that a nonlinear program must save to be worth another mo
 # ---- transcription: the nonlinear program
 FIRST = 6  # intervals of a path on the first grid, doubled from solve to solve. Measured: direct starts on 16 or 20
 # intervals failed sometimes, nested grids from 6 did not.
-LAST = 48  # intervals on the last grid. Measured: 48 gave 6.4883 s for 6.4935 s on hinge_cell.
+LAST = 48  # intervals on the last grid. Measured on hinge_cell: 24, 48 and 96 give 6.5043, 6.5023 and 6.5006 s.
 LAST_ALONE = 48  # the same where a leg is solved by itself: cheap there. Not measured.
 GRID_JOINT = 24  # intervals of a joint move once a tool cap or a range binds. Not measured.
 FREE_ZONES = 12  # intervals at which run-up, middle and run-out of a path may shift; kept on finer grids, which saves
@@ -158,8 +158,10 @@ SHARP = 1e-8  # tolerance of the last grids. Not measured.
 ROUGH = 1e-4  # tolerance of the grids before. Not measured.
 BARRIER_FIRST = 1e-2  # first barrier parameter from the search's estimates. Not measured.
 BARRIER_DOUBT = 1e-1  # where that fails. Not measured.
-BARRIER_REFINED = 1e-5  # from the same motion on a coarser grid or with another structure. Measured on ten programs: 1e-4 and
-# 1e-5 end within 0.05 % of each other, 1e-3 fails on two.
+BARRIER_REFINED = (
+    1e-5  # from the same motion on a coarser grid or with another structure. Measured on five programs: 1e-4
+)
+# and 1e-5 end within 0.05 % of each other, 1e-3 fails on one and ends 5 % above on another.
 BARRIER_WARM = 1e-8  # from the same program with tightened limits, with its multipliers. Measured on two programs:
 # 13 to 17 iterations, 23 to 25 with 1e-7, 24 to 38 with 1e-5.
 BARRIER_COLD = 1e-3  # where that warm start fails. Not measured.
