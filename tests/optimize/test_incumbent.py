@@ -53,6 +53,28 @@ def test_refining_the_rail_is_never_slower(seed: int, target: Target) -> None:
     assert after < before * (1 - 1e-3)
 
 
+def test_the_rail_does_not_jitter_along_a_contour() -> None:
+    """80 points of z1, 3 mm apart: from one to the next the rail changes its slope by no more than a few percent, and
+    the contour is no slower than with the rail standing where it begins."""
+    ways = [f"Offs(p_low,{5 * np.sin(0.4 * i):.3f},{3 * i},0)" for i in range(1, 81)]
+    body = "\n".join(["MoveJ p_low, v1000, fine, tool0;", *(f"MoveL {way}, v200, z1, tool0;" for way in ways)])
+    plant = plant_with_rail()
+    problem = problem_of(rapid(f"{body}\nMoveL Offs(p_low,0,250,0), v200, fine, tool0;"), plant, Target.STREAM)
+    axes = Axes.of(plant)
+    chain = search(axes, problem)
+    assert chain is not None
+    found = refined(axes, problem, chain)
+    slopes = np.diff(axes.layout.place(found.q))[1:] / [leg.chord for leg in problem.legs[1:]]
+    assert np.abs(np.diff(slopes[2:-2])).max() < 0.05
+    fixed = replace(problem, waypoints=tuple(
+        replace(point, rail=(at, at)) if point.q is None else point
+        for point in problem.waypoints for at in [float(axes.layout.place(found.q[1]))]
+    ))  # fmt: skip
+    still = search(axes, fixed)
+    assert still is not None
+    assert duration(timed(axes, problem, found)) < duration(timed(axes, fixed, still)) * (1 + 1e-3)
+
+
 @pytest.mark.parametrize("target", Target)
 def test_a_time_too_short_is_infeasible_and_names_the_motion(target: Target) -> None:
     """60 mm under 2.5 m/s and 20 m/s2 take 0.11 s at least."""

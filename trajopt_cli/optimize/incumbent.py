@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence, Set
 from dataclasses import dataclass, replace
-from itertools import groupby
+from itertools import groupby, pairwise
 
 import numpy as np
+from scipy.interpolate import CubicSpline
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.optimize.axes import Axes
@@ -25,6 +26,9 @@ from trajopt_cli.optimize.profiles import hold, profiles
 from trajopt_cli.optimize.search import Chain, best_chain
 from trajopt_cli.optimize.tuning import (
     ALONE_NODES,
+    CALM,
+    CARRY,
+    CARRY_LAST,
     LATE,
     LEAST_POLISH,
     LONG_LINE,
@@ -121,8 +125,9 @@ def stopping(axes: Axes, problem: Problem, chain: Chain) -> Problem:
 
 
 def stopped(problem: Problem) -> Problem:
-    """The problem with a stop at every fly-by."""
-    return _with_stops(problem, set(range(len(problem.waypoints))))
+    """The problem with a stop at every fly-by but those between short lines, which no stop at each would resemble."""
+    short = [_short(problem, k) for k in range(len(problem.legs))]
+    return _with_stops(problem, {k for k in range(1, len(short)) if not (short[k - 1] and short[k])})
 
 
 def stopped_at_joint_moves(problem: Problem) -> Problem:
@@ -223,29 +228,121 @@ def refined(axes: Axes, problem: Problem, chain: Chain) -> Chain:
     still = replace(chain, w=np.zeros_like(chain.w))
     if not free or not axes.layout.has_rail:
         return still
-    best, reached, cost = still, np.inf, np.inf
-    changed = np.ones(len(problem.waypoints), dtype=bool)
+    marks, best = _smoothed(axes, problem, still)
+    index = {k: i for i, k in enumerate(marks.tolist())}
+    ties = tuple(tuple(index[k] for k in group) for group in problem.ties)
+    reached, cost = np.inf, np.inf
+    changed = np.ones(len(marks), dtype=bool)
     step = np.where(np.isin(np.arange(len(problem.waypoints)), free), REFINE_STEP, 0.0)
     near: list[Array] = []
     edges: list[Array] = []
     for _ in range(REFINE_ROUNDS):
         before = near
-        found = iter(_near(axes, problem, best, np.flatnonzero(changed), step))
-        near = [next(found) if changed[k] else before[k] for k in range(len(step))]
-        edges = _edges(axes, problem, near, best, before, edges)
-        cost, path = best_chain(near, edges, problem.ties)
+        found = iter(_near(axes, problem, best, marks[changed], step))
+        near = [next(found) if new else before[i] for i, new in enumerate(changed)]
+        edges = _edges(axes, problem, marks, near, best, before, edges)
+        cost, path = best_chain(near, edges, ties)
         if not np.isfinite(cost):
             break
         q = np.array([near[k][i] for k, i in enumerate(path)])
         times = np.array([edges[k][path[k], path[k + 1]] for k in range(len(edges))])
-        stays = np.abs(q - best.q).max(axis=1) < _SAME
+        stays = np.abs(q - best.q[marks]).max(axis=1) < _SAME
         there = stays | (cost > reached * (1 - REFINE_GAIN))
-        best, reached = replace(best, q=q, times=times, cost=cost), cost
-        if np.all(there & (step <= REFINE_LAST)):
+        best, reached = _through(axes, problem, best, marks, q, times), cost
+        last = np.where(_carrying(marks), CARRY_LAST, REFINE_LAST)
+        if np.all(there & (step[marks] <= last)):
             break
-        shorter = np.where(there & (step > REFINE_LAST), np.maximum(step / 2, REFINE_LAST), step)
-        changed, step = ~stays | (shorter != step), shorter
-    return best
+        shorter = np.where(there & (step[marks] > last), np.maximum(step[marks] / 2, last), step[marks])
+        changed, step[marks] = ~stays | (shorter != step[marks]), shorter
+    return _rounded(axes, problem, best, marks)
+
+
+def _rounded(axes: Axes, problem: Problem, chain: Chain, marks: IndexArray) -> Chain:
+    """The chain with the rail on a cubic spline through the marks where points are carried along: between short lines
+    there is no room for the rail to change its speed. As it is where the arm cannot follow."""
+    q = chain.q.copy()
+    for far, group in groupby(pairwise(marks.tolist()), key=lambda pair: pair[1] > pair[0] + 1):
+        ends = [*group]
+        if not far or len(ends) < 2:
+            continue
+        first, last = ends[0][0], ends[-1][1]
+        knots = np.array([first, *(b for _, b in ends)])
+        if np.ptp(axes.layout.place(q[knots])) < _SAME:  # the rail stands
+            continue
+        way = np.concatenate([[0.0], np.cumsum([leg.chord for leg in problem.legs[first:last]])])
+        d = CubicSpline(way[knots - first], axes.layout.place(q[knots]), bc_type="natural")(way)
+        found = _along_rail(axes, problem, chain, first, d[None, 1:-1])[0]
+        if np.isfinite(found).all():
+            q[first + 1 : last] = found
+    return replace(chain, q=q)
+
+
+def _carrying(marks: IndexArray) -> BoolArray:
+    """Which of the marks have points beside them that are carried along."""
+    far = np.diff(marks) > 1
+    return np.r_[False, far] | np.r_[far, False]
+
+
+def _smoothed(axes: Axes, problem: Problem, chain: Chain) -> tuple[IndexArray, Chain]:
+    """The waypoints between which the rail is in proportion to the tool's way, and a chain in which it is: those that
+    lie between short lines are carried along, but for one every CARRY of the way."""
+    tied = {k for group in problem.ties for k in group}
+    marks, way = [0], 0.0
+    for k in range(1, len(problem.waypoints) - 1):
+        point, (before, after) = problem.waypoints[k], problem.legs[k - 1 : k + 1]
+        way += before.chord
+        free = point.q is None and point.rail[0] < point.rail[1] and k not in tied
+        alike = before.rail_moves == after.rail_moves and chain.labels[k - 1].cfx == chain.labels[k + 1].cfx
+        if not (free and alike and _short(problem, k - 1) and _short(problem, k)) or way >= CARRY:
+            marks.append(k)
+            way = 0.0
+    marks.append(len(problem.waypoints) - 1)
+    q = chain.q.copy()
+    left = list(pairwise(marks))
+    while left:  # where the arm cannot follow a straight rail, the chain's own places
+        a, b = left.pop()
+        inner = _between(axes, problem, chain, a, b, chain.q[a][None], chain.q[b][None])[0]
+        if np.isfinite(inner).all():
+            q[a : b + 1] = inner
+        else:
+            middle = (a + b) // 2
+            marks.append(middle)
+            left += [(a, middle), (middle, b)]
+    return np.array(sorted(marks)), replace(chain, q=q)
+
+
+def _between(axes: Axes, problem: Problem, chain: Chain, a: int, b: int, q_0: Array, q_1: Array) -> Array:
+    """Axes (m, b - a + 1, n) at the waypoints a to b, near those of a chain, between pairs of them at both ends, with
+    the rail in proportion to the tool's way; NaN where the arm does not reach."""
+    if b == a + 1:
+        return np.stack([q_0, q_1], axis=1)
+    way = np.cumsum([leg.chord for leg in problem.legs[a:b]])
+    d_0, d_1 = (axes.layout.place(q)[:, None] for q in (q_0, q_1))
+    inner = _along_rail(axes, problem, chain, a, d_0 + (way[:-1] / way[-1]) * (d_1 - d_0))
+    return np.concatenate([q_0[:, None], inner, q_1[:, None]], axis=1)
+
+
+def _along_rail(axes: Axes, problem: Problem, chain: Chain, a: int, d: Array) -> Array:
+    """Axes (m, k, n) at the k waypoints behind number a at rail positions d (m, k), near those of a chain; NaN where
+    they are not to be had."""
+    layout, behind = axes.layout, slice(a + 1, a + 1 + d.shape[1])
+    points = problem.waypoints[behind]
+    low, high = np.array([point.rail for point in points]).T
+    X_WF = np.tile([point.X_WF for point in points], (len(d), 1, 1))
+    arm = axes.inverse(X_WF, d.ravel())[:, _branch(chain, a)].reshape(*d.shape, axes.n - layout.r)
+    q = layout.join(d, arm + 2 * np.pi * np.round((chain.q[behind, layout.arm] - arm) / (2 * np.pi)))
+    inside = np.all((q >= axes.lower - 1e-9) & (q <= axes.upper + 1e-9), axis=-1) & (d >= low) & (d <= high)
+    return np.where(inside[..., None], q, np.nan)
+
+
+def _through(axes: Axes, problem: Problem, chain: Chain, marks: IndexArray, q: Array, times: Array) -> Chain:
+    """The chain through axes (m, n) at the marks, with the times (m - 1,) between them."""
+    every, spent = chain.q.copy(), chain.times.copy()
+    for i, (a, b) in enumerate(pairwise(marks.tolist())):
+        every[a : b + 1] = _between(axes, problem, chain, a, b, q[i][None], q[i + 1][None])[0]
+        way = np.array([leg.chord for leg in problem.legs[a:b]])
+        spent[a:b] = times[i] if b == a + 1 else times[i] * way / way.sum()
+    return replace(chain, q=every, times=spent, cost=float(times.sum()))
 
 
 def polished(axes: Axes, problem: Problem, chain: Chain) -> Chain:
@@ -352,35 +449,48 @@ class _Pairs:
 def _edges(
     axes: Axes,
     problem: Problem,
+    marks: IndexArray,
     near: Sequence[Array],
     chain: Chain,
     before: Sequence[Array] = (),
     known: Sequence[Array] = (),
 ) -> list[Array]:
-    """(m_a, m_b) least time of each leg between the axes near its ends, infinite where it cannot be. A fly-by at an end
-    is passed as fast as may be: its corner is not looked at. known: the same between the axes that were near before."""
+    """(m_a, m_b) least time from each mark to the next between the axes near them, infinite where it cannot be. A
+    fly-by is passed as fast as may be: its corner is not looked at. known: the same between the axes that were near
+    before."""
     timed, opens, out = [], [], []
     same = [None if a is b else _places(a, b) for a, b in zip(near, before, strict=True)] if before else []
-    for k in range(len(problem.legs)):
-        a, b = near[k], near[k + 1]
-        if before and a is before[k] and b is before[k + 1]:
-            out.append(known[k])
+    for i, (first, last) in enumerate(pairwise(marks.tolist())):
+        a, b = near[i], near[i + 1]
+        if before and a is before[i] and b is before[i + 1]:
+            out.append(known[i])
             continue
         edge = np.full((len(a), len(b)), np.nan)
         if before:
-            (i, i_before), (j, j_before) = (
-                (np.arange(len(x)), np.arange(len(x))) if at is None else at
-                for x, at in zip((a, b), same[k : k + 2], strict=True)
+            (at, at_before), (to, to_before) = (
+                (np.arange(len(x)), np.arange(len(x))) if rows is None else rows
+                for x, rows in zip((a, b), same[i : i + 2], strict=True)
             )
-            edge[np.ix_(i, j)] = known[k][np.ix_(i_before, j_before)]
+            edge[np.ix_(at, to)] = known[i][np.ix_(at_before, to_before)]
         ia, ib = np.nonzero(np.isnan(edge))
-        worth = _worth(axes, problem, k, a[ia], b[ib], chain)
+        worth = _worth(axes, problem, first, last, a[ia], b[ib], chain)
         edge[ia, ib] = np.inf
-        opens.append((edge, ia[worth], ib[worth]))
-        timed.append(_Pairs(k, a[ia[worth]], b[ib[worth]], _branch(chain, k)))
+        ia, ib = ia[worth], ib[worth]
+        q = _between(axes, problem, chain, first, last, a[ia], b[ib])
+        can = np.isfinite(q).all(axis=(1, 2))
+        q, cfx = q[can], _branch(chain, first)
+        ia, ib = ia[can], ib[can]
+        way = axes.layout.place(b[ib]) - axes.layout.place(a[ia])
+        opens.append(
+            (edge, ia, ib, last - first, way**2 / max(sum(leg.chord for leg in problem.legs[first:last]), 1e-9))
+        )
+        timed += [_Pairs(first + j, q[:, j], q[:, j + 1], cfx) for j in range(last - first)]
         out.append(edge)
-    for (edge, ia, ib), T in zip(opens, leg_times(axes, problem, timed), strict=True):
-        edge[ia, ib] = T
+    times = iter(leg_times(axes, problem, timed))
+    for edge, ia, ib, legs, calm in opens:
+        edge[ia, ib] = np.sum([next(times) for _ in range(legs)], axis=0)
+        if legs > 1:  # of many that take the same time the calmest
+            edge[ia, ib] += CALM * calm
     return out
 
 
@@ -390,17 +500,18 @@ def _places(a: Array, b: Array) -> tuple[IndexArray, IndexArray]:
     return i, j
 
 
-def _worth(axes: Axes, problem: Problem, k: int, q_0: Array, q_1: Array, chain: Chain) -> BoolArray:
-    """Which pairs (m,) of axes at the ends of leg k are timed: the rail stays where it must, and where the tool passes
-    both ends it goes at most as far as it can in a few times what the leg takes, or as it goes now."""
-    leg, place = problem.legs[k], axes.layout.place
+def _worth(axes: Axes, problem: Problem, first: int, last: int, q_0: Array, q_1: Array, chain: Chain) -> BoolArray:
+    """Which pairs (m,) of axes at two marks are timed: the rail stays where it must, and where the tool passes both
+    it goes at most as far as it can in a few times what the way takes, or as it goes now."""
+    leg, place = problem.legs[first], axes.layout.place
     way = np.abs(place(q_1) - place(q_0))
     if not leg.rail_moves or (problem.freedom.rail is RailFreedom.STATION and leg.kind is not LegKind.JOINT):
         return np.asarray(way <= _SAME)
-    if not _short(problem, k):
+    if not _short(problem, first):
         return np.ones(len(way), dtype=bool)
-    now = abs(float(place(chain.q[k + 1]) - place(chain.q[k])))
-    return np.asarray(way <= max(now, RUSH * float(place(axes.velocity_on(leg)) * chain.times[k])) + _SAME)
+    now = abs(float(place(chain.q[last]) - place(chain.q[first])))
+    farthest = RUSH * float(place(axes.velocity_on(leg)) * chain.times[first:last].sum())
+    return np.asarray(way <= max(now, farthest) + _SAME)
 
 
 def _short(problem: Problem, k: int) -> bool:
@@ -408,6 +519,14 @@ def _short(problem: Problem, k: int) -> bool:
     leg = problem.legs[k]
     short = leg.chord < LONG_LINE and leg.angle < LONG_TURN
     return leg.kind is LegKind.LINE and short and problem.passes(k) and problem.passes(k + 1)
+
+
+def _nodes(problem: Problem, k: int) -> Array:
+    """Shares (m,) of leg k at which it is looked at to be timed."""
+    if not _short(problem, k):
+        return spaced(PAIR_NODES)
+    share = max(problem.legs[k].chord / LONG_LINE, problem.legs[k].angle / LONG_TURN)
+    return np.linspace(0, 1, 1 + max(2, int(np.ceil(SHORT_NODES * share))))
 
 
 def leg_times(axes: Axes, problem: Problem, pairs: Sequence[_Pairs]) -> list[Array]:
@@ -478,10 +597,10 @@ def _topp_times(axes: Axes, problem: Problem, pairs: Sequence[_Pairs]) -> list[A
     """The same, of what moves; legs of one tool and kind at once, as many as the memory takes."""
     counts = np.array([len(one.q_0) for one in pairs], dtype=np.intp)
     out = [np.zeros(0)] * len(pairs)
-    alike: dict[tuple[bytes, bool, bool], list[int]] = {}
+    alike: dict[tuple[bytes, bool, int], list[int]] = {}
     for i in np.flatnonzero(counts).tolist():
         leg = problem.legs[pairs[i].k]
-        key = leg.X_FT.tobytes(), leg.kind is LegKind.JOINT, _short(problem, pairs[i].k)
+        key = leg.X_FT.tobytes(), leg.kind is LegKind.JOINT, len(_nodes(problem, pairs[i].k))
         alike.setdefault(key, []).append(i)
     for numbers in alike.values():
         behind = np.cumsum(counts[numbers])
@@ -497,7 +616,7 @@ def _timed_together(axes: Axes, problem: Problem, pairs: Sequence[_Pairs]) -> Ar
     """Least times of all pairs of legs of one tool and kind, one leg after the other."""
     counts = [len(one.q_0) for one in pairs]
     leg, B = problem.legs[pairs[0].k], sum(counts)
-    s = np.linspace(0, 1, SHORT_NODES + 1) if _short(problem, pairs[0].k) else spaced(PAIR_NODES)
+    s = _nodes(problem, pairs[0].k)
     along, ok = (_straight if leg.kind is LegKind.JOINT else _on_ways)(axes, problem, pairs, s)
     caps = axes.caps([problem.legs[one.k] for one in pairs]).at(
         np.repeat(np.arange(len(pairs)), np.array(counts) * len(s))
