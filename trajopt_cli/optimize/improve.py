@@ -173,7 +173,11 @@ class Sweeps:
             saved[key] = gain * sum(one == key for _, one in asked)
             tell(duration(draft) - sum(saved.values()))
 
-        outcomes = self._known | in_turns(tasks, hear, self._hands())
+        outcomes = dict(self._known)
+        if tasks and not outcomes:  # what it expresses and loads is there before other processes are forked
+            begin = next(iter(tasks))
+            outcomes[begin] = tasks[begin](hear)
+        outcomes |= in_turns({key: task for key, task in tasks.items() if key not in outcomes}, hear, self._hands())
         for window, key in asked:
             outcome = outcomes[key]
             if outcome.stopped:

@@ -61,7 +61,8 @@ class Line:
         """Tool poses (n, 4, 4) at shares s (n,)."""
         axis, angle = self._axis_angle
         p = self.X_0[:3, 3] + s[..., None] * self.chord
-        return pose(self.X_0[:3, :3] @ rotation_about(axis, s * angle), p)
+        R = self.X_0[:3, :3]  # most lines turn nothing
+        return pose(np.broadcast_to(R, (*p.shape[:-1], 3, 3)) if angle == 0 else R @ rotation_about(axis, s * angle), p)
 
     def twist(self, s: Array) -> Array:
         """Chord and turn (n, 6), the same everywhere."""
