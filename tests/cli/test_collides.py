@@ -1,4 +1,4 @@
-"""A plan that touches something gives way to one that does not."""
+"""A plan that touches something, or is not found, gives way to one that does not, or is."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from fake_planner import Planner
 
 from trajopt_cli.cli import run
 from trajopt_cli.findings import Report
+from trajopt_cli.optimize import NoCleanPlan
 from trajopt_cli.pipeline import planning
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.verify.findings import finding
@@ -75,3 +76,24 @@ def test_where_every_plan_touches_something_nothing_is_written(
     assert first == HIT
     assert last.startswith(f"NOTHING WRITTEN: the {label} plan collides.")
     assert not Path("results").exists()
+
+
+def test_a_stream_plan_that_is_not_found_is_told_as_a_failure(
+    program: Path, planner: Planner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    right = planner.__call__
+
+    class Failing(Planner):
+        def __call__(self, program, plant, target, *arguments, **more):  # type: ignore[no-untyped-def]
+            if target is Target.STREAM:
+                raise NoCleanPlan("rows would pass a limit")
+            return right(program, plant, target, *arguments, **more)
+
+    monkeypatch.setattr("trajopt_cli.optimize.optimize", Failing())
+    assert run(["optimize", str(program), "--jobs", "1"]) == 0
+    summary = json.loads(Path("results/tiny/summary.json").read_text())
+    assert summary["plans"]["stream"]["cycle_time_s"] == summary["plans"]["rapid"]["cycle_time_s"]
+    told = "no other one was found (rows would pass a limit): an error in trajopt; please report it"
+    assert [one for one in summary["notes"] if one.startswith("stream:")] == [
+        f"stream: the plan is the rapid plan: {told}"
+    ]

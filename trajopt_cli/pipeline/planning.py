@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
@@ -154,14 +154,14 @@ def all_three(
         note = f"the plan is the program as written: a faster one collides: {hits[0].message}"
         slower = replace(written, lower_bound=answer.plan.lower_bound, seconds=answer.plan.seconds, notes=(note,))
         answer = _judged(job, slower, write_csv_text(slower.trajectory), clock)
-    hits = touches(first) if isinstance(first, Judged) else ()
-    fastest = first.plan if isinstance(first, Judged) else None
-    if (
-        isinstance(answer, Judged)
-        and answer.report.legal
-        and (plan := streamed(answer.plan, fastest, hits)) is not None
-    ):
-        first = _judged(job, plan, answer.csv, clock)
+    failure = None
+    if isinstance(first, NoPlan):
+        failure = f"no other one was found ({first.message}): an error in trajopt; please report it"
+    elif isinstance(first, Judged) and (hits := touches(first)):
+        failure = f"a stream plan that was found collides: {hits[0].message}"
+    if isinstance(answer, Judged) and answer.report.legal:
+        plan = streamed(answer.plan, first.plan if isinstance(first, Judged) else None, failure)
+        first = first if plan is None else _judged(job, plan, answer.csv, clock)
     plans = {one.value: judged.plan for one, judged in ((stream, first), (rapid, answer)) if isinstance(judged, Judged)}
     if isinstance(written, Plan):
         plans["as-written"] = written
@@ -178,14 +178,12 @@ def touches(judged: Judged) -> tuple[Finding, ...]:
     return hits if len(hits) == sum(not finding.passed for finding in judged.report.findings) else ()
 
 
-def streamed(rapid: Plan, stream: Plan | None, hits: Sequence[Finding] = ()) -> Plan | None:
-    """A legal RAPID plan as the stream plan, where that is faster, or there is none that hits nothing; else None. Any
-    motion that the RAPID controller makes can be streamed. hits: what the stream plan hits."""
-    if stream is not None and rapid.duration >= stream.duration and not hits:
+def streamed(rapid: Plan, stream: Plan | None, failure: str | None = None) -> Plan | None:
+    """A legal RAPID plan as the stream plan, where that is faster or there is none to be had; else None. Any motion
+    that the RAPID controller makes can be streamed. failure: why the stream plan is not to be had, if so."""
+    if stream is not None and rapid.duration >= stream.duration and failure is None:
         return None
-    note = "the plan is the rapid plan: nothing faster was found"
-    if hits:
-        note = f"the plan is the rapid plan: a stream plan that was found collides: {hits[0].message}"
+    note = f"the plan is the rapid plan: {failure or 'nothing faster was found'}"
     if stream is None:
         return replace(rapid, target=Target.STREAM, lower_bound=None, notes=(note,))
     bound, seconds, notes = stream.lower_bound, stream.seconds, (note, *stream.notes)
