@@ -393,6 +393,8 @@ def run(seed: int, folder: Path, patience: float, starts: int) -> dict[str, obje
         row["says"] = f"{row['says']} [{checked(module, said)}]"
     elif code == 2:
         row["kind"] = "refused"
+    elif code == 1 and " collides." in said:
+        row["kind"] = "collides"
     else:
         row["kind"] = "no plan" if code == 1 and not said.startswith("Traceback") else "crash"
     return row
