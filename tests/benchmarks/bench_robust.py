@@ -403,7 +403,7 @@ def run(seed: int, folder: Path, patience: float, starts: int) -> dict[str, obje
 def checked(module: Path, said: str) -> str:
     """What the check says of an answer no."""
     if " takes " in said and " as fast as " in said:
-        return "a time: not checked"
+        return "time: not checked"
     try:
         return no_way(read_job(module))
     except InputError as error:
