@@ -123,7 +123,7 @@ ROOMS = (1.0, 0.99, 0.97, 0.93)  # shares of the axes' ranges that are tried in 
 HOPELESS = (
     1.5  # times its programmed time that a leg takes at least where narrower ranges are not tried any more. Measured:
 )
-# 33 moves with six times of 0.05 s for 0.2 s and more took over 120 s of processor to be refused, 37 s with it.
+# 33 moves with six times of 0.05 s for 0.2 s and more took 114 s of processor to be refused, 32 s with it.
 WORTH_TRYING = 1.005  # times what it takes at least that a joint move must take before axes of their own are tried. Not
 # measured.
 WINDOW = 24  # legs of the nonlinear program at most. Measured on 26 legs of a random cell: one solve 9.863 s in 18 s of
