@@ -14,7 +14,7 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.draft import Margins
 from trajopt_cli.optimize.driver import first_draft
 from trajopt_cli.optimize.formulation import Formulation, ToolCap
-from trajopt_cli.optimize.legs import JointNodes
+from trajopt_cli.optimize.legs import JointNodes, PathLeg
 from trajopt_cli.optimize.library import library
 from trajopt_cli.optimize.relation import Relation
 from trajopt_cli.optimize.search import search
@@ -121,3 +121,18 @@ def test_tool_caps_hold_where_they_are_in_force(program: Transcription) -> None:
     for i in (1, N_JOINT):
         p = copies[row(x.q[i], x.qv[i], x.T)]
         np.testing.assert_array_equal(p, [*leg.X_FT[:3, 3], leg.v_tcp * m.tool[i, ToolCap.SPEED]])
+
+
+def test_a_programmed_time_is_no_variable() -> None:
+    plant = plant_with_rail()
+    axes = Axes.of(plant)
+    problem = problem_of(rapid("MoveJ p_in,v1000,fine,tool0;MoveL p_low,v200\\T:=2,fine,tool0;"), plant)
+    chain = search(axes, problem)
+    assert chain is not None
+    draft = first_draft(axes, problem, chain.q, chain.w, tuple(label.cfx for label in chain.labels), chain.times)
+    margins = [Margins.full(m.N, axes.n, 1.0) if isinstance(m, PathLeg) else None for m in draft.legs]
+    nlp = Transcription(axes, Formulation(axes, library()), problem, draft, margins)
+    timed = nlp.legs[1]
+    assert timed is not None
+    bounds = nlp.nlp._bounds()
+    assert bounds.lower[timed.T] == bounds.upper[timed.T] == 2.0

@@ -104,7 +104,7 @@ def _path(axes: Axes, problem: Problem, k: int, T: float, q_0: Array, cfx: int, 
 
 
 def slowed(problem: Problem, draft: Draft, times: float) -> Draft:
-    """The same motion, so many times as long; waits keep their time."""
+    """The same motion, so many times as long; waits keep their time, and held ends of a window their velocities."""
 
     def leg(leg: Leg, motion: LegMotion | None) -> LegMotion | None:
         if motion is None or leg.duration is not None:
@@ -115,9 +115,9 @@ def slowed(problem: Problem, draft: Draft, times: float) -> Draft:
             )
         return replace(motion, T=motion.T * times) if not isinstance(motion, Pieces) else motion
 
-    return replace(
-        draft, qd=draft.qd / times, legs=tuple(leg(*one) for one in zip(problem.legs, draft.legs, strict=True))
-    )
+    held = np.array([point.q is not None for point in problem.waypoints])
+    qd = np.where(held[:, None], draft.qd, draft.qd / times)
+    return replace(draft, qd=qd, legs=tuple(leg(*one) for one in zip(problem.legs, draft.legs, strict=True)))
 
 
 class NotConverged(Exception):

@@ -31,7 +31,7 @@ def read(program: Transcription, x: Array) -> Draft:
         elif var is None:  # a dwell in which nothing moves
             legs.append(hold(motion.T, q[k]))
         elif isinstance(motion, PathLeg):
-            legs.append(_path(axes, motion, var, x, q[k]))
+            legs.append(_path(axes, motion, var, x, q[k], qd[k : k + 2]))
         elif isinstance(motion, JointProfiles):
             legs.append(_profiles(axes, leg, q[k : k + 2], qd[k : k + 2], float(x[var.T])))
         else:
@@ -56,13 +56,15 @@ def _polished(axes: Axes, problem: Problem, draft: Draft, q: Array, qd: Array) -
     return q, qd
 
 
-def _path(axes: Axes, motion: PathLeg, var: LegVariables, x: Array, q_0: Array) -> PathLeg:
+def _path(axes: Axes, motion: PathLeg, var: LegVariables, x: Array, q_0: Array, qd: Array) -> PathLeg:
+    T = float(x[var.T])
     lengths = np.repeat(x[var.h], motion.N // 3)
     grid = np.concatenate([[0.0], np.cumsum(lengths[:-1]), [1.0]])
     s, v, a = (x[var.s], x[var.v], x[var.a]) if len(var.s) else (motion.s, motion.v, motion.a)
     d, w, b = x[var.d], x[var.w], x[var.b]
+    w[0], w[-1] = qd[:, axes.layout.rail] * T  # short legs make much of what the solver leaves
     reference = q_0[axes.layout.arm]
-    return replace(motion, T=float(x[var.T]), grid=grid, s=s, v=v, a=a, d=d, w=w, b=b, reference=reference)
+    return replace(motion, T=T, grid=grid, s=s, v=v, a=a, d=d, w=w, b=b, reference=reference)
 
 
 def _profiles(axes: Axes, leg: Leg, q: Array, qd: Array, T: float) -> JointProfiles:

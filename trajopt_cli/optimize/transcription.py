@@ -173,8 +173,6 @@ class Transcription:
         if motion is None or (isinstance(motion, JointProfiles) and leg.kind is LegKind.DWELL):
             return None
         low, high = (leg.duration, leg.duration) if leg.duration is not None else (LEAST_TIME, LONGEST)
-        if leg.duration is not None and leg.kind is not LegKind.DWELL:
-            high = LONGEST
         T = int(self.nlp.variables([motion.T], low, high)[0])
         self.nlp.minimise(T)
         out = LegVariables(T)

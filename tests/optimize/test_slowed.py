@@ -1,0 +1,57 @@
+"""A motion made slower goes where it went; what a window holds and what the program times stays as it is."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from small_cells import plant_with_rail, problem_of, rapid
+
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.draft import Draft
+from trajopt_cli.optimize.driver import slowed
+from trajopt_cli.optimize.incumbent import timed
+from trajopt_cli.optimize.search import search
+from trajopt_cli.problem.problem import Problem
+
+MOVES = "MoveAbsJ j_home,v1000,fine,tool0;MoveJ p_in,v1000,fine,tool0;MoveL p_low,v200,fine,tool0;WaitTime 0.4;"
+
+
+@pytest.fixture(scope="module")
+def legal() -> tuple[Axes, Problem, Draft]:
+    plant = plant_with_rail()
+    axes, problem = Axes.of(plant), problem_of(rapid(MOVES), plant)
+    chain = search(axes, problem)
+    assert chain is not None
+    return axes, problem, timed(axes, problem, chain)
+
+
+def test_the_same_places_at_times_as_many_times_later(legal: tuple[Axes, Problem, Draft]) -> None:
+    axes, problem, draft = legal
+    moving = [k for k, leg in enumerate(problem.legs) if leg.duration is None]
+    for k in moving:
+        motion, slow = draft.legs[k], slowed(problem, draft, 1.25).legs[k]
+        assert motion is not None
+        assert slow is not None
+        t = np.linspace(0, motion.T, 17)[1:-1] + 1e-5  # beside the switches
+        was, now = motion.sample(axes, t), slow.sample(axes, 1.25 * t)
+        np.testing.assert_allclose(now.q, was.q, atol=1e-9)
+        np.testing.assert_allclose(now.qd, was.qd / 1.25, atol=1e-9)
+        np.testing.assert_allclose(now.qdd, was.qdd / 1.25**2, atol=1e-7)
+
+
+def test_a_wait_keeps_its_time(legal: tuple[Axes, Problem, Draft]) -> None:
+    _, problem, draft = legal
+    wait = slowed(problem, draft, 2.0).legs[-1]
+    assert wait is not None
+    assert wait.T == 0.4
+
+
+def test_ends_that_a_window_holds_in_motion_keep_their_velocity(legal: tuple[Axes, Problem, Draft]) -> None:
+    _, problem, draft = legal
+    qd = np.full_like(draft.qd, 0.01)
+    points = [replace(one, q=draft.q[k]) if k == 0 else replace(one, q=None) for k, one in enumerate(problem.waypoints)]
+    slow = slowed(replace(problem, waypoints=tuple(points)), replace(draft, qd=qd), 2.0)
+    np.testing.assert_array_equal(slow.qd[0], qd[0])
+    np.testing.assert_array_equal(slow.qd[1:], qd[1:] / 2)
