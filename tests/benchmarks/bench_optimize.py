@@ -177,7 +177,9 @@ def show(row: dict[str, object]) -> None:
         print(f"{line}  {row['says']}")
         return
     for name in ("stream", "rapid"):
-        line += f" {row[name]:9.3f} {row[f'{name} bound']:9.3f}"
+        line += "".join(
+            f" {x:9.3f}" if isinstance(x, float) else f" {'-':>9}" for x in (row[name], row[f"{name} bound"])
+        )
     print(f"{line} {1e3 * float(str(row['wall'])) / max(1, int(str(row['moves']))):9.1f}")
     split: dict[str, dict[str, float]] = defaultdict(dict)
     seconds = row["seconds"]
