@@ -73,8 +73,8 @@ def on_last_grid(axes: Axes, problem: Problem, draft: Draft) -> Draft:
         if motion is None or (leg.kind is LegKind.DWELL and not leg.rail_moves):
             legs.append(motion)
         elif leg.kind is LegKind.JOINT:
-            keep = isinstance(motion, JointProfiles) or at_hand
-            legs.append(motion if keep else _closed(axes, motion.T, q, draft.qd[k]))
+            keep = isinstance(motion, JointProfiles) or motion.N == GRID_JOINT
+            legs.append(motion if keep else _on_grid(axes, motion, GRID_JOINT))
         elif isinstance(motion, PathLeg) and at_hand:
             legs.append(motion)
         else:
@@ -88,6 +88,14 @@ def on_last_grid(axes: Axes, problem: Problem, draft: Draft) -> Draft:
                 nodes = x[:, 0], v[:, 0], a[:, 0], x[:, 1:], v[:, 1:], a[:, 1:]
             legs.append(_path(axes, problem, k, motion.T, q, max(draft.cfx[k], draft.cfx[k + 1]), nodes))
     return Draft(draft.q, draft.qd, draft.cfx, tuple(legs))
+
+
+def _on_grid(axes: Axes, motion: LegMotion, N: int) -> JointNodes:
+    """A joint move on N even intervals, as near as its nodes come."""
+    grid = np.linspace(0, 1, N + 1)
+    sample = motion.sample(axes, grid * motion.T)
+    v = sample.qd * motion.T
+    return JointNodes(motion.T, grid, sample.q, v, np.diff(v, axis=0) * N)
 
 
 def _closed(axes: Axes, T: float, q_0: Array, qd_0: Array) -> JointProfiles:
@@ -284,11 +292,5 @@ class Refiner:
         for k, motion in enumerate(legs):
             m = margins[k]
             if isinstance(motion, JointProfiles) and m is not None:
-                legs[k] = self._on_grid(motion, len(m.tool) - 1)
+                legs[k] = _on_grid(self.axes, motion, len(m.tool) - 1)
         return replace(draft, legs=tuple(legs))
-
-    def _on_grid(self, motion: JointProfiles, N: int) -> JointNodes:
-        grid = np.linspace(0, 1, N + 1)
-        sample = motion.sample(self.axes, grid * motion.T)
-        v = sample.qd * motion.T
-        return JointNodes(motion.T, grid, sample.q, v, np.diff(v, axis=0) * N)

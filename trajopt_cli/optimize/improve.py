@@ -203,7 +203,8 @@ class Sweeps:
         own, problem = window.draft, window.problem
         times = np.array([0.0 if motion is None else motion.T for motion in own.legs])
         coarse = first_draft(self._axes, problem, own.q, own.qd, own.cfx, times)
-        starts = [*hoped, coarse] if untouched else [on_last_grid(self._axes, problem, own), coarse]
+        near = on_last_grid(self._axes, problem, own)
+        starts = [*hoped, coarse, near] if untouched else [near, coarse]
         clean, seconds = False, dict[str, float]()
         for start in starts:
             refiner = Refiner(self._axes, self._formulation, problem, self._patience)
