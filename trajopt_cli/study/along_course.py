@@ -17,6 +17,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.optimize.course import Course
+from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.study.legs import Caps, Run, tool_rates
 from trajopt_cli.study.rows import Piece, apart
@@ -113,6 +114,22 @@ class _Part:
         if self.jerk is not None:
             a = min(a, share**2 / 2 / max(3 * self.jerk[1] * v, 1e-300))
         return _stepped(v), a, j
+
+
+def ridden(
+    plant: Plant, run: Run, caps: Sequence[Caps], jerk: Array | None, drive: Drive, generator: str
+) -> Piece | Infeasible:
+    """A run along its course in the time that the program gives it, or why not; the rest as in on_course.
+
+    generator: its name in the refusal.
+    """
+    piece = on_course(plant, run, caps, jerk, drive)
+    leg = run.legs[0]
+    if len(run.legs) > 1 or leg.duration is None:
+        return piece
+    if piece.duration > leg.duration * (1 + 1e-9):
+        return leg.refusal(f"cannot be made in {leg.duration:g} s: {generator} needs {piece.duration:.4f} s")
+    return piece.slowed(leg.duration / piece.duration)
 
 
 def on_course(plant: Plant, run: Run, caps: Sequence[Caps], jerk: Array | None, drive: Drive) -> Piece:

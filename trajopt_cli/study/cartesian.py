@@ -31,10 +31,10 @@ from trajopt_cli.motion import SignalEvent, Wait
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.study.along_course import on_course
+from trajopt_cli.study.along_course import ridden
 from trajopt_cli.study.bang_bang import AxisMotion, bang_bang, common_time, in_time
 from trajopt_cli.study.case import Answer, Attempt, Case
-from trajopt_cli.study.legs import Caps, JointsOnLine, Leg, LegKind, Run, fixed_rail
+from trajopt_cli.study.legs import Caps, JointsOnLine, Leg, LegKind, fixed_rail
 from trajopt_cli.study.rows import LONGER, Piece, apart, hold, rows_of
 
 _STEP = 1e-3  # s between places where the motion is looked at before it is accepted
@@ -52,7 +52,10 @@ def bang_bang_row(case: Case) -> Answer:
     pieces = []
     for on_courses, group in groupby(given.runs, key=lambda run: run.course is not None):
         if on_courses:
-            found = [_ridden(case.plant, run) for run in group]
+            found = [
+                ridden(case.plant, run, [_caps(case.plant, leg) for leg in run.legs], None, _drive, "the generator")
+                for run in group
+            ]
         else:
             moves = [_move(case.plant, run.legs[0]) for run in group]
             speeds = _speeds(moves)
@@ -206,17 +209,6 @@ def _piece(plant: Plant, move: _Move, begin: tuple[Array, Array], end: tuple[Arr
     space = _Space(plant, move, motion, duration, _branch(plant, leg))
     refused = space.refusal()
     return refused or Piece(duration, _switches(motion), space.at)
-
-
-def _ridden(plant: Plant, run: Run) -> Piece | Infeasible:
-    """A run along its course."""
-    piece = on_course(plant, run, [_caps(plant, leg) for leg in run.legs], None, _drive)
-    leg = run.legs[0]
-    if len(run.legs) > 1 or leg.duration is None:
-        return piece
-    if piece.duration > leg.duration * (1 + 1e-9):
-        return leg.refusal(f"cannot be made in {leg.duration:g} s: the generator needs {piece.duration:.4f} s")
-    return piece.slowed(leg.duration / piece.duration)
 
 
 def _caps(plant: Plant, leg: Leg) -> Caps:

@@ -17,9 +17,9 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.study.along_course import on_course
+from trajopt_cli.study.along_course import ridden
 from trajopt_cli.study.case import Answer, Attempt, Case, NotApplicable
-from trajopt_cli.study.legs import JointsOnLine, Leg, LegKind, Run, Use, caps_of, fixed_rail, use_of
+from trajopt_cli.study.legs import JointsOnLine, Leg, LegKind, Use, caps_of, fixed_rail, use_of
 from trajopt_cli.study.rows import LONGER, Piece, apart, hold, rows_of
 from trajopt_cli.timing.point_to_point import PointToPoint, point_to_point
 
@@ -55,7 +55,11 @@ def _row(case: Case, jerk: Array | None) -> Answer:
     for run in given.runs:
         key = run.key
         if key not in known:
-            known[key] = _piece(case.plant, run.legs[0], jerk) if run.course is None else _ridden(case.plant, run, jerk)
+            if run.course is None:
+                known[key] = _piece(case.plant, run.legs[0], jerk)
+            else:
+                caps = [caps_of(case.plant, leg) for leg in run.legs]
+                known[key] = ridden(case.plant, run, caps, jerk, _drive, "Ruckig")
         piece = known[key]
         if isinstance(piece, Infeasible):
             return piece
@@ -68,17 +72,6 @@ def _row(case: Case, jerk: Array | None) -> Answer:
         if jerk is not None:
             notes.append("jerk is free where a corner or an arc begins or ends: the path's curvature jumps there")
     return Attempt(given.program, trajectory, notes=(*notes, *given.notes))
-
-
-def _ridden(plant: Plant, run: Run, jerk: Array | None) -> Piece | Infeasible:
-    """A run along its course."""
-    piece = on_course(plant, run, [caps_of(plant, leg) for leg in run.legs], jerk, _drive)
-    leg = run.legs[0]
-    if len(run.legs) > 1 or leg.duration is None:
-        return piece
-    if piece.duration > leg.duration * (1 + 1e-9):
-        return leg.refusal(f"cannot be made in {leg.duration:g} s: Ruckig needs {piece.duration:.4f} s")
-    return piece.slowed(leg.duration / piece.duration)
 
 
 def _drive(v_0: float, v_1: float, way: float, v: float, a: float, j: float | None) -> Piece:
