@@ -114,9 +114,9 @@ def test_progress_is_a_line_per_phase_when_piped(
     for label in ("stream", "rapid"):
         own = [line for line in lines if line.startswith(f"{label}: ")]
         assert own[0] == f"{label}: search  best 2.000 s, bound 1.600 s, gap 25.0 %"
-        assert [line.split()[1] for line in own] == ["search", "judge"]
+        assert [line.split()[1] for line in own] == ["search", "bound", "judge"]
     assert lines[-1] == "results: write"
-    assert len(lines) == 5
+    assert len(lines) == 7
 
 
 def test_without_a_cell_file_the_five_lines_are_printed_and_work(

@@ -85,7 +85,7 @@ def rail_last(problem: Problem) -> Problem:
 def planned(axes: Axes, problem: Problem) -> Trajectory:
     """What optimize makes of a problem."""
     seconds: dict[str, float] = {}
-    found = legal_of(axes, [problem], seconds)
+    found = legal_of(axes, [problem], Patience(), lambda _: None, seconds)
     assert isinstance(found, Legal)
     draft = found.draft
     if not problem.coordinated:

@@ -23,6 +23,7 @@ from trajopt_cli.optimize.improve import improved
 from trajopt_cli.optimize.incumbent import duration
 from trajopt_cli.optimize.legal import Legal, legal_of
 from trajopt_cli.problem.patience import Patience
+from trajopt_cli.problem.progress import Progress
 
 REPOSITORY = Path(__file__).parents[2]
 BODY = """MoveJ p_in, v2500, fine, tool0;
@@ -55,9 +56,27 @@ def cell(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def legal() -> Legal:
     plant = plant_with_rail((-0.16, 0.8))
-    found = legal_of(Axes.of(plant), [problem_of(rapid(BODY), plant)], {})
+    found = legal_of(Axes.of(plant), [problem_of(rapid(BODY), plant)], Patience(), lambda _: None, {})
     assert isinstance(found, Legal)
     return found
+
+
+@pytest.mark.parametrize(("stopped", "motions"), [(False, 2), (True, 1)])
+def test_the_first_legal_motion_is_an_answer_that_an_end_leaves(stopped: bool, motions: int) -> None:
+    """A stream has two chains to time: of one progress for all axes, and of free ones."""
+    patience, told = Patience(), list[float | None]()
+
+    def tell(progress: Progress) -> None:
+        assert patience.answered
+        told.append(progress.incumbent)
+        if stopped:
+            patience.interrupt()
+
+    plant = plant_with_rail((-0.16, 0.8))
+    found = legal_of(Axes.of(plant), [problem_of(rapid(BODY), plant)], patience, tell, {})
+    assert isinstance(found, Legal)
+    assert len(told) == motions
+    assert found.duration == min(time for time in told if time is not None)
 
 
 def test_what_was_found_before_the_end_stays(monkeypatch: pytest.MonkeyPatch) -> None:

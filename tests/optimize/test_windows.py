@@ -40,7 +40,9 @@ AXES = Axes.of(plant_with_rail((-0.16, 0.8)))
 
 @cache
 def base(*places: float, home: str = "") -> Legal:
-    found = legal_of(AXES, [problem_of(program(*places, home=home), plant_with_rail((-0.16, 0.8)))], {})
+    found = legal_of(
+        AXES, [problem_of(program(*places, home=home), plant_with_rail((-0.16, 0.8)))], Patience(), lambda _: None, {}
+    )
     assert isinstance(found, Legal)
     return found
 

@@ -2,8 +2,8 @@
 
 from trajopt_cli.door import open_door
 from trajopt_cli.optimize.legal import Memory, NoCleanPlan
-from trajopt_cli.optimize.solve import check_feasible, optimize, search_estimate
+from trajopt_cli.optimize.solve import bounded, check_feasible, lower_bound_of, optimize, search_estimate
 
-__all__ = ["Memory", "NoCleanPlan", "check_feasible", "optimize", "search_estimate"]
+__all__ = ["Memory", "NoCleanPlan", "bounded", "check_feasible", "lower_bound_of", "optimize", "search_estimate"]
 
 open_door(__name__, "trajopt_cli.optimize:optimize")

@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 from itertools import groupby, pairwise
 
 import numpy as np
-from scipy.interpolate import CubicSpline
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.optimize.axes import Axes
@@ -260,6 +259,8 @@ def refined(axes: Axes, problem: Problem, chain: Chain) -> Chain:
 def _rounded(axes: Axes, problem: Problem, chain: Chain, marks: IndexArray) -> Chain:
     """The chain with the rail on a cubic spline through the marks where points are carried along: between short lines
     there is no room for the rail to change its speed. As it is where the arm cannot follow."""
+    from scipy.interpolate import CubicSpline  # takes longer to load than most programs to search
+
     q = chain.q.copy()
     for far, group in groupby(pairwise(marks.tolist()), key=lambda pair: pair[1] > pair[0] + 1):
         ends = [*group]

@@ -22,7 +22,6 @@ from typing import Protocol
 
 import numpy as np
 import qdldl
-from scipy import sparse
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.optimize.tuning import (
@@ -128,6 +127,8 @@ class _System:
         unique, self._bins = np.unique(high * (self.n + self.m) + low, return_inverse=True)
         total = self.n + self.m
         counts = np.bincount(unique // total, minlength=total)
+        from scipy import sparse  # takes longer to load than a short program to search
+
         self._K = sparse.csc_matrix(
             (np.ones(len(unique)), unique % total, np.concatenate([[0], np.cumsum(counts)])), shape=(total, total)
         )

@@ -19,6 +19,7 @@ from trajopt_cli.optimize.search import Chain, search
 from trajopt_cli.optimize.tuning import HOPELESS, ROOMS
 from trajopt_cli.problem.changes import Changes, everything
 from trajopt_cli.problem.freedom import AS_WRITTEN, FIXED_RAIL, Freedom, RailFreedom
+from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Coupling, Problem, build_problem
@@ -78,10 +79,11 @@ class Question:
 
 
 def legal_motion(
-    axes: Axes, question: Question, memory: Memory, tell: Report, seconds: dict[str, float]
+    axes: Axes, question: Question, memory: Memory, patience: Patience, tell: Report, seconds: dict[str, float]
 ) -> Legal | Infeasible:
     """The fastest legal motion of the question's own chains and of those with less freedom. memory: what was found for
-    other questions about the same program. Raises NoCleanPlan."""
+    other questions about the same program. patience: ends the search for a stream once there is a motion. Raises
+    NoCleanPlan."""
     start = perf_counter()
     tell(Progress("reach"))
     problems = question.problems(axes)
@@ -93,12 +95,12 @@ def legal_motion(
     own: Legal | Infeasible | NoCleanPlan
     tell(Progress("search"))
     try:
-        own = memory.get((question.target, question.freedom)) or legal_of(axes, open_, seconds)
+        own = memory.get((question.target, question.freedom)) or legal_of(axes, open_, patience, tell, seconds)
     except NoCleanPlan as failure:
         own = failure
     best = own if isinstance(own, Legal) else None
     for less in question.lesser():
-        found = _of_lesser(axes, less, open_, memory, seconds)
+        found = _of_lesser(axes, less, open_, memory, patience, tell, seconds)
         if found is not None and (best is None or found.duration < best.duration):
             best = min([found, *_again(axes, found, seconds)], key=lambda one: one.duration)
     if best is None and isinstance(own, NoCleanPlan):
@@ -111,8 +113,9 @@ def legal_motion(
 
 
 def _of_lesser(
-    axes: Axes, less: Question, problems: Sequence[Problem], memory: Memory, seconds: dict[str, float]
-) -> Legal | None:
+    axes: Axes, less: Question, problems: Sequence[Problem], memory: Memory, patience: Patience, tell: Report,
+    seconds: dict[str, float],
+) -> Legal | None:  # fmt: skip
     """The legal motion of a question with less freedom as one of these problems', None where there is none, or where it
     asks for the same."""
     mine = {one.dropped: one for one in problems}
@@ -122,7 +125,7 @@ def _of_lesser(
     name = less.target, less.freedom
     if name not in memory:
         try:
-            memory[name] = legal_of(axes, asked, seconds)
+            memory[name] = legal_of(axes, asked, patience, tell, seconds)
         except NoCleanPlan:
             return None
     found = memory[name]
@@ -147,9 +150,12 @@ def _again(axes: Axes, found: Legal, seconds: dict[str, float]) -> Iterator[Lega
     add(seconds, "timing", perf_counter() - start)
 
 
-def legal_of(axes: Axes, problems: Sequence[Problem], seconds: dict[str, float]) -> Legal | Infeasible:
-    """That of the problem with the fastest chain that can be driven. Where none can, as an axis would leave its range
-    between the places that the search looks at, with narrower ranges. Raises NoCleanPlan."""
+def legal_of(
+    axes: Axes, problems: Sequence[Problem], patience: Patience, tell: Report, seconds: dict[str, float]
+) -> Legal | Infeasible:
+    """That of the problem with the fastest chain that can be driven; each one timed is told, and the first one of a
+    stream is an answer. Where none can, as an axis would leave its range between the places that the search looks at,
+    with narrower ranges. Raises NoCleanPlan."""
     failure: tuple[Problem, NotDriven] | None = None
     for room in ROOMS:
         start = perf_counter()
@@ -157,24 +163,34 @@ def legal_of(axes: Axes, problems: Sequence[Problem], seconds: dict[str, float])
         together = [one if one.coordinated else replace(one, coupling=Coupling.COORDINATED) for one in problems]
         chains = [(search(narrow, bound), bound, problem) for bound, problem in zip(together, problems, strict=True)]
         found = [
-            # a rail that suits joint moves on one progress is legal for free axes, too, and may be the better one
-            ([one for coupled in dict.fromkeys((bound, problem)) for one in _shifted(narrow, coupled, chain)], problem)
+            (_shifted(narrow, bound, chain), chain, bound, problem)
             for chain, bound, problem in chains
             if chain is not None
         ]
         add(seconds, "search", perf_counter() - start)
         hopeless = bool(found)  # with less room it takes no less
-        for tried, problem in sorted(found, key=lambda pair: pair[0][0].cost):
-            start = perf_counter()
+        for tried, chain, bound, problem in sorted(found, key=lambda one: one[0][0].cost):
             drafts: list[Legal] = []
-            for chain in tried:
-                try:
-                    drafts.append(Legal(problem, chain, timed(axes, problem, chain)))
-                except NotDriven as said:
-                    failure = failure or (problem, said)
-                    wanted = problem.legs[said.run[0]].duration
-                    hopeless &= said.least is not None and wanted is not None and said.least > HOPELESS * wanted
-            add(seconds, "timing", perf_counter() - start)
+            for coupled in dict.fromkeys((bound, problem)):
+                if coupled is not bound:  # a rail that suits free axes; but that for one progress may be the better one
+                    if drafts and patience.over:
+                        break
+                    start = perf_counter()
+                    tried = _shifted(narrow, coupled, chain)
+                    add(seconds, "search", perf_counter() - start)
+                start = perf_counter()
+                for one in tried:
+                    try:
+                        drafts.append(Legal(problem, one, timed(axes, problem, one)))
+                    except NotDriven as said:
+                        failure = failure or (problem, said)
+                        wanted = problem.legs[said.run[0]].duration
+                        hopeless &= said.least is not None and wanted is not None and said.least > HOPELESS * wanted
+                    else:
+                        if not problem.coordinated:
+                            patience.answer()
+                        tell(Progress("timing", drafts[-1].duration))
+                add(seconds, "timing", perf_counter() - start)
             if drafts:
                 return min(drafts, key=lambda one: one.duration)
         if failure is None:

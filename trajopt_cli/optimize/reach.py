@@ -11,7 +11,6 @@ from dataclasses import astuple, dataclass, replace
 from itertools import groupby, product
 
 import numpy as np
-from scipy import ndimage
 
 from trajopt_cli.geometry import Array, BoolArray, inverse_pose
 from trajopt_cli.motion import MoveJ, MoveL, motion_name
@@ -316,8 +315,8 @@ def _crosses(open_: BoolArray) -> bool:
     step = -(-(n - 1) // (nodes - 1))
     held = open_[0]
     for row in open_[1:]:
-        near = ndimage.binary_dilation(held, iterations=step)
-        runs, _ = ndimage.label(row)
+        near = np.convolve(held, np.ones(2 * step + 1), mode="full")[step : step + n] > 0.5
+        runs = np.cumsum(np.diff(row, prepend=False) & row)  # the number of each run of open positions
         held = row & np.isin(runs, runs[near & row])
     return bool(held.any())
 

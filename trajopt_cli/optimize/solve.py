@@ -82,12 +82,10 @@ def optimize(
     seconds: dict[str, float] = {}
     axes = Axes.of(plant)
     question = Question(program, plant, target, freedom, changes)
-    legal = legal_motion(axes, question, {} if memory is None else memory, tell, seconds)
+    legal = legal_motion(axes, question, {} if memory is None else memory, patience, tell, seconds)
     if isinstance(legal, Infeasible):
         return legal
     problem, draft, notes = legal.problem, legal.draft, tuple[str, ...]()
-    if not problem.coordinated:
-        patience.answer()
     tell(Progress("timing", incumbent=legal.duration))
     if not problem.coordinated:
         draft, notes = improved(axes, legal, patience, tell, seconds, hands)
@@ -100,7 +98,7 @@ def optimize(
     if bounded and not patience.interrupted:
         start = perf_counter()
         tell(Progress("bound", incumbent=trajectory.duration))
-        bound = _checked_bound(axes, problem, trajectory.duration)
+        bound = _checked(_bound(axes, problem, trajectory.duration), trajectory.duration)
         seconds["bound"] = perf_counter() - start
     tell(Progress("done", incumbent=trajectory.duration, bound=bound))
     grid = _grid(legs, problem)
@@ -108,9 +106,30 @@ def optimize(
     return Plan(target, trajectory, motions, bound, grid, seconds, notes)
 
 
-def _checked_bound(axes: Axes, problem: Problem, duration: float) -> float:
+def lower_bound_of(
+    program: Program, plant: Plant, plan: Plan, freedom: Freedom = EVERYTHING, changes: Changes | None = None
+) -> float:
+    """The lower bound [s] of a plan that optimize found without one for the same question: for another process."""
+    axes = Axes.of(plant)
+    dropped = frozenset(motion.index for motion in plan.motions if motion.dropped)
+    problems = Question(program, plant, plan.target, freedom, changes).problems(axes)
+    problem = next(one for one in problems if isinstance(one, Problem) and one.dropped == dropped)
+    return _bound(axes, problem, plan.duration)
+
+
+def bounded(plan: Plan, bound: float, spent: float) -> Plan:
+    """The plan with its lower bound [s], and the seconds spent for that. Raises NoCleanPlan where the plan refutes
+    it."""
+    return replace(plan, lower_bound=_checked(bound, plan.duration), seconds={**plan.seconds, "bound": spent})
+
+
+def _bound(axes: Axes, problem: Problem, duration: float) -> float:
     """The lower bound; it aims a hair above the plan, so that a bound the plan itself refutes shows."""
-    bound = lower_bound(axes, problem, duration * 1.001)
+    return lower_bound(axes, problem, duration * 1.001)
+
+
+def _checked(bound: float, duration: float) -> float:
+    """The lower bound of a plan of this duration. Raises NoCleanPlan where that refutes it."""
     if bound > duration * (1 + 1e-6):
         raise NoCleanPlan(f"an error in trajopt: the lower bound {bound:.6f} s lies above the plan, {duration:.6f} s")
     return min(bound, duration)  # equal up to rounding where the bound is exact

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from time import perf_counter
@@ -17,14 +17,15 @@ from trajopt_cli.problem.changes import Changes, Loops, everything
 from trajopt_cli.problem.freedom import AS_WRITTEN
 from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
-from trajopt_cli.problem.progress import Progress
+from trajopt_cli.problem.progress import Progress, Report
 from trajopt_cli.runs.results import (
     CSV,
     Judged,
 )
 
 if TYPE_CHECKING:
-    from trajopt_cli.findings import Finding, Report
+    from trajopt_cli import findings
+    from trajopt_cli.findings import Finding
     from trajopt_cli.optimize import Memory
     from trajopt_cli.problem.plant import Plant
 
@@ -211,8 +212,8 @@ def solve(
     memory: Memory | None = None,
     hands: Callable[[], int] = lambda: 1,
 ) -> Judged | Infeasible | NoPlan:
-    """Plan one target, write its trajectory as CSV text, and let the judge read that text."""
-    from trajopt_cli.joint_csv import write_csv_text
+    """Plan one target, write its trajectory as CSV text, and let the judge read that text. The bound is found
+    meanwhile where another process may work."""
     from trajopt_cli.optimize import NoCleanPlan, optimize
 
     label = target.value
@@ -220,31 +221,55 @@ def solve(
     def tell(progress: Progress) -> None:
         listen(label, progress)
 
-    with clock.phase(f"{label}: plan"):
-        try:
+    try:
+        with clock.phase(f"{label}: plan"):
             plan = optimize(
                 job.program,
                 job.plant,
                 target,
                 progress=tell,
+                bounded=False,
                 changes=changes,
                 memory=memory,
                 patience=patience,
                 hands=hands,
             )
-        except NoCleanPlan as failure:
-            return NoPlan(label, str(failure))
-    if isinstance(plan, Infeasible):
-        return plan
-    if plan.duration == 0.0:
-        message = f"{job.program.entry} moves nothing: every move ends where the robot stands at the start"
-        raise InputError(message, file=str(job.program_path))
-    for phase, spent in plan.seconds.items():
+        if isinstance(plan, Infeasible):
+            return plan
+        if plan.duration == 0.0:
+            message = f"{job.program.entry} moves nothing: every move ends where the robot stands at the start"
+            raise InputError(message, file=str(job.program_path))
+        judged = _bounded_and_judged(job, plan, changes, tell, clock, patience, hands)
+    except NoCleanPlan as failure:
+        return NoPlan(label, str(failure))
+    for phase, spent in judged.plan.seconds.items():
         clock.seconds[f"{label}: {phase}"] = spent
-    listen(label, Progress("judge", plan.duration, plan.lower_bound))
-    with clock.phase(f"{label}: judge"):
-        text = write_csv_text(plan.trajectory)
-    return _judged(job, plan, text, clock)
+    return judged
+
+
+def _bounded_and_judged(
+    job: Job, plan: Plan, changes: Changes, tell: Report, clock: Clock, patience: Patience, hands: Callable[[], int]
+) -> Judged:
+    """A plan with its bound, but where the user said to stop, and what the judge says of its text. Raises NoCleanPlan
+    where the plan refutes the bound."""
+    from trajopt_cli.joint_csv import write_csv_text
+    from trajopt_cli.optimize import bounded, lower_bound_of
+
+    def bound(_: Report) -> tuple[float, float]:
+        start = perf_counter()
+        return lower_bound_of(job.program, job.plant, plan, changes=changes), perf_counter() - start
+
+    with ExitStack() as stack:
+        asked = not patience.interrupted
+        if asked:
+            tell(Progress("bound", plan.duration))
+        beside = stack.enter_context(Beside(bound, tell)) if asked and hands() > 1 else None
+        known = bounded(plan, *bound(tell)) if asked and beside is None else plan
+        tell(Progress("judge", known.duration, known.lower_bound))
+        with clock.phase(f"{plan.target.value}: judge"):
+            text = write_csv_text(plan.trajectory)
+        judged = _judged(job, known, text, clock)
+        return judged if beside is None else replace(judged, plan=bounded(plan, *beside.answer()))
 
 
 def _judged(job: Job, plan: Plan, text: str, clock: Clock) -> Judged:
@@ -284,7 +309,7 @@ def judge(
     dropped: tuple[int, ...] | None = None,
     target: Target | None = None,
     advice: bool = True,
-) -> Report:
+) -> findings.Report:
     """What the judge says of a CSV file's text; file is its name in messages, the rest as in verify."""
     from trajopt_cli.joint_csv import read_csv_text
     from trajopt_cli.verify.judge import verify
@@ -293,6 +318,6 @@ def judge(
     return verify(program, plant, trajectory, resolution, dropped, target, advice)
 
 
-def worst(report: Report) -> Finding:
+def worst(report: findings.Report) -> Finding:
     """The failed finding that is farthest beyond its limit."""
     return min((finding for finding in report.findings if not finding.passed), key=lambda finding: finding.margin)
