@@ -12,7 +12,7 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.draft import Draft, Margins
-from trajopt_cli.optimize.exchange import back_off, check_leg
+from trajopt_cli.optimize.exchange import Ratios, back_off, check_legs
 from trajopt_cli.optimize.formulation import Formulation
 from trajopt_cli.optimize.interior_point import NlpResult
 from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, Pieces, parabola
@@ -143,6 +143,18 @@ class Refiner:
         self.axes, self.formulation, self.problem, self.patience = axes, formulation, problem, patience
         self.last = LAST_ALONE if len(problem.legs) == 1 else LAST
         self.seconds = {"build": 0.0, "solve": 0.0, "check": 0.0}
+        self._known: dict[LegMotion, Ratios] = {}  # of the motions looked at last
+
+    def _ratios(self, draft: Draft, kind: Any = LegMotion) -> list[Ratios | None]:
+        """What every leg of a draft with a motion of some kind uses of its limits at most; None for the others."""
+        start = perf_counter()
+        legs = [(leg, one) for leg, one in zip(self.problem.legs, draft.legs, strict=True) if isinstance(one, kind)]
+        new = [(leg, motion) for leg, motion in legs if motion not in self._known]
+        found = check_legs(self.axes, [leg for leg, _ in new], [motion for _, motion in new])
+        known = self._known | {motion: ratios for (_, motion), ratios in zip(new, found, strict=True)}
+        self._known = {motion: known[motion] for motion in draft.legs if motion is not None and motion in known}
+        self.seconds["check"] += perf_counter() - start
+        return [self._known[motion] if isinstance(motion, kind) else None for motion in draft.legs]
 
     def _solve(
         self, draft: Draft, margins: list[Margins | None], mu: float, tolerance: float = SHARP,
@@ -221,19 +233,17 @@ class Refiner:
     def _exchange(self, draft: Draft, margins: list[Margins | None], warm: Sequence[Any]) -> Draft:
         """Check densely, back_off where a limit is passed, solve again, until nothing is passed."""
         for _ in range(ROUNDS):
-            start = perf_counter()
             worst, changed, opened = 0.0, False, self._open_grids(draft, margins)
             draft = self._with_grids(draft, margins)
-            for leg, motion, m in zip(self.problem.legs, draft.legs, margins, strict=True):
-                if motion is None:
+            every = self._ratios(draft)
+            for leg, motion, m, ratios in zip(self.problem.legs, draft.legs, margins, every, strict=True):
+                if motion is None or ratios is None:
                     continue
-                ratios = check_leg(self.axes, leg, motion)
                 worst = max(worst, ratios.worst)
                 if m is not None:
                     resting = leg.kind is LegKind.DWELL and leg.duration is not None
                     rail = self.axes.acceleration_on(leg)[self.axes.layout.rail] if resting else None
                     changed |= back_off(m, ratios, motion, SAFE, rail)
-            self.seconds["check"] += perf_counter() - start
             if not (changed or opened):
                 return draft
             if self._watch(draft, margins, SAFE) or opened:
@@ -248,9 +258,8 @@ class Refiner:
     def _slowed(self, draft: Draft, margins: list[Margins | None]) -> Draft:
         """The same motion so slow that no limit in force is reached: the solver keeps to them from where it begins."""
         most = 1.0
-        for leg, motion, m in zip(self.problem.legs, draft.legs, margins, strict=True):
-            if motion is not None and m is not None:
-                r = check_leg(self.axes, leg, motion)
+        for r, m in zip(self._ratios(draft), margins, strict=True):
+            if r is not None and m is not None:
                 shares = m.velocity.min(), m.acceleration.min(), *m.tool.min(axis=0)
                 rates = r.velocity.max(), np.sqrt(r.acceleration.max()), r.tool[:, 0].max(), np.sqrt(r.tool[:, 1].max())
                 most = max(
@@ -262,24 +271,21 @@ class Refiner:
 
     def _open_grids(self, draft: Draft, margins: list[Margins | None]) -> bool:
         """Joint moves whose closed-form profiles break a tool cap or a range go on a grid."""
-        start = perf_counter()
         opened = False
-        for k, (leg, motion) in enumerate(zip(self.problem.legs, draft.legs, strict=True)):
-            if leg.kind is LegKind.JOINT and isinstance(motion, JointProfiles):
-                ratios = check_leg(self.axes, leg, motion)
-                if max(np.max(ratios.tool), np.max(ratios.position)) > 1 + OVER:
-                    margins[k] = Margins.full(GRID_JOINT, self.axes.n, EXACT)
-                    opened = True
-        self.seconds["check"] += perf_counter() - start
+        closed = self._ratios(draft, JointProfiles)
+        for k, (leg, ratios) in enumerate(zip(self.problem.legs, closed, strict=True)):
+            past = 0.0 if ratios is None else max(np.max(ratios.tool), np.max(ratios.position))
+            if leg.kind is LegKind.JOINT and past > 1 + OVER:
+                margins[k] = Margins.full(GRID_JOINT, self.axes.n, EXACT)
+                opened = True
         return opened
 
     def _watch(self, draft: Draft, margins: list[Margins | None], share: float = NEAR_CAP) -> bool:
         """Put tool caps in force at nodes of gridded joint moves that use this share of them; True when any is new."""
         added = False
-        for k, (leg, motion) in enumerate(zip(self.problem.legs, draft.legs, strict=True)):
-            m = margins[k]
-            if isinstance(motion, JointNodes) and m is not None:
-                near = check_leg(self.axes, leg, motion).tool > share
+        for m, ratios in zip(margins, self._ratios(draft, JointNodes), strict=True):
+            if m is not None and ratios is not None:
+                near = ratios.tool > share
                 rows = np.zeros_like(m.rows)
                 rows[:-1] |= near
                 rows[1:] |= near

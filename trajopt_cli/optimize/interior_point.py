@@ -110,29 +110,30 @@ class _System:
         size_rows = int((~equal).sum())
         self.J_E = _Pattern(equation[rows[mine]], cols[mine], (self.m, self.n))
         self.J_I = _Pattern(inequality[rows[~mine]], cols[~mine], (size_rows, self.n))
-        first, second, row = _pairs(inequality[rows[~mine]], cols[~mine])
-        self._first, self._second, self._row = first, second, row
+        self._squares = _Squares(inequality[rows[~mine]], cols[~mine])
         both = (column[h_rows] >= 0) & (column[h_cols] >= 0)
         self._in_hessian = np.flatnonzero(both)
-        i_cols = cols[~mine]
         diagonal = np.arange(self.n + self.m)
         at = [
             (column[h_rows[both]], column[h_cols[both]]),
-            (i_cols[first], i_cols[second]),
+            self._squares.at,
             (cols[mine], self.n + equation[rows[mine]]),
             (diagonal, diagonal),
         ]
         low = np.concatenate([np.minimum(a, b) for a, b in at])
         high = np.concatenate([np.maximum(a, b) for a, b in at])
-        unique, self._bins = np.unique(high * (self.n + self.m) + low, return_inverse=True)
         total = self.n + self.m
+        unique, bins, often = np.unique(high * total + low, return_inverse=True, return_counts=True)
         counts = np.bincount(unique // total, minlength=total)
         from scipy import sparse  # takes longer to load than a short program to search
 
         self._K = sparse.csc_matrix(
             (np.ones(len(unique)), unique % total, np.concatenate([[0], np.cumsum(counts)])), shape=(total, total)
         )
-        self._diagonal = self._bins[len(self._bins) - total :]
+        self._K_T = self._K.T
+        self._diagonal = bins[len(bins) - total :]
+        self._begins = np.concatenate([[0], np.cumsum(often)[:-1]])
+        self._in_order = np.argsort(bins, kind="stable")
         self._solver: qdldl.Solver | None = None
 
     def take(self, jacobian: Array) -> None:
@@ -141,16 +142,15 @@ class _System:
 
     def fill(self, hessian: Array, weights: Array, diagonal: Array) -> None:
         """The Hessian's nonzeros, weights of the rows that are no equations, what else stands on the diagonal (n,)."""
-        inner = self.J_I.data
-        products = inner[self._first] * inner[self._second] * weights[self._row]
+        products = self._squares.of(self.J_I.data, weights)
         values = [hessian[self._in_hessian], products, self.J_E.data, diagonal, np.full(self.m, -EQUATION_EPS)]
-        self._filled = _summed(self._bins, np.concatenate(values), len(self._K.data))
+        self._filled = np.add.reduceat(np.concatenate(values)[self._in_order], self._begins)
 
     def factorise(self, shift: float) -> bool:
         """With a multiple of the identity added for the variables; False where that is not convex enough."""
         values = self._filled.copy()
         values[self._diagonal[: self.n]] += shift
-        self._K.data = values
+        self._K.data = self._K_T.data = values
         try:
             if self._solver is None:
                 self._solver = qdldl.Solver(self._K, upper=True)
@@ -167,7 +167,7 @@ class _System:
         wanted = np.concatenate([of_x, of_y])
         found = self._solver.solve(wanted)
         for _ in range(REFINEMENTS):
-            rest = wanted - self._K @ found - self._K.T @ found + self._K.diagonal() * found
+            rest = wanted - self._K @ found - self._K_T @ found + self._K.data[self._diagonal] * found
             rest[self.n :] -= EQUATION_EPS * found[self.n :]
             found = found + self._solver.solve(rest)
         return found[: self.n], found[self.n :]
@@ -189,20 +189,44 @@ class _Pattern:
         return _summed(self._cols, self.data * y[self._rows], self._shape[1])
 
 
+class _Squares:
+    """J' W J of a sparse J (entries at rows, cols) and weights W of its rows. Rows that touch the same variables are
+    one dense product: a node has many of them.
+
+    at: rows and columns of what `of` returns, upper triangles of those products, to be added up.
+    """
+
+    def __init__(self, rows: IndexArray, cols: IndexArray):
+        order = np.lexsort((cols, rows))
+        begins = np.flatnonzero(np.diff(rows[order], prepend=-1))
+        counts = np.diff(begins, append=len(rows))
+        self._stacks: list[tuple[IndexArray, IndexArray, IndexArray]] = []
+        at: list[tuple[IndexArray, IndexArray]] = [(cols[:0], cols[:0])]
+        for k in np.unique(counts).tolist():
+            entries = order[begins[counts == k][:, None] + np.arange(k)]
+            columns, group, sizes = np.unique(cols[entries], axis=0, return_inverse=True, return_counts=True)
+            entries = entries[np.argsort(group.ravel(), kind="stable")]
+            ends = np.cumsum(sizes)
+            i, j = np.triu_indices(k)
+            for size in np.unique(sizes).tolist():
+                these = sizes == size
+                stack = entries[(ends[these] - size)[:, None] + np.arange(size)]
+                self._stacks.append((stack, rows[stack[:, :, 0]], i * k + j))
+                at.append((columns[these][:, i].ravel(), columns[these][:, j].ravel()))
+        self.at = np.concatenate([a for a, _ in at]), np.concatenate([b for _, b in at])
+
+    def of(self, entries: Array, weights: Array) -> Array:
+        """The products' upper triangles."""
+        out = [entries[:0]]
+        for at, row, upper in self._stacks:
+            J = entries[at]
+            weighted = (J * weights[row][:, :, None]).transpose(0, 2, 1)
+            out.append((weighted @ J).reshape(len(J), -1)[:, upper].ravel())
+        return np.concatenate(out)
+
+
 def _summed(at: IndexArray, what: Array, length: int) -> Array:
     return np.bincount(at, weights=what, minlength=length).astype(float, copy=False)
-
-
-def _pairs(rows: IndexArray, cols: IndexArray) -> tuple[IndexArray, IndexArray, IndexArray]:
-    """All pairs of entries of one row, each with itself too and once: numbers of both entries, and the row."""
-    order = np.argsort(rows, kind="stable")
-    counts = np.bincount(rows)[rows[order]] if len(rows) else np.zeros(0, dtype=np.intp)
-    begins = np.searchsorted(rows[order], rows[order])
-    rank = np.arange(len(rows)) - begins
-    often = counts - rank  # an entry with itself and those behind it
-    first = np.repeat(np.arange(len(rows)), often)
-    ahead = np.arange(len(first)) - np.repeat(np.cumsum(often) - often, often)
-    return order[first], order[first + ahead], rows[order][first]
 
 
 @dataclass(frozen=True, eq=False)
@@ -304,9 +328,9 @@ class _Solve:
         gaps = np.concatenate([(v - self.low)[self.bounded_below], (self.high - v)[self.bounded_above]])
         return f - self.mu * float(np.log(gaps).sum())
 
-    def _error(self, now: _State, slope: Array, mu: float) -> tuple[float, float]:
-        """How far the optimality conditions of the barrier problem are from being met, scaled; and how far the rows
-        are off."""
+    def _error(self, now: _State, slope: Array) -> tuple[Callable[[float], float], float]:
+        """How far the optimality conditions of the barrier problem are from being met, scaled, by its parameter; and
+        how far the rows are off."""
         off = max(float(np.abs(one).max(initial=0.0)) for one in self._misses(now.g, now.v))
         with np.errstate(invalid="ignore"):
             gaps = np.concatenate([(now.v - self.low)[self.bounded_below], (self.high - now.v)[self.bounded_above]])
@@ -314,8 +338,10 @@ class _Solve:
         pressed = float(held.sum())
         scale = max(100.0, pressed / max(len(held), 1)) / 100
         spread = (pressed + np.abs(now.y).sum() + np.abs(now.w).sum()) / (len(held) + len(now.y) + len(now.w) + 1)
-        dual = np.abs(slope - now.below + now.above).max() / (max(100.0, spread) / 100)
-        return max(float(dual), off, float(np.abs(gaps * held - mu).max(initial=0.0)) / scale), off
+        dual = float(np.abs(slope - now.below + now.above).max() / (max(100.0, spread) / 100))
+        products = gaps * held
+        low, high = float(products.min(initial=np.inf)), float(products.max(initial=-np.inf))
+        return lambda mu: max(dual, off, max(high - mu, mu - low, 0.0) / scale), off
 
     # ------------------------------------------------------------------------------------------------------- steps
 
@@ -335,12 +361,12 @@ class _Solve:
             slope = np.concatenate(
                 [gradient + system.J_E.transposed_times(now.y) + system.J_I.transposed_times(now.w), -now.w]
             )
-            error, off = self._error(now, slope, 0.0)
-            if error <= self.tolerance and off <= feasible:
+            error, off = self._error(now, slope)
+            if error(0.0) <= self.tolerance and off <= feasible:
                 return self._answer(now, True, "solved", iteration)
             if iteration == most or (stop is not None and stop()):
                 return self._answer(now, False, "too many iterations" if iteration == most else "stopped", iteration)
-            while self.mu > self.tolerance / 11 and self._error(now, slope, self.mu)[0] <= BARRIER_ERROR * self.mu:
+            while self.mu > self.tolerance / 11 and error(self.mu) <= BARRIER_ERROR * self.mu:
                 self.mu = max(self.tolerance / 11, min(BARRIER_FACTOR * self.mu, self.mu**BARRIER_POWER))
                 self.filter = []
             after = self._step(now, x, gradient, slope) or self._mended(now)
@@ -484,5 +510,5 @@ class _Solve:
 
 def _most(gap: Array, change: Array, tau: float) -> float:
     """The longest step, at most one, that uses a share tau of every gap."""
-    shrinks = change < 0
-    return float(np.min(tau * gap[shrinks] / -change[shrinks], initial=1.0))
+    steepest = float(np.fmax.reduce(-change / gap, initial=0.0))  # no number where there is no gap
+    return min(1.0, tau / steepest) if steepest > 0 else 1.0

@@ -63,13 +63,13 @@ def _flat(layout: Layout, parts: Parts) -> Array:
         raise ValueError(f"the parts are {', '.join(layout.shapes)}; found {', '.join(parts)}")
     arrays = {name: np.asarray(part, dtype=np.float64) for name, part in parts.items()}
     n = next((len(arrays[name]) for name, shape in layout.shapes.items() if arrays[name].ndim > len(shape)), 1)
-    columns = [np.zeros((n, 0))]
+    out, at = np.empty((n, layout.size)), 0
     for name, shape in layout.shapes.items():
-        part = arrays[name]
+        part, size = arrays[name], prod(shape)
         if part.shape not in (shape, (n, *shape)):
             raise ValueError(f"{name} has shape {part.shape}, wanted {shape} or {(n, *shape)}")
-        many = np.broadcast_to(part, (n, *shape))
         if len(shape) > 1:  # column by column
-            many = np.swapaxes(many, -1, -2)
-        columns.append(many.reshape(n, prod(shape)))
-    return np.concatenate(columns, axis=1)
+            part = np.swapaxes(part, -1, -2)
+        out[:, at : at + size] = part.reshape(n if part.ndim > len(shape) else 1, size)
+        at += size
+    return out

@@ -17,7 +17,7 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.incumbent import duration
-from trajopt_cli.optimize.tuning import WINDOW
+from trajopt_cli.optimize.tuning import EVEN_PARTS, WINDOW
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.problem.freedom import RailFreedom
 from trajopt_cli.problem.problem import LegKind, Problem, Waypoint
@@ -125,15 +125,18 @@ def colours(problem: Problem) -> tuple[list[Span], list[Span]]:
 
 
 def _borders(problem: Problem, first: int, last: int) -> Iterator[int]:
-    """Where a piece is cut into windows, none of more than WINDOW legs where there may be borders."""
-    count = -(-(last - first) // WINDOW)
+    """Where a piece is cut into windows, none of more than WINDOW legs where there may be borders: at even steps, so
+    that a program's passes have equal windows, and what is left in equal parts."""
     at = first
-    for i in range(1, count):
-        least = max(at, last - (count - i) * WINDOW - 1)  # so that the windows behind it are not too long
-        border = _near(problem, least, min(last, at + WINDOW + 1), first + i * (last - first) / count)
-        if border is not None:
-            yield border
-            at = border
+    while (count := -(-(last - at) // WINDOW)) > 1:
+        wanted = at + (WINDOW if count > EVEN_PARTS else (last - at) / count)
+        border = _near(problem, at, min(last, at + WINDOW + 1), wanted)
+        if border is None:
+            border = min(_free(problem, at + WINDOW, last), default=None)
+        if border is None:
+            break
+        yield border
+        at = border
 
 
 def middle(problem: Problem, a: int, b: int) -> int | None:
@@ -144,8 +147,11 @@ def middle(problem: Problem, a: int, b: int) -> int | None:
 def _near(problem: Problem, a: int, b: int, wanted: float) -> int | None:
     """The waypoint between a and b, both left out, that is nearest to where a border is wanted; rather one in front of
     a joint move, where configurations meet. None where none may be a border."""
-    aside = [WINDOW / 6 * (leg.kind is not LegKind.JOINT) for leg in problem.legs]
-    return min(_free(problem, a, b), key=lambda k: abs(k - wanted) + aside[k], default=None)
+
+    def cost(k: int) -> float:
+        return abs(k - wanted) + WINDOW / 6 * (problem.legs[k].kind is not LegKind.JOINT)
+
+    return min(_free(problem, a, b), key=cost, default=None)
 
 
 def _free(problem: Problem, a: int, b: int) -> list[int]:
