@@ -78,9 +78,9 @@ def test_a_motion_in_memory_is_the_one_that_would_be_found(tmp_path: Path) -> No
     )
     job = read_job(tmp_path / "m.mod")
     changes = changes_of(job, Target.RAPID)
-    memory: Memory = {}
+    memory = Memory()
     optimize(job.program, job.plant, Target.RAPID, bounded=False, changes=changes, memory=memory)
-    assert (Target.RAPID, AS_WRITTEN) in memory
+    assert (Target.RAPID, AS_WRITTEN) in memory.answers
     first, second = [
         optimize(job.program, job.plant, Target.RAPID, AS_WRITTEN, bounded=False, changes=changes, memory=known)
         for known in (None, memory)

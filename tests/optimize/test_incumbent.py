@@ -11,7 +11,7 @@ from small_cells import HOME, down, plant_with_rail, plant_without_rail, problem
 from trajopt_cli.geometry import wxyz_from_rotation
 from trajopt_cli.optimize import optimize
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.incumbent import duration, refined, timed
+from trajopt_cli.optimize.incumbent import Runs, duration, refined, timed
 from trajopt_cli.optimize.search import Chain, search
 from trajopt_cli.optimize.tuning import ROOMS
 from trajopt_cli.problem.freedom import FIXED_RAIL
@@ -51,6 +51,19 @@ def test_refining_the_rail_is_never_slower(seed: int, target: Target) -> None:
     before = duration(timed(axes, problem, replace(chain, w=np.zeros_like(chain.w))))
     after = duration(timed(axes, problem, refined(axes, problem, chain)))
     assert after < before * (1 - 1e-3)
+
+
+def test_runs_driven_before_are_driven_alike_and_only_once() -> None:
+    body, data = random_cell(1)
+    plant = plant_with_rail()
+    axes, known = Axes.of(plant), Runs()
+    for target in Target:  # axes that are free go another way
+        problem = problem_of(rapid(body, data=data), plant, target)
+        chain = search(axes, problem)
+        assert chain is not None
+        first, again, alone = (timed(axes, problem, chain, *runs) for runs in ((known,), (known,), ()))
+        assert all(a is b for a, b in zip(first.legs, again.legs, strict=True))
+        assert [one.T for one in first.legs if one] == [one.T for one in alone.legs if one]
 
 
 def test_the_rail_does_not_jitter_along_a_contour() -> None:

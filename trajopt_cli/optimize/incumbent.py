@@ -78,20 +78,24 @@ def incumbent(axes: Axes, problem: Problem, chain: Chain) -> Draft:
 # ------------------------------------------------------------------------------------------------ timing of a chain
 
 
-def timed(axes: Axes, problem: Problem, chain: Chain) -> Draft:
+Runs = dict[bytes, tuple[dict[int, LegMotion], Sequence[Leg]]]  # motions of runs, by leg in the run; its legs
+
+
+def timed(axes: Axes, problem: Problem, chain: Chain, known: Runs | None = None) -> Draft:
     """Every run driven along its coordinated course, at the chain's rail positions and configurations, as fast as all
-    limits allow. Raises NotDriven."""
+    limits allow. known: runs of this plant that were driven before; those driven here are added. Raises NotDriven."""
     legs: list[LegMotion | None] = [None] * len(problem.legs)
     cfx = tuple(label.cfx for label in chain.labels)
-    known: dict[bytes, dict[int, LegMotion]] = {}
+    known = {} if known is None else known
     for first, last in problem.runs:
         points = [problem.waypoints[k].fly_by for k in range(first, last + 1)]
         name = repr((cfx[first : last + 1], points)).encode() + chain.q[first : last + 1].tobytes()
-        name = b"|".join([name, *(_leg_name(problem, k) for k in range(first, last))])
+        coupling = problem.coupling.value.encode()
+        name = b"|".join([name, coupling, *(_leg_name(problem, k) for k in range(first, last))])
         if name not in known:  # equal runs are driven alike
             found = _fastest(axes, problem, (first, last), chain.q, cfx)
-            known[name] = {k - first: motion for k, motion in found.items()}
-        for k, motion in known[name].items():
+            known[name] = {k - first: motion for k, motion in found.items()}, problem.legs[first:last]
+        for k, motion in known[name][0].items():
             legs[first + k] = motion
     return Draft(chain.q, np.zeros_like(chain.q), cfx, tuple(legs))
 

@@ -7,13 +7,13 @@ slower, whatever the search misses.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from time import perf_counter
 
 from trajopt_cli.motion import Program, motion_name
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.draft import Draft
-from trajopt_cli.optimize.incumbent import NotDriven, duration, polished, refined, stopped, timed
+from trajopt_cli.optimize.incumbent import NotDriven, Runs, duration, polished, refined, stopped, timed
 from trajopt_cli.optimize.reach import check_reach
 from trajopt_cli.optimize.search import Chain, search
 from trajopt_cli.optimize.tuning import HOPELESS, ROOMS
@@ -44,7 +44,12 @@ class Legal:
         return duration(self.draft)
 
 
-Memory = dict[tuple[Target, Freedom], Legal | Infeasible]  # of one program, its plant, and what may change in it
+@dataclass(frozen=True, eq=False)
+class Memory:
+    """Answers to questions about one program, its plant, and what may change in it; and the runs that were driven."""
+
+    answers: dict[tuple[Target, Freedom], Legal | Infeasible] = field(default_factory=dict)
+    runs: Runs = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,8 +87,8 @@ def legal_motion(
     axes: Axes, question: Question, memory: Memory, patience: Patience, tell: Report, seconds: dict[str, float]
 ) -> Legal | Infeasible:
     """The fastest legal motion of the question's own chains and of those with less freedom. memory: what was found for
-    other questions about the same program. patience: ends the search for a stream once there is a motion. Raises
-    NoCleanPlan."""
+    other questions about the same program; what is found here is added. patience: ends the search for a stream once
+    there is a motion. Raises NoCleanPlan."""
     start = perf_counter()
     tell(Progress("reach"))
     problems = question.problems(axes)
@@ -95,20 +100,21 @@ def legal_motion(
     own: Legal | Infeasible | NoCleanPlan
     tell(Progress("search"))
     try:
-        own = memory.get((question.target, question.freedom)) or legal_of(axes, open_, patience, tell, seconds)
+        known = memory.answers.get((question.target, question.freedom))
+        own = known or legal_of(axes, open_, patience, tell, seconds, memory.runs)
     except NoCleanPlan as failure:
         own = failure
     best = own if isinstance(own, Legal) else None
     for less in question.lesser():
         found = _of_lesser(axes, less, open_, memory, patience, tell, seconds)
         if found is not None and (best is None or found.duration < best.duration):
-            best = min([found, *_again(axes, found, seconds)], key=lambda one: one.duration)
+            best = min([found, *_again(axes, found, memory.runs, seconds)], key=lambda one: one.duration)
     if best is None and isinstance(own, NoCleanPlan):
         raise own
     if best is None:
         assert isinstance(own, Infeasible)
         return own
-    memory[question.target, question.freedom] = best
+    memory.answers[question.target, question.freedom] = best
     return best
 
 
@@ -123,12 +129,12 @@ def _of_lesser(
     if all(_says(one) == _says(mine[one.dropped]) for one in asked):
         return None
     name = less.target, less.freedom
-    if name not in memory:
+    if name not in memory.answers:
         try:
-            memory[name] = legal_of(axes, asked, patience, tell, seconds)
+            memory.answers[name] = legal_of(axes, asked, patience, tell, seconds, memory.runs)
         except NoCleanPlan:
             return None
-    found = memory[name]
+    found = memory.answers[name]
     return replace(found, problem=mine[found.problem.dropped]) if isinstance(found, Legal) else None
 
 
@@ -139,23 +145,24 @@ def _says(problem: Problem) -> tuple[object, ...]:
     return points, tuple(leg.rail_moves for leg in problem.legs), free and problem.freedom.rail is RailFreedom.STATION
 
 
-def _again(axes: Axes, found: Legal, seconds: dict[str, float]) -> Iterator[Legal]:
+def _again(axes: Axes, found: Legal, runs: Runs, seconds: dict[str, float]) -> Iterator[Legal]:
     """The motion of a lesser freedom with its rail refined in the freedom at hand."""
     start = perf_counter()
     for chain in _shifted(axes, found.problem, found.chain):
         try:
-            yield Legal(found.problem, chain, timed(axes, found.problem, chain))
+            yield Legal(found.problem, chain, timed(axes, found.problem, chain, runs))
         except NotDriven:
             continue
     add(seconds, "timing", perf_counter() - start)
 
 
 def legal_of(
-    axes: Axes, problems: Sequence[Problem], patience: Patience, tell: Report, seconds: dict[str, float]
-) -> Legal | Infeasible:
+    axes: Axes, problems: Sequence[Problem], patience: Patience, tell: Report, seconds: dict[str, float],
+    runs: Runs | None = None,
+) -> Legal | Infeasible:  # fmt: skip
     """That of the problem with the fastest chain that can be driven; each one timed is told, and the first one of a
     stream is an answer. Where none can, as an axis would leave its range between the places that the search looks at,
-    with narrower ranges. Raises NoCleanPlan."""
+    with narrower ranges. runs: as in timed. Raises NoCleanPlan."""
     failure: tuple[Problem, NotDriven] | None = None
     for room in ROOMS:
         start = perf_counter()
@@ -181,7 +188,7 @@ def legal_of(
                 start = perf_counter()
                 for one in tried:
                     try:
-                        drafts.append(Legal(problem, one, timed(axes, problem, one)))
+                        drafts.append(Legal(problem, one, timed(axes, problem, one, runs)))
                     except NotDriven as said:
                         failure = failure or (problem, said)
                         wanted = problem.legs[said.run[0]].duration

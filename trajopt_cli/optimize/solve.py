@@ -82,7 +82,7 @@ def optimize(
     seconds: dict[str, float] = {}
     axes = Axes.of(plant)
     question = Question(program, plant, target, freedom, changes)
-    legal = legal_motion(axes, question, {} if memory is None else memory, patience, tell, seconds)
+    legal = legal_motion(axes, question, memory or Memory(), patience, tell, seconds)
     if isinstance(legal, Infeasible):
         return legal
     problem, draft, notes = legal.problem, legal.draft, tuple[str, ...]()
