@@ -147,6 +147,33 @@ def test_it_ends_when_it_is_told_to_and_after_so_many_steps() -> None:
     assert (told.converged, told.iterations) == (False, 0)
 
 
+class Numb(Written):
+    """No number anywhere but where it is looked at for the first so many times."""
+
+    looks = 0
+
+    def jacobian(self, x: Array) -> Array:
+        self.looks -= 1
+        return super().jacobian(x)
+
+    def constraints(self, x: Array) -> Array:
+        return super().constraints(x) * (1.0 if self.looks > 0 else np.nan)
+
+
+def test_an_answer_all_but_sharp_counts_where_no_step_leads_on() -> None:
+    written, bounds, start = hock_schittkowski_71()
+    best = solved(written, bounds, start)
+    said: dict[int, tuple[bool, str]] = {}
+    for looks in (best.iterations // 2, best.iterations):
+        program = Numb(written.x, written.f, written.g)
+        program.looks = looks
+        found = solved(program, bounds, start)
+        said[looks] = found.converged, found.status
+        if found.converged:
+            np.testing.assert_allclose(found.x, best.x, atol=1e-5)
+    assert [*said.values()] == [(False, "no step is better"), (True, "nearly solved")]
+
+
 def test_bounds_of_another_structure_are_refused() -> None:
     program, bounds, start = hock_schittkowski_71()
     solver = InteriorPoint(program.jacobian_at, program.hessian_at, np.ones(4, bool), np.array([False, True]))

@@ -25,6 +25,8 @@ import qdldl
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.optimize.tuning import (
+    ALMOST,
+    ALMOST_FEASIBLE,
     BACKTRACKS,
     BARRIER_ERROR,
     BARRIER_FACTOR,
@@ -354,6 +356,7 @@ class _Solve:
         self.worst, self.near = _WORST * max(1.0, first), 1e-4 * max(1.0, first)
         feasible = FEASIBLE_ROUGH if self.tolerance > FEASIBLE_ROUGH else FEASIBLE
         system, program = self.system, self.program
+        almost: _State | None = None
         for iteration in range(most + 1):
             x = self._x(now.v)
             system.take(program.jacobian(x))
@@ -364,16 +367,22 @@ class _Solve:
             error, off = self._error(now, slope)
             if error(0.0) <= self.tolerance and off <= feasible:
                 return self._answer(now, True, "solved", iteration)
-            if iteration == most or (stop is not None and stop()):
-                return self._answer(now, False, "too many iterations" if iteration == most else "stopped", iteration)
+            if error(0.0) <= ALMOST and off <= ALMOST_FEASIBLE:
+                almost = now
+            if stop is not None and stop():
+                return self._answer(now, False, "stopped", iteration)
+            if iteration == most:
+                break
             while self.mu > self.tolerance / 11 and error(self.mu) <= BARRIER_ERROR * self.mu:
                 self.mu = max(self.tolerance / 11, min(BARRIER_FACTOR * self.mu, self.mu**BARRIER_POWER))
                 self.filter = []
             after = self._step(now, x, gradient, slope) or self._mended(now)
             if after is None:
-                return self._answer(now, False, "no step is better", iteration)
+                break
             now = after
-        raise AssertionError
+        if almost is not None:
+            return self._answer(almost, True, "nearly solved", iteration)
+        return self._answer(now, False, "too many iterations" if iteration == most else "no step is better", iteration)
 
     def _step(self, now: _State, x: Array, gradient: Array, slope: Array) -> _State | None:
         system, n = self.system, self.n
