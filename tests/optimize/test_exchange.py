@@ -71,3 +71,16 @@ def test_in_a_dwell_the_push_of_the_passing_interval_alone_is_scaled() -> None:
     assert np.all(np.delete(margins.push, 2) == 1.0)
     assert np.all(margins.acceleration == START)
     assert back_off(Margins.full(6, axes.n, START), ratios, leg, SAFE)  # elsewhere the nodes are
+
+
+def test_one_round_leaves_half_of_a_limit_however_much_it_is_passed() -> None:
+    axes = Axes.of(plant_with_rail())
+    spike = Spike(0.5, 0.2, 1e6)
+    problem = problem_of(rapid(PROGRAM), plant_with_rail())
+    margins = Margins.full(1, axes.n, 1.0)
+    s, v, a = parabola(np.linspace(0, 1, 2))
+    d = np.zeros((2, 1))
+    X = np.eye(4)
+    path = PathLeg(1.0, Line(X, X), X, 0, HOME, np.linspace(0, 1, 2), s, v, a, d, d, d[1:])
+    assert back_off(margins, check_leg(axes, problem.legs[0], spike), path, SAFE)
+    assert margins.acceleration[:, 3].tolist() == [0.5, 0.5]

@@ -22,6 +22,7 @@ from trajopt_cli.optimize.tuning import (
     BRIEF,
     CHECKED,
     DENSE,
+    LEAST_LEFT,
     LEAST_PUSH,
     LOOK,
     MOST_LOOKS,
@@ -146,7 +147,7 @@ def back_off(margins: Margins, ratios: Ratios, motion: LegMotion, target: float,
     if isinstance(motion, PathLeg):  # joints on a grid of their own keep their limits between nodes by construction
         pairs += [(margins.velocity, ratios.velocity), (margins.acceleration, ratios.acceleration)]
     for share, ratio in pairs:
-        over = np.where(ratio > target, (target - BEYOND) / np.maximum(ratio, 1e-12), 1.0)
+        over = np.where(ratio > target, np.maximum((target - BEYOND) / np.maximum(ratio, 1e-12), LEAST_LEFT), 1.0)
         if np.all(over == 1.0):
             continue
         changed = True
