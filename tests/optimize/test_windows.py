@@ -153,12 +153,29 @@ def test_a_window_that_is_slower_changes_nothing(monkeypatch: pytest.MonkeyPatch
     ]
 
 
+@pytest.mark.parametrize(("few", "ratios"), [(48, [0.8, 0.9]), (48, [0.9, 0.8]), (3, [0.9, 0.8])])
+def test_the_best_of_all_starts_counts_and_the_first_that_gains_where_legs_are_many(
+    few: int, ratios: list[float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    legal = base(0)
+    left = iter([*ratios, 1.0])
+
+    def shorter(_: Problem, draft: Draft) -> Draft:
+        by = next(left) / 10
+        return replace(draft, legs=tuple(replace(motion, T=by) for motion in draft.legs if motion is not None))
+
+    monkeypatch.setattr(improve, "FEW_LEGS", few)
+    stand_in(monkeypatch, shorter)
+    found = [motion.T for motion in swept(legal).legs if motion]
+    assert set(found) == {(min(ratios) if few > len(found) else ratios[0]) / 10}
+
+
 def test_equal_windows_are_solved_once(monkeypatch: pytest.MonkeyPatch) -> None:
     asked = stand_in(monkeypatch, quicker)
     legal = base(0, 0, home="MoveAbsJ j_home, v2500, fine, tool0;\n")
     assert len(pieces(legal.problem)) == 2
     found = swept(legal)
-    assert asked == [4]
+    assert asked == [4, 4]  # from two starts
     assert [motion.T for motion in found.legs[:4] if motion] == [motion.T for motion in found.legs[4:] if motion]
 
 

@@ -23,7 +23,7 @@ from trajopt_cli.optimize.incumbent import NotDriven, duration, least_time, stop
 from trajopt_cli.optimize.legal import Legal, add
 from trajopt_cli.optimize.legs import JointNodes
 from trajopt_cli.optimize.search import Chain, search
-from trajopt_cli.optimize.tuning import LEAST_GAIN, LEAST_WINDOW, SWEEP_GAIN, SWEEPS, WORTH_TRYING
+from trajopt_cli.optimize.tuning import FEW_LEGS, LEAST_GAIN, LEAST_WINDOW, SWEEP_GAIN, SWEEPS, WORTH_TRYING
 from trajopt_cli.optimize.windows import Span, Window, colours, middle
 from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.problem import LegKind, Problem
@@ -155,6 +155,7 @@ class Sweeps:
     ) -> Draft:  # fmt: skip
         """The motion after windows side by side, which know nothing of one another."""
         asked: list[tuple[Window, bytes]] = []
+        few = len(problem.legs) <= FEW_LEGS
         tasks: dict[bytes, Callable[[Callable[[Any], None]], Outcome]] = {}
         for window in (Window.of(problem, draft, span) for span in spans):
             if not _may_gain(self._axes, window.problem, window.draft):
@@ -165,7 +166,7 @@ class Sweeps:
             key = window.key(*hoped)
             asked.append((window, key))
             if key not in self._known:
-                tasks.setdefault(key, partial(self._solve, window, hoped, untouched, key))
+                tasks.setdefault(key, partial(self._solve, window, hoped, untouched, few, key))
         saved = dict.fromkeys(tasks, 0.0)
 
         def hear(told: tuple[bytes, float]) -> None:
@@ -179,14 +180,13 @@ class Sweeps:
             outcomes[begin] = tasks[begin](hear)
         outcomes |= in_turns({key: task for key, task in tasks.items() if key not in outcomes}, hear, self._hands())
         for window, key in asked:
-            outcome = outcomes[key]
+            outcome, span = outcomes[key], (window.first, window.last)
             if outcome.stopped:
                 tally.stopped = True
-                continue
-            self._known[key] = outcome
-            span = window.first, window.last
-            tally.tried.add(span)
-            (tally.failed.discard if outcome.clean else tally.failed.add)(span)
+            else:
+                self._known[key] = outcome
+                tally.tried.add(span)
+                (tally.failed.discard if outcome.clean else tally.failed.add)(span)
             if outcome.found is not None:
                 draft = window.put(outcome.found, draft)
                 self._known.setdefault(Window.of(problem, draft, span).key(), replace(outcome, found=None))
@@ -196,16 +196,17 @@ class Sweeps:
         return draft
 
     def _solve(
-        self, window: Window, hoped: Sequence[Draft], untouched: bool, key: bytes,
+        self, window: Window, hoped: Sequence[Draft], untouched: bool, few: bool, key: bytes,
         tell: Callable[[tuple[bytes, float]], None],
     ) -> Outcome:  # fmt: skip
-        """From what the search hoped for, or else from the motion at hand. tell: its key and what it saves [s]."""
+        """From what the search hoped for, and from the motion at hand: where the problem has few legs the best of all
+        starts, else the first that gains. tell: its key and what it saves [s]."""
         own, problem = window.draft, window.problem
         times = np.array([0.0 if motion is None else motion.T for motion in own.legs])
         coarse = first_draft(self._axes, problem, own.q, own.qd, own.cfx, times)
         near = on_last_grid(self._axes, problem, own)
         starts = [*hoped, coarse, near] if untouched else [near, coarse]
-        clean, seconds = False, dict[str, float]()
+        clean, seconds, best = False, dict[str, float](), own
         for start in starts:
             refiner = Refiner(self._axes, self._formulation, problem, self._patience)
             try:
@@ -214,16 +215,16 @@ class Sweeps:
             except NotConverged:
                 continue
             except Stopped:
-                return Outcome(None, clean, seconds, stopped=True)
+                return Outcome(None if best is own else best, clean, seconds, stopped=True)
             finally:
                 for phase, spent in refiner.seconds.items():
                     add(seconds, phase, spent)
-            if duration(found) < window.duration - LEAST_GAIN:
-                tell((key, window.duration - duration(found)))
-                return Outcome(found, True, seconds)
-            if not untouched:  # a motion found before: from farther away the way leads back to it
-                break
-        return Outcome(None, clean, seconds)
+            if duration(found) < duration(best) - LEAST_GAIN:
+                best = found
+                tell((key, window.duration - duration(best)))
+            if not untouched or (best is not own and not few):
+                break  # from a motion found before the way leads back to it; of many legs the first that gains will do
+        return Outcome(None if best is own else best, clean, seconds)
 
 
 def _halves(problem: Problem, span: Span, tally: Tally) -> list[Span]:
@@ -253,7 +254,9 @@ def _hoped(axes: Axes, problem: Problem, window: Window, chain: Chain) -> Draft:
     for k in kept:
         q[k], qd[k], cfx[k] = own.q[k], own.qd[k], own.cfx[k]
     for k, motion in enumerate(own.legs):
-        if motion is not None and (k in kept or k + 1 in kept):
+        if motion is not None and motion.T == 0.0:  # what is asked for where the motion is already
+            times[k] = 0.0
+        elif motion is not None and (k in kept or k + 1 in kept):
             times[k] = max(times[k], motion.T)
     return first_draft(axes, window.problem, q, qd, tuple(cfx), times)
 
