@@ -28,6 +28,7 @@ KINDS: dict[str, list[tuple[object, ...]]] = {
 }
 NO_ARGUMENTS = (
     "integration", "zoned_integration", "zones", "axis_reach", "waypoint", "resting_waypoint", "velocity_link", "equal",
+    "tool_chord",
 )  # fmt: skip
 KINDS |= {name: [()] for name in NO_ARGUMENTS}
 

@@ -123,6 +123,38 @@ def test_tool_caps_hold_where_they_are_in_force(program: Transcription) -> None:
         np.testing.assert_array_equal(p, [*leg.X_FT[:3, 3], leg.v_tcp * m.tool[i, ToolCap.SPEED]])
 
 
+def test_the_tools_way_from_node_to_node_takes_its_time(program: Transcription) -> None:
+    k = leg_of(program, LegKind.JOINT)
+    margins = [replace(m) if m else None for m in program.margins]
+    m, leg = margins[k], program.problem.legs[k]
+    assert m is not None
+    m.rows = np.ones_like(m.rows)
+    formulation = Formulation(program.axes, library())
+    every = Transcription(program.axes, formulation, program.problem, program.draft, margins)
+    x = every.legs[k]
+    assert x is not None
+    copies, count = held(every, formulation.tool_chord())
+    assert count == N_JOINT
+    for i in range(N_JOINT):
+        p = copies[row(x.q[i], x.q[i + 1], x.T)]
+        share = m.tool[[i, i + 1], ToolCap.SPEED].min()
+        np.testing.assert_allclose(p, [*leg.X_FT[:3, 3], leg.v_tcp * share / N_JOINT])
+    rng = np.random.default_rng(2)
+    q, T = rng.uniform(-1, 1, (2, program.axes.n)), 0.7
+    g, _ = formulation.tool_chord().block.values(np.r_[q[0], q[1], T][None], np.array([[0.1, 0.0, 0.2, 0.5]]))
+    tcp = program.axes.forward(q) @ [0.1, 0.0, 0.2, 1.0]
+    assert g[0, 0] == pytest.approx(np.sum((tcp[1] - tcp[0]) ** 2) / (0.5 * T) ** 2)
+
+
+def test_a_joint_move_takes_no_less_than_the_tool_straight_from_stop_to_stop(program: Transcription) -> None:
+    k = leg_of(program, LegKind.JOINT)
+    way = np.linalg.norm([0.5, 0.6, 0.45] - program.axes.forward(program.problem.waypoints[k].q)[:3, 3])
+    x = program.legs[k]
+    assert x is not None
+    low = program.nlp._bounds().lower[x.T]
+    assert low == program.least(program.problem.legs[k]) == pytest.approx(way / 1.0 + 1.0 / 20.0)
+
+
 def test_a_programmed_time_is_no_variable() -> None:
     plant = plant_with_rail()
     axes = Axes.of(plant)

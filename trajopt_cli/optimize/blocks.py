@@ -193,8 +193,8 @@ class BlockNlp:
 
     @property
     def empty(self) -> bool:
-        """True when nothing constrains anything: there is no question to solve."""
-        return not self._held
+        """True when nothing constrains anything, or nothing is left to choose: there is no question to solve."""
+        return not self._held or not np.any(np.concatenate(self._lower) < np.concatenate(self._upper))
 
     def adopt(self, other: BlockNlp) -> None:
         """Take over the built functions of a program with the same blocks on the same variables."""

@@ -31,10 +31,14 @@ from trajopt_cli.optimize.tuning import (
     LAST,
     LAST_ALONE,
     LEAST_DRAFT,
+    LEAST_RATE,
+    LEAST_ZONE,
     MOST_ITERATIONS,
     MOST_SLOWED,
     NEAR_CAP,
     OVER,
+    RAMPS,
+    RATE_LOOKS,
     ROUGH,
     ROUNDS,
     SAFE,
@@ -49,11 +53,13 @@ from trajopt_cli.problem.problem import Leg, LegKind, Problem
 
 def first_draft(axes: Axes, problem: Problem, q: Array, qd: Array, cfx: tuple[int, ...], times: Array) -> Draft:
     """Rest-to-rest parabolas between axes q with velocities qd (M, n) at the waypoints, on their branches; times (M-1,)
-    of the legs."""
+    of the legs, zero where nothing is to be done."""
     legs: list[LegMotion | None] = []
     for k, leg in enumerate(problem.legs):
-        T = max(float(times[k]), LEAST_DRAFT)
-        if leg.kind is LegKind.JOINT:
+        T = leg.duration or max(float(times[k]), LEAST_DRAFT)
+        if leg.duration is None and times[k] == 0.0:
+            legs.append(hold(0.0, q[k]))
+        elif leg.kind is LegKind.JOINT:
             legs.append(_closed(axes, T, q[k], qd[k]))
         elif leg.kind is LegKind.DWELL and not leg.rail_moves:
             legs.append(hold(leg.duration or 0.0, q[k]))
@@ -70,7 +76,7 @@ def on_last_grid(axes: Axes, problem: Problem, draft: Draft) -> Draft:
     legs: list[LegMotion | None] = []
     for k, (leg, motion) in enumerate(zip(problem.legs, draft.legs, strict=True)):
         q, at_hand = draft.q[k], motion is not None and motion.N == LAST
-        if motion is None or (leg.kind is LegKind.DWELL and not leg.rail_moves):
+        if motion is None or motion.T == 0.0 or (leg.kind is LegKind.DWELL and not leg.rail_moves):
             legs.append(motion)
         elif leg.kind is LegKind.JOINT:
             keep = isinstance(motion, JointProfiles) or motion.N == GRID_JOINT
@@ -78,24 +84,50 @@ def on_last_grid(axes: Axes, problem: Problem, draft: Draft) -> Draft:
         elif isinstance(motion, PathLeg) and at_hand:
             legs.append(motion)
         else:
-            s, v, a = parabola(np.linspace(0, 1, LAST + 1))
+            grid = np.linspace(0, 1, LAST + 1)
+            s, v, a = parabola(grid)
             d = np.tile(q[axes.layout.rail], (LAST + 1, 1))  # where nothing moves
             nodes = s, v, a, d, np.zeros_like(d), np.zeros_like(d[1:])
             if isinstance(motion, PathLeg):
-                at, rate, _ = motion.progress(motion.T * np.linspace(0, 1, LAST + 1), right=True)
+                grid = _zoned(axes, motion)
+                at, rate, _ = motion.progress(motion.T * grid, right=True)
                 x, v = at, rate * motion.T
-                a = np.diff(v, axis=0) * LAST
+                a = np.diff(v, axis=0) / np.diff(grid)[:, None]
                 nodes = x[:, 0], v[:, 0], a[:, 0], x[:, 1:], v[:, 1:], a[:, 1:]
-            legs.append(_path(axes, problem, k, motion.T, q, max(draft.cfx[k], draft.cfx[k + 1]), nodes))
+            found = _path(axes, problem, k, motion.T, q, max(draft.cfx[k], draft.cfx[k + 1]), nodes)
+            legs.append(replace(found, grid=grid))
     return Draft(draft.q, draft.qd, draft.cfx, tuple(legs))
 
 
 def _on_grid(axes: Axes, motion: LegMotion, N: int) -> JointNodes:
-    """A joint move on N even intervals, as near as its nodes come."""
-    grid = np.linspace(0, 1, N + 1)
+    """A joint move on N intervals, as near as its nodes come: half of them for the time, half for what changes."""
+    times = _looks(motion)
+    change = _behind(motion.sample(axes, times * motion.T).qd / axes.velocity)
+    grid = np.interp(np.linspace(0, 1, N + 1), (times + change) / 2, times)
     sample = motion.sample(axes, grid * motion.T)
     v = sample.qd * motion.T
-    return JointNodes(motion.T, grid, sample.q, v, np.diff(v, axis=0) * N)
+    return JointNodes(motion.T, grid, sample.q, v, np.diff(v, axis=0) / np.diff(grid)[:, None])
+
+
+def _zoned(axes: Axes, motion: PathLeg) -> Array:
+    """The last grid of a path in three zones of even intervals: run-up and run-out are where its rates change."""
+    times = _looks(motion)
+    rates = motion.progress(motion.T * times, right=True)[1]
+    change = _behind(rates / np.r_[max(motion.v.max(), LEAST_RATE) / motion.T, axes.velocity[axes.layout.rail]])
+    begin, end = np.interp([RAMPS, 1 - RAMPS], change, times)
+    edges = [0.0, np.clip(begin, LEAST_ZONE, 0.5 - LEAST_ZONE), np.clip(end, 0.5 + LEAST_ZONE, 1 - LEAST_ZONE), 1.0]
+    return np.interp(np.linspace(0, 3, LAST + 1), [0, 1, 2, 3], edges)
+
+
+def _looks(motion: LegMotion) -> Array:
+    """Scaled times (m,) at which a motion is looked at: evenly, and at its breaks."""
+    return np.unique(np.concatenate([np.linspace(0, 1, RATE_LOOKS), motion.breaks() / motion.T]))
+
+
+def _behind(x: Array) -> Array:
+    """Share (m,) of all changes of x (m, n) that is behind each row."""
+    change = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(x, axis=0), axis=1))])
+    return change / change[-1] if change[-1] > 0 else np.linspace(0, 1, len(x))
 
 
 def _closed(axes: Axes, T: float, q_0: Array, qd_0: Array) -> JointProfiles:
@@ -281,14 +313,14 @@ class Refiner:
         return opened
 
     def _watch(self, draft: Draft, margins: list[Margins | None], share: float = NEAR_CAP) -> bool:
-        """Put tool caps in force at nodes of gridded joint moves that use this share of them; True when any is new."""
+        """Put tool caps in force on gridded joint moves, each at all nodes or at none, else it is passed at the others:
+        speed and acceleration always, turning where some node uses this share of it; True when any is new."""
         added = False
-        for m, ratios in zip(margins, self._ratios(draft, JointNodes), strict=True):
+        for leg, m, ratios in zip(self.problem.legs, margins, self._ratios(draft, JointNodes), strict=True):
             if m is not None and ratios is not None:
-                near = ratios.tool > share
-                rows = np.zeros_like(m.rows)
-                rows[:-1] |= near
-                rows[1:] |= near
+                caps = np.array([leg.v_tcp, leg.a_tcp, leg.v_ori])
+                near = np.any(ratios.tool > share, axis=0) | np.array([True, True, False])
+                rows = np.broadcast_to(near & np.isfinite(caps), m.rows.shape)
                 added |= bool(np.any(rows & ~m.rows))
                 m.rows |= rows
         return added

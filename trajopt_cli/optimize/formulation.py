@@ -229,6 +229,21 @@ class Formulation:
 
         return self._relation(("tool", cap.name), z, {"tcp": (3,), "cap": ()}, rows)
 
+    def tool_chord(self) -> Relation:
+        """The tool's straight way between two nodes of a joint move <= cap h T, squared: with a limit at the nodes
+        alone it might be fast between them. way: cap h. tcp: the tool centre point in the flange's frame."""
+        z: Shapes = {"q_0": self._all, "q_1": self._all, "T": ()}
+
+        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+            p_0, p_1 = (self._tcp(p.tcp, q) for q in (z.q_0, z.q_1))
+            return [(ca.sumsqr(p_1 - p_0) / (p.way * z.T) ** 2, -INF, 1.0)]
+
+        return self._relation(("chord",), z, {"tcp": (3,), "way": ()}, rows)
+
+    def _tcp(self, p_FT: ca.SX, q: ca.SX) -> ca.SX:
+        pos, R = self.axes.robot.expressions.flange(q)
+        return pos + R @ p_FT
+
     def _tool(self, p_FT, cap, q, v, a, T, limit):  # type: ignore[no-untyped-def]
         Q, dQ = ca.SX.sym("Q", *self._all), ca.SX.sym("dQ", *self._all)
         pos, R = self.axes.robot.expressions.flange(Q)

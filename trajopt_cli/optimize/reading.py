@@ -11,7 +11,7 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg
 from trajopt_cli.optimize.profiles import hold, profiles
-from trajopt_cli.optimize.transcription import LegVariables, Transcription
+from trajopt_cli.optimize.transcription import LegVariables, Transcription, glides
 from trajopt_cli.problem.problem import Leg, Problem
 
 
@@ -28,12 +28,15 @@ def read(program: Transcription, x: Array) -> Draft:
         k = leg.start
         if motion is None:
             legs.append(None)
-        elif var is None:  # a dwell in which nothing moves
-            legs.append(hold(motion.T, q[k]))
+        elif var is None and glides(leg):
+            assert isinstance(motion, PathLeg)
+            legs.append(_glide(axes, motion, q[k : k + 2]))
+        elif var is None:  # a dwell in which nothing moves, or no time for it
+            legs.append(replace(hold(motion.T, q[k]), qd_0=qd[k]))
         elif isinstance(motion, PathLeg):
             legs.append(_path(axes, motion, var, x, q[k], qd[k : k + 2]))
         elif isinstance(motion, JointProfiles):
-            legs.append(_profiles(axes, leg, q[k : k + 2], qd[k : k + 2], float(x[var.T])))
+            legs.append(_profiles(axes, leg, q[k : k + 2], qd[k : k + 2], float(x[var.T]), program.least(leg)))
         else:
             assert isinstance(motion, JointNodes)
             T, nodes, velocities = float(x[var.T]), x[var.q], x[var.qv]
@@ -67,7 +70,14 @@ def _path(axes: Axes, motion: PathLeg, var: LegVariables, x: Array, q_0: Array, 
     return replace(motion, T=T, grid=grid, s=s, v=v, a=a, d=d, w=w, b=b, reference=reference)
 
 
-def _profiles(axes: Axes, leg: Leg, q: Array, qd: Array, T: float) -> JointProfiles:
+def _glide(axes: Axes, motion: PathLeg, q: Array) -> PathLeg:
+    d_0, d_1 = q[:, axes.layout.rail]
+    d = d_0 + motion.grid[:, None] * (d_1 - d_0)
+    w = np.tile(d_1 - d_0, (motion.N + 1, 1))
+    return replace(motion, d=d, w=w, b=np.zeros_like(motion.b), reference=q[0, axes.layout.arm])
+
+
+def _profiles(axes: Axes, leg: Leg, q: Array, qd: Array, T: float, low: float) -> JointProfiles:
     # between given states the least time is known in closed form; the solver's T only comes near it
-    least = T if leg.duration is not None else 0.0
+    least = T if leg.duration is not None else low
     return profiles(q[0], qd[0], q[1], qd[1], axes.velocity_on(leg), axes.acceleration_on(leg), least, common=False)

@@ -16,22 +16,24 @@ from numpy.typing import ArrayLike
 from trajopt_cli.geometry import Array, IndexArray, inverse_pose
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.blocks import BlockNlp
+from trajopt_cli.optimize.double_integrator import trapezoid_time
 from trajopt_cli.optimize.draft import Draft, Margins
-from trajopt_cli.optimize.formulation import LEFT, RIGHT, Formulation, ToolCap
+from trajopt_cli.optimize.formulation import INF, LEFT, RIGHT, Formulation, ToolCap
 from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg
 from trajopt_cli.optimize.relation import Parts, Relation
 from trajopt_cli.optimize.tuning import (
     DAMPING,
     DAMPING_DWELL,
     FREE_ZONES,
+    GLIDE,
     JOINT_CURVE,
     JOINT_RATE,
     LEAST_TIME,
     LEAST_ZONE,
-    LONGEST,
     MOST_ZONES,
     SHARE_CURVE,
     SHARE_RATE,
+    SHARPEST,
 )
 from trajopt_cli.path.arc import Arc, ArcSymbols
 from trajopt_cli.path.dwell import Dwell, DwellSymbols
@@ -82,6 +84,16 @@ def _nodes_by_sides(N: int) -> tuple[Nodes, Nodes, Nodes]:
         Nodes(LEFT + RIGHT, inner, {LEFT: inner - 1, RIGHT: inner}),
         Nodes(LEFT, last, {LEFT: last - 1}),
     )
+
+
+def at_once(motion: LegMotion | None) -> bool:
+    """Whether a motion at hand takes no time: a place that the program names once more."""
+    return motion is not None and motion.T == 0.0
+
+
+def glides(leg: Leg) -> bool:
+    """Whether a leg is a wait so short that the rail goes on as it comes."""
+    return leg.kind is LegKind.DWELL and leg.rail_moves and leg.duration is not None and leg.duration < GLIDE
 
 
 class Transcription:
@@ -158,7 +170,7 @@ class Transcription:
             hold = not leg.rail_moves
             if self.problem.freedom.rail is RailFreedom.STATION and leg.kind is not LegKind.JOINT:
                 hold = True
-            if hold:
+            if hold or at_once(self.draft.legs[k]):
                 pairs.append((k, k + 1))
         held = list(range(len(self.problem.waypoints)))  # what is held equal already: no row says it twice
         for i, k in pairs:
@@ -167,12 +179,20 @@ class Transcription:
                 for x, y in zip(self.waypoint_q[i][rail], self.waypoint_q[k][rail], strict=True):
                     self._hold(self.formulation.equal(), {"x": x, "y": y})
                 held = [held[i] if one == held[k] else one for one in held]
+        for k, motion in enumerate(self.draft.legs):
+            moved = [i for i in (k, k + 1) if self.problem.waypoints[i].q is None and not self.problem.rests(i)]
+            if at_once(motion) and moved:
+                for x, y in zip(self.waypoint_qd[k][rail], self.waypoint_qd[k + 1][rail], strict=True):
+                    self._hold(self.formulation.equal(), {"x": x, "y": y})
 
     # ---- legs
     def _leg(self, leg: Leg, motion: LegMotion | None, margins: Margins | None) -> LegVariables | None:
-        if motion is None or (isinstance(motion, JointProfiles) and leg.kind is LegKind.DWELL):
+        if motion is None or at_once(motion) or (isinstance(motion, JointProfiles) and leg.kind is LegKind.DWELL):
             return None
-        low, high = (leg.duration, leg.duration) if leg.duration is not None else (LEAST_TIME, LONGEST)
+        if glides(leg):
+            self._glide(leg)
+            return None
+        low, high = (leg.duration, leg.duration) if leg.duration is not None else (self.least(leg), INF)
         T = int(self.nlp.variables([motion.T], low, high)[0])
         self.nlp.minimise(T)
         out = LegVariables(T)
@@ -186,6 +206,28 @@ class Transcription:
             assert isinstance(motion, JointNodes)
             self._joints(leg, motion, margins, out)
         return out
+
+    def _glide(self, leg: Leg) -> None:
+        """A wait so short that the rail goes on as it comes."""
+        assert leg.duration is not None
+        rail, k = self.axes.layout.rail, leg.start
+        still = self.nlp.variables(np.zeros(self.axes.layout.r), 0.0, 0.0)
+        ends = [(self.waypoint_q[i][rail], self.waypoint_qd[i][rail]) for i in (k, k + 1)]
+        z = {"x_0": ends[0][0], "v_0": ends[0][1], "a": still, "x_1": ends[1][0], "v_1": ends[1][1]}
+        self._hold(self.formulation.integration(), z, {"h": leg.duration})
+
+    def _most(self, leg: Leg, motion: LegMotion, rate: float, curve: float) -> tuple[Array, Array]:
+        """Bounds (n,) of the axes' derivatives by scaled time that no answer comes near: more in a long time."""
+        V, A = self.axes.velocity_on(leg), self.axes.acceleration_on(leg)
+        return np.maximum(rate, 2 * V * motion.T), np.maximum(curve, 2 * A * motion.T**2)
+
+    def least(self, leg: Leg) -> float:
+        """What a leg takes at least [s]; a joint move what the tool takes straight from stop to stop."""
+        if leg.kind is not LegKind.JOINT:
+            return LEAST_TIME
+        points = self.problem.waypoints[leg.start : leg.start + 2]
+        p_0, p_1 = (((x.X_WF if x.q is None else self.axes.forward(x.q)) @ leg.X_FT)[:3, 3] for x in points)
+        return max(LEAST_TIME, float(trapezoid_time(float(np.linalg.norm(p_1 - p_0)), leg.v_tcp, leg.a_tcp)))
 
     def _track(self, leg: Leg, motion: PathLeg) -> tuple[LineSymbols | ArcSymbols, Array]:
         """A path's kind, and its parameters."""
@@ -236,16 +278,17 @@ class Transcription:
         self._hold(self.formulation.zones(), {"h": h}, {"n": per_zone})
         return h
 
-    def _share(self, s: Array, v: Array, a: Array, out: LegVariables) -> None:
-        """Variables of a share going from 0 to 1, at rest at both ends, never backwards."""
-        N = len(a)
+    def _share(self, motion: PathLeg, curve: float, out: LegVariables) -> None:
+        """Variables of a share going from 0 to 1, at rest at both ends, never backwards; curve: bound of its second
+        derivative."""
+        N = motion.N
         low_s, high_s = np.zeros(N + 1), np.ones(N + 1)
         low_s[-1], high_s[0] = 1.0, 0.0
         high_v = np.full(N + 1, SHARE_RATE)
         high_v[[0, -1]] = 0.0
-        out.s = self.nlp.variables(s, low_s, high_s)
-        out.v = self.nlp.variables(v, 0.0, high_v)
-        out.a = self.nlp.variables(a, -SHARE_CURVE, SHARE_CURVE)
+        out.s = self.nlp.variables(motion.s, low_s, high_s)
+        out.v = self.nlp.variables(motion.v, 0.0, high_v)
+        out.a = self.nlp.variables(motion.a, -curve, curve)
 
     def _rail_on_path(self, leg: Leg, motion: PathLeg, margins: Margins, out: LegVariables) -> None:
         """Variables of a rail that moves as it likes, from waypoint to waypoint, or is held where it is."""
@@ -259,8 +302,9 @@ class Transcription:
         low, high = self._rail_range(margins.position[1:-1, layout.rail])
         inner = nlp.variables(np.clip(motion.d[1:-1], low, high), low.ravel(), high.ravel())
         out.d = np.concatenate([ends[0], inner.reshape(N - 1, layout.r), ends[1]])
-        out.w = nlp.variables(motion.w, -SHARE_RATE, SHARE_RATE).reshape(N + 1, layout.r)
-        most = np.full((N, layout.r), SHARE_CURVE)
+        fast, sharp = (bound[layout.rail] for bound in self._most(leg, motion, SHARE_RATE, SHARE_CURVE))
+        out.w = nlp.variables(motion.w, -np.tile(fast, N + 1), np.tile(fast, N + 1)).reshape(N + 1, layout.r)
+        most = np.tile(sharp, (N, 1))
         if leg.kind is LegKind.DWELL and leg.duration is not None:
             most = margins.push[:, None] * self.axes.acceleration_on(leg)[layout.rail] * leg.duration**2
         out.b = nlp.variables(np.clip(motion.b, -most, most), -most.ravel(), most.ravel()).reshape(N, layout.r)
@@ -273,7 +317,8 @@ class Transcription:
         out.h = self._zones(motion)
         line = leg.kind is LegKind.LINE
         if line:
-            self._share(motion.s, motion.v, motion.a, out)
+            sharp = 2 * leg.a_tcp * motion.T**2 / leg.chord if leg.chord else 0.0  # a slow way has short ramps
+            self._share(motion, max(SHARE_CURVE, min(sharp, SHARPEST)), out)
             self._integrate_zones(out.h, out.s, out.v, out.a)
         self._rail_on_path(leg, motion, margins, out)
         track, path = self._track(leg, motion)
@@ -302,9 +347,11 @@ class Transcription:
         room = half * margins.position[1:-1]
         inner = nlp.variables(motion.q[1:-1], (middle - room).ravel(), (middle + room).ravel())
         out.q = np.vstack([self.waypoint_q[k0], inner.reshape(N - 1, n), self.waypoint_q[k0 + 1]])
-        out.qv = nlp.variables(motion.v, -JOINT_RATE, JOINT_RATE).reshape(N + 1, n)
-        out.qa = nlp.variables(motion.a, -JOINT_CURVE, JOINT_CURVE).reshape(N, n)
-        nlp.damp(out.qa.ravel(), DAMPING)
+        fast, sharp = self._most(leg, motion, JOINT_RATE, JOINT_CURVE)
+        out.qv = nlp.variables(motion.v, -np.tile(fast, N + 1), np.tile(fast, N + 1)).reshape(N + 1, n)
+        out.qa = nlp.variables(motion.a, -np.tile(sharp, N), np.tile(sharp, N)).reshape(N, n)
+        for indices, step in zip(out.qa, np.diff(motion.grid), strict=True):
+            nlp.damp(indices, DAMPING * N * step)
         V, A = self.axes.velocity_on(leg), self.axes.acceleration_on(leg)
         rail = self.axes.layout.rail
         if not leg.rail_moves:
@@ -319,7 +366,7 @@ class Transcription:
             z: Parts = {"v": out.qv[at].ravel(), "T": out.T, **acc}
             p = {"V": (V * margins.velocity[at]).ravel(), "A": (A * margins.acceleration[at]).ravel()}
             self._hold(self.formulation.axis_node(nodes.sides), z, p)
-        self._tool_caps(leg, margins, out)
+        self._tool_caps(leg, motion, margins, out)
 
     def _integrate(self, grid: Array, x: IndexArray, v: IndexArray, a: IndexArray) -> None:
         """Chains (N+1, n) of all axes on one grid."""
@@ -327,8 +374,9 @@ class Transcription:
         z = {"x_0": x[:-1], "v_0": v[:-1], "a": a, "x_1": x[1:], "v_1": v[1:]}
         self._hold(self.formulation.integration(), {name: i.ravel() for name, i in z.items()}, {"h": h})
 
-    def _tool_caps(self, leg: Leg, margins: Margins, out: LegVariables) -> None:
-        """The caps in force at the nodes of a joint move; of the acceleration on either side."""
+    def _tool_caps(self, leg: Leg, motion: JointNodes, margins: Margins, out: LegVariables) -> None:
+        """The caps in force at the nodes of a joint move; of the acceleration on either side, of the speed also on the
+        straight way from node to node."""
         N = len(out.qa)
         for cap, limit in zip(ToolCap, (leg.v_tcp, leg.a_tcp, leg.v_ori), strict=True):
             at = np.flatnonzero(margins.rows[:, cap])
@@ -341,3 +389,9 @@ class Transcription:
             if len(at):  # or the relation is not needed
                 p = {"tcp": leg.X_FT[:3, 3], "cap": limit * margins.tool[at, cap]}
                 self._hold(self.formulation.tool_cap(cap), z, p)
+        i = np.flatnonzero(margins.rows[:-1, ToolCap.SPEED] & margins.rows[1:, ToolCap.SPEED])
+        if len(i):
+            share = np.minimum(margins.tool[i, ToolCap.SPEED], margins.tool[i + 1, ToolCap.SPEED])
+            z = {"q_0": out.q[i], "q_1": out.q[i + 1], "T": out.T}
+            p = {"tcp": leg.X_FT[:3, 3], "way": leg.v_tcp * share * np.diff(motion.grid)[i]}
+            self._hold(self.formulation.tool_chord(), z, p)

@@ -149,12 +149,17 @@ FREE_ZONES = 12  # intervals at which run-up, middle and run-out of a path may s
 # iterations. Not measured.
 LEAST_ZONE = 0.01  # share of a leg that each of them lasts at least. Not measured.
 MOST_ZONES = 0.6  # and at most. Measured: with 0.9 a line's wrist turned over within one interval of 12.
+RATE_LOOKS = 401  # at a motion for which a grid is made, besides its breaks. Not measured.
+RAMPS = 0.45  # share of a path's changes that its first zone and its last have each. Not measured.
+LEAST_RATE = 1e-9  # of a share's rate by scaled time. Not measured.
 LEAST_TIME = 1e-3  # s of a leg without a way, so that scaled time stays defined. Not measured.
+GLIDE = 0.01  # s; in a shorter wait the rail goes on as it comes. Measured: one of 1e-6 s had rows off by 1e10.
 LEAST_DRAFT = 2e-3  # s of such a leg in the first draft. Not measured.
-LONGEST = 60.0  # s of one leg. Not measured.
 DAMPING = 4e-7  # s per squared scaled acceleration, where many motions take the same time. Not measured.
 DAMPING_DWELL = 4e-6  # the same while the tool rests. Measured: with less a long dwell's rail chatters between the
 # nodes; with it and PUSHED, hinge_line's stream plan came to 11.819 s in 33 s, from 12.437 s in 220 s (54fd039).
+SHARPEST = 1e6  # of the bound of a share's second derivative, where the tool's caps ask for more than SHARE_CURVE. Not
+# measured.
 SHARE_RATE = 50.0  # bound of a share's or rail's first derivative by scaled time. Not measured.
 SHARE_CURVE = 500.0  # of the second. Not measured.
 JOINT_RATE = 100.0  # bound of a joint's first derivative on a grid. Not measured.
