@@ -37,9 +37,12 @@ from trajopt_cli.joint_csv import read_csv_text, write_csv_text
 from trajopt_cli.motion import Hold
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.trajectory import Trajectory
+from trajopt_cli.verify import visits
+from trajopt_cli.verify.course import Point
 from trajopt_cli.verify.joints import check_joints
 from trajopt_cli.verify.rows import look
 from trajopt_cli.verify.tolerances import DURATION, HELD
+from trajopt_cli.verify.visits import Closeness, events_of
 
 
 def test_nan_and_reversed_time_are_malformed_files() -> None:
@@ -220,3 +223,22 @@ def test_a_robot_without_a_rail_holds_none() -> None:
     case = bench_case()
     motions = [replace(motion, hold=Hold.PROGRAM) for motion in case.program.motions]
     assert verify(program(*motions), case.plant, case.rows()).legal
+
+
+def test_a_row_at_the_stop_counts_before_one_that_is_near_only_by_what_missing_rows_are_granted() -> None:
+    """A row behind a wide gap is granted more than it is off, the next ones, closer together, are not, until one stands
+    at the stop: the move arrives there. Where none does, the first will do."""
+
+    def chosen(*tight: bool) -> int:
+        near = np.array([False, True, False, True, True, False])
+        all_good = np.ones(6, dtype=bool)
+        distance = np.array([9.0, 1.4, 1.2, 0.0, 0.2, 2.0])
+        close = Closeness(distance, near, np.array([False, False, False, *tight, False]), all_good, all_good, all_good)
+        stop = case.program.motions[0]
+        event = visits._align([Point(0, stop, None, "p", None, None, None, None, False)], [events_of(close)])[0]
+        assert event is not None
+        return event.first
+
+    case = rapid_case()
+    assert chosen(True, True) == 3
+    assert chosen(False, False) == 1

@@ -6,7 +6,8 @@ half a gap tau away at most, where the TCP may still be a tau^2/2 off and have t
 
 An event is an unbroken run of near rows; its good rows are those where the TCP rests as well (for RAPID: every axis)
 and a programmed rail position is met. Events are then matched with the stops in program order so that most stops find
-a good event (an event without good rows counts less, a missed optional point hardly), the earliest where several do. So
+a good event (an event without good rows counts less, one without a row at the stop itself a hair less, a missed
+optional point hardly), the earliest where several do. So
 one wrong stop stays one wrong stop: a point flown by, skipped or swapped does not shift the blame to the points after
 it. Consecutive stops at one pose (waits and moves of the redundant axis) share an event.
 
@@ -40,6 +41,8 @@ from trajopt_cli.verify.tolerances import (
     STOP_ROTATION,
 )
 
+_GRANTED = 0.99  # worth of a stop that only counts by what is granted for missing rows: one with a row of its own is it
+
 Mask = NDArray[np.bool_]
 
 
@@ -61,12 +64,14 @@ class Closeness:
 
 @dataclass(frozen=True, eq=False)
 class Event:
-    """A run of near rows [first, last]; good: the rows in it that count as the stop itself, maybe none."""
+    """A run of near rows [first, last]; good: the rows in it that count as the stop itself, maybe none. granted: none
+    of those is within tolerance but for what is granted for missing rows."""
 
     first: int
     last: int
     good: NDArray[np.intp]
     best: int
+    granted: bool = False
 
     @property
     def end(self) -> int:
@@ -124,7 +129,8 @@ def events_of(close: Closeness) -> tuple[Event, ...]:
         good = resting[close.rail_met[resting] & close.stands[resting]]
         pool = resting if len(resting) else run
         best = int(pool[np.argmin(close.distance[pool])])
-        out.append(Event(int(first), int(after) - 1, _core(close, good), best))
+        core = _core(close, good)
+        out.append(Event(int(first), int(after) - 1, core, best, bool(len(core)) and not close.tight[core].any()))
     return tuple(out)
 
 
@@ -268,4 +274,6 @@ def _passing(point: Point, own: tuple[Event, ...], ends: NDArray[np.intp], after
 
 
 def _worth(point: Point, event: Event) -> float:
-    return (0.25 if point.optional else 1.0) * (1.0 if len(event.good) else 0.6)
+    # rows of unequal distances: one a hair before the stop may be granted more than it is off, and the next one not
+    worth = 0.6 if not len(event.good) else _GRANTED if event.granted else 1.0
+    return (0.25 if point.optional else 1.0) * worth
