@@ -103,7 +103,24 @@ def test_run_json_names_versions_inputs_and_files(program: Path, planner: Planne
         "assume_identity": [],
         "target": "stream",
         "loops": "keep",
+        "cycle_time": None,
     }
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (["--cycle-time", "0"], "--cycle-time: needs a time of more than 0 s, not 0"),
+        (["--cycle-time", "nan"], "--cycle-time: needs a time of more than 0 s, not nan"),
+        (["--cycle-time", "8", "--gentle"], "--cycle-time and --gentle: give one of them"),
+    ],
+)
+def test_a_time_that_is_none_is_refused(
+    options: list[str], said: str, program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["optimize", str(program), *options]) == 2
+    assert said in capsys.readouterr().err
+    assert not planner.asked
 
 
 def test_progress_is_a_line_per_phase_when_piped(

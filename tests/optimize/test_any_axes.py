@@ -89,7 +89,7 @@ def planned(axes: Axes, problem: Problem) -> Trajectory:
     assert isinstance(found, Legal)
     draft = found.draft
     if not problem.coordinated:
-        draft, _ = improved(axes, found, Patience(), lambda _: None, seconds)
+        _, draft, _ = improved(axes, found, Patience(), lambda _: None, seconds)
     rows = _rows(axes, draft, _end(problem, draft))
     assert rows is not None
     return rows[0]

@@ -95,7 +95,7 @@ def test_what_was_found_before_the_end_stays(monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setattr(Refiner, "run", solve)
     monkeypatch.setattr("trajopt_cli.optimize.improve.search", lambda *_: None)
     base = legal()
-    draft, notes = improved(Axes.of(base.problem.plant), base, patience, lambda _: None, {})
+    _, draft, notes = improved(Axes.of(base.problem.plant), base, patience, lambda _: None, {})
     assert duration(draft) < base.duration
     assert draft.legs[-1] is base.draft.legs[-1]
     assert notes == ("stopped by Ctrl-C: the best plan so far; the search for a faster one was not finished",)

@@ -50,7 +50,7 @@ def base(*places: float, home: str = "") -> Legal:
 @cache
 def whole() -> Draft:
     """One window over two stations."""
-    draft, notes = improved(AXES, base(0, 300), Patience(), lambda _: None, {})
+    _, draft, notes = improved(AXES, base(0, 300), Patience(), lambda _: None, {})
     assert notes == ()
     return draft
 

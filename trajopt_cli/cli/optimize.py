@@ -49,11 +49,23 @@ def optimize(
             show_default=False,
         ),
     ] = None,
+    cycle_time: Annotated[
+        float | None,
+        typer.Option(
+            "--cycle-time",
+            metavar="S",
+            help="The gentlest motion that takes S seconds, instead of the fastest: least acceleration effort.",
+            show_default=False,
+        ),
+    ] = None,
+    gentle: Annotated[
+        bool, typer.Option("--gentle", help="The gentlest motion that takes at most 0.01 % longer than the fastest.")
+    ] = False,
 ) -> None:
     """Find the fastest legal motion for PROGRAM, have it judged, and write it as joint CSV and as RAPID.
 
-    Both targets are solved in every run. Exit code 1: the program cannot be done, and why; or, with --target rapid, its
-    text cannot carry the plan.
+    Both targets are solved in every run. Exit code 1: the program cannot be done, or not in the time given, and why;
+    or, with --target rapid, its text cannot carry the plan.
     """
     from trajopt_cli.cli.console import answer_no, stdout
     from trajopt_cli.cli.progress import ProgressView
@@ -61,18 +73,24 @@ def optimize(
     from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.pipeline.optimise import Optimised, optimise
     from trajopt_cli.problem.changes import Loops
+    from trajopt_cli.problem.objective import GENTLE, LEAST_TIME, LeastEffort
     from trajopt_cli.problem.patience import Patience
     from trajopt_cli.problem.plan import Target
     from trajopt_cli.verify.clearance import least_clearance
 
     if time_limit is not None and not 0 <= time_limit < math.inf:
         raise InputError(f"--time-limit: needs a time of 0 s or more, not {time_limit:g}")
+    if cycle_time is not None and not 0 < cycle_time < math.inf:
+        raise InputError(f"--cycle-time: needs a time of more than 0 s, not {cycle_time:g}")
+    if cycle_time is not None and gentle:
+        raise InputError("--cycle-time and --gentle: give one of them; both are the gentlest plan, within other times")
+    objective = GENTLE if gentle else LEAST_TIME if cycle_time is None else LeastEffort(cycle_time)
     patience = Patience(time_limit)
     with reading():
         job = read_job(program, cell, entry or MAIN, assume_identity or ())
     folder = output or Path("results") / job.program.name
     with ProgressView(patience) as view:
-        answer = optimise(job, Target(target), folder, view.show, plots, Loops(loops), patience, jobs)
+        answer = optimise(job, Target(target), folder, view.show, plots, Loops(loops), patience, jobs, objective)
     if not isinstance(answer, Optimised):
         answer_no(answer)
     console = stdout()

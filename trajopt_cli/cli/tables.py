@@ -25,9 +25,17 @@ _DIPS = 10  # of constant speed, in text; summary.json has them all
 
 
 def cycle_line(label: str, plan: Plan) -> str:
-    """A duration with its bound, gap and grid."""
+    """A duration with its bound, gap and grid; of a gentle plan its strain beside that of the fastest."""
     bound = "" if plan.gap is None else f" (lower bound {plan.lower_bound:.3f} s, gap {100 * plan.gap:.1f} %)"
-    return f"{label}: T = {plan.duration:.3f} s{bound}, grid {plan.grid}"
+    if plan.eased is None:
+        return f"{label}: T = {plan.duration:.3f} s{bound}, grid {plan.grid}"
+    now, fast = plan.eased.planned, plan.eased.fastest
+    rail = f", rail {now.rail_way:.3f} m" if fast.rail_way else ""
+    before = f", rail {fast.rail_way:.3f} m" if fast.rail_way else ""
+    return (
+        f"{label}: T = {plan.duration:.3f} s, effort {now.effort:.3f} s{rail}; fastest found T = "
+        f"{plan.eased.least_time:.3f} s{bound}, effort {fast.effort:.3f} s{before}; grid {plan.grid}"
+    )
 
 
 def saving_line(answer: Optimised) -> str:

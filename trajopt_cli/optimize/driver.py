@@ -15,11 +15,12 @@ from trajopt_cli.optimize.draft import Draft, Margins
 from trajopt_cli.optimize.exchange import Ratios, back_off, check_legs
 from trajopt_cli.optimize.formulation import Formulation
 from trajopt_cli.optimize.interior_point import NlpResult
-from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, Pieces, parabola
+from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, Pieces, integrate, parabola
 from trajopt_cli.optimize.profiles import hold
 from trajopt_cli.optimize.reading import read
 from trajopt_cli.optimize.transcription import Transcription
 from trajopt_cli.optimize.tuning import (
+    AT_LIMIT,
     BARRIER_COLD,
     BARRIER_DOUBT,
     BARRIER_FIRST,
@@ -47,6 +48,7 @@ from trajopt_cli.optimize.tuning import (
     START,
 )
 from trajopt_cli.path.line import Line
+from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 
@@ -59,6 +61,8 @@ def first_draft(axes: Axes, problem: Problem, q: Array, qd: Array, cfx: tuple[in
         T = leg.duration or max(float(times[k]), LEAST_DRAFT)
         if leg.duration is None and times[k] == 0.0:
             legs.append(hold(0.0, q[k]))
+        elif leg.kind is LegKind.JOINT and isinstance(problem.objective, LeastEffort):
+            legs.append(_smooth(T, q[k : k + 2], qd[k : k + 2]))
         elif leg.kind is LegKind.JOINT:
             legs.append(_closed(axes, T, q[k], qd[k]))
         elif leg.kind is LegKind.DWELL and not leg.rail_moves:
@@ -79,6 +83,9 @@ def on_last_grid(axes: Axes, problem: Problem, draft: Draft) -> Draft:
         if motion is None or motion.T == 0.0 or (leg.kind is LegKind.DWELL and not leg.rail_moves):
             legs.append(motion)
         elif leg.kind is LegKind.JOINT:
+            gentle = isinstance(problem.objective, LeastEffort)
+            if isinstance(motion, JointProfiles) and gentle:
+                motion = _sampled(axes, motion, _with_switches(axes, leg, motion, GRID_JOINT))
             keep = isinstance(motion, JointProfiles) or motion.N == GRID_JOINT
             legs.append(motion if keep else _on_grid(axes, motion, GRID_JOINT))
         elif isinstance(motion, PathLeg) and at_hand:
@@ -99,14 +106,19 @@ def on_last_grid(axes: Axes, problem: Problem, draft: Draft) -> Draft:
     return Draft(draft.q, draft.qd, draft.cfx, tuple(legs))
 
 
+def _smooth(T: float, q: Array, qd: Array) -> JointNodes:
+    """A joint move of T seconds between states (2, n) with the least effort there is without limits."""
+    grid = np.linspace(0, 1, GRID_JOINT + 1)
+    nodes, v, _ = integrate(np.array([0.0, 1.0]), q, qd * T, grid)
+    return JointNodes(T, grid, nodes, v, np.diff(v, axis=0) * GRID_JOINT)
+
+
 def _on_grid(axes: Axes, motion: LegMotion, N: int) -> JointNodes:
     """A joint move on N intervals, as near as its nodes come: half of them for the time, half for what changes."""
     times = _looks(motion)
     change = _behind(motion.sample(axes, times * motion.T).qd / axes.velocity)
     grid = np.interp(np.linspace(0, 1, N + 1), (times + change) / 2, times)
-    sample = motion.sample(axes, grid * motion.T)
-    v = sample.qd * motion.T
-    return JointNodes(motion.T, grid, sample.q, v, np.diff(v, axis=0) / np.diff(grid)[:, None])
+    return _sampled(axes, motion, grid)
 
 
 def _zoned(axes: Axes, motion: PathLeg) -> Array:
@@ -130,6 +142,25 @@ def _behind(x: Array) -> Array:
     return change / change[-1] if change[-1] > 0 else np.linspace(0, 1, len(x))
 
 
+def _with_switches(axes: Axes, leg: Leg, motion: JointProfiles, N: int) -> Array:
+    """A grid of N intervals with nodes where axes switch that use all of their acceleration, so that the motion can be
+    on it what it is."""
+    grid = np.linspace(0, 1, N + 1)
+    tight = np.abs(motion.accelerations).max(axis=1) > AT_LIMIT * axes.acceleration_on(leg)
+    moved = np.isin(np.arange(N + 1), (0, N))
+    for switch in np.unique(motion.times[tight, 1:3] / motion.T):
+        k = int(np.argmin(np.abs(grid - switch)))
+        if not moved[k] and np.abs(grid[moved] - switch).min() > 0.5 / N:
+            grid[k], moved[k] = switch, True
+    return grid
+
+
+def _sampled(axes: Axes, motion: LegMotion, grid: Array) -> JointNodes:
+    sample = motion.sample(axes, grid * motion.T)
+    v = sample.qd * motion.T
+    return JointNodes(motion.T, grid, sample.q, v, np.diff(v, axis=0) / np.diff(grid)[:, None])
+
+
 def _closed(axes: Axes, T: float, q_0: Array, qd_0: Array) -> JointProfiles:
     """A joint move of which the time alone is guessed [s]."""
     return JointProfiles(T, q_0, qd_0, np.zeros((axes.n, 4)), np.zeros((axes.n, 3)))
@@ -147,13 +178,9 @@ def slowed(problem: Problem, draft: Draft, times: float) -> Draft:
     """The same motion, so many times as long; waits keep their time, and held ends of a window their velocities."""
 
     def leg(leg: Leg, motion: LegMotion | None) -> LegMotion | None:
-        if motion is None or leg.duration is not None:
+        if motion is None or leg.duration is not None or isinstance(motion, Pieces):
             return motion
-        if isinstance(motion, JointProfiles):
-            return JointProfiles(
-                motion.T * times, motion.q_0, motion.qd_0 / times, motion.times * times, motion.accelerations / times**2
-            )
-        return replace(motion, T=motion.T * times) if not isinstance(motion, Pieces) else motion
+        return motion.slowed(times)
 
     held = np.array([point.q is not None for point in problem.waypoints])
     qd = np.where(held[:, None], draft.qd, draft.qd / times)
@@ -254,7 +281,8 @@ class Refiner:
 
     def _first(self, draft: Draft, margins: list[Margins | None]) -> tuple[Draft, list[Any]]:
         """The first solve: a rough one from estimates, a sharp one from a draft already on the last grid."""
-        n = max((m.N for m in draft.legs if isinstance(m, PathLeg)), default=FIRST)
+        gridded = any(isinstance(m, JointNodes) for m in draft.legs)
+        n = max((m.N for m in draft.legs if isinstance(m, PathLeg)), default=self.last if gridded else FIRST)
         mu, tolerance = (BARRIER_REFINED, SHARP) if n >= self.last else (BARRIER_FIRST, ROUGH)
         try:
             out, *warm = self._solve(draft, margins, mu, tolerance)

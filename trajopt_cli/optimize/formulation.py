@@ -128,13 +128,15 @@ class Formulation:
     def _rail_acceleration(self, b: ca.SX, z: SimpleNamespace, p: SimpleNamespace) -> tuple[ca.SX, float, float]:
         return b / (p.A[self.rail] * z.T * z.T), -1.0, 1.0
 
-    def path_node(self, track: LineSymbols | ArcSymbols, sides: str) -> Relation:
+    def path_node(self, track: LineSymbols | ArcSymbols, sides: str, weighed: bool = False) -> Relation:
         """A node of a path: arm = IK(X(s), d) within all limits, the tool within its caps along the way.
 
         track: the kind of path. sides: the intervals it ends and begins, "l", "r" or "lr", each with an acceleration.
+        weighed: with the node's effort, see _weight.
         """
         accelerations = beside(a=(), b=self._rails)[sides]
         z: Shapes = {"s": (), "v": (), "d": self._rails, "w": self._rails, **accelerations, "T": ()}
+        weight = self._weight(sides) if weighed else {}
 
         def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
             acc, rail_acc = ([getattr(z, f"{name}_{side}") for side in sides] for name in "ab")
@@ -144,10 +146,11 @@ class Formulation:
             out += [self._rail_velocity(z.w, z, p)]
             for a, b in zip(acc, rail_acc, strict=True):
                 out += [self._tool_acceleration(track, a, z, p), self._rail_acceleration(b, z, p)]
-            return out
+            return out + (self._effort(qdds, rail_acc, z, p) if weighed else [])
 
-        p = {**self._at_node, "path": (track.size,)}
-        return self._relation(("path", track, len(sides)), z, p, rows)
+        p = {**self._at_node, "path": (track.size,), **weight}
+        z = {**z, "e": ()} if weighed else z
+        return self._relation(("path", track, len(sides), weighed), z, p, rows)
 
     def _tool_acceleration(self, track, a, z, p):  # type: ignore[no-untyped-def]
         """|L a| <= a_tcp T^2 on a line; on an arc with the part towards the centre, squared."""
@@ -169,9 +172,10 @@ class Formulation:
         qdds = [curve + J @ ca.vertcat(a, b) for a, b in zip(acc, rail_acc, strict=True)]
         return Reached(*there), J @ rate, qdds
 
-    def dwell_node(self, sides: str) -> Relation:
-        """A node of a dwell: the tool rests while the rail moves and the arm makes up for it."""
+    def dwell_node(self, sides: str, weighed: bool = False) -> Relation:
+        """A node of a dwell: the tool rests while the rail moves and the arm makes up for it. weighed: as path_node."""
         z: Shapes = {"d": self._rails, "w": self._rails, **beside(b=self._rails)[sides], "T": ()}
+        weight = self._weight(sides) if weighed else {}
 
         def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
             acc = [getattr(z, f"b_{side}") for side in sides]
@@ -180,10 +184,62 @@ class Formulation:
             J = ca.jacobian(at.q, D)
             curve = ca.jtimes(J @ dD, D, dD)
             *there, J, curve = ca.substitute([*at, J, curve], [D, dD], [z.d, z.w])
-            out = self._joint_limits(Reached(*there), J @ z.w, [curve + J @ b for b in acc], z.T, p)
-            return [*out, self._rail_velocity(z.w, z, p), *(self._rail_acceleration(b, z, p) for b in acc)]
+            qdds = [curve + J @ b for b in acc]
+            out = self._joint_limits(Reached(*there), J @ z.w, qdds, z.T, p)
+            out += [self._rail_velocity(z.w, z, p), *(self._rail_acceleration(b, z, p) for b in acc)]
+            return out + (self._effort(qdds, acc, z, p) if weighed else [])
 
-        return self._relation(("dwell", len(sides)), z, self._at_node, rows)
+        z = {**z, "e": ()} if weighed else z
+        return self._relation(("dwell", len(sides), weighed), z, {**self._at_node, **weight}, rows)
+
+    # ---- effort: what a motion of a given time is gentle by
+
+    def _weight(self, sides: str) -> dict[str, tuple[int, ...]]:
+        """Parameters of a node's effort: h_0, h_1, half of the interval on each side, and unit (n,), the acceleration
+        limit of each axis."""
+        return {"unit": self._all, **{f"h_{i}": () for i in range(len(sides))}}
+
+    def _effort(self, qdds, rail_acc, z, p):  # type: ignore[no-untyped-def]
+        """sum h |q'' / unit|^2 / T^3 <= e over the sides of a node."""
+        shares = ((qdd / p.unit[self.arm], b / p.unit[self.rail]) for qdd, b in zip(qdds, rail_acc, strict=True))
+        halves = (getattr(p, f"h_{i}") for i in range(len(qdds)))
+        total = sum(h * (ca.sumsqr(arm) + ca.sumsqr(rail)) for h, (arm, rail) in zip(halves, shares, strict=True))
+        return [(total / z.T**3 - z.e, -INF, 0.0)]
+
+    def axes_effort(self) -> Relation:
+        """h |q'' / unit|^2 / T^3 <= e in an interval of length h of a joint move on a grid."""
+        z: Shapes = {"a": self._all, "T": (), "e": ()}
+
+        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+            return [(p.h * ca.sumsqr(z.a / p.unit) / z.T**3 - z.e, -INF, 0.0)]
+
+        return self._relation(("effort",), z, {"h": (), "unit": self._all}, rows)
+
+    def elapsed(self) -> Relation:
+        """t_1 = t_0 + T over a leg."""
+        z: Shapes = {"t_0": (), "T": (), "t_1": ()}
+        return self._relation(("elapsed",), z, {}, lambda z, p: [(z.t_1 - z.t_0 - z.T, 0.0, 0.0)])
+
+    def law_interval(self, columns: int) -> Relation:
+        """An interval of a course driven with rates r_0, r_1 at its ends, u = (r_1^2 - r_0^2) / 2 step: |slope u +
+        bend r^2| <= 1 of `columns` limits at both ends, the time it takes t_1 - t_0 = 2 step / (r_0 + r_1), and its
+        effort: the time times the mean of a u^2 + 2 b u r^2 + c r^4 at both ends, squared is (a, b, c)."""
+        z: Shapes = {"r_0": (), "r_1": (), "t_0": (), "t_1": (), "e": ()}
+        ends = {f"{name}_{end}": (columns,) for end in (0, 1) for name in ("slope", "bend")}
+        p = {"step": (), **ends, "squared_0": (3,), "squared_1": (3,)}
+
+        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+            u, time = (z.r_1**2 - z.r_0**2) / (2 * p.step), 2 * p.step / (z.r_0 + z.r_1)
+            x, (a, b) = (z.r_0**2, z.r_1**2), (p.squared_0, p.squared_1)
+            squares = [s[0] * u**2 + 2 * s[1] * u * y + s[2] * y**2 for s, y in zip((a, b), x, strict=True)]
+            return [
+                (p.slope_0 * u + p.bend_0 * x[0], -1.0, 1.0),
+                (p.slope_1 * u + p.bend_1 * x[1], -1.0, 1.0),
+                (z.t_1 - z.t_0 - time, 0.0, 0.0),
+                (time * sum(squares) / 2 - z.e, -INF, 0.0),
+            ]
+
+        return self._relation(("law", columns), z, p, rows)
 
     # ---- limits of joint moves
 

@@ -18,6 +18,7 @@ from trajopt_cli.beside import in_turns
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.driver import NotConverged, Refiner, Stopped, first_draft, on_last_grid
+from trajopt_cli.optimize.effort import cost
 from trajopt_cli.optimize.formulation import Formulation
 from trajopt_cli.optimize.incumbent import NotDriven, duration, least_time, stopped_at_joint_moves, stopping, timed
 from trajopt_cli.optimize.legal import Legal, add
@@ -25,6 +26,7 @@ from trajopt_cli.optimize.legs import JointNodes
 from trajopt_cli.optimize.search import Chain, search
 from trajopt_cli.optimize.tuning import FEW_LEGS, LEAST_GAIN, LEAST_WINDOW, SWEEP_GAIN, SWEEPS, WORTH_TRYING
 from trajopt_cli.optimize.windows import Span, Window, colours, middle
+from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.problem import LegKind, Problem
 from trajopt_cli.problem.progress import Progress, Report
@@ -69,18 +71,19 @@ def improved(
     tell: Report,
     seconds: dict[str, float],
     hands: Callable[[], int] = lambda: 1,
-) -> tuple[Draft, tuple[str, ...]]:
-    """The legal motion, or a faster one, and what a reader should know of it. hands: how many processes may work now.
+) -> tuple[Problem, Draft, tuple[str, ...]]:
+    """The legal motion, or a faster one, with the problem it solves, and what a reader should know of it. hands: how
+    many processes may work now.
 
     Where a rail may be in motion at the stops, the search's chain with such a rail is a start. Runs with corners stay
     as they are, and so do the ends of them; but where joint moves meet at a fly-by, a stop there is tried, too.
     """
     problem, chain, best = legal.problem, legal.chain, legal.draft
-    bases = [(problem, best)]
+    solved, bases = problem, [(problem, best)]
     hopes: Chain | None = None
     if patience.over:
         why = f"{patience.why()}: the first legal plan; the search for a faster one was not begun"
-        return best, (why,)
+        return problem, best, (why,)
     if any(problem.passes(k) for k in range(len(problem.waypoints))):
         bases = [*_stopping(axes, problem, chain)]
     elif axes.layout.has_rail and problem.freedom.through_stops:
@@ -91,8 +94,8 @@ def improved(
     for one, base in bases:
         found = sweeps.run(one, base, hopes, tally, partial(_tell_best, tell, duration(best)))
         if duration(found) < duration(best) - LEAST_GAIN:
-            best = found
-    return best, tuple(tally.notes(best is not legal.draft, patience))
+            solved, best = one, found
+    return solved, best, tuple(tally.notes(best is not legal.draft, patience))
 
 
 def _tell_best(tell: Report, known: float, now: float) -> None:
@@ -104,12 +107,12 @@ def _stopping(axes: Axes, problem: Problem, chain: Chain) -> Iterator[tuple[Prob
     """The problem with stops at fly-bys beside joint moves: where the timed chain has them, and at all of them."""
     for one in (stopping(axes, problem, chain), stopped_at_joint_moves(problem)):
         try:
-            yield _frozen(one, chain), timed(axes, one, chain)
+            yield frozen(one, chain), timed(axes, one, chain)
         except NotDriven:
             continue
 
 
-def _frozen(problem: Problem, chain: Chain) -> Problem:
+def frozen(problem: Problem, chain: Chain) -> Problem:
     """The problem with the ends of every run with corners at rest where the chain has them."""
     layout = problem.plant.robot.layout
     waypoints = list(problem.waypoints)
@@ -144,7 +147,7 @@ class Sweeps:
                     asked = [half for span in asked if span in tally.failed for half in _halves(problem, span, tally)]
                 for first, last in due:
                     moved[first, last] = 0.0
-                    was, now = (sum(m.T for m in one.legs[first:last] if m) for one in (before, draft))
+                    was, now = (cost(self._axes, problem, one.legs[first:last]) for one in (before, draft))
                     for span in others:
                         moved[span] += (was - now) / was if first < span[1] and span[0] < last and was else 0.0
         return draft
@@ -219,9 +222,10 @@ class Sweeps:
             finally:
                 for phase, spent in refiner.seconds.items():
                     add(seconds, phase, spent)
-            if duration(found) < duration(best) - LEAST_GAIN:
+            gain = cost(self._axes, problem, best.legs) - cost(self._axes, problem, found.legs)
+            if gain > LEAST_GAIN:
                 best = found
-                tell((key, window.duration - duration(best)))
+                tell((key, cost(self._axes, problem, own.legs) - cost(self._axes, problem, best.legs)))
             if not untouched or (best is not own and not few):
                 break  # from a motion found before the way leads back to it; of many legs the first that gains will do
         return Outcome(None if best is own else best, clean, seconds)
@@ -262,10 +266,12 @@ def _hoped(axes: Axes, problem: Problem, window: Window, chain: Chain) -> Draft:
 
 
 def _may_gain(axes: Axes, piece: Problem, legal: Draft) -> bool:
-    """Whether the nonlinear program could find something faster: a rail is free, or a joint move takes longer than its
-    axes and the tool's chord ask for."""
+    """Whether the nonlinear program could find something gentler, as something moves; or faster: a rail is free, or a
+    joint move takes longer than its axes and the tool's chord ask for."""
     if any(piece.passes(k) for k in range(len(piece.waypoints))):
         return False
+    if isinstance(piece.objective, LeastEffort):
+        return cost(axes, piece, legal.legs) > LEAST_GAIN
     moves = any(leg.rail_moves and leg.kind is not LegKind.JOINT for leg in piece.legs) and piece.plant.robot.has_rail
     free = any(point.q is None and point.rail[0] < point.rail[1] for point in piece.waypoints)
     return (

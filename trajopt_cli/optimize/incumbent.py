@@ -88,16 +88,21 @@ def timed(axes: Axes, problem: Problem, chain: Chain, known: Runs | None = None)
     cfx = tuple(label.cfx for label in chain.labels)
     known = {} if known is None else known
     for first, last in problem.runs:
-        points = [problem.waypoints[k].fly_by for k in range(first, last + 1)]
-        name = repr((cfx[first : last + 1], points)).encode() + chain.q[first : last + 1].tobytes()
-        coupling = problem.coupling.value.encode()
-        name = b"|".join([name, coupling, *(_leg_name(problem, k) for k in range(first, last))])
+        name = run_name(problem, (first, last), chain.q, cfx)
         if name not in known:  # equal runs are driven alike
             found = _fastest(axes, problem, (first, last), chain.q, cfx)
             known[name] = {k - first: motion for k, motion in found.items()}, problem.legs[first:last]
         for k, motion in known[name][0].items():
             legs[first + k] = motion
     return Draft(chain.q, np.zeros_like(chain.q), cfx, tuple(legs))
+
+
+def run_name(problem: Problem, run: tuple[int, int], q: Array, cfx: Sequence[int]) -> bytes:
+    """Equal for runs that are driven alike, between axes q (M, n) on branches cfx at all waypoints."""
+    first, last = run
+    points = [problem.waypoints[k].fly_by for k in range(first, last + 1)]
+    name = repr((cfx[first : last + 1], points, problem.coupling.value)).encode() + q[first : last + 1].tobytes()
+    return b"|".join([name, *(_leg_name(problem, k) for k in range(first, last))])
 
 
 def _fastest(axes: Axes, problem: Problem, run: tuple[int, int], q: Array, cfx: Sequence[int]) -> dict[int, LegMotion]:

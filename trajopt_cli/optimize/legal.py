@@ -77,7 +77,12 @@ class Question:
 
     def lesser(self) -> Iterator[Question]:
         """The same of a RAPID controller with less that may change; each has a motion that this one allows."""
-        if self.target is not Target.RAPID or self.freedom.rail is RailFreedom.PROGRAMMED:
+        if self.target is Target.RAPID:
+            yield from self.calmer()
+
+    def calmer(self) -> Iterator[Question]:
+        """The same with a rail that may move less; for a stream, too."""
+        if self.freedom.rail is RailFreedom.PROGRAMMED:
             return
         lesser = (self.freedom.and_not_more_than(one) for one in (FIXED_RAIL, AS_WRITTEN))
         yield from (replace(self, freedom=one) for one in lesser if one != self.freedom)
@@ -116,6 +121,16 @@ def legal_motion(
         return own
     memory.answers[question.target, question.freedom] = best
     return best
+
+
+def calmer_motions(
+    axes: Axes, question: Question, legal: Legal, memory: Memory, seconds: dict[str, float]
+) -> Iterator[Legal]:
+    """Legal motions of the same problem whose rail moves less, and which may take longer."""
+    for less in question.calmer():
+        found = _of_lesser(axes, less, [legal.problem], memory, Patience(), lambda _: None, seconds)
+        if found is not None:
+            yield found
 
 
 def _of_lesser(

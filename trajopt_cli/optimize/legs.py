@@ -109,6 +109,10 @@ class PathLeg:
         d, w, b = split(self.grid, self.d, self.w, self.b)
         return replace(self, grid=halved(self.grid), s=s, v=v, a=a, d=d, w=w, b=b)
 
+    def slowed(self, times: float) -> PathLeg:
+        """The same way in so many times the time."""
+        return replace(self, T=self.T * times)
+
     def breaks(self) -> Array:
         """Times (N+1,) where an acceleration may jump."""
         return self.T * self.grid
@@ -213,6 +217,10 @@ class JointNodes:
         """The same motion on twice as many intervals."""
         return JointNodes(self.T, halved(self.grid), *split(self.grid, self.q, self.v, self.a))
 
+    def slowed(self, times: float) -> JointNodes:
+        """The same way in so many times the time."""
+        return replace(self, T=self.T * times)
+
     def breaks(self) -> Array:
         """Times (N+1,) where an acceleration may jump."""
         return self.T * self.grid
@@ -242,6 +250,12 @@ class JointProfiles:
         """Phases of an axis."""
         return 3
 
+    def slowed(self, times: float) -> JointProfiles:
+        """The same way in so many times the time."""
+        return JointProfiles(
+            self.T * times, self.q_0, self.qd_0 / times, self.times * times, self.accelerations / times**2
+        )
+
     def breaks(self) -> Array:
         """Times where some axis switches, ascending; twice the start where no axis moves."""
         times = np.unique(self.times.ravel())
@@ -267,11 +281,19 @@ class JointProfiles:
         return Sample(t, q, qd, qdd)
 
 
+Piece = PathLeg | JointNodes | JointProfiles
+
+
 @dataclass(frozen=True, eq=False)
 class Pieces:
-    """A leg's motions one after the other: of the half corner before it, its way, the half corner behind it."""
+    """A leg's motions one after the other: of the half corner before it, its way, the half corner behind it; or its way
+    and a rest."""
 
-    pieces: tuple[PathLeg | JointNodes, ...]
+    pieces: tuple[Piece, ...]
+
+    def slowed(self, times: float) -> Pieces:
+        """The same ways in so many times the time."""
+        return Pieces(tuple(piece.slowed(times) for piece in self.pieces))
 
     @cached_property
     def _starts(self) -> Array:
@@ -300,7 +322,7 @@ class Pieces:
         """As of the piece at each time."""
         return sampled(axes, [self], [t], right)
 
-    def split(self, t: Array, right: bool) -> Iterator[tuple[PathLeg | JointNodes, IndexArray, Array]]:
+    def split(self, t: Array, right: bool) -> Iterator[tuple[Piece, IndexArray, Array]]:
         """The pieces that hold any of the times t (m,), with the numbers of theirs, and these as times of the piece."""
         side: Literal["left", "right"] = "right" if right else "left"
         number = np.clip(np.searchsorted(self._starts, t, side=side) - 1, 0, len(self.pieces) - 1)
@@ -309,7 +331,7 @@ class Pieces:
             yield self.pieces[i], at, np.clip(t[at] - self._starts[i], 0.0, self.pieces[i].T)
 
 
-LegMotion = PathLeg | JointNodes | JointProfiles | Pieces
+LegMotion = Piece | Pieces
 
 
 def sampled(axes: Axes, motions: Sequence[LegMotion], times: Sequence[Array], right: bool = True) -> Sample:

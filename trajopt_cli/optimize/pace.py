@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -97,7 +98,7 @@ def columns(caps: Caps, along: Along) -> tuple[Array, Array]:
     return slopes, np.concatenate([along.ddq / caps.acceleration, forward * c + aside * s], axis=-1)
 
 
-def _limits(axes: Axes, problem: Problem, course: Course) -> tuple[Array, Array, Array]:
+def limits(axes: Axes, problem: Problem, course: Course) -> tuple[Array, Array, Array]:
     """top_rate and columns at all nodes of a course: (rows, 2), (rows, c), (rows, c)."""
     legs = np.repeat([part.leg for part in course.parts], course.counts + 1)
     caps = axes.caps(problem.legs[: legs[-1] + 1]).at(legs)
@@ -106,7 +107,7 @@ def _limits(axes: Axes, problem: Problem, course: Course) -> tuple[Array, Array,
 
 def used_by(axes: Axes, problem: Problem, course: Course, law: TimeLaw) -> Shares:
     """What a law uses of each limit at the ends of every interval."""
-    tops, slopes, bends = _limits(axes, problem, course)
+    tops, slopes, bends = limits(axes, problem, course)
     x = law.rates**2
     u = np.diff(x) / (2 * np.diff(course.sigma))
     most = [np.zeros((len(u), 2)), np.zeros((len(u), slopes.shape[1]))]
@@ -119,10 +120,13 @@ def used_by(axes: Axes, problem: Problem, course: Course, law: TimeLaw) -> Share
     )
 
 
-def law_of(axes: Axes, problem: Problem, course: Course, shares: Shares) -> TimeLaw | None:
-    """The fastest law of a run's course, from rest to rest; None where there is none."""
+def in_force(
+    axes: Axes, problem: Problem, course: Course, shares: Shares
+) -> tuple[Array, tuple[Array, Array], tuple[Array, Array]]:
+    """The greatest rates (N+1,) at the nodes of a course, and slopes and bends (N, c) of what is limited where each
+    interval begins and where it ends."""
     N = len(course.part)
-    tops, slopes, bends = _limits(axes, problem, course)
+    tops, slopes, bends = limits(axes, problem, course)
     give = np.column_stack([np.repeat(shares.acceleration[:, None], axes.n, 1),
                             np.repeat(shares.tool_acceleration[:, None], TOOL_DIRECTIONS, 1)])  # fmt: skip
     a, b = course.first, course.first + 1
@@ -130,13 +134,23 @@ def law_of(axes: Axes, problem: Problem, course: Course, shares: Shares) -> Time
     top = np.full(N + 1, np.inf)
     top[:-1] = np.min(tops[a] * allowed, axis=1)
     top[1:] = np.minimum(top[1:], np.min(tops[b] * allowed, axis=1))
-    begins, ends = (((slopes[i] / give)[None], (bends[i] / give)[None]) for i in (a, b))
+    begins, ends = ((slopes[i] / give, bends[i] / give) for i in (a, b))
+    return top, begins, ends
+
+
+def law_of(axes: Axes, problem: Problem, course: Course, shares: Shares) -> TimeLaw | None:
+    """The fastest law of a run's course, from rest to rest; None where there is none."""
+    top, *rows = in_force(axes, problem, course, shares)
+    begins, ends = ((slopes[None], bends[None]) for slopes, bends in rows)
     return fastest_laws(course.sigma[None], top[None], begins, ends, 0.0, 0.0).law(0)
 
 
-def clean(axes: Axes, problem: Problem, course: Course) -> dict[int, Pieces] | None:
-    """The motions of a run's legs, fastest on its course and within every limit wherever it is looked at; None where
-    the course itself leaves the axes' ranges, or no law is found. Raises Unresolved."""
+Pace = Callable[[Axes, Problem, Course, Shares], TimeLaw | None]
+
+
+def clean(axes: Axes, problem: Problem, course: Course, pace: Pace = law_of) -> dict[int, Pieces] | None:
+    """The motions of a run's legs, fastest on its course (or as another pace wants) and within every limit wherever it
+    is looked at; None where the course itself leaves the axes' ranges, or no law is found. Raises Unresolved."""
     resolved = _resolved(axes, problem, course)
     if resolved is None:
         return None
@@ -144,7 +158,7 @@ def clean(axes: Axes, problem: Problem, course: Course) -> dict[int, Pieces] | N
     checked: dict[int, Ratios] = {}
     before: Array | None = None
     for _ in range(PACE_ROUNDS):
-        law = law_of(axes, problem, course, shares)
+        law = pace(axes, problem, course, shares)
         if law is None:
             return None
         legs = motions(axes, problem, course, law)
@@ -196,7 +210,7 @@ def _resolved(axes: Axes, problem: Problem, course: Course) -> Course | None:
 
 def _steep(axes: Axes, problem: Problem, course: Course) -> tuple[BoolArray, BoolArray]:
     """Which intervals (N,) want a node in the middle, and which say nothing of what happens in them."""
-    top = np.min(_limits(axes, problem, course)[0], axis=1)
+    top = np.min(limits(axes, problem, course)[0], axis=1)
     row, along = course.first, course.along
     low, high = np.minimum(top[row], top[row + 1]), np.maximum(top[row], top[row + 1])
     step = np.diff(course.sigma)[:, None]

@@ -15,8 +15,11 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.binding import binding_limit
 from trajopt_cli.optimize.bound import lower_bound
 from trajopt_cli.optimize.draft import Draft
+from trajopt_cli.optimize.effort import efforts, rail_way
+from trajopt_cli.optimize.gentle import gentlest
 from trajopt_cli.optimize.improve import improved
-from trajopt_cli.optimize.legal import Memory, NoCleanPlan, Question, legal_motion
+from trajopt_cli.optimize.incumbent import duration
+from trajopt_cli.optimize.legal import Memory, NoCleanPlan, Question, calmer_motions, legal_motion
 from trajopt_cli.optimize.legs import JointProfiles, LegMotion, PathLeg
 from trajopt_cli.optimize.search import search
 from trajopt_cli.optimize.tuning import (
@@ -26,8 +29,9 @@ from trajopt_cli.optimize.tuning import (
 )
 from trajopt_cli.problem.changes import Changes
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom
+from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective
 from trajopt_cli.problem.patience import Patience
-from trajopt_cli.problem.plan import Infeasible, Plan, PlannedMotion, Target
+from trajopt_cli.problem.plan import Eased, Infeasible, Plan, PlannedMotion, Strain, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import LegKind, Problem
 from trajopt_cli.problem.progress import Progress, Report, never_worse
@@ -67,8 +71,10 @@ def optimize(
     memory: Memory | None = None,
     patience: Patience | None = None,
     hands: Callable[[], int] = lambda: 1,
+    objective: Objective = LEAST_TIME,
 ) -> Plan | Infeasible:
-    """The fastest motion found for a program on one target, with a lower bound of the same model if bounded.
+    """The fastest motion found for a program on one target, with a lower bound of the same model if bounded; or the
+    gentlest within a time, where that is the objective. The bound is that of the fastest one.
 
     freedom: what may change at all. changes: which motions may have it, None for all of them (a plan that nobody
     writes back into the program's text). The bound leaves ties of passes out, so it holds with them, too. memory: legal
@@ -82,13 +88,24 @@ def optimize(
     seconds: dict[str, float] = {}
     axes = Axes.of(plant)
     question = Question(program, plant, target, freedom, changes)
-    legal = legal_motion(axes, question, memory or Memory(), patience, tell, seconds)
+    memory = memory or Memory()
+    legal = legal_motion(axes, question, memory, patience, tell, seconds)
     if isinstance(legal, Infeasible):
         return legal
     problem, draft, notes = legal.problem, legal.draft, tuple[str, ...]()
     tell(Progress("timing", incumbent=legal.duration))
     if not problem.coordinated:
-        draft, notes = improved(axes, legal, patience, tell, seconds, hands)
+        problem, draft, notes = improved(axes, legal, patience, tell, seconds, hands)
+    least, eased = duration(draft), None
+    if isinstance(objective, LeastEffort):
+        tell(Progress("ease", incumbent=least))
+        calmer = calmer_motions(axes, question, legal, memory, seconds)
+        found = gentlest(axes, [legal, *calmer], problem, draft, objective, patience, seconds, hands)
+        if found is None:
+            return _too_short(program, target, objective.seconds, least)
+        gentle, more = found
+        eased = Eased(least, _strain(axes, draft), _strain(axes, gentle))
+        draft, notes = gentle, (*notes, *more)
     rows = _rows(axes, draft, _end(problem, draft))
     if rows is None:
         raise NoCleanPlan("the written rows would pass a limit between each other")
@@ -98,12 +115,23 @@ def optimize(
     if bounded and not patience.interrupted:
         start = perf_counter()
         tell(Progress("bound", incumbent=trajectory.duration))
-        bound = _checked(_bound(axes, problem, trajectory.duration), trajectory.duration)
+        known = least if eased else trajectory.duration
+        bound = _checked(_bound(axes, problem, known), known)
         seconds["bound"] = perf_counter() - start
-    tell(Progress("done", incumbent=trajectory.duration, bound=bound))
+    tell(Progress("done", incumbent=least if eased else trajectory.duration, bound=bound))
     grid = _grid(legs, problem)
     motions = _planned(axes, program, problem, draft, legs, bounds)
-    return Plan(target, trajectory, motions, bound, grid, seconds, notes)
+    return Plan(target, trajectory, motions, bound, grid, seconds, notes, eased)
+
+
+def _strain(axes: Axes, draft: Draft) -> Strain:
+    return Strain(float(efforts(axes, draft.legs).sum()), rail_way(axes, draft.legs))
+
+
+def _too_short(program: Program, target: Target, asked: float, least: float) -> Infeasible:
+    index = len(program.motions) - 1
+    text = f"the {target} plan shall end here after {asked:g} s; the least time found is {least:.3f} s"
+    return Infeasible(index, program.motions[index].source, text)
 
 
 def lower_bound_of(

@@ -18,6 +18,7 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.blocks import BlockNlp
 from trajopt_cli.optimize.double_integrator import trapezoid_time
 from trajopt_cli.optimize.draft import Draft, Margins
+from trajopt_cli.optimize.effort import efforts
 from trajopt_cli.optimize.formulation import INF, LEFT, RIGHT, Formulation, ToolCap
 from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg
 from trajopt_cli.optimize.relation import Parts, Relation
@@ -39,6 +40,7 @@ from trajopt_cli.path.arc import Arc, ArcSymbols
 from trajopt_cli.path.dwell import Dwell, DwellSymbols
 from trajopt_cli.path.line import Line, LineSymbols
 from trajopt_cli.problem.freedom import RailFreedom
+from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 
 NONE: IndexArray = np.zeros(0, dtype=np.intp)
@@ -109,7 +111,14 @@ class Transcription:
         self.waypoint_qd: list[IndexArray] = []
         for k in range(len(problem.waypoints)):
             self._waypoint(k)
+        asked = problem.objective
+        self._weighed = isinstance(asked, LeastEffort)
+        if isinstance(asked, LeastEffort):
+            whole = float(np.nansum(efforts(axes, draft.legs))) or 1.0
+            self._unit = axes.acceleration * np.sqrt(whole)  # so that the efforts add up to one or less
         self.legs = [self._leg(leg, draft.legs[k], margins[k]) for k, leg in enumerate(problem.legs)]
+        if isinstance(asked, LeastEffort):
+            self._elapse(asked.seconds)
         self._ties()
 
     def _hold(self, relation: Relation, z: Parts, p: Parts | None = None) -> None:
@@ -194,7 +203,8 @@ class Transcription:
             return None
         low, high = (leg.duration, leg.duration) if leg.duration is not None else (self.least(leg), INF)
         T = int(self.nlp.variables([motion.T], low, high)[0])
-        self.nlp.minimise(T)
+        if not self._weighed:
+            self.nlp.minimise(T)
         out = LegVariables(T)
         if isinstance(motion, PathLeg):
             assert margins is not None
@@ -228,6 +238,30 @@ class Transcription:
         points = self.problem.waypoints[leg.start : leg.start + 2]
         p_0, p_1 = (((x.X_WF if x.q is None else self.axes.forward(x.q)) @ leg.X_FT)[:3, 3] for x in points)
         return max(LEAST_TIME, float(trapezoid_time(float(np.linalg.norm(p_1 - p_0)), leg.v_tcp, leg.a_tcp)))
+
+    def _elapse(self, seconds: float) -> None:
+        """The legs take so long in all."""
+        pairs = zip(self.legs, self.draft.legs, strict=True)
+        left = seconds - sum(motion.T for var, motion in pairs if var is None and motion is not None)
+        times = [var.T for var in self.legs if var is not None]
+        passed = np.cumsum([0.0, *self.nlp.guess[times]])
+        passed *= left / passed[-1]
+        low, high = np.zeros(len(passed)), np.full(len(passed), left)
+        low[-1], high[0] = left, 0.0
+        t = self.nlp.variables(passed, low, high)
+        self._hold(self.formulation.elapsed(), {"t_0": t[:-1], "T": times, "t_1": t[1:]})
+
+    def _damp(self, accelerations: IndexArray, weight: float) -> None:
+        """A hair of curvature, but where effort is what counts."""
+        if not self._weighed:
+            self.nlp.damp(accelerations.ravel(), weight)
+
+    def _effort(self, guess: Array) -> IndexArray:
+        """Variables of the effort at nodes or in intervals, to be kept small. guess: what it may be."""
+        e = self.nlp.variables(guess, 0.0, np.inf)
+        for one in e:
+            self.nlp.minimise(int(one))
+        return e
 
     def _track(self, leg: Leg, motion: PathLeg) -> tuple[LineSymbols | ArcSymbols, Array]:
         """A path's kind, and its parameters."""
@@ -272,7 +306,7 @@ class Transcription:
         """
         per_zone = motion.N // 3
         lengths = np.diff(motion.grid)[[0, per_zone, 2 * per_zone]]
-        if motion.N != FREE_ZONES:
+        if motion.N != FREE_ZONES or self._weighed:
             return self.nlp.variables(lengths, lengths, lengths)
         h = self.nlp.variables(lengths, LEAST_ZONE / per_zone, MOST_ZONES / per_zone)
         self._hold(self.formulation.zones(), {"h": h}, {"n": per_zone})
@@ -310,7 +344,7 @@ class Transcription:
         out.b = nlp.variables(np.clip(motion.b, -most, most), -most.ravel(), most.ravel()).reshape(N, layout.r)
         for j in range(layout.r):
             self._integrate_zones(out.h, out.d[:, j], out.w[:, j], out.b[:, j])
-        nlp.damp(out.b.ravel(), DAMPING if leg.kind is LegKind.LINE else DAMPING_DWELL)
+        self._damp(out.b, DAMPING if leg.kind is LegKind.LINE else DAMPING_DWELL)
         self._linked(leg, layout.rail, out.w, out.T)
 
     def _path(self, leg: Leg, motion: PathLeg, margins: Margins, out: LegVariables) -> None:
@@ -323,15 +357,30 @@ class Transcription:
         self._rail_on_path(leg, motion, margins, out)
         track, path = self._track(leg, motion)
         p = self._path_parameters(leg, motion, margins, path)
+        half = np.diff(motion.grid) / 2
+        e = self._effort(self._effort_of(motion, half)) if self._weighed else NONE
         for nodes in _nodes_by_sides(motion.N):
             at = nodes.at
             z: dict[str, ArrayLike] = {"T": out.T, "d": out.d[at], "w": out.w[at], **nodes.around(b=out.b)}
             if line:
                 z |= {"s": out.s[at], "v": out.v[at], **nodes.around(a=out.a)}
+            here = {name: x[at] for name, x in p.items()}
+            if self._weighed:
+                z["e"] = e[at]
+                here |= {"unit": np.tile(self._unit, (len(at), 1))}
+                here |= {f"h_{i}": half[at] for i, at in enumerate(nodes.beside.values())}
             relation = (
-                self.formulation.path_node(track, nodes.sides) if line else self.formulation.dwell_node(nodes.sides)
+                self.formulation.path_node(track, nodes.sides, self._weighed)
+                if line
+                else self.formulation.dwell_node(nodes.sides, self._weighed)
             )
-            self._hold(relation, z, {name: x[at] for name, x in p.items()})
+            self._hold(relation, z, here)
+
+    def _effort_of(self, motion: PathLeg, half: Array) -> Array:
+        """About the effort (N+1,) at the nodes of a path."""
+        sample = motion.sample(self.axes, motion.T * motion.grid)
+        squares = np.sum((sample.qdd / self._unit) ** 2, axis=1)
+        return np.nan_to_num(motion.T * squares * (np.r_[half, 0.0] + np.r_[0.0, half]))
 
     def _joint_closed(self, leg: Leg, out: LegVariables) -> None:
         k, V, A = leg.start, self.axes.velocity_on(leg), self.axes.acceleration_on(leg)
@@ -351,7 +400,7 @@ class Transcription:
         out.qv = nlp.variables(motion.v, -np.tile(fast, N + 1), np.tile(fast, N + 1)).reshape(N + 1, n)
         out.qa = nlp.variables(motion.a, -np.tile(sharp, N), np.tile(sharp, N)).reshape(N, n)
         for indices, step in zip(out.qa, np.diff(motion.grid), strict=True):
-            nlp.damp(indices, DAMPING * N * step)
+            self._damp(indices, DAMPING * N * step)
         V, A = self.axes.velocity_on(leg), self.axes.acceleration_on(leg)
         rail = self.axes.layout.rail
         if not leg.rail_moves:
@@ -360,6 +409,11 @@ class Transcription:
             self._hold(self.formulation.equal(), {"x": x.ravel(), "y": held.ravel()})
         self._integrate(motion.grid, out.q, out.qv, out.qa)
         self._linked(leg, slice(None), out.qv, out.T)
+        if self._weighed:
+            h, unit = np.diff(motion.grid), self._unit
+            e = self._effort(h * np.sum((motion.a / unit) ** 2, axis=1) / motion.T**3)
+            z_effort: Parts = {"a": out.qa, "T": out.T, "e": e}
+            self._hold(self.formulation.axes_effort(), z_effort, {"h": h, "unit": unit})
         for nodes in _nodes_by_sides(N):
             at = nodes.at
             acc = {name: i.ravel() for name, i in nodes.around(a=out.qa).items()}

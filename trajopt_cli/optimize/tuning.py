@@ -200,6 +200,12 @@ MOST_SHIFT = 1e40  # largest. Not measured.
 EQUATION_EPS = 1e-9  # regularisation of equations that depend on each other. Not measured.
 REFINEMENTS = 1  # of each solution of a linear system. Measured on 25 moves of a pallet: 2 take 449 iterations, 1 447.
 
+# ---- effort: gentle motions
+GAUSS = 4  # places of the quadrature of an effort between two breaks; exact for polynomials of the seventh degree. Not
+# measured.
+EASE_NODES = 96  # intervals of a leg on which the law of least effort is looked for. Not measured.
+EASE_ROUNDS = 2  # of giving time and finding laws. Not measured.
+
 # ---- exchange: the dense check and the back-off
 START = 1.0 - 5e-5  # share of every limit a path's grid starts with: rounding and Hermite rows need a hair of room.
 # Measured: a blanket 1 % costs 0.36 % of cycle time; small values were not compared.

@@ -20,6 +20,7 @@ from trajopt_cli.optimize.incumbent import duration
 from trajopt_cli.optimize.tuning import EVEN_PARTS, WINDOW
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.problem.freedom import RailFreedom
+from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import LegKind, Problem, Waypoint
 
 Span = tuple[int, int]  # waypoints: the first and the last
@@ -46,9 +47,13 @@ class Window:
         legs = tuple(replace(leg, start=leg.start - first) for leg in problem.legs[first:last])
         inside = [group for group in problem.ties if first <= group[0] and group[-1] <= last]
         ties = tuple(tuple(k - first for k in group) for group in inside)
-        own = replace(problem, waypoints=tuple(points), legs=legs, stations=(), ties=ties)
         at = slice(first, last + 1)
-        return cls(first, last, own, Draft(draft.q[at], draft.qd[at], draft.cfx[at], draft.legs[first:last]))
+        mine = Draft(draft.q[at], draft.qd[at], draft.cfx[at], draft.legs[first:last])
+        asked = problem.objective
+        if isinstance(asked, LeastEffort):  # its own time, and its share of what the whole has to spare
+            asked = LeastEffort(duration(mine) * asked.seconds / duration(draft))
+        own = replace(problem, waypoints=tuple(points), legs=legs, stations=(), ties=ties, objective=asked)
+        return cls(first, last, own, mine)
 
     @property
     def duration(self) -> float:
@@ -80,6 +85,8 @@ class Window:
                 parts += [_digits(arc.centre), _digits(arc.normal), repr(arc.sweep).encode()]
         held = self.problem.freedom.rail is RailFreedom.STATION
         parts.append(repr((self.problem.ties, self.problem.coupling.value, held)).encode())
+        if isinstance(self.problem.objective, LeastEffort):
+            parts.append(_digits(np.array([self.problem.objective.seconds])))
         return b"|".join(parts)
 
 

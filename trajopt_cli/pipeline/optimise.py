@@ -18,6 +18,7 @@ from trajopt_cli.pipeline.planning import Clock, Listener, NoPlan, all_three, ch
 from trajopt_cli.problem.changes import Changes, Loops
 from trajopt_cli.problem.constant_speed import Stretch, constant_speed
 from trajopt_cli.problem.corners import PARABOLIC, Corners, corners_of, passed_in
+from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective, for_the_other
 from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
@@ -39,6 +40,7 @@ if TYPE_CHECKING:
     from trajopt_cli.export.rapid_write import RapidExport
     from trajopt_cli.findings import Finding
 
+_ROUNDING = 1e-6  # s
 _WORTH = 5e-3  # s of an estimate that are worth a word
 
 
@@ -89,11 +91,13 @@ def optimise(
     loops: Loops = Loops.KEEP,
     patience: Patience | None = None,
     jobs: int | None = None,
+    objective: Objective = LEAST_TIME,
 ) -> Optimised | Infeasible | NoPlan | Illegal | Collides:
     """Solve both targets, judge both, and write the results folder; nothing is written unless both are legal.
 
     target: which plan trajectory.csv carries. plots: its pictures, too. loops: what the RAPID plan makes of them.
-    patience: how long a faster plan is looked for. jobs: processes, by default one for every core.
+    patience: how long a faster plan is looked for. jobs: processes, by default one for every core. objective: of the
+    target's plan; where the other one takes longer than a given time, it takes its least.
     Raises InputError where folder may not be replaced.
     """
     from trajopt_cli.optimize.library import evaluation_notices
@@ -111,7 +115,8 @@ def optimise(
     changes, loops = agreed.changes, agreed.loops
     inputs = _inputs(job)
     judged: dict[Target, Judged] = {}
-    answers, written = all_three(job, listen, clock, changes, patience or Patience(), jobs or cores())
+    asked = {one: objective if one is target else for_the_other(objective) for one in Target}
+    answers, written = all_three(job, listen, clock, changes, patience or Patience(), jobs or cores(), asked)
     for one, answer in answers.items():
         if not isinstance(answer, Judged):
             return answer
@@ -127,6 +132,7 @@ def optimise(
         notices = (*_notices(job, judged), *agreed.notices, *_one_way(job, export), *evaluation_notices())
         if no_rapid is not None:
             notices = (*notices, f"no RAPID text: {no_rapid}")
+        notices = (*notices, *_of_given_time(asked, judged))
         placed = _placed(export, folder) if export is not None else ()
         ways = tuple(f"{one.value}: {note}" for one in Target for note in judged[one].plan.notes)
         notes = (*ways, *_configurations(job, judged), *placed, *changes[Target.RAPID].kept, *unrolled)
@@ -152,6 +158,7 @@ def optimise(
             assume_identity=list(job.assume_identity),
             target=target.value,
             loops=loops,
+            cycle_time=objective.seconds if isinstance(objective, LeastEffort) else None,
         ),
         inputs=Inputs(
             program=first.place,
@@ -295,6 +302,22 @@ def _notices(job: Job, judged: Mapping[Target, Judged]) -> tuple[str, ...]:
             f"file gives, {least:g} s in all; real waiting comes on top"
         )
     return (*map(str, job.program.warnings), *out, *planned_otherwise(job.program), *held_unasked(job))
+
+
+def _of_given_time(asked: Mapping[Target, Objective], judged: Mapping[Target, Judged]) -> Iterator[str]:
+    """What plans of least effort do not do."""
+    for target, objective in asked.items():
+        plan = judged[target].plan
+        if isinstance(objective, LeastEffort) and objective.seconds and plan.duration > objective.seconds + _ROUNDING:
+            yield (
+                f"the {target} plan takes {plan.duration:.3f} s: {objective.seconds:g} s is below the least time found "
+                "for it"
+            )
+    if any(isinstance(objective, LeastEffort) for objective in asked.values()):
+        yield (
+            "the RAPID text does not say how gently its moves are driven: a controller drives them as fast as their "
+            "speeds allow; rapid.csv is the motion meant"
+        )
 
 
 def _no_stops(job: Job, plan: Plan) -> frozenset[int]:

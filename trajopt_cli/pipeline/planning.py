@@ -15,6 +15,7 @@ from trajopt_cli.job import Job
 from trajopt_cli.motion import Program
 from trajopt_cli.problem.changes import Changes, Loops, everything
 from trajopt_cli.problem.freedom import AS_WRITTEN
+from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective
 from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress, Report
@@ -106,10 +107,17 @@ def changes_of(job: Job, target: Target, loops: Loops = Loops.KEEP) -> Changes:
 
 
 def all_three(
-    job: Job, listen: Listener, clock: Clock, changes: Mapping[Target, Changes], patience: Patience, jobs: int
+    job: Job,
+    listen: Listener,
+    clock: Clock,
+    changes: Mapping[Target, Changes],
+    patience: Patience,
+    jobs: int,
+    asked: Mapping[Target, Objective],
 ) -> tuple[dict[Target, Judged | Infeasible | NoPlan], Plan | str]:
-    """Both targets, and the program as written, in up to `jobs` processes. A stream that cannot be
-    done ends the run at once. A plan that collides gives way to the next one that may change less and does not."""
+    """Both targets with what is asked of them, and the program as written, in up to `jobs` processes. A stream that
+    cannot be done ends the run at once. A plan that collides gives way to the next one that may change less and does
+    not."""
     from trajopt_cli.joint_csv import write_csv_text
     from trajopt_cli.optimize import Memory
 
@@ -119,7 +127,16 @@ def all_three(
         tell: Callable[[Progress], None],
     ) -> tuple[Judged | Infeasible | NoPlan, Plan | str, dict[str, float]]:
         own, memory = Clock(), Memory()
-        answer = solve(job, rapid, changes[rapid], lambda _, progress: tell(progress), own, patience, memory)
+        answer = solve(
+            job,
+            rapid,
+            changes[rapid],
+            lambda _, progress: tell(progress),
+            own,
+            patience,
+            memory,
+            objective=asked[rapid],
+        )
         written = as_written(job, changes[rapid], own, memory) if isinstance(answer, Judged) else ""
         return answer, written, own.seconds
 
@@ -127,7 +144,7 @@ def all_three(
         listen(rapid.value, progress)
 
     if jobs == 1:
-        first = solve(job, stream, changes[stream], listen, clock, patience)
+        first = solve(job, stream, changes[stream], listen, clock, patience, objective=asked[stream])
         if isinstance(first, Infeasible):
             return {stream: first}, ""
         answer, written, seconds = second(hear)
@@ -146,6 +163,7 @@ def all_three(
                 clock,
                 patience,
                 hands=lambda: max(1, jobs - (not beside.done)),
+                objective=asked[stream],
             )
             if isinstance(first, Infeasible):
                 return {stream: first}, ""
@@ -164,7 +182,7 @@ def all_three(
         plan = streamed(answer.plan, first.plan if isinstance(first, Judged) else None, failure)
         first = first if plan is None else _judged(job, plan, answer.csv, clock)
     plans = {one.value: judged.plan for one, judged in ((stream, first), (rapid, answer)) if isinstance(judged, Judged)}
-    if isinstance(written, Plan):
+    if isinstance(written, Plan) and not any(isinstance(one, LeastEffort) for one in asked.values()):
         plans["as-written"] = written
     if (wrong := out_of_order(plans)) is not None:
         return {stream: NoPlan(stream.value, wrong)}, written
@@ -182,13 +200,22 @@ def touches(judged: Judged) -> tuple[Finding, ...]:
 def streamed(rapid: Plan, stream: Plan | None, failure: str | None = None) -> Plan | None:
     """A legal RAPID plan as the stream plan, where that is faster or there is none to be had; else None. Any motion
     that the RAPID controller makes can be streamed. failure: why the stream plan is not to be had, if so."""
-    if stream is not None and rapid.duration >= stream.duration and failure is None:
+    if stream is not None and not _better(rapid, stream) and failure is None:
         return None
-    note = f"the plan is the rapid plan: {failure or 'nothing faster was found'}"
+    better = "faster" if rapid.eased is None else "gentler"
+    note = f"the plan is the rapid plan: {failure or f'nothing {better} was found'}"
     if stream is None:
         return replace(rapid, target=Target.STREAM, lower_bound=None, notes=(note,))
     bound, seconds, notes = stream.lower_bound, stream.seconds, (note, *stream.notes)
     return replace(rapid, target=Target.STREAM, lower_bound=bound, seconds=seconds, notes=notes)
+
+
+def _better(one: Plan, other: Plan) -> bool:
+    """Whether a plan is faster than another; of two within a given time the gentler is better."""
+    if one.eased is None or other.eased is None:
+        return one.duration < other.duration
+    longer = one.duration > other.duration * (1 + _ROUNDING)
+    return not longer and one.eased.planned.effort < other.eased.planned.effort
 
 
 def out_of_order(plans: Mapping[str, Plan]) -> str | None:
@@ -211,6 +238,7 @@ def solve(
     patience: Patience,
     memory: Memory | None = None,
     hands: Callable[[], int] = lambda: 1,
+    objective: Objective = LEAST_TIME,
 ) -> Judged | Infeasible | NoPlan:
     """Plan one target, write its trajectory as CSV text, and let the judge read that text. The bound is found
     meanwhile where another process may work."""
@@ -233,6 +261,7 @@ def solve(
                 memory=memory,
                 patience=patience,
                 hands=hands,
+                objective=objective,
             )
         if isinstance(plan, Infeasible):
             return plan

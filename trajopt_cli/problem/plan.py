@@ -41,13 +41,30 @@ class PlannedMotion:
         object.__setattr__(self, "q_1", readonly(self.q_1))
 
 
+@dataclass(frozen=True)
+class Strain:
+    """How hard a motion drives its axes: effort [s], see problem.objective; how far the rail goes in all [m]."""
+
+    effort: float
+    rail_way: float
+
+
+@dataclass(frozen=True)
+class Eased:
+    """Of a plan of least effort: the least time found [s], and the strain of that motion and of the plan."""
+
+    least_time: float
+    fastest: Strain
+    planned: Strain
+
+
 @dataclass(frozen=True, eq=False)
 class Plan:
     """A motion for the whole program on one target.
 
     lower_bound: no legal motion of this target's model is faster [s], None where none was asked for.
     grid: intervals per motion the optimiser ended with, for the printed duration. seconds: time spent per phase.
-    notes: where the plan came by another way than hoped, one line each.
+    notes: where the plan came by another way than hoped, one line each. eased: where the least effort was asked for.
     """
 
     target: Target
@@ -57,6 +74,7 @@ class Plan:
     grid: str
     seconds: Mapping[str, float] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
+    eased: Eased | None = None
 
     @property
     def duration(self) -> float:
@@ -65,11 +83,12 @@ class Plan:
 
     @property
     def gap(self) -> float | None:
-        """(duration - lower_bound) / lower_bound: how much faster a motion of the same model could be at most; 0 where
-        nothing takes any time."""
-        if self.lower_bound is None or self.duration == self.lower_bound:
+        """(least time found - lower_bound) / lower_bound: how much faster a motion of the same model could be at most;
+        0 where nothing takes any time."""
+        least = self.duration if self.eased is None else self.eased.least_time
+        if self.lower_bound is None or least == self.lower_bound:
             return None if self.lower_bound is None else 0.0
-        return (self.duration - self.lower_bound) / self.lower_bound
+        return (least - self.lower_bound) / self.lower_bound
 
 
 @dataclass(frozen=True)

@@ -43,6 +43,7 @@ from trajopt_cli.problem.changes import Changes
 from trajopt_cli.problem.corners import corners_of
 from trajopt_cli.problem.demands import acceleration_share, tcp_acceleration
 from trajopt_cli.problem.freedom import Freedom, RailFreedom
+from trajopt_cli.problem.objective import LEAST_TIME, Objective
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.plannable import demands_configuration
 from trajopt_cli.problem.plant import Plant
@@ -134,7 +135,7 @@ class Problem:
     """Waypoints and legs in order, for one target; stations as (first waypoint, last); the motions left out.
 
     coupling: how the axes of a leg are bound to each other, which need not be as loose as the target allows. ties:
-    waypoints, in order, that must have one rail position and one configuration.
+    waypoints, in order, that must have one rail position and one configuration. objective: what makes a motion good.
     """
 
     plant: Plant
@@ -147,6 +148,7 @@ class Problem:
     target: Target
     coupling: Coupling
     ties: tuple[tuple[int, ...], ...] = ()
+    objective: Objective = LEAST_TIME
 
     @property
     def coordinated(self) -> bool:

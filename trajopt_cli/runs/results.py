@@ -16,7 +16,7 @@ from trajopt_cli.motion import Program, SignalEvent, Wait
 from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.constant_speed import Stretch, stretch_record
 from trajopt_cli.problem.corners import Corners
-from trajopt_cli.problem.plan import Plan, Target
+from trajopt_cli.problem.plan import Eased, Plan, Target
 from trajopt_cli.quantity import complain
 from trajopt_cli.runs import SUMMARY
 from trajopt_cli.runs.files import replace_files
@@ -42,7 +42,8 @@ def _as_list(value: object) -> object:
 
 
 class PlanOptions(Section):
-    """As the user gave them, and the name of the target whose plan was chosen."""
+    """As the user gave them, and the name of the target whose plan was chosen. cycle_time [s]: given for a plan of
+    least effort, 0 where it was to be the least; None for the fastest plan."""
 
     program: Annotated[list[str], BeforeValidator(_as_list)] = Field(default_factory=list)
     cell: str = ""
@@ -50,6 +51,7 @@ class PlanOptions(Section):
     assume_identity: list[str] = Field(default_factory=list)
     target: str = ""
     loops: Annotated[Loops, Field(strict=False)] = Loops.KEEP
+    cycle_time: float | None = None
 
 
 class AddedModule(Section):
@@ -265,6 +267,7 @@ def _plan(program: Program, judged: Judged, stretches: Sequence[Stretch]) -> dic
         "cycle_time_s": plan.duration,
         "lower_bound_s": plan.lower_bound,
         "gap": plan.gap,
+        "least_effort": None if plan.eased is None else _eased(plan.eased),
         "grid": plan.grid,
         "axes": list(plan.trajectory.names),
         "motions": motions,
@@ -275,6 +278,12 @@ def _plan(program: Program, judged: Judged, stretches: Sequence[Stretch]) -> dic
             "advice": [finding_record(finding) for finding in judged.report.advice],
         },
     }
+
+
+def _eased(eased: Eased) -> dict[str, Any]:
+    strains = (("fastest", eased.fastest), ("planned", eased.planned))
+    told = {name: {"effort_s": one.effort, "rail_way_m": one.rail_way} for name, one in strains}
+    return {"least_time_s": eased.least_time, **told}
 
 
 def read_results(folder: Path, judged: bool = False) -> Results:
