@@ -99,7 +99,7 @@ def test_the_robot_adds_what_only_it_knows(here: Path, capsys: pytest.CaptureFix
     write("e.yaml", CELL)
     below = printed(capsys, "e.mod").split("\n\n")[-1].splitlines()
     assert "confdata is ignored on lines (ConfL \\Off), as the program asks" in below
-    assert "AccSet's ramp (2) does not affect the plan: it shapes jerk, which plans do not limit" in below
+    assert "AccSet's ramp (2) does not affect the plan: it shapes jerk, which the cell file alone limits" in below
     assert not any("refuse" in line for line in below)
     assert below[-1] == "configurations: every point and line fits the robot"
     locked = EVERYTHING.replace("MoveC", "SingArea \\LockAxis4;\n        MoveC", 1)

@@ -21,14 +21,15 @@ from trajopt_cli.path.line import LineSymbols
 SIDES = ("l", "r", "lr")
 TRACKS = [symbols(turning) for symbols in (LineSymbols, ArcSymbols) for turning in (False, True)]
 KINDS: dict[str, list[tuple[object, ...]]] = {
-    "path_node": [(track, sides) for track in TRACKS for sides in SIDES],
-    "dwell_node": [(sides,) for sides in SIDES],
+    "path_node": [(track, sides) for track in TRACKS for sides in SIDES] + [(TRACKS[0], "lr", True)],
+    "dwell_node": [(sides,) for sides in SIDES] + [("lr", True)],
+    "law_interval": [(10,)],
     "axis_node": [(sides,) for sides in SIDES],
     "tool_cap": [(cap,) for cap in ToolCap],
 }
 NO_ARGUMENTS = (
     "integration", "zoned_integration", "zones", "axis_reach", "waypoint", "resting_waypoint", "velocity_link", "equal",
-    "tool_chord",
+    "tool_chord", "axes_effort", "elapsed", "acceleration_link",
 )  # fmt: skip
 KINDS |= {name: [()] for name in NO_ARGUMENTS}
 
@@ -58,7 +59,13 @@ def test_native_functions_equal_casadis(both: tuple[Formulation, Formulation], k
             strict=True,
         ):
             assert np.all(np.isfinite(wanted))
-            assert len(np.unique(wanted, axis=0)) == n or kind in ("equal", "integration", "zones", "velocity_link")
+            assert len(np.unique(wanted, axis=0)) == n or kind in (
+                "equal",
+                "integration",
+                "zones",
+                "velocity_link",
+                "elapsed",
+            )
             np.testing.assert_allclose(got, wanted, rtol=0, atol=1e-13 * np.abs(wanted).max(initial=0.0))
 
 

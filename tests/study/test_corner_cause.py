@@ -16,7 +16,7 @@ from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.study import comparison
 from trajopt_cli.study.case import Attempt
 from trajopt_cli.study.causes import causes, with_stops
-from trajopt_cli.study.comparison import Comparison, Tried, _with_corners, compare
+from trajopt_cli.study.comparison import Comparison, Tried, _after, compare
 
 TEXT = """MODULE made
     CONST robtarget p1:=[[450,50,400],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
@@ -106,13 +106,13 @@ def test_corners_that_cost_time_and_stops_that_cannot_be_driven_are_told(compare
     def tried(plan):  # type: ignore[no-untyped-def]
         return Tried(Attempt(program, plan.trajectory, plan), Report(()))
 
-    steps = _with_corners([("stops", tried(written)), ("corners", tried(stops))])
+    steps = _after([("stops", tried(written)), ("corners", tried(stops))])
     assert not isinstance(steps, str)
     assert [(step.name, step.plan) for step in steps] == [("stops", written), ("corners", stops)]
     assert steps[1].saved == pytest.approx(written.duration - stops.duration)
     assert steps[1].saved < 0
     no = Infeasible(0, program.motions[0].source, "no")
-    steps = _with_corners([("stops", no), ("corners", tried(written))])
+    steps = _after([("stops", no), ("corners", tried(written))])
     assert not isinstance(steps, str)
     assert [(step.name, step.saved) for step in steps] == [("as written", 0.0)]
-    assert steps[0].why_not == f"with fly-bys as stops: {no}"
+    assert steps[0].why_not == f"stops: {no}"

@@ -367,6 +367,7 @@ class CellDocument(_Section):
     hold_rail: HoldRailSection = HoldRailSection()
     constant_speed: tuple[Annotated[Lines | str, PlainValidator(_part)], ...] = ()
     free_speed: StrictBool = False
+    jerk_limits: StrictBool = False
     pass_limit: Annotated[int, Field(strict=True, gt=0)] = Scenario.pass_limit
     statement_limit: Annotated[int, Field(strict=True, gt=0)] = Scenario.statement_limit
     assume_identity: tuple[StrictStr, ...] = ()

@@ -129,6 +129,7 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         start_rail=document.start.rail,
         scenario=_scenario(document, file, lines),
         free_speed=document.free_speed,
+        jerk_limits=document.jerk_limits,
         droppable=frozenset(name.lower() for name in document.optional),
         obstacles=_solids(document.obstacles, Path(file).parent),
         attached=_solids(document.attached, Path(file).parent),

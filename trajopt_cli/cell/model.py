@@ -66,6 +66,7 @@ class Cell:
     start_rail: float | None
     scenario: Scenario
     free_speed: bool
+    jerk_limits: bool
     droppable: frozenset[str]
     lines: Mapping[str, int] = field(default_factory=dict)
     obstacles: tuple[Solid, ...] = ()
@@ -115,7 +116,11 @@ class Cell:
             if not values["lower"][i] < values["upper"][i]:
                 low, high = values["lower"][i], values["upper"][i]
                 raise self.error(f"limits.{axis}", f"lower {low:.6g} is not below upper {high:.6g}")
-        return JointLimits(names=limits.names, **values, sources=sources, grades=grades)
+        if self.jerk_limits and "jerk" not in values:
+            raise self.error(
+                "jerk_limits", f"robot {self.robot} gives no jerk; give each axis its own under limits, with its source"
+            )
+        return JointLimits(names=limits.names, **values, sources=sources, grades=grades, jerk_binds=self.jerk_limits)
 
 
 def minimal_cell(program: str, robots: Sequence[str]) -> str:

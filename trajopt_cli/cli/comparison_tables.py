@@ -26,6 +26,7 @@ _RATIOS = frozenset(
     {
         "joint speed",
         "joint acceleration",
+        "joint jerk",
         "TCP speed",
         "TCP acceleration",
         "programmed speed",

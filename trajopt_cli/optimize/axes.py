@@ -34,8 +34,8 @@ class Caps:
 
 @dataclass(frozen=True, eq=False)
 class Axes:
-    """Limits and names (n,) of all axes in the robot's order. X_WB0: the arm's base in the world with the rail at 0;
-    rail_axis (3, r): the rail's direction in the arm's base frame."""
+    """Limits and names (n,) of all axes in the robot's order; jerk: None where it is free. X_WB0: the arm's base in the
+    world with the rail at 0; rail_axis (3, r): the rail's direction in the arm's base frame."""
 
     robot: Robot
     layout: AxisLayout
@@ -46,6 +46,7 @@ class Axes:
     acceleration: Array
     X_WB0: Array
     rail_axis: Array
+    jerk: Array | None = None
 
     @classmethod
     def of(cls, plant: Plant) -> Axes:
@@ -56,7 +57,7 @@ class Axes:
         axis = np.zeros((3, 0)) if robot.rail_axis_W is None else X_WB0[:3, :3].T @ robot.rail_axis_W[:, None]
         return cls(
             robot, robot.layout, limits.names, limits.lower, limits.upper, limits.velocity, limits.acceleration, X_WB0,
-            axis,
+            axis, limits.binding_jerk,
         )  # fmt: skip
 
     @property

@@ -26,6 +26,10 @@ def binding_limit(axes: Axes, tcp: TcpCaps, leg: Leg, motion: LegMotion) -> str:
     programmed = leg.v_tcp < tcp.speed
     names += ["programmed TCP speed" if programmed else "TCP speed", "TCP acceleration", "TCP turning"]
     ratios = np.concatenate([np.abs(sample.qd) / axes.velocity, np.abs(sample.qdd) / axes.acceleration, tool], axis=1)
+    if axes.jerk is not None:
+        names += [f"{name} jerk" for name in axes.names]
+        jerk = np.abs(np.diff(sample.qdd, axis=0)) / np.diff(sample.t)[:, None] / axes.jerk
+        ratios = np.hstack([ratios, np.vstack([jerk, jerk[-1:]])])
     share = np.mean(ratios >= AT_LIMIT, axis=0)
     best = int(np.argmax(share)) if np.any(share > 0) else int(np.argmax(np.max(ratios, axis=0)))
     return names[best]

@@ -8,17 +8,19 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray
 from trajopt_cli.optimize.legs import LegMotion
-from trajopt_cli.optimize.tuning import START
+from trajopt_cli.optimize.tuning import START, START_JERK
 
 
 @dataclass(frozen=True, eq=False)
 class Draft:
-    """A candidate: axes q and velocities qd (M, n) at the waypoints, IK branch of each (-1 where joints are fixed)."""
+    """A candidate: axes q and velocities qd (M, n) at the waypoints, IK branch of each (-1 where joints are fixed).
+    qdd (M, n): accelerations, which matter where jerk is limited; None for zeros."""
 
     q: Array
     qd: Array
     cfx: tuple[int, ...]
     legs: tuple[LegMotion | None, ...]
+    qdd: Array | None = None
 
 
 @dataclass
@@ -28,7 +30,7 @@ class Margins:
 
     velocity, acceleration (N+1, n); position (N+1, n): of half the range, about its middle; tool (N+1, 3): speed,
     acceleration, reorientation. rows (N+1, 3): which tool caps a joint move's nodes must hold explicitly; far from a
-    cap the dense check alone watches. push (N,): the rail's acceleration in each interval of a dwell.
+    cap the dense check alone watches. push (N,): the rail's acceleration in each interval of a dwell. jerk (N+1, n).
     """
 
     velocity: Array
@@ -37,6 +39,7 @@ class Margins:
     tool: Array
     rows: BoolArray
     push: Array
+    jerk: Array
 
     @classmethod
     def full(cls, N: int, n: int, joints: float) -> Margins:
@@ -45,7 +48,7 @@ class Margins:
         share = np.full((N + 1, n), joints)
         return cls(
             share, share.copy(), np.ones((N + 1, n)), np.full((N + 1, 3), START), np.zeros((N + 1, 3), dtype=bool),
-            np.ones(N),
+            np.ones(N), np.full((N + 1, n), START_JERK),
         )  # fmt: skip
 
     def refined(self) -> Margins:
@@ -61,5 +64,5 @@ class Margins:
         rows[1::2] |= self.rows[1:]
         return Margins(
             double(self.velocity), double(self.acceleration), double(self.position), double(self.tool), rows,
-            np.repeat(self.push, 2),
+            np.repeat(self.push, 2), double(self.jerk),
         )  # fmt: skip

@@ -61,7 +61,7 @@ def first_draft(axes: Axes, problem: Problem, q: Array, qd: Array, cfx: tuple[in
         T = leg.duration or max(float(times[k]), LEAST_DRAFT)
         if leg.duration is None and times[k] == 0.0:
             legs.append(hold(0.0, q[k]))
-        elif leg.kind is LegKind.JOINT and isinstance(problem.objective, LeastEffort):
+        elif leg.kind is LegKind.JOINT and _on_grids(axes, problem):
             legs.append(_smooth(T, q[k : k + 2], qd[k : k + 2]))
         elif leg.kind is LegKind.JOINT:
             legs.append(_closed(axes, T, q[k], qd[k]))
@@ -83,8 +83,7 @@ def on_last_grid(axes: Axes, problem: Problem, draft: Draft) -> Draft:
         if motion is None or motion.T == 0.0 or (leg.kind is LegKind.DWELL and not leg.rail_moves):
             legs.append(motion)
         elif leg.kind is LegKind.JOINT:
-            gentle = isinstance(problem.objective, LeastEffort)
-            if isinstance(motion, JointProfiles) and gentle:
+            if isinstance(motion, JointProfiles) and _on_grids(axes, problem):
                 motion = _sampled(axes, motion, _with_switches(axes, leg, motion, GRID_JOINT))
             keep = isinstance(motion, JointProfiles) or motion.N == GRID_JOINT
             legs.append(motion if keep else _on_grid(axes, motion, GRID_JOINT))
@@ -103,7 +102,12 @@ def on_last_grid(axes: Axes, problem: Problem, draft: Draft) -> Draft:
                 nodes = x[:, 0], v[:, 0], a[:, 0], x[:, 1:], v[:, 1:], a[:, 1:]
             found = _path(axes, problem, k, motion.T, q, max(draft.cfx[k], draft.cfx[k + 1]), nodes)
             legs.append(replace(found, grid=grid))
-    return Draft(draft.q, draft.qd, draft.cfx, tuple(legs))
+    return Draft(draft.q, draft.qd, draft.cfx, tuple(legs), draft.qdd)
+
+
+def _on_grids(axes: Axes, problem: Problem) -> bool:
+    """Whether joint moves have no closed form: where it is not the time that counts, or jerk is limited."""
+    return axes.jerk is not None or isinstance(problem.objective, LeastEffort)
 
 
 def _smooth(T: float, q: Array, qd: Array) -> JointNodes:
@@ -184,7 +188,8 @@ def slowed(problem: Problem, draft: Draft, times: float) -> Draft:
 
     held = np.array([point.q is not None for point in problem.waypoints])
     qd = np.where(held[:, None], draft.qd, draft.qd / times)
-    return replace(draft, qd=qd, legs=tuple(leg(*one) for one in zip(problem.legs, draft.legs, strict=True)))
+    qdd = None if draft.qdd is None else np.where(held[:, None], draft.qdd, draft.qdd / times**2)
+    return replace(draft, qd=qd, qdd=qdd, legs=tuple(leg(*one) for one in zip(problem.legs, draft.legs, strict=True)))
 
 
 class NotConverged(Exception):
@@ -301,7 +306,7 @@ class Refiner:
                     continue
                 worst = max(worst, ratios.worst)
                 if m is not None:
-                    resting = leg.kind is LegKind.DWELL and leg.duration is not None
+                    resting = leg.kind is LegKind.DWELL and leg.duration is not None and self.axes.jerk is None
                     rail = self.axes.acceleration_on(leg)[self.axes.layout.rail] if resting else None
                     changed |= back_off(m, ratios, motion, SAFE, rail)
             if not (changed or opened):
@@ -325,6 +330,7 @@ class Refiner:
                 most = max(
                     most, *(one / share for one, share in zip((*rates, r.tool[:, 2].max()), shares, strict=True))
                 )
+                most = max(most, float(np.cbrt(r.jerk.max() / m.jerk.min())))
         if most > MOST_SLOWED or most == 1.0:
             return draft
         return slowed(self.problem, draft, most * SLOWED)

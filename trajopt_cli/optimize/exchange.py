@@ -28,6 +28,7 @@ from trajopt_cli.optimize.tuning import (
     MOST_LOOKS,
     NEAR_LOOK,
     PUSHED,
+    SAFE_JERK,
     UNREACHED,
 )
 from trajopt_cli.problem.problem import Leg
@@ -35,17 +36,19 @@ from trajopt_cli.problem.problem import Leg
 
 @dataclass(frozen=True, eq=False)
 class Ratios:
-    """Worst ratio to each limit per interval (N,) of a leg: velocity, acceleration, position (N, n), tool (N, 3)."""
+    """Worst ratio to each limit per interval (N,) of a leg: velocity, acceleration, position (N, n), tool (N, 3); jerk
+    (N, n), zero where it is free."""
 
     velocity: Array
     acceleration: Array
     position: Array
     tool: Array
+    jerk: Array
 
     @property
     def worst(self) -> float:
         """The largest of all."""
-        return float(max(np.max(x) for x in (self.velocity, self.acceleration, self.position, self.tool)))
+        return float(max(np.max(x) for x in (self.velocity, self.acceleration, self.position, self.tool, self.jerk)))
 
 
 def check_leg(axes: Axes, leg: Leg, motion: LegMotion) -> Ratios:
@@ -97,10 +100,22 @@ def _checked(
             np.abs(sample.qdd) / caps.acceleration,
             np.abs(sample.q - middle) / half,
             tool_ratios(caps, tool_of(axes, [leg.X_FT for leg in legs], number, sample)),
+            _jerk_ratios(axes, sample, first),
         )
     ]
     intervals = np.cumsum([len(starts) for _, starts in looks])[:-1]
     return [Ratios(*of_leg) for of_leg in zip(*(np.split(x, intervals) for x in ratios), strict=True)]
+
+
+def _jerk_ratios(axes: Axes, sample: Sample, first: IndexArray) -> Array:
+    """Mean jerks (m, n) from each place of a sample to the next in the same interval, as shares of their limits. first:
+    the place with which each interval begins."""
+    out = np.zeros_like(sample.qdd)
+    if axes.jerk is not None:
+        inside = np.setdiff1d(np.arange(len(out) - 1), first - 1)
+        steps = (sample.t[inside + 1] - sample.t[inside])[:, None]
+        out[inside] = np.abs(sample.qdd[inside + 1] - sample.qdd[inside]) / steps / axes.jerk
+    return out
 
 
 def tool_of(axes: Axes, X_FT: Sequence[Array], number: IndexArray, sample: Sample) -> Array:
@@ -146,6 +161,10 @@ def back_off(margins: Margins, ratios: Ratios, motion: LegMotion, target: float,
     pairs += [(margins.position, touching * target)]
     if isinstance(motion, PathLeg):  # joints on a grid of their own keep their limits between nodes by construction
         pairs += [(margins.velocity, ratios.velocity), (margins.acceleration, ratios.acceleration)]
+        jerks = np.where(ratios.jerk > SAFE_JERK, ratios.jerk / SAFE_JERK, 0.0)
+        pairs += [(margins.jerk, jerks * target)]
+    else:  # but for the velocity where the acceleration is not constant between them
+        pairs.append((margins.velocity, np.where(ratios.velocity > 1.0, ratios.velocity, 0.0) * target))
     for share, ratio in pairs:
         over = np.where(ratio > target, np.maximum((target - BEYOND) / np.maximum(ratio, 1e-12), LEAST_LEFT), 1.0)
         if np.all(over == 1.0):

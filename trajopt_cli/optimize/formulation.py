@@ -43,7 +43,7 @@ class ToolCap(IntEnum):
 
 
 def beside(**shapes: tuple[int, ...]) -> dict[str, dict[str, tuple[int, ...]]]:
-    """Shapes of accelerations by the side on which they act: beside(a=())["lr"] is {"a_l": (), "a_r": ()}."""
+    """Shapes of accelerations or jerks by the side on which they act: beside(a=())["lr"] is {"a_l": (), "a_r": ()}."""
     return {
         sides: {f"{name}_{side}": shape for side in sides for name, shape in shapes.items()}
         for sides in ("", LEFT, RIGHT, LEFT + RIGHT)
@@ -63,33 +63,42 @@ class Formulation:
         # what every relation is made from, besides its own key
         self._identity = exact((axes.robot, layout.rail, layout.arm, axes.rail_axis, self.lower, self.upper))
         self._cache: dict[tuple[object, ...], Relation] = {}
+        self.smooth = axes.jerk is not None
         # parameters of a pose on a path: the path, the branch, joints within half a turn of the answer
         self._on_path: Shapes = {"path": (DwellSymbols().size,), "branch": (3,), "near": self._joints}
         # and of a node: limits; s the tool would take at its caps for the whole way, s^2 for the acceleration; the
         # share of each joint's range that may be used
+        self._limit_of_jerk: dict[str, tuple[int, ...]] = {"jerk": self._all} if self.smooth else {}
         self._at_node: Shapes = {
             **self._on_path, "V": self._all, "A": self._all, "at_speed": (), "at_acceleration": (), "at_turning": (),
-            "room": self._joints,
+            "room": self._joints, **self._limit_of_jerk,
         }  # fmt: skip
 
     def _relation(self, key: tuple[object, ...], z: Shapes, p: Shapes, rows: Rows) -> Relation:
         names = (*key, *z)
         if names not in self._cache:  # variables of other names in the same places make the same block
-            whole = f"{self._identity} {key!r} {[*z.values()]!r} {dict(p)!r}"
+            whole = f"{self._identity} {self.smooth} {key!r} {[*z.values()]!r} {dict(p)!r}"
             self._cache[names] = Relation.of(self._library, str(key[0]), whole, z, p, rows)
         return self._cache[names]
 
     # ---- dynamics
 
     def integration(self) -> Relation:
-        """x_1 = x_0 + h x_0' + h^2/2 x'' and x_1' = x_0' + h x'' over one interval of given length h."""
-        z: Shapes = {"x_0": (), "v_0": (), "a": (), "x_1": (), "v_1": ()}
-        return self._relation(("chain",), z, {"h": ()}, lambda z, p: _integrated(z, p.h))
+        """x_1 = x_0 + h x_0' + h^2/2 x'' and x_1' = x_0' + h x'' over one interval of given length h. Where jerk is
+        limited x''' = j is constant in it instead: all that with h^3/6 j and h^2/2 j more, and x_1'' = x_0'' + h j."""
+        rows = _ramped if self.smooth else _integrated
+        return self._relation(("chain",), self._chain, {"h": ()}, lambda z, p: rows(z, p.h))
 
     def zoned_integration(self) -> Relation:
         """The same over an interval whose length h is a variable."""
-        z: Shapes = {"x_0": (), "v_0": (), "a": (), "x_1": (), "v_1": (), "h": ()}
-        return self._relation(("zone",), z, {}, lambda z, p: _integrated(z, z.h))
+        rows = _ramped if self.smooth else _integrated
+        return self._relation(("zone",), {**self._chain, "h": ()}, {}, lambda z, p: rows(z, z.h))
+
+    @property
+    def _chain(self) -> Shapes:
+        if self.smooth:
+            return {"x_0": (), "v_0": (), "a_0": (), "j": (), "x_1": (), "v_1": (), "a_1": ()}
+        return {"x_0": (), "v_0": (), "a": (), "x_1": (), "v_1": ()}
 
     def zones(self) -> Relation:
         """Run-up, middle and run-out fill the leg: n (h_1 + h_2 + h_3) = 1 with n intervals in each."""
@@ -128,20 +137,37 @@ class Formulation:
     def _rail_acceleration(self, b: ca.SX, z: SimpleNamespace, p: SimpleNamespace) -> tuple[ca.SX, float, float]:
         return b / (p.A[self.rail] * z.T * z.T), -1.0, 1.0
 
-    def path_node(self, track: LineSymbols | ArcSymbols, sides: str, weighed: bool = False) -> Relation:
+    def path_node(
+        self, track: LineSymbols | ArcSymbols, sides: str, weighed: bool = False, tied: bool = False
+    ) -> Relation:
         """A node of a path: arm = IK(X(s), d) within all limits, the tool within its caps along the way.
 
         track: the kind of path. sides: the intervals it ends and begins, "l", "r" or "lr", each with an acceleration.
-        weighed: with the node's effort, see _weight.
+        weighed: with the node's effort, see _weight. tied: jerk is limited and the rail is in proportion to the share,
+        d = d_0 + s way.
         """
-        accelerations = beside(a=(), b=self._rails)[sides]
-        z: Shapes = {"s": (), "v": (), "d": self._rails, "w": self._rails, **accelerations, "T": ()}
         weight = self._weight(sides) if weighed else {}
+        z: Shapes = {"s": (), "v": (), **self._driving(sides, a=()), "T": ()}
+        if tied:
+            weight = {**weight, "d_0": self._rails, "way": self._rails}
+        else:
+            accelerations = self._driving(sides, a=(), b=self._rails)
+            z = {"s": (), "v": (), "d": self._rails, "w": self._rails, **accelerations, "T": ()}
+
+        def place(p: SimpleNamespace, x: ca.SX) -> Reached:
+            flange = track.flange(p.path, x[0])
+            return self._inverse(flange.position - self.rail_axis @ x[1:, 0], flange.rotation, p)
 
         def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-            acc, rail_acc = ([getattr(z, f"{name}_{side}") for side in sides] for name in "ab")
-            at, qd, qdds = self._along(p, track, z.s, z.d, ca.vertcat(z.v, z.w), acc, rail_acc)
-            out = self._joint_limits(at, qd, qdds, z.T, p)
+            if tied:
+                z.d, z.w, z.b = p.d_0 + z.s * p.way, z.v * p.way, z.a * p.way
+                for side in sides:
+                    setattr(z, f"jb_{side}", getattr(z, f"ja_{side}") * p.way)
+            acc, rail_acc, jerks = self._accelerations(z, sides, "a", "b")
+            ddxs = [ca.vertcat(a, b) for a, b in zip(acc, rail_acc, strict=True)]
+            x, dx = ca.vertcat(z.s, z.d), ca.vertcat(z.v, z.w)
+            at, qd, qdds, qddds = _carried(lambda x: place(p, x), x, dx, ddxs, jerks)
+            out = self._joint_limits(at, qd, qdds, z.T, p) + self._jerk_limits(qddds, jerks, z.T, p)
             out += [(ca.vertcat(p.at_speed * z.v / z.T, p.at_turning * z.v / z.T), -1.0, 1.0)]
             out += [self._rail_velocity(z.w, z, p)]
             for a, b in zip(acc, rail_acc, strict=True):
@@ -150,7 +176,7 @@ class Formulation:
 
         p = {**self._at_node, "path": (track.size,), **weight}
         z = {**z, "e": ()} if weighed else z
-        return self._relation(("path", track, len(sides), weighed), z, p, rows)
+        return self._relation(("path", track, len(sides), weighed, tied), z, p, rows)
 
     def _tool_acceleration(self, track, a, z, p):  # type: ignore[no-untyped-def]
         """|L a| <= a_tcp T^2 on a line; on an arc with the part towards the centre, squared."""
@@ -159,33 +185,35 @@ class Formulation:
         inward = track.layout.split(p.path)["sweep"] * z.v**2
         return (p.at_acceleration / z.T**2) ** 2 * (a**2 + inward**2), -INF, 1.0
 
-    def _along(self, p, track, s, d, rate, acc, rail_acc):  # type: ignore[no-untyped-def]
-        """Joints with their walls, and derivatives by tau along x = (s, d): q' = J x', q'' = J x'' + x'^T H x'."""
-        S, D = ca.SX.sym("S"), ca.SX.sym("D", *self._rails)
-        flange = track.flange(p.path, S)
-        at = self._inverse(flange.position - self.rail_axis @ D, flange.rotation, p)
-        x = ca.vertcat(S, D)
-        J = ca.jacobian(at.q, x)
-        dx = ca.SX.sym("dx", x.numel())
-        curve = ca.jtimes(J @ dx, x, dx)
-        *there, J, curve = ca.substitute([*at, J, curve], [x, dx], [ca.vertcat(s, d), rate])
-        qdds = [curve + J @ ca.vertcat(a, b) for a, b in zip(acc, rail_acc, strict=True)]
-        return Reached(*there), J @ rate, qdds
+    def _driving(self, sides: str, **shapes: tuple[int, ...]) -> dict[str, tuple[int, ...]]:
+        """Shapes of what drives a node: accelerations on its sides; where jerk is limited its own accelerations, and
+        their jerks, named with a j before, on its sides."""
+        if not self.smooth:
+            return beside(**shapes)[sides]
+        return {**shapes, **beside(**{f"j{name}": shape for name, shape in shapes.items()})[sides]}
+
+    def _accelerations(self, z, sides, *names):  # type: ignore[no-untyped-def]
+        """The accelerations of each name, by side unless jerk is limited; and the jerks of all, by side, if it is."""
+        if not self.smooth:
+            return *([getattr(z, f"{name}_{side}") for side in sides] for name in names), []
+        jerks = [ca.vertcat(*(getattr(z, f"j{name}_{side}") for name in names)) for side in sides]
+        return *([getattr(z, name)] for name in names), jerks
+
+    def _jerk_limits(self, qddds, jerks, T, p):  # type: ignore[no-untyped-def]
+        """|jerk| of arm and rail <= p.jerk T^3; the rail's are the last of what drives."""
+        rails = self._rails[0]
+        out = [(arm / (p.jerk[self.arm] * T**3), -1.0, 1.0) for arm in qddds]
+        return out + [(j[j.numel() - rails :, 0] / (p.jerk[self.rail] * T**3), -1.0, 1.0) for j in jerks]
 
     def dwell_node(self, sides: str, weighed: bool = False) -> Relation:
         """A node of a dwell: the tool rests while the rail moves and the arm makes up for it. weighed: as path_node."""
-        z: Shapes = {"d": self._rails, "w": self._rails, **beside(b=self._rails)[sides], "T": ()}
+        z: Shapes = {"d": self._rails, "w": self._rails, **self._driving(sides, b=self._rails), "T": ()}
         weight = self._weight(sides) if weighed else {}
 
         def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-            acc = [getattr(z, f"b_{side}") for side in sides]
-            D, dD = ca.SX.sym("D", *self._rails), ca.SX.sym("dD", *self._rails)
-            at = self._resting(p, D)
-            J = ca.jacobian(at.q, D)
-            curve = ca.jtimes(J @ dD, D, dD)
-            *there, J, curve = ca.substitute([*at, J, curve], [D, dD], [z.d, z.w])
-            qdds = [curve + J @ b for b in acc]
-            out = self._joint_limits(Reached(*there), J @ z.w, qdds, z.T, p)
+            acc, jerks = self._accelerations(z, sides, "b")
+            at, qd, qdds, qddds = _carried(lambda d: self._resting(p, d), z.d, z.w, acc, jerks)
+            out = self._joint_limits(at, qd, qdds, z.T, p) + self._jerk_limits(qddds, jerks, z.T, p)
             out += [self._rail_velocity(z.w, z, p), *(self._rail_acceleration(b, z, p) for b in acc)]
             return out + (self._effort(qdds, acc, z, p) if weighed else [])
 
@@ -197,7 +225,7 @@ class Formulation:
     def _weight(self, sides: str) -> dict[str, tuple[int, ...]]:
         """Parameters of a node's effort: h_0, h_1, half of the interval on each side, and unit (n,), the acceleration
         limit of each axis."""
-        return {"unit": self._all, **{f"h_{i}": () for i in range(len(sides))}}
+        return {"unit": self._all, **{f"h_{i}": () for i in range(1 if self.smooth else len(sides))}}
 
     def _effort(self, qdds, rail_acc, z, p):  # type: ignore[no-untyped-def]
         """sum h |q'' / unit|^2 / T^3 <= e over the sides of a node."""
@@ -264,14 +292,17 @@ class Formulation:
         return self._relation(("reach",), z, {"V": (), "A": ()}, rows)
 
     def axis_node(self, sides: str) -> Relation:
-        """|q'| <= V T and |q''| <= A T^2 of one axis at a node of a joint move on a grid."""
-        z: Shapes = {"v": (), **beside(a=())[sides], "T": ()}
+        """|q'| <= V T and |q''| <= A T^2 of one axis at a node of a joint move on a grid; where jerk is limited, it is
+        <= p.jerk T^3."""
+        z: Shapes = {"v": (), **self._driving(sides, a=()), "T": ()}
+        p: Shapes = {"V": (), "A": (), **({"jerk": ()} if self.smooth else {})}
 
         def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-            acc = [getattr(z, f"a_{side}") for side in sides]
-            return [(z.v / (p.V * z.T), -1.0, 1.0), *((a / (p.A * z.T * z.T), -1.0, 1.0) for a in acc)]
+            acc, jerks = self._accelerations(z, sides, "a")
+            out = [(z.v / (p.V * z.T), -1.0, 1.0), *((a / (p.A * z.T * z.T), -1.0, 1.0) for a in acc)]
+            return out + [(j / (p.jerk * z.T**3), -1.0, 1.0) for j in jerks]
 
-        return self._relation(("axis", len(sides)), z, {"V": (), "A": ()}, rows)
+        return self._relation(("axis", len(sides)), z, p, rows)
 
     def tool_cap(self, cap: ToolCap) -> Relation:
         """|tool| <= cap at a node of a joint move, squared so that it stays smooth where the tool rests.
@@ -319,13 +350,16 @@ class Formulation:
     # ---- boundary: waypoints, and legs that begin and end there
 
     def waypoint(self) -> Relation:
-        """The flange rests while the rail passes: q = IK(X, d) and qd = dIK/dd w, real velocities."""
+        """The flange rests while the rail passes: q = IK(X, d) and qd = dIK/dd w, real velocities; where jerk is
+        limited their derivatives, too."""
         z: Shapes = {"d": self._rails, "w": self._rails, "q": self._joints, "qd": self._joints}
+        if self.smooth:
+            z = {**z, "b": self._rails, "qdd": self._joints}
 
         def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
-            at = self._resting(p, z.d)
-            rate = ca.jacobian(at.q, z.d)
-            return [(z.q - at.q, 0.0, 0.0), (z.qd - rate @ z.w, 0.0, 0.0), *self._walls(at)]
+            at, qd, qdds, _ = _carried(lambda d: self._resting(p, d), z.d, z.w, [z.b] if self.smooth else [], [])
+            second = [(z.qdd - qdd, 0.0, 0.0) for qdd in qdds]
+            return [(z.q - at.q, 0.0, 0.0), (z.qd - qd, 0.0, 0.0), *second, *self._walls(at)]
 
         return self._relation(("stop",), z, self._on_path, rows)
 
@@ -344,11 +378,40 @@ class Formulation:
         z: Shapes = {"xd": (), "v": (), "T": ()}
         return self._relation(("link",), z, {}, lambda z, p: [(z.xd * z.T - z.v, 0.0, 0.0)])
 
+    def acceleration_link(self) -> Relation:
+        """And, where jerk is limited, at its acceleration: xdd T^2 = x''."""
+        z: Shapes = {"xdd": (), "a": (), "T": ()}
+        return self._relation(("link2",), z, {}, lambda z, p: [(z.xdd * z.T**2 - z.a, 0.0, 0.0)])
+
     # ---- ties
 
     def equal(self) -> Relation:
         """x = y."""
         return self._relation(("equal",), {"x": (), "y": ()}, {}, lambda z, p: [(z.x - z.y, 0.0, 0.0)])
+
+
+def _carried(place, x, dx, ddxs, dddxs):  # type: ignore[no-untyped-def]
+    """Joints place(x) with their walls, and their derivatives by tau where x has dx, and each of ddxs: q' = J x',
+    q'' = J x'' + x'^T H x'; and that one's own derivative at the first of ddxs and each of dddxs."""
+    X, dX, ddX = (ca.SX.sym(name, x.numel()) for name in ("X", "dX", "ddX"))
+    at = place(X)
+    J = ca.jacobian(at.q, X)
+    curve = ca.jtimes(J @ dX, X, dX)
+    change = ca.SX(0, 1)
+    if dddxs:
+        second = curve + J @ ddX
+        change = ca.jtimes(second, X, dX) + ca.jtimes(second, dX, ddX)
+    values = [x, dx, ddxs[0] if ddxs else ca.SX.zeros(x.numel())]
+    *there, J, curve, change = ca.substitute([*at, J, curve, change], [X, dX, ddX], values)
+    return Reached(*there), J @ dx, [curve + J @ ddx for ddx in ddxs], [change + J @ dddx for dddx in dddxs]
+
+
+def _ramped(z: SimpleNamespace, h: ca.SX):  # type: ignore[no-untyped-def]
+    return [
+        (z.x_1 - z.x_0 - h * z.v_0 - h**2 / 2 * z.a_0 - h**3 / 6 * z.j, 0.0, 0.0),
+        (z.v_1 - z.v_0 - h * z.a_0 - h**2 / 2 * z.j, 0.0, 0.0),
+        (z.a_1 - z.a_0 - h * z.j, 0.0, 0.0),
+    ]
 
 
 def _integrated(z: SimpleNamespace, h: ca.SX):  # type: ignore[no-untyped-def]

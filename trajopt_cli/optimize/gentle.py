@@ -27,7 +27,7 @@ from trajopt_cli.optimize.incumbent import duration, run_name
 from trajopt_cli.optimize.legal import Legal, add
 from trajopt_cli.optimize.legs import JointNodes, LegMotion, Pieces
 from trajopt_cli.optimize.pace import Shares, Unresolved, clean
-from trajopt_cli.optimize.tuning import EASE_NODES, EASE_ROUNDS, SAFE, SWEEP_GAIN
+from trajopt_cli.optimize.tuning import EASE_NODES, EASE_ROUNDS, SAFE, SAFE_JERK, SWEEP_GAIN
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.problem import Problem
@@ -74,14 +74,18 @@ def stretched(axes: Axes, problem: Problem, draft: Draft, seconds: float) -> Dra
     time, effort, least = (np.array([getattr(span, name) for span in free]) for name in ("time", "effort", "least"))
     times = spread(time, effort, least, seconds - fixed)
     legs, qd = list(draft.legs), draft.qd.copy()
+    qdd = None if draft.qdd is None else draft.qdd.copy()
     for span, k in zip(free, times.tolist(), strict=True):
         legs[span.first : span.last] = [m and m.slowed(k) for m in draft.legs[span.first : span.last]]
         qd[span.first + 1 : span.last] /= k
-    return replace(draft, qd=qd, legs=tuple(legs))
+        if qdd is not None:
+            qdd[span.first + 1 : span.last] /= k**2
+    return replace(draft, qd=qd, qdd=qdd, legs=tuple(legs))
 
 
 def _spans(axes: Axes, problem: Problem, draft: Draft) -> list[_Span]:
-    marks = [k for k in range(len(draft.q)) if not problem.passes(k) and not draft.qd[k].any()]
+    moves = np.abs(draft.qd if draft.qdd is None else np.hstack([draft.qd, draft.qdd])).max(axis=1) > 0
+    marks = [k for k in range(len(draft.q)) if not problem.passes(k) and not moves[k]]
     each = efforts(axes, draft.legs)
     out = []
     for first, last in pairwise(marks):
@@ -93,7 +97,8 @@ def _spans(axes: Axes, problem: Problem, draft: Draft) -> list[_Span]:
             ratios = check_legs(axes, [leg for leg, _ in there], [motion for _, motion in there])
             rates = [max(r.velocity.max(), r.tool[:, 0].max(), r.tool[:, 2].max()) for r in ratios]
             bends = [max(r.acceleration.max(), r.tool[:, 1].max()) for r in ratios]
-            least = min(max(*rates, np.sqrt(max(bends))) / SAFE, 1.0)
+            jerk = max(r.jerk.max() for r in ratios)
+            least = min(max(*rates, np.sqrt(max(bends)), np.cbrt(jerk / SAFE_JERK)) / SAFE, 1.0)
         rests = stiff or not time or least <= 0
         out.append(
             _Span(first, last, time, float(each[first:last].sum()), 1.0 if rests else least, 1.0 if rests else np.inf)
@@ -165,7 +170,9 @@ def gentlest(
     formulation, bases = Formulation(axes), list[tuple[Problem, Draft]]()
     for one in legal:
         if one.duration <= seconds:
-            base = eased(axes, formulation, one.problem, one.draft, seconds)
+            base = stretched(axes, one.problem, one.draft, seconds)
+            if axes.jerk is None:  # laws of least effort are of constant accelerations between their nodes
+                base = eased(axes, formulation, one.problem, one.draft, seconds)
             bases.append((frozen(one.problem, one.chain), base))
     bases = sorted(bases, key=lambda base: efforts(axes, base[1].legs).sum())[:1]
     add(spent, "ease", perf_counter() - start)

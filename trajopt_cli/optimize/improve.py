@@ -98,6 +98,24 @@ def improved(
     return solved, best, tuple(tally.notes(best is not legal.draft, patience))
 
 
+def sharpened(
+    axes: Axes,
+    legal: Legal,
+    patience: Patience,
+    seconds: dict[str, float],
+    hands: Callable[[], int] = lambda: 1,
+) -> Draft:
+    """The legal motion of axes that share one progress under jerk limits, with faster laws on its lines and arcs."""
+    problem, draft = legal.problem, legal.draft
+    rails = axes.layout.place(draft.q)
+    held = (
+        replace(point, q=q, rail=(float(d), float(d)))
+        for point, q, d in zip(problem.waypoints, draft.q, rails, strict=True)
+    )
+    pinned = replace(problem, waypoints=tuple(held), ties=())
+    return Sweeps(axes, patience, seconds, hands).run(pinned, draft, None, Tally(), lambda _: None)
+
+
 def _tell_best(tell: Report, known: float, now: float) -> None:
     """Tell the best of two cycle times [s]."""
     tell(Progress("solve", min(known, now)))
@@ -270,8 +288,12 @@ def _may_gain(axes: Axes, piece: Problem, legal: Draft) -> bool:
     joint move takes longer than its axes and the tool's chord ask for."""
     if any(piece.passes(k) for k in range(len(piece.waypoints))):
         return False
+    if piece.coordinated and any(leg.kind is LegKind.JOINT for leg in piece.legs):
+        return False
     if isinstance(piece.objective, LeastEffort):
         return cost(axes, piece, legal.legs) > LEAST_GAIN
+    if axes.jerk is not None and any(leg.kind is LegKind.LINE for leg in piece.legs):
+        return True
     moves = any(leg.rail_moves and leg.kind is not LegKind.JOINT for leg in piece.legs) and piece.plant.robot.has_rail
     free = any(point.q is None and point.rail[0] < point.rail[1] for point in piece.waypoints)
     return (

@@ -23,11 +23,13 @@ from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, Path
 from trajopt_cli.optimize.pace import Shares, Unresolved, clean, columns, law_of, top_rate
 from trajopt_cli.optimize.profiles import hold, profiles
 from trajopt_cli.optimize.search import Chain, best_chain
+from trajopt_cli.optimize.smooth import rest_time, smooth
 from trajopt_cli.optimize.tuning import (
     ALONE_NODES,
     CALM,
     CARRY,
     CARRY_LAST,
+    JERK_ROOM,
     LATE,
     LEAST_POLISH,
     LONG_LINE,
@@ -188,6 +190,10 @@ def _driven(axes: Axes, problem: Problem, run: tuple[int, int], q: Array, cfx: S
     motion: PathLeg | JointNodes | JointProfiles | None = None
     if alone:
         motion = _simple(axes, problem, leg, q[first], q[last])
+    if motion is None and axes.jerk is not None:
+        motion = smooth(axes, problem, first, q, cfx)
+        if motion is None:
+            raise NotDriven(run)
     if motion is None:
         course = course_of(axes, problem, run, q, cfx, ALONE_NODES if alone else RUN_NODES)
         try:
@@ -210,7 +216,7 @@ def _simple(axes: Axes, problem: Problem, leg: Leg, q_0: Array, q_1: Array) -> J
     """The motion of a leg between stops that needs no TOPP: resting, or joint profiles that pass no cap of the tool."""
     if leg.kind is LegKind.DWELL and np.abs(q_1 - q_0).max() < _SAME:
         return hold(leg.duration or 0.0, q_0)
-    if leg.kind is not LegKind.JOINT:
+    if leg.kind is not LegKind.JOINT or axes.jerk is not None:
         return None
     still = np.zeros_like(q_0)
     V, A = axes.velocity_on(leg), axes.acceleration_on(leg)
@@ -566,6 +572,8 @@ def _leg_times(axes: Axes, problem: Problem, pairs: Sequence[_Pairs]) -> list[Ar
     out = []
     for one, rest, T in zip(pairs, resting, moved, strict=True):
         leg = problem.legs[one.k]
+        if axes.jerk is not None:
+            T = np.maximum(T, _straight_times(axes, leg, one.q_0[~rest], one.q_1[~rest]))
         if leg.kind is LegKind.DWELL:
             times = np.full(len(rest), leg.duration or 0.0)
             fits = (leg.duration or np.inf) >= T * SLACK
@@ -588,6 +596,15 @@ def _resting(problem: Problem, pairs: _Pairs) -> BoolArray:
     if problem.legs[pairs.k].kind is not LegKind.DWELL:
         return np.zeros(len(pairs.q_0), dtype=bool)
     return np.asarray(np.abs(pairs.q_1 - pairs.q_0).max(axis=1) < _SAME)
+
+
+def _straight_times(axes: Axes, leg: Leg, q_0: Array, q_1: Array) -> Array:
+    """What straight ways (m,) between axes take under jerk limits; of other ways about what they take at least."""
+    assert axes.jerk is not None
+    way = np.maximum(np.abs(q_1 - q_0), 1e-12)
+    limits = axes.velocity_on(leg), axes.acceleration_on(leg), axes.jerk
+    T = rest_time(np.ones(len(way)), *(np.min(limit / way, axis=1) for limit in limits))
+    return np.asarray(T * (JERK_ROOM if leg.duration is not None else 1.0))
 
 
 def least_time(axes: Axes, leg: Leg, q_0: Array, q_1: Array) -> float:

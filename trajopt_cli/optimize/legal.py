@@ -77,14 +77,17 @@ class Question:
 
     def lesser(self) -> Iterator[Question]:
         """The same of a RAPID controller with less that may change; each has a motion that this one allows."""
-        if self.target is Target.RAPID:
+        if self.target is Target.RAPID or self.plant.limits.binding_jerk is not None:
             yield from self.calmer()
 
     def calmer(self) -> Iterator[Question]:
         """The same with a rail that may move less; for a stream, too."""
         if self.freedom.rail is RailFreedom.PROGRAMMED:
             return
-        lesser = (self.freedom.and_not_more_than(one) for one in (FIXED_RAIL, AS_WRITTEN))
+        fewer = [FIXED_RAIL, AS_WRITTEN]
+        if self.plant.limits.binding_jerk is not None:  # in a wait a rail may need longer than with free jerk
+            fewer.insert(0, Freedom(dwells=False))
+        lesser = (self.freedom.and_not_more_than(one) for one in fewer)
         yield from (replace(self, freedom=one) for one in lesser if one != self.freedom)
 
 

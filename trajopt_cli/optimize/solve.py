@@ -17,7 +17,7 @@ from trajopt_cli.optimize.bound import lower_bound
 from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.effort import efforts, rail_way
 from trajopt_cli.optimize.gentle import gentlest
-from trajopt_cli.optimize.improve import improved
+from trajopt_cli.optimize.improve import improved, sharpened
 from trajopt_cli.optimize.incumbent import duration
 from trajopt_cli.optimize.legal import Memory, NoCleanPlan, Question, calmer_motions, legal_motion
 from trajopt_cli.optimize.legs import JointProfiles, LegMotion, PathLeg
@@ -96,6 +96,8 @@ def optimize(
     tell(Progress("timing", incumbent=legal.duration))
     if not problem.coordinated:
         problem, draft, notes = improved(axes, legal, patience, tell, seconds, hands)
+    elif axes.jerk is not None:
+        draft = sharpened(axes, legal, patience, seconds, hands)
     least, eased = duration(draft), None
     if isinstance(objective, LeastEffort):
         tell(Progress("ease", incumbent=least))

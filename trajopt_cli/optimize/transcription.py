@@ -25,16 +25,20 @@ from trajopt_cli.optimize.relation import Parts, Relation
 from trajopt_cli.optimize.tuning import (
     DAMPING,
     DAMPING_DWELL,
+    DAMPING_JERK,
     FREE_ZONES,
     GLIDE,
     JOINT_CURVE,
+    JOINT_JERK,
     JOINT_RATE,
     LEAST_TIME,
     LEAST_ZONE,
     MOST_ZONES,
     SHARE_CURVE,
+    SHARE_JERK,
     SHARE_RATE,
     SHARPEST,
+    TYPICAL_JERK,
 )
 from trajopt_cli.path.arc import Arc, ArcSymbols
 from trajopt_cli.path.dwell import Dwell, DwellSymbols
@@ -49,7 +53,8 @@ NONE: IndexArray = np.zeros(0, dtype=np.intp)
 @dataclass
 class LegVariables:
     """Indices of a leg's variables, NONE where the leg has no such: its time T, lengths h of a path's zones, share
-    (s, v, a), rail (d, w, b) as (N+1, r), (N+1, r), (N, r), and the axes of a joint move on a grid as (N+1, n)."""
+    (s, v, a), rail (d, w, b) as (N+1, r), (N+1, r), (N, r), and the axes of a joint move on a grid as (N+1, n). Where
+    jerk is limited the accelerations are N+1, and jerks j, y, qj are the N."""
 
     T: int
     h: IndexArray = field(default_factory=NONE.copy)
@@ -62,6 +67,9 @@ class LegVariables:
     q: IndexArray = field(default_factory=NONE.copy)
     qv: IndexArray = field(default_factory=NONE.copy)
     qa: IndexArray = field(default_factory=NONE.copy)
+    j: IndexArray = field(default_factory=NONE.copy)
+    y: IndexArray = field(default_factory=NONE.copy)
+    qj: IndexArray = field(default_factory=NONE.copy)
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,6 +117,8 @@ class Transcription:
         self.nlp = BlockNlp()
         self.waypoint_q: list[IndexArray] = []
         self.waypoint_qd: list[IndexArray] = []
+        self.waypoint_qdd: list[IndexArray] = []
+        self._smooth = formulation.smooth
         for k in range(len(problem.waypoints)):
             self._waypoint(k)
         asked = problem.objective
@@ -129,6 +139,9 @@ class Transcription:
         nlp, axes, stop = self.nlp, self.axes, self.problem.waypoints[k]
         rail, arm = axes.layout.rail, axes.layout.arm
         q, qd = self.draft.q[k], self.draft.qd[k]
+        qdd = np.zeros(axes.n) if self.draft.qdd is None else self.draft.qdd[k]
+        if stop.q is not None and self._smooth:
+            self.waypoint_qdd.append(nlp.variables(qdd, qdd, qdd))
         if stop.q is not None:
             self.waypoint_q.append(nlp.variables(stop.q, stop.q, stop.q))
             self.waypoint_qd.append(nlp.variables(qd, qd, qd))  # at rest but where a window is held in motion
@@ -143,6 +156,9 @@ class Transcription:
         joints_v = nlp.variables(guess[arm], -V[arm], V[arm])
         self.waypoint_q.append(axes.layout.merge(d, joints))
         self.waypoint_qd.append(axes.layout.merge(w, joints_v))
+        if self._smooth:
+            A = np.zeros(axes.n) if rest else axes.acceleration
+            self.waypoint_qdd.append(nlp.variables(np.zeros(axes.n) if rest else np.clip(qdd, -A, A), -A, A))
         p = {
             "path": DwellSymbols().vector(Dwell(stop.X_WF), inverse_pose(axes.X_WB0), np.eye(4)),
             "branch": axes.robot.expressions.branch(self.draft.cfx[k]),
@@ -151,7 +167,10 @@ class Transcription:
         if rest:
             self._hold(self.formulation.resting_waypoint(), {"d": d, "q": joints}, p)
         else:
-            self._hold(self.formulation.waypoint(), {"d": d, "w": w, "q": joints, "qd": joints_v}, p)
+            z = {"d": d, "w": w, "q": joints, "qd": joints_v}
+            if self._smooth:
+                z |= {"b": self.waypoint_qdd[k][rail], "qdd": self.waypoint_qdd[k][arm]}
+            self._hold(self.formulation.waypoint(), z, p)
 
     def _rail_range(self, share: Array) -> tuple[Array, Array]:
         """The rail's range (..., r) at nodes that may use a share (..., r) of its half, about its middle: a rail that
@@ -198,7 +217,7 @@ class Transcription:
     def _leg(self, leg: Leg, motion: LegMotion | None, margins: Margins | None) -> LegVariables | None:
         if motion is None or at_once(motion) or (isinstance(motion, JointProfiles) and leg.kind is LegKind.DWELL):
             return None
-        if glides(leg):
+        if glides(leg) and not self._smooth:
             self._glide(leg)
             return None
         low, high = (leg.duration, leg.duration) if leg.duration is not None else (self.least(leg), INF)
@@ -256,6 +275,11 @@ class Transcription:
         if not self._weighed:
             self.nlp.damp(accelerations.ravel(), weight)
 
+    def _damp_jerk(self, jerks: IndexArray, scale: Array, T: float) -> None:
+        """The same for jerks (N, k), which are of the order of scale (k,)."""
+        for of_axis, one in zip(jerks.T, scale, strict=True):
+            self._damp(of_axis, DAMPING_JERK * T / one**2)
+
     def _effort(self, guess: Array) -> IndexArray:
         """Variables of the effort at nodes or in intervals, to be kept small. guess: what it may be."""
         e = self.nlp.variables(guess, 0.0, np.inf)
@@ -287,17 +311,27 @@ class Transcription:
             "at_acceleration": caps[:, 1],
             "at_turning": caps[:, 2],
             "room": m.position[:, self.axes.layout.arm],
+            **({} if self.axes.jerk is None else {"jerk": self.axes.jerk * m.jerk}),
         }
 
-    def _integrate_zones(self, h: IndexArray, x: IndexArray, v: IndexArray, a: IndexArray) -> None:
-        z = {"x_0": x[:-1], "v_0": v[:-1], "a": a, "x_1": x[1:], "v_1": v[1:], "h": np.repeat(h, len(a) // 3)}
+    def _chain(self, x: IndexArray, v: IndexArray, a: IndexArray, j: IndexArray) -> dict[str, IndexArray]:
+        """What the integration of a chain is made of; j: jerks where they are limited."""
+        z = {"x_0": x[:-1], "v_0": v[:-1], "x_1": x[1:], "v_1": v[1:]}
+        return z | ({"a_0": a[:-1], "j": j, "a_1": a[1:]} if self._smooth else {"a": a})
+
+    def _integrate_zones(self, h: IndexArray, x: IndexArray, v: IndexArray, a: IndexArray, j: IndexArray) -> None:
+        z = self._chain(x, v, a, j) | {"h": np.repeat(h, (len(x) - 1) // 3)}
         self._hold(self.formulation.zoned_integration(), z)
 
-    def _linked(self, leg: Leg, axes: slice, v: IndexArray, T: int) -> None:
-        """Velocities v (N+1, m) of some axes begin and end as the waypoints' do."""
+    def _linked(self, leg: Leg, axes: slice, v: IndexArray, a: IndexArray, T: int) -> None:
+        """Velocities v (N+1, m) of some axes begin and end as the waypoints' do; accelerations (N+1, m), too, where
+        jerk is limited."""
         for node, k in ((0, leg.start), (-1, leg.start + 1)):
             z = {"xd": self.waypoint_qd[k][axes], "v": v[node], "T": T}
             self._hold(self.formulation.velocity_link(), z)
+            if self._smooth:
+                z = {"xdd": self.waypoint_qdd[k][axes], "a": a[node], "T": T}
+                self._hold(self.formulation.acceleration_link(), z)
 
     def _zones(self, motion: PathLeg) -> IndexArray:
         """Interval lengths of a path's three zones (run-up, middle, run-out).
@@ -322,15 +356,24 @@ class Transcription:
         high_v[[0, -1]] = 0.0
         out.s = self.nlp.variables(motion.s, low_s, high_s)
         out.v = self.nlp.variables(motion.v, 0.0, high_v)
-        out.a = self.nlp.variables(motion.a, -curve, curve)
+        if not self._smooth:
+            out.a = self.nlp.variables(motion.a, -curve, curve)
+            return
+        most = np.full(N + 1, curve)
+        most[[0, -1]] = 0.0
+        between = np.r_[0.0, (motion.a[1:] + motion.a[:-1]) / 2, 0.0]
+        out.a = self.nlp.variables(between, -most, most)
+        out.j = self.nlp.variables(np.diff(between) / np.diff(motion.grid), -SHARE_JERK, SHARE_JERK)
 
     def _rail_on_path(self, leg: Leg, motion: PathLeg, margins: Margins, out: LegVariables) -> None:
         """Variables of a rail that moves as it likes, from waypoint to waypoint, or is held where it is."""
         nlp, N, layout = self.nlp, motion.N, self.axes.layout
+        M = N + 1 if self._smooth else N
         if not leg.rail_moves:
             out.d = np.tile(self.waypoint_q[leg.start][layout.rail], (N + 1, 1))
             out.w = nlp.variables(np.zeros((N + 1) * layout.r), 0.0, 0.0).reshape(N + 1, layout.r)
-            out.b = nlp.variables(np.zeros(N * layout.r), 0.0, 0.0).reshape(N, layout.r)
+            out.b = nlp.variables(np.zeros(M * layout.r), 0.0, 0.0).reshape(M, layout.r)
+            out.y = nlp.variables(np.zeros(N * layout.r), 0.0, 0.0).reshape(N, layout.r) if self._smooth else NONE
             return
         ends = [self.waypoint_q[k][None, layout.rail] for k in (leg.start, leg.start + 1)]
         low, high = self._rail_range(margins.position[1:-1, layout.rail])
@@ -338,14 +381,21 @@ class Transcription:
         out.d = np.concatenate([ends[0], inner.reshape(N - 1, layout.r), ends[1]])
         fast, sharp = (bound[layout.rail] for bound in self._most(leg, motion, SHARE_RATE, SHARE_CURVE))
         out.w = nlp.variables(motion.w, -np.tile(fast, N + 1), np.tile(fast, N + 1)).reshape(N + 1, layout.r)
-        most = np.tile(sharp, (N, 1))
-        if leg.kind is LegKind.DWELL and leg.duration is not None:
+        most = np.tile(sharp, (M, 1))
+        guess = motion.b
+        if self._smooth:
+            guess = np.vstack([guess[:1], (guess[1:] + guess[:-1]) / 2, guess[-1:]])
+            steps = np.diff(motion.grid)[:, None]
+            out.y = nlp.variables(np.diff(guess, axis=0) / steps, -SHARE_JERK, SHARE_JERK).reshape(N, layout.r)
+        elif leg.kind is LegKind.DWELL and leg.duration is not None:
             most = margins.push[:, None] * self.axes.acceleration_on(leg)[layout.rail] * leg.duration**2
-        out.b = nlp.variables(np.clip(motion.b, -most, most), -most.ravel(), most.ravel()).reshape(N, layout.r)
+        out.b = nlp.variables(np.clip(guess, -most, most), -most.ravel(), most.ravel()).reshape(M, layout.r)
         for j in range(layout.r):
-            self._integrate_zones(out.h, out.d[:, j], out.w[:, j], out.b[:, j])
+            self._integrate_zones(out.h, out.d[:, j], out.w[:, j], out.b[:, j], out.y[:, j] if self._smooth else NONE)
         self._damp(out.b, DAMPING if leg.kind is LegKind.LINE else DAMPING_DWELL)
-        self._linked(leg, layout.rail, out.w, out.T)
+        if self.axes.jerk is not None:
+            self._damp_jerk(out.y, self.axes.jerk[layout.rail] * motion.T**3, motion.T)
+        self._linked(leg, layout.rail, out.w, out.b, out.T)
 
     def _path(self, leg: Leg, motion: PathLeg, margins: Margins, out: LegVariables) -> None:
         out.h = self._zones(motion)
@@ -353,28 +403,46 @@ class Transcription:
         if line:
             sharp = 2 * leg.a_tcp * motion.T**2 / leg.chord if leg.chord else 0.0  # a slow way has short ramps
             self._share(motion, max(SHARE_CURVE, min(sharp, SHARPEST)), out)
-            self._integrate_zones(out.h, out.s, out.v, out.a)
-        self._rail_on_path(leg, motion, margins, out)
+            self._integrate_zones(out.h, out.s, out.v, out.a, out.j)
+            if self._smooth:
+                self._damp_jerk(out.j[:, None], np.array([TYPICAL_JERK]), motion.T)
+        tied = line and self.problem.coordinated
+        if not tied:
+            self._rail_on_path(leg, motion, margins, out)
         track, path = self._track(leg, motion)
         p = self._path_parameters(leg, motion, margins, path)
         half = np.diff(motion.grid) / 2
         e = self._effort(self._effort_of(motion, half)) if self._weighed else NONE
         for nodes in _nodes_by_sides(motion.N):
             at = nodes.at
-            z: dict[str, ArrayLike] = {"T": out.T, "d": out.d[at], "w": out.w[at], **nodes.around(b=out.b)}
+            z: dict[str, ArrayLike] = {"T": out.T}
             if line:
-                z |= {"s": out.s[at], "v": out.v[at], **nodes.around(a=out.a)}
+                z |= {"s": out.s[at], "v": out.v[at], **self._driving(nodes, a=out.a, ja=out.j)}
+            if not tied:
+                z |= {"d": out.d[at], "w": out.w[at], **self._driving(nodes, b=out.b, jb=out.y)}
             here = {name: x[at] for name, x in p.items()}
+            if tied:
+                ends = self.draft.q[leg.start : leg.start + 2, self.axes.layout.rail]
+                here |= {"d_0": np.tile(ends[0], (len(at), 1)), "way": np.tile(ends[1] - ends[0], (len(at), 1))}
             if self._weighed:
                 z["e"] = e[at]
                 here |= {"unit": np.tile(self._unit, (len(at), 1))}
-                here |= {f"h_{i}": half[at] for i, at in enumerate(nodes.beside.values())}
+                widths = [half[i] for i in nodes.beside.values()]
+                here |= {f"h_{i}": h for i, h in enumerate([np.sum(widths, axis=0)] if self._smooth else widths)}
             relation = (
-                self.formulation.path_node(track, nodes.sides, self._weighed)
+                self.formulation.path_node(track, nodes.sides, self._weighed, tied)
                 if line
                 else self.formulation.dwell_node(nodes.sides, self._weighed)
             )
             self._hold(relation, z, here)
+
+    def _driving(self, nodes: Nodes, **variables: IndexArray) -> dict[str, IndexArray]:
+        """What drives at some nodes: accelerations on their sides; where jerk is limited their own, and jerks on their
+        sides. variables: an acceleration and, named with a j before it, its jerk."""
+        (name, acceleration), (jerk_name, jerk) = variables.items()
+        if not self._smooth:
+            return nodes.around(**{name: acceleration})
+        return {name: acceleration[nodes.at], **nodes.around(**{jerk_name: jerk})}
 
     def _effort_of(self, motion: PathLeg, half: Array) -> Array:
         """About the effort (N+1,) at the nodes of a path."""
@@ -398,44 +466,57 @@ class Transcription:
         out.q = np.vstack([self.waypoint_q[k0], inner.reshape(N - 1, n), self.waypoint_q[k0 + 1]])
         fast, sharp = self._most(leg, motion, JOINT_RATE, JOINT_CURVE)
         out.qv = nlp.variables(motion.v, -np.tile(fast, N + 1), np.tile(fast, N + 1)).reshape(N + 1, n)
-        out.qa = nlp.variables(motion.a, -np.tile(sharp, N), np.tile(sharp, N)).reshape(N, n)
-        for indices, step in zip(out.qa, np.diff(motion.grid), strict=True):
+        if self._smooth:
+            steps = np.diff(motion.grid)[:, None]
+            guess = np.vstack([motion.a[:1], (motion.a[1:] + motion.a[:-1]) / 2, motion.a[-1:]])
+            out.qa = nlp.variables(guess, -np.tile(sharp, N + 1), np.tile(sharp, N + 1)).reshape(N + 1, n)
+            out.qj = nlp.variables(np.diff(guess, axis=0) / steps, -JOINT_JERK, JOINT_JERK).reshape(N, n)
+        else:
+            out.qa = nlp.variables(motion.a, -np.tile(sharp, N), np.tile(sharp, N)).reshape(N, n)
+        for indices, step in zip(out.qa, np.diff(motion.grid), strict=False):
             self._damp(indices, DAMPING * N * step)
+        if self.axes.jerk is not None:
+            self._damp_jerk(out.qj, self.axes.jerk * motion.T**3, motion.T)
         V, A = self.axes.velocity_on(leg), self.axes.acceleration_on(leg)
         rail = self.axes.layout.rail
         if not leg.rail_moves:
             held = out.q[1:-2, rail]  # the last one follows from the chain
             x = np.broadcast_to(self.waypoint_q[k0][rail], held.shape)
             self._hold(self.formulation.equal(), {"x": x.ravel(), "y": held.ravel()})
-        self._integrate(motion.grid, out.q, out.qv, out.qa)
-        self._linked(leg, slice(None), out.qv, out.T)
+        self._integrate(motion.grid, self._chain(out.q, out.qv, out.qa, out.qj))
+        self._linked(leg, slice(None), out.qv, out.qa, out.T)
         if self._weighed:
-            h, unit = np.diff(motion.grid), self._unit
-            e = self._effort(h * np.sum((motion.a / unit) ** 2, axis=1) / motion.T**3)
+            h, unit, a = np.diff(motion.grid), self._unit, motion.a
+            if self._smooth:
+                h, a = (np.r_[h, 0.0] + np.r_[0.0, h]) / 2, np.vstack([a, a[-1:]])
+            e = self._effort(h * np.sum((a / unit) ** 2, axis=1) / motion.T**3)
             z_effort: Parts = {"a": out.qa, "T": out.T, "e": e}
             self._hold(self.formulation.axes_effort(), z_effort, {"h": h, "unit": unit})
         for nodes in _nodes_by_sides(N):
             at = nodes.at
-            acc = {name: i.ravel() for name, i in nodes.around(a=out.qa).items()}
+            acc = {name: i.ravel() for name, i in self._driving(nodes, a=out.qa, ja=out.qj).items()}
             z: Parts = {"v": out.qv[at].ravel(), "T": out.T, **acc}
             p = {"V": (V * margins.velocity[at]).ravel(), "A": (A * margins.acceleration[at]).ravel()}
+            if self.axes.jerk is not None:
+                p["jerk"] = (self.axes.jerk * margins.jerk[at]).ravel()
             self._hold(self.formulation.axis_node(nodes.sides), z, p)
         self._tool_caps(leg, motion, margins, out)
 
-    def _integrate(self, grid: Array, x: IndexArray, v: IndexArray, a: IndexArray) -> None:
+    def _integrate(self, grid: Array, z: dict[str, IndexArray]) -> None:
         """Chains (N+1, n) of all axes on one grid."""
-        h = np.repeat(np.diff(grid), a.shape[1])
-        z = {"x_0": x[:-1], "v_0": v[:-1], "a": a, "x_1": x[1:], "v_1": v[1:]}
+        h = np.repeat(np.diff(grid), z["x_0"].shape[1])
         self._hold(self.formulation.integration(), {name: i.ravel() for name, i in z.items()}, {"h": h})
 
     def _tool_caps(self, leg: Leg, motion: JointNodes, margins: Margins, out: LegVariables) -> None:
         """The caps in force at the nodes of a joint move; of the acceleration on either side, of the speed also on the
         straight way from node to node."""
-        N = len(out.qa)
+        N = motion.N
         for cap, limit in zip(ToolCap, (leg.v_tcp, leg.a_tcp, leg.v_ori), strict=True):
             at = np.flatnonzero(margins.rows[:, cap])
             beside: dict[str, ArrayLike] = {}
-            if cap is ToolCap.ACCELERATION:
+            if cap is ToolCap.ACCELERATION and self._smooth:
+                beside = {"a": out.qa[at]}
+            elif cap is ToolCap.ACCELERATION:
                 at, i = np.repeat(at, 2), np.ravel(np.column_stack([at - 1, at]))
                 at, i = at[(i >= 0) & (i < N)], i[(i >= 0) & (i < N)]
                 beside = {"a": out.qa[i]}

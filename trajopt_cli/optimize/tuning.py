@@ -162,6 +162,11 @@ SHARPEST = 1e6  # of the bound of a share's second derivative, where the tool's 
 # measured.
 SHARE_RATE = 50.0  # bound of a share's or rail's first derivative by scaled time. Not measured.
 SHARE_CURVE = 500.0  # of the second. Not measured.
+DAMPING_JERK = 1e-5  # s per second of a leg and squared share of a jerk limit, in each interval. Measured on two joint
+# moves: without it 150 iterations were not always enough; 2e-6, 1e-5 and 3e-5 gave 0.928, 0.928 and 0.929 s.
+TYPICAL_JERK = 100.0  # of a share by scaled time, for that. Not measured.
+SHARE_JERK = 5e4  # of the third, where jerk is limited. Not measured.
+JOINT_JERK = 1e5  # the same of a joint. Not measured.
 JOINT_RATE = 100.0  # bound of a joint's first derivative on a grid. Not measured.
 JOINT_CURVE = 1000.0  # of the second. Not measured.
 
@@ -199,6 +204,15 @@ FIRST_SHIFT = 1e-4  # first multiple of the identity where the program is not co
 MOST_SHIFT = 1e40  # largest. Not measured.
 EQUATION_EPS = 1e-9  # regularisation of equations that depend on each other. Not measured.
 REFINEMENTS = 1  # of each solution of a linear system. Measured on 25 moves of a pallet: 2 take 449 iterations, 1 447.
+
+# ---- jerk limits
+START_JERK = 1.0 - 1e-3  # share of a jerk limit that a grid starts with: rows near each other tell jerk to some 1e-4.
+# Not measured.
+SAFE_JERK = 1.0 - 5e-4  # what a clean motion may use of it. Not measured.
+SMOOTH_NODES = 48  # intervals of a course whose derivatives say where a profile is begun. Not measured.
+SMOOTH_STEP = 0.6  # by which its constants are scaled at first, one after the other. Not measured.
+SMOOTH_LAST = 0.9  # and at last. Not measured.
+JERK_ROOM = 1.1  # times what a straight way takes at least that a wait must have. Not measured.
 
 # ---- effort: gentle motions
 GAUSS = 4  # places of the quadrature of an effort between two breaks; exact for polynomials of the seventh degree. Not

@@ -48,7 +48,8 @@ class Window:
         inside = [group for group in problem.ties if first <= group[0] and group[-1] <= last]
         ties = tuple(tuple(k - first for k in group) for group in inside)
         at = slice(first, last + 1)
-        mine = Draft(draft.q[at], draft.qd[at], draft.cfx[at], draft.legs[first:last])
+        qdd = None if draft.qdd is None else draft.qdd[at]
+        mine = Draft(draft.q[at], draft.qd[at], draft.cfx[at], draft.legs[first:last], qdd)
         asked = problem.objective
         if isinstance(asked, LeastEffort):  # its own time, and its share of what the whole has to spare
             asked = LeastEffort(duration(mine) * asked.seconds / duration(draft))
@@ -66,14 +67,24 @@ class Window:
         q, qd, cfx, legs = draft.q.copy(), draft.qd.copy(), list(draft.cfx), list(draft.legs)
         q[at], qd[at], cfx[at] = found.q, found.qd, found.cfx
         legs[self.first : self.last] = found.legs
-        return Draft(q, qd, tuple(cfx), tuple(legs))
+        qdd = draft.qdd
+        if found.qdd is not None:
+            qdd = np.zeros_like(q) if qdd is None else qdd.copy()
+            qdd[at] = found.qdd
+        return Draft(q, qd, tuple(cfx), tuple(legs), qdd)
 
     def key(self, *starts: Draft) -> bytes:
         """Equal for windows that ask for the same motion and begin with the same ones: that at hand, and starts."""
         parts: list[bytes] = []
         for draft in (self.draft, *starts):
             times = np.array([0.0 if motion is None else motion.T for motion in draft.legs])
-            parts += [_digits(draft.q), _digits(draft.qd), repr(draft.cfx).encode(), _digits(times)]
+            parts += [
+                _digits(draft.q),
+                _digits(draft.qd),
+                _digits(draft.qd if draft.qdd is None else draft.qdd),
+                repr(draft.cfx).encode(),
+                _digits(times),
+            ]
         for k, point in enumerate(self.problem.waypoints):
             asked = (point.rail, self.problem.rests(k), point.q is None, point.fly_by)
             parts += [_digits(point.X_WF), repr(asked).encode()]

@@ -32,7 +32,8 @@ class Corners:
 def corners_of(program: Program, plant: Plant, dropped: Collection[int] = ()) -> Corners:
     """The fly-bys of a program, driven without the motions that are dropped.
 
-    Where a rail begins or ends to be held, a fly-by is a stop: the rail would move in the corner.
+    Where a rail begins or ends to be held, a fly-by is a stop: the rail would move in the corner. Where jerk is limited
+    all of them are.
     """
     kept = [index for index in range(len(program.motions)) if index not in dropped]
     driven = replace(program, motions=tuple(program.motions[index] for index in kept))
@@ -45,6 +46,9 @@ def corners_of(program: Program, plant: Plant, dropped: Collection[int] = ()) ->
         if plant.robot.has_rail and index in passed and held[index] != held[after]:
             del passed[index]
             stopped[index] = f"a rail hold {'ends' if held[index] else 'begins'} there"
+    if plant.limits.binding_jerk is not None:  # a corner's curvature begins at once
+        stopped |= dict.fromkeys(passed, "no corner of these can be passed with limited jerk")
+        passed = {}
     return Corners(passed, dict(sorted(stopped.items())))
 
 

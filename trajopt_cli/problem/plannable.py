@@ -105,7 +105,9 @@ def planned_otherwise(program: Program) -> tuple[str, ...]:
             f"lines that may leave their orientation (SingArea \\Wrist, {lines_at}) are planned with the exact one"
         )
     if ramps := sum(move.settings.ramp < 1.0 for move in moves):
-        lines.append(f"AccSet's ramp ({ramps}) does not affect the plan: it shapes jerk, which plans do not limit")
+        lines.append(
+            f"AccSet's ramp ({ramps}) does not affect the plan: it shapes jerk, which the cell file alone limits"
+        )
     if caps := sum(bool(move.settings.path_acceleration or move.settings.path_deceleration) for move in moves):
         lines.append(f"PathAccLim ({caps}) caps the whole acceleration of the TCP, in bends too")
     if timed := sum(move.duration is not None and not move.zone.stop for move in moves):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -62,6 +63,9 @@ class Step:
     why_not: str = ""
 
 
+_JERK_FREE = "as written, jerk free"
+
+
 @dataclass(frozen=True, eq=False)
 class Comparison:
     """waits: seconds of programmed waiting in every row. steps: the saving by cause, or why it cannot be told."""
@@ -92,6 +96,9 @@ def compare(job: Job, listen: Listener, rule: RailRule | None = None, loops: Loo
     for question, name in sorted(names.items(), key=_effort):
         following = [later for later, one in BASELINES.items() if one.after and asks[one.after] == question]
         tasks[name] = partial(study.answer, name, question, following)
+    limited = job.plant.limits.binding_jerk is not None
+    if limited:
+        tasks[_JERK_FREE] = study.jerk_free
     alone = [name for name, one in BASELINES.items() if not one.freedom and not one.after]
     tasks |= {name: partial(study.make, name) for name in alone}
     results: dict[Question | str, Result] = {}
@@ -100,7 +107,9 @@ def compare(job: Job, listen: Listener, rule: RailRule | None = None, loops: Loo
     results |= study.ordered(results)
     rows = tuple(Row(name, one, results[asks.get(name, name)]) for name, one in BASELINES.items())
     answers = [(cause.name, results[study.question(cause.target, cause.freedom, cause.stops)]) for cause in reasons]
-    steps = _with_corners(answers) if passed else _steps(answers)
+    if limited:
+        answers = [(_JERK_FREE, results[_JERK_FREE]), ("jerk limits", answers[0][1]), *answers[1:]]
+    steps = _after(answers) if passed or limited else _steps(answers)
     waits = sum(motion.duration for motion in job.program.motions if isinstance(motion, Wait))
     return Comparison(job, rows, steps, waits, study.notices)
 
@@ -180,6 +189,15 @@ class _Study:
             )
         return {name: result}
 
+    def jerk_free(self, tell: Tell) -> dict[Question | str, Result]:
+        """The program as written where jerk is not limited."""
+        from trajopt_cli.study.table import solved
+
+        free, plant = copy(self), self.job.plant
+        free.job = replace(self.job, plant=replace(plant, limits=replace(plant.limits, jerk_binds=False)))
+        make = solved(Target.RAPID, AS_WRITTEN)
+        return {_JERK_FREE: free._tried(_JERK_FREE, Target.RAPID, make, tell, self.job.program)}
+
     def _beyond_the_text(self) -> Iterator[str]:
         """A word where the optimum is held to what the program's text can carry, and a motion of its own is not."""
         free = self.changes[Target.RAPID].values
@@ -256,19 +274,19 @@ def _legal_plan(result: Result | None) -> Plan | None:
     return result.attempt.plan if isinstance(result, Tried) and result.report.legal else None
 
 
-def _with_corners(answers: list[tuple[str, Result]]) -> tuple[Step, ...] | str:
-    """The saving by cause from the program with stops on: its corners are driven whatever they save, for they are in
-    the program."""
-    (stopping, stops), (corners, written), *others = answers
+def _after(answers: list[tuple[str, Result]]) -> tuple[Step, ...] | str:
+    """The saving by cause from the program with stops, or with free jerk, on: its corners are driven and its jerk
+    limits kept whatever they save or cost."""
+    (before_all, earlier), (reason, written), *others = answers
     steps = _steps([("as written", written), *others])
     if isinstance(steps, str):
         return steps
     first, *later = steps
-    if isinstance(stops, Tried) and stops.report.legal and stops.attempt.plan:
-        before = stops.attempt.plan
+    if isinstance(earlier, Tried) and earlier.report.legal and earlier.attempt.plan:
+        before = earlier.attempt.plan
         saved = before.duration - first.plan.duration
-        return (Step(stopping, before, 0.0), replace(first, name=corners, saved=saved), *later)
-    return (replace(first, why_not=f"with fly-bys as stops: {_nothing(stops)}"), *later)
+        return (Step(before_all, before, 0.0), replace(first, name=reason, saved=saved), *later)
+    return (replace(first, why_not=f"{before_all}: {_nothing(earlier)}"), *later)
 
 
 def _steps(answers: list[tuple[str, Result]]) -> tuple[Step, ...] | str:

@@ -35,12 +35,15 @@ _BESIDE = 1e-9  # s from a switch: its other side
 
 
 def ruckig(case: Case) -> Answer:
-    """The program timed with Ruckig, jerk free. Infeasible where a programmed time is too short for it."""
-    return _row(case, None)
+    """The program timed with Ruckig, jerk free unless its limits bind. Infeasible where a programmed time is too short
+    for it."""
+    return _row(case, case.plant.limits.binding_jerk)
 
 
 def ruckig_jerk(case: Case) -> Answer:
     """The program timed with Ruckig under the profile's jerk limits; NotApplicable where it gives none."""
+    if case.plant.limits.binding_jerk is not None:
+        return NotApplicable("the jerk limits bind every row")
     if case.plant.limits.jerk is None:
         return NotApplicable("the robot's profile gives no jerk limits")
     return _row(case, np.asarray(case.plant.limits.jerk))
@@ -66,7 +69,11 @@ def _row(case: Case, jerk: Array | None) -> Answer:
         pieces.append(piece)
     end = case.plant.start if given.end is None else given.end
     trajectory = rows_of(case.plant.robot.axis_names, pieces or [hold(end, 1e-3)], end)
-    notes = ["rail positions and configurations are the fixed-rail plan's; one speed and acceleration per line"]
+    jerk_told = ["under the jerk limits that bind every row"] if case.plant.limits.jerk_binds else []
+    notes = [
+        *jerk_told,
+        "rail positions and configurations are the fixed-rail plan's; one speed and acceleration per line",
+    ]
     if any(run.course is not None for run in given.runs):
         notes.append("corners and arcs: one profile along the path, with a speed and an acceleration for each part")
         if jerk is not None:

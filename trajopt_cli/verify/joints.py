@@ -9,22 +9,29 @@ import numpy as np
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.verify.findings import SourceAt, Worst, axis_unit, finding, worse
-from trajopt_cli.verify.rows import LAGS, Rows, second_differences
+from trajopt_cli.verify.rows import LAGS, Rows, second_differences, shortest
 from trajopt_cli.verify.tolerances import JOINT
+
+_RESTING = 32  # rows of rest that are looked at before a file and behind it
+_ROW = 1e-3  # s between them
 
 
 def check_joints(rows: Rows, source_at: SourceAt) -> list[Finding]:
-    """Worst case per axis of position, speed and acceleration, and of the speed columns where there are any."""
+    """Worst case per axis of position, speed and acceleration, of jerk where its limits bind, and of the speed columns
+    where there are any."""
     limits = rows.plant.limits
     out = []
     allowed = JOINT * (limits.upper - limits.lower)
     for j, name in enumerate(limits.names):
         unit = axis_unit(name)
         out.append(_position(rows, j, float(allowed[j]), source_at))
-        for check, places, top, unit_rate in (
+        checks = [
             ("speed", _speeds(rows, j), limits.velocity[j], "/s"),
             ("acceleration", accelerations(rows, j), limits.acceleration[j], "/s2"),
-        ):
+        ]
+        if limits.binding_jerk is not None:
+            checks.append(("jerk", _jerks(rows, j), limits.binding_jerk[j], "/s3"))
+        for check, places, top, unit_rate in checks:
             worst = _worst(places, float(top))
             passed = worst.value <= top * (1 + JOINT)
             out.append(
@@ -132,6 +139,25 @@ def accelerations(rows: Rows, j: int, first: int = 0, last: int | None = None) -
         uncertain = (rows.hermite_rounding + rows.truncation)[between, j]
         yield t[:-1], np.abs(mean + swing) - uncertain
         yield t[1:], np.abs(mean - swing) - uncertain
+
+
+def _jerks(rows: Rows, j: int) -> Iterator[tuple[Array, Array]]:
+    """Least jerks of axis j with their times, from rest at both ends of the file: second divided differences of the
+    speeds over all lags, without speeds third ones of the positions. Both are means of the jerk with a positive kernel,
+    so an acceleration that jumps by more than the limit allows between the nearest rows shows."""
+    before = np.arange(-_RESTING, 0) * _ROW + rows.t[0]
+    after = np.arange(1, _RESTING + 1) * _ROW + rows.t[-1]
+    t = np.concatenate([before, rows.t, after])
+    x, doubt = (rows.q, rows.doubt_q) if rows.qd is None else (rows.qd, rows.doubt_v)
+    ends = (0.0, 0.0) if rows.qd is not None else (x[0, j], x[-1, j])
+    column = np.pad(x[:, j], _RESTING, constant_values=ends)[:, None]
+    for m, value, uncertain in second_differences(t, column, np.array([[doubt[j] / 2]]), rows.doubt_t):
+        if rows.qd is not None:
+            yield t[m : len(t) - m], (np.abs(value) - uncertain)[:, 0]
+        elif len(value) > m:
+            span = shortest(t[3 * m :] - t[: -3 * m], rows.doubt_t)
+            third = np.abs(value[m:] - value[:-m])[:, 0] - (uncertain[m:] + uncertain[:-m])[:, 0]
+            yield t[m : len(t) - 2 * m], 3 * third / span
 
 
 def _speed_column(rows: Rows, j: int, source_at: SourceAt) -> Finding:

@@ -1,0 +1,193 @@
+"""Jerk limits: closed forms and Ruckig where there are any, third derivatives, and plans that the judge finds legal."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from small_cells import HOME, down, plant_with_rail, plant_without_rail, problem_of, rapid
+
+from trajopt_cli.geometry import Array, inverse_pose
+from trajopt_cli.joint_csv import write_csv_text
+from trajopt_cli.motion import Program
+from trajopt_cli.optimize import optimize
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.formulation import Formulation
+from trajopt_cli.optimize.smooth import rest_time
+from trajopt_cli.path.line import Line, LineSymbols
+from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective
+from trajopt_cli.problem.plan import Plan, Target
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.timing.point_to_point import point_to_point
+from trajopt_cli.verify.judge import verify
+
+APART = "CONST jointtarget j_off:=[[40,10,-20,30,60,-50],[0,9E9,9E9,9E9,9E9,9E9]];"
+AWAY = "MoveAbsJ j_off, v5000, fine, tool0;"
+LINE = """MoveJ p_top, v1000, fine, tool0;
+MoveL p_down, v500, fine, tool0;
+WaitTime 0.3;
+MoveAbsJ j_off, v1000, fine, tool0;"""
+POINTS = f"""{APART}
+CONST robtarget p_top:=[[500,100,450],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+CONST robtarget p_down:=[[520,120,350],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];"""
+PASSING = "MoveJ p_in, v1000, fine, tool0;\nMoveAbsJ j_home, v1000, fine, tool0;"  # the rail goes through the stop
+
+
+def limited(plant: Plant, times: float = 10.0) -> Plant:
+    """The plant with jerk limits of so many accelerations per second."""
+    limits = plant.limits
+    return replace(plant, limits=replace(limits, jerk=times * limits.acceleration, jerk_binds=True))
+
+
+def planned(program: Program, target: Target, plant: Plant, objective: Objective = LEAST_TIME) -> Plan:
+    """A plan that the judge finds legal, its jerk looked at."""
+    plan = optimize(program, plant, target, bounded=False, objective=objective)
+    assert isinstance(plan, Plan), plan
+    report = verify(program, plant, plan.trajectory, target=target)
+    assert report.legal, [finding.message for finding in report.findings if not finding.passed]
+    looked_at = sum(finding.check == "joint jerk" for finding in report.findings)
+    assert looked_at == (plant.limits.binding_jerk is not None) * len(plant.limits.names)
+    return plan
+
+
+def jerks(plan: Plan) -> tuple[Array, Array]:
+    """Accelerations (n-1, k) between the rows, and jerks (n-2, k) between those."""
+    t, qd = plan.trajectory.t, plan.trajectory.qd
+    assert qd is not None
+    qdd = np.diff(qd, axis=0) / np.diff(t)[:, None]
+    middles = (t[1:] + t[:-1]) / 2
+    return qdd, np.diff(qdd, axis=0) / np.diff(middles)[:, None]
+
+
+def test_the_time_from_rest_to_rest_is_ruckigs() -> None:
+    rng = np.random.default_rng(3)
+    D, V, A, J = 10.0 ** rng.uniform(-2, 1, (4, 200))
+    for d, v, a, j, T in zip(D, V, A, J, rest_time(D, V, A, J), strict=True):
+        known = point_to_point(np.zeros(1), np.array([d]), np.array([v]), np.array([a]), np.array([j])).duration
+        assert pytest.approx(known, rel=1e-9) == T
+    assert rest_time(np.array(0.1), np.array(99.0), np.array(99.0), np.array(2.0)) == pytest.approx(1.6 ** (1 / 3))
+
+
+@pytest.mark.parametrize("target", Target)
+def test_a_joint_move_alone_takes_what_ruckig_says(target: Target) -> None:
+    plant = limited(plant_without_rail())
+    plan = planned(rapid(AWAY, data=APART), target, plant)
+    limits, end = plant.limits, np.radians([40, 10, -20, 30, 60, -50])
+    straight = target is Target.RAPID
+    assert limits.jerk is not None
+    known = point_to_point(HOME, end, limits.velocity, limits.acceleration, limits.jerk, straight=straight).duration
+    assert known <= plan.duration <= known * (1 + 1e-3)
+
+
+@pytest.mark.parametrize(("target", "rail"), [(Target.STREAM, True), (Target.STREAM, False), (Target.RAPID, False)])
+def test_plans_keep_jerk_limits_everywhere(target: Target, rail: bool) -> None:
+    """Also at the stops: accelerations begin at nothing, and do not jump."""
+    base = plant_with_rail() if rail else plant_without_rail()
+    program, plant = rapid(PASSING) if rail else rapid(LINE, data=POINTS), limited(base)
+    plan = planned(program, target, plant)
+    qdd, jerk = jerks(plan)
+    h = np.diff(plan.trajectory.t)
+    assert plant.limits.jerk is not None
+    assert np.all(np.abs(jerk) <= plant.limits.jerk * (1 + 1e-4) + 1e-12 / h.min() ** 2)
+    assert np.all(np.abs(qdd[[0, -1]]) <= plant.limits.jerk * h[[0, -1], None])
+    free = optimize(program, base, target, bounded=False)
+    assert isinstance(free, Plan)
+    assert plan.duration > 1.02 * free.duration
+    if target is Target.RAPID:
+        assert write_csv_text(planned(program, target, plant).trajectory) == write_csv_text(plan.trajectory)
+
+
+def test_a_limit_that_no_rows_show_changes_nothing() -> None:
+    program, plant = rapid(f"{AWAY}\nMoveAbsJ j_home, v1000, z50, tool0;", data=APART), plant_without_rail()
+    huge = replace(plant.limits, jerk=np.full(6, 1e9), jerk_binds=True)
+    rows = [planned(program, Target.STREAM, one).trajectory for one in (plant, replace(plant, limits=huge))]
+    assert write_csv_text(rows[0]) == write_csv_text(rows[1])
+
+
+def test_lines_are_driven_faster_than_by_one_profile(monkeypatch: pytest.MonkeyPatch) -> None:
+    from trajopt_cli.optimize import solve
+
+    program, plant = rapid(LINE, data=POINTS), limited(plant_without_rail())
+    plan = planned(program, Target.RAPID, plant)
+    monkeypatch.setattr(solve, "sharpened", lambda axes, legal, *_: legal.draft)
+    assert plan.duration < planned(program, Target.RAPID, plant).duration - 5e-3
+
+
+def test_a_stream_of_given_time_keeps_its_jerk_limits() -> None:
+    plant = limited(plant_without_rail())
+    plan = planned(rapid(AWAY, data=APART), Target.STREAM, plant, LeastEffort(1.5))
+    assert plan.duration == pytest.approx(1.5, abs=1e-9)
+    assert plan.eased is not None
+    d = np.radians([40, 10, -20, 30, 30, -50])  # from home to there
+    free = float(np.sum(12 * (d / plant.limits.acceleration) ** 2) / 1.5**3)  # accelerations that jump at both ends
+    assert free < plan.eased.planned.effort < 1.3 * free
+
+
+def test_third_derivatives_along_a_line_are_those_of_its_joints() -> None:
+    plant = limited(plant_with_rail())
+    axes, line = Axes.of(plant), Line(down(0.45, 0.5, 0.4), down(0.55, 0.7, 0.35))
+    relation = Formulation(axes).path_node(LineSymbols(False), "l")
+    c, e, T = np.array([0.3, 0.5, 0.4, 0.7]), np.array([0.5, 0.2, -0.6, 0.3]), 1.3  # s and d as cubics of tau
+    at = 0.4
+
+    def values(x: Array, tau: float) -> list[float]:
+        one = np.polynomial.Polynomial(x)
+        return [float(one.deriv(i)(tau)) if i else float(one(tau)) for i in range(4)]
+
+    (s, v, a, ja), (d, w, b, jb) = values(c * 0.5, at), values(e, at)
+
+    def joints(tau: float) -> Array:
+        S, D = np.array([values(c * 0.5, tau)[0]]), np.array([values(e, tau)[0]])
+        return np.asarray(axes.inverse(line.pose(S), D)[0, 0])
+
+    z = {"s": s, "v": v, "a": a, "d": [d], "w": [w], "b": [b], "T": T, "ja_l": ja, "jb_l": [jb]}
+    p = {
+        "path": LineSymbols(False).vector(line, inverse_pose(axes.X_WB0), np.eye(4)),
+        "branch": axes.robot.expressions.branch(0), "near": joints(at), "V": axes.velocity, "A": axes.acceleration,
+        "at_speed": 0.1, "at_acceleration": 0.1, "at_turning": 0.0, "room": np.ones(6), "jerk": axes.jerk,
+    }  # fmt: skip
+    h = 2e-3
+    third = (joints(at + 2 * h) - 2 * joints(at + h) + 2 * joints(at - h) - joints(at - 2 * h)) / (2 * h**3)
+    assert axes.jerk is not None
+    wanted = np.r_[third / axes.jerk[1:], jb / axes.jerk[0]] / T**3
+    assert np.abs(third).max() > 0.1
+    ranges, walls, rates = 6, 2, 12
+    first = ranges + walls + rates
+    assert relation.value(z, p)[first : first + 7] == pytest.approx(wanted, rel=1e-3, abs=1e-5)
+
+
+def test_every_fly_by_is_a_stop_and_is_told() -> None:
+    from trajopt_cli.problem.corners import corners_of
+
+    program = rapid(PASSING.replace("fine", "z10", 1))
+    assert len(corners_of(program, plant_with_rail()).passed) == 1
+    corners = corners_of(program, limited(plant_with_rail()))
+    assert not corners.passed
+    assert [*corners.stopped.values()] == ["no corner of these can be passed with limited jerk"]
+    problem = problem_of(program, limited(plant_with_rail()))
+    assert not any(problem.passes(k) for k in range(len(problem.waypoints)))
+
+
+def test_the_judge_sees_accelerations_that_jump() -> None:
+    program = rapid(AWAY, data=APART)
+    plan = optimize(program, plant_without_rail(), Target.RAPID, bounded=False)
+    assert isinstance(plan, Plan)
+    for speeds in (True, False):
+        trajectory = plan.trajectory if speeds else replace(plan.trajectory, qd=None)
+        report = verify(program, limited(plant_without_rail(), 100.0), trajectory, target=Target.RAPID)
+        failed = [finding for finding in report.findings if not finding.passed]
+        assert {finding.check for finding in failed} == {"joint jerk"}
+        assert "rad/s3" in failed[0].message
+
+
+@pytest.mark.parametrize(("speeds", "step"), [(True, 1), (False, 1), (True, 5), (False, 5)])
+def test_the_judge_passes_rows_of_any_spacing(speeds: bool, step: int) -> None:
+    program, plant = rapid(AWAY, data=APART), limited(plant_without_rail())
+    rows = planned(program, Target.RAPID, plant).trajectory
+    t = np.unique(np.r_[np.arange(0.0, rows.duration, 1e-3 * step), rows.duration])
+    from trajopt_cli.trajectory import hermite
+
+    q, qd, _ = hermite(rows, t)
+    report = verify(program, plant, replace(rows, t=t, q=q, qd=qd if speeds else None), target=Target.RAPID)
+    assert report.legal, [finding.message for finding in report.findings if not finding.passed]
