@@ -223,3 +223,23 @@ class BlockNlp:
         self._evaluation.put([one.all_p for one in self._held.values()])
         start = self.guess if guess is None else guess
         return self._interior.solve(self._evaluation, self._bounds(), start, mu, tolerance, most, stop)
+
+    def lagrangian_change(self, other: BlockNlp, answer: NlpResult) -> float:
+        """By how much the least cost of another program with the same structure differs from this one's, to first
+        order: by the multipliers of this one's answer. Raises ValueError where structures differ."""
+        other.adopt(self)
+        mine, theirs = self._bounds(), other._bounds()
+        fixed = mine.lower == mine.upper
+        if not np.array_equal(fixed, theirs.lower == theirs.upper):
+            raise ValueError("first order: the two programs fix other variables")
+        moved = np.where(fixed, theirs.lower, answer.x)
+        now, then = self._value(answer.x, answer.lam_g), other._value(moved, answer.lam_g)
+        with np.errstate(invalid="ignore"):  # bounds that are none
+            up, down = (np.nan_to_num(x) for x in (theirs.upper - mine.upper, theirs.lower - mine.lower))
+        pressed = np.maximum(-answer.lam_x, 0.0) * down - np.maximum(answer.lam_x, 0.0) * up
+        return then - now + float(pressed[~fixed].sum())
+
+    def _value(self, x: Array, lam_g: Array) -> float:
+        """Cost and weighed rows at x."""
+        self._evaluation.put([one.all_p for one in self._held.values()])
+        return self._evaluation.cost(x) + float(lam_g @ self._evaluation.constraints(x))

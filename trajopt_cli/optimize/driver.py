@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from copy import deepcopy
 from dataclasses import replace
 from time import perf_counter
 from typing import Any
@@ -21,6 +22,7 @@ from trajopt_cli.optimize.reading import read
 from trajopt_cli.optimize.transcription import Transcription
 from trajopt_cli.optimize.tuning import (
     AT_LIMIT,
+    BARRIER_AGAIN,
     BARRIER_COLD,
     BARRIER_DOUBT,
     BARRIER_FIRST,
@@ -208,6 +210,8 @@ class Refiner:
         self.last = LAST_ALONE if len(problem.legs) == 1 else LAST
         self.seconds = {"build": 0.0, "solve": 0.0, "check": 0.0}
         self._known: dict[LegMotion, Ratios] = {}  # of the motions looked at last
+        self.solved: tuple[Transcription, NlpResult | None] | None = None
+        """The program of the clean draft and its answer."""
 
     def _ratios(self, draft: Draft, kind: Any = LegMotion) -> list[Ratios | None]:
         """What every leg of a draft with a motion of some kind uses of its limits at most; None for the others."""
@@ -284,6 +288,16 @@ class Refiner:
                 break
         return self._exchange(draft, margins, warm)
 
+    def again(self, draft: Draft, before: Transcription, answer: NlpResult) -> Draft:
+        """From the clean draft of a program that differs in numbers only, with that program and its answer, to the
+        clean draft with the shortest time found. Raises NotConverged and Stopped."""
+        margins = deepcopy([*before.margins])
+        try:
+            found, *warm = self._solve(draft, margins, BARRIER_AGAIN, warm=(before, answer))
+        except NotConverged:
+            found, *warm = self._solve(self._slowed(draft, margins), margins, BARRIER_REFINED)
+        return self._exchange(found, margins, warm)
+
     def _first(self, draft: Draft, margins: list[Margins | None]) -> tuple[Draft, list[Any]]:
         """The first solve: a rough one from estimates, a sharp one from a draft already on the last grid."""
         gridded = any(isinstance(m, JointNodes) for m in draft.legs)
@@ -310,6 +324,7 @@ class Refiner:
                     rail = self.axes.acceleration_on(leg)[self.axes.layout.rail] if resting else None
                     changed |= back_off(m, ratios, motion, SAFE, rail)
             if not (changed or opened):
+                self.solved = warm[0], warm[1]
                 return draft
             if self._watch(draft, margins, SAFE) or opened:
                 draft, *warm = self._solve(self._slowed(draft, margins), margins, BARRIER_REFINED)

@@ -179,7 +179,7 @@ class Sweeps:
         few = len(problem.legs) <= FEW_LEGS
         tasks: dict[bytes, Callable[[Callable[[Any], None]], Outcome]] = {}
         for window in (Window.of(problem, draft, span) for span in spans):
-            if not _may_gain(self._axes, window.problem, window.draft):
+            if not may_gain(self._axes, window.problem, window.draft):
                 continue
             part = slice(window.first, window.last)
             untouched = all(now is then for now, then in zip(draft.legs[part], base.legs[part], strict=True))
@@ -283,7 +283,7 @@ def _hoped(axes: Axes, problem: Problem, window: Window, chain: Chain) -> Draft:
     return first_draft(axes, window.problem, q, qd, tuple(cfx), times)
 
 
-def _may_gain(axes: Axes, piece: Problem, legal: Draft) -> bool:
+def may_gain(axes: Axes, piece: Problem, legal: Draft) -> bool:
     """Whether the nonlinear program could find something gentler, as something moves; or faster: a rail is free, or a
     joint move takes longer than its axes and the tool's chord ask for."""
     if any(piece.passes(k) for k in range(len(piece.waypoints))):

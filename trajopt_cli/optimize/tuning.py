@@ -183,6 +183,10 @@ BARRIER_REFINED = (
 # and 1e-5 end within 0.05 % of each other, 1e-3 fails on one and ends 5 % above on another.
 BARRIER_WARM = 1e-8  # from the same program with tightened limits, with its multipliers. Measured on two programs:
 # 13 to 17 iterations, 23 to 25 with 1e-7, 24 to 38 with 1e-5.
+BARRIER_AGAIN = (
+    1e-6  # from the same program with another limit, with its multipliers. Measured on hinge_cell, limits of
+)
+# axes 10 % higher: 31 to 53 iterations, from 1e-5 44 to 65, from 1e-8 22 to 90; from its motion alone 34 to 56.
 BARRIER_COLD = 1e-3  # where that warm start fails. Not measured.
 WARM_PUSH = 1e-7  # how far a warm start is pushed off its bounds. Not measured.
 SLOWED = 1.002  # times as long as it must be a motion is made for another grid to begin with. Not measured.
@@ -278,3 +282,9 @@ WINDOW_PAIRS = 100_000  # of cells per leg in a window; a finer level is not beg
 FEW_PAIRS = 300_000  # of cells per leg; below, the next level aims at the incumbent itself. Not measured.
 BOUND_CHUNK = 50_000  # pairs at once: 0.4 MB an array. Measured on hinge_cell: 400,000 take twice as long.
 BOUND_ORDER = (0, 2, 1)  # of the first three joints, after the rail: settles most pairs soonest. Not measured.
+
+# ---- again: a plan solved again with a change
+SMALL = 0.1  # share of a change by which first order is told. Not measured.
+FELT = 0.95  # share of a limit from which a run is timed again when it changes. Not measured.
+AT_END = 0.998  # share of the rail's half stroke from which it stands at an end. Not measured.
+PROJECTIONS = 6  # steps towards the share of a way that a tool has reached. Not measured.
