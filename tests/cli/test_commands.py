@@ -421,7 +421,17 @@ def test_wrong_requests_are_one_line_and_exit_code_2(
 def test_help_lists_every_command(capsys: pytest.CaptureFixture[str]) -> None:
     assert run([]) == 0
     listed = re.findall(r"^  (\w+)  ", capsys.readouterr().out.split("Commands:")[1], re.MULTILINE)
-    assert sorted(listed) == ["analyse", "compare", "export", "iiwa", "optimize", "parse", "robot", "verify"]
+    assert sorted(listed) == [
+        "analyse",
+        "compare",
+        "export",
+        "iiwa",
+        "optimize",
+        "parse",
+        "robot",
+        "sensitivity",
+        "verify",
+    ]
     assert run(["--version"]) == 0
     assert re.fullmatch(r"trajopt \d+\.\d+\.\d+\n", capsys.readouterr().out)
 

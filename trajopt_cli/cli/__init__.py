@@ -15,7 +15,7 @@ from typing import Annotated
 import typer
 
 from trajopt_cli import __version__
-from trajopt_cli.cli import analyse, compare, export, iiwa, optimize, parse, robot, verify
+from trajopt_cli.cli import analyse, compare, export, iiwa, optimize, parse, robot, sensitivity, verify
 from trajopt_cli.cli.process import own_process
 from trajopt_cli.errors import InputError
 
@@ -28,6 +28,9 @@ app = typer.Typer(
 )
 app.command("optimize", short_help="PROGRAM in, faster judged motion out.")(optimize.optimize)
 app.add_typer(compare.app, name="compare")
+app.command("sensitivity", short_help="What to change first: seconds per limit, speed, wait, place.")(
+    sensitivity.sensitivity
+)
 app.add_typer(export.app, name="export")
 app.command("verify", short_help="Judge results or anybody's joint CSV.")(verify.verify)
 app.command("parse", short_help="PROGRAM's flat motions with file:line.")(parse.parse)

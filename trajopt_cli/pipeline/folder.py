@@ -6,11 +6,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.job import Job, read_results_job
 from trajopt_cli.motion import TextFile
 from trajopt_cli.pipeline.planning import judge
-from trajopt_cli.problem.plan import Target
+from trajopt_cli.problem.plan import Plan, PlannedMotion, Target
 from trajopt_cli.runs.results import (
     CHOSEN,
     CSV,
@@ -46,8 +48,26 @@ def verify_results(folder: Path) -> tuple[Job, dict[str, Report]]:
         texts[CHOSEN] = (results.target, results.texts[CHOSEN])
     reports = {}
     for name, (target, text) in texts.items():
-        reports[name] = judge(job.plant, job.program, text, str(folder / name), results.dropped[target], target)
+        reports[name] = judge(job.plant, job.program, text, str(folder / name), results.dropped(target), target)
     return job, reports
+
+
+@of_kind(ErrorKind.RESULTS)
+def plans_of_results(folder: Path, job: Job) -> dict[Target, Plan]:
+    """The plans of a results folder, whose job this is, without bound, grid and notes."""
+    from trajopt_cli.joint_csv import read_csv_text
+
+    results, plans = read_results(folder), {}
+    for target in Target:
+        trajectory, _ = read_csv_text(results.texts[CSV[target]], str(folder / CSV[target]))
+        motions, q = [], trajectory.q[0]
+        for row in results.motions[target]:
+            motion, end = job.program.motions[row.index], np.array(row.axes_at_end)
+            t_1 = row.start_s + row.time_s
+            motions.append(PlannedMotion(row.index, motion.source, row.start_s, t_1, q, end, "", row.dropped))
+            q = end
+        plans[target] = Plan(target, trajectory, tuple(motions), None, "")
+    return plans
 
 
 def verify_file(path: Path, job: Job) -> Report:

@@ -113,7 +113,7 @@ def optimise(
     if agreed.infeasible is not None:
         return agreed.infeasible
     changes, loops = agreed.changes, agreed.loops
-    inputs = _inputs(job)
+    inputs = inputs_of(job)
     judged: dict[Target, Judged] = {}
     asked = {one: objective if one is target else for_the_other(objective) for one in Target}
     answers, written = all_three(job, listen, clock, changes, patience or Patience(), jobs or cores(), asked)
@@ -350,7 +350,7 @@ def held_unasked(job: Job) -> Iterator[str]:
         yield held
 
 
-def _inputs(job: Job) -> dict[str, InputFile]:
+def inputs_of(job: Job) -> dict[str, InputFile]:
     """Every file the job was read from, by the path it was read under, with its exact bytes."""
     inputs = {}
     for path, name in distinct_names(list(job.program.files)).items():

@@ -20,8 +20,8 @@ from trajopt_cli.runs.record import Model, RunRecord, as_json, checked, parse_re
 
 FORMAT = 1
 """Of the folders; a reader refuses a newer one."""
-PLAN, TASK, EXPERIMENTS = "plan", "iiwa", "experiments"
-_COMMANDS = {PLAN: "optimize", TASK: "iiwa segments", EXPERIMENTS: "iiwa experiments"}
+PLAN, TASK, EXPERIMENTS, SENSITIVITY = "plan", "iiwa", "experiments", "sensitivity"
+_COMMANDS = {PLAN: "optimize", TASK: "iiwa segments", EXPERIMENTS: "iiwa experiments", SENSITIVITY: "sensitivity"}
 """What makes a folder of each kind."""
 _FOREIGN, _ANEW = "was not written by trajopt", "move the folder away and make it again"
 Record = TypeVar("Record", bound=RunRecord[Any])

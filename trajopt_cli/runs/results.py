@@ -112,6 +112,7 @@ class MotionRow(Section):
     start_s: float
     time_s: float
     dropped: bool
+    axes_at_end: list[float]
 
 
 class PlanSummary(Section):
@@ -154,9 +155,9 @@ class RapidModule:
 class Results:
     """A results folder read back. modules and cell are the copies of the run's inputs inside it, in their order.
 
-    entry, assume_identity, loops: as the run was asked for. texts: the three CSV files by name. dropped: by target, the
-    indices of the motions left out. holds: when the chosen plan stands still until a signal comes [s], and for what.
-    rapid: the optimised modules; none where no_rapid says why. kept: what they keep as programmed, and why.
+    entry, assume_identity, loops: as the run was asked for. texts: the three CSV files by name. motions: of each
+    target's plan. holds: when the chosen plan stands still until a signal comes [s], and for what. rapid: the
+    optimised modules; none where no_rapid says why. kept: what they keep as programmed, and why.
     """
 
     folder: Path
@@ -167,11 +168,15 @@ class Results:
     assume_identity: tuple[str, ...]
     loops: Loops
     texts: Mapping[str, str]
-    dropped: Mapping[Target, tuple[int, ...]]
+    motions: Mapping[Target, tuple[MotionRow, ...]]
     holds: tuple[tuple[float, str], ...]
     rapid: tuple[RapidModule, ...]
     no_rapid: str | None = None
     kept: tuple[str, ...] = ()
+
+    def dropped(self, target: Target) -> tuple[int, ...]:
+        """The motions that a target's plan leaves out."""
+        return tuple(row.index for row in self.motions[target] if row.dropped)
 
 
 def distinct_names(paths: Sequence[str]) -> dict[str, str]:
@@ -304,7 +309,7 @@ def read_results(folder: Path, judged: bool = False) -> Results:
         assume_identity=tuple(options.assume_identity),
         loops=options.loops,
         texts={name: run.text(name) for name in plans},
-        dropped={one: tuple(row.index for row in digest.plans.of(one).motions if row.dropped) for one in Target},
+        motions={one: tuple(digest.plans.of(one).motions) for one in Target},
         holds=tuple((row.start_s + row.time_s, row.target) for row in waits),
         rapid=tuple(_rapid(run)),
         no_rapid=run.record.no_rapid,

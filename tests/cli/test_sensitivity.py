@@ -1,0 +1,134 @@
+"""`trajopt sensitivity` as people type it."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from trajopt_cli.cli import run
+from trajopt_cli.runs.folder import read_run
+from trajopt_cli.study.sensitivity import SensitivityRecord
+
+# joint 1 by 5 degrees and back, under every cap of the tool; a wait between
+TEXT = """MODULE Tiny
+    CONST jointtarget j_home:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+    CONST jointtarget j_side:=[[5,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+
+    PROC main()
+        MoveAbsJ j_side, vmax, fine, tool0;
+        WaitTime 0.5;
+        MoveAbsJ j_home, vmax, fine, tool0;
+    ENDPROC
+ENDMODULE
+"""
+TURN = 2 * np.sqrt(np.radians(5) / 15)  # s of each move
+
+
+@pytest.fixture
+def tiny(program: Path) -> Path:
+    program.write_text(TEXT)
+    Path("tiny.yaml").write_text(Path("tiny.yaml").read_text() + "tcp: {speed: 9, acceleration: 90, source: a test}\n")
+    return program
+
+
+def answer(capsys: pytest.CaptureFixture[str], *arguments: str) -> dict[str, Any]:
+    capsys.readouterr()
+    assert run(["sensitivity", *arguments, "--json"]) == 0
+    return json.loads(capsys.readouterr().out)
+
+
+def test_a_program_and_its_results_get_the_same_answer_in_order(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    alone = answer(capsys, str(tiny), "--jobs", "1")
+    assert run(["optimize", str(tiny)]) == 0
+    of_results = answer(capsys, "results/tiny", "--jobs", "2", "--output", "out")
+    for one in alone, of_results:
+        del one["program"]
+    assert of_results == alone
+    assert list(alone["targets"]) == ["stream", "rapid"]
+    for target in alone["targets"].values():
+        gains = {one["name"]: one["gain_s"] for one in target["levers"]}
+        assert list(gains.values()) == sorted(gains.values(), reverse=True)
+        # one wait, two moves under the top acceleration; nothing else binds
+        assert gains.pop("wait at tiny.mod:7") == pytest.approx(0.05, abs=1e-6)
+        assert gains.pop("joint_1 acceleration") == pytest.approx(2 * TURN * (1 - 1 / np.sqrt(1.1)), rel=2e-3)
+        assert set(gains.values()) == {0.0}
+        assert not any(one["binds"] for one in target["levers"][2:])
+        assert target["change_first"].split(": ", 1)[1] == (
+            "change first: wait at tiny.mod:7, −10 % saves 0.050 s (6.2 %); then joint_1 acceleration, +10 % saves "
+            "0.014 s (1.8 %)"
+        )
+    # the folder is whole, and brings its inputs
+    folder = read_run(Path("out"), SensitivityRecord)
+    own = json.loads(folder.contents["sensitivity.json"])
+    del own["program"]
+    assert own == alone
+    assert folder.contents[str(folder.record.inputs.program)] == tiny.read_bytes()
+    assert {"plots/sensitivity_stream.svg", "plots/sensitivity_rapid.png"} < set(folder.contents)
+
+
+def test_the_table_says_what_saves_what_binds_nowhere_and_what_was_not_asked(
+    tiny: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["optimize", str(tiny)]) == 0
+    capsys.readouterr()
+    assert run(["sensitivity", "results/tiny", "--target", "rapid"]) == 0
+    out = capsys.readouterr().out
+    lines = out.splitlines()
+    assert lines[0].rstrip() == "tiny, rapid: what one change saves of 0.805 s"
+    first = next(line for line in lines if line.strip().startswith("wait at"))
+    assert first.split() == [
+        "wait",
+        "at",
+        "tiny.mod:7",
+        "−10",
+        "%",
+        "0.5",
+        "0.45",
+        "s",
+        "0.0500",
+        "6.21",
+        "%",
+        "0.0500",
+    ]
+    assert sum("bind nowhere, so that more of them saves nothing: joint_1 speed" in line for line in lines) == 1
+    assert "not asked: rail: there is none" in lines
+    assert lines[-1].startswith("rapid: change first: wait at tiny.mod:7")
+    assert "stream" not in out
+    assert run(["sensitivity", "results/tiny", "--target", "rapid", "--all"]) == 0
+    every = [line for line in capsys.readouterr().out.splitlines() if line.rstrip().endswith("binds nowhere")]
+    assert len(every) == 15  # 12 limits of axes but one, two caps of the tool, two programmed speeds
+
+
+def test_planning_anew_is_a_column_more(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["optimize", str(tiny)]) == 0
+    found = answer(capsys, "results/tiny", "--target", "stream", "--search", "--jobs", "1")
+    levers = found["targets"]["stream"]["levers"]
+    assert [one["searched_s"] for one in levers[2:]] == [None] * len(levers[2:])
+    for one in levers[:2]:
+        assert one["searched_s"] == pytest.approx(one["gain_s"], abs=1e-5)
+
+
+def test_a_wrong_request_is_one_line(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    Path("mine").mkdir()
+    Path("mine/notes.txt").write_text("mine")
+    for arguments, said in (
+        (["nowhere.mod"], "nowhere.mod: no such program"),
+        ([str(tiny), "--output", "mine"], "mine: is not a results folder of trajopt (no run.json) and is not replaced"),
+        ([str(tiny), "--output", str(tiny)], "tiny.mod: is a file; --output names a folder"),
+    ):
+        capsys.readouterr()
+        assert run(["sensitivity", *arguments]) == 2
+        error = capsys.readouterr().err
+        assert error.startswith(said)
+        assert error.count("\n") == 1
+    assert Path("mine/notes.txt").read_text() == "mine"
+
+
+def test_a_program_that_cannot_be_done_names_the_motion(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    tiny.write_text(TEXT.replace("[5,0,0", "[500,0,0"))
+    assert run(["sensitivity", str(tiny)]) == 1
+    assert "MoveAbsJ j_side asks for joint_1 = 500 deg" in capsys.readouterr().err

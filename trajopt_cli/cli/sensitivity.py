@@ -1,0 +1,97 @@
+"""`trajopt sensitivity PROGRAM|RESULTS`: what this cell's owner should change first."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+import typer
+
+from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, LoopsOfProgram
+from trajopt_cli.cli.process import reading
+
+
+def sensitivity(
+    program: Annotated[
+        list[Path],
+        typer.Argument(
+            metavar="PROGRAM...|RESULTS",
+            help="RAPID module, several, a program list (.pgf), their folder, or a results folder of trajopt optimize, "
+            "whose plans are then not made again.",
+        ),
+    ],
+    cell: CellPath = None,
+    entry: Entry = None,
+    assume_identity: AssumeIdentity = None,
+    loops: LoopsOfProgram = None,
+    target: Annotated[
+        Literal["stream", "rapid", "both"], typer.Option(help="Whose plan is asked about: a joint stream's, RAPID's.")
+    ] = "both",
+    search: Annotated[
+        bool,
+        typer.Option("--search", help="Plan anew with every lever that saves a millisecond, too: exact, and slow."),
+    ] = False,
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", metavar="FOLDER", help="Folder for numbers and pictures; default: none are written."),
+    ] = None,
+    as_json: AsJson = False,
+    everything: Annotated[bool, typer.Option("--all", help="List every lever, also those that save nothing.")] = False,
+    jobs: Annotated[
+        int | None,
+        typer.Option(
+            "--jobs",
+            min=1,
+            metavar="N",
+            help="Processes at work; default: one for every core. The answer is the same for any number.",
+            show_default=False,
+        ),
+    ] = None,
+) -> None:
+    """Tell what PROGRAM's cycle would save with each limit, speed, wait and place of the cell a little different.
+
+    Limits and speeds by 10 %, waits 10 % shorter, the rail's stroke longer by 10 % of itself, places by 10 mm, one at a
+    time; the most worth first. Each is solved again from the plan at hand and foretold by multipliers beside it. Exit
+    code 1: the program cannot be done, and why.
+    """
+    import json
+
+    from trajopt_cli.cli.console import answer_no, show, stdout
+    from trajopt_cli.cli.progress import ProgressView
+    from trajopt_cli.cli.sensitivity_tables import levers_table, rest_lines
+    from trajopt_cli.job import is_results, read_program_or_results
+    from trajopt_cli.problem.changes import Loops
+    from trajopt_cli.problem.plan import Target
+    from trajopt_cli.runs.folder import check_replaceable
+    from trajopt_cli.study.sensitivity import Sensitivity, sensitivity, sensitivity_record, write_sensitivity
+
+    if output is not None:
+        check_replaceable(output)
+    with reading():
+        wanted = Loops(loops) if loops else None
+        job, made_of_loops = read_program_or_results(program, cell, entry, assume_identity or (), wanted)
+    results = program[0] if is_results(program[0]) else None
+    targets = tuple(Target) if target == "both" else (Target(target),)
+    with ProgressView() as view:
+        answer = sensitivity(job, made_of_loops, results, targets, view.show, jobs, search)
+    if not isinstance(answer, Sensitivity):
+        answer_no(answer)
+    if as_json:
+        typer.echo(json.dumps(sensitivity_record(answer), indent=2, ensure_ascii=False))
+    else:
+        console = stdout()
+        for one, rows in answer.rows.items():
+            if not isinstance(rows, str):
+                name = program[0].name or job.title
+                show(console, levers_table(name, one, rows, answer.plans[one].duration, everything, search))
+                for line in rest_lines(rows, answer.plans[one].duration, answer.again[one], everything):
+                    console.print(line)
+                console.print()
+        for line in answer.not_asked:
+            console.print(f"not asked: {line}")
+        console.print()
+        for one in answer.rows:
+            console.print(answer.first(one))
+    if output is not None:
+        count = write_sensitivity(output, answer)
+        typer.echo(f"written to {output}: {count} files", err=True)

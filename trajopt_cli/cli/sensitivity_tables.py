@@ -1,0 +1,66 @@
+"""The table of a sensitivity, and what stands below it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from rich.table import Table
+
+from trajopt_cli.cli.layout import plain_table
+from trajopt_cli.problem.plan import Target
+from trajopt_cli.study.levers import LeverKind
+from trajopt_cli.study.sensitivity import APART, WORTH, Row
+
+_APART = "≠"
+_OFF = 2e-3  # share by which the plan solved again may be off before that is told
+
+
+def levers_table(
+    program: str, target: Target, rows: Sequence[Row], cycle: float, everything: bool, search: bool
+) -> Table:
+    """The levers that save something, or all of them. cycle: of the plan [s]."""
+    searched = (">planned anew [s]",) if search else ()
+    table = plain_table(
+        f"{program}, {target.value}: what one change saves of {cycle:.3f} s",
+        *("lever", "step", ">now", ">then", "", ">saves [s]", ">of the cycle", ">first order [s]"),
+        *searched,
+        "",
+    )
+    for row in rows:
+        if not everything and row.best <= WORTH and row.gain is not None:
+            continue
+        lever = row.lever
+        place = lever.kind is LeverKind.PLACE
+        table.add_row(
+            lever.name,
+            lever.step,
+            *(("", "", "") if place else (f"{lever.now:.4g}", f"{lever.then:.4g}", lever.unit)),
+            "-" if row.gain is None else f"{row.gain:.4f}",
+            "" if row.gain is None else f"{100 * row.gain / cycle:.2f} %",
+            "-" if row.first_order is None else f"{row.first_order:.4f}",
+            *(("" if row.searched is None else f"{row.searched:.4f}",) if search else ()),
+            row.why or (_APART if row.apart else "" if row.felt else "binds nowhere"),
+        )
+    return table
+
+
+def rest_lines(rows: Sequence[Row], cycle: float, again: float, everything: bool) -> Iterator[str]:
+    """What the table leaves out, and what its marks mean. cycle, again: of the plan, and of it solved again [s]."""
+    if abs(again - cycle) > _OFF * cycle:
+        yield f"solved again with nothing changed the plan takes {again:.3f} s: savings count from there"
+    if any(row.apart for row in rows if everything or row.best > WORTH):
+        yield (
+            f"{_APART} first order, which is exact for small changes only, is more than {100 * APART:g} % off: another "
+            "limit takes over on the way, or (rapid) the rail is shifted, which first order leaves where it is"
+        )
+    if everything:
+        return
+    asleep = [row.lever.name for row in rows if not row.felt]
+    if asleep:
+        yield f"bind nowhere, so that more of them saves nothing: {', '.join(asleep)}"
+    little = [row.lever.name for row in rows if row.felt and row.gain is not None and 0 <= row.best <= WORTH]
+    if little:
+        yield f"save a millisecond at most: {', '.join(little)}"
+    costs = sum(row.gain is not None and row.gain < 0 and row.best <= WORTH for row in rows)
+    if costs:
+        yield f"{costs} steps cost time (--all lists them)"

@@ -1,0 +1,290 @@
+"""`sensitivity`: what each limit, speed, wait and place of a cell is worth in seconds, from plans at hand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from trajopt_cli.beside import cores, in_turns
+from trajopt_cli.job import Job
+from trajopt_cli.pipeline.folder import plans_of_results
+from trajopt_cli.pipeline.optimise import Collides, Illegal, inputs_of
+from trajopt_cli.pipeline.planning import Clock, Listener, NoPlan, all_three, may_change, touches, worst
+from trajopt_cli.problem.changes import Changes, Loops
+from trajopt_cli.problem.patience import Patience
+from trajopt_cli.problem.plan import Infeasible, Plan, Target
+from trajopt_cli.problem.progress import Progress
+from trajopt_cli.runs.folder import SENSITIVITY, write_run
+from trajopt_cli.runs.record import Inputs, RunRecord, as_json
+from trajopt_cli.study.levers import STEP, Lever, LeverKind, levers, not_asked
+
+if TYPE_CHECKING:
+    from trajopt_cli.optimize.again import Again, Answer
+
+APART = 0.3
+"""Share by which first order and the plan solved again may differ before that is told."""
+WORTH = 1e-3
+"""s; less is told as next to nothing."""
+_TOLD = 10  # levers between two words of progress
+
+
+@dataclass(frozen=True, eq=False)
+class Row:
+    """One lever on one target.
+
+    gain: seconds saved by its step, None where why says what is in the way. first_order: what multipliers foretell,
+    None where they say nothing. felt: whether it meets anything that binds. searched: what is saved where the program
+    is planned anew with it, None where that was not asked or gave no plan.
+    """
+
+    lever: Lever
+    gain: float | None
+    first_order: float | None
+    felt: bool
+    why: str = ""
+    searched: float | None = None
+
+    @property
+    def best(self) -> float:
+        """The most that was found [s]; what is not known counts as nothing."""
+        return max((one for one in (self.gain, self.searched) if one is not None), default=0.0)
+
+    @property
+    def apart(self) -> bool:
+        """Whether first order says something else than the plan solved again."""
+        if self.gain is None or self.first_order is None:
+            return False
+        most = max(abs(self.gain), abs(self.first_order))
+        return most > WORTH and abs(self.gain - self.first_order) > APART * most
+
+
+@dataclass(frozen=True, eq=False)
+class Sensitivity:
+    """rows: of each target, the most worth first, or why there are none. again: the plans' times solved again with
+    nothing changed, which gains count from. not_asked: what is no lever and why."""
+
+    job: Job
+    plans: Mapping[Target, Plan]
+    rows: Mapping[Target, tuple[Row, ...] | str]
+    again: Mapping[Target, float]
+    not_asked: tuple[str, ...]
+
+    def first(self, target: Target) -> str:
+        """What to change first, one sentence."""
+        rows, T = self.rows[target], self.plans[target].duration
+        if isinstance(rows, str):
+            return f"{target.value}: {rows}"
+        good = [row for row in rows if row.best > WORTH][:3]
+        if not good:
+            return f"{target.value}: nothing that was asked saves more than a millisecond of {T:.3f} s"
+        said = [
+            f"{row.lever.name}, {row.lever.step} saves {row.best:.3f} s ({100 * row.best / T:.1f} %)" for row in good
+        ]
+        return f"{target.value}: change first: {'; then '.join(said)}"
+
+
+class SensitivityRecord(RunRecord[dict[str, Any]]):
+    """run.json of trajopt sensitivity."""
+
+    KIND: ClassVar[str] = SENSITIVITY
+    LIBRARIES: ClassVar[tuple[str, ...]] = ("casadi", "numpy", "pin", "scipy")
+
+
+def sensitivity(
+    job: Job,
+    loops: Loops,
+    results: Path | None,
+    targets: tuple[Target, ...],
+    listen: Listener,
+    jobs: int | None = None,
+    search: bool = False,
+) -> Sensitivity | Infeasible | NoPlan | Illegal | Collides:
+    """Every lever on the plans of these targets.
+
+    results: the folder that holds the plans, None to plan them now. search: the program is also planned anew with each
+    lever that saves something. jobs: processes, by default one for every core; the answer is the same for any number.
+    """
+    hands = jobs or cores()
+    agreed = may_change(job, loops)
+    if agreed.infeasible is not None:
+        return agreed.infeasible
+    changes = agreed.changes
+    if results is not None:
+        plans = plans_of_results(results, job)
+    else:
+        answers, _ = all_three(job, listen, Clock(), changes, Patience(), hands)
+        plans = {}
+        for target, answer in answers.items():
+            if isinstance(answer, Infeasible | NoPlan):
+                return answer
+            if not answer.report.legal:
+                hits = touches(answer)
+                return Collides(target.value, hits) if hits else Illegal(target.value, worst(answer.report))
+            plans[target] = answer.plan
+    return asked(job, changes, {one: plans[one] for one in targets}, listen, hands, search)
+
+
+def asked(
+    job: Job,
+    changes: Mapping[Target, Changes],
+    plans: Mapping[Target, Plan],
+    listen: Listener,
+    hands: int,
+    search: bool,
+) -> Sensitivity:
+    """Every lever on plans at hand."""
+    from trajopt_cli.optimize.again import Again, NotAgain
+
+    every = levers(job.program, job.plant)
+    at_hand: dict[Target, Again] = {}
+    failed: dict[Target, str] = {}
+    for target, plan in plans.items():
+        listen(target.value, Progress("solve again", plan.duration))
+        try:
+            at_hand[target] = Again(job.program, job.plant, plan, changes[target])
+        except NotAgain as no:
+            failed[target] = f"the plan cannot be solved again: {no}"
+    tasks = {(one, i): partial(_row, again, lever) for one, again in at_hand.items() for i, lever in enumerate(every)}
+    count = dict.fromkeys(plans, 0)
+
+    def hear(told: Target) -> None:
+        count[told] += 1
+        if count[told] % _TOLD == 0:
+            listen(told.value, Progress(f"{count[told]} of {len(every)} levers"))
+
+    rows: dict[Target, list[Row]] = {one: [] for one in at_hand}
+    for (target, i), answer in in_turns(
+        {name: partial(_told, name[0], task) for name, task in tasks.items()}, hear, hands
+    ).items():
+        rows[target].append(Row(every[i], answer.gain, answer.first_order, answer.felt, answer.why))
+    if search:
+        for target, found in rows.items():
+            rows[target] = _searched(job, changes[target], plans[target], found, listen, hands)
+    ordered: dict[Target, tuple[Row, ...] | str] = {}
+    for target in plans:
+        ordered[target] = failed.get(target) or tuple(sorted(rows[target], key=lambda row: -row.best))
+    again = {one: at.duration for one, at in at_hand.items()}
+    return Sensitivity(job, plans, ordered, again, not_asked(job.program, job.plant))
+
+
+def _told(target: Target, task: Callable[[], Answer], tell: Callable[[Target], None]) -> Answer:
+    answer = task()
+    tell(target)
+    return answer
+
+
+def _row(again: Again, lever: Lever) -> Answer:
+    return again.answer(lever.change, lever.loosens)
+
+
+def _searched(job: Job, changes: Changes, plan: Plan, rows: list[Row], listen: Listener, hands: int) -> list[Row]:
+    """The rows with what is saved where the program is planned anew."""
+
+    def anew(lever: Lever, tell: Callable[[str], None]) -> float | None:
+        from trajopt_cli.optimize import NoCleanPlan, optimize
+
+        tell(lever.name)
+        program, plant = lever.change(1.0)
+        try:
+            found = optimize(program, plant, plan.target, bounded=False, changes=changes)
+        except NoCleanPlan:
+            return None
+        return None if isinstance(found, Infeasible) else plan.duration - found.duration
+
+    worth = {i: partial(anew, row.lever) for i, row in enumerate(rows) if row.gain is None or row.gain > WORTH}
+    found = in_turns(worth, lambda name: listen(plan.target.value, Progress(f"anew with {name}")), hands)
+    return [replace(row, searched=found.get(i)) for i, row in enumerate(rows)]
+
+
+# ------------------------------------------------------------------------------------------------------------ records
+
+
+def sensitivity_record(answer: Sensitivity) -> dict[str, Any]:
+    """The whole answer as plain data, SI: per target the levers, the most worth first."""
+    targets = {}
+    for target, rows in answer.rows.items():
+        plan = answer.plans[target]
+        known: dict[str, Any] = {"cycle_time_s": plan.duration, "change_first": answer.first(target)}
+        if isinstance(rows, str):
+            known["why_not"] = rows
+        else:
+            known |= {
+                "cycle_time_again_s": answer.again[target],
+                "levers": [_record(row, plan.duration) for row in rows],
+                "places": gradients(rows),
+            }
+        targets[target.value] = known
+    return {"program": str(answer.job.program_path), "targets": targets, "not_asked": list(answer.not_asked)}
+
+
+def _record(row: Row, T: float) -> dict[str, Any]:
+    lever = row.lever
+    return {
+        "kind": lever.kind.value,
+        "name": lever.name,
+        "unit": lever.unit,
+        "now": lever.now,
+        "then": lever.then,
+        "step": lever.step,
+        "gain_s": row.gain,
+        "cycle_time_s": None if row.gain is None else T - row.gain,
+        "first_order_s": row.first_order,
+        "first_order_differs": row.apart,
+        "binds": row.felt,
+        "searched_s": row.searched,
+        "why_not": row.why or None,
+    }
+
+
+def gradients(rows: tuple[Row, ...]) -> list[dict[str, Any]]:
+    """Seconds saved per mm that each place is moved along each axis of the world, from its steps both ways."""
+    both: dict[str, dict[str, float | None]] = {}
+    for row in rows:
+        if row.lever.kind is LeverKind.PLACE:
+            both.setdefault(row.lever.place, {})[row.lever.name[-2]] = row.gain
+    out = []
+    for place, ways in sorted(both.items()):
+        up, down = ways.get("+"), ways.get("−")
+        slope = None if up is None or down is None else (up - down) / (2 * STEP * 1e3)
+        out.append({"place": place, "saved_s_per_mm": slope})
+    return out
+
+
+def write_sensitivity(folder: Path, answer: Sensitivity) -> int:
+    """Write sensitivity.json, its picture and the inputs; how many files that are. Raises InputError where folder may
+    not be replaced."""
+    job = answer.job
+    inputs = inputs_of(job)
+    pictures = {f"plots/{name}": content for name, content in sensitivity_pictures(answer).items()}
+    files = {"sensitivity.json": as_json(sensitivity_record(answer)), **pictures}
+    files |= {given.place: given.content for given in inputs.values()}
+    first, cell = inputs[next(iter(job.program.files))], inputs[str(job.cell_path)]
+    write_run(
+        folder,
+        SensitivityRecord,
+        files,
+        "sensitivity",
+        options={"targets": [one.value for one in answer.plans], "entry": job.program.entry},
+        inputs=Inputs(program=first.place, cell=cell.place, files=[one.record(rapid=False) for one in inputs.values()]),
+    )
+    return len(files)
+
+
+def sensitivity_pictures(answer: Sensitivity) -> dict[str, bytes]:
+    """Bars of what each lever saves, for each target, by file name."""
+    from trajopt_cli.report.levers import lever_bars
+
+    out: dict[str, bytes] = {}
+    for target, rows in answer.rows.items():
+        if isinstance(rows, str):
+            continue
+        bars = [(f"{row.lever.name}, {row.lever.step}", row.best, row.first_order) for row in _shown(rows)]
+        out |= lever_bars(bars, answer.plans[target].duration, f"{answer.job.title}: {target.value}", target.value)
+    return out
+
+
+def _shown(rows: tuple[Row, ...]) -> Iterator[Row]:
+    return (row for row in rows if row.best > WORTH)
