@@ -169,6 +169,19 @@ def test_a_limit_gains_what_planning_anew_gains(target: Target, column: str, axi
         assert answer.first_order == pytest.approx(known(answer), rel=0.3, abs=2e-4)
 
 
+def test_a_joint_move_that_the_tool_holds_back_is_the_nonlinear_programs_again() -> None:
+    """Its axes each go for themselves in the plan, which one progress for all of them would not."""
+    program, plant = (
+        rapid("MoveAbsJ [[40,25,-35,0,70,90],[9E9,9E9,9E9,9E9,9E9,9E9]], v500, fine, tool0;"),
+        plant_without_rail(),
+    )
+    plan = planned(program, plant, Target.STREAM)
+    again = Again(program, plant, plan, everything(program, plant))
+    together = planned(program, plant, Target.RAPID).duration
+    assert plan.duration < 0.99 * together
+    assert again.duration == pytest.approx(plan.duration, rel=2e-3)
+
+
 def test_the_stream_has_multipliers_and_the_controllers_runs_have_laws() -> None:
     kinds = {one: {type(part) for part in station(one)[3]._parts} for one in Target}
     assert kinds == {Target.STREAM: {_Program}, Target.RAPID: {_Laws}}

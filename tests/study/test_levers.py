@@ -110,11 +110,17 @@ def test_a_place_is_a_work_object_or_what_lines_join_and_shares_a_point() -> Non
     corners = job("corners")
     found = places(corners.program)
     assert [len(at) for at in found.values()] == [10, 2, 6, 10]
-    assert list(found)[1::2] == ["place of p_camera_in", "work object wTray"]
+    assert list(found) == [
+        "place of p_chute and 2 more", "place of p_camera_in", "place of p_camera and 2 more", "work object wTray"
+    ]  # fmt: skip
     # of hinge_cell each station's MoveJ and both lines
     assert [len(at) for at in places(job("hinge_cell").program).values()] == [3, 3, 3]
     again = rapid(STATION + "MoveAbsJ j_home, vmax, fine, tGrip;\nMoveJ p_in, v100, fine, tGrip;")
     assert list(places(again).values()) == [[0, 1, 3, 5]]
+    # one text, two points
+    twice = rapid("FOR i FROM 1 TO 2 DO\nMoveJ Offs(p_in,0,0,40*i), v100, fine, tGrip;\nENDFOR")
+    assert list(places(twice).values()) == [[0], [1]]
+    assert list(places(twice))[1] == f"{next(iter(places(twice)))} (2)"
 
 
 def test_a_place_is_moved_as_a_whole_and_an_arc_with_the_point_it_goes_through() -> None:

@@ -50,8 +50,9 @@ def rest_lines(rows: Sequence[Row], cycle: float, again: float, everything: bool
         yield f"solved again with nothing changed the plan takes {again:.3f} s: savings count from there"
     if any(row.apart for row in rows if everything or row.best > WORTH):
         yield (
-            f"{_APART} first order, which is exact for small changes only, is more than {100 * APART:g} % off: another "
-            "limit takes over on the way, or (rapid) the rail is shifted, which first order leaves where it is"
+            f"{_APART} first order is more than {100 * APART:g} % off. It is exact for small changes only, and of runs "
+            "with one progress for all axes it keeps the course: on the way another limit takes over, the rail is "
+            "shifted, or a corner takes another size"
         )
     if everything:
         return

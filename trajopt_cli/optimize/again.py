@@ -9,7 +9,8 @@ in this way, so that what it loses against the plan itself cancels out.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -20,7 +21,7 @@ from trajopt_cli.motion import Program
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.driver import NotConverged, Refiner
-from trajopt_cli.optimize.exchange import Ratios, check_legs
+from trajopt_cli.optimize.exchange import Ratios, check_leg, check_legs
 from trajopt_cli.optimize.formulation import Formulation
 from trajopt_cli.optimize.improve import frozen, may_gain
 from trajopt_cli.optimize.incumbent import NotDriven, duration, refined, timed
@@ -30,7 +31,18 @@ from trajopt_cli.optimize.profiles import hold, profiles
 from trajopt_cli.optimize.reach import Label
 from trajopt_cli.optimize.search import Chain
 from trajopt_cli.optimize.transcription import Transcription
-from trajopt_cli.optimize.tuning import AT_END, FELT, FIRST, GRID_JOINT, LEAST_GAIN, PROJECTIONS, SMALL
+from trajopt_cli.optimize.tuning import (
+    AT_END,
+    FELT,
+    FIRST,
+    GRID_JOINT,
+    JUMPED,
+    LEAST_GAIN,
+    OVER,
+    PROJECTIONS,
+    SHIFTS,
+    SMALL,
+)
 from trajopt_cli.optimize.windows import Span, Window, colours
 from trajopt_cli.path.line import Line
 from trajopt_cli.path.segment import Segment
@@ -40,11 +52,12 @@ from trajopt_cli.problem.freedom import EVERYTHING
 from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Infeasible, Plan
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.problem import LegKind, Problem, Waypoint, build_problem
+from trajopt_cli.problem.problem import LegKind, Problem, build_problem
 from trajopt_cli.trajectory import hermite
 
 Changed = Callable[[float], tuple[Program, Plant]]
 """The program and its plant with a share of a change made, 1 for all of it."""
+_SAME = 1e-9  # m, rad: rounding of a position at the end of its range
 
 
 class NotAgain(Exception):
@@ -55,7 +68,8 @@ class NotAgain(Exception):
 class Answer:
     """What a change makes of a plan's cycle time [s].
 
-    gain: seconds saved, negative where it costs time; None where why says what is in the way. first_order: the same by
+    gain: seconds saved, negative where it costs time; None where why says what is in the way, and at least this much
+    where it does besides. first_order: the same by
     multipliers, or, of runs with one progress for all axes, by timing the same course; None where there is none. felt:
     whether the change meets anything that binds.
     """
@@ -112,7 +126,7 @@ class Again:
         for span in [whole] if problem.coordinated else colours(problem)[0]:
             window, part = self.motion.part(span)
             nlp = None
-            if not problem.coordinated and may_gain(axes, window.problem, window.draft):
+            if _free(axes, window):
                 key = window.key()
                 if key not in known:
                     known[key] = _Program.of(axes, self._formulation, window)
@@ -136,26 +150,29 @@ class Again:
         """What a change makes of the plan. loosens: whether every legal motion stays legal, so that nothing can be
         lost. What cannot be solved again is an answer, too."""
         try:
-            whole, small = self._changed(*changed(1.0)), self._changed(*changed(SMALL))
+            whole, small = (self._changed(*changed(share)) for share in (1.0, SMALL))
+            felt = [part for part in self._parts if part.feels(self.motion, whole)]
+            slopes = [part.first_order(self.motion, small) for part in felt]
+            found: dict[bytes, float] = {}
+            gain, why = 0.0, ""
+            for part, slope in zip(felt, slopes, strict=True):
+                if not part.shifts and slope is not None and abs(slope / SMALL) < LEAST_GAIN:
+                    continue  # it stays optimal where no multiplier says otherwise, and a law on its course
+                try:
+                    gain += part.duration - part.again(self.motion, whole, found)
+                except (NotConverged, NotDriven) as no:
+                    why = why or part.why(no)
+            predicted = _foretold(slopes, SMALL)
+            if predicted is not None and abs(predicted - gain) > JUMPED * max(abs(predicted), abs(gain)) and not why:
+                nearer = self._changed(*changed(SMALL / 2))  # a law may jump where a corner takes another size
+                predicted = _foretold([part.first_order(self.motion, nearer) for part in felt], SMALL / 2)
         except NotAgain as no:
             return Answer(None, None, why=str(no))
-        felt = [part for part in self._parts if part.feels(self.motion, whole)]
-        first = [part.first_order(self.motion, small) for part in felt]
-        predicted = None if any(one is None for one in first) else -sum(one or 0.0 for one in first) / SMALL
-        found: dict[bytes, float] = {}
-        gain, why = 0.0, ""
-        for part, slope in zip(felt, first, strict=True):
-            if not part.shifts and slope is not None and abs(slope / SMALL) < LEAST_GAIN:
-                continue  # it stays optimal where no multiplier says otherwise, and a law on its course
-            try:
-                gain += part.duration - part.again(self.motion, whole, found)
-            except (NotConverged, NotDriven) as no:
-                why = why or part.why(no)
         if why and not (loosens and gain > 0):
             return Answer(None, predicted, why=why)
         gain = max(gain, 0.0) if loosens else gain
-        slept = not felt or (predicted is not None and abs(predicted) < LEAST_GAIN and abs(gain) < LEAST_GAIN)
-        return Answer(0.0 if slept else gain, predicted, felt=not slept)
+        slept = not felt or (predicted is not None and max(abs(predicted), abs(gain)) < LEAST_GAIN)
+        return Answer(0.0 if slept else gain, predicted, not slept, why)
 
     def _problem(self, program: Program, plant: Plant) -> Problem:
         """The problem with stops where the plan stops. Raises NotAgain."""
@@ -176,18 +193,25 @@ class Again:
             for old, new in zip(before.problem.legs, problem.legs, strict=True)
         ]
         problem = replace(problem, legs=tuple(legs))
-        q, qd = before.chain.q.copy(), before.draft.qd.copy()
-        for k, (old, point) in enumerate(zip(before.problem.waypoints, problem.waypoints, strict=True)):
-            if point.q is None and not np.array_equal(old.X_WF, point.X_WF):
-                q[k] = _placed(axes, q[k], old, point, before.draft.cfx[k])
-                qd[k, axes.layout.arm] = axes.self_motion(q[k]) @ qd[k, axes.layout.rail]
-        if not problem.coordinated and self._passed:
-            problem = frozen(problem, before.chain)
-        motions = tuple(
-            _carried(problem, k, motion, q) if motion is not None else None
-            for k, motion in enumerate(before.draft.legs)
-        )
-        return _Motion(axes, problem, replace(before.chain, q=q), Draft(q, qd, before.draft.cfx, motions))
+        moved = [
+            k
+            for k, (old, new) in enumerate(zip(before.problem.waypoints, problem.waypoints, strict=True))
+            if new.q is None and not np.array_equal(old.X_WF, new.X_WF)
+        ]
+        for shift in SHIFTS if moved and axes.layout.has_rail else SHIFTS[:1]:
+            q, qd = _placed(axes, problem, before, moved, shift)
+            legs_there = tuple(
+                None if motion is None else _carried(problem, k, motion, q)
+                for k, motion in enumerate(before.draft.legs)
+            )
+            ways = (motion.node_arm(axes) for motion in legs_there if isinstance(motion, PathLeg))
+            inside = np.all((q[moved] >= axes.lower - _SAME) & (q[moved] <= axes.upper + _SAME))
+            if inside and all(np.isfinite(arm).all() for arm in ways):
+                chain = replace(before.chain, q=q)
+                if not problem.coordinated and self._passed:
+                    problem = frozen(problem, chain)
+                return _Motion(axes, problem, chain, Draft(q, qd, before.draft.cfx, legs_there))
+        raise NotAgain("the arm does not reach there in the plan's configuration; --search plans anew")
 
 
 @dataclass(frozen=True, eq=False)
@@ -355,6 +379,21 @@ class _Laws:
             return np.inf
 
 
+def _foretold(slopes: Sequence[float | None], share: float) -> float | None:
+    """What all parts save by first order [s], of what they change by with a share of the change."""
+    known = [one for one in slopes if one is not None]
+    return -sum(known) / share if len(known) == len(slopes) else None
+
+
+def _free(axes: Axes, window: Window) -> bool:
+    """Whether a window is one of the nonlinear program's: the search would try it, or its joint moves have nodes."""
+    problem = window.problem
+    if problem.coordinated or any(problem.passes(k) for k in range(len(problem.waypoints))):
+        return False
+    nodes = any(isinstance(motion, JointNodes) for motion in window.draft.legs)
+    return nodes or may_gain(axes, problem, window.draft)
+
+
 def _shifts(axes: Axes, problem: Problem) -> bool:
     """Whether a rail is shifted when runs are timed again: not where corners bind it."""
     free = any(point.q is None and point.rail[0] < point.rail[1] for point in problem.waypoints)
@@ -391,22 +430,17 @@ def _near(ratios: Ratios, axes: Axes) -> BoolArray:
     return np.concatenate([*reached, rail, rail, [True]])
 
 
-def _placed(axes: Axes, q: Array, old: Waypoint, new: Waypoint, cfx: int) -> Array:
-    """Axes (n,) at a waypoint that was moved: the rail where it was or, if the arm does not reach then, moved with it.
-    Raises NotAgain."""
-    d = axes.layout.place(q)
-    ways = [0.0]
-    if axes.layout.has_rail:
-        way = float((axes.X_WB0[:3, :3] @ axes.rail_axis[:, 0]) @ (new.X_WF - old.X_WF)[:3, 3])
-        ways.append(float(np.clip(d + way, *new.rail) - d))
-    for way in ways:
-        arm = axes.inverse(new.X_WF[None], np.atleast_1d(d + way))[0, cfx]
-        out = axes.layout.join(
-            np.asarray(d + way), arm + 2 * np.pi * np.round((q[axes.layout.arm] - arm) / (2 * np.pi))
-        )
-        if np.all((out >= axes.lower) & (out <= axes.upper)):
-            return out
-    raise NotAgain("the arm does not reach there in the configuration of the plan")
+def _placed(axes: Axes, problem: Problem, before: _Motion, moved: list[int], shift: float) -> tuple[Array, Array]:
+    """Axes and velocities (M, n) at all waypoints where some of them were moved, their rail by a shift [m]; NaN where
+    the arm does not reach."""
+    q, qd, layout = before.chain.q.copy(), before.draft.qd.copy(), axes.layout
+    for k in moved:
+        d = np.asarray(layout.place(q[k]) + shift)
+        arm = axes.inverse(problem.waypoints[k].X_WF[None], np.atleast_1d(d))[0, before.draft.cfx[k]]
+        q[k] = layout.join(d, arm + 2 * np.pi * np.round((q[k, layout.arm] - arm) / (2 * np.pi)))
+        if np.isfinite(arm).all():
+            qd[k, layout.arm] = axes.self_motion(q[k]) @ qd[k, layout.rail]
+    return q, qd
 
 
 def _waits_alike(before: Program, after: Program, index: int) -> bool:
@@ -454,13 +488,13 @@ def _leg(axes: Axes, problem: Problem, plan: Plan, k: int, chain: Chain, qd: Arr
     if leg.kind is LegKind.DWELL and not leg.rail_moves:
         return hold(leg.duration or 0.0, chain.q[k])
     if leg.kind is LegKind.JOINT:
-        try:
-            closed = profiles(chain.q[k], qd[k], chain.q[k + 1], qd[k + 1], axes.velocity_on(leg),
-                              axes.acceleration_on(leg), leg.duration or 0.0, problem.coordinated)  # fmt: skip
-        except ValueError:  # switches that a file could not tell apart
-            closed = None
-        if closed is not None and closed.T > T - LEAST_GAIN:
-            return closed
+        with suppress(ValueError):  # switches that a file could not tell apart
+            V, A = axes.velocity_on(leg), axes.acceleration_on(leg)
+            ends = chain.q[k], qd[k], chain.q[k + 1], qd[k + 1]
+            closed = profiles(*ends, V, A, leg.duration or 0.0, problem.coordinated)
+            ratios = check_leg(axes, leg, closed)
+            if closed.T > T - LEAST_GAIN and max(ratios.tool.max(), ratios.position.max()) <= 1 + OVER:
+                return closed
     N = GRID_JOINT if leg.kind is LegKind.JOINT else FIRST
     grid = np.linspace(0.0, 1.0, N + 1)
     q, rate, _ = hermite(plan.trajectory, float(plan.trajectory.t[0]) + begin + T * grid)

@@ -285,6 +285,21 @@ BOUND_ORDER = (0, 2, 1)  # of the first three joints, after the rail: settles mo
 
 # ---- again: a plan solved again with a change
 SMALL = 0.1  # share of a change by which first order is told. Not measured.
+JUMPED = 0.3  # share by which first order may be off before it is told from half of that. Not measured.
 FELT = 0.95  # share of a limit from which a run is timed again when it changes. Not measured.
 AT_END = 0.998  # share of the rail's half stroke from which it stands at an end. Not measured.
 PROJECTIONS = 6  # steps towards the share of a way that a tool has reached. Not measured.
+SHIFTS = (
+    0.0,
+    2e-3,
+    -2e-3,
+    5e-3,
+    -5e-3,
+    0.01,
+    -0.01,
+    0.02,
+    -0.02,
+    0.05,
+    -0.05,
+)  # m of rail that are tried in turn where a
+# place was moved out of the arm's reach. Not measured.

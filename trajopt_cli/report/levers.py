@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from trajopt_cli.report.style import BLACK, BLUE, SMALL, TEXT, files, house_style, new_figure, settle
+from trajopt_cli.report.style import BLACK, BLUE, SMALL, files, house_style, new_figure, settle
 
 MOST = 16
 """Bars in one picture."""
@@ -40,10 +40,11 @@ def levers_figure(bars: Sequence[tuple[str, float, float | None]], cycle: float,
         label = f"{saved:.3f} s, {100 * saved / cycle:.1f} %"
         axes.annotate(label, (reached, row), (6, 0), textcoords="offset points", va="center", size=SMALL)
     longest = max((max(saved, foretold or 0.0) for _, saved, foretold in shown), default=1.0)
-    axes.set_yticks(range(len(shown)), [label for label, _, _ in shown], size=TEXT)
+    axes.set_yticks(range(len(shown)), [label for label, _, _ in shown], size=SMALL)
     axes.tick_params(axis="y", length=0)
     axes.set_ylim(max(1, len(shown)) - 0.5, -0.5)
-    axes.set_xlim(0, 1.25 * longest)
+    axes.set_xlim(0, 1.5 * longest)
+    axes.set_xticks([tick for tick in axes.get_xticks() if tick <= 1.05 * longest])
     axes.set_xlabel("saved [s]")
     axes.spines["left"].set_visible(False)
     handles = [Patch(color=BLUE, label="solved again"), Line2D([], [], color=BLACK, linewidth=2.2, label="first order")]

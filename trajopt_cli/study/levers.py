@@ -27,7 +27,7 @@ from trajopt_cli.motion import (
     Source,
     Speed,
     Wait,
-    motion_name,
+    instruction_name,
 )
 from trajopt_cli.problem.plant import Plant
 
@@ -38,6 +38,7 @@ STEP = 0.01
 EACH = 12
 """Waits, lines of the program and stations that are asked for one by one; more are asked for together."""
 _PERCENT, _LESS = f"+{SHARE * 100:g} %", f"−{SHARE * 100:g} %"
+_LONGEST = 24  # letters of a target in a name
 _SAME_PLACE = 1e-6  # m between poses that are one
 _AXES = ("x", "y", "z")
 
@@ -213,6 +214,16 @@ def _faster(motion: Motion, share: float) -> Motion:
     return replace(motion, speed=Speed(v.name, v.v_tcp * by, v.v_ori * by, v.v_leax * by, v.v_reax * by))
 
 
+def _short(target: str) -> str:
+    """A target's text, of a computed one the beginning."""
+    return target if len(target) <= _LONGEST else f"{target[: _LONGEST - 1]}…"
+
+
+def _called(motion: Motion) -> str:
+    assert isinstance(motion, Move)
+    return f"{instruction_name(motion)} {_short(motion.target)}"
+
+
 def _times(indices: Sequence[int]) -> str:
     return f", {len(indices)} passes" if len(indices) > 1 else ""
 
@@ -243,7 +254,7 @@ def _speed_levers(program: Program, plant: Plant) -> Iterator[Lever]:
             if len(lines) > EACH:
                 name = f"{name} everywhere"
             else:
-                name = f"{name} of {motion_name(program.motions[i])} at {_place_of(source)}{_times(at)}"
+                name = f"{name} of {_called(program.motions[i])} at {_place_of(source)}{_times(at)}"
             named.setdefault(name, []).append(i)
     for name, at in named.items():
         move = _move(program, at[0])
@@ -252,7 +263,7 @@ def _speed_levers(program: Program, plant: Plant) -> Iterator[Lever]:
         yield Lever(LeverKind.PROGRAMMED, name, "m/s", now, now * (1 + SHARE), _PERCENT, True, change)
     for source, at in _by_line(program, lambda one: isinstance(one, Move) and one.duration is not None).items():
         move = _move(program, at[0])
-        name = f"\\T of {motion_name(move)} at {_place_of(source)}{_times(at)}"
+        name = f"\\T of {_called(move)} at {_place_of(source)}{_times(at)}"
         now = move.duration or 0.0
         change = partial(_edited, program, plant, frozenset(at), _shorter)
         yield Lever(LeverKind.TIME, name, "s", now, now * (1 - SHARE), _LESS, False, change)
@@ -329,15 +340,21 @@ def places(program: Program) -> dict[str, list[int]]:
                 known = {mark: first if name == other else name for mark, name in known.items()}
             merged.setdefault(first, []).extend(group)
             known |= dict.fromkeys(marks, first)
-    return {_name(program, sorted(at)): sorted(at) for at in merged.values()}
+    out: dict[str, list[int]] = {}
+    for at in merged.values():
+        name, count = _name(program, at), 2
+        while name in out:  # the same text in another pass, of another point
+            name, count = f"{_name(program, at)} ({count})", count + 1
+        out[name] = sorted(at)
+    return out
 
 
 def _name(program: Program, at: Sequence[int]) -> str:
-    """What a place is called: its work object where that is one, else its targets."""
+    """What a place is called: its work object where that is one, else the target with the shortest text."""
     moves = [move for i in at if isinstance(move := program.motions[i], MoveJ | MoveL | MoveC)]
     objects = {move.wobj for move in moves}
     if len(objects) == 1 and (name := objects.pop()).lower() != "wobj0":
         return f"work object {name}"
-    targets = list(dict.fromkeys(move.target for move in moves))
-    more = f" and {len(targets) - 2} more" if len(targets) > 2 else ""
-    return f"place of {', '.join(targets[:2])}{more}"
+    targets = sorted({move.target for move in moves}, key=lambda text: (len(text), text))
+    more = f" and {len(targets) - 1} more" if len(targets) > 1 else ""
+    return f"place of {_short(targets[0])}{more}"
