@@ -126,22 +126,26 @@ def test_multipliers_are_the_closed_forms_derivatives(angle: float, speed: bool)
 
 
 def test_the_lagrangian_tells_of_rows_bounds_and_fixed_variables() -> None:
-    """min x + 2 y with x + z >= p, y >= b and z fixed: p - z + 2 b."""
+    """min x + 2 y - 3 w with x + z >= p, y >= b, w <= c and z fixed: p - z + 2 b - 3 c."""
     rows = make_block("row", 2, 1, lambda z, p: [(z[0] + z[1] - p[0], 0.0, np.inf)])
 
-    def program(p: float, b: float, z: float) -> BlockNlp:
+    def program(p: float, b: float, c: float, z: float) -> BlockNlp:
         nlp = BlockNlp()
-        x, y = nlp.variables([3.0, 3.0], [-9.0, b], [9.0, 9.0])
+        x, y, w = nlp.variables([3.0, 3.0, 1.0], [-9.0, b, -np.inf], [9.0, np.inf, c])
         (fixed,) = nlp.variables([z], z, z)
         nlp.minimise(int(x))
         nlp.minimise(int(y), 2.0)
+        nlp.minimise(int(w), -3.0)
         nlp.add(rows, [x, fixed], [p])
         return nlp
 
-    nlp = program(1.0, 0.5, 0.25)
+    start = np.array([1.0, 0.5, 2.0, 0.25])
+    nlp = program(*start)
     answer = nlp.solve()
-    for change, wanted in (((0.1, 0, 0), 0.1), ((0, 0.1, 0), 0.2), ((0, 0, 0.1), -0.1), ((0.1, 0.2, 0.3), 0.2)):
-        other = program(1.0 + change[0], 0.5 + change[1], 0.25 + change[2])
+    for change, wanted in zip(
+        np.vstack([0.1 * np.eye(4), [0.1, 0.2, 0.3, 0.4]]), (0.1, 0.2, -0.3, -0.1, -0.8), strict=True
+    ):
+        other = program(*(start + change))
         assert nlp.lagrangian_change(other, answer) == pytest.approx(wanted, abs=1e-6)
 
 
@@ -227,7 +231,8 @@ def test_a_place_that_is_moved_is_solved_where_it_is_now(target: Target) -> None
     assert known(answer) > 0 > known(back)
     if target is Target.STREAM:
         anew = planned(*change(1.0), target).duration
-        assert plan.duration - known(answer) == pytest.approx(anew, rel=1e-3)
+        assert known(answer) == pytest.approx(plan.duration - anew, rel=0.05)
+        assert answer.first_order == pytest.approx(known(answer), rel=0.2)
 
 
 def test_a_place_out_of_reach_is_told() -> None:

@@ -69,9 +69,8 @@ class Answer:
     """What a change makes of a plan's cycle time [s].
 
     gain: seconds saved, negative where it costs time; None where why says what is in the way, and at least this much
-    where it does besides. first_order: the same by
-    multipliers, or, of runs with one progress for all axes, by timing the same course; None where there is none. felt:
-    whether the change meets anything that binds.
+    where it does besides. first_order: the same by multipliers, or, of runs with one progress for all axes, by timing
+    the same course; None where there is none. felt: whether the change meets anything that binds.
     """
 
     gain: float | None
