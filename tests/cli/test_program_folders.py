@@ -47,6 +47,7 @@ def test_a_folder_is_optimised_and_its_results_stand_alone(
         "assume_identity": ["tgun"],
         "target": "stream",
         "loops": "keep",
+        "cycle_time": None,
     }
     assert record["inputs"]["program"] == "input/Tiny.mod"
     assert [(one["path"], one["copy"], one["rapid"]) for one in record["inputs"]["files"]] == [

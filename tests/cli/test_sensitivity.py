@@ -132,3 +132,16 @@ def test_a_program_that_cannot_be_done_names_the_motion(tiny: Path, capsys: pyte
     tiny.write_text(TEXT.replace("[5,0,0", "[500,0,0"))
     assert run(["sensitivity", str(tiny)]) == 1
     assert "MoveAbsJ j_side asks for joint_1 = 500 deg" in capsys.readouterr().err
+
+
+def test_plans_of_another_question_are_refused(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["optimize", str(tiny), "--gentle"]) == 0
+    capsys.readouterr()
+    assert run(["sensitivity", "results/tiny"]) == 2
+    assert capsys.readouterr().err.startswith(
+        "results/tiny: its plans are the gentlest in a given time, and sensitivity"
+    )
+    cell = Path("tiny.yaml")
+    cell.write_text(cell.read_text() + "jerk_limits: true\n")
+    assert run(["sensitivity", str(tiny)]) == 2
+    assert "jerk_limits: sensitivity does not know what they cost" in capsys.readouterr().err

@@ -144,7 +144,7 @@ def lower_bound_of(
     dropped = frozenset(motion.index for motion in plan.motions if motion.dropped)
     problems = Question(program, plant, plan.target, freedom, changes).problems(axes)
     problem = next(one for one in problems if isinstance(one, Problem) and one.dropped == dropped)
-    return _bound(axes, problem, plan.duration)
+    return _bound(axes, problem, plan.duration if plan.eased is None else plan.eased.least_time)
 
 
 def bounded(plan: Plan, bound: float, spent: float) -> Plan:

@@ -58,6 +58,9 @@ def plans_of_results(folder: Path, job: Job) -> dict[Target, Plan]:
     from trajopt_cli.joint_csv import read_csv_text
 
     results, plans = read_results(folder), {}
+    if results.cycle_time is not None:
+        text = "its plans are the gentlest in a given time, and sensitivity asks about the least time; give the program"
+        raise InputError(text, file=str(folder))
     for target in Target:
         trajectory, _ = read_csv_text(results.texts[CSV[target]], str(folder / CSV[target]))
         motions, q = [], trajectory.q[0]

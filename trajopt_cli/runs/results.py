@@ -157,7 +157,8 @@ class Results:
 
     entry, assume_identity, loops: as the run was asked for. texts: the three CSV files by name. motions: of each
     target's plan. holds: when the chosen plan stands still until a signal comes [s], and for what. rapid: the
-    optimised modules; none where no_rapid says why. kept: what they keep as programmed, and why.
+    optimised modules; none where no_rapid says why. kept: what they keep as programmed, and why. cycle_time: as in
+    PlanOptions.
     """
 
     folder: Path
@@ -173,6 +174,7 @@ class Results:
     rapid: tuple[RapidModule, ...]
     no_rapid: str | None = None
     kept: tuple[str, ...] = ()
+    cycle_time: float | None = None
 
     def dropped(self, target: Target) -> tuple[int, ...]:
         """The motions that a target's plan leaves out."""
@@ -308,6 +310,7 @@ def read_results(folder: Path, judged: bool = False) -> Results:
         entry=options.entry,
         assume_identity=tuple(options.assume_identity),
         loops=options.loops,
+        cycle_time=options.cycle_time,
         texts={name: run.text(name) for name in plans},
         motions={one: tuple(digest.plans.of(one).motions) for one in Target},
         holds=tuple((row.start_s + row.time_s, row.target) for row in waits),

@@ -86,7 +86,7 @@ def levers(program: Program, plant: Plant) -> tuple[Lever, ...]:
 
 def not_asked(program: Program, plant: Plant) -> tuple[str, ...]:
     """What is no lever here and why, one line each."""
-    out = ["ranges of the arm's joints: built into the robot", "jerk limits: plans hold none"]
+    out = ["ranges of the arm's joints: built into the robot", "jerk limits: the cell file gives none"]
     if not plant.robot.has_rail:
         out.append("rail: there is none")
     elif plant.rail_fixed:

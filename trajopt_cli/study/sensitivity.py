@@ -9,11 +9,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from trajopt_cli.beside import cores, in_turns
+from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job
 from trajopt_cli.pipeline.folder import plans_of_results
 from trajopt_cli.pipeline.optimise import Collides, Illegal, inputs_of
 from trajopt_cli.pipeline.planning import Clock, Listener, NoPlan, all_three, may_change, touches, worst
 from trajopt_cli.problem.changes import Changes, Loops
+from trajopt_cli.problem.objective import LEAST_TIME
 from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
@@ -107,6 +109,9 @@ def sensitivity(
     results: the folder that holds the plans, None to plan them now. search: the program is also planned anew with each
     lever that saves something. jobs: processes, by default one for every core; the answer is the same for any number.
     """
+    if job.plant.limits.binding_jerk is not None:
+        text = "jerk_limits: sensitivity does not know what they cost; leave them out to ask about the other limits"
+        raise InputError(text, file=job.cell.file)
     hands = jobs or cores()
     agreed = may_change(job, loops)
     if agreed.infeasible is not None:
@@ -115,7 +120,7 @@ def sensitivity(
     if results is not None:
         plans = plans_of_results(results, job)
     else:
-        answers, _ = all_three(job, listen, Clock(), changes, Patience(), hands)
+        answers, _ = all_three(job, listen, Clock(), changes, Patience(), hands, dict.fromkeys(Target, LEAST_TIME))
         plans = {}
         for target, answer in answers.items():
             if isinstance(answer, Infeasible | NoPlan):
