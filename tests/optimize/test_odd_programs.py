@@ -9,7 +9,7 @@ from small_cells import down, plant_with_rail, problem_of, rapid
 from trajopt_cli.optimize import optimize
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.double_integrator import trapezoid_time
-from trajopt_cli.optimize.driver import on_last_grid
+from trajopt_cli.optimize.driver import on_grid
 from trajopt_cli.optimize.incumbent import timed
 from trajopt_cli.optimize.legs import JointNodes, PathLeg
 from trajopt_cli.optimize.search import search
@@ -62,7 +62,7 @@ def test_the_last_grid_is_fine_where_a_slow_motion_changes(plant: Plant) -> None
     chain = search(axes, problem)
     assert chain is not None
     legal = timed(axes, problem, chain)
-    joint, line = on_last_grid(axes, problem, legal).legs
+    joint, line = on_grid(axes, problem, legal).legs
     assert isinstance(joint, JointNodes)
     assert isinstance(line, PathLeg)
     for motion in (joint, line):

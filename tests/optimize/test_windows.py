@@ -15,7 +15,7 @@ from trajopt_cli.motion import Program
 from trajopt_cli.optimize import improve, windows
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.draft import Draft
-from trajopt_cli.optimize.driver import NotConverged, Refiner, on_last_grid
+from trajopt_cli.optimize.driver import LONG, NotConverged, Refiner, on_grid
 from trajopt_cli.optimize.formulation import Formulation
 from trajopt_cli.optimize.improve import Sweeps, Tally, improved
 from trajopt_cli.optimize.incumbent import duration
@@ -74,7 +74,7 @@ def quicker(problem: Problem, draft: Draft) -> Draft:
 
 
 def swept(legal: Legal, tally: Tally | None = None) -> Draft:
-    return Sweeps(AXES, Patience(), {}).run(legal.problem, legal.draft, None, tally or Tally(), lambda _: None)
+    return Sweeps(AXES, LONG, Patience(), {}).run(legal.problem, legal.draft, None, tally or Tally(), lambda _: None)
 
 
 @pytest.mark.parametrize("most", [4, 5, 14])
@@ -105,7 +105,7 @@ def test_a_window_is_held_where_and_as_fast_as_the_motion_passes_its_ends(monkey
     legal, draft = base(0, 300), whole()
     window = Window.of(legal.problem, draft, (2, 5))
     assert np.abs(draft.qd[[2, 5], 0]).min() > 0.05
-    start = on_last_grid(AXES, window.problem, window.draft)
+    start = on_grid(AXES, window.problem, window.draft)
     found = Refiner(AXES, Formulation(AXES), window.problem, Patience()).run(start)
     np.testing.assert_array_equal(found.q[[0, -1]], draft.q[[2, 5]])
     np.testing.assert_array_equal(found.qd[[0, -1]], draft.qd[[2, 5]])
@@ -217,7 +217,7 @@ def test_any_number_of_processes_finds_the_same(monkeypatch: pytest.MonkeyPatch)
     legal, found = base(0, 300, 600), []
     for hands in (1, 3):
         told: list[float] = []
-        sweeps = Sweeps(AXES, Patience(), {}, lambda hands=hands: hands)
+        sweeps = Sweeps(AXES, LONG, Patience(), {}, lambda hands=hands: hands)
         found.append(sweeps.run(legal.problem, legal.draft, None, Tally(), told.append))
         assert told[-1] == pytest.approx(duration(found[-1]))
     assert [motion.T for motion in found[0].legs if motion] == [motion.T for motion in found[1].legs if motion]

@@ -20,7 +20,7 @@ from trajopt_cli.geometry import Array, BoolArray
 from trajopt_cli.motion import Program
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.draft import Draft
-from trajopt_cli.optimize.driver import NotConverged, Refiner
+from trajopt_cli.optimize.driver import Grids, NotConverged, Refiner
 from trajopt_cli.optimize.exchange import Ratios, check_leg, check_legs
 from trajopt_cli.optimize.formulation import Formulation
 from trajopt_cli.optimize.improve import frozen, may_gain
@@ -35,7 +35,6 @@ from trajopt_cli.optimize.tuning import (
     AT_END,
     FELT,
     FIRST,
-    GRID_JOINT,
     JUMPED,
     LEAST_GAIN,
     OVER,
@@ -128,7 +127,7 @@ class Again:
             if _free(axes, window):
                 key = window.key()
                 if key not in known:
-                    known[key] = _Program.of(axes, self._formulation, window)
+                    known[key] = _Program.of(axes, self._formulation, Grids.of(problem), window)
                 nlp = known[key]
             if nlp is not None:
                 self._parts.append(replace(nlp, span=span))
@@ -218,6 +217,7 @@ class _Program:
     """A window of the plan solved by the nonlinear program: its clean draft, program, answer and multipliers."""
 
     formulation: Formulation
+    grids: Grids
     span: Span
     duration: float
     draft: Draft
@@ -225,9 +225,9 @@ class _Program:
     answer: NlpResult
 
     @classmethod
-    def of(cls, axes: Axes, formulation: Formulation, window: Window) -> _Program | None:
+    def of(cls, axes: Axes, formulation: Formulation, grids: Grids, window: Window) -> _Program | None:
         """The window solved from the motion at hand; None where that does not converge."""
-        refiner = Refiner(axes, formulation, window.problem, Patience())
+        refiner = Refiner(axes, formulation, window.problem, Patience(), grids)
         try:
             draft = refiner.run(window.draft)
         except NotConverged:
@@ -237,7 +237,7 @@ class _Program:
         if result is None:
             return None
         span = window.first, window.last
-        return cls(formulation, span, duration(draft), draft, program, result)
+        return cls(formulation, grids, span, duration(draft), draft, program, result)
 
     @property
     def shifts(self) -> bool:
@@ -283,7 +283,7 @@ class _Program:
         problem, draft = self._moved(after)
         key = replace(after.part(self.span)[0], draft=draft).key()
         if key not in found:
-            refiner = Refiner(after.axes, self.formulation, problem, Patience())
+            refiner = Refiner(after.axes, self.formulation, problem, Patience(), self.grids)
             try:
                 draft = refiner.again(draft, self.program, self.answer)
             except NotConverged:  # from farther away, as the plan itself
@@ -494,7 +494,7 @@ def _leg(axes: Axes, problem: Problem, plan: Plan, k: int, chain: Chain, qd: Arr
             ratios = check_leg(axes, leg, closed)
             if closed.T > T - LEAST_GAIN and max(ratios.tool.max(), ratios.position.max()) <= 1 + OVER:
                 return closed
-    N = GRID_JOINT if leg.kind is LegKind.JOINT else FIRST
+    N = Grids.of(problem).joints if leg.kind is LegKind.JOINT else FIRST
     grid = np.linspace(0.0, 1.0, N + 1)
     q, rate, _ = hermite(plan.trajectory, float(plan.trajectory.t[0]) + begin + T * grid)
     if leg.kind is LegKind.JOINT:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from copy import deepcopy
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from time import perf_counter
 from typing import Any
 
@@ -29,10 +29,11 @@ from trajopt_cli.optimize.tuning import (
     BARRIER_REFINED,
     BARRIER_WARM,
     EXACT,
+    FINE,
+    FINE_JOINT,
     FIRST,
     GRID_JOINT,
     LAST,
-    LAST_ALONE,
     LEAST_DRAFT,
     LEAST_RATE,
     LEAST_ZONE,
@@ -46,8 +47,10 @@ from trajopt_cli.optimize.tuning import (
     ROUNDS,
     SAFE,
     SHARP,
+    SHORT,
     SLOWED,
     START,
+    TOLD,
 )
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.objective import LeastEffort
@@ -55,7 +58,30 @@ from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 
 
-def first_draft(axes: Axes, problem: Problem, q: Array, qd: Array, cfx: tuple[int, ...], times: Array) -> Draft:
+@dataclass(frozen=True)
+class Grids:
+    """Intervals of a path and of a joint move on the last grid."""
+
+    path: int
+    joints: int
+
+    @classmethod
+    def of(cls, problem: Problem) -> Grids:
+        """Fine for a short program: for a long one the time is better spent on more windows."""
+        return cls(FINE, FINE_JOINT) if len(problem.legs) <= SHORT else LONG
+
+    @property
+    def rough(self) -> Grids:
+        """Fine enough to tell which of several starts leads farthest."""
+        return Grids(min(self.path, TOLD), min(self.joints, GRID_JOINT))
+
+
+LONG = Grids(LAST, GRID_JOINT)
+
+
+def first_draft(
+    axes: Axes, problem: Problem, q: Array, qd: Array, cfx: tuple[int, ...], times: Array, grids: Grids = LONG
+) -> Draft:
     """Rest-to-rest parabolas between axes q with velocities qd (M, n) at the waypoints, on their branches; times (M-1,)
     of the legs, zero where nothing is to be done."""
     legs: list[LegMotion | None] = []
@@ -64,7 +90,7 @@ def first_draft(axes: Axes, problem: Problem, q: Array, qd: Array, cfx: tuple[in
         if leg.duration is None and times[k] == 0.0:
             legs.append(hold(0.0, q[k]))
         elif leg.kind is LegKind.JOINT and _on_grids(axes, problem):
-            legs.append(_smooth(T, q[k : k + 2], qd[k : k + 2]))
+            legs.append(_smooth(T, q[k : k + 2], qd[k : k + 2], grids.joints))
         elif leg.kind is LegKind.JOINT:
             legs.append(_closed(axes, T, q[k], qd[k]))
         elif leg.kind is LegKind.DWELL and not leg.rail_moves:
@@ -77,27 +103,27 @@ def first_draft(axes: Axes, problem: Problem, q: Array, qd: Array, cfx: tuple[in
     return Draft(q, qd, cfx, tuple(legs))
 
 
-def on_last_grid(axes: Axes, problem: Problem, draft: Draft) -> Draft:
-    """The motion on the last grid, as near as its nodes come."""
+def on_grid(axes: Axes, problem: Problem, draft: Draft, grids: Grids = LONG) -> Draft:
+    """The motion on these grids, as near as its nodes come."""
     legs: list[LegMotion | None] = []
     for k, (leg, motion) in enumerate(zip(problem.legs, draft.legs, strict=True)):
-        q, at_hand = draft.q[k], motion is not None and motion.N == LAST
+        q, at_hand = draft.q[k], motion is not None and grids.path == motion.N
         if motion is None or motion.T == 0.0 or (leg.kind is LegKind.DWELL and not leg.rail_moves):
             legs.append(motion)
         elif leg.kind is LegKind.JOINT:
             if isinstance(motion, JointProfiles) and _on_grids(axes, problem):
-                motion = _sampled(axes, motion, _with_switches(axes, leg, motion, GRID_JOINT))
-            keep = isinstance(motion, JointProfiles) or motion.N == GRID_JOINT
-            legs.append(motion if keep else _on_grid(axes, motion, GRID_JOINT))
+                motion = _sampled(axes, motion, _with_switches(axes, leg, motion, grids.joints))
+            keep = isinstance(motion, JointProfiles) or grids.joints == motion.N
+            legs.append(motion if keep else _on_grid(axes, motion, grids.joints))
         elif isinstance(motion, PathLeg) and at_hand:
             legs.append(motion)
         else:
-            grid = np.linspace(0, 1, LAST + 1)
+            grid = np.linspace(0, 1, grids.path + 1)
             s, v, a = parabola(grid)
-            d = np.tile(q[axes.layout.rail], (LAST + 1, 1))  # where nothing moves
+            d = np.tile(q[axes.layout.rail], (grids.path + 1, 1))  # where nothing moves
             nodes = s, v, a, d, np.zeros_like(d), np.zeros_like(d[1:])
             if isinstance(motion, PathLeg):
-                grid = _zoned(axes, motion)
+                grid = _zoned(axes, motion, grids.path)
                 at, rate, _ = motion.progress(motion.T * grid, right=True)
                 x, v = at, rate * motion.T
                 a = np.diff(v, axis=0) / np.diff(grid)[:, None]
@@ -112,11 +138,11 @@ def _on_grids(axes: Axes, problem: Problem) -> bool:
     return axes.jerk is not None or isinstance(problem.objective, LeastEffort)
 
 
-def _smooth(T: float, q: Array, qd: Array) -> JointNodes:
-    """A joint move of T seconds between states (2, n) with the least effort there is without limits."""
-    grid = np.linspace(0, 1, GRID_JOINT + 1)
+def _smooth(T: float, q: Array, qd: Array, N: int) -> JointNodes:
+    """A joint move of T seconds on N intervals between states (2, n) with the least effort there is without limits."""
+    grid = np.linspace(0, 1, N + 1)
     nodes, v, _ = integrate(np.array([0.0, 1.0]), q, qd * T, grid)
-    return JointNodes(T, grid, nodes, v, np.diff(v, axis=0) * GRID_JOINT)
+    return JointNodes(T, grid, nodes, v, np.diff(v, axis=0) * N)
 
 
 def _on_grid(axes: Axes, motion: LegMotion, N: int) -> JointNodes:
@@ -127,14 +153,14 @@ def _on_grid(axes: Axes, motion: LegMotion, N: int) -> JointNodes:
     return _sampled(axes, motion, grid)
 
 
-def _zoned(axes: Axes, motion: PathLeg) -> Array:
-    """The last grid of a path in three zones of even intervals: run-up and run-out are where its rates change."""
+def _zoned(axes: Axes, motion: PathLeg, N: int) -> Array:
+    """A grid of N intervals for a path in three zones of even ones: run-up and run-out are where its rates change."""
     times = _looks(motion)
     rates = motion.progress(motion.T * times, right=True)[1]
     change = _behind(rates / np.r_[max(motion.v.max(), LEAST_RATE) / motion.T, axes.velocity[axes.layout.rail]])
     begin, end = np.interp([RAMPS, 1 - RAMPS], change, times)
     edges = [0.0, np.clip(begin, LEAST_ZONE, 0.5 - LEAST_ZONE), np.clip(end, 0.5 + LEAST_ZONE, 1 - LEAST_ZONE), 1.0]
-    return np.interp(np.linspace(0, 3, LAST + 1), [0, 1, 2, 3], edges)
+    return np.interp(np.linspace(0, 3, N + 1), [0, 1, 2, 3], edges)
 
 
 def _looks(motion: LegMotion) -> Array:
@@ -194,6 +220,10 @@ def slowed(problem: Problem, draft: Draft, times: float) -> Draft:
     return replace(draft, qd=qd, qdd=qdd, legs=tuple(leg(*one) for one in zip(problem.legs, draft.legs, strict=True)))
 
 
+def _halved(motion: LegMotion | None, grows: bool) -> LegMotion | None:
+    return motion.refined() if isinstance(motion, PathLeg | JointNodes) and grows else motion
+
+
 class NotConverged(Exception):
     """The nonlinear program found no clean answer from this start; the message is the solver's word."""
 
@@ -202,12 +232,23 @@ class Stopped(Exception):
     """There is no patience left for this solve."""
 
 
+@dataclass(frozen=True, eq=False)
+class Stage:
+    """An answer on one grid: its draft, the limits in force, its program and the solver's answer; whether no grid is
+    left."""
+
+    draft: Draft
+    margins: list[Margins | None]
+    warm: Sequence[Any]
+    ended: bool = False
+
+
 class Refiner:
     """Solves one problem from a draft, as long as there is patience."""
 
-    def __init__(self, axes: Axes, formulation: Formulation, problem: Problem, patience: Patience):
+    def __init__(self, axes: Axes, formulation: Formulation, problem: Problem, patience: Patience, grids: Grids = LONG):
         self.axes, self.formulation, self.problem, self.patience = axes, formulation, problem, patience
-        self.last = LAST_ALONE if len(problem.legs) == 1 else LAST
+        self.grids = grids
         self.seconds = {"build": 0.0, "solve": 0.0, "check": 0.0}
         self._known: dict[LegMotion, Ratios] = {}  # of the motions looked at last
         self.solved: tuple[Transcription, NlpResult | None] | None = None
@@ -256,6 +297,10 @@ class Refiner:
 
     def run(self, draft: Draft) -> Draft:
         """From a draft on its grid to the clean draft with the shortest time found. Raises NotConverged and Stopped."""
+        return self.finished(self.begun(draft))
+
+    def begun(self, draft: Draft) -> Stage:
+        """From a draft on its grid to a rough answer. Raises NotConverged and Stopped."""
         margins: list[Margins | None] = [
             Margins.full(m.N, self.axes.n, START if isinstance(m, PathLeg) else EXACT)
             if isinstance(m, PathLeg | JointNodes)
@@ -264,29 +309,47 @@ class Refiner:
         ]
         self._watch(draft, margins)
         draft, warm = self._first(draft, margins)
-        while True:
-            good = draft, margins, warm
-            n = max((m.N for m in draft.legs if isinstance(m, PathLeg)), default=self.last)
-            opened = self._open_grids(draft, margins)
-            if n >= self.last and not opened:
-                break
-            draft = self._with_grids(draft, margins)
-            if n < self.last:
-                margins = [
-                    m.refined() if m and isinstance(leg, PathLeg) else m
-                    for m, leg in zip(margins, draft.legs, strict=True)
-                ]
-                draft = replace(draft, legs=tuple(m.refined() if isinstance(m, PathLeg) else m for m in draft.legs))
-            if opened:
-                self._watch(draft, margins)
-            try:
-                start = self._slowed(draft, margins)
-                draft, *warm = self._solve(start, margins, BARRIER_REFINED, SHARP if 2 * n >= self.last else ROUGH)
-            except NotConverged:
-                # the coarser grid's answer is a motion too; cleaned, it is only a little slower
-                draft, margins, warm = good
-                break
-        return self._exchange(draft, margins, warm)
+        stage = Stage(draft, margins, warm)
+        while not stage.ended and self._intervals(stage.draft, self.grids.path) < self.grids.rough.path:
+            stage = self._finer(stage)
+        return stage
+
+    def finished(self, stage: Stage) -> Draft:
+        """From a rough answer to the clean draft with the shortest time found. Raises NotConverged and Stopped."""
+        while not stage.ended:
+            stage = self._finer(stage)
+        return self._exchange(stage.draft, stage.margins, stage.warm)
+
+    def _grows(self, motion: LegMotion | None, n: int) -> bool:
+        """Whether a motion's grid is halved for the next solve; n: intervals of the paths now."""
+        if isinstance(motion, JointNodes):
+            return n >= TOLD and self.grids.joints > motion.N
+        return isinstance(motion, PathLeg) and self.grids.path > motion.N
+
+    def _intervals(self, draft: Draft, default: int) -> int:
+        """On the paths of a draft."""
+        return max((m.N for m in draft.legs if isinstance(m, PathLeg)), default=default)
+
+    def _finer(self, stage: Stage) -> Stage:
+        """On the next grid, where there is one, with joint moves on grids that turned out to need one."""
+        draft, margins, last = stage.draft, [*stage.margins], self.grids.path
+        n = self._intervals(draft, last)
+        finer = [self._grows(motion, n) for motion in draft.legs]
+        opened = self._open_grids(draft, margins, self.grids if n >= TOLD else self.grids.rough)
+        if not (opened or any(finer)):
+            return replace(stage, ended=True)
+        draft = self._with_grids(draft, margins)
+        margins = [m.refined() if m and grows else m for m, grows in zip(margins, finer, strict=True)]
+        draft = replace(draft, legs=tuple(_halved(*one) for one in zip(draft.legs, finer, strict=True)))
+        if opened:
+            self._watch(draft, margins)
+        try:
+            start = self._slowed(draft, margins)
+            draft, *warm = self._solve(start, margins, BARRIER_REFINED, SHARP if 2 * n >= last else ROUGH)
+        except NotConverged:
+            # the coarser grid's answer is a motion too; cleaned, it is only a little slower
+            return replace(stage, ended=True)
+        return Stage(draft, margins, warm)
 
     def again(self, draft: Draft, before: Transcription, answer: NlpResult) -> Draft:
         """From the clean draft of a program that differs in numbers only, with that program and its answer, to the
@@ -301,8 +364,9 @@ class Refiner:
     def _first(self, draft: Draft, margins: list[Margins | None]) -> tuple[Draft, list[Any]]:
         """The first solve: a rough one from estimates, a sharp one from a draft already on the last grid."""
         gridded = any(isinstance(m, JointNodes) for m in draft.legs)
-        n = max((m.N for m in draft.legs if isinstance(m, PathLeg)), default=self.last if gridded else FIRST)
-        mu, tolerance = (BARRIER_REFINED, SHARP) if n >= self.last else (BARRIER_FIRST, ROUGH)
+        n = self._intervals(draft, self.grids.path if gridded else FIRST)
+        mu = BARRIER_REFINED if n >= self.grids.rough.path else BARRIER_FIRST
+        tolerance = SHARP if n >= self.grids.path else ROUGH
         try:
             out, *warm = self._solve(draft, margins, mu, tolerance)
         except NotConverged:
@@ -312,7 +376,7 @@ class Refiner:
     def _exchange(self, draft: Draft, margins: list[Margins | None], warm: Sequence[Any]) -> Draft:
         """Check densely, back_off where a limit is passed, solve again, until nothing is passed."""
         for _ in range(ROUNDS):
-            worst, changed, opened = 0.0, False, self._open_grids(draft, margins)
+            worst, changed, opened = 0.0, False, self._open_grids(draft, margins, self.grids)
             draft = self._with_grids(draft, margins)
             every = self._ratios(draft)
             for leg, motion, m, ratios in zip(self.problem.legs, draft.legs, margins, every, strict=True):
@@ -350,14 +414,14 @@ class Refiner:
             return draft
         return slowed(self.problem, draft, most * SLOWED)
 
-    def _open_grids(self, draft: Draft, margins: list[Margins | None]) -> bool:
+    def _open_grids(self, draft: Draft, margins: list[Margins | None], grids: Grids) -> bool:
         """Joint moves whose closed-form profiles break a tool cap or a range go on a grid."""
         opened = False
         closed = self._ratios(draft, JointProfiles)
         for k, (leg, ratios) in enumerate(zip(self.problem.legs, closed, strict=True)):
             past = 0.0 if ratios is None else max(np.max(ratios.tool), np.max(ratios.position))
             if leg.kind is LegKind.JOINT and past > 1 + OVER:
-                margins[k] = Margins.full(GRID_JOINT, self.axes.n, EXACT)
+                margins[k] = Margins.full(grids.joints, self.axes.n, EXACT)
                 opened = True
         return opened
 

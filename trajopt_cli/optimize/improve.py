@@ -7,6 +7,7 @@ little is gained; what was asked before is not asked again.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from functools import partial
 from time import perf_counter
@@ -17,7 +18,7 @@ import numpy as np
 from trajopt_cli.beside import in_turns
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.draft import Draft
-from trajopt_cli.optimize.driver import NotConverged, Refiner, Stopped, first_draft, on_last_grid
+from trajopt_cli.optimize.driver import Grids, NotConverged, Refiner, Stage, Stopped, first_draft, on_grid
 from trajopt_cli.optimize.effort import cost
 from trajopt_cli.optimize.formulation import Formulation
 from trajopt_cli.optimize.incumbent import NotDriven, duration, least_time, stopped_at_joint_moves, stopping, timed
@@ -90,7 +91,7 @@ def improved(
         start = perf_counter()
         hopes = search(axes, problem)
         add(seconds, "search", perf_counter() - start)
-    sweeps, tally = Sweeps(axes, patience, seconds, hands), Tally()
+    sweeps, tally = Sweeps(axes, Grids.of(problem), patience, seconds, hands), Tally()
     for one, base in bases:
         found = sweeps.run(one, base, hopes, tally, partial(_tell_best, tell, duration(best)))
         if duration(found) < duration(best) - LEAST_GAIN:
@@ -113,7 +114,7 @@ def sharpened(
         for point, q, d in zip(problem.waypoints, draft.q, rails, strict=True)
     )
     pinned = replace(problem, waypoints=tuple(held), ties=())
-    return Sweeps(axes, patience, seconds, hands).run(pinned, draft, None, Tally(), lambda _: None)
+    return Sweeps(axes, Grids.of(problem), patience, seconds, hands).run(pinned, draft, None, Tally(), lambda _: None)
 
 
 def _tell_best(tell: Report, known: float, now: float) -> None:
@@ -144,8 +145,11 @@ def frozen(problem: Problem, chain: Chain) -> Problem:
 class Sweeps:
     """Sweeps windows over the motions of one plant's problems, and remembers what came of each."""
 
-    def __init__(self, axes: Axes, patience: Patience, seconds: dict[str, float], hands: Callable[[], int] = lambda: 1):
-        self._hands = hands
+    def __init__(
+        self, axes: Axes, grids: Grids, patience: Patience, seconds: dict[str, float],
+        hands: Callable[[], int] = lambda: 1,
+    ):  # fmt: skip
+        self._grids, self._hands = grids, hands
         self._axes, self._patience, self._seconds, self._formulation = axes, patience, seconds, Formulation(axes)
         self._known: dict[bytes, Outcome] = {}
 
@@ -183,7 +187,7 @@ class Sweeps:
                 continue
             part = slice(window.first, window.last)
             untouched = all(now is then for now, then in zip(draft.legs[part], base.legs[part], strict=True))
-            hoped = [_hoped(self._axes, problem, window, hopes)] if hopes is not None and untouched else []
+            hoped = [_hoped(self._axes, problem, window, hopes, self._grids)] if hopes is not None and untouched else []
             key = window.key(*hoped)
             asked.append((window, key))
             if key not in self._known:
@@ -224,29 +228,44 @@ class Sweeps:
         starts, else the first that gains. tell: its key and what it saves [s]."""
         own, problem = window.draft, window.problem
         times = np.array([0.0 if motion is None else motion.T for motion in own.legs])
-        coarse = first_draft(self._axes, problem, own.q, own.qd, own.cfx, times)
-        near = on_last_grid(self._axes, problem, own)
-        starts = [*hoped, coarse, near] if untouched else [near, coarse]
+        coarse = first_draft(self._axes, problem, own.q, own.qd, own.cfx, times, self._grids)
+        near = on_grid(self._axes, problem, own, self._grids)
+        starts: list[Draft | Stage] = [*hoped, coarse, near] if untouched else [near, coarse]
         clean, seconds, best = False, dict[str, float](), own
-        for start in starts:
-            refiner = Refiner(self._axes, self._formulation, problem, self._patience)
-            try:
-                found = refiner.run(start)
-                clean = True
-            except NotConverged:
-                continue
-            except Stopped:
-                return Outcome(None if best is own else best, clean, seconds, stopped=True)
-            finally:
-                for phase, spent in refiner.seconds.items():
-                    add(seconds, phase, spent)
-            gain = cost(self._axes, problem, best.legs) - cost(self._axes, problem, found.legs)
-            if gain > LEAST_GAIN:
-                best = found
-                tell((key, cost(self._axes, problem, own.legs) - cost(self._axes, problem, best.legs)))
-            if not untouched or (best is not own and not few):
-                break  # from a motion found before the way leads back to it; of many legs the first that gains will do
+        try:
+            if few and untouched:
+                rough = on_grid(self._axes, problem, own, self._grids.rough)
+                starts = [*self._ahead(problem, [*hoped, coarse, rough], seconds), near]
+            for start in starts:
+                with self._refiner(problem, seconds) as refiner, suppress(NotConverged):
+                    found = refiner.finished(start) if isinstance(start, Stage) else refiner.run(start)
+                    clean = True
+                    if cost(self._axes, problem, best.legs) - cost(self._axes, problem, found.legs) > LEAST_GAIN:
+                        best = found
+                        tell((key, cost(self._axes, problem, own.legs) - cost(self._axes, problem, best.legs)))
+                if clean and (best is not own or not untouched):
+                    break  # from a motion found before the way leads back to it
+        except Stopped:
+            return Outcome(None if best is own else best, clean, seconds, stopped=True)
         return Outcome(None if best is own else best, clean, seconds)
+
+    def _ahead(self, problem: Problem, starts: Sequence[Draft], seconds: dict[str, float]) -> list[Stage]:
+        """Rough answers from those starts that lead to one, the best first. Raises Stopped."""
+        found: list[Stage] = []
+        for start in starts:
+            with self._refiner(problem, seconds) as refiner, suppress(NotConverged):
+                found.append(refiner.begun(start))
+        return sorted(found, key=lambda stage: cost(self._axes, problem, stage.draft.legs))
+
+    @contextmanager
+    def _refiner(self, problem: Problem, seconds: dict[str, float]) -> Iterator[Refiner]:
+        """To solve a window's problem with; its seconds are added up."""
+        refiner = Refiner(self._axes, self._formulation, problem, self._patience, self._grids)
+        try:
+            yield refiner
+        finally:
+            for phase, spent in refiner.seconds.items():
+                add(seconds, phase, spent)
 
 
 def _halves(problem: Problem, span: Span, tally: Tally) -> list[Span]:
@@ -259,7 +278,7 @@ def _halves(problem: Problem, span: Span, tally: Tally) -> list[Span]:
     return [(span[0], border), (border, span[1])]
 
 
-def _hoped(axes: Axes, problem: Problem, window: Window, chain: Chain) -> Draft:
+def _hoped(axes: Axes, problem: Problem, window: Window, chain: Chain, grids: Grids) -> Draft:
     """The search's chain between the window's ends; stations at an end in another configuration there stay as they
     are."""
     at, own = slice(window.first, window.last + 1), window.draft
@@ -280,7 +299,7 @@ def _hoped(axes: Axes, problem: Problem, window: Window, chain: Chain) -> Draft:
             times[k] = 0.0
         elif motion is not None and (k in kept or k + 1 in kept):
             times[k] = max(times[k], motion.T)
-    return first_draft(axes, window.problem, q, qd, tuple(cfx), times)
+    return first_draft(axes, window.problem, q, qd, tuple(cfx), times, grids)
 
 
 def may_gain(axes: Axes, piece: Problem, legal: Draft) -> bool:

@@ -142,8 +142,14 @@ LEAST_GAIN = 1e-6  # s that a nonlinear program must save to be worth another mo
 # ---- transcription: the nonlinear program
 FIRST = 6  # intervals of a path on the first grid, doubled from solve to solve. Measured: direct starts on 16 or 20
 # intervals failed sometimes, nested grids from 6 did not.
-LAST = 48  # intervals on the last grid. Measured on hinge_cell: 24, 48 and 96 give 6.5043, 6.5023 and 6.5006 s.
-LAST_ALONE = 48  # the same where a leg is solved by itself: cheap there. Not measured.
+LAST = (
+    48  # intervals of a path on the last grid of a long program. Measured on hinge_cell with twice as many intervals of
+)
+# joint moves: 48 give 6.5009 s, 96 6.5000 s.
+SHORT = 16  # legs of a program with finer grids. Measured: on 27 legs they took twice the time for 0.01 %.
+FINE = 96  # intervals of a path on its last grid. Measured as LAST.
+FINE_JOINT = 48  # and of a joint move there. Measured as LAST: 24 give 6.5005 s.
+TOLD = 24  # intervals of a path on which it is told which of several starts leads farthest. Not measured.
 GRID_JOINT = 24  # intervals of a joint move once a tool cap or a range binds. Not measured.
 FREE_ZONES = 12  # intervals at which run-up, middle and run-out of a path may shift; kept on finer grids, which saves
 # iterations. Not measured.
@@ -155,7 +161,8 @@ LEAST_RATE = 1e-9  # of a share's rate by scaled time. Not measured.
 LEAST_TIME = 1e-3  # s of a leg without a way, so that scaled time stays defined. Not measured.
 GLIDE = 0.01  # s; in a shorter wait the rail goes on as it comes. Measured: one of 1e-6 s had rows off by 1e10.
 LEAST_DRAFT = 2e-3  # s of such a leg in the first draft. Not measured.
-DAMPING = 4e-7  # s per squared scaled acceleration, where many motions take the same time. Not measured.
+DAMPING = 1e-7  # s per squared scaled acceleration, where many motions take the same time. Measured: 4e-7 cost 0.3 ms
+# of hinge_cell, 1e-8 let hinge_line's solves fail.
 DAMPING_DWELL = 4e-6  # the same while the tool rests. Measured: with less a long dwell's rail chatters between the
 # nodes; with it and PUSHED, hinge_line's stream plan came to 11.819 s in 33 s, from 12.437 s in 220 s (54fd039).
 SHARPEST = 1e6  # of the bound of a share's second derivative, where the tool's caps ask for more than SHARE_CURVE. Not
@@ -195,7 +202,8 @@ FIRST_PUSH = 1e-2  # the same of a start without multipliers. Not measured.
 BARRIER_ERROR = 10.0  # times the barrier parameter that may be off before it falls. Measured: 30 takes up to 3 of 26
 # iterations less on one program and fails on another.
 BARRIER_FACTOR = 0.2  # times that it falls at least. Not measured.
-BARRIER_POWER = 1.5  # or to this power of itself, whichever falls less. Measured: 0.1 makes no difference.
+BARRIER_POWER = 1.2  # or to this power of itself, whichever falls less. Measured: on fine grids 1.5 took
+# 95 iterations where 1.2 takes 52.
 LEAST_TAU = 0.99  # share of the way to a bound that a step may go. Not measured.
 FEASIBLE = 1e-10  # by which a row may be off in the end. Not measured.
 FEASIBLE_ROUGH = 1e-7  # the same on a grid that is refined afterwards. Not measured.
