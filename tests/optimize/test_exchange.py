@@ -11,7 +11,7 @@ from small_cells import HOME, plant_with_rail, problem_of, rapid
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.draft import Margins
-from trajopt_cli.optimize.exchange import back_off, check_leg
+from trajopt_cli.optimize.exchange import Ratios, back_off, check_leg
 from trajopt_cli.optimize.legs import PathLeg, Sample, parabola
 from trajopt_cli.optimize.tuning import SAFE, START
 from trajopt_cli.path.line import Line
@@ -84,3 +84,13 @@ def test_one_round_leaves_half_of_a_limit_however_much_it_is_passed() -> None:
     path = PathLeg(1.0, Line(X, X), X, 0, HOME, np.linspace(0, 1, 2), s, v, a, d, d, d[1:])
     assert back_off(margins, check_leg(axes, problem.legs[0], spike), path, SAFE)
     assert margins.acceleration[:, 3].tolist() == [0.5, 0.5]
+
+
+def test_a_range_is_not_passed_by_rounding() -> None:
+    axes = Axes.of(plant_with_rail())
+    half, d = np.full((1, axes.n), 0.5), np.zeros((2, 1))
+    X, rest = np.eye(4), np.zeros(2)
+    path = PathLeg(1.0, Line(X, X), X, 0, HOME, np.linspace(0, 1, 2), rest, rest, d[0], d, d, d[1:])
+    margins = Margins.full(1, axes.n, 1.0)
+    assert not back_off(margins, Ratios(half, half, half + 0.5 + 2.3e-16, np.zeros((1, 3))), path, SAFE)
+    assert back_off(margins, Ratios(half, half, half + 0.5 + 1e-6, np.zeros((1, 3))), path, SAFE)

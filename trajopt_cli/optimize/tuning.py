@@ -248,6 +248,8 @@ AMPLE = 1.5  # times the excess taken off a dwell's push. Measured: hinge_cell's
 # of five (6f06e06).
 PUSHED = 1e-3  # share of its acceleration from which the rail drives the arm. Measured as DAMPING_DWELL.
 LEAST_PUSH = 0.1  # share that one round leaves of a push at least. Not measured.
+AT_END = 1e-9  # of half an axis' range by which it may be passed: rounding. Measured: by 2e-16 a stop at the end of a
+# range was no answer in any round.
 LEAST_LEFT = 0.5  # share that one round leaves of any other limit at least. Measured: where an arm left its reach
 # between two nodes, a thousandth of its acceleration was left and no solve converged.
 NEAR_CAP = 0.7  # share of a tool cap from which a joint move's node holds it explicitly. Not measured.
