@@ -380,12 +380,13 @@ def run(seed: int, folder: Path, patience: float, starts: int) -> dict[str, obje
     if code is None:
         row["kind"], row["says"] = "no answer", f"nothing after {patience:g} s of processor"
     elif code == 0:
-        plans = json.loads((out / "summary.json").read_text())["plans"]
-        for name, one in plans.items():
+        summary = json.loads((out / "summary.json").read_text())
+        missed = [note for note in summary["notes"] if " failed to converge" in note or "nothing faster" in note]
+        for name, one in summary["plans"].items():
             row[name], row[f"{name} bound"] = one["cycle_time_s"], one["lower_bound_s"]
         judged, word, _ = command(["verify", str(out)], patience)
         row["kind"] = "legal" if judged == 0 else "ILLEGAL"
-        row["says"] = "" if judged == 0 else word
+        row["says"] = "; ".join(missed) if judged == 0 else word
         if starts:
             row["says"] = others(read_job(module), {t: float(str(row[t.value])) for t in Target}, starts, seed)
     elif code == 1 and said.startswith(str(folder)):
