@@ -155,6 +155,21 @@ def test_a_joint_move_takes_no_less_than_the_tool_straight_from_stop_to_stop(pro
     assert low == program.least(program.problem.legs[k]) == pytest.approx(way / 1.0 + 1.0 / 20.0)
 
 
+def test_a_slow_joint_move_is_damped_as_much_more_as_it_is_slower(program: Transcription) -> None:
+    k = leg_of(program, LegKind.JOINT)
+
+    def weights(T: float) -> list[float]:
+        legs = [replace(m, T=T) if i == k else m for i, m in enumerate(program.draft.legs)]
+        draft = replace(program.draft, legs=tuple(legs))
+        slow = Transcription(program.axes, program.formulation, program.problem, draft, program.margins)
+        of = {int(i) for i in slow.legs[k].qa.ravel()}
+        return [weight for indices, weight in slow.nlp._damped if of >= set(indices.tolist())]
+
+    assert len(weights(0.5)) == N_JOINT
+    np.testing.assert_allclose(weights(0.5), 4e-7)  # an even grid: each interval as much
+    np.testing.assert_allclose(weights(50.0), 4e-6)
+
+
 def test_a_programmed_time_is_no_variable() -> None:
     plant = plant_with_rail()
     axes = Axes.of(plant)

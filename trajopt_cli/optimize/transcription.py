@@ -23,6 +23,7 @@ from trajopt_cli.optimize.formulation import INF, LEFT, RIGHT, Formulation, Tool
 from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg
 from trajopt_cli.optimize.relation import Parts, Relation
 from trajopt_cli.optimize.tuning import (
+    DAMPED_AS_MUCH,
     DAMPING,
     DAMPING_DWELL,
     DAMPING_JERK,
@@ -474,7 +475,7 @@ class Transcription:
         else:
             out.qa = nlp.variables(motion.a, -np.tile(sharp, N), np.tile(sharp, N)).reshape(N, n)
         for indices, step in zip(out.qa, np.diff(motion.grid), strict=False):
-            self._damp(indices, DAMPING * N * step)
+            self._damp(indices, DAMPING * N * step * max(1.0, motion.T / DAMPED_AS_MUCH))
         if self.axes.jerk is not None:
             self._damp_jerk(out.qj, self.axes.jerk * motion.T**3, motion.T)
         V, A = self.axes.velocity_on(leg), self.axes.acceleration_on(leg)
