@@ -164,7 +164,7 @@ LEAST_DRAFT = 2e-3  # s of such a leg in the first draft. Not measured.
 DAMPING = 1e-7  # s per squared scaled acceleration, where many motions take the same time. Measured: 4e-7 cost 0.3 ms
 # of hinge_cell, 1e-8 let hinge_line's solves fail.
 DAMPED_AS_MUCH = 1.25  # s of a joint move on a grid up to which it has DAMPING; a slower one has more in proportion.
-# Measured, with as much of it, on joint moves of 48 and 112 s: without no answer in 150 iterations, with it one in 26 to
+# Measured on joint moves of 48 and 112 s: without no answer in 150 iterations, with it one in 26 to
 # 125 that is 0.05 to 0.1 % slower.
 DAMPING_DWELL = 4e-6  # the same while the tool rests. Measured: with less a long dwell's rail chatters between the
 # nodes; with it and PUSHED, hinge_line's stream plan came to 11.819 s in 33 s, from 12.437 s in 220 s (54fd039).
