@@ -67,6 +67,18 @@ def rotation_about(axis: ArrayLike, angle: ArrayLike) -> Array:
     return np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * (K @ K)
 
 
+def rotations_by(turns: Array) -> Array:
+    """Rotation matrices (m, 3, 3) by rotation vectors (m, 3) in rad."""
+    out = np.tile(np.eye(3), (len(turns), 1, 1))
+    angle = np.linalg.norm(turns, axis=1)
+    at = np.flatnonzero(angle)
+    x, y, z = (turns[at] / angle[at, None]).T
+    K = np.zeros((len(at), 3, 3))
+    K[:, 0, 1], K[:, 0, 2], K[:, 1, 0], K[:, 1, 2], K[:, 2, 0], K[:, 2, 1] = -z, y, z, -x, -y, x
+    out[at] += np.sin(angle[at])[:, None, None] * K + (1 - np.cos(angle[at]))[:, None, None] * (K @ K)
+    return out
+
+
 def axis_angle(R: ArrayLike) -> tuple[Array, float]:
     """Unit axis (3,) and angle in [0, pi] of one rotation matrix (3, 3); x for the identity."""
     w, *v = wxyz_from_rotation(R)

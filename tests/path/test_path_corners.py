@@ -13,6 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, pose
+from trajopt_cli.path.along import along_all
 from trajopt_cli.path.arc import Arc, ArcSymbols
 from trajopt_cli.path.corner import Corner, CornerSymbols
 from trajopt_cli.path.line import Line, LineSymbols
@@ -53,6 +54,21 @@ def some_corner(rng: np.random.Generator, pair: tuple[str, str], bent: tuple[flo
     after = onward(rng, pair[1], before.X_1)
     largest = min(before.length, after.length) * rng.uniform(0.1, 0.5)
     return Corner.of_zone(before, after, largest * bent[0], largest * bent[1])
+
+
+@given(seeds, parts)
+@settings(max_examples=20)
+def test_many_segments_at_once_say_what_each_says(seed: int, bent: tuple[float, float]) -> None:
+    rng = np.random.default_rng(seed)
+    X = random_pose(rng)
+    straight = Line(X, pose(X[:3, :3], X[:3, 3] + 0.1))
+    some = [some_corner(rng, pair, bent) for pair in (("line", "line"), ("line", "arc"), ("line", "line"))]
+    segments = [straight, some[0], onward(rng, "line", X), some[1], onward(rng, "arc", X), some[2], some[0], straight]
+    shares = [np.sort(rng.uniform(0, 1, n)) for n in range(3, 3 + len(segments))]
+    found = along_all(segments, shares)
+    wanted = [(one.pose(s), one.twist(s), one.twist_rate(s)) for one, s in zip(segments, shares, strict=True)]
+    for at_once, alone in zip(found, zip(*wanted, strict=True), strict=True):
+        assert np.abs(at_once - np.concatenate(alone)).max() < 1e-13
 
 
 @given(seeds)

@@ -19,13 +19,13 @@ import numpy as np
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.tuning import CORNER_PART, END_CURVE, SHRINK, SHRINKS, SPHERE, SPHERE_SAMPLES, ZONE_SAMPLES
+from trajopt_cli.path.along import along_all
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.carried import Carried
 from trajopt_cli.path.corner import Corner
 from trajopt_cli.path.joint_corner import JointCorner
 from trajopt_cli.path.joint_move import JointMove
 from trajopt_cli.path.line import Line
-from trajopt_cli.path.segment import along_all
 from trajopt_cli.problem.problem import LegKind, Problem
 
 _SHORT = 1e-9  # of a way, or of a share: no part of it

@@ -52,8 +52,9 @@ from trajopt_cli.optimize.tuning import (
     SHORT_NODES,
     SLACK,
 )
+from trajopt_cli.path.along import along_all
 from trajopt_cli.path.line import Line
-from trajopt_cli.path.segment import Segment, along_all
+from trajopt_cli.path.segment import Segment
 from trajopt_cli.problem.alike import leg_name
 from trajopt_cli.problem.freedom import RailFreedom
 from trajopt_cli.problem.problem import Leg, LegKind, Problem

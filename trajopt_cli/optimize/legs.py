@@ -17,7 +17,8 @@ import numpy as np
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.tuning import SAMPLED
-from trajopt_cli.path.segment import Segment, along_all
+from trajopt_cli.path.along import along_all
+from trajopt_cli.path.segment import Segment
 
 _NUMB = 1e-6  # sine of joint 5 below which the inverse kinematics tells joints 4 and 6 apart by convention only
 _BESIDE = 1e-6  # share of a way by which one goes beside such a place

@@ -9,6 +9,7 @@ differ by less than a sixteenth of the product of both turns [rad].
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -17,10 +18,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array, BoolArray, axis_angle, rotation_about
+from trajopt_cli.geometry import Array, BoolArray, IndexArray, axis_angle, rotation_about, rotations_by
 from trajopt_cli.path.arc import Arc, ArcSymbols
 from trajopt_cli.path.hermite import hermite
-from trajopt_cli.path.line import Line, LineSymbols
+from trajopt_cli.path.line import Line, LineSymbols, lines_along
 from trajopt_cli.path.segment import POINT, check_shares
 from trajopt_cli.path.symbols import Flange, Layout, about, flange_at_start
 
@@ -170,6 +171,47 @@ class Corner:
         R_0, turn_0, turn_1 = self._turns
         R = R_0 @ _turned(turn_0, 2 * u - u * u)
         return R_0 @ turn_0, R @ turn_1, R @ np.cross(turn_0, turn_1)
+
+
+def corners_along(corners: Sequence[Corner], of: IndexArray, s: Array) -> tuple[Array, Array, Array]:
+    """Poses (m, 4, 4), twists and their rates (m, 6) at shares s (m,) of the corners of lines with numbers of (m,)."""
+    numbers = np.array([(one.share_before, one.share_after, one.position, one.orientation) for one in corners])
+    share_0, share_1, position, orientation = numbers[of].T
+    lines = [one.before for one in corners] + [one.after for one in corners]
+    first = s < 0.5
+    t = np.where(first, 1 - share_0 * (1 - 2 * s), share_1 * (2 * s - 1))
+    X, twist, bend = lines_along([x for x in lines if isinstance(x, Line)], of + len(corners) * ~first, t)
+    twist *= 2 * np.where(first, share_0, share_1)[:, None]
+    for part, fill in ((position, _bent), (orientation, _turning)):
+        u = 0.5 + (s - 0.5) / part
+        at = np.flatnonzero(((u >= 0) & (u < 1)) | (part >= 1))
+        fill(corners, of[at], u[at, None], part[at, None], at, X, twist, bend)
+    return X, twist, bend
+
+
+def _bent(
+    corners: Sequence[Corner], of: IndexArray, u: Array, part: Array, at: IndexArray, X: Array, twist: Array,
+    bend: Array,
+) -> None:  # fmt: skip
+    """Fill in the positions at shares u (m, 1) of the part where they are bent."""
+    p_0, rate_0, p_1, rate_1 = (np.array(end)[of] for end in zip(*(one._curve for one in corners), strict=True))
+    p, rate, change = hermite(p_0, rate_0, p_1, rate_1, u)
+    X[at, :3, 3], twist[at, :3], bend[at, :3] = p, rate / part, change / part**2
+
+
+def _turning(
+    corners: Sequence[Corner], of: IndexArray, u: Array, part: Array, at: IndexArray, X: Array, twist: Array,
+    bend: Array,
+) -> None:  # fmt: skip
+    """Fill in the orientations at shares u (m, 1) of the part where they are bent."""
+    R_0, turn_0, turn_1 = (np.array(end)[of] for end in zip(*(one._turns for one in corners), strict=True))
+    R = R_0 @ rotations_by((2 * u - u * u) * turn_0)
+    X[at, :3, :3] = R @ rotations_by(u * u * turn_1)
+    a, b, across = (
+        (left @ right[..., None])[..., 0] for left, right in ((R_0, turn_0), (R, turn_1), (R, np.cross(turn_0, turn_1)))
+    )
+    twist[at, 3:] = ((2 - 2 * u) * a + 2 * u * b) / part
+    bend[at, 3:] = (2 * (b - a) + 4 * u * (1 - u) * across) / part**2
 
 
 def _part(s: Array, part: float) -> tuple[BoolArray, Array]:

@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, axis_angle, pose, rotation_about, rotation_from_wxyz, wxyz_from_rotation
+from trajopt_cli.geometry import (
+    Array,
+    IndexArray,
+    axis_angle,
+    pose,
+    rotation_about,
+    rotation_from_wxyz,
+    rotations_by,
+    wxyz_from_rotation,
+)
 from trajopt_cli.path.symbols import TURN, Flange, Layout, about, flange_at_start, turn_parts
 
 if TYPE_CHECKING:
@@ -71,6 +81,17 @@ class Line:
     def twist_rate(self, s: Array) -> Array:
         """Zeros (n, 6)."""
         return np.zeros((len(s), 6))
+
+
+def lines_along(lines: Sequence[Line], of: IndexArray, s: Array) -> tuple[Array, Array, Array]:
+    """Poses (m, 4, 4), twists and their rates (m, 6) at shares s (m,) of the lines with numbers of (m,)."""
+    X = np.array([line.X_0 for line in lines])[of]
+    twist = np.array([np.concatenate([line.chord, line.turn]) for line in lines])[of]
+    turns = np.array([line.axis * line.angle for line in lines])
+    X[:, :3, 3] += s[:, None] * twist[:, :3]
+    if turns.any():  # most lines turn nothing
+        X[:, :3, :3] @= rotations_by(s[:, None] * turns[of])
+    return X, twist, np.zeros_like(twist)
 
 
 def poses_of_many(X_0: Array, X_1: Array, s: Array) -> Array:

@@ -6,11 +6,7 @@ m and angles in rad belong to the whole segment, so a way of sigma metres is the
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from itertools import groupby
 from typing import Protocol
-
-import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
@@ -62,17 +58,6 @@ class JointSegment(Protocol):
 
     def rate_change(self, s: Array) -> Array:
         """Second derivative (n, k) by s."""
-
-
-def along_all(segments: Sequence[Segment], shares: Sequence[Array]) -> tuple[Array, Array, Array]:
-    """Pose, twist and its rate of segments at shares (n,) of each, one after the other: (m, 4, 4), (m, 6), (m, 6)."""
-    found = []
-    for _, group in groupby(zip(segments, shares, strict=True), key=lambda pair: id(pair[0])):
-        ((segment, first), *others) = group
-        s = np.concatenate([first, *(share for _, share in others)])
-        found.append((segment.pose(s), segment.twist(s), segment.twist_rate(s)))
-    X, twist, bend = (np.concatenate(one) for one in zip(*found, strict=True))
-    return X, twist, bend
 
 
 def way(segment: Segment) -> tuple[float, str]:
