@@ -11,6 +11,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from decimal import Decimal, InvalidOperation
+from functools import lru_cache
 
 import numpy as np
 
@@ -24,6 +25,7 @@ _SI = {"m": 1.0, "mm": MM, "rad": 1.0, "deg": DEG}
 _POSITION = re.compile(r"(?P<name>\w+) \[(?P<unit>m|mm|rad|deg)\]")
 _SPEED = re.compile(r"(?P<name>\w+) speed \[(?P<unit>m|mm|rad|deg)/s\]")
 _FINEST = -15  # digits beyond the fifteenth decimal are under the rounding of any double near 1
+_ROWS = 4096  # that are text and numbers at once
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,9 +60,10 @@ def write_csv_text(trajectory: Trajectory) -> str:
         columns.append(trajectory.qd)
     table = np.hstack(columns)
     row = ",".join(["%.17g"] * table.shape[1])
-    lines = [",".join(header(trajectory.names, trajectory.qd is not None))]
-    lines += [row % tuple(values) for values in table.tolist()]
-    return "\n".join(lines) + "\n"
+    parts = [",".join(header(trajectory.names, trajectory.qd is not None))]
+    for first in range(0, len(table), _ROWS):
+        parts.append("\n".join([row % tuple(values) for values in table[first : first + _ROWS].tolist()]))
+    return "\n".join(parts) + "\n"
 
 
 @of_kind(ErrorKind.RESULTS)
@@ -78,20 +81,23 @@ def read_csv_text(text: str, file: str) -> tuple[Trajectory, Resolution]:
         raise InputError("the file is empty; its first line must be the header t [s],<axis> [unit],...", file=file)
     names, factors, speeds = _read_header(lines[0].removeprefix("\ufeff").rstrip("\r"), file)
     k, width = len(names), len(factors)
-    fields = [line.rstrip("\r").split(",") for line in lines[1:]]
-    for number, row in enumerate(fields, start=2):
-        if len(row) != width:
-            raise InputError(f"{len(row)} values, the header has {width} columns", file=file, line=number)
-    if len(fields) < 2:
-        raise InputError(f"{len(fields)} rows; a motion needs at least 2", file=file, line=len(lines))
-    table = _numbers(fields, file)
+    table, finest = np.empty((len(lines) - 1, width)), [99] * width
+    for first in range(1, len(lines), _ROWS):
+        fields = [line.rstrip("\r").split(",") for line in lines[first : first + _ROWS]]
+        for number, row in enumerate(fields, start=first + 1):
+            if len(row) != width:
+                raise InputError(f"{len(row)} values, the header has {width} columns", file=file, line=number)
+        table[first - 1 : first - 1 + len(fields)] = _numbers(fields, file, first + 1)
+        finest = [_finest(fields, column, known) for column, known in enumerate(finest)]
+    if len(table) < 2:
+        raise InputError(f"{len(table)} rows; a motion needs at least 2", file=file, line=len(lines))
     t = table[:, 0]
     late = np.flatnonzero(np.diff(t) <= 0)
     if late.size:
         i = int(late[0])
         message = f"time {t[i + 1]:.17g} s follows {t[i]:.17g} s; times must increase"
         raise InputError(message, file=file, line=i + 3, column=1)
-    exponents = _exponents(fields, table)
+    exponents = _exponents(finest, table)
     steps = [10.0**exponent for exponent in exponents]
     q, qd = (table[:, part] * factors[part] for part in (slice(1, 1 + k), slice(1 + k, width)))
     resolution = Resolution(
@@ -129,8 +135,8 @@ def _read_header(line: str, file: str) -> tuple[tuple[str, ...], Array, bool]:
     return names, np.array([1.0, *(_SI[match["unit"]] for match in positions + speeds)]), bool(speeds)
 
 
-def _numbers(fields: list[list[str]], file: str) -> Array:
-    """The table as float64; raises InputError at the first field that is not a finite number."""
+def _numbers(fields: list[list[str]], file: str, line: int) -> Array:
+    """Rows that begin at a line, as float64; raises InputError at the first field that is not a finite number."""
     table = np.empty((0, 0))
     try:
         table = np.array(fields, dtype=np.float64)
@@ -139,7 +145,7 @@ def _numbers(fields: list[list[str]], file: str) -> Array:
         good = False
     if good:
         return table
-    for number, row in enumerate(fields, start=2):
+    for number, row in enumerate(fields, start=line):
         for i, field in enumerate(row):
             try:
                 finite = bool(np.isfinite(float(field)))
@@ -151,24 +157,26 @@ def _numbers(fields: list[list[str]], file: str) -> Array:
     raise InputError("the table holds a number that cannot be read", file=file)
 
 
-def _exponents(fields: list[list[str]], table: Array) -> list[int]:
-    """Power of ten of the last printed digit per column, the finest found in it.
+def _finest(fields: list[list[str]], column: int, known: int) -> int:
+    """Power of ten of the last digit in a column, the finest found in these rows or known."""
+    for row in fields:
+        if known <= _FINEST:
+            break
+        known = min(known, _exponent(row[column]))
+    return max(known, _FINEST)
+
+
+def _exponents(found: list[int], table: Array) -> list[int]:
+    """Power of ten of the last printed digit per column, from the finest found in it.
 
     A column that never changes may hide its digits (`0.0`): it counts as printed like the finest of the others.
     """
-    out: list[int] = []
-    for column in range(table.shape[1]):
-        finest = 99
-        for row in fields:
-            finest = min(finest, _exponent(row[column]))
-            if finest <= _FINEST:
-                break
-        out.append(max(finest, _FINEST))
     moving = np.ptp(table, axis=0) > 0
-    finest = min((e for e, moves in zip(out[1:], moving[1:], strict=True) if moves), default=min(out[1:]))
-    return [e if moves else min(e, finest) for e, moves in zip(out, moving, strict=True)]
+    finest = min((e for e, moves in zip(found[1:], moving[1:], strict=True) if moves), default=min(found[1:]))
+    return [e if moves else min(e, finest) for e, moves in zip(found, moving, strict=True)]
 
 
+@lru_cache(maxsize=64)  # what rests is the same from row to row
 def _exponent(field: str) -> int:
     try:
         exponent = Decimal(field.strip()).as_tuple().exponent

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 
 import numpy as np
 import pytest
 from legal_motion import B_IN, B, Case, bench_case, faster, held_case, hold, rapid_case, stream_case
+from legal_runs import line_line
 
 from trajopt_cli.joint_csv import Resolution, header, read_csv_text
 from trajopt_cli.motion import Wait
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.trajectory import Trajectory
+from trajopt_cli.verify import rows as rows_module
 from trajopt_cli.verify.judge import verify as verify_with_advice
 
 verify = partial(verify_with_advice, advice=False)
@@ -42,6 +45,19 @@ def test_a_legal_motion_passes(name: str, rows: dict[str, object], decimals: int
     for target in targets:
         report = verify(case.program, case.plant, trajectory, resolution, target=target)
         assert report.legal, [f.message for f in report.findings if not f.passed]
+
+
+@pytest.mark.parametrize("made", [*CASES.values(), line_line])
+def test_what_is_left_out_in_a_long_file_is_at_no_point(
+    made: Callable[[], Case], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    case = made()
+    found = []
+    for block in (1, 7, 10**6):  # of one row each, and all rows in one: nothing is left out
+        monkeypatch.setattr(rows_module, "BLOCK", block)
+        found.append(verify(case.program, case.plant, case.rows(grid_only=True, step=0.004)))
+    assert found[0].legal
+    assert found[0] == found[1] == found[2]
 
 
 @pytest.mark.parametrize("step", [0.003, 0.0043, 0.0071, 0.01])

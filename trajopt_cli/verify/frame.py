@@ -94,6 +94,15 @@ class Frame:
         return np.asarray((self.p * self.p).sum(axis=1))
 
     @cached_property
+    def _boxes(self) -> tuple[Array, Array]:
+        return self.rows.blocks.boxes(self.p)
+
+    def off_boxes(self, P: Array) -> Array:
+        """No more than the distance, m, of any row in each block from a point P (3,)."""
+        low, high = self._boxes
+        return np.asarray(np.linalg.norm(np.maximum(np.maximum(low - P, P - high), 0.0), axis=1))
+
+    @cached_property
     def reach(self) -> Array:
         """How far (n-1,) the TCP may be from the chords between rows, m: a h^2/8, and what printing leaves open."""
         sagitta = self.rows.plant.tcp.acceleration * self.rows.gaps**2 / 8

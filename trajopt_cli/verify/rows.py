@@ -41,6 +41,10 @@ TIME_SCALE = 0.03
 makes a truncation of 1e-4 of the limit at most (seen on the hinge cell: 9e-5)."""
 
 
+BLOCK = 64
+"""Rows that are left out together where none of them can be at a point."""
+
+
 @dataclass(frozen=True, eq=False)
 class Rows:
     """A file's rows with the doubt about them, and the flange at each.
@@ -184,9 +188,42 @@ class Rows:
         return np.asarray(out)
 
     @cached_property
+    def blocks(self) -> Blocks:
+        """The rows in blocks."""
+        return Blocks(len(self.t))
+
+    @cached_property
+    def arm_boxes(self) -> tuple[Array, Array]:
+        """Least and greatest of the arm's joints in each block."""
+        return self.blocks.boxes(self.q[:, -6:])
+
+    @cached_property
     def hermite_motion(self) -> tuple[Array, Array, Array]:
         """Flange poses (m, 4, 4), velocities and accelerations (m, 6) at hermite_places."""
         return self.mechanism.flange_motion(*self.hermite_places[1:])
+
+
+@dataclass(frozen=True)
+class Blocks:
+    """n rows in blocks of BLOCK that follow each other."""
+
+    n: int
+
+    def most(self, x: Array) -> Array:
+        """The greatest of x (n, ...) in each block."""
+        return np.asarray(np.maximum.reduceat(x, np.arange(0, self.n, BLOCK)))
+
+    def boxes(self, x: Array) -> tuple[Array, Array]:
+        """Least and greatest of x (n, ...) in each block."""
+        return -self.most(-x), self.most(x)
+
+    def rows(self, wanted: NDArray[np.bool_]) -> NDArray[np.intp]:
+        """The rows of the blocks wanted."""
+        return np.flatnonzero(np.repeat(wanted, BLOCK)[: self.n])
+
+    def inside(self, before: int, after: int) -> slice:
+        """The blocks wholly between two rows."""
+        return slice(before // BLOCK + 1, after // BLOCK)
 
 
 def look(plant: Machine, trajectory: Trajectory, resolution: Resolution | None, marks: int = 1) -> Rows:

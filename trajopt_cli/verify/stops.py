@@ -117,17 +117,19 @@ def _meanwhile(rows: Rows, line: Timeline, i: int) -> NDArray[np.intp]:
 
 def _reached(rows: Rows, visit: Visit, frame: Frame, line: Timeline, i: int) -> Finding:
     """Whether the stop was reached, and at rest; else the closest the file comes to it before the next stop."""
-    stop, close = visit.point, visit.match.close
-    assert close is not None
+    stop, look = visit.point, visit.match.look
+    assert look is not None
     unit, subject = ("m", "TCP") if stop.X_WF is not None and stop.arm is None else ("rad", "arm")
     if isinstance(stop.move, MoveExtJ):
         unit, subject = "m", rows.plant.limits.names[0]
     if visit.event is None:
         between = _meanwhile(rows, line, i)
-        row = int(between[0]) + int(np.argmin(close.distance[between[0] : between[-1] + 2]))
+        close = look(np.arange(between[0], min(between[-1] + 2, len(rows.t))))
+        nearest = int(np.argmin(close.distance))
+        row = int(close.at[nearest])
         axes = stop.arm is not None or isinstance(stop.move, MoveExtJ)
         value, limit, unit = (
-            _off(rows, visit, frame, row) if not axes else (close.distance[row] * JOINT_TARGET, JOINT_TARGET, unit)
+            _off(rows, visit, frame, row) if not axes else (close.distance[nearest] * JOINT_TARGET, JOINT_TARGET, unit)
         )
         note = f": {stop.name} is not reached in program order, the TCP runs {frame.least_speed[row]:.3g} m/s there"
         return finding("stop reached", subject, value, limit, unit, False, time=float(rows.t[row]), source=stop.source,
@@ -136,7 +138,7 @@ def _reached(rows: Rows, visit: Visit, frame: Frame, line: Timeline, i: int) -> 
     value = float(frame.least_speed[visit.arrive])
     turning = float(frame.least_turning[visit.arrive])
     seen = "" if rows.marked else f" (rows {2 * rows.open_time[visit.arrive]:.3g} s apart show rest to this)"
-    rests = bool(close.rests[visit.arrive])
+    rests = bool(look(np.array([visit.arrive])).rests[0])
     if not rests and value <= granted:
         return finding("stop rest", "TCP", turning, REST_ANGULAR, "rad/s", False, time=float(rows.t[visit.arrive]),
                        source=stop.source, note=f" at {stop.name}{seen}")  # fmt: skip
@@ -159,8 +161,8 @@ def _rail(rows: Rows, visit: Visit) -> list[Finding]:
     stop = visit.point
     if stop.rail is None or isinstance(stop.move, MoveExtJ) or stop.move is None:
         return []
-    assert visit.match.close is not None
-    met = visit.match.close.rail_met[visit.arrive]
+    assert visit.match.look is not None
+    met = visit.match.look(np.array([visit.arrive])).rail_met[0]
     name = rows.plant.limits.names[0]
     return [
         finding("rail target", name, float(rows.q[visit.arrive, 0]), stop.rail, "m", bool(met),

@@ -14,7 +14,7 @@ from trajopt_cli.verify.frame import Frame
 from trajopt_cli.verify.rail import Indices, still_from
 from trajopt_cli.verify.rows import Rows, unseen
 from trajopt_cli.verify.tolerances import DWELL
-from trajopt_cli.verify.visits import Event, Match, closeness, events_of, off_chords
+from trajopt_cli.verify.visits import Event, Match, events_of, looking, off_chords, worth_a_look
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,13 +149,13 @@ def _start(rows: Rows, frame: Frame, start: Point, rapid: bool) -> Visit:
     """The stop at the first row, whatever its axes are; it lasts as long as the TCP rests there."""
     assert start.X_WF is not None
     here = Point(-1, None, None, start.name, start.X_WF, start.X_FT, None, None, False, start.holds)
-    close = closeness(rows, frame, here, rapid)
-    events = events_of(close)
+    look = looking(rows, frame, here, rapid)
+    events = events_of(look(worth_a_look(rows, frame, here)))
     event = events[0] if events and events[0].first == 0 else Event(0, 0, np.array([], dtype=np.intp), 0)
     depart = event.end if len(event.good) else 0
     holds = _holds(rows, here, float(rows.t[0]), depart, rapid)
     ready = holds[-1].end if holds else float(rows.t[0])
-    m = Match(here, close, event, ())
+    m = Match(here, look, event, ())
     return Visit(m, event, False, 0, depart, ready, start.X_WF, holds)
 
 

@@ -21,7 +21,7 @@ the last good row is the latest departure. A rest may be longer than asked; a sl
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -44,22 +44,29 @@ from trajopt_cli.verify.tolerances import (
 _GRANTED = 0.99  # worth of a stop that only counts by what is granted for missing rows: one with a row of its own is it
 
 Mask = NDArray[np.bool_]
+ROUNDING = 1e-9
+"""Of distances [m] and angles [rad] that decide which rows are looked at."""
 
 
 @dataclass(frozen=True, eq=False)
 class Closeness:
-    """How near every row is to a stop. distance (n,): the larger of position and rotation (or axes) in tolerances.
+    """How near some rows are to a stop: at (m,), in order. distance (m,): the larger of position and rotation (or axes)
+    in tolerances.
 
     tight: within tolerance without anything granted for missing rows. rests: the TCP stands. rail_met: the rail is
     where the program wants it. stands: every axis rests (RAPID; else always true).
     """
 
+    at: NDArray[np.intp]
     distance: Array
     near: Mask
     tight: Mask
     rests: Mask
     rail_met: Mask
     stands: Mask
+
+
+Look = Callable[[NDArray[np.intp]], Closeness]
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,62 +88,81 @@ class Event:
 
 @dataclass(frozen=True, eq=False)
 class Match:
-    """What a point found in the file. event None: it was never near. later: other events of the same stop. close: None
-    for a point that is passed."""
+    """What a point found in the file. event None: it was never near. later: other events of the same stop. look: how
+    near any rows are to it, None for a point that is passed."""
 
     point: Point
-    close: Closeness | None
+    look: Look | None
     event: Event | None
     later: tuple[Event, ...]
 
 
-def closeness(rows: Rows, frame: Frame, stop: Point, rapid: bool) -> Closeness:
-    """Every row against one stop. rapid: every axis must stand there."""
-    limits, tau = rows.plant.limits, rows.open_time
+def looking(rows: Rows, frame: Frame, stop: Point, rapid: bool) -> Look:
+    """How near rows are to one stop. rapid: every axis must stand there."""
+    return lambda at: _closeness(rows, frame, stop, rapid, at)
+
+
+def _closeness(rows: Rows, frame: Frame, stop: Point, rapid: bool, at: NDArray[np.intp]) -> Closeness:
+    limits, tau, q = rows.plant.limits, rows.open_time[at], rows.q[at]
     a, alpha = rows.plant.tcp.acceleration, angular_acceleration(rows)
-    rests = (frame.least_speed <= REST_LINEAR + a * tau) & (frame.least_turning <= REST_ANGULAR + alpha * tau)
+    rests = (frame.least_speed[at] <= REST_LINEAR + a * tau) & (frame.least_turning[at] <= REST_ANGULAR + alpha * tau)
     granted = JOINT_TARGET + rows.doubt_q / 2 + limits.acceleration * tau[:, None] ** 2 / 2
-    n = len(rows.t)
-    stands: Mask = rows.axes_rest if rapid else np.ones(n, dtype=bool)
-    rail_met = np.ones(n, dtype=bool) if stop.rail is None else np.abs(rows.q[:, 0] - stop.rail) <= granted[:, 0]
+    stands: Mask = rows.axes_rest[at] if rapid else np.ones(len(at), dtype=bool)
+    rail_met = np.ones(len(at), dtype=bool) if stop.rail is None else np.abs(q[:, 0] - stop.rail) <= granted[:, 0]
     near: Mask
     tight: Mask
     if isinstance(stop.move, MoveExtJ):
-        off = np.abs(rows.q[:, 0] - (stop.rail or 0.0))
+        off = np.abs(q[:, 0] - (stop.rail or 0.0))
         near, tight = rail_met & rests, off <= JOINT_TARGET + rows.doubt_q[0] / 2
-        return Closeness(off / JOINT_TARGET, near, tight, rests, rail_met, stands)
+        return Closeness(at, off / JOINT_TARGET, near, tight, rests, rail_met, stands)
     if stop.arm is not None:
-        off = np.abs(rows.q[:, -6:] - stop.arm)
+        off = np.abs(q[:, -6:] - stop.arm)
         near = np.asarray((off <= granted[:, -6:]).all(axis=1))
         tight = np.asarray((off <= JOINT_TARGET + rows.doubt_q[-6:] / 2).all(axis=1))
-        return Closeness(off.max(axis=1) / JOINT_TARGET, near, tight, rests, rail_met, stands)
+        return Closeness(at, off.max(axis=1) / JOINT_TARGET, near, tight, rests, rail_met, stands)
     assert stop.X_WF is not None
     X_WT = stop.X_WF @ stop.X_FT
-    d_p = np.maximum(np.linalg.norm(frame.p - X_WT[:3, 3], axis=1) - frame.doubt_p, 0.0)
-    d_R = np.maximum(angle_between(frame.R, X_WT[:3, :3]) - frame.doubt_R, 0.0)
+    d_p = np.maximum(np.linalg.norm(frame.p[at] - X_WT[:3, 3], axis=1) - frame.doubt_p[at], 0.0)
+    d_R = np.maximum(angle_between(frame.R[at], X_WT[:3, :3]) - frame.doubt_R[at], 0.0)
     near = (d_p <= STOP_POSITION + a * tau**2 / 2) & (d_R <= STOP_ROTATION + alpha * tau**2 / 2)
     tight = (d_p <= STOP_POSITION) & (d_R <= STOP_ROTATION)
-    return Closeness(np.maximum(d_p / STOP_POSITION, d_R / STOP_ROTATION), near, tight, rests, rail_met, stands)
+    return Closeness(at, np.maximum(d_p / STOP_POSITION, d_R / STOP_ROTATION), near, tight, rests, rail_met, stands)
+
+
+def worth_a_look(rows: Rows, frame: Frame, stop: Point) -> NDArray[np.intp]:
+    """The rows in blocks that may hold one near a stop: no more is looked at in a long file."""
+    tau = rows.blocks.most(rows.open_time)
+    if isinstance(stop.move, MoveExtJ):
+        return np.arange(len(rows.t))
+    if stop.arm is not None:
+        low, high = rows.arm_boxes
+        granted = JOINT_TARGET + (rows.doubt_q / 2 + rows.plant.limits.acceleration * tau[:, None] ** 2 / 2)[:, -6:]
+        slack = granted + ROUNDING
+        inside = (stop.arm >= low - slack) & (stop.arm <= high + slack)
+        return rows.blocks.rows(np.asarray(inside.all(axis=1)))
+    granted = STOP_POSITION + rows.plant.tcp.acceleration * tau**2 / 2 + rows.blocks.most(frame.doubt_p)
+    return rows.blocks.rows(frame.off_boxes(stop.X_WT[:3, 3]) <= granted + ROUNDING)
 
 
 def events_of(close: Closeness) -> tuple[Event, ...]:
     """All events of one stop, in time order."""
-    edges = np.flatnonzero(np.diff(np.r_[False, close.near, False].astype(np.int8)))
+    near = np.flatnonzero(close.near)
     out = []
-    for first, after in zip(edges[::2], edges[1::2], strict=True):
-        run = np.arange(first, after)
+    for run in np.split(near, np.flatnonzero(np.diff(close.at[near]) > 1) + 1) if len(near) else []:
         resting = run[close.rests[run]]
         good = resting[close.rail_met[resting] & close.stands[resting]]
         pool = resting if len(resting) else run
-        best = int(pool[np.argmin(close.distance[pool])])
+        best = int(close.at[pool[np.argmin(close.distance[pool])]])
         core = _core(close, good)
-        out.append(Event(int(first), int(after) - 1, core, best, bool(len(core)) and not close.tight[core].any()))
+        granted = bool(len(core)) and not close.tight[core].any()
+        out.append(Event(int(close.at[run[0]]), int(close.at[run[-1]]), close.at[core], best, granted))
     return tuple(out)
 
 
 def _core(close: Closeness, good: NDArray[np.intp]) -> NDArray[np.intp]:
-    """Of every unbroken run of good rows the tight ones, or else the closest: where something is granted for missing
-    rows, rows of the motion beside the stop are good as well. RAPID's axes rest at both ends of a dwell: two runs."""
+    """Of every unbroken run of good places among the rows the tight ones, or else the closest: where something is
+    granted for missing rows, rows of the motion beside the stop are good as well. RAPID's axes rest at both ends of a
+    dwell: two runs."""
     runs = np.split(good, np.flatnonzero(np.diff(good) > 1) + 1) if len(good) else []
     kept = []
     for run in runs:
@@ -151,22 +177,25 @@ def passages(rows: Rows, frame: Frame, point: Point) -> tuple[Event, ...]:
     assert point.fly_by is not None
     P = point.X_WT[:3, 3]
     size = point.fly_by.radius + STOP_POSITION
-    far = frame.squares - 2 * frame.p @ P + P @ P  # squares of the distances, to rounding
-    close = np.flatnonzero(far[:-1] <= (size + frame.reach + frame.chords) ** 2 + 1e-9)
+    reach = frame.reach + frame.chords
+    off = frame.off_boxes(P)
+    at = rows.blocks.rows(off <= size + rows.blocks.most(np.r_[reach, 0.0]) + ROUNDING)
+    at = at[at < len(reach)]
+    close = at[_squares_off(frame, P, at) <= (size + reach[at]) ** 2 + 1e-9]
     if not len(close):
         return ()
     distance, share = off_chords(frame.p, P, close)
     near = distance <= size + frame.reach[close]
     away = close[:0]
     if point.circle is not None:
-        at = frame.p[close] + share[:, None] * (frame.p[close + 1] - frame.p[close])
-        first_half = point.circle.progress(at) < 0.5
+        nearest = frame.p[close] + share[:, None] * (frame.p[close + 1] - frame.p[close])
+        first_half = point.circle.progress(nearest) < 0.5
         away, near = close[first_half], near & ~first_half
     close, distance = close[near], distance[near]
     gaps = [
         int(k)
         for k in np.flatnonzero(np.diff(close) > 1) + 1
-        if _leaves(close[k - 1], close[k], far, size + float(frame.reach[close[[k - 1, k]]].max()), away)
+        if _leaves(frame, P, off, close[k - 1], close[k], size + float(frame.reach[close[[k - 1, k]]].max()), away)
     ]
     out = []
     for run in np.split(np.arange(len(close)), gaps) if len(close) else []:
@@ -175,11 +204,18 @@ def passages(rows: Rows, frame: Frame, point: Point) -> tuple[Event, ...]:
     return tuple(out)
 
 
-def _leaves(before: int, after: int, far: Array, size: float, away: NDArray[np.intp]) -> bool:
+def _squares_off(frame: Frame, P: Array, at: NDArray[np.intp]) -> Array:
+    """Squares (m,) of the distances of rows from a point, to rounding."""
+    return np.asarray(frame.squares[at] - 2 * frame.p[at] @ P + P @ P)
+
+
+def _leaves(frame: Frame, P: Array, off: Array, before: int, after: int, size: float, away: NDArray[np.intp]) -> bool:
     """Whether the TCP is farther away between two intervals that come near than they are granted, or on the first half
-    of an arc. At a zone's edge a long interval may count as near and a short one behind it not."""
+    of an arc. At a zone's edge a long interval may count as near and a short one behind it not. off: of all boxes."""
     between = slice(*np.searchsorted(away, (before, after)))
-    return len(away[between]) > 0 or float(far[before + 1 : after + 1].max()) > size**2
+    if len(away[between]) > 0 or (off[frame.rows.blocks.inside(before, after)] > size + ROUNDING).any():
+        return True
+    return float(_squares_off(frame, P, np.arange(before + 1, after + 1)).max()) > size**2
 
 
 def never_near(rows: Rows, frames: dict[bytes, Frame], points: Sequence[Point]) -> set[int]:
@@ -205,7 +241,7 @@ def off_chords(p: Array, P: Array, chords: NDArray[np.intp]) -> tuple[Array, Arr
 
 def match(rows: Rows, frames: dict[bytes, Frame], points: Sequence[Point], rapid: bool) -> list[Match]:
     """Every point after the start with its event; see the module's docstring for the rule."""
-    known: dict[tuple[object, ...], tuple[Closeness | None, tuple[Event, ...]]] = {}
+    known: dict[tuple[object, ...], tuple[Look | None, tuple[Event, ...]]] = {}
     found = []
     for point in points[1:]:
         key = tuple(
@@ -218,13 +254,13 @@ def match(rows: Rows, frames: dict[bytes, Frame], points: Sequence[Point], rapid
             if point.fly_by is not None:
                 known[full] = None, passages(rows, frame, point)
             else:
-                close = closeness(rows, frame, point, rapid)
-                known[full] = close, events_of(close)
+                look = looking(rows, frame, point, rapid)
+                known[full] = look, events_of(look(worth_a_look(rows, frame, point)))
         found.append(known[full])
     chosen = _align(points[1:], [events for _, events in found])
     return [
-        Match(point, close, event, tuple(e for e in events if event is None or e.first > event.last) if close else ())
-        for point, (close, events), event in zip(points[1:], found, chosen, strict=True)
+        Match(point, look, event, tuple(e for e in events if event is None or e.first > event.last) if look else ())
+        for point, (look, events), event in zip(points[1:], found, chosen, strict=True)
     ]
 
 
