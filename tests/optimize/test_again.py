@@ -15,7 +15,7 @@ from trajopt_cli.motion import MoveJ, MoveL, Program, Wait
 from trajopt_cli.optimize import optimize
 from trajopt_cli.optimize.again import Again, Answer, _Laws, _Program
 from trajopt_cli.optimize.blocks import BlockNlp, make_block
-from trajopt_cli.optimize.driver import NotConverged, Refiner
+from trajopt_cli.optimize.driver import LONG, NotConverged, Refiner
 from trajopt_cli.optimize.tuning import SMALL
 from trajopt_cli.problem.changes import everything
 from trajopt_cli.problem.plan import Plan, Target
@@ -112,7 +112,7 @@ def test_multipliers_are_the_closed_forms_derivatives(angle: float, speed: bool)
     """T ~ A^-1/2 where the acceleration binds: -T/2 per whole of it; D/V + V/A where the speed does, too."""
     program, plant, again = turn(angle)
     window, _ = again.motion.part((0, 1))
-    one = _Program.of(again.motion.axes, again._formulation, window)
+    one = _Program.of(again.motion.axes, again._formulation, LONG, window)
     assert one is not None
     V, A, way = plant.limits.velocity[0], plant.limits.acceleration[0], np.radians(angle)
     T = law(angle, V, A)

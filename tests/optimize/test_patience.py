@@ -18,7 +18,7 @@ from trajopt_cli.optimize import windows
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.blocks import BlockNlp, make_block
 from trajopt_cli.optimize.draft import Draft
-from trajopt_cli.optimize.driver import Refiner, Stopped
+from trajopt_cli.optimize.driver import Refiner, Stage, Stopped
 from trajopt_cli.optimize.improve import improved
 from trajopt_cli.optimize.incumbent import duration
 from trajopt_cli.optimize.legal import Legal, legal_of
@@ -82,8 +82,9 @@ def test_the_first_legal_motion_is_an_answer_that_an_end_leaves(stopped: bool, m
 def test_what_was_found_before_the_end_stays(monkeypatch: pytest.MonkeyPatch) -> None:
     patience, first = Patience(), True
 
-    def solve(self: Refiner, draft: Draft) -> Draft:
+    def solve(self: Refiner, stage: Stage) -> Draft:
         nonlocal first
+        draft = stage.draft
         if not first:
             patience.interrupt()
             raise Stopped
@@ -92,7 +93,8 @@ def test_what_was_found_before_the_end_stays(monkeypatch: pytest.MonkeyPatch) ->
         return Draft(draft.q, draft.qd, draft.cfx, tuple(legs))
 
     monkeypatch.setattr(windows, "WINDOW", 4)
-    monkeypatch.setattr(Refiner, "run", solve)
+    monkeypatch.setattr(Refiner, "begun", lambda _, draft: Stage(draft, [], []))
+    monkeypatch.setattr(Refiner, "finished", solve)
     monkeypatch.setattr("trajopt_cli.optimize.improve.search", lambda *_: None)
     base = legal()
     _, draft, notes = improved(Axes.of(base.problem.plant), base, patience, lambda _: None, {})

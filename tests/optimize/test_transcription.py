@@ -19,6 +19,7 @@ from trajopt_cli.optimize.library import library
 from trajopt_cli.optimize.relation import Relation
 from trajopt_cli.optimize.search import search
 from trajopt_cli.optimize.transcription import Transcription
+from trajopt_cli.optimize.tuning import DAMPED_AS_MUCH, DAMPING
 from trajopt_cli.path.line import LineSymbols
 from trajopt_cli.problem.problem import LegKind
 
@@ -166,8 +167,8 @@ def test_a_slow_joint_move_is_damped_as_much_more_as_it_is_slower(program: Trans
         return [weight for indices, weight in slow.nlp._damped if of >= set(indices.tolist())]
 
     assert len(weights(0.5)) == N_JOINT
-    np.testing.assert_allclose(weights(0.5), 4e-7)  # an even grid: each interval as much
-    np.testing.assert_allclose(weights(50.0), 4e-6)
+    np.testing.assert_allclose(weights(0.5), DAMPING)  # an even grid: each interval as much
+    np.testing.assert_allclose(weights(50.0), 50.0 / DAMPED_AS_MUCH * DAMPING)
 
 
 def test_a_programmed_time_is_no_variable() -> None:

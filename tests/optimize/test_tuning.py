@@ -47,3 +47,8 @@ def test_every_number_is_used() -> None:
     table = ast.parse(TABLE.read_text(encoding="utf-8"))
     names = [node.targets[0].id for node in table.body if isinstance(node, ast.Assign)]  # type: ignore[attr-defined]
     assert [name for name in names if not re.search(rf"\b{name}\b", used)] == []
+
+
+def test_no_number_is_set_twice() -> None:
+    names = numbers(TABLE)
+    assert sorted(names) == sorted(set(names))

@@ -233,7 +233,9 @@ def test_a_row_at_the_stop_counts_before_one_that_is_near_only_by_what_missing_r
         near = np.array([False, True, False, True, True, False])
         all_good = np.ones(6, dtype=bool)
         distance = np.array([9.0, 1.4, 1.2, 0.0, 0.2, 2.0])
-        close = Closeness(distance, near, np.array([False, False, False, *tight, False]), all_good, all_good, all_good)
+        close = Closeness(
+            np.arange(6), distance, near, np.array([False, False, False, *tight, False]), all_good, all_good, all_good
+        )
         stop = case.program.motions[0]
         event = visits._align([Point(0, stop, None, "p", None, None, None, None, False)], [events_of(close)])[0]
         assert event is not None

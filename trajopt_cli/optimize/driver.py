@@ -310,7 +310,7 @@ class Refiner:
         self._watch(draft, margins)
         draft, warm = self._first(draft, margins)
         stage = Stage(draft, margins, warm)
-        while not stage.ended and self._intervals(stage.draft, self.grids.path) < self.grids.rough.path:
+        while not stage.ended and self._intervals(stage.draft, 0) < self.grids.rough.path:
             stage = self._finer(stage)
         return stage
 

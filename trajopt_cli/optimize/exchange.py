@@ -18,7 +18,6 @@ from trajopt_cli.optimize.draft import Margins
 from trajopt_cli.optimize.legs import LegMotion, PathLeg, Sample, sampled
 from trajopt_cli.optimize.tuning import (
     AMPLE,
-    AT_END,
     BEYOND,
     BRIEF,
     CHECKED,
@@ -29,6 +28,7 @@ from trajopt_cli.optimize.tuning import (
     MOST_LOOKS,
     NEAR_LOOK,
     PUSHED,
+    RANGE_ROUNDING,
     SAFE_JERK,
     UNREACHED,
 )
@@ -158,7 +158,9 @@ def back_off(margins: Margins, ratios: Ratios, motion: LegMotion, target: float,
         changed = bool(over.any())
         ratios = replace(ratios, acceleration=np.where(once[:, None], 0.0, ratios.acceleration))
     pairs = [(margins.tool, ratios.tool)]
-    touching = np.where(ratios.position > 1.0 + AT_END, ratios.position, 0.0)  # a range may be used to its very end
+    touching = np.where(
+        ratios.position > 1.0 + RANGE_ROUNDING, ratios.position, 0.0
+    )  # a range may be used to its very end
     pairs += [(margins.position, touching * target)]
     if isinstance(motion, PathLeg):  # joints on a grid of their own keep their limits between nodes by construction
         pairs += [(margins.velocity, ratios.velocity), (margins.acceleration, ratios.acceleration)]

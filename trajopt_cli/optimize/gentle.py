@@ -18,7 +18,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.course import Course, course_of
 from trajopt_cli.optimize.draft import Draft
-from trajopt_cli.optimize.driver import LONG
+from trajopt_cli.optimize.driver import Grids
 from trajopt_cli.optimize.effort import efforts
 from trajopt_cli.optimize.exchange import check_legs
 from trajopt_cli.optimize.formulation import Formulation
@@ -177,7 +177,7 @@ def gentlest(
             bases.append((frozen(one.problem, one.chain), base))
     bases = sorted(bases, key=lambda base: efforts(axes, base[1].legs).sum())[:1]
     add(spent, "ease", perf_counter() - start)
-    sweeps, tally = Sweeps(axes, LONG, patience, spent, hands), Tally()
+    sweeps, tally = Sweeps(axes, Grids.of(solved), patience, spent, hands), Tally()
     if not solved.coordinated:
         bases.append((solved, stretched(axes, solved, fast, seconds)))
         bases = [(one, _swept(axes, sweeps, one, base, seconds, tally)) for one, base in bases]

@@ -25,7 +25,16 @@ from trajopt_cli.optimize.incumbent import NotDriven, duration, least_time, stop
 from trajopt_cli.optimize.legal import Legal, add
 from trajopt_cli.optimize.legs import JointNodes
 from trajopt_cli.optimize.search import Chain, search
-from trajopt_cli.optimize.tuning import FEW_LEGS, LEAST_GAIN, LEAST_WINDOW, SWEEP_GAIN, SWEEPS, WORTH_TRYING
+from trajopt_cli.optimize.tuning import (
+    FEW_LEGS,
+    LEAST_GAIN,
+    LEAST_WINDOW,
+    RIVAL,
+    SAME_END,
+    SWEEP_GAIN,
+    SWEEPS,
+    WORTH_TRYING,
+)
 from trajopt_cli.optimize.windows import Span, Window, colours, middle
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.patience import Patience
@@ -224,26 +233,30 @@ class Sweeps:
         self, window: Window, hoped: Sequence[Draft], untouched: bool, few: bool, key: bytes,
         tell: Callable[[tuple[bytes, float]], None],
     ) -> Outcome:  # fmt: skip
-        """From what the search hoped for, and from the motion at hand: where the problem has few legs the best of all
-        starts, else the first that gains. tell: its key and what it saves [s]."""
+        """From what the search hoped for, and from the motion at hand: where the problem has few legs from those starts
+        that lead about as far on a rough grid, else the first that gains. tell: its key and what it saves [s]."""
         own, problem = window.draft, window.problem
         times = np.array([0.0 if motion is None else motion.T for motion in own.legs])
         coarse = first_draft(self._axes, problem, own.q, own.qd, own.cfx, times, self._grids)
         near = on_grid(self._axes, problem, own, self._grids)
         starts: list[Draft | Stage] = [*hoped, coarse, near] if untouched else [near, coarse]
         clean, seconds, best = False, dict[str, float](), own
+        ends: list[float] = []  # where starts led to on the rough grid that were solved to the end
         try:
             if few and untouched:
                 rough = on_grid(self._axes, problem, own, self._grids.rough)
                 starts = [*self._ahead(problem, [*hoped, coarse, rough], seconds), near]
             for start in starts:
+                if best is not own and not (isinstance(start, Stage) and self._rivals(problem, start, ends)):
+                    continue
                 with self._refiner(problem, seconds) as refiner, suppress(NotConverged):
                     found = refiner.finished(start) if isinstance(start, Stage) else refiner.run(start)
                     clean = True
+                    ends += [cost(self._axes, problem, start.draft.legs)] if isinstance(start, Stage) else []
                     if cost(self._axes, problem, best.legs) - cost(self._axes, problem, found.legs) > LEAST_GAIN:
                         best = found
                         tell((key, cost(self._axes, problem, own.legs) - cost(self._axes, problem, best.legs)))
-                if clean and (best is not own or not untouched):
+                if clean and not untouched:
                     break  # from a motion found before the way leads back to it
         except Stopped:
             return Outcome(None if best is own else best, clean, seconds, stopped=True)
@@ -256,6 +269,11 @@ class Sweeps:
             with self._refiner(problem, seconds) as refiner, suppress(NotConverged):
                 found.append(refiner.begun(start))
         return sorted(found, key=lambda stage: cost(self._axes, problem, stage.draft.legs))
+
+    def _rivals(self, problem: Problem, stage: Stage, ends: Sequence[float]) -> bool:
+        """Whether a rough answer is about as good as the best one that was solved to the end, and none of those."""
+        end = cost(self._axes, problem, stage.draft.legs)
+        return end < RIVAL * min(ends, default=np.inf) and all(abs(end - one) > SAME_END * one for one in ends)
 
     @contextmanager
     def _refiner(self, problem: Problem, seconds: dict[str, float]) -> Iterator[Refiner]:

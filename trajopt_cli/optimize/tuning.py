@@ -131,6 +131,9 @@ WINDOW = 24  # legs of the nonlinear program at most. Measured on 26 legs of a r
 EVEN_PARTS = 4  # windows at most into which what is left of a piece is cut evenly. Not measured.
 FEW_LEGS = 48  # of a problem of whose windows the best of all starts is taken. Measured on nine random programs: the
 # first start that gained was up to 5 % slower than another.
+RIVAL = 1.01  # times the best rough answer up to which others are solved to the end as well. Not measured.
+SAME_END = 2e-4  # share by which rough answers differ that lead to the same end. Measured: of two 8e-4 apart the one
+# behind ended 0.5 % ahead.
 LEAST_WINDOW = 1  # legs of the halves of one that does not. Measured: with 4 all windows of some slow programs failed.
 SWEEPS = 6  # of windows over one another's borders at most. Not measured.
 SWEEP_GAIN = (
@@ -251,7 +254,9 @@ AMPLE = 1.5  # times the excess taken off a dwell's push. Measured: hinge_cell's
 # of five (6f06e06).
 PUSHED = 1e-3  # share of its acceleration from which the rail drives the arm. Measured as DAMPING_DWELL.
 LEAST_PUSH = 0.1  # share that one round leaves of a push at least. Not measured.
-AT_END = 1e-9  # of half an axis' range by which it may be passed: rounding. Measured: by 2e-16 a stop at the end of a
+RANGE_ROUNDING = (
+    1e-9  # of half an axis' range by which it may be passed: rounding. Measured: by 2e-16 a stop at the end of a
+)
 # range was no answer in any round.
 LEAST_LEFT = 0.5  # share that one round leaves of any other limit at least. Measured: where an arm left its reach
 # between two nodes, a thousandth of its acceleration was left and no solve converged.
