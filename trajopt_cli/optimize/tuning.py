@@ -132,7 +132,7 @@ EVEN_PARTS = 4  # windows at most into which what is left of a piece is cut even
 FEW_LEGS = 48  # of a problem of whose windows the best of all starts is taken. Measured on nine random programs: the
 # first start that gained was up to 5 % slower than another.
 RIVAL = 1.003  # times the best rough answer up to which others are solved to the end as well. Measured: of two 0.22 %
-# apart the one behind ended 0.5 % ahead; 1 % cost hinge_cell a second for nothing.
+# apart the one behind ended 0.5 % ahead; 1 % cost hinge_cell 0.6 s for nothing.
 SAME_END = 2e-4  # share by which rough answers differ that lead to the same end. Measured: of two 8e-4 apart the one
 # behind ended 0.5 % ahead.
 LEAST_WINDOW = 1  # legs of the halves of one that does not. Measured: with 4 all windows of some slow programs failed.
@@ -150,7 +150,8 @@ LAST = (
     48  # intervals of a path on the last grid of a long program. Measured on hinge_cell with twice as many intervals of
 )
 # joint moves: 48 give 6.5009 s, 96 6.5000 s.
-SHORT = 16  # legs of a program with finer grids. Measured: on 27 legs they took twice the time for 0.01 %.
+SHORT = 16  # legs of a program with finer grids. Measured: 17 and 19 legs took 1.4 and 1.5 times the solver's time for
+# 0.07 and 0.04 % of the cycle.
 FINE = 96  # intervals of a path on its last grid. Measured as LAST.
 FINE_JOINT = 48  # and of a joint move there. Measured as LAST: 24 give 6.5005 s.
 TOLD = 24  # intervals of a path on which it is told which of several starts leads farthest. Not measured.
@@ -166,7 +167,7 @@ LEAST_TIME = 1e-3  # s of a leg without a way, so that scaled time stays defined
 GLIDE = 0.01  # s; in a shorter wait the rail goes on as it comes. Measured: one of 1e-6 s had rows off by 1e10.
 LEAST_DRAFT = 2e-3  # s of such a leg in the first draft. Not measured.
 DAMPING = 1e-7  # s per squared scaled acceleration, where many motions take the same time. Measured: 4e-7 cost 0.3 ms
-# of hinge_cell, 1e-8 let hinge_line's solves fail.
+# of hinge_cell, 1e-8, with 1e-7 for dwells, let hinge_line's solves fail.
 DAMPED_AS_MUCH = 1.25  # s of a joint move on a grid up to which it has DAMPING; a slower one has more in proportion.
 # Measured on joint moves of 48 and 112 s: without no answer in 150 iterations, with it one in 26 to
 # 125 that is 0.05 to 0.1 % slower.
@@ -262,7 +263,8 @@ RANGE_ROUNDING = (
 LEAST_LEFT = 0.5  # share that one round leaves of any other limit at least. Measured: where an arm left its reach
 # between two nodes, a thousandth of its acceleration was left and no solve converged.
 NEAR_CAP = 0.2  # share of a tool cap from which a joint move's node holds it explicitly. Measured on 50 and 100 moves
-# of a pallet: the same times within 0.002 %, with 0.7 in a tenth to a third more time.
+# of a pallet: the same times within 0.002 %, with 0.7 in a tenth to a third more time;
+# before speed and acceleration were held at all nodes whatever they use.
 OVER = 1e-6  # share by which a closed-form joint move may pass a cap before it goes on a grid. Not measured.
 
 # ---- rows of the written file
