@@ -48,8 +48,6 @@ def program() -> Transcription:
         for share in (m.velocity, m.acceleration, m.tool):
             share[:] = rng.uniform(0.5, 1.0, share.shape)
         margins.append(m)
-        m.rows[[0, 2], ToolCap.ACCELERATION] = True
-        m.rows[[1, N_JOINT], ToolCap.SPEED] = True
     return Transcription(axes, Formulation(axes, library()), problem, replace(draft, legs=tuple(legs)), margins)
 
 
@@ -109,32 +107,31 @@ def test_every_node_of_a_joint_move_keeps_each_axis(program: Transcription) -> N
             np.testing.assert_allclose(chain[z], 1 / N_JOINT)
 
 
-def test_tool_caps_hold_where_they_are_in_force(program: Transcription) -> None:
+def test_tool_caps_hold_at_every_node(program: Transcription) -> None:
     k = leg_of(program, LegKind.JOINT)
     x, m, leg = program.legs[k], program.margins[k], program.problem.legs[k]
+    assert x is not None
+    assert m is not None
     copies, count = held(program, program.formulation.tool_cap(ToolCap.ACCELERATION))
-    assert count == 3
-    for i, beside in ((0, 0), (2, 1), (2, 2)):
-        p = copies[row(x.q[i], x.qv[i], x.qa[beside], x.T)]
-        np.testing.assert_array_equal(p, [*leg.X_FT[:3, 3], leg.a_tcp * m.tool[i, ToolCap.ACCELERATION]])
-    copies, count = held(program, program.formulation.tool_cap(ToolCap.SPEED))
-    assert count == 2
-    for i in (1, N_JOINT):
-        p = copies[row(x.q[i], x.qv[i], x.T)]
-        np.testing.assert_array_equal(p, [*leg.X_FT[:3, 3], leg.v_tcp * m.tool[i, ToolCap.SPEED]])
+    assert count == 2 * N_JOINT
+    for i in range(N_JOINT):
+        for at in (i, i + 1):
+            p = copies[row(x.q[at], x.qv[at], x.qa[i], x.T)]
+            np.testing.assert_array_equal(p, [*leg.X_FT[:3, 3], leg.a_tcp * m.tool[at, ToolCap.ACCELERATION]])
+    for cap, limit in ((ToolCap.SPEED, leg.v_tcp), (ToolCap.REORIENTATION, leg.v_ori)):
+        copies, count = held(program, program.formulation.tool_cap(cap))
+        assert count == N_JOINT + 1
+        for i in range(N_JOINT + 1):
+            p = copies[row(x.q[i], x.qv[i], x.T)]
+            np.testing.assert_array_equal(p, [*leg.X_FT[:3, 3], limit * m.tool[i, cap]])
 
 
 def test_the_tools_way_from_node_to_node_takes_its_time(program: Transcription) -> None:
     k = leg_of(program, LegKind.JOINT)
-    margins = [replace(m) if m else None for m in program.margins]
-    m, leg = margins[k], program.problem.legs[k]
-    assert m is not None
-    m.rows = np.ones_like(m.rows)
-    formulation = Formulation(program.axes, library())
-    every = Transcription(program.axes, formulation, program.problem, program.draft, margins)
-    x = every.legs[k]
+    x, m, leg = program.legs[k], program.margins[k], program.problem.legs[k]
     assert x is not None
-    copies, count = held(every, formulation.tool_chord())
+    assert m is not None
+    copies, count = held(program, program.formulation.tool_chord())
     assert count == N_JOINT
     for i in range(N_JOINT):
         p = copies[row(x.q[i], x.q[i + 1], x.T)]
@@ -142,7 +139,7 @@ def test_the_tools_way_from_node_to_node_takes_its_time(program: Transcription) 
         np.testing.assert_allclose(p, [*leg.X_FT[:3, 3], leg.v_tcp * share / N_JOINT])
     rng = np.random.default_rng(2)
     q, T = rng.uniform(-1, 1, (2, program.axes.n)), 0.7
-    g, _ = formulation.tool_chord().block.values(np.r_[q[0], q[1], T][None], np.array([[0.1, 0.0, 0.2, 0.5]]))
+    g, _ = program.formulation.tool_chord().block.values(np.r_[q[0], q[1], T][None], np.array([[0.1, 0.0, 0.2, 0.5]]))
     tcp = program.axes.forward(q) @ [0.1, 0.0, 0.2, 1.0]
     assert g[0, 0] == pytest.approx(np.sum((tcp[1] - tcp[0]) ** 2) / (0.5 * T) ** 2)
 

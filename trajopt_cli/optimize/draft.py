@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, BoolArray
+from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.legs import LegMotion
 from trajopt_cli.optimize.tuning import START, START_JERK
 
@@ -29,26 +29,23 @@ class Margins:
     found an excess.
 
     velocity, acceleration (N+1, n); position (N+1, n): of half the range, about its middle; tool (N+1, 3): speed,
-    acceleration, reorientation. rows (N+1, 3): which tool caps a joint move's nodes must hold explicitly; far from a
-    cap the dense check alone watches. push (N,): the rail's acceleration in each interval of a dwell. jerk (N+1, n).
+    acceleration, reorientation. push (N,): the rail's acceleration in each interval of a dwell. jerk (N+1, n).
     """
 
     velocity: Array
     acceleration: Array
     position: Array
     tool: Array
-    rows: BoolArray
     push: Array
     jerk: Array
 
     @classmethod
     def full(cls, N: int, n: int, joints: float) -> Margins:
-        """Of N intervals and n axes, nothing tightened but for rounding, no tool cap of a joint move in force. joints:
-        share of their limits."""
+        """Of N intervals and n axes, nothing tightened but for rounding. joints: share of their limits."""
         share = np.full((N + 1, n), joints)
         return cls(
-            share, share.copy(), np.ones((N + 1, n)), np.full((N + 1, 3), START), np.zeros((N + 1, 3), dtype=bool),
-            np.ones(N), np.full((N + 1, n), START_JERK),
+            share, share.copy(), np.ones((N + 1, n)), np.full((N + 1, 3), START), np.ones(N),
+            np.full((N + 1, n), START_JERK),
         )  # fmt: skip
 
     def refined(self) -> Margins:
@@ -60,9 +57,7 @@ class Margins:
             out[1::2] = np.minimum(x[:-1], x[1:])
             return out
 
-        rows = np.repeat(self.rows, 2, axis=0)[:-1]
-        rows[1::2] |= self.rows[1:]
         return Margins(
-            double(self.velocity), double(self.acceleration), double(self.position), double(self.tool), rows,
+            double(self.velocity), double(self.acceleration), double(self.position), double(self.tool),
             np.repeat(self.push, 2), double(self.jerk),
         )  # fmt: skip

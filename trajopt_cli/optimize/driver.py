@@ -27,11 +27,14 @@ from trajopt_cli.optimize.tuning import (
     BARRIER_DOUBT,
     BARRIER_FIRST,
     BARRIER_REFINED,
+    BARRIER_ROUGH,
     BARRIER_WARM,
     EXACT,
+    FEW_LEGS,
     FINE,
     FINE_JOINT,
     FIRST,
+    FIRST_JOINT,
     GRID_JOINT,
     LAST,
     LEAST_DRAFT,
@@ -39,7 +42,6 @@ from trajopt_cli.optimize.tuning import (
     LEAST_ZONE,
     MOST_ITERATIONS,
     MOST_SLOWED,
-    NEAR_CAP,
     OVER,
     RAMPS,
     RATE_LOOKS,
@@ -67,8 +69,10 @@ class Grids:
 
     @classmethod
     def of(cls, problem: Problem) -> Grids:
-        """Fine for a short program: for a long one the time is better spent on more windows."""
-        return cls(FINE, FINE_JOINT) if len(problem.legs) <= SHORT else LONG
+        """Fine for a short program, coarse for a long one, whose time grows with its length."""
+        if len(problem.legs) <= SHORT:
+            return cls(FINE, FINE_JOINT)
+        return LONG if len(problem.legs) <= FEW_LEGS else LONGER
 
     @property
     def rough(self) -> Grids:
@@ -77,13 +81,15 @@ class Grids:
 
 
 LONG = Grids(LAST, GRID_JOINT)
+LONGER = LONG.rough
 
 
 def first_draft(
-    axes: Axes, problem: Problem, q: Array, qd: Array, cfx: tuple[int, ...], times: Array, grids: Grids = LONG
-) -> Draft:
+    axes: Axes, problem: Problem, q: Array, qd: Array, cfx: tuple[int, ...], times: Array, grids: Grids = LONG,
+    capped: frozenset[int] = frozenset(),
+) -> Draft:  # fmt: skip
     """Rest-to-rest parabolas between axes q with velocities qd (M, n) at the waypoints, on their branches; times (M-1,)
-    of the legs, zero where nothing is to be done."""
+    of the legs, zero where nothing is to be done. capped: joint moves known to meet a tool cap or a range."""
     legs: list[LegMotion | None] = []
     for k, leg in enumerate(problem.legs):
         T = leg.duration or max(float(times[k]), LEAST_DRAFT)
@@ -91,6 +97,8 @@ def first_draft(
             legs.append(hold(0.0, q[k]))
         elif leg.kind is LegKind.JOINT and _on_grids(axes, problem):
             legs.append(_smooth(T, q[k : k + 2], qd[k : k + 2], grids.joints))
+        elif leg.kind is LegKind.JOINT and k in capped:
+            legs.append(_smooth(T, q[k : k + 2], qd[k : k + 2], FIRST_JOINT))
         elif leg.kind is LegKind.JOINT:
             legs.append(_closed(axes, T, q[k], qd[k]))
         elif leg.kind is LegKind.DWELL and not leg.rail_moves:
@@ -307,7 +315,6 @@ class Refiner:
             else None
             for m in draft.legs
         ]
-        self._watch(draft, margins)
         draft, warm = self._first(draft, margins)
         stage = Stage(draft, margins, warm)
         while not stage.ended and self._intervals(stage.draft, 0) < self.grids.rough.path:
@@ -323,7 +330,7 @@ class Refiner:
     def _grows(self, motion: LegMotion | None, n: int) -> bool:
         """Whether a motion's grid is halved for the next solve; n: intervals of the paths now."""
         if isinstance(motion, JointNodes):
-            return n >= TOLD and self.grids.joints > motion.N
+            return 2 * n >= TOLD and self.grids.joints > motion.N
         return isinstance(motion, PathLeg) and self.grids.path > motion.N
 
     def _intervals(self, draft: Draft, default: int) -> int:
@@ -341,11 +348,10 @@ class Refiner:
         draft = self._with_grids(draft, margins)
         margins = [m.refined() if m and grows else m for m, grows in zip(margins, finer, strict=True)]
         draft = replace(draft, legs=tuple(_halved(*one) for one in zip(draft.legs, finer, strict=True)))
-        if opened:
-            self._watch(draft, margins)
         try:
             start = self._slowed(draft, margins)
-            draft, *warm = self._solve(start, margins, BARRIER_REFINED, SHARP if 2 * n >= last else ROUGH)
+            mu = BARRIER_ROUGH if n == FIRST else BARRIER_REFINED
+            draft, *warm = self._solve(start, margins, mu, SHARP if 2 * n >= last else ROUGH)
         except NotConverged:
             # the coarser grid's answer is a motion too; cleaned, it is only a little slower
             return replace(stage, ended=True)
@@ -390,7 +396,7 @@ class Refiner:
             if not (changed or opened):
                 self.solved = warm[0], warm[1]
                 return draft
-            if self._watch(draft, margins, SAFE) or opened:
+            if opened:
                 draft, *warm = self._solve(self._slowed(draft, margins), margins, BARRIER_REFINED)
             else:
                 try:
@@ -424,19 +430,6 @@ class Refiner:
                 margins[k] = Margins.full(grids.joints, self.axes.n, EXACT)
                 opened = True
         return opened
-
-    def _watch(self, draft: Draft, margins: list[Margins | None], share: float = NEAR_CAP) -> bool:
-        """Put tool caps in force on gridded joint moves, each at all nodes or at none, else it is passed at the others:
-        speed and acceleration always, turning where some node uses this share of it; True when any is new."""
-        added = False
-        for leg, m, ratios in zip(self.problem.legs, margins, self._ratios(draft, JointNodes), strict=True):
-            if m is not None and ratios is not None:
-                caps = np.array([leg.v_tcp, leg.a_tcp, leg.v_ori])
-                near = np.any(ratios.tool > share, axis=0) | np.array([True, True, False])
-                rows = np.broadcast_to(near & np.isfinite(caps), m.rows.shape)
-                added |= bool(np.any(rows & ~m.rows))
-                m.rows |= rows
-        return added
 
     def _with_grids(self, draft: Draft, margins: list[Margins | None]) -> Draft:
         legs = list(draft.legs)

@@ -237,7 +237,7 @@ class Sweeps:
         that lead about as far on a rough grid, else the first that gains. tell: its key and what it saves [s]."""
         own, problem = window.draft, window.problem
         times = np.array([0.0 if motion is None else motion.T for motion in own.legs])
-        coarse = first_draft(self._axes, problem, own.q, own.qd, own.cfx, times, self._grids)
+        coarse = first_draft(self._axes, problem, own.q, own.qd, own.cfx, times, self._grids, _capped(own))
         near = on_grid(self._axes, problem, own, self._grids)
         starts: list[Draft | Stage] = [*hoped, coarse, near] if untouched else [near, coarse]
         clean, seconds, best = False, dict[str, float](), own
@@ -317,7 +317,12 @@ def _hoped(axes: Axes, problem: Problem, window: Window, chain: Chain, grids: Gr
             times[k] = 0.0
         elif motion is not None and (k in kept or k + 1 in kept):
             times[k] = max(times[k], motion.T)
-    return first_draft(axes, window.problem, q, qd, tuple(cfx), times, grids)
+    return first_draft(axes, window.problem, q, qd, tuple(cfx), times, grids, _capped(own))
+
+
+def _capped(draft: Draft) -> frozenset[int]:
+    """The joint moves that have no closed form in a legal motion: they met a tool cap or a range."""
+    return frozenset(k for k, motion in enumerate(draft.legs) if isinstance(motion, JointNodes))
 
 
 def may_gain(axes: Axes, piece: Problem, legal: Draft) -> bool:

@@ -103,9 +103,9 @@ class _System:
         self.n, self.m = int(free.sum()), int(equal.sum())
         column = np.where(free, np.cumsum(free) - 1, -1)
         (rows, cols), (h_rows, h_cols) = jacobian_at, hessian_at
-        kept = column[cols] >= 0
-        entries = np.flatnonzero(kept)
-        rows, cols = rows[kept], column[cols[kept]]
+        entries = np.lexsort((cols, rows))
+        entries = entries[column[cols[entries]] >= 0]
+        rows, cols = rows[entries], column[cols[entries]]
         mine = equal[rows]
         equation, inequality = np.cumsum(equal) - 1, np.cumsum(~equal) - 1
         self._in_equations, self._in_rows = entries[mine], entries[~mine]
@@ -134,8 +134,8 @@ class _System:
         )
         self._K_T = self._K.T
         self._diagonal = bins[len(bins) - total :]
-        self._begins = np.concatenate([[0], np.cumsum(often)[:-1]])
-        self._in_order = np.argsort(bins, kind="stable")
+        ends, order = np.concatenate([[0], np.cumsum(often)]), np.argsort(bins, kind="stable")
+        self._sums = sparse.csr_array((np.ones(len(order)), order, ends), shape=(len(unique), len(order)))
         self._solver: qdldl.Solver | None = None
 
     def take(self, jacobian: Array) -> None:
@@ -146,7 +146,7 @@ class _System:
         """The Hessian's nonzeros, weights of the rows that are no equations, what else stands on the diagonal (n,)."""
         products = self._squares.of(self.J_I.data, weights)
         values = [hessian[self._in_hessian], products, self.J_E.data, diagonal, np.full(self.m, -EQUATION_EPS)]
-        self._filled = np.add.reduceat(np.concatenate(values)[self._in_order], self._begins)
+        self._filled = self._sums @ np.concatenate(values)
 
     def factorise(self, shift: float) -> bool:
         """With a multiple of the identity added for the variables; False where that is not convex enough."""
@@ -176,19 +176,31 @@ class _System:
 
 
 class _Pattern:
-    """A sparse matrix of one pattern; data: its nonzeros."""
+    """A sparse matrix of one pattern, its places row by row; data: its nonzeros."""
 
     def __init__(self, rows: IndexArray, cols: IndexArray, shape: tuple[int, int]):
-        self._rows, self._cols, self._shape = rows, cols, shape
-        self.data = np.zeros(len(rows))
+        from scipy import sparse
+
+        begins = np.searchsorted(rows, np.arange(shape[0] + 1))
+        self._matrix = sparse.csr_array((np.zeros(len(rows)), cols, begins), shape=shape)
+        self._transposed = self._matrix.T
+
+    @property
+    def data(self) -> Array:
+        """Its nonzeros."""
+        return np.asarray(self._matrix.data)
+
+    @data.setter
+    def data(self, data: Array) -> None:
+        self._matrix.data = self._transposed.data = data
 
     def times(self, x: Array) -> Array:
         """Matrix times x."""
-        return _summed(self._rows, self.data * x[self._cols], self._shape[0])
+        return np.asarray(self._matrix @ x)
 
     def transposed_times(self, y: Array) -> Array:
         """Transpose times y."""
-        return _summed(self._cols, self.data * y[self._rows], self._shape[1])
+        return np.asarray(self._transposed @ y)
 
 
 class _Squares:
@@ -225,10 +237,6 @@ class _Squares:
             weighted = (J * weights[row][:, :, None]).transpose(0, 2, 1)
             out.append((weighted @ J).reshape(len(J), -1)[:, upper].ravel())
         return np.concatenate(out)
-
-
-def _summed(at: IndexArray, what: Array, length: int) -> Array:
-    return np.bincount(at, weights=what, minlength=length).astype(float, copy=False)
 
 
 @dataclass(frozen=True, eq=False)

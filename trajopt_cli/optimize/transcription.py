@@ -509,25 +509,24 @@ class Transcription:
         self._hold(self.formulation.integration(), {name: i.ravel() for name, i in z.items()}, {"h": h})
 
     def _tool_caps(self, leg: Leg, motion: JointNodes, margins: Margins, out: LegVariables) -> None:
-        """The caps in force at the nodes of a joint move; of the acceleration on either side, of the speed also on the
+        """The tool's caps at the nodes of a joint move; of the acceleration on either side, of the speed also on the
         straight way from node to node."""
         N = motion.N
         for cap, limit in zip(ToolCap, (leg.v_tcp, leg.a_tcp, leg.v_ori), strict=True):
-            at = np.flatnonzero(margins.rows[:, cap])
+            if not np.isfinite(limit):
+                continue
+            at = np.arange(N + 1)
             beside: dict[str, ArrayLike] = {}
             if cap is ToolCap.ACCELERATION and self._smooth:
-                beside = {"a": out.qa[at]}
+                beside = {"a": out.qa}
             elif cap is ToolCap.ACCELERATION:
-                at, i = np.repeat(at, 2), np.ravel(np.column_stack([at - 1, at]))
-                at, i = at[(i >= 0) & (i < N)], i[(i >= 0) & (i < N)]
+                at, i = np.concatenate([at[1:], at[:-1]]), np.concatenate([at[:-1], at[:-1]])
                 beside = {"a": out.qa[i]}
             z: Parts = {"q": out.q[at], "v": out.qv[at], **beside, "T": out.T}
-            if len(at):  # or the relation is not needed
-                p = {"tcp": leg.X_FT[:3, 3], "cap": limit * margins.tool[at, cap]}
-                self._hold(self.formulation.tool_cap(cap), z, p)
-        i = np.flatnonzero(margins.rows[:-1, ToolCap.SPEED] & margins.rows[1:, ToolCap.SPEED])
-        if len(i):
-            share = np.minimum(margins.tool[i, ToolCap.SPEED], margins.tool[i + 1, ToolCap.SPEED])
-            z = {"q_0": out.q[i], "q_1": out.q[i + 1], "T": out.T}
-            p = {"tcp": leg.X_FT[:3, 3], "way": leg.v_tcp * share * np.diff(motion.grid)[i]}
+            p = {"tcp": leg.X_FT[:3, 3], "cap": limit * margins.tool[at, cap]}
+            self._hold(self.formulation.tool_cap(cap), z, p)
+        if np.isfinite(leg.v_tcp):
+            share = np.minimum(margins.tool[:-1, ToolCap.SPEED], margins.tool[1:, ToolCap.SPEED])
+            z = {"q_0": out.q[:-1], "q_1": out.q[1:], "T": out.T}
+            p = {"tcp": leg.X_FT[:3, 3], "way": leg.v_tcp * share * np.diff(motion.grid)}
             self._hold(self.formulation.tool_chord(), z, p)

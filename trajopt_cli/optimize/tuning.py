@@ -128,9 +128,12 @@ WORTH_TRYING = 1.005  # times what it takes at least that a joint move must take
 # measured.
 WINDOW = 24  # legs of the nonlinear program at most. Measured on 26 legs of a random cell: one solve 9.863 s in 18 s of
 # processor time, windows of 14 legs 9.897 s in 45 s, of 9 legs 9.874 s in 71 s; so one solve as long as it converges.
+OVERLAP = 12  # legs of the windows over the others' borders, about. Measured on 100 moves of a pallet: 8 gave 34.824 s,
+# 12 34.818 s, as many as the others have 34.820 s.
 EVEN_PARTS = 4  # windows at most into which what is left of a piece is cut evenly. Not measured.
-FEW_LEGS = 48  # of a problem of whose windows the best of all starts is taken. Measured on nine random programs: the
-# first start that gained was up to 5 % slower than another.
+FEW_LEGS = 48  # of a problem of whose windows the best of all starts is taken, on grids that are doubled once more.
+# Measured on nine random programs: the first start that gained was up to 5 % slower than another; on 100 moves of a
+# pallet the coarser grids cost 0.13 % of the cycle and save 30 to 40 % of the solver's time.
 RIVAL = 1.003  # times the best rough answer up to which others are solved to the end as well. Measured: of two 0.22 %
 # apart the one behind ended 0.5 % ahead; 1 % cost hinge_cell 0.6 s for nothing.
 SAME_END = 2e-4  # share by which rough answers differ that lead to the same end. Measured: of two 8e-4 apart the one
@@ -138,14 +141,16 @@ SAME_END = 2e-4  # share by which rough answers differ that lead to the same end
 LEAST_WINDOW = 1  # legs of the halves of one that does not. Measured: with 4 all windows of some slow programs failed.
 SWEEPS = 6  # of windows over one another's borders at most. Not measured.
 SWEEP_GAIN = (
-    2e-3  # share that the windows over a window's borders must have saved before it is solved again. Measured on 50
+    5e-3  # share that the windows over a window's borders must have saved before it is solved again. Measured on 200
 )
-# moves of a pallet: 2e-4 and 1e-3 gave 17.27300 s with 8 windows, 2e-3 17.27324 s with 6.
+# moves of a pallet: 2e-3 gave 70.6157 s with 28 windows, 5e-3 70.6158 s with 19.
 LEAST_GAIN = 1e-6  # s that a nonlinear program must save to be worth another motion. Not measured.
 
 # ---- transcription: the nonlinear program
 FIRST = 6  # intervals of a path on the first grid, doubled from solve to solve. Measured: direct starts on 16 or 20
 # intervals failed sometimes, nested grids from 6 did not.
+FIRST_JOINT = 12  # intervals there of a joint move that is known to meet a cap. Measured on nine programs: put on a
+# grid after the first solve, four were up to 0.03 % slower and one 0.02 % faster, in a fifth more time.
 LAST = (
     48  # intervals of a path on the last grid of a long program. Measured on hinge_cell with twice as many intervals of
 )
@@ -196,6 +201,8 @@ BARRIER_REFINED = (
     1e-5  # from the same motion on a coarser grid or with another structure. Measured on five programs: 1e-4
 )
 # and 1e-5 end within 0.05 % of each other, 1e-3 fails on one and ends 5 % above on another.
+BARRIER_ROUGH = 1e-4  # from the first grid's answer on the second. Measured on nine programs: 1e-5 took 14 % more
+# iterations in all, 1e-3 19 %.
 BARRIER_WARM = 1e-8  # from the same program with tightened limits, with its multipliers. Measured on two programs:
 # 13 to 17 iterations, 23 to 25 with 1e-7, 24 to 38 with 1e-5.
 BARRIER_AGAIN = (
@@ -262,9 +269,6 @@ RANGE_ROUNDING = (
 # range was no answer in any round.
 LEAST_LEFT = 0.5  # share that one round leaves of any other limit at least. Measured: where an arm left its reach
 # between two nodes, a thousandth of its acceleration was left and no solve converged.
-NEAR_CAP = 0.2  # share of a tool cap from which a joint move's node holds it explicitly. Measured on 50 and 100 moves
-# of a pallet: the same times within 0.002 %, with 0.7 in a tenth to a third more time;
-# before speed and acceleration were held at all nodes whatever they use.
 OVER = 1e-6  # share by which a closed-form joint move may pass a cap before it goes on a grid. Not measured.
 
 # ---- rows of the written file

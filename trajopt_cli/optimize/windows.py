@@ -1,7 +1,7 @@
 """Some legs of a motion at a time: what the nonlinear program is asked, so that its size and its failures stay local.
 
 Where nothing is left to choose a problem falls into pieces, a cell without a rail into single legs. A short piece is
-one window. A long one is covered by windows side by side, and by as many that overlap each two of them by half. Both
+one window. A long one is covered by windows side by side, and by smaller ones over the borders between them. Both
 ends of a window are held where, and as fast as, the motion at hand passes them: so one that finds something faster can
 take the place of its part, and one that does not changes nothing.
 """
@@ -17,7 +17,7 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.incumbent import duration
-from trajopt_cli.optimize.tuning import EVEN_PARTS, WINDOW
+from trajopt_cli.optimize.tuning import EVEN_PARTS, OVERLAP, WINDOW
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.problem.freedom import RailFreedom
 from trajopt_cli.problem.objective import LeastEffort
@@ -138,7 +138,7 @@ def colours(problem: Problem) -> tuple[list[Span], list[Span]]:
         borders = [first, *_borders(problem, first, last), last]
         even += pairwise(borders)
         middles = [k for a, b in pairwise(borders) if (k := middle(problem, a, b)) is not None]
-        odd += pairwise(middles)
+        odd += [_around(problem, borders, *one) for one in pairwise(middles)]
     return even, odd
 
 
@@ -155,6 +155,17 @@ def _borders(problem: Problem, first: int, last: int) -> Iterator[int]:
             break
         yield border
         at = border
+
+
+def _around(problem: Problem, borders: list[int], first: int, last: int) -> Span:
+    """Within a span, the legs beside the borders in it: about OVERLAP of them, for one farther away changes little."""
+    inside = [k for k in borders if first < k < last]
+    low, high = inside[0] - OVERLAP / 2, inside[-1] + OVERLAP / 2
+    near = [k for k in _free(problem, first, last) if low <= k <= high]
+    return (
+        first if first >= low else min((k for k in near if k < inside[0]), default=first),
+        last if last <= high else max((k for k in near if k > inside[-1]), default=last),
+    )
 
 
 def middle(problem: Problem, a: int, b: int) -> int | None:
