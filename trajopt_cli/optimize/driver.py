@@ -308,7 +308,7 @@ class Refiner:
         return self.finished(self.begun(draft))
 
     def begun(self, draft: Draft) -> Stage:
-        """From a draft on its grid to a rough answer. Raises NotConverged and Stopped."""
+        """From a draft to the answer on its grid. Raises NotConverged and Stopped."""
         margins: list[Margins | None] = [
             Margins.full(m.N, self.axes.n, START if isinstance(m, PathLeg) else EXACT)
             if isinstance(m, PathLeg | JointNodes)
@@ -316,13 +316,16 @@ class Refiner:
             for m in draft.legs
         ]
         draft, warm = self._first(draft, margins)
-        stage = Stage(draft, margins, warm)
+        return Stage(draft, margins, warm)
+
+    def rough(self, stage: Stage) -> Stage:
+        """From an answer to one on a grid that tells how far it leads. Raises NotConverged and Stopped."""
         while not stage.ended and self._intervals(stage.draft, 0) < self.grids.rough.path:
             stage = self._finer(stage)
         return stage
 
     def finished(self, stage: Stage) -> Draft:
-        """From a rough answer to the clean draft with the shortest time found. Raises NotConverged and Stopped."""
+        """From an answer to the clean draft with the shortest time found. Raises NotConverged and Stopped."""
         while not stage.ended:
             stage = self._finer(stage)
         return self._exchange(stage.draft, stage.margins, stage.warm)

@@ -263,17 +263,23 @@ class Sweeps:
         return Outcome(None if best is own else best, clean, seconds)
 
     def _ahead(self, problem: Problem, starts: Sequence[Draft], seconds: dict[str, float]) -> list[Stage]:
-        """Rough answers from those starts that lead to one, the best first. Raises Stopped."""
+        """Rough answers from those starts that lead to one, the best first; one where several lead to the same first
+        answer. Raises Stopped."""
         found: list[Stage] = []
+        firsts: list[float] = []
         for start in starts:
             with self._refiner(problem, seconds) as refiner, suppress(NotConverged):
-                found.append(refiner.begun(start))
+                stage = refiner.begun(start)
+                first = cost(self._axes, problem, stage.draft.legs)
+                if not _known(first, firsts):
+                    firsts.append(first)
+                    found.append(refiner.rough(stage))
         return sorted(found, key=lambda stage: cost(self._axes, problem, stage.draft.legs))
 
     def _rivals(self, problem: Problem, stage: Stage, ends: Sequence[float]) -> bool:
         """Whether a rough answer is about as good as the best one that was solved to the end, and none of those."""
         end = cost(self._axes, problem, stage.draft.legs)
-        return end < RIVAL * min(ends, default=np.inf) and all(abs(end - one) > SAME_END * one for one in ends)
+        return end < RIVAL * min(ends, default=np.inf) and not _known(end, ends)
 
     @contextmanager
     def _refiner(self, problem: Problem, seconds: dict[str, float]) -> Iterator[Refiner]:
@@ -318,6 +324,11 @@ def _hoped(axes: Axes, problem: Problem, window: Window, chain: Chain, grids: Gr
         elif motion is not None and (k in kept or k + 1 in kept):
             times[k] = max(times[k], motion.T)
     return first_draft(axes, window.problem, q, qd, tuple(cfx), times, grids, _capped(own))
+
+
+def _known(end: float, ends: Sequence[float]) -> bool:
+    """Whether a rough answer's cost is one of those, as far as can be told."""
+    return any(abs(end - one) <= SAME_END * one for one in ends)
 
 
 def _capped(draft: Draft) -> frozenset[int]:
