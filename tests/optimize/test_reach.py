@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from small_cells import DOWN, plant_with_rail, plant_without_rail, problem_of, rapid
 
-from trajopt_cli.geometry import pose, rotation_about, wxyz_from_rotation
+from trajopt_cli.geometry import Array, pose, rotation_about, wxyz_from_rotation
 from trajopt_cli.motion import Program
 from trajopt_cli.optimize import check_feasible
 from trajopt_cli.optimize.axes import Axes
@@ -326,3 +326,26 @@ def test_programs_that_can_be_done_are_not_refused() -> None:
         assert (answer is None) == found, (p, answer)
         seen.add(found)
     assert seen == {True, False}
+
+
+def test_a_station_that_was_served_is_looked_at_once_for_all_questions(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The inverse is asked for each station of a plant once; with narrower ranges of the axes it is asked again."""
+    plant = plant_with_rail()
+    axes = Axes.of(plant)
+    body = "MoveJ p_in, v500, fine, tool0;\nMoveL p_low, v500, fine, tool0;\nMoveL p_in, v100, fine, tool0;"
+    asked: list[int] = []
+
+    def inverse_of(self: object, X_WF: Array, rail: Array) -> Array:
+        asked.append(len(X_WF))
+        return inverse(plant.robot, X_WF, rail)
+
+    monkeypatch.setattr(Axes, "inverse", inverse_of)
+    stream, rapid_one = (problem_of(rapid(body), plant, target) for target in Target)
+    assert check_reach(axes, stream) is None
+    assert asked
+    asked.clear()
+    for problem in (stream, rapid_one):
+        assert check_reach(axes, problem) is None
+        assert not asked
+    assert check_reach(axes.narrowed(0.9), stream) is None
+    assert asked

@@ -8,7 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import astuple, dataclass, replace
+from hashlib import blake2b
 from itertools import groupby, product
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -24,13 +26,18 @@ from trajopt_cli.optimize.tuning import (
     REACH_APART,
     REACH_CHUNK,
     REACH_GRID,
+    SEARCH_APART,
+    SEARCH_COARSE,
 )
 from trajopt_cli.problem.alike import stretch_name
+from trajopt_cli.problem.freedom import EVERYTHING
 from trajopt_cli.problem.plan import Infeasible
-from trajopt_cli.problem.problem import Leg, LegKind, Problem, Waypoint
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.problem import Coupling, Leg, LegKind, Problem, Waypoint
 
 _LISTED = 4  # confdata in a message
 _PLACES = 5  # in a message
+_SERVED = WeakKeyDictionary[Plant, set[bytes]]()  # names of stations that can be: asked again by every question
 _NO_SINGLE = "no single configuration serves the whole line without crossing a singularity or a joint limit"
 
 
@@ -69,11 +76,26 @@ class StationTable:
         q = raw[[label.cfx for label in self.labels]] + np.array([label.turns for label in self.labels])[:, None, None]
         return np.where(self._within(q)[..., None], q, np.nan)
 
-    def open_on(self, i: int, label: int) -> BoolArray:
-        """Where (nodes, n) along line i of the station one label is to be had."""
+    def open_on(self, i: int) -> BoolArray:
+        """Where (L, nodes, n) along line i of the station each label is to be had."""
         raw = self.raw[i]
         assert raw is not None
-        return self._within(raw[self.labels[label].cfx] + self.labels[label].turns)
+        cfx, turns = np.array([label.cfx for label in self.labels]), np.array([label.turns for label in self.labels])
+        open_ = np.ones((len(cfx), *raw.shape[1:3]), dtype=bool)
+        for q, turn, low, high in zip(np.moveaxis(raw, -1, 0), turns.T, *self.limits, strict=True):
+            for value in np.unique(turn):
+                some, turned = np.flatnonzero(turn == value), q + value
+                open_[some] &= ((turned >= low) & (turned <= high))[cfx[some]]
+        return open_
+
+    @property
+    def stands(self) -> bool:
+        """Whether one label serves all waypoints and lines from one rail position."""
+        open_ = np.all([~np.isnan(arm[..., 0]) for arm in self.waypoints], axis=0)
+        for i, raw in enumerate(self.raw):
+            if raw is not None and open_.any():
+                open_ &= self.open_on(i).all(axis=1)
+        return bool(open_.any())
 
     def _within(self, q: Array) -> BoolArray:
         return np.asarray(np.all((q >= self.limits[0]) & (q <= self.limits[1]), axis=-1))
@@ -108,12 +130,18 @@ def grid_in_reach(axes: Axes, problem: Problem, first: int, last: int, fewest: i
 
 def hull_in_reach(axes: Axes, problem: Problem, first: int, last: int) -> tuple[float, float]:
     """From which rail position to which [m] the arm could be long enough for some of the waypoints first..last."""
+    ends = _reaches(axes, problem, first, last)
+    return float(ends.min()), float(ends.max())
+
+
+def _reaches(axes: Axes, problem: Problem, first: int, last: int) -> Array:
+    """From which rail position to which (k, 2) [m] the arm could be long enough for each of the waypoints first..last,
+    and for places on the lines between them."""
     X_WF = [problem.waypoints[k].X_WF for k in range(first, last + 1)]
     for leg in problem.legs[first:last]:
         if leg.segment is not None and leg.chord > 0:
             X_WF += [*(leg.segment.pose(np.array([0.25, 0.5, 0.75])) @ inverse_pose(leg.X_FT))]
-    ends = axes.robot.rail_within(np.array(X_WF))
-    return float(ends.min()), float(ends.max())
+    return np.asarray(axes.robot.rail_within(np.array(X_WF)))
 
 
 def _unwrap(arm: Array, axis: int, first: int = 0) -> Array:
@@ -125,15 +153,16 @@ def _unwrap(arm: Array, axis: int, first: int = 0) -> Array:
         back = _unwrap(np.flip(np.concatenate([before, start], axis), axis), axis)
         return np.concatenate([np.delete(np.flip(back, axis), -1, axis), behind], axis)
     x = np.moveaxis(arm, axis, 0)
-    missing = np.isnan(x)
+    missing = np.isnan(x[..., 0])  # all joints of a place or none
     before = x[:-1]
     if missing.any():
-        rows = np.arange(len(x)).reshape(-1, *[1] * (x.ndim - 1))
+        rows = np.arange(len(x)).reshape(-1, *[1] * (missing.ndim - 1))
         held = np.maximum.accumulate(np.where(missing, 0, rows), axis=0)
-        before = np.take_along_axis(x, held[:-1], axis=0)
-    steps = np.nan_to_num(np.round((x[1:] - before) / (2 * np.pi)))
-    if not steps.any():
+        before = np.take_along_axis(x, held[:-1, ..., None], axis=0)
+    apart = x[1:] - before
+    if not np.any(np.abs(apart) > np.pi):
         return arm
+    steps = np.nan_to_num(np.round(apart / (2 * np.pi)))
     turns = np.concatenate([np.zeros_like(x[:1]), np.cumsum(steps, axis=0)])
     return np.moveaxis(x - 2 * np.pi * turns, 0, axis)
 
@@ -241,21 +270,37 @@ def _rests(problem: Problem, first: int, last: int) -> bool:
 
 def check_reach(axes: Axes, problem: Problem) -> Infeasible | None:
     """The first waypoint that no rail position and branch reaches, or line that none can serve, by name."""
-    served: set[bytes] = set()
+    served = _SERVED.setdefault(problem.plant, set())
+    alike = replace(problem, freedom=EVERYTHING, coupling=Coupling.FREE)
     for first, last in problem.stations:
-        name = stretch_name(problem, first, last)
-        if name in served:
+        singular = SingularStart.of(axes, problem, first, last) is not None
+        name = stretch_name(problem if singular else alike, first, last)
+        key = blake2b(name + axes.lower.tobytes() + axes.upper.tobytes(), digest_size=16).digest()
+        if key in served:
             continue
-        served.add(name)
-        d = grid_in_reach(axes, problem, first, last, REACH_GRID, REACH_APART)
-        table = station_table(axes, problem, first, last, d)
-        if not table.labels:  # else one configuration reaches all of its waypoints
-            return _lost(axes, problem, first, last, d)
-        for i in range(last - first):
-            if problem.legs[first + i].kind is LegKind.LINE and not _passable(problem, table, i):
-                return _broken_line(axes, problem, first + i, d, table.labels) or _about(
-                    problem, first + i, f": {_NO_SINGLE}"
-                )
+        out = _unserved(axes, problem, first, last)
+        if out is not None:
+            return out
+        served.add(key)
+    return None
+
+
+def _unserved(axes: Axes, problem: Problem, first: int, last: int) -> Infeasible | None:
+    """Why a station cannot be served; None where it can, first of all from one position on few."""
+    low, high = _reaches(axes, problem, first, last).T
+    if low.max() <= high.min() or not axes.layout.has_rail:
+        d = grid_in_reach(axes, problem, first, last, SEARCH_COARSE, SEARCH_APART)
+        if (table := station_table(axes, problem, first, last, d)).labels and table.stands:
+            return None
+    d = grid_in_reach(axes, problem, first, last, REACH_GRID, REACH_APART)
+    table = station_table(axes, problem, first, last, d)
+    if not table.labels:  # else one configuration reaches all of its waypoints
+        return _lost(axes, problem, first, last, d)
+    for i in range(last - first):
+        if problem.legs[first + i].kind is LegKind.LINE and not _passable(problem, table, i):
+            return _broken_line(axes, problem, first + i, d, table.labels) or _about(
+                problem, first + i, f": {_NO_SINGLE}"
+            )
     return None
 
 
@@ -297,13 +342,10 @@ def problem_at(problem: Problem, k: int) -> Problem:
 def _passable(problem: Problem, table: StationTable, i: int) -> bool:
     """Some label runs the whole line: with the rail moving if it may, else at one rail position."""
     leg = problem.legs[table.first + i]
-    for label in range(len(table.labels)):
-        open_ = table.open_on(i, label)
-        open_[0] &= ~np.isnan(table.waypoints[i][label, :, 0])
-        open_[-1] &= ~np.isnan(table.waypoints[i + 1][label, :, 0])
-        if _crosses(open_) if leg.rail_moves else open_.all(axis=0).any():
-            return True
-    return False
+    open_ = table.open_on(i)
+    open_[:, 0] &= ~np.isnan(table.waypoints[i][..., 0])
+    open_[:, -1] &= ~np.isnan(table.waypoints[i + 1][..., 0])
+    return bool(open_.all(axis=1).any()) or (leg.rail_moves and any(_crosses(one) for one in open_))
 
 
 def _crosses(open_: BoolArray) -> bool:

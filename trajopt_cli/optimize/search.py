@@ -161,7 +161,7 @@ def _line_times(axes: Axes, problem: Problem, table: StationTable, i: int, k: in
     cfx = np.array([label.cfx for label in table.labels])
     used, of = np.unique(cfx, return_inverse=True)
     arm = np.moveaxis(raw[used], -1, 0).reshape(-1, nodes * n)  # (m * branches, places)
-    open_ = np.array([table.open_on(i, label) for label in range(len(cfx))]).reshape(len(cfx), -1)
+    open_ = table.open_on(i).reshape(len(cfx), -1)
     times = np.empty((len(shifts), len(cfx), n))
     rows = max(1, LINE_CHUNK // arm.size)
     leaves = table.leaves if problem.coordinated and all(before is None for before in table.raw[:i]) else None
