@@ -11,6 +11,8 @@ from numpy.typing import ArrayLike
 
 from trajopt_cli.geometry import Array
 
+_CHUNK = 1024  # columns at once: work arrays stay in cache
+
 
 def reach(T: ArrayLike, v0: ArrayLike, v1: ArrayLike, V: ArrayLike, A: ArrayLike) -> Array:
     """Largest displacement in exactly T from v0 to v1; meaningful for T >= |v1 - v0| / A."""
@@ -19,47 +21,64 @@ def reach(T: ArrayLike, v0: ArrayLike, v1: ArrayLike, V: ArrayLike, A: ArrayLike
     return (2 * peak**2 - v0**2 - v1**2) / (2 * A) - np.maximum(peak - V, 0.0) ** 2 / A
 
 
-def _leave_block(T: Array, D: Array, v0: Array, v1: Array, V: Array, A: Array) -> None:
-    """Move T (n,), in place, to the right end of the open interval of times in which D is out of reach, where it is."""
-    short = np.flatnonzero(reach(T, v0, v1, V, A) < D - 1e-12)
-    if not len(short):
-        return
-    D, v0, v1, V, A = (x[short] for x in (D, v0, v1, V, A))
-    energy = A * D + (v0**2 + v1**2) / 2
-    peak = np.sqrt(np.maximum(energy, 0.0))
-    slow = (2 * peak - v0 - v1) / A
-    fast = (2 * V - v0 - v1) / A + (D - (V**2 - (v0**2 + v1**2) / 2) / A) / V
-    T[short] = np.maximum(T[short], np.where(peak <= V, slow, fast))
-
-
-def shortest_time(D: ArrayLike, v0: ArrayLike, v1: ArrayLike, V: ArrayLike, A: ArrayLike, rounds: int = 100) -> Array:
+def shortest_time(D: ArrayLike, v0: ArrayLike, v1: ArrayLike, V: ArrayLike, A: ArrayLike) -> Array:
     """Least T in which all axes (last array axis) travel D from v0 to v1 together, blocked times included.
 
-    Each round moves past the blocked interval of every axis in turn; it stops early when nothing changes.
+    Each round moves T past the open intervals in which it lies of times when an axis is elsewhere.
     """
     D, v0, v1, V, A = np.broadcast_arrays(*(np.asarray(x, dtype=float) for x in (D, v0, v1, V, A)))
     shape, k = D.shape[:-1], D.shape[-1]
-    columns = [tuple(x[..., j].ravel() for x in (D, v0, v1, V, A)) for j in range(k)]
-    T = np.max(np.abs(v1 - v0) / A, axis=-1).ravel()
-    for _ in range(rounds):
-        before = T.copy()
-        for d, a, b, v, acc in columns:
-            _leave_block(T, d, a, b, v, acc)
-            _leave_block(T, -d, -a, -b, v, acc)
-        if np.array_equal(T, before):
-            break
+    columns = [x.reshape(-1, k).T for x in (D, v0, v1, V, A)]
+    T = np.empty(columns[0].shape[1])
+    for i in range(0, len(T), _CHUNK):
+        part = slice(i, i + _CHUNK)
+        D, v0, v1, V, A = (np.ascontiguousarray(x[:, part]) for x in columns)
+        T[part] = _together(D, v0, v1, V, A)
     return T.reshape(shape)
 
 
-def alone(D: Array, v0: Array, v1: Array, V: float, A: float) -> Array:
+def _together(D: Array, v0: Array, v1: Array, V: Array, A: Array) -> Array:
+    """The same (m,) of axes in rows (k, m)."""
+    T = np.asarray(alone(D, v0, v1, V, A).max(axis=0))
+    left = np.arange(len(T))
+    while len(left):
+        ahead, behind = reach(T[left], v0, v1, V, A) < D - 1e-12, reach(T[left], -v0, -v1, V, A) < -D - 1e-12
+        late = np.zeros_like(D)
+        for short, sign in ((ahead, 1.0), (behind, -1.0)):
+            way, first, last, top, most = (x[short] for x in (D, v0, v1, V, A))
+            late[short] = np.maximum(late[short], _late(sign * way, sign * (first + last), first, last, top, most))
+        least = late.max(axis=0)
+        some = least > T[left]
+        left, D, v0, v1, V, A = left[some], *(x[:, some] for x in (D, v0, v1, V, A))
+        T[left] = least[some]
+    return T
+
+
+def _late(D: Array, both: Array, v0: Array, v1: Array, V: Array | float, A: Array | float) -> Array:
+    """The right end of the open interval of times when D is out of reach; both: the sum of both velocities towards
+    it."""
+    squares = A * D + (v0 * v0 + v1 * v1) / 2  # the top speed's, without a limit
+    top = np.sqrt(np.maximum(squares, 0.0))
+    np.minimum(top, V, out=top)
+    squares /= np.maximum(top, np.finfo(float).tiny)
+    squares += top
+    squares -= both
+    squares /= A
+    return squares
+
+
+def alone(D: Array, v0: Array, v1: Array, V: Array | float, A: Array | float) -> Array:
     """Least T in which one axis travels D from v0 to v1."""
-    ahead = np.where(D < 0, -1.0, 1.0)
-    D, both = np.abs(D), ahead * (v0 + v1)
-    T = np.abs(v1 - v0) / A
-    squares = (v0 * v0 + v1 * v1) / 2
-    peak = np.sqrt(A * D + squares)
-    late = np.where(peak <= V, (2 * peak - both) / A, (2 * V - both) / A + (D - (V * V - squares) / A) / V)
-    return np.where(both * T / 2 < D - 1e-12, np.maximum(T, late), T)
+    both = v0 + v1
+    np.negative(both, out=both, where=D < 0)
+    D = np.abs(D)
+    late = _late(D, both, v0, v1, V, A)
+    T = np.abs(v1 - v0)
+    T /= A
+    D -= 1e-12
+    both /= 2
+    both *= T
+    return np.maximum(T, late, out=T, where=both < D)
 
 
 def trapezoid_time(D: ArrayLike, V: ArrayLike, A: ArrayLike) -> Array:

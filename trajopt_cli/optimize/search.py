@@ -7,7 +7,7 @@ are exact without the tool caps; those of lines are estimates.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -22,6 +22,7 @@ from trajopt_cli.optimize.tuning import (
     CURVED,
     LEAST_ROOM,
     LINE_CHUNK,
+    LOOKED_AT,
     NEAR_BEST,
     NEAR_SPAN,
     PASSING,
@@ -33,6 +34,7 @@ from trajopt_cli.optimize.tuning import (
     SEARCH_LEGS,
     SEARCH_WINDOW,
     SHIFT,
+    SLOWEST,
     WAY_NODES,
     WIDEST,
 )
@@ -88,46 +90,79 @@ def _joint_edge(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
     """Least times of joint moves between all states; the tool caps enter by a trapezoid over the tool's way, which is
     its chord where every axis may go its own way."""
     V, A = axes.velocity_on(leg), axes.acceleration
-    p_a, p_b = ((axes.forward(x.q) @ leg.X_FT)[:, :3, 3] for x in (a, b))
-    slow, hard, most, chord = (np.zeros((len(a.q), len(b.q))) for _ in range(4))
+    moving = bool(np.any(a.qd) or np.any(b.qd))
+    most: Array | float
+    if problem.coordinated:
+        T, most = _one_share(axes, leg, a, b, V, A)
+    elif moving:
+        T, most = _slowest(a, b, V, A), np.inf
+    else:
+        T, most = np.zeros((len(a.q), len(b.q))), -np.inf
+        for j in range(axes.n):
+            np.maximum(T, trapezoid_time(np.abs(b.q[None, :, j] - a.q[:, None, j]), V[j], A[j]), out=T)
+    np.maximum(T, _chord_time(axes, leg, a, b), out=T)
+    doubt, bare, T = most > leg.v_tcp * T, T, _within(T, leg)
+    if not leg.rail_moves:
+        stays = axes.layout.place(a.q)[:, None] == axes.layout.place(b.q)
+        T, doubt = np.where(stays, T, np.inf), doubt & stays
+    if not doubt.any():
+        return Dense(T)
+
+    def sure(i: IndexArray, k: IndexArray) -> Array:
+        if problem.coordinated:
+            least = _driven(axes, leg, a.q[i], b.q[k])
+        else:
+            least = shortest_time(b.q[k] - a.q[i], a.qd[i], b.qd[k], V, A)
+        return _within(np.maximum(bare[i, k], least), leg)
+
+    return Lazy(T, doubt, sure)
+
+
+def _within(T: Array, leg: Leg) -> Array:
+    """Least times of a leg with its programmed time, where that is enough."""
+    return T if leg.duration is None else np.where(leg.duration >= T, leg.duration, T)
+
+
+def _one_share(axes: Axes, leg: Leg, a: _Layer, b: _Layer, V: Array, A: Array) -> tuple[Array, Array]:
+    """Least times (n_a, n_b) of all axes with one profile for all, but for the tool's caps; how far the tool goes at
+    most [m]."""
     lever = np.where(np.arange(axes.n) >= axes.layout.arm.start, np.linalg.norm(leg.X_FT[:3, 3]) + WIDEST, 1.0)
-    T, moving = np.zeros_like(slow), np.any(a.qd) or np.any(b.qd)
+    slow, hard, most = (np.full((len(a.q), len(b.q)), least) for least in (_LEAST, _LEAST, 0.0))
     for j in range(axes.n):
         way = np.abs(b.q[None, :, j] - a.q[:, None, j])
         most += way * lever[j]
         np.maximum(slow, way / V[j], out=slow)
-        if problem.coordinated:
-            np.maximum(hard, way / A[j], out=hard)
-        elif not moving:
-            np.maximum(T, trapezoid_time(way, V[j], A[j]), out=T)
-    if problem.coordinated:  # one profile for all: over a share of 1, at 1 / slow and 1 / hard at most
-        slow, hard = np.maximum(slow, _LEAST), np.maximum(hard, _LEAST)
-        T = np.where(slow * slow > hard, slow + hard / slow, 2 * np.sqrt(hard))
-    elif moving:  # every axis by itself: no more than all of them together
-        for j in range(axes.n):
-            T = np.maximum(T, alone(b.q[None, :, j] - a.q[:, None, j], a.qd[:, None, j], b.qd[None, :, j], V[j], A[j]))
+        np.maximum(hard, way / A[j], out=hard)
+    # over a share of 1, at 1 / slow and 1 / hard at most
+    return np.where(slow * slow > hard, slow + hard / slow, 2 * np.sqrt(hard)), most
+
+
+def _slowest(a: _Layer, b: _Layer, V: Array, A: Array) -> Array:
+    """Times (n_a, n_b) that axes take at least which go each by itself: of those that are the slowest between most of
+    some states."""
+
+    def time(i: slice, k: slice, j: int) -> Array:
+        D = b.q[None, k, j] - a.q[i, None, j]
+        return alone(D, a.qd[i, None, j], b.qd[None, k, j], V[j], A[j])
+
+    some_a, some_b = (slice(None, None, max(1, len(x.q) // LOOKED_AT)) for x in (a, b))
+    last = np.argmax([time(some_a, some_b, j) for j in range(len(V))], axis=0)
+    often = np.bincount(last.ravel(), minlength=len(V))
+    order = np.argsort(-often, kind="stable")
+    most = int(np.searchsorted(np.cumsum(often[order]), SLOWEST * last.size)) + 1
+    T = time(slice(None), slice(None), int(order[0]))
+    for j in order[1:most].tolist():
+        np.maximum(T, time(slice(None), slice(None), j), out=T)
+    return T
+
+
+def _chord_time(axes: Axes, leg: Leg, a: _Layer, b: _Layer) -> Array:
+    """What the tool takes straight from states to states (n_a, n_b)."""
+    p_a, p_b = ((axes.forward(x.q) @ leg.X_FT)[:, :3, 3] for x in (a, b))
+    chord = np.zeros((len(a.q), len(b.q)))
     for j in range(3):
         chord += (p_b[None, :, j] - p_a[:, None, j]) ** 2
-    T = np.maximum(T, trapezoid_time(np.sqrt(chord), leg.v_tcp, leg.a_tcp))
-    doubt = most > leg.v_tcp * T if problem.coordinated else np.full(T.shape, moving)
-    stays = axes.layout.place(a.q)[:, None] == axes.layout.place(b.q)
-    forbidden = np.zeros(T.shape, dtype=bool) if leg.rail_moves else ~stays
-
-    def within(T: Array) -> Array:
-        return T if leg.duration is None else np.where(leg.duration >= T, leg.duration, T)
-
-    def sure(i: IndexArray, k: IndexArray) -> Array:
-        if problem.coordinated:
-            return within(np.maximum(bare[i, k], _driven(axes, leg, a.q[i], b.q[k])))
-        together = shortest_time(b.q[k] - a.q[i], a.qd[i], b.qd[k], V, A, rounds=3)
-        return within(np.maximum(bare[i, k], together))
-
-    bare, T = T, within(T)
-    return (
-        Lazy(np.where(forbidden, np.inf, T), doubt & ~forbidden, sure)
-        if doubt.any()
-        else Dense(np.where(forbidden, np.inf, T))
-    )
+    return trapezoid_time(np.sqrt(chord), leg.v_tcp, leg.a_tcp)
 
 
 def _driven(axes: Axes, leg: Leg, q_0: Array, q_1: Array) -> Array:
@@ -158,66 +193,59 @@ def _line_times(axes: Axes, problem: Problem, table: StationTable, i: int, k: in
         farthest = 0.0
     widest = min(int(np.ceil(farthest / max(spacing, 1e-9))), n - 1)
     shifts = np.arange(widest, -widest - 1, -1)
-    cfx = np.array([label.cfx for label in table.labels])
-    used, of = np.unique(cfx, return_inverse=True)
-    arm = np.moveaxis(raw[used], -1, 0).reshape(-1, nodes * n)  # (m * branches, places)
-    open_ = table.open_on(i).reshape(len(cfx), -1)
-    times = np.empty((len(shifts), len(cfx), n))
-    rows = max(1, LINE_CHUNK // arm.size)
+    used, of = np.unique([label.cfx for label in table.labels], return_inverse=True)
+    open_ = table.open_on(i).reshape(len(of), -1)
     leaves = table.leaves if problem.coordinated and all(before is None for before in table.raw[:i]) else None
-    for start in range(0, len(shifts), rows):
-        some = shifts[start : start + rows]
-        behind = np.arange(n) + some[:, None]  # (s, n) rail number at the line's end
-        at = some[:, None] * np.linspace(0, 1, nodes)
+    times = np.full((len(shifts), len(of), n), np.inf)
+    arm = np.moveaxis(raw[used], -1, 0).reshape(-1, len(used), nodes * n)
+    before, behind = np.nonzero(np.abs(np.arange(n) - np.arange(n)[:, None]) <= widest)
+    rows = max(1, LINE_CHUNK // (len(of) * nodes))
+    for some in (slice(j, j + rows) for j in range(0, len(before), rows)):
+        start, end = before[some], behind[some]  # (p,) rail numbers at the line's ends
+        at = (end - start) * np.linspace(0, 1, nodes)[:, None]
         whole = np.floor(at + 1e-9)
-        f = np.where(at - whole > 1e-9, at - whole, 0.0)[..., None]
-        low = np.clip(
-            np.arange(n) + whole.astype(int)[..., None], 0, n - 1
-        )  # (s, nodes, n); fractional between low, high
-        high = np.where(f > 0, np.minimum(low + 1, n - 1), low)
-        low, high = (np.arange(nodes)[:, None] * n + x for x in (low, high))
-        q = (arm[:, low] * (1 - f) + arm[:, high] * f).reshape(axes.layout.joints, len(used), *low.shape)
-        T = _along_line(axes, leg, q, (d[np.clip(behind, 0, n - 1)] - d), V, A)
-        ok = np.all(open_[:, low] & open_[:, high], axis=2) & ((behind >= 0) & (behind < n))
+        f = np.where(at - whole > 1e-9, at - whole, 0.0)
+        low = np.arange(nodes)[:, None] * n + start + whole.astype(int)
+        high = low + (f > 0)  # (nodes, p); fractional between low, high
+        ok = np.all(open_[:, low] & open_[:, high], axis=1)
         if leaves is not None:
-            ok &= leaves[:, np.clip(behind, 0, n - 1)]
-        T = T[of]
-        times[start : start + rows] = np.where(ok & ~np.isnan(T), np.maximum(T, leg.duration or 0.0), np.inf).swapaxes(
-            0, 1
-        )
+            ok &= leaves[:, end]
+        T = np.full((len(used), len(start)), np.inf)
+        branch, pair = np.nonzero([np.any(ok[of == cfx], axis=0) for cfx in range(len(used))])
+        most = max(1, LINE_CHUNK // (len(arm) * nodes))
+        for cfx, p in ((branch[j : j + most], pair[j : j + most]) for j in range(0, len(pair), most)):
+            q = arm[:, cfx, low[:, p]] * (1 - f[:, p]) + arm[:, cfx, high[:, p]] * f[:, p]
+            T[cfx, p] = _along_line(axes, leg, q, d[end[p]] - d[start[p]], V, A)
+        times[widest + start - end, :, start] = np.where(ok, np.maximum(T, leg.duration or 0.0)[of], np.inf).T
     return Band(shifts, times, a.place, b.place)
 
 
 def _along_line(axes: Axes, leg: Leg, arm: Array, way: Array, V: Array, A: Array) -> Array:
-    """Estimated times (B, s, n) of joints (m, B, s, nodes, n) along a line, the rail going its way (s, n) meanwhile."""
-    h = 1 / (arm.shape[3] - 1)
+    """Estimated times (p,) of joints (m, nodes, p) along a line, the rail going its way (p,) meanwhile."""
+    h = 1 / (arm.shape[1] - 1)
 
     def slope(x: Array) -> Array:
         out = np.empty_like(x)
-        out[..., 1:-1, :] = (x[..., 2:, :] - x[..., :-2, :]) / (2 * h)
-        out[..., 0, :], out[..., -1, :] = (x[..., 1, :] - x[..., 0, :]) / h, (x[..., -1, :] - x[..., -2, :]) / h
+        np.subtract(x[:, 2:], x[:, :-2], out=out[:, 1:-1])
+        out[:, 1:-1] /= 2 * h
+        out[:, 0], out[:, -1] = (x[:, 1] - x[:, 0]) / h, (x[:, -1] - x[:, -2]) / h
         return out
 
-    def most(shares: Iterable[Array]) -> Array:
-        """The greatest (B, s, n) of axes and nodes."""
-        out = np.zeros(arm.shape[1:])
-        for share in shares:
-            np.maximum(out, share, out=out)
-        return np.asarray(np.max(out, axis=2))
-
     dq = slope(arm)
-    ddq = np.abs(slope(dq))
+    ddq = slope(dq)
+    np.abs(ddq, out=ddq)
     np.abs(dq, out=dq)
     rail, layout = np.abs(way), axes.layout
-    slow = most(x / limit for x, limit in zip(dq, V[layout.arm], strict=True))
+    slow = np.max(np.max(dq, axis=1) / V[layout.arm, None], axis=0)
     for limit in V[layout.rail]:
         slow = np.maximum(slow, rail / limit)
     slow = np.maximum(slow, max(leg.chord / leg.v_tcp, leg.angle / leg.v_ori, _LEAST))
-    charged = ((CURVED / slow) ** 2)[:, :, None]
-    hard = most(
-        x / np.maximum(limit - bend * charged, LEAST_ROOM * limit)
-        for x, bend, limit in zip(dq, ddq, A[layout.arm], strict=True)
-    )
+    limits = A[layout.arm, None, None]
+    ddq *= -((CURVED / slow) ** 2)
+    ddq += limits
+    np.maximum(ddq, LEAST_ROOM * limits, out=ddq)
+    dq /= ddq
+    hard = np.max(dq, axis=(0, 1))
     for limit in A[layout.rail]:
         hard = np.maximum(hard, rail / limit)
     hard = np.maximum(hard, max(leg.chord / leg.a_tcp, _LEAST))
@@ -225,14 +253,17 @@ def _along_line(axes: Axes, leg: Leg, arm: Array, way: Array, V: Array, A: Array
 
 
 def _line_edge(axes: Axes, problem: Problem, table: StationTable, i: int, k: int, a: _Layer, b: _Layer) -> Edge:
-    """The same, and no less than the rates of the states allow."""
+    """The same, and no less than the rates of the states allow: those of the rail at once."""
     band, leg = _line_times(axes, problem, table, i, k, a, b), problem.legs[k]
     if not (np.any(a.qd) or np.any(b.qd)):
         return band
-    T, V, A = band.dense().copy(), axes.velocity_on(leg), axes.acceleration
+    T, V, A = band.dense(), axes.velocity_on(leg), axes.acceleration
+    ia, ib = np.nonzero(np.isfinite(T))
+    for j in range(*axes.layout.rail.indices(axes.n)):
+        T[ia, ib] = np.maximum(T[ia, ib], alone(b.q[ib, j] - a.q[ia, j], a.qd[ia, j], b.qd[ib, j], V[j], A[j]))
 
     def sure(i: IndexArray, k: IndexArray) -> Array:
-        return np.maximum(T[i, k], shortest_time(b.q[k] - a.q[i], a.qd[i], b.qd[k], V, A, rounds=2))
+        return np.maximum(T[i, k], shortest_time(b.q[k] - a.q[i], a.qd[i], b.qd[k], V, A))
 
     return Lazy(T, np.isfinite(T), sure)
 
@@ -286,43 +317,50 @@ def _edges(
     return edges
 
 
-def _best(layers: list[_Layer], edges: Sequence[Edge], ties: Ties) -> tuple[float, list[int], list[Array], list[Array]]:
-    """Cost and states of the best chain, and the least cost from the start to, and from there to the end of, a state
-    where no tie is kept."""
-    forward = [np.zeros(len(layers[0].q))]
-    back: list[IndexArray] = []
-    # costs above the least one come again where legs do
-    into: dict[tuple[int, bytes], tuple[IndexArray, Array, float]] = {}
-    out: dict[tuple[int, bytes], tuple[Array, float]] = {}
-    above, base = forward[0], 0.0
-    for edge in edges:
-        name = id(edge), above.tobytes()
-        if name not in into:
-            source, cost = edge.into(above)
-            into[name] = source, *_above(cost)
-        source, above, least = into[name]
-        base += least
-        back.append(source)
-        forward.append(above + base)
-    backward = [np.zeros(len(layers[-1].q))]
-    above, base = backward[0], 0.0
-    for edge in reversed(edges):
-        name = id(edge), above.tobytes()
-        if name not in out:
-            out[name] = _above(edge.out(above))
-        above, least = out[name]
-        base += least
-        backward.append(above + base)
-    backward.reverse()
+def _best(layers: list[_Layer], edges: Sequence[Edge], ties: Ties) -> tuple[float, list[int], list[Array]]:
+    """Cost and states of the best chain, and the least cost from the start to every state where no tie is kept."""
+    forward, back = _forward(layers, edges)
     if ties:
-        through = [a + b for a, b in zip(forward, backward, strict=True)]
-        tables = [edge.dense() for edge in edges]
-        return *best_tied([layer.q for layer in layers], tables, through, ties), forward, backward
+        through = [a + b for a, b in zip(forward, _backward(layers, edges), strict=True)]
+        return *best_tied([layer.q for layer in layers], [edge.dense() for edge in edges], through, ties), forward
     end = int(np.argmin(forward[-1]))
     path = [end]
     for b in reversed(back):
         path.append(int(b[path[-1]]))
-    return float(forward[-1][end]), path[::-1], forward, backward
+    return float(forward[-1][end]), path[::-1], forward
+
+
+def _forward(layers: list[_Layer], edges: Sequence[Edge]) -> tuple[list[Array], list[IndexArray]]:
+    """The least cost from the start to every state, and the states before them, where no tie is kept."""
+    # costs above the least one come again where legs do
+    known: dict[tuple[int, bytes], tuple[IndexArray, Array, float]] = {}
+    forward, back = [np.zeros(len(layers[0].q))], list[IndexArray]()
+    above, base = forward[0], 0.0
+    for edge in edges:
+        name = id(edge), above.tobytes()
+        if name not in known:
+            source, cost = edge.into(above)
+            known[name] = source, *_above(cost)
+        source, above, least = known[name]
+        base += least
+        back.append(source)
+        forward.append(above + base)
+    return forward, back
+
+
+def _backward(layers: list[_Layer], edges: Sequence[Edge]) -> list[Array]:
+    """The least cost from every state to the end."""
+    known: dict[tuple[int, bytes], tuple[Array, float]] = {}
+    backward = [np.zeros(len(layers[-1].q))]
+    above, base = backward[0], 0.0
+    for edge in reversed(edges):
+        name = id(edge), above.tobytes()
+        if name not in known:
+            known[name] = _above(edge.out(above))
+        above, least = known[name]
+        base += least
+        backward.append(above + base)
+    return backward[::-1]
 
 
 def _above(cost: Array) -> tuple[Array, float]:
@@ -335,8 +373,7 @@ def best_chain(q: list[Array], edges: list[Array], ties: Ties) -> tuple[float, l
     """The least cost, and which of the axes q (m, n) of every waypoint the best chain takes."""
     none = np.zeros(0, dtype=np.intp)
     layers = [_Layer(x, np.zeros_like(x), none, none) for x in q]
-    cost, path, _, _ = _best(layers, [Dense(T) for T in edges], ties)
-    return cost, path
+    return _best(layers, [Dense(T) for T in edges], ties)[:2]
 
 
 def search(axes: Axes, problem: Problem) -> Chain | None:
@@ -436,13 +473,14 @@ def _search(axes: Axes, problem: Problem) -> Chain | None:
     still = np.zeros(1)
     layers = _layers(axes, problem, tables, still)
     edges = _edges(axes, problem, tables, where, layers)
-    cost, path, forward, backward = _best(layers, edges, problem.ties)
+    cost, path, forward = _best(layers, edges, problem.ties)
     if not np.isfinite(cost):
         return None
     coarse = _chain(problem, tables, where, layers, edges, path, cost)
-    del edges
     if all(s.rail[0] == s.rail[1] for s in problem.waypoints):
         return coarse
+    through = [a + b for a, b in zip(forward, _backward(layers, edges), strict=True)]
+    del edges
     # the fine search: labels near the best, rail near the best
     top = float(axes.layout.place(axes.velocity))
     speeds = still if problem.coordinated or not problem.freedom.through_stops else top * np.array(PASSING)
@@ -457,7 +495,7 @@ def _search(axes: Axes, problem: Problem) -> Chain | None:
     for (first, last), table, fine in zip(problem.stations, tables, finer, strict=True):
         keep: set[int] = set()
         for k in range(first, last + 1):
-            keep |= set(layers[k].label[forward[k] + backward[k] <= limit].tolist())
+            keep |= set(layers[k].label[through[k] <= limit].tolist())
         name = id(table), id(fine), frozenset(keep)
         if name not in known:
             labels = [i for i in range(len(fine.labels)) if _like(fine, i, table, keep)]
@@ -469,7 +507,7 @@ def _search(axes: Axes, problem: Problem) -> Chain | None:
     if not all(len(layer.q) for layer in layers):
         return coarse
     edges = _edges(axes, problem, fine_tables, where, layers)
-    cost, path, _, _ = _best(layers, edges, problem.ties)
+    cost, path, _ = _best(layers, edges, problem.ties)
     return _chain(problem, fine_tables, where, layers, edges, path, cost) if np.isfinite(cost) else coarse
 
 

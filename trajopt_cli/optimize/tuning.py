@@ -39,6 +39,10 @@ NEAR_BEST = 1.04  # labels within this of the best cycle stay in the fine search
 NEAR_SPAN = 7.0  # s of a cycle at most of which that share is taken: what is far away does not matter. Not measured.
 WIDEST = 1.0  # m from an arm's axis to its flange at most; farther ones only miss that a slow joint move is long. Not
 # measured.
+LOOKED_AT = 20  # states of two waypoints each between which it is told which axes are slow. Not measured.
+SLOWEST = (
+    0.9  # share of them whose slowest axes enter the table of a leg's times; others where that matters. Not measured.
+)
 WAY_NODES = 6  # places on a joint move whose distances add up to the tool's way. Not measured.
 SHIFT = 0.45  # m that the rail may move on a line beyond what it can at top velocity in the tool's time. Not measured.
 CURVED = 0.6  # share of a line's top velocity at which its curvature is charged against acceleration. Not measured.
