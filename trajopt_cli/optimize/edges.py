@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
-from trajopt_cli.geometry import Array, BoolArray, IndexArray
+from trajopt_cli.geometry import Array, IndexArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,8 +24,9 @@ class Dense:
         total = cost[:, None] + self.T
         return np.argmin(total, axis=0), np.min(total, axis=0)
 
-    def out(self, cost: Array) -> Array:
-        """The least cost (n_a,) to the end, that from the states behind being cost (n_b,)."""
+    def out(self, cost: Array, most: Array | None = None) -> Array:
+        """The least cost (n_a,) to the end, that from the states behind being cost (n_b,). What is more than most
+        (n_a,) may be told as less, but as more than that."""
         return np.asarray(np.min(self.T + cost[None], axis=1))
 
     def at(self, i: int, j: int) -> float:
@@ -38,55 +40,71 @@ class Dense:
 
 @dataclass(frozen=True, eq=False)
 class Lazy:
-    """Times T (n_a, n_b) between all states, of which those in doubt (n_a, n_b) are no more than at least so much; sure
-    tells what such take, given the numbers of their states (k,), and is asked only where that may matter."""
+    """Times T (n_a, n_b) between all states that are no more than at least so much; doubt (n_a, n_b): by how many of
+    the questions. Each tells more, given the numbers of states (k,), the last one all, and is asked only where that may
+    matter."""
 
     T: Array
-    doubt: BoolArray
-    sure: Callable[[IndexArray, IndexArray], Array]
+    doubt: NDArray[np.int8]
+    questions: Sequence[Callable[[IndexArray, IndexArray], Array]]
 
     def into(self, cost: Array) -> tuple[IndexArray, Array]:
         """As of Dense."""
-        self._settle(cost[:, None])
-        total = cost[:, None] + self.T
+        total = self._settled(cost[:, None], 0)
         source = np.argmin(total, axis=0)
         return source, total[source, np.arange(total.shape[1])]
 
-    def out(self, cost: Array) -> Array:
+    def out(self, cost: Array, most: Array | None = None) -> Array:
         """As of Dense."""
-        self._settle(cost[None])
-        return np.asarray(np.min(self.T + cost[None], axis=1))
+        return np.asarray(np.min(self._settled(cost[None], 1, most), axis=1))
 
     def at(self, i: int, j: int) -> float:
         """As of Dense."""
-        self._ask(np.array([i]), np.array([j]))
+        if self.doubt[i, j]:
+            self._ask(np.array([i]), np.array([j]))
         return float(self.T[i, j])
 
     def dense(self) -> Array:
         """As of Dense."""
-        self._ask(*np.nonzero(self.doubt))
+        a, b = np.nonzero(self.doubt)
+        self._ask(a, b)
         return self.T
 
-    def _settle(self, cost: Array) -> None:
-        """Nothing in doubt that could be the least of its row or column, cost (n_a, 1) or (1, n_b) being added."""
-        axis = 0 if cost.shape[1] == 1 else 1
+    def _settled(self, cost: Array, axis: int, most: Array | None = None) -> Array:
+        """T and cost, (n_a, 1) or (1, n_b), with nothing in doubt that could be the least along an axis, but where that
+        is more than most."""
         total = cost + self.T
+        lines = np.arange(total.shape[1 - axis])
+        if most is not None:
+            lines = lines[np.min(total, axis=axis) <= most]
         for _ in range(3):
-            first = np.argmin(total, axis=axis)
-            states = (first, np.arange(len(first)))[:: 1 if axis == 0 else -1]
-            states = tuple(x[self.doubt[states]] for x in states)
-            if not len(states[0]):
-                return
-            self._ask(*states)
-            total[states] = np.broadcast_to(cost, total.shape)[states] + self.T[states]
-        known = np.min(np.where(self.doubt, np.inf, total), axis=axis, keepdims=True)
-        self._ask(*np.nonzero(self.doubt & (total < known)))
+            first = np.argmin(total if len(lines) == total.shape[1 - axis] else total.take(lines, 1 - axis), axis=axis)
+            a, b = (first, lines)[:: 1 if axis == 0 else -1]
+            doubtful = self.doubt[a, b] > 0
+            a, b, lines = a[doubtful], b[doubtful], lines[doubtful]
+            if not len(lines):
+                return total
+            self._ask(a, b)
+            total[a, b] = np.broadcast_to(cost, total.shape)[a, b] + self.T[a, b]
+        part = (slice(None), lines)[:: 1 if axis == 0 else -1]
+        doubt, some = self.doubt[part] > 0, total[part]
+        known = np.min(np.where(doubt, np.inf, some), axis=axis, keepdims=True)
+        a, b = np.nonzero(doubt & (some < known))
+        known = np.broadcast_to(known, some.shape)[a, b]
+        a, b = (a, lines[b]) if axis == 0 else (lines[a], b)
+        for number in range(len(self.questions)):
+            new = self.doubt[a, b] == len(self.questions) - number
+            self._ask(a[new], b[new], number)
+            total[a, b] = np.broadcast_to(cost, total.shape)[a, b] + self.T[a, b]
+            left = (self.doubt[a, b] > 0) & (total[a, b] < known)
+            a, b, known = a[left], b[left], known[left]
+        return total
 
-    def _ask(self, a: IndexArray, b: IndexArray) -> None:
-        doubtful = self.doubt[a, b]
-        a, b = a[doubtful], b[doubtful]
+    def _ask(self, a: IndexArray, b: IndexArray, number: int = -1) -> None:
+        """One of the questions, the last one by default, of states (k,) that are in doubt."""
         if len(a):
-            self.T[a, b], self.doubt[a, b] = self.sure(a, b), False
+            left = 0 if number < 0 else len(self.questions) - 1 - number
+            self.T[a, b], self.doubt[a, b] = self.questions[number](a, b), left
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,6 +129,13 @@ class Band:
             out.append((before, slice(before.start + shift, before.stop + shift), T[:, before]))
         return out
 
+    def back(self, a: IndexArray, b: IndexArray) -> Band:
+        """The other way round, between states a and b."""
+        times = np.full_like(self.times, np.inf)
+        for (_, behind, T), there in zip(self._parts, times[::-1], strict=True):
+            there[:, behind] = T
+        return Band(self.shifts, times, a, b)
+
     def _on_grid(self, states: IndexArray, values: Array) -> Array:
         grid = np.full(self.times.shape[1:], np.inf)
         grid[states[0], states[1]] = values
@@ -128,7 +153,7 @@ class Band:
             source[:, behind] = np.where(better, number[:, before], source[:, behind])
         return source[self.b[0], self.b[1]], least[self.b[0], self.b[1]]
 
-    def out(self, cost: Array) -> Array:
+    def out(self, cost: Array, most: Array | None = None) -> Array:
         """As of Dense."""
         left = self._on_grid(self.b, cost)
         least = np.full(left.shape, np.inf)

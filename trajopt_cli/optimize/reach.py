@@ -8,13 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import astuple, dataclass, replace
+from functools import cached_property
 from hashlib import blake2b
 from itertools import groupby, product
 from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, BoolArray, inverse_pose
+from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.motion import MoveJ, MoveL, motion_name
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.singular_start import SingularStart, usable
@@ -29,6 +30,7 @@ from trajopt_cli.optimize.tuning import (
     SEARCH_APART,
     SEARCH_COARSE,
 )
+from trajopt_cli.path.line import Line
 from trajopt_cli.problem.alike import stretch_name
 from trajopt_cli.problem.freedom import EVERYTHING
 from trajopt_cli.problem.plan import Infeasible
@@ -37,6 +39,8 @@ from trajopt_cli.problem.problem import Coupling, Leg, LegKind, Problem, Waypoin
 
 _LISTED = 4  # confdata in a message
 _PLACES = 5  # in a message
+_SAME = 1e-12  # m or 1: poses
+_HALF_TURN = 3.1  # rad: below, a turn and the way back are about one axis
 _SERVED = WeakKeyDictionary[Plant, set[bytes]]()  # names of stations that can be: asked again by every question
 _NO_SINGLE = "no single configuration serves the whole line without crossing a singularity or a joint limit"
 
@@ -80,13 +84,18 @@ class StationTable:
         """Where (L, nodes, n) along line i of the station each label is to be had."""
         raw = self.raw[i]
         assert raw is not None
-        cfx, turns = np.array([label.cfx for label in self.labels]), np.array([label.turns for label in self.labels])
-        open_ = np.ones((len(cfx), *raw.shape[1:3]), dtype=bool)
-        for q, turn, low, high in zip(np.moveaxis(raw, -1, 0), turns.T, *self.limits, strict=True):
-            for value in np.unique(turn):
-                some, turned = np.flatnonzero(turn == value), q + value
-                open_[some] &= ((turned >= low) & (turned <= high))[cfx[some]]
+        open_ = np.ones((len(self.labels), *raw.shape[1:3]), dtype=bool)
+        for j, turn, some, cfx in self._turned:
+            q = raw[..., j] + turn
+            open_[some] &= ((q >= self.limits[0, j]) & (q <= self.limits[1, j]))[cfx]
         return open_
+
+    @cached_property
+    def _turned(self) -> list[tuple[int, float, IndexArray, IndexArray]]:
+        """Of every joint and whole turn the labels that have it, and their branches."""
+        cfx, turns = np.array([label.cfx for label in self.labels]), np.array([label.turns for label in self.labels])
+        pairs = [(j, value) for j, turn in enumerate(turns.T) for value in np.unique(turn).tolist()]
+        return [(j, value, some, cfx[some]) for j, value in pairs for some in np.nonzero(turns[:, j] == value)]
 
     @property
     def stands(self) -> bool:
@@ -186,6 +195,18 @@ def _on_lines(axes: Axes, legs: Sequence[tuple[Leg, int]], d: Array) -> Iterator
         yield from np.split(arm, np.cumsum(counts)[:-1], axis=1)
 
 
+def back_along(problem: Problem, first: int, k: int) -> int | None:
+    """The leg from waypoint first on, before leg k and waits, along which leg k leads straight back; None for none."""
+    j = k - 1
+    while j >= first and problem.legs[j].kind is LegKind.DWELL:
+        j -= 1
+    leg, back = problem.legs[k], problem.legs[j]
+    if j < first or not (isinstance(leg.segment, Line) and isinstance(back.segment, Line)):
+        return None
+    apart = (leg.segment.X_0 - back.segment.X_1, leg.segment.X_1 - back.segment.X_0, leg.X_FT - back.X_FT)
+    return j if leg.angle < _HALF_TURN and np.abs(apart).max() < _SAME else None
+
+
 def _raw(
     axes: Axes, problem: Problem, first: int, last: int, d: Array, given: SingularStart | None
 ) -> tuple[list[Array], list[Array | None], BoolArray | None]:
@@ -201,12 +222,20 @@ def _raw(
     stops, lines = [start], list[Array | None]()
     legs = problem.legs[first:last]
     left = None if given is None else given.leg
-    ways = [(leg, LINE_NODES if leg is left else line_nodes(leg)) for leg in legs if leg.segment is not None]
-    found = _on_lines(axes, ways, d)
-    for leg in legs:
+    backs = [None if leg is left else back_along(problem, first, first + i) for i, leg in enumerate(legs)]
+    backs = [None if back is not None and problem.legs[back] is left else back for back in backs]
+    asked = [leg for leg, back in zip(legs, backs, strict=True) if leg.segment is not None and back is None]
+    found = _on_lines(axes, [(leg, LINE_NODES if leg is left else line_nodes(leg)) for leg in asked], d)
+    for leg, back in zip(legs, backs, strict=True):
         if leg.segment is None:
             stops.append(stops[-1])
             lines.append(None)
+            continue
+        if back is not None:
+            line = lines[back - first]
+            assert line is not None
+            lines.append(line[:, ::-1])
+            stops.append(line[:, 0])
             continue
         raw = next(found)
         raw[:, 0] = stops[-1]

@@ -7,7 +7,7 @@ are exact without the tool caps; those of lines are estimates.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -16,7 +16,7 @@ from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.double_integrator import alone, reach, shortest_time, trapezoid_time
 from trajopt_cli.optimize.edges import Band, Dense, Edge, Lazy
-from trajopt_cli.optimize.reach import Label, StationTable, grid_in_reach, rail_grid, station_table
+from trajopt_cli.optimize.reach import Label, StationTable, back_along, grid_in_reach, rail_grid, station_table
 from trajopt_cli.optimize.tied import Ties, best_tied
 from trajopt_cli.optimize.tuning import (
     CURVED,
@@ -100,7 +100,8 @@ def _joint_edge(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
         T, most = np.zeros((len(a.q), len(b.q))), -np.inf
         for j in range(axes.n):
             np.maximum(T, trapezoid_time(np.abs(b.q[None, :, j] - a.q[:, None, j]), V[j], A[j]), out=T)
-    np.maximum(T, _chord_time(axes, leg, a, b), out=T)
+    p_a, p_b = (_tool(axes, leg, x.q) for x in (a, b))
+    np.maximum(T, _chord_time(leg, p_a, p_b), out=T)
     doubt, bare, T = most > leg.v_tcp * T, T, _within(T, leg)
     if not leg.rail_moves:
         stays = axes.layout.place(a.q)[:, None] == axes.layout.place(b.q)
@@ -109,13 +110,18 @@ def _joint_edge(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
         return Dense(T)
 
     def sure(i: IndexArray, k: IndexArray) -> Array:
-        if problem.coordinated:
-            least = _driven(axes, leg, a.q[i], b.q[k])
-        else:
-            least = shortest_time(b.q[k] - a.q[i], a.qd[i], b.qd[k], V, A)
-        return _within(np.maximum(bare[i, k], least), leg)
+        return _within(np.maximum(bare[i, k], shortest_time(b.q[k] - a.q[i], a.qd[i], b.qd[k], V, A)), leg)
 
-    return Lazy(T, doubt, sure)
+    def through(shares: Array) -> Callable[[IndexArray, IndexArray], Array]:
+        def least(i: IndexArray, k: IndexArray) -> Array:
+            return _within(np.maximum(bare[i, k], _driven(axes, leg, a.q[i], b.q[k], p_a[i], p_b[k], shares)), leg)
+
+        return least
+
+    if not problem.coordinated:
+        return Lazy(T, doubt.astype(np.int8), (sure,))
+    shares = np.linspace(0, 1, WAY_NODES)[1:-1]
+    return Lazy(T, 2 * doubt.astype(np.int8), (through(shares[len(shares) // 2 :][:1]), through(shares)))
 
 
 def _within(T: Array, leg: Leg) -> Array:
@@ -156,25 +162,30 @@ def _slowest(a: _Layer, b: _Layer, V: Array, A: Array) -> Array:
     return T
 
 
-def _chord_time(axes: Axes, leg: Leg, a: _Layer, b: _Layer) -> Array:
-    """What the tool takes straight from states to states (n_a, n_b)."""
-    p_a, p_b = ((axes.forward(x.q) @ leg.X_FT)[:, :3, 3] for x in (a, b))
-    chord = np.zeros((len(a.q), len(b.q)))
+def _tool(axes: Axes, leg: Leg, q: Array) -> Array:
+    """The tool centre point (..., 3) of axes (..., n)."""
+    X_WF = axes.forward(q)
+    return np.asarray(X_WF[..., :3, :3] @ leg.X_FT[:3, 3] + X_WF[..., :3, 3])
+
+
+def _chord_time(leg: Leg, p_a: Array, p_b: Array) -> Array:
+    """What the tool takes straight from places (n_a, 3) to places (n_b, 3)."""
+    chord = np.zeros((len(p_a), len(p_b)))
     for j in range(3):
         chord += (p_b[None, :, j] - p_a[:, None, j]) ** 2
     return trapezoid_time(np.sqrt(chord), leg.v_tcp, leg.a_tcp)
 
 
-def _driven(axes: Axes, leg: Leg, q_0: Array, q_1: Array) -> Array:
-    """What the tool's way takes (k,) on straight joint moves between axes (k, n)."""
+def _driven(axes: Axes, leg: Leg, q_0: Array, q_1: Array, p_0: Array, p_1: Array, shares: Array) -> Array:
+    """What the tool's way takes (k,) at least on straight joint moves between axes (k, n), the tool at (k, 3) there,
+    through its places at some shares of them."""
     out = np.empty(len(q_0))
-    for i in range(0, len(out), SEARCH_CHUNK // 64):
-        part = slice(i, i + SEARCH_CHUNK // 64)
-        s = np.linspace(0, 1, WAY_NODES)[:, None, None]
-        tool = (axes.forward(q_0[part] + s * (q_1[part] - q_0[part])) @ leg.X_FT)[..., :3, 3]
-        length = np.linalg.norm(np.diff(tool, axis=0), axis=-1).sum(axis=0)
-        out[part] = trapezoid_time(length, leg.v_tcp, leg.a_tcp)
-    return out
+    rows = max(1, SEARCH_CHUNK // (16 * len(shares)))
+    for part in (slice(i, i + rows) for i in range(0, len(out), rows)):
+        tool = _tool(axes, leg, q_0[part] + shares[:, None, None] * (q_1[part] - q_0[part]))
+        steps = np.diff(np.concatenate([p_0[None, part], tool, p_1[None, part]]), axis=0)
+        out[part] = np.sqrt((steps * steps).sum(axis=-1)).sum(axis=0)
+    return trapezoid_time(out, leg.v_tcp, leg.a_tcp)
 
 
 def _line_times(axes: Axes, problem: Problem, table: StationTable, i: int, k: int, a: _Layer, b: _Layer) -> Band:
@@ -252,9 +263,8 @@ def _along_line(axes: Axes, leg: Leg, arm: Array, way: Array, V: Array, A: Array
     return np.where(slow * slow > hard, slow + hard / slow, 2 * np.sqrt(hard))
 
 
-def _line_edge(axes: Axes, problem: Problem, table: StationTable, i: int, k: int, a: _Layer, b: _Layer) -> Edge:
+def _line_edge(axes: Axes, leg: Leg, band: Band, a: _Layer, b: _Layer) -> Edge:
     """The same, and no less than the rates of the states allow: those of the rail at once."""
-    band, leg = _line_times(axes, problem, table, i, k, a, b), problem.legs[k]
     if not (np.any(a.qd) or np.any(b.qd)):
         return band
     T, V, A = band.dense(), axes.velocity_on(leg), axes.acceleration
@@ -265,7 +275,20 @@ def _line_edge(axes: Axes, problem: Problem, table: StationTable, i: int, k: int
     def sure(i: IndexArray, k: IndexArray) -> Array:
         return np.maximum(T[i, k], shortest_time(b.q[k] - a.q[i], a.qd[i], b.qd[k], V, A))
 
-    return Lazy(T, np.isfinite(T), sure)
+    return Lazy(T, np.isfinite(T).astype(np.int8), (sure,))
+
+
+def _goes_back(problem: Problem, first: int, k: int) -> int | None:
+    """The leg of a station that begins at a waypoint, whose times leg k has the other way round; None for none."""
+    j = back_along(problem, first, k)
+    if j is None:
+        return None
+    caps, its = (
+        (x.v_tcp, x.a_tcp, x.v_ori, x.v_rail, x.duration, x.rail_moves, x.acceleration)
+        for x in (problem.legs[k], problem.legs[j])
+    )
+    passed, its_passed = (problem.passes(i) and problem.passes(i + 1) for i in (k, j))
+    return j if caps == its and passed == its_passed else None
 
 
 def _dwell_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) -> Array:
@@ -299,6 +322,7 @@ def _edges(
     """Between all states; equal legs between equal states share one."""
     edges: list[Edge] = []
     known: dict[tuple[object, ...], Edge] = {}
+    bands: dict[int | None, Band] = {}
     for k, leg in enumerate(problem.legs):
         a, b, table = layers[k], layers[k + 1], tables[where[k]]
         name = id(a), id(b), leg_name(leg), problem.passes(k), problem.passes(k + 1)
@@ -308,7 +332,13 @@ def _edges(
         if leg.kind is LegKind.JOINT:
             edges.append(_joint_edge(axes, problem, leg, a, b))
         elif leg.kind is LegKind.LINE:
-            edges.append(_line_edge(axes, problem, table, k - problem.stations[where[k]][0], k, a, b))
+            first = problem.stations[where[k]][0]
+            back = _goes_back(problem, first, k)
+            if back in bands:
+                bands[k] = bands[back].back(a.place, b.place)
+            else:
+                bands[k] = _line_times(axes, problem, table, k - first, k, a, b)
+            edges.append(_line_edge(axes, leg, bands[k], a, b))
         else:
             T = _dwell_time(axes, problem, leg, a, b)
             held = problem.freedom.rail is RailFreedom.STATION
@@ -321,7 +351,7 @@ def _best(layers: list[_Layer], edges: Sequence[Edge], ties: Ties) -> tuple[floa
     """Cost and states of the best chain, and the least cost from the start to every state where no tie is kept."""
     forward, back = _forward(layers, edges)
     if ties:
-        through = [a + b for a, b in zip(forward, _backward(layers, edges), strict=True)]
+        through = [a + b for a, b in zip(forward, _backward(layers, edges, forward, np.inf), strict=True)]
         return *best_tied([layer.q for layer in layers], [edge.dense() for edge in edges], through, ties), forward
     end = int(np.argmin(forward[-1]))
     path = [end]
@@ -348,15 +378,19 @@ def _forward(layers: list[_Layer], edges: Sequence[Edge]) -> tuple[list[Array], 
     return forward, back
 
 
-def _backward(layers: list[_Layer], edges: Sequence[Edge]) -> list[Array]:
-    """The least cost from every state to the end."""
-    known: dict[tuple[int, bytes], tuple[Array, float]] = {}
+def _backward(layers: list[_Layer], edges: Sequence[Edge], forward: Sequence[Array], limit: float) -> list[Array]:
+    """The least cost from every state to the end; infinite where the best chain through it costs more than limit, that
+    from the start being forward."""
+    known: dict[tuple[int, bytes, bytes], tuple[Array, float]] = {}
     backward = [np.zeros(len(layers[-1].q))]
     above, base = backward[0], 0.0
-    for edge in reversed(edges):
-        name = id(edge), above.tobytes()
+    for edge, spent in zip(reversed(edges), reversed(forward[:-1]), strict=True):
+        most, open_ = np.full(len(spent), -np.inf), np.isfinite(spent)
+        most[open_] = np.ceil((limit - base - spent[open_]) * 1e6) * 1e-6  # the same where legs come again
+        name = id(edge), above.tobytes(), most.tobytes()
         if name not in known:
-            known[name] = _above(edge.out(above))
+            cost = edge.out(above, most)
+            known[name] = _above(np.where(cost <= most, cost, np.inf))
         above, least = known[name]
         base += least
         backward.append(above + base)
@@ -479,12 +513,12 @@ def _search(axes: Axes, problem: Problem) -> Chain | None:
     coarse = _chain(problem, tables, where, layers, edges, path, cost)
     if all(s.rail[0] == s.rail[1] for s in problem.waypoints):
         return coarse
-    through = [a + b for a, b in zip(forward, _backward(layers, edges), strict=True)]
+    limit = cost + (NEAR_BEST - 1) * min(cost, NEAR_SPAN)
+    through = [a + b for a, b in zip(forward, _backward(layers, edges, forward, limit), strict=True)]
     del edges
     # the fine search: labels near the best, rail near the best
     top = float(axes.layout.place(axes.velocity))
     speeds = still if problem.coordinated or not problem.freedom.through_stops else top * np.array(PASSING)
-    limit = cost + (NEAR_BEST - 1) * min(cost, NEAR_SPAN)
     windows = _windows(axes, problem, tables, where, coarse)
     grids = [
         rail_grid(problem, first, last, SEARCH_FINE, window)

@@ -57,7 +57,7 @@ WIDER = (
 # turn. Not measured.
 CANDIDATES = 40  # states of a tied waypoint that are tried by coordinate descent. Not measured.
 LINE_CHUNK = 100_000  # joints of a line at once: 0.8 MB. Not measured.
-SEARCH_CHUNK = 2_000_000  # numbers per work array: 16 MB. Not measured.
+SEARCH_CHUNK = 50_000  # numbers per work array of the forward kinematics: 0.4 MB. Not measured.
 
 # ---- course: a run's parts between two stops
 END_CURVE = 0.7  # how much closer together a leg's nodes are beside its stops. Measured on hinge_line: 20 nodes in the
