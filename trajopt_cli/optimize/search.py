@@ -34,7 +34,6 @@ from trajopt_cli.optimize.tuning import (
     SEARCH_LEGS,
     SEARCH_WINDOW,
     SHIFT,
-    SLOWEST,
     WAY_NODES,
     WIDEST,
 )
@@ -144,20 +143,16 @@ def _one_share(axes: Axes, leg: Leg, a: _Layer, b: _Layer, V: Array, A: Array) -
 
 
 def _slowest(a: _Layer, b: _Layer, V: Array, A: Array) -> Array:
-    """Times (n_a, n_b) that axes take at least which go each by itself: of those that are the slowest between most of
-    some states."""
+    """Times (n_a, n_b) that axes take at least which go each by itself: of those that are the slowest between some of
+    the states."""
 
     def time(i: slice, k: slice, j: int) -> Array:
         D = b.q[None, k, j] - a.q[i, None, j]
         return alone(D, a.qd[i, None, j], b.qd[None, k, j], V[j], A[j])
 
     some_a, some_b = (slice(None, None, max(1, len(x.q) // LOOKED_AT)) for x in (a, b))
-    last = np.argmax([time(some_a, some_b, j) for j in range(len(V))], axis=0)
-    often = np.bincount(last.ravel(), minlength=len(V))
-    order = np.argsort(-often, kind="stable")
-    most = int(np.searchsorted(np.cumsum(often[order]), SLOWEST * last.size)) + 1
-    T = time(slice(None), slice(None), int(order[0]))
-    for j in order[1:most].tolist():
+    T = np.zeros((len(a.q), len(b.q)))
+    for j in np.unique(np.argmax([time(some_a, some_b, j) for j in range(len(V))], axis=0)).tolist():
         np.maximum(T, time(slice(None), slice(None), j), out=T)
     return T
 
@@ -209,7 +204,9 @@ def _line_times(axes: Axes, problem: Problem, table: StationTable, i: int, k: in
     leaves = table.leaves if problem.coordinated and all(before is None for before in table.raw[:i]) else None
     times = np.full((len(shifts), len(of), n), np.inf)
     arm = np.moveaxis(raw[used], -1, 0).reshape(-1, len(used), nodes * n)
-    before, behind = np.nonzero(np.abs(np.arange(n) - np.arange(n)[:, None]) <= widest)
+    here, there = np.isfinite(table.waypoints[i][..., 0]), np.isfinite(table.waypoints[i + 1][..., 0])
+    near = np.abs(np.arange(n) - np.arange(n)[:, None]) <= widest
+    before, behind = np.nonzero(near & np.logical_or.reduce(here)[:, None] & np.logical_or.reduce(there))
     rows = max(1, LINE_CHUNK // (len(of) * nodes))
     for some in (slice(j, j + rows) for j in range(0, len(before), rows)):
         start, end = before[some], behind[some]  # (p,) rail numbers at the line's ends
@@ -218,7 +215,7 @@ def _line_times(axes: Axes, problem: Problem, table: StationTable, i: int, k: in
         f = np.where(at - whole > 1e-9, at - whole, 0.0)
         low = np.arange(nodes)[:, None] * n + start + whole.astype(int)
         high = low + (f > 0)  # (nodes, p); fractional between low, high
-        ok = np.all(open_[:, low] & open_[:, high], axis=1)
+        ok = here[:, start] & there[:, end] & np.all(open_[:, low] & open_[:, high], axis=1)
         if leaves is not None:
             ok &= leaves[:, end]
         T = np.full((len(used), len(start)), np.inf)
