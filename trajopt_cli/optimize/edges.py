@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -110,7 +111,7 @@ class Lazy:
 @dataclass(frozen=True, eq=False)
 class Band:
     """Times between states of one label whose rail positions are a few steps apart. A state is a pair of label and
-    rail number, in a and b (2, n_a), (2, n_b).
+    rail number, in a and b (2, n_a), (2, n_b), sorted by label.
 
     shifts (s,): steps, descending. times (s, L, n): from rail number i to i + shift, infinite where there is none.
     """
@@ -173,8 +174,17 @@ class Band:
         best = np.full((labels, n, n), np.inf)
         for before, behind, T in self._parts:
             best[:, np.arange(n)[before], np.arange(n)[behind]] = T
-        T = best[self.a[0][:, None], self.a[1][:, None], self.b[1][None]]
-        return np.where(self.a[0][:, None] == self.b[0][None], T, np.inf)
+        T = np.full((self.a.shape[1], self.b.shape[1]), np.inf)
+        for times, (a, b) in zip(best, self.blocks, strict=True):
+            T[a, b] = times[self.a[1, a, None], self.b[1, b]]
+        return T
+
+    @property
+    def blocks(self) -> list[tuple[slice, slice]]:
+        """Of each label its states before and behind."""
+        labels = np.arange(self.times.shape[1] + 1)
+        ends = (pairwise(np.searchsorted(x[0], labels).tolist()) for x in (self.a, self.b))
+        return [(slice(*a), slice(*b)) for a, b in zip(*ends, strict=True)]
 
 
 Edge = Dense | Lazy | Band

@@ -265,9 +265,10 @@ def _line_edge(axes: Axes, leg: Leg, band: Band, a: _Layer, b: _Layer) -> Edge:
     if not (np.any(a.qd) or np.any(b.qd)):
         return band
     T, V, A = band.dense(), axes.velocity_on(leg), axes.acceleration
-    ia, ib = np.nonzero(np.isfinite(T))
-    for j in range(*axes.layout.rail.indices(axes.n)):
-        T[ia, ib] = np.maximum(T[ia, ib], alone(b.q[ib, j] - a.q[ia, j], a.qd[ia, j], b.qd[ib, j], V[j], A[j]))
+    for ia, ib in band.blocks:
+        for j in range(*axes.layout.rail.indices(axes.n)):
+            way = b.q[ib, j] - a.q[ia, j, None]
+            np.maximum(T[ia, ib], alone(way, a.qd[ia, j, None], b.qd[None, ib, j], V[j], A[j]), out=T[ia, ib])
 
     def sure(i: IndexArray, k: IndexArray) -> Array:
         return np.maximum(T[i, k], shortest_time(b.q[k] - a.q[i], a.qd[i], b.qd[k], V, A))
@@ -412,7 +413,12 @@ def search(axes: Axes, problem: Problem) -> Chain | None:
 
     Long programs are searched in windows, each from where the one before it is certain enough; equal ones once.
     """
-    ends = [last for _, last in problem.stations if not any(group[0] < last < group[-1] for group in problem.ties)]
+    ties = np.zeros(len(problem.waypoints) + 1, dtype=np.intp)  # how many of them begin or end
+    for group in problem.ties:
+        ties[group[0] + 1] += 1
+        ties[group[-1]] -= 1
+    within = np.cumsum(ties)
+    ends = [last for _, last in problem.stations if not within[last]]
     known: dict[bytes, Chain | None] = {}
     parts: list[Chain] = []
     begin, final = 0, len(problem.waypoints) - 1
