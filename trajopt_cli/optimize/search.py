@@ -90,18 +90,24 @@ def _joint_edge(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
     its chord where every axis may go its own way."""
     V, A = axes.velocity_on(leg), axes.acceleration
     moving = bool(np.any(a.qd) or np.any(b.qd))
-    most: Array | float
-    if problem.coordinated:
-        T, most = _one_share(axes, leg, a, b, V, A)
-    elif moving:
-        T, most = _slowest(a, b, V, A), np.inf
-    else:
-        T, most = np.zeros((len(a.q), len(b.q))), -np.inf
-        for j in range(axes.n):
-            np.maximum(T, trapezoid_time(np.abs(b.q[None, :, j] - a.q[:, None, j]), V[j], A[j]), out=T)
+    slow = _slowest(a, b, V, A) if moving else list(range(axes.n))
     p_a, p_b = (_tool(axes, leg, x.q) for x in (a, b))
-    np.maximum(T, _chord_time(leg, p_a, p_b), out=T)
-    doubt, bare, T = most > leg.v_tcp * T, T, _within(T, leg)
+    bare, doubt = np.empty((len(a.q), len(b.q))), np.full((len(a.q), len(b.q)), moving)
+    rows = max(1, SEARCH_CHUNK // len(b.q))
+    for part in (slice(i, i + rows) for i in range(0, len(a.q), rows)):
+        T = _chord_time(leg, p_a[part], p_b)
+        if problem.coordinated:
+            together, most = _one_share(axes, leg, a.q[part], b.q, V, A)
+            np.maximum(T, together, out=T)
+            doubt[part] = most > leg.v_tcp * T
+        elif moving:
+            for j in slow:
+                np.maximum(T, _of_axis(a, b, V, A, part, slice(None), j), out=T)
+        else:
+            for j in slow:
+                np.maximum(T, trapezoid_time(np.abs(b.q[None, :, j] - a.q[part, None, j]), V[j], A[j]), out=T)
+        bare[part] = T
+    T = _within(bare, leg)
     if not leg.rail_moves:
         stays = axes.layout.place(a.q)[:, None] == axes.layout.place(b.q)
         T, doubt = np.where(stays, T, np.inf), doubt & stays
@@ -128,13 +134,13 @@ def _within(T: Array, leg: Leg) -> Array:
     return T if leg.duration is None else np.where(leg.duration >= T, leg.duration, T)
 
 
-def _one_share(axes: Axes, leg: Leg, a: _Layer, b: _Layer, V: Array, A: Array) -> tuple[Array, Array]:
+def _one_share(axes: Axes, leg: Leg, q_a: Array, q_b: Array, V: Array, A: Array) -> tuple[Array, Array]:
     """Least times (n_a, n_b) of all axes with one profile for all, but for the tool's caps; how far the tool goes at
     most [m]."""
     lever = np.where(np.arange(axes.n) >= axes.layout.arm.start, np.linalg.norm(leg.X_FT[:3, 3]) + WIDEST, 1.0)
-    slow, hard, most = (np.full((len(a.q), len(b.q)), least) for least in (_LEAST, _LEAST, 0.0))
+    slow, hard, most = (np.full((len(q_a), len(q_b)), least) for least in (_LEAST, _LEAST, 0.0))
     for j in range(axes.n):
-        way = np.abs(b.q[None, :, j] - a.q[:, None, j])
+        way = np.abs(q_b[None, :, j] - q_a[:, None, j])
         most += way * lever[j]
         np.maximum(slow, way / V[j], out=slow)
         np.maximum(hard, way / A[j], out=hard)
@@ -142,19 +148,16 @@ def _one_share(axes: Axes, leg: Leg, a: _Layer, b: _Layer, V: Array, A: Array) -
     return np.where(slow * slow > hard, slow + hard / slow, 2 * np.sqrt(hard)), most
 
 
-def _slowest(a: _Layer, b: _Layer, V: Array, A: Array) -> Array:
-    """Times (n_a, n_b) that axes take at least which go each by itself: of those that are the slowest between some of
-    the states."""
-
-    def time(i: slice, k: slice, j: int) -> Array:
-        D = b.q[None, k, j] - a.q[i, None, j]
-        return alone(D, a.qd[i, None, j], b.qd[None, k, j], V[j], A[j])
-
+def _slowest(a: _Layer, b: _Layer, V: Array, A: Array) -> list[int]:
+    """The axes that take longest between some of the states where each goes by itself."""
     some_a, some_b = (slice(None, None, max(1, len(x.q) // LOOKED_AT)) for x in (a, b))
-    T = np.zeros((len(a.q), len(b.q)))
-    for j in np.unique(np.argmax([time(some_a, some_b, j) for j in range(len(V))], axis=0)).tolist():
-        np.maximum(T, time(slice(None), slice(None), j), out=T)
-    return T
+    times = [_of_axis(a, b, V, A, some_a, some_b, j) for j in range(len(V))]
+    return [int(j) for j in np.unique(np.argmax(times, axis=0))]
+
+
+def _of_axis(a: _Layer, b: _Layer, V: Array, A: Array, i: slice, k: slice, j: int) -> Array:
+    """Least times of one axis between some of the states, by itself."""
+    return alone(b.q[None, k, j] - a.q[i, None, j], a.qd[i, None, j], b.qd[None, k, j], V[j], A[j])
 
 
 def _tool(axes: Axes, leg: Leg, q: Array) -> Array:
@@ -296,21 +299,22 @@ def _dwell_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
     if not leg.rail_moves:
         same &= a.rail[:, None] == b.rail[None]
     out = np.full(same.shape, np.inf)
-    ia, ib = np.nonzero(same)
-    D = b.q[ib] - a.q[ia]
-    if leg.duration is None:
-        out[ia, ib] = shortest_time(D, a.qd[ia], b.qd[ib], V, A)
-        return out
-    T = leg.duration
-    if problem.coordinated:
-        way = np.maximum(np.abs(D), 1e-12)
-        fits = trapezoid_time(1.0, np.min(V / way, axis=-1), np.min(A / way, axis=-1)) <= T
-        fits |= ~D.any(axis=-1)  # however short
-    else:
-        up = reach(T, a.qd[ia], b.qd[ib], V, A) >= D - 1e-12
-        down = reach(T, -a.qd[ia], -b.qd[ib], V, A) >= -D - 1e-12
-        fits = np.all(up & down & (np.abs(b.qd[ib] - a.qd[ia]) <= A * T + 1e-12), axis=-1)
-    out[ia, ib] = np.where(fits, T, np.inf)
+    before, behind = np.nonzero(same)
+    rows = max(1, SEARCH_CHUNK // axes.n)
+    for part in (slice(i, i + rows) for i in range(0, len(before), rows)):
+        ia, ib = before[part], behind[part]
+        D, v_a, v_b, T = b.q[ib] - a.q[ia], a.qd[ia], b.qd[ib], leg.duration
+        if T is None:
+            out[ia, ib] = shortest_time(D, v_a, v_b, V, A)
+            continue
+        if problem.coordinated:
+            way = np.maximum(np.abs(D), 1e-12)
+            fits = trapezoid_time(1.0, np.min(V / way, axis=-1), np.min(A / way, axis=-1)) <= T
+            fits |= ~D.any(axis=-1)  # however short
+        else:
+            up, down = reach(T, v_a, v_b, V, A) >= D - 1e-12, reach(T, -v_a, -v_b, V, A) >= -D - 1e-12
+            fits = np.all(up & down & (np.abs(v_b - v_a) <= A * T + 1e-12), axis=-1)
+        out[ia, ib] = np.where(fits, T, np.inf)
     return out
 
 
