@@ -16,7 +16,8 @@ import numpy as np
 
 from trajopt_cli.job import read_job
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.incumbent import duration, refined, timed
+from trajopt_cli.optimize.incumbent import duration, timed
+from trajopt_cli.optimize.rail import refined
 from trajopt_cli.optimize.reach import check_reach
 from trajopt_cli.optimize.search import search
 from trajopt_cli.problem.changes import everything

@@ -11,7 +11,8 @@ from small_cells import HOME, down, plant_with_rail, plant_without_rail, problem
 from trajopt_cli.geometry import wxyz_from_rotation
 from trajopt_cli.optimize import optimize
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.incumbent import Runs, duration, refined, timed
+from trajopt_cli.optimize.incumbent import Runs, duration, timed
+from trajopt_cli.optimize.rail import refined
 from trajopt_cli.optimize.search import Chain, search
 from trajopt_cli.optimize.tuning import ROOMS
 from trajopt_cli.problem.freedom import FIXED_RAIL

@@ -12,7 +12,8 @@ from trajopt_cli.geometry import wxyz_from_rotation
 from trajopt_cli.optimize import bound
 from trajopt_cli.optimize import search as searching
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.incumbent import duration, refined, timed
+from trajopt_cli.optimize.incumbent import duration, timed
+from trajopt_cli.optimize.rail import refined
 from trajopt_cli.optimize.search import search
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import Plant

@@ -24,10 +24,11 @@ from trajopt_cli.optimize.driver import Grids, NotConverged, Refiner
 from trajopt_cli.optimize.exchange import Ratios, check_leg, check_legs
 from trajopt_cli.optimize.formulation import Formulation
 from trajopt_cli.optimize.improve import frozen, may_gain
-from trajopt_cli.optimize.incumbent import NotDriven, duration, refined, timed
+from trajopt_cli.optimize.incumbent import NotDriven, duration, timed
 from trajopt_cli.optimize.interior_point import NlpResult
 from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg
 from trajopt_cli.optimize.profiles import hold, profiles
+from trajopt_cli.optimize.rail import refined
 from trajopt_cli.optimize.reach import Label
 from trajopt_cli.optimize.search import Chain
 from trajopt_cli.optimize.transcription import Transcription

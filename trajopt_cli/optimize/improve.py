@@ -21,7 +21,8 @@ from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.driver import Grids, NotConverged, Refiner, Stage, Stopped, first_draft, on_grid
 from trajopt_cli.optimize.effort import cost
 from trajopt_cli.optimize.formulation import Formulation
-from trajopt_cli.optimize.incumbent import NotDriven, duration, least_time, stopped_at_joint_moves, stopping, timed
+from trajopt_cli.optimize.incumbent import NotDriven, duration, stopped_at_joint_moves, stopping, timed
+from trajopt_cli.optimize.leg_times import least_time
 from trajopt_cli.optimize.legal import Legal, add
 from trajopt_cli.optimize.legs import JointNodes
 from trajopt_cli.optimize.search import Chain, search

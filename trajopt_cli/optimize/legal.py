@@ -13,7 +13,8 @@ from time import perf_counter
 from trajopt_cli.motion import Program, motion_name
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.draft import Draft
-from trajopt_cli.optimize.incumbent import NotDriven, Runs, duration, polished, refined, stopped, timed
+from trajopt_cli.optimize.incumbent import NotDriven, Runs, duration, stopped, timed
+from trajopt_cli.optimize.rail import polished, refined
 from trajopt_cli.optimize.reach import check_reach
 from trajopt_cli.optimize.search import Chain, search
 from trajopt_cli.optimize.tuning import HOPELESS, ROOMS

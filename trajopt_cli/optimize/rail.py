@@ -1,0 +1,320 @@
+"""Where the rail stands at the waypoints of a chain: positions near those at hand that the least time is found at.
+
+Between two stops they decide everything else. They are refined by dynamic programming over a few positions beside
+those at hand, with every leg timed along its way, in steps that shrink until nothing is gained; at corners, where a leg
+alone does not say how fast it is passed, they are shifted with whole runs timed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import groupby, pairwise
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, BoolArray, IndexArray
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.incumbent import about
+from trajopt_cli.optimize.leg_times import Pairs, leg_times, short
+from trajopt_cli.optimize.search import Chain, best_chain
+from trajopt_cli.optimize.tuning import (
+    CALM,
+    CARRY,
+    CARRY_LAST,
+    LEAST_POLISH,
+    POLISH,
+    POLISH_LAST,
+    POLISH_STEP,
+    REFINE_GAIN,
+    REFINE_LAST,
+    REFINE_NARROW,
+    REFINE_OFFSETS,
+    REFINE_ROUNDS,
+    REFINE_STEP,
+    RUSH,
+)
+from trajopt_cli.problem.freedom import RailFreedom
+from trajopt_cli.problem.problem import LegKind, Problem
+
+_SAME = 1e-9  # m between rail positions that are one
+
+
+def refined(axes: Axes, problem: Problem, chain: Chain) -> Chain:
+    """The chain with the rail positions that the least time is found at, beside those it has."""
+    free = [k for k, point in enumerate(problem.waypoints) if point.q is None and point.rail[0] < point.rail[1]]
+    still = replace(chain, w=np.zeros_like(chain.w))
+    if not free or not axes.layout.has_rail:
+        return still
+    marks, best = _smoothed(axes, problem, still)
+    index = {k: i for i, k in enumerate(marks.tolist())}
+    ties = tuple(tuple(index[k] for k in group) for group in problem.ties)
+    reached, cost = np.inf, np.inf
+    changed = np.ones(len(marks), dtype=bool)
+    step = np.where(np.isin(np.arange(len(problem.waypoints)), free), REFINE_STEP, 0.0)
+    near: list[Array] = []
+    edges: list[Array] = []
+    for _ in range(REFINE_ROUNDS):
+        before = near
+        found = iter(_near(axes, problem, best, marks[changed], step))
+        near = [next(found) if new else before[i] for i, new in enumerate(changed)]
+        edges = _edges(axes, problem, marks, near, best, before, edges)
+        cost, path = best_chain(near, edges, ties)
+        if not np.isfinite(cost):
+            break
+        q = np.array([near[k][i] for k, i in enumerate(path)])
+        times = np.array([edges[k][path[k], path[k + 1]] for k in range(len(edges))])
+        stays = np.abs(q - best.q[marks]).max(axis=1) < _SAME
+        there = stays | (cost > reached * (1 - REFINE_GAIN))
+        best, reached = _through(axes, problem, best, marks, q, times), cost
+        last = np.where(_carrying(marks), CARRY_LAST, REFINE_LAST)
+        if np.all(there & (step[marks] <= last)):
+            break
+        shorter = np.where(there & (step[marks] > last), np.maximum(step[marks] / 2, last), step[marks])
+        changed, step[marks] = ~stays | (shorter != step[marks]), shorter
+    return _rounded(axes, problem, best, marks)
+
+
+def _rounded(axes: Axes, problem: Problem, chain: Chain, marks: IndexArray) -> Chain:
+    """The chain with the rail on a cubic spline through the marks where points are carried along: between short lines
+    there is no room for the rail to change its speed. As it is where the arm cannot follow."""
+    from scipy.interpolate import CubicSpline  # takes longer to load than most programs to search
+
+    q = chain.q.copy()
+    for far, group in groupby(pairwise(marks.tolist()), key=lambda pair: pair[1] > pair[0] + 1):
+        ends = [*group]
+        if not far or len(ends) < 2:
+            continue
+        first, last = ends[0][0], ends[-1][1]
+        knots = np.array([first, *(b for _, b in ends)])
+        if np.ptp(axes.layout.place(q[knots])) < _SAME:  # the rail stands
+            continue
+        way = np.concatenate([[0.0], np.cumsum([leg.chord for leg in problem.legs[first:last]])])
+        d = CubicSpline(way[knots - first], axes.layout.place(q[knots]), bc_type="natural")(way)
+        found = _along_rail(axes, problem, chain, first, d[None, 1:-1])[0]
+        if np.isfinite(found).all():
+            q[first + 1 : last] = found
+    return replace(chain, q=q)
+
+
+def _carrying(marks: IndexArray) -> BoolArray:
+    """Which of the marks have points beside them that are carried along."""
+    far = np.diff(marks) > 1
+    return np.r_[False, far] | np.r_[far, False]
+
+
+def _smoothed(axes: Axes, problem: Problem, chain: Chain) -> tuple[IndexArray, Chain]:
+    """The waypoints between which the rail is in proportion to the tool's way, and a chain in which it is: those that
+    lie between short lines are carried along, but for one every CARRY of the way."""
+    tied = {k for group in problem.ties for k in group}
+    marks, way = [0], 0.0
+    for k in range(1, len(problem.waypoints) - 1):
+        point, (before, after) = problem.waypoints[k], problem.legs[k - 1 : k + 1]
+        way += before.chord
+        free = point.q is None and point.rail[0] < point.rail[1] and k not in tied
+        alike = before.rail_moves == after.rail_moves and chain.labels[k - 1].cfx == chain.labels[k + 1].cfx
+        if not (free and alike and short(problem, k - 1) and short(problem, k)) or way >= CARRY:
+            marks.append(k)
+            way = 0.0
+    marks.append(len(problem.waypoints) - 1)
+    q = chain.q.copy()
+    left = list(pairwise(marks))
+    while left:  # where the arm cannot follow a straight rail, the chain's own places
+        a, b = left.pop()
+        inner = _between(axes, problem, chain, a, b, chain.q[a][None], chain.q[b][None])[0]
+        if np.isfinite(inner).all():
+            q[a : b + 1] = inner
+        else:
+            middle = (a + b) // 2
+            marks.append(middle)
+            left += [(a, middle), (middle, b)]
+    return np.array(sorted(marks)), replace(chain, q=q)
+
+
+def _between(axes: Axes, problem: Problem, chain: Chain, a: int, b: int, q_0: Array, q_1: Array) -> Array:
+    """Axes (m, b - a + 1, n) at the waypoints a to b, near those of a chain, between pairs of them at both ends, with
+    the rail in proportion to the tool's way; NaN where the arm does not reach."""
+    if b == a + 1:
+        return np.stack([q_0, q_1], axis=1)
+    way = np.cumsum([leg.chord for leg in problem.legs[a:b]])
+    d_0, d_1 = (axes.layout.place(q)[:, None] for q in (q_0, q_1))
+    inner = _along_rail(axes, problem, chain, a, d_0 + (way[:-1] / way[-1]) * (d_1 - d_0))
+    return np.concatenate([q_0[:, None], inner, q_1[:, None]], axis=1)
+
+
+def _along_rail(axes: Axes, problem: Problem, chain: Chain, a: int, d: Array) -> Array:
+    """Axes (m, k, n) at the k waypoints behind number a at rail positions d (m, k), near those of a chain; NaN where
+    they are not to be had."""
+    layout, behind = axes.layout, slice(a + 1, a + 1 + d.shape[1])
+    points = problem.waypoints[behind]
+    low, high = np.array([point.rail for point in points]).T
+    X_WF = np.tile([point.X_WF for point in points], (len(d), 1, 1))
+    arm = axes.inverse(X_WF, d.ravel())[:, _branch(chain, a)].reshape(*d.shape, axes.n - layout.r)
+    q = layout.join(d, arm + 2 * np.pi * np.round((chain.q[behind, layout.arm] - arm) / (2 * np.pi)))
+    inside = np.all((q >= axes.lower - 1e-9) & (q <= axes.upper + 1e-9), axis=-1) & (d >= low) & (d <= high)
+    return np.where(inside[..., None], q, np.nan)
+
+
+def _through(axes: Axes, problem: Problem, chain: Chain, marks: IndexArray, q: Array, times: Array) -> Chain:
+    """The chain through axes (m, n) at the marks, with the times (m - 1,) between them."""
+    every, spent = chain.q.copy(), chain.times.copy()
+    for i, (a, b) in enumerate(pairwise(marks.tolist())):
+        every[a : b + 1] = _between(axes, problem, chain, a, b, q[i][None], q[i + 1][None])[0]
+        way = np.array([leg.chord for leg in problem.legs[a:b]])
+        spent[a:b] = times[i] if b == a + 1 else times[i] * way / way.sum()
+    return replace(chain, q=every, times=spent, cost=float(times.sum()))
+
+
+def polished(axes: Axes, problem: Problem, chain: Chain) -> Chain:
+    """The chain with the rail shifted at the points of runs with corners, one after the other and all of a run, until
+    nothing is gained: there a leg alone does not say how fast it is passed."""
+    runs = [run for run in problem.runs if run[1] > run[0] + 1]
+    tied = {k for group in problem.ties for k in group}
+    cfx = tuple(label.cfx for label in chain.labels)
+    q = chain.q.copy()
+
+    known: dict[tuple[int, int], float] = {}
+
+    def times(at: Sequence[int], q: Array) -> dict[tuple[int, int], float]:
+        """Of all runs that points are in."""
+        touched = [run for run in problem.runs if any(run[0] <= k <= run[1] for k in at)]
+        return {run: about(axes, problem, run, q, cfx) for run in touched}
+
+    def open_(k: int) -> bool:
+        point = problem.waypoints[k]
+        held = any(not problem.legs[i].rail_moves for i in (k - 1, k) if 0 <= i < len(problem.legs))
+        return point.q is None and point.rail[0] < point.rail[1] and k not in tied and not held
+
+    left = POLISH
+    for first, last in runs if axes.layout.has_rail and problem.freedom.rail is not RailFreedom.STATION else ():
+        points = [k for k in range(first, last + 1) if open_(k)]
+        if not points or 10 * (last - first) > left:
+            continue
+        known |= times(points, q)
+        groups = [[k] for k in points] if len(points) < 2 else [points, *([k] for k in points)]
+        step = POLISH_STEP
+        while step >= POLISH_LAST and left > 0:
+            gained = False
+            for group in groups:
+                for way in (step, -step):
+                    left -= last - first
+                    moved = _moved(axes, problem, q, cfx, group, way)
+                    found = {} if moved is None or left < 0 else times(group, moved)
+                    if moved is not None and sum(found.values()) < sum(known[run] for run in found) - LEAST_POLISH:
+                        q, gained = moved, True
+                        known |= found
+                        break
+            if not gained:
+                step /= 3
+    return replace(chain, q=q)
+
+
+def _moved(axes: Axes, problem: Problem, q: Array, cfx: Sequence[int], at: Sequence[int], way: float) -> Array | None:
+    """Axes (M, n) with the rail elsewhere [m] at some points, on their branches; None where that cannot be."""
+    out = q.copy()
+    for k in at:
+        point, d = problem.waypoints[k], float(axes.layout.place(q[k])) + way
+        arm = axes.inverse(point.X_WF[None], np.array([d]))[0, cfx[k]]
+        turned = arm + 2 * np.pi * np.round((q[k, axes.layout.arm] - arm) / (2 * np.pi))
+        out[k] = axes.layout.join(np.array(d), turned)
+        if not (point.rail[0] <= d <= point.rail[1] and np.all((out[k] >= axes.lower) & (out[k] <= axes.upper))):
+            return None
+    return out
+
+
+def _branch(chain: Chain, k: int) -> int:
+    return chain.labels[k].cfx if chain.labels[k].cfx >= 0 else chain.labels[k + 1].cfx
+
+
+def _near(axes: Axes, problem: Problem, chain: Chain, at: IndexArray, step: Array) -> list[Array]:
+    """Axes (m, n) to try at each of some waypoints, those of the chain among them; step [m] at every waypoint."""
+    points = [problem.waypoints[k] for k in at]
+    free = [i for i, point in enumerate(points) if point.q is None and point.rail[0] < point.rail[1]]
+    out = [chain.q[k][None] for k in at]
+    if not free:
+        return out
+    k, low, high = at[free], *np.array([points[i].rail for i in free]).T
+    d = axes.layout.place(chain.q[k])[:, None] + step[k][:, None] * np.array(REFINE_OFFSETS)
+    far = np.abs(REFINE_OFFSETS) > 1
+    d[:, far] = np.where(step[k][:, None] < REFINE_NARROW, d[:, ~far][:, :1], d[:, far])  # once is enough
+    d = np.sort(np.clip(d, low[:, None], high[:, None]), axis=1)
+    tries = d.shape[1]
+    X_WF = np.repeat([points[i].X_WF for i in free], tries, axis=0)
+    cfx = np.repeat([chain.labels[i].cfx for i in k], tries)
+    arm = axes.inverse(X_WF, d.ravel())[np.arange(d.size), cfx]
+    turned = arm + 2 * np.pi * np.round((np.repeat(chain.q[k][:, axes.layout.arm], tries, axis=0) - arm) / (2 * np.pi))
+    q = axes.layout.join(d.ravel(), turned)
+    ok = np.all((q >= axes.lower - 1e-9) & (q <= axes.upper + 1e-9), axis=1).reshape(d.shape)
+    ok[:, 1:] &= np.diff(d, axis=1) > 0
+    for i, every, these in zip(free, q.reshape(*d.shape, -1), ok, strict=True):
+        if these.any():
+            out[i] = every[these]
+    return out
+
+
+def _edges(
+    axes: Axes,
+    problem: Problem,
+    marks: IndexArray,
+    near: Sequence[Array],
+    chain: Chain,
+    before: Sequence[Array] = (),
+    known: Sequence[Array] = (),
+) -> list[Array]:
+    """(m_a, m_b) least time from each mark to the next between the axes near them, infinite where it cannot be. A
+    fly-by is passed as fast as may be: its corner is not looked at. known: the same between the axes that were near
+    before."""
+    timed, opens, out = [], [], []
+    same = [None if a is b else _places(a, b) for a, b in zip(near, before, strict=True)] if before else []
+    for i, (first, last) in enumerate(pairwise(marks.tolist())):
+        a, b = near[i], near[i + 1]
+        if before and a is before[i] and b is before[i + 1]:
+            out.append(known[i])
+            continue
+        edge = np.full((len(a), len(b)), np.nan)
+        if before:
+            (at, at_before), (to, to_before) = (
+                (np.arange(len(x)), np.arange(len(x))) if rows is None else rows
+                for x, rows in zip((a, b), same[i : i + 2], strict=True)
+            )
+            edge[np.ix_(at, to)] = known[i][np.ix_(at_before, to_before)]
+        ia, ib = np.nonzero(np.isnan(edge))
+        worth = _worth(axes, problem, first, last, a[ia], b[ib], chain)
+        edge[ia, ib] = np.inf
+        ia, ib = ia[worth], ib[worth]
+        q = _between(axes, problem, chain, first, last, a[ia], b[ib])
+        can = np.isfinite(q).all(axis=(1, 2))
+        q, cfx = q[can], _branch(chain, first)
+        ia, ib = ia[can], ib[can]
+        way = axes.layout.place(b[ib]) - axes.layout.place(a[ia])
+        opens.append(
+            (edge, ia, ib, last - first, way**2 / max(sum(leg.chord for leg in problem.legs[first:last]), 1e-9))
+        )
+        timed += [Pairs(first + j, q[:, j], q[:, j + 1], cfx) for j in range(last - first)]
+        out.append(edge)
+    times = iter(leg_times(axes, problem, timed))
+    for edge, ia, ib, legs, calm in opens:
+        edge[ia, ib] = np.sum([next(times) for _ in range(legs)], axis=0)
+        if legs > 1:  # of many that take the same time the calmest
+            edge[ia, ib] += CALM * calm
+    return out
+
+
+def _places(a: Array, b: Array) -> tuple[IndexArray, IndexArray]:
+    """Which rows of a (m, n) are rows of b, and which."""
+    i, j = np.nonzero(np.abs(a[:, None] - b[None]).max(axis=2) < _SAME)
+    return i, j
+
+
+def _worth(axes: Axes, problem: Problem, first: int, last: int, q_0: Array, q_1: Array, chain: Chain) -> BoolArray:
+    """Which pairs (m,) of axes at two marks are timed: the rail stays where it must, and where the tool passes both
+    it goes at most as far as it can in a few times what the way takes, or as it goes now."""
+    leg, place = problem.legs[first], axes.layout.place
+    way = np.abs(place(q_1) - place(q_0))
+    if not leg.rail_moves or (problem.freedom.rail is RailFreedom.STATION and leg.kind is not LegKind.JOINT):
+        return np.asarray(way <= _SAME)
+    if not short(problem, first):
+        return np.ones(len(way), dtype=bool)
+    now = abs(float(place(chain.q[last]) - place(chain.q[first])))
+    farthest = RUSH * float(place(axes.velocity_on(leg)) * chain.times[first:last].sum())
+    return np.asarray(way <= max(now, farthest) + _SAME)
