@@ -6,7 +6,8 @@ By TOPP on a few nodes, many legs and many pairs of axes at once; of equal ones 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from hashlib import blake2b
 from itertools import groupby
 
 import numpy as np
@@ -67,18 +68,33 @@ def _nodes(problem: Problem, k: int) -> Array:
     return np.linspace(0, 1, 1 + max(2, int(np.ceil(SHORT_NODES * share))))
 
 
-def leg_times(axes: Axes, problem: Problem, pairs: Sequence[Pairs]) -> list[Array]:
-    """Least times (m,) of legs between axes, by TOPP on a few nodes; of equal ones once."""
-    names = [_name(problem, one) for one in pairs]
+@dataclass(frozen=True, eq=False)
+class Times:
+    """What was found before, on one set of axes: least times (m,) by TOPP, by what was asked; names of legs."""
+
+    found: dict[bytes, Array] = field(default_factory=dict)
+    names: dict[Leg, bytes] = field(default_factory=dict)
+
+    def name(self, problem: Problem, pairs: Pairs) -> bytes:
+        """Equal for pairs of axes that are timed alike, whatever the legs around them and the coupling."""
+        leg = problem.legs[pairs.k]
+        if leg not in self.names:
+            self.names[leg] = leg_name_at(problem, pairs.k)
+        ends = problem.passes(pairs.k), problem.passes(pairs.k + 1), pairs.cfx
+        parts = [self.names[leg], repr(ends).encode(), pairs.q_0.tobytes(), pairs.q_1.tobytes()]
+        return blake2b(b"|".join(parts), digest_size=16).digest()
+
+
+def leg_times(axes: Axes, problem: Problem, pairs: Sequence[Pairs], known: Times) -> list[Array]:
+    """Least times (m,) of legs between axes, by TOPP on a few nodes; of equal ones once. known: what was found before,
+    for this problem or one of the same legs; what is found here is added."""
+    names = [known.name(problem, one) for one in pairs]
+    asked = {name: one for name, one in zip(names, pairs, strict=True) if name not in known.found}
+    moves = [one.only(~_resting(problem, one)) for one in asked.values()]
+    known.found.update(zip(asked, _topp_times(axes, problem, moves), strict=True))
     distinct = {name: one for name, one in zip(reversed(names), reversed(pairs), strict=True)}
-    times = dict(zip(distinct, _leg_times(axes, problem, [*distinct.values()]), strict=True))
+    times = {name: _as_asked(axes, problem, one, known.found[name]) for name, one in distinct.items()}
     return [times[name] for name in names]
-
-
-def _name(problem: Problem, pairs: Pairs) -> bytes:
-    k = pairs.k
-    ends = problem.passes(k), problem.passes(k + 1), pairs.cfx
-    return b"|".join([leg_name_at(problem, k), repr(ends).encode(), pairs.q_0.tobytes(), pairs.q_1.tobytes()])
 
 
 def leg_name_at(problem: Problem, k: int) -> bytes:
@@ -87,30 +103,24 @@ def leg_name_at(problem: Problem, k: int) -> bytes:
     return leg_name(problem.legs[k]) + X_WF.tobytes()
 
 
-def _leg_times(axes: Axes, problem: Problem, pairs: Sequence[Pairs]) -> list[Array]:
-    """The same, one by one."""
-    resting = [_resting(problem, one) for one in pairs]
-    moved = _topp_times(axes, problem, [one.only(~rest) for one, rest in zip(pairs, resting, strict=True)])
-    out = []
-    for one, rest, T in zip(pairs, resting, moved, strict=True):
-        leg = problem.legs[one.k]
-        if axes.jerk is not None:
-            T = np.maximum(T, _straight_times(axes, leg, one.q_0[~rest], one.q_1[~rest]))
-        if leg.kind is LegKind.DWELL:
-            times = np.full(len(rest), leg.duration or 0.0)
-            fits = (leg.duration or np.inf) >= T * SLACK
-            times[~rest] = np.where(fits, T if leg.duration is None else leg.duration, np.inf)
-            out.append(times)
-            continue
-        if leg.kind is LegKind.JOINT and not (
-            problem.coordinated or problem.passes(one.k) or problem.passes(one.k + 1)
-        ):
-            T = np.minimum(T, _own_times(axes, leg, one.q_0, one.q_1))
-        if leg.duration is not None:  # what takes longer than it may is no answer, but shows the way to one
-            late = np.maximum(T * SLACK - leg.duration, 0.0)
-            T = np.where(np.isfinite(T), leg.duration + LATE * late, np.inf)
-        out.append(T)
-    return out
+def _as_asked(axes: Axes, problem: Problem, pairs: Pairs, T: Array) -> Array:
+    """Times (m,) of a leg between pairs of axes, from those T by TOPP of all that move."""
+    leg, rest = problem.legs[pairs.k], _resting(problem, pairs)
+    if axes.jerk is not None:
+        T = np.maximum(T, _straight_times(axes, leg, pairs.q_0[~rest], pairs.q_1[~rest]))
+    if leg.kind is LegKind.DWELL:
+        times = np.full(len(rest), leg.duration or 0.0)
+        fits = (leg.duration or np.inf) >= T * SLACK
+        times[~rest] = np.where(fits, T if leg.duration is None else leg.duration, np.inf)
+        return times
+    if leg.kind is LegKind.JOINT and not (
+        problem.coordinated or problem.passes(pairs.k) or problem.passes(pairs.k + 1)
+    ):
+        T = np.minimum(T, _own_times(axes, leg, pairs.q_0, pairs.q_1))
+    if leg.duration is not None:  # what takes longer than it may is no answer, but shows the way to one
+        late = np.maximum(T * SLACK - leg.duration, 0.0)
+        T = np.where(np.isfinite(T), leg.duration + LATE * late, np.inf)
+    return T
 
 
 def _resting(problem: Problem, pairs: Pairs) -> BoolArray:

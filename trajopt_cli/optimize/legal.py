@@ -14,6 +14,7 @@ from trajopt_cli.motion import Program, motion_name
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.incumbent import NotDriven, Runs, duration, stopped, timed
+from trajopt_cli.optimize.leg_times import Times
 from trajopt_cli.optimize.rail import polished, refined
 from trajopt_cli.optimize.reach import check_reach
 from trajopt_cli.optimize.search import Chain, search
@@ -167,7 +168,7 @@ def _says(problem: Problem) -> tuple[object, ...]:
 def _again(axes: Axes, found: Legal, runs: Runs, seconds: dict[str, float]) -> Iterator[Legal]:
     """The motion of a lesser freedom with its rail refined in the freedom at hand."""
     start = perf_counter()
-    for chain in _shifted(axes, found.problem, found.chain):
+    for chain in _shifted(axes, found.problem, found.chain, Times()):
         try:
             yield Legal(found.problem, chain, timed(axes, found.problem, chain, runs))
         except NotDriven:
@@ -185,11 +186,11 @@ def legal_of(
     failure: tuple[Problem, NotDriven] | None = None
     for room in ROOMS:
         start = perf_counter()
-        narrow = axes.narrowed(room)
+        narrow, known = axes.narrowed(room), Times()
         together = [one if one.coordinated else replace(one, coupling=Coupling.COORDINATED) for one in problems]
         chains = [(search(narrow, bound), bound, problem) for bound, problem in zip(together, problems, strict=True)]
         found = [
-            (_shifted(narrow, bound, chain), chain, bound, problem)
+            (_shifted(narrow, bound, chain, known), chain, bound, problem)
             for chain, bound, problem in chains
             if chain is not None
         ]
@@ -202,7 +203,7 @@ def legal_of(
                     if drafts and patience.over:
                         break
                     start = perf_counter()
-                    tried = _shifted(narrow, coupled, chain)
+                    tried = _shifted(narrow, coupled, chain, known)
                     add(seconds, "search", perf_counter() - start)
                 start = perf_counter()
                 for one in tried:
@@ -227,12 +228,12 @@ def legal_of(
     return _not_driven(axes, *failure)
 
 
-def _shifted(axes: Axes, problem: Problem, chain: Chain) -> list[Chain]:
+def _shifted(axes: Axes, problem: Problem, chain: Chain, known: Times) -> list[Chain]:
     """The chain with its rail refined, leg by leg; with corners also as if every fly-by was a stop, as small corners
-    are nearly that, and a leg alone does not see how the rail bends in them."""
-    out = [refined(axes, problem, chain)]
+    are nearly that, and a leg alone does not see how the rail bends in them. known: as in leg_times."""
+    out = [refined(axes, problem, chain, known)]
     if any(problem.passes(k) for k in range(len(problem.waypoints))) and axes.layout.has_rail:
-        out = [polished(axes, problem, one) for one in (*out, refined(axes, stopped(problem), chain))]
+        out = [polished(axes, problem, one) for one in (*out, refined(axes, stopped(problem), chain, known))]
     return out
 
 

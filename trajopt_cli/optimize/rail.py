@@ -16,7 +16,7 @@ import numpy as np
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.incumbent import about
-from trajopt_cli.optimize.leg_times import Pairs, leg_times, short
+from trajopt_cli.optimize.leg_times import Pairs, Times, leg_times, short
 from trajopt_cli.optimize.search import Chain, best_chain
 from trajopt_cli.optimize.tuning import (
     CALM,
@@ -40,8 +40,9 @@ from trajopt_cli.problem.problem import LegKind, Problem
 _SAME = 1e-9  # m between rail positions that are one
 
 
-def refined(axes: Axes, problem: Problem, chain: Chain) -> Chain:
-    """The chain with the rail positions that the least time is found at, beside those it has."""
+def refined(axes: Axes, problem: Problem, chain: Chain, known: Times | None = None) -> Chain:
+    """The chain with the rail positions that the least time is found at, beside those it has. known: as in
+    leg_times."""
     free = [k for k, point in enumerate(problem.waypoints) if point.q is None and point.rail[0] < point.rail[1]]
     still = replace(chain, w=np.zeros_like(chain.w))
     if not free or not axes.layout.has_rail:
@@ -54,11 +55,12 @@ def refined(axes: Axes, problem: Problem, chain: Chain) -> Chain:
     step = np.where(np.isin(np.arange(len(problem.waypoints)), free), REFINE_STEP, 0.0)
     near: list[Array] = []
     edges: list[Array] = []
+    known = Times() if known is None else known
     for _ in range(REFINE_ROUNDS):
         before = near
         found = iter(_near(axes, problem, best, marks[changed], step))
         near = [next(found) if new else before[i] for i, new in enumerate(changed)]
-        edges = _edges(axes, problem, marks, near, best, before, edges)
+        edges = _edges(axes, problem, marks, near, best, before, edges, known)
         cost, path = best_chain(near, edges, ties)
         if not np.isfinite(cost):
             break
@@ -78,8 +80,6 @@ def refined(axes: Axes, problem: Problem, chain: Chain) -> Chain:
 def _rounded(axes: Axes, problem: Problem, chain: Chain, marks: IndexArray) -> Chain:
     """The chain with the rail on a cubic spline through the marks where points are carried along: between short lines
     there is no room for the rail to change its speed. As it is where the arm cannot follow."""
-    from scipy.interpolate import CubicSpline  # takes longer to load than most programs to search
-
     q = chain.q.copy()
     for far, group in groupby(pairwise(marks.tolist()), key=lambda pair: pair[1] > pair[0] + 1):
         ends = [*group]
@@ -89,6 +89,8 @@ def _rounded(axes: Axes, problem: Problem, chain: Chain, marks: IndexArray) -> C
         knots = np.array([first, *(b for _, b in ends)])
         if np.ptp(axes.layout.place(q[knots])) < _SAME:  # the rail stands
             continue
+        from scipy.interpolate import CubicSpline  # takes longer to load than most programs to search
+
         way = np.concatenate([[0.0], np.cumsum([leg.chord for leg in problem.legs[first:last]])])
         d = CubicSpline(way[knots - first], axes.layout.place(q[knots]), bc_type="natural")(way)
         found = _along_rail(axes, problem, chain, first, d[None, 1:-1])[0]
@@ -158,8 +160,10 @@ def _along_rail(axes: Axes, problem: Problem, chain: Chain, a: int, d: Array) ->
 def _through(axes: Axes, problem: Problem, chain: Chain, marks: IndexArray, q: Array, times: Array) -> Chain:
     """The chain through axes (m, n) at the marks, with the times (m - 1,) between them."""
     every, spent = chain.q.copy(), chain.times.copy()
+    stays = np.abs(q - chain.q[marks]).max(axis=1) < _SAME
     for i, (a, b) in enumerate(pairwise(marks.tolist())):
-        every[a : b + 1] = _between(axes, problem, chain, a, b, q[i][None], q[i + 1][None])[0]
+        if not (stays[i] and stays[i + 1]):
+            every[a : b + 1] = _between(axes, problem, chain, a, b, q[i][None], q[i + 1][None])[0]
         way = np.array([leg.chord for leg in problem.legs[a:b]])
         spent[a:b] = times[i] if b == a + 1 else times[i] * way / way.sum()
     return replace(chain, q=every, times=spent, cost=float(times.sum()))
@@ -258,18 +262,19 @@ def _edges(
     marks: IndexArray,
     near: Sequence[Array],
     chain: Chain,
-    before: Sequence[Array] = (),
-    known: Sequence[Array] = (),
+    before: Sequence[Array],
+    edges: Sequence[Array],
+    known: Times,
 ) -> list[Array]:
     """(m_a, m_b) least time from each mark to the next between the axes near them, infinite where it cannot be. A
-    fly-by is passed as fast as may be: its corner is not looked at. known: the same between the axes that were near
-    before."""
+    fly-by is passed as fast as may be: its corner is not looked at. edges: the same between the axes that were near
+    before. known: as in leg_times."""
     timed, opens, out = [], [], []
     same = [None if a is b else _places(a, b) for a, b in zip(near, before, strict=True)] if before else []
     for i, (first, last) in enumerate(pairwise(marks.tolist())):
         a, b = near[i], near[i + 1]
         if before and a is before[i] and b is before[i + 1]:
-            out.append(known[i])
+            out.append(edges[i])
             continue
         edge = np.full((len(a), len(b)), np.nan)
         if before:
@@ -277,7 +282,7 @@ def _edges(
                 (np.arange(len(x)), np.arange(len(x))) if rows is None else rows
                 for x, rows in zip((a, b), same[i : i + 2], strict=True)
             )
-            edge[np.ix_(at, to)] = known[i][np.ix_(at_before, to_before)]
+            edge[np.ix_(at, to)] = edges[i][np.ix_(at_before, to_before)]
         ia, ib = np.nonzero(np.isnan(edge))
         worth = _worth(axes, problem, first, last, a[ia], b[ib], chain)
         edge[ia, ib] = np.inf
@@ -292,7 +297,7 @@ def _edges(
         )
         timed += [Pairs(first + j, q[:, j], q[:, j + 1], cfx) for j in range(last - first)]
         out.append(edge)
-    times = iter(leg_times(axes, problem, timed))
+    times = iter(leg_times(axes, problem, timed, known))
     for edge, ia, ib, legs, calm in opens:
         edge[ia, ib] = np.sum([next(times) for _ in range(legs)], axis=0)
         if legs > 1:  # of many that take the same time the calmest
