@@ -19,6 +19,7 @@ from trajopt_cli.optimize.double_integrator import trapezoid_time
 from trajopt_cli.optimize.pace import columns, top_rate
 from trajopt_cli.optimize.smooth import rest_time
 from trajopt_cli.optimize.tuning import (
+    FLIPPED,
     JERK_ROOM,
     LATE,
     LONG_LINE,
@@ -61,11 +62,12 @@ def short(problem: Problem, k: int) -> bool:
 
 
 def _nodes(problem: Problem, k: int) -> Array:
-    """Shares (m,) of leg k at which it is looked at to be timed."""
+    """Shares (m,) of leg k at which it is looked at to be timed: of a short one middles of even parts."""
     if not short(problem, k):
         return spaced(PAIR_NODES)
     share = max(problem.legs[k].chord / LONG_LINE, problem.legs[k].angle / LONG_TURN)
-    return np.linspace(0, 1, 1 + max(2, int(np.ceil(SHORT_NODES * share))))
+    N = max(1, int(np.ceil(SHORT_NODES * share)))
+    return (np.arange(N) + 0.5) / N
 
 
 @dataclass(frozen=True, eq=False)
@@ -186,7 +188,10 @@ def _timed_together(axes: Axes, problem: Problem, pairs: Sequence[Pairs]) -> Arr
     slopes, bends = (x.reshape(B, len(s), -1) for x in (slopes, bends))
     ok = np.asarray(ok & np.isfinite(slopes).all(axis=(1, 2)) & np.isfinite(bends).all(axis=(1, 2)))
     T = np.full(B, np.inf)
-    if ok.any():
+    if short(problem, pairs[0].k):  # what it takes to change speed on it is not looked at
+        steady = np.sqrt(np.abs(bends[ok]).max(axis=2))
+        T[ok] = np.maximum(1 / top[ok], steady).mean(axis=1)
+    elif ok.any():
         rates = [
             np.repeat([np.inf if problem.passes(one.k + end) else 0.0 for one in pairs], counts)[ok] for end in (0, 1)
         ]
@@ -230,7 +235,7 @@ def _on_ways(axes: Axes, problem: Problem, pairs: Sequence[Pairs], s: Array) -> 
     with np.errstate(invalid="ignore"):
         ends = np.maximum(np.abs(every[:, 0] - q_0), np.abs(every[:, -1] - q_1)).max(axis=1)
         inside = np.all((every >= axes.lower - 1e-9) & (every <= axes.upper + 1e-9), axis=(1, 2))
-        ok = np.asarray(inside & (ends < _JUMP))
+        ok = np.asarray(inside & (ends < (_JUMP if s[0] == 0 else FLIPPED)))
     return Along(q, dq, ddq, twist[of, :3], twist[of, 3:], bend[of, :3]), ok
 
 

@@ -99,7 +99,8 @@ ALONE_NODES = (
 )
 # 400 points was faster on 14 of them, by 0.02 % at most.
 PAIR_NODES = 20  # intervals of a leg that is timed to compare rail positions. Measured with END_CURVE.
-SHORT_NODES = 6  # the same of a line of LONG_LINE passed at both ends, two at least on shorter ones. Not measured.
+SHORT_NODES = 6  # the same of a line of LONG_LINE passed at both ends, one at least on shorter ones. Not measured.
+FLIPPED = 1.0  # rad, m by which axes in the middle of such a line may be elsewhere than at its ends. Not measured.
 PAIRS_AT_ONCE = 1500  # pairs of rail positions timed at once: 60 MB. Not measured.
 RUSH = 4.0  # times the rail's way at top speed in a short line's time that its ends may be apart. Not measured.
 REFINE_OFFSETS = (-2.0, -1.0, 0.0, 1.0, 2.0)  # steps beside a rail position that are tried. Not measured.
