@@ -22,6 +22,7 @@ from trajopt_cli.optimize.tuning import (
     CALM,
     CARRY,
     CARRY_LAST,
+    CARRY_LOOKS,
     LEAST_POLISH,
     POLISH,
     POLISH_LAST,
@@ -291,18 +292,30 @@ def _edges(
         can = np.isfinite(q).all(axis=(1, 2))
         q, cfx = q[can], _branch(chain, first)
         ia, ib = ia[can], ib[can]
-        way = axes.layout.place(b[ib]) - axes.layout.place(a[ia])
-        opens.append(
-            (edge, ia, ib, last - first, way**2 / max(sum(leg.chord for leg in problem.legs[first:last]), 1e-9))
-        )
-        timed += [Pairs(first + j, q[:, j], q[:, j + 1], cfx) for j in range(last - first)]
+        looked_at = _looked_at(problem, first, last)
+        opens.append((edge, ia, ib, [*looked_at.values()]))
+        timed += [Pairs(k, q[:, k - first], q[:, k - first + 1], cfx) for k in looked_at]
         out.append(edge)
+        if last > first + 1:  # of many that take the same time the calmest
+            way = axes.layout.place(b[ib]) - axes.layout.place(a[ia])
+            edge[ia, ib] = CALM * way**2 / max(sum(leg.chord for leg in problem.legs[first:last]), 1e-9)
+        else:
+            edge[ia, ib] = 0.0
     times = iter(leg_times(axes, problem, timed, known))
-    for edge, ia, ib, legs, calm in opens:
-        edge[ia, ib] = np.sum([next(times) for _ in range(legs)], axis=0)
-        if legs > 1:  # of many that take the same time the calmest
-            edge[ia, ib] += CALM * calm
+    for edge, ia, ib, shares in opens:
+        edge[ia, ib] += sum(share * next(times) for share in shares)
     return out
+
+
+def _looked_at(problem: Problem, first: int, last: int) -> dict[int, float]:
+    """The legs between two marks that are timed, and how many times as long the ones around each take as itself."""
+    groups = np.array_split(np.arange(first, last), min(last - first, CARRY_LOOKS))
+    legs = {int(group[len(group) // 2]): group for group in groups}
+    chords = {k: [problem.legs[i].chord for i in group] for k, group in legs.items()}
+    return {
+        k: sum(ways) / problem.legs[k].chord if problem.legs[k].chord > _SAME else float(len(ways))
+        for k, ways in chords.items()
+    }
 
 
 def _places(a: Array, b: Array) -> tuple[IndexArray, IndexArray]:

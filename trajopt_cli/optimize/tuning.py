@@ -117,6 +117,7 @@ LEAST_POLISH = 1e-5  # s that a shift must save. Not measured.
 CARRY = 0.05  # m of short lines over which the rail goes in proportion to the tool's way. Measured on 400 points of z1:
 # 5.642 s in 9.9 s of processor time; a rail position for every point 6.681 s in 42.7 s.
 CALM = 1e-3  # s per metre of it and squared slope of the rail that is charged there. Not measured.
+CARRY_LOOKS = 6  # of the lines between two such positions that are timed at most. Not measured.
 CARRY_LAST = 2e-3  # m, the last step there. Not measured.
 REFINE_GAIN = 1e-6  # share of the time that a step must gain to be tried again. Measured: on 1,000 points of z1 along a
 # rail chains of one time drifted to and fro for 30 rounds.
