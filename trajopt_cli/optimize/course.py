@@ -11,13 +11,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import groupby, pairwise
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.legs import unwound
 from trajopt_cli.optimize.tuning import CORNER_PART, END_CURVE, SHRINK, SHRINKS, SPHERE, SPHERE_SAMPLES, ZONE_SAMPLES
 from trajopt_cli.path.along import along_all
 from trajopt_cli.path.arc import Arc
@@ -41,7 +42,8 @@ Segment = Way | Corner | JointMove | JointCorner
 
 @dataclass(frozen=True, eq=False)
 class Rail:
-    """The rail on a part, over its share u: d + u (slope + u bend); each (r,)."""
+    """The rail on a part, over its share u: d + u (slope + u bend); each (r,), or (m, r) on one part at each of m
+    shares."""
 
     d: Array
     slope: Array
@@ -97,10 +99,20 @@ class Along:
         """Some of the places."""
         return Along(*(getattr(self, name)[rows] for name in _FIELDS))
 
+    def put(self, rows: BoolArray, other: Along) -> None:
+        """Others at some of the places, in place."""
+        for name in _FIELDS:
+            getattr(self, name)[rows] = getattr(other, name)
+
     def by(self, size: Array) -> Along:
         """The derivatives by a parameter that grows size (m,) times as fast."""
         k = 1 / size[:, None]
         return Along(self.q, self.dq * k, self.ddq * k**2, self.v * k, self.w * k, self.bend * k**2)
+
+
+def _empty(n: int, m: int) -> Along:
+    """To be filled in, of n axes at m places."""
+    return Along(*(np.empty((m, k)) for k in (n, n, n, 3, 3, 3)))
 
 
 def joined(pieces: Sequence[Along]) -> Along:
@@ -112,12 +124,13 @@ def joined(pieces: Sequence[Along]) -> Along:
 class Course:
     """A run's parts, and what is along them at their nodes, part by part: a place between two parts stands twice.
 
-    q (M, n): axes at all waypoints of the problem.
+    q (M, n): axes at all waypoints of the problem. rests: nodes at rest besides both ends.
     """
 
     parts: tuple[Part, ...]
     along: Along
     q: Array
+    rests: tuple[int, ...] = ()
 
     @cached_property
     def counts(self) -> IndexArray:
@@ -152,8 +165,16 @@ def course_of(
     """The course of a run, given as its first and last waypoint. q (M, n), cfx: axes and branches at all waypoints of
     the problem, those of a fly-by at its point. nodes: intervals of a leg, about. None where the arm cannot follow.
     """
-    parts = _Cut(axes, problem, run, q, cfx, nodes).parts()
-    return None if parts is None else _course(axes, problem, parts, q)
+    return courses_of(axes, problem, [run], [q], cfx, nodes)[0]
+
+
+def courses_of(
+    axes: Axes, problem: Problem, runs: Sequence[tuple[int, int]], q: Sequence[Array], cfx: Sequence[int], nodes: int
+) -> list[Course | None]:
+    """The same of many runs, each between axes of its own; the same run may be there more than once."""
+    cuts = [_Cut(axes, problem, run, own, cfx, nodes).parts() for run, own in zip(runs, q, strict=True)]
+    found = iter(_courses(axes, problem, [(parts, own) for parts, own in zip(cuts, q, strict=True) if parts]))
+    return [next(found) if parts else None for parts in cuts]
 
 
 def finer(axes: Axes, problem: Problem, course: Course, wanted: BoolArray) -> Course | None:
@@ -162,12 +183,38 @@ def finer(axes: Axes, problem: Problem, course: Course, wanted: BoolArray) -> Co
     for i, part in enumerate(course.parts):
         middles = (part.u[:-1] + part.u[1:]) / 2
         parts.append(replace(part, u=np.sort(np.r_[part.u, middles[wanted[course.part == i]]])))
-    return _course(axes, problem, parts, course.q)
+    return _courses(axes, problem, [(parts, course.q)])[0]
 
 
-def _course(axes: Axes, problem: Problem, parts: Sequence[Part], q: Array) -> Course | None:
-    along = _along(axes, problem, parts, q)
-    return None if along is None else Course(tuple(parts), along, q)
+def _courses(axes: Axes, problem: Problem, runs: Sequence[tuple[Sequence[Part], Array]]) -> list[Course | None]:
+    """The courses of runs cut into parts, each with axes at all waypoints of its own."""
+    along = _along(axes, problem, runs)
+    nodes = [sum(part.N + 1 for part in parts) for parts, _ in runs]
+    edges = np.concatenate([[0], np.cumsum(nodes)])
+    every = [along.at(slice(a, b)) for a, b in pairwise(edges.tolist())]
+    return [
+        Course(tuple(parts), own, q) if _can_follow(parts, own, q) else None
+        for (parts, q), own in zip(runs, every, strict=True)
+    ]
+
+
+def _can_follow(parts: Sequence[Part], along: Along, q: Array) -> bool:
+    """Whether the arm reaches all places, and need not jump from part to part."""
+    if not all(np.isfinite(x).all() for x in (along.q, along.dq, along.ddq)):
+        return False
+    behind = np.cumsum([part.N + 1 for part in parts])
+    begins = np.vstack([along.q[np.r_[0, behind[:-1]]], q[parts[-1].leg + 1]])
+    ends = np.vstack([q[parts[0].leg], along.q[behind - 1]])
+    return bool(np.abs(begins - ends).max() < _APART)
+
+
+def together(courses: Sequence[Course]) -> Course:
+    """Courses one after the other as one, at rest where one ends and the next begins; it has no axes at waypoints."""
+    if len(courses) == 1:
+        return courses[0]
+    parts = tuple(part for course in courses for part in course.parts)
+    ends = np.cumsum([len(course.part) for course in courses])
+    return Course(parts, joined([course.along for course in courses]), courses[0].q[:0], tuple(ends[:-1].tolist()))
 
 
 @dataclass(frozen=True, eq=False)
@@ -360,79 +407,93 @@ def _reaching(axes: Axes, move: JointMove, X_FT: Array, point: Array, radius: fl
 # ------------------------------------------------------------------------------------------- axes along the parts
 
 
-def _along(axes: Axes, problem: Problem, parts: Sequence[Part], q: Array) -> Along | None:
-    """What is along the parts at their nodes; None where the arm does not reach, or would have to jump."""
-    pieces: list[Along] = []
-    for on_way, group in groupby(parts, key=lambda part: part.rail is not None):
-        stretch = list(group)
-        if not on_way:
-            pieces += [_on_axes(axes, problem, part) for part in stretch]
-            continue
-        found = _on_ways(axes, problem, stretch, [_shares(part) for part in stretch])
-        _unwind(axes, found.q, q[stretch[0].leg])
-        pieces.append(found)
-    nodes = [part.N + 1 for part in parts]
-    out = joined(pieces).by(np.repeat([part.size for part in parts], nodes))
-    if not all(np.isfinite(x).all() for x in (out.q, out.dq, out.ddq)):
-        return None
-    behind = np.cumsum(nodes)
-    begins = np.vstack([out.q[np.r_[0, behind[:-1]]], q[parts[-1].leg + 1]])
-    ends = np.vstack([q[parts[0].leg], out.q[behind - 1]])
-    return out if np.abs(begins - ends).max() < _APART else None
+def _along(axes: Axes, problem: Problem, runs: Sequence[tuple[Sequence[Part], Array]]) -> Along:
+    """What is along the parts of runs at their nodes; NaN where the arm does not reach."""
+    parts = [part for own, _ in runs for part in own]
+    counts = np.array([part.N + 1 for part in parts])
+    edges = np.concatenate([[0], np.cumsum(counts)])
+    out = _empty(axes.n, int(edges[-1]))
+    on_way = np.array([part.rail is not None for part in parts])
+    for which, of in ((on_way, _on_ways), (~on_way, _on_axes)):
+        numbers = np.flatnonzero(which)
+        if len(numbers):
+            some = [parts[i] for i in numbers]
+            out.put(np.repeat(which, counts), of(axes, problem, some, [_shares(part) for part in some]))
+    starts, near, first = [], [], 0  # of stretches on ways: joints there are near those of the waypoint before
+    for own, q in runs:
+        for i, part in enumerate(own):
+            if part.rail is not None and (i == 0 or own[i - 1].rail is None):
+                starts.append(edges[first + i])
+                near.append(q[part.leg])
+        first += len(own)
+    if starts:
+        at = np.repeat(on_way, counts)
+        kept = np.cumsum(at)[starts] - 1
+        arm = axes.layout.arm
+        out.q[at, arm] = unwound(out.q[at, arm], kept, np.array(near)[:, arm])
+    return out.by(np.repeat([part.size for part in parts], counts))
 
 
 def _shares(part: Part) -> Array:
-    return np.clip(part.u, _INSIDE, 1 - _INSIDE)
+    return part.u if part.rail is None else np.clip(part.u, _INSIDE, 1 - _INSIDE)
 
 
-def _unwind(axes: Axes, q: Array, near: Array) -> None:
-    """Whole turns off joints (m, n), in place: the first row near another, each next near the one before."""
-    rail = axes.layout.rail
-    steps = np.diff(np.vstack([near, q]), axis=0)
-    turns = np.cumsum(np.round(steps / (2 * np.pi)), axis=0)
-    turns[:, rail] = 0.0
-    q -= np.where(np.isnan(turns), 0.0, 2 * np.pi * turns)
+def _on_axes(axes: Axes, problem: Problem, parts: Sequence[Part], shares: Sequence[Array]) -> Along:
+    """Along parts that axes decide, by their shares, one after the other."""
+    found = []
+    for part, u in zip(parts, shares, strict=True):
+        segment = part.segment
+        assert isinstance(segment, JointMove | JointCorner)
+        s, k = part.own(u), part.s_1 - part.s_0
+        found.append((segment.axes(s), segment.rate(s) * k, segment.rate_change(s) * k**2))
+    q, dq, ddq = (np.concatenate(x) for x in zip(*found, strict=True))
+    out = Along(q, dq, ddq, *(np.empty((len(q), 3)) for _ in range(3)))
+    tools = [problem.legs[part.leg].X_FT for part in parts]
+    for at, X_FT in _by_tool(tools, shares):
+        J, Jd = axes.jacobian(q[at], X_FT), axes.jacobian_rate(q[at], dq[at], X_FT)
+        out.v[at] = (J[:, :3] @ dq[at, :, None])[..., 0]
+        out.w[at] = (J[:, 3:] @ dq[at, :, None])[..., 0]
+        out.bend[at] = (J[:, :3] @ ddq[at, :, None])[..., 0] + (Jd[:, :3] @ dq[at, :, None])[..., 0]
+    return out
 
 
-def _on_axes(axes: Axes, problem: Problem, part: Part) -> Along:
-    """Along a part that axes decide, by its share."""
-    segment = part.segment
-    assert isinstance(segment, JointMove | JointCorner)
-    s, k = part.own(part.u), part.s_1 - part.s_0
-    q, dq, ddq = segment.axes(s), segment.rate(s) * k, segment.rate_change(s) * k**2
-    X_FT = problem.legs[part.leg].X_FT
-    J = axes.jacobian(q, X_FT)
-    twist = (J @ dq[..., None])[..., 0]
-    bend = (J @ ddq[..., None])[..., 0] + (axes.jacobian_rate(q, dq, X_FT) @ dq[..., None])[..., 0]
-    return Along(q, dq, ddq, twist[:, :3], twist[:, 3:], bend[:, :3])
+def _by_tool(tools: Sequence[Array], shares: Sequence[Array]) -> Iterator[tuple[IndexArray, Array]]:
+    """The rows of every tool X_FT among parts with shares (m,) each, and the tool."""
+    names = [X_FT.tobytes() for X_FT in tools]
+    number = {name: i for i, name in enumerate(dict.fromkeys(names))}
+    of = np.repeat([number[name] for name in names], [len(u) for u in shares])
+    for name, i in number.items():
+        yield np.flatnonzero(of == i), tools[names.index(name)]
 
 
 def _on_ways(axes: Axes, problem: Problem, parts: Sequence[Part], shares: Sequence[Array]) -> Along:
     """Along parts of the tool's way by their shares, at shares (m,) of each, one part after the other; joints in
     whatever turn, NaN out of reach."""
-    found = []
     tools = [problem.legs[part.leg].X_FT for part in parts]
-    for _, group in groupby(range(len(parts)), key=lambda i: tools[i].tobytes()):
-        numbers = list(group)
+    names, counts = [X_FT.tobytes() for X_FT in tools], [len(u) for u in shares]
+    out = _empty(axes.n, sum(counts))
+    for name in dict.fromkeys(names):
+        alike = np.array([one == name for one in names])
+        numbers = np.flatnonzero(alike).tolist()
         ways = [parts[i] for i in numbers]
-        found.append(_with_tool(axes, tools[numbers[0]], ways, [shares[i] for i in numbers]))
-    return joined(found)
+        found = _with_tool(axes, tools[numbers[0]], ways, [shares[i] for i in numbers])
+        out.put(np.repeat(alike, counts), found)
+    return out
 
 
 def _with_tool(axes: Axes, X_FT: Array, parts: Sequence[Part], shares: Sequence[Array]) -> Along:
     """The same with one tool on all parts."""
     counts = [len(u) for u in shares]
-    edges = np.cumsum(counts)[:-1]
-    rows, cfx = np.arange(sum(counts)), np.repeat([part.cfx for part in parts], counts)
-    way = np.repeat([part.s_1 - part.s_0 for part in parts], counts)[:, None]
+    edges, of = np.cumsum(counts)[:-1], np.repeat(np.arange(len(parts)), counts)
+    cfx, s_0, s_1 = (np.array([getattr(part, name) for part in parts])[of] for name in ("cfx", "s_0", "s_1"))
+    rail = Rail(*(np.array([getattr(part.rail, name) for part in parts])[of] for name in ("d", "slope", "bend")))
+    way = (s_1 - s_0)[:, None]
     segments: list[Any] = [part.segment for part in parts]
 
     def at(u: Array) -> tuple[Array, Array, Array, Array, Array, Array]:
-        pieces = list(zip(parts, np.split(u, edges), strict=True))
-        X, twist, bend = along_all(segments, [part.own(own) for part, own in pieces])
-        rails = zip(*(part.rail.at(own) for part, own in pieces if part.rail is not None), strict=True)
-        d, dd, ddd = (np.concatenate(one) for one in rails)
-        arm = axes.inverse(X @ inverse_pose(X_FT), axes.layout.value(d))[rows, cfx]
+        X, twist, bend = along_all(segments, np.split(s_0 + u * (s_1 - s_0), edges))
+        d, dd, ddd = rail.at(u)
+        arm = axes.inverse(X @ inverse_pose(X_FT), axes.layout.value(d))[np.arange(len(u)), cfx]
         return axes.layout.merge(d, arm), arm, twist * way, bend * way**2, dd, ddd
 
     u = np.concatenate(shares)

@@ -160,7 +160,7 @@ def _on_ways(axes: Axes, legs: Sequence[PathLeg], times: Sequence[Array], right:
         along = _ratio(dv, da, sv, sa)
         s, d = s - back[:, 0], d - back * along
         arm, twist, bend = placed(s, d)
-    q = axes.layout.merge(d, _unwound(arm, starts, references))
+    q = axes.layout.merge(d, unwound(arm, starts, references))
     J = axes.jacobian(q, X_FT)
     Jr, Ja = J[:, :, axes.layout.rail], J[:, :, axes.layout.arm]
 
@@ -186,10 +186,10 @@ def _ratio(dv: Array, da: Array, sv: Array, sa: Array) -> Array:
 
 def unwind(arm: Array, reference: Array) -> Array:
     """Joints (m, joints) moved by whole turns: the first near the reference, each next near the one before."""
-    return _unwound(arm, np.zeros(1, dtype=np.intp), reference[None])
+    return unwound(arm, np.zeros(1, dtype=np.intp), reference[None])
 
 
-def _unwound(arm: Array, starts: IndexArray, references: Array) -> Array:
+def unwound(arm: Array, starts: IndexArray, references: Array) -> Array:
     """The same for many, one after the other, which begin at rows starts (k,) near references (k, joints)."""
     before = np.concatenate([references[:1], arm[:-1]])
     before[starts] = references
