@@ -232,3 +232,18 @@ def test_free_ends_are_the_fastest_that_lead_on(make: Callable[..., Paths]) -> N
     np.testing.assert_allclose(given.rates, free.rates, rtol=1e-6)
     assert not np.isfinite(fastest_laws(*paths, first * (1 + 1e-6), np.inf).durations).any()
     assert (free.durations <= fastest_laws(*paths, 0.0, np.inf).durations).all()
+
+
+@pytest.mark.parametrize("make", [smooth, jumping])
+@pytest.mark.parametrize("ends", [(0.0, 0.0), (np.inf, np.inf), (3.0, 0.0), (40.0, np.inf)])
+def test_long_paths_in_lanes_are_those_in_one_go(
+    make: Callable[..., Paths], ends: tuple[float, float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """To the last bit, whatever the lanes' length; the last start is too fast for some."""
+    paths = make(7, 3, 1001, 6)
+    monkeypatch.setattr(retiming, "_LANES", 1)
+    whole = fastest_laws(*paths, *ends)
+    for lanes, shortest in ((128, 32), (9, 5), (1000, 1)):
+        monkeypatch.setattr(retiming, "_LANES", lanes)
+        monkeypatch.setattr(retiming, "_SHORTEST_LANE", shortest)
+        assert same(fastest_laws(*paths, *ends), whole)

@@ -9,17 +9,19 @@ program per interval, where f is greatest, does not depend on the recursion; the
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.geometry import Array, IndexArray, readonly
 from trajopt_cli.timing.law import TimeLaw
 
 _UNBOUND = 1e12  # (ds/dt)^2 that stands for none
 _FAINT = 1e-9  # share of its limit below which a row's part of one point is a constant: dividing by it is rounding
 _ROUNDING = 1e-9  # relative: rates at the ends may pass what is feasible by this and are then taken as its bound
+_LANES = 128  # stretches of paths that are gone along side by side
+_SHORTEST_LANE = 32  # intervals of one at least
 _ELEMENTS = 800_000  # of the greatest work arrays; about ten live at once
 
 
@@ -106,14 +108,64 @@ def _recursion(step: Array, top: Array, rows: list[Array], x_0: Array, x_1: Arra
     p, r, here, there = _without_faint(p, r, here, there)
     cap[:, :-1] = np.minimum(cap[:, :-1], here.reshape(B, -1))
     cap[:, 1:] = np.minimum(cap[:, 1:], there.reshape(B, -1))
+    at = at.reshape(B, -1)
+    if (lanes := _lanes(B, n - 1)) > 1 and not np.any((x_1 > 0) & np.isfinite(x_1)):
+        back, on = ([x.reshape(B, n - 1, -1) for x in _lines(of, other)] for of, other in ((r, p), (p, r)))
+        high = _swept([x[:, ::-1] for x in back], at[:, ::-1], cap[:, ::-1], x_1, lanes)[:, ::-1]
+        x = _swept(on, np.full_like(at, np.inf), high, x_0, lanes)
+        over = [(ends > of * (1 + _ROUNDING)) & ~np.isinf(ends) for ends, of in ((x_0, high[:, 0]), (x_1, cap[:, -1]))]
+        x[np.any(over, axis=0)] = np.nan
+        return x
     # points first, paths last: every step of the passes reads one contiguous block
     before, after = (
         np.ascontiguousarray(np.reshape(_lines(of, other), (2, B, n - 1, -1)).transpose(0, 2, 3, 1))
         for of, other in ((r, p), (p, r))
     )
-    at, cap = np.ascontiguousarray(at.reshape(B, -1).T), np.ascontiguousarray(cap.T)
+    at, cap = np.ascontiguousarray(at.T), np.ascontiguousarray(cap.T)
     low, high, fails = _controllable(before, at, cap, x_1)
     return _forward(after, low, high, fails, x_0).T
+
+
+def _lanes(B: int, N: int) -> int:
+    """Into how many stretches B paths of N intervals are cut that are gone along side by side."""
+    return max(1, min(N // _SHORTEST_LANE, _LANES // B))
+
+
+def _swept(lines: Sequence[Array], at: Array, limit: Array, start: Array, lanes: int) -> Array:
+    """v (B, N+1) with v_0 = start and v_{i+1} the least of c + m min(v_i, at_i) over all rows, all within limit.
+
+    lines: c and m, (B, N, rows); at (B, N). Each path is cut into so many lanes. They all begin at their limit, and
+    again with what the one before ended with, until that is what they began with: then it is as if they were one.
+    """
+    B, N, rows = lines[0].shape
+    L = -(-N // lanes)
+    front = lanes * L - N  # intervals that lead nowhere, before the first
+    c, m, top = np.full((B, front + N, rows), np.inf), np.zeros((B, front + N, rows)), np.zeros((B, front + N + 1))
+    y = np.zeros((B, front + N))
+    c[:, front:], m[:, front:] = lines
+    y[:, front:], top[:, front:] = np.maximum(at, 0.0), limit
+    top[:, front] = np.minimum(start, limit[:, 0])
+    c, m = (np.ascontiguousarray(x.reshape(B * lanes, L, rows).transpose(1, 2, 0)) for x in (c, m))
+    y = np.ascontiguousarray(y.reshape(B * lanes, L).T)
+    caps = np.ascontiguousarray(top[:, 1:].reshape(B * lanes, L).T)
+    v, begins = np.empty((L + 1, B * lanes)), top[:, :-1:L].copy()
+    stale: slice | IndexArray = slice(None)
+    known = False
+    while True:
+        v[0, stale] = begins.ravel()[stale]
+        for i in range(L):
+            now = np.minimum.reduce(c[i][:, stale] + m[i][:, stale] * np.minimum(v[i, stale], y[i, stale]), axis=0)
+            now = np.maximum(np.minimum(now, caps[i, stale]), 0.0)
+            if known and np.array_equal(now, v[i + 1, stale]):
+                break
+            v[i + 1, stale] = now
+        follows = begins.copy()
+        follows[:, 1:] = v[-1].reshape(B, lanes)[:, :-1]
+        stale, known, begins = np.flatnonzero(follows != begins), True, follows
+        if not len(stale):
+            break
+    every = np.concatenate([begins[:, :1], v[1:].T.reshape(B, -1)], axis=1)
+    return np.ascontiguousarray(every[:, front:])
 
 
 def _lines(of: Array, other: Array) -> tuple[Array, Array]:
