@@ -153,6 +153,25 @@ class Course:
         return np.arange(len(self.part)) + self.part
 
     @cached_property
+    def progress(self) -> tuple[Array, Array]:
+        """At all nodes of parts that the tool decides: its segment's parameter and the rail, and their derivatives by
+        sigma (rows, 1 + r); NaN at others."""
+        out = []
+        for part in self.parts:
+            if part.rail is None:
+                out.append(np.full((2, part.N + 1, self._rails + 1), np.nan))
+                continue
+            d, dd, _ = part.rail.at(part.u)
+            way = np.full((part.N + 1, 1), part.s_1 - part.s_0)
+            out.append(np.stack([np.hstack([part.own(part.u)[:, None], d]), np.hstack([way, dd]) / part.size]))
+        x, slope = np.concatenate(out, axis=1)
+        return x, slope
+
+    @property
+    def _rails(self) -> int:
+        return max((len(part.rail.d) for part in self.parts if part.rail is not None), default=0)
+
+    @cached_property
     def sigma(self) -> Array:
         """The parameter where intervals meet (N+1,), 0 at the run's start."""
         steps = [part.size * np.diff(part.u) for part in self.parts]
@@ -165,14 +184,15 @@ def course_of(
     """The course of a run, given as its first and last waypoint. q (M, n), cfx: axes and branches at all waypoints of
     the problem, those of a fly-by at its point. nodes: intervals of a leg, about. None where the arm cannot follow.
     """
-    return courses_of(axes, problem, [run], [q], cfx, nodes)[0]
+    return courses_of(axes, problem, [run], [q], cfx, [nodes])[0]
 
 
 def courses_of(
-    axes: Axes, problem: Problem, runs: Sequence[tuple[int, int]], q: Sequence[Array], cfx: Sequence[int], nodes: int
-) -> list[Course | None]:
+    axes: Axes, problem: Problem, runs: Sequence[tuple[int, int]], q: Sequence[Array], cfx: Sequence[int],
+    nodes: Sequence[int],
+) -> list[Course | None]:  # fmt: skip
     """The same of many runs, each between axes of its own; the same run may be there more than once."""
-    cuts = [_Cut(axes, problem, run, own, cfx, nodes).parts() for run, own in zip(runs, q, strict=True)]
+    cuts = [_Cut(axes, problem, run, own, cfx, N).parts() for run, own, N in zip(runs, q, nodes, strict=True)]
     found = iter(_courses(axes, problem, [(parts, own) for parts, own in zip(cuts, q, strict=True) if parts]))
     return [next(found) if parts else None for parts in cuts]
 
@@ -188,6 +208,8 @@ def finer(axes: Axes, problem: Problem, course: Course, wanted: BoolArray) -> Co
 
 def _courses(axes: Axes, problem: Problem, runs: Sequence[tuple[Sequence[Part], Array]]) -> list[Course | None]:
     """The courses of runs cut into parts, each with axes at all waypoints of its own."""
+    if not runs:
+        return []
     along = _along(axes, problem, runs)
     nodes = [sum(part.N + 1 for part in parts) for parts, _ in runs]
     edges = np.concatenate([[0], np.cumsum(nodes)])

@@ -7,12 +7,12 @@ densely; where a ratio to a limit exceeds one, the nodes around get that limit t
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from itertools import groupby
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, IndexArray
+from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.optimize.axes import Axes, Caps
 from trajopt_cli.optimize.draft import Margins
 from trajopt_cli.optimize.legs import LegMotion, PathLeg, Sample, sampled
@@ -51,6 +51,15 @@ class Ratios:
         """The largest of all."""
         return float(max(np.max(x) for x in (self.velocity, self.acceleration, self.position, self.tool, self.jerk)))
 
+    def at(self, intervals: IndexArray | BoolArray) -> Ratios:
+        """Those of some of the intervals."""
+        return Ratios(*(getattr(self, one.name)[intervals] for one in fields(self)))
+
+    def put(self, intervals: IndexArray, others: Ratios) -> None:
+        """Others in some of the intervals, in place."""
+        for one in fields(self):
+            getattr(self, one.name)[intervals] = getattr(others, one.name)
+
 
 def check_leg(axes: Axes, leg: Leg, motion: LegMotion) -> Ratios:
     """Sample every interval of a leg, both ends included from inside, and compare with the true limits."""
@@ -87,25 +96,29 @@ def _checked(
     edges = np.concatenate([[0], np.cumsum(counts)])
     sample = sampled(axes, motions, [t for t, _ in looks])
     number = np.repeat(np.arange(len(legs)), counts)
+    first = np.concatenate([edge + starts for edge, (_, starts) in zip(edges, looks, strict=False)])
+    found = ratios_of(axes, legs, number, sample, first)
+    intervals = np.cumsum([len(starts) for _, starts in looks])[:-1]
+    every = [np.split(getattr(found, one.name), intervals) for one in fields(Ratios)]
+    return [Ratios(*of_leg) for of_leg in zip(*every, strict=True)]
+
+
+def ratios_of(axes: Axes, legs: Sequence[Leg], number: IndexArray, sample: Sample, first: IndexArray) -> Ratios:
+    """Worst ratios in intervals of a sample of legs, to which numbers (m,) its places belong. first (N,): the place
+    with which each interval begins."""
     caps = axes.caps(legs).at(number)
     middle, half = (axes.upper + axes.lower) / 2, np.maximum((axes.upper - axes.lower) / 2, 1e-9)
-    first = np.concatenate([edge + starts for edge, (_, starts) in zip(edges, looks, strict=False)])
 
     def fold(x: Array) -> Array:
         return np.asarray(np.maximum.reduceat(np.where(np.isnan(x), UNREACHED, x), first))
 
-    ratios = [
-        fold(x)
-        for x in (
-            np.abs(sample.qd) / caps.velocity,
-            np.abs(sample.qdd) / caps.acceleration,
-            np.abs(sample.q - middle) / half,
-            tool_ratios(caps, tool_of(axes, [leg.X_FT for leg in legs], number, sample)),
-            _jerk_ratios(axes, sample, first),
-        )
-    ]
-    intervals = np.cumsum([len(starts) for _, starts in looks])[:-1]
-    return [Ratios(*of_leg) for of_leg in zip(*(np.split(x, intervals) for x in ratios), strict=True)]
+    return Ratios(
+        fold(np.abs(sample.qd) / caps.velocity),
+        fold(np.abs(sample.qdd) / caps.acceleration),
+        fold(np.abs(sample.q - middle) / half),
+        fold(tool_ratios(caps, tool_of(axes, [leg.X_FT for leg in legs], number, sample))),
+        fold(_jerk_ratios(axes, sample, first)),
+    )
 
 
 def _jerk_ratios(axes: Axes, sample: Sample, first: IndexArray) -> Array:

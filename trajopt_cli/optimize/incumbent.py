@@ -6,18 +6,20 @@ The axes of a leg share one progress, as a RAPID controller drives them; so the 
 from __future__ import annotations
 
 from collections.abc import Sequence, Set
+from contextlib import suppress
 from dataclasses import replace
+from hashlib import blake2b
 
 import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.course import course_of
+from trajopt_cli.optimize.course import courses_of
 from trajopt_cli.optimize.draft import Draft
-from trajopt_cli.optimize.exchange import check_leg
+from trajopt_cli.optimize.exchange import check_legs
 from trajopt_cli.optimize.leg_times import leg_name_at, short
 from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg
-from trajopt_cli.optimize.pace import Shares, Unresolved, clean, law_of
+from trajopt_cli.optimize.pace import Unresolved, fastest, least_times
 from trajopt_cli.optimize.profiles import hold, profiles
 from trajopt_cli.optimize.search import Chain
 from trajopt_cli.optimize.smooth import smooth
@@ -26,6 +28,7 @@ from trajopt_cli.problem.problem import Leg, LegKind, Problem
 
 _SAME = 1e-9  # m between rail positions that are one
 
+Run = tuple[int, int]  # its first waypoint and its last
 Runs = dict[bytes, tuple[dict[int, LegMotion], Sequence[Leg]]]  # motions of runs, by leg in the run; its legs
 
 
@@ -44,11 +47,17 @@ def timed(axes: Axes, problem: Problem, chain: Chain, known: Runs | None = None)
     legs: list[LegMotion | None] = [None] * len(problem.legs)
     cfx = tuple(label.cfx for label in chain.labels)
     known = {} if known is None else known
-    for first, last in problem.runs:
-        name = run_name(problem, (first, last), chain.q, cfx)
-        if name not in known:  # equal runs are driven alike
-            found = _fastest(axes, problem, (first, last), chain.q, cfx)
-            known[name] = {k - first: motion for k, motion in found.items()}, problem.legs[first:last]
+    names = [run_name(problem, run, chain.q, cfx) for run in problem.runs]
+    asked = {name: run for name, run in zip(names, problem.runs, strict=True) if name not in known}  # equal ones once
+    failures = {}
+    for (name, run), found in zip(asked.items(), _fastest(axes, problem, [*asked.values()], chain.q, cfx), strict=True):
+        if isinstance(found, NotDriven):
+            failures[name] = found
+        else:
+            known[name] = {k - run[0]: motion for k, motion in found.items()}, problem.legs[slice(*run)]
+    for name, (first, _) in zip(names, problem.runs, strict=True):
+        if name in failures:
+            raise failures[name]
         for k, motion in known[name][0].items():
             legs[first + k] = motion
     return Draft(chain.q, np.zeros_like(chain.q), cfx, tuple(legs))
@@ -58,34 +67,38 @@ def run_name(problem: Problem, run: tuple[int, int], q: Array, cfx: Sequence[int
     """Equal for runs that are driven alike, between axes q (M, n) on branches cfx at all waypoints."""
     first, last = run
     points = [problem.waypoints[k].fly_by for k in range(first, last + 1)]
-    name = repr((cfx[first : last + 1], points, problem.coupling.value)).encode() + q[first : last + 1].tobytes()
-    return b"|".join([name, *(leg_name_at(problem, k) for k in range(first, last))])
+    joint = any(leg.kind is LegKind.JOINT for leg in problem.legs[first:last])  # no other leg knows the coupling
+    name = repr((cfx[first : last + 1], points, problem.coupling.value if joint else ""))
+    parts = [name.encode(), q[first : last + 1].tobytes(), *(leg_name_at(problem, k) for k in range(first, last))]
+    return blake2b(b"|".join(parts), digest_size=16).digest()
 
 
-def _fastest(axes: Axes, problem: Problem, run: tuple[int, int], q: Array, cfx: Sequence[int]) -> dict[int, LegMotion]:
-    """The run's motions in one go or, where axes are free, in parts between stops if that is faster."""
-    parts = [run] if problem.coordinated else _stops(axes, problem, run, q, cfx)
-    if parts == [run]:
-        return _driven(axes, problem, run, q, cfx)
-    ways: list[dict[int, LegMotion]] = []
-    failure: NotDriven | None = None
-    for tried in (parts, [run]):
-        try:
-            found = [_driven(axes, problem, part, q, cfx) for part in tried]
-        except NotDriven as said:
-            failure = failure or said
-        else:
-            ways.append({k: motion for part in found for k, motion in part.items()})
-    if not ways:
-        assert failure is not None
-        raise failure
-    return min(ways, key=lambda way: sum(motion.T for motion in way.values()))
+def _fastest(
+    axes: Axes, problem: Problem, runs: Sequence[Run], q: Array, cfx: Sequence[int]
+) -> list[dict[int, LegMotion] | NotDriven]:
+    """Each run's motions in one go or, where axes are free, in parts between stops if that is faster; or why it is not
+    driven."""
+    cuts = _stops(axes, problem, runs, q, cfx)
+    asked = [*dict.fromkeys(part for run, parts in zip(runs, cuts, strict=True) for part in (run, *parts))]
+    driven = dict(zip(asked, _driven(axes, problem, asked, q, cfx), strict=True))
+    out: list[dict[int, LegMotion] | NotDriven] = []
+    for run, parts in zip(runs, cuts, strict=True):
+        ways: list[dict[int, LegMotion]] = []
+        failures: list[NotDriven] = []
+        for tried in [parts, [run]] if parts != [run] else [parts]:
+            found = [driven[part] for part in tried]
+            failed = [one for one in found if isinstance(one, NotDriven)]
+            failures += failed
+            if not failed:
+                ways.append({k: motion for one in found if isinstance(one, dict) for k, motion in one.items()})
+        out.append(min(ways, key=lambda way: sum(motion.T for motion in way.values())) if ways else failures[0])
+    return out
 
 
 def stopping(axes: Axes, problem: Problem, chain: Chain) -> Problem:
     """The problem with a stop at every fly-by where the timed chain stops."""
     cfx = tuple(label.cfx for label in chain.labels)
-    ends = {last for run in problem.runs for _, last in _stops(axes, problem, run, chain.q, cfx)}
+    ends = {last for parts in _stops(axes, problem, problem.runs, chain.q, cfx) for _, last in parts}
     return _with_stops(problem, ends)
 
 
@@ -106,81 +119,106 @@ def _with_stops(problem: Problem, at: Set[int]) -> Problem:
     return replace(problem, waypoints=tuple(points))
 
 
-def _stops(axes: Axes, problem: Problem, run: tuple[int, int], q: Array, cfx: Sequence[int]) -> list[tuple[int, int]]:
-    """The run in parts between stops, if stopping at a fly-by beside a joint move is faster: between stops its axes
-    need not keep to one progress."""
-    first, last = run
-    joint = [leg.kind is LegKind.JOINT for leg in problem.legs]
-    marks = [first, *(k for k in range(first + 1, last) if joint[k - 1] or joint[k]), last]
-    if len(marks) == 2:
-        return [run]
-    best: dict[int, tuple[float, list[tuple[int, int]]]] = {first: (0.0, [])}
-    for at, end in enumerate(marks[1:], start=1):
-        ways = []
-        for start in marks[max(0, at - MOST_MARKS) : at]:
+def _stops(axes: Axes, problem: Problem, runs: Sequence[Run], q: Array, cfx: Sequence[int]) -> list[list[Run]]:
+    """Each run in parts between stops, if stopping at a fly-by beside a joint move is faster: between stops axes that
+    are free need not keep to one progress."""
+    marks = []
+    for first, last in runs:
+        joint = [problem.legs[k].kind is LegKind.JOINT and not problem.coordinated for k in range(first, last)]
+        marks.append([first, *(first + k for k in range(1, last - first) if joint[k - 1] or joint[k]), last])
+    ways = [
+        [(start, end) for at, end in enumerate(own) for start in own[max(0, at - MOST_MARKS) : at]]
+        if len(own) > 2
+        else []
+        for own in marks
+    ]
+    asked = [*dict.fromkeys(way for own in ways for way in own)]
+    times = dict(zip(asked, about(axes, problem, asked, [q] * len(asked), cfx), strict=True))
+    out = []
+    for run, own in zip(runs, ways, strict=True):
+        best: dict[int, tuple[float, list[Run]]] = {run[0]: (0.0, [])}
+        for start, end in own:
             T, parts = best[start]
-            if np.isfinite(T):
-                ways.append((T + about(axes, problem, (start, end), q, cfx), [*parts, (start, end)]))
-        best[end] = min(ways, default=(np.inf, []))
-    T, parts = best[last]
-    return parts if np.isfinite(T) else [run]
+            best[end] = min(best.get(end, (np.inf, [])), (T + times[start, end], [*parts, (start, end)]))
+        T, parts = best.get(run[1], (np.inf, []))
+        out.append(parts if np.isfinite(T) else [run])
+    return out
 
 
-def about(axes: Axes, problem: Problem, run: tuple[int, int], q: Array, cfx: Sequence[int]) -> float:
-    """How long a run takes between stops, on a few nodes; infinite where it cannot be driven."""
-    first, last = run
-    if last == first + 1:
-        simple = _simple(axes, problem, problem.legs[first], q[first], q[last])
-        if simple is not None:
-            return simple.T
-    course = course_of(axes, problem, run, q, cfx, PAIR_NODES)
-    law = None if course is None else law_of(axes, problem, course, Shares.full(len(course.part)))
-    return np.inf if law is None else law.duration
-
-
-def _driven(axes: Axes, problem: Problem, run: tuple[int, int], q: Array, cfx: Sequence[int]) -> dict[int, LegMotion]:
-    first, last = run
-    leg = problem.legs[first]
-    alone = last == first + 1
-    motion: PathLeg | JointNodes | JointProfiles | None = None
-    if alone:
-        motion = _simple(axes, problem, leg, q[first], q[last])
-    if motion is None and axes.jerk is not None:
-        motion = smooth(axes, problem, first, q, cfx)
+def about(axes: Axes, problem: Problem, runs: Sequence[Run], q: Sequence[Array], cfx: Sequence[int]) -> Array:
+    """How long runs (m,) take between stops, each between axes of its own, on a few nodes; infinite where they cannot
+    be driven."""
+    T = np.full(len(runs), np.inf)
+    left = []
+    for i, motion in enumerate(_simple(axes, problem, runs, q)):
         if motion is None:
-            raise NotDriven(run)
-    if motion is None:
-        course = course_of(axes, problem, run, q, cfx, ALONE_NODES if alone else RUN_NODES)
-        try:
-            found = None if course is None else clean(axes, problem, course)
-        except Unresolved as singular:
-            raise NotDriven(run, singular=singular) from singular
-        if found is None:
-            raise NotDriven(run)
-        if not alone:
-            return dict(found)
-        (motion,) = found[first].pieces  # one leg between stops is one piece
-    if leg.duration is not None and leg.duration * (1 + 1e-9) < motion.T:
-        raise NotDriven(run, motion.T)
-    if leg.duration is not None and not isinstance(motion, JointProfiles):
-        motion = replace(motion, T=leg.duration)
-    return {first: motion}
+            left.append(i)
+        else:
+            T[i] = motion.T
+    courses = courses_of(axes, problem, [runs[i] for i in left], [q[i] for i in left], cfx, [PAIR_NODES] * len(left))
+    can = [(i, course) for i, course in zip(left, courses, strict=True) if course is not None]
+    T[[i for i, _ in can]] = least_times(axes, problem, [course for _, course in can])
+    return T
 
 
-def _simple(axes: Axes, problem: Problem, leg: Leg, q_0: Array, q_1: Array) -> JointProfiles | None:
-    """The motion of a leg between stops that needs no TOPP: resting, or joint profiles that pass no cap of the tool."""
-    if leg.kind is LegKind.DWELL and np.abs(q_1 - q_0).max() < _SAME:
-        return hold(leg.duration or 0.0, q_0)
-    if leg.kind is not LegKind.JOINT or axes.jerk is not None:
-        return None
-    still = np.zeros_like(q_0)
-    V, A = axes.velocity_on(leg), axes.acceleration_on(leg)
-    try:
-        motion = profiles(q_0, still, q_1, still, V, A, leg.duration or 0.0, problem.coordinated)
-    except ValueError:  # an axis whose switches a file could not tell apart
-        return None
-    ratios = check_leg(axes, leg, motion)
-    return motion if max(ratios.tool.max(), ratios.position.max()) <= 1 + OVER else None
+def _driven(
+    axes: Axes, problem: Problem, runs: Sequence[Run], q: Array, cfx: Sequence[int]
+) -> list[dict[int, LegMotion] | NotDriven]:
+    """The motions of each run in one go, or why there are none."""
+    out: dict[Run, dict[int, LegMotion] | NotDriven] = {}
+    motions: dict[Run, PathLeg | JointNodes | JointProfiles | None] = {}  # of legs between two stops
+    left = []
+    for run, simple in zip(runs, _simple(axes, problem, runs, [q] * len(runs)), strict=True):
+        if simple is not None:
+            motions[run] = simple
+        elif axes.jerk is not None:
+            motions[run] = smooth(axes, problem, run[0], q, cfx)
+        else:
+            left.append(run)
+    nodes = [ALONE_NODES if last == first + 1 else RUN_NODES for first, last in left]
+    courses = dict(zip(left, courses_of(axes, problem, left, [q] * len(left), cfx, nodes), strict=True))
+    can = {run: course for run, course in courses.items() if course is not None}
+    found = dict(zip(can, fastest(axes, problem, [*can.values()]), strict=True))
+    for run in left:
+        pieces = found.get(run)
+        if isinstance(pieces, Unresolved):
+            out[run] = NotDriven(run, singular=pieces)
+        elif pieces is None:
+            out[run] = NotDriven(run)
+        elif run[1] > run[0] + 1:
+            out[run] = dict(pieces)
+        else:
+            (motions[run],) = pieces[run[0]].pieces  # one leg between stops is one piece
+    for run, motion in motions.items():
+        T = problem.legs[run[0]].duration
+        if motion is None or (T is not None and T * (1 + 1e-9) < motion.T):
+            out[run] = NotDriven(run, None if motion is None else motion.T)
+        elif T is None or isinstance(motion, JointProfiles):
+            out[run] = {run[0]: motion}
+        else:
+            out[run] = {run[0]: replace(motion, T=T)}
+    return [out[run] for run in runs]
+
+
+def _simple(axes: Axes, problem: Problem, runs: Sequence[Run], q: Sequence[Array]) -> list[JointProfiles | None]:
+    """The motions of runs that need no TOPP: one leg between stops, resting, or with joint profiles that pass no cap of
+    the tool; None of others."""
+    out: list[JointProfiles | None] = [None] * len(runs)
+    tried: dict[int, JointProfiles] = {}
+    for i, ((first, last), own) in enumerate(zip(runs, q, strict=True)):
+        leg, q_0, q_1 = problem.legs[first], own[first], own[first + 1]
+        if last == first + 1 and leg.kind is LegKind.DWELL and np.abs(q_1 - q_0).max() < _SAME:
+            out[i] = hold(leg.duration or 0.0, q_0)
+        if last > first + 1 or leg.kind is not LegKind.JOINT or axes.jerk is not None:
+            continue
+        still, limits = np.zeros_like(q_0), (axes.velocity_on(leg), axes.acceleration_on(leg))
+        with suppress(ValueError):  # an axis whose switches a file could not tell apart
+            tried[i] = profiles(q_0, still, q_1, still, *limits, leg.duration or 0.0, problem.coordinated)
+    checked = check_legs(axes, [problem.legs[runs[i][0]] for i in tried], [*tried.values()])
+    for (i, motion), ratios in zip(tried.items(), checked, strict=True):
+        if max(ratios.tool.max(), ratios.position.max()) <= 1 + OVER:
+            out[i] = motion
+    return out
 
 
 def duration(draft: Draft) -> float:

@@ -6,7 +6,7 @@ time without loss, and splitting an interval changes nothing.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import groupby
@@ -141,16 +141,32 @@ class PathLeg:
 
 def _on_ways(axes: Axes, legs: Sequence[PathLeg], times: Sequence[Array], right: bool) -> Sample:
     """Many such motions with one tool, each at times (m,) of its own, one after the other."""
-    counts, X_TF, X_FT = [len(t) for t in times], inverse_pose(legs[0].X_FT), legs[0].X_FT
-    at, rates, changes = np.concatenate([leg.progress(t, right) for leg, t in zip(legs, times, strict=True)], axis=1)
-    edges, cfx = np.cumsum(counts)[:-1], np.repeat([leg.cfx for leg in legs], counts)
-    starts = np.concatenate([[0], edges])
+    counts = [len(t) for t in times]
+    starts = np.concatenate([[0], np.cumsum(counts)[:-1]])
     references = np.array([leg.reference for leg in legs])
+    progress = np.concatenate([leg.progress(t, right) for leg, t in zip(legs, times, strict=True)], axis=1)
+    cfx = np.repeat([leg.cfx for leg in legs], counts)
+    segments = [leg.segment for leg in legs]
+    return on_ways(
+        axes, legs[0].X_FT, segments, counts, cfx, np.concatenate(times), progress,
+        lambda arm: unwound(arm, starts, references),
+    )  # fmt: skip
+
+
+def on_ways(
+    axes: Axes, X_FT: Array, segments: Sequence[Segment], counts: Sequence[int], cfx: IndexArray, t: Array,
+    progress: Array, turned: Callable[[Array], Array],
+) -> Sample:  # fmt: skip
+    """Along segments of a tool at counts of places each, one after the other, on branches cfx (m,). progress (3, m,
+    1 + r): share of the segment and rail, their rates and second derivatives by time. turned: puts joints (m, joints)
+    in whatever turn into the one meant."""
+    edges, X_TF = np.cumsum(counts)[:-1], inverse_pose(X_FT)
+    at, rates, changes = progress
     s, d, sv, dv, sa, da = at[:, 0], at[:, 1:], rates[:, 0], rates[:, 1:], changes[:, 0], changes[:, 1:]
 
     def placed(s: Array, d: Array) -> tuple[Array, Array, Array]:
         """Arm joints (m, joints) in whatever turn, twist and its rate by s (m, 6)."""
-        X, twist, bend = along_all([leg.segment for leg in legs], np.split(s, edges))
+        X, twist, bend = along_all(segments, np.split(s, edges))
         return axes.inverse(X @ X_TF, axes.layout.value(d))[np.arange(len(s)), cfx], twist, bend
 
     arm, twist, bend = placed(s, d)
@@ -160,7 +176,7 @@ def _on_ways(axes: Axes, legs: Sequence[PathLeg], times: Sequence[Array], right:
         along = _ratio(dv, da, sv, sa)
         s, d = s - back[:, 0], d - back * along
         arm, twist, bend = placed(s, d)
-    q = axes.layout.merge(d, unwound(arm, starts, references))
+    q = axes.layout.merge(d, turned(arm))
     J = axes.jacobian(q, X_FT)
     Jr, Ja = J[:, :, axes.layout.rail], J[:, :, axes.layout.arm]
 
@@ -174,7 +190,7 @@ def _on_ways(axes: Axes, legs: Sequence[PathLeg], times: Sequence[Array], right:
     qdd = axes.layout.merge(da, arm_follows(tool[:, 1] - carried, da))
     if numb.any():
         q = q + np.where(numb[:, None], back * axes.layout.merge(along, arm_follows(twist, along)), 0.0)
-    return Sample(np.concatenate(times), q, qd, qdd, tool)
+    return Sample(t, q, qd, qdd, tool)
 
 
 def _ratio(dv: Array, da: Array, sv: Array, sa: Array) -> Array:

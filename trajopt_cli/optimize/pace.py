@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import groupby
 
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray
 from trajopt_cli.optimize.axes import Axes, Caps
-from trajopt_cli.optimize.course import Along, Course, Part, finer
-from trajopt_cli.optimize.exchange import Ratios, check_legs
+from trajopt_cli.optimize.course import Along, Course, Part, finer, together
+from trajopt_cli.optimize.exchange import Ratios
 from trajopt_cli.optimize.legs import JointNodes, PathLeg, Pieces
+from trajopt_cli.optimize.looks import looked_at
 from trajopt_cli.optimize.tuning import (
     BEYOND,
     LEAST_FELT,
     LED,
     LOST,
+    NODES_AT_ONCE,
     PACE_ROUNDS,
     RESOLVED,
     SAFE,
@@ -57,12 +60,12 @@ class Shares:
         """All but a hair."""
         return cls(*(np.full(N, START) for _ in range(4)))
 
-    def tighten(self, at: slice, used: Shares, speed: Array, acceleration: Array, tool: Array) -> bool:
-        """Less for the intervals of a leg whose worst ratios (m,), (m, 3) exceed what is safe; True when any did.
+    def tighten(self, used: Shares, speed: Array, acceleration: Array, tool: Array) -> BoolArray:
+        """Less for the intervals whose worst ratios (N,), (N,), (N, 3) exceed what is safe: which.
 
         used: what the law uses at the nodes, which is tightened, for what it leaves it would not miss.
         """
-        changed = False
+        changed = np.zeros(len(speed), dtype=bool)
         for share, use, ratio in (
             (self.speed, used.speed, speed),
             (self.acceleration, used.acceleration, acceleration),
@@ -70,10 +73,14 @@ class Shares:
             (self.tool_acceleration, used.tool_acceleration, tool[:, 1]),
         ):
             over = ratio > SAFE
-            felt = np.clip(use[at], share[at] * LEAST_FELT, share[at])
-            share[at][over] = felt[over] * (SAFE - BEYOND) / ratio[over]
-            changed |= bool(over.any())
+            felt = np.clip(use, share * LEAST_FELT, share)
+            share[over] = felt[over] * (SAFE - BEYOND) / ratio[over]
+            changed |= over
         return changed
+
+    def at(self, intervals: BoolArray) -> Shares:
+        """Those of some of the intervals."""
+        return Shares(*(x[intervals] for x in (self.speed, self.tool_speed, self.acceleration, self.tool_acceleration)))
 
 
 def top_rate(caps: Caps, along: Along) -> tuple[Array, Array]:
@@ -100,8 +107,8 @@ def columns(caps: Caps, along: Along) -> tuple[Array, Array]:
 
 def limits(axes: Axes, problem: Problem, course: Course) -> tuple[Array, Array, Array]:
     """top_rate and columns at all nodes of a course: (rows, 2), (rows, c), (rows, c)."""
-    legs = np.repeat([part.leg for part in course.parts], course.counts + 1)
-    caps = axes.caps(problem.legs[: legs[-1] + 1]).at(legs)
+    legs, of = np.unique([part.leg for part in course.parts], return_inverse=True)
+    caps = axes.caps([problem.legs[k] for k in legs]).at(np.repeat(of, course.counts + 1))
     return np.column_stack(top_rate(caps, course.along)), *columns(caps, course.along)
 
 
@@ -134,57 +141,138 @@ def in_force(
     top = np.full(N + 1, np.inf)
     top[:-1] = np.min(tops[a] * allowed, axis=1)
     top[1:] = np.minimum(top[1:], np.min(tops[b] * allowed, axis=1))
+    top[[*course.rests]] = 0.0
     begins, ends = ((slopes[i] / give, bends[i] / give) for i in (a, b))
     return top, begins, ends
 
 
 def law_of(axes: Axes, problem: Problem, course: Course, shares: Shares) -> TimeLaw | None:
     """The fastest law of a run's course, from rest to rest; None where there is none."""
-    top, *rows = in_force(axes, problem, course, shares)
-    begins, ends = ((slopes[None], bends[None]) for slopes, bends in rows)
-    return fastest_laws(course.sigma[None], top[None], begins, ends, 0.0, 0.0).law(0)
+    law = _fastest(axes, problem, course, shares)
+    return law if _moves(law, slice(0, len(course.part))) else None
 
 
 Pace = Callable[[Axes, Problem, Course, Shares], TimeLaw | None]
+Driven = dict[int, Pieces] | Unresolved | None
 
 
 def clean(axes: Axes, problem: Problem, course: Course, pace: Pace = law_of) -> dict[int, Pieces] | None:
-    """The motions of a run's legs, fastest on its course (or as another pace wants) and within every limit wherever it
-    is looked at; None where the course itself leaves the axes' ranges, or no law is found. Raises Unresolved."""
-    resolved = _resolved(axes, problem, course)
-    if resolved is None:
-        return None
-    course, shares = resolved, Shares.full(len(resolved.part))
-    checked: dict[int, Ratios] = {}
-    before: Array | None = None
+    """The motions of a run's legs, fastest on its course or as another pace wants, within every limit wherever it is
+    looked at; None where the course itself leaves the axes' ranges, or no law is found. Raises Unresolved."""
+    (found,) = _clean(axes, problem, [course], pace)
+    if isinstance(found, Unresolved):
+        raise found
+    return found
+
+
+def fastest(axes: Axes, problem: Problem, courses: Sequence[Course]) -> list[Driven]:
+    """The same of many runs, each as fast as its limits allow; Unresolved where it passes a singularity."""
+    sizes = np.cumsum([len(course.part) for course in courses])
+    out: list[Driven] = []
+    for _, group in groupby(range(len(courses)), key=lambda i: int(sizes[i]) // NODES_AT_ONCE):
+        out += _clean(axes, problem, [courses[i] for i in group], _fastest)
+    return out
+
+
+def least_times(axes: Axes, problem: Problem, courses: Sequence[Course]) -> Array:
+    """What courses (m,) take from rest to rest, unchecked between their nodes; infinite where there is no law."""
+    T = np.full(len(courses), np.inf)
+    sizes = np.cumsum([len(course.part) for course in courses])
+    for _, group in groupby(range(len(courses)), key=lambda i: int(sizes[i]) // NODES_AT_ONCE):
+        numbers = [*group]
+        every = together([courses[i] for i in numbers])
+        law = _fastest(axes, problem, every, Shares.full(len(every.part)))
+        with np.errstate(divide="ignore"):
+            steps = 2 * np.diff(every.sigma) / (law.rates[1:] + law.rates[:-1])
+        T[numbers] = np.add.reduceat(steps, [0, *every.rests])
+    return T
+
+
+def _fastest(axes: Axes, problem: Problem, course: Course, shares: Shares) -> TimeLaw:
+    """The fastest law of courses one after the other; it stands still on those that have none."""
+    top, *rows = in_force(axes, problem, course, shares)
+    begins, ends = ((slopes[None], bends[None]) for slopes, bends in rows)
+    return TimeLaw(course.sigma, fastest_laws(course.sigma[None], top[None], begins, ends, 0.0, 0.0).rates[0])
+
+
+def _clean(axes: Axes, problem: Problem, courses: Sequence[Course], pace: Pace) -> list[Driven]:
+    """Courses one after the other; of several the pace must bear that."""
+    out: list[Driven] = [None] * len(courses)
+    left: dict[int, Course] = {}
+    for i, course in enumerate(_resolved_all(axes, problem, courses)):
+        if isinstance(course, Course):
+            left[i] = course
+        else:
+            out[i] = course
+    if not left:
+        return out
+    every = together([*left.values()])
+    shares, seen, before = Shares.full(len(every.part)), _nothing(axes, len(every.part)), None
     for _ in range(PACE_ROUNDS):
-        law = pace(axes, problem, course, shares)
+        law = pace(axes, problem, every, shares)
         if law is None:
-            return None
-        legs = motions(axes, problem, course, law)
-        spans = {k: slice(*np.searchsorted(course.leg, (k, k + 1))) for k in legs}
+            break
+        edges = np.concatenate([[0], np.cumsum([len(course.part) for course in left.values()])]).tolist()
+        spans = dict(zip(left, map(slice, edges[:-1], edges[1:]), strict=True))
+        lost = {i for i, at in spans.items() if not _moves(law, at)}
+        stay = np.ones(len(every.part), dtype=bool)
+        for i in lost:
+            stay[spans[i]] = False
         # what a round tightens is felt nearby only: a leg driven as before is what it was
-        new = [
-            k
-            for k, at in spans.items()
-            if before is None or not np.array_equal(law.rates[at.start : at.stop + 1], before[at.start : at.stop + 1])
-        ]
-        found = check_legs(axes, [problem.legs[k] for k in new], [legs[k] for k in new])
-        checked |= dict(zip(new, found, strict=True))
-        changed, used, before = False, used_by(axes, problem, course, law), law.rates
-        for k, ratios in checked.items():
-            if ratios.position.max() > _RANGE:
-                return None
-            changed |= shares.tighten(
-                spans[k],
-                used,
-                ratios.velocity.max(axis=1),
-                ratios.acceleration.max(axis=1),
-                ratios.tool,
-            )
-        if not changed:
-            return legs
-    return None
+        new = np.flatnonzero(stay & _driven_anew(every, law, before))
+        if len(new):
+            seen.put(new, looked_at(axes, problem, every, law, new))
+        worst = seen.velocity.max(axis=1), seen.acceleration.max(axis=1), seen.tool
+        over = shares.tighten(used_by(axes, problem, every, law), *worst)
+        for i, at in spans.items():
+            outside = i in lost or seen.position[at].max() > _RANGE
+            if outside or not over[at].any():
+                own = law if len(spans) == 1 else TimeLaw(left[i].sigma, law.rates[at.start : at.stop + 1])
+                out[i] = None if outside else motions(axes, problem, left[i], own)
+                stay[at] = False
+                del left[i]
+        if not left:
+            break
+        before = law.rates
+        if not stay.all():
+            every, shares, seen = together([*left.values()]), shares.at(stay), seen.at(stay)
+            before = np.append(law.rates[:-1][stay], 0.0)
+    return out
+
+
+def _nothing(axes: Axes, N: int) -> Ratios:
+    """Of intervals that were not looked at."""
+    return Ratios(*(np.zeros((N, k)) for k in (axes.n, axes.n, axes.n, 3, axes.n)))
+
+
+def _moves(law: TimeLaw, at: slice) -> bool:
+    """Whether the intervals of a run take a time: a law that has none stands still."""
+    rates = law.rates[at.start : at.stop + 1]
+    return bool(np.all(rates[1:] + rates[:-1] > 0))
+
+
+def _driven_anew(course: Course, law: TimeLaw, before: Array | None) -> BoolArray:
+    """The intervals (N,) of legs that were driven otherwise before."""
+    if before is None:
+        return np.ones(len(course.part), dtype=bool)
+    other = law.rates != before
+    starts = np.flatnonzero(np.diff(course.leg, prepend=-1))
+    legs = np.logical_or.reduceat(other[:-1] | other[1:], starts)
+    return np.repeat(legs, np.diff(starts, append=len(course.leg)))
+
+
+def _resolved_all(axes: Axes, problem: Problem, courses: Sequence[Course]) -> list[Course | Unresolved | None]:
+    """As _resolved, of many runs."""
+    every = together(courses)
+    wanted, _ = _steep(axes, problem, every)
+    edges = np.cumsum([len(course.part) for course in courses])[:-1]
+    out: list[Course | Unresolved | None] = []
+    for course, at in zip(courses, np.split(wanted, edges), strict=True):
+        try:
+            out.append(_resolved(axes, problem, course) if at.any() else course)
+        except Unresolved as singular:
+            out.append(singular)
+    return out
 
 
 def _resolved(axes: Axes, problem: Problem, course: Course) -> Course | None:

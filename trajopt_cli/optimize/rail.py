@@ -183,7 +183,7 @@ def polished(axes: Axes, problem: Problem, chain: Chain) -> Chain:
     def times(at: Sequence[int], q: Array) -> dict[tuple[int, int], float]:
         """Of all runs that points are in."""
         touched = [run for run in problem.runs if any(run[0] <= k <= run[1] for k in at)]
-        return {run: about(axes, problem, run, q, cfx) for run in touched}
+        return dict(zip(touched, about(axes, problem, touched, [q] * len(touched), cfx), strict=True))
 
     def open_(k: int) -> bool:
         point = problem.waypoints[k]

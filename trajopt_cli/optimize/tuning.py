@@ -85,6 +85,8 @@ LOOK = 1e-3  # s between two looks at a motion at most. Not measured.
 NEAR_LOOK = 2e-4  # s between two looks in a short interval, which has fewer than DENSE then. Not measured.
 BRIEF = 12  # looks at an interval at least. Measured: on 1,000 points of z1 at v100, 8, 12, 20 and 40 gave one and the
 # same motion.
+NODES_AT_ONCE = 20_000  # of the courses driven at once: 50 MB. Not measured.
+COURSE_LOOKS = 12  # looks at an interval of a course besides both ends. Not measured.
 CHECKED = 50_000  # looks of the legs checked at once: 50 MB. Not measured.
 SAMPLED = 2048  # places whose kinematics are asked for at once. Measured: 512 to 8192 take the same time within 15 %.
 MOST_LOOKS = 1000  # within one interval. Not measured.
