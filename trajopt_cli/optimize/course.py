@@ -19,7 +19,17 @@ import numpy as np
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.legs import unwound
-from trajopt_cli.optimize.tuning import CORNER_PART, END_CURVE, SHRINK, SHRINKS, SPHERE, SPHERE_SAMPLES, ZONE_SAMPLES
+from trajopt_cli.optimize.tuning import (
+    CORNER_PART,
+    END_CURVE,
+    LONG_LINE,
+    LONG_TURN,
+    SHRINK,
+    SHRINKS,
+    SPHERE,
+    SPHERE_SAMPLES,
+    ZONE_SAMPLES,
+)
 from trajopt_cli.path.along import along_all
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.carried import Carried
@@ -296,6 +306,7 @@ class _Cut:
     def _leg(self, k: int, start: _Bend | None, end: _Bend | None, measure: float) -> Iterator[Part]:
         """The parts of leg k between the middles of its corners."""
         t_0, t_1 = (start.after if start else 0.0), 1 - (end.before if end else 0.0)
+        nodes = self._nodes * (self._part_of_long(k) if start and end else 1.0)
         cuts = {0.0, t_0, t_1, 1.0}
         if start:
             cuts |= {start.rail_after, *(start.after * (2 * s - 1) for s in start.corner.breaks if s > 0.5)}
@@ -310,7 +321,7 @@ class _Cut:
             elif end and middle > t_1:
                 segment, own = end.corner, ((a - t_1) / (1 - t_1) / 2, (b - t_1) / (1 - t_1) / 2)
             corner = segment is not self._ways[k]
-            N = CORNER_PART if corner else max(2, round(self._nodes * (b - a)))
+            N = CORNER_PART if corner else max(2, round(nodes * (b - a)))
             joints = isinstance(segment, JointMove | JointCorner)
             rail = None if joints else self._rail(k, start, end, a, b)
             u = spaced(N) if b - a == 1.0 else np.linspace(0.0, 1.0, N + 1)
@@ -323,6 +334,11 @@ class _Cut:
                 rail,
                 -1 if joints else self._branch(k),
             )
+
+    def _part_of_long(self, k: int) -> float:
+        """What part of a line or an arc that has all its nodes a shorter one is; 1 of other legs."""
+        leg = self._problem.legs[k]
+        return min(1.0, max(leg.chord / LONG_LINE, leg.angle / LONG_TURN)) if leg.kind is LegKind.LINE else 1.0
 
     def _branch(self, k: int) -> int:
         return self._cfx[k] if self._cfx[k] >= 0 else self._cfx[k + 1]

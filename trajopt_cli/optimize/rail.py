@@ -8,7 +8,7 @@ alone does not say how fast it is passed, they are shifted with whole runs timed
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import groupby, pairwise
 
 import numpy as np
@@ -171,47 +171,74 @@ def _through(axes: Axes, problem: Problem, chain: Chain, marks: IndexArray, q: A
 
 
 def polished(axes: Axes, problem: Problem, chain: Chain) -> Chain:
-    """The chain with the rail shifted at the points of runs with corners, one after the other and all of a run, until
-    nothing is gained: there a leg alone does not say how fast it is passed."""
-    runs = [run for run in problem.runs if run[1] > run[0] + 1]
+    """The chain with the rail shifted at the points of runs with corners, each and all of a run, until nothing is
+    gained: there a leg alone does not say how fast it is passed. Points that are carried along are not shifted."""
+    if not axes.layout.has_rail or problem.freedom.rail is RailFreedom.STATION:
+        return chain
     tied = {k for group in problem.ties for k in group}
     cfx = tuple(label.cfx for label in chain.labels)
-    q = chain.q.copy()
-
-    known: dict[tuple[int, int], float] = {}
-
-    def times(at: Sequence[int], q: Array) -> dict[tuple[int, int], float]:
-        """Of all runs that points are in."""
-        touched = [run for run in problem.runs if any(run[0] <= k <= run[1] for k in at)]
-        return dict(zip(touched, about(axes, problem, touched, [q] * len(touched), cfx), strict=True))
+    q, left = chain.q, POLISH
 
     def open_(k: int) -> bool:
         point = problem.waypoints[k]
-        held = any(not problem.legs[i].rail_moves for i in (k - 1, k) if 0 <= i < len(problem.legs))
+        beside = [i for i in (k - 1, k) if 0 <= i < len(problem.legs)]
+        held = any(not problem.legs[i].rail_moves for i in beside) or all(short(problem, i) for i in beside)
         return point.q is None and point.rail[0] < point.rail[1] and k not in tied and not held
 
-    left = POLISH
-    for first, last in runs if axes.layout.has_rail and problem.freedom.rail is not RailFreedom.STATION else ():
-        points = [k for k in range(first, last + 1) if open_(k)]
+    for i, (first, last) in enumerate(problem.runs):
+        points = [k for k in range(first, last + 1) if open_(k)] if last > first + 1 else []
         if not points or 10 * (last - first) > left:
             continue
-        known |= times(points, q)
+        near = problem.runs[max(i - 1, 0) : i + 2]  # and those that end where it begins, or begin where it ends
         groups = [[k] for k in points] if len(points) < 2 else [points, *([k] for k in points)]
+        shifts = _Shifts(axes, problem, cfx, near)
+        (known,) = shifts.times([q])
         step = POLISH_STEP
         while step >= POLISH_LAST and left > 0:
-            gained = False
-            for group in groups:
-                for way in (step, -step):
-                    left -= last - first
-                    moved = _moved(axes, problem, q, cfx, group, way)
-                    found = {} if moved is None or left < 0 else times(group, moved)
-                    if moved is not None and sum(found.values()) < sum(known[run] for run in found) - LEAST_POLISH:
-                        q, gained = moved, True
-                        known |= found
-                        break
-            if not gained:
+            tries = [(group, way) for group in groups for way in (step, -step)]
+            left -= len(tries) * (last - first)
+            gained = shifts.best(q, known, tries)
+            if gained is None:
                 step /= 3
+            else:
+                q, known = gained
     return replace(chain, q=q)
+
+
+@dataclass(frozen=True, eq=False)
+class _Shifts:
+    """Shifts of the rail at some points that runs beside each other are timed with."""
+
+    axes: Axes
+    problem: Problem
+    cfx: tuple[int, ...]
+    runs: Sequence[tuple[int, int]]
+
+    def times(self, q: Sequence[Array]) -> Array:
+        """How long the runs take together with each of some axes (M, n) at all waypoints."""
+        runs, every = [*self.runs] * len(q), [one for one in q for _ in self.runs]
+        return about(self.axes, self.problem, runs, every, self.cfx).reshape(len(q), -1).sum(axis=1)
+
+    def best(self, q: Array, known: float, tries: Sequence[tuple[Sequence[int], float]]) -> tuple[Array, float] | None:
+        """Axes with the shift of a group of points that gains most, or with what gains besides, if that is better
+        still, and what the runs take then; None where none gains."""
+        moved = [_moved(self.axes, self.problem, q, self.cfx, group, way) for group, way in tries]
+        can = [i for i, one in enumerate(moved) if one is not None]
+        found = dict(zip(can, self.times([one for one in moved if one is not None]), strict=True))
+        order = sorted((float(T), i) for i, T in found.items() if known - LEAST_POLISH > T)
+        if not order:
+            return None
+        together, taken = q.copy(), set[int]()
+        for _, i in order:
+            group, shifted = [*tries[i][0]], moved[i]
+            if shifted is not None and taken.isdisjoint(group):
+                together[group] = shifted[group]
+                taken |= {*group}
+        T, i = order[0]
+        best = moved[i]
+        assert best is not None
+        (all_,) = self.times([together])
+        return (together, float(all_)) if all_ < T else (best, T)
 
 
 def _moved(axes: Axes, problem: Problem, q: Array, cfx: Sequence[int], at: Sequence[int], way: float) -> Array | None:
