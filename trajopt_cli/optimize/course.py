@@ -8,7 +8,7 @@ corner beside it asks for. Second derivatives jump between parts.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
@@ -105,7 +105,7 @@ class Along:
     w: Array
     bend: Array
 
-    def at(self, rows: slice) -> Along:
+    def at(self, rows: slice | IndexArray) -> Along:
         """Some of the places."""
         return Along(*(getattr(self, name)[rows] for name in _FIELDS))
 
@@ -202,7 +202,8 @@ def courses_of(
     nodes: Sequence[int],
 ) -> list[Course | None]:  # fmt: skip
     """The same of many runs, each between axes of its own; the same run may be there more than once."""
-    cuts = [_Cut(axes, problem, run, own, cfx, N).parts() for run, own, N in zip(runs, q, nodes, strict=True)]
+    known: Known = {}
+    cuts = [_Cut(axes, problem, run, own, cfx, N, known).parts() for run, own, N in zip(runs, q, nodes, strict=True)]
     found = iter(_courses(axes, problem, [(parts, own) for parts, own in zip(cuts, q, strict=True) if parts]))
     return [next(found) if parts else None for parts in cuts]
 
@@ -261,11 +262,17 @@ class _Bend:
     rail_after: float = 0.0
 
 
-class _Cut:
-    """A run cut into parts."""
+Known = dict[tuple[int, bytes], Any]  # corners and joint moves by their number and the axes beside them
 
-    def __init__(self, axes: Axes, problem: Problem, run: tuple[int, int], q: Array, cfx: Sequence[int], nodes: int):
-        self._axes, self._problem, self._q, self._cfx, self._nodes = axes, problem, q, cfx, nodes
+
+class _Cut:
+    """A run cut into parts. known: of other runs; what is made here is added."""
+
+    def __init__(
+        self, axes: Axes, problem: Problem, run: tuple[int, int], q: Array, cfx: Sequence[int], nodes: int,
+        known: Known,
+    ):  # fmt: skip
+        self._axes, self._problem, self._q, self._cfx, self._nodes, self._known = axes, problem, q, cfx, nodes, known
         self._first, self._last = run
         self._ways = {k: self._way(k) for k in range(*run)}
 
@@ -290,11 +297,18 @@ class _Cut:
         """A leg's segment; of a wait the line of no length."""
         leg = self._problem.legs[k]
         if leg.kind is LegKind.JOINT:
-            return JointMove(self._q[k], self._q[k + 1])
+            return self._once(k, self._q[k : k + 2], lambda: JointMove(self._q[k], self._q[k + 1]))
         if leg.segment is not None:
             return leg.segment
         X_WT = self._problem.waypoints[k].X_WF @ leg.X_FT
         return Line(X_WT, X_WT)
+
+    def _once(self, k: int, q: Array, make: Callable[[], Any]) -> Any:
+        """What is made of a leg or a waypoint and axes q beside it, the same for all runs that have them alike."""
+        name = k, q.tobytes()
+        if name not in self._known:
+            self._known[name] = make()
+        return self._known[name]
 
     def _measure(self, k: int) -> float:
         """How much sigma the run's first leg is: metres of the tool's way, radians of a turn in place, 1 for what is
@@ -373,8 +387,9 @@ class _Cut:
         assert zone is not None
         before, after = self._ways[k - 1], self._ways[k]
         if not (isinstance(before, Line | Arc) and isinstance(after, Line | Arc)):
-            return self._joint_bend(k, zone.radius)
-        corner = Corner.of_zone(before, after, zone.radius, zone.turning)
+            found: _Bend | None = self._once(k, self._q[k - 1 : k + 2], lambda: self._joint_bend(k, zone.radius))
+            return found
+        corner: Corner = self._once(k, self._q[:0], lambda: Corner.of_zone(before, after, zone.radius, zone.turning))
         rail_before, rail_after = (zone.external / way.length for way in (before, after))
         return _Bend(corner, corner.share_before, corner.share_after, rail_before, rail_after)
 
@@ -450,13 +465,15 @@ def _along(axes: Axes, problem: Problem, runs: Sequence[tuple[Sequence[Part], Ar
     parts = [part for own, _ in runs for part in own]
     counts = np.array([part.N + 1 for part in parts])
     edges = np.concatenate([[0], np.cumsum(counts)])
-    out = _empty(axes.n, int(edges[-1]))
     on_way = np.array([part.rail is not None for part in parts])
-    for which, of in ((on_way, _on_ways), (~on_way, _on_axes)):
-        numbers = np.flatnonzero(which)
-        if len(numbers):
-            some = [parts[i] for i in numbers]
-            out.put(np.repeat(which, counts), of(axes, problem, some, [_shares(part) for part in some]))
+    names = [_name(part) for part in parts]
+    distinct = {name: part for name, part in zip(names, parts, strict=True)}  # many runs may have it alike
+    out = _along_distinct(axes, problem, [*distinct.values()])
+    if len(distinct) < len(parts):
+        behind = np.cumsum([part.N + 1 for part in distinct.values()])
+        begins = dict(zip(distinct, behind - [part.N + 1 for part in distinct.values()], strict=True))
+        shift = np.repeat([begins[name] for name in names] - edges[:-1], counts)
+        out = out.at(np.arange(edges[-1]) + shift)
     starts, near, first = [], [], 0  # of stretches on ways: joints there are near those of the waypoint before
     for own, q in runs:
         for i, part in enumerate(own):
@@ -470,6 +487,24 @@ def _along(axes: Axes, problem: Problem, runs: Sequence[tuple[Sequence[Part], Ar
         arm = axes.layout.arm
         out.q[at, arm] = unwound(out.q[at, arm], kept, np.array(near)[:, arm])
     return out.by(np.repeat([part.size for part in parts], counts))
+
+
+def _along_distinct(axes: Axes, problem: Problem, parts: Sequence[Part]) -> Along:
+    """The same of parts, one after the other, by their own shares and with joints in whatever turn."""
+    counts = [part.N + 1 for part in parts]
+    out = _empty(axes.n, sum(counts))
+    on_way = np.array([part.rail is not None for part in parts])
+    for which, of in ((on_way, _on_ways), (~on_way, _on_axes)):
+        some = [part for part, wanted in zip(parts, which, strict=True) if wanted]
+        if some:
+            out.put(np.repeat(which, counts), of(axes, problem, some, [_shares(part) for part in some]))
+    return out
+
+
+def _name(part: Part) -> tuple[object, ...]:
+    """Equal for parts of one problem along which is the same by their shares."""
+    rail = () if part.rail is None else (*part.rail.d, *part.rail.slope, *part.rail.bend)
+    return part.leg, id(part.segment), part.s_0, part.s_1, part.cfx, part.u.tobytes(), *rail
 
 
 def _shares(part: Part) -> Array:

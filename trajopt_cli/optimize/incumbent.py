@@ -148,17 +148,16 @@ def _stops(axes: Axes, problem: Problem, runs: Sequence[Run], q: Array, cfx: Seq
 def about(axes: Axes, problem: Problem, runs: Sequence[Run], q: Sequence[Array], cfx: Sequence[int]) -> Array:
     """How long runs (m,) take between stops, each between axes of its own, on a few nodes; infinite where they cannot
     be driven."""
-    T = np.full(len(runs), np.inf)
-    left = []
-    for i, motion in enumerate(_simple(axes, problem, runs, q)):
-        if motion is None:
-            left.append(i)
-        else:
-            T[i] = motion.T
-    courses = courses_of(axes, problem, [runs[i] for i in left], [q[i] for i in left], cfx, [PAIR_NODES] * len(left))
-    can = [(i, course) for i, course in zip(left, courses, strict=True) if course is not None]
-    T[[i for i, _ in can]] = least_times(axes, problem, [course for _, course in can])
-    return T
+    names = [(run, own[run[0] : run[1] + 1].tobytes()) for run, own in zip(runs, q, strict=True)]
+    distinct = dict(zip(names, zip(runs, q, strict=True), strict=True))
+    simple = _simple(axes, problem, [run for run, _ in distinct.values()], [own for _, own in distinct.values()])
+    times = {name: np.inf if one is None else one.T for name, one in zip(distinct, simple, strict=True)}
+    left = {name: one for name, one in distinct.items() if times[name] == np.inf}
+    some, every = [run for run, _ in left.values()], [own for _, own in left.values()]
+    courses = dict(zip(left, courses_of(axes, problem, some, every, cfx, [PAIR_NODES] * len(left)), strict=True))
+    can = {name: course for name, course in courses.items() if course is not None}
+    times.update(zip(can, least_times(axes, problem, [*can.values()]).tolist(), strict=True))
+    return np.array([times[name] for name in names])
 
 
 def _driven(
