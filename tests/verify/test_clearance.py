@@ -26,7 +26,7 @@ from trajopt_cli.trajectory import Trajectory, hermite
 from trajopt_cli.verify.clearance import CLEARANCE, SELF_CLEARANCE, check_clearance, collisions, least_clearance
 from trajopt_cli.verify.judge import verify
 from trajopt_cli.verify.mechanism import Mechanism, mechanism_of
-from trajopt_cli.verify.sweep import COARSE, OVERLOOKED, Body, Course, Near, Sweep, _Look
+from trajopt_cli.verify.sweep import BLOCK, COARSE, OVERLOOKED, Body, Course, Near, Sweep, _Look
 
 EVERY_LINK = frozenset({"base_link", *(f"link_{i}" for i in range(1, 7))})
 EMPTY = Program("main", (), {})
@@ -385,6 +385,22 @@ def test_the_course_is_the_hermite_and_its_swing_holds_it(rng: np.random.Generat
         dense = course.at(np.linspace(*nodes[0], 400))
         swing = course.swing(nodes[:, 0], nodes[:, 1], middle)[0]
         assert (np.abs(dense - middle[0]).max(axis=0) <= swing + 1e-12).all()
+
+
+@pytest.mark.parametrize("speeds", [True, False])
+def test_the_swing_over_many_rows_is_that_of_the_control_points(rng: np.random.Generator, speeds: bool) -> None:
+    for n in (2, BLOCK, BLOCK + 1, BLOCK + 2, 5 * BLOCK + 3):
+        t, q = np.cumsum(rng.uniform(0.01, 0.2, n)), rng.normal(size=(n, 3))
+        qd = rng.normal(size=(n, 3)) * 5 if speeds else None
+        course = Course(Trajectory(("joint_1", "joint_2", "joint_3"), t, q, qd))
+        pairs = np.array([(a, b) for a in range(n) for b in range(a + 1, n)], dtype=float)
+        here = rng.normal(size=(len(pairs), 3))
+        found = course.swing(*pairs.T, here)
+        third = np.zeros((2, n - 1, 3)) if qd is None else np.diff(t)[:, None] / 3 * np.stack([qd[:-1], -qd[1:]])
+        control = np.stack([q[:-1], q[:-1] + third[0], q[1:] + third[1], q[1:]])
+        for (a, b), middle, swing in zip(pairs.astype(int), here, found, strict=True):
+            wanted = np.abs(control[:, a:b] - middle).max(axis=(0, 1))
+            np.testing.assert_allclose(swing, wanted, rtol=0, atol=1e-12)
 
 
 def watched_case(*obstacles: Solid, **more: object) -> tuple[Plant, Program, Trajectory]:

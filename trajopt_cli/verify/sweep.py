@@ -9,7 +9,7 @@ halved.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,6 +23,11 @@ from trajopt_cli.verify.mechanism import FLANGE, Mechanism
 
 OVERLOOKED = 1e-4
 """No overlap deeper than this slips through, m: nothing thicker can be jumped over."""
+
+BLOCK = 16
+"""Intervals between rows whose bounds are kept together."""
+
+_AT_ONCE = 1024  # blocks or nodes
 
 COARSE = 0.01
 """Share of what a distance is above the wanted one that it may be off by: a body that slides past far away would take
@@ -71,27 +76,25 @@ class Closest:
 class Course:
     """The motion between a trajectory's rows, by the row parameter s: s = 2.5 is half way in time from row 2 to row 3.
 
-    Cubic Hermite where the rows have speeds, straight where not.
+    Cubic Hermite where the rows have speeds, straight where not. A cubic stays within its control points; their bounds
+    are kept for blocks of BLOCK intervals alone, for a long file's rows would take twenty times the file.
     """
 
     def __init__(self, trajectory: Trajectory):
-        t, q, qd = trajectory.t, trajectory.q, trajectory.qd
-        h = np.diff(t)[:, None]
-        self._t, self._q, self._delta = t, q, np.diff(q, axis=0)
-        self._v_0 = self._delta if qd is None else qd[:-1] * h
-        self._v_1 = self._delta if qd is None else qd[1:] * h
-        self.last = len(t) - 1
-        # A cubic stays within its control points. Level L holds their bounds over 2^L intervals from each row on.
-        control = np.stack([q[:-1], q[:-1] + self._v_0 / 3, q[1:] - self._v_1 / 3, q[1:]])
-        self._low, self._high = [control.min(axis=0)], [control.max(axis=0)]
+        self._trajectory = trajectory
+        self.last = len(trajectory.t) - 1
+        starts = np.arange(0, self.last, BLOCK)
+        bounds = [self._bounds(part, np.minimum(part + BLOCK, self.last)) for part in _parts(starts)]
+        # level L: over 2^L blocks from each one on
+        self._low, self._high = ([np.concatenate(side)] for side in zip(*bounds, strict=True))
         while len(self._low[-1]) > (step := 2 ** (len(self._low) - 1)):
             self._low.append(np.minimum(self._low[-1][:-step], self._low[-1][step:]))
             self._high.append(np.maximum(self._high[-1][:-step], self._high[-1][step:]))
 
     def time(self, s: float) -> float:
         """The time [s] at s."""
-        i = min(int(s), self.last - 1)
-        return float(self._t[i] + (s - i) * (self._t[i + 1] - self._t[i]))
+        t, i = self._trajectory.t, min(int(s), self.last - 1)
+        return float(t[i] + (s - i) * (t[i + 1] - t[i]))
 
     def at(self, s: Array) -> Array:
         """Axis positions (m, k) at s (m,)."""
@@ -108,19 +111,52 @@ class Course:
             third = (s_1 - s_0)[part, None] / 3
             control = np.stack([q_0, q_0 + third * v_0, q_1 - third * v_1, q_1])
             low[part], high[part] = control.min(axis=0), control.max(axis=0)
-        level = np.frexp(s_1 - s_0)[1] - 1
-        for L in np.unique(level[~part]):
-            nodes = np.flatnonzero((level == L) & ~part)
-            a, b = s_0[nodes].astype(np.intp), s_1[nodes].astype(np.intp) - 2**L
-            low[nodes] = np.minimum(self._low[L][a], self._low[L][b])
-            high[nodes] = np.maximum(self._high[L][a], self._high[L][b])
+        for nodes in _parts(np.flatnonzero(~part)):
+            low[nodes], high[nodes] = self._over(s_0[nodes].astype(np.intp), s_1[nodes].astype(np.intp))
         return np.asarray(np.maximum(high - q, q - low))
+
+    def _over(self, a: IndexArray, b: IndexArray) -> tuple[Array, Array]:
+        """Least and greatest control points (m, k) from row a to row b > a (m,): whole blocks, and what is beside."""
+        first, last = -(-a // BLOCK), b // BLOCK
+        apart = first <= last
+        low, high = self._bounds(a, np.where(apart, first * BLOCK, b))
+        behind = self._bounds(np.where(apart, np.minimum(last * BLOCK, b - 1), a), b)
+        low, high = np.minimum(low, behind[0]), np.maximum(high, behind[1])
+        level = np.frexp(np.maximum(last - first, 0))[1] - 1
+        for L in np.unique(level[first < last]):
+            nodes = np.flatnonzero((level == L) & (first < last))
+            for begin in (first[nodes], last[nodes] - 2**L):
+                low[nodes] = np.minimum(low[nodes], self._low[L][begin])
+                high[nodes] = np.maximum(high[nodes], self._high[L][begin])
+        return low, high
+
+    def _bounds(self, a: IndexArray, b: IndexArray) -> tuple[Array, Array]:
+        """Least and greatest control points (m, k) from row a to b (m,), at most BLOCK rows and at least one."""
+        i = np.minimum(a[:, None] + np.arange((b - a).max(initial=1)), np.maximum(b - 1, a)[:, None])
+        q_0, _, v_0, v_1 = self._interval(i)
+        q_1 = self._trajectory.q[i + 1]
+        control = np.stack([q_0, q_0 + v_0 / 3, q_1 - v_1 / 3, q_1])
+        return control.min(axis=(0, 2)), control.max(axis=(0, 2))
 
     def _cubic(self, i: IndexArray, u: Array) -> tuple[Array, Array]:
         """Positions and slopes per row (m, k) at the shares u (m,) of the intervals i (m,)."""
-        u, delta, v_0, v_1 = u[:, None], self._delta[i], self._v_0[i], self._v_1[i]
+        u, (q_0, delta, v_0, v_1) = u[:, None], self._interval(i)
         c2, c3 = 3 * delta - 2 * v_0 - v_1, v_0 + v_1 - 2 * delta
-        return self._q[i] + u * (v_0 + u * (c2 + u * c3)), v_0 + u * (2 * c2 + 3 * u * c3)
+        return q_0 + u * (v_0 + u * (c2 + u * c3)), v_0 + u * (2 * c2 + 3 * u * c3)
+
+    def _interval(self, i: IndexArray) -> tuple[Array, Array, Array, Array]:
+        """Axis positions (..., k) at the rows i (...), and from there to the next: way, slope at once and then."""
+        t, q, qd = self._trajectory.t, self._trajectory.q, self._trajectory.qd
+        q_0, delta = q[i], q[i + 1] - q[i]
+        if qd is None:
+            return q_0, delta, delta, delta
+        h = (t[i + 1] - t[i])[..., None]
+        return q_0, delta, qd[i] * h, qd[i + 1] * h
+
+
+def _parts(x: IndexArray) -> Iterator[IndexArray]:
+    """x (m,) in parts, so that no more than a few MB are looked at at once."""
+    yield from (x[i : i + _AT_ONCE] for i in range(0, len(x), _AT_ONCE))
 
 
 class _Look:
