@@ -53,7 +53,7 @@ def test_what_is_left_out_in_a_long_file_is_at_no_point(
 ) -> None:
     case = made()
     found = []
-    for block in (1, 7, 10**6):  # of one row each, and all rows in one: nothing is left out
+    for block in (2, 7, 10**6):  # of two rows each, and all rows in one: nothing is left out
         monkeypatch.setattr(rows_module, "BLOCK", block)
         found.append(verify(case.program, case.plant, case.rows(grid_only=True, step=0.004)))
     assert found[0].legal

@@ -34,15 +34,15 @@ from spoiled_holds import in_the_wait, rail_rides_through_a_held_wait
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.joint_csv import read_csv_text, write_csv_text
-from trajopt_cli.motion import Hold
+from trajopt_cli.motion import FlyBy, Hold
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify import visits
 from trajopt_cli.verify.course import Point
 from trajopt_cli.verify.joints import check_joints
-from trajopt_cli.verify.rows import look
+from trajopt_cli.verify.rows import BLOCK, Boxes, look
 from trajopt_cli.verify.tolerances import DURATION, HELD
-from trajopt_cli.verify.visits import Closeness, events_of
+from trajopt_cli.verify.visits import Closeness, Event, events_of
 
 
 def test_nan_and_reversed_time_are_malformed_files() -> None:
@@ -244,3 +244,39 @@ def test_a_row_at_the_stop_counts_before_one_that_is_near_only_by_what_missing_r
     case = rapid_case()
     assert chosen(True, True) == 3
     assert chosen(False, False) == 1
+
+
+def test_what_is_aligned_in_one_go_is_of_most_worth() -> None:
+    """Random events of random points: the choice is that of the dynamic programme, and most often needs none."""
+    rng, quick = np.random.default_rng(7), 0
+    move = rapid_case().program.motions[0]
+    for _ in range(300):
+        points, events = [], []
+        cuts = np.sort(rng.choice(400, 40, replace=False))
+        for _ in range(rng.integers(1, 9)):
+            spans = rng.integers(0, 20, rng.integers(0 if rng.random() < 0.1 else 1, 12))
+            worst = rng.choice([0.0, 0.0, 0.3])
+            own = []
+            for i in np.unique(spans):
+                first, last = (int(cut) for cut in cuts[2 * i : 2 * i + 2])
+                good = np.arange((first + last + 1) // 2, last + 1)
+                own.append(Event(first, last, good[: 0 if rng.random() < worst else None], last, rng.random() < worst))
+            fly_by = FlyBy(0.01, 0.01, 0.01) if rng.random() < 0.3 else None
+            if fly_by is not None:  # all passages are worth the same
+                own = [Event(one.first, one.last, np.array([one.first]), one.first + 1) for one in own]
+            optional = bool(rng.random() < 0.2)
+            points.append(Point(0, move, None, "p", None, np.eye(4), None, None, optional, (), fly_by))
+            events.append(tuple(own))
+        assert visits._align(points, events) == visits._of_most_worth(points, events)
+        quick += visits._at_once(points, events) is not None
+    assert 30 < quick < 270
+
+
+def test_boxes_near_a_point_are_found_by_boxes_around_them() -> None:
+    rng = np.random.default_rng(7)
+    low = rng.uniform(-1, 1, (BLOCK**2 + BLOCK + 5, 3)).cumsum(axis=0) / 10
+    boxes = Boxes(low, low + rng.uniform(0, 0.1, low.shape), rng.uniform(0, 0.2, len(low)))
+    for P in low[::500] + rng.normal(size=(len(low[::500]), 3)):
+        found = boxes.near(P, 0.3)
+        np.testing.assert_array_equal(found, np.flatnonzero(boxes.off(P) <= 0.3 + boxes.room))
+        assert len(found) < len(low) / 4

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.verify.geometry import angle_between
-from trajopt_cli.verify.rows import INNER, Rows, both_sides
+from trajopt_cli.verify.rows import INNER, ROUNDING, Boxes, Rows, both_sides
+from trajopt_cli.verify.tolerances import STOP_POSITION
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,23 +85,17 @@ class Frame:
         return both_sides(np.maximum(way / (h + self.rows.doubt_t) - top * h / 2, 0.0)[:, None])[:, 0]
 
     @cached_property
-    def chords(self) -> Array:
-        """Distances (n-1,) between neighbouring rows, m."""
-        return np.asarray(np.linalg.norm(np.diff(self.p, axis=0), axis=1))
+    def stop_boxes(self) -> Boxes:
+        """Around the positions in each block, with what is granted at a stop."""
+        blocks, a = self.rows.blocks, self.rows.plant.tcp.acceleration
+        granted = STOP_POSITION + a * blocks.most(self.rows.open_time) ** 2 / 2 + blocks.most(self.doubt_p)
+        return blocks.boxes(self.p, granted + ROUNDING)
 
     @cached_property
-    def squares(self) -> Array:
-        """Squares (n,) of the positions' lengths, m2."""
-        return np.asarray((self.p * self.p).sum(axis=1))
-
-    @cached_property
-    def _boxes(self) -> tuple[Array, Array]:
-        return self.rows.blocks.boxes(self.p)
-
-    def off_boxes(self, P: Array) -> Array:
-        """No more than the distance, m, of any row in each block from a point P (3,)."""
-        low, high = self._boxes
-        return np.asarray(np.linalg.norm(np.maximum(np.maximum(low - P, P - high), 0.0), axis=1))
+    def way_boxes(self) -> Boxes:
+        """Around the positions in each block, with how far the chords that begin there and the TCP may be from them."""
+        chords = np.linalg.norm(np.diff(self.p, axis=0), axis=1)
+        return replace(self.stop_boxes, room=self.rows.blocks.most(np.r_[self.reach + chords, 0.0]) + ROUNDING)
 
     @cached_property
     def reach(self) -> Array:

@@ -30,7 +30,7 @@ from trajopt_cli.joint_csv import Resolution
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.machine import Machine
 from trajopt_cli.verify.mechanism import Mechanism, mechanism_of
-from trajopt_cli.verify.tolerances import COMPUTED, REST_JOINT
+from trajopt_cli.verify.tolerances import COMPUTED, JOINT_TARGET, REST_JOINT
 
 LAGS = (1, 2, 4, 8, 16, 32)
 INNER = (0.2, 0.4, 0.6, 0.8)
@@ -42,7 +42,10 @@ makes a truncation of 1e-4 of the limit at most (seen on the hinge cell: 9e-5)."
 
 
 BLOCK = 64
-"""Rows that are left out together where none of them can be at a point."""
+"""Rows that are left out together where none of them can be at a point; and so many blocks again."""
+
+ROUNDING = 1e-9
+"""Of distances [m] and angles [rad] that decide which rows are looked at."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -193,9 +196,12 @@ class Rows:
         return Blocks(len(self.t))
 
     @cached_property
-    def arm_boxes(self) -> tuple[Array, Array]:
-        """Least and greatest of the arm's joints in each block."""
-        return self.blocks.boxes(self.q[:, -6:])
+    def arm_boxes(self) -> Boxes:
+        """Around the arm's joints in each block, with what is granted at a stop."""
+        tau = self.blocks.most(self.open_time)
+        granted = JOINT_TARGET + (self.doubt_q / 2 + self.plant.limits.acceleration * tau[:, None] ** 2 / 2)[:, -6:]
+        tight = self.blocks.boxes(self.q[:, -6:], np.zeros(len(tau)))
+        return Boxes(tight.low - (granted + ROUNDING), tight.high + (granted + ROUNDING), tight.room)
 
     @cached_property
     def hermite_motion(self) -> tuple[Array, Array, Array]:
@@ -213,17 +219,45 @@ class Blocks:
         """The greatest of x (n, ...) in each block."""
         return np.asarray(np.maximum.reduceat(x, np.arange(0, self.n, BLOCK)))
 
-    def boxes(self, x: Array) -> tuple[Array, Array]:
-        """Least and greatest of x (n, ...) in each block."""
-        return -self.most(-x), self.most(x)
+    def boxes(self, x: Array, room: Array) -> Boxes:
+        """Around x (n, d) in each block, with room (b,) about each."""
+        return Boxes(-self.most(-x), self.most(x), room)
 
-    def rows(self, wanted: NDArray[np.bool_]) -> NDArray[np.intp]:
-        """The rows of the blocks wanted."""
-        return np.flatnonzero(np.repeat(wanted, BLOCK)[: self.n])
+    def rows(self, wanted: NDArray[np.intp]) -> NDArray[np.intp]:
+        """The rows of the blocks wanted (m,)."""
+        found = (wanted[:, None] * BLOCK + np.arange(BLOCK)).ravel()
+        return found[found < self.n]
 
     def inside(self, before: int, after: int) -> slice:
         """The blocks wholly between two rows."""
         return slice(before // BLOCK + 1, after // BLOCK)
+
+
+@dataclass(frozen=True, eq=False)
+class Boxes:
+    """Boxes from low (b, d) to high, and how far (b,) beyond one still counts as near it."""
+
+    low: Array
+    high: Array
+    room: Array
+
+    @cached_property
+    def _around(self) -> Boxes:
+        """Boxes around BLOCK of these each."""
+        blocks = Blocks(len(self.low))
+        return Boxes(-blocks.most(-self.low), blocks.most(self.high), blocks.most(self.room))
+
+    def off(self, P: Array, these: slice | NDArray[np.intp] = slice(None)) -> Array:
+        """Distances of a point P (d,) from these boxes."""
+        beside = np.maximum(np.maximum(self.low[these] - P, P - self.high[these]), 0.0)
+        return np.asarray(np.linalg.norm(beside, axis=1))
+
+    def near(self, P: Array, size: float = 0.0) -> NDArray[np.intp]:
+        """The boxes that a point P (d,) is within size and their room of, in order."""
+        found = np.arange(len(self.low))
+        if len(found) > BLOCK:
+            found = Blocks(len(found)).rows(self._around.near(P, size))
+        return found[self.off(P, found) <= size + self.room[found]]
 
 
 def look(plant: Machine, trajectory: Trajectory, resolution: Resolution | None, marks: int = 1) -> Rows:

@@ -128,7 +128,8 @@ def build_timeline(
     """Walk through the stops in order. rapid: every axis must stand at the end of every wait."""
     visits = [_start(rows, frames[np.asarray(start.X_FT).tobytes()], start, rapid)]
     for k, m in enumerate(matches):
-        after = next((n.event for n in matches[k + 1 :] if n.event is not None and n.event is not m.event), None)
+        behind = (matches[i].event for i in range(k + 1, len(matches)))
+        after = next((event for event in behind if event is not None and event is not m.event), None)
         before = visits[-1]
         if m.event is None:
             if not m.point.optional:
@@ -216,5 +217,7 @@ def _across_drift(rows: Rows, m: Match, arrive: int, depart: int, limit: int) ->
     wanted = float(rows.t[arrive]) + sum(wait.duration for _, wait in m.point.holds)
     if rows.t[depart] >= wanted - DWELL - unseen(rows, depart):
         return depart
-    back = [e for e in m.later if e.first < limit and rows.t[e.first] <= wanted + rows.doubt_t and len(e.good)]
+    assert m.event is not None
+    later = (e for e in m.events if m.event.last < e.first < limit)
+    back = [e for e in later if rows.t[e.first] <= wanted + rows.doubt_t and len(e.good)]
     return back[-1].end if back else depart

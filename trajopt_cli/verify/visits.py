@@ -21,6 +21,7 @@ the last good row is the latest departure. A rest may be longer than asked; a sl
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -32,7 +33,7 @@ from trajopt_cli.motion import MoveExtJ
 from trajopt_cli.verify.course import Point
 from trajopt_cli.verify.frame import Frame, angular_acceleration
 from trajopt_cli.verify.geometry import angle_between
-from trajopt_cli.verify.rows import Rows
+from trajopt_cli.verify.rows import ROUNDING, Rows
 from trajopt_cli.verify.tolerances import (
     JOINT_TARGET,
     REST_ANGULAR,
@@ -44,8 +45,6 @@ from trajopt_cli.verify.tolerances import (
 _GRANTED = 0.99  # worth of a stop that only counts by what is granted for missing rows: one with a row of its own is it
 
 Mask = NDArray[np.bool_]
-ROUNDING = 1e-9
-"""Of distances [m] and angles [rad] that decide which rows are looked at."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,13 +87,13 @@ class Event:
 
 @dataclass(frozen=True, eq=False)
 class Match:
-    """What a point found in the file. event None: it was never near. later: other events of the same stop. look: how
+    """What a point found in the file. event None: it was never near. events: all of it and of points alike. look: how
     near any rows are to it, None for a point that is passed."""
 
     point: Point
     look: Look | None
     event: Event | None
-    later: tuple[Event, ...]
+    events: tuple[Event, ...]
 
 
 def looking(rows: Rows, frame: Frame, stop: Point, rapid: bool) -> Look:
@@ -131,17 +130,11 @@ def _closeness(rows: Rows, frame: Frame, stop: Point, rapid: bool, at: NDArray[n
 
 def worth_a_look(rows: Rows, frame: Frame, stop: Point) -> NDArray[np.intp]:
     """The rows in blocks that may hold one near a stop: no more is looked at in a long file."""
-    tau = rows.blocks.most(rows.open_time)
     if isinstance(stop.move, MoveExtJ):
         return np.arange(len(rows.t))
     if stop.arm is not None:
-        low, high = rows.arm_boxes
-        granted = JOINT_TARGET + (rows.doubt_q / 2 + rows.plant.limits.acceleration * tau[:, None] ** 2 / 2)[:, -6:]
-        slack = granted + ROUNDING
-        inside = (stop.arm >= low - slack) & (stop.arm <= high + slack)
-        return rows.blocks.rows(np.asarray(inside.all(axis=1)))
-    granted = STOP_POSITION + rows.plant.tcp.acceleration * tau**2 / 2 + rows.blocks.most(frame.doubt_p)
-    return rows.blocks.rows(frame.off_boxes(stop.X_WT[:3, 3]) <= granted + ROUNDING)
+        return rows.blocks.rows(rows.arm_boxes.near(stop.arm))
+    return rows.blocks.rows(frame.stop_boxes.near(stop.X_WT[:3, 3]))
 
 
 def events_of(close: Closeness) -> tuple[Event, ...]:
@@ -177,11 +170,10 @@ def passages(rows: Rows, frame: Frame, point: Point) -> tuple[Event, ...]:
     assert point.fly_by is not None
     P = point.X_WT[:3, 3]
     size = point.fly_by.radius + STOP_POSITION
-    reach = frame.reach + frame.chords
-    off = frame.off_boxes(P)
-    at = rows.blocks.rows(off <= size + rows.blocks.most(np.r_[reach, 0.0]) + ROUNDING)
-    at = at[at < len(reach)]
-    close = at[_squares_off(frame, P, at) <= (size + reach[at]) ** 2 + 1e-9]
+    at = rows.blocks.rows(frame.way_boxes.near(P, size))
+    at = at[at < len(frame.reach)]
+    reach = frame.reach[at] + np.linalg.norm(frame.p[at + 1] - frame.p[at], axis=1)
+    close = at[_squares_off(frame, P, at) <= (size + reach) ** 2 + 1e-9]
     if not len(close):
         return ()
     distance, share = off_chords(frame.p, P, close)
@@ -195,7 +187,7 @@ def passages(rows: Rows, frame: Frame, point: Point) -> tuple[Event, ...]:
     gaps = [
         int(k)
         for k in np.flatnonzero(np.diff(close) > 1) + 1
-        if _leaves(frame, P, off, close[k - 1], close[k], size + float(frame.reach[close[[k - 1, k]]].max()), away)
+        if _leaves(frame, P, close[k - 1], close[k], size + float(frame.reach[close[[k - 1, k]]].max()), away)
     ]
     out = []
     for run in np.split(np.arange(len(close)), gaps) if len(close) else []:
@@ -206,14 +198,16 @@ def passages(rows: Rows, frame: Frame, point: Point) -> tuple[Event, ...]:
 
 def _squares_off(frame: Frame, P: Array, at: NDArray[np.intp]) -> Array:
     """Squares (m,) of the distances of rows from a point, to rounding."""
-    return np.asarray(frame.squares[at] - 2 * frame.p[at] @ P + P @ P)
+    p = frame.p[at]
+    return np.asarray((p * p).sum(axis=1) - 2 * p @ P + P @ P)
 
 
-def _leaves(frame: Frame, P: Array, off: Array, before: int, after: int, size: float, away: NDArray[np.intp]) -> bool:
+def _leaves(frame: Frame, P: Array, before: int, after: int, size: float, away: NDArray[np.intp]) -> bool:
     """Whether the TCP is farther away between two intervals that come near than they are granted, or on the first half
-    of an arc. At a zone's edge a long interval may count as near and a short one behind it not. off: of all boxes."""
+    of an arc. At a zone's edge a long interval may count as near and a short one behind it not."""
     between = slice(*np.searchsorted(away, (before, after)))
-    if len(away[between]) > 0 or (off[frame.rows.blocks.inside(before, after)] > size + ROUNDING).any():
+    inside = frame.rows.blocks.inside(before, after)
+    if len(away[between]) > 0 or (frame.way_boxes.off(P, inside) > size + ROUNDING).any():
         return True
     return float(_squares_off(frame, P, np.arange(before + 1, after + 1)).max()) > size**2
 
@@ -259,12 +253,40 @@ def match(rows: Rows, frames: dict[bytes, Frame], points: Sequence[Point], rapid
         found.append(known[full])
     chosen = _align(points[1:], [events for _, events in found])
     return [
-        Match(point, look, event, tuple(e for e in events if event is None or e.first > event.last) if look else ())
+        Match(point, look, event, events)
         for point, (look, events), event in zip(points[1:], found, chosen, strict=True)
     ]
 
 
 def _align(points: Sequence[Point], events: Sequence[tuple[Event, ...]]) -> list[Event | None]:
+    """The events of most worth that follow each other, the earliest of several."""
+    return _at_once(points, events) or _of_most_worth(points, events)
+
+
+def _at_once(points: Sequence[Point], events: Sequence[tuple[Event, ...]]) -> list[Event | None] | None:
+    """For every point the first event of its greatest worth that is not over; None where one has none left. What can be
+    had so no other choice is worth more than, nor earlier: a file as it should be is aligned in one go."""
+    known: dict[int, tuple[list[int], list[float], float]] = {}
+    chosen: list[Event | None] = []
+    now = 0
+    for point, own in zip(points, events, strict=True):
+        if not own:
+            chosen.append(None)
+            continue
+        if id(own) not in known:
+            worth = [_worth(point, event) for event in own]
+            ends = [event.end if point.fly_by is None else event.last for event in own]
+            known[id(own)] = ends, worth, max(worth)
+        ends, worth, most = known[id(own)]
+        pick = next((i for i in range(bisect_left(ends, now), len(own)) if worth[i] == most), None)
+        if pick is None:
+            return None
+        chosen.append(own[pick])
+        now = max(now, own[pick].end)
+    return chosen
+
+
+def _of_most_worth(points: Sequence[Point], events: Sequence[tuple[Event, ...]]) -> list[Event | None]:
     """Dynamic programme from the last point back: value[r] is what the points from here on are worth from rank r on.
 
     Of the passages of one point all are worth the same, so the first that is not over yet is the best."""
