@@ -53,7 +53,8 @@ def test_the_motion_between_rows_is_the_hermite(rng: np.random.Generator) -> Non
     plant = plant_with_rail()
     t = np.cumsum(rng.uniform(1e-3, 0.2, 30))
     q, qd = rng.normal(size=(30, 7)), 3 * rng.normal(size=(30, 7))
-    times, *found = look(plant, Trajectory(plant.limits.names, t, q, qd), None).hermite_places
+    rows = look(plant, Trajectory(plant.limits.names, t, q, qd), None)
+    times, *found = (places[:] for places in rows.hermite_places)
     spline = CubicHermiteSpline(t, q, qd)
     np.testing.assert_allclose(times[:4], t[0] + np.array([0.2, 0.4, 0.6, 0.8]) * (t[1] - t[0]), rtol=1e-15)
     for order, values in enumerate(found):

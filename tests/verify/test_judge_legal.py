@@ -189,3 +189,21 @@ def test_a_slow_plan_is_legal() -> None:
     pieces = [faster(piece, 0.7) for piece in pieces[:2]] + [hold(pieces[2].at(np.zeros(1))[0][0], 0.25)] + pieces[3:]
     report = verify(case.program, case.plant, Case(case.plant, case.program, tuple(pieces)).rows(), target=Target.RAPID)
     assert report.legal, [f.message for f in report.findings if not f.passed]
+
+
+@pytest.mark.parametrize("made", [*CASES.values(), line_line])
+@pytest.mark.parametrize("speeds", [True, False])
+def test_a_file_that_is_judged_in_pieces_is_judged_as_a_whole(
+    made: Callable[[], Case], speeds: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Every value of every finding and its time, whatever is at hand of a long file at once."""
+    case = made()
+    rows = case.rows() if speeds else case.rows(grid_only=True, step=0.004)
+    rng = np.random.default_rng(7)
+    spoiled = Trajectory(rows.names, rows.t, rows.q + 1e-4 * (rng.random(rows.q.shape) < 0.01), rows.qd)
+    for trajectory in (rows, spoiled):
+        whole = verify(case.program, case.plant, trajectory, target=Target.RAPID)
+        with monkeypatch.context() as small:
+            small.setattr(rows_module, "PIECE", 128)
+            small.setattr(rows_module, "_KEPT", 2)
+            assert verify(case.program, case.plant, trajectory, target=Target.RAPID) == whole

@@ -6,32 +6,79 @@ the other somewhere in the corner; outside each move keeps to its own.
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cached_property, reduce
 from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import MoveExtJ
 from trajopt_cli.verify.course import Point, obeys_programmed_speed
-from trajopt_cli.verify.findings import Worst, finding, worse
+from trajopt_cli.verify.findings import Series, Worst, finding, worse
 from trajopt_cli.verify.frame import Frame, carried
 from trajopt_cli.verify.machine import Machine
-from trajopt_cli.verify.rows import INNER, LAGS, second_differences
+from trajopt_cli.verify.rows import INNER, LAGS, Along, Rows, second_differences, windows
 from trajopt_cli.verify.timeline import Timeline, Visit, outside_zones
 from trajopt_cli.verify.tolerances import JOINT, TCP
 
 
+@dataclass(frozen=True, eq=False)
 class Inner:
-    """The TCP between rows where the Hermite is the motion: speed there, acceleration there and at both ends."""
+    """The TCP between two rows where the Hermite is the motion: speed there, acceleration there and at both ends."""
 
-    def __init__(self, frame: Frame, first: int, last: int):
-        rows, n = frame.rows, len(INNER)
-        times = rows.hermite_places[0][first * n : last * n]
-        X, V_F, A_F = (values[first * n : last * n] for values in rows.hermite_motion)
-        V, A = carried(V_F, A_F, X, frame.X_FT)
+    frame: Frame
+    first: int
+    last: int
+
+    @property
+    def _places(self) -> slice:
+        return slice(self.first * len(INNER), self.last * len(INNER))
+
+    @property
+    def t(self) -> Array:
+        """Times (m,) of the places between rows."""
+        return np.asarray(self.frame.rows.hermite_places[0][self._places])
+
+    @cached_property
+    def _left(self) -> NDArray[np.intp]:
+        return np.repeat(np.arange(self.last - self.first), len(INNER))
+
+    @cached_property
+    def _motion(self) -> tuple[Array, Array]:
+        X, V, A = (values[self._places] for values in self.frame.rows.hermite_motion)
+        return carried(V, A, X, self.frame.X_FT)
+
+    @cached_property
+    def _columns(self) -> Array:
+        return np.asarray(np.linalg.norm(self.frame.J[self.first : self.last, :3], axis=1))
+
+    @cached_property
+    def _doubt_qd(self) -> Array:
+        rows = self.frame.rows
+        return np.asarray(rows.doubt_v / 2 + 1.5 * rows.mismatch[1][self.first : self.last])
+
+    @property
+    def speed(self) -> Array:
+        """Least speeds (m,) there."""
+        doubt = np.einsum("ij,ij->i", self._columns, self._doubt_qd)
+        return np.asarray(np.linalg.norm(self._motion[0][:, :3], axis=1) - doubt[self._left])
+
+    @property
+    def turning(self) -> Array:
+        """Least angular speeds (m,) there."""
+        turns = np.linalg.norm(self.frame.J[self.first : self.last, 3:], axis=1)
+        doubt = np.einsum("ij,ij->i", turns, self._doubt_qd)
+        return np.asarray(np.linalg.norm(self._motion[0][:, 3:], axis=1) - doubt[self._left])
+
+    @property
+    def accelerations(self) -> tuple[tuple[Array, Array], ...]:
+        """Times and least accelerations: there, where intervals begin and where they end."""
+        frame, rows, first, last = self.frame, self.frame.rows, self.first, self.last
         assert rows.qd is not None
         h = np.diff(rows.t[first : last + 1])
         # at the ends of an interval only the axes' accelerations differ from its neighbours'
@@ -42,53 +89,54 @@ class Inner:
         J_rows = frame.J[part]
         begin = (J_rows[:-1] @ (mean + swing)[..., None])[..., 0] + turning[:-1]
         end = (J_rows[1:] @ (mean - swing)[..., None])[..., 0] + turning[1:]
-        columns = np.linalg.norm(frame.J[first:last, :3], axis=1)
-        turns = np.linalg.norm(frame.J[first:last, 3:], axis=1)
         # half of the tolerance stands for the truncation of rows at 1 kHz; only what is beyond is granted in addition
-        truncation = np.einsum("ij,ij->i", columns, rows.truncation[first:last]) - TCP / 2 * rows.plant.tcp.acceleration
-        rounding = np.einsum("ij,ij->i", columns, rows.hermite_rounding[first:last])
+        beyond = np.einsum("ij,ij->i", self._columns, rows.truncation[first:last])
+        truncation = beyond - TCP / 2 * rows.plant.tcp.acceleration
+        rounding = np.einsum("ij,ij->i", self._columns, rows.hermite_rounding[first:last])
         doubt_a = rounding + np.maximum(truncation, 0.0)
-        doubt_qd = rows.doubt_v / 2 + 1.5 * rows.mismatch[1][first:last]
-        self.t, self.left = times, np.repeat(np.arange(last - first), n)
-        self.speed = np.linalg.norm(V[:, :3], axis=1) - np.einsum("ij,ij->i", columns, doubt_qd)[self.left]
-        self.turning = np.linalg.norm(V[:, 3:], axis=1) - np.einsum("ij,ij->i", turns, doubt_qd)[self.left]
-        self.accelerations = (
-            (times, np.linalg.norm(A[:, :3], axis=1) - doubt_a[self.left]),
+        return (
+            (self.t, np.linalg.norm(self._motion[1][:, :3], axis=1) - doubt_a[self._left]),
             (rows.t[first:last], np.linalg.norm(begin[:, :3], axis=1) - doubt_a),
             (rows.t[first + 1 : last + 1], np.linalg.norm(end[:, :3], axis=1) - doubt_a),
         )
 
 
-def check_caps(line: Timeline, frames: dict[bytes, Frame]) -> list[Finding]:
-    """TCP speed and acceleration over the whole file (each stretch with its own tool), then programmed speeds."""
+def check_caps(line: Timeline, frames: dict[bytes, Frame]) -> Iterator[tuple[int, list[Finding]]]:
+    """TCP speed and acceleration over the whole file (each stretch with its own tool), then programmed speeds: findings
+    as they come, each with the row that was looked at."""
     rows, caps = line.rows, line.rows.plant.tcp
-    speed: Worst | None = None
-    acceleration: Worst | None = None
+    speed: list[Worst] = []
+    acceleration: list[Worst] = []
     programmed: list[Finding] = []
     for first, last, X_FT, moves in _stretches(line):
         frame = frames[X_FT.tobytes()]
-        inner = Inner(frame, first, last) if rows.exact and last > first else None
-        for times, values in _speeds(frame, first, last, inner):
-            i = int(np.argmax(values))
-            speed = worse(speed, Worst(float(values[i]), caps.speed, float(times[i])))
-        for times, values in accelerations(frame, first, last, inner):
-            i = int(np.argmax(values))
-            acceleration = worse(acceleration, Worst(float(values[i]), caps.acceleration, float(times[i])))
-        motion = _Motion(frame, first, inner)
-        for before, visit in moves:
-            programmed.extend(_programmed(motion, before, visit))
+        speeds, accelerated = Series(caps.speed), Series(caps.acceleration)
+        todo = deque(moves)
+        for a, b in windows(first, last):
+            inner = Inner(frame, a, b) if rows.exact and b > a else None
+            speeds.add(_speeds(frame, a, b, inner))
+            accelerated.add(accelerations(frame, a, b, inner))
+            while todo and todo[0][1].arrive <= b:
+                before, visit = todo.popleft()
+                programmed.extend(_programmed(frame, before, visit))
+            yield b, []
+        for before, visit in todo:
+            programmed.extend(_programmed(frame, before, visit))
+        speed += speeds.found
+        acceleration += accelerated.found
         for (before, visit), (same, after) in pairwise(moves):
             if same is visit and visit.point.fly_by is not None:
-                programmed.extend(_in_the_corner(motion, before, visit, after))
+                programmed.extend(_in_the_corner(frame, first, before, visit, after))
     out = []
-    for check, worst, unit in (("speed", speed, "m/s"), ("acceleration", acceleration, "m/s2")):
-        if worst is not None:
+    for check, found, unit in (("speed", speed, "m/s"), ("acceleration", acceleration, "m/s2")):
+        if found:
+            worst = reduce(worse, found)
             passed = worst.value <= worst.limit * (1 + TCP)
             out.append(
                 finding(f"TCP {check}", "TCP", worst.value, worst.limit, unit, passed, time=worst.time,
                         source=line.source_at(worst.time), words=check)
             )  # fmt: skip
-    return out + programmed
+    yield len(rows.t), out + programmed
 
 
 def _stretches(line: Timeline) -> Iterator[tuple[int, int, Array, list[tuple[Visit, Visit]]]]:
@@ -140,51 +188,45 @@ def accelerations(frame: Frame, first: int, last: int, inner: Inner | None) -> I
         yield from inner.accelerations
 
 
-@dataclass(frozen=True, eq=False)
-class _Motion:
-    """A stretch with one tool: from row first on, inner between rows where that is known."""
+def _tcp(frame: Frame, a: int, b: int) -> Iterator[tuple[Array, Array]]:
+    """TCP speeds at least, from row a to row b: times and values."""
+    yield from _means(frame, a, b, frame.path_lengths)
+    if frame.rows.qd is not None:
+        yield frame.rows.t[a : b + 1], frame.least_speed[a : b + 1]
+    if frame.rows.exact:
+        inner = Inner(frame, a, b)
+        yield inner.t, inner.speed
 
-    frame: Frame
-    first: int
-    inner: Inner | None
 
-    def tcp(self, a: int, b: int) -> Iterator[tuple[Array, Array]]:
-        """TCP speeds at least, from row a to row b: times and values."""
-        yield from self._means(a, b, self.frame.path_lengths)
-        if self.frame.rows.qd is not None:
-            yield self.frame.rows.t[a : b + 1], self.frame.least_speed[a : b + 1]
-        if self.inner is not None:
-            yield self.inner.t[self._between(a, b)], self.inner.speed[self._between(a, b)]
+def _turning(frame: Frame, a: int, b: int) -> Iterator[tuple[Array, Array]]:
+    """Angular speeds of the tool."""
+    yield from _means(frame, a, b, frame.angles)
+    if frame.rows.qd is not None:
+        yield frame.rows.t[a : b + 1], frame.least_turning[a : b + 1]
+    if frame.rows.exact:
+        inner = Inner(frame, a, b)
+        yield inner.t, inner.turning
 
-    def turning(self, a: int, b: int) -> Iterator[tuple[Array, Array]]:
-        """Angular speeds of the tool."""
-        yield from self._means(a, b, self.frame.angles)
-        if self.frame.rows.qd is not None:
-            yield self.frame.rows.t[a : b + 1], self.frame.least_turning[a : b + 1]
-        if self.inner is not None:
-            yield self.inner.t[self._between(a, b)], self.inner.turning[self._between(a, b)]
 
-    def rail(self, a: int, b: int) -> Iterator[tuple[Array, Array]]:
-        """Speeds of the rail."""
-        rows = self.frame.rows
-        for m in LAGS:
-            if a + m <= b:
-                way = np.abs(rows.q[a + m : b + 1, 0] - rows.q[a : b + 1 - m, 0]) - rows.doubt_q[0]
-                yield rows.t[a : b + 1 - m], np.maximum(way, 0.0) / self._times(a, b, m)
-        if rows.qd is not None:
-            yield rows.t[a : b + 1], np.abs(rows.qd[a : b + 1, 0]) - rows.doubt_v[0]
+def _rail(frame: Frame, a: int, b: int) -> Iterator[tuple[Array, Array]]:
+    """Speeds of the rail."""
+    rows = frame.rows
+    for m in LAGS:
+        if a + m <= b:
+            way = np.abs(rows.q[a + m : b + 1, 0] - rows.q[a : b + 1 - m, 0]) - rows.doubt_q[0]
+            yield rows.t[a : b + 1 - m], np.maximum(way, 0.0) / _times(rows, a, b, m)
+    if rows.qd is not None:
+        yield rows.t[a : b + 1], np.abs(rows.qd[a : b + 1, 0]) - rows.doubt_v[0]
 
-    def _means(self, a: int, b: int, ways: Callable[[int], Array]) -> Iterator[tuple[Array, Array]]:
-        for m in LAGS:
-            if a + m <= b:
-                yield self.frame.rows.t[a : b + 1 - m], ways(m)[a : b + 1 - m] / self._times(a, b, m)
 
-    def _times(self, a: int, b: int, m: int) -> Array:
-        t = self.frame.rows.t
-        return np.asarray(t[a + m : b + 1] - t[a : b + 1 - m] + self.frame.rows.doubt_t)
+def _means(frame: Frame, a: int, b: int, ways: Callable[[int], Along]) -> Iterator[tuple[Array, Array]]:
+    for m in LAGS:
+        if a + m <= b:
+            yield frame.rows.t[a : b + 1 - m], ways(m)[a : b + 1 - m] / _times(frame.rows, a, b, m)
 
-    def _between(self, a: int, b: int) -> slice:
-        return slice((a - self.first) * len(INNER), (b - self.first) * len(INNER))
+
+def _times(rows: Rows, a: int, b: int, m: int) -> Array:
+    return np.asarray(rows.t[a + m : b + 1] - rows.t[a : b + 1 - m] + rows.doubt_t)
 
 
 @dataclass(frozen=True)
@@ -197,13 +239,13 @@ class _Programmed:
     unit: str
     tolerance: float
     zone: str
-    values: Callable[[_Motion, int, int], Iterator[tuple[Array, Array]]]
+    values: Callable[[Frame, int, int], Iterator[tuple[Array, Array]]]
     cap: Callable[[Point, Machine], float | None]
 
-    def finding(self, motion: _Motion, part: tuple[int, int], limit: float, point: Point, words: str) -> list[Finding]:
+    def finding(self, frame: Frame, part: tuple[int, int], limit: float, point: Point, words: str) -> list[Finding]:
         """The worst from row to row; none where no rows show it."""
         worst: Worst | None = None
-        for times, values in self.values(motion, *part):
+        for times, values in self.values(frame, *part):
             if len(values):
                 i = int(np.argmax(values))
                 worst = worse(worst, Worst(float(values[i]), limit, float(times[i])))
@@ -216,10 +258,10 @@ class _Programmed:
 
 def _parts(plant: Machine, has_rail: bool) -> list[_Programmed]:
     parts = [
-        _Programmed("programmed speed", "TCP", "m/s", TCP, "radius", _Motion.tcp, lambda p, m: _cap(p, m, "v_tcp")),
-        _Programmed("programmed reorientation", "TCP", "rad/s", TCP, "turning", _Motion.turning,
+        _Programmed("programmed speed", "TCP", "m/s", TCP, "radius", _tcp, lambda p, m: _cap(p, m, "v_tcp")),
+        _Programmed("programmed reorientation", "TCP", "rad/s", TCP, "turning", _turning,
                     lambda p, m: _cap(p, m, "v_ori")),
-        _Programmed("programmed speed", plant.limits.names[0], "m/s", JOINT, "external", _Motion.rail, _rail_cap),
+        _Programmed("programmed speed", plant.limits.names[0], "m/s", JOINT, "external", _rail, _rail_cap),
     ]  # fmt: skip
     return parts if has_rail else parts[:2]
 
@@ -237,29 +279,30 @@ def _rail_cap(point: Point, plant: Machine) -> float | None:
     return _cap(point, plant, "v_leax")
 
 
-def _programmed(motion: _Motion, before: Visit, visit: Visit) -> Iterator[Finding]:
+def _programmed(frame: Frame, before: Visit, visit: Visit) -> Iterator[Finding]:
     """TCP speed, reorientation and rail speed of one move against its speeddata, outside the zones at its ends; rows
     beside its rests left out where they may belong to another motion."""
-    rows, point = motion.frame.rows, visit.point
+    rows, point = frame.rows, visit.point
     assert point.move is not None
     for part in _parts(rows.plant, rows.mechanism.has_rail):
-        a, b = outside_zones(motion.frame, before, visit, part.zone)
+        a, b = outside_zones(frame, before, visit, part.zone)
         limit = part.cap(point, rows.plant)
         if limit is not None and b > a:
-            yield from part.finding(motion, (a, b), limit, point, f"{point.move.speed.name} allows")
+            yield from part.finding(frame, (a, b), limit, point, f"{point.move.speed.name} allows")
 
 
-def _in_the_corner(motion: _Motion, before: Visit, visit: Visit, after: Visit) -> Iterator[Finding]:
-    """The same within the zone of a point that is passed, against the higher of both moves' speeds."""
-    rows = motion.frame.rows
+def _in_the_corner(frame: Frame, first: int, before: Visit, visit: Visit, after: Visit) -> Iterator[Finding]:
+    """The same within the zone of a point that is passed, against the higher of both moves' speeds. first: the first
+    row with this tool."""
+    rows = frame.rows
     assert visit.point.move is not None
     assert after.point.move is not None
     for part in _parts(rows.plant, rows.mechanism.has_rail):
-        a = max(outside_zones(motion.frame, before, visit, part.zone)[1], motion.first)
-        b = outside_zones(motion.frame, visit, after, part.zone)[0]
+        a = max(outside_zones(frame, before, visit, part.zone)[1], first)
+        b = outside_zones(frame, visit, after, part.zone)[0]
         caps = [part.cap(one.point, rows.plant) for one in (visit, after)]
         if caps[0] is not None and caps[1] is not None and b > a:
             faster = visit if caps[0] >= caps[1] else after
             assert faster.point.move is not None
             words = f"at {visit.point.name} {faster.point.move.speed.name} allows"
-            yield from part.finding(motion, (a, b), max(caps[0], caps[1]), visit.point, words)
+            yield from part.finding(frame, (a, b), max(caps[0], caps[1]), visit.point, words)

@@ -26,10 +26,9 @@ from trajopt_cli.verify.tolerances import JOINT, TCP
 Places = tuple[Array, Array]  # times (m,) and least values there
 
 
-def check_demands(line: Timeline, frames: dict[bytes, Frame]) -> list[Finding]:
-    """One finding for each thing that a move asks for, in the order of the moves. In the zone of a point that is passed
-    the moves beside it go over into each other: what either of them allows is allowed there."""
-    out: list[Finding] = []
+def check_demands(line: Timeline, frames: dict[bytes, Frame]) -> Iterator[tuple[int, list[Finding]]]:
+    """One finding for each thing that a move asks for, in the order of the moves, with its last row. In the zone of a
+    point that is passed the moves beside it go over into each other: what either of them allows is allowed there."""
     visits = line.visits
     for i, (before, visit) in enumerate(pairwise(visits), start=1):
         move = visit.point.move
@@ -39,12 +38,12 @@ def check_demands(line: Timeline, frames: dict[bytes, Frame]) -> list[Finding]:
         first, last = outside_zones(frame, before, visit, "radius")
         if not line.rows.marked:  # rows beside the ends may belong to another motion
             first, last = first + 1, last - 1
-        out.extend(_demands(line, frame, visit, (first, last), move.settings))
+        out = [*_demands(line, frame, visit, (first, last), move.settings)]
         after = visits[i + 1] if visit.point.fly_by is not None and i + 1 < len(visits) else None
         if after is not None and after.event is not None and after.point.move is not None:
             corner = last, outside_zones(frame, visit, after, "radius")[0]
             out.extend(_demands(line, frame, visit, corner, _looser(move.settings, after.point.move.settings)))
-    return out
+        yield visit.arrive, out
 
 
 def _demands(

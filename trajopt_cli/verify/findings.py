@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from functools import reduce
+from heapq import heappop, heappush
+from itertools import islice
+
+import numpy as np
 
 from trajopt_cli.findings import Finding
+from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Source
 
 
@@ -26,6 +32,34 @@ class Worst:
 def worse(a: Worst | None, b: Worst) -> Worst:
     """The one that uses more of its limit."""
     return b if a is None or b.ratio > a.ratio else a
+
+
+class Series:
+    """The worst of several series of values (times and values each, always the same ones in the same order) that are
+    looked at window by window: what it would be had each been looked at as a whole, one after the other."""
+
+    def __init__(self, limit: float):
+        self._limit = limit
+        self._worst: dict[float, Worst] = {}
+
+    def add(self, series: Iterable[tuple[Array, Array]], begin: float = 0) -> None:
+        """A window of every series. begin: the place of the first one among all."""
+        for place, (times, values) in enumerate(series):
+            if len(values):
+                i = int(np.argmax(values))
+                known = self._worst.get(begin + place)
+                if known is None or values[i] > known.value:
+                    self._worst[begin + place] = Worst(float(values[i]), self._limit, float(times[i]))
+
+    @property
+    def found(self) -> list[Worst]:
+        """The worst of every series that has any value, in their order."""
+        return [self._worst[place] for place in sorted(self._worst)]
+
+    @property
+    def worst(self) -> Worst:
+        """The worst of all, the first of several; there must be one."""
+        return reduce(worse, self.found)
 
 
 def axis_unit(name: str) -> str:
@@ -65,6 +99,19 @@ def finding(
         place = "" if source is None else f"{source}: "
         message = f"{place}{subject} {words or check} {printed} {unit}{when}, {bound} {limit_printed}{note}"
     return Finding(check, subject, float(value), float(limit), unit, bool(passed), time, source, message)
+
+
+def in_step(*checks: Iterator[tuple[int, list[Finding]]]) -> list[list[Finding]]:
+    """The findings of checks that go through a file, each telling its row: the one farthest behind goes on next, so
+    that what one of them works out is still at hand for the others."""
+    found: list[list[Finding]] = [[] for _ in checks]
+    behind = [(0, i) for i in range(len(checks))]
+    while behind:
+        _, i = heappop(behind)
+        for row, findings in islice(checks[i], 1):
+            found[i] += findings
+            heappush(behind, (row, i))
+    return found
 
 
 SourceAt = Callable[[float], Source | None]

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.verify.geometry import angle_between
-from trajopt_cli.verify.rows import INNER, ROUNDING, Boxes, Rows, both_sides
+from trajopt_cli.verify.rows import INNER, ROUNDING, Along, Boxes, Pieces, Rows, both_sides
 from trajopt_cli.verify.tolerances import STOP_POSITION
 
 
@@ -21,64 +23,112 @@ class Frame:
     X_FT: Array
 
     @cached_property
+    def R(self) -> Along:
+        """Rotations (n, 3, 3) in the world."""
+        rows = self.rows
+        return Along(Pieces(len(rows.t), lambda a, b: (rows.X_WF[a:b, :3, :3] @ self.X_FT[:3, :3],)))
+
+    @cached_property
+    def _jacobians(self) -> Pieces:
+        """Jacobians with the lengths of their columns."""
+        rows = self.rows
+
+        def make(a: int, b: int) -> tuple[Array, ...]:
+            J = shifted(rows.J[a:b], rows.X_WF[a:b], self.X_FT)
+            return J, np.linalg.norm(J[:, :3], axis=1), np.linalg.norm(J[:, 3:], axis=1)
+
+        return Pieces(len(rows.t), make)
+
+    @cached_property
+    def _small(self) -> tuple[Array, ...]:
+        """What is kept of all rows: positions, how far printing may put them off and turn rotations, and where the file
+        has speeds, the least ones."""
+        rows = self.rows
+
+        def make(a: int, b: int) -> tuple[Array, ...]:
+            X, columns = rows.X_WF[a:b], [part[a:b] for part in self._columns]
+            p = X[:, :3, :3] @ self.X_FT[:3, 3] + X[:, :3, 3]
+            doubts = [lengths @ (rows.doubt_q / 2) for lengths in columns]
+            if rows.qd is None:
+                return p, *doubts
+            V, total = (self.J[a:b] @ rows.qd[a:b, :, None])[..., 0], np.abs(rows.qd[a:b]).sum(axis=1)
+            doubt_V = [
+                lengths @ (rows.doubt_v / 2) + total * doubt for lengths, doubt in zip(columns, doubts, strict=True)
+            ]
+            speeds = np.linalg.norm(V[:, :3], axis=1), np.linalg.norm(V[:, 3:], axis=1)
+            least = (np.maximum(one - doubt, 0.0) for one, doubt in zip(speeds, doubt_V, strict=True))
+            return p, *doubts, *least
+
+        return Pieces(len(rows.t), make).whole()
+
+    @property
     def p(self) -> Array:
         """Positions (n, 3) in the world, m."""
-        X = self.rows.X_WF
-        return np.asarray(X[:, :3, :3] @ self.X_FT[:3, 3] + X[:, :3, 3])
+        return self._small[0]
 
-    @cached_property
-    def R(self) -> Array:
-        """Rotations (n, 3, 3) in the world."""
-        return np.asarray(self.rows.X_WF[:, :3, :3] @ self.X_FT[:3, :3])
+    def rotations(self, rows: NDArray[np.intp]) -> Array:
+        """Rotations (m, 3, 3) at some rows, wherever they are."""
+        X = self.rows.mechanism.flange(self.rows.q[rows])[0]
+        return np.asarray(X[:, :3, :3] @ self.X_FT[:3, :3])
 
-    @cached_property
-    def J(self) -> Array:
+    @property
+    def J(self) -> Along:
         """Jacobians (n, 6, k) at the TCP."""
-        return shifted(self.rows.J, self.rows.X_WF, self.X_FT)
+        return Along(self._jacobians)
 
-    @cached_property
-    def _columns(self) -> tuple[Array, Array]:
+    @property
+    def _columns(self) -> tuple[Along, Along]:
         """Lengths of the Jacobian's columns (n, k), linear and angular: what an axis' doubt does to the TCP."""
-        return np.linalg.norm(self.J[:, :3], axis=1), np.linalg.norm(self.J[:, 3:], axis=1)
+        return Along(self._jacobians, 1), Along(self._jacobians, 2)
 
-    @cached_property
+    @property
     def doubt_p(self) -> Array:
         """How far printing may put a position off (n,), m."""
-        return np.asarray(self._columns[0] @ (self.rows.doubt_q / 2))
+        return self._small[1]
 
-    @cached_property
+    @property
     def doubt_R(self) -> Array:
         """How far printing may turn a rotation (n,), rad."""
-        return np.asarray(self._columns[1] @ (self.rows.doubt_q / 2))
+        return self._small[2]
 
     @cached_property
-    def V(self) -> Array:
+    def _velocities(self) -> Pieces:
+        rows = self.rows
+        assert rows.qd is not None
+        qd = rows.qd
+
+        def make(a: int, b: int) -> tuple[Array, ...]:
+            total = np.abs(qd[a:b]).sum(axis=1)
+            linear, angular = (columns[a:b] @ (rows.doubt_v / 2) for columns in self._columns)
+            V = (self.J[a:b] @ qd[a:b, :, None])[..., 0]
+            return V, linear + total * self.doubt_p[a:b], angular + total * self.doubt_R[a:b]
+
+        return Pieces(len(rows.t), make)
+
+    @property
+    def V(self) -> Along:
         """TCP speed (n, 6) at the rows, from the file's speed columns."""
-        assert self.rows.qd is not None
-        return np.asarray((self.J @ self.rows.qd[..., None])[..., 0])
+        return Along(self._velocities)
 
-    @cached_property
-    def doubt_V(self) -> tuple[Array, Array]:
+    @property
+    def doubt_V(self) -> tuple[Along, Along]:
         """How far printing may put V off, linear and angular (n,). Rounded positions turn the Jacobian, too: by r/2 of
         every axis at most, at the speed all axes make together."""
-        assert self.rows.qd is not None
-        total = np.abs(self.rows.qd).sum(axis=1)
-        linear, angular = (columns @ (self.rows.doubt_v / 2) for columns in self._columns)
-        return linear + total * self.doubt_p, angular + total * self.doubt_R
+        return Along(self._velocities, 1), Along(self._velocities, 2)
 
     @cached_property
     def least_speed(self) -> Array:
         """Least TCP speed (n,) at the rows, m/s: the file's own, or mean speed to a neighbour less a h/2."""
         if self.rows.qd is not None:
-            return np.asarray(np.maximum(np.linalg.norm(self.V[:, :3], axis=1) - self.doubt_V[0], 0.0))
-        return self._from_neighbours(self.path_lengths(1), self.rows.plant.tcp.acceleration)
+            return self._small[3]
+        return self._from_neighbours(self.path_lengths(1)[:], self.rows.plant.tcp.acceleration)
 
     @cached_property
     def least_turning(self) -> Array:
         """Least angular speed (n,) at the rows, rad/s."""
         if self.rows.qd is not None:
-            return np.asarray(np.maximum(np.linalg.norm(self.V[:, 3:], axis=1) - self.doubt_V[1], 0.0))
-        return self._from_neighbours(self.angles(1), angular_acceleration(self.rows))
+            return self._small[4]
+        return self._from_neighbours(self.angles(1).pieces.whole()[0], angular_acceleration(self.rows))
 
     def _from_neighbours(self, way: Array, top: float) -> Array:
         h = np.diff(self.rows.t)
@@ -103,26 +153,34 @@ class Frame:
         sagitta = self.rows.plant.tcp.acceleration * self.rows.gaps**2 / 8
         return np.asarray(sagitta + np.maximum(self.doubt_p[1:], self.doubt_p[:-1]))
 
-    def path_lengths(self, lag: int) -> Array:
+    def path_lengths(self, lag: int) -> Along:
         """Least distance (n-lag,) between rows i and i + lag."""
-        if lag not in self._lengths:
-            way = np.linalg.norm(self.p[lag:] - self.p[:-lag], axis=1)
-            self._lengths[lag] = np.maximum(way - self.doubt_p[lag:] - self.doubt_p[:-lag], 0.0)
-        return self._lengths[lag]
+        return self._over(self._lengths, lag, self._length)
 
-    def angles(self, lag: int) -> Array:
+    def angles(self, lag: int) -> Along:
         """Least angle (n-lag,) between rows i and i + lag."""
-        if lag not in self._angles:
-            turned = angle_between(self.R[:-lag], self.R[lag:])
-            self._angles[lag] = np.maximum(turned - self.doubt_R[lag:] - self.doubt_R[:-lag], 0.0)
-        return self._angles[lag]
+        return self._over(self._angles, lag, self._angle)
+
+    def _over(self, known: dict[int, Along], lag: int, between: Callable[[slice, slice], Array]) -> Along:
+        def make(a: int, b: int) -> tuple[Array]:
+            return (np.maximum(between(slice(a, b), slice(a + lag, b + lag)), 0.0),)
+
+        if lag not in known:
+            known[lag] = Along(Pieces(len(self.rows.t) - lag, make))
+        return known[lag]
+
+    def _length(self, i: slice, k: slice) -> Array:
+        return np.asarray(np.linalg.norm(self.p[k] - self.p[i], axis=1) - self.doubt_p[k] - self.doubt_p[i])
+
+    def _angle(self, i: slice, k: slice) -> Array:
+        return np.asarray(angle_between(self.R[i], self.R[k]) - self.doubt_R[k] - self.doubt_R[i])
 
     @cached_property
-    def _lengths(self) -> dict[int, Array]:
+    def _lengths(self) -> dict[int, Along]:
         return {}
 
     @cached_property
-    def _angles(self) -> dict[int, Array]:
+    def _angles(self) -> dict[int, Along]:
         return {}
 
     def places(self, first: int, last: int) -> Places:
@@ -132,16 +190,16 @@ class Frame:
         if not rows.exact or last <= first:
             return at_rows
         n = len(INNER)
-        times, X = rows.hermite_places[0], rows.hermite_motion[0]
         inner, left = slice(first * n, last * n), np.repeat(np.arange(first, last), n)
+        times, X = rows.hermite_places[0][inner], rows.hermite_motion[0][inner]
         linear, angular = (
             np.einsum("ij,ij->i", columns[first:last], rows.inner_doubt[first:last]) for columns in self._columns
         )
-        order = np.argsort(np.r_[rows.t[part], times[inner]], kind="stable")
+        order = np.argsort(np.r_[rows.t[part], times], kind="stable")
         return Places(
-            np.r_[at_rows.t, times[inner]][order],
-            np.vstack([at_rows.p, X[inner, :3, :3] @ self.X_FT[:3, 3] + X[inner, :3, 3]])[order],
-            np.concatenate([at_rows.R, X[inner, :3, :3] @ self.X_FT[:3, :3]])[order],
+            np.r_[at_rows.t, times][order],
+            np.vstack([at_rows.p, X[:, :3, :3] @ self.X_FT[:3, 3] + X[:, :3, 3]])[order],
+            np.concatenate([at_rows.R, X[:, :3, :3] @ self.X_FT[:3, :3]])[order],
             np.r_[at_rows.doubt_p, linear[left - first]][order],
             np.r_[at_rows.doubt_angle, angular[left - first]][order],
         )

@@ -17,7 +17,7 @@ from trajopt_cli.verify.caps import check_caps
 from trajopt_cli.verify.clearance import check_clearance
 from trajopt_cli.verify.course import may_drop, points_of
 from trajopt_cli.verify.demands import check_demands
-from trajopt_cli.verify.findings import finding
+from trajopt_cli.verify.findings import finding, in_step
 from trajopt_cli.verify.frame import Frame
 from trajopt_cli.verify.held import check_held
 from trajopt_cli.verify.joints import check_joints
@@ -61,15 +61,21 @@ def verify(
     if dropped is None and (absent := never_near(rows, frames, points)):  # zones reach from point to point
         points = points_of(program, plant, absent, optional=True)
     line = build_timeline(rows, frames, points[0], match(rows, frames, points, rapid), rapid)
+    stops, shapes, caps, demands = in_step(
+        check_stops(line, frames, rapid),
+        check_shapes(line, frames, rapid),
+        check_caps(line, frames),
+        check_demands(line, frames),
+    )
     findings = [
         *_file(rows, frames[np.asarray(points[0].X_FT).tobytes()]),
         *_dropped(program, plant, dropped or ()),
-        *check_stops(line, frames, rapid),
-        *check_shapes(line, frames, rapid),
+        *stops,
+        *shapes,
         *check_held(line, frames),
         *check_joints(rows, line.source_at),
-        *check_caps(line, frames),
-        *check_demands(line, frames),
+        *caps,
+        *demands,
         *check_clearance(program, plant, trajectory, line.source_at),
     ]
     return Report(tuple(findings), tuple(advise(line, frames, rapid)) if advice else ())

@@ -27,11 +27,11 @@ from trajopt_cli.verify.timeline import Timeline, Visit
 from trajopt_cli.verify.tolerances import BACKWARD, JOINT_TARGET, LINE_POSITION, LINE_ROTATION
 
 
-def check_shapes(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> list[Finding]:
-    """Findings about every move between its rests, in program order; a kind that no check knows is never legal. Of a
-    run without one of its points nothing is said: that the point is missing is."""
-    out: list[Finding] = []
+def check_shapes(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> Iterator[tuple[int, list[Finding]]]:
+    """Findings about every move between its rests, in program order, each run's with its last row; a kind that no check
+    knows is never legal. Of a run without one of its points nothing is said: that the point is missing is."""
     for run in runs_of(line.rows, frames, line.runs()):
+        out: list[Finding] = []
         for leg, visit in enumerate(run.visits[1:]):
             match visit.point.move:
                 case MoveL() | MoveC():
@@ -46,7 +46,7 @@ def check_shapes(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> lis
                 case _:
                     out.append(_unknown(line.rows, visit))
         out.extend(_corners(run))
-    return out
+        yield run.part[1], out
 
 
 def _unknown(rows: Rows, visit: Visit) -> Finding:

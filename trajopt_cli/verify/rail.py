@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.verify.rows import Rows, unseen
+from trajopt_cli.verify.rows import INNER, Rows, unseen
 from trajopt_cli.verify.tolerances import DWELL, HELD
 
 Indices = NDArray[np.intp]
@@ -20,7 +20,7 @@ def rail_course(rows: Rows, first: int, last: int) -> tuple[Array, Array, Array]
     doubt = np.full(len(t), rows.doubt_q[0] / 2)
     if not rows.exact or last <= first:
         return t, d, doubt
-    inner = len(rows.hermite_places[0]) // (len(rows.t) - 1)
+    inner = len(INNER)
     between = slice(first * inner, last * inner)
     t = np.r_[t, rows.hermite_places[0][between]]
     order = np.argsort(t, kind="stable")

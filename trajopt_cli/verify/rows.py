@@ -18,9 +18,10 @@ with extra rows in it is marked, an even grid (or anything else) is not.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,6 +47,71 @@ BLOCK = 64
 
 ROUNDING = 1e-9
 """Of distances [m] and angles [rad] that decide which rows are looked at."""
+
+
+PIECE = 4096
+"""Rows that are worked out together."""
+
+_KEPT = 5  # pieces of one thing that stay at hand
+OVERLAP = 2 * LAGS[-1]
+"""Rows that windows share, so that every lag is seen from each of their rows."""
+
+
+class Pieces:
+    """Arrays along n rows that are worked out a piece at a time as they are looked at: all of them as a whole would
+    take some kB a row. make: of the entries a to b - 1. per: entries for a row."""
+
+    def __init__(self, n: int, make: Callable[[int, int], tuple[Array, ...]], per: int = 1):
+        self._n, self._make, self._size = n, make, per * PIECE
+        self._kept: dict[int, tuple[Array, ...]] = {}
+
+    def _piece(self, i: int) -> tuple[Array, ...]:
+        found = self._kept.pop(i, None)
+        if found is None:
+            found = self._make(i * self._size, min((i + 1) * self._size, self._n))
+        self._kept[i] = found  # the last one looked at is the last to go
+        if len(self._kept) > _KEPT:
+            del self._kept[next(iter(self._kept))]
+        return found
+
+    def part(self, which: int, begin: int, end: int) -> Array:
+        """Rows begin to end - 1 of one of the arrays."""
+        begin, end = min(begin, self._n), min(end, self._n)
+        pieces = range(begin // self._size, max(-(-end // self._size), begin // self._size + 1))
+        parts = []
+        for i in pieces if end > begin else range(1):
+            first = i * self._size
+            parts.append(self._piece(i)[which][max(begin - first, 0) : max(end - first, 0)])
+        return parts[0] if len(parts) == 1 else np.concatenate(parts)
+
+    def whole(self) -> tuple[Array, ...]:
+        """All of every array: for those that are small."""
+        parts = [self._make(a, min(a + self._size, self._n)) for a in range(0, self._n, self._size)]
+        return tuple(np.concatenate(arrays) for arrays in zip(*parts, strict=True))
+
+
+@dataclass(frozen=True, eq=False)
+class Along:
+    """One array of pieces, indexed as an array is: by rows first, then by what stands in a row."""
+
+    pieces: Pieces
+    which: int = 0
+
+    def __getitem__(self, key: Any) -> Any:
+        rows, rest = (key[0], key[1:]) if isinstance(key, tuple) else (key, ())
+        if isinstance(rows, slice):
+            assert rows.step is None
+            found = self.pieces.part(self.which, rows.start or 0, self.pieces._n if rows.stop is None else rows.stop)
+        else:
+            return self.pieces.part(self.which, int(rows), int(rows) + 1)[(0, *rest)]
+        return found[(slice(None), *rest)] if rest else found
+
+
+def windows(first: int, last: int) -> Iterator[tuple[int, int]]:
+    """First and last rows of windows over the rows first to last, OVERLAP of them shared with the next."""
+    begins = [*range(first, max(last - OVERLAP, first + 1), PIECE)]
+    for a, b in zip(begins, [*begins[1:], last], strict=True):
+        yield a, min(b + OVERLAP, last)
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,65 +159,100 @@ class Rows:
         return mechanism_of(self.plant)
 
     @cached_property
-    def _flange(self) -> tuple[Array, Array]:
-        return self.mechanism.flange(self.q)
+    def _flange(self) -> Pieces:
+        return Pieces(len(self.t), lambda a, b: self.mechanism.flange(self.q[a:b]))
 
     @property
-    def X_WF(self) -> Array:
+    def X_WF(self) -> Along:
         """Flange poses (n, 4, 4)."""
-        return self._flange[0]
+        return Along(self._flange)
 
     @property
-    def J(self) -> Array:
+    def J(self) -> Along:
         """Flange Jacobians (n, 6, k)."""
-        return self._flange[1]
+        return Along(self._flange, 1)
 
     @cached_property
-    def turning(self) -> Array:
+    def turning(self) -> Along:
         """Flange accelerations J' qd (n, 6) of the rows' speeds alone, no axis accelerating."""
         assert self.qd is not None
-        return self.mechanism.flange_motion(self.q, self.qd, np.zeros_like(self.qd))[2]
+        q, qd = self.q, self.qd
+
+        def make(a: int, b: int) -> tuple[Array]:
+            return (self.mechanism.flange_motion(q[a:b], qd[a:b], np.zeros_like(qd[a:b]))[2],)
+
+        return Along(Pieces(len(self.t), make))
 
     @cached_property
-    def least_axis_speed(self) -> Array:
+    def _rest(self) -> Pieces:
+        """Least speeds of the axes, and whether they are at rest."""
+
+        def make(a: int, b: int) -> tuple[Any, ...]:
+            if self.qd is not None:
+                least = np.maximum(np.abs(self.qd[a:b]) - self.doubt_v, 0.0)
+            else:
+                first = max(a - 1, 0)
+                h = np.diff(self.t[first : b + 1])[:, None]
+                c = np.maximum(np.abs(np.diff(self.q[first : b + 1], axis=0)) - self.doubt_q, 0.0) / (h + self.doubt_t)
+                least = both_sides(np.maximum(c - self.plant.limits.acceleration * h / 2, 0.0))[a - first :][: b - a]
+            granted = REST_JOINT + self.plant.limits.acceleration * self.open_time[a:b, None]
+            return least, np.asarray(least <= granted).all(axis=1)
+
+        return Pieces(len(self.t), make)
+
+    @property
+    def least_axis_speed(self) -> Along:
         """Least |speed| (n, k) the axes can have at the rows.
 
         The printed one, or without speed columns: |mean speed to a neighbour| - A h/2, the larger of both sides.
         """
-        if self.qd is not None:
-            return np.asarray(np.maximum(np.abs(self.qd) - self.doubt_v, 0.0))
-        h = np.diff(self.t)[:, None]
-        c = np.maximum(np.abs(np.diff(self.q, axis=0)) - self.doubt_q, 0.0) / (h + self.doubt_t)
-        return both_sides(np.maximum(c - self.plant.limits.acceleration * h / 2, 0.0))
+        return Along(self._rest)
 
     @cached_property
     def axes_rest(self) -> NDArray[np.bool_]:
         """Rows (n,) where every axis stands, as far as rows show it: one half a gap away may still have A tau."""
-        granted = REST_JOINT + self.plant.limits.acceleration * self.open_time[:, None]
-        return np.asarray((self.least_axis_speed <= granted).all(axis=1))
+        return np.asarray(self._rest.whole()[1])
 
     @cached_property
-    def mismatch(self) -> tuple[Array, Array]:
-        """Mean speed between rows minus mean of the speeds at its rows, (n-1, k), and the doubt about it."""
+    def _between(self) -> Pieces:
+        """Of every interval: the mismatch and the doubt about it, the Hermite's rounding, doubt about positions."""
         assert self.qd is not None
-        h = np.diff(self.t)[:, None]
-        c = np.diff(self.q, axis=0) / h
-        e = c - (self.qd[1:] + self.qd[:-1]) / 2
-        least = shortest(h, self.doubt_t)
-        return e, (self.doubt_q + np.abs(c) * self.doubt_t) / least + self.doubt_v / 2
+        t, q, v = self.t, self.q, self.qd
 
-    @cached_property
-    def hermite_rounding(self) -> Array:
+        def make(a: int, b: int) -> tuple[Array, ...]:
+            part = slice(a, b + 1)
+            h = np.diff(t[part])[:, None]
+            c = np.diff(q[part], axis=0) / h
+            e = c - (v[part][1:] + v[part][:-1]) / 2
+            least = shortest(h, self.doubt_t)
+            doubt = (self.doubt_q + np.abs(c) * self.doubt_t) / least + self.doubt_v / 2
+            speed_change = np.abs(np.diff(v[part], axis=0)) / h
+            rounding = 6 * doubt / least + (self.doubt_v + speed_change * self.doubt_t) / least
+            most = np.maximum(np.abs(v[part][1:]), np.abs(v[part][:-1]))
+            inner = self.doubt_q / 2 + 8 / 27 * (h * self.doubt_v / 2 + most * self.doubt_t)
+            return e, doubt, rounding, inner
+
+        return Pieces(len(t) - 1, make)
+
+    @property
+    def mismatch(self) -> tuple[Along, Along]:
+        """Mean speed between rows minus mean of the speeds at its rows, (n-1, k), and the doubt about it."""
+        return Along(self._between), Along(self._between, 1)
+
+    @property
+    def hermite_rounding(self) -> Along:
         """What printing leaves open about the Hermite's acceleration anywhere between rows, (n-1, k): 6/h of the
         mismatch's doubt and that of (v1 - v0)/h."""
-        assert self.qd is not None
-        h = np.diff(self.t)[:, None]
-        least = shortest(h, self.doubt_t)
-        speed_change = np.abs(np.diff(self.qd, axis=0)) / h
-        return np.asarray(6 * self.mismatch[1] / least + (self.doubt_v + speed_change * self.doubt_t) / least)
+        return Along(self._between, 2)
+
+    @property
+    def inner_doubt(self) -> Along:
+        """Doubt about axis positions between rows (n-1, k): that of a row, and what doubts about speeds (4/27 h each)
+        and about the interval's length add to a Hermite."""
+        return Along(self._between, 3)
 
     @cached_property
-    def truncation(self) -> Array:
+    def truncation(self) -> Along:
         """How far the Hermite's acceleration may be from a smooth motion's between rows, (n-1, k).
 
         It is off by h^2/12 of the motion's fourth derivative at most, which shows as a change of the Hermite's jerk
@@ -159,36 +260,43 @@ class Rows:
         only, doubled. It is never more than a motion has whose acceleration takes TIME_SCALE to change: a lone bad row
         is no truncation.
         """
-        e, h = self.mismatch[0], np.diff(self.t)[:, None]
-        jerk = -12 * e / (h * h)
-        snap = np.abs(np.diff(jerk, axis=0)) / ((h[1:] + h[:-1]) / 2)
-        if not len(snap):
-            return np.zeros_like(e)
-        left, right = np.vstack([snap[:1], snap]), np.vstack([snap, snap[-1:]])
         most = self.plant.limits.acceleration / TIME_SCALE**2
-        return np.asarray(h * h / 12 * np.minimum(2 * np.minimum(left, right), most))
+
+        def make(a: int, b: int) -> tuple[Array]:
+            first = max(a - 1, 0)
+            e, h = self.mismatch[0][first : b + 1], np.diff(self.t[first : b + 2])[:, None]
+            jerk = -12 * e / (h * h)
+            snap = np.abs(np.diff(jerk, axis=0)) / ((h[1:] + h[:-1]) / 2)
+            if not len(snap):
+                return (np.zeros_like(e),)
+            left, right = np.vstack([snap[:1], snap]), np.vstack([snap, snap[-1:]])
+            return ((h * h / 12 * np.minimum(2 * np.minimum(left, right), most))[a - first :][: b - a],)
+
+        return Along(Pieces(len(self.t) - 1, make))
 
     @cached_property
-    def hermite_places(self) -> tuple[Array, Array, Array, Array]:
+    def _places(self) -> Pieces:
+        assert self.qd is not None
+        n, v = len(INNER), self.qd
+
+        def make(a: int, b: int) -> tuple[Array, ...]:
+            part = slice(a // n, b // n + 1)
+            t, q_rows = self.t[part], self.q[part]
+            h, u = np.diff(t)[:, None, None], np.array(INNER)[:, None]
+            q_0, way = q_rows[:-1, None], np.diff(q_rows, axis=0)[:, None]
+            v_0, v_1 = v[part][:-1, None], v[part][1:, None]
+            q = q_0 + u * u * (3 - 2 * u) * way + h * u * (1 - u) * ((1 - u) * v_0 - u * v_1)
+            qd = 6 * u * (1 - u) * way / h + (1 - u) * (1 - 3 * u) * v_0 + u * (3 * u - 2) * v_1
+            qdd = ((6 - 12 * u) * way / h + (6 * u - 4) * v_0 + (6 * u - 2) * v_1) / h
+            times, k = t[:-1, None] + np.array(INNER) * h[:, 0], len(self.trajectory.names)
+            return times.ravel(), q.reshape(-1, k), qd.reshape(-1, k), qdd.reshape(-1, k)
+
+        return Pieces(n * (len(self.t) - 1), make, n)
+
+    @property
+    def hermite_places(self) -> tuple[Along, Along, Along, Along]:
         """Times (m,) at the INNER places of every interval and the Hermite's q, qd, qdd (m, k) there, in order."""
-        assert self.qd is not None
-        h, u = np.diff(self.t)[:, None, None], np.array(INNER)[:, None]
-        q_0, way = self.q[:-1, None], np.diff(self.q, axis=0)[:, None]
-        v_0, v_1 = self.qd[:-1, None], self.qd[1:, None]
-        q = q_0 + u * u * (3 - 2 * u) * way + h * u * (1 - u) * ((1 - u) * v_0 - u * v_1)
-        qd = 6 * u * (1 - u) * way / h + (1 - u) * (1 - 3 * u) * v_0 + u * (3 * u - 2) * v_1
-        qdd = ((6 - 12 * u) * way / h + (6 * u - 4) * v_0 + (6 * u - 2) * v_1) / h
-        times, k = self.t[:-1, None] + np.array(INNER) * h[:, 0], len(self.trajectory.names)
-        return times.ravel(), q.reshape(-1, k), qd.reshape(-1, k), qdd.reshape(-1, k)
-
-    @cached_property
-    def inner_doubt(self) -> Array:
-        """Doubt about axis positions between rows (n-1, k): that of a row, and what doubts about speeds (4/27 h each)
-        and about the interval's length add to a Hermite."""
-        assert self.qd is not None
-        h, v = np.diff(self.t)[:, None], np.abs(self.qd)
-        out = self.doubt_q / 2 + 8 / 27 * (h * self.doubt_v / 2 + np.maximum(v[1:], v[:-1]) * self.doubt_t)
-        return np.asarray(out)
+        return Along(self._places), Along(self._places, 1), Along(self._places, 2), Along(self._places, 3)
 
     @cached_property
     def blocks(self) -> Blocks:
@@ -204,9 +312,18 @@ class Rows:
         return Boxes(tight.low - (granted + ROUNDING), tight.high + (granted + ROUNDING), tight.room)
 
     @cached_property
-    def hermite_motion(self) -> tuple[Array, Array, Array]:
+    def _motion(self) -> Pieces:
+        n = len(INNER)
+
+        def make(a: int, b: int) -> tuple[Array, ...]:
+            return self.mechanism.flange_motion(*(places[a:b] for places in self.hermite_places[1:]))
+
+        return Pieces(n * (len(self.t) - 1), make, n)
+
+    @property
+    def hermite_motion(self) -> tuple[Along, Along, Along]:
         """Flange poses (m, 4, 4), velocities and accelerations (m, 6) at hermite_places."""
-        return self.mechanism.flange_motion(*self.hermite_places[1:])
+        return Along(self._motion), Along(self._motion, 1), Along(self._motion, 2)
 
 
 @dataclass(frozen=True)

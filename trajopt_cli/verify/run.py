@@ -7,7 +7,7 @@ which side of a small zone its corners lie, and several points may lie between t
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -215,6 +215,6 @@ def off_way(way: Line | Arc, p: Array, s: Array) -> Array:
     return np.asarray(np.linalg.norm(p - way.at(np.clip(s, 0.0, 1.0))[0], axis=1))
 
 
-def runs_of(rows: Rows, frames: dict[bytes, Frame], runs: Sequence[tuple[Visit, ...]]) -> list[Run]:
-    """Every run with the tool in force on it."""
-    return [Run(rows, frames[np.asarray(visits[-1].point.X_FT).tobytes()], visits) for visits in runs]
+def runs_of(rows: Rows, frames: dict[bytes, Frame], runs: Iterable[tuple[Visit, ...]]) -> Iterator[Run]:
+    """Every run with the tool in force on it; what is known of one goes before the next one comes."""
+    return (Run(rows, frames[np.asarray(visits[-1].point.X_FT).tobytes()], visits) for visits in runs)

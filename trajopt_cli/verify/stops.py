@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -26,31 +28,14 @@ from trajopt_cli.verify.tolerances import (
 from trajopt_cli.verify.visits import off_chords
 
 
-def check_stops(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> list[Finding]:
-    """All findings about points in program order, the start's first and the end's last."""
+def check_stops(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> Iterator[tuple[int, list[Finding]]]:
+    """All findings about points in program order with their rows, the start's first and the end's last."""
     rows = line.rows
-    out = [*_ends(rows, 0, "start", rows.plant.start, None)]
+    yield 0, _ends(rows, 0, "start", rows.plant.start, None)
     for i, visit in enumerate(line.visits):
-        frame = frames[np.asarray(visit.point.X_FT).tobytes()]
-        before = line.visits[max(i - 1, 0)]
-        if visit.point.fly_by is not None:
-            out.append(_passed(rows, visit, frame, line, i))
-            continue
-        if i > 0:
-            out.append(_reached(rows, visit, frame, line, i))
-        if visit.event is None:
-            continue
-        out.extend(_rail(rows, visit))
-        # in a run the moves beside a point share the time of its corner
-        if i > 0 and visit.point.duration is not None and before.point.fly_by is None:
-            out.append(_duration(rows, before, visit, _rest_over(line, i)))
-        out.extend(_dwells(rows, visit))
-        if visit.holds or visit.stay:
-            out.append(_drift(rows, visit, before, frame))
-        if rapid:
-            out.extend(_axes_stand(rows, visit))
+        yield visit.depart, [*_point(line, frames[np.asarray(visit.point.X_FT).tobytes()], i, rapid)]
     last = line.visits[-1]
-    out.extend(_ends(rows, len(rows.t) - 1, "end", None, last.point.source))
+    out = _ends(rows, len(rows.t) - 1, "end", None, last.point.source)
     if last.event is not None:
         over = float(rows.t[-1] - rows.t[last.depart])
         message_note = f": nothing may follow {last.point.name}"
@@ -59,7 +44,28 @@ def check_stops(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> list
             finding("end", "motion after it", over, 0.0, "s", passed, time=float(rows.t[last.depart]),
                     source=last.point.source, note=message_note)
         )  # fmt: skip
-    return out
+    yield len(rows.t), out
+
+
+def _point(line: Timeline, frame: Frame, i: int, rapid: bool) -> Iterator[Finding]:
+    """All findings about visit i."""
+    rows, visit, before = line.rows, line.visits[i], line.visits[max(i - 1, 0)]
+    if visit.point.fly_by is not None:
+        yield _passed(rows, visit, frame, line, i)
+        return
+    if i > 0:
+        yield _reached(rows, visit, frame, line, i)
+    if visit.event is None:
+        return
+    yield from _rail(rows, visit)
+    # in a run the moves beside a point share the time of its corner
+    if i > 0 and visit.point.duration is not None and before.point.fly_by is None:
+        yield _duration(rows, before, visit, _rest_over(line, i))
+    yield from _dwells(rows, visit)
+    if visit.holds or visit.stay:
+        yield _drift(rows, visit, before, frame)
+    if rapid:
+        yield from _axes_stand(rows, visit)
 
 
 def _ends(rows: Rows, row: int, name: str, wanted: Array | None, source: Source | None) -> list[Finding]:
@@ -150,7 +156,7 @@ def _off(rows: Rows, visit: Visit, frame: Frame, row: int) -> tuple[float, float
     """Distance or angle from the stop's pose at a row, whichever is farther in tolerances; its limit and unit."""
     X_WT = visit.X_WF @ visit.point.X_FT
     d_p = float(np.linalg.norm(frame.p[row] - X_WT[:3, 3]))
-    d_R = float(angle_between(frame.R[row], X_WT[:3, :3]))
+    d_R = float(angle_between(frame.rotations(np.array([row]))[0], X_WT[:3, :3]))
     if d_p / STOP_POSITION >= d_R / STOP_ROTATION:
         return d_p, STOP_POSITION, "m"
     return d_R, STOP_ROTATION, "rad"

@@ -122,19 +122,23 @@ def _closeness(rows: Rows, frame: Frame, stop: Point, rapid: bool, at: NDArray[n
     assert stop.X_WF is not None
     X_WT = stop.X_WF @ stop.X_FT
     d_p = np.maximum(np.linalg.norm(frame.p[at] - X_WT[:3, 3], axis=1) - frame.doubt_p[at], 0.0)
-    d_R = np.maximum(angle_between(frame.R[at], X_WT[:3, :3]) - frame.doubt_R[at], 0.0)
+    d_R = np.maximum(angle_between(frame.rotations(at), X_WT[:3, :3]) - frame.doubt_R[at], 0.0)
     near = (d_p <= STOP_POSITION + a * tau**2 / 2) & (d_R <= STOP_ROTATION + alpha * tau**2 / 2)
     tight = (d_p <= STOP_POSITION) & (d_R <= STOP_ROTATION)
     return Closeness(at, np.maximum(d_p / STOP_POSITION, d_R / STOP_ROTATION), near, tight, rests, rail_met, stands)
 
 
 def worth_a_look(rows: Rows, frame: Frame, stop: Point) -> NDArray[np.intp]:
-    """The rows in blocks that may hold one near a stop: no more is looked at in a long file."""
+    """The rows that may be near a stop: no more is looked at in a long file."""
     if isinstance(stop.move, MoveExtJ):
         return np.arange(len(rows.t))
     if stop.arm is not None:
         return rows.blocks.rows(rows.arm_boxes.near(stop.arm))
-    return rows.blocks.rows(frame.stop_boxes.near(stop.X_WT[:3, 3]))
+    P, a = stop.X_WT[:3, 3], rows.plant.tcp.acceleration
+    at = rows.blocks.rows(frame.stop_boxes.near(P))
+    granted = STOP_POSITION + a * rows.open_time[at] ** 2 / 2 + frame.doubt_p[at]
+    near: Mask = np.linalg.norm(frame.p[at] - P, axis=1) <= granted + ROUNDING
+    return np.asarray(at[near])
 
 
 def events_of(close: Closeness) -> tuple[Event, ...]:
