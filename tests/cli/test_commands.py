@@ -455,6 +455,16 @@ def test_commands_load_no_more_than_they_need(program: Path, arguments: str, hea
     assert not set(heavy.split()) & set(done.stdout.splitlines()[-1].split())
 
 
+def test_optimize_leaves_advice_to_verify(program: Path, planner: Planner, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its libraries take longer to load than a short program to judge."""
+    asked: list[object] = []
+    monkeypatch.setattr("trajopt_cli.verify.judge.advise", lambda *given: asked.append(given) or [])
+    assert run(["optimize", str(program), "--jobs", "1"]) == 0
+    assert not asked
+    assert run(["verify", "results/tiny"]) == 0
+    assert len(asked) == len(Target)
+
+
 def test_the_option_offers_every_target() -> None:
     assert set(get_args(get_args(get_type_hints(optimize, include_extras=True)["target"])[0])) == {*Target}
 

@@ -302,10 +302,12 @@ def _bounded_and_judged(
 
 
 def _judged(job: Job, plan: Plan, text: str, clock: Clock) -> Judged:
-    """A plan with what the judge says of its text."""
+    """A plan with what the judge says of its text. Advice is for who asks `trajopt verify`: its libraries take longer
+    to load than a short program to judge, and on a long one more than all that decides."""
     with clock.phase(f"{plan.target.value}: judge"):
         dropped = tuple(motion.index for motion in plan.motions if motion.dropped)
-        return Judged(plan, text, judge(job.plant, job.program, text, CSV[plan.target], dropped, plan.target))
+        report = judge(job.plant, job.program, text, CSV[plan.target], dropped, plan.target, advice=False)
+        return Judged(plan, text, report)
 
 
 def as_written(job: Job, changes: Changes, clock: Clock, memory: Memory) -> Plan | str:

@@ -282,7 +282,6 @@ def _plan(program: Program, judged: Judged, stretches: Sequence[Stretch]) -> dic
         "judge": {
             "legal": judged.report.legal,
             "findings": [finding_record(finding) for finding in judged.report.findings],
-            "advice": [finding_record(finding) for finding in judged.report.advice],
         },
     }
 
