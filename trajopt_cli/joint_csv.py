@@ -8,7 +8,7 @@ the text lives is the caller's business.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from decimal import Decimal, InvalidOperation
 from functools import lru_cache
@@ -26,6 +26,7 @@ _POSITION = re.compile(r"(?P<name>\w+) \[(?P<unit>m|mm|rad|deg)\]")
 _SPEED = re.compile(r"(?P<name>\w+) speed \[(?P<unit>m|mm|rad|deg)/s\]")
 _FINEST = -15  # digits beyond the fifteenth decimal are under the rounding of any double near 1
 _ROWS = 4096  # that are text and numbers at once
+_CHARACTERS = 300 * _ROWS  # of about as many
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,23 +75,27 @@ def read_csv_text(text: str, file: str) -> tuple[Trajectory, Resolution]:
     Raises InputError with file, line and column (in characters) for an unknown or missing head, a row of another
     length, anything that is not a finite number, times that do not increase, and fewer than two rows.
     """
-    lines = text.split("\n")
-    while lines and not lines[-1].strip():
-        lines.pop()
-    if not lines:
+    end = len(text)
+    while end > 0 and not text[(begin := text.rfind("\n", 0, end) + 1) : end].strip():
+        end = max(begin - 1, 0)  # empty lines at the end
+    if not end:
         raise InputError("the file is empty; its first line must be the header t [s],<axis> [unit],...", file=file)
-    names, factors, speeds = _read_header(lines[0].removeprefix("\ufeff").rstrip("\r"), file)
+    head = _line_end(text, 0, end)
+    names, factors, speeds = _read_header(text[:head].removeprefix("\ufeff").rstrip("\r"), file)
     k, width = len(names), len(factors)
-    table, finest = np.empty((len(lines) - 1, width)), [99] * width
-    for first in range(1, len(lines), _ROWS):
-        fields = [line.rstrip("\r").split(",") for line in lines[first : first + _ROWS]]
-        for number, row in enumerate(fields, start=first + 1):
+    rows = text.count("\n", 0, end)
+    table, finest = np.empty((rows, width)), [99] * width
+    first = 0
+    for lines in _parts(text, head + 1, end):
+        fields = [line.rstrip("\r").split(",") for line in lines]
+        for number, row in enumerate(fields, start=first + 2):
             if len(row) != width:
                 raise InputError(f"{len(row)} values, the header has {width} columns", file=file, line=number)
-        table[first - 1 : first - 1 + len(fields)] = _numbers(fields, file, first + 1)
+        table[first : first + len(fields)] = _numbers(fields, file, first + 2)
         finest = [_finest(fields, column, known) for column, known in enumerate(finest)]
-    if len(table) < 2:
-        raise InputError(f"{len(table)} rows; a motion needs at least 2", file=file, line=len(lines))
+        first += len(fields)
+    if rows < 2:
+        raise InputError(f"{rows} rows; a motion needs at least 2", file=file, line=rows + 1)
     t = table[:, 0]
     late = np.flatnonzero(np.diff(t) <= 0)
     if late.size:
@@ -99,13 +104,27 @@ def read_csv_text(text: str, file: str) -> tuple[Trajectory, Resolution]:
         raise InputError(message, file=file, line=i + 3, column=1)
     exponents = _exponents(finest, table)
     steps = [10.0**exponent for exponent in exponents]
-    q, qd = (table[:, part] * factors[part] for part in (slice(1, 1 + k), slice(1 + k, width)))
+    table *= factors
+    q, qd = table[:, 1 : 1 + k], table[:, 1 + k :]
     resolution = Resolution(
         t=0.0 if _on_grid(t, exponents[0]) else steps[0],
         q=np.array(steps[1 : 1 + k]) * factors[1 : 1 + k],
         qd=np.array(steps[1 + k :]) * factors[1 + k :] if speeds else np.zeros(k),
     )
     return Trajectory(names, t, q, qd if speeds else None), resolution
+
+
+def _line_end(text: str, begin: int, end: int) -> int:
+    found = text.find("\n", begin, end)
+    return end if found < 0 else found
+
+
+def _parts(text: str, begin: int, end: int) -> Iterator[list[str]]:
+    """The lines of a text from begin to end, so many at a time as are text and numbers at once."""
+    while begin <= end and begin < len(text):
+        last = _line_end(text, min(begin + _CHARACTERS, end), end)
+        yield text[begin:last].split("\n")
+        begin = last + 1
 
 
 def _read_header(line: str, file: str) -> tuple[tuple[str, ...], Array, bool]:

@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
+from trajopt_cli import joint_csv
 from trajopt_cli.errors import InputError
 from trajopt_cli.joint_csv import header, read_csv_text, write_csv_text
 from trajopt_cli.trajectory import Trajectory
@@ -43,6 +44,19 @@ def test_foreign_units_are_converted() -> None:
     assert rows.qd == pytest.approx(np.array([[0, 0], [0.005, np.pi]]), abs=1e-15)
     assert resolution.q == pytest.approx([1e-4, np.radians(0.01)], rel=1e-12)
     assert resolution.qd == pytest.approx([1e-3, np.radians(1)], rel=1e-12)
+
+
+def test_a_file_that_is_read_in_parts_is_read_as_a_whole(monkeypatch: pytest.MonkeyPatch) -> None:
+    rng = np.random.default_rng(7)
+    text = write_csv_text(Trajectory(NAMES, np.arange(9.0), rng.normal(size=(9, 3)).round(3)))
+    whole, resolution = read_csv_text(text, "a.csv")
+    for at_once in (1, 40, 100):
+        monkeypatch.setattr(joint_csv, "_CHARACTERS", at_once)
+        for end in ("", "\n", " \n\r\n", "\n \n"):
+            parts, fineness = read_csv_text(text.rstrip("\n") + end, "a.csv")
+            assert np.array_equal(parts.q, whole.q)
+            assert np.array_equal(parts.t, whole.t)
+            assert (fineness.t, *fineness.q) == (resolution.t, *resolution.q)
 
 
 def test_a_byte_order_mark_is_no_part_of_the_header() -> None:
@@ -90,7 +104,11 @@ GOOD = "t [s],rail [m],joint_1 [rad]\n0,0,0\n0.1,0.5,1\n"
         (GOOD[:35], "a.csv:2: 1 rows; a motion needs at least 2"),
     ],
 )  # fmt: skip
-def test_a_malformed_file_is_one_line_with_its_place(text: str, message: str) -> None:
+@pytest.mark.parametrize("at_once", [1, 20, 10**6])
+def test_a_malformed_file_is_one_line_with_its_place(
+    text: str, message: str, at_once: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(joint_csv, "_CHARACTERS", at_once)
     with pytest.raises(InputError) as caught:
         read_csv_text(text, "a.csv")
     assert str(caught.value) == message

@@ -200,6 +200,7 @@ def _files(
 ) -> dict[str, bytes]:
     """The results folder's files but run.json."""
     plant = job.plant
+    texts = {one: judged[one].csv.encode("ascii") for one in Target}
     files = {
         SUMMARY: summary(
             job.program,
@@ -215,8 +216,8 @@ def _files(
             notes,
             kept,
         ),
-        CHOSEN: judged[target].csv.encode("ascii"),
-        **{CSV[one]: judged[one].csv.encode("ascii") for one in Target},
+        CHOSEN: texts[target],
+        **{CSV[one]: texts[one] for one in Target},
     }
     for given in inputs.values():
         files[given.place] = given.content

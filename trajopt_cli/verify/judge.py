@@ -24,7 +24,7 @@ from trajopt_cli.verify.joints import check_joints
 from trajopt_cli.verify.lines import check_shapes
 from trajopt_cli.verify.machine import Machine
 from trajopt_cli.verify.mechanism import mechanism_of
-from trajopt_cli.verify.rows import Rows, look
+from trajopt_cli.verify.rows import PIECE, Rows, look
 from trajopt_cli.verify.stops import check_stops
 from trajopt_cli.verify.timeline import build_timeline
 from trajopt_cli.verify.tolerances import COARSEST_PRINT, LARGEST_GAP
@@ -85,11 +85,15 @@ def _check_rows(trajectory: Trajectory) -> None:
     t = trajectory.t
     if len(t) < 2:
         raise InputError(f"the motion has {len(t)} rows; at least 2 are needed")
-    table = np.column_stack([t, trajectory.q] + ([] if trajectory.qd is None else [trajectory.qd]))
-    if not np.isfinite(table).all():
-        row, column = (int(i) for i in np.argwhere(~np.isfinite(table))[0])
-        name = ("t", *trajectory.names, *(f"{axis} speed" for axis in trajectory.names))[column]
-        raise InputError(f"row {row}: {name} is {table[row, column]}, wanted a finite number")
+    for a in range(0, len(t), PIECE):
+        part = slice(a, a + PIECE)
+        table = np.column_stack(
+            [t[part], trajectory.q[part]] + ([] if trajectory.qd is None else [trajectory.qd[part]])
+        )
+        if not np.isfinite(table).all():
+            row, column = (int(i) for i in np.argwhere(~np.isfinite(table))[0])
+            name = ("t", *trajectory.names, *(f"{axis} speed" for axis in trajectory.names))[column]
+            raise InputError(f"row {a + row}: {name} is {table[row, column]}, wanted a finite number")
     late = np.flatnonzero(np.diff(t) <= 0)
     if late.size:
         row = int(late[0]) + 1
