@@ -235,20 +235,21 @@ class Sweeps:
         tell: Callable[[tuple[bytes, float]], None],
     ) -> Outcome:  # fmt: skip
         """From what the search hoped for, and from the motion at hand: where the problem has few legs from those starts
-        that lead about as far on a rough grid, else the first that gains. tell: its key and what it saves [s]."""
+        that lead about as far on a rough grid, else from the one with the best first answer, or the next where that
+        gains nothing. tell: its key and what it saves [s]."""
         own, problem = window.draft, window.problem
         times = np.array([0.0 if motion is None else motion.T for motion in own.legs])
         coarse = first_draft(self._axes, problem, own.q, own.qd, own.cfx, times, self._grids, _capped(own))
         near = on_grid(self._axes, problem, own, self._grids)
-        starts: list[Draft | Stage] = [*hoped, coarse, near] if untouched else [near, coarse]
+        starts: list[Draft | Stage] = [near, coarse]
         clean, seconds, best = False, dict[str, float](), own
         ends: list[float] = []  # where starts led to on the rough grid that were solved to the end
         try:
-            if few and untouched:
-                rough = on_grid(self._axes, problem, own, self._grids.rough)
-                starts = [*self._ahead(problem, [*hoped, coarse, rough], seconds), near]
+            if untouched:
+                rough = [on_grid(self._axes, problem, own, self._grids.rough)] if few else []
+                starts = [*self._ahead(problem, [*hoped, coarse, *rough], few, seconds), near]
             for start in starts:
-                if best is not own and not (isinstance(start, Stage) and self._rivals(problem, start, ends)):
+                if best is not own and not (few and isinstance(start, Stage) and self._rivals(problem, start, ends)):
                     continue
                 with self._refiner(problem, seconds) as refiner, suppress(NotConverged):
                     found = refiner.finished(start) if isinstance(start, Stage) else refiner.run(start)
@@ -263,9 +264,9 @@ class Sweeps:
             return Outcome(None if best is own else best, clean, seconds, stopped=True)
         return Outcome(None if best is own else best, clean, seconds)
 
-    def _ahead(self, problem: Problem, starts: Sequence[Draft], seconds: dict[str, float]) -> list[Stage]:
-        """Rough answers from those starts that lead to one, the best first; one where several lead to the same first
-        answer. Raises Stopped."""
+    def _ahead(self, problem: Problem, starts: Sequence[Draft], few: bool, seconds: dict[str, float]) -> list[Stage]:
+        """First answers from those starts that lead to one, in a problem of few legs rough ones, the best first; one
+        where several lead to the same first answer. Raises Stopped."""
         found: list[Stage] = []
         firsts: list[float] = []
         for start in starts:
@@ -274,7 +275,7 @@ class Sweeps:
                 first = cost(self._axes, problem, stage.draft.legs)
                 if not _known(first, firsts):
                     firsts.append(first)
-                    found.append(refiner.rough(stage))
+                    found.append(refiner.rough(stage) if few else stage)
         return sorted(found, key=lambda stage: cost(self._axes, problem, stage.draft.legs))
 
     def _rivals(self, problem: Problem, stage: Stage, ends: Sequence[float]) -> bool:
