@@ -94,6 +94,7 @@ def test_what_was_found_before_the_end_stays(monkeypatch: pytest.MonkeyPatch) ->
 
     monkeypatch.setattr(windows, "WINDOW", 4)
     monkeypatch.setattr(Refiner, "begun", lambda _, draft: Stage(draft, [], []))
+    monkeypatch.setattr(Refiner, "rough", lambda _, stage: stage)
     monkeypatch.setattr(Refiner, "finished", solve)
     monkeypatch.setattr("trajopt_cli.optimize.improve.search", lambda *_: None)
     base = legal()

@@ -64,6 +64,7 @@ def stand_in(monkeypatch: pytest.MonkeyPatch, solve: Callable[[Problem, Draft], 
         return solve(self.problem, stage.draft)
 
     monkeypatch.setattr(Refiner, "begun", lambda _, draft: Stage(draft, [], []))
+    monkeypatch.setattr(Refiner, "rough", lambda _, stage: stage)
     monkeypatch.setattr(Refiner, "finished", finished)
     return asked
 

@@ -147,7 +147,7 @@ OVERLAP = 12  # legs of the windows over the others' borders, about. Measured on
 EVEN_PARTS = 4  # windows at most into which what is left of a piece is cut evenly. Not measured.
 FEW_LEGS = 48  # of a problem of whose windows the best of all starts is taken, on grids that are doubled once more.
 # Measured on nine random programs: the first start that gained was up to 5 % slower than another; on 100 moves of a
-# pallet the coarser grids cost 0.13 % of the cycle and save 30 to 40 % of the solver's time. In longer problems the best
+# pallet the coarser grids cost 0.13 % of the cycle and save 30 to 40 % of the solver's time. In longer ones the best
 # of two first answers: on 50, 100 and 200 moves of a pallet 0.4, 0 and 0 % less for 20, 8 and 4 % more time.
 RIVAL = 1.003  # times the best rough answer up to which others are solved to the end as well. Measured: of two 0.22 %
 # apart the one behind ended 0.5 % ahead; 1 % cost hinge_cell 0.6 s for nothing.
