@@ -57,10 +57,8 @@ WIDER = (
 # turn. Not measured.
 CANDIDATES = 40  # states of a tied waypoint that are tried by coordinate descent. Not measured.
 LINE_CHUNK = 100_000  # joints of a line at once: 0.8 MB. Not measured.
-SEARCH_CHUNK = (
-    25_000  # numbers per work array: 0.2 MB, which the heap keeps. Measured on 10 stations: 0.51 s for 0.70 s
-)
-# with whole tables.
+SEARCH_CHUNK = 25_000  # numbers per work array: 0.2 MB, which the heap keeps. Measured on 10 stations with free axes:
+# 0.51 s for 0.70 s with whole tables.
 
 # ---- course: a run's parts between two stops
 END_CURVE = 0.7  # how much closer together a leg's nodes are beside its stops. Measured on hinge_line: 20 nodes in the
