@@ -335,7 +335,7 @@ class _Cut:
             elif end and middle > t_1:
                 segment, own = end.corner, ((a - t_1) / (1 - t_1) / 2, (b - t_1) / (1 - t_1) / 2)
             corner = segment is not self._ways[k]
-            N = CORNER_PART if corner else max(2, round(nodes * (b - a)))
+            N = CORNER_PART if corner else max(CORNER_PART, round(nodes * (b - a)))
             joints = isinstance(segment, JointMove | JointCorner)
             rail = None if joints else self._rail(k, start, end, a, b)
             u = spaced(N) if b - a == 1.0 else np.linspace(0.0, 1.0, N + 1)

@@ -27,6 +27,7 @@ from trajopt_cli.optimize.tuning import (
     POLISH,
     POLISH_LAST,
     POLISH_STEP,
+    REFINE_APART,
     REFINE_GAIN,
     REFINE_LAST,
     REFINE_NARROW,
@@ -61,7 +62,7 @@ def refined(axes: Axes, problem: Problem, chain: Chain, known: Times | None = No
         before = near
         found = iter(_near(axes, problem, best, marks[changed], step))
         near = [next(found) if new else before[i] for i, new in enumerate(changed)]
-        edges = _edges(axes, problem, marks, near, best, before, edges, known)
+        edges = _edges(axes, problem, marks, near, best, before, edges, step, known)
         cost, path = best_chain(near, edges, ties)
         if not np.isfinite(cost):
             break
@@ -292,6 +293,7 @@ def _edges(
     chain: Chain,
     before: Sequence[Array],
     edges: Sequence[Array],
+    step: Array,
     known: Times,
 ) -> list[Array]:
     """(m_a, m_b) least time from each mark to the next between the axes near them, infinite where it cannot be. A
@@ -310,9 +312,10 @@ def _edges(
                 (np.arange(len(x)), np.arange(len(x))) if rows is None else rows
                 for x, rows in zip((a, b), same[i : i + 2], strict=True)
             )
-            edge[np.ix_(at, to)] = edges[i][np.ix_(at_before, to_before)]
+            found = edges[i][np.ix_(at_before, to_before)]
+            edge[np.ix_(at, to)] = np.where(np.isfinite(found), found, np.nan)
         ia, ib = np.nonzero(np.isnan(edge))
-        worth = _worth(axes, problem, first, last, a[ia], b[ib], chain)
+        worth = _worth(axes, problem, first, last, a[ia], b[ib], chain, max(step[first], step[last]))
         edge[ia, ib] = np.inf
         ia, ib = ia[worth], ib[worth]
         q = _between(axes, problem, chain, first, last, a[ia], b[ib])
@@ -351,15 +354,20 @@ def _places(a: Array, b: Array) -> tuple[IndexArray, IndexArray]:
     return i, j
 
 
-def _worth(axes: Axes, problem: Problem, first: int, last: int, q_0: Array, q_1: Array, chain: Chain) -> BoolArray:
-    """Which pairs (m,) of axes at two marks are timed: the rail stays where it must, and where the tool passes both
-    it goes at most as far as it can in a few times what the way takes, or as it goes now."""
+def _worth(
+    axes: Axes, problem: Problem, first: int, last: int, q_0: Array, q_1: Array, chain: Chain, step: float
+) -> BoolArray:
+    """Which pairs (m,) of axes at two marks are timed: the rail stays where it must, else both are shifted alike but
+    for a step or two [m]; where the tool passes both the rail goes at most as far as it can in a few times what the way
+    takes, or as it goes now."""
     leg, place = problem.legs[first], axes.layout.place
     way = np.abs(place(q_1) - place(q_0))
     if not leg.rail_moves or (problem.freedom.rail is RailFreedom.STATION and leg.kind is not LegKind.JOINT):
         return np.asarray(way <= _SAME)
+    now = float(place(chain.q[last]) - place(chain.q[first]))
+    steps = REFINE_APART if step < REFINE_NARROW else 2 * REFINE_APART
+    near = np.abs(place(q_1) - place(q_0) - now) <= steps * step + _SAME
     if not short(problem, first):
-        return np.ones(len(way), dtype=bool)
-    now = abs(float(place(chain.q[last]) - place(chain.q[first])))
+        return np.asarray(near)
     farthest = RUSH * float(place(axes.velocity_on(leg)) * chain.times[first:last].sum())
-    return np.asarray(way <= max(now, farthest) + _SAME)
+    return np.asarray(way <= max(abs(now), farthest) + _SAME)

@@ -107,10 +107,14 @@ FLIPPED = 1.0  # rad, m by which axes in the middle of such a line may be elsewh
 PAIRS_AT_ONCE = 1500  # pairs of rail positions timed at once: 60 MB. Not measured.
 RUSH = 4.0  # times the rail's way at top speed in a short line's time that its ends may be apart. Not measured.
 REFINE_OFFSETS = (-2.0, -1.0, 0.0, 1.0, 2.0)  # steps beside a rail position that are tried. Not measured.
+REFINE_APART = (
+    1  # step by which both ends of a leg are shifted otherwise at most, two where two to either side are tried.
+)
+# Measured on ten programs: 0.002 % faster on average than with all pairs, the slowest 0.0006 % slower.
 REFINE_NARROW = 5e-3  # m, steps below which only the nearest of them are. Measured on 100 moves of a pallet: always all
 # of them gave 36.896 s in 2.3 s, never the farther ones 36.902 s in 1.45 s.
 REFINE_STEP = 0.03  # m, the first step: the search's grid. Not measured.
-REFINE_LAST = 2e-4  # m, the last. Not measured.
+REFINE_LAST = 2e-4  # m, the last. Measured: 4e-4 gave one of 30 random programs 0.06 % more time.
 POLISH = (
     2500  # legs of runs with corners that are timed in all while the rail is shifted at their points. Not measured.
 )
