@@ -1,0 +1,118 @@
+"""What is done for all runs of a program at once is what is done for each of them alone."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from small_cells import plant_with_rail, problem_of, rapid
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.optimize import exchange, looks
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.course import Course, courses_of
+from trajopt_cli.optimize.exchange import check_leg
+from trajopt_cli.optimize.incumbent import about, duration, timed
+from trajopt_cli.optimize.leg_times import Times
+from trajopt_cli.optimize.looks import looked_at
+from trajopt_cli.optimize.pace import Shares, fastest, law_of, least_times, motions
+from trajopt_cli.optimize.rail import polished, refined
+from trajopt_cli.optimize.search import Chain, search
+from trajopt_cli.problem.plan import Target
+from trajopt_cli.problem.problem import Coupling, Problem
+
+DATA = "CONST zonedata z_t:=[FALSE,12,18,25,9E9,9E9,9E9];"
+BODY = """MoveJ p_in, v1000, z_t, tool0;
+MoveL p_low, v500, z_t, tool0;
+MoveL Offs(p_low,30,40,0), v300, fine, tool0;
+MoveL p_low, v500, fine, tool0;
+MoveJ p_in, v2500, fine, tool0;
+MoveL p_low, v500, z_t, tool0;
+MoveL Offs(p_low,0,-60,20), v800, fine, tool0;"""
+
+
+def chain_of(body: str = BODY) -> tuple[Axes, Problem, Chain]:
+    problem = problem_of(rapid(body, data=DATA), plant_with_rail(), Target.RAPID)
+    axes = Axes.of(problem.plant)
+    chain = search(axes, problem)
+    assert chain is not None
+    return axes, problem, replace(chain, w=np.zeros_like(chain.w))
+
+
+def courses(axes: Axes, problem: Problem, chain: Chain) -> list[Course]:
+    cfx = [label.cfx for label in chain.labels]
+    shifted = chain.q.copy()
+    shifted[problem.runs[0][1], 0] += 0.1  # the arm does not end there: no course, which the others must not feel
+    q = [*([chain.q] * len(problem.runs)), shifted]
+    found = courses_of(axes, problem, [*problem.runs, problem.runs[0]], q, cfx, [24] * len(q))
+    made = [one for one in found if one is not None]
+    assert found[-1] is None
+    assert len(made) == len(problem.runs)
+    alone = [courses_of(axes, problem, [run], [chain.q], cfx, [24])[0] for run in problem.runs]
+    for one, other in zip(made, alone, strict=True):
+        assert other is not None
+        for name in ("q", "dq", "ddq", "v", "w", "bend"):
+            np.testing.assert_array_equal(getattr(one.along, name), getattr(other.along, name))
+    return made
+
+
+def test_runs_driven_together_are_driven_as_alone() -> None:
+    axes, problem, chain = chain_of()
+    made = courses(axes, problem, chain)
+    together = fastest(axes, problem, made)
+    least = least_times(axes, problem, made)
+    for course, found, T in zip(made, together, least, strict=True):
+        (alone,) = fastest(axes, problem, [course])
+        assert isinstance(found, dict)
+        assert isinstance(alone, dict)
+        assert [one.T for one in found.values()] == pytest.approx([one.T for one in alone.values()], rel=1e-12)
+        law = law_of(axes, problem, course, Shares.full(len(course.part)))
+        assert law is not None
+        assert law.duration == pytest.approx(T, rel=1e-12)
+        assert sum(one.T for one in found.values()) * (1 + 1e-3) > T
+
+
+def test_a_course_is_looked_at_as_its_motions_are(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The same ratios at the same places, of ways of the tool, joint moves and corners between them."""
+    monkeypatch.setattr(looks, "COURSE_LOOKS", 12)
+    for name, value in (("BRIEF", 12), ("NEAR_LOOK", 1e3)):
+        monkeypatch.setattr(exchange, name, value)
+    axes, problem, chain = chain_of()
+    for course in courses(axes, problem, chain):
+        law = law_of(axes, problem, course, Shares.full(len(course.part)))
+        assert law is not None
+        found = looked_at(axes, problem, course, law, np.arange(len(course.part)))
+        for k, motion in motions(axes, problem, course, law).items():
+            wanted, at = check_leg(axes, problem.legs[k], motion), course.leg == k
+            for of in ("velocity", "acceleration", "position", "tool"):
+                np.testing.assert_allclose(getattr(found, of)[at], getattr(wanted, of), rtol=1e-6, atol=1e-6)
+
+
+def test_shifts_at_corners_gain() -> None:
+    axes, problem, chain = chain_of()
+    cfx = [label.cfx for label in chain.labels]
+
+    def time(q: Array) -> float:
+        return float(about(axes, problem, problem.runs, [q] * len(problem.runs), cfx).sum())
+
+    found = polished(axes, problem, chain)
+    assert time(found.q) < time(chain.q) * (1 - 1e-3)
+    assert duration(timed(axes, problem, found)) < duration(timed(axes, problem, chain))
+
+
+def test_points_that_are_carried_along_are_not_shifted() -> None:
+    ways = "\n".join(f"MoveL Offs(p_low,{5 * np.sin(i):.3f},{3 * i},0), v200, z1, tool0;" for i in range(1, 9))
+    axes, problem, chain = chain_of(f"MoveJ p_low, v1000, fine, tool0;\n{ways}\nMoveL p_low, v200, fine, tool0;")
+    rail = axes.layout.place
+    assert np.array_equal(rail(polished(axes, problem, chain).q)[3:8], rail(chain.q)[3:8])
+
+
+def test_what_was_timed_for_one_coupling_is_known_to_the_other() -> None:
+    axes, problem, chain = chain_of(BODY.replace("z_t", "fine"))
+    free, known = replace(problem, coupling=Coupling.FREE), Times()
+    refined(axes, problem, chain, known)
+    before = len(known.found)
+    after = refined(axes, free, chain, known)
+    assert before < len(known.found) < 2 * before
+    np.testing.assert_array_equal(after.q, refined(axes, free, chain).q)
