@@ -128,12 +128,16 @@ def test_progress_is_a_line_per_phase_when_piped(
 ) -> None:
     assert run(["optimize", str(program)]) == 0
     lines = capsys.readouterr().err.splitlines()
+    phases = {}
     for label in ("stream", "rapid"):
         own = [line for line in lines if line.startswith(f"{label}: ")]
         assert own[0] == f"{label}: search  best 2.000 s, bound 1.600 s, gap 25.0 %"
-        assert [line.split()[1] for line in own] == ["search", "bound", "judge"]
-    assert lines[-1] == "results: write"
-    assert len(lines) == 7
+        phases[label] = [line.removeprefix(f"{label}: ").split("  ")[0] for line in own]
+    assert phases["stream"] == ["search", "bound", "judge"]
+    assert phases["rapid"] == ["search", "bound", "judge", "as written"]
+    assert lines[0] == "program: reach"
+    assert lines[-2:] == ["results: loops", "results: write"]
+    assert len(lines) == 10
 
 
 def test_without_a_cell_file_the_five_lines_are_printed_and_work(
@@ -509,7 +513,7 @@ def test_ctrl_c_ends_in_one_line_and_writes_nothing(program: Path, planner: str)
     out, err = process.communicate(timeout=20)
     assert "went on" not in out
     assert process.returncode == 130
-    assert err == "interrupted: nothing half-written, earlier results stand\n"
+    assert err == "program: reach\ninterrupted: nothing half-written, earlier results stand\n"
     assert not Path("results").exists()
 
 

@@ -108,6 +108,7 @@ def optimise(
     if hits := collisions(check_start(job.program, job.plant, start)):
         return Collides("", hits)
     clock, started = Clock({"read": job.read_seconds}), datetime.now(UTC)
+    listen("program", Progress("reach"))
     with clock.phase("reach"):
         agreed = may_change(job, loops)
     if agreed.infeasible is not None:
@@ -124,6 +125,7 @@ def optimise(
             hits = touches(answer)
             return Collides(one.value, hits) if hits else Illegal(one.value, worst(answer.report))
         judged[one] = answer
+    listen("results", Progress("loops"))
     with clock.phase("loops"):
         unrolled = tuple(_unrolled(job, changes[Target.RAPID], loops))
     listen("results", Progress("write"))

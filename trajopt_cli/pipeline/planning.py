@@ -137,8 +137,10 @@ def all_three(
             memory,
             objective=asked[rapid],
         )
-        written = as_written(job, changes[rapid], own, memory) if isinstance(answer, Judged) else ""
-        return answer, written, own.seconds
+        if not isinstance(answer, Judged):
+            return answer, "", own.seconds
+        tell(Progress("as written", answer.plan.duration, answer.plan.lower_bound))
+        return answer, as_written(job, changes[rapid], own, memory), own.seconds
 
     def hear(progress: Progress) -> None:
         listen(rapid.value, progress)
