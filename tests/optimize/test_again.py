@@ -211,7 +211,7 @@ def test_a_limit_that_nothing_meets_gains_exactly_nothing_and_nothing_is_solved(
 def test_a_shorter_wait_is_worth_what_the_rail_did_not_do_in_it() -> None:
     program, plant, _, again = station(Target.STREAM)
     answer = again.answer(edited(program, plant, Wait, duration=lambda now, share: now * (1 - 0.1 * share)), False)
-    assert 0.02 < known(answer) <= 0.03 + 1e-6
+    assert 0.02 < known(answer) <= 0.03 + 1e-5  # the plan itself is solved to some 1e-6
     assert answer.first_order == pytest.approx(known(answer), rel=0.1)
 
 
