@@ -210,7 +210,7 @@ JOINT_CURVE = 1000.0  # of the second. Not measured.
 
 # ---- solver
 MOST_ITERATIONS = 200  # a start that converges needs 25 to 60. Measured: 500 let some cells converge that fail with
-# 100, while another then tightens its limits without end; with 150 one station's plan, solved again, stayed on a coarser
+# 100, while another then tightens its limits without end; with 150 one plan, solved again, stayed on a coarser
 # grid and 0.5 % slower.
 SHARP = 1e-8  # tolerance of the last grids. Not measured.
 ROUGH = 1e-4  # tolerance of the grids before. Not measured.
