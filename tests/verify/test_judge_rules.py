@@ -85,6 +85,28 @@ def test_a_programmed_time_may_end_in_a_rest_that_later_moves_share(stays: int) 
     assert programmed(T + rest + OVER * DURATION) == programmed(T - OVER * DURATION) == ["duration"]
 
 
+@pytest.mark.parametrize("target", [None, Target.RAPID])
+def test_a_slow_end_is_within_tolerance_of_a_stop_before_its_time_is_over(target: Target | None) -> None:
+    """80 mm in 20 s: the last 1e-5 m/s take 8 ms. Joint moves to the same pose behind it take nothing of that; one
+    with a time of its own takes that, and nothing counts for both."""
+    case, T = rapid_case(), 20.0
+    law = (T, lambda t: (np.sin(np.pi * t / T / 2) ** 2, np.pi / T / 2 * np.sin(np.pi * t / T)), ())
+    slow = line_move(case.plant, A_IN, A, rail_share(0.05, 0.08), 0, 0, profile=law)
+    q = slow.at(np.array([T]))[0][0]
+
+    def failed(least: float, again: float | None, rest: float) -> list[str]:
+        motions = list(case.program.motions)
+        motions[1] = move_l(12, "p_a", A, 0.08, duration=least)
+        motions[2:3] = [move_j(19, "p_a", A), replace(move_j(20, "p_a", A), duration=again), wait(21, 0.1)]
+        rows = case.swap(p1=slow, p2=hold(q, rest)).rows()
+        report = verify(program(*motions), case.plant, rows, target=target)
+        return [f"{f.check} {f.source[1]}" for f in report.findings if not f.passed]
+
+    assert failed(T, None, 0.1) == failed(T, 0.2, 0.3) == []
+    assert failed(T + 0.02, None, 0.1) == failed(T - 0.05, None, 0.1) == ["duration 12"]
+    assert "dwell length 21" in failed(T, 0.2, 0.25)
+
+
 def test_two_joint_moves_to_one_pose_share_a_rest() -> None:
     case = rapid_case()
     motions = list(case.program.motions)

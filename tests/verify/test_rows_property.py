@@ -132,6 +132,18 @@ def test_starting_at_speed_is_too_much_acceleration() -> None:
     assert found["joint acceleration"] == pytest.approx(4.0, rel=1e-6)
 
 
+@pytest.mark.parametrize("begin", [10.0, 88000.0])
+def test_an_acceleration_of_a_thousandth_too_much_is_seen_early_and_late(begin: float) -> None:
+    """Late in a cycle times have five digits less; the rail goes 0.15 s up and 0.15 s down, on a row's edge or not."""
+    for half in (0.15, 0.15037):
+        t = begin + np.unique(np.r_[np.arange(301) * 1e-3, half, 2 * half])
+        early, late = np.minimum(t - begin, half), np.maximum(t - begin - half, 0.0)
+        share, speed = early**2 / 2 + half * late - late**2 / 2, early - late
+        assert failed(rail_rows(t, 3.0 * share, 3.0 * speed)) == {}
+        found = failed(rail_rows(t, 3.003 * share, 3.003 * speed))
+        assert found == {"joint acceleration": pytest.approx(3.003, rel=1e-5)}
+
+
 @pytest.mark.parametrize("side", [1, -1])
 def test_the_hermite_is_judged_at_both_ends(side: int) -> None:
     """From rest to 15 mm/s in 10 ms, 105 um on: 2.2 m/s2 could do it, the Hermite begins with 1.5 + 1.8 (backwards:

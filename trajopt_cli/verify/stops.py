@@ -177,11 +177,15 @@ def _rail(rows: Rows, visit: Visit) -> list[Finding]:
 
 
 def _rest_over(line: Timeline, i: int) -> float:
-    """By how much the rest at visit i, with all moves behind it that stay there, is longer than they and their waits
-    [s]."""
-    behind = next((k for k in range(i + 1, len(line.visits)) if not line.visits[k].stay), len(line.visits))
-    last = line.visits[behind - 1]
-    return max(float(line.rows.t[last.depart]) - last.ready, 0.0)
+    """By how much the rest that visit i begins is longer than its waits and all moves behind it that take no time of
+    their own [s]: a slow end comes within a stop's tolerance long before it is over."""
+    visits, first = line.visits, line.visits[i]
+    last = i + 1
+    while last < len(visits) and (visits[last].stay or visits[last].at_once_after(visits[last - 1])):
+        last += 1
+    needed = sum(hold.end - hold.begin for visit in visits[i:last] for hold in visit.holds)
+    needed += sum(visit.point.duration or 0.0 for visit in visits[i + 1 : last])
+    return max(float(line.rows.t[visits[last - 1].depart] - line.rows.t[first.arrive]) - needed, 0.0)
 
 
 def _duration(rows: Rows, before: Visit, visit: Visit, rest_after: float) -> Finding:

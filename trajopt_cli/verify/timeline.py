@@ -51,6 +51,11 @@ class Visit:
         """What was asked for."""
         return self.match.point
 
+    def at_once_after(self, before: Visit) -> bool:
+        """Whether this stop is reached in the rest of the one before it, as the file shows both."""
+        both = self.event is not None and before.event is not None
+        return both and self.point.fly_by is None and self.arrive <= before.depart
+
 
 @dataclass(frozen=True, eq=False)
 class Timeline:
@@ -173,7 +178,7 @@ def _pass(rows: Rows, frame: Frame, m: Match, event: Event, before: Visit) -> Vi
 def _visit(rows: Rows, m: Match, event: Event, before: Visit, limit: int, rapid: bool) -> Visit:
     stop, good = m.point, event.good
     stay = stays(stop, before.X_WF)
-    least = before.ready + ((stop.duration or 0.0) if stay else 0.0)
+    least = before.ready + ((stop.duration or 0.0) if stay or event is before.event else 0.0)
     arrive, depart = event.best, event.best
     if len(good):
         since = good[rows.t[good] >= least - DWELL - rows.doubt_t - unseen(rows, event.best)]
