@@ -35,7 +35,7 @@ from trajopt_cli.problem.plan import Eased, Infeasible, Plan, PlannedMotion, Str
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import LegKind, Problem
 from trajopt_cli.problem.progress import Progress, Report, never_worse
-from trajopt_cli.trajectory import Trajectory, hermite
+from trajopt_cli.trajectory import Trajectory
 
 _HELD = "the rail is held still there (hold_rail): begin the hold behind the approach, or let the rail move"
 
@@ -193,17 +193,18 @@ def _rows(axes: Axes, draft: Draft, end: Array) -> tuple[Trajectory, Array] | No
 
 def _passing(axes: Axes, trajectory: Trajectory) -> IndexArray:
     """The intervals between rows in which the cubic Hermite passes an axis' velocity or acceleration by more than what
-    rounding does to rows that stand near each other."""
-    h = np.diff(trajectory.t)
-    # far along a rail and late in a cycle there is more of it, and the pieces of a profile add theirs up
-    rounding = RESIDUAL + 16 * float(np.finfo(np.float64).eps) * (np.abs(trajectory.q[1:]) + trajectory.t[1:, None])
-    noise = 6 * rounding / (h * h)[:, None]
-    V, A = axes.velocity, axes.acceleration
-    over = np.zeros(len(h), dtype=bool)
-    for u in (1e-6, 1 - 1e-6):
-        _, qd, qdd = hermite(trajectory, trajectory.t[:-1] + u * h)
-        over |= np.any((np.abs(qd) > V * (1 + 1e-6)) | (np.abs(qdd) > A * (1 + 1e-6) + noise), axis=1)
-    return np.flatnonzero(over)
+    rounding does to rows that stand near each other: less than the judge grants for it, also late in a cycle."""
+    assert trajectory.qd is not None
+    t, q, qd, eps = trajectory.t, trajectory.q, trajectory.qd, float(np.finfo(np.float64).eps)
+    h = np.diff(t)[:, None]
+    c, change, top = np.diff(q, axis=0) / h, np.diff(qd, axis=0) / h, np.maximum(np.abs(qd[1:]), np.abs(qd[:-1]))
+    # far along a rail there is more of it, and the pieces of a profile add theirs up; late in a cycle times have fewer
+    # digits, which matters as much as an axis moves meanwhile
+    off, late = RESIDUAL + 64 * eps * np.abs(q[1:]), 4 * eps * t[1:, None]
+    noise = (6 * (off / h + np.abs(c) * late / h) + np.abs(change) * late) / h
+    most = np.abs(change) + 6 * np.abs(c - (qd[1:] + qd[:-1]) / 2) / h
+    over = (top > axes.velocity * (1 + 1e-6)) | (most > axes.acceleration * (1 + 1e-6) + noise)
+    return np.flatnonzero(over.any(axis=1))
 
 
 def _end(problem: Problem, draft: Draft) -> Array:
