@@ -1,8 +1,9 @@
-"""A plan that touches something, or is not found, gives way to one that does not, or is."""
+"""A plan that touches something, is not legal or is not found gives way to one that does not, or is."""
 
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -12,6 +13,7 @@ from trajopt_cli.cli import run
 from trajopt_cli.findings import Report
 from trajopt_cli.optimize import NoCleanPlan
 from trajopt_cli.pipeline import planning
+from trajopt_cli.problem.freedom import AS_WRITTEN
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.verify.findings import finding
 
@@ -75,6 +77,57 @@ def test_where_every_plan_touches_something_nothing_is_written(
     first, last = capsys.readouterr().err.splitlines()[-2:]
     assert first == HIT
     assert last.startswith(f"NOTHING WRITTEN: the {label} plan collides.")
+    assert not Path("results").exists()
+
+
+class Spoiling(Planner):
+    """Plans of some targets, or as written, with one row a tenth of a radian aside."""
+
+    def __init__(self, *spoiled: str):
+        super().__init__()
+        self.spoiled = spoiled
+
+    def __call__(self, program, plant, target, *arguments, **more):  # type: ignore[no-untyped-def]
+        plan = super().__call__(program, plant, target, *arguments, **more)
+        name = "written" if AS_WRITTEN in arguments else target.value
+        if name not in self.spoiled:
+            return plan
+        q = plan.trajectory.q.copy()
+        q[len(q) // 2] += 0.1
+        return replace(plan, trajectory=replace(plan.trajectory, q=q))
+
+
+@pytest.mark.parametrize(
+    ("spoiled", "notes"),
+    [
+        (["stream"], [("stream", "the plan is the rapid plan: a stream plan that was found is not legal")]),
+        (["rapid"], [("rapid", "the plan is the program as written: a faster one is not legal")]),
+        (["stream", "rapid"], [("stream", "the plan is the rapid plan"), ("rapid", "the plan is the program as")]),
+    ],
+)
+def test_a_plan_that_the_judge_rejects_gives_way_to_a_legal_one(
+    program: Path,
+    planner: Planner,
+    spoiled: list[str],
+    notes: list[tuple[str, str]],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("trajopt_cli.optimize.optimize", Spoiling(*spoiled))
+    assert run(["optimize", str(program), "--jobs", "1"]) == 0
+    assert run(["verify", "results/tiny"]) == 0
+    told = [one for one in json.loads(Path("results/tiny/summary.json").read_text())["notes"] if "not legal" in one]
+    assert len(told) == len(notes)
+    for note, (label, words) in zip(told, notes, strict=True):
+        assert note.startswith(f"{label}: {words}")
+        assert note.endswith(": an error in trajopt; please report it")
+
+
+def test_where_the_judge_rejects_every_plan_nothing_is_written(
+    program: Path, planner: Planner, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("trajopt_cli.optimize.optimize", Spoiling("stream", "rapid", "written"))
+    assert run(["optimize", str(program), "--jobs", "1"]) == 1
+    assert "NOTHING WRITTEN: the judge rejects the stream plan:" in capsys.readouterr().err
     assert not Path("results").exists()
 
 

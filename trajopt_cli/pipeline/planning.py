@@ -116,8 +116,8 @@ def all_three(
     asked: Mapping[Target, Objective],
 ) -> tuple[dict[Target, Judged | Infeasible | NoPlan], Plan | str]:
     """Both targets with what is asked of them, and the program as written, in up to `jobs` processes. A stream that
-    cannot be done ends the run at once. A plan that collides gives way to the next one that may change less and does
-    not."""
+    cannot be done ends the run at once. A plan that collides, or that the judge rejects, gives way to the next one that
+    may change less and is legal."""
     from trajopt_cli.joint_csv import write_csv_text
     from trajopt_cli.optimize import Memory
 
@@ -171,15 +171,15 @@ def all_three(
                 return {stream: first}, ""
             answer, written, seconds = beside.answer()
     clock.seconds |= seconds
-    if isinstance(answer, Judged) and isinstance(written, Plan) and (hits := touches(answer)):
-        note = f"the plan is the program as written: a faster one collides: {hits[0].message}"
+    if isinstance(answer, Judged) and isinstance(written, Plan) and not answer.report.legal:
+        note = f"the plan is the program as written: a faster one {forbidden(answer)}"
         slower = replace(written, lower_bound=answer.plan.lower_bound, seconds=answer.plan.seconds, notes=(note,))
         answer = _judged(job, slower, write_csv_text(slower.trajectory), clock)
     failure = None
     if isinstance(first, NoPlan):
         failure = f"no other one was found ({first.message}): an error in trajopt; please report it"
-    elif isinstance(first, Judged) and (hits := touches(first)):
-        failure = f"a stream plan that was found collides: {hits[0].message}"
+    elif not first.report.legal:
+        failure = f"a stream plan that was found {forbidden(first)}"
     if isinstance(answer, Judged) and answer.report.legal:
         plan = streamed(answer.plan, first.plan if isinstance(first, Judged) else None, failure)
         first = first if plan is None else _judged(job, plan, answer.csv, clock)
@@ -197,6 +197,13 @@ def touches(judged: Judged) -> tuple[Finding, ...]:
 
     hits = collisions(judged.report.findings)
     return hits if len(hits) == sum(not finding.passed for finding in judged.report.findings) else ()
+
+
+def forbidden(judged: Judged) -> str:
+    """What the judge says against a plan that is not legal: what it hits, or an error in trajopt."""
+    if hits := touches(judged):
+        return f"collides: {hits[0].message}"
+    return f"is not legal: {worst(judged.report).message}: an error in trajopt; please report it"
 
 
 def streamed(rapid: Plan, stream: Plan | None, failure: str | None = None) -> Plan | None:
