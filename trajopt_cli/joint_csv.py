@@ -12,11 +12,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from decimal import Decimal, InvalidOperation
 from functools import lru_cache
+from itertools import islice
+from typing import TextIO
 
 import numpy as np
 
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
-from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.geometry import Array, BoolArray, readonly
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.units import DEG, MM
 
@@ -56,75 +58,81 @@ def header(names: Sequence[str], speeds: bool) -> list[str]:
 
 def write_csv_text(trajectory: Trajectory) -> str:
     """The file's text: header and rows, every number with 17 significant digits, so that reading gives it back."""
-    columns = [trajectory.t[:, None], trajectory.q]
-    if trajectory.qd is not None:
-        columns.append(trajectory.qd)
-    table = np.hstack(columns)
-    row = ",".join(["%.17g"] * table.shape[1])
-    parts = [",".join(header(trajectory.names, trajectory.qd is not None))]
-    for first in range(0, len(table), _ROWS):
-        parts.append("\n".join([row % tuple(values) for values in table[first : first + _ROWS].tolist()]))
-    return "\n".join(parts) + "\n"
+    return "".join(csv_parts(trajectory))
+
+
+def csv_parts(trajectory: Trajectory) -> Iterator[str]:
+    """The file's text in parts, some thousand rows at a time."""
+    columns = [trajectory.t[:, None], trajectory.q] + ([] if trajectory.qd is None else [trajectory.qd])
+    yield ",".join(header(trajectory.names, trajectory.qd is not None)) + "\n"
+    row = ",".join(["%.17g"] * sum(column.shape[1] for column in columns)) + "\n"
+    for first in range(0, len(trajectory.t), _ROWS):
+        table = np.hstack([column[first : first + _ROWS] for column in columns])
+        yield "".join([row % tuple(values) for values in table.tolist()])
 
 
 @of_kind(ErrorKind.RESULTS)
-def read_csv_text(text: str, file: str) -> tuple[Trajectory, Resolution]:
+def read_csv_text(text: str | TextIO, file: str) -> tuple[Trajectory, Resolution]:
     """The trajectory of a CSV text in SI, and how finely it is printed. file is for messages. A byte-order mark, as
-    spreadsheets write one, is no part of the header.
+    spreadsheets write one, is no part of the header. text: or a file whose lines end as they stand (newline="\\n"),
+    which is read from its beginning, part by part.
 
     Raises InputError with file, line and column (in characters) for an unknown or missing head, a row of another
     length, anything that is not a finite number, times that do not increase, and fewer than two rows.
     """
-    end = len(text)
-    while end > 0 and not text[(begin := text.rfind("\n", 0, end) + 1) : end].strip():
-        end = max(begin - 1, 0)  # empty lines at the end
+    end, first_line = 0, ""
+    for number, line in enumerate(_lines(text)):
+        first_line = first_line if number else line
+        if line.strip():  # there may be empty lines at the end
+            end = number + 1
     if not end:
         raise InputError("the file is empty; its first line must be the header t [s],<axis> [unit],...", file=file)
-    head = _line_end(text, 0, end)
-    names, factors, speeds = _read_header(text[:head].removeprefix("\ufeff").rstrip("\r"), file)
-    k, width = len(names), len(factors)
-    rows = text.count("\n", 0, end)
-    table, finest = np.empty((rows, width)), [99] * width
-    first = 0
-    for lines in _parts(text, head + 1, end):
-        fields = [line.rstrip("\r").split(",") for line in lines]
+    names, factors, speeds = _read_header(first_line.removeprefix("\ufeff").rstrip("\r"), file)
+    k, width, rows = len(names), len(factors), end - 1
+    t, q, qd, finest = np.empty(rows), np.empty((rows, k)), np.empty((rows, width - 1 - k)), [99] * width
+    least, most = np.full(width, np.inf), np.full(width, -np.inf)
+    lines, first = islice(_lines(text), 1, end), 0
+    while fields := [line.rstrip("\r").split(",") for line in islice(lines, _ROWS)]:
         for number, row in enumerate(fields, start=first + 2):
             if len(row) != width:
                 raise InputError(f"{len(row)} values, the header has {width} columns", file=file, line=number)
-        table[first : first + len(fields)] = _numbers(fields, file, first + 2)
+        table, part = _numbers(fields, file, first + 2), slice(first, first + len(fields))
+        least, most = np.minimum(least, table.min(axis=0)), np.maximum(most, table.max(axis=0))
         finest = [_finest(fields, column, known) for column, known in enumerate(finest)]
+        table *= factors
+        t[part], q[part], qd[part] = table[:, 0], table[:, 1 : 1 + k], table[:, 1 + k :]
         first += len(fields)
     if rows < 2:
         raise InputError(f"{rows} rows; a motion needs at least 2", file=file, line=rows + 1)
-    t = table[:, 0]
     late = np.flatnonzero(np.diff(t) <= 0)
     if late.size:
         i = int(late[0])
         message = f"time {t[i + 1]:.17g} s follows {t[i]:.17g} s; times must increase"
         raise InputError(message, file=file, line=i + 3, column=1)
-    exponents = _exponents(finest, table)
+    exponents = _exponents(finest, most > least)
     steps = [10.0**exponent for exponent in exponents]
-    table *= factors
-    q, qd = table[:, 1 : 1 + k], table[:, 1 + k :]
     resolution = Resolution(
         t=0.0 if _on_grid(t, exponents[0]) else steps[0],
         q=np.array(steps[1 : 1 + k]) * factors[1 : 1 + k],
         qd=np.array(steps[1 + k :]) * factors[1 + k :] if speeds else np.zeros(k),
     )
+    for array in (t, q, qd):
+        array.setflags(write=False)
     return Trajectory(names, t, q, qd if speeds else None), resolution
 
 
-def _line_end(text: str, begin: int, end: int) -> int:
-    found = text.find("\n", begin, end)
-    return end if found < 0 else found
-
-
-def _parts(text: str, begin: int, end: int) -> Iterator[list[str]]:
-    """The lines of a text from begin to end, so many at a time as are text and numbers at once."""
-    while begin <= end and begin < len(text):
-        last = _line_end(text, min(begin + _CHARACTERS, end), end)
-        yield text[begin:last].split("\n")
-        begin = last + 1
+def _lines(text: str | TextIO) -> Iterator[str]:
+    """The lines of a text without their ends, or of a file from its beginning."""
+    if isinstance(text, str):
+        begin = 0
+        while begin < len(text):
+            end = text.find("\n", begin + _CHARACTERS)
+            end = len(text) if end < 0 else end
+            yield from text[begin:end].split("\n")
+            begin = end + 1
+    else:
+        text.seek(0)
+        yield from (line.removesuffix("\n") for line in text)
 
 
 def _read_header(line: str, file: str) -> tuple[tuple[str, ...], Array, bool]:
@@ -185,12 +193,11 @@ def _finest(fields: list[list[str]], column: int, known: int) -> int:
     return max(known, _FINEST)
 
 
-def _exponents(found: list[int], table: Array) -> list[int]:
+def _exponents(found: list[int], moving: BoolArray) -> list[int]:
     """Power of ten of the last printed digit per column, from the finest found in it.
 
     A column that never changes may hide its digits (`0.0`): it counts as printed like the finest of the others.
     """
-    moving = np.ptp(table, axis=0) > 0
     finest = min((e for e, moves in zip(found[1:], moving[1:], strict=True) if moves), default=min(found[1:]))
     return [e if moves else min(e, finest) for e, moves in zip(found, moving, strict=True)]
 

@@ -22,13 +22,13 @@ class Trajectory:
     qd: Array | None = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "t", readonly(self.t))
-        object.__setattr__(self, "q", readonly(self.q))
+        object.__setattr__(self, "t", _kept(self.t))
+        object.__setattr__(self, "q", _kept(self.q))
         n, k = len(self.t), len(self.names)
         if self.q.shape != (n, k):
             raise ValueError(f"Trajectory.q has shape {self.q.shape}, wanted ({n}, {k})")
         if self.qd is not None:
-            object.__setattr__(self, "qd", readonly(self.qd))
+            object.__setattr__(self, "qd", _kept(self.qd))
             if self.qd.shape != (n, k):
                 raise ValueError(f"Trajectory.qd has shape {self.qd.shape}, wanted ({n}, {k})")
 
@@ -36,6 +36,11 @@ class Trajectory:
     def duration(self) -> float:
         """Time of the last row minus time of the first, s."""
         return float(self.t[-1] - self.t[0])
+
+
+def _kept(values: Array) -> Array:
+    """An array that nobody writes to as it is, a copy of any other: those of an hour are large."""
+    return readonly(values) if values.flags.writeable or values.dtype != np.float64 else values
 
 
 def hermite(trajectory: Trajectory, times: Array) -> tuple[Array, Array, Array]:

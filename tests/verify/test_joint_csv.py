@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from io import StringIO
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -52,11 +54,15 @@ def test_a_file_that_is_read_in_parts_is_read_as_a_whole(monkeypatch: pytest.Mon
     whole, resolution = read_csv_text(text, "a.csv")
     for at_once in (1, 40, 100):
         monkeypatch.setattr(joint_csv, "_CHARACTERS", at_once)
+        monkeypatch.setattr(joint_csv, "_ROWS", at_once // 20 + 1)
+        assert write_csv_text(whole) == text
         for end in ("", "\n", " \n\r\n", "\n \n"):
-            parts, fineness = read_csv_text(text.rstrip("\n") + end, "a.csv")
-            assert np.array_equal(parts.q, whole.q)
-            assert np.array_equal(parts.t, whole.t)
-            assert (fineness.t, *fineness.q) == (resolution.t, *resolution.q)
+            again = text.rstrip("\n") + end
+            for source in (again, StringIO(again, newline="\n")):
+                parts, fineness = read_csv_text(source, "a.csv")
+                assert np.array_equal(parts.q, whole.q)
+                assert np.array_equal(parts.t, whole.t)
+                assert (fineness.t, *fineness.q) == (resolution.t, *resolution.q)
 
 
 def test_a_byte_order_mark_is_no_part_of_the_header() -> None:
