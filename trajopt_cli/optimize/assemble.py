@@ -11,7 +11,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.legs import LegMotion, sampled
+from trajopt_cli.optimize.legs import LegMotion, samples
 from trajopt_cli.optimize.tuning import ROW_APART, ROW_EVERY, SAME_TIME
 from trajopt_cli.trajectory import Trajectory
 
@@ -23,9 +23,14 @@ def rows_of(axes: Axes, legs: list[LegMotion], end: Array, more: Sequence[float]
     """
     bounds = np.concatenate([[0.0], np.cumsum([leg.T for leg in legs])])
     times = [_leg_rows(leg, bounds[i], bounds[i + 1], more)[:-1] for i, leg in enumerate(legs)]
-    sample = sampled(axes, legs, [np.clip(t - bounds[i], 0.0, legs[i].T) for i, t in enumerate(times)])
-    q, qd = np.vstack([sample.q, end]), np.vstack([sample.qd, np.zeros(axes.n)])
-    return Trajectory(axes.robot.axis_names, np.concatenate([*times, bounds[-1:]]), q, qd), bounds
+    t = np.concatenate([*times, bounds[-1:]])
+    q, qd = np.empty((len(t), axes.n)), np.empty((len(t), axes.n))
+    q[-1], qd[-1] = end, 0.0
+    for at, sample in samples(axes, legs, [np.clip(t - bounds[i], 0.0, legs[i].T) for i, t in enumerate(times)]):
+        q[at], qd[at] = sample.q, sample.qd
+    for array in (t, q, qd):
+        array.setflags(write=False)
+    return Trajectory(axes.robot.axis_names, t, q, qd), bounds
 
 
 def _leg_rows(leg: LegMotion, start: float, end: float, more: Sequence[float]) -> Array:

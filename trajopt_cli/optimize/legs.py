@@ -356,26 +356,30 @@ def sampled(axes: Axes, motions: Sequence[LegMotion], times: Sequence[Array], ri
     t = np.concatenate(times)
     q, qd, qdd = (np.empty((len(t), axes.n)) for _ in range(3))
     tool = np.full((len(t), 2, 6), np.nan)
-    ways: list[tuple[PathLeg, IndexArray, Array]] = []
-    first = 0
-
-    def put(at: IndexArray, sample: Sample) -> None:
+    for at, sample in samples(axes, motions, times, right):
         q[at], qd[at], qdd[at] = sample.q, sample.qd, sample.qdd
         if sample.tool is not None:
             tool[at] = sample.tool
+    return Sample(t, q, qd, qdd, tool)
 
+
+def samples(
+    axes: Axes, motions: Sequence[LegMotion], times: Sequence[Array], right: bool = True
+) -> Iterator[tuple[IndexArray, Sample]]:
+    """The same bit by bit, with the numbers of the times in each."""
+    ways: list[tuple[PathLeg, IndexArray, Array]] = []
+    first = 0
     for motion, own in zip(motions, times, strict=True):
         pieces = motion.split(own, right) if isinstance(motion, Pieces) else [(motion, np.arange(len(own)), own)]
         for piece, at, when in pieces:
             if isinstance(piece, PathLeg):
                 ways += [(piece, first + at, when)] if len(when) else []
             else:
-                put(first + at, piece.sample(axes, when, right))
+                yield first + at, piece.sample(axes, when, right)
         first += len(own)
     for group in _together(ways):
         numbers = np.concatenate([at for _, at, _ in group])
-        put(numbers, _on_ways(axes, [leg for leg, _, _ in group], [when for _, _, when in group], right))
-    return Sample(t, q, qd, qdd, tool)
+        yield numbers, _on_ways(axes, [leg for leg, _, _ in group], [when for _, _, when in group], right)
 
 
 def _together(

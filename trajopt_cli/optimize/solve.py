@@ -26,6 +26,7 @@ from trajopt_cli.optimize.tuning import (
     DENSER,
     RESIDUAL,
     ROW_APART,
+    ROWS_AT_ONCE,
 )
 from trajopt_cli.problem.changes import Changes
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom
@@ -195,16 +196,20 @@ def _passing(axes: Axes, trajectory: Trajectory) -> IndexArray:
     """The intervals between rows in which the cubic Hermite passes an axis' velocity or acceleration by more than what
     rounding does to rows that stand near each other: less than the judge grants for it, also late in a cycle."""
     assert trajectory.qd is not None
-    t, q, qd, eps = trajectory.t, trajectory.q, trajectory.qd, float(np.finfo(np.float64).eps)
-    h = np.diff(t)[:, None]
-    c, change, top = np.diff(q, axis=0) / h, np.diff(qd, axis=0) / h, np.maximum(np.abs(qd[1:]), np.abs(qd[:-1]))
-    # far along a rail there is more of it, and the pieces of a profile add theirs up; late in a cycle times have fewer
-    # digits, which matters as much as an axis moves meanwhile
-    off, late = RESIDUAL + 64 * eps * np.abs(q[1:]), 4 * eps * t[1:, None]
-    noise = (6 * (off / h + np.abs(c) * late / h) + np.abs(change) * late) / h
-    most = np.abs(change) + 6 * np.abs(c - (qd[1:] + qd[:-1]) / 2) / h
-    over = (top > axes.velocity * (1 + 1e-6)) | (most > axes.acceleration * (1 + 1e-6) + noise)
-    return np.flatnonzero(over.any(axis=1))
+    eps, over = float(np.finfo(np.float64).eps), np.zeros(len(trajectory.t) - 1, dtype=bool)
+    for first in range(0, len(over), ROWS_AT_ONCE):
+        rows = slice(first, first + ROWS_AT_ONCE + 1)
+        t, q, qd = trajectory.t[rows], trajectory.q[rows], trajectory.qd[rows]
+        h = np.diff(t)[:, None]
+        c, change, top = np.diff(q, axis=0) / h, np.diff(qd, axis=0) / h, np.maximum(np.abs(qd[1:]), np.abs(qd[:-1]))
+        # far along a rail there is more of it, and the pieces of a profile add theirs up; late in a cycle times have
+        # fewer digits, which matters as much as an axis moves meanwhile
+        off, late = RESIDUAL + 64 * eps * np.abs(q[1:]), 4 * eps * t[1:, None]
+        noise = (6 * (off / h + np.abs(c) * late / h) + np.abs(change) * late) / h
+        most = np.abs(change) + 6 * np.abs(c - (qd[1:] + qd[:-1]) / 2) / h
+        passed = (top > axes.velocity * (1 + 1e-6)) | (most > axes.acceleration * (1 + 1e-6) + noise)
+        over[first : first + len(h)] = passed.any(axis=1)
+    return np.flatnonzero(over)
 
 
 def _end(problem: Problem, draft: Draft) -> Array:

@@ -89,6 +89,7 @@ COURSE_LOOKS = 5  # looks at an interval of a course besides both ends; the midd
 # motions, and 40 looks found no limit passed.
 CHECKED = 50_000  # looks of the legs checked at once: 50 MB. Not measured.
 SAMPLED = 2048  # places whose kinematics are asked for at once. Measured: 512 to 8192 take the same time within 15 %.
+ROWS_AT_ONCE = 8192  # rows of a trajectory held against the limits at once: 10 MB. Not measured.
 MOST_LOOKS = 1000  # within one interval. Not measured.
 LEAST_FELT = 0.5  # of a share is left at least in one round. Not measured; shares tightened from what they allow, not
 # from what is used, left a line of 3 mm at v100 under 20 m/s2 alone without a law after 25 rounds, else 3 suffice.
