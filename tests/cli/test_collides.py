@@ -30,7 +30,8 @@ def colliding(planner: Planner, monkeypatch: pytest.MonkeyPatch, request: pytest
 
     def judge(plant, program, text, file, *more, **others):  # type: ignore[no-untyped-def]
         report = right(plant, program, text, file, *more, **others)
-        name = texts.setdefault(text, "as written" if file == "as written" else Path(file).stem)
+        text.seek(0)
+        name = texts.setdefault(text.read(), "as written" if file == "as written" else Path(file).stem)
         if not any(one in name for one in request.param.split(" and ")):
             return report
         hit = finding("self clearance", "link_1", -0.1, 0.0, "m", False, time=0.2)

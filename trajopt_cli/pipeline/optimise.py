@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
+from io import BufferedRandom
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -35,6 +36,7 @@ from trajopt_cli.runs.results import (
     distinct_names,
     summary,
 )
+from trajopt_cli.runs.rows import RowsFile
 
 if TYPE_CHECKING:
     from trajopt_cli.export.rapid_write import RapidExport
@@ -117,7 +119,8 @@ def optimise(
     inputs = inputs_of(job)
     judged: dict[Target, Judged] = {}
     asked = {one: objective if one is target else for_the_other(objective) for one in Target}
-    answers, written = all_three(job, listen, clock, changes, patience or Patience(), jobs or cores(), asked)
+    kept = {one: RowsFile(folder) for one in Target}
+    answers, written = all_three(job, listen, clock, changes, patience or Patience(), jobs or cores(), asked, kept)
     for one, answer in answers.items():
         if not isinstance(answer, Judged):
             return answer
@@ -199,11 +202,11 @@ def _files(
     kept: tuple[str, ...],
     written: Plan | str,
     kept_speed: Mapping[Target, tuple[Stretch, ...]],
-) -> dict[str, bytes]:
+) -> dict[str, bytes | BufferedRandom]:
     """The results folder's files but run.json."""
     plant = job.plant
-    texts = {one: judged[one].csv.encode("ascii") for one in Target}
-    files = {
+    rows = {one: judged[one].rows.content for one in Target}
+    files: dict[str, bytes | BufferedRandom] = {
         SUMMARY: summary(
             job.program,
             target,
@@ -218,8 +221,8 @@ def _files(
             notes,
             kept,
         ),
-        CHOSEN: texts[target],
-        **{CSV[one]: texts[one] for one in Target},
+        CHOSEN: rows[target],
+        **{CSV[one]: rows[one] for one in Target},
     }
     for given in inputs.values():
         files[given.place] = given.content

@@ -7,7 +7,7 @@ from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from time import perf_counter
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TextIO
 
 from trajopt_cli.beside import Beside
 from trajopt_cli.errors import InputError
@@ -23,6 +23,7 @@ from trajopt_cli.runs.results import (
     CSV,
     Judged,
 )
+from trajopt_cli.runs.rows import RowsFile, without_rows
 
 if TYPE_CHECKING:
     from trajopt_cli import findings
@@ -114,18 +115,18 @@ def all_three(
     patience: Patience,
     jobs: int,
     asked: Mapping[Target, Objective],
+    kept: Mapping[Target, RowsFile],
 ) -> tuple[dict[Target, Judged | Infeasible | NoPlan], Plan | str]:
     """Both targets with what is asked of them, and the program as written, in up to `jobs` processes. A stream that
     cannot be done ends the run at once. A plan that collides, or that the judge rejects, gives way to the next one that
-    may change less and is legal."""
-    from trajopt_cli.joint_csv import write_csv_text
+    may change less and is legal. kept: where the rows of each target go."""
     from trajopt_cli.optimize import Memory
 
     stream, rapid = Target.STREAM, Target.RAPID
 
     def second(
         tell: Callable[[Progress], None],
-    ) -> tuple[Judged | Infeasible | NoPlan, Plan | str, dict[str, float]]:
+    ) -> tuple[tuple[Plan, findings.Report] | Infeasible | NoPlan, Plan | str, dict[str, float]]:
         own, memory = Clock(), Memory()
         answer = solve(
             job,
@@ -134,22 +135,31 @@ def all_three(
             lambda _, progress: tell(progress),
             own,
             patience,
+            kept[rapid],
             memory,
             objective=asked[rapid],
         )
         if not isinstance(answer, Judged):
             return answer, "", own.seconds
         tell(Progress("as written", answer.plan.duration, answer.plan.lower_bound))
-        return answer, as_written(job, changes[rapid], own, memory), own.seconds
+        written = as_written(job, changes[rapid], own, memory)
+        if isinstance(written, Plan):
+            if not answer.report.legal:
+                note = f"the plan is the program as written: a faster one {forbidden(answer)}"
+                bound, spent = answer.plan.lower_bound, answer.plan.seconds
+                slower = kept[rapid].keep(replace(written, lower_bound=bound, seconds=spent, notes=(note,)))
+                answer = _judged(job, slower, kept[rapid], own)
+            written = without_rows(written)
+        return (without_rows(answer.plan), answer.report), written, own.seconds
 
     def hear(progress: Progress) -> None:
         listen(rapid.value, progress)
 
     if jobs == 1:
-        first = solve(job, stream, changes[stream], listen, clock, patience, objective=asked[stream])
+        first = solve(job, stream, changes[stream], listen, clock, patience, kept[stream], objective=asked[stream])
         if isinstance(first, Infeasible):
             return {stream: first}, ""
-        answer, written, seconds = second(hear)
+        found, written, seconds = second(hear)
     else:
         with Beside(second, hear) as beside:
 
@@ -164,17 +174,15 @@ def all_three(
                 listen_to_both,
                 clock,
                 patience,
+                kept[stream],
                 hands=lambda: max(1, jobs - (not beside.done)),
                 objective=asked[stream],
             )
             if isinstance(first, Infeasible):
                 return {stream: first}, ""
-            answer, written, seconds = beside.answer()
+            found, written, seconds = beside.answer()
     clock.seconds |= seconds
-    if isinstance(answer, Judged) and isinstance(written, Plan) and not answer.report.legal:
-        note = f"the plan is the program as written: a faster one {forbidden(answer)}"
-        slower = replace(written, lower_bound=answer.plan.lower_bound, seconds=answer.plan.seconds, notes=(note,))
-        answer = _judged(job, slower, write_csv_text(slower.trajectory), clock)
+    answer = Judged(kept[rapid].kept(found[0]), kept[rapid], found[1]) if isinstance(found, tuple) else found
     failure = None
     if isinstance(first, NoPlan):
         failure = f"no other one was found ({first.message}): an error in trajopt; please report it"
@@ -182,7 +190,7 @@ def all_three(
         failure = f"a stream plan that was found {forbidden(first)}"
     if isinstance(answer, Judged) and answer.report.legal:
         plan = streamed(answer.plan, first.plan if isinstance(first, Judged) else None, failure)
-        first = first if plan is None else _judged(job, plan, answer.csv, clock)
+        first = first if plan is None else _judged(job, plan, answer.rows, clock)
     plans = {one.value: judged.plan for one, judged in ((stream, first), (rapid, answer)) if isinstance(judged, Judged)}
     if isinstance(written, Plan) and not any(isinstance(one, LeastEffort) for one in asked.values()):
         plans["as-written"] = written
@@ -245,12 +253,13 @@ def solve(
     listen: Listener,
     clock: Clock,
     patience: Patience,
+    kept: RowsFile,
     memory: Memory | None = None,
     hands: Callable[[], int] = lambda: 1,
     objective: Objective = LEAST_TIME,
 ) -> Judged | Infeasible | NoPlan:
     """Plan one target, write its trajectory as CSV text, and let the judge read that text. The bound is found
-    meanwhile where another process may work."""
+    meanwhile where another process may work. kept: where the rows go."""
     from trajopt_cli.optimize import NoCleanPlan, optimize
 
     label = target.value
@@ -277,7 +286,9 @@ def solve(
         if plan.duration == 0.0:
             message = f"{job.program.entry} moves nothing: every move ends where the robot stands at the start"
             raise InputError(message, file=str(job.program_path))
-        judged = _bounded_and_judged(job, plan, changes, tell, clock, patience, hands)
+        with clock.phase(f"{label}: judge"):
+            plan = kept.keep(plan)
+        judged = _bounded_and_judged(job, plan, kept, changes, tell, clock, patience, hands)
     except NoCleanPlan as failure:
         return NoPlan(label, str(failure))
     for phase, spent in judged.plan.seconds.items():
@@ -286,11 +297,17 @@ def solve(
 
 
 def _bounded_and_judged(
-    job: Job, plan: Plan, changes: Changes, tell: Report, clock: Clock, patience: Patience, hands: Callable[[], int]
+    job: Job,
+    plan: Plan,
+    kept: RowsFile,
+    changes: Changes,
+    tell: Report,
+    clock: Clock,
+    patience: Patience,
+    hands: Callable[[], int],
 ) -> Judged:
     """A plan with its bound, but where the user said to stop, and what the judge says of its text. Raises NoCleanPlan
     where the plan refutes the bound."""
-    from trajopt_cli.joint_csv import write_csv_text
     from trajopt_cli.optimize import bounded, lower_bound_of
 
     def bound(_: Report) -> tuple[float, float]:
@@ -304,19 +321,17 @@ def _bounded_and_judged(
         beside = stack.enter_context(Beside(bound, tell)) if asked and hands() > 1 else None
         known = bounded(plan, *bound(tell)) if asked and beside is None else plan
         tell(Progress("judge", known.duration, known.lower_bound))
-        with clock.phase(f"{plan.target.value}: judge"):
-            text = write_csv_text(plan.trajectory)
-        judged = _judged(job, known, text, clock)
+        judged = _judged(job, known, kept, clock)
         return judged if beside is None else replace(judged, plan=bounded(plan, *beside.answer()))
 
 
-def _judged(job: Job, plan: Plan, text: str, clock: Clock) -> Judged:
+def _judged(job: Job, plan: Plan, kept: RowsFile, clock: Clock) -> Judged:
     """A plan with what the judge says of its text. Advice is for who asks `trajopt verify`: its libraries take longer
     to load than a short program to judge, and on a long one more than all that decides."""
     with clock.phase(f"{plan.target.value}: judge"):
         dropped = tuple(motion.index for motion in plan.motions if motion.dropped)
-        report = judge(job.plant, job.program, text, CSV[plan.target], dropped, plan.target, advice=False)
-        return Judged(plan, text, report)
+        report = judge(job.plant, job.program, kept.text, CSV[plan.target], dropped, plan.target, advice=False)
+        return Judged(plan, kept, report)
 
 
 def as_written(job: Job, changes: Changes, clock: Clock, memory: Memory) -> Plan | str:
@@ -324,7 +339,6 @@ def as_written(job: Job, changes: Changes, clock: Clock, memory: Memory) -> Plan
 
     The same question as that of the first row of `compare`. memory: legal motions that the rapid plan has found.
     """
-    from trajopt_cli.joint_csv import write_csv_text
     from trajopt_cli.optimize import NoCleanPlan, optimize
 
     with clock.phase("as written"):
@@ -336,21 +350,23 @@ def as_written(job: Job, changes: Changes, clock: Clock, memory: Memory) -> Plan
             return f"no plan found: {failure}"
         if isinstance(plan, Infeasible):
             return str(plan)
-        text = write_csv_text(plan.trajectory)
-        report = judge(job.plant, job.program, text, "as written", (), Target.RAPID, advice=False)
+        kept = RowsFile()
+        plan = kept.keep(plan)
+        report = judge(job.plant, job.program, kept.text, "as written", (), Target.RAPID, advice=False)
     return plan if report.legal else f"not legal: {worst(report).message}"
 
 
 def judge(
     plant: Plant,
     program: Program,
-    text: str,
+    text: str | TextIO,
     file: str,
     dropped: tuple[int, ...] | None = None,
     target: Target | None = None,
     advice: bool = True,
 ) -> findings.Report:
-    """What the judge says of a CSV file's text; file is its name in messages, the rest as in verify."""
+    """What the judge says of a CSV file's text, or of an open one; file is its name in messages, the rest as in
+    verify."""
     from trajopt_cli.joint_csv import read_csv_text
     from trajopt_cli.verify.judge import verify
 

@@ -12,6 +12,7 @@ import shutil
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
+from io import BufferedRandom
 from pathlib import Path
 
 from trajopt_cli.errors import InputError
@@ -36,8 +37,9 @@ def write_file(path: Path, content: bytes) -> None:
             _discard(part)
 
 
-def write_folder(path: Path, files: Mapping[str, bytes]) -> None:
-    """Make path a folder that holds exactly files (relative name to content), or leave it as it was.
+def write_folder(path: Path, files: Mapping[str, bytes | BufferedRandom]) -> None:
+    """Make path a folder that holds exactly files, or leave it as it was. files: relative name to content, or an open
+    file that holds it.
 
     A folder already there is replaced, whatever it holds: ask before. The new folder is written beside it, brought to
     the disk, and takes its name in one step of the file system (an exchange of two names on Linux). Where the file
@@ -183,7 +185,7 @@ def _locked(folder: Path) -> bool:
     return False
 
 
-def _fill(folder: Path, files: Mapping[str, bytes]) -> None:
+def _fill(folder: Path, files: Mapping[str, bytes | BufferedRandom]) -> None:
     for name, content in files.items():
         place = folder / name
         place.parent.mkdir(parents=True, exist_ok=True)
@@ -193,9 +195,13 @@ def _fill(folder: Path, files: Mapping[str, bytes]) -> None:
             _sync(inner)
 
 
-def _write(path: Path, content: bytes) -> None:
+def _write(path: Path, content: bytes | BufferedRandom) -> None:
     with open(path, "xb") as file:
-        file.write(content)
+        if isinstance(content, bytes):
+            file.write(content)
+        else:
+            content.seek(0)
+            shutil.copyfileobj(content, file)
         file.flush()
         os.fsync(file.fileno())
 

@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from importlib.metadata import version
+from io import BufferedRandom
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
@@ -78,8 +79,10 @@ def read_run(
     return Run(folder, record, contents)
 
 
-def write_run(folder: Path, model: type[RunRecord[Any]], files: Mapping[str, bytes], command: str, **said: Any) -> None:
-    """Write a folder of model's kind whole: files, and run.json with what is said of them.
+def write_run(
+    folder: Path, model: type[RunRecord[Any]], files: Mapping[str, bytes | BufferedRandom], command: str, **said: Any
+) -> None:
+    """Write a folder of model's kind whole: files, as in write_folder, and run.json with what is said of them.
 
     command: that made the folder. said: the model's other fields. Raises InputError where folder may not be replaced.
     """

@@ -7,6 +7,7 @@ import json
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
+from io import BufferedRandom
 from pathlib import Path, PurePosixPath
 from typing import Annotated, Any, ClassVar, Generic, TypeVar
 
@@ -171,9 +172,12 @@ def as_json(content: Mapping[str, Any] | BaseModel) -> bytes:
     return text.encode(errors="backslashreplace")  # a lone surrogate, \udc80, is written as JSON's own escape
 
 
-def sha256(content: bytes) -> str:
-    """Of the exact bytes, in hexadecimal."""
-    return hashlib.sha256(content).hexdigest()
+def sha256(content: bytes | BufferedRandom) -> str:
+    """Of the exact bytes, or of those of an open file, in hexadecimal."""
+    if isinstance(content, bytes):
+        return hashlib.sha256(content).hexdigest()
+    content.seek(0)
+    return hashlib.file_digest(content, "sha256").hexdigest()
 
 
 def quoted(value: object) -> str:

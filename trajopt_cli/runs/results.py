@@ -22,6 +22,7 @@ from trajopt_cli.runs import SUMMARY
 from trajopt_cli.runs.files import replace_files
 from trajopt_cli.runs.folder import PLAN, Run, read_bytes, read_run
 from trajopt_cli.runs.record import RunRecord, Section, UserPath, as_json, quoted
+from trajopt_cli.runs.rows import RowsFile
 
 CHOSEN = "trajectory.csv"
 CSV = {Target.STREAM: "stream.csv", Target.RAPID: "rapid.csv"}
@@ -30,10 +31,10 @@ _SIGNAL_WAIT = "Wait"
 
 @dataclass(frozen=True, eq=False)
 class Judged:
-    """A plan, its trajectory as the text of a CSV file, and what the judge said of that text."""
+    """A plan, the file of its rows, and what the judge said of their text."""
 
     plan: Plan
-    csv: str
+    rows: RowsFile
     report: Report
 
 

@@ -21,6 +21,7 @@ from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.runs.folder import SENSITIVITY, write_run
 from trajopt_cli.runs.record import Inputs, RunRecord, as_json
+from trajopt_cli.runs.rows import RowsFile
 from trajopt_cli.study.levers import STEP, Lever, LeverKind, levers, not_asked
 
 if TYPE_CHECKING:
@@ -120,7 +121,8 @@ def sensitivity(
     if results is not None:
         plans = plans_of_results(results, job)
     else:
-        answers, _ = all_three(job, listen, Clock(), changes, Patience(), hands, dict.fromkeys(Target, LEAST_TIME))
+        question, kept = dict.fromkeys(Target, LEAST_TIME), {one: RowsFile() for one in Target}
+        answers, _ = all_three(job, listen, Clock(), changes, Patience(), hands, question, kept)
         plans = {}
         for target, answer in answers.items():
             if isinstance(answer, Infeasible | NoPlan):
