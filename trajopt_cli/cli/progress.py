@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import signal
+from time import monotonic
 from types import FrameType, TracebackType
 
 from rich.live import Live
@@ -14,6 +15,7 @@ from trajopt_cli.problem.progress import Progress
 
 _ABREAST = 2  # plans under way at once: one for each process
 _AGAIN = 0.5  # s; long against the tidying up that an interrupt sets off
+_TICK = 1.0  # s between looks at the clock
 
 
 class ProgressView:
@@ -24,18 +26,30 @@ class ProgressView:
     progress is told.
 
     Where there is patience and an answer at hand, the first interrupt ends only the search for a better one.
+
+    A terminal sees how long each phase has been running: some take minutes and have nothing to tell.
     """
 
     def __init__(self, patience: Patience | None = None) -> None:
         self._interrupted, self._patience = False, patience
         self._console = stderr()
-        # without a thread that draws: other processes are forked while it is up
+        # without a thread that draws: other processes are forked while it is up, and no timer with them
         self._line = Live(console=self._console, auto_refresh=False, transient=True)
-        self._latest: dict[str, str] = {}  # what was said last, by label: two plans may be under way
+        self._latest: dict[str, tuple[Progress, float]] = {}  # what was said last by label, and since when it is so
+        self._drawing = False
 
     def __enter__(self) -> ProgressView:
-        self._before = {number: signal.signal(number, self._interrupt) for number in (signal.SIGINT, signal.SIGALRM)}
+        handlers = {signal.SIGINT: self._interrupt, signal.SIGALRM: self._tick}
+        self._before = {number: signal.signal(number, handler) for number, handler in handlers.items()}
+        if self._console.is_terminal:
+            signal.setitimer(signal.ITIMER_REAL, _TICK, _TICK)
         return self
+
+    def _tick(self, number: int, frame: FrameType | None) -> None:
+        if self._interrupted:
+            self._interrupt(number, frame)
+        elif self._latest and not self._drawing:
+            self._draw()
 
     def _interrupt(self, number: int, frame: FrameType | None) -> None:
         patience = self._patience
@@ -59,15 +73,22 @@ class ProgressView:
         """Tell that the plan called label has reached progress."""
         if self._interrupted:
             raise KeyboardInterrupt
-        text = f"{label}: {progress.phase}{_numbers(progress)}"
-        known = self._latest.get(label, "")
-        self._latest.pop(label, None)
-        self._latest[label] = text
+        before, since = self._latest.pop(label, (None, 0.0))
+        goes_on = before is not None and before.phase == progress.phase
+        self._latest[label] = progress, since if goes_on else monotonic()
         if self._console.is_terminal:
-            self._line.start()
-            self._line.update(Text("   ".join([*self._latest.values()][-_ABREAST:])), refresh=True)
-        elif not known.startswith(f"{label}: {progress.phase}  ") and known != f"{label}: {progress.phase}":
-            self._console.print(text)
+            self._draw()
+        elif not goes_on:
+            self._console.print(f"{label}: {progress.phase}{_numbers(progress)}")
+
+    def _draw(self) -> None:
+        self._drawing, now, parts = True, monotonic(), []
+        for label, (progress, since) in [*self._latest.items()][-_ABREAST:]:
+            spent = f" ({now - since:.0f} s)" if now - since >= _TICK else ""
+            parts.append(f"{label}: {progress.phase}{spent}{_numbers(progress)}")
+        self._line.start()
+        self._line.update(Text("   ".join(parts)), refresh=True)
+        self._drawing = False
 
 
 def _numbers(progress: Progress) -> str:
