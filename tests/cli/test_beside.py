@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import gc
 import os
+import sys
 import time
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
-from trajopt_cli.beside import Beside
+from trajopt_cli.beside import Beside, give_back
 from trajopt_cli.errors import InputError
 
 Tell = Callable[[int], None]
@@ -55,3 +58,22 @@ def test_a_process_that_dies_is_noticed() -> None:
         pytest.raises(RuntimeError, match=r"^the second process ended with exit code 7$"),
     ):
         beside.answer()
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
+def test_what_is_in_no_use_any_more_goes_back_to_the_system() -> None:
+    def resident() -> float:
+        return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 1e6
+
+    cycle: list[object] = [bytearray(2000) for _ in range(30_000)]  # 60 MB in pieces
+    top = bytearray(2000)  # above them
+    cycle.append(cycle)
+    gc.disable()
+    try:
+        del cycle
+        before = resident()
+        give_back()
+    finally:
+        gc.enable()
+    assert resident() < before - 50
+    assert len(top) == 2000

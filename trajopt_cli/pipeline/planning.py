@@ -9,7 +9,7 @@ from itertools import pairwise
 from time import perf_counter
 from typing import TYPE_CHECKING, TextIO
 
-from trajopt_cli.beside import Beside
+from trajopt_cli.beside import Beside, give_back
 from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Program
@@ -288,6 +288,7 @@ def solve(
             raise InputError(message, file=str(job.program_path))
         with clock.phase(f"{label}: judge"):
             plan = kept.keep(plan)
+        give_back()
         judged = _bounded_and_judged(job, plan, kept, changes, tell, clock, patience, hands)
     except NoCleanPlan as failure:
         return NoPlan(label, str(failure))
@@ -331,6 +332,7 @@ def _judged(job: Job, plan: Plan, kept: RowsFile, clock: Clock) -> Judged:
     with clock.phase(f"{plan.target.value}: judge"):
         dropped = tuple(motion.index for motion in plan.motions if motion.dropped)
         report = judge(job.plant, job.program, kept.text, CSV[plan.target], dropped, plan.target, advice=False)
+        give_back()
         return Judged(plan, kept, report)
 
 
