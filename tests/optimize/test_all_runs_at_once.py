@@ -102,10 +102,16 @@ def test_shifts_at_corners_gain() -> None:
 
 
 def test_points_that_are_carried_along_are_not_shifted() -> None:
-    ways = "\n".join(f"MoveL Offs(p_low,{5 * np.sin(i):.3f},{3 * i},0), v200, z1, tool0;" for i in range(1, 9))
-    axes, problem, chain = chain_of(f"MoveJ p_low, v1000, fine, tool0;\n{ways}\nMoveL p_low, v200, fine, tool0;")
-    rail = axes.layout.place
-    assert np.array_equal(rail(polished(axes, problem, chain).q)[3:8], rail(chain.q)[3:8])
+    """Nor those around them, where these are fewer."""
+    ways = [f"MoveL Offs(p_low,{5 * np.sin(i):.3f},{3 * i},0), v200, z1, tool0;" for i in range(1, 9)]
+    around = [f"MoveL Offs(p_low,{x},{y},40), v200, z5, tool0;" for x, y in ((60, -80), (-60, -160), (0, -240))]
+    begin, end = "MoveJ p_low, v1000, fine, tool0;", "MoveL p_low, v200, fine, tool0;"
+    axes, problem, chain = chain_of("\n".join([begin, *ways, end]))
+    assert np.array_equal(polished(axes, problem, chain).q, chain.q)
+    axes, problem, chain = chain_of("\n".join([begin, *around, *ways[:3], end]))
+    moved = np.abs(polished(axes, problem, chain).q - chain.q).max(axis=1) > 0
+    assert moved[:6].any()
+    assert not moved[6]
 
 
 def test_what_was_timed_for_one_coupling_is_known_to_the_other() -> None:

@@ -36,6 +36,7 @@ from trajopt_cli.optimize.tuning import (
     REFINE_STEP,
     RUSH,
 )
+from trajopt_cli.path.hermite import natural_spline
 from trajopt_cli.problem.freedom import RailFreedom
 from trajopt_cli.problem.problem import LegKind, Problem
 
@@ -91,10 +92,8 @@ def _rounded(axes: Axes, problem: Problem, chain: Chain, marks: IndexArray) -> C
         knots = np.array([first, *(b for _, b in ends)])
         if np.ptp(axes.layout.place(q[knots])) < _SAME:  # the rail stands
             continue
-        from scipy.interpolate import CubicSpline  # takes longer to load than most programs to search
-
         way = np.concatenate([[0.0], np.cumsum([leg.chord for leg in problem.legs[first:last]])])
-        d = CubicSpline(way[knots - first], axes.layout.place(q[knots]), bc_type="natural")(way)
+        d = natural_spline(way[knots - first], axes.layout.place(q[knots]), way)
         found = _along_rail(axes, problem, chain, first, d[None, 1:-1])[0]
         if np.isfinite(found).all():
             q[first + 1 : last] = found
@@ -173,7 +172,8 @@ def _through(axes: Axes, problem: Problem, chain: Chain, marks: IndexArray, q: A
 
 def polished(axes: Axes, problem: Problem, chain: Chain) -> Chain:
     """The chain with the rail shifted at the points of runs with corners, each and all of a run, until nothing is
-    gained: there a leg alone does not say how fast it is passed. Points that are carried along are not shifted."""
+    gained: there a leg alone does not say how fast it is passed. Points that are carried along are not shifted, nor
+    any of a run that has more of these: what it takes is decided between short lines."""
     if not axes.layout.has_rail or problem.freedom.rail is RailFreedom.STATION:
         return chain
     tied = {k for group in problem.ties for k in group}
@@ -188,7 +188,8 @@ def polished(axes: Axes, problem: Problem, chain: Chain) -> Chain:
 
     for i, (first, last) in enumerate(problem.runs):
         points = [k for k in range(first, last + 1) if open_(k)] if last > first + 1 else []
-        if not points or 10 * (last - first) > left:
+        carried = sum(short(problem, k - 1) and short(problem, k) for k in range(first + 1, last))
+        if len(points) <= carried or 10 * (last - first) > left:
             continue
         near = problem.runs[max(i - 1, 0) : i + 2]  # and those that end where it begins, or begin where it ends
         groups = [[k] for k in points] if len(points) < 2 else [points, *([k] for k in points)]

@@ -1,8 +1,13 @@
-"""The cubic between two ends with given slopes; where the slopes meet half way, it is a parabola (quadratic Bézier)."""
+"""The cubic between two ends with given slopes; where the slopes meet half way, it is a parabola (quadratic Bézier).
+And cubics through many places, one after the other."""
 
 from __future__ import annotations
 
 from typing import Any
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
 
 
 def hermite(x_0: Any, m_0: Any, x_1: Any, m_1: Any, u: Any) -> tuple[Any, Any, Any]:
@@ -13,3 +18,22 @@ def hermite(x_0: Any, m_0: Any, x_1: Any, m_1: Any, u: Any) -> tuple[Any, Any, A
     way = x_1 - x_0
     c2, c3 = 3 * way - 2 * m_0 - m_1, m_0 + m_1 - 2 * way
     return x_0 + u * (m_0 + u * (c2 + u * c3)), m_0 + u * (2 * c2 + 3 * u * c3), 2 * c2 + 6 * u * c3
+
+
+def natural_spline(x: Array, y: Array, at: Array) -> Array:
+    """Values (m,), at places within the knots, of the natural cubic spline through y (n,) at two knots x (n,) or more,
+    ascending. Of numpy alone: scipy's takes longer to load than most programs to search."""
+    h = np.diff(x)
+    slopes = np.diff(y) / h
+    # rows of three for the slopes at the knots, eliminated downward
+    below, middle, above = np.r_[h[1:], 1.0], np.r_[2.0, 2 * (h[:-1] + h[1:]), 2.0], np.r_[1.0, h[:-1]]
+    m = 3 * np.r_[slopes[0], h[1:] * slopes[:-1] + h[:-1] * slopes[1:], slopes[-1]]
+    for i in range(len(h)):
+        share = below[i] / middle[i]
+        middle[i + 1] -= share * above[i]
+        m[i + 1] -= share * m[i]
+    m[-1] /= middle[-1]
+    for i in reversed(range(len(h))):
+        m[i] = (m[i] - above[i] * m[i + 1]) / middle[i]
+    k = np.clip(np.searchsorted(x, at, side="right") - 1, 0, len(h) - 1)
+    return np.asarray(hermite(y[k], m[k] * h[k], y[k + 1], m[k + 1] * h[k], (at - x[k]) / h[k])[0])
