@@ -11,10 +11,12 @@ from fake_planner import Planner
 
 from trajopt_cli.cli import run
 from trajopt_cli.job import read_job
-from trajopt_cli.optimize import Memory, optimize
+from trajopt_cli.optimize import Memory, legal, optimize, search_estimate
+from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.pipeline.planning import changes_of
-from trajopt_cli.problem.freedom import AS_WRITTEN
+from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
+from trajopt_cli.problem.problem import Problem
 
 
 def test_the_answer_begins_with_what_was_saved(
@@ -65,7 +67,8 @@ def test_a_program_that_cannot_be_driven_as_written_is_told_so(
     assert written["why_not"] == "tiny.mod:6:9: MoveAbsJ j_side cannot be reached"
 
 
-def test_a_motion_in_memory_is_the_one_that_would_be_found(tmp_path: Path) -> None:
+def test_a_motion_in_memory_is_the_one_that_would_be_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """And is known to be in reach; what its search took is that of the search alone."""
     text = (
         "MODULE m\nCONST jointtarget j:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
         "CONST robtarget p:=[[450,0,350],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
@@ -79,13 +82,22 @@ def test_a_motion_in_memory_is_the_one_that_would_be_found(tmp_path: Path) -> No
     )
     job = read_job(tmp_path / "m.mod")
     changes = changes_of(job, Target.RAPID)
-    memory = Memory()
+    memory, checked, check = Memory(), list[Problem](), legal.check_reach
+
+    def counted(axes: Axes, problem: Problem) -> Infeasible | None:
+        checked.append(problem)
+        return check(axes, problem)
+
+    monkeypatch.setattr(legal, "check_reach", counted)
     optimize(job.program, job.plant, Target.RAPID, bounded=False, changes=changes, memory=memory)
     assert (Target.RAPID, AS_WRITTEN) in memory.answers
     first, second = [
         optimize(job.program, job.plant, Target.RAPID, AS_WRITTEN, bounded=False, changes=changes, memory=known)
         for known in (None, memory)
     ]
+    assert len(checked) == 2  # what the first question may change, and the one that knows nothing of it
+    estimate = search_estimate(job.program, job.plant, Target.RAPID, changes)
+    assert memory.estimates[Target.RAPID, EVERYTHING] == estimate
     assert isinstance(first, Plan)
     assert isinstance(second, Plan)
     np.testing.assert_allclose(first.trajectory.q, second.trajectory.q, rtol=0, atol=1e-12)  # others are driven with it

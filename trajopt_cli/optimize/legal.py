@@ -6,7 +6,7 @@ slower, whatever the search misses.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from time import perf_counter
 
@@ -48,9 +48,11 @@ class Legal:
 
 @dataclass(frozen=True, eq=False)
 class Memory:
-    """Answers to questions about one program, its plant, and what may change in it; and the runs that were driven."""
+    """Answers to questions about one program, its plant, and what may change in it; what the chains that the search
+    found for them take [s]; and the runs that were driven."""
 
     answers: dict[tuple[Target, Freedom], Legal | Infeasible] = field(default_factory=dict)
+    estimates: dict[tuple[Target, Freedom], float] = field(default_factory=dict)
     runs: Runs = field(default_factory=dict)
 
 
@@ -66,16 +68,16 @@ class Question:
 
     def problems(self, axes: Axes) -> list[Problem | Infeasible]:
         """The whole program, and without the motions the user lets go if there are any; each checked for reach."""
+        return [(check_reach(axes, one) or one) if isinstance(one, Problem) else one for one in self.unchecked()]
+
+    def unchecked(self) -> list[Problem | Infeasible]:
+        """The same, of which some may be out of reach: where that shows anyhow."""
         changes = self.changes or everything(self.program, self.plant)
         optional = changes.droppable if self.freedom.drop else frozenset()
-        out: list[Problem | Infeasible] = []
-        for dropped in [frozenset[int]()] + ([optional] if optional else []):
-            problem = build_problem(self.program, self.plant, self.freedom, self.target, changes, dropped)
-            if isinstance(problem, Problem):
-                out.append(check_reach(axes, problem) or problem)
-            else:
-                out.append(problem)
-        return out
+        return [
+            build_problem(self.program, self.plant, self.freedom, self.target, changes, dropped)
+            for dropped in [frozenset[int]()] + ([optional] if optional else [])
+        ]
 
     def lesser(self) -> Iterator[Question]:
         """The same of a RAPID controller with less that may change; each has a motion that this one allows."""
@@ -101,7 +103,8 @@ def legal_motion(
     there is a motion. Raises NoCleanPlan."""
     start = perf_counter()
     tell(Progress("reach"))
-    problems = question.problems(axes)
+    known = memory.answers.get((question.target, question.freedom))
+    problems = question.unchecked() if isinstance(known, Legal) else question.problems(axes)
     open_ = [one for one in problems if isinstance(one, Problem)]
     add(seconds, "reach", perf_counter() - start)
     if not open_:
@@ -110,8 +113,7 @@ def legal_motion(
     own: Legal | Infeasible | NoCleanPlan
     tell(Progress("search"))
     try:
-        known = memory.answers.get((question.target, question.freedom))
-        own = known or legal_of(axes, open_, patience, tell, seconds, memory.runs)
+        own = known or _found(axes, question, open_, memory, patience, tell, seconds)
     except NoCleanPlan as failure:
         own = failure
     best = own if isinstance(own, Legal) else None
@@ -145,17 +147,30 @@ def _of_lesser(
     """The legal motion of a question with less freedom as one of these problems', None where there is none, or where it
     asks for the same."""
     mine = {one.dropped: one for one in problems}
-    asked = [one for one in less.problems(axes) if isinstance(one, Problem) and one.dropped in mine]
+    asked = [one for one in less.unchecked() if isinstance(one, Problem) and one.dropped in mine]
     if all(_says(one) == _says(mine[one.dropped]) for one in asked):
         return None
     name = less.target, less.freedom
     if name not in memory.answers:
         try:
-            memory.answers[name] = legal_of(axes, asked, patience, tell, seconds, memory.runs)
+            memory.answers[name] = _found(axes, less, asked, memory, patience, tell, seconds)
         except NoCleanPlan:
             return None
     found = memory.answers[name]
     return replace(found, problem=mine[found.problem.dropped]) if isinstance(found, Legal) else None
+
+
+def _found(
+    axes: Axes, question: Question, problems: Sequence[Problem], memory: Memory, patience: Patience, tell: Report,
+    seconds: dict[str, float],
+) -> Legal | Infeasible:  # fmt: skip
+    """legal_of of a question's problems; what its chain takes is kept. Raises NoCleanPlan."""
+    name = question.target, question.freedom
+
+    def keep(cost: float) -> None:
+        memory.estimates.setdefault(name, cost)
+
+    return legal_of(axes, problems, patience, tell, seconds, memory.runs, keep)
 
 
 def _says(problem: Problem) -> tuple[object, ...]:
@@ -178,17 +193,20 @@ def _again(axes: Axes, found: Legal, runs: Runs, seconds: dict[str, float]) -> I
 
 def legal_of(
     axes: Axes, problems: Sequence[Problem], patience: Patience, tell: Report, seconds: dict[str, float],
-    runs: Runs | None = None,
+    runs: Runs | None = None, searched: Callable[[float], None] = lambda _: None,
 ) -> Legal | Infeasible:  # fmt: skip
     """That of the problem with the fastest chain that can be driven; each one timed is told, and the first one of a
     stream is an answer. Where none can, as an axis would leave its range between the places that the search looks at,
-    with narrower ranges. runs: as in timed. Raises NoCleanPlan."""
+    with narrower ranges. runs: as in timed. searched: hears what the best chain of a search takes [s], the first one in
+    the whole ranges. Raises NoCleanPlan."""
     failure: tuple[Problem, NotDriven] | None = None
     for room in ROOMS:
         start = perf_counter()
         narrow, known = axes.narrowed(room), Times()
         together = [one if one.coordinated else replace(one, coupling=Coupling.COORDINATED) for one in problems]
         chains = [(search(narrow, bound), bound, problem) for bound, problem in zip(together, problems, strict=True)]
+        if costs := [chain.cost for chain, _, _ in chains if chain is not None]:
+            searched(min(costs))
         found = [
             (_shifted(narrow, bound, chain, known), chain, bound, problem)
             for chain, bound, problem in chains

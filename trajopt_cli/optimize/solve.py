@@ -143,7 +143,7 @@ def lower_bound_of(
     """The lower bound [s] of a plan that optimize found without one for the same question: for another process."""
     axes = Axes.of(plant)
     dropped = frozenset(motion.index for motion in plan.motions if motion.dropped)
-    problems = Question(program, plant, plan.target, freedom, changes).problems(axes)
+    problems = Question(program, plant, plan.target, freedom, changes).unchecked()
     problem = next(one for one in problems if isinstance(one, Problem) and one.dropped == dropped)
     return _bound(axes, problem, plan.duration if plan.eased is None else plan.eased.least_time)
 
@@ -170,7 +170,7 @@ def search_estimate(program: Program, plant: Plant, target: Target, changes: Cha
     """The cycle time [s] of the best chain that the search finds: what optimize starts from, a few percent from its
     answer. None where there is no chain."""
     axes = Axes.of(plant)
-    open_ = [c for c in Question(program, plant, target, EVERYTHING, changes).problems(axes) if isinstance(c, Problem)]
+    open_ = [c for c in Question(program, plant, target, EVERYTHING, changes).unchecked() if isinstance(c, Problem)]
     found = [chain.cost for problem in open_ if (chain := search(axes, problem)) is not None]
     return min(found, default=None)
 
