@@ -120,7 +120,9 @@ def optimise(
     judged: dict[Target, Judged] = {}
     asked = {one: objective if one is target else for_the_other(objective) for one in Target}
     kept = {one: RowsFile(folder) for one in Target}
-    answers, written = all_three(job, listen, clock, changes, patience or Patience(), jobs or cores(), asked, kept)
+    answers, written, estimate = all_three(
+        job, listen, clock, changes, patience or Patience(), jobs or cores(), asked, kept
+    )
     for one, answer in answers.items():
         if not isinstance(answer, Judged):
             return answer
@@ -130,7 +132,7 @@ def optimise(
         judged[one] = answer
     listen("results", Progress("loops"))
     with clock.phase("loops"):
-        unrolled = tuple(_unrolled(job, changes[Target.RAPID], loops))
+        unrolled = tuple(_unrolled(job, changes[Target.RAPID], loops, estimate))
     listen("results", Progress("write"))
     with clock.phase("export"):
         export, no_rapid = _export(job, judged[Target.RAPID].plan, loops)
@@ -242,18 +244,18 @@ def _one_way(job: Job, export: RapidExport | None) -> Iterator[str]:
         yield "the way from the end of the loop back to its beginning is planned only with endless_passes: 2 or more"
 
 
-def _unrolled(job: Job, kept: Changes, loops: Loops) -> Iterator[str]:
-    """What it would save to let every pass of a loop or routine have its own answer, by the search's estimates."""
+def _unrolled(job: Job, kept: Changes, loops: Loops, now: float | None) -> Iterator[str]:
+    """What it would save to let every pass of a loop or routine have its own answer, by the search's estimates. now:
+    that of the rapid plan [s]."""
     from trajopt_cli.optimize import search_estimate
 
     often = len({motion.written.statement for motion in job.program.motions}) < len(job.program.motions)
     if loops is Loops.UNROLL or not (often or kept.kept):
         return
     free = changes_of(job, Target.RAPID, Loops.UNROLL)
-    if free.values == kept.values and not kept.ties:
+    if now is None or (free.values == kept.values and not kept.ties):
         return
-    now, then = (search_estimate(job.program, job.plant, Target.RAPID, changes) for changes in (kept, free))
-    if now is None or then is None:
+    if (then := search_estimate(job.program, job.plant, Target.RAPID, free)) is None:
         return
     if now - then < _WORTH:
         yield "--loops unroll would save nothing, by an estimate of the search"

@@ -14,7 +14,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Program
 from trajopt_cli.problem.changes import Changes, Loops, everything
-from trajopt_cli.problem.freedom import AS_WRITTEN
+from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING
 from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective
 from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
@@ -116,17 +116,18 @@ def all_three(
     jobs: int,
     asked: Mapping[Target, Objective],
     kept: Mapping[Target, RowsFile],
-) -> tuple[dict[Target, Judged | Infeasible | NoPlan], Plan | str]:
-    """Both targets with what is asked of them, and the program as written, in up to `jobs` processes. A stream that
-    cannot be done ends the run at once. A plan that collides, or that the judge rejects, gives way to the next one that
-    may change less and is legal. kept: where the rows of each target go."""
+) -> tuple[dict[Target, Judged | Infeasible | NoPlan], Plan | str, float | None]:
+    """Both targets with what is asked of them, the program as written, and what the chain takes [s] that the rapid plan
+    began with, in up to `jobs` processes. A stream that cannot be done ends the run at once. A plan that collides, or
+    that the judge rejects, gives way to the next one that may change less and is legal. kept: where the rows of each
+    target go."""
     from trajopt_cli.optimize import Memory
 
     stream, rapid = Target.STREAM, Target.RAPID
 
     def second(
         tell: Callable[[Progress], None],
-    ) -> tuple[tuple[Plan, findings.Report] | Infeasible | NoPlan, Plan | str, dict[str, float]]:
+    ) -> tuple[tuple[Plan, findings.Report] | Infeasible | NoPlan, Plan | str, float | None, dict[str, float]]:
         own, memory = Clock(), Memory()
         answer = solve(
             job,
@@ -140,7 +141,7 @@ def all_three(
             objective=asked[rapid],
         )
         if not isinstance(answer, Judged):
-            return answer, "", own.seconds
+            return answer, "", None, own.seconds
         tell(Progress("as written", answer.plan.duration, answer.plan.lower_bound))
         written = as_written(job, changes[rapid], own, memory)
         if isinstance(written, Plan):
@@ -150,7 +151,8 @@ def all_three(
                 slower = kept[rapid].keep(replace(written, lower_bound=bound, seconds=spent, notes=(note,)))
                 answer = _judged(job, slower, kept[rapid], own)
             written = without_rows(written)
-        return (without_rows(answer.plan), answer.report), written, own.seconds
+        estimate = memory.estimates.get((rapid, EVERYTHING))
+        return (without_rows(answer.plan), answer.report), written, estimate, own.seconds
 
     def hear(progress: Progress) -> None:
         listen(rapid.value, progress)
@@ -158,8 +160,8 @@ def all_three(
     if jobs == 1:
         first = solve(job, stream, changes[stream], listen, clock, patience, kept[stream], objective=asked[stream])
         if isinstance(first, Infeasible):
-            return {stream: first}, ""
-        found, written, seconds = second(hear)
+            return {stream: first}, "", None
+        found, written, estimate, seconds = second(hear)
     else:
         with Beside(second, hear) as beside:
 
@@ -179,8 +181,8 @@ def all_three(
                 objective=asked[stream],
             )
             if isinstance(first, Infeasible):
-                return {stream: first}, ""
-            found, written, seconds = beside.answer()
+                return {stream: first}, "", None
+            found, written, estimate, seconds = beside.answer()
     clock.seconds |= seconds
     answer = Judged(kept[rapid].kept(found[0]), kept[rapid], found[1]) if isinstance(found, tuple) else found
     failure = None
@@ -195,8 +197,8 @@ def all_three(
     if isinstance(written, Plan) and not any(isinstance(one, LeastEffort) for one in asked.values()):
         plans["as-written"] = written
     if (wrong := out_of_order(plans)) is not None:
-        return {stream: NoPlan(stream.value, wrong)}, written
-    return {stream: first, rapid: answer}, written
+        return {stream: NoPlan(stream.value, wrong)}, written, estimate
+    return {stream: first, rapid: answer}, written, estimate
 
 
 def touches(judged: Judged) -> tuple[Finding, ...]:

@@ -122,7 +122,7 @@ def sensitivity(
         plans = plans_of_results(results, job)
     else:
         question, kept = dict.fromkeys(Target, LEAST_TIME), {one: RowsFile() for one in Target}
-        answers, _ = all_three(job, listen, Clock(), changes, Patience(), hands, question, kept)
+        answers, _, _ = all_three(job, listen, Clock(), changes, Patience(), hands, question, kept)
         plans = {}
         for target, answer in answers.items():
             if isinstance(answer, Infeasible | NoPlan):
