@@ -11,6 +11,7 @@ from small_cells import plant_with_rail, problem_of, rapid
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize import exchange, looks
 from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.binding import binding_limits
 from trajopt_cli.optimize.course import Course, courses_of
 from trajopt_cli.optimize.exchange import check_leg
 from trajopt_cli.optimize.incumbent import about, duration, timed
@@ -87,6 +88,19 @@ def test_a_course_is_looked_at_as_its_motions_are(monkeypatch: pytest.MonkeyPatc
             wanted, at = check_leg(axes, problem.legs[k], motion), course.leg == k
             for of in ("velocity", "acceleration", "position", "tool"):
                 np.testing.assert_allclose(getattr(found, of)[at], getattr(wanted, of), rtol=1e-6, atol=1e-6)
+
+
+def test_what_binds_many_legs_binds_each_alone() -> None:
+    axes, problem, chain = chain_of(BODY.replace("p_low, v500, fine", "p_low, v20, fine"))
+    motions = [one for one in timed(axes, problem, chain).legs if one is not None]
+    found = binding_limits(axes, problem.plant.tcp, problem.legs, motions)
+    alone = [
+        binding_limits(axes, problem.plant.tcp, [leg], [motion])[0]
+        for leg, motion in zip(problem.legs, motions, strict=True)
+    ]
+    assert found == alone
+    assert found[3] == "programmed TCP speed"
+    assert len({*found}) > 1
 
 
 def test_shifts_at_corners_gain() -> None:

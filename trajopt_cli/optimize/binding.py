@@ -2,30 +2,55 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+from itertools import groupby
+
 import numpy as np
 
+from trajopt_cli.geometry import Array
 from trajopt_cli.limits import TcpCaps
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.exchange import tool_of, tool_ratios
-from trajopt_cli.optimize.legs import LegMotion
-from trajopt_cli.optimize.tuning import AT_LIMIT, BINDING_SAMPLES, FEWEST_SAMPLES, LOOK, STILL
+from trajopt_cli.optimize.legs import LegMotion, Sample, sampled
+from trajopt_cli.optimize.tuning import AT_LIMIT, BINDING_SAMPLES, CHECKED, FEWEST_SAMPLES, LOOK, STILL
 from trajopt_cli.problem.problem import Leg
 
 
-def binding_limit(axes: Axes, tcp: TcpCaps, leg: Leg, motion: LegMotion) -> str:
-    """The limit a motion stands at for the largest share of its time, as "joint_1 acceleration" or "programmed ...";
-    "already there" where no axis has to move. tcp: the cell's caps, which a programmed speed may lie below."""
-    if leg.duration is not None:
-        return "programmed duration"
-    places = np.zeros(int(np.clip(motion.T / LOOK, FEWEST_SAMPLES, BINDING_SAMPLES)), dtype=np.intp)
-    sample = motion.sample(axes, (np.arange(len(places)) + 0.5) / len(places) * motion.T)
+def binding_limits(axes: Axes, tcp: TcpCaps, legs: Sequence[Leg], motions: Sequence[LegMotion]) -> list[str]:
+    """Of each motion the limit it stands at for the largest share of its time, as "joint_1 acceleration" or "programmed
+    ..."; "already there" where no axis has to move. tcp: the cell's caps, which a programmed speed may lie below."""
+    out = ["programmed duration"] * len(legs)
+    asked = [i for i, leg in enumerate(legs) if leg.duration is None]
+    counts = [int(np.clip(motions[i].T / LOOK, FEWEST_SAMPLES, BINDING_SAMPLES)) for i in asked]
+    behind = np.cumsum(counts)
+    for _, group in groupby(range(len(asked)), key=lambda j: int(behind[j]) // CHECKED):
+        some = [*group]
+        at = [asked[j] for j in some]
+        found = _binding(axes, tcp, [legs[i] for i in at], [motions[i] for i in at], [counts[j] for j in some])
+        for i, name in zip(at, found, strict=True):
+            out[i] = name
+    return out
+
+
+def _binding(
+    axes: Axes, tcp: TcpCaps, legs: Sequence[Leg], motions: Sequence[LegMotion], counts: Sequence[int]
+) -> Iterator[str]:
+    """The same of so many that the memory takes them at once, each looked at so often; none of a given duration."""
+    times = [(np.arange(n) + 0.5) / n * motion.T for n, motion in zip(counts, motions, strict=True)]
+    number, sample = np.repeat(np.arange(len(legs)), counts), sampled(axes, motions, times)
+    tool = tool_ratios(axes.caps(legs).at(number), tool_of(axes, [leg.X_FT for leg in legs], number, sample))
+    ratios = np.concatenate([np.abs(sample.qd) / axes.velocity, np.abs(sample.qdd) / axes.acceleration, tool], axis=1)
+    for leg, rows in zip(legs, np.split(np.arange(len(number)), np.cumsum(counts)[:-1]), strict=True):
+        own = Sample(sample.t[rows], sample.q[rows], sample.qd[rows], sample.qdd[rows])
+        yield _named(axes, leg.v_tcp < tcp.speed, own, ratios[rows])
+
+
+def _named(axes: Axes, programmed: bool, sample: Sample, ratios: Array) -> str:
+    """The limit of one motion. ratios (m, 2 n + 3): speeds, accelerations and the tool's three as shares of theirs."""
     if np.all(np.ptp(sample.q, axis=0) < STILL):
         return "already there"
-    tool = tool_ratios(axes.caps([leg]).at(places), tool_of(axes, [leg.X_FT], places, sample))
     names = [f"{name} speed" for name in axes.names] + [f"{name} acceleration" for name in axes.names]
-    programmed = leg.v_tcp < tcp.speed
     names += ["programmed TCP speed" if programmed else "TCP speed", "TCP acceleration", "TCP turning"]
-    ratios = np.concatenate([np.abs(sample.qd) / axes.velocity, np.abs(sample.qdd) / axes.acceleration, tool], axis=1)
     if axes.jerk is not None:
         names += [f"{name} jerk" for name in axes.names]
         jerk = np.abs(np.diff(sample.qdd, axis=0)) / np.diff(sample.t)[:, None] / axes.jerk

@@ -12,7 +12,7 @@ from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.motion import Hold, Program
 from trajopt_cli.optimize.assemble import rows_of
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.binding import binding_limit
+from trajopt_cli.optimize.binding import binding_limits
 from trajopt_cli.optimize.bound import lower_bound
 from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.effort import efforts, rail_way
@@ -246,6 +246,9 @@ def _planned(
 ) -> tuple[PlannedMotion, ...]:
     first = {leg.motion: k for k, leg in reversed([*enumerate(problem.legs)])}
     last = {leg.motion: k for k, leg in enumerate(problem.legs)}
+    moved = sorted(last.values())
+    limits = binding_limits(axes, problem.plant.tcp, [problem.legs[k] for k in moved], [legs[k] for k in moved])
+    binding = dict(zip(moved, limits, strict=True))
     out = []
     now, q_now = 0.0, draft.q[0]
     for i, motion in enumerate(program.motions):
@@ -254,8 +257,7 @@ def _planned(
             out.append(PlannedMotion(i, motion.source, now, now, q_now, q_now, "", i in problem.dropped))
             continue
         q_1 = draft.q[k + 1]
-        binding = binding_limit(axes, problem.plant.tcp, problem.legs[k], legs[k])
         begin = float(bounds[first[i]])
-        out.append(PlannedMotion(i, motion.source, begin, float(bounds[k + 1]), q_now, q_1, binding))
+        out.append(PlannedMotion(i, motion.source, begin, float(bounds[k + 1]), q_now, q_1, binding[k]))
         now, q_now = float(bounds[k + 1]), q_1
     return tuple(out)
