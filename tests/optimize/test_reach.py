@@ -10,14 +10,15 @@ from small_cells import DOWN, plant_with_rail, plant_without_rail, problem_of, r
 
 from trajopt_cli.geometry import Array, pose, rotation_about, wxyz_from_rotation
 from trajopt_cli.motion import Program
-from trajopt_cli.optimize import check_feasible
+from trajopt_cli.optimize import check_feasible, reach
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.reach import check_reach, line_nodes, rail_grid, station_table
-from trajopt_cli.optimize.tuning import LINE_NODES
+from trajopt_cli.optimize.tuning import LINE_NODES, REACH_GRID
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.problem import Problem
 from trajopt_cli.robot.inverse import inverse, solutions
 
 
@@ -349,3 +350,23 @@ def test_a_station_that_was_served_is_looked_at_once_for_all_questions(monkeypat
         assert not asked
     assert check_reach(axes.narrowed(0.9), stream) is None
     assert asked
+
+
+def test_a_way_longer_than_the_reach_is_served_from_few_places(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each of its lines from some place, none of them from all; a fine grid is for what that leaves open."""
+    looked = []
+
+    def counted(axes: Axes, problem: Problem, first: int, last: int, d: Array) -> reach.StationTable:
+        looked.append(len(d))
+        return station_table(axes, problem, first, last, d)
+
+    monkeypatch.setattr(reach, "station_table", counted)
+    ways = "\n".join(
+        f"MoveL [[450,{y},350],[0,0,1,0],[0,0,0,0],[{y},9E9,9E9,9E9,9E9,9E9]],v200,z5,tool0;"
+        for y in range(0, 1900, 100)
+    )
+    problem = problem_of(rapid(ways.replace("MoveL", "MoveJ", 1).replace("z5", "fine", 1)), plant_with_rail())
+    axes = Axes.of(problem.plant)
+    assert max(last - first for first, last in problem.stations) > 10
+    assert check_reach(axes, problem) is None
+    assert max(looked) < REACH_GRID

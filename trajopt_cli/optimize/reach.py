@@ -99,12 +99,13 @@ class StationTable:
 
     @property
     def stands(self) -> bool:
-        """Whether one label serves all waypoints and lines from one rail position."""
-        open_ = np.all([~np.isnan(arm[..., 0]) for arm in self.waypoints], axis=0)
-        for i, raw in enumerate(self.raw):
-            if raw is not None and open_.any():
-                open_ &= self.open_on(i).all(axis=1)
-        return bool(open_.any())
+        """Whether every line has a label that serves all of it from one rail position, whichever."""
+        lines = [i for i, raw in enumerate(self.raw) if raw is not None]
+        return all(self._ends_open(i)[self.open_on(i).all(axis=1)].any() for i in lines)
+
+    def _ends_open(self, i: int) -> BoolArray:
+        """Where (L, n) each label is to be had at both ends of leg i."""
+        return ~np.isnan(self.waypoints[i][..., 0]) & ~np.isnan(self.waypoints[i + 1][..., 0])
 
     def _within(self, q: Array) -> BoolArray:
         return np.asarray(np.all((q >= self.limits[0]) & (q <= self.limits[1]), axis=-1))
@@ -315,9 +316,10 @@ def check_reach(axes: Axes, problem: Problem) -> Infeasible | None:
 
 
 def _unserved(axes: Axes, problem: Problem, first: int, last: int) -> Infeasible | None:
-    """Why a station cannot be served; None where it can, first of all from one position on few."""
+    """Why a station cannot be served; None where it can, first of all every line of it from one of few positions."""
     low, high = _reaches(axes, problem, first, last).T
-    if low.max() <= high.min() or not axes.layout.has_rail:
+    free = all(problem.waypoints[k].rail[0] < problem.waypoints[k].rail[1] for k in range(first, last + 1))
+    if free or low.max() <= high.min() or not axes.layout.has_rail:
         d = grid_in_reach(axes, problem, first, last, SEARCH_COARSE, SEARCH_APART)
         if (table := station_table(axes, problem, first, last, d)).labels and table.stands:
             return None
