@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
-from small_cells import plant_with_rail, rapid
+from small_cells import plant_with_rail, problem_of, rapid
 
 from trajopt_cli.motion import Program
 from trajopt_cli.optimize import optimize
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.search import search
 from trajopt_cli.problem.plan import Plan, Target
 
 BODY = """MoveJ p_in, v2500, fine, tool0;
@@ -32,3 +36,16 @@ def test_a_held_rail_stands_still_on_joint_moves_lines_and_waits(target: Target)
         rail = plan.trajectory.q[(plan.trajectory.t >= first.t_0) & (plan.trajectory.t <= last.t_1), 0]
         assert (np.ptp(rail) <= 1e-9) == still
     assert free.duration < held.duration
+
+
+def test_a_line_there_and_back_has_other_rail_positions_each_way() -> None:
+    """As a rule or a text may give them; the times of the way there say nothing of the way back then."""
+    moves = "MoveJ p_in, v2500, fine, tool0; MoveL p_low, v500, fine, tool0; MoveL p_in, v500, fine, tool0;"
+    program, plant = rapid(moves), plant_with_rail()
+    problem = problem_of(program, plant)
+    rails = iter((0.55, 0.6, 0.65))
+    points = [replace(one, rail=(d, d)) if one.q is None and (d := next(rails)) else one for one in problem.waypoints]
+    given = replace(problem, waypoints=tuple(points))
+    chain = search(Axes.of(plant), given)
+    assert chain is not None
+    np.testing.assert_allclose(plant.layout.place(chain.q)[1:], (0.55, 0.6, 0.65))

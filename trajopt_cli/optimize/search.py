@@ -289,7 +289,8 @@ def _goes_back(problem: Problem, first: int, k: int) -> int | None:
         for x in (problem.legs[k], problem.legs[j])
     )
     passed, its_passed = (problem.passes(i) and problem.passes(i + 1) for i in (k, j))
-    return j if caps == its and passed == its_passed else None
+    (a, b), (c, d) = ([problem.waypoints[i].rail for i in (n, n + 1)] for n in (k, j))
+    return j if caps == its and passed == its_passed and (a, b) == (d, c) else None
 
 
 def _dwell_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) -> Array:
