@@ -106,9 +106,14 @@ def time_constants(compliance: Compliance) -> Array:
 
 def held(x_e: ArrayLike, seconds: float, h: float) -> Array:
     """The equilibrium x_e (n, 6) with its last row held for at least seconds more, so that the arm arrives."""
+    return _longer(np.asarray(x_e, dtype=np.float64), held_rows(seconds, h))
+
+
+def held_rows(seconds: float, h: float) -> int:
+    """How many rows of h [s] hold a pose for at least seconds. Raises ValueError for a time that is none."""
     if not (isfinite(seconds) and seconds >= 0):
         raise ValueError(f"holding for {seconds} s: wanted a finite time, not negative")
-    return _longer(np.asarray(x_e, dtype=np.float64), ceil(seconds / h - 1e-9))
+    return ceil(seconds / h - 1e-9)
 
 
 def settling(x: ArrayLike, goal: ArrayLike, bound: float, turn_bound: float, h: float) -> float | None:

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from trajopt_cli.compliance.controller.admittance import Controller
+from trajopt_cli.compliance.controller.lag import held_rows
 from trajopt_cli.compliance.controller.parameters import Command, Goal, Stop, StopKind
 from trajopt_cli.compliance.controller.rotations import Nine, nine
 from trajopt_cli.compliance.task.model import RotationLaw
@@ -77,7 +78,7 @@ def run(
     R_e: ArrayLike | None = None,
     settle: float = 0.0,
 ) -> LoopRun:
-    """Feed the equilibrium x_e (n, 6) [m, rad], angles from R_start, one row a period, its last row settle [s] longer.
+    """Feed the equilibrium x_e (n, 6) [m, rad], angles from R_start, one row a period, its last row for settle [s].
 
     R_e (n, 3, 3): its orientations in the world, which a slerp controller goes by. The loop stops, as KUKA's FRI would,
     before the first command that breaks a joint's range or speed (limits), has no inverse, or passes the angles' lock;
@@ -85,7 +86,7 @@ def run(
     controller without R_e.
     """
     goals = _goals(x_e, R_e, controller.settings.rotation)
-    goals += [goals[-1]] * round(settle / controller.settings.h)
+    goals += [goals[-1]] * held_rows(settle, controller.settings.h)
     q = controller.q_0
     measured = world.reset(q)
     rows: list[_Row] = []

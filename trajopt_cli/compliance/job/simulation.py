@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from math import ceil
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -151,7 +152,8 @@ def run_controller(
         return NoRun(tuple(unstable))
     if settle is None:
         slowest = [axis.slowest for axis in axes if np.isfinite(axis.slowest) and axis.k > 0]
-        settle = min(_LONGEST_SETTLING, 8 * max(slowest, default=0.0))
+        # a round time, so that runs whose laws differ by rounding end together
+        settle = min(_LONGEST_SETTLING, ceil(80 * max(slowest, default=0.0)) / 10)
     why = _loop_needed(task, contact, engine)
     fallback = bool(why) and engine is None and not available()
     if why:
@@ -349,7 +351,10 @@ def _loop(
 
 
 def _law_alone(opened: Opened, feed: Feed, settle: float) -> tuple[Array, Array, Array, Array]:
-    """Equilibrium x_e, controller x (n, 6) with its R (n, 3, 3) in the world, and the forces pushed with (n, 6)."""
+    """Equilibrium x_e, controller x (n, 6) with its R (n, 3, 3) in the world, and the forces pushed with (n, 6).
+
+    The controller is switched on at rest in the pose of the start, wherever the sequence begins.
+    """
     from trajopt_cli.compliance.controller.forces import zero
     from trajopt_cli.compliance.controller.lag import held
     from trajopt_cli.compliance.controller.regulator import response, response_rotation
@@ -363,13 +368,17 @@ def _law_alone(opened: Opened, feed: Feed, settle: float) -> tuple[Array, Array,
         force[(t >= push.start) & (t < push.end)] += push.force
     if task.zeroing != Zeroing():
         force = zero(force, task.zeroing)
-    x = response(x_e, h, law, integration=task.integration, feed=feed, force=force).x
+    start = np.r_[opened.X_start[:3, 3], np.zeros(3)]  # angles count from there
+    x = response(x_e, h, law, integration=task.integration, feed=feed, force=force, x_0=start).x
     if sequence.rotation is not RotationLaw.SLERP:
         return x_e, x, rotation(x[:, 3:]) @ R_start, force
     R_e = np.concatenate([sequence.R, np.broadcast_to(sequence.R[-1], (len(x_e) - len(sequence.R), 3, 3))])
     # in the world, whose axes the stiffness has
     turned = response_rotation(
-        R_e @ R_start, h, law.K[3:], law.D[3:], law.M[3:], force[:, 3:], integration=task.integration, feed=feed
+        *(R_e @ R_start, h, law.K[3:], law.D[3:], law.M[3:], force[:, 3:]),
+        integration=task.integration,
+        feed=feed,
+        R_0=R_start,
     )
     return x_e, np.column_stack([x[:, :3], angles_near(turned.R @ R_start.T, x_e[:, 3:])]), turned.R, force
 
