@@ -59,12 +59,15 @@ def test_the_files_hold_the_facts(iiwa7):
     np.testing.assert_array_equal(limits.acceleration, [8.65, 5.44, 5.69, 11.01, 11.78, 13.76, 13.17])
     np.testing.assert_allclose(limits.jerk, 10 * limits.acceleration, rtol=1e-15)
     np.testing.assert_array_equal(iiwa7.torque, [176, 176, 110, 110, 110, 40, 40])
+    np.testing.assert_array_equal(iiwa7.damping, np.full(7, 0.5))
+    np.testing.assert_allclose(iiwa7.friction, 0.005 * iiwa7.torque, rtol=0.03)
     kinds = ("position", "velocity", "acceleration", "jerk")
     assert set(limits.sources) == {f"{name}.{kind}" for name in limits.names for kind in kinds}
     grades = {name: text[-2] for name, text in (limits.sources | iiwa7.notes).items() if "(grade " in text}
     assert grades["joint_3.position"] == grades["joint_3.velocity"] == grades["geometry"] == "A"
     assert (grades["joint_6.torque"], grades["joint_3.acceleration"], grades["joint_3.jerk"]) == ("B", "C", "D")
     assert grades["inertia"] == grades["collision"] == "C"
+    assert grades["joint_1.damping"] == grades["joint_7.friction"] == "D"
 
 
 def test_forward_and_jacobian_reproduce_the_truth(iiwa7, truth):
@@ -179,7 +182,7 @@ def test_each_loader_names_the_arms_of_the_other():
 
 
 def test_a_mistake_in_the_yaml_is_named_with_its_line(copy):
-    whole = "  joint_5: {position: *range, velocity: *speed, torque: *torque}"
+    whole = "  joint_5: {position: *range, velocity: *speed, torque: *torque, damping: *damping, friction: *arm}"
     path = copy(yaml={whole: "  joint_5: {position: *range}"})
     with pytest.raises(InputError) as error:
         load_srs(path)
@@ -229,7 +232,7 @@ def test_robot_list_and_show_name_the_arm_its_torques_and_its_sources(capsys):
     assert re.search(r"ew +400 +A \[1\]", out)
     assert re.search(r"joint_7 +-175 +175 +deg +A \[\d+\] +180 +deg/s +A \[\d+\]", out)
     assert re.search(r"joint_2 +rad/s² +5\.44 +C \[\d+\]", out)
-    assert re.search(r"joint_3 +±110 +Nm +B \[\d+\]", out)
+    assert re.search(r"joint_3 +±110 +B \[\d+\] +0\.5 +D \[\d+\] +0\.55 +D \[\d+\]", out)
     source = re.search(r"link_6 +2\.404 +0 +71\.02 +4\.95 +C \[(\d+)\]", out)
     assert source
     assert f"[{source[1]}] CAD model of lbr_fri_ros2_stack" in out

@@ -145,9 +145,10 @@ def contact_lines(run: Simulated) -> list[str]:
         return ["contact not simulated: the task names no obstacles"] if run.contact is None else []
     fallback = " (MuJoCo is not installed)" if run.fallback else ""
     lines = [f"world: {run.loop.world}{fallback}, the whole loop because of {', '.join(run.why)}"]
+    lines += motor_lines(run)
     touch = touches(run)
     if touch is None:
-        return [*lines, "the tool touches nothing"] if run.contact is not None else lines
+        return [*lines, "the tool touches nothing", *link_lines(run)] if run.contact is not None else lines
     x, y, z = touch.per_axis
     away = [value / MM for value in touch.excursion]
     return [
@@ -157,6 +158,32 @@ def contact_lines(run: Simulated) -> list[str]:
         f" (x {x:.2f}, y {y:.2f}, z {z:.2f} N), tip up to {touch.depth / MM:.3f} mm deep",
         "controller away from its equilibrium while touching, its lag included:"
         f" up to x {away[0]:.2f}, y {away[1]:.2f}, z {away[2]:.2f} mm",
+        *link_lines(run),
+    ]
+
+
+def link_lines(run: Simulated) -> list[str]:
+    """Which links were in obstacles, a line each."""
+    if not run.links:
+        return ["no link of the arm touches an obstacle; the links do not meet one another"]
+    return [
+        f"{one.link} is in {one.obstacle} from {one.first:.3f} to {one.last:.3f} s, {one.depth / MM:.2f} mm at most, "
+        + ("not pushed back: only MuJoCo does" if one.force is None else f"with up to {one.force:.1f} N")
+        for one in run.links
+    ]
+
+
+def motor_lines(run: Simulated) -> list[str]:
+    """How near the motors came to their torque, or which stood at it."""
+    if not run.motors:
+        return []
+    full = [f"{one.joint} from {one.saturated:.3f} s on" for one in run.motors if one.saturated is not None]
+    if full:
+        return [f"motors at their torque limit for the first time, which the arm cannot follow: {', '.join(full)}"]
+    most = max(run.motors, key=lambda one: one.torque / one.limit)
+    return [
+        f"motors: {most.joint} gives up to {most.torque:.1f} Nm, {100 * most.torque / most.limit:.0f} % of its limit;"
+        " the others less"
     ]
 
 

@@ -214,10 +214,15 @@ def _caps(robot: RobotModel, notes: _Footnotes) -> Iterator[Table]:
 
 
 def _bodies(robot: SrsRobot, notes: _Footnotes) -> Iterator[Table]:
-    """Ranges of the torque sensors; masses and centres of mass of the links, in the links' frames."""
-    torques = plain_table("torque sensors", "axis", ">range", "unit", "source")
-    for axis, torque in zip(robot.axis_names, robot.torque, strict=True):
-        torques.add_row(axis, f"±{torque:g}", "Nm", notes.mark(robot.notes[f"{axis}.torque"]))
+    """What joints give and lose; masses and centres of mass of the links, in the links' frames."""
+    heads = (">torque, sensor's range [Nm]", "source", ">damping [Nm s/rad]", "source", ">friction [Nm]", "source")
+    torques = plain_table("torques of motors and joints", "axis", *heads)
+    for axis, torque, *losses in zip(robot.axis_names, robot.torque, robot.damping, robot.friction, strict=True):
+        row = [f"±{torque:g}", notes.mark(robot.notes[f"{axis}.torque"])]
+        for name, value in zip(("damping", "friction"), losses, strict=True):
+            source = robot.notes.get(f"{axis}.{name}")
+            row += [f"{value:g}", notes.mark(source)] if source else ["", ""]
+        torques.add_row(axis, *row)
     yield torques
     masses = plain_table("links", "link", ">mass [kg]", ">centre x [mm]", ">y", ">z", "source")
     model = robot.pin_model

@@ -56,9 +56,12 @@ class AxisOrigins(_Strict):
 
 
 class SrsAxisOrigins(AxisOrigins):
-    """With the origin of the torque sensor's range, the URDF's effort."""
+    """With the origin of the motor's limit and the torque sensor's range, the URDF's effort; damping [Nm s/rad] and
+    Coulomb friction [Nm] of the joint, None where nobody has an idea of them."""
 
     torque: Origin
+    damping: Number | None = None
+    friction: Number | None = None
 
 
 class Caps(_Strict):

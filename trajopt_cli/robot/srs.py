@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
-from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.geometry import Array, readonly, rotation_about
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.robot.chain import checked_pose, named_profile, pin_model
 from trajopt_cli.robot.urdf import UrdfJoint, check_ranges
@@ -41,8 +41,9 @@ class SrsLengths:
 class SrsRobot:
     """A seven-axis arm with its base mounted at X_WB (4, 4) in the world.
 
-    profiles: limits of the joints by profile name, each number with its source. torque (7,): ranges of the joints'
-    torque sensors [Nm]. notes: sources of what is not a limit, by name ("geometry", "inertia", "joint_1.torque").
+    profiles: limits of the joints by profile name, each number with its source. torque (7,): limits of the joints'
+    motors and ranges of their sensors [Nm]. damping [Nm s/rad], friction [Nm] (7,): what a turning joint loses between
+    motor and sensor, 0 where nobody says. notes: sources of what is not a limit, by name ("joint_1.torque").
     chain: the seven joints and the fixed one to the flange, as the URDF has them. capsules: around the links, by link
     name, in the link's frame. self_pairs: the links held against each other, the one nearer the base first;
     "attached" stands for what the flange carries.
@@ -55,6 +56,8 @@ class SrsRobot:
     X_WB: Array
     profiles: Mapping[str, JointLimits]
     torque: Array
+    damping: Array
+    friction: Array
     notes: Mapping[str, str]
     urdf: Path
     chain: tuple[UrdfJoint, ...]
@@ -123,6 +126,17 @@ class SrsRobot:
             o[:, i] = p
         return np.stack([x, y, z], axis=1), a, o
 
+    def links(self, q: Array) -> Array:
+        """Poses (n, 8, 4, 4) of the links in link_names order in the world, at q (n, 7) [rad]."""
+        q = self._joints(q)
+        X = np.empty((len(q), JOINTS + 1, 4, 4))
+        X[:, 0] = self.X_WB
+        for i, joint in enumerate(self.chain[:JOINTS]):
+            turn = np.tile(np.eye(4), (len(q), 1, 1))
+            turn[:, :3, :3] = rotation_about(joint.axis, q[:, i])
+            X[:, i + 1] = X[:, i] @ joint.X @ turn
+        return X
+
     @cached_property
     def link_names(self) -> tuple[str, ...]:
         """The links from the base on: the base, then the link behind each of the seven joints."""
@@ -154,7 +168,13 @@ def load_srs(name_or_path: str, X_WB: Array | None = None) -> SrsRobot:
     lengths = lengths_from_chain(chain, str(urdf))
     axes = chain[:JOINTS]
     description.check(data, path, raw, axes, chain)
-    torque_notes = {f"{name}.torque": str(origins.torque) for name, origins in data.axes.items()}
+    origins = [data.axes[joint.name] for joint in axes]
+    joint_notes = {
+        f"{joint.name}.{key}": str(origin)
+        for joint, said in zip(axes, origins, strict=True)
+        for key, origin in (("torque", said.torque), ("damping", said.damping), ("friction", said.friction))
+        if origin is not None
+    }
     return SrsRobot(
         name=data.name,
         title=data.title,
@@ -163,7 +183,9 @@ def load_srs(name_or_path: str, X_WB: Array | None = None) -> SrsRobot:
         X_WB=checked_pose(X_WB, "X_WB"),
         profiles=description.profiles(data, axes),
         torque=readonly([joint.effort for joint in axes]),
-        notes=description.notes(data) | {"inertia": str(data.inertia)} | torque_notes,
+        damping=readonly([said.damping.value if said.damping else 0.0 for said in origins]),
+        friction=readonly([said.friction.value if said.friction else 0.0 for said in origins]),
+        notes=description.notes(data) | {"inertia": str(data.inertia)} | joint_notes,
         urdf=urdf,
         chain=tuple(chain),
         capsules=description.capsules(data),

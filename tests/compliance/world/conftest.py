@@ -1,4 +1,5 @@
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -28,6 +29,12 @@ def truth():
 @pytest.fixture(scope="session")
 def iiwa7():
     return load_srs("iiwa7")
+
+
+@pytest.fixture(scope="session")
+def smooth(iiwa7):
+    """The arm without friction, which else creeps for long before it rests."""
+    return replace(iiwa7, damping=np.zeros(7), friction=np.zeros(7))
 
 
 @pytest.fixture(scope="session")

@@ -1,15 +1,16 @@
 """MuJoCo's arm against the truth and pin, its servo, and its contacts against the law they are to follow."""
 
 import numpy as np
+import pinocchio
 import pytest
 
 from trajopt_cli.compliance.task.model import Contact, Obstacle
 from trajopt_cli.compliance.world.contact import FRICTION_RISE, BallOnBoxes
-from trajopt_cli.compliance.world.mujoco_world import SERVO_DELAY, MujocoWorld
+from trajopt_cli.compliance.world.mujoco_world import SERVO_DELAY, SERVO_STIFFNESS, MujocoWorld
 from trajopt_cli.compliance.world.spring_wall import SpringWorld
 from trajopt_cli.compliance.world.worlds import Engine, make_world
 from trajopt_cli.geometry import pose
-from trajopt_cli.robot.dynamics import Dynamics
+from trajopt_cli.robot.dynamics import Dynamics, ToolLoad
 from trajopt_cli.shapes import Box
 
 mujoco = pytest.importorskip("mujoco")
@@ -23,7 +24,12 @@ def wait(world, q, periods):
     return measured
 
 
+def lossless(model):
+    model.dof_damping[:] = model.dof_frictionloss[:] = 0.0
+
+
 def inverse(world, q, qd, qdd):
+    lossless(world.model)
     data = mujoco.MjData(world.model)
     data.qpos[:], data.qvel[:], data.qacc[:] = q, qd, qdd
     mujoco.mj_inverse(world.model, data)
@@ -85,20 +91,21 @@ def test_it_follows_a_moving_command_by_the_servos_delay_and_its_torques_move_ri
         if k % 250 == 0:
             state = (np.array(row) for row in (measured.q, measured.qd, measured.qdd))
             np.testing.assert_allclose(measured.tau, dynamics.torque(*state), rtol=0, atol=1e-6)
-    # 0.3 rad/s: 1.5 mrad behind, that within 2 %
-    assert worst < 0.02 * 0.3 * SERVO_DELAY
+    # 0.3 rad/s: 1.5 mrad behind, that within 2 %, and what friction and damping wind the servo's spring up by
+    wound = (iiwa7.friction + 0.3 * iiwa7.damping) / (SERVO_STIFFNESS * iiwa7.torque)
+    assert worst < 0.02 * 0.3 * SERVO_DELAY + wound.max()
 
 
 @pytest.mark.parametrize("stiffness", [3e3, 3e4, 3e5])
-def test_a_static_press_is_stiffness_times_depth_and_the_motors_bear_it(iiwa7, X_FT, load, floor, stiffness):
-    world = MujocoWorld(iiwa7, X_FT, load, floor(0.002, stiffness, 200.0), H)
+def test_a_static_press_is_stiffness_times_depth_and_the_motors_bear_it(smooth, X_FT, load, floor, stiffness):
+    world = MujocoWorld(smooth, X_FT, load, floor(0.002, stiffness, 200.0), H)
     world.reset(START)
     measured = wait(world, START, 1500)
     F = np.array(measured.contact)
     assert F[2] == pytest.approx(stiffness * measured.depth, rel=1e-6)
     q = np.array(measured.q)
-    borne = Dynamics(iiwa7, load).gravity_torque(q) - measured.tau
-    np.testing.assert_allclose(borne, iiwa7.jacobian(q, X_FT).T @ F, rtol=0, atol=1e-5)
+    borne = Dynamics(smooth, load).gravity_torque(q) - measured.tau
+    np.testing.assert_allclose(borne, smooth.jacobian(q, X_FT).T @ F, rtol=0, atol=1e-5)
     # the arm gives way like a spring behind the wall's: between 20 and 200 kN/m here
     give = 0.002 - measured.depth
     assert 2e4 < F[2] / give < 2e5
@@ -142,18 +149,19 @@ def test_sliding_rubs_as_the_spring_world_does(iiwa7, X_FT, load, floor, ball_at
 
 
 @pytest.mark.parametrize("order", [1, -1])
-def test_boxes_add_up_and_a_centre_inside_is_pushed_out_of_the_nearest_face(iiwa7, X_FT, load, order):
-    x, y, z = (iiwa7.forward(np.array(START)) @ X_FT)[:3, 3]
+def test_boxes_add_up_and_a_centre_inside_is_pushed_out_of_the_nearest_face(smooth, X_FT, load, order):
+    x, y, z = (smooth.forward(np.array(START)) @ X_FT)[:3, 3]
     tip = 0.02
     floor = Box("floor", np.array([0.5, 0.5, 0.2]), pose(np.eye(3), [x, y, z - 0.1 - tip + 0.001]))
-    block = Box("block", np.array([0.3, 0.3, 0.3]), pose(np.eye(3), [x, y + 0.15 - 0.003, z + 0.05]))
+    # low enough for the last link to pass above it
+    block = Box("block", np.array([0.3, 0.3, 0.1]), pose(np.eye(3), [x, y + 0.15 - 0.003, z + 0.03]))
     contact = Contact((Obstacle(floor, 5e3, 50.0, 0.0), Obstacle(block, 1e3, 50.0, 0.0))[::order], tip)
-    world = MujocoWorld(iiwa7, X_FT, load, contact, H)
+    world = MujocoWorld(smooth, X_FT, load, contact, H)
     world.reset(START)
     measured = wait(world, START, 1500)
     q = np.array(measured.q)
     still = (0.0, 0.0, 0.0)
-    law = BallOnBoxes(contact).touch(tuple((iiwa7.forward(q) @ X_FT)[:3, 3]), still, still)
+    law = BallOnBoxes(contact).touch(tuple((smooth.forward(q) @ X_FT)[:3, 3]), still, still)
     assert law.force[1] < -20
     assert law.force[2] > 4
     np.testing.assert_allclose(measured.contact, law.force, rtol=0, atol=1e-4)
@@ -235,3 +243,99 @@ def test_friction_creeps_under_coulombs_bound_with_the_laws_rise(iiwa7, X_FT, lo
     v = twist[1] + np.cross(twist[3:], [0.0, 0.0, -(0.02 - measured.depth / 2)])[1]
     assert 1e-4 < v < 1e-3
     assert measured.contact[1] == pytest.approx(-FRICTION_RISE * v, rel=0.02)
+
+
+def test_a_free_fall_keeps_its_energy(iiwa7, X_FT, load):
+    """Without motors, friction and damping: kinetic energy by pin, heights by MuJoCo's bodies."""
+    world = MujocoWorld(iiwa7, X_FT, load, None, H)
+    world.reset(START)
+    model, data, dynamics = world.model, mujoco.MjData(world.model), Dynamics(iiwa7, load)
+    lossless(model)
+    model.actuator_biasprm[:], model.actuator_gainprm[:], model.jnt_limited[:] = 0.0, 0.0, False
+    data.qpos[:] = START
+    energies, fastest = [], 0.0
+    for k in range(round(0.8 / model.opt.timestep)):
+        mujoco.mj_step(model, data)
+        if k % 100 == 0:
+            mujoco.mj_forward(model, data)
+            q, qd = np.array(data.qpos), np.array(data.qvel)
+            kinetic = qd @ (dynamics.torque(q, np.zeros(7), qd) - dynamics.gravity_torque(q)) / 2
+            energies.append(kinetic - sum(model.body_mass[i] * model.opt.gravity @ data.xipos[i] for i in range(9)))
+            fastest = max(fastest, kinetic)
+    assert fastest > 20
+    assert np.ptp(energies) < 1e-5
+
+
+def test_joints_lose_friction_and_damping_between_motor_and_sensor(iiwa7, X_FT, load):
+    world, dynamics = MujocoWorld(iiwa7, X_FT, load, None, H), Dynamics(iiwa7, load)
+    world.reset(START)
+    data = mujoco.MjData(world.model)
+    world.model.actuator_biasprm[:] = 0.0  # motors off
+    qd = np.array([0.5, -0.4, 0.3, 0.6, -0.5, 0.7, -0.3])
+    data.qpos[:], data.qvel[:] = START, qd
+    mujoco.mj_forward(world.model, data)
+    lost = dynamics.torque(np.array(START), qd, np.array(data.qacc))
+    np.testing.assert_allclose(lost, -iiwa7.friction * np.sign(qd) - iiwa7.damping * qd, rtol=0, atol=1e-6)
+    assert iiwa7.friction.min() > 0
+
+
+def test_motors_give_their_torque_at_most_and_tell_when(iiwa7, X_FT):
+    heavy = ToolLoad(40.0, np.array([0.0, 0.0, 0.1]), np.diag([0.1, 0.1, 0.1]))
+    reached = {}
+    for load in (None, heavy):
+        world = MujocoWorld(iiwa7, X_FT, load, None, H)
+        world.reset(START)
+        measured = wait(world, START, 150)
+        reached[load] = {motor.joint: motor for motor in world.motors}
+        weight = Dynamics(iiwa7, load).gravity_torque(np.array(START))
+        if load is None:
+            np.testing.assert_allclose([m.torque for m in world.motors], np.abs(weight), rtol=0, atol=1e-3)
+            assert all(motor.saturated is None for motor in world.motors)
+    assert abs(weight[1]) > 176
+    assert reached[heavy]["joint_2"].torque == reached[heavy]["joint_2"].limit == 176
+    assert reached[heavy]["joint_2"].saturated == pytest.approx(H)
+    assert measured.q[1] > START[1] + 0.01  # it sinks
+    world.reset(START)
+    assert all((motor.torque, motor.saturated) == (0.0, None) for motor in world.motors)
+
+
+def top(robot, link, q):
+    """The highest point of a link's capsule, by pin."""
+    model, capsule = robot.pin_model, robot.capsules[link]
+    data = model.createData()
+    pinocchio.framesForwardKinematics(model, data, np.array(q))
+    X = data.oMf[model.getFrameId(link)]
+    return max(float(X.act(np.array(end))[2]) for end in (capsule.a, capsule.b)) + capsule.radius
+
+
+@pytest.mark.parametrize("engine", list(Engine))
+def test_links_meet_an_obstacle_that_the_tool_does_not(iiwa7, X_FT, load, engine):
+    """A board above the elbow, which rises into it as the arm leans back."""
+    back = (START[0], START[1] - np.radians(8), *START[2:])
+    elbow = ("link_3", "link_4")
+    under = min(top(iiwa7, link, back) for link in elbow) - 0.01
+    assert max(top(iiwa7, link, START) for link in iiwa7.link_names[1:]) < under
+    board = Box("board", np.array([0.6, 0.6, 0.1]), pose(np.eye(3), [0.2, 0.0, under + 0.05]))
+    contact = Contact((Obstacle(board, 2e4, 200.0, 0.2),), 0.02)
+    world = make_world(engine, iiwa7, X_FT, load, contact, H)
+    world.reset(START)
+    assert world.link_contacts == ()
+    for k in range(1, 301):
+        measured = world.step(tuple((np.array(START) + (np.array(back) - START) * min(1.0, k / 200)).tolist()))
+    found = {one.link: one for one in world.link_contacts}
+    assert set(found) == set(elbow)
+    assert (measured.depth, measured.contact) == (0.0, (0.0,) * 6)
+    for link, touch in found.items():
+        assert touch.obstacle == "board"
+        assert 0.05 < touch.first < 0.2
+        assert touch.last == pytest.approx(0.3)
+        if engine is Engine.SPRING:
+            assert touch.force is None
+            assert touch.depth == pytest.approx(top(iiwa7, link, back) - under, abs=1e-6)
+        else:
+            # the board pushes back and the arm gives way
+            assert 0.001 < touch.depth < top(iiwa7, link, back) - under
+            assert touch.force == pytest.approx(2e4 * touch.depth, rel=0.3)
+    if engine is Engine.MUJOCO:
+        felt = Dynamics(iiwa7, load).gravity_torque(np.array(measured.q)) - measured.tau
+        assert np.abs(felt).max() > 5  # and the motors' sensors feel it

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from trajopt_cli.compliance.controller.loop import LoopRun
     from trajopt_cli.compliance.controller.stability import AxisStability
     from trajopt_cli.compliance.task.joints import Followed, Unfollowable
+    from trajopt_cli.compliance.task.world import LinkContact, Motor, Surroundings
     from trajopt_cli.compliance.world.worlds import Engine
 
 _LONGEST_SETTLING = 10.0  # s
@@ -51,8 +52,8 @@ class Simulated:
 
     x_e, x (n, 6) [m, rad]: equilibrium and controller, angles from the start. force (n, 6) [N, Nm]: what the controller
     believes pushes the tool. lag: how far x stays behind. joints: the arm's, where it follows exactly. loop: the whole
-    controller against its world, None where nothing asks for it; why: what does. fallback: its world is springs only
-    because MuJoCo is not installed.
+    controller against its world, None where nothing asks for it; why: what does; links, motors: what that world tells
+    of them. fallback: its world is springs only because MuJoCo is not installed.
     """
 
     opened: Opened
@@ -68,6 +69,8 @@ class Simulated:
     settle: float
     why: tuple[str, ...]
     fallback: bool = False
+    links: tuple[LinkContact, ...] = ()
+    motors: tuple[Motor, ...] = ()
 
     @property
     def t(self) -> Array:
@@ -156,9 +159,12 @@ def run_controller(
         settle = min(_LONGEST_SETTLING, ceil(80 * max(slowest, default=0.0)) / 10)
     why = _loop_needed(task, contact, engine)
     fallback = bool(why) and engine is None and not available()
+    links: tuple[LinkContact, ...] = ()
+    motors: tuple[Motor, ...] = ()
     if why:
         chosen = Engine(engine) if engine is not None else Engine.SPRING if fallback else Engine.MUJOCO
-        loop = _loop(opened, contact, chosen, feed, settle, place)
+        loop, world = _loop(opened, contact, chosen, feed, settle, place)
+        links, motors = world.link_contacts, world.motors
         if len(loop.x) == 0:
             assert loop.stop is not None
             return NoRun((loop.stop.message,))
@@ -178,7 +184,8 @@ def run_controller(
         lag = replace(lag, turn_maximum=float(turn[worst]), turn_time=worst * sequence.h)
         if not frames_change(task):
             x = np.column_stack([x[:, :3], angles_near(R @ opened.X_start[:3, :3].T, x_e[:, 3:])])
-    return Simulated(opened, x_e, x, force, lag, axes, joints, loop, contact, feed, settle, why, fallback)
+    told = (fallback, links, motors)
+    return Simulated(opened, x_e, x, force, lag, axes, joints, loop, contact, feed, settle, why, *told)
 
 
 def frames_change(task: Task) -> bool:
@@ -239,6 +246,26 @@ def simulation_record(run: Simulated) -> dict[str, Any]:
     if run.loop is not None:
         record["world"] = run.loop.world
         record["contact"] = touch_record(touches(run))
+        record["links_in_obstacles"] = [
+            {
+                "link": one.link,
+                "obstacle": one.obstacle,
+                "first_s": one.first,
+                "last_s": one.last,
+                "deepest_m": one.depth,
+                "largest_force_N": one.force,
+            }
+            for one in run.links
+        ]
+        record["motors"] = [
+            {
+                "joint": motor.joint,
+                "largest_torque_Nm": motor.torque,
+                "limit_Nm": motor.limit,
+                "saturated_at_s": motor.saturated,
+            }
+            for motor in run.motors
+        ]
         record["stopped"] = None if run.loop.stop is None else run.loop.stop.message
     return record
 
@@ -332,7 +359,7 @@ def _loop_needed(task: Task, contact: Contact | None, engine: str | None) -> tup
 
 def _loop(
     opened: Opened, contact: Contact | None, engine: Engine, feed: Feed, settle: float, place: str | None
-) -> LoopRun:
+) -> tuple[LoopRun, Surroundings]:
     from trajopt_cli.compliance.controller.admittance import Controller
     from trajopt_cli.compliance.controller.loop import run
     from trajopt_cli.compliance.controller.parameters import Settings
@@ -347,7 +374,7 @@ def _loop(
     controller = Controller(opened.robot, Settings.of(task, feed), tuple(q_0))
     R_e = sequence.rotations(opened.X_start[:3, :3])
     limits = opened.robot.profile(task.limits)
-    return run(controller, sequence.pose, world, limits, R_e=R_e, settle=settle)
+    return run(controller, sequence.pose, world, limits, R_e=R_e, settle=settle), world
 
 
 def _law_alone(opened: Opened, feed: Feed, settle: float) -> tuple[Array, Array, Array, Array]:

@@ -40,3 +40,42 @@ class World(Protocol):
     def step(self, q: Seven) -> Measured:
         """Follow the command q for one period."""
         ...
+
+
+@dataclass(frozen=True)
+class LinkContact:
+    """A link of the arm in an obstacle between two times [s], first and last; depth [m] and force [N] at most.
+
+    force is None where the world only looks and does not push the link back.
+    """
+
+    link: str
+    obstacle: str
+    first: float
+    last: float
+    depth: float
+    force: float | None
+
+
+@dataclass(frozen=True)
+class Motor:
+    """What a joint's motor gave at most [Nm], its limit [Nm], and when it first stood there [s], None for never."""
+
+    joint: str
+    torque: float
+    limit: float
+    saturated: float | None
+
+
+class Surroundings(World, Protocol):
+    """A world that keeps account of what the controller does not see."""
+
+    @property
+    def link_contacts(self) -> tuple[LinkContact, ...]:
+        """Which links were in which obstacles since the reset, in the order of their first touch."""
+        ...
+
+    @property
+    def motors(self) -> tuple[Motor, ...]:
+        """What the motors gave since the reset; empty for an arm without any."""
+        ...

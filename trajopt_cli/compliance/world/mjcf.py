@@ -10,8 +10,9 @@ from trajopt_cli.compliance.task.model import Contact
 from trajopt_cli.geometry import Array, wxyz_from_rotation
 from trajopt_cli.robot.dynamics import ToolLoad
 from trajopt_cli.robot.srs import SrsRobot
+from trajopt_cli.shapes import Capsule
 
-TIP, TCP = "tip", "tcp"
+TIP, TCP, HULL = "tip", "tcp", "hull of "
 SOFTEST = 1e-4
 """MuJoCo's smallest impedance (mjMINIMP): the share of a contact's force that resists acceleration instead of depth."""
 SLIP_RATIO = 1000.0
@@ -34,13 +35,14 @@ def mjcf(
     """The model: links with the inertias of pin's model of the robot, one motor per joint, the tip's ball, the boxes.
 
     The load is part of the last link that moves: MuJoCo takes no body without inertia, such as a point mass.
-    gains: each motor's stiffness [Nm/rad] and damping [Nm s/rad]; its torque is ctrl - stiffness q - damping qd. Only
-    the ball and the boxes collide, in pairs named like the boxes' numbers. A joint's range is an end stop.
+    gains: each motor's stiffness [Nm/rad] and damping [Nm s/rad]; its torque is ctrl - stiffness q - damping qd, not
+    above the robot's. The ball and the capsules of the links that move collide with the boxes, in pairs named box_i and
+    LINK_box_i, not with one another. A joint's range is an end stop.
     """
     lines = [
         f'<mujoco model="{robot.name}">',
         '<compiler angle="radian" autolimits="false"/>',
-        f'<option gravity="{_row(robot.pin_model.gravity.linear)}" integrator="implicitfast" cone="elliptic" '
+        f'<option gravity="{_row(robot.pin_model.gravity.linear)}" integrator="RK4" cone="elliptic" '
         f'impratio="{SLIP_RATIO:g}"/>',
         '<default><geom contype="0" conaffinity="0"/></default>',
         "<worldbody>",
@@ -49,7 +51,8 @@ def mjcf(
     for i, obstacle in enumerate(obstacles):
         lines.append(f'<geom name="box_{i}" type="box" size="{_row(obstacle.box.size / 2)}" {_place(obstacle.box.X)}/>')
     *moving, last = robot.chain
-    for i, joint in enumerate(moving):
+    losses = zip(robot.damping.tolist(), robot.friction.tolist(), strict=True)
+    for i, (joint, (damping, friction)) in enumerate(zip(moving, losses, strict=True)):
         lines.append(f'<body name="{joint.child}" {_place(robot.X_WB @ joint.X if i == 0 else joint.X)}>')
         inertia = robot.pin_model.inertias[i + 1]
         body = inertia.mass, inertia.lever, inertia.inertia
@@ -59,26 +62,45 @@ def mjcf(
         lines.append(_inertial(*body))
         lines.append(
             f'<joint name="{joint.name}" type="hinge" axis="{_row(joint.axis)}" limited="true" '
-            f'range="{_row((joint.lower, joint.upper))}"/>'
+            f'range="{_row((joint.lower, joint.upper))}" damping="{_number(damping)}" '
+            f'frictionloss="{_number(friction)}"/>'
         )
+        if contact is not None and joint.child in robot.capsules:
+            lines.append(_capsule(robot.capsules[joint.child]))
     lines.append(f'<body name="{last.child}" {_place(last.X)}>')
     lines.append(f'<site name="{TCP}" {_place(X_FT)}/>')
     if contact is not None:
         lines.append(f'<geom name="{TIP}" type="sphere" size="{_number(contact.tip)}" {_place(X_FT)} mass="0"/>')
     lines += ["</body>"] * len(robot.chain)
     lines += ["</worldbody>", "<actuator>"]
-    for joint, (stiffness, damping) in zip(moving, gains, strict=True):
+    for joint, (stiffness, damping), most in zip(moving, gains, robot.torque.tolist(), strict=True):
         lines.append(
             f'<general name="{joint.name}" joint="{joint.name}" gainprm="1" biastype="affine" '
-            f'biasprm="{_row((0.0, -stiffness, -damping))}"/>'
+            f'biasprm="{_row((0.0, -stiffness, -damping))}" forcelimited="true" forcerange="{_row((-most, most))}"/>'
         )
     lines += ["</actuator>", "<contact>"]
     for i, obstacle in enumerate(obstacles):
         rub = f'condim="3" friction="{_row((obstacle.friction,) * 2)} 0 0 0"' if obstacle.friction else 'condim="1"'
         solimp = f"{SOFTEST:g} {SOFTEST:g} 0.001 0.5 1"
         lines.append(f'<pair name="box_{i}" geom1="{TIP}" geom2="box_{i}" {rub} solimp="{solimp}"/>')
+        lines += [
+            f'<pair name="{name}_box_{i}" geom1="{HULL}{name}" geom2="box_{i}" {rub} solimp="{solimp}"/>'
+            for name in collision_links(robot)
+        ]
     lines += ["</contact>", "</mujoco>"]
     return "\n".join(lines)
+
+
+def collision_links(robot: SrsRobot) -> tuple[str, ...]:
+    """The links that collide with obstacles: those that move and have a capsule."""
+    return tuple(name for name in robot.link_names[1:] if name in robot.capsules)
+
+
+def _capsule(capsule: Capsule) -> str:
+    size = f'name="{HULL}{capsule.name}" mass="0" size="{_number(capsule.radius)}"'
+    if np.array_equal(capsule.a, capsule.b):
+        return f'<geom {size} type="sphere" pos="{_row(capsule.a)}"/>'
+    return f'<geom {size} type="capsule" fromto="{_row((*capsule.a, *capsule.b))}"/>'
 
 
 def _joined(one: _Body, other: _Body) -> _Body:

@@ -7,8 +7,9 @@ from collections.abc import Iterable
 import numpy as np
 
 from trajopt_cli.compliance.task.model import Contact
-from trajopt_cli.compliance.task.world import Measured, Seven
+from trajopt_cli.compliance.task.world import LinkContact, Measured, Motor, Seven
 from trajopt_cli.compliance.world.contact import APART, BallOnBoxes, Touch
+from trajopt_cli.compliance.world.links import link_contacts
 from trajopt_cli.geometry import Array
 from trajopt_cli.robot.dynamics import Dynamics, ToolLoad
 from trajopt_cli.robot.srs import SrsRobot
@@ -24,7 +25,7 @@ class SpringWorld:
     tau = (inverse dynamics of q, qd, qdd) - J^T F: a force on the tool is borne by the motors and moves nothing. What
     stays unseen beside MuJoCo are the servo's lag and the arm's own give, which limits how hard a hit is:
     a controller of stiffness K and damping D that steps by forward Euler rests on a wall without chattering only while
-    h (K + stiffness) < D + damping.
+    h (K + stiffness) < D + damping. Links that are in an obstacle are told, but not pushed back.
 
     Raises ValueError for numbers no contact can have.
     """
@@ -35,6 +36,8 @@ class SpringWorld:
         # The inverse is not asked, so that any configuration and arm angle will do.
         self._arm = SrsStep(robot, ArmAngle.FARIA, 0, 0.0, X_FT)
         self._boxes = BallOnBoxes(contact) if contact is not None else None
+        self._robot, self._contact = robot, contact
+        self._way: list[Seven] = []
         self._q: Seven | None = None
         self._qd: Seven = (0.0,) * 7
 
@@ -43,9 +46,22 @@ class SpringWorld:
         """The ideal arm."""
         return "spring wall" if self._boxes is not None else "ideal arm"
 
+    @property
+    def link_contacts(self) -> tuple[LinkContact, ...]:
+        """Which links were in which obstacles since the reset; looked at, not pushed back."""
+        if self._contact is None or not self._way:
+            return ()
+        return link_contacts(self._robot, np.array(self._way), self._contact, self._h)
+
+    @property
+    def motors(self) -> tuple[Motor, ...]:
+        """None: the arm is where it is told to be."""
+        return ()
+
     def reset(self, q: Seven) -> Measured:
         """Stand still at q [rad] (7,)."""
         still: Seven = (0.0,) * 7
+        self._way = []
         return self._measure(_seven(q), still, still)
 
     def step(self, q: Seven) -> Measured:
@@ -59,6 +75,7 @@ class SpringWorld:
 
     def _measure(self, q: Seven, qd: Seven, qdd: Seven) -> Measured:
         self._q, self._qd = q, qd
+        self._way.append(q)
         tau = self._dynamics.torque(*np.array((q, qd, qdd))).tolist()
         touch = APART
         if self._boxes is not None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from enum import Enum
 
 from trajopt_cli.compliance.task.model import Contact
-from trajopt_cli.compliance.task.world import World
+from trajopt_cli.compliance.task.world import Surroundings
 from trajopt_cli.compliance.world.mujoco_world import MujocoWorld
 from trajopt_cli.compliance.world.spring_wall import SpringWorld
 from trajopt_cli.geometry import Array
@@ -22,7 +22,7 @@ class Engine(Enum):
 
 def make_world(
     engine: Engine, robot: SrsRobot, X_FT: Array, load: ToolLoad | None, contact: Contact | None, h: float
-) -> World:
+) -> Surroundings:
     """The world of an arm mounted in its place, with its TCP at X_FT (4, 4) in the flange frame and its tool's load.
 
     contact: what the tip may run into, None for free motion. h: the controller's period [s]. Raises InputError where
