@@ -12,13 +12,16 @@ from matplotlib.lines import Line2D
 from matplotlib.text import Text
 
 from trajopt_cli.compliance.report import pictures as compliance
+from trajopt_cli.compliance.report.arm import arm_figure
 from trajopt_cli.compliance.report.charts import STABLE, joints_figure
 from trajopt_cli.compliance.report.follow import family_figure, path_figure
 from trajopt_cli.compliance.report.forces import contact_figure
 from trajopt_cli.compliance.report.pictures import Following
 from trajopt_cli.compliance.report.runs import looked_at, number_of, thinned
 from trajopt_cli.compliance.report.space import View
+from trajopt_cli.geometry import pose
 from trajopt_cli.report import style
+from trajopt_cli.shapes import Box, Capsule
 
 H = 2e-3
 START = np.array([0.5, 0.0, 0.6, 0.0, 0.0, 0.0])
@@ -270,7 +273,7 @@ def test_contact_is_shaded_where_it_is_and_its_worst_marked(pictures: dict[str, 
         assert len(spans) == 2
     i = int(np.argmax(np.abs(wall.x - wall.x_e)[:, 2]))
     assert np.allclose(peaks(place), [[wall.t[i], 1e3 * wall.x[i, 2]]])
-    assert words(place) == [f"20 mm from the plan at {number_of(wall.t[i])} s"]
+    assert words(place) == [f"tool 20 mm from the plan at {number_of(wall.t[i])} s"]
     assert peaks(force)[0, 1] == pytest.approx(30.0)
     assert np.allclose(curves(across)["along y"].get_ydata(), -0.2 * 3e4 * depth)
     with style.house_style():
@@ -354,12 +357,15 @@ def test_stability_limits_part_the_verdicts_and_points_stand_in_theirs(pictures:
     assert (drawn[between] == STABLE).all()
     outside = (D_GRID[1:] < low[:, None] * (1 - 1e-6)) | (D_GRID[1:] > high[:, None])
     assert (drawn[outside] != STABLE).all()
-    (cube, hand) = peaks(axes)
+    (cube, hand) = (line.get_xydata()[0] for line in reversed(axes.lines) if line.get_gid() == "peak")
     assert cube == pytest.approx([1000, 500])
     strip = next(mesh for mesh in meshes if np.shape(mesh.get_array()) == (len(D_GRID) - 1, 1))
     edges = np.array(strip.get_coordinates())[0, :, 0]
     assert edges[0] < hand[0] < edges[1] < np.array(whole.get_coordinates())[0, 0, 0]
     assert set(np.unique(strip.get_array())) == {0, 1}
+    (name,) = [text for text in axes.texts if text.get_text() == "by hand"]
+    left = Text.get_window_extent(name).x0
+    assert left > axes.transData.transform((np.array(whole.get_coordinates())[0, 0, 0], 1))[0]  # beside the strip
 
 
 def test_tables_and_loop_times_are_as_long_as_their_numbers(pictures: dict[str, tuple[Figure, str]]) -> None:
@@ -393,6 +399,36 @@ def test_joints_stand_between_their_limits_and_say_where_they_do_not(pictures: d
     with style.house_style():
         fixed = joints_figure(t, t[:, None], [-2], [2], [2], "Fixed", delta=np.full(501, 0.3))
     assert len(fixed.axes) == 2
+
+
+def test_links_are_drawn_as_wide_as_they_are_and_boxes_by_the_faces_that_are_seen() -> None:
+    shown = pushed("tool")
+    links = [Capsule("upper", np.array([0.0, 0, 0.3]), np.array([0.1, 0.1, 0.7]), 0.08)]
+    links.append(Capsule("ball", np.array([0.5, 0.0, 0.6]), np.array([0.5, 0.0, 0.6]), 0.05))
+    table = Box("table", np.array([0.4, 0.3, 0.1]), pose(np.eye(3), [0.5, 0.0, 0.2]))
+    with style.house_style():
+        figure = arm_figure(shown, [("now", links), ("then", links[:1])], [table], "Arm")
+    (axes,) = figure.axes
+    drawn = [patch for patch in axes.patches if patch.get_gid()]
+    assert [patch.get_gid() for patch in drawn].count("table") == 3
+    # the shade of another moment lies under all that is solid
+    assert min(drawn, key=lambda patch: patch.get_zorder()).get_gid() == "then upper"
+    eye = np.radians([-56.0, 26.0])
+    across = np.array([-np.sin(eye[0]), np.cos(eye[0]), 0.0])
+    up = np.array([-np.sin(eye[1]) * np.cos(eye[0]), -np.sin(eye[1]) * np.sin(eye[0]), np.cos(eye[1])])
+    for link in links:
+        (patch,) = [one for one in drawn if one.get_gid() == f"now {link.name}"]
+        edge = np.array(patch.get_xy())
+        a, b = (1e3 * np.array([across @ end, up @ end]) for end in (link.a, link.b))
+        share = np.clip((edge - a) @ (b - a) / max((b - a) @ (b - a), 1e-9), 0.0, 1.0)
+        off = np.linalg.norm(edge - a - share[:, None] * (b - a), axis=1)
+        assert np.allclose(off, 1e3 * link.radius)
+        for way in (np.eye(2)[0], np.eye(2)[1], -np.eye(2)[0], -np.eye(2)[1]):
+            reach = max(float(a @ way), float(b @ way)) + 1e3 * link.radius
+            assert float((edge @ way).max()) == pytest.approx(reach, rel=5e-3)
+    assert len({text.get_text() for text in figure.findobj(Text)} & {"now", "then", "obstacle", "tool"}) == 4
+    with pytest.raises(ValueError, match="4 moments, wanted 1 to 3"):
+        arm_figure(shown, [("now", links)] * 4, [], "Arm")
 
 
 def test_the_same_input_gives_the_same_bytes() -> None:

@@ -130,7 +130,8 @@ def simulate(
         float | None, typer.Option("--settle", min=0, max=600, metavar="S", help="How long the last pose is held.")
     ] = None,
     plots: Annotated[
-        Path | None, typer.Option("--plots", metavar="FOLDER", help="Draw equilibrium, answer, lag and forces, too.")
+        Path | None,
+        typer.Option("--plots", metavar="FOLDER", help="Draw equilibrium, answer, lag, forces and the arm, too."),
     ] = None,
     as_json: AsJson = False,
 ) -> None:

@@ -150,14 +150,15 @@ def contact_lines(run: Simulated) -> list[str]:
     if touch is None:
         return [*lines, "the tool touches nothing", *link_lines(run)] if run.contact is not None else lines
     x, y, z = touch.per_axis
-    away = [value / MM for value in touch.excursion]
+    away, own = ([value / MM for value in pose] for pose in (touch.excursion, touch.controller))
     return [
         *lines,
         f"first touch at {touch.first:.3f} s, last at {touch.last:.3f} s, {touch.seconds:.3f} s in contact",
         f"force on the tool up to {touch.force:.2f} N at {touch.force_time:.3f} s"
         f" (x {x:.2f}, y {y:.2f}, z {z:.2f} N), tip up to {touch.depth / MM:.3f} mm deep",
-        "controller away from its equilibrium while touching, its lag included:"
-        f" up to x {away[0]:.2f}, y {away[1]:.2f}, z {away[2]:.2f} mm",
+        "tool, as the arm stands, away from the equilibrium while touching, its lag included:"
+        f" up to x {away[0]:.2f}, y {away[1]:.2f}, z {away[2]:.2f} mm"
+        f" (the controller's own pose: x {own[0]:.2f}, y {own[1]:.2f}, z {own[2]:.2f} mm)",
         *link_lines(run),
     ]
 

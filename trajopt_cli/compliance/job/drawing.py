@@ -10,9 +10,11 @@ from trajopt_cli.compliance.job.dosing import DosedJob
 from trajopt_cli.compliance.job.simulation import Simulated, frames_change
 from trajopt_cli.compliance.report import pictures as compliance
 from trajopt_cli.compliance.report.pictures import Following
-from trajopt_cli.compliance.task.angles import angles_near
 from trajopt_cli.compliance.task.joints import Followed
 from trajopt_cli.geometry import Array
+from trajopt_cli.shapes import Box, Capsule
+
+_THIN = 0.01  # m
 
 
 def simulation_pictures(run: Simulated) -> dict[str, bytes]:
@@ -31,8 +33,40 @@ def simulation_pictures(run: Simulated) -> dict[str, bytes]:
     elif isinstance(run.joints, Followed):
         q, angle = run.joints.trajectory.q, run.joints.arm_angle
     if q is not None:
+        pictures |= compliance.arm(shown, _moments(run, q), _obstacles(run), f"{title}: the arm in space")
         pictures |= compliance.joints(run.t, q, limits.lower, limits.upper, limits.velocity, f"{title}: joints", angle)
     return pictures
+
+
+def _moments(run: Simulated, q: Array) -> list[tuple[str, list[Capsule]]]:
+    """The arm's links where it touches deepest or lags most, where it starts, and where it ends."""
+    if run.loop is not None and np.any(run.loop.depth > 0):
+        row, what = int(np.argmax(run.loop.depth)), "deepest contact"
+    else:
+        row, what = min(run.lag.row, len(q) - 1), "largest lag"
+    rows = {f"{what}, {run.t[row]:.2f} s": row, "start": 0, "end": len(q) - 1}
+    robot, out = run.opened.robot, []
+    for name, at in rows.items():
+        links = zip(robot.link_names, robot.links(q[at : at + 1])[0], strict=True)
+        placed = [(X, robot.capsules[link]) for link, X in links if link in robot.capsules]
+        out.append((name, [_placed(X, capsule) for X, capsule in placed] + [_tool(run, q[at])]))
+    return out
+
+
+def _tool(run: Simulated, q: Array) -> Capsule:
+    """From the flange to the tool centre point, as thick as the tip's ball; thin where the task tells of none."""
+    X_WF = run.opened.robot.forward(q)
+    radius = _THIN if run.contact is None else run.contact.tip
+    return Capsule("tool", X_WF[:3, 3], (X_WF @ run.opened.task.X_FT)[:3, 3], radius)
+
+
+def _placed(X: Array, capsule: Capsule) -> Capsule:
+    a, b = (X[:3, :3] @ end + X[:3, 3] for end in (capsule.a, capsule.b))
+    return Capsule(capsule.name, a, b, capsule.radius)
+
+
+def _obstacles(run: Simulated) -> list[Box]:
+    return [] if run.contact is None else [obstacle.box for obstacle in run.contact.obstacles]
 
 
 def dose_pictures(job: DosedJob) -> dict[str, bytes]:
@@ -48,13 +82,5 @@ def _following(run: Simulated, label: str) -> Following:
     if run.loop is not None:
         force = run.loop.contact_true if np.any(run.loop.contact_true) else force
         # poses in other frames later on: the flange's would have to be counted anew with every change
-        true = None if frames_change(run.opened.task) else _flange(run)
+        true = None if frames_change(run.opened.task) else run.tool
     return Following(label, run.t, run.x_e, run.x, force, true)
-
-
-def _flange(run: Simulated) -> Array:
-    """The tool (n, 6) as the arm really stood, angles from the start."""
-    assert run.loop is not None
-    X = run.opened.robot.forward(run.loop.q) @ run.opened.task.X_FT
-    turned = X[:, :3, :3] @ run.opened.X_start[:3, :3].T
-    return np.column_stack([X[:, :3, 3], angles_near(turned, run.x[:, 3:])])

@@ -90,6 +90,18 @@ class Simulated:
         return (self.joints.message,)
 
     @property
+    def tool(self) -> Array:
+        """The tool (n, 6) as the arm stands, angles from the start: where the loop's joints put it, else x.
+
+        Also x where poses are counted from other frames in the course of the run.
+        """
+        if self.loop is None or frames_change(self.opened.task):
+            return self.x
+        X = self.opened.robot.forward(self.loop.q) @ self.opened.task.X_FT
+        turned = X[:, :3, :3] @ self.opened.X_start[:3, :3].T
+        return np.column_stack([X[:, :3, 3], angles_near(turned, self.x[:, 3:])])
+
+    @property
     def spring(self) -> Array:
         """K (x - x_e) (n, 3) [N]: the stiffness' pull, with which the tool pushes what holds it."""
         K = np.tile(self.opened.task.compliance.K[:3], (len(self.x), 1))
@@ -286,8 +298,9 @@ def lag_record(lag: Lag) -> dict[str, Any]:
 @dataclass(frozen=True)
 class Touching:
     """What the contact did: first and last touch [s], seconds in contact, the largest force [N] and depth [m] with
-    their times, the largest force per axis of the world (3,) [N], and how far the controller was from its equilibrium
-    along each axis while it touched (3,) [m], its lag included."""
+    their times, the largest force per axis of the world (3,) [N], and how far the tool, as the arm stands, was from
+    the equilibrium along each axis while it touched (3,) [m], its lag included; controller: the same of the
+    controller's own pose."""
 
     first: float
     last: float
@@ -298,6 +311,7 @@ class Touching:
     depth: float
     depth_time: float
     excursion: tuple[float, float, float]
+    controller: tuple[float, float, float]
 
 
 def touches(run: Simulated) -> Touching | None:
@@ -306,7 +320,7 @@ def touches(run: Simulated) -> Touching | None:
         return None
     rows = np.flatnonzero(run.loop.depth > 0)
     force = np.linalg.norm(run.loop.contact_true[:, :3], axis=1)
-    away = np.abs((run.x - run.x_e)[rows, :3]).max(axis=0).tolist()
+    away, controller = (np.abs(pose - run.x_e)[rows, :3].max(axis=0).tolist() for pose in (run.tool, run.x))
     t, h = run.t, run.opened.equilibrium.h
     strongest, deepest = (int(np.argmax(values)) for values in (force, run.loop.depth))
     per_axis = np.abs(run.loop.contact_true[:, :3]).max(axis=0).tolist()
@@ -320,6 +334,7 @@ def touches(run: Simulated) -> Touching | None:
         float(run.loop.depth[deepest]),
         float(t[deepest]),
         (away[0], away[1], away[2]),
+        (controller[0], controller[1], controller[2]),
     )
 
 
@@ -337,6 +352,7 @@ def touch_record(touching: Touching | None) -> dict[str, Any] | None:
         "deepest_m": touching.depth,
         "deepest_at_s": touching.depth_time,
         "largest_excursion_per_axis_m": list(touching.excursion),
+        "controllers_excursion_per_axis_m": list(touching.controller),
     }
 
 

@@ -15,6 +15,7 @@ from matplotlib.ticker import FuncFormatter, NullFormatter, NullLocator
 from numpy.typing import ArrayLike
 
 from trajopt_cli.compliance.report.runs import (
+    PEAK,
     Marks,
     curve,
     finish,
@@ -93,7 +94,13 @@ def stability_figure(
         axis.set_minor_locator(NullLocator())
     axes.set_xlabel("stiffness k [N/m]")
     axes.set_ylabel("damping d [N s/m]")
-    chosen: Marks = [(_place(a, columns), _place(b, rows), name) for name, a, b in points]
+    chosen: Marks = [(_place(a, columns), _place(b, rows), name) for name, a, b in points if a > 0]
+    for name, a, b in points:
+        if a == 0:  # its strip is too narrow for a name: that stands beside it
+            at, height, beside = _place(a, columns), _place(b, rows), float(columns[-1][1][0])
+            axes.plot([at, beside], [height, height], color=GREY, linewidth=0.8, gid="line to a name")
+            axes.plot(at, height, gid="peak", zorder=5, **PEAK)
+            axes.annotate(name, (beside, height), (4, 0), textcoords="offset points", va="center", size=SMALL)
     figure.legend(handles=handles, loc="outside lower center", ncols=len(handles), columnspacing=1.4)
     return finish(figure, [(axes, chosen)])
 
@@ -123,8 +130,17 @@ def _place(value: float, strips: list[tuple[IndexArray, Array]]) -> float:
     return float(np.sqrt(edges[0] * edges[-1])) if value == 0 and len(strips) == 2 else value
 
 
-def table_figure(rows: Sequence[tuple[str, float, float]], quantity: str, unit: str, title: str) -> Figure:
-    """The thesis' number beside ours per row (label, thesis, ours) in SI, drawn in unit, with the difference."""
+def table_figure(
+    rows: Sequence[tuple[str, float, float]],
+    quantity: str,
+    unit: str,
+    title: str,
+    names: tuple[str, str] = ("thesis", "ours"),
+) -> Figure:
+    """The thesis' number beside ours per row (label, thesis, ours) in SI, drawn in unit, with the difference.
+
+    names: of both in the legend.
+    """
     if not rows or unit not in UNITS:
         raise ValueError(f"table_bars needs rows and one of {', '.join(UNITS)}, not {len(rows)} rows in {unit}")
     figure = new_figure(1.8 + 0.78 * len(rows), title)
@@ -145,7 +161,7 @@ def table_figure(rows: Sequence[tuple[str, float, float]], quantity: str, unit: 
     axes.set_xlim(0, 1.2 * longest)
     axes.spines["left"].set_visible(False)
     axes.set_xlabel(f"{quantity} [{unit}]")
-    handles = [Patch(color=_THESIS, label="thesis"), Patch(color=BLUE, label="ours")]
+    handles = [Patch(color=color, label=name) for color, name in zip((_THESIS, BLUE), names, strict=True)]
     figure.legend(handles=handles, loc="outside lower center", ncols=2)
     settle(figure)
     return figure
@@ -186,7 +202,7 @@ def loop_time_figure(
     shown = [value / micro for part in parts for value in part[1:]] + [thesis_worst / micro, period / micro]
     axes.set_xscale("log")
     axes.set_xlim(min(shown) / 4, max(shown) * 2.2)
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: number(value)))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.10g}"))
     axes.xaxis.set_minor_formatter(NullFormatter())
     axes.set_yticks(range(len(parts)), [label for label, *_ in parts], size=TEXT)
     axes.tick_params(axis="y", length=0)

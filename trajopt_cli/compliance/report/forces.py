@@ -229,7 +229,7 @@ def contact_figure(run: Following, depth: ArrayLike, axis: int, title: str) -> F
     if float(np.abs(away).max()) > MOVES / MM:
         at, _, text = peak(run.t, away, "mm", " from the plan")
         i = int(np.searchsorted(run.t, at))
-        marks.append((grid[0], [(at, float(flange[i]), text)]))
+        marks.append((grid[0], [(at, float(flange[i]), f"tool {text}")]))
     if float(np.abs(force[:, axis]).max()) > ACTS:
         marks.append((grid[1], [peak(run.t, force[:, axis], "N")]))
     if across:

@@ -10,12 +10,15 @@ from collections.abc import Sequence
 
 from numpy.typing import ArrayLike
 
+from trajopt_cli.compliance.report import arm as space_of_arm
 from trajopt_cli.compliance.report import charts, follow, forces
 from trajopt_cli.compliance.report.runs import Following
 from trajopt_cli.report.style import files, house_style
+from trajopt_cli.shapes import Box, Capsule
 
 __all__ = [
     "Following",
+    "arm",
     "contact",
     "dosing",
     "family",
@@ -55,6 +58,14 @@ def dosing(undosed: Following, others: Sequence[Following], bound: float, title:
         return files("dosing", follow.dosing_figure(undosed, others, bound, title), title) | files(
             "dosing_path", follow.dosing_path_figure(undosed, others, title), f"{title}: path"
         )
+
+
+def arm(
+    run: Following, moments: Sequence[tuple[str, Sequence[Capsule]]], obstacles: Sequence[Box], title: str
+) -> dict[str, bytes]:
+    """The arm's links in the world at one to three moments (name, capsules), obstacles, both paths in space: arm."""
+    with house_style():
+        return files("arm", space_of_arm.arm_figure(run, moments, obstacles, title), title)
 
 
 def contact(run: Following, depth: ArrayLike, axis: int, title: str) -> dict[str, bytes]:
@@ -106,11 +117,19 @@ def stability(
 
 
 def table_bars(
-    rows: Sequence[tuple[str, float, float]], quantity: str, unit: str, name: str, title: str
+    rows: Sequence[tuple[str, float, float]],
+    quantity: str,
+    unit: str,
+    name: str,
+    title: str,
+    names: tuple[str, str] = ("thesis", "ours"),
 ) -> dict[str, bytes]:
-    """The thesis' number beside ours: name. rows: (label, thesis, ours) in SI; unit: mm, deg, m, N, Nm, s, ms or µs."""
+    """The thesis' number beside ours: name. rows: (label, thesis, ours) in SI; unit: mm, deg, m, N, Nm, s, ms or µs.
+
+    names: what the legend calls both.
+    """
     with house_style():
-        return files(name, charts.table_figure(rows, quantity, unit, title), title)
+        return files(name, charts.table_figure(rows, quantity, unit, title, names), title)
 
 
 def loop_time(

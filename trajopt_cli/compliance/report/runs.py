@@ -31,7 +31,7 @@ SHOWN = 2400  # points per curve that a page can show, highest and lowest of eac
 # The thesis draws the planned trajectory and the controller's in two colours and the flange dashed.
 PLANNED: dict[str, Any] = {"color": "#a9a9a9", "linewidth": 4.2, "label": "equilibrium (planned)"}
 CONTROLLER: dict[str, Any] = {"color": BLUE, "linewidth": 1.8, "label": "controller"}
-FLANGE: dict[str, Any] = {"color": VERMILLION, "linewidth": 1.8, "linestyle": (0, (2.5, 1.5)), "label": "flange"}
+FLANGE: dict[str, Any] = {"color": VERMILLION, "linewidth": 1.8, "linestyle": (0, (2.5, 1.5)), "label": "tool itself"}
 PEAK: dict[str, Any] = {"marker": "o", "markersize": 6.5, "linestyle": "", "color": BLACK, "markerfacecolor": "white"}
 
 # (time, value, name) of what is marked in a panel, in its units.

@@ -28,14 +28,14 @@ Way = tuple[Array, dict[str, Any], str]
 class View:
     """How points in space [m] are put on the page [mm]: in the plane of two coordinates, or axonometrically."""
 
-    def __init__(self, ways: Sequence[Array]) -> None:
-        """The view of all ways (n, 3): a plane where the third coordinate hardly moves."""
+    def __init__(self, ways: Sequence[Array], flat: bool = True) -> None:
+        """The view of all ways (n, 3): a plane where the third coordinate hardly moves, unless flat is False."""
         low = np.min([way.min(axis=0) for way in ways], axis=0)
         high = np.max([way.max(axis=0) for way in ways], axis=0)
         span = high - low
         longest = max(float(span.max()), MOVES)
         order = np.argsort(-span, kind="stable")
-        self.flat = bool(span[order[2]] < _FLAT * longest)
+        self.flat = flat and bool(span[order[2]] < _FLAT * longest)
         # one straight way along an axis is shown with the height where it has one, else with the next axis
         first, second = int(order[0]), int(order[1])
         if self.flat and span[second] < _FLAT * longest and first != 2:
@@ -55,6 +55,12 @@ class View:
         s, c = np.sin(_AZIMUTH), np.cos(_AZIMUTH)
         across = -s * x + c * y
         return np.stack([across, np.cos(_ELEVATION) * z - np.sin(_ELEVATION) * (c * x + s * y)], axis=-1)
+
+    def depth(self, points: Array) -> Array:
+        """How near to the eye points (..., 3) [m] are (...) [m], of an axonometric view."""
+        x, y, z = np.moveaxis(points, -1, 0)
+        ahead = np.cos(_AZIMUTH) * x + np.sin(_AZIMUTH) * y
+        return np.asarray(np.cos(_ELEVATION) * ahead + np.sin(_ELEVATION) * z)
 
     @property
     def corners(self) -> Array:
@@ -109,7 +115,7 @@ def _box(axes: Axes, view: View) -> None:
     longest = float((high - low).max())
 
     def line(a: Array, b: Array, style: dict[str, Any]) -> None:
-        axes.plot(*view(np.array([a, b])).T, **style)
+        axes.plot(*view(np.array([a, b])).T, clip_on=False, **style)
 
     def at(x: float, y: float, z: float) -> Array:
         return np.array([x, y, z])
