@@ -29,7 +29,7 @@ _TURNS = ("alpha", "beta", "gamma")
 
 def tables(experiments: Experiments) -> Iterator[Table | str]:
     """Section by section: a table, then its notes."""
-    from trajopt_cli.compliance.experiments.steps import worst_tracking
+    from trajopt_cli.compliance.experiments.steps import worst_sentences, worst_tracking
 
     one = experiments
     for steps in one.stepped:
@@ -40,6 +40,7 @@ def tables(experiments: Experiments) -> Iterator[Table | str]:
     worst = worst_tracking(one.stepped)
     if worst:
         yield _worst(worst)
+        yield from _notes(worst_sentences(one.stepped))
     yield _force_error(one.force_error)
     yield from _notes(one.force_error.sentences)
     yield _guiding(one.guiding)
@@ -108,24 +109,29 @@ def _flange(steps: Steps) -> Table:
 
 
 def _worst(worst: Iterable[Tracking]) -> Table:
+    from trajopt_cli.compliance.experiments.published import FLANGE_EARLIER
+
     table = plain_table(
         "6.1.5 the flange behind the controller, worst of all; the thesis' hand-led runs among its own",
-        *("axis", ">largest", ">thesis", ">mean", ">thesis", "unit"),
+        *("axis", ">largest", ">thesis", ">earlier work", ">mean", ">thesis", ">earlier work", "unit"),
     )
+    earlier = dict(zip("xyz", zip(*FLANGE_EARLIER, strict=True), strict=True))
     for one in worst:
-        figures = (one.maximum, one.thesis_maximum, one.mean, one.thesis_mean)
+        most, mean = earlier.get(one.axis, (None, None))
+        figures = (one.maximum, one.thesis_maximum, most, one.mean, one.thesis_mean, mean)
         unit = "°" if one.axis in _TURNS else "mm"
-        table.add_row(one.axis, *(_shown(one.axis, value) for value in figures), unit)
+        table.add_row(one.axis, *("-" if value is None else _shown(one.axis, value) for value in figures), unit)
     return table
 
 
 def _force_error(errors: ForceErrors) -> Table:
     table = plain_table(
         f"{errors.section} {errors.title}: largest [N], thesis ±1 N",
-        *("axis", *(f">{name}" for name in errors.columns), f">median of {errors.sensors}", ">greatest", ">bound"),
+        *("axis", *(f">{name}" for name in errors.columns), ">their median", f">ours, median of {errors.sensors}"),
+        *(">greatest", ">bound"),
     )
     for one in errors.rows:
-        ours = (one.median, one.greatest, one.bound)
+        ours = (one.thesis_median, one.median, one.greatest, one.bound)
         table.add_row(one.axis, *(f"{value:g}" for value in one.thesis), *(f"{value:.1f}" for value in ours))
     return table
 
@@ -190,8 +196,8 @@ def _following(table: FollowTable) -> Table:
 def _collision(collision: Collision) -> Table:
     table = plain_table(
         f"{collision.section} {collision.title} ({collision.task})",
-        *("world", ">first touch [s]", ">crossings", ">excursion in z [mm]", ">at [s]", ">force in z [N]", ">at [s]"),
-        *(">across z [N]", ">friction on top [N]", ">depth [mm]"),
+        *("world", ">first touch [s]", ">crossings", ">tool off in z [mm]", ">at [s]", ">controller off [mm]"),
+        *(">force in z [N]", ">at [s]", ">across z [N]", ">friction on top [N]", ">depth [mm]"),
     )
     for run in collision.runs:
         table.add_row(
@@ -200,6 +206,7 @@ def _collision(collision: Collision) -> Table:
             f"{run.crossings}",
             f"{run.excursion / MM:.2f}",
             _time(run.excursion_at),
+            f"{run.controller / MM:.2f}",
             f"{run.normal:.1f}",
             _time(run.normal_at),
             f"{run.across:.1f}",

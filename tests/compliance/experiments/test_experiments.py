@@ -124,6 +124,19 @@ def test_stiffness_and_damping_go_the_thesis_way(whole: Experiments) -> None:
     assert whole.damping.worst < 0.215
 
 
+def test_the_path_that_fits_better_is_drawn(whole: Experiments) -> None:
+    for table in (whole.speed, whole.stiffness, whole.damping):
+        misses = {
+            name: max(abs(getattr(case, name) / case.thesis - 1) for case in table.cases)
+            for name in ("diagonal", "edges")
+        }
+        assert table.drawn == min(misses, key=misses.__getitem__)
+        for case, series in zip(table.cases, table.runs, strict=True):
+            deviation = np.linalg.norm((series.x - series.x_e)[:, :3], axis=1)
+            assert deviation.max() == pytest.approx(getattr(case, table.drawn), rel=1e-9)
+    assert (whole.speed.drawn, whole.stiffness.drawn, whole.damping.drawn) == ("diagonal", "edges", "diagonal")
+
+
 def test_no_other_speed_fits_better(whole: Experiments) -> None:
     """The search against its neighbours on the grid of 0.01 m/s, computed anew."""
     table = whole.damping
@@ -183,6 +196,7 @@ def test_errors_of_torques_become_forces_within_the_worst_corner(bench: Bench, w
         assert 1.0 < one.median < one.greatest < one.bound
         # the thesis' force gauge and our data sheet speak of the same size
         assert min(one.thesis) / 3 < one.median < 3 * max(one.thesis)
+    assert [one.thesis_median for one in whole.force_error.rows] == [6.5, 4.0, 5.0]
 
 
 def test_the_worst_of_the_flange_is_taken_from_all_parts() -> None:
@@ -194,6 +208,11 @@ def test_the_worst_of_the_flange_is_taken_from_all_parts() -> None:
     turn = Tracking("gamma", 3e-3, 2e-3, 0.1, 0.1)
     found = steps.worst_tracking([part(small), part(turn, large), part()])
     assert found == (Tracking("y", 2e-3, 5e-4, 0.0016, 0.0003), Tracking("gamma", 3e-3, 2e-3, 0.0092, 0.0004))
+    assert steps.worst_sentences([part(small, turn)]) == ()
+    turned = replace(part(turn), section="6.1.3")
+    first, second, _ = steps.worst_sentences([part(small, large), turned])
+    assert "position is kept 50.0 to 100.0 times better than the thesis measured, orientation 33 to 33 times" in first
+    assert "in 6.1.3 67 to 67 Nm would give its distances" in second
 
 
 def test_a_hand_leads_by_its_impulse_over_the_damping_and_leaves_the_arm_there(whole: Experiments) -> None:
@@ -283,7 +302,8 @@ def test_the_record_is_plain_and_the_same_again(bench: Bench, whole: Experiments
             loop_time=loop_time.loop_time(bench),
         )
     )
-    assert set(first) == set(EXPERIMENTS) | {"engine", "measured", "flange_worst"}
+    said = {"flange_worst", "flange_worst_notes", "flange_worst_of_the_earlier_work_m"}
+    assert set(first) == set(EXPERIMENTS) | {"engine", "measured"} | said
     measured = first.pop("measured"), again.pop("measured")
     assert json.dumps(first, allow_nan=False) == json.dumps(again, allow_nan=False)
     parts = [{part["part"] for part in one["loop_time"]["parts"]} for one in measured]

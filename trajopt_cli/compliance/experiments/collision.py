@@ -27,17 +27,19 @@ _SETTLE = 1.0  # s after the last row
 
 @dataclass(frozen=True, eq=False)
 class Touching:
-    """A collision in one world. first [s]: of contact. excursion [m]: greatest distance of controller from equilibrium
-    in z while touching, at excursion_at [s]. normal, across [N]: greatest true force along z and across it, where an
-    edge pushes too; friction [N]: across it on the obstacle's top, where nothing but friction does; believed [N]:
-    greatest force along z that the controller reckoned with. depth (n,) [m]. crossings: contacts apart in time.
-    stop: why the loop ended early, empty where it did not. All figures are 0, times None, where nothing is touched.
+    """A collision in one world. first [s]: of contact. excursion [m]: greatest distance of the tool, as the arm stands,
+    from the equilibrium in z while touching, at excursion_at [s]; controller: that of the controller's pose.
+    normal, across [N]: greatest true force along z and across it, where an edge pushes too; friction [N]: across it
+    on the obstacle's top, where nothing but friction does; believed [N]: greatest force along z that the controller
+    reckoned with. depth (n,) [m]. crossings: contacts apart in time. stop: why the loop ended early, empty where it
+    did not. All figures are 0, times None, where nothing is touched.
     """
 
     world: str
     first: float | None
     excursion: float
     excursion_at: float | None
+    controller: float
     normal: float
     normal_at: float | None
     across: float
@@ -109,8 +111,9 @@ def _measured(bench: Bench, task: Task, done: LoopRun) -> Touching:
         bench.flange(done.q, task.X_FT) if bench.moves else None,
     )
     if len(on) == 0:
-        return Touching(done.world, None, 0.0, None, 0.0, None, 0.0, 0.0, 0.0, 0.0, 0, stop, done.depth, series)
-    away = np.abs(done.x[on, NORMAL] - done.x_e[on, NORMAL])
+        return Touching(done.world, None, 0.0, None, 0.0, 0.0, None, 0.0, 0.0, 0.0, 0.0, 0, stop, done.depth, series)
+    tool = done.x if series.flange is None else series.flange
+    away, controller = (np.abs(pose[on, NORMAL] - done.x_e[on, NORMAL]) for pose in (tool, done.x))
     along = np.abs(done.contact_true[on, NORMAL])
     across = np.linalg.norm(np.delete(done.contact_true[on, :3], NORMAL, axis=1), axis=1)
     return Touching(
@@ -118,6 +121,7 @@ def _measured(bench: Bench, task: Task, done: LoopRun) -> Touching:
         first=float(done.t[on[0]]),
         excursion=float(away.max()),
         excursion_at=float(done.t[on[np.argmax(away)]]),
+        controller=float(controller.max()),
         normal=float(along.max()),
         normal_at=float(done.t[on[np.argmax(along)]]),
         across=float(across.max()),

@@ -18,11 +18,12 @@ _ROWS = 1000  # periods of each: one second holds both ripples many times
 
 @dataclass(frozen=True)
 class ForceError:
-    """Along one axis [N]: the thesis' largest error in each of its four tables' columns; of our sensors' largest errors
-    the median and the greatest, and what no sensor within the data sheet exceeds."""
+    """Along one axis [N]: the thesis' largest error in each of its four tables' columns and their median; of our
+    sensors' largest errors the median and the greatest, and what no sensor within the data sheet exceeds."""
 
     axis: str
     thesis: tuple[float, ...]
+    thesis_median: float
     median: float
     greatest: float
     bound: float
@@ -53,6 +54,7 @@ def force_error(bench: Bench) -> ForceErrors:
         ForceError(
             COORDINATES[i],
             tuple(theirs[i].tolist()),
+            float(np.median(theirs[i])),
             float(np.median(largest[:, i])),
             float(largest[:, i].max()),
             float(mapping[i] @ extreme),

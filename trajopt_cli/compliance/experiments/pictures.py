@@ -81,22 +81,23 @@ def _steps(steps: Steps, coordinates: tuple[int, ...], name: str) -> dict[str, b
 def _following(table: FollowTable) -> dict[str, bytes]:
     from trajopt_cli.compliance.report import pictures as compliance
 
-    title = f"{table.section} {table.title}: one space diagonal of the cube"
+    path = "the edges of the cube" if table.drawn == "edges" else "one space diagonal of the cube"
+    title = f"{table.section} {table.title}: {path}"
     parameter = f"{_SYMBOLS[table.varied]} [{table.unit}]"
     runs = [_shown(series, f"{case.value:g}") for case, series in zip(table.cases, table.runs, strict=True)]
-    rows = [(f"{case.value:g} {table.unit}", case.thesis, case.diagonal) for case in table.cases]
+    rows = [(f"{case.value:g} {table.unit}", case.thesis, getattr(case, table.drawn)) for case in table.cases]
     return compliance.family(runs, parameter, table.title, title) | compliance.table_bars(
-        rows, "largest deviation", "mm", f"{table.title}_table", f"{table.section} {table.title}"
+        rows, "largest deviation", "mm", f"{table.title}_table", title
     )
 
 
 def _force_error(errors: ForceErrors) -> dict[str, bytes]:
     from trajopt_cli.compliance.report import pictures as compliance
 
-    rows = [(f"along {one.axis}", max(one.thesis), one.median) for one in errors.rows]
+    rows = [(f"along {one.axis}", one.thesis_median, one.median) for one in errors.rows]
     title = f"{errors.section} error of the measured force"
-    what = f"largest error, ours the median of {errors.sensors} sensors"
-    return compliance.table_bars(rows, what, "N", "force_error", title)
+    names = (f"thesis, median of its {len(errors.columns)} runs", f"ours, median of {errors.sensors} sensors")
+    return compliance.table_bars(rows, "largest error of a run", "N", "force_error", title, names)
 
 
 def _guiding(guided: Guided) -> dict[str, bytes]:

@@ -14,8 +14,9 @@ from trajopt_cli.compliance.experiments.following import FollowTable
 from trajopt_cli.compliance.experiments.force_error import ForceErrors
 from trajopt_cli.compliance.experiments.guiding import Guided, Zeroed
 from trajopt_cli.compliance.experiments.loop_time import LoopTimes
+from trajopt_cli.compliance.experiments.published import FLANGE_EARLIER
 from trajopt_cli.compliance.experiments.stability import StabilityMap
-from trajopt_cli.compliance.experiments.steps import StepRun, Steps, worst_tracking
+from trajopt_cli.compliance.experiments.steps import StepRun, Steps, worst_sentences, worst_tracking
 
 
 def record(experiments: Experiments) -> dict[str, Any]:
@@ -26,6 +27,8 @@ def record(experiments: Experiments) -> dict[str, Any]:
         **{steps: _steps(getattr(one, steps)) for steps in ("force_stiffness", "force_damping")},
         **{steps: _steps(getattr(one, steps)) for steps in ("orientation", "all_axes")},
         "flange_worst": _tracking(worst_tracking(one.stepped)),
+        "flange_worst_notes": list(worst_sentences(one.stepped)),
+        "flange_worst_of_the_earlier_work_m": dict(zip(("largest", "mean"), FLANGE_EARLIER, strict=True)),
         "force_error": _force_error(one.force_error),
         "guiding": _guiding(one.guiding),
         "zeroing": _zeroing(one.zeroing),
@@ -51,6 +54,7 @@ def _following(table: FollowTable) -> dict[str, Any]:
         "unit": table.unit,
         "speed_along_each_axis_m_s": table.speed,
         "speed_along_edges_m_s": table.edge_speed,
+        "drawn": table.drawn,
         "rows": [
             {
                 "value": case.value,
@@ -112,6 +116,7 @@ def _force_error(errors: ForceErrors) -> dict[str, Any]:
             {
                 "axis": one.axis,
                 "thesis_largest_N": dict(zip(errors.columns, one.thesis, strict=True)),
+                "thesis_median_N": one.thesis_median,
                 "largest_median_N": one.median,
                 "largest_of_all_N": one.greatest,
                 "bound_N": one.bound,
@@ -183,6 +188,7 @@ def _touching(run: Touching) -> dict[str, Any]:
         "first_touch_s": run.first,
         "largest_excursion_in_z_m": run.excursion,
         "largest_excursion_at_s": run.excursion_at,
+        "controllers_excursion_in_z_m": run.controller,
         "largest_normal_force_N": run.normal,
         "largest_normal_force_at_s": run.normal_at,
         "largest_force_across_z_N": run.across,

@@ -12,6 +12,7 @@ from trajopt_cli.compliance.controller.lag import time_constants
 from trajopt_cli.compliance.experiments import published
 from trajopt_cli.compliance.experiments.bench import FORCE, MOMENT, Bench, H, Series, Tracking, compliance, push
 from trajopt_cli.compliance.task.model import COORDINATES, Compliance, Push
+from trajopt_cli.compliance.world.mujoco_world import SERVO_DELAY
 from trajopt_cli.geometry import Array
 
 _FIRST, _APART = 0.5, 0.3  # s: when the first force comes, and how much later the next
@@ -111,6 +112,27 @@ def worst_tracking(steps: Sequence[Steps]) -> tuple[Tracking, ...]:
         if own:
             out.append(Tracking(axis, max(o.maximum for o in own), max(o.mean for o in own), most, mean))
     return tuple(out)
+
+
+def worst_sentences(steps: Sequence[Steps]) -> tuple[str, ...]:
+    """Why the flange keeps its pose better than the thesis', as far as anybody can say; empty without a flange."""
+    found = [one for part in steps for run in part.runs for one in run.tracking]
+    shares = [(one.axis in COORDINATES[:3], one.thesis_maximum / one.maximum) for one in found]
+    ways, turns = ([share for way, share in shares if way is which] for which in (True, False))
+    alone = [
+        one.thesis_maximum / one.maximum for part in steps if part.section == "6.1.3" for one in part.runs[0].tracking
+    ]
+    if not ways or not alone:
+        return ()
+    return (
+        f"position is kept {min(ways):.1f} to {max(ways):.1f} times better than the thesis measured, orientation"
+        f" {min(turns):.0f} to {max(turns):.0f} times: doubt the latter. Ours is a servo {1e3 * SERVO_DELAY:g} ms late,"
+        f" and friction, both assumed, under {MOMENT:g} Nm; the distance grows with the moment, and the thesis' moments"
+        " are in figures only",
+        f"in 6.1.3 {MOMENT * min(alone):.0f} to {MOMENT * max(alone):.0f} Nm would give its distances with our servo;"
+        " so would a wrist that lags and winds up more than ours. Which, its text does not tell",
+        "the earlier work, which the thesis compares itself with, bent a spring without mass and damper",
+    )
 
 
 def _steps(bench: Bench, section: str, title: str, runs: Sequence[StepRun], said: str) -> Steps:
