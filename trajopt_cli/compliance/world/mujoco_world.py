@@ -26,11 +26,13 @@ SERVO_STIFFNESS = 100.0
 """Joint stiffness [1/rad] per range of the joint's torque sensor: its full range winds a joint by 10 mrad, 17,600
 Nm/rad in the shoulder, 4,000 at the wrist. An estimate of gears and servo together, unconfirmed (grade D)."""
 _OMEGA = 2.0 / SERVO_DELAY  # a critically damped filter lags by two over its frequency
-_EXPLICIT = 2.5
+_EXPLICIT = 1.8
 """Longest time step of the physics in time constants of the servo's fastest motion, which Runge-Kutta bears up to 2.78.
 
-For the iiwa7 that is 0.1 ms, stretched out straight; stiff contacts take shorter ones.
+For the iiwa7 that is 0.2 ms in the middle of the workspace and 0.07 ms stretched out; stiff contacts take shorter ones.
 """
+_LOOK = 0.01
+"""How often the time step is set anew [s], for the posture then."""
 FINEST = 2e-5
 """Shortest time step that a contact may need [s], 50 in a period of 1 ms: what needs a shorter one is refused."""
 _BENT = np.radians([0.0, 90.0, 0.0, -90.0, 0.0, 90.0, 0.0])  # every joint bears about as much inertia as it ever does
@@ -83,8 +85,8 @@ class MujocoWorld:
     Energy: without motors, friction and damping what the arm has is kept. 1 s of a fall from START, 49 J until the tip
     is at its lowest and 87 J at most, by integrator and time step, with milliseconds of processor per second:
 
-        implicitfast  0.25 ms   -0.53 J       20 ms      RK4  0.25 ms   3e-6 J     73 ms
-        implicitfast  0.05 ms   -0.11 J      120 ms      RK4  0.1 ms    2e-7 J    180 ms, as the servo needs it
+        implicitfast  0.25 ms   -0.53 J       20 ms      RK4  0.25 ms   3e-6 J     73 ms, about as here
+        implicitfast  0.05 ms   -0.11 J      120 ms      RK4  0.1 ms    2e-7 J    180 ms
         implicit      0.05 ms   -0.05 J      220 ms
 
     Contact: MuJoCo's own, at its smallest impedance. There its force is the obstacle's stiffness times the depth plus
@@ -177,18 +179,25 @@ class MujocoWorld:
         mj.mj_resetData(model, data)
         data.qpos[:] = q
         self._filtered, self._speed = np.array(q, dtype=np.float64), np.zeros(len(data.qpos))
-        substeps = self._resolution(q)
-        model.opt.timestep = self._h / substeps
-        model.dof_solref[:] = 0.0, -substeps / self._h  # friction brakes within a time step, up to its bound
-        self._servo = _Servo(self._kp, self._kd, self._h, substeps)
+        self._servo = self._refined(q)
         self._forget()
         data.ctrl[:] = self._forward(self._filtered, self._speed, self._speed) + self._kp * self._filtered
         return self._measure()
+
+    def _refined(self, q: Sequence[float] | Array) -> _Servo:
+        """Set the time step for the posture q; the servo in such steps."""
+        self._left, steps = ceil(_LOOK / self._h), self._resolution(q)
+        self.model.opt.timestep = self._h / steps
+        self.model.dof_solref[:] = 0.0, -steps / self._h  # friction brakes within a time step, up to its bound
+        return _Servo(self._kp, self._kd, self._h, steps)
 
     def step(self, q: Seven) -> Measured:
         """Follow the command q [rad] (7,) for one period. Raises ValueError before the first reset."""
         if self._servo is None:
             raise ValueError("MujocoWorld: reset comes before the first step")
+        self._left -= 1
+        if self._left <= 0:
+            self._servo = self._refined(self._filtered)
         before, before_speed, h = self._filtered, self._speed, self._h
         controls, after, speed = self._servo.period(before, before_speed, np.array(q, dtype=np.float64))
         # The filter's acceleration swings within a period, and its middle is not its mean.
@@ -285,10 +294,12 @@ class MujocoWorld:
                 model.pair_solref[pair] = -scale * obstacle.stiffness, -scale * obstacle.damping
                 model.pair_solreffriction[pair] = 0.0, -scale * FRICTION_RISE / SLIP_RATIO
 
-    def _resolution(self, q: Seven) -> int:
-        """Time steps per period: for the servo at its fastest, and for the contacts by the lightest at q."""
+    def _resolution(self, q: Sequence[float] | Array) -> int:
+        """Time steps per period: for the servo at its fastest, and for the contacts by the tip's lightest way, at q."""
         with _Quiet(self._mj):
-            inertia = _mass_matrix(self._mj, self.model, np.zeros(len(self._kd)), self._wanted)  # straight: the least
+            inertia = _mass_matrix(self._mj, self.model, q, self._wanted)
+        if not np.isfinite(inertia).all():
+            return 1  # no state: what is measured says so
         fastest = np.linalg.eigvals(np.linalg.solve(inertia, np.diag(self._kd + self.model.dof_damping))).real.max()
         least = ceil(self._h * float(fastest) / _EXPLICIT)
         if self._contact is None:
@@ -339,7 +350,8 @@ class _Servo:
     """
 
     def __init__(self, kp: Array, kd: Array, h: float, substeps: int) -> None:
-        t = np.linspace(0.0, h, substeps + 1)[:, None]
+        # held over each time step: in its middle, that nothing lags behind the filter
+        t = h * np.append((np.arange(substeps) + 0.5) / substeps, 1.0)[:, None]
         omega, gone = _OMEGA, np.exp(-_OMEGA * t)
         x_x, x_v = (1 + omega * t) * gone, t * gone
         v_x, v_v = -omega * omega * t * gone, (1 - omega * t) * gone
@@ -348,7 +360,8 @@ class _Servo:
         self._last = tuple(float(column[-1, 0]) for column in (x_x, x_v, v_x, v_v))
 
     def period(self, position: Array, speed: Array, command: Array) -> tuple[Array, Array, Array]:
-        """The motors' controls (n + 1, 7) [Nm] at all time steps without feed-forward, the filter's end and speed."""
+        """The motors' controls (n + 1, 7) [Nm] for n time steps and at their end, without feed-forward; the end
+        and speed of the filter."""
         off = position - command
         controls = self._of_off * off + self._of_speed * speed + self._kp * command
         x_x, x_v, v_x, v_v = self._last
