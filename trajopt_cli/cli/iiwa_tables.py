@@ -178,9 +178,9 @@ def motor_lines(run: Simulated) -> list[str]:
     """How near the motors came to their torque, or which stood at it."""
     if not run.motors:
         return []
-    full = [f"{one.joint} from {one.saturated:.3f} s on" for one in run.motors if one.saturated is not None]
+    full = [f"{one.joint} at {one.saturated:.3f} s" for one in run.motors if one.saturated is not None]
     if full:
-        return [f"motors at their torque limit for the first time, which the arm cannot follow: {', '.join(full)}"]
+        return [f"motors reach their torque limit, so that the arm leaves its command: first {', '.join(full)}"]
     most = max(run.motors, key=lambda one: one.torque / one.limit)
     return [
         f"motors: {most.joint} gives up to {most.torque:.1f} Nm, {100 * most.torque / most.limit:.0f} % of its limit;"

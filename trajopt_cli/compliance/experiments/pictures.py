@@ -7,7 +7,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from trajopt_cli.beside import in_turns
-from trajopt_cli.compliance.experiments.bench import Series
+from trajopt_cli.compliance.experiments.bench import FORCE, MOMENT, Series
 from trajopt_cli.compliance.experiments.catalogue import Experiments
 from trajopt_cli.compliance.experiments.collision import NORMAL, Collision
 from trajopt_cli.compliance.experiments.dosing import Dosing
@@ -65,7 +65,11 @@ def _steps(steps: Steps, coordinates: tuple[int, ...], name: str) -> dict[str, b
     panels = [(run.label, _shown(run.series, run.label)) for run in steps.runs]
     out = compliance.steps(panels, coordinates, name, f"{steps.section} {steps.title}")
     rotating = {"alpha", "beta", "gamma"}
-    for turning, what, unit in ((False, "distance", "mm"), (True, "angle", "deg")):
+    ways = (
+        (False, f"distance, ours under at most {FORCE:g} N", "mm"),
+        (True, f"angle, ours under at most {MOMENT:g} Nm", "deg"),
+    )
+    for turning, what, unit in ways:
         rows = [
             (f"{one.axis}, {run.label}" if len(steps.runs) > 1 else one.axis, one.thesis_maximum, one.maximum)
             for run in steps.runs
@@ -74,7 +78,7 @@ def _steps(steps: Steps, coordinates: tuple[int, ...], name: str) -> dict[str, b
         ]
         if rows:
             title = f"{steps.section} {steps.title}: the flange behind the controller"
-            out |= compliance.table_bars(rows, f"largest {what}", unit, f"{name}_flange_{what}", title)
+            out |= compliance.table_bars(rows, f"largest {what}", unit, f"{name}_flange_{what.split(',')[0]}", title)
     return out
 
 

@@ -19,7 +19,7 @@ from trajopt_cli.units import MM
 
 # Fill and edge of the links at the first moment; of all others the shade alone. Of obstacles.
 _LOOKS = (("#9cc3df", "#3f7fab"), ("#cfcfcf", "#cfcfcf"), ("#e8e8e8", "#e8e8e8"))
-_OBSTACLE = ("#f6dfb4", ORANGE)
+_OBSTACLE = ("#f6dfb4c8", ORANGE)  # what is behind shows through
 _TOOL = dict(FLANGE, label="tool", linestyle="-")
 _PLANNED = dict(PLANNED, label="equilibrium", linewidth=3.0)
 _FACES = ((0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4), (1, 3, 7, 5))
