@@ -211,7 +211,7 @@ def test_the_worst_of_the_flange_is_taken_from_all_parts() -> None:
     assert steps.worst_sentences([part(small, turn)]) == ()
     turned = replace(part(turn), section="6.1.3")
     first, second, _ = steps.worst_sentences([part(small, large), turned])
-    assert "position is kept 50.0 to 100.0 times better than the thesis measured, orientation 33 to 33 times" in first
+    assert "thesis' distance over 50.0 to 100.0 in position, over 33 to 33 in orientation: doubt the latter" in first
     assert "in 6.1.3 67 to 67 Nm would give its distances" in second
 
 

@@ -39,9 +39,15 @@ def simulation_pictures(run: Simulated) -> dict[str, bytes]:
 
 
 def _moments(run: Simulated, q: Array) -> list[tuple[str, list[Capsule]]]:
-    """The arm's links where it touches deepest or lags most, where it starts, and where it ends."""
+    """The arm's links where the tool or else a link touches, or it lags most, where it starts, and where it ends."""
     if run.loop is not None and np.any(run.loop.depth > 0):
         row, what = int(np.argmax(run.loop.depth)), "deepest contact"
+    elif run.links:
+        first = run.links[0]
+        row, what = (
+            min(round(first.first / run.opened.equilibrium.h), len(q) - 1),
+            f"{first.link} touches {first.obstacle}",
+        )
     else:
         row, what = min(run.lag.row, len(q) - 1), "largest lag"
     rows = {f"{what}, {run.t[row]:.2f} s": row, "start": 0, "end": len(q) - 1}

@@ -15,7 +15,7 @@ EVERY = 10
 def link_contacts(robot: SrsRobot, q: Array, contact: Contact, h: float) -> tuple[LinkContact, ...]:
     """The capsules of all links that move against the obstacles at joints q (n, 7) [rad], a row every h [s].
 
-    Rows between those looked at are none's business: see EVERY; the last one always is.
+    Every tenth row is looked at, and the last; force is None, as nothing is pushed back.
     """
     rows = sorted({*range(0, len(q), EVERY), len(q) - 1})
     X = dict(zip(robot.link_names, robot.links(q[rows]).swapaxes(0, 1), strict=True))

@@ -75,7 +75,8 @@ class SpringWorld:
 
     def _measure(self, q: Seven, qd: Seven, qdd: Seven) -> Measured:
         self._q, self._qd = q, qd
-        self._way.append(q)
+        if self._contact is not None:
+            self._way.append(q)
         tau = self._dynamics.torque(*np.array((q, qd, qdd))).tolist()
         touch = APART
         if self._boxes is not None:
