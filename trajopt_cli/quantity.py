@@ -15,6 +15,8 @@ from trajopt_cli.units import DEG, MM
 
 LENGTH = {"m": 1.0, "cm": 1e-2, "mm": MM}
 ANGLE = {"rad": 1.0, "deg": DEG, "°": DEG}
+FORCE = {"N": 1.0, "kN": 1e3}
+MOMENT = {"Nm": 1.0}
 TIME = {"s": 1.0, "ms": 1e-3}
 RATIO = {"": 1.0}
 

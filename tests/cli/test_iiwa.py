@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -174,13 +175,58 @@ def test_dosing_keeps_the_bound_and_leaves_the_source_alone(task: Path, capsys: 
     there = (np.linalg.norm(rows[:, 7:10] - end[:3], axis=1) <= 1e-3) & (
         np.linalg.norm(rows[:, 10:13] - end[3:], axis=1) <= np.radians(0.1)
     )
-    ways = json.loads((dosed / "summary.json").read_text())["dosing"]["ways"]
-    assert [way["feed"] for way in ways] == ["as programmed", "with the equilibrium's speed", "dosed"]
-    assert ways[2]["arrived_s"] == pytest.approx(rows[np.flatnonzero(~there)[-1] + 1, 0], abs=1e-9)
-    assert ways[0]["lag"]["largest_m"] > ways[1]["lag"]["largest_m"]
+    dosing = json.loads((dosed / "summary.json").read_text())["dosing"]
+    assert [way["feed"] for way in dosing["undosed"]] == ["as programmed", "with the equilibrium's speed"]
+    assert list(dosing["feeds"]) == [dosing["feed"]] == ["position"]
+    assert dosing["feeds"]["position"]["arrived_s"] == pytest.approx(rows[np.flatnonzero(~there)[-1] + 1, 0], abs=1e-9)
+    assert dosing["undosed"][0]["lag"]["largest_m"] > dosing["undosed"][1]["lag"]["largest_m"]
     _, sequence = table(dosed / "equilibrium.csv")
     _, given = table(folder / "equilibrium.csv")
     np.testing.assert_array_equal(sequence[-1, 1:], given[-1, 1:])
+
+
+@pytest.mark.parametrize("feed", ["velocity", "inverse"])
+def test_a_lead_is_kept_in_the_loop_as_it_is_told(feed: str, task: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = segments(task)
+    options = ["--max-lag", "3mm", "--max-lead", "20N", "--feed", feed]
+    assert run(["iiwa", "dose", str(folder), *options]) == 0
+    dosed = task.parent / "out-dosed"
+    shown = capsys.readouterr().out
+    assert "lag of at most 3 mm, push of at most 20 N" in shown
+    # the whole loop on an arm that follows, fed as the folder says
+    assert run(["iiwa", "simulate", str(dosed), "--engine", "spring"]) == 0
+    assert f"feed {'velocity' if feed == 'velocity' else 'position'}" in capsys.readouterr().out
+    heads, rows = table(dosed / "simulation.csv")
+    assert rows[:, heads.index("deviation [m]")].max() <= 3e-3 * (1 + 1e-6)
+    x_e, x = rows[:, 1:4], rows[:, 7:10]
+    push = 1000 * (x_e - x)
+    if feed == "velocity":
+        push[:-1] += 500 * np.diff(x_e, axis=0) / 1e-3
+    assert 19 < np.linalg.norm(push, axis=1).max() <= 20 * (1 + 1e-4)  # of differences of printed rows
+    assert (dosed / "plan.csv").is_file() == (feed == "inverse")
+    assert run(["iiwa", "dose", str(dosed), "--max-lag", "3mm"]) == 2
+    assert "is dosed already" in capsys.readouterr().err
+
+
+def test_the_fastest_feed_within_the_lead_is_written(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = segments(task)
+    plots = task.parent / "plots"
+    options = ["--max-lag", "3mm", "--max-lead", "15mm", "--front", "--plots", str(plots), "--json"]
+    assert run(["iiwa", "dose", str(folder), *options]) == 0
+    printed = capsys.readouterr().out
+    dosing = json.loads(printed[printed.index("{") :])
+    durations = {feed: made["duration_s"] for feed, made in dosing["feeds"].items()}
+    assert set(durations) == {"position", "velocity", "inverse"}
+    assert durations[dosing["feed"]] == min(durations.values())
+    leads = [point["lead"]["most"] for point in dosing["front"]]
+    assert leads == sorted(leads, reverse=True)
+    assert 0.015 in leads
+    for feed in durations:  # what is allowed more never takes longer, but for what a period costs
+        times = [point[f"{feed}_s"] for point in dosing["front"]]
+        assert all(longer >= shorter - 0.02 for shorter, longer in pairwise(times))
+    assert (plots / "dosing_front.png").is_file()
+    assert run(["iiwa", "dose", str(folder), "--max-lag", "3mm", "--front"]) == 2
+    assert "--front: needs a bound on the lead; give --max-lead" in capsys.readouterr().err
 
 
 def test_the_same_input_gives_the_same_bytes(task: Path) -> None:

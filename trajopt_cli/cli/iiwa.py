@@ -11,6 +11,9 @@ from trajopt_cli.cli.options import AsJson
 from trajopt_cli.errors import InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from trajopt_cli.compliance.controller.dose_allowed import Lead
     from trajopt_cli.compliance.job.simulation import NoRun
 
 app = typer.Typer(help="Cartesian segments for a compliant KUKA LBR iiwa 7.", rich_markup_mode=None)
@@ -121,8 +124,9 @@ def simulate(
         typer.Option("--engine", help="What answers the tool; default: MuJoCo where it is installed."),
     ] = None,
     feed: Annotated[
-        Literal["position", "velocity"], typer.Option("--feed", help="Feed the equilibrium's speed, too.")
-    ] = "position",
+        Literal["position", "velocity"] | None,
+        typer.Option("--feed", help="Feed the equilibrium's speed, too; default: what RESULTS were made for."),
+    ] = None,
     integration: Annotated[
         Literal["euler", "exact"] | None, typer.Option("--integration", help="How the law is stepped.")
     ] = None,
@@ -152,7 +156,8 @@ def simulate(
     check_place(plots, "--plots")
     if settle is not None and not settle < float("inf"):
         raise InputError(f"--settle: needs a time of 0 to 600 s, not {settle}")
-    answer = run(results, contact, engine, Feed(feed), Integration(integration) if integration else None, settle)
+    how = Integration(integration) if integration else None
+    answer = run(results, contact, engine, Feed(feed) if feed else None, how, settle)
     if isinstance(answer, NoRun):
         no_run(answer)
     if as_json:
@@ -178,10 +183,33 @@ def simulate(
 @app.command("dose", short_help="RESULTS retimed so that the controller follows.")
 def dose(
     results: TaskResults,
-    max_lag: Annotated[str, typer.Option("--max-lag", metavar="5mm", help="How far the arm may stay behind.")],
-    max_turn_lag: Annotated[
-        str | None, typer.Option("--max-turn-lag", metavar="2deg", help="How far its angles may.")
+    max_lag: Annotated[str, typer.Option("--max-lag", metavar="5mm", help="How far the arm may be from its plan.")],
+    max_lead: Annotated[
+        str | None,
+        typer.Option(
+            "--max-lead",
+            metavar="50N|40mm",
+            help="How hard the tool may begin to push if somebody holds it, or how far a spring that pushes as much is"
+            " stretched; then every feed is tried.",
+        ),
     ] = None,
+    max_turn_lag: Annotated[
+        str | None, typer.Option("--max-turn-lag", metavar="2deg", help="How far its orientation may.")
+    ] = None,
+    max_turn_lead: Annotated[
+        str | None, typer.Option("--max-turn-lead", metavar="5Nm|8deg", help="The same of the moment.")
+    ] = None,
+    feed: Annotated[
+        Literal["position", "velocity", "inverse"] | None,
+        typer.Option(
+            "--feed",
+            help="What is fed: the plan, its speed too, or what moves the arm along it (u = x + D/K x' + M/K x'');"
+            " default: positions, with --max-lead the fastest.",
+        ),
+    ] = None,
+    front: Annotated[
+        bool, typer.Option("--front", help="Show the least times for other leads, too; needs --max-lead.")
+    ] = False,
     output: Annotated[
         Path | None, typer.Option("--output", metavar="FOLDER", help="Results folder; default: RESULTS-dosed.")
     ] = None,
@@ -190,20 +218,21 @@ def dose(
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Retime the sequence: least time with a lag of at most the bound, beside the run as it was and one fed with speed.
+    """Retime the sequence: least time within the lag, and within the push that you allow, beside the run as it was.
 
     Exit code 1 when no such sequence is found or the arm cannot follow it; nothing is written then.
     """
     import json
 
     from trajopt_cli.cli.console import show, stdout
-    from trajopt_cli.cli.iiwa_tables import dose_lines, dose_table
+    from trajopt_cli.cli.iiwa_tables import dose_lines, dose_table, front_table
     from trajopt_cli.compliance.controller.dose import CannotDose
+    from trajopt_cli.compliance.controller.dose_allowed import Allowed, DoseFeed
     from trajopt_cli.compliance.job.dosing import NotFollowed, dose_folder
     from trajopt_cli.compliance.job.folder import check_place, read_summary
     from trajopt_cli.compliance.job.simulation import NoRun
     from trajopt_cli.compliance.task.joints import Unfollowable
-    from trajopt_cli.quantity import ANGLE, LENGTH, option_value
+    from trajopt_cli.quantity import ANGLE, FORCE, LENGTH, MOMENT, option_value
     from trajopt_cli.runs.files import write_files
 
     # '.' and '..' have no name of their own
@@ -212,9 +241,16 @@ def dose(
     check_place(plots, "--plots")
     if plots is not None and folder.absolute() in (plots.absolute(), *plots.absolute().parents):
         raise InputError("--plots: is the folder of the results or lies in it; choose another", file=str(plots))
-    bound = option_value(max_lag, LENGTH, "--max-lag")
-    turn = None if max_turn_lag is None else option_value(max_turn_lag, ANGLE, "--max-turn-lag")
-    answer = dose_folder(results, folder, bound, turn)
+    lead = _lead(max_lead, FORCE, LENGTH, "--max-lead")
+    if front and lead is None:
+        raise InputError("--front: needs a bound on the lead; give --max-lead")
+    allowed = Allowed(
+        option_value(max_lag, LENGTH, "--max-lag"),
+        None if max_turn_lag is None else option_value(max_turn_lag, ANGLE, "--max-turn-lag"),
+        lead,
+        _lead(max_turn_lead, MOMENT, ANGLE, "--max-turn-lead"),
+    )
+    answer = dose_folder(results, folder, allowed, DoseFeed(feed) if feed else None, front)
     if isinstance(answer, NoRun):
         no_run(answer)
     if isinstance(answer, CannotDose | Unfollowable):
@@ -232,6 +268,8 @@ def dose(
         show(console, dose_table(results.name, answer))
         for line in dose_lines(answer):
             console.print(line)
+        if answer.front:
+            show(console, front_table(answer))
         console.print(f"written to {folder}")
     if plots is not None:
         from trajopt_cli.compliance.job.drawing import dose_pictures
@@ -276,6 +314,17 @@ def experiments(
                 show(console, part)
     count = write_experiments(output, answer)
     typer.echo(f"written to {output}: {count} files", err=True)
+
+
+def _lead(text: str | None, pushes: Mapping[str, float], stretches: Mapping[str, float], option: str) -> Lead | None:
+    """A bound on the lead: a force or moment, or what a spring that pushes as much is stretched by."""
+    from trajopt_cli.compliance.controller.dose_allowed import Lead
+    from trajopt_cli.quantity import option_value
+
+    if text is None:
+        return None
+    stretch = any(text.strip().endswith(unit) for unit in stretches) and not text.strip().endswith(tuple(pushes))
+    return Lead(option_value(text, {**pushes, **stretches}, option), stretch)
 
 
 def no_run(answer: NoRun) -> NoReturn:

@@ -14,6 +14,8 @@ from trajopt_cli.findings import Finding
 from trajopt_cli.units import MM
 
 if TYPE_CHECKING:
+    from trajopt_cli.compliance.controller.dose_allowed import Allowed
+    from trajopt_cli.compliance.controller.lag import Lag
     from trajopt_cli.compliance.controller.stability import AxisStability
     from trajopt_cli.compliance.job.dosing import DosedJob
     from trajopt_cli.compliance.job.simulation import Simulated
@@ -133,7 +135,7 @@ def lag_lines(run: Simulated) -> list[str]:
     if lag.turn_maximum > _SEEN:
         lines.append(f"turn lag at most {np.degrees(lag.turn_maximum):.2f}° at {lag.turn_time:.3f} s")
     pull = float(np.linalg.norm(run.spring, axis=1).max())
-    lines.append(f"held fast where the lag is largest, the tool would push with up to {pull:.1f} N (K times the lag)")
+    lines.append(f"held fast there, the tool would push with up to {pull:.1f} N (K times its way to the equilibrium)")
     return lines
 
 
@@ -205,43 +207,93 @@ def loop_time_line(run: Simulated) -> list[str]:
 
 
 def dose_table(name: str, job: DosedJob) -> Table:
-    """The ways to feed one path, beside each other."""
-    turns = any(way.run.lag.turn_maximum > _SEEN for way in job.ways)
+    """The ways to feed one path, beside each other: as programmed, then timed anew for every feed that was tried."""
+    from trajopt_cli.compliance.controller.dose import CannotDose
+    from trajopt_cli.compliance.job.dosing import DOSED
+
+    made = [(DOSED[feed], one) for feed, one in job.tried.items() if not isinstance(one, CannotDose)]
+    lags = [*(way.run.lag for way in job.ways), *(one.lag for _, one in made)]
+    turns = any(lag.turn_maximum > _SEEN for lag in lags)
+    allowed = job.dosed.allowed
     table = plain_table(
-        f"{name}: lag of at most {job.dosed.bound / MM:g} mm"
-        + ("" if job.turn_bound is None else f" and {np.degrees(job.turn_bound):g}°"),
-        *("fed", ">sequence [s]", ">arm arrived [s]", ">largest lag [mm]", ">at [s]", "between"),
-        *([">largest turn lag [°]"] if turns else []),
+        f"{name}: {_allowed(allowed)}",
+        *("fed", ">time [s]", ">least [s]", ">there [s]", ">lag [mm]", ">push [N]"),
+        *([">turn lag [°]"] if turns else []),
     )
-    for way in job.ways:
-        lag = way.run.lag
+    rows: list[tuple[str, float, float | None, float | None, Lag, float]] = [
+        (way.name, way.run.opened.equilibrium.duration, None, way.arrived, way.run.lag, way.push) for way in job.ways
+    ]
+    rows += [(label, one.duration, one.least, one.arrived, one.lag, one.push) for label, one in made]
+    for label, duration, least, arrived, lag, push in rows:
         table.add_row(
-            way.name,
-            f"{way.run.opened.equilibrium.duration:.3f}",
-            "not yet" if way.arrived is None else f"{way.arrived:.3f}",
+            label,
+            f"{duration:.3f}",
+            "" if least is None else f"{least:.3f}",
+            "not yet" if arrived is None else f"{arrived:.3f}",
             f"{lag.maximum / MM:.3f}",
-            f"{lag.time:.3f}",
-            f"{lag.piece.origin} and {lag.piece.goal}" if lag.piece else "",
+            f"{push:.1f}",
             *([f"{np.degrees(lag.turn_maximum):.3f}"] if turns else []),
         )
     return table
 
 
+def front_table(job: DosedJob) -> Table:
+    """The least time of every feed by the lead that is allowed."""
+    from trajopt_cli.compliance.job.dosing import DOSED
+
+    feeds = list(job.front[0].durations)
+    stretch = job.front[0].lead.stretch
+    heads = (">lead [mm]" if stretch else ">lead [N]", *(f">{DOSED[feed]} [s]" for feed in feeds))
+    table = plain_table("least time by what the lead may be", *heads)
+    for point in job.front:
+        lead = point.lead.most / MM if stretch else point.lead.most
+        times = ("none" if (s := point.durations[feed]) is None else f"{s:.3f}" for feed in feeds)
+        table.add_row(f"{lead:.4g}", *times)
+    return table
+
+
 def dose_lines(job: DosedJob) -> list[str]:
     """The dosed sequence's time with its bound, why it is what it is, and what is not in it."""
+    from trajopt_cli.compliance.controller.dose import CannotDose
+    from trajopt_cli.compliance.controller.dose_allowed import DoseFeed
+    from trajopt_cli.compliance.job.dosing import DOSED
+
     dosed = job.dosed
+    bound = "no lower bound that says anything"
+    if dosed.least is not None and dosed.gap is not None:
+        bound = f"lower bound of this feed {dosed.least:.3f} s, gap {100 * dosed.gap:.1f} %"
     lines = [
-        f"T = {dosed.duration:.3f} s (lower bound {dosed.least:.3f} s, gap {100 * dosed.gap:.1f} %),"
-        f" one pose every {dosed.h / MM:g} ms",
+        f"written: {DOSED[dosed.feed]}, T = {dosed.duration:.3f} s ({bound}), one pose every {dosed.h / MM:g} ms",
+        f"held by somebody, the tool would begin to push with up to {dosed.push:.1f} N",
     ]
-    if np.isfinite(job.steady):
+    if dosed.feed is DoseFeed.POSITION and np.isfinite(job.steady):
         lines.append(
-            f"on a long line that lag allows {job.steady / MM:.3g} mm/s (lag = D v / K);"
-            " more stiffness, less damping or more lag buy speed"
+            f"on a long line that lag allows {job.steady / MM:.3g} mm/s, fed positions alone (lag = D v / K);"
+            " a larger --max-lead, more stiffness, less damping or more lag buy speed"
         )
+    lines += [f"not taken: {reason}" for reason in job.passed_over]
+    lines += [
+        f"not possible: {DOSED[feed]}: {one.message}" for feed, one in job.tried.items() if isinstance(one, CannotDose)
+    ]
     if job.left_out:
         lines.append(f"note: dosing does not look at the task's {', '.join(job.left_out)}; simulate does")
     return lines + [f"note: {note}" for note in dosed.notes]
+
+
+def _allowed(allowed: Allowed) -> str:
+    out = f"lag of at most {allowed.lag / MM:g} mm"
+    if allowed.turn_lag is not None:
+        out += f" and {np.degrees(allowed.turn_lag):g}°"
+    if allowed.lead is not None:
+        out += (
+            f", lead of at most {allowed.lead.most / MM:g} mm"
+            if allowed.lead.stretch
+            else (f", push of at most {allowed.lead.most:g} N")
+        )
+    if allowed.turn_lead is not None:
+        most = allowed.turn_lead.most
+        out += f" and {np.degrees(most):g}°" if allowed.turn_lead.stretch else f" and {most:g} Nm"
+    return out
 
 
 def failure_lines(findings: Iterable[Finding], dosed: bool) -> list[str]:

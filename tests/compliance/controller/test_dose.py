@@ -14,9 +14,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import linprog
+from scipy.spatial.transform import Rotation
 
 from trajopt_cli.compliance.controller import dose_plan
-from trajopt_cli.compliance.controller.dose import CannotDose, Dosed, Feeding, compare, dose
+from trajopt_cli.compliance.controller.dose import CannotDose, Dosed, Feeding, compare
+from trajopt_cli.compliance.controller.dose import dose as dosed_as
+from trajopt_cli.compliance.controller.dose_allowed import Allowed, DoseFeed, Lead
 from trajopt_cli.compliance.controller.dose_path import DosePath, Leg, coarser, dose_path
 from trajopt_cli.compliance.controller.dose_plan import plan
 from trajopt_cli.compliance.controller.dose_walk import Walk
@@ -40,6 +43,11 @@ V = 0.4  # m/s
 
 def compliance(k=1000.0, d=500.0, m=25.0):
     return Compliance(np.r_[np.full(3, k), [30.0] * 3], np.r_[np.full(3, d), [20.0] * 3], np.r_[[m] * 3, [3.0] * 3])
+
+
+def dose(path, law, h, lag, *, turn_bound=None, **how):
+    """Fed positions with a lag of at most lag [m] and turn_bound [rad], unless how says otherwise."""
+    return dosed_as(path, law, h, Allowed(lag, turn_bound), **how)
 
 
 def polyline(points, speed=V, dwells=()):
@@ -82,7 +90,7 @@ def check(made, path, law, h, bound, rest=4000):
     for leg, piece in zip(path.legs, made.pieces, strict=True):
         assert np.array_equal(made.pose[piece.first], path.pose[leg.first])
         assert np.array_equal(made.pose[piece.last], path.pose[leg.last])
-    assert made.least <= made.duration + 1e-9
+    assert made.least is None or made.least <= made.duration + 1e-9
     return lag
 
 
@@ -289,8 +297,8 @@ def test_the_lower_bound_counts_turns_and_ways_by_what_binds_each_leg() -> None:
     moved, turned = (dose(way, alike, 2e-3, 0.005, turn_bound=0.005) for way in ways)
     assert isinstance(moved, Dosed)
     assert isinstance(turned, Dosed)
-    assert turned.least == pytest.approx(moved.least)
-    assert turned.duration == pytest.approx(moved.duration)
+    assert turned.duration == pytest.approx(moved.duration, rel=1e-3)
+    assert turned.least is None  # two angles change: their sum is no turn, and the caps alone say nothing
 
 
 def test_the_arm_has_arrived_when_its_angles_have_too() -> None:
@@ -403,16 +411,16 @@ def test_a_bound_out_of_all_proportion_is_refused_at_once(bound: float) -> None:
 
 
 def test_the_largest_bound_leaves_the_programmed_time() -> None:
-    made = dose(polyline([[0.0], [0.02]]), compliance(), 1e-3, 10.0, turn_bound=100.0)
+    made = dose(polyline([[0.0], [0.02]]), compliance(), 1e-3, 10.0, turn_bound=np.pi)
     assert isinstance(made, Dosed)
     assert made.duration == pytest.approx(0.05)
 
 
 @pytest.mark.parametrize("bound", [0.0, -0.005, float("nan"), float("inf")])
 def test_a_bound_that_is_none_is_refused(bound: float) -> None:
-    with pytest.raises(ValueError, match=r"bound is .*above zero"):
+    with pytest.raises(ValueError, match=r"lag is .*above zero"):
         dose(polyline([[0.0], [0.02]]), compliance(), 1e-3, bound)
-    with pytest.raises(ValueError, match=r"turn_bound is .*above zero"):
+    with pytest.raises(ValueError, match=r"turn_lag is .*above zero"):
         dose(polyline([[0.0], [0.02]]), compliance(), 1e-3, 0.01, turn_bound=bound)
 
 
@@ -533,3 +541,172 @@ def test_compare_shows_what_dosing_and_the_speed_term_bring() -> None:
     assert undosed.arrived > undosed.duration
     # the arm arrives when the last 5 mm have decayed to 1 mm, a time constant of 0.44 s after the end
     assert dosed.arrived - dosed.duration == pytest.approx(0.72, abs=0.05)
+
+
+# feeds that push: the law and the push written again
+
+
+def pushed(made, law, h, rest=4000):
+    """Positions (n, 3) of the arm and K (u - x) + D u' (n, 3) for what is fed, from rest in the plan's first pose."""
+    u = np.concatenate([made.pose, np.repeat(made.pose[-1:], rest, axis=0)])[:, :3]
+    rate = np.zeros_like(u)
+    if made.feed is DoseFeed.VELOCITY:
+        rate[:-1] = np.diff(u, axis=0) / h
+    K, D, M = law.K[:3], law.D[:3], law.M[:3]
+    x, v, places, pushes = made.plan[0, :3].copy(), np.zeros(3), [], []
+    for row, v_e in zip(u, rate, strict=True):
+        push = K * (row - x) + D * v_e
+        places.append(x)
+        pushes.append(push)
+        x, v = x + h * v, v + h / M * (push - D * v)
+    return np.array(places), np.array(pushes)
+
+
+PATHS = {
+    "corners": CORNERS,
+    "there and back": [[0.0, 0.0, 0.0], [0.1, 0.0, 0.0], [0.0, 0.0, 0.0]],
+    "small steps": [[0.004 * i, 0.004 * (i % 2), 0.0] for i in range(8)],
+    "bent": [[0.05 * np.sin(a), 0.05 * (1 - np.cos(a)), 0.02 * a] for a in np.linspace(0, 4, 60)],
+}
+
+
+@pytest.mark.parametrize("name", PATHS)
+@pytest.mark.parametrize("feed", [DoseFeed.VELOCITY, DoseFeed.INVERSE])
+@pytest.mark.parametrize("lead", [Lead(12.0), Lead(0.06, stretch=True)])
+def test_lag_and_push_are_kept_by_a_simulation_of_its_own(name: str, feed: DoseFeed, lead: Lead) -> None:
+    h, law, points = 1e-3, compliance(), np.asarray(PATHS[name])
+    path = polyline(points)
+    made = dosed_as(path, law, h, Allowed(0.003, lead=lead), feed=feed)
+    assert isinstance(made, Dosed), made
+    x, push = pushed(made, law, h)
+    plan = np.concatenate([made.plan, np.repeat(made.plan[-1:], 4000, axis=0)])[:, :3]
+    assert np.max(np.linalg.norm(x - plan, axis=1)) <= 0.003 * (1 + 1e-6)
+    most = lead.most * 1000 if lead.stretch else lead.most
+    assert 0.9 * most < np.max(np.linalg.norm(push, axis=1)) <= most * (1 + 1e-6)
+    # the plan is the path, from its beginning to its end, never back
+    along = np.cumsum(np.r_[0, np.linalg.norm(np.diff(points, axis=0), axis=1)])
+    s = np.interp(made.s, path.s, along)
+    for i in range(3):
+        np.testing.assert_allclose(made.plan[:, i], np.interp(s, along, points[:, i]), rtol=0, atol=1e-9)
+    assert np.all(np.diff(made.s) >= -1e-12)
+    np.testing.assert_allclose(x[-1], points[-1], rtol=0, atol=1e-5)
+    assert made.least is None or made.least <= made.duration
+
+
+def least_periods_with_a_push(length, push, law, h, most):
+    """Fewest periods from rest to rest over length by pushes of at most push [N], never back, at most V: an LP each."""
+    d, m = law.D[0], law.M[0]
+
+    def possible(periods):
+        # unknowns: the push of every period; x' = x + h v, v' = v + h / m (push - d v); numbers near 1 for the solver
+        rows = np.zeros((periods + 2, periods))
+        v = np.zeros(periods)
+        for j in range(periods):
+            rows[j + 1] = rows[j] + h * v
+            v = (1 - h * d / m) * v
+            v[j] += h / m
+        rows[periods + 1] = rows[periods] + h * v
+        rows, v = rows / (h * h / m), v / (h / m)
+        steps = np.diff(rows, axis=0)
+        answer = linprog(
+            np.zeros(periods),
+            A_ub=np.vstack([steps, -steps]),
+            b_ub=np.r_[np.full(len(steps), V * m / h), np.zeros(len(steps))],
+            A_eq=np.vstack([rows[periods], v]),
+            b_eq=[length * m / (h * h), 0.0],
+            bounds=[(-push, push)] * periods,
+        )
+        return answer.success
+
+    low, high = 1, most
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (low, middle) if possible(middle) else (middle, high)
+    return high
+
+
+@pytest.mark.parametrize(("push", "length"), [(20.0, 0.02), (60.0, 0.05)])
+def test_on_one_line_no_feed_that_pushes_as_much_is_faster_than_the_inverse_one(push: float, length: float) -> None:
+    h, law = 5e-3, compliance()
+    made = dosed_as(polyline([[0.0], [length]]), law, h, Allowed(0.005, lead=Lead(push)), feed=DoseFeed.INVERSE)
+    assert isinstance(made, Dosed)
+    least = least_periods_with_a_push(length, push, law, h, len(made.pose) + 5)
+    assert least <= len(made.pose) - 1 <= least + 2  # the arm stands for the first period, and ends on a whole one
+    fed = dosed_as(polyline([[0.0], [length]]), law, h, Allowed(0.005, lead=Lead(push)), feed=DoseFeed.VELOCITY)
+    assert isinstance(fed, Dosed)
+    assert made.least <= fed.duration  # one bound for both
+
+
+def test_the_exact_law_takes_the_inverse_feed_too() -> None:
+    path, law = polyline([[0.0, 0.0], [0.1, 0.0], [0.1, 0.1]]), compliance()
+    made = dosed_as(
+        path, law, 1e-3, Allowed(0.002, lead=Lead(80.0)), feed=DoseFeed.INVERSE, integration=Integration.EXACT
+    )
+    assert isinstance(made, Dosed)
+    assert made.lag.maximum <= 0.002 * (1 + 1e-9)
+    assert made.push <= 80 * (1 + 1e-9)
+    rough = dosed_as(path, law, 1e-3, Allowed(0.002, lead=Lead(80.0)), feed=DoseFeed.INVERSE)
+    assert made.duration == pytest.approx(rough.duration, rel=0.02)
+
+
+def skew(rotation):
+    """A tool that turns about a skew axis and back, while it moves."""
+    turned = Rotation.from_rotvec(np.radians(50) * np.array([1.0, 2.0, -1.0]) / np.sqrt(6)) * Rotation.from_euler(
+        "xyz", [0.3, 1.0, -0.5]
+    )
+    first, second = (one.as_euler("xyz") for one in (Rotation.from_euler("xyz", [0.3, 1.0, -0.5]), turned))
+    points = [np.r_[0, 0, 0, first], np.r_[0.02, 0, 0, second], np.r_[0.02, 0.02, 0, first]]
+    waypoints = tuple(Waypoint(f"p{i}", point, f"poses[{i}]") for i, point in enumerate(points))
+    speeds = (SegmentSpeeds(V, 1.0, 1.5, 5.0),) * 2
+    return Route(waypoints, speeds, 2e-3, Profile.TRAPEZOID, rotation, AngleMeaning.ABSOLUTE)
+
+
+@pytest.mark.parametrize("rotation", list(RotationLaw))
+@pytest.mark.parametrize("feed", list(DoseFeed))
+def test_the_turn_lag_is_the_angle_between_the_orientations(rotation: RotationLaw, feed: DoseFeed) -> None:
+    h, law, bound = 2e-3, compliance(), np.radians(1.0)
+    path = dose_path(interpolate(skew(rotation)))
+    made = dosed_as(path, law, h, Allowed(0.002, float(bound), turn_lead=Lead(2.0)), feed=feed)
+    assert isinstance(made, Dosed), made
+    # the controller again: angles by eq. 4.13, or log(R R_e^T) in world axes, by SciPy
+    u = np.concatenate([made.pose, np.repeat(made.pose[-1:], 2000, axis=0)])
+    plan = Rotation.from_matrix(np.concatenate([made.R_plan, np.repeat(made.R_plan[-1:], 2000, axis=0)]))
+    K, D, M = law.K[3:], law.D[3:], law.M[3:]
+    if rotation is RotationLaw.TAIT_BRYAN:
+        rate = np.zeros_like(u)
+        if feed is DoseFeed.VELOCITY:
+            rate[:-1] = np.diff(u, axis=0) / h
+        x, v, rows = made.plan[0, 3:].copy(), np.zeros(3), []
+        for k in range(len(u)):
+            rows.append(x)
+            x, v = x + h * v, v + h / M * (D * (rate[k, 3:] - v) + K * (u[k, 3:] - x))
+        answer = Rotation.from_euler("xyz", rows)
+    else:
+        fed = Rotation.from_matrix(np.concatenate([made.R, np.repeat(made.R[-1:], 2000, axis=0)]))
+        x, v, turns = plan[0], np.zeros(3), []
+        for k in range(len(u)):
+            turns.append(x)
+            rate = np.zeros(3)
+            if feed is DoseFeed.VELOCITY and k + 1 < len(u):
+                rate = (fed[k + 1] * fed[k].inv()).as_rotvec() / h
+            x, v = (
+                Rotation.from_rotvec(h * v) * x,
+                v + h / M * (D * (rate - v) - K * (x * fed[k].inv()).as_rotvec()),
+            )
+        answer = Rotation.concatenate(turns)
+    lag = (answer * plan.inv()).magnitude()
+    assert np.max(lag) <= bound * (1 + 1e-6)
+    if feed is DoseFeed.POSITION:
+        assert np.max(lag) > 0.9 * bound
+    assert made.lag.turn_maximum == pytest.approx(np.max(lag), abs=1e-6)
+
+
+def test_short_legs_have_a_bound_that_means_something_or_none() -> None:
+    law, bound = compliance(), 0.005
+    steps = polyline([[0.002 * i, 0.0] if i % 2 else [0.002 * i, 1e-4] for i in range(100)])  # 0.2 m in 2 mm
+    made = dose(steps, law, 1e-3, bound)
+    check(made, steps, law, 1e-3, bound)
+    assert made.least > 0.9 * made.duration
+    # the arm need not follow a zigzag smaller than the bound, and nobody knows what it has to do
+    zigzag = polyline([[0.004 * (i % 2), 0.0] for i in range(100)])
+    assert dose(zigzag, law, 1e-3, 0.001).least is None or dose(zigzag, law, 1e-3, 0.001).gap < 1

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from trajopt_cli.compliance.controller.lag import (
     deviation,
@@ -26,11 +27,12 @@ def sequence(pose, pieces, h=1e-3):
     return Equilibrium(h, pose, R, RotationLaw.TAIT_BRYAN, AngleMeaning.RELATIVE, pieces)
 
 
-def test_deviation_is_of_the_positions_alone_and_turn_deviation_of_the_angles() -> None:
+def test_deviation_is_of_the_positions_alone_and_turn_deviation_of_the_orientations() -> None:
     x = np.array([[3.0, 0.0, 4.0, 9.0, 9.0, 9.0], [0.0, 0.0, 1.0, 0.0, 0.0, 0.0]])
     x_e = np.array([[0.0, 0.0, 0.0, 9.0, 5.0, 6.0], [0.0, 0.0, 0.0, 0.0, 0.0, 2.0]])
     assert deviation(x, x_e) == pytest.approx([5.0, 1.0])
-    assert turn_deviation(x, x_e) == pytest.approx([5.0, 2.0])
+    turned = [Rotation.from_euler("xyz", rows[:, 3:]) for rows in (x, x_e)]
+    assert turn_deviation(x, x_e) == pytest.approx((turned[0] * turned[1].inv()).magnitude())
     with pytest.raises(ValueError, match=r"\(2, 6\) against an equilibrium of \(1, 6\)"):
         deviation(x, x_e[:1])
 

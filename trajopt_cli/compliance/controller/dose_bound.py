@@ -1,12 +1,14 @@
-"""A duration no dosed sequence can go below: how far the arm itself has to travel, and how fast the bound lets it.
+"""A duration no dosed sequence can go below: how far the arm itself has to travel, and how fast it may be pushed.
 
-When the equilibrium is at waypoint X_i the arm is within b of it, at p_i = X_i + b xi_i with ||xi_i|| <= 1 (the first
-exactly at it, at rest). Along the chord n of a leg the arm gains at most c(n) a second, because its speed is a
-weighted sum of past deviations: c(n) = b/h sum_j ||W_j n||, W_j the law's weights on the deviation j periods ago. So a
-leg takes at least n (p_i+1 - p_i) / c(n). Summed over the legs by parts, a corner with mu = n/c before and mu' after
-gives back at most b ||mu - mu'||. It holds for every sequence with a row at each waypoint, corners cut or not.
+When the plan is at waypoint X_i the arm is within b of it, at p_i = X_i + b xi_i with ||xi_i|| <= 1 (the first exactly
+at it, at rest). Along the chord n between two of them the arm gains at most c(n) a second, because its speed is a
+weighted sum of what the law pushed with: c(n) = B/h sum_j ||W_j n||, W_j the weights on the push j periods ago and B
+its bound; fed positions alone, the push is the spring's, and the lag bounds it. So the way takes n (p_k - p_i) / c(n).
 
-The same holds of the three angles with their own bound, and of a sum in which each leg is counted by one of the two.
+Summed over the legs by parts, a corner with mu = n/c before and mu' after gives back at most b ||mu - mu'||. Where legs
+are short against b that sum is void; then chords over many legs may say more: of all ways to lay chords that do not
+overlap, with the time at the caps between them, the one that asks most is a bound, too. Both hold for every sequence
+of the feed, corners cut or not. Angles count where only one of them changes, for only there is a sum of turns a turn.
 """
 
 from __future__ import annotations
@@ -16,44 +18,76 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trajopt_cli.compliance.controller.dose_allowed import Allowed, DoseFeed
 from trajopt_cli.compliance.controller.dose_path import DosePath
 from trajopt_cli.compliance.controller.dose_walk import SLIVER, moving_axes
-from trajopt_cli.compliance.controller.regulator import Coefficients
+from trajopt_cli.compliance.controller.regulator import Coefficients, coefficients
+from trajopt_cli.compliance.task.model import Compliance, Integration
 from trajopt_cli.geometry import Array
 
 _TAIL = 1e-15  # weights are summed until what is left is below this share of the sum
 _MANY = 1_000_000  # weights at most; fewer than needed would make the bound too high
+_CHORDS = 600  # places of the path between which chords are laid
 
 
 @dataclass(frozen=True, eq=False)
 class _Measure:
-    """Three of the six coordinates (part) whose lag is bounded, and the weights (rows, 3) of their laws."""
+    """Three of the six coordinates (part): slack, how far the arm may be from its plan; most, the bound on the push
+    that weights (rows, 3) turn into steps."""
 
     part: slice
-    bound: float
+    slack: float
+    most: float
     weights: Array
+
+    def pace(self, n: Array, h: float) -> float:
+        """Greatest gain a second along the unit vector n (3,)."""
+        return self.most / h * float(np.sum(np.linalg.norm(self.weights * n, axis=1)))
+
+    def greatest_pace(self, h: float) -> float:
+        """The same along whatever direction."""
+        return self.most / h * float(np.sum(np.max(np.abs(self.weights), axis=1)))
 
 
 def least_duration(
-    path: DosePath, h: float, axes: Sequence[Coefficients], bound: float, turn_bound: float | None = None
+    path: DosePath, h: float, law: Compliance, allowed: Allowed, integration: Integration, feed: DoseFeed
 ) -> float:
-    """Lower bound [s] of the duration of any sequence along path with ||p_e - p|| <= bound [m] at every row.
+    """Lower bound [s] of the duration of any sequence along path, fed like this, that keeps what is allowed.
 
-    h [s] the period, axes the coefficients of the controller's law for the six coordinates. Dwells and the caps on
-    ds/dt are counted; so is turn_bound [rad] on the angles where one is given.
+    h [s]: the period. Dwells and the caps on ds/dt are counted.
     """
-    moves = moving_axes(path)
-    measures = []
-    for part, allowed in ((slice(0, 3), bound), (slice(3, 6), turn_bound)):
-        if allowed is not None and any(moves[part]):
-            weights = _weights(axes[part], moves[part])
-            if weights is not None:
-                measures.append(_Measure(part, allowed, weights))
     own = _own(path)
+    measures = _measures(path, h, law, allowed, integration, feed)
     choices = [[measure] for measure in measures] + ([measures] if len(measures) > 1 else [])
     bounds = [_total(path, h, own, choice) for choice in choices]
+    bounds += [_chords(path, h, measure) for measure in measures]
     # a walk may be faster than its caps by so much
     return max([float(np.sum(own)), *bounds]) * (1 - SLIVER)
+
+
+def _measures(
+    path: DosePath, h: float, law: Compliance, allowed: Allowed, integration: Integration, feed: DoseFeed
+) -> list[_Measure]:
+    axes = coefficients(law.K, law.D, law.M, h, integration)
+    moves = moving_axes(path)
+    lags = allowed.lags(law.K) if feed is DoseFeed.POSITION else (None, None)
+    out = []
+    for part, slack, behind, lead in (
+        (slice(0, 3), allowed.lag, lags[0], allowed.lead),
+        (slice(3, 6), allowed.turn_lag, lags[1], allowed.turn_lead),
+    ):
+        if slack is None or not any(moves[part]) or (part.start == 3 and sum(moves[part]) > 1):
+            continue
+        weights = _weights(axes[part], moves[part])  # by the deviation x_e - x
+        if weights is None:
+            continue
+        if behind is not None:
+            out.append(_Measure(part, min(slack, behind), behind, weights))
+        elif lead is not None and not (feed is DoseFeed.VELOCITY and integration is Integration.EXACT):
+            # a push of P is a deviation of P / k; the exact law takes a fed speed for a little more than a push
+            push = np.where(moves[part], law.K[part] * lead.weight(law.K[part]), 1.0)
+            out.append(_Measure(part, slack, lead.most, weights / push))
+    return out
 
 
 def _own(path: DosePath) -> Array:
@@ -75,17 +109,42 @@ def _total(path: DosePath, h: float, own: Array, measures: Sequence[_Measure]) -
             if length == 0:
                 continue
             n = chord / length
-            pace = measure.bound / h * float(np.sum(np.linalg.norm(measure.weights * n, axis=1)))
-            if (length - 2 * measure.bound) / pace > most:
-                most = (length - 2 * measure.bound) / pace
+            pace = measure.pace(n, h)
+            if (length - 2 * measure.slack) / pace > most:
+                most = (length - 2 * measure.slack) / pace
                 chosen, asked = length / pace, (which, n / pace)
         total += chosen
         for which, measure in enumerate(measures):
             mu = asked[1] if which == asked[0] else np.zeros(3)
             if i > 0:  # the arm starts exactly at the first waypoint
-                total -= measure.bound * float(np.linalg.norm(push[which] - mu))
+                total -= measure.slack * float(np.linalg.norm(push[which] - mu))
             push[which] = mu
-    return total - sum(measure.bound * float(np.linalg.norm(mu)) for measure, mu in zip(measures, push, strict=True))
+    return total - sum(measure.slack * float(np.linalg.norm(mu)) for measure, mu in zip(measures, push, strict=True))
+
+
+def _chords(path: DosePath, h: float, measure: _Measure) -> float:
+    """The most that chords between rows of the path ask for, each counted at the pace of the fastest direction.
+
+    A row that is no waypoint is passed between two periods, when plan and arm may be a period's way farther apart.
+    """
+    marks = np.unique([0, *(leg.last for leg in path.legs)])
+    even = np.searchsorted(path.s, np.linspace(0.0, path.s[-1], _CHORDS))
+    rows = np.unique(np.concatenate([marks[:: -(-len(marks) // _CHORDS)], even, [0, len(path.s) - 1]]))
+    steps = np.linalg.norm(np.diff(path.pose[:, measure.part], axis=0), axis=1) / np.diff(path.s) * path.cap
+    pace = measure.greatest_pace(h)
+    slack = np.where(np.isin(rows, marks), measure.slack, measure.slack + h * (float(np.max(steps)) + pace))
+    slack[0] = 0.0
+    dwells = np.zeros(len(path.s))
+    for leg in path.legs:
+        dwells[leg.last] += leg.dwell
+    after = np.concatenate([[0.0], np.cumsum(np.diff(path.s) / path.cap)]) + np.cumsum(dwells)
+    after, stays = after[rows], dwells[rows]
+    place = path.pose[rows, measure.part]
+    best = np.full(len(rows), stays[0])  # when the row is left
+    for j in range(1, len(rows)):
+        ways = np.linalg.norm(place[:j] - place[j], axis=1) - slack[:j] - slack[j]
+        best[j] = stays[j] + float(np.max(best[:j] + np.maximum(ways / pace, after[j] - stays[j] - after[:j])))
+    return float(best[-1])
 
 
 def _weights(axes: Sequence[Coefficients], moves: Sequence[bool]) -> Array | None:

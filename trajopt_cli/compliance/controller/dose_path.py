@@ -1,7 +1,8 @@
 """The way a dosed sequence goes, free of its old timing: poses over a path parameter, with the greatest rate.
 
 The parameter s [s] is the time at the programmed speed: one second of s takes at least one second. All six coordinates
-are functions of the one s, so that translation and rotation stay together as the segments had them.
+are functions of the one s, so that translation and rotation stay together as the segments had them. Where orientations
+turn as slerp has them, the last three coordinates are the turns made so far, summed up as vectors in world axes.
 """
 
 from __future__ import annotations
@@ -13,9 +14,10 @@ from math import isfinite
 import numpy as np
 from numpy.typing import ArrayLike
 
+from trajopt_cli.compliance.task.angles import angles_of, continuous, rotation, rotation_vector
 from trajopt_cli.compliance.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.compliance.task.model import RotationLaw, SegmentSpeeds
-from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.geometry import Array, IndexArray, readonly, rotations_by
 
 _STRAIGHT = 1e-9  # relative change of dX/ds below which rows are one straight stretch; rounding of rows is 1e-12
 
@@ -35,15 +37,19 @@ class Leg:
 class DosePath:
     """Poses (n, 6) [m, rad] over s (n,), straight in between. cap (n - 1,): greatest ds/dt on each stretch, > 0.
 
-    legs: what lies between the waypoints, in order; every waypoint becomes a row of the dosed sequence.
+    legs: what lies between the waypoints, in order; every waypoint becomes a row of the dosed sequence. R (n, 3, 3):
+    the orientations of the rows where the last three coordinates are turns, None where they are Tait-Bryan angles.
     """
 
     s: Array
     pose: Array
     cap: Array
     legs: tuple[Leg, ...]
+    R: Array | None = None
 
     def __post_init__(self) -> None:
+        if self.R is not None:
+            object.__setattr__(self, "R", readonly(self.R))
         for name in ("s", "pose", "cap"):
             object.__setattr__(self, name, readonly(getattr(self, name)))
         n = len(self.s)
@@ -66,6 +72,20 @@ class DosePath:
     def least_time(self) -> float:
         """Time [s] of the path at its caps, dwells included: what no lag bound can go below."""
         return float(np.sum(np.diff(self.s) / self.cap)) + sum(leg.dwell for leg in self.legs)
+
+    def at(self, s: Array) -> Array:
+        """The six coordinates (m, 6) at parameters s (m,)."""
+        return np.stack([np.interp(s, self.s, column) for column in self.pose.T], axis=1)
+
+    def poses(self, coordinates: Array, row: IndexArray) -> tuple[Array, Array]:
+        """Poses (m, 6) with Tait-Bryan angles, and their matrices (m, 3, 3), of six coordinates (m, 6).
+
+        row (m,): a row of the path near each, from whose orientation turns count.
+        """
+        if self.R is None:
+            return coordinates, rotation(coordinates[:, 3:])
+        R = rotations_by(coordinates[:, 3:] - self.pose[row, 3:]) @ self.R[row]
+        return np.hstack([coordinates[:, :3], continuous(angles_of(R))]), R
 
 
 def dose_path(
@@ -91,7 +111,8 @@ def dose_path(
         raise ValueError(f"joints have shape {q.shape}, wanted one row for each of {len(equilibrium.pose)} poses")
     limit = np.asarray(joint_speed, dtype=np.float64)
     caps = iter(speeds) if speeds is not None else None
-    s, poses, cap = [0.0], [equilibrium.pose[0]], list[float]()
+    coordinates = _coordinates(equilibrium)
+    s, kept, cap = [0.0], [0], list[float]()
     legs: list[Leg] = []
     for piece in equilibrium.pieces:
         row = len(s) - 1
@@ -105,14 +126,23 @@ def dose_path(
             dq = np.abs(np.diff(q[rows], axis=0))
             used = np.max(dq / limit, axis=1)  # s of the joint that takes longest
             rate = np.divide(ds, used, out=np.ones(len(ds)), where=used > ds)
-        for length, pose, greatest in _straightened(ds, equilibrium.pose[rows], rate):
+        for length, last, greatest in _straightened(ds, coordinates[rows], rate):
             s.append(s[-1] + length)
-            poses.append(pose)
+            kept.append(piece.first + last)
             cap.append(greatest)
         legs.append(Leg(row, len(s) - 1, piece.origin, piece.goal))
     if len(s) < 2:
         raise ValueError("nothing moves in this sequence: there is nothing to dose")
-    return DosePath(np.array(s), np.array(poses), np.array(cap), tuple(legs))
+    R = equilibrium.R[kept] if equilibrium.rotation is RotationLaw.SLERP else None
+    return DosePath(np.array(s), coordinates[kept], np.array(cap), tuple(legs), R)
+
+
+def _coordinates(equilibrium: Equilibrium) -> Array:
+    """The six coordinates (n, 6) of a sequence's rows."""
+    if equilibrium.rotation is not RotationLaw.SLERP:
+        return equilibrium.pose
+    turns = rotation_vector(equilibrium.R[1:] @ np.swapaxes(equilibrium.R[:-1], 1, 2))
+    return np.hstack([equilibrium.pose[:, :3], np.concatenate([np.zeros((1, 3)), np.cumsum(turns, axis=0)])])
 
 
 def coarser(path: DosePath, step: float) -> DosePath:
@@ -124,7 +154,7 @@ def coarser(path: DosePath, step: float) -> DosePath:
     cap = np.diff(s) / np.add.reduceat(np.diff(path.s) / path.cap, rows[:-1])
     place = np.cumsum(kept) - 1
     legs = (replace(leg, first=int(place[leg.first]), last=int(place[leg.last])) for leg in path.legs)
-    return DosePath(s, path.pose[rows], cap, tuple(legs))
+    return DosePath(s, path.pose[rows], cap, tuple(legs), None if path.R is None else path.R[rows])
 
 
 def _least_times(equilibrium: Equilibrium, piece: Piece, speeds: SegmentSpeeds | None) -> Array:
@@ -143,19 +173,20 @@ def _least_times(equilibrium: Equilibrium, piece: Piece, speeds: SegmentSpeeds |
     return np.asarray(np.maximum(way / speeds.v_max, turn / speeds.omega_max), dtype=np.float64)
 
 
-def _straightened(ds: Array, pose: Array, cap: Array) -> list[tuple[float, Array, float]]:
-    """Length, end pose and cap of the straight stretches that rows (n, 6) with steps ds (n - 1,) are made of."""
+def _straightened(ds: Array, pose: Array, cap: Array) -> list[tuple[float, int, float]]:
+    """Length, last row and cap of the straight stretches that rows (n, 6) with steps ds (n - 1,) are made of."""
     kept = ds > 0
     if not np.any(kept):
         return []
+    numbers = (np.flatnonzero(kept) + 1).tolist()
     ends, ds, cap = pose[1:][kept], ds[kept], cap[kept]
     slope = np.diff(np.concatenate([pose[:1], ends]), axis=0) / ds[:, None]
     near = _STRAIGHT * max(1.0, float(np.max(np.abs(slope)))) + 1e-13 / ds  # rounding of a pose over a short row
-    out: list[tuple[float, Array, float]] = []
+    out: list[tuple[float, int, float]] = []
     first = 0
     for k in range(1, len(ds) + 1):
         if k < len(ds) and cap[k] == cap[first] and np.max(np.abs(slope[k] - slope[first])) <= near[k] + near[first]:
             continue
-        out.append((float(np.sum(ds[first:k])), ends[k - 1], float(cap[first])))
+        out.append((float(np.sum(ds[first:k])), numbers[k - 1], float(cap[first])))
         first = k
     return out

@@ -1,9 +1,9 @@
 """One period after another along a path, the arm's answer beside it: as far ahead as the lag allows, or as little.
 
 With the equilibrium at P(s) and the arm at p, the bound |P(s) - p| <= b leaves an interval of s on every straight
-stretch, the roots of a quadratic. Eager takes its far end, lazy its near end, never back. A state is safe when lazy
-steps from it keep the bound for ever; lazy steps from a safe state lead to safe states, so a walk that only enters
-safe states can always go on.
+stretch, the roots of a quadratic; where the equilibrium's speed is fed too, so does a bound on the push K (P - p) + D
+P'. Eager takes its far end, lazy its near end, never back. A state is safe when lazy steps from it keep the bounds for
+ever; lazy steps from a safe state lead to safe states, so a walk that only enters safe states can always go on.
 """
 
 from __future__ import annotations
@@ -55,14 +55,29 @@ class _Stretch:
     dp: Three
     turn: Three
     dturn: Three
+    lines: tuple[tuple[Three, Three], ...]  # origin and slope of what is bounded, in the order of the walk's bounds
     mark: bool  # a waypoint ends it, which must become a row
     hold: int  # periods of standing there
+
+
+class SpeedFed(NamedTuple):
+    """Stiffness K and damping D (6,) of a law that is fed the equilibrium's speed, too, each times its axis' weight.
+
+    most, turn_most: greatest norms of the weighted push K (x_e - x) + D v_e, its first three components and its last;
+    None where there is no bound.
+    """
+
+    K: Array
+    D: Array
+    most: float | None
+    turn_most: float | None
 
 
 class Walk:
     """A path walked with period h [s]. axes: coefficients of the controller's law for the six coordinates.
 
-    bound [m] and turn_bound [rad], or None: greatest norms of the lag of position and angles.
+    bound [m] and turn_bound [rad], or None: greatest norms of the lag of position and angles. fed: None where the
+    controller is fed positions alone.
     """
 
     def __init__(
@@ -72,13 +87,17 @@ class Walk:
         axes: Sequence[Coefficients],
         bound: float,
         turn_bound: float | None,
+        fed: SpeedFed | None = None,
     ) -> None:
         self.path, self.h = path, h
         self.looked = 0  # lazy periods that unsafe_after has walked so far
         self._square = (bound * (1 - _INSIDE)) ** 2
         self._turn_square = None if turn_bound is None else (turn_bound * (1 - _INSIDE)) ** 2
         self._axes = tuple((a, b, p, q) for a, b, _, p, q, _ in axes)
-        self._stretches = _stretches(path, h)
+        self._fed = None if fed is None else _Fed(fed, self._axes, h)
+        self._bounds = _bounds(self._square, self._turn_square, self._fed)
+        self._turns = any(bound.turn for bound in self._bounds)
+        self._stretches = _stretches(path, h, self._bounds)
         last = path.pose[-1].tolist()
         self._end: tuple[Three, Three] = (_three(last[:3]), _three(last[3:]))
         moves = moving_axes(path)
@@ -101,14 +120,15 @@ class Walk:
         return float(self.path.s[state.stretch]) + state.sigma
 
     def step(self, state: State, eagerness: float) -> State | None:
-        """The next period's state; eagerness 0 goes on as little as the lag demands, 1 as far as it allows.
+        """The next period's state; eagerness 0 goes on as little as the bounds demand, 1 as far as they allow.
 
-        None where no equilibrium ahead within reach keeps the lag's bound.
+        None where no equilibrium ahead within reach keeps the bounds.
         """
-        i, sigma, hold, p, v, turn, w = state
+        i, sigma, hold, x, v, turn, w = state
         p_e, turn_e = self._place(i, sigma)
-        p, v = _answer(self._axes[0:3], p, v, p_e)
-        if self._turn_square is not None:
+        p, v = _answer(self._axes[0:3], x, v, p_e)
+        before = turn
+        if self._turns:
             turn, w = _answer(self._axes[3:6], turn, w, turn_e)
         if hold or i == len(self._stretches):
             if not self._near(p, p_e, turn, turn_e):
@@ -116,11 +136,20 @@ class Walk:
             return State(i, sigma, max(0, hold - 1), p, v, turn, w)
         if eagerness == 0.0 and self._near(p, p_e, turn, turn_e, 1.0):
             return State(i, sigma, 0, p, v, turn, w)  # what _reach would find, in a fraction of its time
-        low, high = self._reach(i, sigma, p, turn, eagerness == 0.0)
+        fed = self._fed
+        centres = [p] if self._turn_square is None else [p, turn]
+        if fed is not None:
+            centres = fed.centres(self._bounds, (p, turn), (x, before), (p_e, turn_e))
+        low, high = self._reach(i, sigma, centres, eagerness == 0.0)
         if low is None or high is None:
             # an arm that passes the path at the bound itself may miss it by rounding
             return State(i, sigma, 0, p, v, turn, w) if self._near(p, p_e, turn, turn_e) else None
         i, sigma = high if eagerness == 1.0 else low if eagerness == 0.0 else self._between(low, high, eagerness)
+        if fed is not None:
+            there, turn_there = self._place(i, sigma)
+            p, v = _carried(fed.way[0], fed.rate[0], p, v, p_e, there)
+            if self._turns:
+                turn, w = _carried(fed.way[1], fed.rate[1], turn, w, turn_e, turn_there)
         stretch = self._stretches[i]
         if sigma >= stretch.length:
             return State(i + 1, 0.0, stretch.hold, p, v, turn, w)
@@ -176,9 +205,9 @@ class Walk:
         return far <= self._turn_square * ease
 
     def _reach(
-        self, i: int, sigma: float, p: Three, turn: Three, nearest: bool
+        self, i: int, sigma: float, centres: Sequence[Three], nearest: bool
     ) -> tuple[tuple[int, float] | None, tuple[int, float] | None]:
-        """Nearest and farthest places of the first run of places within reach that keep the bound.
+        """Nearest and farthest places of the first run of places within reach that keep all bounds about centres.
 
         nearest: the first alone will do, and the second may be anywhere in that run.
         """
@@ -189,9 +218,11 @@ class Walk:
             room = sigma + stretch.cap * time
             if room > stretch.length - SLIVER * stretch.cap * self.h:
                 room = stretch.length
-            near, far = _within(stretch.p, stretch.dp, p, self._square, sigma, room)
-            if self._turn_square is not None and near <= far:
-                near, far = _within(stretch.turn, stretch.dturn, turn, self._turn_square, near, far)
+            near, far = sigma, room
+            for (origin, slope), centre, bound in zip(stretch.lines, centres, self._bounds, strict=True):
+                near, far = _within(origin, slope, centre, bound.square, near, far)
+                if near > far:
+                    break
             if near <= far:
                 if low is None:
                     low = (i, near)
@@ -219,6 +250,76 @@ class Walk:
         if self._turn_rest is None or self._turn_square is None:
             return True
         return self._turn_rest.keeps(state.turn, turn_e, state.w, self._turn_square * (1 + _ROUNDING / 2))
+
+
+class _Bound(NamedTuple):
+    """||scale place - centre||^2 <= square for the place (3,) of the equilibrium, or of its turn; push or lag."""
+
+    turn: bool
+    push: bool
+    scale: Three
+    square: float
+
+
+class _Fed:
+    """What feeding the speed (u' - u) / h adds in one period: way (u' - u) to the arm, rate (u' - u) to its speed."""
+
+    def __init__(self, fed: SpeedFed, axes: Sequence[tuple[float, float, float, float]], h: float) -> None:
+        ways, rates = [(h - p) / h for _, _, p, _ in axes], [(1 - a) / h for a, _, _, _ in axes]
+        self.way = (_three(ways[:3]), _three(ways[3:]))
+        self.rate = (_three(rates[:3]), _three(rates[3:]))
+        self.K = (_three(fed.K[:3].tolist()), _three(fed.K[3:].tolist()))
+        self.D = (_three((fed.D[:3] / h).tolist()), _three((fed.D[3:] / h).tolist()))
+        self.most = (fed.most, fed.turn_most)
+
+    def centres(
+        self,
+        bounds: Sequence[_Bound],
+        arm: tuple[Three, Three],
+        before: tuple[Three, Three],
+        place: tuple[Three, Three],
+    ) -> list[Three]:
+        """Of every bound; arm: one period on without the speed, before: now, place: of the equilibrium now."""
+        out = []
+        for bound in bounds:
+            u, x = place[bound.turn], arm[bound.turn]
+            if bound.push:
+                k, x = self.K[bound.turn], before[bound.turn]
+                d = bound.scale
+                out.append(
+                    (
+                        d[0] * u[0] - k[0] * (u[0] - x[0]),
+                        d[1] * u[1] - k[1] * (u[1] - x[1]),
+                        d[2] * u[2] - k[2] * (u[2] - x[2]),
+                    )
+                )
+            else:
+                g = self.way[bound.turn]
+                out.append((x[0] - g[0] * u[0], x[1] - g[1] * u[1], x[2] - g[2] * u[2]))
+        return out
+
+
+def _bounds(square: float, turn_square: float | None, fed: _Fed | None) -> tuple[_Bound, ...]:
+    """The lag of position and turn, then the push of both, as far as they are bounded."""
+    out = []
+    for turn, most in ((False, square), (True, turn_square)):
+        if most is not None:
+            g = (0.0, 0.0, 0.0) if fed is None else fed.way[turn]
+            out.append(_Bound(turn, False, (1 - g[0], 1 - g[1], 1 - g[2]), most))
+    for turn in (False, True):
+        greatest = None if fed is None else fed.most[turn]
+        if fed is not None and greatest is not None:
+            out.append(_Bound(turn, True, fed.D[turn], (greatest * (1 - _INSIDE)) ** 2))
+    return tuple(out)
+
+
+def _carried(way: Three, rate: Three, x: Three, v: Three, here: Three, there: Three) -> tuple[Three, Three]:
+    """The arm with the speed from here to there fed."""
+    u0, u1, u2 = there[0] - here[0], there[1] - here[1], there[2] - here[2]
+    return (
+        (x[0] + way[0] * u0, x[1] + way[1] * u1, x[2] + way[2] * u2),
+        (v[0] + rate[0] * u0, v[1] + rate[1] * u1, v[2] + rate[2] * u2),
+    )
 
 
 class _Rest:
@@ -292,7 +393,7 @@ def _within(origin: Three, slope: Three, x: Three, square: float, low: float, hi
     return (low, high) if low <= high else (inf, -inf)
 
 
-def _stretches(path: DosePath, h: float) -> list[_Stretch]:
+def _stretches(path: DosePath, h: float, bounds: Sequence[_Bound]) -> list[_Stretch]:
     marks = {leg.last for leg in path.legs}
     holds: dict[int, int] = {}
     for leg in path.legs:
@@ -300,21 +401,13 @@ def _stretches(path: DosePath, h: float) -> list[_Stretch]:
             holds[leg.last] = holds.get(leg.last, 0) + _periods(leg.dwell, h)
     ds = np.diff(path.s)
     slopes = (np.diff(path.pose, axis=0) / ds[:, None]).tolist()
-    return [
-        _Stretch(
-            length=length,
-            cap=cap,
-            p=_three(pose[:3]),
-            dp=_three(slope[:3]),
-            turn=_three(pose[3:]),
-            dturn=_three(slope[3:]),
-            mark=row + 1 in marks,
-            hold=holds.get(row + 1, 0),
-        )
-        for row, (length, cap, pose, slope) in enumerate(
-            zip(ds.tolist(), path.cap.tolist(), path.pose[:-1].tolist(), slopes, strict=True)
-        )
-    ]
+    out = []
+    rows = zip(ds.tolist(), path.cap.tolist(), path.pose[:-1].tolist(), slopes, strict=True)
+    for row, (length, cap, pose, slope) in enumerate(rows, 1):
+        parts = ((_three(pose[:3]), _three(slope[:3])), (_three(pose[3:]), _three(slope[3:])))
+        lines = tuple((_times(one.scale, parts[one.turn][0]), _times(one.scale, parts[one.turn][1])) for one in bounds)
+        out.append(_Stretch(length, cap, *parts[0], *parts[1], lines, row in marks, holds.get(row, 0)))
+    return out
 
 
 def _periods(seconds: float, h: float) -> int:
@@ -355,6 +448,10 @@ def _peaks(A: Array) -> tuple[float, float]:
         if float(np.max(sums[-1])) * float(np.max(sums)) <= 1.0:
             return G, H
         rows *= 2
+
+
+def _times(scale: Three, x: Three) -> Three:
+    return (scale[0] * x[0], scale[1] * x[1], scale[2] * x[2])
 
 
 def _three(values: Sequence[float]) -> Three:

@@ -12,6 +12,7 @@ from math import ceil, inf, isfinite
 import numpy as np
 from numpy.typing import ArrayLike
 
+from trajopt_cli.compliance.task.angles import rotation
 from trajopt_cli.compliance.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.compliance.task.model import Compliance
 from trajopt_cli.geometry import Array, readonly
@@ -19,12 +20,16 @@ from trajopt_cli.geometry import Array, readonly
 
 def deviation(x: ArrayLike, x_e: ArrayLike) -> Array:
     """d_k = ||p_k - p_e,k|| (n,) [m], eq. 6.8, of poses x and equilibrium x_e (n, 6); their positions alone."""
-    return _norms(x, x_e, slice(0, 3))
+    x, x_e = _pair(x, x_e)
+    return np.asarray(np.linalg.norm((x - x_e)[:, :3], axis=1), dtype=np.float64)
 
 
 def turn_deviation(x: ArrayLike, x_e: ArrayLike) -> Array:
-    """Norm (n,) [rad] of the three angles' differences of poses x and x_e (n, 6), the controller's own measure."""
-    return _norms(x, x_e, slice(3, 6))
+    """Angles (n,) [rad] between the orientations of poses x and x_e (n, 6), whichever way their angles are written."""
+    x, x_e = _pair(x, x_e)
+    apart = np.linalg.norm(rotation(x[:, 3:]) - rotation(x_e[:, 3:]), axis=(1, 2))
+    # ||R - R_e||_F = 2 sqrt(2) sin(angle / 2)
+    return np.asarray(2 * np.arcsin(np.minimum(apart / np.sqrt(8.0), 1.0)), dtype=np.float64)
 
 
 @dataclass(frozen=True)
@@ -32,7 +37,7 @@ class Lag:
     """The deviation's worst case: maximum [m] at time [s] in row, there share (0..1, in time) of piece is past.
 
     piece is None where the equilibrium names no pieces. mean [m]: over all rows. turn_maximum [rad] at turn_time [s]:
-    the same of the angles.
+    the same of the angle between both orientations.
     """
 
     maximum: float
@@ -130,11 +135,11 @@ def settling(x: ArrayLike, goal: ArrayLike, bound: float, turn_bound: float, h: 
     return arrived * h if arrived < len(x) else None
 
 
-def _norms(x: ArrayLike, x_e: ArrayLike, part: slice) -> Array:
+def _pair(x: ArrayLike, x_e: ArrayLike) -> tuple[Array, Array]:
     x, x_e = np.asarray(x, dtype=np.float64), np.asarray(x_e, dtype=np.float64)
     if x.shape != x_e.shape or x.ndim != 2 or x.shape[1] != 6:
         raise ValueError(f"poses of shape {x.shape} against an equilibrium of {x_e.shape}; wanted (n, 6) twice")
-    return np.asarray(np.linalg.norm(x[:, part] - x_e[:, part], axis=1), dtype=np.float64)
+    return x, x_e
 
 
 def _longer(x_e: Array, rows: int) -> Array:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trajopt_cli.compliance.controller.dose import CannotDose, Dosed, Feeding, FeedRow, compare, dose
+from trajopt_cli.compliance.controller.dose_allowed import Allowed
 from trajopt_cli.compliance.controller.dose_path import dose_path
 from trajopt_cli.compliance.controller.lag import held, steady_lag
 from trajopt_cli.compliance.controller.regulator import response
@@ -37,7 +38,7 @@ class Dosing:
     task: str
     bound: float
     rows: tuple[FeedRow, ...]
-    least: float
+    least: float | None
     steady: float
     ramped: float
     sentences: tuple[str, ...]
@@ -59,7 +60,7 @@ def dosing(bench: Bench) -> Dosing:
         raise RuntimeError(f"{file.name} cannot be followed: {joints.message}")
     law = task.compliance
     way = dose_path(path, caps, joints=joints.trajectory.q, joint_speed=limits.velocity)
-    dosed = dose(way, law, path.h, BOUND, integration=task.integration)
+    dosed = dose(way, law, path.h, Allowed(BOUND), integration=task.integration)
     if isinstance(dosed, CannotDose):
         raise RuntimeError(f"{file.name} cannot be dosed: {dosed.message}")
     rows = compare(path, law, dosed, integration=task.integration)
@@ -81,7 +82,8 @@ def dosing(bench: Bench) -> Dosing:
         ramped=ramped,
         sentences=(
             f"on a line the lag is D v/K: {1e3 * BOUND:g} mm allow {slow:g} m/s with K = {law.K[0]:g} N/m and"
-            f" D = {law.D[0]:g} N s/m; dosing cannot be faster, more stiffness or less damping can",
+            f" D = {law.D[0]:g} N s/m; fed positions alone dosing cannot be faster, more stiffness or less damping can,"
+            " and so can other feeds that push harder (trajopt iiwa dose --max-lead)",
             "fed with the equilibrium's speed only the inertia M lags, at starts and corners:"
             f" {1e3 * rows[1].lag.maximum:.1f} mm at once at full speed, {1e3 * ramped:.1f} mm with the profile of"
             f" {file.name} ({task.route.profile.value})",

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from trajopt_cli.compliance.controller.dose_allowed import LAGS, TURN_LAGS, Allowed, DoseFeed, Lead
+from trajopt_cli.compliance.controller.regulator import equilibrium_rates
 from trajopt_cli.compliance.job.folder import (
     Opened,
     check_place,
@@ -19,46 +22,71 @@ from trajopt_cli.compliance.job.folder import (
 )
 from trajopt_cli.compliance.job.joints import joint_record
 from trajopt_cli.compliance.job.simulation import NoRun, Simulated, lag_record, run_controller
-from trajopt_cli.compliance.task.angles import rotation
+from trajopt_cli.compliance.task.angles import rotation_vector
 from trajopt_cli.compliance.task.equilibrium import Equilibrium
-from trajopt_cli.compliance.task.model import Clamps, Feed, Task
+from trajopt_cli.compliance.task.model import Clamps, Feed, Profile, Task
 from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array
 from trajopt_cli.runs.folder import check_replaceable
 from trajopt_cli.runs.record import INPUT
+from trajopt_cli.units import MM
 
 if TYPE_CHECKING:
     from trajopt_cli.compliance.controller.dose import CannotDose, Dosed
     from trajopt_cli.compliance.task.joints import Followed, Unfollowable
 
-AS_PROGRAMMED, WITH_SPEED, DOSED = "as programmed", "with the equilibrium's speed", "dosed"
+AS_PROGRAMMED, WITH_SPEED = "as programmed", "with the equilibrium's speed"
+DOSED = {
+    DoseFeed.POSITION: "dosed, positions",
+    DoseFeed.VELOCITY: "dosed, with speed",
+    DoseFeed.INVERSE: "dosed, inverse law",
+}
+FRONT = 5
+"""Leads of the front below the one at which the inverse feed is as fast as programmed, each half the one before."""
 _ARRIVED_WITHIN, _TURNED_WITHIN = 1e-3, np.radians(0.1)  # m, rad
+_NEAR_START = 1e-6  # m, rad: a sequence that begins this near to the start begins there
 
 
 @dataclass(frozen=True, eq=False)
 class Way:
-    """One way to feed the path, and the controller's answer to it: name, when the arm arrived [s] (None: not yet)."""
+    """One way to feed the path as programmed, and the controller's answer to it: name, when the arm arrived [s] (None:
+    not yet), the greatest push [N]."""
 
     name: str
     run: Simulated
     arrived: float | None
+    push: float
+
+
+@dataclass(frozen=True)
+class FrontPoint:
+    """What one lead allows: the least time [s] that was found for each feed, None where none was."""
+
+    lead: Lead
+    durations: Mapping[DoseFeed, float | None]
 
 
 @dataclass(frozen=True, eq=False)
 class DosedJob:
     """A dosed sequence in its folder, beside the ways to feed the one it came from.
 
-    ways: as programmed, with the equilibrium's speed, dosed. joints: the arm's, as it follows the dosed sequence.
-    turn_bound [rad]: None where angles may lag as they like. steady: the speed [m/s] at which the arm would lag by the
-    bound on a long line along its slowest axis. left_out: what the task has that dosing does not look at.
+    ways: as programmed, with the equilibrium's speed. tried: what every feed that was asked for comes to; dosed: the
+    fastest of them that the arm can follow, run: the controller's answer to it. joints: the arm's then. passed_over:
+    why faster feeds were not taken. steady: the speed [m/s] at which the arm would lag by the bound on a long line
+    along its slowest axis. front: by lead, empty if not asked for. left_out: what the task has that dosing does not
+    look at.
     """
 
     before: Opened
     after: Opened
     dosed: Dosed
-    turn_bound: float | None
+    run: Simulated
+    tried: Mapping[DoseFeed, Dosed | CannotDose]
     ways: tuple[Way, ...]
     joints: Followed
+    passed_over: tuple[str, ...]
     steady: float
+    front: tuple[FrontPoint, ...]
     left_out: tuple[str, ...]
     folder: Path
 
@@ -71,65 +99,182 @@ class NotFollowed:
 
 
 def dose_folder(
-    folder: Path, output: Path, bound: float, turn_bound: float | None
+    folder: Path, output: Path, allowed: Allowed, feed: DoseFeed | None = None, front: bool = False
 ) -> DosedJob | CannotDose | Unfollowable | NotFollowed | NoRun:
-    """Retime a folder's sequence: least time with a lag of at most bound [m] (and turn_bound [rad]), into output.
+    """Retime a folder's sequence: least time within what is allowed, into output.
 
-    The sequence keeps its path and is nowhere faster than before, nor than the joints' speed limits. Nothing is written
-    where there is no such sequence, or the arm cannot follow it. Raises InputError where output may not be replaced.
+    feed: the one to take; None for positions alone where no lead is bounded, else for the fastest of all. The sequence
+    keeps its path and is nowhere faster than before, nor than the joints' speed limits. Nothing is written where there
+    is no such sequence, or the arm cannot follow it. Raises InputError where output may not be replaced, and for a
+    front without a bound on the lead.
     """
-    from trajopt_cli.compliance.controller.dose import BOUNDS, TURN_BOUNDS, CannotDose, dose
+    from trajopt_cli.compliance.controller.dose import CannotDose, dose
     from trajopt_cli.compliance.controller.dose_path import dose_path
     from trajopt_cli.compliance.task.joints import Followed, follow
 
     for option, value, (least, most), unit in (
-        ("--max-lag", bound, BOUNDS, "m"),
-        ("--max-turn-lag", turn_bound, TURN_BOUNDS, "rad"),
+        ("--max-lag", allowed.lag, LAGS, "m"),
+        ("--max-turn-lag", allowed.turn_lag, TURN_LAGS, "rad"),
     ):
         if value is not None and not least <= value <= most:
-            raise InputError(f"{option}: {value:g} {unit} is not within {least:g} and {most:g} {unit}")
+            raise InputError(f"{option}: {value:g} {unit} is not within {least:g} and {most:.4g} {unit}")
     check_place(output, "--output")
     if output.absolute() == folder.absolute() or output.resolve() == folder.resolve():
         raise InputError("--output: is RESULTS itself; the sequence to dose would be lost", file=str(output))
     check_replaceable(output)
     before = counted_from_start(open_folder(folder))
+    if before.plan is not None or before.feed is not Feed.POSITION:
+        message = "is dosed already, and its equilibrium is not its path; dose the folder it came from"
+        raise InputError(message, file=str(folder))
     task, sequence = before.task, before.equilibrium
+    away = _away_from_start(before)
+    if away is not None:
+        return CannotDose(away)
     limits = before.robot.profile(task.limits)
     followed = follow(
         sequence, before.robot, task.X_FT, task.start_joints, limits, task.definition, task.arm_angle, free=False
     )
     if not isinstance(followed, Followed):
         return followed
+
+    def timed(feed: DoseFeed, allowed: Allowed) -> Dosed | CannotDose:
+        return dose(
+            *(path, task.compliance, sequence.h, allowed),
+            feed=feed,
+            integration=task.integration,
+            acceleration=_accelerations(task),
+        )
+
     try:
         path = dose_path(sequence, None, joints=followed.trajectory.q, joint_speed=limits.velocity)
-        dosed = dose(path, task.compliance, sequence.h, bound, turn_bound=turn_bound, integration=task.integration)
     except ValueError as error:
         return CannotDose(str(error))
-    if isinstance(dosed, CannotDose):
-        return dosed
+    feeds = [feed] if feed is not None else [DoseFeed.POSITION] if allowed.lead is None else list(DoseFeed)
+    tried = {one: timed(one, allowed) for one in feeds}
     # what happens to the controller besides its feed is left out: the dosing does not know it either
-    quiet = replace(task, changes=(), pushes=(), sensor=None, clamps=Clamps(), contact=None)
-    after = replace(before, equilibrium=_dosed_sequence(sequence, dosed))
+    quiet = replace(before, task=replace(task, changes=(), pushes=(), sensor=None, clamps=Clamps(), contact=None))
+    found = _fastest(quiet, tried)
+    if not isinstance(found, _Chosen):
+        return found
     ways = []
-    for name, opened, feed in (
-        (AS_PROGRAMMED, before, Feed.POSITION),
-        (WITH_SPEED, before, Feed.VELOCITY),
-        (DOSED, after, Feed.POSITION),
-    ):
-        run = run_controller(replace(opened, task=quiet), None, None, feed, None, None)
+    for name, how in ((AS_PROGRAMMED, Feed.POSITION), (WITH_SPEED, Feed.VELOCITY)):
+        run = run_controller(quiet, None, None, how, None, None)
         if isinstance(run, NoRun):
             return run
-        ways.append(Way(name, run, _arrived(run)))
-    joints = ways[-1].run.joints
-    if not isinstance(joints, Followed):
-        assert joints is not None
-        return joints
-    failed = tuple(finding.message for finding in joints.findings if not finding.passed)
-    if failed:
-        return NotFollowed(failed)
-    job = DosedJob(before, after, dosed, turn_bound, tuple(ways), joints, _steady(task, bound), _left_out(task), output)
+        ways.append(Way(name, run, _arrived(run), _push(run)))
+    job = DosedJob(
+        before,
+        replace(found.opened, task=task),
+        found.dosed,
+        found.run,
+        tried,
+        tuple(ways),
+        found.joints,
+        found.passed_over,
+        _steady(task, allowed.lags(task.compliance.K)[0]),
+        _front(timed, allowed, feeds) if front else (),
+        _left_out(task),
+        output,
+    )
     _write(job)
     return job
+
+
+@dataclass(frozen=True, eq=False)
+class _Chosen:
+    """The fastest feed that the arm can follow."""
+
+    dosed: Dosed
+    opened: Opened
+    run: Simulated
+    joints: Followed
+    passed_over: tuple[str, ...]
+
+
+def _fastest(
+    before: Opened, tried: Mapping[DoseFeed, Dosed | CannotDose]
+) -> _Chosen | CannotDose | Unfollowable | NotFollowed | NoRun:
+    """Of the feeds that were timed the first, by duration, whose answer breaks no limit of the joints."""
+    from trajopt_cli.compliance.controller.dose import CannotDose
+    from trajopt_cli.compliance.task.joints import Followed
+
+    timings = [one for one in tried.values() if not isinstance(one, CannotDose)]
+    if not timings:
+        refusals = {one.message for one in tried.values() if isinstance(one, CannotDose)}
+        return CannotDose("; ".join(sorted(refusals)))
+    first: Unfollowable | NotFollowed | NoRun | None = None
+    passed_over: list[str] = []
+    for dosed in sorted(timings, key=lambda one: one.duration):
+        opened = _dosed_opened(before, dosed)
+        run = run_controller(opened, None, None, opened.feed, None, None)
+        if isinstance(run, NoRun):
+            first = first or run
+            continue
+        joints = run.joints
+        if isinstance(joints, Followed):
+            failed = tuple(finding.message for finding in joints.findings if not finding.passed)
+            if not failed:
+                return _Chosen(dosed, opened, run, joints, tuple(passed_over))
+            first = first or NotFollowed(failed)
+            passed_over.append(f"{DOSED[dosed.feed]}: {failed[0]}")
+        else:
+            assert joints is not None
+            first = first or joints
+            passed_over.append(f"{DOSED[dosed.feed]}: {joints.message}")
+    assert first is not None
+    return first
+
+
+def _front(
+    timed: Callable[[DoseFeed, Allowed], Dosed | CannotDose], allowed: Allowed, feeds: Sequence[DoseFeed]
+) -> tuple[FrontPoint, ...]:
+    """Least times from the lead that the programmed speed asks for downwards, the one that is asked for among them."""
+    from trajopt_cli.compliance.controller.dose import CannotDose
+
+    if allowed.lead is None:
+        raise InputError("--front: needs a bound on the lead; give --max-lead")
+    free = timed(DoseFeed.INVERSE, replace(allowed, lead=None))
+    most = allowed.lead.most
+    if not isinstance(free, CannotDose):
+        most = free.lead if allowed.lead.stretch else free.push
+    leads = sorted({allowed.lead.most, *(most / 2**i for i in range(FRONT))}, reverse=True)
+    points = []
+    for lead in (replace(allowed.lead, most=one) for one in leads):
+        made = {feed: timed(feed, replace(allowed, lead=lead)) for feed in feeds}
+        durations = {feed: None if isinstance(one, CannotDose) else one.duration for feed, one in made.items()}
+        points.append(FrontPoint(lead, durations))
+    return tuple(points)
+
+
+def _away_from_start(opened: Opened) -> str | None:
+    """What to say of a sequence that begins elsewhere than the controller, or None."""
+    X, sequence = opened.X_start, opened.equilibrium
+    way = float(np.linalg.norm(sequence.pose[0, :3] - X[:3, 3]))
+    turn = float(np.linalg.norm(rotation_vector(sequence.rotations(X[:3, :3])[0] @ X[:3, :3].T)))
+    if max(way, turn) <= _NEAR_START:
+        return None
+    return (
+        f"the sequence begins {way / MM:.4g} mm and {np.degrees(turn):.3g}° from start, where the controller is"
+        " switched on: no timing lags by less; let the task approach its first pose, or begin with 'at: start'"
+    )
+
+
+def _accelerations(task: Task) -> tuple[float | None, float | None]:
+    """The least a_max [m/s2] and epsilon_max [rad/s2] of the task's segments, None where its profile has none."""
+    if task.route.profile is Profile.THESIS:
+        return None, None
+    caps = zip(*((one.a_max, one.epsilon_max) for one in task.route.speeds), strict=True)
+    least = (min((cap for cap in column if cap is not None), default=None) for column in caps)
+    return next(least), next(least)
+
+
+def _push(run: Simulated) -> float:
+    """The greatest K (x_e - x) + D v_e [N] of a run: with what the tool would begin to push if it were held."""
+    law, h = run.opened.task.compliance, run.opened.equilibrium.h
+    push = law.K[:3] * (run.x_e - run.x)[:, :3]
+    if run.feed is Feed.VELOCITY:
+        push = push + law.D[:3] * equilibrium_rates(run.x_e[:, :3], h)
+    return float(np.max(np.linalg.norm(push, axis=1)))
 
 
 def _arrived(run: Simulated) -> float | None:
@@ -162,44 +307,79 @@ def _left_out(task: Task) -> tuple[str, ...]:
     return tuple(name for name, there in has.items() if there)
 
 
-def _dosed_sequence(sequence: Equilibrium, dosed: Dosed) -> Equilibrium:
-    return Equilibrium(
-        h=sequence.h,
-        pose=dosed.pose,
-        R=rotation(dosed.pose[:, 3:]),
-        rotation=sequence.rotation,
-        meaning=sequence.meaning,
-        pieces=dosed.pieces,
-        notes=dosed.notes,
+def _dosed_opened(before: Opened, dosed: Dosed) -> Opened:
+    """The dosed sequence in place of the one before, how it is fed, and its plan where that is another."""
+    sequence = before.equilibrium
+
+    def made(pose: Array, R: Array, notes: tuple[str, ...]) -> Equilibrium:
+        return Equilibrium(sequence.h, pose, R, sequence.rotation, sequence.meaning, dosed.pieces, notes)
+
+    return replace(
+        before,
+        equilibrium=made(dosed.pose, dosed.R, dosed.notes),
+        plan=made(dosed.plan, dosed.R_plan, ()) if dosed.feed is DoseFeed.INVERSE else None,
+        feed=Feed.VELOCITY if dosed.feed is DoseFeed.VELOCITY else Feed.POSITION,
     )
+
+
+def lead_record(lead: Lead | None, units: tuple[str, str] = ("N", "m")) -> dict[str, Any] | None:
+    """A bound on the lead as plain data."""
+    return None if lead is None else {"most": lead.most, "unit": units[lead.stretch]}
+
+
+def dosed_record(made: Dosed | CannotDose) -> dict[str, Any]:
+    """What one feed comes to, as plain data."""
+    from trajopt_cli.compliance.controller.dose import CannotDose
+
+    if isinstance(made, CannotDose):
+        return {"refused": made.message}
+    return {
+        "duration_s": made.duration,
+        "least_duration_s": made.least,
+        "arrived_s": made.arrived,
+        "lag": lag_record(made.lag),
+        "largest_push_N": made.push,
+        "largest_turn_push_Nm": made.turn_push,
+        "held_back_s": made.braked * made.h,
+    }
 
 
 def _write(job: DosedJob) -> None:
     found = job.before.folder
     assert found is not None
     inputs = {name: content for name, content in found.contents.items() if name.startswith(INPUT)}
+    allowed = job.dosed.allowed
     dosing = {
-        "bound_m": job.dosed.bound,
-        "least_duration_s": job.dosed.least,
-        "held_back_s": job.dosed.braked * job.dosed.h,
-        "max_turn_lag_rad": job.turn_bound,
-        "ways": [
+        "feed": job.dosed.feed.value,
+        "max_lag_m": allowed.lag,
+        "max_turn_lag_rad": allowed.turn_lag,
+        "max_lead": lead_record(allowed.lead),
+        "max_turn_lead": lead_record(allowed.turn_lead, ("Nm", "rad")),
+        "feeds": {feed.value: dosed_record(made) for feed, made in job.tried.items()},
+        "passed_over": list(job.passed_over),
+        "undosed": [
             {
                 "feed": way.name,
                 "duration_s": way.run.opened.equilibrium.duration,
                 "arrived_s": way.arrived,
                 "lag": lag_record(way.run.lag),
+                "largest_push_N": way.push,
             }
             for way in job.ways
+        ],
+        "front": [
+            {"lead": lead_record(point.lead), **{f"{feed.value}_s": s for feed, s in point.durations.items()}}
+            for point in job.front
         ],
         "left_out": list(job.left_out),
         "joints": joint_record(job.joints),
         "notes": list(job.dosed.notes),
     }
+    options = {"max_lag_m": allowed.lag, "max_lead": lead_record(allowed.lead), "feed": job.dosed.feed.value}
     write_task_run(
         job.folder,
         "iiwa dose",
-        {"max_lag_m": job.dosed.bound},
+        options,
         found.record.inputs,
         inputs | sequence_files(job.after),
         {"task": found.sections()["task"], "sequence": sequence_record(job.after), "dosing": dosing},

@@ -6,13 +6,14 @@ from pathlib import Path
 
 import numpy as np
 
-from trajopt_cli.compliance.job.dosing import DosedJob
+from trajopt_cli.compliance.job.dosing import DOSED, DosedJob
 from trajopt_cli.compliance.job.simulation import Simulated, frames_change
 from trajopt_cli.compliance.report import pictures as compliance
 from trajopt_cli.compliance.report.pictures import Following
 from trajopt_cli.compliance.task.joints import Followed
 from trajopt_cli.geometry import Array
 from trajopt_cli.shapes import Box, Capsule
+from trajopt_cli.units import MM
 
 _THIN = 0.01  # m
 
@@ -77,9 +78,17 @@ def _obstacles(run: Simulated) -> list[Box]:
 
 def dose_pictures(job: DosedJob) -> dict[str, bytes]:
     """Deviation, fed speed and path: as programmed, fed with the equilibrium's speed, and dosed."""
-    runs = [_following(way.run, way.name) for way in job.ways]
-    title = f"{Path(job.before.task.file).stem}: lag of at most {job.dosed.bound * 1e3:g} mm"
-    return compliance.dosing(runs[0], runs[1:], job.dosed.bound, title)
+    allowed = job.dosed.allowed
+    runs = [_following(way.run, way.name) for way in job.ways] + [_following(job.run, DOSED[job.dosed.feed])]
+    title = f"{Path(job.before.task.file).stem}: lag of at most {allowed.lag / MM:g} mm"
+    pictures = compliance.dosing(runs[0], runs[1:], allowed.lag, title)
+    if job.front and allowed.lead is not None:
+        curves = {DOSED[feed]: [point.durations[feed] for point in job.front] for feed in job.front[0].durations}
+        leads = [point.lead.most for point in job.front]
+        unit = (MM, "mm") if allowed.lead.stretch else (1.0, "N")
+        chosen = (allowed.lead.most, job.dosed.duration)
+        pictures |= compliance.front(leads, curves, chosen, unit, job.before.equilibrium.duration, title)
+    return pictures
 
 
 def _following(run: Simulated, label: str) -> Following:
@@ -89,4 +98,4 @@ def _following(run: Simulated, label: str) -> Following:
         force = run.loop.contact_true if np.any(run.loop.contact_true) else force
         # poses in other frames later on: the flange's would have to be counted anew with every change
         true = None if frames_change(run.opened.task) else run.tool
-    return Following(label, run.t, run.x_e, run.x, force, true)
+    return Following(label, run.t, run.target, run.x, force, true)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 from pydantic import Field, model_validator
 
 from trajopt_cli.compliance.task.equilibrium import Equilibrium, Piece
-from trajopt_cli.compliance.task.model import AngleMeaning, RotationLaw, Task
+from trajopt_cli.compliance.task.model import AngleMeaning, Feed, RotationLaw, Task
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.quantity import complain
 from trajopt_cli.runs import RUN, SUMMARY
@@ -30,6 +30,8 @@ EQUILIBRIUM, QUATERNIONS, JOINTS, SIMULATION = (
     "joints.csv",
     "simulation.csv",
 )
+PLAN, PLAN_QUATERNIONS = "plan.csv", "plan_quaternion.csv"
+"""Where the arm should be, in folders whose equilibrium leads it there (dose, inverse feed)."""
 
 
 class TaskRecord(RunRecord[dict[str, Any]]):
@@ -65,6 +67,7 @@ class SequenceSection(Section):
     rotation: Annotated[RotationLaw, Field(strict=False)]
     angles: Annotated[AngleMeaning, Field(strict=False)]
     pieces: Annotated[list[PieceSection], Field(min_length=1)]
+    feed: Annotated[Feed, Field(strict=False)] = Feed.POSITION
 
     @property
     def rows(self) -> int:
@@ -92,12 +95,18 @@ TaskRun = Run[TaskRecord]
 
 @dataclass(frozen=True, eq=False)
 class Opened:
-    """A task, its robot, mounted, and its equilibrium sequence; folder: where it came from, None for a fresh one."""
+    """A task, its robot, mounted, and its equilibrium sequence; folder: where it came from, None for a fresh one.
+
+    feed: what the controller is told of it. plan: where the arm should be at every row, None where that is the
+    equilibrium.
+    """
 
     task: Task
     robot: SrsRobot
     equilibrium: Equilibrium
     folder: TaskRun | None = None
+    feed: Feed = Feed.POSITION
+    plan: Equilibrium | None = None
 
     @property
     def X_start(self) -> Array:
@@ -146,8 +155,19 @@ def open_folder(folder: Path) -> Opened:
             f"summary.json has a period of {record.period_s:g} s, the task {task.route.h:g} s; make the folder again"
         )
         raise InputError(message, file=str(folder))
-    sequence = _sequence(record, pose, R_WT, robot.forward(task.start_joints) @ task.X_FT)
-    return Opened(task, robot, sequence, found)
+    X_start = robot.forward(task.start_joints) @ task.X_FT
+    sequence = _sequence(record, pose, R_WT, X_start)
+    plan = None
+    if PLAN in found.contents:
+        _, pose = read_angles_csv(found.text(PLAN), str(folder / PLAN))
+        _, _, R_WT = read_quaternion_csv(found.text(PLAN_QUATERNIONS), str(folder / PLAN_QUATERNIONS))
+        if not len(pose) == len(R_WT) == record.rows:
+            message = (
+                f"{PLAN} and {PLAN_QUATERNIONS} have {len(pose)} and {len(R_WT)} rows, {EQUILIBRIUM} {record.rows}"
+            )
+            raise InputError(f"{message}; make the folder again", file=str(folder))
+        plan = _sequence(record, pose, R_WT, X_start)
+    return Opened(task, robot, sequence, found, record.feed, plan)
 
 
 def counted_from_start(opened: Opened) -> Opened:
@@ -158,10 +178,12 @@ def counted_from_start(opened: Opened) -> Opened:
     from trajopt_cli.compliance.task.meaning import counted
 
     try:
-        sequence = counted(opened.equilibrium, AngleMeaning.RELATIVE, opened.X_start[:3, :3])
+        R_start = opened.X_start[:3, :3]
+        sequence = counted(opened.equilibrium, AngleMeaning.RELATIVE, R_start)
+        plan = None if opened.plan is None else counted(opened.plan, AngleMeaning.RELATIVE, R_start)
     except InputError as error:
         raise InputError(str(error), file=opened.task.file, kind=error.kind) from error
-    return replace(opened, equilibrium=sequence)
+    return replace(opened, equilibrium=sequence, plan=plan)
 
 
 @of_kind(ErrorKind.RESULTS)
@@ -203,12 +225,16 @@ def sequence_files(opened: Opened) -> dict[str, bytes]:
     """The sequence as CSV: angles, and quaternions of the tool in the world."""
     from trajopt_cli.compliance.task.equilibrium_csv import write_angles_csv, write_quaternion_csv
 
-    sequence = opened.equilibrium
-    R_WT = sequence.rotations(opened.X_start[:3, :3])
-    return {
-        EQUILIBRIUM: write_angles_csv(sequence).encode(),
-        QUATERNIONS: write_quaternion_csv(sequence.t, sequence.pose[:, :3], R_WT).encode(),
-    }
+    files = {}
+    for sequence, angles, quaternions in (
+        (opened.equilibrium, EQUILIBRIUM, QUATERNIONS),
+        (opened.plan, PLAN, PLAN_QUATERNIONS),
+    ):
+        if sequence is not None:
+            R_WT = sequence.rotations(opened.X_start[:3, :3])
+            files[angles] = write_angles_csv(sequence).encode()
+            files[quaternions] = write_quaternion_csv(sequence.t, sequence.pose[:, :3], R_WT).encode()
+    return files
 
 
 def sequence_record(opened: Opened) -> dict[str, Any]:
@@ -222,6 +248,7 @@ def sequence_record(opened: Opened) -> dict[str, Any]:
         "profile": route.profile.value,
         "rotation": sequence.rotation.value,
         "angles": sequence.meaning.value,
+        "feed": opened.feed.value,
         "pieces": [
             {"first": one.first, "last": one.last, "from": one.origin, "to": one.goal, "dwell": one.dwell}
             for one in sequence.pieces

@@ -71,6 +71,12 @@ class Simulated:
     fallback: bool = False
     links: tuple[LinkContact, ...] = ()
     motors: tuple[Motor, ...] = ()
+    plan: Array | None = None
+
+    @property
+    def target(self) -> Array:
+        """Where the controller should be at every row (n, 6): on the plan where there is one, else the equilibrium."""
+        return self.x_e if self.plan is None else self.plan[: len(self.x)]
 
     @property
     def t(self) -> Array:
@@ -115,14 +121,15 @@ def simulate(
     folder: Path,
     contact_file: Path | None = None,
     engine: str | None = None,
-    feed: Feed = Feed.POSITION,
+    feed: Feed | None = None,
     integration: Integration | None = None,
     settle: float | None = None,
 ) -> Simulated | NoRun:
     """Run the controller on a folder's sequence and write simulation.csv into it.
 
     contact_file: what the tool may run into, None for what the task itself says. engine: "spring" or "mujoco", None for
-    MuJoCo where it is installed. settle [s]: how long the last pose is held, None for as long as the controller needs.
+    MuJoCo where it is installed. feed: None for the one the folder was made for. settle [s]: how long the last pose is
+    held, None for as long as the controller needs.
     """
     from trajopt_cli.compliance.task.loader import load_contact
 
@@ -141,7 +148,7 @@ def run_controller(
     opened: Opened,
     contact: Contact | None,
     engine: str | None,
-    feed: Feed,
+    feed: Feed | None,
     integration: Integration | None,
     settle: float | None,
     place: str | None = None,
@@ -154,7 +161,7 @@ def run_controller(
 
     task = opened.task if integration is None else replace(opened.task, integration=integration)
     opened = counted_from_start(replace(opened, task=task))
-    sequence = opened.equilibrium
+    sequence, feed = opened.equilibrium, feed or opened.feed
     axes = stability(task.compliance, sequence.h, task.integration)
     unstable = [axis.sentence for axis in axes if axis.verdict is Verdict.UNSTABLE]
     for change in task.changes:
@@ -185,18 +192,19 @@ def run_controller(
         loop = None
         x_e, x, R, force = _law_alone(opened, feed, settle)
         joints = _joints(opened, x, R @ opened.X_start[:3, :3].T)
-    lag = worst_lag(x, x_e, sequence.h, sequence.pieces)
-    turn = None
+    plan, target = opened.plan, x_e
+    if plan is not None and not frames_change(task):
+        target = plan.pose[np.minimum(np.arange(len(x_e)), len(plan.pose) - 1)]
+    lag = worst_lag(x, target[: len(x)], sequence.h, sequence.pieces)
     if sequence.rotation is RotationLaw.SLERP:
-        # differences of angles say little near the lock: the angle between the orientations is what slerp follows
-        R_e = sequence.rotations(opened.X_start[:3, :3])
+        R_e = (plan or sequence).rotations(opened.X_start[:3, :3])
         R_e = R_e[np.minimum(np.arange(len(R)), len(R_e) - 1)]
         turn = np.linalg.norm(rotation_vector(R @ np.swapaxes(R_e, 1, 2)), axis=1)
         worst = int(np.argmax(turn))
         lag = replace(lag, turn_maximum=float(turn[worst]), turn_time=worst * sequence.h)
         if not frames_change(task):
             x = np.column_stack([x[:, :3], angles_near(R @ opened.X_start[:3, :3].T, x_e[:, 3:])])
-    told = (fallback, links, motors)
+    told = (fallback, links, motors, target)
     return Simulated(opened, x_e, x, force, lag, axes, joints, loop, contact, feed, settle, why, *told)
 
 
@@ -214,7 +222,7 @@ def simulation_csv(run: Simulated) -> str:
     heads += [f"{name}_e [{unit}]" for name, unit in zip(COORDINATES, UNITS, strict=True)]
     heads += [f"{name} [{unit}]" for name, unit in zip(COORDINATES, UNITS, strict=True)]
     heads += ["deviation [m]", *(f"believed {name}" for name in _FORCES)]
-    columns = [run.t[:, None], run.x_e, run.x, deviation(run.x, run.x_e)[:, None], run.force]
+    columns = [run.t[:, None], run.x_e, run.x, deviation(run.x, run.target)[:, None], run.force]
     names = run.opened.robot.axis_names
     if run.loop is not None:
         heads += [f"{name} command [rad]" for name in names] + [f"{name} [rad]" for name in names]

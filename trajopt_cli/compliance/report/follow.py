@@ -36,6 +36,8 @@ from trajopt_cli.units import DEG, MM
 
 APART = 5.0  # runs of durations further apart than this share a logarithmic time axis
 _PLAIN = FuncFormatter(lambda value, _: number_of(value))  # no powers of ten
+_AT_BOUND = 0.01  # share of a bound by which a peak may miss it to be at it
+_FOLLOWED = 1e-3  # mm: a smaller deviation is none that anybody sees
 _FLAT = 1e-3  # of a line's length: what leaves it by less is straight
 _TURNS = 1e-4  # rad: angles that move less are not drawn
 # Six runs as joints are told apart, four more by wider and finer dashes.
@@ -166,7 +168,7 @@ def dosing_figure(undosed: Following, others: Sequence[Following], bound: float,
     """Deviation of the undosed run and of the others against the bound [m], and how fast each is fed, over time."""
     runs = (undosed, *others)
     _told_apart(runs)
-    largest = [f"{run.label} {number_of(float(run.deviation.max() / MM))} mm" for run in runs]
+    largest = [f"{run.label} {_deviation(run)}" for run in runs]
     figure = new_figure(8.2, title, "largest deviation: " + " · ".join(largest))
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=[1.35, 1])
     marks: Marks = []
@@ -174,11 +176,12 @@ def dosing_figure(undosed: Following, others: Sequence[Following], bound: float,
         d = run.deviation / MM
         curve(above, run.t - run.t[0], d, f"d {run.label}", color=color, linestyle=line)
         at, most, _ = peak(run.t - run.t[0], d, "mm")
-        marks.append((at, most, f"{number_of(most)} mm"))
+        if abs(most - bound / MM) > _AT_BOUND * bound / MM:  # the bound is named already
+            marks.append((at, most, _deviation(run)))
         t, speed = fed(run)
         curve(below, t, speed / MM, f"speed {run.label}", color=color, linestyle=line)
     name_limit(above, bound / MM, f"bound {number_of(bound / MM)} mm")
-    most = max(at for _, at, _ in marks)
+    most = max(float(run.deviation.max()) / MM for run in runs)
     if most > APART * bound / MM:
         above.set_yscale("log")
         above.set_ylim(bound / MM / 20, 2 * most)
@@ -193,11 +196,17 @@ def dosing_figure(undosed: Following, others: Sequence[Following], bound: float,
     else:
         room_above(below, [np.array(fastest)], 1e-3, 0.1)
     above.set_ylabel("deviation d [mm]")
-    below.set_ylabel("speed of the\nequilibrium [mm/s]")
+    below.set_ylabel("speed of the\nplan [mm/s]")
     below.set_xlabel(TIME)
     _share_time(below, runs, marks)
     _legend_of(figure, runs, "", [])
     return finish(figure, [(above, marks)])
+
+
+def _deviation(run: Following) -> str:
+    """The largest one in words."""
+    largest = float(run.deviation.max() / MM)
+    return f"{number_of(largest)} mm" if largest >= _FOLLOWED else f"below {_FOLLOWED:g} mm"
 
 
 def dosing_path_figure(undosed: Following, others: Sequence[Following], title: str) -> Figure:
@@ -218,15 +227,17 @@ def dosing_path_figure(undosed: Following, others: Sequence[Following], title: s
 
 
 def _share_time(axes: Axes, runs: Sequence[Following], peaks: Marks) -> None:
-    """Seconds from 0, or a logarithmic scale from well before the first peak where durations differ much."""
+    """Seconds from 0; where durations differ much, evenly to well before the first peak and logarithmically on."""
     spans = [float(run.t[-1] - run.t[0]) for run in runs]
     if max(spans) <= APART * min(spans):
         axes.set_xlim(0, max(spans))
         return
     first = min([at for at, _, _ in peaks if at > 0], default=min(spans))
-    axes.set_xscale("log")
-    axes.set_xlim(min(first / 4, min(spans) / 20), max(spans))
-    axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    even = min(first / 2, min(spans) / 10)
+    axes.set_xscale("symlog", linthresh=even, linscale=0.4)
+    axes.set_xlim(0, max(spans))
+    ticks = [value for value in LogLocator(subs=(1.0, 2.0, 5.0)).tick_values(even, max(spans)) if value <= max(spans)]
+    axes.set_xticks([0.0, *(value for value in ticks if value >= even / 2)])
     axes.xaxis.set_major_formatter(_PLAIN)
     axes.xaxis.set_minor_formatter(NullFormatter())
 

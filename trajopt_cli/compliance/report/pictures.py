@@ -6,12 +6,13 @@ are SI; pictures show mm, deg, N, Nm and s. Runs are Following; shapes that do n
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from numpy.typing import ArrayLike
 
 from trajopt_cli.compliance.report import arm as space_of_arm
 from trajopt_cli.compliance.report import charts, follow, forces
+from trajopt_cli.compliance.report.front import front_figure
 from trajopt_cli.compliance.report.runs import Following
 from trajopt_cli.report.style import files, house_style
 from trajopt_cli.shapes import Box, Capsule
@@ -66,6 +67,20 @@ def arm(
     """The arm's links in the world at one to three moments (name, capsules), obstacles, both paths in space: arm."""
     with house_style():
         return files("arm", space_of_arm.arm_figure(run, moments, obstacles, title), title)
+
+
+def front(
+    leads: Sequence[float],
+    curves: Mapping[str, Sequence[float | None]],
+    chosen: tuple[float, float],
+    unit: tuple[float, str],
+    programmed: float,
+    title: str,
+) -> dict[str, bytes]:
+    """Least time of every feed by the lead that is allowed, as front.front_figure: dosing_front."""
+    with house_style():
+        figure = front_figure(leads, curves, chosen, unit, programmed, title)
+        return files("dosing_front", figure, f"{title}: front")
 
 
 def contact(run: Following, depth: ArrayLike, axis: int, title: str) -> dict[str, bytes]:
