@@ -29,14 +29,15 @@ def _group() -> None:
 @app.command("segments", short_help="TASK's poses in, one pose per period out.")
 def segments(
     task: Annotated[
-        Path, typer.Argument(metavar="TASK", help="Task file (YAML), or a RAPID program whose MoveL give the poses.")
+        Path,
+        typer.Argument(metavar="TASK", help="Task file (YAML), or a RAPID program or CSV path that gives the poses."),
     ],
     output: Annotated[
         Path | None, typer.Option("--output", metavar="FOLDER", help="Results folder; default: results/TASK.")
     ] = None,
     task_file: Annotated[
         Path | None,
-        typer.Option("--task", metavar="FILE.yaml", help="Task file of a RAPID program; default: beside it."),
+        typer.Option("--task", metavar="FILE.yaml", help="Task file of a program or path; default: beside it."),
     ] = None,
     angles: Annotated[
         Literal["relative", "absolute"] | None,
@@ -48,18 +49,21 @@ def segments(
     import json
 
     from trajopt_cli.cli.console import show, stdout
-    from trajopt_cli.cli.iiwa_tables import segments_table, sequence_line
+    from trajopt_cli.cli.iiwa_tables import passing_lines, segments_table, sequence_line
     from trajopt_cli.compliance.job.folder import read_summary
     from trajopt_cli.compliance.job.segments import make_segments
     from trajopt_cli.compliance.task.model import AngleMeaning
 
     folder = output or Path("results") / task.stem
-    made = make_segments(task, folder, task_file, AngleMeaning(angles) if angles else None)
+    meaning = AngleMeaning(angles) if angles else None
+    made = make_segments(task, folder, task_file, meaning, lambda text: typer.echo(text, err=True))
     if as_json:
         typer.echo(json.dumps(read_summary(folder)["sequence"], indent=2, ensure_ascii=False))
         return
     console = stdout()
     show(console, segments_table(task.name, made.facts))
+    for line in passing_lines(made.facts, made.opened.task.route):
+        console.print(line)
     console.print(sequence_line(made.opened.equilibrium))
     for note in made.notes:
         console.print(f"note: {note}")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from trajopt_cli.compliance.job.dosing import DosedJob
     from trajopt_cli.compliance.job.simulation import Simulated
     from trajopt_cli.compliance.task.joints import Followed
+    from trajopt_cli.compliance.task.model import Route
     from trajopt_cli.compliance.task.segments import SegmentFacts
 
 _SEEN = 1e-9  # rad: a smaller turn is rounding
@@ -53,6 +54,22 @@ def segments_table(task: str, facts: Iterable[SegmentFacts]) -> Table:
             fact.binds,
         )
     return table
+
+
+def passing_lines(facts: Sequence[SegmentFacts], route: Route) -> list[str]:
+    """How near the poses are passed that are no stops, and what the tool is asked to do there."""
+    found = [fact.passed for fact in facts if fact.passed is not None and fact.passed.poses]
+    if not found or route.passing is None:
+        return []
+    away, turned = max(one.away for one in found), max(one.turned for one in found)
+    return [
+        f"{sum(one.poses for one in found)} poses are passed without a stop, at most {round(away / MM, 6):.3g} mm and"
+        f" {np.degrees(turned):.2g}° off (allowed {route.passing.tolerance / MM:g} mm,"
+        f" {np.degrees(route.passing.turn_tolerance):g}°)",
+        f"the tool's acceleration is at most {max(one.a_top for one in found):.3g} m/s² and"
+        f" {max(one.epsilon_top for one in found):.3g} rad/s², its jerk"
+        f" {max(one.jerk_top for one in found):.3g} m/s³ and {max(one.angular_jerk_top for one in found):.3g} rad/s³",
+    ]
 
 
 def sequence_line(sequence: Equilibrium) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,9 +14,9 @@ from trajopt_cli.runs.folder import check_replaceable, read_bytes
 from trajopt_cli.runs.record import INPUT, InputFile, Inputs
 
 if TYPE_CHECKING:
-    from trajopt_cli.compliance.task.segments import SegmentFacts
+    from trajopt_cli.compliance.task.segments import Passed, SegmentFacts
 
-_RAPID = (".mod", ".prg", ".sys")
+_POSES = (".mod", ".prg", ".sys", ".csv")
 _AT_START = 1e-6  # m, rad: nearer counts as the same pose
 
 
@@ -30,42 +31,50 @@ class Segments:
 
 
 def read_task(path: Path, task: Path | None = None) -> tuple[Task, Path, Path | None]:
-    """A task, its file, and the RAPID program that gives its poses where path is one (task: its file, else beside it).
+    """A task, its file, and the RAPID program or CSV path that gives its poses where path is one (task: its file, else
+    beside it).
 
     Raises InputError for mistakes in either.
     """
     from trajopt_cli.compliance.task.loader import load_task, minimal_task
 
-    if path.suffix.lower() not in _RAPID:
+    if path.suffix.lower() not in _POSES:
         if task is not None:
-            raise InputError("--task goes with a RAPID program; this is a task file itself", file=str(path))
+            raise InputError(
+                "--task goes with a RAPID program or a CSV path; this is a task file itself", file=str(path)
+            )
         return load_task(path), path, None
     beside = task or path.with_suffix(".yaml")
     if not path.is_file():
-        raise InputError("no such program", file=str(path))
+        raise InputError("no such path" if path.suffix.lower() == ".csv" else "no such program", file=str(path))
     if not beside.is_file():
         message = f"{path} has no task file; name one with --task, or save these lines there and adapt them"
         raise InputError(f"{message}:\n{minimal_task(path.name)}", file=str(beside))
     return load_task(beside, path), beside, path
 
 
-def make_segments(path: Path, folder: Path, task: Path | None, angles: AngleMeaning | None) -> Segments:
-    """Interpolate a task file's (or RAPID program's) poses and write folder.
+def make_segments(
+    path: Path,
+    folder: Path,
+    task: Path | None,
+    angles: AngleMeaning | None,
+    told: Callable[[str], None] = lambda _: None,
+) -> Segments:
+    """Interpolate the poses of a task file (or of a RAPID program or a path as CSV with one) and write folder.
 
-    angles: how the sequence counts them, None for the task's own way. Raises InputError for mistakes, and nothing is
-    written then.
+    angles: how the sequence counts them, None for the task's own way. told: is told of progress. Raises InputError for
+    mistakes, and nothing is written then.
     """
     from trajopt_cli.compliance.task.meaning import counted
-    from trajopt_cli.compliance.task.segments import interpolate, summary
+    from trajopt_cli.compliance.task.segments import planned
     from trajopt_cli.robot.srs import load_srs
 
     check_place(folder, "--output")
     check_replaceable(folder)
     read, task_path, program = read_task(path, task)
-    equilibrium = interpolate(read.route)
+    equilibrium, facts = planned(read.route, told)
     robot = load_srs(read.robot, read.X_WB)
     opened = Opened(read, robot, equilibrium)
-    facts = summary(equilibrium, read.route)
     if angles is not None:
         try:
             equilibrium = counted(equilibrium, angles, opened.X_start[:3, :3])
@@ -105,6 +114,18 @@ def _fact_record(fact: SegmentFacts) -> dict[str, Any]:
         "top_turn_rate_rad_s": fact.omega_top,
         "binding": fact.binds,
         "dwell_s": fact.dwell,
+    } | ({} if fact.passed is None else _passed_record(fact.passed))
+
+
+def _passed_record(passed: Passed) -> dict[str, Any]:
+    return {
+        "poses_passed": passed.poses,
+        "deviation_m": passed.away,
+        "turn_deviation_rad": passed.turned,
+        "top_acceleration_m_s2": passed.a_top,
+        "top_turn_acceleration_rad_s2": passed.epsilon_top,
+        "top_jerk_m_s3": passed.jerk_top,
+        "top_turn_jerk_rad_s3": passed.angular_jerk_top,
     }
 
 

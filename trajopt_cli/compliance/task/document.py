@@ -28,6 +28,7 @@ from trajopt_cli.quantity import (
     numbers,
     shown,
 )
+from trajopt_cli.units import DEG
 
 FORCE, TORQUE = {"N": 1.0}, {"Nm": 1.0}
 STIFFNESS, TURN_STIFFNESS = {"N/m": 1.0, "N/mm": 1e3}, {"Nm/rad": 1.0}
@@ -48,6 +49,7 @@ _MOST: tuple[tuple[dict[str, float], float], ...] = (
 _LEAST = 1e-9  # in SI: a cap, a mass or a stiffness below it is no number anybody meant
 _PERIOD = (1e-5, 1.0)  # s
 _LONGEST_NAME = 100
+_FINEST = 1e-6  # m, rad: nearer poses are better taken as stops
 
 
 def _sane(units: dict[str, float]) -> Callable[[Any], float]:
@@ -194,6 +196,25 @@ def _pose(value: Any) -> Any:
     return {"at": value} if isinstance(value, list | str) else value
 
 
+class PassingSection(Section):
+    """How near poses are passed that are no stops."""
+
+    tolerance: Annotated[float, _above(LENGTH)] = 1e-4
+    turn_tolerance: Annotated[float, _above(ANGLE)] = 0.5 * DEG
+
+    @model_validator(mode="after")
+    def _not_too_fine(self) -> PassingSection:
+        if self.tolerance < _FINEST or self.turn_tolerance < _FINEST:
+            raise complain(f"needs tolerances of at least {_FINEST:g} m and rad; where no tolerance is left, 'stop'")
+        return self
+
+
+def _passing(value: Any) -> Any:
+    if isinstance(value, str) and value != "stop":
+        raise complain(f"needs 'stop' or a section with tolerance and turn_tolerance, not {shown(value)}")
+    return None if value == "stop" else value
+
+
 class LoadSection(Section):
     """What the flange carries: mass [kg], com [m] in the flange frame, inertia [kg m2] about it, as a diagonal."""
 
@@ -317,11 +338,12 @@ class TaskDocument(Section):
     tool: ToolSection = ToolSection()
     start: StartSection
     h: Annotated[float, BeforeValidator(_period)] = 0.001
-    profile: Literal["thesis", "trapezoid", "s-curve"] = "thesis"
+    profile: Literal["thesis", "trapezoid", "s-curve"] | None = None
     rotation: Literal["tait-bryan", "slerp"] = "tait-bryan"
     angles: Literal["relative", "absolute"] = "relative"
     poses: tuple[Annotated[PoseSection, BeforeValidator(_pose)], ...] | None = None
     program: Annotated[StrictStr, BeforeValidator(_program)] | None = None
+    passing: Annotated[PassingSection | None, BeforeValidator(_passing)] = None
     v_max: Speed | None = None
     omega_max: TurnRate | None = None
     a_max: Acceleration | None = None

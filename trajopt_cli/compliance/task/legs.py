@@ -16,12 +16,16 @@ from trajopt_cli.geometry import Array, readonly
 SAME = 1e-12
 """Distances [m, rad] up to this are the rounding of the numbers given, and no way to go."""
 
-# Caps of the translation and of the rotation with their units, by the derivative that they bound.
-_CAPS = (
+CAPS = (
     (("v_max", "m/s"), ("omega_max", "rad/s")),
     (("a_max", "m/s2"), ("epsilon_max", "rad/s2")),
     (("jerk", "m/s3"), ("angular_jerk", "rad/s3")),
 )
+"""Caps of the translation and of the rotation with their units, by the derivative that they bound."""
+
+MOST_ROWS = 5_000_000
+"""More rows than this (83 minutes at 1 ms) are taken for a slip in a speed or in the period."""
+
 _ORDERS = {Profile.THESIS: 1, Profile.TRAPEZOID: 2, Profile.S_CURVE: 3}
 
 
@@ -164,7 +168,7 @@ def _rates(
 ) -> tuple[Rate, Rate, Rate]:
     """The caps of the common share: of both parts the one that allows less, per derivative."""
     out = [UNCAPPED] * 3
-    for order, caps in enumerate(_CAPS[: _ORDERS[profile]]):
+    for order, caps in enumerate(CAPS[: _ORDERS[profile]]):
         rates = []
         for (cap, unit), way, of in zip(caps, ways, ("m", "rad"), strict=True):
             value: float | None = getattr(speeds, cap)

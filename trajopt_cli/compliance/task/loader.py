@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +14,7 @@ from trajopt_cli.compliance.task.document import (
     ContactDocument,
     ContactSection,
     LoadSection,
+    PassingSection,
     TaskDocument,
     ZeroSection,
 )
@@ -25,6 +26,7 @@ from trajopt_cli.compliance.task.model import (
     Contact,
     Integration,
     Obstacle,
+    Passing,
     Profile,
     Push,
     RotationLaw,
@@ -35,6 +37,8 @@ from trajopt_cli.compliance.task.model import (
     Waypoint,
     Zeroing,
 )
+from trajopt_cli.compliance.task.path_csv import read_path
+from trajopt_cli.compliance.task.path_csv import read_text as read_csv_text
 from trajopt_cli.compliance.task.poses import program_route, written_waypoints
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array
@@ -90,9 +94,16 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
     """The Task in a task file's text; file is its name in messages, programs are looked up beside it."""
     content, lines = parse(text, file, _NEEDED)
     refuse_empty(content, lines, file)
+    # a path as CSV stands in the place of poses as a program does
+    given = "poses" if str(content.get("poses")).lower().endswith(".csv") else "program"
     if poses_from is not None:
         content = {key: value for key, value in content.items() if key not in ("poses", "program")}
         content["program"] = str(Path(poses_from).name)
+    elif given == "poses":
+        if "program" in content:
+            raise InputError("poses: give one of 'poses' and 'program'", file=file, line=line_of("poses", lines))
+        content = {("program" if key == "poses" else key): value for key, value in content.items()}
+        lines = {**lines, "program": line_of("poses", lines)}
     document = validated(TaskDocument, content, lines, file, _WANTED)
     X_WB = _near(frame_pose(document.base), "base", _FARTHEST, lines, file)
     X_FT = _near(frame_pose(document.tool), "tool", _LONGEST_TOOL, lines, file)
@@ -108,12 +119,20 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
     _check_start(robot, start, robot.profile(document.limits), lines, file)
     X_WF = robot.forward(start)
     meaning, texts = AngleMeaning(document.angles), {file: text}
+    waypoints: Sequence[Waypoint]
     notes: tuple[str, ...] = ()
+    from_csv = document.program is not None and document.program.lower().endswith(".csv")
+    passing = _passing(document, from_csv)
     if document.program is not None:
         program = Path(poses_from) if poses_from is not None else Path(file).parent / document.program
         if not program.is_file():
-            message = f"program: there is no file {program}; it must be in the task file's folder or below it"
+            message = f"{given}: there is no file {program}; it must be in the task file's folder or below it"
             raise InputError(message, file=file, line=line_of("program", lines))
+    if from_csv:
+        texts[str(program)] = read_csv_text(str(program))
+        waypoints = read_path(texts[str(program)], str(program), meaning, X_WF[:3, :3] @ X_FT[:3, :3])
+        speeds = _speeds(document, waypoints, lines, file, None)
+    elif document.program is not None:
         placed = document.tool.model_fields_set & {"position", "wxyz", "rpy"}
         found = program_route(program, meaning, X_WF[:3, :3], X_FT if placed else None)
         waypoints, X_FT, texts[str(program)], notes = found.waypoints, found.X_FT, found.text, found.notes
@@ -133,7 +152,15 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         file=file,
         robot=document.robot,
         limits=document.limits,
-        route=Route(waypoints, speeds, document.h, Profile(document.profile), RotationLaw(document.rotation), meaning),
+        route=Route(
+            waypoints,
+            speeds,
+            document.h,
+            Profile(document.profile or ("thesis" if passing is None else "s-curve")),
+            RotationLaw(document.rotation),
+            meaning,
+            passing,
+        ),
         compliance=_compliance(document.K, document.D, document.M, "K", lines, file),
         start_joints=start,
         X_WB=X_WB,
@@ -173,6 +200,14 @@ def load_contact(path: str | Path) -> tuple[Contact, str]:
     return _contact(validated(ContactDocument, content, lines, file, _WANTED).contact, lines, file), text
 
 
+def _passing(document: TaskDocument, from_csv: bool) -> Passing | None:
+    """How poses are passed; those of a CSV file are unless the file says otherwise."""
+    section = document.passing
+    if section is None and from_csv and "passing" not in document.model_fields_set:
+        section = PassingSection()
+    return None if section is None else Passing(section.tolerance, section.turn_tolerance)
+
+
 def _near(X: Array, key: str, most: float, lines: Mapping[str, int], file: str) -> Array:
     """A frame that a cell can have. Raises InputError for one too far away."""
     if np.abs(X[:3, 3]).max() > most:
@@ -195,13 +230,14 @@ def _check_start(robot: SrsRobot, start: Array, limits: JointLimits, lines: Mapp
 
 def _speeds(
     document: TaskDocument,
-    waypoints: tuple[Waypoint, ...],
+    waypoints: Sequence[Waypoint],
     lines: Mapping[str, int],
     file: str,
     given: tuple[tuple[float, float], ...] | None,
 ) -> tuple[SegmentSpeeds, ...]:
     """Caps per segment; given: v_max and omega_max of a program, which the file's own replace."""
     count = len(waypoints) - 1
+    same = given is None and not any(isinstance(getattr(document, key), tuple) for key in _CAPS)
     columns: dict[str, list[float] | list[None]] = {}
     for key in _CAPS:
         value = getattr(document, key)
@@ -216,7 +252,11 @@ def _speeds(
             columns[key] = list(value)
         else:
             columns[key] = [value] * count
-    return tuple(SegmentSpeeds(**{key: columns[key][i] for key in _CAPS}) for i in range(count))  # type: ignore[arg-type]
+    each = (
+        SegmentSpeeds(**{key: columns[key][i] for key in _CAPS})  # type: ignore[arg-type]
+        for i in range(1 if same else count)
+    )
+    return tuple(each) * (count if same else 1)
 
 
 def _compliance(

@@ -7,16 +7,16 @@ Equation numbers are those of Cihala, Poddajne rizeni prumysloveho robota, CVUT 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
 from math import isfinite
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.geometry import Array, IndexArray, readonly
 from trajopt_cli.shapes import Box
 
 if TYPE_CHECKING:
@@ -91,20 +91,83 @@ class SegmentSpeeds:
     angular_jerk: float | None = None
 
 
+@dataclass(frozen=True)
+class Passing:
+    """How near poses are passed that are no stops: within tolerance [m] and turn_tolerance [rad]."""
+
+    tolerance: float
+    turn_tolerance: float
+
+
+@dataclass(frozen=True, eq=False)
+class PathPoints(Sequence[Waypoint]):
+    """Many waypoints as one array: poses (n, 6), named by their numbers. file and rows (n,): where each stands in it.
+
+    names: those of some; dwells [s]: of those that have one; stops: further ones that are rested at though poses are
+    passed.
+    """
+
+    poses: Array
+    file: str
+    rows: IndexArray
+    names: Mapping[int, str] = field(default_factory=dict)
+    dwells: Mapping[int, float] = field(default_factory=dict)
+    stops: frozenset[int] = frozenset()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "poses", readonly(self.poses))
+
+    def __len__(self) -> int:
+        return len(self.poses)
+
+    @overload
+    def __getitem__(self, index: int) -> Waypoint: ...
+    @overload
+    def __getitem__(self, index: slice) -> tuple[Waypoint, ...]: ...
+
+    def __getitem__(self, index: int | slice) -> Waypoint | tuple[Waypoint, ...]:
+        if isinstance(index, slice):
+            return tuple(self[i] for i in range(*index.indices(len(self))))
+        i = range(len(self))[index]
+        name = self.names.get(i, str(i + 1))
+        return Waypoint(name, self.poses[i], f"{self.file}:{int(self.rows[i])}", self.dwells.get(i, 0.0))
+
+
 @dataclass(frozen=True, eq=False)
 class Route:
-    """Poses X_1..X_M (M >= 2) and the caps of the M - 1 segments between them, sampled every h [s]."""
+    """Poses X_1..X_M (M >= 2) and the caps of the M - 1 segments between them, sampled every h [s].
 
-    waypoints: tuple[Waypoint, ...]
+    passing: how the poses between the first and the last are passed that have no dwell; None where all are stops.
+    """
+
+    waypoints: Sequence[Waypoint]
     speeds: tuple[SegmentSpeeds, ...]
     h: float
     profile: Profile
     rotation: RotationLaw
     meaning: AngleMeaning
+    passing: Passing | None = None
 
     def __post_init__(self) -> None:
         if len(self.speeds) != len(self.waypoints) - 1:
             raise ValueError(f"Route: {len(self.waypoints)} poses and {len(self.speeds)} segments; wanted one fewer")
+
+    @property
+    def poses(self) -> Array:
+        """All poses (M, 6)."""
+        if isinstance(self.waypoints, PathPoints):
+            return self.waypoints.poses
+        return np.array([waypoint.pose for waypoint in self.waypoints])
+
+    @property
+    def stops(self) -> list[int]:
+        """Numbers of the waypoints that are rested at, from 0."""
+        ends = {0, len(self.waypoints) - 1}
+        if self.passing is None:
+            return list(range(len(self.waypoints)))
+        if isinstance(self.waypoints, PathPoints):
+            return sorted(ends | self.waypoints.dwells.keys() | self.waypoints.stops)
+        return sorted(ends | {i for i, waypoint in enumerate(self.waypoints) if waypoint.dwell > 0})
 
 
 @dataclass(frozen=True, eq=False)

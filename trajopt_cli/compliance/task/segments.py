@@ -6,7 +6,7 @@ Trapezoid: section 2.3. S-curve: the same with bounded jerk. The last two stand 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,13 +14,13 @@ import numpy as np
 from trajopt_cli.compliance.task.angles import angles_of, continuous, rotation, rotation_vector
 from trajopt_cli.compliance.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.compliance.task.laws import FullSpeed, Ramps, full_speed, ramps
-from trajopt_cli.compliance.task.legs import Leg, legs, whole_periods
+from trajopt_cli.compliance.task.legs import MOST_ROWS, Leg, legs, whole_periods
+from trajopt_cli.compliance.task.many_legs import path_of
 from trajopt_cli.compliance.task.model import COORDINATES, Profile, RotationLaw, Route, Waypoint
+from trajopt_cli.compliance.task.passing import Caps, passage
+from trajopt_cli.compliance.task.rounded import Chain
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, rotation_about
-
-MOST_ROWS = 5_000_000
-"""More rows than this (83 minutes at 1 ms) are taken for a slip in a speed or in the period."""
 
 _ALLOWED = 0.9e-9  # of the 1e-9 by which a step may exceed v_max h or omega_max h; the rest is for whoever measures
 
@@ -30,6 +30,7 @@ class SegmentFacts:
     """One segment as sampled: ways [m, rad], duration [s], top speeds [m/s, rad/s], then the dwell [s] at its goal.
 
     binds: the cap that decides the duration ("v_max", "omega_max", "a_max", ...), empty where a pose is repeated.
+    passed: what is known besides where the segment passes poses without a stop.
     """
 
     origin: str
@@ -41,6 +42,21 @@ class SegmentFacts:
     omega_top: float
     binds: str
     dwell: float
+    passed: Passed | None = None
+
+
+@dataclass(frozen=True)
+class Passed:
+    """A segment of many legs: how many poses it passes, how far from them and from the straight ways between them it
+    goes at most [m, rad], and its greatest accelerations [m/s2, rad/s2] and jerks [m/s3, rad/s3]."""
+
+    poses: int
+    away: float
+    turned: float
+    a_top: float
+    epsilon_top: float
+    jerk_top: float
+    angular_jerk_top: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,12 +71,23 @@ class _Stage:
 
 
 @of_kind(ErrorKind.PROGRAM)
+def planned(route: Route, told: Callable[[str], None] | None = None) -> tuple[Equilibrium, tuple[SegmentFacts, ...]]:
+    """A route's sequence, and what became of each of its segments. told: is told of progress."""
+    if route.passing is None:
+        sequence = interpolate(route)
+        return sequence, summary(sequence, route)
+    return _passed(route, told or (lambda _: None))
+
+
+@of_kind(ErrorKind.PROGRAM)
 def interpolate(route: Route) -> Equilibrium:
     """Poses every h from the route's first pose to its last, by its profile and rotation law.
 
     Every pose of the route is a row, exactly. Raises InputError for what legs.legs refuses, for steps that drown in
-    the rounding of the coordinates, and for more than MOST_ROWS rows.
+    the rounding of the coordinates, and for more than MOST_ROWS rows. Where poses are passed, every stop is a row.
     """
+    if route.passing is not None:
+        return planned(route)[0]
     way = legs(route)
     _check_count(way, route)
     first = route.waypoints[0].pose
@@ -80,7 +107,7 @@ def interpolate(route: Route) -> Equilibrium:
 
 
 def summary(equilibrium: Equilibrium, route: Route) -> tuple[SegmentFacts, ...]:
-    """What became of each of the route's segments in its equilibrium sequence, in order.
+    """What became of each segment of a route that stops at every pose, in order.
 
     Turn rates are those of the rotation law: of the angles' norm (tait-bryan), of the true turn (slerp).
     """
@@ -104,6 +131,50 @@ def summary(equilibrium: Equilibrium, route: Route) -> tuple[SegmentFacts, ...]:
             )
         )  # fmt: skip
     return tuple(out)
+
+
+def _passed(route: Route, told: Callable[[str], None]) -> tuple[Equilibrium, tuple[SegmentFacts, ...]]:
+    """As planned, for a route that passes poses without a stop."""
+    path = path_of(route)
+    way, law, passing = route.waypoints, route.rotation, route.passing
+    assert passing is not None
+    R_given = rotation(path.pose[:, 3:]) if law is RotationLaw.SLERP else None
+    poses, matrices, last = [path.pose[:1]], [rotation(path.pose[:1, 3:])], 0
+    pieces: list[Piece] = []
+    facts: list[SegmentFacts] = []
+
+    def add(pose: Array, R: Array, origin: str, goal: str, dwell: bool) -> None:
+        nonlocal last
+        poses.append(pose)
+        matrices.append(R)
+        pieces.append(Piece(last, last + len(pose), origin, goal, dwell))
+        last += len(pose)
+
+    def stand(index: int) -> float:
+        for stage in _standing(way[index], path.pose[index], route.h):
+            add(stage.pose, stage.R, stage.origin, stage.goal, True)
+            return len(stage.pose) * route.h
+        return 0.0
+
+    stand(0)
+    for first, goal in zip(route.stops, route.stops[1:], strict=False):
+        legs_of, rows = slice(first, goal), slice(first, goal + 1)
+        here, there = way[first], way[goal]
+        told(f"passing {goal - first - 1} poses from {here.name} to {there.name}")
+        chain = Chain(path.at[rows] - path.at[first], path.pose[rows], None if R_given is None else R_given[rows])
+        found = passage(chain, Caps(path.caps[legs_of]), passing, route.h, here.place)
+        R = rotation(found.pose[:, 3:]) if found.R is None else found.R
+        add(found.pose[1:], R[1:], here.name, there.name, False)
+        v, omega, a, epsilon, jerk, angular_jerk = (float(top) for top in found.tops)
+        more = Passed(goal - first - 1, found.away, found.turned, a, epsilon, jerk, angular_jerk)
+        L_p, L_theta = (float(ways[legs_of].sum()) for ways in (path.lengths, path.turns))
+        time = (len(found.pose) - 1) * route.h
+        facts.append(SegmentFacts(here.name, there.name, L_p, L_theta, time, v, omega, found.binds, stand(goal), more))
+    pose, R = np.concatenate(poses), np.concatenate(matrices)
+    if law is RotationLaw.SLERP:
+        pose[:, 3:] = continuous(pose[:, 3:])
+    notes = (*path.notes, *_rounded_dwells(route))
+    return Equilibrium(route.h, pose, R, law, route.meaning, tuple(pieces), notes), tuple(facts)
 
 
 def _duration(piece: Piece | None, h: float) -> float:
@@ -201,7 +272,7 @@ def _legal(leg: Leg, pose: Array, s: Array, route: Route) -> bool:
 
 
 def _rounded_dwells(route: Route) -> Iterator[str]:
-    for waypoint in route.waypoints:
+    for waypoint in (route.waypoints[i] for i in route.stops):
         if waypoint.dwell > 0:
             count, rounded = whole_periods(waypoint.dwell, route.h)
             if rounded:
