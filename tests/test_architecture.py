@@ -14,7 +14,7 @@ PACKAGE = Path(__file__).parents[1] / "trajopt_cli"
 
 # Lowest floor first. A room may import rooms of floors under its own, and itself.
 FLOORS: tuple[tuple[str, ...], ...] = (
-    ("errors", "units", "geometry", "beside", "door"),
+    ("errors", "units", "geometry", "decimals", "beside", "door"),
     (
         "motion",
         "notices",
@@ -53,6 +53,7 @@ STACK = {
     "joint_csv": {"errors", "geometry", "trajectory", "units"},
     "errors": set[str](),
     "units": set[str](),
+    "decimals": {"geometry"},
     "geometry": set[str](),
     "scenario": {"errors", "motion"},
     "kinematics": {"geometry", "motion"},

@@ -8,12 +8,14 @@ from __future__ import annotations
 import numpy as np
 
 from trajopt_cli.compliance.task.equilibrium import Equilibrium
+from trajopt_cli.decimals import read_back, rows_of, texts
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, rotation_from_wxyz, wxyz_from_rotation
 
 ANGLES_HEAD = "t [s],x [m],y [m],z [m],alpha [rad],beta [rad],gamma [rad]"
 QUATERNION_HEAD = "t [s],x [m],y [m],z [m],qw [1],qx [1],qy [1],qz [1]"
 
+_TIME_DIGITS = 15
 _UNEVEN = 1e-6  # of a period by which a row's time may be off: rounding to 9 decimals at 1 ms
 _UNIT = 1e-6  # by which a quaternion's norm may differ from 1
 
@@ -67,17 +69,10 @@ def read_quaternion_csv(text: str, file: str) -> tuple[Array, Array, Array]:
 
 
 def _write(head: str, t: Array, values: Array) -> str:
-    row = ",".join(["%s", *["%.17g"] * values.shape[1]])
-    lines = [row % (time, *rest) for time, rest in zip(_times(t), values.tolist(), strict=True)]
-    return "\n".join([head, *lines]) + "\n"
-
-
-def _times(t: Array) -> list[str]:
-    texts = [f"{time:.15g}" for time in t.tolist()]
-    back = np.array([float(text) for text in texts])
-    for row in np.flatnonzero(np.abs(back - t) > 1e-15 * np.abs(t)):
-        texts[row] = f"{t[row]:.17g}"
-    return texts
+    times = texts(t, _TIME_DIGITS)
+    off = np.flatnonzero(np.abs(read_back(t, _TIME_DIGITS) - t) > 1e-15 * np.abs(t))
+    times[off] = texts(t[off])
+    return f"{head}\n" + b"".join(rows_of([values], times)).decode()
 
 
 def _read(text: str, file: str, head: str) -> Array:
@@ -112,7 +107,7 @@ def _check_head(line: str, head: str, file: str) -> None:
 def _numbers(lines: list[str], file: str) -> Array:
     """All fields under the header, row by row; raises InputError at the first that is not a finite number."""
     try:
-        values = np.array([float(field) for field in ",".join(lines[1:]).split(",")])
+        values = np.loadtxt(lines[1:], delimiter=",", comments=None, ndmin=2).ravel()
     except ValueError:
         values = np.array([np.nan])
     if np.isfinite(values).all():
