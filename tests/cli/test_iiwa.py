@@ -316,7 +316,7 @@ def test_a_program_without_a_task_file_is_offered_one_that_works(
     assert run(["iiwa", "simulate", str(out)]) == 0
     _, rows = table(out / "equilibrium.csv")
     np.testing.assert_allclose(rows[-1, 1:4], [0.5, 0.15, 0.3], rtol=1e-15)
-    assert rows[-1, 0] == pytest.approx(1.5)  # 150 mm at v100
+    assert rows[-1, 0] == pytest.approx(1.574)  # 7.218 mm from the start at v100, in whole periods, then 150 mm
 
 
 def test_folders_of_other_commands_are_told_apart(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -449,6 +449,10 @@ def test_a_first_pose_off_the_start_is_told(task: Path, capsys: pytest.CaptureFi
     task.write_text(TASK.replace("{name: start, at: start}", "[0.52, 0, 0.3032951178, 0, 0, 0]"))
     segments(task)
     # the flange at the start stands at x = 0.5064177772 m
+    out = capsys.readouterr().out
+    assert "approach: a line from the tool at the start joints to pose 1, 13.58 mm and 0°, goes before the path" in out
+    task.write_text(task.read_text() + "approach: none\n")
+    segments(task)
     assert "the first pose is 13.58 mm and 0° from the tool at the start joints" in capsys.readouterr().out
 
 

@@ -16,6 +16,7 @@ from trajopt_cli.robot.srs import load_srs
 TASK = """\
 start: {{joints: "[0, 30, 0, -100, 0, 50, 0] deg"}}
 h: 1 ms
+approach: none
 profile: trapezoid
 rotation: {rotation}
 angles: {angles}

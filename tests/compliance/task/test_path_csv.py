@@ -97,6 +97,7 @@ def test_every_mistake_is_one_line_with_its_row(lines: list[str], message: str) 
 TASK = """\
 start: {joints: "[0, 30, 0, -100, 0, 50, 0] deg"}
 poses: p.csv
+approach: none
 v_max: 0.2
 omega_max: 30 deg/s
 K: [1000, 1000, 1000, 30, 30, 30]
@@ -131,9 +132,9 @@ def test_a_task_file_names_a_path_and_passes_it(tmp_path: Path) -> None:
     [
         (TASK.replace("p.csv", "q.csv"), ":2: poses: there is no file "),
         (TASK.replace("p.csv", "p.txt"), ":2: poses: "),
-        (TASK + "passing: slow\n", ":8: passing: needs 'stop' or a section with tolerance and turn_tolerance, not"),
-        (TASK + "passing: {tolerance: 0.1 um}\n", ":8: passing.tolerance: unit 'um'"),
-        (TASK + "passing: {tolerance: 1e-7}\n", ":8: passing: needs tolerances of at least 1e-06 m and rad"),
+        (TASK + "passing: slow\n", ":9: passing: needs 'stop' or a section with tolerance and turn_tolerance, not"),
+        (TASK + "passing: {tolerance: 0.1 um}\n", ":9: passing.tolerance: unit 'um'"),
+        (TASK + "passing: {tolerance: 1e-7}\n", ":9: passing: needs tolerances of at least 1e-06 m and rad"),
         (TASK + "program: x.mod\n", ":2: poses: give one of 'poses' and 'program'"),
     ],
 )

@@ -183,7 +183,7 @@ ENDMODULE
 def test_rapid_moves_are_poses_with_their_speeds_and_waits(tmp_path: Path) -> None:
     (tmp_path / "seam.mod").write_text(MODULE)
     path = tmp_path / "seam.yaml"
-    path.write_text(PROGRAM_TASK + "program: seam.mod\n")
+    path.write_text(PROGRAM_TASK + "program: seam.mod\napproach: none\n")
     task = load_task(path)
     assert [waypoint.name for waypoint in task.route.waypoints] == ["a", "b", "a"]
     np.testing.assert_allclose(task.route.waypoints[1].pose[:3], [0.5, 0.15, 0.3], rtol=1e-15)

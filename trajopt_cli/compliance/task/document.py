@@ -343,6 +343,7 @@ class TaskDocument(Section):
     angles: Literal["relative", "absolute"] = "relative"
     poses: tuple[Annotated[PoseSection, BeforeValidator(_pose)], ...] | None = None
     program: Annotated[StrictStr, BeforeValidator(_program)] | None = None
+    approach: Literal["line", "joint", "none"] = "line"
     passing: Annotated[PassingSection | None, BeforeValidator(_passing)] = None
     v_max: Speed | None = None
     omega_max: TurnRate | None = None

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from trajopt_cli.cell.loader import frame_pose
+from trajopt_cli.compliance.task.approach import Approached, by_joints, by_line
 from trajopt_cli.compliance.task.document import (
     ChangeSection,
     ClampSection,
@@ -148,13 +149,23 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         assert document.poses is not None
         waypoints = written_waypoints(document.poses, meaning, X_WF @ X_FT, lines, file)
         speeds = _speeds(document, waypoints, lines, file, None)
+    definition = ArmAngle(document.arm_angle.definition if document.arm_angle else "faria")
+    angle = document.arm_angle.value if document.arm_angle else None
+    if document.approach == "line":
+        place = f"{file}:{line_of('start.joints', lines)}"
+        path = by_line(start, X_WF @ X_FT, waypoints, speeds, meaning, place)
+    elif document.approach == "joint":
+        path = by_joints(robot, start, X_FT, waypoints, speeds, meaning, definition, angle)
+        _check_start(robot, path.start_joints, robot.profile(document.limits), lines, file, "approach")
+    else:
+        path = Approached(start, waypoints, speeds)
     return Task(
         file=file,
         robot=document.robot,
         limits=document.limits,
         route=Route(
-            waypoints,
-            speeds,
+            path.waypoints,
+            path.speeds,
             document.h,
             Profile(document.profile or ("thesis" if passing is None else "s-curve")),
             RotationLaw(document.rotation),
@@ -162,12 +173,12 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
             passing,
         ),
         compliance=_compliance(document.K, document.D, document.M, "K", lines, file),
-        start_joints=start,
+        start_joints=path.start_joints,
         X_WB=X_WB,
         X_FT=X_FT,
         load=_load(document.tool.load, lines, file) if document.tool.load is not None else None,
-        definition=ArmAngle(document.arm_angle.definition if document.arm_angle else "faria"),
-        arm_angle=document.arm_angle.value if document.arm_angle else None,
+        definition=definition,
+        arm_angle=angle,
         integration=Integration(document.integration),
         zeroing=_zeroing(document.zero),
         clamps=_clamps(document.clamps, "clamps", lines, file),
@@ -182,7 +193,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         if document.sensor is not None
         else None,
         contact=_contact(document.contact, lines, file) if document.contact is not None else None,
-        notes=notes,
+        notes=(*notes, *path.notes),
         sources=texts,
     )
 
@@ -216,15 +227,22 @@ def _near(X: Array, key: str, most: float, lines: Mapping[str, int], file: str) 
     return X
 
 
-def _check_start(robot: SrsRobot, start: Array, limits: JointLimits, lines: Mapping[str, int], file: str) -> None:
+def _check_start(
+    robot: SrsRobot,
+    start: Array,
+    limits: JointLimits,
+    lines: Mapping[str, int],
+    file: str,
+    key: str = "start.joints",
+) -> None:
     """Refuse a start outside a joint's range, and one from which the arm's configuration cannot be told."""
-    line = line_of("start.joints", lines)
+    line = line_of(key, lines)
     for name, value, low, high in zip(limits.names, start, limits.lower, limits.upper, strict=True):
         if not low <= value <= high:
-            message = f"start.joints: {name} = {np.degrees(value):.6g}°, outside its range"
+            message = f"{key}: {name} = {np.degrees(value):.6g}°, outside its range"
             raise InputError(f"{message} {np.degrees(low):g}°..{np.degrees(high):g}°", file=file, line=line)
     for singular in singularities(robot, start[None], _SINGULAR):
-        message = f"start.joints: singular, {singular.name}: arm angle and configuration are not defined there"
+        message = f"{key}: singular, {singular.name}: arm angle and configuration are not defined there"
         raise InputError(f"{message}; start a degree away from it", file=file, line=line)
 
 

@@ -67,12 +67,16 @@ class Feed(Enum):
 
 @dataclass(frozen=True, eq=False)
 class Waypoint:
-    """A pose (6,) by name; place is the key or file:line it comes from, for messages. dwell [s]: standing there."""
+    """A pose (6,) by name; place is the key or file:line it comes from, for messages. dwell [s]: standing there.
+
+    rests: whether it is a stop although poses are passed; with a dwell it is one anyway.
+    """
 
     name: str
     pose: Array
     place: str
     dwell: float = 0.0
+    rests: bool = False
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "pose", _vector(self.pose, 6, f"pose '{self.name}'"))
@@ -103,13 +107,14 @@ class Passing:
 class PathPoints(Sequence[Waypoint]):
     """Many waypoints as one array: poses (n, 6), named by their numbers. file and rows (n,): where each stands in it.
 
-    names: those of some; dwells [s]: of those that have one; stops: further ones that are rested at though poses are
-    passed.
+    number: of the first. names: those of some; dwells [s]: of those that have one; stops: further ones that are rested
+    at though poses are passed.
     """
 
     poses: Array
     file: str
     rows: IndexArray
+    number: int = 1
     names: Mapping[int, str] = field(default_factory=dict)
     dwells: Mapping[int, float] = field(default_factory=dict)
     stops: frozenset[int] = frozenset()
@@ -129,8 +134,9 @@ class PathPoints(Sequence[Waypoint]):
         if isinstance(index, slice):
             return tuple(self[i] for i in range(*index.indices(len(self))))
         i = range(len(self))[index]
-        name = self.names.get(i, str(i + 1))
-        return Waypoint(name, self.poses[i], f"{self.file}:{int(self.rows[i])}", self.dwells.get(i, 0.0))
+        name = self.names.get(i, str(i + self.number))
+        place = f"{self.file}:{int(self.rows[i])}"
+        return Waypoint(name, self.poses[i], place, self.dwells.get(i, 0.0), i in self.stops)
 
 
 @dataclass(frozen=True, eq=False)
@@ -167,7 +173,7 @@ class Route:
             return list(range(len(self.waypoints)))
         if isinstance(self.waypoints, PathPoints):
             return sorted(ends | self.waypoints.dwells.keys() | self.waypoints.stops)
-        return sorted(ends | {i for i, waypoint in enumerate(self.waypoints) if waypoint.dwell > 0})
+        return sorted(ends | {i for i, one in enumerate(self.waypoints) if one.dwell > 0 or one.rests})
 
 
 @dataclass(frozen=True, eq=False)
