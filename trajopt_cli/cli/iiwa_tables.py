@@ -58,8 +58,8 @@ def segments_table(task: str, facts: Iterable[SegmentFacts]) -> Table:
 
 def passing_lines(facts: Sequence[SegmentFacts], route: Route) -> list[str]:
     """How near the poses are passed that are no stops, and what the tool is asked to do there."""
-    found = [fact.passed for fact in facts if fact.passed is not None and fact.passed.poses]
-    if not found or route.passing is None:
+    found = [fact.passed for fact in facts if fact.passed is not None]
+    if not any(one.poses for one in found) or route.passing is None:
         return []
     away, turned = max(one.away for one in found), max(one.turned for one in found)
     return [

@@ -135,7 +135,9 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         speeds = _speeds(document, waypoints, lines, file, None)
     elif document.program is not None:
         placed = document.tool.model_fields_set & {"position", "wxyz", "rpy"}
-        found = program_route(program, meaning, X_WF[:3, :3], X_FT if placed else None)
+        found = program_route(
+            program, meaning, X_WF[:3, :3], X_FT if placed else None, passing.tolerance if passing else None
+        )
         waypoints, X_FT, texts[str(program)], notes = found.waypoints, found.X_FT, found.text, found.notes
         if np.abs(X_FT[:3, 3]).max() > _LONGEST_TOOL:
             message = (

@@ -10,10 +10,24 @@ import numpy as np
 
 from trajopt_cli.compliance.task.angles import angles_of
 from trajopt_cli.compliance.task.document import PoseSection
-from trajopt_cli.compliance.task.model import AngleMeaning, Waypoint
+from trajopt_cli.compliance.task.model import AngleMeaning, PathPoints, Waypoint
+from trajopt_cli.compliance.task.rapid_path import chain_of
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.geometry import Array
-from trajopt_cli.motion import Motion, MoveJ, MoveL, Program, SignalEvent, Singularity, Source, Wait, instruction_name
+from trajopt_cli.motion import (
+    FlyBy,
+    Motion,
+    MoveC,
+    MoveJ,
+    MoveL,
+    Program,
+    SignalEvent,
+    Singularity,
+    Source,
+    Wait,
+    instruction_name,
+)
+from trajopt_cli.rapid.zones import fly_bys
 from trajopt_cli.yaml_file import line_of
 
 _SAME = 1e-12  # m, rad: rounding of one and the same target
@@ -25,7 +39,7 @@ class ProgramPoses:
     its text, notes."""
 
     X_FT: Array
-    waypoints: tuple[Waypoint, ...]
+    waypoints: Sequence[Waypoint]
     speeds: tuple[tuple[float, float], ...]
     text: str
     notes: tuple[str, ...]
@@ -55,14 +69,19 @@ def written_waypoints(
     return tuple(out)
 
 
-def program_route(path: Path, meaning: AngleMeaning, R_WF: Array, X_FT: Array | None) -> ProgramPoses:
+def program_route(
+    path: Path, meaning: AngleMeaning, R_WF: Array, X_FT: Array | None, tolerance: float | None = None
+) -> ProgramPoses:
     """The poses of a RAPID program's MoveL motions; the first motion, a MoveJ or a MoveL, says where the way begins.
 
+    tolerance [m]: None for a stop at every pose; else fly-by zones are passed as its controller passes them, arcs are
+    taken as well, and the poses are a chain within a tenth of it.
+
     R_WF (3, 3): the flange's orientation where the controller is switched on. X_FT (4, 4): the task's tool, None for
-    the program's. Speeds are the programmed v_tcp and v_ori. Waits of a given length become dwells; signals and fly-by
-    zones are left out and noted. Raises InputError with the place of any other motion, for modal state that a segment
-    does not have, for tools that change on the way, for a task's tool that is not the program's, and for what a program
-    asks that only a cell's scenario tells.
+    the program's. Speeds are the programmed v_tcp and v_ori. Waits of a given length become dwells; signals (and zones
+    without a tolerance) are left out and noted. Raises InputError with the place of any other motion, for modal state
+    that a segment does not have, for tools that change on the way, for a task's tool that is not the program's, and for
+    what a program asks that only a cell's scenario tells.
     """
     program = _program(path)
     notes = [str(warning) for warning in program.warnings]
@@ -70,8 +89,11 @@ def program_route(path: Path, meaning: AngleMeaning, R_WF: Array, X_FT: Array | 
     R_start = R_WF @ tool[:3, :3]
     waypoints: list[Waypoint] = []
     speeds: list[tuple[float, float]] = []
+    moves: list[MoveJ | MoveL | MoveC] = []
+    zones: dict[int, FlyBy] = {}
+    corners = {} if tolerance is None else fly_bys(program)
     fly_by = 0
-    for motion in program.motions:
+    for index, motion in enumerate(program.motions):
         match motion:
             case SignalEvent():
                 notes.append(f"{motion.source}: signal {motion.signal} is left out")
@@ -82,30 +104,70 @@ def program_route(path: Path, meaning: AngleMeaning, R_WF: Array, X_FT: Array | 
                 waypoints[-1] = Waypoint(last.name, last.pose, last.place, last.dwell + motion.duration)
             case Wait():
                 raise _refused(motion.source, f"waits for {motion.condition}, which has no known length; remove it")
-            case MoveL() | MoveJ() if isinstance(motion, MoveL) or not waypoints:
+            case MoveC() if tolerance is None:
+                message = "MoveC is not a straight segment; give 'passing' a tolerance, under which arcs are followed"
+                raise _refused(motion.source, message)
+            case MoveL() | MoveC() | MoveJ() if isinstance(motion, MoveJ) != bool(waypoints) or isinstance(
+                motion, MoveL
+            ):
                 _check_plain(motion)
                 fly_by += not motion.zone.stop
                 R = motion.X_WT[:3, :3]
                 angles = angles_of(R @ R_start.T if meaning is AngleMeaning.RELATIVE else R)
                 pose = np.concatenate([motion.X_WT[:3, 3], angles])
                 place = f"{motion.source.file}:{motion.source.line}"
-                if waypoints and np.allclose(pose, waypoints[-1].pose, rtol=0, atol=_SAME):
+                if (
+                    isinstance(motion, MoveL)
+                    and waypoints
+                    and np.allclose(pose, waypoints[-1].pose, rtol=0, atol=_SAME)
+                ):
                     notes.append(f"{place}: {motion.target} repeats the pose before; left out")
                     continue
                 if waypoints:
                     speeds.append((motion.speed.v_tcp, motion.speed.v_ori))
+                if index in corners:
+                    zones[len(moves)] = corners[index]
+                moves.append(motion)
                 waypoints.append(Waypoint(motion.target, pose, place))
             case _:
-                message = (
-                    f"{type(motion).__name__} is not a straight segment; a task takes MoveL (and a first MoveJ) only"
-                )
+                kind = type(motion).__name__
+                message = f"{kind} is not a straight segment; a task takes MoveL, MoveC and a first MoveJ only"
                 raise _refused(motion.source, message)
     if len(waypoints) < 2:
         raise InputError(f"gives {len(waypoints)} different poses; a path needs at least two", file=str(path))
-    if fly_by:
-        notes.append(f"{fly_by} fly-by zones are taken as stops: every pose is reached")
     text = program.files[next(iter(program.files))].text
+    if tolerance is not None:
+        stopped = fly_by - len(zones)
+        if stopped:
+            notes.append(f"{stopped} fly-by zones are stops: the program waits or ends there, or no way leads on")
+        return ProgramPoses(tool, *_sampled(moves, zones, tolerance, waypoints, meaning, R_start), text, tuple(notes))
+    if fly_by:
+        notes.append(f"{fly_by} fly-by zones are taken as stops: every pose is reached; with 'passing' they are passed")
     return ProgramPoses(tool, tuple(waypoints), tuple(speeds), text, tuple(notes))
+
+
+def _sampled(
+    moves: Sequence[MoveJ | MoveL | MoveC],
+    zones: Mapping[int, FlyBy],
+    tolerance: float,
+    waypoints: Sequence[Waypoint],
+    meaning: AngleMeaning,
+    R_start: Array,
+) -> tuple[PathPoints, tuple[tuple[float, float], ...]]:
+    """The chain of poses along the moves, a stop at every end that has no zone, and v_max and omega_max of its legs."""
+    X, of, ends = chain_of(moves, zones, tolerance)
+    R = X[:, :3, :3]
+    angles = angles_of(R @ R_start.T if meaning is AngleMeaning.RELATIVE else R)
+    names = {i: moves[k].target for i, k in enumerate(of)} | {i: moves[k].target for k, i in enumerate(ends)}
+    points = PathPoints(
+        np.hstack([X[:, :3, 3], angles]),
+        str(moves[0].source.file),
+        np.array([moves[k].source.line for k in of]),
+        names=names,
+        dwells={i: waypoints[k].dwell for k, i in enumerate(ends) if waypoints[k].dwell > 0},
+        stops=frozenset(i for k, i in enumerate(ends) if k not in zones),
+    )
+    return points, tuple((moves[k].speed.v_tcp, moves[k].speed.v_ori) for k in of[1:])
 
 
 def _program(path: Path) -> Program:
@@ -120,7 +182,7 @@ def _program(path: Path) -> Program:
     return program
 
 
-def _check_plain(motion: MoveL | MoveJ) -> None:
+def _check_plain(motion: MoveL | MoveC | MoveJ) -> None:
     """Raise InputError where a move asks for something besides its pose, its speed and its zone."""
     settings = motion.settings
     caps = (settings.path_acceleration, settings.path_deceleration, settings.world_acceleration)
@@ -135,16 +197,16 @@ def _check_plain(motion: MoveL | MoveJ) -> None:
             raise _refused(motion.source, f"{instruction} is active here; a task's segments have none, so take it out")
     if motion.process is not None or motion.events:
         name = instruction_name(motion)
-        raise _refused(motion.source, f"{name} does more than move; a task takes plain MoveL (and a first MoveJ) only")
+        raise _refused(motion.source, f"{name} does more than move; a task takes plain MoveL and MoveC only")
     if motion.tool.stationary:
         raise _refused(motion.source, f"tool {motion.tool.name} stands still (robhold FALSE); a task's tool is carried")
 
 
 def _one_tool(motions: Sequence[Motion], X_FT: Array | None) -> Array:
     """The one tool (4, 4) of all moves, which the task's own, if there is one, has to be."""
-    found: MoveL | MoveJ | None = None
+    found: MoveL | MoveC | MoveJ | None = None
     for motion in motions:
-        if not isinstance(motion, MoveL | MoveJ):
+        if not isinstance(motion, MoveL | MoveC | MoveJ):
             continue
         if found is None:
             found = motion

@@ -22,6 +22,7 @@ from trajopt_cli.compliance.task.rounded import Chain
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, rotation_about
 
+_LONG = 10_000  # poses that are passed at once, from which on progress is told
 _ALLOWED = 0.9e-9  # of the 1e-9 by which a step may exceed v_max h or omega_max h; the rest is for whoever measures
 
 
@@ -160,7 +161,8 @@ def _passed(route: Route, told: Callable[[str], None]) -> tuple[Equilibrium, tup
     for first, goal in zip(route.stops, route.stops[1:], strict=False):
         legs_of, rows = slice(first, goal), slice(first, goal + 1)
         here, there = way[first], way[goal]
-        told(f"passing {goal - first - 1} poses from {here.name} to {there.name}")
+        if goal - first > _LONG:
+            told(f"passing {goal - first - 1} poses from {here.name} to {there.name}")
         chain = Chain(path.at[rows] - path.at[first], path.pose[rows], None if R_given is None else R_given[rows])
         found = passage(chain, Caps(path.caps[legs_of]), passing, route.h, here.place)
         R = rotation(found.pose[:, 3:]) if found.R is None else found.R
