@@ -9,6 +9,8 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, readonly
 
+_BESIDE = 1 - 1e-12
+
 
 @dataclass(frozen=True, eq=False)
 class PointToPoint:
@@ -103,7 +105,7 @@ def _calculate(
     v_0: Array, v_1: Array,
 ) -> Any:  # fmt: skip
     """Ruckig's own trajectory; it comes without types."""
-    from ruckig import InputParameter, Result, Ruckig, Synchronization, Trajectory
+    from ruckig import InputParameter, Result, Ruckig, RuckigError, Synchronization, Trajectory
 
     limits = [speed, acceleration] + ([] if jerk is None else [jerk])
     if not (np.all(np.isfinite(limits)) and np.min(limits) > 0):
@@ -120,7 +122,12 @@ def _calculate(
     if least > 0:
         wish.minimum_duration = least
     out = Trajectory(k)
-    result = Ruckig(k).calculate(wish, out)
+    try:
+        result = Ruckig(k).calculate(wish, out)
+    except RuckigError:
+        # where one phase is exactly as long as nothing, rounding leaves it no profile: a hair beside there is one
+        wish.max_jerk = [_BESIDE * value for value in wish.max_jerk]
+        result = Ruckig(k).calculate(wish, out)
     if result not in (Result.Working, Result.Finished):
         raise ValueError(f"point to point: ruckig answers {result} for {q_0} to {q_1}")
     return out
