@@ -1,8 +1,9 @@
 """From rest to rest along one coordinate whose caps of speed and acceleration vary with the place, with bounded jerk.
 
 A law whose acceleration alone is bounded is found in two sweeps; the mean over the time that the acceleration takes to
-build up bounds the jerk. So that no two ramps of opposite sense meet within that time, peaks that are shorter are cut,
-and so that the mean keeps the caps, each holds as long before and after its place.
+build up bounds the jerk. So that no two ramps of opposite sense meet at a peak within that time, shorter ones are cut,
+and each cap holds a little before and after its place. Where caps change within the mean, it may pass them by a little:
+who has to keep them looks, and asks again with lower ones.
 """
 
 from __future__ import annotations
@@ -13,22 +14,31 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray
 
+_AROUND = 1 / 16  # of the mean, by which a cap holds before and after its place; more is safe and slow at corners
 _WHOLE = 1e-9  # of a period: a time this close to whole periods is whole
 
 
-def rest_to_rest(s: Array, top: Array, push: Array, h: float, mean: int) -> Array:
-    """Places every h [s], from s[0] to s[-1], both exact and at rest; as fast as caps allow.
+def least_time(s: Array, top: Array, push: Array) -> float:
+    """How long [s] the fastest law of bounded acceleration takes, from rest to rest; arguments as of rest_to_rest."""
+    return float(_times(s, _swept(s, top, push))[-1])
+
+
+def rest_to_rest(s: Array, top: Array, push: Array, h: float, mean: int) -> Array | None:
+    """Places every h [s], from s[0] to s[-1], both exact and at rest; as fast as caps allow. None where all of the way
+    is shorter than the mean.
 
     s (n+1,): increasing; top, push (n,): the greatest ds/dt and |d2s/dt2| between neighbours, above zero. mean: how
-    many periods the acceleration takes to build up; 1 for none. Divided differences of the result keep top and push,
-    and third ones push / (mean h), at every place that is passed within the mean.
+    many periods the acceleration takes to build up; 1 for none. Where top and push are constant, divided differences of
+    the result keep them, and third ones push / (mean h).
     """
     rate = _swept(s, top, push)
     if mean > 1:
         t = _times(s, rate)
         bins = _Bins(t, h)
-        rate = _swept(s, *(bins.spread(cap, mean + 1) for cap in (top, push)))
+        rate = _swept(s, *(bins.spread(cap, max(1, round(_AROUND * mean))) for cap in (top, push)))
         s, rate = _without_peaks(s, rate, h, mean)
+        if not rate.any():
+            return None
     places = _uniform(s, rate, h)
     if mean == 1:
         return places

@@ -12,11 +12,12 @@ from math import ceil
 import numpy as np
 
 from trajopt_cli.compliance.task.angles import angles_of, rotation_vector
+from trajopt_cli.compliance.task.legs import MOST_ROWS
 from trajopt_cli.compliance.task.model import Passing
 from trajopt_cli.compliance.task.rounded import Chain, Rounded, deviations, rounded
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, readonly
-from trajopt_cli.timing.varying_caps import rest_to_rest
+from trajopt_cli.timing.varying_caps import least_time, rest_to_rest
 
 CAPS = ("v_max", "omega_max", "a_max", "epsilon_max", "jerk", "angular_jerk")
 ALLOWED = 1e-6
@@ -24,6 +25,8 @@ ALLOWED = 1e-6
 
 _ROUNDING = 4.5e-16  # of the largest coordinate: what one row's may be off
 _ACROSS, _TURNED = 0.8, 0.7  # shares of acceleration and of jerk that the curve itself may take at its speed
+_SLOW = 1.3  # times the least time: a way that takes longer is driven with shorter means, too
+_WORSE = 2  # of them in a row that are slower: enough
 _TIMES = 30  # that caps are lowered where rows break one
 
 
@@ -56,7 +59,7 @@ class Passage:
 def passage(chain: Chain, caps: Caps, passing: Passing, h: float, place: str) -> Passage:
     """The way along a chain of poses, from rest to rest. place: of the chain, for messages.
 
-    Raises InputError for a tolerance that is lost in rounding.
+    Raises InputError for a tolerance that is lost in rounding, and for more than MOST_ROWS rows.
     """
     used = _used(chain, caps)
     try:
@@ -64,29 +67,74 @@ def passage(chain: Chain, caps: Caps, passing: Passing, h: float, place: str) ->
     except ValueError as error:
         raise InputError(f"passing: {error}; give a larger one", file=place) from error
     grid = _grid(curve, h)
-    top, push, mean = _limits(curve, chain, used, grid, h)
+    limits = _limits(curve, chain, used, grid)
+    mean = max(1, ceil(limits.lasting / h - 1e-9))
+    periods = least_time(grid, limits.top, limits.push(mean * h)) / h
+    if periods > MOST_ROWS:
+        message = f"passing takes {periods:.3g} periods of {h:g} s at the corners' speeds, at most {MOST_ROWS:.3g}"
+        raise InputError(f"{message}; give a larger tolerance, higher caps or a longer period", file=place)
+    found = _driven(curve, chain, caps, limits, grid, h, mean)
+    if found is None or len(found.at) > max(_SLOW * chain.at[-1] / h, chain.at[-1] / h + 2 * mean):
+        # ramps too short for the acceleration to build up: less of it builds up sooner
+        worse = 0
+        for shorter in _shorter(mean):
+            other = _driven(curve, chain, caps, limits, grid, h, shorter)
+            if other is not None and (found is None or len(other.at) < len(found.at)):
+                found, worse = other, 0
+            elif found is not None:
+                worse += 1
+            if worse == _WORSE:
+                break
+    if found is None:
+        raise InputError("passing: the caps cannot be kept along these poses; give lower speeds", file=place)
+    rows = deviations(curve, chain, found.at)
+    met = deviations(curve, chain, chain.at)
+    pose, R = found.pose, found.R
+    if R is not None:
+        pose[:, 3:] = angles_of(R)
+    away, turned = (max(float(a.max()), float(b.max())) for a, b in zip(rows, met, strict=True))
+    return Passage(pose, R, found.tops, away, turned, _binding(found.shares, len(pose)))
+
+
+@dataclass(frozen=True, eq=False)
+class _Driven:
+    """Rows that keep every cap: times of the chain at (m,), poses, differences' tops (6,) and their shares of caps."""
+
+    at: Array
+    pose: Array
+    R: Array | None
+    tops: Array
+    shares: list[Array]
+
+
+def _driven(
+    curve: Rounded, chain: Chain, caps: Caps, limits: _Limits, grid: Array, h: float, mean: int
+) -> _Driven | None:
+    """The way under these limits, lowered where its rows break a cap; None where no lowering helps, or the mean lasts
+    longer than the way."""
+    top, push = limits.top, limits.push(mean * h)
     for _ in range(_TIMES):
         at = rest_to_rest(grid, top, push, h, mean)
+        if at is None:
+            return None
         pose, R = curve.poses(at)
         pose[0], pose[-1] = chain.pose[0], chain.pose[-1]
         if R is not None:
             assert chain.R is not None
             R[0], R[-1] = chain.R[0], chain.R[-1]
         differences = divided_differences(pose, R, h)
-        rates = _shares(differences, at, chain, caps, h, np.abs(pose[:, :3]).max())
-        worst = _worst(rates, len(at))
+        shares = _shares(differences, at, chain, caps, h, np.abs(pose[:, :3]).max())
+        worst = _worst(shares, len(at))
         if worst.max() <= 1 + ALLOWED:
-            break
+            return _Driven(at, pose, R, np.array([one.max(initial=0.0) for one in differences]), shares)
         top, push = _lowered(top, push, grid, at, worst, mean)
-    else:
-        raise InputError("passing: the caps cannot be kept along these poses; give lower speeds", file=place)
-    tops = np.array([one.max(initial=0.0) for one in differences])
-    rows = deviations(curve, chain, at)
-    met = deviations(curve, chain, chain.at)
-    if R is not None:
-        pose[:, 3:] = angles_of(R)
-    away, turned = (max(float(a.max()), float(b.max())) for a, b in zip(rows, met, strict=True))
-    return Passage(pose, R, tops, away, turned, _binding(rates, len(at)))
+    return None
+
+
+def _shorter(mean: int) -> list[int]:
+    """Shorter means, each about the root of a half of the one before."""
+    means = [max(1, round(mean * 2 ** (-k / 2))) for k in range(1, 2 * mean.bit_length() + 1)]
+    return [one for one in dict.fromkeys(means) if one < mean]
 
 
 def divided_differences(pose: Array, R: Array | None, h: float) -> list[Array]:
@@ -130,8 +178,28 @@ def _grid(curve: Rounded, h: float) -> Array:
     return np.append(inner, curve.knots[-1])
 
 
-def _limits(curve: Rounded, chain: Chain, used: Array, grid: Array, h: float) -> tuple[Array, Array, int]:
-    """The greatest rate and change of rate between places of the grid, and over how many periods to take the mean."""
+@dataclass(frozen=True, eq=False)
+class _Limits:
+    """What the curve leaves between places of the grid: top (n,), the greatest rate, and of both parts the sizes of the
+    first three derivatives with their caps of acceleration and jerk. lasting [s]: what acceleration takes to build up.
+    """
+
+    top: Array
+    parts: list[tuple[Array, Array, Array, Array, Array]]
+    lasting: float
+
+    def push(self, mean: float) -> Array:
+        """The greatest change of rate (n,) where it takes so long [s] to build up."""
+        out = np.full(len(self.top), np.inf)
+        for first, second, third, a, jerk in self.parts:
+            with np.errstate(divide="ignore", invalid="ignore"):
+                out = np.fmin(out, np.sqrt(a**2 - (second * self.top**2) ** 2) / first)
+                out = np.fmin(out, (jerk - third * self.top**3) / (first / mean + 3 * second * self.top))
+        return out
+
+
+def _limits(curve: Rounded, chain: Chain, used: Array, grid: Array) -> _Limits:
+    """What curve and caps leave."""
     span = np.clip(np.searchsorted(curve.knots, grid, side="right") - 1, 0, len(curve.knots) - 2)
     u = (grid - curve.knots[span])[:, None]
     rate = curve.rates[span] + u * (curve.bends[span] + u * curve.jolts[span] / 2)
@@ -139,9 +207,7 @@ def _limits(curve: Rounded, chain: Chain, used: Array, grid: Array, h: float) ->
     leg = np.clip(np.searchsorted(chain.at, grid, side="right") - 1, 0, len(used) - 1)
     values = np.minimum(used[leg[:-1]], used[leg[1:]])
     ratios = [part[:, 1] / part[:, 2] for part in (used[:, 0::2], used[:, 1::2]) if np.isfinite(part[0, 2])]
-    lasting = max((float(ratio.max()) for ratio in ratios), default=0.0)
-    mean = max(1, ceil(lasting / h - 1e-9))
-    top, push = np.full(len(grid) - 1, np.inf), np.full(len(grid) - 1, np.inf)
+    top = np.full(len(grid) - 1, np.inf)
     parts = []
     for k, columns in enumerate((slice(0, 3), slice(3, 6))):
         sizes = (np.linalg.norm(x[:, columns], axis=1) for x in (rate, bend))
@@ -152,13 +218,7 @@ def _limits(curve: Rounded, chain: Chain, used: Array, grid: Array, h: float) ->
         with np.errstate(divide="ignore", invalid="ignore"):
             for cap in (v / first, np.sqrt(_ACROSS * a / second), np.cbrt(_TURNED * jerk / third)):
                 top = np.fmin(top, cap)
-    for first, second, third, a, jerk in parts:
-        with np.errstate(divide="ignore", invalid="ignore"):
-            across = second * top**2
-            push = np.fmin(push, np.sqrt(a**2 - across**2) / first)
-            left = (jerk - third * top**3) / (first / (mean * h) + 3 * second * top)
-            push = np.fmin(push, left)
-    return top, push, mean
+    return _Limits(top, parts, max((float(ratio.max()) for ratio in ratios), default=0.0))
 
 
 def _shares(differences: list[Array], at: Array, chain: Chain, caps: Caps, h: float, size: float) -> list[Array]:
