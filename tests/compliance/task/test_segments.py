@@ -180,6 +180,12 @@ def test_ramps_take_the_least_whole_number_of_periods(profile: Profile, caps: in
     assert found.pose[:, 1] == pytest.approx(way - middle, abs=1e-13)  # the same forwards and backwards
 
 
+def test_a_phase_without_length_is_no_obstacle() -> None:
+    """2 a³ / j² = 5 mm: the acceleration just builds up to its cap in 50 ms, four times."""
+    found = interpolate(route(pose("a"), pose("b", 0.005), profile=S_CURVE))
+    assert found.duration == pytest.approx(0.2, abs=1e-9)
+
+
 def test_ramps_are_common_to_both_parts_and_named() -> None:
     """The turn's acceleration holds both back: 90° at 2 rad/s2 and no more than 0.5 rad/s."""
     wanted = route(pose("a"), pose("b", 0.01, 0, 0, 0, 0, 90), pose("c", 0.011, 0, 0, 0, 0, 90), profile=TRAPEZOID)
