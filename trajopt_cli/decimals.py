@@ -21,7 +21,8 @@ _LEAST, _MOST = 1e-4, 1e14  # what is written without an exponent, and fits the 
 _LOW = np.uint64(0xFFFFFFFF)
 _32, _64 = np.uint64(32), np.uint64(64)
 _FIVES = np.array([5**k for k in range(27)], dtype=np.uint64)
-_FOUR = np.array([list(b"%04d" % i) for i in range(10_000)], dtype=np.uint8)
+_FOUR = np.frombuffer(b"".join(b"%04d" % i for i in range(10_000)), dtype=np.uint32)
+"""Four digits' text, as the memory holds it."""
 _ZERO, _POINT, _MINUS = b"0.-"
 _ROWS = 16_384  # of a table that are text at once
 
@@ -40,7 +41,7 @@ def rows_of(columns: Sequence[Array], first: Bytes | None = None) -> Iterator[by
         comma, end = np.full((size, 1), ord(","), np.uint8), np.full((size, 1), ord("\n"), np.uint8)
         parts = [piece for field in fields for piece in (field, comma)]
         table = np.hstack([*parts[:-1], end])
-        yield table[table != 0].tobytes()
+        yield table.tobytes().translate(None, b"\0")
 
 
 def texts(values: Array, digits: int = _DIGITS) -> Bytes:
@@ -50,6 +51,8 @@ def texts(values: Array, digits: int = _DIGITS) -> Bytes:
     size = np.abs(values)
     plain = (size >= _LEAST) & (size < _MOST)
     at = np.flatnonzero(plain)
+    if at.size == len(values):
+        return _plain(values, digits)
     if at.size:
         out[at] = _plain(values[at], digits)
     nothing = values == 0
@@ -74,17 +77,19 @@ def _plain(values: Array, digits: int) -> Bytes:
     """Texts of numbers (n,) that need no exponent."""
     number, exponent = _rounded(np.abs(values), digits)
     number = number * np.uint64(10 ** (_DIGITS - digits))
-    d = np.empty((len(values), 20), dtype=np.uint8)
+    fours = np.empty((len(values), 5), dtype=np.uint32)
     for i in (4, 3, 2, 1, 0):
-        number, rest = np.divmod(number, np.uint64(10_000))
-        d[:, 4 * i : 4 * i + 4] = _FOUR[rest.astype(np.intp)]
-    d = d[:, 3:]
+        whole = number // np.uint64(10_000)
+        fours[:, i] = _FOUR[(number - whole * np.uint64(10_000)).astype(np.intp)]
+        number = whole
+    d = fours.view(np.uint8)[:, 3:]
     last = _DIGITS - np.argmax(d[:, ::-1] != _ZERO, axis=1)  # what is behind the last digit but 0 is not written
-    d[np.arange(_DIGITS) >= np.maximum(last, exponent + 1)[:, None]] = 0
+    d *= np.arange(_DIGITS) < np.maximum(last, exponent + 1)[:, None]
     out = np.zeros((len(values), _WIDTH), dtype=np.uint8)
     out[values < 0, 0] = _MINUS
-    for e in np.unique(exponent).tolist():
-        rows = np.flatnonzero(exponent == e)
+    found = np.flatnonzero(np.bincount(exponent + 9)) - 9
+    for e in found.tolist():
+        rows = np.flatnonzero(exponent == e) if len(found) > 1 else slice(None)
         if e < 0:
             begin = 2 - e
             out[rows, 1:begin] = _ZERO
