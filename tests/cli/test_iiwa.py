@@ -500,3 +500,53 @@ def test_a_push_moves_the_tool_by_force_over_stiffness_while_it_lasts(task: Path
     assert away[np.searchsorted(t, 7.999)] == pytest.approx(20 / 1000, rel=1e-4)
     # the last pose is held until the controller has come to rest: 8 * 0.443 s, up to the next tenth
     assert t[-1] == pytest.approx(12 + 3.6)
+
+
+HEAD = "x [m],y [m],z [m],alpha [rad],beta [rad],gamma [rad]"
+CAPS = "a_max: 1\nepsilon_max: 5\njerk: 20\nangular_jerk: 100\n"
+
+
+def long_path(folder: Path, extra: str = "") -> Path:
+    """300 poses on a quarter circle of 100 mm about the tool's height, with a task file beside."""
+    turn = np.linspace(0, np.pi / 2, 300)
+    rows = np.column_stack(
+        [0.45 + 0.1 * np.cos(turn), 0.1 * np.sin(turn), 0 * turn + 0.3, 0.1 * turn, 0 * turn, turn / 5]
+    )
+    path = folder / "arc.csv"
+    path.write_text("\n".join([HEAD, *(",".join(f"{value:.6f}" for value in row) for row in rows)]))
+    kept = [line for line in TASK.splitlines() if not line.startswith(("  -", "poses", "profile", "a_max", "eps"))]
+    (folder / "arc.yaml").write_text("\n".join([*kept, CAPS, extra]))
+    return path
+
+
+def test_a_csv_path_goes_all_the_way(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = long_path(tmp_path)
+    out = segments(path)
+    said = capsys.readouterr().out
+    assert "298 poses are passed without a stop, at most " in said
+    assert "approach: a line from the tool at the start joints to pose 1" in said
+    facts = json.loads((out / "summary.json").read_text())["sequence"]["segments"]
+    assert [(fact["from"], fact["to"]) for fact in facts] == [("start", "1"), ("1", "300")]
+    assert facts[1]["poses_passed"] == 298
+    assert 0 < facts[1]["deviation_m"] <= 1e-4
+    assert facts[1]["top_jerk_m_s3"] <= 20 * (1 + 1e-6)
+    assert (out / "input" / "arc.csv").read_bytes() == path.read_bytes()
+    before = contents(out)
+    assert run(["iiwa", "joints", str(out)]) == 0
+    assert run(["iiwa", "simulate", str(out)]) == 0
+    assert "lag at most" in capsys.readouterr().out
+    again = tmp_path / "again"
+    assert run(["iiwa", "segments", str(tmp_path / "arc.csv"), "--output", str(again)]) == 0
+    for name in ("equilibrium.csv", "equilibrium_quaternion.csv", "summary.json"):
+        assert contents(again)[name] == before[name]
+
+
+def test_more_than_forty_segments_are_summed_up(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    segments(long_path(tmp_path, "passing: stop\nprofile: trapezoid\n"))
+    said = capsys.readouterr().out
+    assert "arc.csv: 300 segments" in said
+    assert len(said.splitlines()) < 20
+    # 299 chords of the quarter circle and the line there
+    (line,) = (line for line in said.splitlines() if line.strip().startswith("length [mm]"))
+    assert float(line.split()[2]) == pytest.approx(100 * np.pi / 2 / 299, abs=0.01)
+    assert "bound by a_max" in said

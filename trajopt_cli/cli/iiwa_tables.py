@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
@@ -23,12 +24,15 @@ if TYPE_CHECKING:
     from trajopt_cli.compliance.task.model import Route
     from trajopt_cli.compliance.task.segments import SegmentFacts
 
+_LINES = 40  # segments that are listed one by one
 _SEEN = 1e-9  # rad: a smaller turn is rounding
 _TURNING = {"rad": "°", "rad/s": "°/s", "rad/s2": "°/s²"}
 
 
-def segments_table(task: str, facts: Iterable[SegmentFacts]) -> Table:
-    """One line per segment."""
+def segments_table(task: str, facts: Sequence[SegmentFacts]) -> Table:
+    """One line per segment; of more than _LINES the least, the mean and the greatest, and what they add up to."""
+    if len(facts) > _LINES:
+        return _many_segments(task, facts)
     table = plain_table(
         f"{task}: segments",
         *(
@@ -53,6 +57,24 @@ def segments_table(task: str, facts: Iterable[SegmentFacts]) -> Table:
             f"{np.degrees(fact.omega_top):.2f}",
             fact.binds,
         )
+    return table
+
+
+def _many_segments(task: str, facts: Sequence[SegmentFacts]) -> Table:
+    table = plain_table(f"{task}: {len(facts)} segments", "", ">least", ">mean", ">greatest", ">all")
+    columns = (
+        ("length [mm]", [fact.L_p / MM for fact in facts], 2, True),
+        ("turn [°]", [np.degrees(fact.L_theta) for fact in facts], 2, True),
+        ("time [s]", [fact.duration for fact in facts], 3, True),
+        ("dwell [s]", [fact.dwell for fact in facts], 3, True),
+        ("top speed [m/s]", [fact.v_top for fact in facts], 4, False),
+        ("top turn rate [°/s]", [np.degrees(fact.omega_top) for fact in facts], 2, False),
+    )
+    for name, values, digits, adds in columns:
+        shown = [min(values), sum(values) / len(values), max(values), *([sum(values)] if adds else [])]
+        table.add_row(name, *(f"{value:.{digits}f}" for value in shown))
+    for name, count in Counter(fact.binds for fact in facts if fact.binds).most_common():
+        table.add_row(f"bound by {name}", "", "", "", str(count))
     return table
 
 
