@@ -108,7 +108,8 @@ def joints(
             console.print(f"note: {note}")
         if written:
             console.print(f"written to {results / 'joints.csv'}")
-    for line in failure_lines(answer.findings, "dosing" in read_summary(results)):
+    assert opened.folder is not None
+    for line in failure_lines(answer.findings, "dosing" in opened.folder.sections()):
         typer.echo(line, err=True)
     if not written:
         typer.echo("NOTHING WRITTEN: the controller's loop would stop there", err=True)

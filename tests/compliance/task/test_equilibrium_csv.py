@@ -74,6 +74,8 @@ ROW = ",0,0,0,0,0,0"
         (f"{ANGLES_HEAD}\n0{ROW}\n", "a.csv:2: 1 rows; a sequence needs at least 2"),
         (f"{ANGLES_HEAD}\r\n0{ROW}\r\n0.1,0,nan,0,0,0,0\r\n", "a.csv:3:7: 'nan' is not a finite number"),
         (f"{ANGLES_HEAD}\n0{ROW}\n0.1,0,0,0,0,0,x\n", "a.csv:3:15: 'x' is not a finite number"),
+        (f"{ANGLES_HEAD}\n0{ROW}\n0.1,0,0,0,0,0,\n", "a.csv:3:15: '' is not a finite number"),
+        (f"{ANGLES_HEAD}\n0{ROW}\n0.1,0,0 0,0,0,0,0\n", "a.csv:3:7: '0 0' is not a finite number"),
         (f"{ANGLES_HEAD}\n0{ROW}\n0{ROW}\n", "a.csv:3:1: time 0 s follows 0 s; times must increase"),
         (
             f"{ANGLES_HEAD}\n0{ROW}\n0.5{ROW}\n1{ROW}\n1.25{ROW}\n",
