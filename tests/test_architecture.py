@@ -77,7 +77,7 @@ ADDRESSES: dict[str, tuple[str, ...]] = {
     "toppra": ("timing/*",),
     "qdldl": ("optimize/interior_point.py",),
     "ruckig": ("timing/*",),
-    "scipy": ("optimize/*", "timing/*", "compliance/controller/*"),
+    "scipy": ("optimize/*", "timing/*", "compliance/controller/*", "compliance/task/arm_plan.py"),
     "typer": ("cli/*",),
     "rich": ("cli/*",),
     "matplotlib": ("report/*", "compliance/report/*"),

@@ -104,6 +104,46 @@ def test_joints_put_the_tool_on_every_pose(task: Path) -> None:
     np.testing.assert_allclose(joints.q[0], np.radians([0, 30, 0, -100, 0, 50, 0]), rtol=0, atol=1e-9)
 
 
+def test_an_arm_angle_is_chosen_told_and_drawn(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder, plots = segments(task), task.parent / "plots"
+    capsys.readouterr()
+    options = ["--arm-angle", "optimal", "--for", "speed"]
+    assert run(["iiwa", "joints", str(folder), *options, "--plots", str(plots)]) == 0
+    shown = capsys.readouterr()
+    assert "arm angle chosen for speed" in shown.out
+    assert "joints: best course on the map" in shown.err
+    assert {path.name for path in plots.iterdir()} == {
+        f"{name}.{kind}" for name in ("arm_angle", "joints") for kind in ("png", "svg")
+    }
+    joints, _ = read_csv_text((folder / "joints.csv").read_text(), "joints.csv")
+    _, rows = table(folder / "equilibrium.csv")
+    X = load_srs("iiwa7").forward(joints.q)
+    np.testing.assert_allclose(X[:, :3, 3], rows[:, 1:4], rtol=0, atol=1e-12)
+    said = json.loads((folder / "summary.json").read_text())["joints"]["chosen"]
+    assert said["for"] == "speed"
+    assert said["kept_fixed"] is None
+    limits = load_srs("iiwa7").profile()
+    steady = np.sqrt(np.square(np.diff(joints.q, axis=0) / 1e-3 / limits.velocity).sum(axis=1).mean())
+    assert said["optimal"]["speed_share_rms"] == pytest.approx(steady, rel=1e-9)
+    assert f"{100 * steady:.2f}" in shown.out
+    assert said["optimal"]["speed_share_rms"] < said["fixed"]["speed_share_rms"]
+    before = (folder / "joints.csv").read_bytes(), (plots / "arm_angle.png").read_bytes()
+    assert run(["iiwa", "joints", str(folder), *options, "--plots", str(plots)]) == 0
+    assert before == ((folder / "joints.csv").read_bytes(), (plots / "arm_angle.png").read_bytes())
+    assert run(["iiwa", "joints", str(folder)]) == 0
+    assert "chosen" not in json.loads((folder / "summary.json").read_text())["joints"]
+
+
+def test_what_an_arm_angle_is_best_for_needs_one_that_is_chosen(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = segments(task)
+    before = contents(folder)
+    assert run(["iiwa", "joints", str(folder), "--arm-angle", "free", "--for", "speed"]) == 2
+    assert (
+        "--for speed: says what --arm-angle optimal is best for; the arm angle is free here" in capsys.readouterr().err
+    )
+    assert contents(folder) == before
+
+
 def test_a_run_lags_as_the_law_says_and_is_fed_from_the_files(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
     folder = segments(task)
     assert run(["iiwa", "simulate", str(folder)]) == 0

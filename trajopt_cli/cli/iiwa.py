@@ -70,13 +70,22 @@ def segments(
     console.print(f"written to {folder}")
 
 
-@app.command("joints", short_help="RESULTS' joints at a fixed arm angle and configuration.")
+@app.command("joints", short_help="RESULTS' joints in one configuration, the arm angle fixed or chosen.")
 def joints(
     results: TaskResults,
     arm_angle: Annotated[
-        Literal["fixed", "free"],
-        typer.Option("--arm-angle", help="Keep the arm angle, or let it change where the fixed one fails."),
+        Literal["fixed", "free", "optimal"],
+        typer.Option(
+            "--arm-angle", help="Keep it, let it change where the fixed one fails, or choose the best course."
+        ),
     ] = "fixed",
+    goal: Annotated[
+        Literal["limits", "speed", "torque"] | None,
+        typer.Option("--for", help="What is best: far from limits (default), slow joints, or little torque."),
+    ] = None,
+    plots: Annotated[
+        Path | None, typer.Option("--plots", metavar="FOLDER", help="Draw the map of path and arm angle, too.")
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Inverse kinematics along the sequence, every sample held against position, speed and acceleration limits.
@@ -87,12 +96,26 @@ def joints(
     import json
 
     from trajopt_cli.cli.console import show, stdout
-    from trajopt_cli.cli.iiwa_tables import arm_line, failure_lines, joints_table
-    from trajopt_cli.compliance.job.folder import read_summary
+    from trajopt_cli.cli.iiwa_tables import arm_line, chosen_lines, chosen_table, failure_lines, joints_table
+    from trajopt_cli.cli.progress import ProgressView
+    from trajopt_cli.compliance.job.folder import check_place, read_summary
     from trajopt_cli.compliance.job.joints import follow_joints, stops_nothing
     from trajopt_cli.compliance.task.joints import Unfollowable
+    from trajopt_cli.problem.progress import Progress
+    from trajopt_cli.runs.files import write_files
 
-    opened, answer = follow_joints(results, arm_angle == "free")
+    check_place(plots, "--plots")
+    if goal is not None and arm_angle != "optimal":
+        raise InputError(f"--for {goal}: says what --arm-angle optimal is best for; the arm angle is {arm_angle} here")
+    wanted = None
+    if arm_angle == "optimal":
+        from trajopt_cli.compliance.task.arm_plan import Goal
+
+        wanted = Goal(goal or "limits")
+    with ProgressView() as view:
+        opened, answer = follow_joints(
+            results, arm_angle == "free", wanted, lambda phase: view.show("joints", Progress(phase))
+        )
     if isinstance(answer, Unfollowable):
         typer.echo(f"{opened.task.file}: {answer.message}", err=True)
         raise typer.Exit(1)
@@ -104,6 +127,10 @@ def joints(
         console = stdout()
         show(console, joints_table(opened.robot.name, answer))
         console.print(arm_line(answer))
+        if answer.plan is not None:
+            show(console, chosen_table(answer.plan))
+            for line in chosen_lines(answer.plan):
+                console.print(line)
         for note in answer.notes:
             console.print(f"note: {note}")
         if written:
@@ -113,6 +140,12 @@ def joints(
         typer.echo(line, err=True)
     if not written:
         typer.echo("NOTHING WRITTEN: the controller's loop would stop there", err=True)
+    if plots is not None:
+        from trajopt_cli.compliance.job.drawing import joint_pictures
+
+        pictures = joint_pictures(opened, answer)
+        write_files(plots, pictures)
+        typer.echo(f"drawn in {plots}: {len(pictures)} files", err=True)
     if failed:
         raise typer.Exit(1)
 

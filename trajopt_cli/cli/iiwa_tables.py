@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from trajopt_cli.compliance.controller.stability import AxisStability
     from trajopt_cli.compliance.job.dosing import DosedJob
     from trajopt_cli.compliance.job.simulation import Simulated
+    from trajopt_cli.compliance.task.arm_plan import ArmFigures, ArmPlan
     from trajopt_cli.compliance.task.joints import Followed
     from trajopt_cli.compliance.task.model import Route
     from trajopt_cli.compliance.task.segments import SegmentFacts
@@ -135,6 +136,50 @@ def arm_line(followed: Followed) -> str:
         f"joint_{joint} {'< 0' if followed.configuration >> bit & 1 else '>= 0'}" for bit, joint in enumerate((2, 4, 6))
     )
     return f"arm angle {angle} ({followed.definition.value}), configuration {followed.configuration}: {signs}"
+
+
+def chosen_table(plan: ArmPlan) -> Table:
+    """A chosen course of the arm angle beside the fixed one."""
+    table = plain_table(f"arm angle chosen for {plan.goal.value}", "over all rows", ">fixed", "", ">chosen", "")
+    for row in zip(*(_figures(one) for one in (plan.fixed, plan.best)), strict=True):
+        (name, fixed, first), (_, chosen, second) = row
+        table.add_row(name, fixed, first, chosen, second)
+    return table
+
+
+def _figures(one: ArmFigures) -> list[tuple[str, str, str]]:
+    """What is told of a course: name, value, joint."""
+
+    def joint(index: int) -> str:
+        return f"joint_{index + 1}"
+
+    return [
+        ("least distance from a limit [°]", f"{np.degrees(one.margin):.2f}", joint(one.near)),
+        ("top speed [% of limit]", f"{100 * one.speed:.1f}", joint(one.fast)),
+        ("speeds, rms [% of limit]", f"{100 * one.steady:.2f}", ""),
+        ("top acceleration [% of limit]", f"{100 * one.acceleration:.1f}", joint(one.abrupt)),
+        ("holding torque, peak [% of range]", f"{100 * one.gravity:.2f}", joint(one.loaded)),
+        ("holding torque, rms [Nm]", f"{one.effort:.3f}", ""),
+        ("torque with inertia, peak [% of range]", f"{100 * one.torque:.2f}", joint(one.strained)),
+        ("way of the elbow [m]", f"{one.elbow:.3f}", ""),
+        ("arm angle turned by [°]", f"{np.degrees(one.turned):.1f}", ""),
+        ("positions and speeds", "kept" if one.passes else "BROKEN", ""),
+    ]
+
+
+def chosen_lines(plan: ArmPlan) -> list[str]:
+    """How near a chosen course is to the best, and what it was looked for on."""
+    grid = f"{len(plan.map.rows)} stages and {len(plan.map.delta)} arm angles {np.degrees(plan.map.cell):.2g}° apart"
+    lines = ["distance, top speed and acceleration are without joint_4: the pose alone decides it"]
+    if plan.held:
+        return [*lines, f"looked for on {grid}"]
+    loss = 100 * (plan.cost / plan.grid_cost - 1)
+    smoothed = f"{abs(loss):.2f} % {'more' if loss > 0 else 'less'}"
+    fixed = f", the fixed arm angle {plan.fixed_cost:.5g}" if plan.fixed.passes else ""
+    lines.append(f"cost {plan.cost:.5g}{fixed}; the best course on {grid} {plan.grid_cost:.5g}: smooth is {smoothed}")
+    if plan.goal.value == "limits":
+        lines.append(f"the best course on the grid stays {np.degrees(plan.grid_margin):.2f}° from limits")
+    return lines
 
 
 def _verdict(finding: Finding) -> str:

@@ -127,7 +127,8 @@ def worst_sentences(steps: Sequence[Steps]) -> tuple[str, ...]:
     return (
         f"our flange is off by the thesis' distance over {min(ways):.1f} to {max(ways):.1f} in position, over"
         f" {min(turns):.0f} to {max(turns):.0f} in orientation: doubt the latter. Ours is a servo"
-        f" {1e3 * SERVO_DELAY:g} ms late, and friction, both assumed, under {MOMENT:g} Nm; the distance grows with the moment, and the thesis' moments"
+        f" {1e3 * SERVO_DELAY:g} ms late, and friction, both assumed, under {MOMENT:g} Nm; the distance grows with the"
+        " moment, and the thesis' moments"
         " are in figures only",
         f"in 6.1.3 {MOMENT * min(alone):.0f} to {MOMENT * max(alone):.0f} Nm would give its distances with our servo;"
         " so would a wrist that lags and winds up more than ours. Which, its text does not tell",

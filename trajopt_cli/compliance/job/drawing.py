@@ -7,15 +7,18 @@ from pathlib import Path
 import numpy as np
 
 from trajopt_cli.compliance.job.dosing import DOSED, DosedJob
+from trajopt_cli.compliance.job.folder import Opened
 from trajopt_cli.compliance.job.simulation import Simulated, frames_change
 from trajopt_cli.compliance.report import pictures as compliance
-from trajopt_cli.compliance.report.pictures import Following
+from trajopt_cli.compliance.report.pictures import Course, Following
 from trajopt_cli.compliance.task.joints import Followed
 from trajopt_cli.geometry import Array
 from trajopt_cli.shapes import Box, Capsule
 from trajopt_cli.units import MM
 
 _THIN = 0.01  # m
+
+_MAP = 480, 360  # stages and arm angles that a page can show
 
 
 def simulation_pictures(run: Simulated) -> dict[str, bytes]:
@@ -89,6 +92,31 @@ def dose_pictures(job: DosedJob) -> dict[str, bytes]:
         chosen = (allowed.lead.most, job.dosed.duration)
         pictures |= compliance.front(leads, curves, chosen, unit, job.before.equilibrium.duration, title)
     return pictures
+
+
+def joint_pictures(opened: Opened, followed: Followed) -> dict[str, bytes]:
+    """The map of path and arm angle with the courses on it, and the joints against their limits."""
+    from trajopt_cli.compliance.task.arm_map import arm_map, stages
+    from trajopt_cli.compliance.task.joint_rows import joints_along
+    from trajopt_cli.robot.srs_inverse import arm_angle
+
+    task, robot, t = opened.task, opened.robot, followed.trajectory.t
+    limits, plan = robot.profile(task.limits), followed.plan
+    begin = float(arm_angle(robot, task.start_joints, followed.definition))
+    rows = stages(len(t), _MAP[0])
+    chart = arm_map(robot, followed.X_WF, rows, followed.definition, followed.configuration, begin, _MAP[1])
+    title = f"{Path(task.file).stem}: arm angle"
+    if plan is not None:
+        title += f" chosen for {plan.goal.value}"
+    fixed = begin if task.arm_angle is None else task.arm_angle
+    q, joints = followed.trajectory.q, f"{Path(task.file).stem}: joints"
+    held = joints_along(robot, followed.X_WF, fixed, followed.definition, followed.configuration, task.start_joints)
+    courses = [Course("fixed", np.full(len(t), fixed), held)]
+    if np.any(followed.arm_angle != fixed):
+        courses.append(Course("chosen" if plan is not None else "free", followed.arm_angle, q))
+    pictures = compliance.arm_angle_map(t, chart, limits, courses, followed.definition.value, title)
+    angle = followed.arm_angle if len(courses) == 2 else None
+    return pictures | compliance.joints(t, q, limits.lower, limits.upper, limits.velocity, joints, angle)
 
 
 def _following(run: Simulated, label: str) -> Following:

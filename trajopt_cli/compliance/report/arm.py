@@ -35,9 +35,8 @@ def arm_figure(
     corners = [outline(box)[0] for box in obstacles]
     reach = [end + c.radius * side for _, links in moments for c in links for end in (c.a, c.b) for side in (-1.0, 1.0)]
     view = View([np.array(reach), *corners, run.x_e[:, :3], run.flange[:, :3]], flat=False)
-    figure = new_figure(
-        1.6 + view.height(WIDTH - 2.2, 8.0), title, "links as capsules, the obstacles as they push back"
-    )
+    below = "links as capsules" + (", the obstacles as they push back" if obstacles else "")
+    figure = new_figure(1.6 + view.height(WIDTH - 2.2, 8.0), title, below)
     axes = figure.subplots()
     solids: list[tuple[float, Array, str, str, str]] = []
     for i, ((name, links), (fill, edge)) in enumerate(zip(moments, _LOOKS, strict=False)):

@@ -8,18 +8,24 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from trajopt_cli.compliance.report import arm as space_of_arm
-from trajopt_cli.compliance.report import charts, follow, forces
+from trajopt_cli.compliance.report import arm_angle, charts, follow, forces
+from trajopt_cli.compliance.report.arm_angle import Course
 from trajopt_cli.compliance.report.front import front_figure
 from trajopt_cli.compliance.report.runs import Following
+from trajopt_cli.compliance.task.arm_map import ArmMap
+from trajopt_cli.limits import JointLimits
 from trajopt_cli.report.style import files, house_style
 from trajopt_cli.shapes import Box, Capsule
 
 __all__ = [
+    "Course",
     "Following",
     "arm",
+    "arm_angle_map",
     "contact",
     "dosing",
     "family",
@@ -170,3 +176,20 @@ def joints(
     """
     with house_style():
         return files("joints", charts.joints_figure(t, q, lower, upper, velocity, title, delta), title)
+
+
+def arm_angle_map(
+    t: ArrayLike,
+    chart: ArmMap,
+    limits: JointLimits,
+    courses: Sequence[Course],
+    definition: str,
+    title: str,
+) -> dict[str, bytes]:
+    """What each arm angle means along the path, and one or two courses over times t (n,) [s]: arm_angle.
+
+    Colour: least distance from a position limit, or the joint that is out of its range.
+    """
+    with house_style():
+        figure = arm_angle.map_figure(np.asarray(t), chart, limits, courses, definition, title)
+        return files("arm_angle", figure, title)

@@ -2,20 +2,17 @@
 
 Dynamic programming over a grid of stages in time and cells of arm angle finds the cheapest course; moving averages
 make it smooth; every row of the result is then checked. What one pair of grids misses, the next finer one is tried on.
-
-A cell is forbidden where a joint is out of its range, a step where a joint's mean speed exceeds its limit. The joints
-are taken as the inverse gives them, within half a turn, so a step across half a turn is forbidden as too fast: right
-for ranges that end before it, and on the safe side for wider ones.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import partial
 from math import pi, radians
 
 import numpy as np
 
+from trajopt_cli.compliance.task.arm_map import FREE, Blocked, cheapest, fans, stages
 from trajopt_cli.compliance.task.joint_checks import ELBOW, Place
 from trajopt_cli.compliance.task.joint_rows import (
     RELATIVE,
@@ -28,12 +25,11 @@ from trajopt_cli.compliance.task.joint_rows import (
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.robot.srs import SrsRobot
-from trajopt_cli.robot.srs_inverse import ArmAngle, arm_angle, inverse_branch
+from trajopt_cli.robot.srs_inverse import ArmAngle, arm_angle
 
 _GRIDS = ((0.1, 360), (0.05, 720), (0.025, 720))
 """Stage [s] and cells per turn, coarse first."""
 _FEWEST_STAGES = 20  # so that a short motion, too, has stages to turn in
-_RATE = radians(90.0)  # rad/s: the fastest arm angle looked at; a joint with such a speed is near its limit anyway
 _SINGULAR = radians(10.0)  # rad of joint_2 or joint_6 from zero where nearness costs as much as 70 % of a joint's range
 _MOTION = 4.0  # cost of joint speed against that of nearness to limits: above one, a course that rests more
 _WINDOWS = (1.0, 0.5, 0.25, 0.12, 0.06)
@@ -79,15 +75,12 @@ def find_course(
     failure = NoCourse(0.0, "")
     for stage, cells in _GRIDS:
         count = max(_FEWEST_STAGES, int(np.ceil((len(X_WF) - 1) * h / stage)))
-        rows = np.unique(np.round(np.linspace(0, len(X_WF) - 1, count + 1)).astype(np.intp))
+        rows = stages(len(X_WF), count)
         cell = 2 * pi / cells
         grid = np.asarray(begin + cell * np.arange(cells), dtype=np.float64)
-        fans = (
-            inverse_branch(robot, np.broadcast_to(X, (cells, 4, 4)), grid, definition, configuration)
-            for X in X_WF[rows]
-        )
-        nodes = _cheapest(fans, np.diff(rows) * h, limits, cell)
-        if isinstance(nodes, _Blocked):
+        every = fans(robot, X_WF[rows], definition, configuration, grid)
+        nodes = cheapest(every, np.diff(rows) * h, limits, cell, partial(_holding, limits=limits), _driving)
+        if isinstance(nodes, Blocked):
             row = int(rows[nodes.stage])
             failure = NoCourse(row * h, f"at t = {row * h:.3f} s ({place(row)}) {nodes.why}")
             continue
@@ -108,47 +101,10 @@ def find_course(
     return failure if best is None else best[1]
 
 
-@dataclass(frozen=True)
-class _Blocked:
-    """No course of cells leads to this stage, and why."""
-
-    stage: int
-    why: str
-
-
-def _cheapest(fans: Iterator[Array], dt: Array, limits: JointLimits, cell: float) -> IndexArray | _Blocked:
-    """Cells (K + 1,), counted on over whole turns, of the cheapest course from cell 0.
-
-    fans: the joints (m, 7) of every cell, stage after stage, K + 1 of them. dt (K,) [s]: time from stage to stage.
-    cell [rad]: width of one.
-    """
-    before = next(fans)
-    cells = len(before)
-    if not np.isfinite(_holding(before[0], limits)):
-        return _Blocked(0, f"the arm angle of the start joints breaks a range: {_outside(before[:1], limits)}")
-    most = min(max(1, int(_RATE * dt.max() / cell)), (cells - 1) // 2)
-    offsets = np.arange(-most, most + 1)
-    origin = (np.arange(cells)[:, None] - offsets) % cells  # [j, o]: the cell that leads to j by offset o
-    cost = np.where(np.arange(cells) == 0, 0.0, np.inf)
-    came: list[IndexArray] = []
-    for k, q in enumerate(fans):
-        held = _holding(q, limits)
-        share = np.abs(q[:, None, :] - before[origin]) / (limits.velocity * dt[k])
-        squares = np.minimum(share * share, 1 - 1e-3)  # at its very speed limit a joint costs much, but not all
-        total = cost[origin] + _MOTION * dt[k] * (squares / (1 - squares)).sum(axis=2)
-        total[share.max(axis=2) > 1 + RELATIVE] = np.inf
-        came.append(np.argmin(total, axis=1))
-        cost = total[np.arange(cells), came[-1]] + dt[k] * held
-        if not np.isfinite(cost).any():
-            if not np.isfinite(held).any():
-                return _Blocked(k + 1, f"no arm angle keeps every joint in its range: {_outside(q, limits)}")
-            return _Blocked(k + 1, "no arm angle that keeps every joint in its range can be reached in time")
-        before = q
-    cells_back = [int(np.argmin(cost))]
-    for origins in reversed(came):
-        cells_back.append(cells_back[-1] - int(offsets[origins[cells_back[-1] % cells]]))
-    out = np.array(cells_back[::-1])
-    return np.asarray(out - out[0])
+def _driving(share: Array) -> Array:
+    """Cost per second (...) of joint speeds that are these shares (..., 7) of their limits."""
+    squares = np.minimum(share * share, 1 - 1e-3)  # at its very speed limit a joint costs much, but not all
+    return np.asarray(_MOTION * (squares / (1 - squares)).sum(axis=-1))
 
 
 def _holding(q: Array, limits: JointLimits) -> Array:
@@ -156,22 +112,11 @@ def _holding(q: Array, limits: JointLimits) -> Array:
     half = (limits.upper - limits.lower) / 2
     used = np.square((q - (limits.upper + limits.lower) / 2) / half)
     outside = np.any(position_excess(q, limits) > RELATIVE * 2 * half, axis=-1)
-    free = np.delete(np.arange(q.shape[-1]), ELBOW)  # the elbow's share is the same at every arm angle
-    used = np.minimum(used[..., free], 1 - 1e-6)
+    used = np.minimum(used[..., FREE], 1 - 1e-6)  # the elbow's share is the same at every arm angle
     with np.errstate(divide="ignore"):
         singular = np.square(np.sin(_SINGULAR) / np.sin(q[..., [1, 5]]))
     cost = (used / (1 - used)).sum(axis=-1) + np.minimum(singular, 1e6).sum(axis=-1)
     return np.where(outside, np.inf, cost)
-
-
-def _outside(q: Array, limits: JointLimits) -> str:
-    """Which joints of q (m, 7) are out of range, the most frequent first."""
-    out = position_excess(q, limits) > 0
-    counts = out.sum(axis=0)
-    order = [int(j) for j in np.argsort(-counts, kind="stable") if counts[j]]
-    return ", ".join(
-        f"{limits.names[j]}" + (f" at {100 * counts[j] / len(q):.0f} % of them" if len(q) > 1 else "") for j in order
-    )
 
 
 def _smooth(nodes: Array, rows: IndexArray, n: int, width: int) -> Array:

@@ -5,8 +5,6 @@ Times are printed in 15 digits where that reads back to 1e-15 of the time (0.003
 
 from __future__ import annotations
 
-from contextlib import suppress
-
 import numpy as np
 
 from trajopt_cli.compliance.task.equilibrium import Equilibrium

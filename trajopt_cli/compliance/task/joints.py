@@ -1,13 +1,14 @@
-"""The joints that follow an equilibrium sequence: one configuration, a fixed arm angle or one that moves."""
+"""The joints that follow an equilibrium sequence: one configuration, an arm angle that is fixed, rescued or chosen."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from math import degrees
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trajopt_cli.compliance.task.arm_course import ArmCourse, find_course
+from trajopt_cli.compliance.task.arm_course import ArmCourse, NoCourse, find_course
 from trajopt_cli.compliance.task.equilibrium import Equilibrium
 from trajopt_cli.compliance.task.joint_checks import ELBOW, broken_limit, check_joints, place_of, remarks, stops_loop
 from trajopt_cli.compliance.task.joint_rows import central_speeds, joints_along
@@ -18,6 +19,9 @@ from trajopt_cli.robot import srs_inverse
 from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.robot.srs_inverse import ArmAngle, why_unreachable
 from trajopt_cli.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from trajopt_cli.compliance.task.arm_plan import ArmPlan, Wish
 
 _SAME_POSITION, _SAME_ANGLE = 1e-6, 1e-6
 """m and rad: a first pose this near the tool's at the start joints is that pose, written down with rounding."""
@@ -30,6 +34,7 @@ class Followed:
     trajectory: a row every period; qd is the central difference, 0 in the first and last row, where the arm rests.
     X_WF (n, 4, 4): flange poses wanted. arm_angle (n,) [rad] by definition, without jumps. configuration: 0..7, that
     of the start joints. findings: worst position, speed and acceleration of every joint. notes: what to know besides.
+    plan: how the arm angle was chosen, None where it was not, or where no choice keeps the limits.
     """
 
     trajectory: Trajectory
@@ -39,6 +44,7 @@ class Followed:
     configuration: int
     findings: tuple[Finding, ...]
     notes: tuple[str, ...]
+    plan: ArmPlan | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "X_WF", readonly(self.X_WF))
@@ -65,14 +71,16 @@ def follow(
     arm_angle: float | None,
     free: bool,
     stops: bool = True,
+    wish: Wish | None = None,
 ) -> Followed | Unfollowable:
     """Joints of every pose of the sequence, each sample held against the limits.
 
     robot: mounted in the world. X_FT (4, 4): TCP in the flange frame. start_joints (7,) [rad]: where the controller is
     switched on; R_start, the configuration, the joints' turns and, if arm_angle is None, the arm angle come from them.
     free: if a fixed arm angle breaks a position or speed limit, the arm angle may move, from that of the start joints
-    on. stops: whether the arm has to be at rest in the last row. Raises ValueError for a sequence of one row or start
-    joints of another shape.
+    on. stops: whether the arm has to be at rest in the last row. wish: what the arm angle is chosen for, from that of
+    the start joints on; free does not count then. Raises ValueError for a sequence of one row or start joints of
+    another shape.
     """
     start = np.asarray(start_joints, dtype=np.float64)
     if start.shape != (len(limits.names),) or len(equilibrium.pose) < 2:
@@ -96,29 +104,43 @@ def follow(
         return Unfollowable(row * h, row, place(row), message)
 
     angles = np.full(len(q), fixed)
-    findings = check_joints(q, h, limits, place, free=False, stops=stops)
+    free = free or wish is not None
+    findings = check_joints(q, h, limits, place, free=wish is not None, stops=stops)
     notes: list[str] = []
+    plan: ArmPlan | None = None
     broken = stops_loop(findings)
-    if free and not broken:
-        notes.append(f"the arm angle stays at {_printed(fixed)}: it keeps every position and speed limit")
-    elif free:
-        hopeless = any(finding.subject == limits.names[ELBOW] for finding in broken)
-        course = None if hopeless else find_course(robot, X_WF, h, limits, definition, configuration, start, place)
-        if isinstance(course, ArmCourse):
-            q, angles = course.q, course.arm_angle
-            findings = check_joints(q, h, limits, place, free=True, stops=stops)
-            notes.append(
-                f"the arm angle moves between {_printed(float(angles.min()))} and {_printed(float(angles.max()))};"
-                f" held at {_printed(fixed)}: {broken_limit(broken[0], place(round((broken[0].time or 0.0) / h)))}"
-            )
+    hopeless = any(finding.subject == limits.names[ELBOW] for finding in broken)
+    course: ArmCourse | ArmPlan | NoCourse | None = None
+    if wish is not None and not hopeless:
+        from trajopt_cli.compliance.task.arm_plan import NoPlan, Way, plan_arm
+
+        found = plan_arm(Way(robot, X_WF, h, limits, definition, configuration, start), fixed, wish, stops)
+        if isinstance(found, NoPlan):
+            course = NoCourse(found.row * h, f"at t = {found.row * h:.3f} s ({place(found.row)}) {found.message}")
+        elif found.held:
+            plan = found
+            notes.append(f"the arm angle stays at {_printed(fixed)}: {found.held}")
         else:
-            findings = check_joints(q, h, limits, place, free=True, stops=stops)
-            if course is not None:
-                notes.append(f"no course of the arm angle was found: {course.message}")
+            course = plan = found
+    elif free and not broken:
+        notes.append(f"the arm angle stays at {_printed(fixed)}: it keeps every position and speed limit")
+    elif free and not hopeless:
+        course = find_course(robot, X_WF, h, limits, definition, configuration, start, place)
+    if isinstance(course, NoCourse):
+        notes.append(f"no course of the arm angle was found: {course.message}")
+    elif course is not None:
+        q, angles = course.q, course.arm_angle
+        moves = f"the arm angle moves between {_printed(float(angles.min()))} and {_printed(float(angles.max()))}"
+        if broken:
+            at = place(round((broken[0].time or 0.0) / h))
+            moves += f"; held at {_printed(fixed)}: {broken_limit(broken[0], at)}"
+        notes.append(moves)
+    if (free and broken) or course is not None:
+        findings = check_joints(q, h, limits, place, free=True, stops=stops)
     notes += _start_notes(X_start, X_WF[0] @ X_FT, start, q[0], limits)
     notes += remarks(robot, q, h, limits, place)
     trajectory = Trajectory(limits.names, equilibrium.t, q, central_speeds(q, h))
-    return Followed(trajectory, X_WF, angles, definition, configuration, findings, tuple(notes))
+    return Followed(trajectory, X_WF, angles, definition, configuration, findings, tuple(notes), plan)
 
 
 def _printed(angle: float) -> str:
