@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 
 from trajopt_cli.compliance.report.arm_angle import map_figure
 from trajopt_cli.compliance.report.pictures import Course
@@ -96,3 +97,19 @@ def test_courses_stand_on_the_map_and_over_their_figures(drawn: tuple[Figure, Ar
         assert line(speed, f"{one.name} speed")[:, 1].max() == pytest.approx(used)
         near = np.minimum(LIMITS.upper - one.q, one.q - LIMITS.lower)[:, [0, 1, 2, 4, 5, 6]].min()
         assert line(room, f"{one.name} distance")[:, 1].min() == pytest.approx(np.degrees(near))
+
+
+def test_texts_stand_on_the_page(drawn: tuple[Figure, ArmMap, Array, list[Course]]) -> None:
+    figure = drawn[0]
+    with house_style():
+        figure.canvas.draw()
+    page = figure.bbox.padded(1)
+    ticks = [t for axes in figure.axes for t in (*axes.get_xticklabels(), *axes.get_yticklabels())]
+    texts = [t for t in figure.findobj(Text) if t not in ticks and t.get_visible() and t.get_text().strip()]
+    assert len(texts) > 10
+    for text in texts:
+        box = Text.get_window_extent(text)
+        assert page.x0 <= box.x0, text
+        assert box.x1 <= page.x1, text
+        assert page.y0 <= box.y0, text
+        assert box.y1 <= page.y1, text

@@ -69,7 +69,7 @@ def test_on_a_small_grid_nothing_is_better() -> None:
             return np.where(margins(q, LIMITS) < 0, np.inf, np.square(q).sum(axis=-1))
 
         def drive(share: Array) -> Array:
-            return share.sum(axis=-1) / 10
+            return share.sum(axis=0) / 10
 
         def worst(q: Array) -> Array:
             return np.where(margins(q, LIMITS) < 0, np.inf, -margins(q, LIMITS))
@@ -80,11 +80,11 @@ def test_on_a_small_grid_nothing_is_better() -> None:
             share = np.abs(np.diff(course, axis=0)) / LIMITS.velocity / dt[:, None]
             # five cells, two steps either way: all of them can be got to in one stage
             if (share <= 1).all():
-                best = min(best, float(dt @ (hold(course[1:]) + drive(share))))
+                best = min(best, float(dt @ (hold(course[1:]) + drive(share.T))))
                 least = min(least, float(worst(course).max()))
         # the fastest arm angle looked at would cross less than a cell: cells are counted as narrow
         found = cheapest(iter(q), dt, LIMITS, cell / 12, hold, drive)
-        other = cheapest(iter(q), dt, LIMITS, cell / 12, worst, lambda s: np.full(s.shape[:2], -np.inf), np.maximum)
+        other = cheapest(iter(q), dt, LIMITS, cell / 12, worst, lambda s: np.full(s.shape[1:], -np.inf), np.maximum)
         if best == np.inf:
             assert isinstance(found, Blocked)
             blocked += 1
@@ -93,7 +93,7 @@ def test_on_a_small_grid_nothing_is_better() -> None:
         assert not isinstance(other, Blocked)
         course = q[np.arange(5), found % 5]
         share = np.abs(np.diff(course, axis=0)) / LIMITS.velocity / dt[:, None]
-        assert float(dt @ (hold(course[1:]) + drive(share))) == pytest.approx(best, rel=1e-12)
+        assert float(dt @ (hold(course[1:]) + drive(share.T))) == pytest.approx(best, rel=1e-12)
         assert float(worst(q[np.arange(5), other % 5]).max()) == pytest.approx(least, rel=1e-12)
     assert blocked < 10
 
@@ -156,7 +156,7 @@ def test_the_figures_are_those_of_the_joints(name: str, answers: dict[tuple[str,
     assert best.margin == pytest.approx(room, rel=1e-9)
     assert best.steady == pytest.approx(np.sqrt(speed), rel=1e-9)
     held = np.array([pin.computeGeneralizedGravity(*_with_load(), one) for one in q])
-    assert best.effort == pytest.approx(np.sqrt(np.square(held).sum(axis=1).mean()), rel=1e-3)
+    assert best.effort == pytest.approx(np.sqrt(np.square(held / ROBOT.torque).sum(axis=1).mean()), rel=1e-3)
     assert best.gravity == pytest.approx(np.abs(held / ROBOT.torque).max(), rel=1e-3)
     azimuth, tilt = q[:, 0], q[:, 1]
     points = 0.4 * np.column_stack([np.cos(azimuth) * np.sin(tilt), np.sin(azimuth) * np.sin(tilt), np.cos(tilt)])
@@ -250,7 +250,7 @@ def test_a_finer_grid_is_hardly_better() -> None:
         chart = arm_map(ROBOT, answer.X_WF, rows, ArmAngle.FARIA, answer.configuration, begin, cells)
         found = cheapest(
             iter(chart.q), np.diff(rows) * H, LIMITS, chart.cell,
-            lambda q: np.where(margins(q, LIMITS) < 0, np.inf, 0.0), lambda share: np.square(share).sum(axis=-1),
+            lambda q: np.where(margins(q, LIMITS) < 0, np.inf, 0.0), lambda share: np.square(share).sum(axis=0),
         )  # fmt: skip
         assert not isinstance(found, Blocked)
         q = chart.q[np.arange(len(rows)), found % cells]

@@ -114,7 +114,8 @@ def joint_pictures(opened: Opened, followed: Followed) -> dict[str, bytes]:
     courses = [Course("fixed", np.full(len(t), fixed), held)]
     if np.any(followed.arm_angle != fixed):
         courses.append(Course("chosen" if plan is not None else "free", followed.arm_angle, q))
-    pictures = compliance.arm_angle_map(t, chart, limits, courses, followed.definition.value, title)
+    places = [(t[one.last], one.goal) for one in opened.equilibrium.pieces if not one.dwell]
+    pictures = compliance.arm_angle_map(t, chart, limits, courses, followed.definition.value, title, places)
     angle = followed.arm_angle if len(courses) == 2 else None
     return pictures | compliance.joints(t, q, limits.lower, limits.upper, limits.velocity, joints, angle)
 

@@ -114,7 +114,7 @@ def _figures(figures: ArmFigures, names: tuple[str, ...]) -> dict[str, Any]:
         "acceleration_joint": names[figures.abrupt],
         "gravity_torque_share": figures.gravity,
         "gravity_torque_joint": names[figures.loaded],
-        "gravity_torque_rms_Nm": figures.effort,
+        "gravity_torque_share_rms": figures.effort,
         "torque_share": figures.torque,
         "torque_joint": names[figures.strained],
         "elbow_way_m": figures.elbow,

@@ -20,8 +20,8 @@ from trajopt_cli.compliance.task.joint_checks import ELBOW
 from trajopt_cli.compliance.task.joint_rows import position_excess, speeds
 from trajopt_cli.geometry import Array, BoolArray
 from trajopt_cli.limits import JointLimits
-from trajopt_cli.report.over_time import TIME
-from trajopt_cli.report.style import BLACK, GREY, LIMIT, SMALL, VERMILLION, name_limit, new_figure, settle
+from trajopt_cli.report.over_time import TIME, with_names
+from trajopt_cli.report.style import BLACK, GREY, LIMIT, SMALL, VERMILLION, name_limit, new_figure
 from trajopt_cli.units import DEG, MM
 
 # Of joints 1, 2, 3, 5, 6, 7, from light to dark in turns, so that neighbours differ in grey, too.
@@ -46,9 +46,18 @@ class Course:
 
 
 def map_figure(
-    t: Array, chart: ArmMap, limits: JointLimits, courses: Sequence[Course], definition: str, title: str
+    t: Array,
+    chart: ArmMap,
+    limits: JointLimits,
+    courses: Sequence[Course],
+    definition: str,
+    title: str,
+    places: Sequence[tuple[float, str]] = (),
 ) -> Figure:
-    """The map over times t (n,) [s], one or two courses on it, and their distance from limits and speed below."""
+    """The map over times t (n,) [s], one or two courses on it, and their distance from limits and speed below.
+
+    places: (time [s], name) of what the path passes.
+    """
     time = times(t, "arm angle map")
     for one in courses:
         looked_at(one.arm_angle, time.shape, f"arm angle map: {one.name}")
@@ -85,10 +94,10 @@ def map_figure(
         room.axhline(0, **LIMIT)
     speed.set_xlabel(TIME)
     speed.set_xlim(columns[0], columns[-1])
-    figure.legend(handles=handles, loc="outside lower center", ncols=4, columnspacing=1.4)
-    figure.align_ylabels()
-    settle(figure)
-    return figure
+    figure.legend(handles=handles, loc="outside lower center", ncols=3, columnspacing=1.4)
+    for at_place, _ in places:
+        plan.axvline(at_place, color=GREY, linewidth=0.6, alpha=0.6)
+    return with_names(figure, plan, places)
 
 
 def _shown(chart: ArmMap, courses: Sequence[Course]) -> Any:
@@ -160,7 +169,7 @@ def _singular(axes: Axes, q: Array, at: Array, delta: Array, chart: ArmMap) -> l
     if len(spots):
         style: dict[str, Any] = {"color": BLACK, "marker": "X", "markersize": 9, "linestyle": "", "zorder": 5}
         axes.plot(at[spots[:, 0]], delta[spots[:, 1]], gid="flip", markeredgecolor="white", **style)
-        handles.append(Line2D([], [], **style, label="shoulder flips: joint_1, joint_3 turn by 180° past it"))
+        handles.append(Line2D([], [], **style, label="shoulder flip: joint_2 = 0"))
     for rows, name, hatch in (
         (chart.on_axis < _AXIS, f"wrist centre within {_AXIS / MM:.0f} mm of axis 1", ".."),
         (np.abs(q[:, 0, ELBOW]) < _NEAR, f"elbow stretched: joint_4 within {_NEAR / DEG:.0f}° of 0", "xx"),

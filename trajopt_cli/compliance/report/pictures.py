@@ -185,11 +185,12 @@ def arm_angle_map(
     courses: Sequence[Course],
     definition: str,
     title: str,
+    places: Sequence[tuple[float, str]] = (),
 ) -> dict[str, bytes]:
     """What each arm angle means along the path, and one or two courses over times t (n,) [s]: arm_angle.
 
-    Colour: least distance from a position limit, or the joint that is out of its range.
+    Colour: least distance from a position limit, or the joint that is out of its range. places: (time [s], name).
     """
     with house_style():
-        figure = arm_angle.map_figure(np.asarray(t), chart, limits, courses, definition, title)
+        figure = arm_angle.map_figure(np.asarray(t), chart, limits, courses, definition, title, places)
         return files("arm_angle", figure, title)

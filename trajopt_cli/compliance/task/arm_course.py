@@ -102,9 +102,9 @@ def find_course(
 
 
 def _driving(share: Array) -> Array:
-    """Cost per second (...) of joint speeds that are these shares (..., 7) of their limits."""
+    """Cost per second (...) of joint speeds that are these shares (7, ...) of their limits."""
     squares = np.minimum(share * share, 1 - 1e-3)  # at its very speed limit a joint costs much, but not all
-    return np.asarray(_MOTION * (squares / (1 - squares)).sum(axis=-1))
+    return np.asarray(_MOTION * (squares / (1 - squares)).sum(axis=0))
 
 
 def _holding(q: Array, limits: JointLimits) -> Array:

@@ -100,7 +100,7 @@ def cheapest(
 
     fans: the joints (m, 7) of every cell, stage after stage, K + 1 of them. dt (K,) [s]: time from stage to stage.
     cell [rad]: width of one. hold: from joints (m, 7) to what standing there costs per second, inf where it is
-    forbidden. drive: from mean speeds (m, o, 7), as shares of their limits, to what a step costs per second. join:
+    forbidden. drive: from mean speeds (7, m, o), as shares of their limits, to what a step costs per second. join:
     np.add; np.maximum, with costs that are no rates, finds the course whose worst stage is best.
     """
     before = next(fans)
@@ -115,9 +115,13 @@ def cheapest(
     for k, q in enumerate(fans):
         rate = dt[k] if join is np.add else 1.0
         held = hold(q)
-        share = np.abs(q[:, None, :] - before[origin]) / (limits.velocity * dt[k])
+        # joints first in memory: what is taken over them then runs over long rows
+        share = np.ascontiguousarray(before.T).take(origin, axis=1)
+        share -= np.ascontiguousarray(q.T)[:, :, None]
+        np.abs(share, out=share)
+        share /= (limits.velocity * dt[k])[:, None, None]
         total = join(cost[origin], rate * drive(share))
-        total[share.max(axis=2) > 1 + RELATIVE] = np.inf
+        total[share.max(axis=0) > 1 + RELATIVE] = np.inf
         came.append(np.argmin(total, axis=1))
         cost = join(total[np.arange(cells), came[-1]], rate * held)
         if not np.isfinite(cost).any():

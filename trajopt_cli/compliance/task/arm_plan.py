@@ -38,7 +38,7 @@ _SINGULAR = np.sin(radians(10.0))  # of joint_2 or joint_6 from zero: costs as m
 _SPEED_COUNTS = 0.1  # of squares of speed shares, in limits and torque
 _FLOOR = radians(1.0)  # rad from a limit that is kept where the start keeps it
 _GIVEN = 0.98  # of the best least distance from a limit: what the other stages may be better off for
-_TOP_SPEED, _TOP_ACCELERATION = 0.97, 0.9  # shares of limits that the nodes keep, for the rows between them
+_TOP_SPEED, _TOP_ACCELERATION = 0.97, 0.93  # shares of limits that the nodes keep, for the rows between them
 _SLOWER = (_TOP_SPEED, 0.7, 0.5, 0.35)  # top speeds on the grid, lower where accelerations break their limits otherwise
 _SMOOTHING = (1.0, 1e-1, 1e-2, 1e-3, 1e-4)  # of the square of the arm angle's acceleration [rad/s2]
 _WORTH, _OF_SAVING = 0.01, 0.1  # of the least cost, and of what it saves: what a smoother course may cost more
@@ -72,10 +72,10 @@ class ArmFigures:
     """What a course of the arm angle costs, over all its rows; joints by index, joint_4 left out but in torque.
 
     margin [rad]: least distance from a position limit, of joint near. speed, acceleration: greatest shares of limits,
-    of joints fast and abrupt; root mean square of all joints' speed shares: steady. gravity: greatest share of a torque
-    sensor's range that holds the arm, of joint loaded; effort [Nm]: root mean square of those torques, over time and
-    joints; torque: greatest share with the arm's inertia, of joint strained. elbow [m]: way of the elbow; turned [rad]:
-    of the arm angle. passes: every position and speed limit is kept, joint_4's, too.
+    of joints fast and abrupt; steady: root of the mean square over time of all joints' speed shares. gravity: greatest
+    share of a torque sensor's range that holds the arm, of joint loaded; effort: as steady, of these shares; torque:
+    greatest share with the arm's inertia, of joint strained. elbow [m]: way of the elbow; turned [rad]: of the arm
+    angle. passes: every position and speed limit is kept, joint_4's, too.
     """
 
     margin: float
@@ -155,8 +155,8 @@ def plan_arm(way: Way, fixed: float, wish: Wish, stops: bool = True) -> ArmPlan 
     fixed [rad]: the arm angle to compare with, kept where the course found is no better and it keeps the limits. stops:
     whether the arm has to be at rest in the last row.
     """
-    bench = _Bench(way, wish)
     q_fixed = way.joints(fixed)
+    bench = _Bench(way, wish, (accelerations(q_fixed, way.h) / way.limits.acceleration).max(axis=1))
     fixed_figures = bench.figures(q_fixed, np.full(len(q_fixed), fixed), stops)
     failure = NoPlan(0, "")
     for stage, cells in _GRIDS:
@@ -198,8 +198,9 @@ class _Smooth:
 class _Bench:
     """What costs are counted with."""
 
-    def __init__(self, way: Way, wish: Wish) -> None:
-        limits = way.limits
+    def __init__(self, way: Way, wish: Wish, hard: Array) -> None:
+        """hard (n,): how hard the way accelerates the joints in each row; only where it does most counts."""
+        limits, self._hard = way.limits, hard
         self.way, self.goal, self.limits, self.tell = way, wish.goal, limits, wish.tell
         self._dynamics = Dynamics(way.robot, wish.load)
         self.middle, self.half = (limits.upper + limits.lower) / 2, (limits.upper - limits.lower) / 2
@@ -272,7 +273,7 @@ class _Bench:
             return np.where(room < 0, np.inf, -room)
 
         def slow(share: Array) -> Array:
-            return np.where(share.max(axis=-1) > top, np.inf, -np.inf)
+            return np.where(share.max(axis=0) > top, np.inf, -np.inf)
 
         if self.goal is Goal.LIMITS:
             widest = cheapest(iter(chart.q), dt, self.limits, chart.cell, inside, slow, np.maximum)
@@ -285,7 +286,7 @@ class _Bench:
             return np.where(margins(q, self.limits) < floor, np.inf, self.standing(q))
 
         def drive(share: Array) -> Array:
-            return np.where(share.max(axis=-1) > top, np.inf, self.moving * np.square(share).sum(axis=-1))
+            return np.where(share.max(axis=0) > top, np.inf, self.moving * np.square(share).sum(axis=0))
 
         found = cheapest(iter(chart.q), dt, self.limits, chart.cell, hold, drive)
         return found if isinstance(found, Blocked) else (found, floor)
@@ -298,7 +299,7 @@ class _Bench:
         grid = np.asarray(np.interp(nodes, chart.rows, chart.delta[0] + chart.cell * cells), dtype=np.float64)
         delta = grid
         for weight in _SMOOTHING:
-            fit = _Fit(self, way.X_WF[nodes], t, floor, top, weight)
+            fit = _Fit(self, nodes, self._hard, floor, top, weight)
             _, delta = min((fit.solve(begin) for begin in (grid, delta)), key=lambda one: one[0])
             angles = np.asarray(CubicSpline(t, delta, bc_type=((1, 0.0), (1, 0.0)))(np.arange(n) * h))
             q = way.joints(angles)
@@ -329,7 +330,7 @@ class _Bench:
             abrupt=FREE[int(np.argmax(abrupt))],
             gravity=float(gravity.max()),
             loaded=int(np.argmax(gravity)),
-            effort=float(np.sqrt(np.square(held).sum(axis=1).mean())),
+            effort=float(np.sqrt(np.square(held / way.robot.torque).sum(axis=1).mean())),
             torque=float(torque.max()),
             strained=int(np.argmax(torque)),
             elbow=float(np.linalg.norm(np.diff(elbow, axis=1), axis=0).sum()),
@@ -353,13 +354,20 @@ class _Bench:
 class _Fit:
     """Least squares over the arm angles of nodes: each term's residuals touch one node or up to three in a row."""
 
-    def __init__(self, bench: _Bench, X_WF: Array, t: Array, floor: float, top: float, weight: float) -> None:
-        self._bench, self._way, self._X, self._floor = bench, bench.way, X_WF, floor
+    def __init__(self, bench: _Bench, nodes: IndexArray, hard: Array, floor: float, top: float, weight: float) -> None:
+        self._bench, self._way, self._floor, self._weight, self._top = bench, bench.way, floor, weight, top
+        X_WF, t = bench.way.X_WF, np.asarray(nodes * bench.way.h, dtype=np.float64)
+        self._X = X_WF[nodes]
+        # around each inner node the row at which the way accelerates most, with its neighbours
+        borders = (nodes[1:] + nodes[:-1] + 1) // 2
+        pairs = zip(borders[:-1].tolist(), borders[1:].tolist(), strict=True)
+        rows = np.array([first + int(np.argmax(hard[first:end])) for first, end in pairs])
+        rows = np.clip(rows, 1, len(X_WF) - 2)
+        self._around = [X_WF[rows + k] for k in (-1, 0, 1)]
         self._dt = np.diff(t)
         ends = np.concatenate([self._dt[:1], self._dt, self._dt[-1:]])  # as if mirrored: the course rests there
         self._w = (ends[:-1] + ends[1:]) / 2
         self._before, self._after = 1 / (ends[:-1] * self._w), 1 / (ends[1:] * self._w)
-        self._weight, self._top = weight, top
 
     def solve(self, delta: Array) -> tuple[float, Array]:
         """Sum of squares and arm angles (K + 1,) after damped Gauss-Newton from delta, whose first value stays."""
@@ -388,8 +396,7 @@ class _Fit:
         limits, bench = self._way.limits, self._bench
         q = np.unwrap(self._inverse(delta), axis=0)
         up, down = self._inverse(delta + _STEP), self._inverse(delta - _STEP)
-        q_d = np.remainder(up - down + pi, 2 * pi) - pi
-        q_d /= 2 * _STEP
+        q_d = _turn(up - down) / (2 * _STEP)
         normal = _Normal(len(delta))
         root = np.sqrt(self._w)[:, None]
         if bench.goal is not Goal.SPEED:
@@ -409,25 +416,52 @@ class _Fit:
         scale = _WALL_SPEED * stretch
         normal.add(scale * np.maximum(np.abs(share) - self._top, 0.0), -scale * fast * per[0], scale * fast * per[1])
 
-        last = len(delta) - 2
-        for first, k in ((0, slice(1, -1)), (0, slice(0, 1)), (last, slice(-1, None))):
-            b, a = self._before[k, None], self._after[k, None]
-            part, weights = [slice(0, -2), k, slice(2, None)], [b, -(a + b), a]
-            if k.start != 1:  # from rest and to rest: as if the way were mirrored there
-                part, weights = [slice(first, first + 1), slice(first + 1, first + 2)], [-(a + b), a + b]
-            bent = sum(w * q[one] for w, one in zip(weights, part, strict=True)) / limits.acceleration
-            over = np.maximum(np.abs(bent) - _TOP_ACCELERATION, 0.0)
-            hard = _WALL_ACCELERATION * root[k] * np.where(over > 0, np.sign(bent), 0.0) / limits.acceleration
-            slopes = [hard * w * q_d[one] for w, one in zip(weights, part, strict=True)]
-            normal.add(_WALL_ACCELERATION * root[k] * over, *slopes, first=first)
-            calm = np.sqrt(self._weight) * root[k]
-            curve = sum(w * delta[one, None] for w, one in zip(weights, part, strict=True))
-            normal.add(calm * curve, *(calm * w for w in weights), first=first)
+        self._bends(normal, delta, q, q_d)
         return normal.merit, normal.bands, normal.gradient
 
-    def _inverse(self, delta: Array) -> Array:
+    def _bends(self, normal: _Normal, delta: Array, q: Array, q_d: Array) -> None:
+        """Add what accelerations cost: the joints' beyond their limits, the arm angle's everywhere."""
+        h, top = self._way.h, self._way.limits.acceleration
+        root, calm = np.sqrt(self._w)[:, None], np.sqrt(self._weight * self._w)[:, None]
+        b, a = self._before[1:-1, None], self._after[1:-1, None]
+        inner, second = slice(1, -1), (b, -(a + b), a)
+        span = (self._dt[1:] + self._dt[:-1])[:, None]
+        first = (-1 / span, 0 / span, 1 / span)
+        parts = [delta[:-2, None], delta[inner, None], delta[2:, None]]
+        rate, bend = (sum(w * one for w, one in zip(weights, parts, strict=True)) for weights in (first, second))
+        normal.add(calm[inner] * bend, *(calm[inner] * w for w in second))
+        # three rows around the hardest one near each node, the arm angle going as it does there
+        q_3, slope = [], []
+        for X, k in zip(self._around, (-1, 0, 1), strict=True):
+            angles = (parts[1] + k * h * rate + k * k * h * h / 2 * bend)[:, 0]
+            up, down = (self._inverse(angles + step, X) for step in (_STEP, -_STEP))
+            slope.append(_turn(up - down) / (2 * _STEP))
+            q_3.append(self._inverse(angles, X))
+        hard = (_turn(q_3[2] - q_3[1]) - _turn(q_3[1] - q_3[0])) / (h * h * top)
+        over = np.maximum(np.abs(hard) - _TOP_ACCELERATION, 0.0)
+        wall = _WALL_ACCELERATION * root[inner] * np.where(over > 0, np.sign(hard), 0.0) / top
+        by_rate, by_bend = (slope[2] - slope[0]) / h, slope[1]
+        by_angle = (slope[2] - 2 * slope[1] + slope[0]) / (h * h)
+        slopes = [wall * (by_rate * v + by_bend * w) for v, w in zip(first, second, strict=True)]
+        slopes[1] = slopes[1] + wall * by_angle
+        normal.add(_WALL_ACCELERATION * root[inner] * over, *slopes)
+        for k in (0, len(delta) - 2):  # from rest and to rest: as if the way were mirrored there
+            end = slice(0, 1) if k == 0 else slice(-1, None)
+            lead = (self._before + self._after)[end, None] * (1.0 if k == 0 else -1.0)
+            normal.add(calm[end] * lead * (delta[k + 1] - delta[k]), -calm[end] * lead, calm[end] * lead, first=k)
+            bent = lead * (q[k + 1] - q[k]) / top
+            over = np.maximum(np.abs(bent) - _TOP_ACCELERATION, 0.0)
+            wall = _WALL_ACCELERATION * root[end] * np.where(over > 0, np.sign(bent), 0.0) * lead / top
+            normal.add(_WALL_ACCELERATION * root[end] * over, -wall * q_d[k], wall * q_d[k + 1], first=k)
+
+    def _inverse(self, delta: Array, X_WF: Array | None = None) -> Array:
         way = self._way
-        return inverse_branch(way.robot, self._X, delta, way.definition, way.configuration)
+        return inverse_branch(way.robot, self._X if X_WF is None else X_WF, delta, way.definition, way.configuration)
+
+
+def _turn(angles: Array) -> Array:
+    """Angles [rad] without whole turns."""
+    return np.asarray(np.remainder(angles + pi, 2 * pi) - pi)
 
 
 class _Normal:
