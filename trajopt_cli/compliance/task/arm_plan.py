@@ -30,12 +30,22 @@ from trajopt_cli.robot.dynamics import Dynamics, ToolLoad
 from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.robot.srs_inverse import ArmAngle, arm_angle, inverse_branch
 
+
+class Goal(Enum):
+    """What the arm angle is chosen for."""
+
+    LIMITS = "limits"
+    SPEED = "speed"
+    TORQUE = "torque"
+
+
+_MOVING = {Goal.LIMITS: 0.1, Goal.SPEED: 1.0, Goal.TORQUE: 0.01}
+"""What the squares of speed shares count."""
 _GRIDS = ((0.1, 720), (0.2, 360), (0.05, 1440))
 """Stage [s] and cells per turn; the second and the third where the one before fails."""
 _STAGES = 40, 400  # at least, so that a short motion can turn; at most, so that a long one ends
 _NODE, _NODES = 0.02, (40, 1200)  # s between nodes of the smooth course, how many
 _SINGULAR = np.sin(radians(10.0))  # of joint_2 or joint_6 from zero: costs as much as 70 % of a joint's range
-_SPEED_COUNTS = 0.1  # of squares of speed shares, in limits and torque
 _FLOOR = radians(1.0)  # rad from a limit that is kept where the start keeps it
 _GIVEN = 0.98  # of the best least distance from a limit: what the other stages may be better off for
 _TOP_SPEED, _TOP_ACCELERATION = 0.97, 0.93  # shares of limits that the nodes keep, for the rows between them
@@ -48,14 +58,6 @@ _ITERATIONS = 60
 _TORQUE_ROWS = 4000  # rows that torques are told from
 
 Report = Callable[[str], None]
-
-
-class Goal(Enum):
-    """What the arm angle is chosen for."""
-
-    LIMITS = "limits"
-    SPEED = "speed"
-    TORQUE = "torque"
 
 
 @dataclass(frozen=True)
@@ -212,7 +214,7 @@ class _Bench:
     @property
     def moving(self) -> float:
         """What the squares of speed shares count."""
-        return 1.0 if self.goal is Goal.SPEED else _SPEED_COUNTS
+        return _MOVING[self.goal]
 
     def cost(self, q: Array, rows: IndexArray) -> float:
         """Of joints q (K + 1, 7) at rows, as the grid counts it: stages at their ends, steps by their mean speed."""
