@@ -272,6 +272,15 @@ def test_a_standing_arm_keeps_its_arm_angle() -> None:
     assert answer.notes[0] == "the arm angle stays at 0.00°: no smooth course is better"
 
 
+@pytest.mark.parametrize("goal", Goal)
+@pytest.mark.parametrize("rows", [2, 3, 4, 30])
+def test_short_sequences_are_followed(rows: int, goal: Goal) -> None:
+    answer = chosen(line(ROBOT.forward(BENT), np.array([0, 1e-6, 0]), np.zeros(3), (rows - 1) * H), BENT, goal)
+    assert len(answer.arm_angle) == rows
+    assert not stops_loop(answer.findings)
+    np.testing.assert_allclose(product_forward(answer.trajectory.q), answer.X_WF, rtol=0, atol=1e-9)
+
+
 def test_both_definitions_of_the_arm_angle_give_the_same_joints() -> None:
     way, start = way_of("bent")
     faria, swivel = (chosen(way, start, Goal.SPEED, one).trajectory.q for one in ArmAngle)

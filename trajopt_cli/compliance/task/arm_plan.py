@@ -359,13 +359,14 @@ class _Fit:
     def __init__(self, bench: _Bench, nodes: IndexArray, hard: Array, floor: float, top: float, weight: float) -> None:
         self._bench, self._way, self._floor, self._weight, self._top = bench, bench.way, floor, weight, top
         X_WF, t = bench.way.X_WF, np.asarray(nodes * bench.way.h, dtype=np.float64)
-        self._X = X_WF[nodes]
         # around each inner node the row at which the way accelerates most, with its neighbours
         borders = (nodes[1:] + nodes[:-1] + 1) // 2
         pairs = zip(borders[:-1].tolist(), borders[1:].tolist(), strict=True)
-        rows = np.array([first + int(np.argmax(hard[first:end])) for first, end in pairs])
+        rows = np.array([first + int(np.argmax(hard[first:end])) for first, end in pairs], dtype=np.intp)
         rows = np.clip(rows, 1, len(X_WF) - 2)
-        self._around = [X_WF[rows + k] for k in (-1, 0, 1)]
+        # each place three times: the arm angle there, a little more and a little less, all in one inverse
+        places = [X_WF[nodes], *(X_WF[rows + k] for k in (-1, 0, 1))]
+        self._X = np.concatenate([X for X in places for _ in range(3)])
         self._dt = np.diff(t)
         ends = np.concatenate([self._dt[:1], self._dt, self._dt[-1:]])  # as if mirrored: the course rests there
         self._w = (ends[:-1] + ends[1:]) / 2
@@ -395,10 +396,16 @@ class _Fit:
 
     def _at(self, delta: Array) -> tuple[float, Array, Array]:
         """Sum of squares, the normal matrix' upper bands (3, K + 1), half the gradient (K + 1,)."""
-        limits, bench = self._way.limits, self._bench
-        q = np.unwrap(self._inverse(delta), axis=0)
-        up, down = self._inverse(delta + _STEP), self._inverse(delta - _STEP)
-        q_d = _turn(up - down) / (2 * _STEP)
+        way, limits, bench = self._way, self._way.limits, self._bench
+        b, a = self._before[1:-1], self._after[1:-1]
+        rate = (delta[2:] - delta[:-2]) / (self._dt[1:] + self._dt[:-1])
+        bend = b * delta[:-2] - (a + b) * delta[1:-1] + a * delta[2:]
+        # around the hardest rows the arm angle goes as it does at the node
+        around = (delta[1:-1] + k * way.h * rate + k * k * way.h**2 / 2 * bend for k in (-1, 0, 1))
+        angles = np.concatenate([one + step for one in (delta, *around) for step in (0.0, _STEP, -_STEP)])
+        every = inverse_branch(way.robot, self._X, angles, way.definition, way.configuration)
+        q, up, down = every[: 3 * len(delta)].reshape(3, -1, every.shape[1])
+        q, q_d = np.unwrap(q, axis=0), _turn(up - down) / (2 * _STEP)
         normal = _Normal(len(delta))
         root = np.sqrt(self._w)[:, None]
         if bench.goal is not Goal.SPEED:
@@ -418,27 +425,23 @@ class _Fit:
         scale = _WALL_SPEED * stretch
         normal.add(scale * np.maximum(np.abs(share) - self._top, 0.0), -scale * fast * per[0], scale * fast * per[1])
 
-        self._bends(normal, delta, q, q_d)
+        self._bends(normal, delta, q, q_d, every[3 * len(delta) :].reshape(3, 3, -1, every.shape[1]))
         return normal.merit, normal.bands, normal.gradient
 
-    def _bends(self, normal: _Normal, delta: Array, q: Array, q_d: Array) -> None:
-        """Add what accelerations cost: the joints' beyond their limits, the arm angle's everywhere."""
+    def _bends(self, normal: _Normal, delta: Array, q: Array, q_d: Array, around: Array) -> None:
+        """Add what accelerations cost: the joints' beyond their limits, the arm angle's everywhere.
+
+        around (3, 3, K - 1, 7): joints of three rows around the hardest near each node, each as it is, more and less.
+        """
         h, top = self._way.h, self._way.limits.acceleration
         root, calm = np.sqrt(self._w)[:, None], np.sqrt(self._weight * self._w)[:, None]
         b, a = self._before[1:-1, None], self._after[1:-1, None]
         inner, second = slice(1, -1), (b, -(a + b), a)
         span = (self._dt[1:] + self._dt[:-1])[:, None]
         first = (-1 / span, 0 / span, 1 / span)
-        parts = [delta[:-2, None], delta[inner, None], delta[2:, None]]
-        rate, bend = (sum(w * one for w, one in zip(weights, parts, strict=True)) for weights in (first, second))
+        bend = b * delta[:-2, None] - (a + b) * delta[inner, None] + a * delta[2:, None]
         normal.add(calm[inner] * bend, *(calm[inner] * w for w in second))
-        # three rows around the hardest one near each node, the arm angle going as it does there
-        q_3, slope = [], []
-        for X, k in zip(self._around, (-1, 0, 1), strict=True):
-            angles = (parts[1] + k * h * rate + k * k * h * h / 2 * bend)[:, 0]
-            up, down = (self._inverse(angles + step, X) for step in (_STEP, -_STEP))
-            slope.append(_turn(up - down) / (2 * _STEP))
-            q_3.append(self._inverse(angles, X))
+        q_3, slope = around[:, 0], _turn(around[:, 1] - around[:, 2]) / (2 * _STEP)
         hard = (_turn(q_3[2] - q_3[1]) - _turn(q_3[1] - q_3[0])) / (h * h * top)
         over = np.maximum(np.abs(hard) - _TOP_ACCELERATION, 0.0)
         wall = _WALL_ACCELERATION * root[inner] * np.where(over > 0, np.sign(hard), 0.0) / top
@@ -455,10 +458,6 @@ class _Fit:
             over = np.maximum(np.abs(bent) - _TOP_ACCELERATION, 0.0)
             wall = _WALL_ACCELERATION * root[end] * np.where(over > 0, np.sign(bent), 0.0) * lead / top
             normal.add(_WALL_ACCELERATION * root[end] * over, -wall * q_d[k], wall * q_d[k + 1], first=k)
-
-    def _inverse(self, delta: Array, X_WF: Array | None = None) -> Array:
-        way = self._way
-        return inverse_branch(way.robot, self._X if X_WF is None else X_WF, delta, way.definition, way.configuration)
 
 
 def _turn(angles: Array) -> Array:
