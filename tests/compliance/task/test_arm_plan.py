@@ -7,7 +7,7 @@ from itertools import product
 import numpy as np
 import pinocchio as pin
 import pytest
-from joint_ways import HOME, H, line, product_forward, spin
+from joint_ways import HOME, H, line, product_forward, quintic, spin
 from scipy.interpolate import CubicSpline
 from scipy.optimize import minimize
 
@@ -272,6 +272,13 @@ def test_a_standing_arm_keeps_its_arm_angle() -> None:
     assert answer.notes[0] == "the arm angle stays at 0.00°: no smooth course is better"
 
 
+def test_a_way_with_hardly_any_room_is_gone() -> None:
+    """joint_7 would have to turn by 225 deg: what the arm angle can take of it ends less than 2 deg from a limit."""
+    answer = chosen(line(ROBOT.forward(HOME), np.zeros(3), np.array([0, 0, -3.92]), 6.0), HOME, Goal.SPEED)
+    assert not stops_loop(answer.findings)
+    assert 0 < plan_of(answer).best.margin < np.radians(2.0)
+
+
 @pytest.mark.parametrize("goal", Goal)
 @pytest.mark.parametrize("rows", [2, 3, 4, 30])
 def test_short_sequences_are_followed(rows: int, goal: Goal) -> None:
@@ -296,3 +303,14 @@ def test_none_is_found_where_every_arm_angle_is_out_of_range() -> None:
     assert stops_loop(answer.findings)
     assert answer.notes[0].startswith("no course of the arm angle was found: at t = ")
     assert "no arm angle that keeps every joint in its range can be reached in time" in answer.notes[0]
+
+
+@pytest.mark.parametrize("goal", Goal)
+def test_the_start_itself_out_of_range_is_said(goal: Goal) -> None:
+    start = np.array([*HOME[:6], np.radians(178.0)])
+    answer = chosen(spin(ROBOT.forward(start), quintic(501) * 0.1), start, goal)
+    assert answer.plan is None
+    assert answer.notes[0] == (
+        "no course of the arm angle was found: at t = 0.000 s (a -> b, 0 % of the way) the arm angle of the start"
+        " joints breaks a range: joint_7"
+    )

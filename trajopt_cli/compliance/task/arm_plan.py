@@ -16,6 +16,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from enum import Enum
+from functools import partial
 from math import pi, radians
 
 import numpy as np
@@ -46,7 +47,7 @@ _GRIDS = ((0.1, 720), (0.2, 360), (0.05, 1440))
 _STAGES = 40, 400  # at least, so that a short motion can turn; at most, so that a long one ends
 _NODE, _NODES = 0.02, (40, 1200)  # s between nodes of the smooth course, how many
 _SINGULAR = np.sin(radians(10.0))  # of joint_2 or joint_6 from zero: costs as much as 70 % of a joint's range
-_FLOOR = radians(1.0)  # rad from a limit that is kept where the start keeps it
+_FLOOR = radians(2.0)  # rad from a limit that is kept where the start and the way let it
 _GIVEN = 0.98  # of the best least distance from a limit: what the other stages may be better off for
 _TOP_SPEED, _TOP_ACCELERATION = 0.97, 0.93  # shares of limits that the nodes keep, for the rows between them
 _SLOWER = (_TOP_SPEED, 0.7, 0.5, 0.35)  # top speeds on the grid, lower where accelerations break their limits otherwise
@@ -268,7 +269,7 @@ class _Bench:
         """
         dt = np.diff(chart.rows) * self.way.h
         reserve = margins(chart.q, self.limits)
-        floor = min(_FLOOR, float(reserve[0, 0]))
+        floor = min(_FLOOR, max(float(reserve[0, 0]), 0.0))
 
         def inside(q: Array) -> Array:
             room = margins(q, self.limits)
@@ -277,21 +278,27 @@ class _Bench:
         def slow(share: Array) -> Array:
             return np.where(share.max(axis=0) > top, np.inf, -np.inf)
 
-        if self.goal is Goal.LIMITS:
-            widest = cheapest(iter(chart.q), dt, self.limits, chart.cell, inside, slow, np.maximum)
-            if isinstance(widest, Blocked):
-                return widest
-            most = float(reserve[np.arange(len(widest)), widest % len(chart.delta)].min())
-            floor = max(_GIVEN * most, min(most, least))
-
-        def hold(q: Array) -> Array:
-            return np.where(margins(q, self.limits) < floor, np.inf, self.standing(q))
-
         def drive(share: Array) -> Array:
             return np.where(share.max(axis=0) > top, np.inf, self.moving * np.square(share).sum(axis=0))
 
-        found = cheapest(iter(chart.q), dt, self.limits, chart.cell, hold, drive)
+        def best(floor: float) -> IndexArray | Blocked:
+            hold = partial(self._hold, floor=floor)
+            return cheapest(iter(chart.q), dt, self.limits, chart.cell, hold, drive)
+
+        if self.goal is not Goal.LIMITS:
+            found = best(floor)
+            if not isinstance(found, Blocked):
+                return found, floor  # else the distance that is kept may be what closes the way
+        widest = cheapest(iter(chart.q), dt, self.limits, chart.cell, inside, slow, np.maximum)
+        if isinstance(widest, Blocked):
+            return widest
+        most = float(reserve[np.arange(len(widest)), widest % len(chart.delta)].min())
+        floor = max(_GIVEN * most, min(most, least)) if self.goal is Goal.LIMITS else _GIVEN * most
+        found = best(floor)
         return found if isinstance(found, Blocked) else (found, floor)
+
+    def _hold(self, q: Array, floor: float) -> Array:
+        return np.where(margins(q, self.limits) < floor, np.inf, self.standing(q))
 
     def smooth(self, chart: ArmMap, cells: IndexArray, floor: float, top: float, stops: bool) -> Iterator[_Smooth]:
         """Smooth courses near cells that keep positions and speeds in every row, the smoothest first."""
