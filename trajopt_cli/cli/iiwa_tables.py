@@ -295,7 +295,8 @@ def dose_table(name: str, job: DosedJob) -> Table:
     from trajopt_cli.compliance.controller.dose import CannotDose
     from trajopt_cli.compliance.job.dosing import DOSED
 
-    made = [(DOSED[feed], one) for feed, one in job.tried.items() if not isinstance(one, CannotDose)]
+    tried = sorted(job.tried.items(), key=lambda item: list(DOSED).index(item[0]))
+    made = [(DOSED[feed], one) for feed, one in tried if not isinstance(one, CannotDose)]
     lags = [*(way.run.lag for way in job.ways), *(one.lag for _, one in made)]
     turns = any(lag.turn_maximum > _SEEN for lag in lags)
     allowed = job.dosed.allowed
@@ -357,7 +358,7 @@ def dose_lines(job: DosedJob) -> list[str]:
         )
     lines += [f"not taken: {reason}" for reason in job.passed_over]
     lines += [
-        f"not possible: {DOSED[feed]}: {one.message}" for feed, one in job.tried.items() if isinstance(one, CannotDose)
+        f"left out: {DOSED[feed]}: {one.message}" for feed, one in job.tried.items() if isinstance(one, CannotDose)
     ]
     if job.left_out:
         lines.append(f"note: dosing does not look at the task's {', '.join(job.left_out)}; simulate does")

@@ -173,13 +173,16 @@ def fastest(way: Rounded, pushes: Sequence[Push], pieces: int, h: float) -> Pace
 
 def _grid(way: Rounded, pieces: int) -> Array:
     """Places of s: the path's rows, where corners are rounded, and even ones between."""
-    turns = np.flatnonzero(way.tau > 0)
-    shares = np.linspace(-1, 1, 2 * _FEWEST + 1)
-    rounds = (way.length[turns] + shares[:, None] * way.tau[turns]).ravel()
     even = np.linspace(0.0, way.length[-1], pieces + 1)
+    turns = np.flatnonzero(way.tau > 0)
+    wide = turns[way.tau[turns] > even[1]]
+    shares = np.linspace(-1, 1, 2 * _FEWEST + 1)
+    rounds = (way.length[wide] + shares[:, None] * way.tau[wide]).ravel()
+    ends = np.concatenate([way.length[turns] - way.tau[turns], way.length[turns] + way.tau[turns]])
     near = even[1] * np.geomspace(1.0, _NEAREST, 7)
-    slow = np.clip(np.concatenate([way.length + way_off for way_off in (*near, *-near)]), 0.0, way.length[-1])
-    s = np.unique(np.concatenate([way.along, way.length, rounds, even, slow]))
+    stops = way.length[way.tau == 0]
+    slow = np.clip(np.concatenate([stops + off for off in (*near, *-near)]), 0.0, way.length[-1])
+    s = np.unique(np.concatenate([way.along, rounds, ends, even, slow]))
     # what is too near to the place before goes, but for corners
     keep = np.insert(np.diff(s) > 1e-6 * even[1], 0, True)
     keep[np.searchsorted(s, way.length)] = True

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from math import inf
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -41,6 +42,8 @@ DOSED = {
     DoseFeed.VELOCITY: "dosed, with speed",
     DoseFeed.INVERSE: "dosed, inverse law",
 }
+LONG = 400_000
+"""Rows of a sequence that is worked out although another feed is known to be faster; more take minutes."""
 FRONT = 5
 """Leads of the front below the one at which the inverse feed is as fast as programmed, each half the one before."""
 _ARRIVED_WITHIN, _TURNED_WITHIN = 1e-3, np.radians(0.1)  # m, rad
@@ -109,6 +112,7 @@ def dose_folder(
     front without a bound on the lead.
     """
     from trajopt_cli.compliance.controller.dose import CannotDose, dose
+    from trajopt_cli.compliance.controller.dose_bound import least_duration
     from trajopt_cli.compliance.controller.dose_path import dose_path
     from trajopt_cli.compliance.task.joints import Followed, follow
 
@@ -150,7 +154,14 @@ def dose_folder(
     except ValueError as error:
         return CannotDose(str(error))
     feeds = [feed] if feed is not None else [DoseFeed.POSITION] if allowed.lead is None else list(DoseFeed)
-    tried = {one: timed(one, allowed) for one in feeds}
+    tried: dict[DoseFeed, Dosed | CannotDose] = {}
+    for one in reversed(feeds):  # the one that lags least first
+        best = min((made.duration for made in tried.values() if not isinstance(made, CannotDose)), default=inf)
+        least = least_duration(path, sequence.h, task.compliance, allowed, task.integration, one)
+        if least > max(best, LONG * sequence.h):
+            tried[one] = CannotDose(f"not worked out: it takes at least {least:.0f} s, and another feed {best:.3f} s")
+        else:
+            tried[one] = timed(one, allowed)
     # what happens to the controller besides its feed is left out: the dosing does not know it either
     quiet = replace(before, task=replace(task, changes=(), pushes=(), sensor=None, clamps=Clamps(), contact=None))
     found = _fastest(quiet, tried)
