@@ -133,7 +133,7 @@ def test_sharp_corners_are_slower_and_no_stops(law: RotationLaw) -> None:
 leg = st.tuples(*[st.floats(-0.05, 0.05)] * 3, *[st.floats(-0.5, 0.5)] * 3)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(
     st.lists(leg, min_size=1, max_size=6),
     st.floats(1e-5, 3e-3),
@@ -220,6 +220,27 @@ def test_angles_go_the_shorter_way_and_say_so_once() -> None:
     assert found.pose[-1, 5] == pytest.approx(4)
     (note,) = found.notes
     assert note == "gamma goes the shorter way round to pose 7; the sequence goes on counting"
+
+
+@pytest.mark.parametrize("seed", [21, 31])
+def test_caps_that_break_here_when_lowered_there_are_kept_in_the_end(seed: int) -> None:
+    """Jagged ways with little acceleration: lowered around each break alone, the breaks only wander."""
+    points = np.round(np.cumsum(np.random.default_rng(seed).normal(size=(12, 3)) * 0.04, axis=0), 3)
+    caps = (0.7, 1.0, 0.235, 4.0, 1.0, 1.0)
+    found, (fact,) = planned(path(points, profile=Profile.TRAPEZOID, caps=caps, passing=Passing(5e-3, 0.01)))
+    assert tops(found)[0] <= 0.7
+    assert tops(found)[2] == pytest.approx(0.235, rel=5e-3)
+    assert tops(found)[2] <= 0.235 * (1 + 1e-6)
+    assert fact.binds == "a_max"
+
+
+def test_a_jerk_far_below_the_acceleration_and_short_ways_cost_what_a_stop_costs() -> None:
+    """Rest to rest on one leg: v / a + a / j where both are reached, the fourth root forms where they are not."""
+    for way, least in ((0.2, 2.15), (0.013, 0.2838), (0.0004, 4 * np.cbrt(0.0004 / 40))):
+        found, _ = planned(path(np.array([[0, 0, 0], [way, 0, 0]])))
+        assert found.duration == pytest.approx(least, rel=0.025)
+    slow, _ = planned(path(np.array([[0, 0, 0], [0.2, 0, 0]]), caps=(0.1, 1, 100.0, 1, 1.0, 1)))
+    assert slow.duration == pytest.approx(2 + 2 * np.sqrt(0.1), rel=0.01)
 
 
 POINTS = np.array([[0, 0, 0], [0.1, 0, 0], [0.1, 0.1, 0]])

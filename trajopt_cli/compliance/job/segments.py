@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from trajopt_cli.compliance.task.segments import Passed, SegmentFacts
 
 _POSES = (".mod", ".prg", ".sys", ".csv")
+_MANY = 100_000  # rows whose writing is told of
 _AT_START = 1e-6  # m, rad: nearer counts as the same pose
 
 
@@ -82,6 +83,8 @@ def make_segments(
             raise InputError(str(error), file=str(task_path), kind=error.kind) from error
         opened = replace(opened, equilibrium=equilibrium)
     notes = (*read.notes, *equilibrium.notes, *_start_notes(opened))
+    if len(equilibrium.pose) > _MANY:
+        told(f"writing {len(equilibrium.pose)} rows")
     inputs = _inputs(read, task_path, program)
     files = {one.place: one.content for one in inputs} | sequence_files(opened)
     section = sequence_record(opened) | {

@@ -27,7 +27,8 @@ _ROUNDING = 4.5e-16  # of the largest coordinate: what one row's may be off
 _ACROSS, _TURNED = 0.8, 0.7  # shares of acceleration and of jerk that the curve itself may take at its speed
 _SLOW = 1.3  # times the least time: a way that takes longer is driven with shorter means, too
 _WORSE = 2  # of them in a row that are slower: enough
-_TIMES = 30  # that caps are lowered where rows break one
+_TIMES = 30  # that caps are lowered where rows break one,
+_LOCAL = 10  # so often of them only around there
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,7 +114,7 @@ def _driven(
     """The way under these limits, lowered where its rows break a cap; None where no lowering helps, or the mean lasts
     longer than the way."""
     top, push = limits.top, limits.push(mean * h)
-    for _ in range(_TIMES):
+    for k in range(_TIMES):
         at = rest_to_rest(grid, top, push, h, mean)
         if at is None:
             return None
@@ -127,7 +128,12 @@ def _driven(
         worst = _worst(shares, len(at))
         if worst.max() <= 1 + ALLOWED:
             return _Driven(at, pose, R, np.array([one.max(initial=0.0) for one in differences]), shares)
-        top, push = _lowered(top, push, grid, at, worst, mean)
+        if k < _LOCAL:
+            top, push = _lowered(top, push, grid, at, worst, mean)
+        else:
+            # what is left wanders about with every change: all of the way a little slower ends it
+            by = worst.max() * (1 + 1e-4)
+            top, push = top / by, push / by**2
     return None
 
 
@@ -206,7 +212,9 @@ def _limits(curve: Rounded, chain: Chain, used: Array, grid: Array) -> _Limits:
     bend = curve.bends[span] + u * curve.jolts[span]
     leg = np.clip(np.searchsorted(chain.at, grid, side="right") - 1, 0, len(used) - 1)
     values = np.minimum(used[leg[:-1]], used[leg[1:]])
-    ratios = [part[:, 1] / part[:, 2] for part in (used[:, 0::2], used[:, 1::2]) if np.isfinite(part[0, 2])]
+    # the acceleration of a ramp builds up to its cap, or until half of the speed is there
+    parts_used = [part.T for part in (used[:, 0::2], used[:, 1::2]) if np.isfinite(part[0, 2])]
+    lasting = [float(np.minimum(a / jerk, np.sqrt(v / jerk)).max()) for v, a, jerk in parts_used]
     top = np.full(len(grid) - 1, np.inf)
     parts = []
     for k, columns in enumerate((slice(0, 3), slice(3, 6))):
@@ -218,7 +226,7 @@ def _limits(curve: Rounded, chain: Chain, used: Array, grid: Array) -> _Limits:
         with np.errstate(divide="ignore", invalid="ignore"):
             for cap in (v / first, np.sqrt(_ACROSS * a / second), np.cbrt(_TURNED * jerk / third)):
                 top = np.fmin(top, cap)
-    return _Limits(top, parts, max((float(ratio.max()) for ratio in ratios), default=0.0))
+    return _Limits(top, parts, max(lasting, default=0.0))
 
 
 def _shares(differences: list[Array], at: Array, chain: Chain, caps: Caps, h: float, size: float) -> list[Array]:
