@@ -119,7 +119,9 @@ def test_a_first_pose_out_of_reach_cannot_be_driven_to() -> None:
 
 def test_orientations_by_scipy_are_those_of_a_joint_move() -> None:
     """R(angles) R_start of what was written is R(angles anew) R_first, with Scipy's rotations throughout."""
-    plain, task = (parse_task(TASK + f"approach: {kind}\n", "t.yaml") for kind in ("none", "joint"))
+    turned = TASK.replace("0.3, 0, 10 deg, 0]\n  - {", "0.3, 5 deg, 10 deg, -7 deg]\n  - {")
+    assert turned != TASK
+    plain, task = (parse_task(turned + f"approach: {kind}\n", "t.yaml") for kind in ("none", "joint"))
     R_0, R_1 = (Rotation.from_matrix(tool_at_start(one)[:3, :3]) for one in (plain, task))
     for old, new in zip(plain.route.waypoints, task.route.waypoints, strict=True):
         was, now = (Rotation.from_euler("xyz", one.pose[3:]) for one in (old, new))

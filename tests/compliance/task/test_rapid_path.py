@@ -78,6 +78,14 @@ def test_zones_are_passed_arcs_followed_and_the_rest_are_stops(tmp_path: Path) -
     assert "2 fly-by zones are stops: the program waits or ends there, or no way leads on" in notes
 
 
+def test_a_corner_into_an_arc_goes_on_from_where_the_corner_ends(tmp_path: Path) -> None:
+    wanted, _ = route(tmp_path, MODULE.replace("MoveL c, v100, fine", "MoveL c, v100, z10"))
+    begin, end = wanted.stops[:2]
+    steps = np.diff(wanted.poses[begin : end + 1, :3], axis=0)
+    steps /= np.linalg.norm(steps, axis=1)[:, None]
+    assert (steps[1:] * steps[:-1]).sum(axis=1).min() > 0.9
+
+
 def test_speeds_are_those_of_the_move_that_a_corners_half_belongs_to(tmp_path: Path) -> None:
     wanted, _ = route(tmp_path, MODULE.replace("MoveL c, v100", "MoveL c, v20"))
     found, _ = planned(wanted)

@@ -18,6 +18,7 @@ from trajopt_cli.geometry import Array, BoolArray, IndexArray, rotations_by
 
 _FEWEST = 4  # spans, so that ends can be mirrored
 _HALVED = 40  # times: beyond it rounding is all that is left
+_MOST = 10_000_000  # knots: 2,000,000 sharp corners have them
 _SLACK = 0.98  # of the tolerance at the places that are looked at, the rest for what lies between them
 _ROWS = 65536  # that are looked at at once
 
@@ -120,7 +121,7 @@ class Rounded:
 
 def rounded(chain: Chain, spacing: float, tolerance: float, turn_tolerance: float) -> Rounded:
     """The curve with knots at most spacing [s] apart that stays within tolerance [m] and turn_tolerance [rad] of the
-    chain, and the chain's poses within both of it. Raises ValueError for tolerances that rounding does not allow."""
+    chain, and the chain's poses within both of it. Raises ValueError for tolerances that need more than _MOST knots."""
     end = chain.at[-1]
     knots = np.linspace(0.0, end, max(_FEWEST, int(np.ceil(end / spacing))) + 1)
     stale = np.ones(len(knots) - 1, dtype=bool)
@@ -150,7 +151,9 @@ def rounded(chain: Chain, spacing: float, tolerance: float, turn_tolerance: floa
             fresh[:-k] |= split[k:]
         stale = np.repeat(fresh, np.where(split, 2, 1))
         knots = np.insert(knots, at + 1, (knots[at] + knots[at + 1]) / 2)
-    raise ValueError(f"a tolerance of {tolerance:g} m and {turn_tolerance:g} rad is lost in rounding")
+        if len(knots) > _MOST:
+            break
+    raise ValueError(f"a tolerance of {tolerance:g} m and {turn_tolerance:g} rad needs more than {_MOST:.0e} knots")
 
 
 def deviations(curve: Rounded, chain: Chain, at: Array) -> tuple[Array, Array]:
