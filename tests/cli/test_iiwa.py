@@ -590,3 +590,16 @@ def test_more_than_forty_segments_are_summed_up(tmp_path: Path, capsys: pytest.C
     (line,) = (line for line in said.splitlines() if line.strip().startswith("length [mm]"))
     assert float(line.split()[2]) == pytest.approx(100 * np.pi / 2 / 299, abs=0.01)
     assert "bound by a_max" in said
+
+
+def test_a_csv_path_without_a_task_file_is_offered_one_that_works(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = long_path(tmp_path)
+    (tmp_path / "arc.yaml").unlink()
+    assert run(["iiwa", "segments", str(path), "--output", str(tmp_path / "out")]) == 2
+    place, *lines = capsys.readouterr().err.splitlines()
+    assert place.startswith(f"{tmp_path / 'arc.yaml'}: ")
+    (tmp_path / "arc.yaml").write_text("\n".join(lines) + "\n")
+    segments(path)
+    assert "298 poses are passed" in capsys.readouterr().out

@@ -68,13 +68,22 @@ _WANTED = {
 
 
 def minimal_task(program: str) -> str:
-    """The shortest useful task file for a RAPID program, as text to save and adapt."""
+    """The shortest useful task file for a RAPID program or a path as CSV, as text to save and adapt."""
+    caps = (
+        "v_max: 0.1 m/s",
+        "omega_max: 30 deg/s",
+        "a_max: 1 m/s2",
+        "epsilon_max: 3 rad/s2",
+        "jerk: 20 m/s3",
+        "angular_jerk: 60 rad/s3",
+    )
     lines = (
         f"# the compliant controller that {program} is for: SI units, or a text with a unit",
         'start: {joints: "[0, 30, 0, -100, 0, 50, 0] deg"}  # where it is switched on',
         "K: [1000, 1000, 1000, 30, 30, 30]  # stiffness of x, y, z [N/m] and of the angles [Nm/rad]",
         "D: [500, 500, 500, 20, 20, 20]  # damping [N s/m, N m s/rad]",
         "M: [25, 25, 25, 3, 3, 3]  # inertia [kg, kg m2]",
+        *(caps if program.lower().endswith(".csv") else ()),
     )
     return "\n".join(lines) + "\n"
 
