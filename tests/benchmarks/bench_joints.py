@@ -21,6 +21,7 @@ sys.path.insert(0, str(Path(__file__).parents[2]))  # run from a checkout withou
 
 from trajopt_cli.compliance.job.folder import open_folder, read_task_run
 from trajopt_cli.compliance.job.segments import make_segments
+from trajopt_cli.compliance.task.arm_plan import Goal, Wish
 from trajopt_cli.compliance.task.joint_checks import check_joints, remarks
 from trajopt_cli.compliance.task.joints import follow
 from trajopt_cli.joint_csv import write_csv_text
@@ -70,6 +71,9 @@ def main() -> None:
         timed("  of it inverse kinematics", lambda: inverse_branch(robot, X, 0.0, task.definition, branch))
         timed("  of it limits", lambda: check_joints(q, h, limits, str, False))
         timed("  of it notes", lambda: list(remarks(robot, q, h, limits, str)))
+        for goal in Goal:
+            label = f"arm angle chosen for {goal.value}"
+            timed(label, lambda goal=goal: follow(*given, False, wish=Wish(goal, task.load)))
         timed("joints.csv as text", lambda: write_csv_text(answer.trajectory))
         command = [sys.executable, "-m", "trajopt_cli.cli", "iiwa", "joints", str(folder)]
         timed("the whole command", lambda: subprocess.run(command, cwd=ROOT, capture_output=True, check=False))

@@ -88,7 +88,6 @@ def _chosen(plan: ArmPlan, names: tuple[str, ...]) -> dict[str, Any]:
         "kept_fixed": plan.held or None,
         "grid": {
             "stages": len(plan.map.rows),
-            "rows": [int(row) for row in plan.map.rows[[0, -1]]],
             "arm_angles": len(plan.map.delta),
             "cell_rad": plan.map.cell,
             "cost": plan.grid_cost,

@@ -130,11 +130,12 @@ def follow(
         notes.append(f"no course of the arm angle was found: {course.message}")
     elif course is not None:
         q, angles = course.q, course.arm_angle
-        moves = f"the arm angle moves between {_printed(float(angles.min()))} and {_printed(float(angles.max()))}"
         if broken:
             at = place(round((broken[0].time or 0.0) / h))
-            moves += f"; held at {_printed(fixed)}: {broken_limit(broken[0], at)}"
-        notes.append(moves)
+            notes.append(
+                f"the arm angle moves between {_printed(float(angles.min()))} and {_printed(float(angles.max()))};"
+                f" held at {_printed(fixed)}: {broken_limit(broken[0], at)}"
+            )
     if (free and broken) or course is not None:
         findings = check_joints(q, h, limits, place, free=True, stops=stops)
     notes += _start_notes(X_start, X_WF[0] @ X_FT, start, q[0], limits)
