@@ -7,7 +7,7 @@ from itertools import product
 import numpy as np
 import pinocchio as pin
 import pytest
-from joint_ways import HOME, H, line, product_forward, quintic, spin
+from joint_ways import HOME, H, line, product_forward, quintic, sequence, spin
 from scipy.interpolate import CubicSpline
 from scipy.optimize import minimize
 
@@ -16,6 +16,7 @@ from trajopt_cli.compliance.task.arm_plan import ArmPlan, Goal, Wish
 from trajopt_cli.compliance.task.equilibrium import Equilibrium
 from trajopt_cli.compliance.task.joint_checks import stops_loop
 from trajopt_cli.compliance.task.joints import Followed, follow
+from trajopt_cli.compliance.task.model import AngleMeaning
 from trajopt_cli.geometry import Array
 from trajopt_cli.robot.dynamics import Dynamics, ToolLoad
 from trajopt_cli.robot.srs import load_srs
@@ -286,6 +287,23 @@ def test_short_sequences_are_followed(rows: int, goal: Goal) -> None:
     assert len(answer.arm_angle) == rows
     assert not stops_loop(answer.findings)
     np.testing.assert_allclose(product_forward(answer.trajectory.q), answer.X_WF, rtol=0, atol=1e-9)
+
+
+def test_a_sequence_whose_speed_steps_has_a_course() -> None:
+    """Profile thesis: accelerations fail in the first and the last row whatever the arm angle, and nowhere else."""
+    by = np.array([0.1, 0.15, -0.05])
+    X = ROBOT.forward(BENT)
+    share = np.linspace(0, 1, 1501)[:, None]
+    way = sequence(
+        np.hstack([X[:3, 3] + share * by, np.zeros((1501, 3))]), np.tile(np.eye(3), (1501, 1, 1)),
+        AngleMeaning.RELATIVE, H,
+    )  # fmt: skip
+    answer = chosen(way, BENT, Goal.SPEED)
+    assert not plan_of(answer).held
+    assert {one.check for one in answer.findings if not one.passed} == {"acceleration"}
+    bent = np.abs(np.diff(answer.trajectory.q, n=2, axis=0)) / H**2 / LIMITS.acceleration
+    assert (bent[2:-2] <= 1).all()
+    assert plan_of(answer).best.steady < 0.997 * plan_of(answer).fixed.steady
 
 
 def test_both_definitions_of_the_arm_angle_give_the_same_joints() -> None:

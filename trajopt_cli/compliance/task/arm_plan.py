@@ -25,7 +25,7 @@ from scipy.linalg import solveh_banded
 
 from trajopt_cli.compliance.task.arm_map import FREE, ArmMap, Blocked, arm_map, cheapest, margins, stages
 from trajopt_cli.compliance.task.joint_rows import accelerations, central_speeds, joints_along, passes, speeds
-from trajopt_cli.geometry import Array, IndexArray
+from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.robot.dynamics import Dynamics, ToolLoad
 from trajopt_cli.robot.srs import SrsRobot
@@ -51,10 +51,11 @@ _FLOOR = radians(2.0)  # rad from a limit that is kept where the start and the w
 _GIVEN = 0.98  # of the best least distance from a limit: what the other stages may be better off for
 _TOP_SPEED, _TOP_ACCELERATION = 0.97, 0.93  # shares of limits that the nodes keep, for the rows between them
 _SLOWER = (_TOP_SPEED, 0.7, 0.5, 0.35)  # top speeds on the grid, lower where accelerations break their limits otherwise
-_SMOOTHING = (1.0, 1e-1, 1e-2, 1e-3, 1e-4)  # of the square of the arm angle's acceleration [rad/s2]
+_SMOOTHING = (10.0, 1.0, 1e-1, 1e-2, 1e-3, 1e-4)  # of the square of the arm angle's acceleration [rad/s2]
 _WORTH, _OF_SAVING = 0.01, 0.1  # of the least cost, and of what it saves: what a smoother course may cost more
 _WALL_POSITION, _WALL_SPEED, _WALL_ACCELERATION = 3000.0, 30.0, 10.0  # penalties' roots, per rad and per share
 _STEP = 1e-5  # rad: for differences
+_STILL = 0.1  # m/s2 or rad/s2: no step of a speed is less within a period
 _ITERATIONS = 60
 _TORQUE_ROWS = 4000  # rows that torques are told from
 
@@ -159,7 +160,7 @@ def plan_arm(way: Way, fixed: float, wish: Wish, stops: bool = True) -> ArmPlan 
     whether the arm has to be at rest in the last row.
     """
     q_fixed = way.joints(fixed)
-    bench = _Bench(way, wish, (accelerations(q_fixed, way.h) / way.limits.acceleration).max(axis=1))
+    bench = _Bench(way, wish, q_fixed, stops)
     fixed_figures = bench.figures(q_fixed, np.full(len(q_fixed), fixed), stops)
     failure = NoPlan(0, "")
     for stage, cells in _GRIDS:
@@ -189,7 +190,10 @@ def plan_arm(way: Way, fixed: float, wish: Wish, stops: bool = True) -> ArmPlan 
 
 @dataclass(frozen=True, eq=False)
 class _Smooth:
-    """A smooth course that keeps positions and speeds: arm angles (n,), joints (n, 7), worst acceleration's share."""
+    """A smooth course that keeps positions and speeds: arm angles (n,), joints (n, 7), worst acceleration's share.
+
+    Rows at which the sequence's own speed steps do not count there.
+    """
 
     angles: Array
     q: Array
@@ -201,11 +205,14 @@ class _Smooth:
 class _Bench:
     """What costs are counted with."""
 
-    def __init__(self, way: Way, wish: Wish, hard: Array) -> None:
-        """hard (n,): how hard the way accelerates the joints in each row; only where it does most counts."""
-        limits, self._hard = way.limits, hard
+    def __init__(self, way: Way, wish: Wish, q_fixed: Array, stops: bool) -> None:
+        """q_fixed (n, 7): joints at the fixed arm angle, which tell where the way accelerates."""
+        limits = way.limits
         self.way, self.goal, self.limits, self.tell = way, wish.goal, limits, wish.tell
         self._dynamics = Dynamics(way.robot, wish.load)
+        hard = (accelerations(q_fixed, way.h, stops) / limits.acceleration).max(axis=1)
+        self.steps = _steps(way.X_WF, way.h, stops)
+        self.hard = np.where(self.steps, 0.0, hard)
         self.middle, self.half = (limits.upper + limits.lower) / 2, (limits.upper - limits.lower) / 2
 
     def standing(self, q: Array) -> Array:
@@ -237,6 +244,7 @@ class _Bench:
         Where accelerations break their limits, slower courses on the map are tried; then the one with the least.
         """
         courses: list[_Smooth] = []
+        top_fixed = float(self.hard.max())
         grid: tuple[float, float] | None = None
         for top in _SLOWER:
             self.tell("best course on the map" + (f", at {100 * top:.0f} % of the speed limits" if grid else ""))
@@ -255,11 +263,11 @@ class _Bench:
                 least = min(one.cost for one in quiet)
                 most = least + min(_WORTH * least, _OF_SAVING * max(fixed_cost - least, 0.0))
                 return next(one for one in quiet if one.cost <= most), *grid
-            if fixed.passes and any(one.acceleration <= fixed.acceleration for one in courses):
+            if fixed.passes and any(one.acceleration <= top_fixed for one in courses):
                 break
         calmest = min(courses, key=lambda one: one.acceleration, default=None)
-        if grid is None or calmest is None or (fixed.passes and calmest.acceleration > fixed.acceleration):
-            return NoPlan(0, "the one found on a grid breaks a limit when it is made smooth")
+        if grid is None or calmest is None or (fixed.passes and calmest.acceleration > top_fixed):
+            return NoPlan(0, "no smooth course near the best on the grid keeps the limits")
         return calmest, *grid
 
     def on_grid(self, chart: ArmMap, top: float, least: float) -> tuple[IndexArray, float] | Blocked:
@@ -308,12 +316,13 @@ class _Bench:
         grid = np.asarray(np.interp(nodes, chart.rows, chart.delta[0] + chart.cell * cells), dtype=np.float64)
         delta = grid
         for weight in _SMOOTHING:
-            fit = _Fit(self, nodes, self._hard, floor, top, weight)
+            fit = _Fit(self, nodes, floor, top, weight)
             _, delta = min((fit.solve(begin) for begin in (grid, delta)), key=lambda one: one[0])
             angles = np.asarray(CubicSpline(t, delta, bc_type=((1, 0.0), (1, 0.0)))(np.arange(n) * h))
             q = way.joints(angles)
             if passes(q, h, self.limits):
-                worst = float((accelerations(q, h, stops) / self.limits.acceleration)[:, FREE].max())
+                shares = (accelerations(q, h, stops) / self.limits.acceleration)[:, FREE].max(axis=1)
+                worst = float(shares[~self.steps].max(initial=0.0))
                 yield _Smooth(angles, q, weight, worst, self.cost(q[chart.rows], chart.rows))
 
     def figures(self, q: Array, angles: Array, stops: bool) -> ArmFigures:
@@ -363,13 +372,13 @@ class _Bench:
 class _Fit:
     """Least squares over the arm angles of nodes: each term's residuals touch one node or up to three in a row."""
 
-    def __init__(self, bench: _Bench, nodes: IndexArray, hard: Array, floor: float, top: float, weight: float) -> None:
+    def __init__(self, bench: _Bench, nodes: IndexArray, floor: float, top: float, weight: float) -> None:
         self._bench, self._way, self._floor, self._weight, self._top = bench, bench.way, floor, weight, top
         X_WF, t = bench.way.X_WF, np.asarray(nodes * bench.way.h, dtype=np.float64)
         # around each inner node the row at which the way accelerates most, with its neighbours
         borders = (nodes[1:] + nodes[:-1] + 1) // 2
         pairs = zip(borders[:-1].tolist(), borders[1:].tolist(), strict=True)
-        rows = np.array([first + int(np.argmax(hard[first:end])) for first, end in pairs], dtype=np.intp)
+        rows = np.array([first + int(np.argmax(bench.hard[first:end])) for first, end in pairs], dtype=np.intp)
         rows = np.clip(rows, 1, len(X_WF) - 2)
         # each place three times: the arm angle there, a little more and a little less, all in one inverse
         places = [X_WF[nodes], *(X_WF[rows + k] for k in (-1, 0, 1))]
@@ -462,9 +471,22 @@ class _Fit:
             lead = (self._before + self._after)[end, None] * (1.0 if k == 0 else -1.0)
             normal.add(calm[end] * lead * (delta[k + 1] - delta[k]), -calm[end] * lead, calm[end] * lead, first=k)
             bent = lead * (q[k + 1] - q[k]) / top
+            if self._bench.steps[0 if k == 0 else -1]:  # the way is at speed there: what the arm angle adds
+                bent = lead * q_d[k] * (delta[k + 1] - delta[k]) / top
             over = np.maximum(np.abs(bent) - _TOP_ACCELERATION, 0.0)
             wall = _WALL_ACCELERATION * root[end] * np.where(over > 0, np.sign(bent), 0.0) * lead / top
             normal.add(_WALL_ACCELERATION * root[end] * over, -wall * q_d[k], wall * q_d[k + 1], first=k)
+
+
+def _steps(X_WF: Array, h: float, stops: bool) -> BoolArray:
+    """Rows (n,) at which the speed of flange poses X_WF (n, 4, 4) steps, and those beside them.
+
+    No arm angle keeps accelerations there: profile thesis begins and ends its segments at full speed.
+    """
+    a = np.linalg.norm(accelerations(X_WF[:, :3].reshape(len(X_WF), 12), h, stops), axis=1)
+    aside = np.pad(a, 3)
+    spikes = a > 4 * np.maximum(aside[:-6], aside[6:]) + _STILL
+    return np.convolve(spikes, np.ones(5), mode="full")[2:-2] > 0
 
 
 def _turn(angles: Array) -> Array:
