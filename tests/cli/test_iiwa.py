@@ -134,6 +134,22 @@ def test_an_arm_angle_is_chosen_told_and_drawn(task: Path, capsys: pytest.Captur
     assert "chosen" not in json.loads((folder / "summary.json").read_text())["joints"]
 
 
+def test_long_sequences_tell_what_is_worked_on(
+    task: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = segments(task)
+    capsys.readouterr()
+    assert run(["iiwa", "joints", str(folder)]) == 0
+    assert capsys.readouterr().err == ""
+    rows = len(table(folder / "equilibrium.csv")[1])
+    monkeypatch.setattr("trajopt_cli.compliance.job.joints.LONG", rows)
+    assert run(["iiwa", "joints", str(folder)]) == 0
+    assert capsys.readouterr().err.splitlines() == [
+        f"joints: inverse kinematics and checks of {rows} poses",
+        "joints: writing joints.csv",
+    ]
+
+
 def test_what_an_arm_angle_is_best_for_needs_one_that_is_chosen(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
     folder = segments(task)
     before = contents(folder)
