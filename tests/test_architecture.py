@@ -260,6 +260,33 @@ PLAIN = {"geometry": (*SHARED["geometry"], "readonly"), "trajectory": SHARED["tr
 DOOR = "door"
 OPTIMISERS = ("optimize", "path")
 
+# The judge of the compliant job, and what it may import besides itself: data, its own answer, what reads folders, YAML
+# and joint CSV, where a robot's files are, and of the other judge the robot by pin, wording and differences of rows.
+COMPLIANT = "verify.compliant"
+COMPLIANT_MAY: dict[str, tuple[str, ...]] = {
+    "errors": ("ErrorKind", "InputError", "of_kind"),
+    "findings": ("Finding", "Report"),
+    "geometry": ("Array",),
+    "joint_csv": ("Resolution", "read_csv_text"),
+    "motion": ("Source",),
+    "robot.catalogue": ("find_robot",),
+    "runs": ("SUMMARY",),
+    "runs.folder": ("TASK", "Run", "read_bytes", "read_run"),
+    "runs.record": ("RunRecord",),
+    "trajectory": ("Trajectory",),
+    "verify.findings": ("finding",),
+    "verify.mechanism": ("Mechanism",),
+    "verify.rows": ("second_differences",),
+    "verify.tolerances": ("COMPUTED",),
+    "yaml_file": ("line_of", "parse", "read_text"),
+}
+# All that this judge and the job it judges have in common: plain data, and readers with what they stand on.
+COMPLIANT_SHARED = {
+    "errors", "findings", "geometry", "joint_csv", "limits", "motion", "notices", "quantity", "robot.catalogue",
+    "robot.structure", "runs.files", "runs.folder", "runs.record", "shapes", "trajectory", "units", "validation",
+    "yaml_file",
+}  # fmt: skip
+
 
 def sources(package: Path = PACKAGE) -> dict[str, str]:
     """The text of every module by its dotted name inside the package; a package's own is that of its __init__."""
@@ -297,9 +324,13 @@ def rooms(modules: dict[str, str], *names: str) -> set[str]:
     return {module for module in modules if module.split(".")[0] in names}
 
 
+def of_compliant_job(modules: dict[str, str]) -> set[str]:
+    return {module for module in modules if f"{module}.".startswith(f"{COMPLIANT}.")}
+
+
 def judge_violations(modules: dict[str, str]) -> list[str]:
     """What ties the judge to the optimiser, or to anything that no list above allows."""
-    judge = rooms(modules, "verify")
+    judge = rooms(modules, "verify") - of_compliant_job(modules)
     allowed = SHARED | APART
     found = []
     for module in sorted(judge):
@@ -327,7 +358,8 @@ def test_the_judge_shares_data_with_the_optimiser_and_nothing_that_computes() ->
     modules = sources()
     assert judge_violations(modules) == []
     # and the lists say no more than is true
-    judge, optimiser = (reached(rooms(modules, *names), modules) - {DOOR} for names in (("verify",), OPTIMISERS))
+    judge = reached(rooms(modules, "verify") - of_compliant_job(modules), modules) - {DOOR}
+    optimiser = reached(rooms(modules, *OPTIMISERS), modules) - {DOOR}
     assert judge - rooms(modules, "verify") == {*SHARED, *APART, MESHES}
     assert judge & optimiser == {*SHARED, MESHES}
 
@@ -362,3 +394,60 @@ def test_the_judges_rule_sees_what_it_forbids(module: str, text: str, expected: 
     modules = {"path": "", "path.line": ""} | sources()
     modules[module] += f"\n{text}\n"
     assert any(expected in line for line in judge_violations(modules)), judge_violations(modules)
+
+
+def compliant_violations(modules: dict[str, str]) -> list[str]:
+    """What ties the judge of the compliant job to the job: a tool of one would hide the other's mistakes."""
+    judge, allowed = of_compliant_job(modules), COMPLIANT_MAY
+    found = []
+    for module in sorted(judge):
+        for line, name, what in inner_imports(module, modules[module], modules):
+            if name != COMPLIANT and name not in judge and what not in allowed.get(name, ()):
+                found.append(f"{module}:{line}: this judge may not import {what or 'anything'} from {name}")
+    everything = reached(judge, modules)
+    for module in sorted(everything):
+        if module.split(".")[0] == "compliance" or module.startswith("robot.srs"):
+            found.append(f"this judge reaches {module}")
+        for line, name in imports(modules[module], f"trajopt_cli.{module}"):
+            if name.split(".")[0] in ("importlib", "runpy") and "metadata" not in name and module != DOOR:
+                found.append(f"{module}:{line}: {name} is out of this judge's reach")
+    both = everything & reached(rooms(modules, "compliance"), modules) - {DOOR}
+    return found + [f"judge and job both reach {m}" for m in sorted(both - COMPLIANT_SHARED)]
+
+
+def test_the_judge_of_the_compliant_job_shares_data_and_readers_with_it_and_nothing_that_computes() -> None:
+    modules = sources()
+    assert compliant_violations(modules) == []
+    # and the lists say no more than is true
+    judge = of_compliant_job(modules)
+    taken = {(name, what) for m in judge for _, name, what in inner_imports(m, modules[m], modules)}
+    assert {(name, what) for name, what in taken if name not in {*judge, COMPLIANT}} == {
+        (name, what) for name, names in COMPLIANT_MAY.items() for what in names
+    }
+    assert reached(judge, modules) & reached(rooms(modules, "compliance"), modules) - {DOOR} == COMPLIANT_SHARED
+
+
+@pytest.mark.parametrize(
+    ("module", "text", "expected"),
+    [
+        ("verify.compliant.path", "from trajopt_cli.compliance.task.legs import legs", "may not import legs from"),
+        ("verify.compliant.arm", "from trajopt_cli.robot.srs import load_srs", "may not import load_srs from"),
+        (
+            "verify.compliant.arm",
+            "def f():\n    import trajopt_cli.robot.srs_inverse",
+            "this judge reaches robot.srs_inv",
+        ),
+        (
+            "verify.compliant.rows",
+            "from trajopt_cli.geometry import rotation_from_wxyz",
+            "may not import rotation_from",
+        ),
+        ("verify.compliant.judge", "from importlib import import_module", "importlib is out of this judge's reach"),
+        ("verify.rows", "from trajopt_cli.timing.point_to_point import x", "judge and job both reach timing.point_to_"),
+        ("robot.catalogue", "from trajopt_cli.robot.srs import load_srs", "this judge reaches robot.srs"),
+    ],
+)
+def test_the_compliant_judges_rule_sees_what_it_forbids(module: str, text: str, expected: str) -> None:
+    modules = sources()
+    modules[module] += f"\n{text}\n"
+    assert any(expected in line for line in compliant_violations(modules)), compliant_violations(modules)

@@ -21,28 +21,46 @@ def verify(
     cell: CellPath = None,
     entry: Entry = None,
     assume_identity: AssumeIdentity = None,
+    task: Annotated[
+        Path | None, typer.Option("--task", metavar="FILE.yaml", help="The iiwa task a CSV file executes.")
+    ] = None,
+    arm: Annotated[
+        str | None, typer.Option("--robot", metavar="NAME", help="The iiwa whose limits a CSV file shall keep.")
+    ] = None,
     everything: Annotated[
         bool, typer.Option("--all", help="List every case, not only the worst of each check.")
     ] = False,
 ) -> None:
-    """Judge trajectories against program and limits. Exit code 0: legal, 1: not."""
+    """Judge trajectories against program or task, and limits. Exit code 0: legal, 1: not."""
     from trajopt_cli.cli.console import stdout
     from trajopt_cli.cli.tables import advice_table, failures, findings_table, verdict
     from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.pipeline.folder import verify_file, verify_results
+    from trajopt_cli.runs.folder import TASK, kind_of
 
+    unchecked: tuple[str, ...] = ()
+    of_program = bool(program) or cell is not None or entry is not None or bool(assume_identity)
     if what.is_dir():
-        if program or cell is not None:
-            raise typer.BadParameter("a results folder holds its own program and cell; leave --program and --cell out")
-        if entry is not None or assume_identity:
-            message = "a results folder holds its own entry and assumptions; leave --entry and --assume-identity out"
-            raise typer.BadParameter(message)
-        with reading():
-            _, reports = verify_results(what)
+        _check_folder_alone(program, cell, entry, assume_identity, task, arm)
+        if kind_of(what) == TASK:
+            from trajopt_cli.verify.compliant.judge import verify_folder
+
+            judged = verify_folder(what)
+            reports, unchecked = judged.reports, judged.unchecked
+        else:
+            with reading():
+                _, reports = verify_results(what)
     elif not what.exists():
         raise InputError("no such file or folder", file=str(what))
+    elif task is not None or arm is not None:
+        if of_program or (task is not None and arm is not None):
+            raise typer.BadParameter("give one of --program, --task and --robot; --cell and the like go with --program")
+        from trajopt_cli.verify.compliant.judge import verify_joints
+
+        judged = verify_joints(what, task, arm)
+        reports, unchecked = judged.reports, judged.unchecked
     elif not program:
-        raise typer.BadParameter(f"{what} is a file: say which --program it executes")
+        raise typer.BadParameter(f"{what} is a file: say which --program it executes; of an iiwa --task or --robot")
     else:
         with reading():
             job = read_job(program, cell, entry or MAIN, assume_identity or ())
@@ -52,6 +70,8 @@ def verify(
         console.print(findings_table(name, report, everything))
         if report.advice:
             console.print(advice_table(name, report, everything))
+    for line in unchecked:
+        console.print(f"not checked: {line}", soft_wrap=True)
     for name, report in reports.items():
         for line in failures(report.advice):
             console.print(f"advice: {line}")
@@ -60,3 +80,21 @@ def verify(
             console.print(f"  {line}")
     if not all(report.legal for report in reports.values()):
         raise typer.Exit(1)
+
+
+def _check_folder_alone(
+    program: list[Path] | None,
+    cell: Path | None,
+    entry: str | None,
+    assume_identity: list[str] | None,
+    task: Path | None,
+    arm: str | None,
+) -> None:
+    """A results folder says itself what it is to be held against."""
+    if program or cell is not None:
+        raise typer.BadParameter("a results folder holds its own program and cell; leave --program and --cell out")
+    if entry is not None or assume_identity:
+        message = "a results folder holds its own entry and assumptions; leave --entry and --assume-identity out"
+        raise typer.BadParameter(message)
+    if task is not None or arm is not None:
+        raise typer.BadParameter("a results folder holds its own task and robot; leave --task and --robot out")

@@ -125,6 +125,11 @@ def check_replaceable(folder: Path) -> None:
         )
 
 
+def kind_of(folder: Path) -> str:
+    """What made a folder, as its run.json has it: PLAN, TASK and so on. Raises InputError for a folder that is none."""
+    return _record(folder, RunRecord[Any]).kind
+
+
 def read_bytes(path: Path) -> bytes:
     """A file's content. Raises InputError where it cannot be read."""
     with _reading(path):

@@ -59,6 +59,13 @@ class Mechanism:
         """Whether an axis stands before the arm's six."""
         return len(self.names) > _ARM
 
+    @property
+    def ranges(self) -> tuple[Array, Array, Array]:
+        """Lowest and highest position and greatest speed (k,) of the axes, as the URDF has them."""
+        model = self._model
+        limits = (model.lowerPositionLimit, model.upperPositionLimit, model.velocityLimit)
+        return limits[0].copy(), limits[1].copy(), limits[2].copy()
+
     def flange(self, q: Array) -> tuple[Array, Array]:
         """Flange poses X_WF (n, 4, 4) and Jacobians (n, 6, k) in world axes, linear rows first, at q (n, k)."""
         model, data, frame = self._model, self._model.createData(), self._flange

@@ -1,0 +1,248 @@
+"""verify_folder(), verify_joints(): results of `trajopt iiwa`, or anybody's joints of an arm, against their task."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, ClassVar
+
+import numpy as np
+
+from trajopt_cli.errors import ErrorKind, InputError, of_kind
+from trajopt_cli.findings import Finding, Report
+from trajopt_cli.geometry import Array
+from trajopt_cli.joint_csv import Resolution, read_csv_text
+from trajopt_cli.runs import SUMMARY
+from trajopt_cli.runs.folder import TASK, Run, read_bytes, read_run
+from trajopt_cli.runs.record import RunRecord
+from trajopt_cli.trajectory import Trajectory
+from trajopt_cli.verify.compliant import quaternions as turns
+from trajopt_cli.verify.compliant.joints import (
+    ArmAngleRange,
+    check_between,
+    check_follows,
+    check_limits,
+    check_posture,
+)
+from trajopt_cli.verify.compliant.order import Arm, Order, read_arm, read_order
+from trajopt_cli.verify.compliant.rows import Poses, columns, poses_of_joints, read_table, unit
+from trajopt_cli.verify.compliant.sequence import check_sequence
+from trajopt_cli.verify.compliant.tolerances import EXACT, PERIOD, ROUNDING, SIMULATED, START
+from trajopt_cli.verify.findings import finding
+
+ANGLES_FILE, QUATERNIONS_FILE = "equilibrium.csv", "equilibrium_quaternion.csv"
+JOINTS_FILE, SIMULATION_FILE = "joints.csv", "simulation.csv"
+_PLACE = ("x [m]", "y [m]", "z [m]")
+_ANGLES = ("alpha [rad]", "beta [rad]", "gamma [rad]")
+_QUATERNION = ("qw [1]", "qx [1]", "qy [1]", "qz [1]")
+_LOCKED = 0.05  # cos beta under which three angles may swing from row to row
+
+
+class _Record(RunRecord[dict[str, Any]]):
+    """run.json of trajopt iiwa, as far as every folder has it."""
+
+    KIND: ClassVar[str] = TASK
+
+
+@dataclass(frozen=True)
+class Judged:
+    """The judge's word by file, and what was not checked, one line each."""
+
+    reports: dict[str, Report]
+    unchecked: tuple[str, ...]
+
+
+@of_kind(ErrorKind.RESULTS)
+def verify_folder(folder: Path) -> Judged:
+    """Judge the sequence of a folder of `trajopt iiwa` against the task in it, its joints against the sequence, and
+    what a simulation was fed. Raises InputError for a folder that is none, or cannot be read.
+    """
+    every = (ANGLES_FILE, QUATERNIONS_FILE, JOINTS_FILE, SIMULATION_FILE)
+    run = read_run(folder, _Record, (SUMMARY, ANGLES_FILE, QUATERNIONS_FILE), judged=every)
+    if run.record.inputs.task is None:
+        raise InputError("inputs.task: is missing; make the folder again", file=str(folder / "run.json"))
+    order = read_order(str(folder / run.record.inputs.task), run.record.inputs.program is not None)
+    sections = run.sections()
+    unchecked = list(order.unchecked)
+    sequence, angles = _section(sections, "sequence", folder), _table(run, ANGLES_FILE, (*_PLACE, *_ANGLES))
+    quaternions = _table(run, QUATERNIONS_FILE, (*_PLACE, *_QUATERNION))
+    t = quaternions["t [s]"]
+    wanted = Poses(
+        t=t,
+        p=columns(quaternions, _PLACE),
+        q=unit(columns(quaternions, _QUATERNION), str(folder / QUATERNIONS_FILE)),
+        off_p=np.full(len(t), ROUNDING),
+        off_q=np.full(len(t), ROUNDING),
+        period=order.h,
+    )
+    counted = None if order.start is None else order.start.q
+    if sequence.get("angles") == "absolute":
+        counted = np.array([1.0, 0.0, 0.0, 0.0])
+    if counted is None:
+        unchecked.append(f"{folder / ANGLES_FILE}: its angles, because they count from the program's tool")
+    retimed = "dosing" in sections
+    reports = {
+        ANGLES_FILE: _report(_angle_file(angles, wanted, counted, order)),
+        QUATERNIONS_FILE: _report(
+            [*_rows(wanted, sequence.get("rows"), order), *check_sequence(order, wanted, retimed=retimed)]
+        ),
+    }
+    if JOINTS_FILE in run.contents:
+        if order.X_FT is None:
+            unchecked.append(f"{folder / JOINTS_FILE}: the tool's poses, because the tool is the program's")
+        reports[JOINTS_FILE] = _report(_joint_file(run, order, wanted, sections))
+    if SIMULATION_FILE in run.contents:
+        found, lines = _simulation_file(run, order, wanted)
+        reports[SIMULATION_FILE] = _report(found)
+        unchecked += lines
+    return Judged(reports, tuple(unchecked))
+
+
+def verify_joints(path: Path, task: Path | None, robot: str | None = None) -> Judged:
+    """Judge a file of joints that anybody wrote: the limits of its arm, a robot's by name or the task's; with a task
+    also way, caps, dwells and posture. Raises InputError for a file that cannot be read or is another robot's.
+    """
+    order = None if task is None else read_order(str(task))
+    arm = read_arm(robot or "iiwa7", "default") if order is None else order.arm
+    rows, resolution = _joints(path, read_bytes(path).decode("ascii", "replace"), arm)
+    found, unchecked = [*check_limits(arm, rows, resolution)], ["no task is given: the tool's way"]
+    if order is not None:
+        unchecked = list(order.unchecked)
+        if order.X_FT is None:
+            unchecked.append(f"{path}: the tool's way, because the tool is the program's")
+        else:
+            tool = poses_of_joints(arm, order.X_FT, rows, resolution, order.h)
+            found += check_sequence(order, tool, exact=False)
+            found += check_posture(order, rows, None, _begins_at_start(order, tool))
+    return Judged({path.name: _report(found)}, tuple(unchecked))
+
+
+@of_kind(ErrorKind.RESULTS)
+def _joints(path: Path, text: str, arm: Arm) -> tuple[Trajectory, Resolution]:
+    """An arm's joints in a CSV text."""
+    rows, resolution = read_csv_text(text, str(path))
+    if rows.names != arm.mechanism.names:
+        wanted = ", ".join(arm.mechanism.names)
+        raise InputError(f"the file's axes are {', '.join(rows.names)}; the robot's are {wanted}", file=str(path))
+    return rows, resolution
+
+
+def _report(findings: list[Finding] | Iterator[Finding]) -> Report:
+    return Report(tuple(findings))
+
+
+def _section(sections: dict[str, Any], name: str, folder: Path) -> dict[str, Any]:
+    found = sections.get(name)
+    if not isinstance(found, dict):
+        raise InputError(f"has no section '{name}'; make the folder again", file=str(folder / SUMMARY))
+    return found
+
+
+def _table(run: Run[_Record], name: str, heads: tuple[str, ...]) -> dict[str, Array]:
+    return read_table(run.text(name), str(run.folder / name), ("t [s]", *heads))
+
+
+def _rows(rows: Poses, told: Any, order: Order) -> Iterator[Finding]:
+    """A row every period from 0 on, as many as summary.json says."""
+    off = np.abs(rows.t - np.arange(len(rows.t)) * order.h)
+    row = int(np.argmax(off))
+    yield finding(
+        "period", f"row {row}", off[row], PERIOD, "s", off[row] <= PERIOD, time=float(rows.t[row]),
+        words="is off its place in time by",
+    )  # fmt: skip
+    same = len(rows.t) == told
+    count = float(told) if isinstance(told, int) else float("nan")
+    yield finding("rows", "sequence", len(rows.t), count, "rows", same, bound="summary.json says", words="has")
+
+
+def _angle_file(table: dict[str, Array], wanted: Poses, zero: Array | None, order: Order) -> Iterator[Finding]:
+    """The file with angles against the one with quaternions: the same rows; and angles without jumps."""
+    t, p, angles = table["t [s]"], columns(table, _PLACE), columns(table, _ANGLES)
+    same = len(t) == len(wanted.t)
+    yield finding("rows", "angles", len(t), len(wanted.t), "rows", same, bound="quaternions have", words="have")
+    if not same:
+        return
+    offs = [("period", np.abs(t - wanted.t), PERIOD, "s"), ("position", np.abs(p - wanted.p).max(axis=1), EXACT, "m")]
+    if zero is not None:
+        q = turns.product(turns.from_angles(angles), np.broadcast_to(zero, wanted.q.shape))
+        offs.append(("angles", turns.angle_between(q, wanted.q), 10 * EXACT, "rad"))
+    for check, off, limit, kind in offs:
+        row = int(np.argmax(off))
+        yield finding(
+            check, f"row {row}", off[row], limit, kind, off[row] <= limit, time=float(t[row]),
+            words=f"has another {check} than in quaternions, by",
+        )  # fmt: skip
+    # a quarter turn is no step of any sequence; near the lock two angles swing for one small turn
+    free = np.minimum(np.abs(np.cos(angles[:-1, 1])), np.abs(np.cos(angles[1:, 1]))) > _LOCKED
+    jump = np.where(free, np.abs(np.diff(angles, axis=0)).max(axis=1), 0.0)
+    row = int(np.argmax(jump))
+    most = np.pi / 2
+    yield finding(
+        "angle jump", f"row {row + 1}", jump[row], most, "rad", jump[row] <= most, time=float(t[row + 1]),
+        words="jumps from the row before by",
+    )  # fmt: skip
+
+
+def _joint_file(run: Run[_Record], order: Order, wanted: Poses, sections: dict[str, Any]) -> Iterator[Finding]:
+    rows, resolution = _joints(run.folder / JOINTS_FILE, run.text(JOINTS_FILE), order.arm)
+    same = len(rows.t) == len(wanted.t)
+    yield finding("rows", "joints", len(rows.t), len(wanted.t), "rows", same, bound="the sequence has", words="have")
+    yield from check_limits(order.arm, rows, resolution)
+    begins = False
+    if same:
+        off = np.abs(rows.t - wanted.t)
+        row = int(np.argmax(off))
+        yield finding(
+            "period", f"row {row}", off[row], PERIOD, "s", off[row] <= PERIOD, time=float(rows.t[row]),
+            words="is off the sequence in time by",
+        )  # fmt: skip
+    if order.X_FT is not None:
+        tool = poses_of_joints(order.arm, order.X_FT, rows, resolution, order.h)
+        begins = _begins_at_start(order, tool)
+        if same:
+            yield from check_follows(tool, wanted)
+        middle = Trajectory(rows.names, (rows.t[:-1] + rows.t[1:]) / 2, (rows.q[:-1] + rows.q[1:]) / 2)
+        yield from check_between(poses_of_joints(order.arm, order.X_FT, middle, None, order.h), tool)
+    said = _section(sections, "joints", run.folder).get("arm_angle", {})
+    told = ArmAngleRange(float(said["least_rad"]), float(said["greatest_rad"])) if "least_rad" in said else None
+    yield from check_posture(order, rows, told, begins)
+
+
+def _begins_at_start(order: Order, tool: Poses) -> bool:
+    """Whether the first row's pose is the tool's at the start's joints."""
+    assert order.start is not None
+    turned = float(turns.angle_between(tool.q[0], order.start.q))
+    return bool(np.linalg.norm(tool.p[0] - order.start.p) <= START and turned <= START)
+
+
+def _simulation_file(run: Run[_Record], order: Order, wanted: Poses) -> tuple[list[Finding], list[str]]:
+    """What a simulation says it was fed is the sequence, its last pose held; its deviation is what its columns say."""
+    equilibrium = [f"{head.split(' ')[0]}_e [{head.split('[')[1]}" for head in (*_PLACE, *_ANGLES)]
+    heads = (*equilibrium, *_PLACE, "deviation [m]")
+    table = _table(run, SIMULATION_FILE, heads)
+    t, p_e = table["t [s]"], columns(table, tuple(equilibrium[:3]))
+    file, found = str(run.folder / SIMULATION_FILE), list[Finding]()
+    unchecked = [f"{file}: what the controller does; only what it was fed, and its deviation"]
+    off = np.abs(t - np.arange(len(t)) * order.h)
+    offs = [("period", off, PERIOD, "s", "is off its place in time by")]
+    if order.reframed:
+        unchecked.append(f"{file}: what was fed, because the task changes frames on the way")
+    else:
+        k = np.minimum(np.arange(len(t)), len(wanted.t) - 1)
+        off = np.linalg.norm(p_e - wanted.p[k], axis=1)
+        offs.append(("position fed", off, SIMULATED, "m", "was fed another position, by"))
+        if order.start is not None:
+            angles = columns(table, tuple(equilibrium[3:]))
+            q = turns.product(turns.from_angles(angles), np.broadcast_to(order.start.q, (len(t), 4)))
+            offs.append(
+                ("orientation fed", turns.angle_between(q, wanted.q[k]), SIMULATED, "rad", "was fed another turn, by")
+            )
+    deviation = np.linalg.norm(columns(table, _PLACE) - p_e, axis=1)
+    offs.append(("deviation", np.abs(deviation - table["deviation [m]"]), SIMULATED, "m", "has another deviation, by"))
+    for check, off, limit, kind, words in offs:
+        row = int(np.argmax(off))
+        found.append(
+            finding(check, f"row {row}", off[row], limit, kind, off[row] <= limit, time=float(t[row]), words=words)
+        )
+    return found, unchecked

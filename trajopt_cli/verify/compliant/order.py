@@ -1,0 +1,232 @@
+"""What a task file orders, read anew for the judge: stops, caps, tool, base, robot and limits, start, arm angle.
+
+Of the way between the stops it knows straight segments between poses of a list. What else a task may say of its way is
+told as unchecked, never passed over.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.robot.catalogue import find_robot
+from trajopt_cli.verify.compliant import quaternions as turns
+from trajopt_cli.verify.compliant.written import METRE, PLAIN, RADIAN, SECOND, Written, rate
+from trajopt_cli.verify.mechanism import Mechanism
+
+_CAPS = {
+    "v_max": rate(METRE, 1),
+    "omega_max": rate(RADIAN, 1),
+    "a_max": rate(METRE, 2),
+    "epsilon_max": rate(RADIAN, 2),
+    "jerk": rate(METRE, 3),
+    "angular_jerk": rate(RADIAN, 3),
+}
+# What a task says besides its way; the controller's business, which verify does not judge.
+_CONTROLLER = ("K", "D", "M", "integration", "zero", "clamps", "changes", "pushes", "sensor", "contact")
+_WAY = ("h", "profile", "rotation", "angles", "poses", "program", "start", "tool", "base")
+_ARM = ("robot", "limits", "arm_angle")
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """A frame in another: position (3,) [m] and rotation (4,)."""
+
+    p: Array
+    q: Array
+
+    def inside(self, outer: Frame) -> Frame:
+        """This frame, given in outer, seen from where outer is given."""
+        return Frame(outer.p + turns.turned(outer.q, self.p), turns.product(outer.q, self.q))
+
+
+@dataclass(frozen=True, eq=False)
+class Stop:
+    """A pose of the task: position and angles (6,) as the task counts them, dwell [s], its line in the task file."""
+
+    name: str
+    pose: Array
+    dwell: float
+    line: int
+
+
+@dataclass(frozen=True, eq=False)
+class Arm:
+    """The robot: its URDF by pin on its base, and the limits of its k joints."""
+
+    mechanism: Mechanism
+    lower: Array
+    upper: Array
+    velocity: Array
+    acceleration: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Order:
+    """A task as far as it is judged. X_FT: the tool in the flange; None where only a RAPID program says it.
+
+    start: the tool in the world at the start's joints. reframed: poses count from other frames in the course of the
+    controller's run. stops: None where the judge cannot tell them. caps: by name one
+    number per segment, or None. unchecked: what of the task is not judged, one line each.
+    """
+
+    file: str
+    arm: Arm
+    X_FT: Frame | None
+    start_joints: Array
+    start: Frame | None
+    h: float
+    profile: str
+    slerp: bool
+    relative: bool
+    stops: tuple[Stop, ...] | None
+    caps: dict[str, list[float] | None]
+    swivel: bool
+    arm_angle: float | None
+    arm_angle_free: bool
+    reframed: bool
+    unchecked: tuple[str, ...]
+
+
+def read_order(path: str, program: bool = False) -> Order:
+    """The order in a task file. program: a RAPID program takes the place of its poses.
+
+    Raises InputError with file, line and key for what the judge cannot use.
+    """
+    task = Written(path, "task file")
+    base = _frame(task, "base")
+    arm = read_arm(str(task.at("robot", "iiwa7")), task.at("limits", "default"), base)
+    start_joints = np.array(task.numbers("start.joints", task.at("start.joints"), RADIAN, len(arm.lower)))
+    program, placed = program or task.at("program") is not None, {"position", "wxyz", "rpy"} & set(task.at("tool", {}))
+    X_FT = None if program and not placed else _frame(task, "tool")
+    start = None
+    if X_FT is not None:
+        start = X_FT.inside(arm_frame(arm.mechanism, start_joints))
+    angle = task.at("arm_angle")
+    unchecked = list(_foreign(task))
+    stops: tuple[Stop, ...] | None = None
+    relative = task.at("angles", "relative") == "relative"
+    if program:
+        unchecked.append(
+            f"{path}:{task.line('program')}: path and speeds, because they come from a RAPID program, which this judge"
+            " does not read"
+        )
+    elif not isinstance(task.at("poses"), list):
+        unchecked.append(
+            f"{path}:{task.line('poses')}: path and speeds, because the poses are no list of the task's own"
+        )
+    elif not unchecked:
+        assert start is not None
+        stops = tuple(_stops(task, start, relative))
+    caps = {key: _cap(task, key, stops) for key in _CAPS}
+    value = angle.get("value") if isinstance(angle, dict) else None
+    return Order(
+        file=path,
+        arm=arm,
+        X_FT=X_FT,
+        start_joints=start_joints,
+        start=start,
+        h=task.number("h", task.at("h", 1e-3), SECOND),
+        profile=str(task.at("profile", "thesis")),
+        slerp=task.at("rotation", "tait-bryan") == "slerp",
+        relative=relative,
+        stops=stops,
+        caps=caps,
+        swivel=isinstance(angle, dict) and angle.get("definition", "faria") == "swivel",
+        arm_angle=None if value is None else task.number("arm_angle.value", value, RADIAN),
+        arm_angle_free=angle == "free",
+        reframed=any({"tool", "base", "restart"} & set(change) for change in task.at("changes", [])),
+        unchecked=tuple(unchecked),
+    )
+
+
+def read_arm(robot: str, limits: str, base: Frame | None = None) -> Arm:
+    """A robot by name or by the path of its YAML file: ranges and speeds by pin from the URDF, accelerations of the
+    profile. Raises InputError."""
+    path = find_robot(robot)
+    file = Written(str(path), "robot file")
+    X_WB = np.eye(4)
+    if base is not None:
+        X_WB[:3, 3] = base.p
+        X_WB[:3, :3] = np.stack([turns.turned(base.q, axis) for axis in np.eye(3)], axis=1)
+    urdf = path.parent / str(file.at("urdf"))
+    if not urdf.is_file():
+        raise file.refused("urdf", f"{urdf} does not exist")
+    mechanism = Mechanism(urdf, X_WB)
+    profile = file.at(f"profiles.{limits}.acceleration")
+    if profile is None:
+        known = ", ".join(file.at("profiles", {}))
+        raise file.refused("profiles", f"there is no profile {limits}; known are {known}")
+    keys = [f"profiles.{limits}.acceleration.{name}.value" for name in mechanism.names]
+    return Arm(mechanism, *mechanism.ranges, np.array([file.number(key, file.at(key), PLAIN) for key in keys]))
+
+
+def arm_frame(mechanism: Mechanism, q: Array) -> Frame:
+    """The flange in the world at joints q (k,)."""
+    X = mechanism.flange_pose(q)
+    return Frame(X[:3, 3], turns.from_matrix(X[:3, :3]))
+
+
+def periods(dwell: float, h: float) -> int:
+    """Whole periods of a dwell: it is never shorter than told, and at least one where there is any."""
+    return max(1, math.ceil(dwell / h * (1 - 1e-9))) if dwell > 0 else 0
+
+
+def _foreign(task: Written) -> list[str]:
+    """A line for every key that the judge does not know: what it changes is not judged, and so neither is the way."""
+    return [
+        f"{task.file}:{task.line(key)}: path and speeds, because the judge does not know the key '{key}'"
+        for key in task.content
+        if key not in (*_CAPS, *_CONTROLLER, *_WAY, *_ARM)
+    ]
+
+
+def _frame(task: Written, key: str) -> Frame:
+    section: dict[str, Any] = task.at(key, {})
+    p = np.array(task.numbers(f"{key}.position", section.get("position", [0, 0, 0]), METRE, 3))
+    if "wxyz" in section:
+        q = np.array(task.numbers(f"{key}.wxyz", section["wxyz"], PLAIN, 4))
+        return Frame(p, q / np.linalg.norm(q))
+    rpy = task.numbers(f"{key}.rpy", section.get("rpy", [0, 0, 0]), RADIAN, 3)
+    return Frame(p, turns.from_angles(np.array(rpy)))  # URDF's roll, pitch and yaw are these very angles
+
+
+def _stops(task: Written, start: Frame, relative: bool) -> list[Stop]:
+    angles = np.zeros(3) if relative else turns.to_angles(start.q)
+    first, out = np.concatenate([start.p, angles]), list[Stop]()
+    for i, given in enumerate(task.at("poses")):
+        key = f"poses.{i}"
+        section = {"at": given} if isinstance(given, list | str) else given
+        if not isinstance(section, dict) or ("at" in section) == ("by" in section):
+            raise task.refused(key, "needs one of 'at' and 'by'")
+        if section.get("at") == "start":
+            pose = first
+        else:
+            values = section["at"] if "at" in section else section["by"]
+            if not isinstance(values, list) or len(values) != 6:
+                raise task.refused(key, f"needs 6 values, not {values!r}")
+            pose = np.array([task.number(key, v, METRE if j < 3 else RADIAN) for j, v in enumerate(values)])
+            if "by" in section:
+                if not out:
+                    raise task.refused(key, "'by' adds to the pose before, and there is none")
+                pose = out[-1].pose + pose
+        dwell = task.number(f"{key}.dwell", section.get("dwell", 0.0), SECOND)
+        out.append(Stop(str(section.get("name", i + 1)), pose, dwell, task.line(key)))
+    if len(out) < 2:
+        raise task.refused("poses", f"{len(out)} given; a path needs at least two")
+    return out
+
+
+def _cap(task: Written, key: str, stops: tuple[Stop, ...] | None) -> list[float] | None:
+    value = task.at(key)
+    if value is None:
+        return None
+    if not isinstance(value, list):
+        return [task.number(key, value, _CAPS[key])] * (1 if stops is None else len(stops) - 1)
+    if stops is not None and len(value) != len(stops) - 1:
+        raise task.refused(key, f"{len(value)} values for {len(stops) - 1} segments")
+    return [task.number(key, one, _CAPS[key]) for one in value]

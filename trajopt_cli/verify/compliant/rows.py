@@ -1,0 +1,124 @@
+"""Rows of a sequence and of an arm's joints as the judge reads them, and what their digits leave open."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from trajopt_cli.errors import ErrorKind, InputError, of_kind
+from trajopt_cli.geometry import Array
+from trajopt_cli.joint_csv import Resolution
+from trajopt_cli.trajectory import Trajectory
+from trajopt_cli.verify.compliant import quaternions as turns
+from trajopt_cli.verify.compliant.order import Arm, Frame
+from trajopt_cli.verify.compliant.tolerances import PERIOD, ROUNDING
+
+_UNIT = 1e-6  # by which the norm of a printed quaternion may differ from 1
+
+
+@dataclass(frozen=True, eq=False)
+class Poses:
+    """The tool in the world at times t (n,) [s]: positions p (n, 3) [m], rotations q (n, 4).
+
+    off_p, off_q (n,): how far digits leave a row's position [m] and orientation [rad] uncertain. period [s]: of the
+    grid that the rows should stand on; every pose of the task has a row where they do.
+    """
+
+    t: Array
+    p: Array
+    q: Array
+    off_p: Array
+    off_q: Array
+    period: float
+
+    @cached_property
+    def gaps(self) -> Array:
+        """Times (n-1,) between rows [s]."""
+        return np.asarray(np.diff(self.t))
+
+    @cached_property
+    def step_p(self) -> Array:
+        """Steps (n-1,) of the position [m]."""
+        return np.asarray(np.linalg.norm(np.diff(self.p, axis=0), axis=1))
+
+    @cached_property
+    def step_q(self) -> Array:
+        """Turns (n-1,) from row to row [rad]."""
+        return turns.angle_between(self.q[:-1], self.q[1:])
+
+    @cached_property
+    def gridded(self) -> bool:
+        """Whether the rows stand on the grid of the period."""
+        return bool(np.all(np.abs(self.t - self.t[0] - np.arange(len(self.t)) * self.period) <= PERIOD))
+
+    @cached_property
+    def open(self) -> Array:
+        """How far (n,) from the nearest row a pose of the task may lie, m plus rad: 0 where every pose has its row."""
+        if self.gridded:
+            return np.zeros(len(self.t))
+        steps = self.step_p + self.step_q
+        return np.asarray(np.maximum(np.r_[steps[0], steps], np.r_[steps, steps[-1]]))
+
+
+def poses_of_joints(arm: Arm, X_FT: Frame, rows: Trajectory, resolution: Resolution | None, period: float) -> Poses:
+    """Where the tool is at joints, by pin; half a printed step of every joint is doubted."""
+    X, J = arm.mechanism.flange(rows.q)
+    q_WF = turns.from_matrix(X[:, :3, :3])
+    lever = turns.turned(q_WF, np.broadcast_to(X_FT.p, (len(X), 3)))
+    p, q = X[:, :3, 3] + lever, turns.product(q_WF, np.broadcast_to(X_FT.q, (len(X), 4)))
+    half = np.zeros(rows.q.shape[1]) if resolution is None else resolution.q / 2
+    linear = J[:, :3] + np.cross(J[:, 3:], lever[:, :, None], axis=1)
+    rounding = ROUNDING * (1 + np.linalg.norm(p, axis=1))
+    return Poses(
+        t=rows.t,
+        p=p,
+        q=q,
+        off_p=np.linalg.norm(linear, axis=1) @ half + rounding,
+        off_q=np.full(len(p), half.sum() + ROUNDING),
+        period=period,
+    )
+
+
+@of_kind(ErrorKind.RESULTS)
+def read_table(text: str, file: str, needed: tuple[str, ...]) -> dict[str, Array]:
+    """The columns of a CSV file by their heads. Raises InputError with file and line for a head of needed that is
+    missing, a row of another length, what is no finite number, fewer than two rows, and times that do not increase."""
+    lines = text.rstrip("\r\n").split("\n")
+    heads = lines[0].rstrip("\r").split(",")
+    for head in needed:
+        if heads.count(head) != 1:
+            raise InputError(f"needs one column '{head}', has {','.join(heads)}", file=file, line=1)
+    if len(lines) < 3:
+        raise InputError(f"{len(lines) - 1} rows; a sequence needs at least 2", file=file, line=len(lines))
+    table = np.empty((len(lines) - 1, len(heads)))
+    for i, line in enumerate(lines[1:]):
+        try:
+            row = [float(field) for field in line.split(",")]
+        except ValueError as error:
+            raise InputError(f"holds what is no number: {error}", file=file, line=i + 2) from error
+        if len(row) != len(heads) or not np.isfinite(row).all():
+            message = f"{len(row)} values, the header has {len(heads)} columns, all of them finite"
+            raise InputError(message, file=file, line=i + 2)
+        table[i] = row
+    late = np.flatnonzero(np.diff(table[:, 0]) <= 0)
+    if late.size:
+        raise InputError("its time does not follow the one before", file=file, line=int(late[0]) + 3)
+    return dict(zip(heads, table.T, strict=True))
+
+
+def columns(table: dict[str, Array], heads: tuple[str, ...]) -> Array:
+    """Some columns side by side (n, k)."""
+    return np.column_stack([table[head] for head in heads])
+
+
+@of_kind(ErrorKind.RESULTS)
+def unit(q: Array, file: str) -> Array:
+    """Quaternions (n, 4) of norm 1. Raises InputError with file and line for any that is not of norm 1."""
+    norms = np.linalg.norm(q, axis=1)
+    wrong = np.flatnonzero(np.abs(norms - 1) > _UNIT)
+    if wrong.size:
+        row = int(wrong[0])
+        raise InputError(f"the quaternion's norm is {norms[row]:.9g}, wanted 1", file=file, line=row + 2)
+    return np.asarray(q / norms[:, None])
