@@ -84,7 +84,7 @@ def usage_lines() -> list[str]:
 @pytest.mark.parametrize("line", usage_lines())
 def test_every_command_and_option_of_the_readme_exists(line: str) -> None:
     words = re.findall(r"[\w.-]+|--\w+", line)
-    command = [w for w in words[1:3] if re.fullmatch(r"[a-z]+", w)]
+    command = [w for w in words[1:3] if re.fullmatch(r"[a-z]+\d?", w)]
     shown = CliRunner().invoke(app, [*command, "--help"])
     assert shown.exit_code == 0, shown.output
     for option in re.findall(r"--[a-z]+", line):

@@ -253,7 +253,8 @@ def test_a_csv_file_of_anybody_is_judged_against_a_program(
     assert run(["verify", "joints.csv", "--program", str(program)]) == 0
     assert run(["verify", "joints.csv"]) == 2
     assert capsys.readouterr().err == (
-        "trajopt: Invalid value: joints.csv is a file: say which --program it executes; see 'trajopt --help'\n"
+        "trajopt: Invalid value: joints.csv is a file: say which --program it executes; of an iiwa --task or --robot;"
+        " see 'trajopt --help'\n"
     )
     Path("fast.csv").write_text(Path("joints.csv").read_text().replace("joint_1 [rad]", "joint_1 [deg]"))
     assert run(["verify", "fast.csv", "--program", str(program)]) == 1

@@ -378,7 +378,7 @@ def test_a_program_without_a_task_file_is_offered_one_that_works(
 def test_folders_of_other_commands_are_told_apart(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
     folder = segments(task)
     capsys.readouterr()
-    assert run(["export", "joint", str(folder), "--rate", "1000", "--output", str(task.parent / "j.csv")]) == 2
+    assert run(["export", "rapid", str(folder), "--diff"]) == 2
     assert "was made by trajopt iiwa segments; this needs a folder of optimize" in capsys.readouterr().err
     assert run(["iiwa", "joints", str(task.parent)]) == 2
     assert "is not a results folder of trajopt" in capsys.readouterr().err

@@ -1,35 +1,103 @@
-"""`trajopt export joint|rapid RESULTS`: plans as files for the machine that executes them."""
+"""`trajopt export joint|ros2|parquet|fri|rapid RESULTS`: motions as files for whoever takes them."""
 
 from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from trajopt_cli.cli.options import ResultsFolder
+from trajopt_cli.errors import InputError
 
-app = typer.Typer(help="Write a plan for the machine that executes it.", rich_markup_mode=None)
+if TYPE_CHECKING:
+    from trajopt_cli.export.recorded import Recorded
+    from trajopt_cli.trajectory import Trajectory
+
+app = typer.Typer(help="Write a motion for the machine or the program that takes it.", rich_markup_mode=None)
+
+AnyResults = Annotated[
+    Path, typer.Argument(metavar="RESULTS", help="Results folder of trajopt optimize, or of trajopt iiwa with joints.")
+]
+Rate = Annotated[float, typer.Option(metavar="HZ", help="Rows per second.")]
 
 
 @app.command("joint", short_help="Joint CSV at a fixed rate.")
 def joint(
-    results: ResultsFolder,
+    results: AnyResults,
     output: Annotated[Path, typer.Option(metavar="FILE.csv", help="The CSV file to write.")],
-    rate: Annotated[float, typer.Option(metavar="HZ", help="Rows per second.")] = 1000.0,
+    rate: Rate = 1000.0,
 ) -> None:
-    """Joint positions and speeds of trajectory.csv's target at a fixed rate, the exact end as last row."""
-    from trajopt_cli.pipeline.folder import joint_export
+    """Joint positions and speeds at a fixed rate, the exact end as last row: trajectory.csv's target, or joints.csv."""
+    from trajopt_cli.export.recorded import recorded
+    from trajopt_cli.joint_csv import write_csv_text
+
+    _check_output(output, results)
+    motion = recorded(results)
+    trajectory, note = motion.at(rate)
+    _write(output, write_csv_text(trajectory).encode("ascii"), motion, trajectory, f"{rate:g} Hz", note)
+
+
+@app.command("ros2", short_help="ROS 2 JointTrajectory as YAML.")
+def ros2(
+    results: AnyResults,
+    output: Annotated[Path, typer.Option(metavar="FILE.yaml", help="The YAML file to write.")],
+    rate: Rate = 100.0,
+    joints: Annotated[
+        str | None, typer.Option(metavar="NAME,...", help="The joints' names in ROS, in order; default: our own.")
+    ] = None,
+) -> None:
+    """A trajectory_msgs/msg/JointTrajectory: positions, velocities, accelerations and times of all joints."""
+    from trajopt_cli.export.recorded import recorded
+    from trajopt_cli.export.ros2 import joint_trajectory
+
+    _check_output(output, results)
+    motion = recorded(results)
+    trajectory, note = motion.at(rate)
+    text = joint_trajectory(trajectory, None if joints is None else [name.strip() for name in joints.split(",")])
+    _write(output, text.encode("ascii"), motion, trajectory, f"{rate:g} Hz", note)
+
+
+@app.command("parquet", short_help="The joint CSV's columns as Parquet.")
+def parquet(
+    results: AnyResults,
+    output: Annotated[Path, typer.Option(metavar="FILE.parquet", help="The Parquet file to write.")],
+    rate: Annotated[
+        float | None, typer.Option(metavar="HZ", help="Rows per second; default: the rows as they are.")
+    ] = None,
+) -> None:
+    """Time, positions and speeds of all joints as columns of doubles; needs pyarrow, the extra parquet."""
+    from trajopt_cli.export.parquet import parquet as parquet_of
+    from trajopt_cli.export.recorded import recorded
+
+    _check_output(output, results)
+    motion = recorded(results)
+    trajectory, note = motion.at(rate)
+    said = "as recorded" if rate is None else f"{rate:g} Hz"
+    _write(output, parquet_of(trajectory), motion, trajectory, said, note)
+
+
+@app.command("fri", short_help="Joint positions per millisecond for KUKA's FRI.")
+def fri(
+    results: Annotated[Path, typer.Argument(metavar="RESULTS", help="Results folder of trajopt iiwa with joints.")],
+    output: Annotated[Path, typer.Option(metavar="FILE.csv", help="The CSV file to write.")],
+    between: Annotated[
+        bool, typer.Option("--resample", help="Make rows every 1 ms of a sequence with another period.")
+    ] = False,
+) -> None:
+    """What a client of the fast robot interface commands: A1 to A7 in rad, one line for every millisecond."""
+    from trajopt_cli.export.fri import fri_rows
+    from trajopt_cli.export.recorded import recorded
     from trajopt_cli.runs.files import write_file
 
     _check_output(output, results)
-    source, trajectory, text = joint_export(results, rate)
+    try:
+        text, rows, note = fri_rows(recorded(results), between)
+    except InputError as error:
+        raise error if error.file else InputError(error.message, file=str(results), kind=error.kind) from error
     write_file(output, text.encode("ascii"))
-    rows = len(trajectory.t)
-    typer.echo(f"{output}: the {source.target.value} plan, {rows} rows at {rate:g} Hz, T = {trajectory.duration:.4f} s")
-    for when, condition in source.holds:
-        typer.echo(f"hold at t = {when:.4f} s until {condition}")
+    typer.echo(f"{output}: the arm's joints, {rows} rows of 1 ms{f'; {note}' if note else ''}")
 
 
 @app.command("rapid", short_help="The program with the rapid plan in it.")
@@ -81,10 +149,22 @@ def rapid(
             typer.echo(f"from now on give the folder, or all files: trajopt parse {every}", err=diff)
 
 
+def _write(output: Path, content: bytes, motion: Recorded, trajectory: Trajectory, rate: str, note: str) -> None:
+    """Write the file, and say what is in it."""
+    from trajopt_cli.runs.files import write_file
+
+    write_file(output, content)
+    at = rate if rate == "as recorded" else f"at {rate}"
+    typer.echo(
+        f"{output}: {motion.name}, {len(trajectory.t)} rows {at}, T = {trajectory.duration:.4f} s"
+        f"{f'; {note}' if note else ''}"
+    )
+    for when, condition in motion.holds:
+        typer.echo(f"hold at t = {when:.4f} s until {condition}")
+
+
 def _check_output(output: Path, results: Path) -> None:
     """Refuse to write over a folder, or over what a results folder holds: its files are held against their hashes."""
-    from trajopt_cli.errors import InputError
-
     if output.is_dir():
         raise InputError("is a folder; --output names a file", file=str(output))
     if output.exists() and output.resolve().is_relative_to(results.resolve()):

@@ -20,18 +20,23 @@ def resample(trajectory: Trajectory, rate: float) -> Trajectory:
     Between the rows of trajectory the motion is the cubic Hermite, so a position here is the motion's own. Raises
     InputError for a rate outside (0, 1e5] Hz, for more than MOST_ROWS rows, and for a trajectory without speeds.
     """
-    if not (math.isfinite(rate) and 0 < rate <= HIGHEST_RATE):
-        raise InputError(f"rate {rate:g} Hz lies outside (0, {HIGHEST_RATE:g}] Hz; 1000 suits most controllers")
+    check_rate(trajectory, rate)
     if trajectory.qd is None:
         raise InputError("the trajectory has no speed columns; resampling needs them")
+    t = trajectory.t[0] + np.arange(math.floor(trajectory.duration * rate) + 1) / rate
+    t = np.append(t[t <= trajectory.t[-1] - min(_SHORTEST_INTERVAL, 0.5 / rate)], trajectory.t[-1])
+    q, qd, _ = hermite(trajectory, t)
+    q[-1], qd[-1] = trajectory.q[-1], trajectory.qd[-1]
+    return Trajectory(trajectory.names, t, q, qd)
+
+
+def check_rate(trajectory: Trajectory, rate: float) -> None:
+    """Raise InputError for a rate outside (0, 1e5] Hz, and for one that makes more than MOST_ROWS rows."""
+    if not (math.isfinite(rate) and 0 < rate <= HIGHEST_RATE):
+        raise InputError(f"rate {rate:g} Hz lies outside (0, {HIGHEST_RATE:g}] Hz; 1000 suits most controllers")
     if trajectory.duration * rate > MOST_ROWS:
         rows, slowest = trajectory.duration * rate, math.floor(MOST_ROWS / trajectory.duration * 10) / 10
         raise InputError(
             f"{trajectory.duration:.0f} s at {rate:g} Hz are {rows:.0f} rows, at most {MOST_ROWS}: give a rate of"
             f" {slowest:g} Hz or less, or take the results folder's own CSV, which has two rows where nothing moves"
         )
-    t = trajectory.t[0] + np.arange(math.floor(trajectory.duration * rate) + 1) / rate
-    t = np.append(t[t <= trajectory.t[-1] - min(_SHORTEST_INTERVAL, 0.5 / rate)], trajectory.t[-1])
-    q, qd, _ = hermite(trajectory, t)
-    q[-1], qd[-1] = trajectory.q[-1], trajectory.qd[-1]
-    return Trajectory(trajectory.names, t, q, qd)

@@ -17,13 +17,11 @@ from trajopt_cli.runs.results import (
     CHOSEN,
     CSV,
     RapidModule,
-    Results,
     read_results,
 )
 
 if TYPE_CHECKING:
     from trajopt_cli.findings import Report
-    from trajopt_cli.trajectory import Trajectory
 
 
 @dataclass(frozen=True)
@@ -76,18 +74,6 @@ def plans_of_results(folder: Path, job: Job) -> dict[Target, Plan]:
 def verify_file(path: Path, job: Job) -> Report:
     """Judge a CSV file that anybody wrote against a program and its cell."""
     return judge(job.plant, job.program, _text(path), str(path))
-
-
-@of_kind(ErrorKind.RESULTS)
-def joint_export(folder: Path, rate: float) -> tuple[Results, Trajectory, str]:
-    """The chosen target's motion of a results folder at rate [Hz], as trajectory and as CSV text."""
-    from trajopt_cli.export.joint import resample
-    from trajopt_cli.joint_csv import read_csv_text, write_csv_text
-
-    results = read_results(folder)
-    recorded, _ = read_csv_text(results.texts[CHOSEN], str(folder / CHOSEN))
-    trajectory = resample(recorded, rate)
-    return results, trajectory, write_csv_text(trajectory)
 
 
 @of_kind(ErrorKind.RESULTS)

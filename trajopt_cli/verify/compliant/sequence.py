@@ -13,7 +13,7 @@ from trajopt_cli.verify.compliant import quaternions as turns
 from trajopt_cli.verify.compliant.order import Order
 from trajopt_cli.verify.compliant.path import Leg, Visit, legs, visits
 from trajopt_cli.verify.compliant.rows import Poses
-from trajopt_cli.verify.compliant.tolerances import BACKWARD, CAP, EXACT, PATH, RAMP, SLACK
+from trajopt_cli.verify.compliant.tolerances import ARM_CAP, BACKWARD, CAP, EXACT, PATH, RAMP, SLACK
 from trajopt_cli.verify.findings import finding
 
 
@@ -34,7 +34,7 @@ def check_sequence(order: Order, rows: Poses, exact: bool = True, retimed: bool 
         if end.off <= end.allowed:
             part = slice(begin.left, end.arrived + 1)
             yield from _on_leg(order, leg.as_gone(rows.q[part]), rows, part)
-            yield from _caps(order, leg, rows, part, ramps=order.profile != "thesis" and not retimed)
+            yield from _caps(order, leg, rows, part, order.profile != "thesis" and not retimed, exact)
 
 
 def _reached(order: Order, found: list[Visit], rows: Poses, exact: bool) -> Iterator[Finding]:
@@ -118,9 +118,14 @@ def _on_leg(order: Order, leg: Leg, rows: Poses, part: slice) -> Iterator[Findin
     )  # fmt: skip
 
 
-def _caps(order: Order, leg: Leg, rows: Poses, part: slice, ramps: bool) -> Iterator[Finding]:
+def _caps(order: Order, leg: Leg, rows: Poses, part: slice, ramps: bool, exact: bool) -> Iterator[Finding]:
     """Steps against v_max h and omega_max h; with ramps what the steps change by, and what that changes by, too."""
+    rests = not np.any(rows.open)  # else no row stands at the pose, and the rows beside it are of two ways
+    if not rests:
+        part = slice(part.start + 1, part.stop - 1)
     t = rows.t[part]
+    if len(t) < 3:
+        return
     gaps = np.diff(t)[:, None]
     rough_p = float(rows.off_p[part].max())
     rough_q = float(rows.off_q[part].max()) + leg.rounding(rows.q[part])
@@ -133,25 +138,27 @@ def _caps(order: Order, leg: Leg, rows: Poses, part: slice, ramps: bool) -> Iter
             continue
         rates: list[tuple[Array, float, float]] = [(steps / gaps, 2 * rough / float(gaps.min()), CAP)]
         if ramps:
-            rates.append((_accelerations(steps, gaps), 4 * rough / float(gaps.min()) ** 2, RAMP))
-        if ramps and order.profile == "s-curve" and rows.gridded:
+            rates.append((_accelerations(steps, gaps, rests), 4 * rough / float(gaps.min()) ** 2, RAMP))
+        if ramps and order.profile == "s-curve" and rests:
             rates.append((_jerks(steps, order.h), 8 * rough / order.h**3, RAMP))
         for power, ((values, doubt, relative), name) in enumerate(zip(rates, names, strict=False)):
             if name not in leg.caps:
                 continue
             size = np.linalg.norm(values, axis=1)
             row, cap = int(np.argmax(size)), leg.caps[name]
-            passed = size[row] <= cap * (1 + relative) + doubt
+            passed = size[row] <= cap * (1 + (relative if exact else ARM_CAP)) + doubt
             yield finding(
                 name, leg.name, size[row], cap, f"{unit}/s{('', '2', '3')[power]}", passed,
                 time=float(t[min(row, len(t) - 1)]), source=Source(order.file, leg.line, 1),
             )  # fmt: skip
 
 
-def _accelerations(steps: Array, gaps: Array) -> Array:
-    """Second divided differences of a way from rest to rest: who is at a step's end after a gap has needed twice the
-    step over the gap's square at least."""
+def _accelerations(steps: Array, gaps: Array, rests: bool) -> Array:
+    """Second divided differences; of a way from rest to rest also at its ends: who is at a step's end after a gap has
+    needed twice the step over the gap's square at least."""
     inner = 2 * np.diff(steps / gaps, axis=0) / (gaps[1:] + gaps[:-1])
+    if not rests:
+        return np.asarray(inner)
     return np.concatenate([2 * steps[:1] / gaps[:1] ** 2, inner, 2 * steps[-1:] / gaps[-1:] ** 2])
 
 

@@ -23,6 +23,10 @@ CAP = 1e-9
 RAMP = 1e-6
 """Relative excess of a_max, epsilon_max and the jerks: differences of differences lose that many digits more."""
 
+ARM_CAP = 1e-3
+"""The same of joints that anybody wrote, whose rows may stand between those of the sequence: on the way from row to row
+joints turn evenly, the tool not quite (1e-4 of a_max at 1 kHz), and the caps are numbers of two or three digits."""
+
 ROUNDING = 4e-15
 """How far rounding leaves a coordinate off, m (times its size above 1 m) or rad (over cos beta for three angles); what
 a difference makes of it is granted."""
