@@ -2,16 +2,28 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
-from iiwa_folders import copied, make_folder, task_text
+from iiwa_folders import (
+    Sequence,
+    bump,
+    copied,
+    edit_sequence,
+    edit_table,
+    list_files,
+    make_folder,
+    task_text,
+)
 from spoiled_iiwa import SPOILED
 
 from trajopt_cli.compliance.job.dosing import DosedJob, dose_folder
 from trajopt_cli.compliance.job.simulation import simulate
 from trajopt_cli.compliance.task.model import AngleMeaning
+from trajopt_cli.geometry import Array
 from trajopt_cli.verify.compliant.judge import Judged, verify_folder
 
 REPOSITORY = Path(__file__).parents[2]
@@ -138,6 +150,30 @@ def test_every_way_to_write_a_task_is_judged(text: str, angles: AngleMeaning | N
 def test_joints_of_steps_at_full_speed_break_accelerations_and_nothing_else(tmp_path: Path) -> None:
     judged = verify_folder(make_folder(tmp_path / "one", task_text("thesis")))
     assert failed(judged) == {"joint acceleration"}
+
+
+def test_an_equilibrium_that_leads_the_arm_is_not_its_path(bases: Callable[[str], Path], tmp_path: Path) -> None:
+    """Where a folder has the path apart from what is fed, the one is judged and the other only against its twin."""
+    folder = copied(bases("trapezoid"), tmp_path / "led")
+    for end in (".csv", "_quaternion.csv"):
+        shutil.copy(folder / f"equilibrium{end}", folder / f"plan{end}")
+
+    def lead(rows: Sequence, _: Path) -> None:
+        rows.p[1:-1] += np.gradient(rows.p, axis=0)[1:-1] * 200
+
+    edit_sequence(folder, lead)
+    list_files(folder, "plan.csv", "plan_quaternion.csv")
+    judged = verify_folder(folder)
+    assert messages(judged) == []
+    assert "path" in {finding.check for finding in judged.reports["plan_quaternion.csv"].findings}
+    assert "path" not in {finding.check for finding in judged.reports["equilibrium_quaternion.csv"].findings}
+    assert "equilibrium.csv: its way and speeds, because it leads the arm along plan.csv" in judged.unchecked[0]
+
+    def aside(rows: Array) -> None:
+        rows[30:220, 3] += 2e-6 * bump(190)
+
+    edit_table(folder, "plan_quaternion.csv", aside)
+    assert {"path", "position"} <= failed(verify_folder(folder))
 
 
 def test_a_dosed_sequence_keeps_its_path_and_its_caps(bases: Callable[[str], Path], tmp_path: Path) -> None:

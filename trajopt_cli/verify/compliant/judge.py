@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -12,7 +12,7 @@ import numpy as np
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.findings import Finding, Report
 from trajopt_cli.geometry import Array
-from trajopt_cli.joint_csv import Resolution, read_csv_text
+from trajopt_cli.joint_csv import read_csv_text
 from trajopt_cli.runs import SUMMARY
 from trajopt_cli.runs.folder import TASK, Run, read_bytes, read_run
 from trajopt_cli.runs.record import RunRecord
@@ -25,13 +25,15 @@ from trajopt_cli.verify.compliant.joints import (
     check_limits,
     check_posture,
 )
-from trajopt_cli.verify.compliant.order import Arm, Order, read_arm, read_order
+from trajopt_cli.verify.compliant.order import Arm, Frame, Order, arm_frame, read_arm, read_order
 from trajopt_cli.verify.compliant.rows import Poses, columns, poses_of_joints, read_table, unit
 from trajopt_cli.verify.compliant.sequence import check_sequence
 from trajopt_cli.verify.compliant.tolerances import EXACT, PERIOD, ROUNDING, SIMULATED, START
 from trajopt_cli.verify.findings import finding
 
-ANGLES_FILE, QUATERNIONS_FILE = "equilibrium.csv", "equilibrium_quaternion.csv"
+_FED = ("equilibrium.csv", "equilibrium_quaternion.csv")
+_LED = ("plan.csv", "plan_quaternion.csv")
+"""Where the arm should be, in folders whose equilibrium leads it there."""
 JOINTS_FILE, SIMULATION_FILE = "joints.csv", "simulation.csv"
 _PLACE = ("x [m]", "y [m]", "z [m]")
 _ANGLES = ("alpha [rad]", "beta [rad]", "gamma [rad]")
@@ -58,74 +60,86 @@ def verify_folder(folder: Path) -> Judged:
     """Judge the sequence of a folder of `trajopt iiwa` against the task in it, its joints against the sequence, and
     what a simulation was fed. Raises InputError for a folder that is none, or cannot be read.
     """
-    every = (ANGLES_FILE, QUATERNIONS_FILE, JOINTS_FILE, SIMULATION_FILE)
-    run = read_run(folder, _Record, (SUMMARY, ANGLES_FILE, QUATERNIONS_FILE), judged=every)
+    run = read_run(folder, _Record, (SUMMARY, *_FED), judged=(*_FED, *_LED, JOINTS_FILE, SIMULATION_FILE))
     if run.record.inputs.task is None:
         raise InputError("inputs.task: is missing; make the folder again", file=str(folder / "run.json"))
-    order = read_order(str(folder / run.record.inputs.task), run.record.inputs.program is not None)
-    sections = run.sections()
+    sections, program = run.sections(), run.record.inputs.program
+    said = _section(sections, "sequence", folder)
+    fed, way = _quaternion_file(run, _FED[1]), _FED
+    path = fed
+    if _LED[0] in run.contents:
+        path, way = _quaternion_file(run, _LED[1]), _LED
+    first = Frame(path.p[0], path.q[0])
+    place = None if program is None else str(folder / program)
+    order = read_order(str(folder / run.record.inputs.task), place, lambda *_: first)
+    fed, path = (replace(one, period=order.h) for one in (fed, path))
     unchecked = list(order.unchecked)
-    sequence, angles = _section(sections, "sequence", folder), _table(run, ANGLES_FILE, (*_PLACE, *_ANGLES))
-    quaternions = _table(run, QUATERNIONS_FILE, (*_PLACE, *_QUATERNION))
-    t = quaternions["t [s]"]
-    wanted = Poses(
-        t=t,
-        p=columns(quaternions, _PLACE),
-        q=unit(columns(quaternions, _QUATERNION), str(folder / QUATERNIONS_FILE)),
-        off_p=np.full(len(t), ROUNDING),
-        off_q=np.full(len(t), ROUNDING),
-        period=order.h,
-    )
-    counted = None if order.start is None else order.start.q
-    if sequence.get("angles") == "absolute":
-        counted = np.array([1.0, 0.0, 0.0, 0.0])
-    if counted is None:
-        unchecked.append(f"{folder / ANGLES_FILE}: its angles, because they count from the program's tool")
-    retimed = "dosing" in sections
-    reports = {
-        ANGLES_FILE: _report(_angle_file(angles, wanted, counted, order)),
-        QUATERNIONS_FILE: _report(
-            [*_rows(wanted, sequence.get("rows"), order), *check_sequence(order, wanted, retimed=retimed)]
-        ),
-    }
+    zero = None if order.start is None else order.start.q
+    if said.get("angles") == "absolute":
+        zero = np.array([1.0, 0.0, 0.0, 0.0])
+    if zero is None:
+        unchecked.append(f"{folder / _FED[0]}: its angles, because they count from the program's tool")
+    reports = {}
+    if way is _LED:
+        unchecked.append(f"{folder / _FED[0]}: its way and speeds, because it leads the arm along {_LED[0]}")
+        reports = {
+            _FED[0]: _report(_angle_file(run, _FED[0], fed, zero)),
+            _FED[1]: _report(_rows(fed, said.get("rows"), order)),
+        }
+    reports[way[0]] = _report(_angle_file(run, way[0], path, zero))
+    of_path = check_sequence(order, path, retimed="dosing" in sections)
+    reports[way[1]] = _report([*_rows(path, said.get("rows"), order), *of_path])
     if JOINTS_FILE in run.contents:
         if order.X_FT is None:
             unchecked.append(f"{folder / JOINTS_FILE}: the tool's poses, because the tool is the program's")
-        reports[JOINTS_FILE] = _report(_joint_file(run, order, wanted, sections))
+        reports[JOINTS_FILE] = _report(_joint_file(run, order, fed, sections))
     if SIMULATION_FILE in run.contents:
-        found, lines = _simulation_file(run, order, wanted)
+        found, lines = _simulation_file(run, order, fed, path)
         reports[SIMULATION_FILE] = _report(found)
         unchecked += lines
     return Judged(reports, tuple(unchecked))
 
 
+@of_kind(ErrorKind.RESULTS)
 def verify_joints(path: Path, task: Path | None, robot: str | None = None) -> Judged:
     """Judge a file of joints that anybody wrote: the limits of its arm, a robot's by name or the task's; with a task
     also way, caps, dwells and posture. Raises InputError for a file that cannot be read or is another robot's.
     """
-    order = None if task is None else read_order(str(task))
-    arm = read_arm(robot or "iiwa7", "default") if order is None else order.arm
-    rows, resolution = _joints(path, read_bytes(path).decode("ascii", "replace"), arm)
-    found, unchecked = [*check_limits(arm, rows, resolution)], ["no task is given: the tool's way"]
-    if order is not None:
-        unchecked = list(order.unchecked)
-        if order.X_FT is None:
-            unchecked.append(f"{path}: the tool's way, because the tool is the program's")
-        else:
-            tool = poses_of_joints(arm, order.X_FT, rows, resolution, order.h)
-            found += check_sequence(order, tool, exact=False)
-            found += check_posture(order, rows, None, _begins_at_start(order, tool))
+    rows, resolution = read_csv_text(read_bytes(path).decode("ascii", "replace"), str(path))
+    if task is None:
+        arm = read_arm(robot or "iiwa7", "default")
+        _check_names(rows, arm, path)
+        return Judged({path.name: _report(check_limits(arm, rows, resolution))}, ("no task is given: the tool's way",))
+
+    def first(X_FT: Frame, arm: Arm) -> Frame:
+        _check_names(rows, arm, path)
+        return X_FT.inside(arm_frame(arm.mechanism, rows.q[0]))
+
+    order = read_order(str(task), first=first)
+    _check_names(rows, order.arm, path)
+    found, unchecked = [*check_limits(order.arm, rows, resolution)], list(order.unchecked)
+    if order.X_FT is None:
+        unchecked.append(f"{path}: the tool's way, because the tool is the program's")
+    else:
+        tool = poses_of_joints(order.arm, order.X_FT, rows, resolution, order.h)
+        found += check_sequence(order, tool, exact=False)
+        found += check_posture(order, rows, None, _begins_at_start(order, tool))
     return Judged({path.name: _report(found)}, tuple(unchecked))
 
 
-@of_kind(ErrorKind.RESULTS)
-def _joints(path: Path, text: str, arm: Arm) -> tuple[Trajectory, Resolution]:
-    """An arm's joints in a CSV text."""
-    rows, resolution = read_csv_text(text, str(path))
+def _check_names(rows: Trajectory, arm: Arm, path: Path) -> None:
     if rows.names != arm.mechanism.names:
         wanted = ", ".join(arm.mechanism.names)
         raise InputError(f"the file's axes are {', '.join(rows.names)}; the robot's are {wanted}", file=str(path))
-    return rows, resolution
+
+
+def _quaternion_file(run: Run[_Record], name: str) -> Poses:
+    """The poses of a file; on no grid yet."""
+    table = _table(run, name, (*_PLACE, *_QUATERNION))
+    t = table["t [s]"]
+    q = unit(columns(table, _QUATERNION), str(run.folder / name))
+    rounding = np.full(len(t), ROUNDING)
+    return Poses(t, columns(table, _PLACE), q, rounding, rounding, float("nan"))
 
 
 def _report(findings: list[Finding] | Iterator[Finding]) -> Report:
@@ -156,8 +170,9 @@ def _rows(rows: Poses, told: Any, order: Order) -> Iterator[Finding]:
     yield finding("rows", "sequence", len(rows.t), count, "rows", same, bound="summary.json says", words="has")
 
 
-def _angle_file(table: dict[str, Array], wanted: Poses, zero: Array | None, order: Order) -> Iterator[Finding]:
+def _angle_file(run: Run[_Record], name: str, wanted: Poses, zero: Array | None) -> Iterator[Finding]:
     """The file with angles against the one with quaternions: the same rows; and angles without jumps."""
+    table = _table(run, name, (*_PLACE, *_ANGLES))
     t, p, angles = table["t [s]"], columns(table, _PLACE), columns(table, _ANGLES)
     same = len(t) == len(wanted.t)
     yield finding("rows", "angles", len(t), len(wanted.t), "rows", same, bound="quaternions have", words="have")
@@ -185,7 +200,8 @@ def _angle_file(table: dict[str, Array], wanted: Poses, zero: Array | None, orde
 
 
 def _joint_file(run: Run[_Record], order: Order, wanted: Poses, sections: dict[str, Any]) -> Iterator[Finding]:
-    rows, resolution = _joints(run.folder / JOINTS_FILE, run.text(JOINTS_FILE), order.arm)
+    rows, resolution = read_csv_text(run.text(JOINTS_FILE), str(run.folder / JOINTS_FILE))
+    _check_names(rows, order.arm, run.folder / JOINTS_FILE)
     same = len(rows.t) == len(wanted.t)
     yield finding("rows", "joints", len(rows.t), len(wanted.t), "rows", same, bound="the sequence has", words="have")
     yield from check_limits(order.arm, rows, resolution)
@@ -211,13 +227,15 @@ def _joint_file(run: Run[_Record], order: Order, wanted: Poses, sections: dict[s
 
 def _begins_at_start(order: Order, tool: Poses) -> bool:
     """Whether the first row's pose is the tool's at the start's joints."""
-    assert order.start is not None
+    if order.start is None or order.driven:
+        return False
     turned = float(turns.angle_between(tool.q[0], order.start.q))
     return bool(np.linalg.norm(tool.p[0] - order.start.p) <= START and turned <= START)
 
 
-def _simulation_file(run: Run[_Record], order: Order, wanted: Poses) -> tuple[list[Finding], list[str]]:
-    """What a simulation says it was fed is the sequence, its last pose held; its deviation is what its columns say."""
+def _simulation_file(run: Run[_Record], order: Order, wanted: Poses, path: Poses) -> tuple[list[Finding], list[str]]:
+    """What a simulation says it was fed is the sequence, its last pose held; its deviation is what its columns say,
+    from what it was fed, or from the path that this leads it along."""
     equilibrium = [f"{head.split(' ')[0]}_e [{head.split('[')[1]}" for head in (*_PLACE, *_ANGLES)]
     heads = (*equilibrium, *_PLACE, "deviation [m]")
     table = _table(run, SIMULATION_FILE, heads)
@@ -238,7 +256,9 @@ def _simulation_file(run: Run[_Record], order: Order, wanted: Poses) -> tuple[li
             offs.append(
                 ("orientation fed", turns.angle_between(q, wanted.q[k]), SIMULATED, "rad", "was fed another turn, by")
             )
-    deviation = np.linalg.norm(columns(table, _PLACE) - p_e, axis=1)
+    led = _LED[0] in run.contents and not order.reframed
+    from_p = path.p[np.minimum(np.arange(len(t)), len(path.t) - 1)] if led else p_e
+    deviation = np.linalg.norm(columns(table, _PLACE) - from_p, axis=1)
     offs.append(("deviation", np.abs(deviation - table["deviation [m]"]), SIMULATED, "m", "has another deviation, by"))
     for check, off, limit, kind, words in offs:
         row = int(np.argmax(off))

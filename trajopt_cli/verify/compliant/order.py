@@ -1,20 +1,25 @@
 """What a task file orders, read anew for the judge: stops, caps, tool, base, robot and limits, start, arm angle.
 
-Of the way between the stops it knows straight segments between poses of a list. What else a task may say of its way is
-told as unchecked, never passed over.
+Poses come from the task's own list or from a CSV file. A RAPID program, and keys that the judge does not know, are told
+as unchecked, never passed over.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import PurePath
 from typing import Any
 
 import numpy as np
 
 from trajopt_cli.geometry import Array
+from trajopt_cli.motion import Source
 from trajopt_cli.robot.catalogue import find_robot
 from trajopt_cli.verify.compliant import quaternions as turns
+from trajopt_cli.verify.compliant.poses_csv import MOST, lines_of, read_poses
+from trajopt_cli.verify.compliant.tolerances import START
 from trajopt_cli.verify.compliant.written import METRE, PLAIN, RADIAN, SECOND, Written, rate
 from trajopt_cli.verify.mechanism import Mechanism
 
@@ -28,8 +33,10 @@ _CAPS = {
 }
 # What a task says besides its way; the controller's business, which verify does not judge.
 _CONTROLLER = ("K", "D", "M", "integration", "zero", "clamps", "changes", "pushes", "sensor", "contact")
-_WAY = ("h", "profile", "rotation", "angles", "poses", "program", "start", "tool", "base")
+_WAY = ("h", "profile", "rotation", "angles", "poses", "program", "approach", "passing", "start", "tool", "base")
 _ARM = ("robot", "limits", "arm_angle")
+
+_Caps = dict[str, list[float] | None]
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,12 +53,14 @@ class Frame:
 
 @dataclass(frozen=True, eq=False)
 class Stop:
-    """A pose of the task: position and angles (6,) as the task counts them, dwell [s], its line in the task file."""
+    """A pose of the task: position and angles (6,) as the task counts them, dwell [s], where it is written. rests: it
+    is a stop, although poses are passed."""
 
     name: str
     pose: Array
     dwell: float
-    line: int
+    place: Source
+    rests: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,7 +78,9 @@ class Arm:
 class Order:
     """A task as far as it is judged. X_FT: the tool in the flange; None where only a RAPID program says it.
 
-    start: the tool in the world at the start's joints. reframed: poses count from other frames in the course of the
+    start: the tool in the world where the controller is switched on, the zero of relative angles; driven: it is driven
+    there before, from start_joints. passing: how near poses are passed without a stop [m], [rad]; None for a stop at
+    every pose. reframed: poses count from other frames in the course of the
     controller's run. stops: None where the judge cannot tell them. caps: by name one
     number per segment, or None. unchecked: what of the task is not judged, one line each.
     """
@@ -79,11 +90,13 @@ class Order:
     X_FT: Frame | None
     start_joints: Array
     start: Frame | None
+    driven: bool
     h: float
     profile: str
     slerp: bool
     relative: bool
     stops: tuple[Stop, ...] | None
+    passing: tuple[float, float] | None
     caps: dict[str, list[float] | None]
     swivel: bool
     arm_angle: float | None
@@ -92,37 +105,48 @@ class Order:
     unchecked: tuple[str, ...]
 
 
-def read_order(path: str, program: bool = False) -> Order:
-    """The order in a task file. program: a RAPID program takes the place of its poses.
+def read_order(path: str, program: str | None = None, first: Callable[[Frame, Arm], Frame] | None = None) -> Order:
+    """The order in a task file. program: a RAPID program, or a path as CSV, takes the place of its poses. first: where
+    the sequence begins, of the tool and the arm, which decides whether it has a way from the start to the first pose
+    where the task does not say.
 
     Raises InputError with file, line and key for what the judge cannot use.
     """
     task = Written(path, "task file")
-    base = _frame(task, "base")
-    arm = read_arm(str(task.at("robot", "iiwa7")), task.at("limits", "default"), base)
+    arm = read_arm(str(task.at("robot", "iiwa7")), task.at("limits", "default"), _frame(task, "base"))
     start_joints = np.array(task.numbers("start.joints", task.at("start.joints"), RADIAN, len(arm.lower)))
-    program, placed = program or task.at("program") is not None, {"position", "wxyz", "rpy"} & set(task.at("tool", {}))
-    X_FT = None if program and not placed else _frame(task, "tool")
-    start = None
-    if X_FT is not None:
-        start = X_FT.inside(arm_frame(arm.mechanism, start_joints))
-    angle = task.at("arm_angle")
+    given = program or task.at("program") or task.at("poses")
+    source = str(given) if isinstance(given, str) else ""
+    if source and program is None:
+        source = str(PurePath(path).parent / source)
+    from_csv, placed = source.lower().endswith(".csv"), {"position", "wxyz", "rpy"} & set(task.at("tool", {}))
+    X_FT = None if source and not from_csv and not placed else _frame(task, "tool")
+    start = None if X_FT is None else X_FT.inside(arm_frame(arm.mechanism, start_joints))
     unchecked = list(_foreign(task))
-    stops: tuple[Stop, ...] | None = None
-    relative = task.at("angles", "relative") == "relative"
-    if program:
+    stops: list[Stop] | None = None
+    relative, driven = task.at("angles", "relative") == "relative", False
+    if source and not from_csv:
         unchecked.append(
             f"{path}:{task.line('program')}: path and speeds, because they come from a RAPID program, which this judge"
             " does not read"
         )
-    elif not isinstance(task.at("poses"), list):
-        unchecked.append(
-            f"{path}:{task.line('poses')}: path and speeds, because the poses are no list of the task's own"
-        )
+    elif from_csv and len(lines := lines_of(source)) - 1 > MOST:
+        unchecked.append(f"{source}: path and speeds, because {len(lines) - 1} poses are more than {MOST}")
     elif not unchecked:
         assert start is not None
-        stops = tuple(_stops(task, start, relative))
+        if from_csv:
+            rows = read_poses(lines, source, start.q if relative else np.array([1.0, 0.0, 0.0, 0.0]))
+            stops = [Stop(str(i + 1), pose, 0.0, Source(source, i + 2, 1)) for i, pose in enumerate(rows)]
+        else:
+            stops = _stops(task, start, relative)
     caps = {key: _cap(task, key, stops) for key in _CAPS}
+    if stops is not None:
+        assert start is not None
+        assert X_FT is not None
+        begin = None if first is None else first(X_FT, arm)
+        start, stops, driven, caps = _approach(task, start, relative, stops, caps, begin)
+    passing = _passing(task, from_csv)
+    angle = task.at("arm_angle")
     value = angle.get("value") if isinstance(angle, dict) else None
     return Order(
         file=path,
@@ -130,17 +154,57 @@ def read_order(path: str, program: bool = False) -> Order:
         X_FT=X_FT,
         start_joints=start_joints,
         start=start,
+        driven=driven,
         h=task.number("h", task.at("h", 1e-3), SECOND),
-        profile=str(task.at("profile", "thesis")),
+        profile=str(task.at("profile", "thesis" if passing is None else "s-curve")),
         slerp=task.at("rotation", "tait-bryan") == "slerp",
         relative=relative,
-        stops=stops,
+        stops=None if stops is None else tuple(stops),
+        passing=passing,
         caps=caps,
         swivel=isinstance(angle, dict) and angle.get("definition", "faria") == "swivel",
         arm_angle=None if value is None else task.number("arm_angle.value", value, RADIAN),
         arm_angle_free=angle == "free",
         reframed=any({"tool", "base", "restart"} & set(change) for change in task.at("changes", [])),
         unchecked=tuple(unchecked),
+    )
+
+
+def _approach(
+    task: Written, start: Frame, relative: bool, stops: list[Stop], caps: _Caps, begin: Frame | None
+) -> tuple[Frame, list[Stop], bool, _Caps]:
+    """The same with the way from the start to the first pose, where they differ: a line before it, or the arm driven
+    there before the controller is switched on, whose relative angles count from that pose then."""
+    q = turns.from_angles(stops[0].pose[3:])
+    first = Frame(stops[0].pose[:3], turns.product(q, start.q) if relative else q)
+    how = task.at("approach", "line" if begin is not None and _near(begin, start) else "none")
+    if _near(first, start) or how == "none":
+        return start, stops, False, caps
+    if how == "line":
+        angles = np.zeros(3) if relative else turns.to_angles(start.q)
+        stop = Stop("start", np.concatenate([start.p, angles]), 0.0, task.place("start.joints"), rests=True)
+        stops = [stop, replace(stops[0], rests=True), *stops[1:]]
+        return start, stops, False, {key: None if one is None else one[:1] + one for key, one in caps.items()}
+    if relative:
+        turn = turns.product(start.q, turns.conjugate(first.q))
+        anew = [turns.to_angles(turns.product(turns.from_angles(one.pose[3:]), turn)) for one in stops]
+        stops = [replace(one, pose=np.concatenate([one.pose[:3], new])) for one, new in zip(stops, anew, strict=True)]
+    return first, stops, True, caps
+
+
+def _near(a: Frame, b: Frame) -> bool:
+    return bool(np.linalg.norm(a.p - b.p) < START and turns.angle_between(a.q, b.q) < START)
+
+
+def _passing(task: Written, from_csv: bool) -> tuple[float, float] | None:
+    given = task.at("passing", {} if from_csv else "stop")
+    if given == "stop":
+        return None
+    if not isinstance(given, dict):
+        raise task.refused("passing", f"needs 'stop' or a section, not {given!r}")
+    return (
+        task.number("passing.tolerance", given.get("tolerance", 1e-4), METRE),
+        task.number("passing.turn_tolerance", given.get("turn_tolerance", "0.5 deg"), RADIAN),
     )
 
 
@@ -197,6 +261,8 @@ def _frame(task: Written, key: str) -> Frame:
 
 def _stops(task: Written, start: Frame, relative: bool) -> list[Stop]:
     angles = np.zeros(3) if relative else turns.to_angles(start.q)
+    if not isinstance(task.at("poses"), list):
+        raise task.refused("poses", "needs a list of poses")
     first, out = np.concatenate([start.p, angles]), list[Stop]()
     for i, given in enumerate(task.at("poses")):
         key = f"poses.{i}"
@@ -215,13 +281,13 @@ def _stops(task: Written, start: Frame, relative: bool) -> list[Stop]:
                     raise task.refused(key, "'by' adds to the pose before, and there is none")
                 pose = out[-1].pose + pose
         dwell = task.number(f"{key}.dwell", section.get("dwell", 0.0), SECOND)
-        out.append(Stop(str(section.get("name", i + 1)), pose, dwell, task.line(key)))
+        out.append(Stop(str(section.get("name", i + 1)), pose, dwell, task.place(key)))
     if len(out) < 2:
         raise task.refused("poses", f"{len(out)} given; a path needs at least two")
     return out
 
 
-def _cap(task: Written, key: str, stops: tuple[Stop, ...] | None) -> list[float] | None:
+def _cap(task: Written, key: str, stops: list[Stop] | None) -> list[float] | None:
     value = task.at(key)
     if value is None:
         return None

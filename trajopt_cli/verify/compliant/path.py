@@ -1,18 +1,17 @@
-"""The way between a task's poses, built anew, and which rows of a sequence lie on which part of it."""
+"""The way between a task's poses, built anew."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from trajopt_cli.geometry import Array
+from trajopt_cli.motion import Source
 from trajopt_cli.verify.compliant import quaternions as turns
-from trajopt_cli.verify.compliant.order import Order, Stop, periods
-from trajopt_cli.verify.compliant.rows import Poses
-from trajopt_cli.verify.compliant.tolerances import EXACT, PATH, ROUNDING
+from trajopt_cli.verify.compliant.order import Order, Stop
+from trajopt_cli.verify.compliant.tolerances import EXACT, ROUNDING
 
 _HALF_TURN = 1e-6  # rad: a turn this close to half a revolution may go either way
 
@@ -26,7 +25,7 @@ class Leg:
     """
 
     name: str
-    line: int
+    place: Source
     p: Array
     way: Array
     q: Array
@@ -95,18 +94,6 @@ class Leg:
         return self.p + s[:, None] * self.way, q
 
 
-@dataclass(frozen=True, eq=False)
-class Visit:
-    """When a pose is reached: rows arrived..left, distance [m, rad] at the row arrived, what of it is allowed."""
-
-    stop: Stop
-    arrived: int
-    left: int
-    off: float
-    allowed: float
-    dwell: int
-
-
 def rotation_of(order: Order, stop: Stop) -> Array:
     """A stop's orientation in the world (4,)."""
     q = turns.from_angles(stop.pose[3:])
@@ -137,33 +124,7 @@ def legs(order: Order) -> list[Leg]:
         way = b.pose[:3] - a.pose[:3]
         way, turn = (np.where(np.linalg.norm(x) > EXACT, x, 0.0) for x in (way, turn))
         out.append(
-            Leg(f"{a.name} -> {b.name}", b.line, a.pose[:3], way, q_a, turn, order.slerp, angles, zero_of(order), caps)
+            Leg(f"{a.name} -> {b.name}", b.place, a.pose[:3], way, q_a, turn, order.slerp, angles, zero_of(order), caps)
         )
         angles = angles + turn if not order.slerp else angles
     return out
-
-
-def visits(order: Order, way: list[Leg], rows: Poses) -> Iterator[Visit]:
-    """Where the rows reach one stop after the other, as far as they do; of repeated poses the last is told, with the
-    dwells of all. Stops at the first one that is not reached, which comes last."""
-    assert order.stops is not None
-    row, dwell, first = 0, 0, True
-    for i, stop in enumerate(order.stops):
-        dwell += periods(stop.dwell, order.h)
-        if i < len(way) and way[i].L_p == way[i].L_q == 0:
-            continue
-        q = rotation_of(order, stop)
-        rest = slice(row, None)
-        off = np.linalg.norm(rows.p[rest] - stop.pose[:3], axis=1) + turns.angle_between(rows.q[rest], q)
-        allowed = PATH + (rows.off_p + rows.off_q + rows.open)[rest]
-        near = np.flatnonzero(off <= allowed)
-        found = 0 if first else int(near[0]) if near.size else int(np.argmin(off - allowed))
-        while not first and near.size and found + 1 < len(off) and off[found + 1] < off[found]:
-            found += 1
-        left = found
-        while left + 1 < len(off) and off[left + 1] <= off[found] + EXACT:
-            left += 1
-        yield Visit(stop, row + found, row + left, float(off[found]), float(allowed[found]), dwell)
-        if not near.size or (first and off[0] > allowed[0]):
-            return
-        row, dwell, first = row + left, 0, False

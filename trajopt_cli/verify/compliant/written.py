@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from trajopt_cli.errors import InputError
+from trajopt_cli.motion import Source
 from trajopt_cli.yaml_file import line_of, parse, read_text
 
 _DEG = math.pi / 180
@@ -39,6 +40,10 @@ class Written:
     def line(self, key: str) -> int:
         """Where a key stands."""
         return line_of(key, self._lines)
+
+    def place(self, key: str) -> Source:
+        """The same as a place."""
+        return Source(self.file, self.line(key), 1)
 
     def at(self, key: str, default: Any = None) -> Any:
         """What stands at a dotted key."""
