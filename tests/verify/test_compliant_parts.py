@@ -97,6 +97,11 @@ def test_a_dwell_is_whole_periods_and_never_shorter_than_told() -> None:
         ("dwell: 50 ms", "dwell: 50 mm", "poses.2.dwell: needs a number, or a text with one of s, ms, not '50 mm'"),
         ("at: start, dwell", "dwell", "poses.0: needs one of 'at' and 'by'"),
         ("start: {joints", "robot: irb141\nstart: {joints", "unknown robot 'irb141'"),
+        ("v_max: 0.2", "v_max: -1", "v_max: is -1; a cap is 0 or more"),
+        ("v_max: 0.2", "v_max: .inf", "v_max: needs a number"),
+        ("profile: trapezoid", "profile: best", "profile: needs thesis or trapezoid or s-curve, not 'best'"),
+        ("tool: {position: [0, 0, 0.05]}", "tool: here", "tool: needs a section, not 'here'"),
+        ("poses:", "h: 0\nposes:", "h: needs a period above zero, not 0"),
         ("start: {joints", "limits: best\nstart: {joints", "there is no profile best; known are default"),
     ],
 )  # fmt: skip

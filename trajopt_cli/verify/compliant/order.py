@@ -10,7 +10,6 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import PurePath
-from typing import Any
 
 import numpy as np
 
@@ -34,6 +33,7 @@ _CAPS = {
 # What a task says besides its way; the controller's business, which verify does not judge.
 _CONTROLLER = ("K", "D", "M", "integration", "zero", "clamps", "changes", "pushes", "sensor", "contact")
 _WAY = ("h", "profile", "rotation", "angles", "poses", "program", "approach", "passing", "start", "tool", "base")
+_PROFILES = ("thesis", "trapezoid", "s-curve")
 _ARM = ("robot", "limits", "arm_angle")
 
 _Caps = dict[str, list[float] | None]
@@ -119,12 +119,12 @@ def read_order(path: str, program: str | None = None, first: Callable[[Frame, Ar
     source = str(given) if isinstance(given, str) else ""
     if source and program is None:
         source = str(PurePath(path).parent / source)
-    from_csv, placed = source.lower().endswith(".csv"), {"position", "wxyz", "rpy"} & set(task.at("tool", {}))
+    from_csv, placed = source.lower().endswith(".csv"), {"position", "wxyz", "rpy"} & set(task.section("tool"))
     X_FT = None if source and not from_csv and not placed else _frame(task, "tool")
     start = None if X_FT is None else X_FT.inside(arm_frame(arm.mechanism, start_joints))
     unchecked = list(_foreign(task))
     stops: list[Stop] | None = None
-    relative, driven = task.at("angles", "relative") == "relative", False
+    relative, driven = task.choice("angles", "relative", "absolute") == "relative", False
     if source and not from_csv:
         unchecked.append(
             f"{path}:{task.line('program')}: path and speeds, because they come from a RAPID program, which this judge"
@@ -146,6 +146,9 @@ def read_order(path: str, program: str | None = None, first: Callable[[Frame, Ar
         begin = None if first is None else first(X_FT, arm)
         start, stops, driven, caps = _approach(task, start, relative, stops, caps, begin)
     passing = _passing(task, from_csv)
+    h = task.number("h", task.at("h", 1e-3), SECOND)
+    if h <= 0:
+        raise task.refused("h", f"needs a period above zero, not {h:g}")
     angle = task.at("arm_angle")
     value = angle.get("value") if isinstance(angle, dict) else None
     return Order(
@@ -155,19 +158,27 @@ def read_order(path: str, program: str | None = None, first: Callable[[Frame, Ar
         start_joints=start_joints,
         start=start,
         driven=driven,
-        h=task.number("h", task.at("h", 1e-3), SECOND),
-        profile=str(task.at("profile", "thesis" if passing is None else "s-curve")),
-        slerp=task.at("rotation", "tait-bryan") == "slerp",
+        h=h,
+        profile=task.choice("profile", *(_PROFILES if passing is None else reversed(_PROFILES))),
+        slerp=task.choice("rotation", "tait-bryan", "slerp") == "slerp",
         relative=relative,
         stops=None if stops is None else tuple(stops),
         passing=passing,
         caps=caps,
-        swivel=isinstance(angle, dict) and angle.get("definition", "faria") == "swivel",
+        swivel=isinstance(angle, dict) and task.choice("arm_angle.definition", "faria", "swivel") == "swivel",
         arm_angle=None if value is None else task.number("arm_angle.value", value, RADIAN),
         arm_angle_free=angle == "free",
-        reframed=any({"tool", "base", "restart"} & set(change) for change in task.at("changes", [])),
+        reframed=_reframed(task),
         unchecked=tuple(unchecked),
     )
+
+
+def _reframed(task: Written) -> bool:
+    """Whether a change gives other frames to count from."""
+    changes = task.at("changes", [])
+    if not isinstance(changes, list):
+        raise task.refused("changes", f"needs a list, not {changes!r}")
+    return any({"tool", "base", "restart"} & set(task.section(f"changes.{i}")) for i in range(len(changes)))
 
 
 def _approach(
@@ -177,7 +188,9 @@ def _approach(
     there before the controller is switched on, whose relative angles count from that pose then."""
     q = turns.from_angles(stops[0].pose[3:])
     first = Frame(stops[0].pose[:3], turns.product(q, start.q) if relative else q)
-    how = task.at("approach", "line" if begin is not None and _near(begin, start) else "none")
+    how = task.choice("approach", "line", "joint", "none")
+    if task.at("approach") is None and not (begin is not None and _near(begin, start)):
+        how = "none"  # not asked for, and not what the rows do
     if _near(first, start) or how == "none":
         return start, stops, False, caps
     if how == "line":
@@ -250,7 +263,7 @@ def _foreign(task: Written) -> list[str]:
 
 
 def _frame(task: Written, key: str) -> Frame:
-    section: dict[str, Any] = task.at(key, {})
+    section = task.section(key)
     p = np.array(task.numbers(f"{key}.position", section.get("position", [0, 0, 0]), METRE, 3))
     if "wxyz" in section:
         q = np.array(task.numbers(f"{key}.wxyz", section["wxyz"], PLAIN, 4))
@@ -292,7 +305,14 @@ def _cap(task: Written, key: str, stops: list[Stop] | None) -> list[float] | Non
     if value is None:
         return None
     if not isinstance(value, list):
-        return [task.number(key, value, _CAPS[key])] * (1 if stops is None else len(stops) - 1)
+        return [_from_zero(task, key, value)] * (1 if stops is None else len(stops) - 1)
     if stops is not None and len(value) != len(stops) - 1:
         raise task.refused(key, f"{len(value)} values for {len(stops) - 1} segments")
-    return [task.number(key, one, _CAPS[key]) for one in value]
+    return [_from_zero(task, key, one) for one in value]
+
+
+def _from_zero(task: Written, key: str, value: object) -> float:
+    out = task.number(key, value, _CAPS[key])
+    if out < 0:
+        raise task.refused(key, f"is {out:g}; a cap is 0 or more")
+    return out

@@ -98,9 +98,10 @@ def read_table(text: str, file: str, needed: tuple[str, ...]) -> dict[str, Array
             row = [float(field) for field in line.split(",")]
         except ValueError as error:
             raise InputError(f"holds what is no number: {error}", file=file, line=i + 2) from error
-        if len(row) != len(heads) or not np.isfinite(row).all():
-            message = f"{len(row)} values, the header has {len(heads)} columns, all of them finite"
-            raise InputError(message, file=file, line=i + 2)
+        if len(row) != len(heads):
+            raise InputError(f"{len(row)} values, the header has {len(heads)} columns", file=file, line=i + 2)
+        if not np.isfinite(row).all():
+            raise InputError("holds a number that is not finite", file=file, line=i + 2)
         table[i] = row
     late = np.flatnonzero(np.diff(table[:, 0]) <= 0)
     if late.size:

@@ -166,7 +166,7 @@ def _caps(
             size = np.linalg.norm(values, axis=1)
             caps = _caps_there(way, on, key, len(size))
             relative = max(relative, RAMP if on is not None else 0.0, 0.0 if exact else ARM_CAP)
-            row = int(np.argmax((size - doubt) / caps))
+            row = int(np.argmax((size - doubt) / np.maximum(caps, 1e-300)))
             passed = size[row] <= caps[row] * (1 + relative) + doubt
             yield finding(
                 key, name, size[row], caps[row], f"{unit}/s{('', '2', '3')[power]}", passed,

@@ -16,6 +16,7 @@ METRE = {"m": 1.0, "cm": 1e-2, "mm": 1e-3}
 RADIAN = {"rad": 1.0, "deg": _DEG, "°": _DEG}
 SECOND = {"s": 1.0, "ms": 1e-3}
 PLAIN = {"": 1.0}
+_MOST = 1e9  # more than any number of a task
 _TEXT = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*", re.DOTALL)
 _LIST = re.compile(r"\s*\[(.*)\]\s*(.*?)\s*", re.DOTALL)
 
@@ -49,7 +50,7 @@ class Written:
         """What stands at a dotted key."""
         value: Any = self.content
         for part in key.split("."):
-            if isinstance(value, list):
+            if isinstance(value, list) and part.isdigit() and int(part) < len(value):
                 value = value[int(part)]
             elif isinstance(value, Mapping) and part in value:
                 value = value[part]
@@ -57,11 +58,25 @@ class Written:
                 return default
         return value
 
+    def section(self, key: str) -> Mapping[str, Any]:
+        """A section, empty where there is none."""
+        value = self.at(key, {})
+        if not isinstance(value, Mapping):
+            raise self.refused(key, f"needs a section, not {value!r}")
+        return value
+
+    def choice(self, key: str, *words: str) -> str:
+        """One of these words, the first where the key is not given."""
+        value = self.at(key, words[0])
+        if value not in words:
+            raise self.refused(key, f"needs {' or '.join(words)}, not {value!r}")
+        return str(value)
+
     def number(self, key: str, value: Any, units: Mapping[str, float]) -> float:
         """A number in SI, or a text with a unit."""
         if isinstance(value, str) and (match := _TEXT.fullmatch(value)) and match[2] in units:
             value = float(match[1]) * units[match[2]]
-        if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+        if isinstance(value, bool) or not isinstance(value, int | float) or not abs(value) < _MOST:
             known = ", ".join(unit for unit in units if unit)
             wanted = f"a number, or a text with one of {known}" if known else "a number"
             raise self.refused(key, f"needs {wanted}, not {value!r}")
