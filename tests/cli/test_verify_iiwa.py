@@ -18,6 +18,7 @@ profile: trapezoid
 poses:
   - {name: start, at: start}
   - {name: side, by: [0, 0.1, 0, 0, 0, 20 deg]}
+  - {name: up, by: [0.02, 0, 0.051, 0, 0, 0]}
 v_max: 0.2
 omega_max: 1
 a_max: 1
@@ -91,7 +92,9 @@ def test_joints_of_a_file_are_judged_against_a_task_or_a_robot(
     assert "joint_1 acceleration" in capsys.readouterr().out
     assert run(["verify", str(file), "--task", str(made / "task.yaml")]) == 1
     assert "start -> side v_max" in capsys.readouterr().out.replace("\n", " ")
-    aside = rows.q + np.where(np.arange(7) == 0, 1e-4 * np.sin(np.pi * rows.t[:, None] / rows.t[-1]), 0.0)
+    aside = rows.q + np.where(
+        np.arange(7) == 0, 1e-4 * np.sin(np.pi * np.minimum(rows.t[:, None] / 0.6, 1.0)) ** 2, 0.0
+    )
     file.write_text(write_csv_text(Trajectory(rows.names, rows.t, aside)))
     assert run(["verify", str(file), "--task", str(made / "task.yaml")]) == 1
     assert "start -> side is off the straight way by" in capsys.readouterr().out.replace("\n", " ")

@@ -171,6 +171,20 @@ def speeding_up_too_fast(rows: Sequence, folder: Path) -> None:
     pushed(rows.p[:, 0], rows.leg(folder, TO_A).start + 5, 2, 2.0)
 
 
+@sequence("trapezoid", "a_max")
+def off_like_a_shot(rows: Sequence, folder: Path) -> None:
+    """Who rests needs 2 x / h^2 to be at x a row later: the first step breaks the cap, no change of steps does."""
+    part = rows.leg(folder, TO_A)
+    share = np.linspace(0, 1, 1001)
+    slow = share**3 * (10 - share * (15 - 6 * share))
+    jump = np.minimum(np.arange(1001) * 0.8, 1.2) * 2.0 * H**2 * (1 - share)
+    begin, way = rows.p[part.start], rows.p[part.stop - 1] - rows.p[part.start]
+    leg = begin + slow[:, None] * way + jump[:, None] * np.array([1.0, 0, 0])
+    rows.p = np.concatenate([rows.p[: part.start], leg[:-1], rows.p[part.stop - 1 :]])
+    angles = np.tile(rows.angles[part.start], (1000, 1))
+    rows.angles = np.concatenate([rows.angles[: part.start], angles, rows.angles[part.stop - 1 :]])
+
+
 @sequence("trapezoid", "epsilon_max")
 def speeding_up_the_turn_too_fast(rows: Sequence, folder: Path) -> None:
     pushed(rows.angles[:, 2], rows.leg(folder, TO_C).start + 5, 2, 6.0)

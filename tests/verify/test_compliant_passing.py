@@ -170,6 +170,23 @@ def test_what_leaves_the_way_is_caught(name: str, rotation: str, tmp_path: Path)
     assert checks <= found <= checks | besides, found
 
 
+def test_the_pose_at_a_tip_is_passed_within_the_tolerance(tmp_path: Path) -> None:
+    """Every row is on the way, and in order: it is the pose where the way turns back that nobody comes near."""
+    order = task(tmp_path, "tait-bryan", csv=False)
+    tip = CORNERS[[0, 1, 0]]
+    text = (tmp_path / "task.yaml").read_text()
+    listed = "".join(f"  - {row.tolist()}\n" for row in CORNERS)
+    (tmp_path / "task.yaml").write_text(text.replace(listed, "".join(f"  - {row.tolist()}\n" for row in tip)))
+    order = read_order(str(tmp_path / "task.yaml"))
+
+    def back_at(share: float) -> Poses:
+        s = share * np.sin(np.linspace(0, np.pi, 1501)) ** 2
+        return rows_of(order, tip[0] + s[:, None] * (tip[1] - tip[0]))
+
+    assert broken(order, back_at(0.99)) == set()
+    assert broken(order, back_at(0.97)) == {"poses passed"}
+
+
 def test_caps_are_those_of_the_leg(tmp_path: Path) -> None:
     order = task(tmp_path, "tait-bryan", csv=False, v_max=CAPS.replace("v_max: 0.1", "v_max: [0.1, 0.1, 0.03, 0.1]"))
     slow = [one for one in check_sequence(order, walked(order)) if not one.passed]

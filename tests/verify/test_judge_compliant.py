@@ -114,7 +114,7 @@ a_max: 4
 epsilon_max: 8
 poses:
   - start
-  - {by: [0, 0, 0, 0, 0, 180 deg]}
+  - {by: [0, 0, 0, 0, 0, 180 deg], dwell: 0.01}
   - {by: [0, 0, 0, 0, 0, 0], dwell: 0.0305}
   - {by: [0.01, 0, 0, 0, 0, -180 deg]}
   - {by: [0, 0, 0, 0, 0, -90 deg], dwell: 0.2 ms}
