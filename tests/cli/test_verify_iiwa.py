@@ -107,7 +107,7 @@ def test_coarse_digits_and_rows_beside_the_period_are_doubted_not_condemned(made
     table = np.column_stack([rows.t, np.degrees(rows.q)])
     file.write_text("\n".join([head, *(",".join(f"{v:.6f}" for v in row) for row in table)]) + "\n")
     assert run(["verify", str(file), "--task", task]) == 0
-    every = np.unique(np.r_[0 : len(rows.t) : 4, len(rows.t) - 1])
+    every = np.unique(np.r_[0 : len(rows.t) : 3, len(rows.t) - 1])
     file.write_text(write_csv_text(Trajectory(rows.names, rows.t[every], rows.q[every])))
     assert run(["verify", str(file), "--task", task]) == 0
 
