@@ -20,6 +20,7 @@ from iiwa_folders import (
 )
 from spoiled_iiwa import SPOILED
 
+from trajopt_cli.compliance.controller.dose_allowed import Allowed, DoseFeed, Lead
 from trajopt_cli.compliance.job.dosing import DosedJob, dose_folder
 from trajopt_cli.compliance.job.simulation import simulate
 from trajopt_cli.compliance.task.model import AngleMeaning
@@ -176,11 +177,15 @@ def test_an_equilibrium_that_leads_the_arm_is_not_its_path(bases: Callable[[str]
     assert {"path", "position"} <= failed(verify_folder(folder))
 
 
-def test_a_dosed_sequence_keeps_its_path_and_its_caps(bases: Callable[[str], Path], tmp_path: Path) -> None:
-    dosed = dose_folder(bases("joints"), tmp_path / "dosed", 3e-3, None)
+@pytest.mark.parametrize("feed", list(DoseFeed))
+def test_a_dosed_sequence_keeps_its_path_and_its_caps(
+    feed: DoseFeed, bases: Callable[[str], Path], tmp_path: Path
+) -> None:
+    dosed = dose_folder(bases("joints"), tmp_path / "dosed", Allowed(3e-3, lead=Lead(30.0)), feed)
     assert isinstance(dosed, DosedJob)
     judged = verify_folder(tmp_path / "dosed")
     assert messages(judged) == []
-    checks = {finding.check for finding in judged.reports["equilibrium_quaternion.csv"].findings}
+    plan = "plan_quaternion.csv" if feed is DoseFeed.INVERSE else "equilibrium_quaternion.csv"
+    checks = {finding.check for finding in judged.reports[plan].findings}
     assert {"path", "v_max", "dwell"} <= checks
     assert not checks & {"a_max", "standing"}
