@@ -22,6 +22,7 @@ from spoiled_iiwa import SPOILED
 
 from trajopt_cli.compliance.controller.dose_allowed import Allowed, DoseFeed, Lead
 from trajopt_cli.compliance.job.dosing import DosedJob, dose_folder
+from trajopt_cli.compliance.job.segments import make_segments
 from trajopt_cli.compliance.job.simulation import simulate
 from trajopt_cli.compliance.task.model import AngleMeaning
 from trajopt_cli.geometry import Array
@@ -189,3 +190,20 @@ def test_a_dosed_sequence_keeps_its_path_and_its_caps(
     checks = {finding.check for finding in judged.reports[plan].findings}
     assert {"path", "v_max", "dwell"} <= checks
     assert not checks & {"a_max", "standing"}
+
+
+def test_a_plan_that_passes_its_corners_at_speed_has_rows_at_them(tmp_path: Path) -> None:
+    text = (
+        (Path(__file__).parents[2] / "programs" / "iiwa_cube.yaml")
+        .read_text()
+        .replace("profile: trapezoid", "profile: thesis")
+    )
+    (tmp_path / "cube.yaml").write_text(text)
+    make_segments(tmp_path / "cube.yaml", tmp_path / "cube", None, None)
+    dosed = dose_folder(tmp_path / "cube", tmp_path / "dosed", Allowed(5e-3, lead=Lead(150.0)), DoseFeed.INVERSE)
+    assert isinstance(dosed, DosedJob)
+    assert any("slowed down" in note for note in dosed.dosed.notes)  # or the joints would break theirs
+    assert dosed.dosed.lag.maximum > 4e-3  # corners are cut
+    judged = verify_folder(tmp_path / "dosed")
+    assert messages(judged) == []
+    assert {"pose reached", "v_max"} <= {finding.check for finding in judged.reports["plan_quaternion.csv"].findings}

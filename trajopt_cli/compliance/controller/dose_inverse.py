@@ -6,7 +6,7 @@ M x'' + D x' is what the law pushes with, a bound on the lead is one on that.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import ceil
 
 import numpy as np
@@ -21,6 +21,7 @@ from trajopt_cli.geometry import Array, rotations_by
 
 TURNED = float(np.radians(1.0))
 """How far [rad] corners of the orientation are rounded where no turn lag is bounded."""
+_AT_REST = 1e-6  # of the path's length: rows this near to a waypoint are at it
 _PIECES = (2_000, 40_000)  # of the grid at least and at most; between them one per period
 
 
@@ -52,20 +53,22 @@ def inverse(
     pieces = int(np.clip(path.least_time / h, *_PIECES))
     pushes = _pushes(law, allowed, acceleration)
     # a path that stands at its corners anyway is not helped by rounding them
-    ways = (rounded(path, allowed.lag, turn_lag, radius, stops) for stops in (False, True))
+    rounds = (rounded(path, allowed.lag, turn_lag, radius, stops) for stops in (False, True))
+    ways = (_with_rows_at_waypoints(way, h) for way in rounds)
     paces = [(fastest(way, pushes, pieces, h), way) for way in ways]
     pace, way = min(paces, key=lambda found: found[0].t[-1])
     s, coordinates, effort = _motion(way, pace, law, h, integration)
     lead = np.divide(effort, law.K, out=np.zeros_like(effort), where=(law.K > 0) & moves)
     row = way.row[way.corner(s)]
-    plan = path.poses(way.plain(s), row)
+    planned = _through_waypoints(way, s)
+    plan = path.poses(way.plain(planned), way.row[way.corner(planned)])
     if path.R is None:
         feed = path.poses(coordinates + lead, row)
     else:
         arm = path.poses(coordinates, row)
         R = rotations_by(lead[:, 3:]) @ arm[1]
         feed = (np.hstack([arm[0][:, :3] + lead[:, :3], angles_near(R, arm[0][:, 3:])]), R)
-    return Inverse(feed, plan, np.interp(s, way.along, path.s), _pieces(way, s, h))
+    return Inverse(feed, plan, np.interp(planned, way.along, path.s), _pieces(way, planned, h))
 
 
 def _radius(law: Compliance, moves: Array) -> float:
@@ -114,6 +117,40 @@ def _motion(
     return s, x, law.M * pull + law.D * mean + law.K * mean * h / 2
 
 
+def _with_rows_at_waypoints(way: Rounded, h: float) -> Rounded:
+    """The same with caps that leave a plan room to be up to half a period's way ahead of the arm or behind at both
+    ends."""
+    cap = way.cap.copy()
+    passed = way.tau[np.searchsorted(way.row, [(leg.first, leg.last) for leg in way.path.legs])] > 0
+    for leg, ends in zip(way.path.legs, np.any(passed, axis=1).tolist(), strict=True):
+        if ends and leg.last > leg.first:
+            rows = slice(leg.first, leg.last)
+            cap[rows] /= 1 + 2 * np.max(cap[rows]) * h / (way.along[leg.last] - way.along[leg.first])
+    return replace(way, cap=cap)
+
+
+def _through_waypoints(way: Rounded, s: Array) -> Array:
+    """The plan's parameter (m,) beside the arm's: the row nearest to a waypoint is at it, as the sequence's own had it.
+
+    What that moves the row by is spread over the rows of both legs, unless the arm all but stands there.
+    """
+    marks = np.unique(way.along[[0, *(leg.last for leg in way.path.legs)]])
+    near = _AT_REST * way.length[-1]
+    first, last = np.searchsorted(s, marks - near), np.searchsorted(s, marks + near, side="right") - 1
+    passed = last < first  # no row is there
+    before = np.maximum(first - 1, 0)
+    first = np.where(passed & (marks - s[before] < s[np.minimum(first, len(s) - 1)] - marks), before, first)
+    last = np.where(passed, first, last)
+    own = np.insert(np.diff(first) > 0, 0, True)  # of waypoints nearer than a period's way to one another the first
+    anchors = np.unique(np.concatenate([first[own], last[own]]))
+    ends = np.searchsorted(first[own], anchors, side="right") - 1
+    off = np.interp(np.arange(len(s)), anchors, np.where(passed[own], marks[own] - s[first[own]], 0.0)[ends])
+    out = np.clip(s + off, 0.0, way.length[-1])
+    for mark, a, b in zip(marks[own].tolist(), first[own].tolist(), last[own].tolist(), strict=True):
+        out[a : b + 1] = mark
+    return np.maximum.accumulate(out)
+
+
 def _pieces(way: Rounded, s: Array, h: float) -> tuple[Piece, ...]:
     """The rows of every leg; one that only passes a waypoint ends with the first row at or past it."""
     out: list[Piece] = []
@@ -122,4 +159,5 @@ def _pieces(way: Rounded, s: Array, h: float) -> tuple[Piece, ...]:
         last = row + round(leg.dwell / h) if leg.dwell else int(np.searchsorted(s, way.along[leg.last]))
         out.append(Piece(row, last, leg.origin, leg.goal, dwell=leg.dwell > 0))
         row = last
+    out[-1] = replace(out[-1], last=len(s) - 1)
     return tuple(out)
