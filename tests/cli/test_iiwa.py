@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from itertools import pairwise
 from pathlib import Path
 
@@ -249,9 +250,14 @@ def test_a_lead_is_kept_in_the_loop_as_it_is_told(feed: str, task: Path, capsys:
     dosed = task.parent / "out-dosed"
     shown = capsys.readouterr().out
     assert "lag of at most 3 mm, push of at most 20 N" in shown
+    told = re.search(r"begin to push with up to ([0-9.]+) N and ([0-9.]+) Nm", shown)
+    assert told is not None
     # the whole loop on an arm that follows, fed as the folder says
     assert run(["iiwa", "simulate", str(dosed), "--engine", "spring"]) == 0
-    assert f"feed {'velocity' if feed == 'velocity' else 'position'}" in capsys.readouterr().out
+    simulated = capsys.readouterr().out
+    assert f"feed {'velocity' if feed == 'velocity' else 'position'}" in simulated
+    assert f"push with up to {told[1]} N" in simulated  # the same number from both commands
+    assert (", counted from plan.csv" in simulated) == (feed == "inverse")
     heads, rows = table(dosed / "simulation.csv")
     assert rows[:, heads.index("deviation [m]")].max() <= 3e-3 * (1 + 1e-6)
     x_e, x = rows[:, 1:4], rows[:, 7:10]
@@ -259,6 +265,9 @@ def test_a_lead_is_kept_in_the_loop_as_it_is_told(feed: str, task: Path, capsys:
     if feed == "velocity":
         push[:-1] += 500 * np.diff(x_e, axis=0) / 1e-3
     assert 19 < np.linalg.norm(push, axis=1).max() <= 20 * (1 + 1e-4)  # of differences of printed rows
+    if feed == "inverse":
+        turned = 30 * (rows[:, 4:7] - rows[:, 10:13])
+        assert float(told[2]) == pytest.approx(np.linalg.norm(turned, axis=1).max(), abs=0.006)
     assert (dosed / "plan.csv").is_file() == (feed == "inverse")
     assert run(["iiwa", "dose", str(dosed), "--max-lag", "3mm"]) == 2
     assert "is dosed already" in capsys.readouterr().err

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 _LINES = 40  # segments that are listed one by one
 _SEEN = 1e-9  # rad: a smaller turn is rounding
+_FELT = 0.005  # Nm: a smaller moment is printed as none
 _TURNING = {"rad": "°", "rad/s": "°/s", "rad/s2": "°/s²"}
 
 
@@ -210,16 +211,21 @@ def stability_table(axes: Iterable[AxisStability], h: float) -> Table:
 
 def lag_lines(run: Simulated) -> list[str]:
     """How far the controller stays behind, and what its spring pulls with."""
+    from trajopt_cli.compliance.job.simulation import frames_change
+
     lag = run.lag
     where = f" between {lag.piece.origin} and {lag.piece.goal}" if lag.piece else ""
     lines = [
         f"T = {run.t[-1]:.3f} s (the last pose held for {run.settle:.3g} s), feed {run.feed.value}:"
         f" lag at most {lag.maximum / MM:.2f} mm at {lag.time:.3f} s{where}, {lag.mean / MM:.2f} mm on average"
+        + (", counted from plan.csv" if run.opened.plan is not None and not frames_change(run.opened.task) else "")
     ]
     if lag.turn_maximum > _SEEN:
         lines.append(f"turn lag at most {np.degrees(lag.turn_maximum):.2f}° at {lag.turn_time:.3f} s")
-    pull = float(np.linalg.norm(run.spring, axis=1).max())
-    lines.append(f"held fast there, the tool would push with up to {pull:.1f} N (K times its way to the equilibrium)")
+    push = float(np.linalg.norm(run.push, axis=1).max())
+    law = "K times its way to the equilibrium"
+    law += ", and D times the speed that is fed" if run.feed.value == "velocity" else ""
+    lines.append(f"held fast there, the tool would push with up to {push:.1f} N ({law})")
     return lines
 
 
@@ -349,7 +355,8 @@ def dose_lines(job: DosedJob) -> list[str]:
         bound = f"lower bound of this feed {dosed.least:.3f} s, gap {100 * dosed.gap:.1f} %"
     lines = [
         f"written: {DOSED[dosed.feed]}, T = {dosed.duration:.3f} s ({bound}), one pose every {dosed.h / MM:g} ms",
-        f"held by somebody, the tool would begin to push with up to {dosed.push:.1f} N",
+        f"held by somebody, the tool would begin to push with up to {dosed.push:.1f} N"
+        + (f" and {dosed.turn_push:.2f} Nm" if dosed.turn_push > _FELT else ""),
     ]
     if dosed.feed is DoseFeed.POSITION and np.isfinite(job.steady):
         lines.append(

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trajopt_cli.compliance.controller.dose_allowed import LAGS, TURN_LAGS, Allowed, DoseFeed, Lead
-from trajopt_cli.compliance.controller.regulator import equilibrium_rates
 from trajopt_cli.compliance.job.folder import (
     Opened,
     check_place,
@@ -172,7 +171,7 @@ def dose_folder(
         run = run_controller(quiet, None, None, how, None, None)
         if isinstance(run, NoRun):
             return run
-        ways.append(Way(name, run, _arrived(run), _push(run)))
+        ways.append(Way(name, run, _arrived(run), float(np.linalg.norm(run.push, axis=1).max())))
     job = DosedJob(
         before,
         replace(found.opened, task=task),
@@ -277,15 +276,6 @@ def _accelerations(task: Task) -> tuple[float | None, float | None]:
     caps = zip(*((one.a_max, one.epsilon_max) for one in task.route.speeds), strict=True)
     least = (min((cap for cap in column if cap is not None), default=None) for column in caps)
     return next(least), next(least)
-
-
-def _push(run: Simulated) -> float:
-    """The greatest K (x_e - x) + D v_e [N] of a run: with what the tool would begin to push if it were held."""
-    law, h = run.opened.task.compliance, run.opened.equilibrium.h
-    push = law.K[:3] * (run.x_e - run.x)[:, :3]
-    if run.feed is Feed.VELOCITY:
-        push = push + law.D[:3] * equilibrium_rates(run.x_e[:, :3], h)
-    return float(np.max(np.linalg.norm(push, axis=1)))
 
 
 def _arrived(run: Simulated) -> float | None:

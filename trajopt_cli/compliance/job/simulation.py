@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from trajopt_cli.compliance.controller.regulator import equilibrium_rates
 from trajopt_cli.compliance.job.folder import SIMULATION, Opened, add_to_folder, counted_from_start, open_folder
 from trajopt_cli.compliance.job.joints import joint_record
 from trajopt_cli.compliance.task.angles import angles_near, rotation, rotation_vector
@@ -115,6 +116,18 @@ class Simulated:
             if change.compliance is not None:
                 K[self.t >= change.t] = change.compliance.K[:3]
         return np.asarray(K * (self.x - self.x_e)[:, :3], dtype=np.float64)
+
+    @property
+    def push(self) -> Array:
+        """K (x_e - x), + D v_e where the speed is fed (n, 3) [N]: with what the tool would begin to push if held."""
+        if self.feed is Feed.POSITION:
+            return -self.spring
+        D = np.tile(self.opened.task.compliance.D[:3], (len(self.x), 1))
+        for change in self.opened.task.changes:
+            if change.compliance is not None:
+                D[self.t >= change.t] = change.compliance.D[:3]
+        rates = equilibrium_rates(self.x_e[:, :3], self.opened.equilibrium.h)
+        return np.asarray(D * rates - self.spring, dtype=np.float64)
 
 
 def simulate(
@@ -248,6 +261,7 @@ def simulation_record(run: Simulated) -> dict[str, Any]:
         "loop_run_for": list(run.why),
         "lag": lag_record(run.lag),
         "largest_spring_force_N": float(np.linalg.norm(run.spring, axis=1).max()),
+        "largest_push_N": float(np.linalg.norm(run.push, axis=1).max()),
         "stability": [
             {
                 "axis": axis.axis,
