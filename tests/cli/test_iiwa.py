@@ -271,6 +271,12 @@ def test_a_lead_is_kept_in_the_loop_as_it_is_told(feed: str, task: Path, capsys:
     assert (dosed / "plan.csv").is_file() == (feed == "inverse")
     assert run(["iiwa", "dose", str(dosed), "--max-lag", "3mm"]) == 2
     assert "is dosed already" in capsys.readouterr().err
+    if feed == "inverse":  # its equilibrium jumps
+        assert run(["iiwa", "joints", str(dosed)]) == 1
+        told_of_joints = capsys.readouterr().err
+        assert "these are no joints of the arm" in told_of_joints
+        assert "mm from plan.csv" in told_of_joints
+        assert "a_max" not in told_of_joints
 
 
 def test_the_fastest_feed_within_the_lead_is_written(task: Path, capsys: pytest.CaptureFixture[str]) -> None:

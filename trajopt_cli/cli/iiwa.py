@@ -96,7 +96,14 @@ def joints(
     import json
 
     from trajopt_cli.cli.console import show, stdout
-    from trajopt_cli.cli.iiwa_tables import arm_line, chosen_lines, chosen_table, failure_lines, joints_table
+    from trajopt_cli.cli.iiwa_tables import (
+        ahead_line,
+        arm_line,
+        chosen_lines,
+        chosen_table,
+        failure_lines,
+        joints_table,
+    )
     from trajopt_cli.cli.progress import ProgressView
     from trajopt_cli.compliance.job.folder import check_place, read_summary
     from trajopt_cli.compliance.job.joints import follow_joints, stops_nothing
@@ -116,8 +123,11 @@ def joints(
         opened, answer = follow_joints(
             results, arm_angle == "free", wanted, lambda phase: view.show("joints", Progress(phase))
         )
+    assert opened.folder is not None
+    ahead = [ahead_line(opened)] if "dosing" in opened.folder.sections() else []
     if isinstance(answer, Unfollowable):
-        typer.echo(f"{opened.task.file}: {answer.message}", err=True)
+        for line in (f"{opened.task.file}: {answer.message}", *ahead):
+            typer.echo(line, err=True)
         raise typer.Exit(1)
     failed = [finding for finding in answer.findings if not finding.passed]
     written = stops_nothing(answer)
@@ -135,11 +145,11 @@ def joints(
             console.print(f"note: {note}")
         if written:
             console.print(f"written to {results / 'joints.csv'}")
-    assert opened.folder is not None
-    for line in failure_lines(answer.findings, "dosing" in opened.folder.sections()):
-        typer.echo(line, err=True)
+    if failed:
+        for line in ahead or failure_lines(answer.findings):
+            typer.echo(line, err=True)
     if not written:
-        typer.echo("NOTHING WRITTEN: the controller's loop would stop there", err=True)
+        typer.echo("NOTHING WRITTEN" if ahead else "NOTHING WRITTEN: the controller's loop would stop there", err=True)
     if plots is not None:
         from trajopt_cli.compliance.job.drawing import joint_pictures
 

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from trajopt_cli.compliance.controller.lag import Lag
     from trajopt_cli.compliance.controller.stability import AxisStability
     from trajopt_cli.compliance.job.dosing import DosedJob
+    from trajopt_cli.compliance.job.folder import Opened
     from trajopt_cli.compliance.job.simulation import Simulated
     from trajopt_cli.compliance.task.arm_plan import ArmFigures, ArmPlan
     from trajopt_cli.compliance.task.joints import Followed
@@ -388,19 +389,28 @@ def _allowed(allowed: Allowed) -> str:
     return out
 
 
-def failure_lines(findings: Iterable[Finding], dosed: bool) -> list[str]:
+def ahead_line(opened: Opened) -> str:
+    """What to say of a dosed sequence whose own joints break limits, or are out of reach."""
+    away = ""
+    if opened.plan is not None:
+        most = float(np.max(np.linalg.norm((opened.equilibrium.pose - opened.plan.pose)[:, :3], axis=1)))
+        away = f", here up to {most / MM:.3g} mm from plan.csv"
+    return (
+        f"these are no joints of the arm: a dosed equilibrium runs ahead of it{away}; trajopt iiwa simulate checks the"
+        " arm's own"
+    )
+
+
+def failure_lines(findings: Iterable[Finding]) -> list[str]:
     """What failed, one line each; accelerations, which stop no loop, in one line for all joints."""
     failed = [finding for finding in findings if not finding.passed]
     lines = [finding.message for finding in failed if finding.check != "acceleration"]
     quick = [finding for finding in failed if finding.check == "acceleration"]
     if quick:
         worst = max(quick, key=lambda finding: finding.value / finding.limit)
-        remedy = "profile trapezoid or s-curve with a lower a_max keeps them"
-        if dosed:
-            remedy = "a dosed sequence is abrupt on purpose, the controller smooths it: trajopt iiwa simulate"
         lines.append(
             f"acceleration limits of {', '.join(one.subject for one in quick)} are broken, worst {worst.subject}"
             f" with {np.degrees(worst.value):.0f}°/s² at t = {worst.time or 0.0:.3f} s, limit"
-            f" {np.degrees(worst.limit):.0f}°/s²; {remedy}"
+            f" {np.degrees(worst.limit):.0f}°/s²; profile trapezoid or s-curve with a lower a_max keeps them"
         )
     return lines
