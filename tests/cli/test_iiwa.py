@@ -279,6 +279,27 @@ def test_a_lead_is_kept_in_the_loop_as_it_is_told(feed: str, task: Path, capsys:
         assert "a_max" not in told_of_joints
 
 
+@pytest.mark.parametrize("rotation", ["tait-bryan", "slerp\nangles: absolute"])
+def test_joints_that_could_not_accelerate_so_slow_the_inverse_feed_down(
+    rotation: str, task: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    task.write_text(
+        TASK.replace("trapezoid", f"thesis\nrotation: {rotation}").replace("M: [25, 25, 25,", "M: [5, 5, 5,")
+    )
+    folder = segments(task)
+    capsys.readouterr()
+    options = ["--max-lag", "3mm", "--max-lead", "100N", "--max-turn-lead", "20Nm"]
+    assert run(["iiwa", "dose", str(folder), *options, "--json"]) == 0
+    printed = capsys.readouterr().out
+    dosing = json.loads(printed[printed.index("{") :])
+    assert dosing["feed"] == "inverse"
+    assert dosing["feeds"]["inverse"]["duration_s"] < dosing["feeds"]["position"]["duration_s"] / 4
+    assert any(note.startswith("slowed down for joint_") for note in dosing["notes"])
+    worst = [one["value"] / one["limit"] for one in dosing["joints"]["findings"] if one["check"] == "acceleration"]
+    assert 0.8 < max(worst) <= 1  # no slower than it has to be
+    assert run(["iiwa", "simulate", f"{folder}-dosed"]) == 0
+
+
 def test_the_fastest_feed_within_the_lead_is_written(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
     folder = segments(task)
     plots = task.parent / "plots"
@@ -298,6 +319,24 @@ def test_the_fastest_feed_within_the_lead_is_written(task: Path, capsys: pytest.
     assert (plots / "dosing_front.png").is_file()
     assert run(["iiwa", "dose", str(folder), "--max-lag", "3mm", "--front"]) == 2
     assert "--front: needs a bound on the lead; give --max-lead" in capsys.readouterr().err
+
+
+def test_a_path_that_only_turns_has_a_front_of_one_lead(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = TASK.replace("[0, 0.1, 0, 0, 0, 20 deg]", "[0, 0, 0, 0, 0, 20 deg]").replace("[0.02, 0, 0.05,", "[0, 0, 0,")
+    task.write_text(
+        text.replace("0, 0, 0], dwell: 0.1 s", "9 deg, 0, 0]").replace("K: [1000, 1000, 1000", "K: [0, 0, 0")
+    )
+    folder = segments(task)
+    capsys.readouterr()
+    options = ["--max-lag", "3mm", "--max-turn-lag", "1deg", "--max-turn-lead", "9Nm"]
+    assert run(["iiwa", "dose", str(folder), *options, "--max-lead", "5N", "--front", "--json"]) == 0
+    printed = capsys.readouterr().out
+    front = json.loads(printed[printed.index("{") :])["front"]
+    assert [point["lead"]["most"] for point in front] == [5.0]
+    assert run(["iiwa", "dose", str(folder), *options]) == 0
+    shown = capsys.readouterr().out
+    assert "lag of at most 3 mm and 1°, push of at most 9 Nm" in shown
+    assert "mm/s" not in shown  # of a lag along axes that nothing pulls
 
 
 def test_the_same_input_gives_the_same_bytes(task: Path) -> None:

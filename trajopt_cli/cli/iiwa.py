@@ -307,7 +307,8 @@ def dose(
     if isinstance(answer, NotFollowed):
         for line in answer.sentences:
             typer.echo(line, err=True)
-        typer.echo("NOTHING WRITTEN: the arm cannot follow; lower v_max or the bound, or move the path", err=True)
+        remedy = "allow less lead or lag, lower v_max, or move the path"
+        typer.echo(f"NOTHING WRITTEN: the arm cannot follow; {remedy}", err=True)
         raise typer.Exit(1)
     if as_json:
         typer.echo(json.dumps(read_summary(folder)["dosing"], indent=2, ensure_ascii=False))

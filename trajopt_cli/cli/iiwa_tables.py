@@ -336,7 +336,7 @@ def front_table(job: DosedJob) -> Table:
     feeds = list(job.front[0].durations)
     stretch = job.front[0].lead.stretch
     heads = (">lead [mm]" if stretch else ">lead [N]", *(f">{DOSED[feed]} [s]" for feed in feeds))
-    table = plain_table("least time by what the lead may be", *heads)
+    table = plain_table("least time by what the lead may be, the joints' accelerations not looked at", *heads)
     for point in job.front:
         lead = point.lead.most / MM if stretch else point.lead.most
         times = ("none" if (s := point.durations[feed]) is None else f"{s:.3f}" for feed in feeds)
@@ -385,7 +385,8 @@ def _allowed(allowed: Allowed) -> str:
         )
     if allowed.turn_lead is not None:
         most = allowed.turn_lead.most
-        out += f" and {np.degrees(most):g}°" if allowed.turn_lead.stretch else f" and {most:g} Nm"
+        out += ", push of at most" if allowed.lead is None else " and"
+        out += f" {np.degrees(most):g}°" if allowed.turn_lead.stretch else f" {most:g} Nm"
     return out
 
 

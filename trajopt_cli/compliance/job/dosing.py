@@ -24,7 +24,7 @@ from trajopt_cli.compliance.job.joints import joint_record
 from trajopt_cli.compliance.job.simulation import NoRun, Simulated, lag_record, run_controller
 from trajopt_cli.compliance.task.angles import rotation_vector
 from trajopt_cli.compliance.task.equilibrium import Equilibrium
-from trajopt_cli.compliance.task.model import Clamps, Feed, Profile, Task
+from trajopt_cli.compliance.task.model import Clamps, Feed, Profile, RotationLaw, Task
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
 from trajopt_cli.runs.folder import check_replaceable
@@ -46,6 +46,10 @@ LONG = 400_000
 FRONT = 5
 """Leads of the front below the one at which the inverse feed is as fast as programmed, each half the one before."""
 _ARRIVED_WITHIN, _TURNED_WITHIN = 1e-3, np.radians(0.1)  # m, rad
+_EASED, _MARGIN = 6, 0.02
+"""Times that the inverse feed is slowed down for the joints' accelerations, and by which share of them in addition."""
+_STEADY = 1e-6  # m/s2, rad/s2, N, m: a smaller acceleration or push is rounding
+_Caps = tuple[float | None, float | None]  # on the acceleration of position [m/s2] and angles [rad/s2]
 _NEAR_START = 1e-6  # m, rad: a sequence that begins this near to the start begins there
 
 
@@ -140,12 +144,12 @@ def dose_folder(
     if not isinstance(followed, Followed):
         return followed
 
-    def timed(feed: DoseFeed, allowed: Allowed) -> Dosed | CannotDose:
+    def timed(feed: DoseFeed, allowed: Allowed, acceleration: _Caps | None = None) -> Dosed | CannotDose:
         return dose(
             *(path, task.compliance, sequence.h, allowed),
             feed=feed,
             integration=task.integration,
-            acceleration=_accelerations(task),
+            acceleration=acceleration or _accelerations(task),
         )
 
     try:
@@ -163,7 +167,7 @@ def dose_folder(
             tried[one] = timed(one, allowed)
     # what happens to the controller besides its feed is left out: the dosing does not know it either
     quiet = replace(before, task=replace(task, changes=(), pushes=(), sensor=None, clamps=Clamps(), contact=None))
-    found = _fastest(quiet, tried)
+    found = _fastest(quiet, tried, lambda caps: timed(DoseFeed.INVERSE, allowed, caps))
     if not isinstance(found, _Chosen):
         return found
     ways = []
@@ -202,10 +206,14 @@ class _Chosen:
 
 
 def _fastest(
-    before: Opened, tried: Mapping[DoseFeed, Dosed | CannotDose]
+    before: Opened, tried: dict[DoseFeed, Dosed | CannotDose], gentler: Callable[[_Caps], Dosed | CannotDose]
 ) -> _Chosen | CannotDose | Unfollowable | NotFollowed | NoRun:
-    """Of the feeds that were timed the first, by duration, whose answer breaks no limit of the joints."""
+    """Of the feeds that were timed the first, by duration, whose answer breaks no limit of the joints.
+
+    gentler: the inverse feed under caps on the tool's acceleration, tried in its place where joints' would break.
+    """
     from trajopt_cli.compliance.controller.dose import CannotDose
+    from trajopt_cli.compliance.task.joint_checks import ACCELERATION
     from trajopt_cli.compliance.task.joints import Followed
 
     timings = [one for one in tried.values() if not isinstance(one, CannotDose)]
@@ -214,7 +222,9 @@ def _fastest(
         return CannotDose("; ".join(sorted(refusals)))
     first: Unfollowable | NotFollowed | NoRun | None = None
     passed_over: list[str] = []
-    for dosed in sorted(timings, key=lambda one: one.duration):
+    eased, slerp = 0, before.equilibrium.rotation is RotationLaw.SLERP
+    while timings:
+        dosed = timings.pop(min(range(len(timings)), key=lambda i: timings[i].duration))
         opened = _dosed_opened(before, dosed)
         run = run_controller(opened, None, None, opened.feed, None, None)
         if isinstance(run, NoRun):
@@ -222,10 +232,22 @@ def _fastest(
             continue
         joints = run.joints
         if isinstance(joints, Followed):
-            failed = tuple(finding.message for finding in joints.findings if not finding.passed)
-            if not failed:
+            broken = [finding for finding in joints.findings if not finding.passed]
+            if not broken:
                 return _Chosen(dosed, opened, run, joints, tuple(passed_over))
+            # what is wrong, without a remedy: those are for sequences that are not dosed
+            failed = tuple(finding.message.partition(";")[0] for finding in broken)
             first = first or NotFollowed(failed)
+            if dosed.feed is DoseFeed.INVERSE and eased < _EASED and all(one.check == ACCELERATION for one in broken):
+                caps = _gentler(dosed, slerp, min(one.limit / one.value for one in broken))
+                again = gentler(caps)
+                if not isinstance(again, CannotDose):
+                    eased += 1
+                    told = f"slowed down for {broken[0].subject}, whose acceleration would pass its limit"
+                    again = replace(again, notes=(*again.notes, told))
+                    tried[dosed.feed] = again
+                    timings.append(again)
+                    continue
             passed_over.append(f"{DOSED[dosed.feed]}: {failed[0]}")
         else:
             assert joints is not None
@@ -233,6 +255,19 @@ def _fastest(
             passed_over.append(f"{DOSED[dosed.feed]}: {joints.message}")
     assert first is not None
     return first
+
+
+def _gentler(dosed: Dosed, slerp: bool, share: float) -> _Caps:
+    """Caps on the tool's acceleration at a share of what a dosed sequence takes, of position and orientation.
+
+    slerp: orientations are timed by how far they turn, else by their three angles.
+    """
+    angles = np.diff(dosed.x[:, 3:], axis=0)
+    turns = rotation_vector(dosed.R_x[1:] @ np.swapaxes(dosed.R_x[:-1], 1, 2)) if slerp else angles
+    steps = (np.diff(dosed.x[:, :3], axis=0), turns)
+    most = [float(np.max(np.linalg.norm(np.diff(one, axis=0), axis=1))) / dosed.h**2 for one in steps]
+    caps = [share * (1 - _MARGIN) * one if one > _STEADY else None for one in most]
+    return caps[0], caps[1]
 
 
 def _front(
@@ -247,7 +282,9 @@ def _front(
     most = allowed.lead.most
     if not isinstance(free, CannotDose):
         most = free.lead if allowed.lead.stretch else free.push
-    leads = sorted({allowed.lead.most, *(most / 2**i for i in range(FRONT))}, reverse=True)
+    # a path that only turns pushes with nothing but rounding: what other leads allow is the same
+    others = (most / 2**i for i in range(FRONT if most > _STEADY else 0))
+    leads = sorted({allowed.lead.most, *others}, reverse=True)
     points = []
     for lead in (replace(allowed.lead, most=one) for one in leads):
         made = {feed: timed(feed, replace(allowed, lead=lead)) for feed in feeds}
@@ -269,7 +306,7 @@ def _away_from_start(opened: Opened) -> str | None:
     )
 
 
-def _accelerations(task: Task) -> tuple[float | None, float | None]:
+def _accelerations(task: Task) -> _Caps:
     """The least a_max [m/s2] and epsilon_max [rad/s2] of the task's segments, None where its profile has none."""
     if task.route.profile is Profile.THESIS:
         return None, None
@@ -290,7 +327,7 @@ def _arrived(run: Simulated) -> float | None:
 
 def _steady(task: Task, bound: float) -> float:
     """The speed [m/s] at which the lag D v / K is bound [m] along the axis that lags most."""
-    damped = task.compliance.D[:3] > 0
+    damped = (task.compliance.D[:3] > 0) & (task.compliance.K[:3] > 0)
     if not damped.any():
         return float("inf")
     return float(bound * np.min(task.compliance.K[:3][damped] / task.compliance.D[:3][damped]))
