@@ -252,7 +252,7 @@ def dose(
         typer.Option(
             "--feed",
             help="What is fed: the plan, its speed too, or what moves the arm along it (u = x + D/K x' + M/K x'');"
-            " default: positions, with --max-lead the fastest.",
+            " default: positions, with a lead the fastest.",
         ),
     ] = None,
     front: Annotated[

@@ -245,13 +245,13 @@ def _inverse(
     if turned > _LARGEST_LEAD:
         return CannotDose(
             f"the inverse feed would be turned ahead by {np.degrees(turned):.0f}°, too far for the law to know which "
-            "way round; allow less --max-turn-lead, or lower omega_max"
+            "way round; give a smaller --max-turn-lead, or lower omega_max"
         )
     beta = float(np.max(np.abs(pose[:, 4])))
     if path.R is None and beta > BETA_LIMIT:
         return CannotDose(
             f"the inverse feed would reach beta = {np.degrees(beta):.0f}°, beyond {np.degrees(BETA_LIMIT):.0f}°; "
-            "allow less --max-turn-lead, lower omega_max, or take rotation: slerp"
+            "give a smaller --max-turn-lead, lower omega_max, or take rotation: slerp"
         )
     return _Fed(pose, R, plan_pose, R_plan, found.s, found.pieces, 0)
 

@@ -46,7 +46,7 @@ LONG = 400_000
 FRONT = 5
 """Leads of the front below the one at which the inverse feed is as fast as programmed, each half the one before."""
 _ARRIVED_WITHIN, _TURNED_WITHIN = 1e-3, np.radians(0.1)  # m, rad
-_EASED, _MARGIN = 6, 0.02
+_EASED, _MARGIN = 12, 0.02
 """Times that the inverse feed is slowed down for the joints' accelerations, and by which share of them in addition."""
 _STEADY = 1e-6  # m/s2, rad/s2, N, m: a smaller acceleration or push is rounding
 _Caps = tuple[float | None, float | None]  # on the acceleration of position [m/s2] and angles [rad/s2]
@@ -156,7 +156,8 @@ def dose_folder(
         path = dose_path(sequence, None, joints=followed.trajectory.q, joint_speed=limits.velocity)
     except ValueError as error:
         return CannotDose(str(error))
-    feeds = [feed] if feed is not None else [DoseFeed.POSITION] if allowed.lead is None else list(DoseFeed)
+    pushes = allowed.lead is not None or allowed.turn_lead is not None
+    feeds = [feed] if feed is not None else list(DoseFeed) if pushes else [DoseFeed.POSITION]
     tried: dict[DoseFeed, Dosed | CannotDose] = {}
     for one in reversed(feeds):  # the one that lags least first
         best = min((made.duration for made in tried.values() if not isinstance(made, CannotDose)), default=inf)
