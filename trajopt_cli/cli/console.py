@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
 import typer
 from rich.console import Console
 from rich.measure import Measurement
 from rich.table import Table
 
-from trajopt_cli.pipeline.optimise import Collides, Illegal
-from trajopt_cli.pipeline.planning import NoPlan
-from trajopt_cli.problem.plan import Infeasible
+if TYPE_CHECKING:
+    from trajopt_cli.pipeline.optimise import Collides, Illegal
+    from trajopt_cli.pipeline.planning import NoPlan
+    from trajopt_cli.problem.plan import Infeasible
 
 _PIPED_WIDTH = 300  # columns when nobody tells; tables of paths and numbers must not wrap in a log
 
@@ -44,6 +45,10 @@ def stderr() -> Console:
 
 def answer_no(answer: Infeasible | NoPlan | Illegal | Collides) -> NoReturn:
     """Say on stderr why there is no result, and stop with exit code 1."""
+    from trajopt_cli.pipeline.optimise import Collides, Illegal
+    from trajopt_cli.pipeline.planning import NoPlan
+    from trajopt_cli.problem.plan import Infeasible
+
     match answer:
         case Infeasible():
             typer.echo(str(answer), err=True)
