@@ -45,7 +45,6 @@ LONG = 400_000
 """Rows of a sequence that is worked out although another feed is known to be faster; more take minutes."""
 FRONT = 5
 """Leads of the front below the one at which the inverse feed is as fast as programmed, each half the one before."""
-_ARRIVED_WITHIN, _TURNED_WITHIN = 1e-3, np.radians(0.1)  # m, rad
 _EASED, _MARGIN = 12, 0.02
 """Times that the inverse feed is slowed down for the joints' accelerations, and by which share of them in addition."""
 _STEADY = 1e-6  # m/s2, rad/s2, N, m: a smaller acceleration or push is rounding
@@ -114,9 +113,10 @@ def dose_folder(
     is no such sequence, or the arm cannot follow it. Raises InputError where output may not be replaced, and for a
     front without a bound on the lead.
     """
-    from trajopt_cli.compliance.controller.dose import CannotDose, dose
+    from trajopt_cli.compliance.controller.dose import ARRIVED, ARRIVED_TURN, CannotDose, dose
     from trajopt_cli.compliance.controller.dose_bound import least_duration
     from trajopt_cli.compliance.controller.dose_path import dose_path
+    from trajopt_cli.compliance.controller.lag import settling
     from trajopt_cli.compliance.task.joints import Followed, follow
 
     for option, value, (least, most), unit in (
@@ -176,7 +176,8 @@ def dose_folder(
         run = run_controller(quiet, None, None, how, None, None)
         if isinstance(run, NoRun):
             return run
-        ways.append(Way(name, run, _arrived(run), float(np.linalg.norm(run.push, axis=1).max())))
+        arrived = settling(run.x, run.x_e[-1], ARRIVED, ARRIVED_TURN, sequence.h)
+        ways.append(Way(name, run, arrived, float(np.linalg.norm(run.push, axis=1).max())))
     job = DosedJob(
         before,
         replace(found.opened, task=task),
@@ -314,16 +315,6 @@ def _accelerations(task: Task) -> _Caps:
     caps = zip(*((one.a_max, one.epsilon_max) for one in task.route.speeds), strict=True)
     least = (min((cap for cap in column if cap is not None), default=None) for column in caps)
     return next(least), next(least)
-
-
-def _arrived(run: Simulated) -> float | None:
-    """From when on the arm is within 1 mm and 0.1 deg of the end [s]; None where that is later than the run."""
-    away = np.linalg.norm((run.x - run.x_e[-1])[:, :3], axis=1) > _ARRIVED_WITHIN
-    turned = np.linalg.norm((run.x - run.x_e[-1])[:, 3:], axis=1) > _TURNED_WITHIN
-    late = np.flatnonzero(away | turned)
-    if not late.size:
-        return 0.0
-    return None if late[-1] == len(run.x) - 1 else float(run.t[late[-1] + 1])
 
 
 def _steady(task: Task, bound: float) -> float:

@@ -12,7 +12,7 @@ import numpy as np
 from trajopt_cli.compliance.controller.regulator import equilibrium_rates
 from trajopt_cli.compliance.job.folder import SIMULATION, Opened, add_to_folder, counted_from_start, open_folder
 from trajopt_cli.compliance.job.joints import joint_record
-from trajopt_cli.compliance.task.angles import angles_near, rotation, rotation_vector
+from trajopt_cli.compliance.task.angles import angles_near, rotation
 from trajopt_cli.compliance.task.equilibrium import Equilibrium, Piece
 from trajopt_cli.compliance.task.model import (
     COORDINATES,
@@ -208,15 +208,9 @@ def run_controller(
     plan, target = opened.plan, x_e
     if plan is not None and not frames_change(task):
         target = plan.pose[np.minimum(np.arange(len(x_e)), len(plan.pose) - 1)]
+    if sequence.rotation is RotationLaw.SLERP and not frames_change(task):
+        x = np.column_stack([x[:, :3], angles_near(R @ opened.X_start[:3, :3].T, x_e[:, 3:])])
     lag = worst_lag(x, target[: len(x)], sequence.h, sequence.pieces)
-    if sequence.rotation is RotationLaw.SLERP:
-        R_e = (plan or sequence).rotations(opened.X_start[:3, :3])
-        R_e = R_e[np.minimum(np.arange(len(R)), len(R_e) - 1)]
-        turn = np.linalg.norm(rotation_vector(R @ np.swapaxes(R_e, 1, 2)), axis=1)
-        worst = int(np.argmax(turn))
-        lag = replace(lag, turn_maximum=float(turn[worst]), turn_time=worst * sequence.h)
-        if not frames_change(task):
-            x = np.column_stack([x[:, :3], angles_near(R @ opened.X_start[:3, :3].T, x_e[:, 3:])])
     told = (fallback, links, motors, target)
     return Simulated(opened, x_e, x, force, lag, axes, joints, loop, contact, feed, settle, why, *told)
 
