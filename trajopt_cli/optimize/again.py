@@ -37,6 +37,7 @@ from trajopt_cli.optimize.tuning import (
     FELT,
     FIRST,
     JUMPED,
+    LATER,
     LEAST_GAIN,
     OVER,
     PROJECTIONS,
@@ -113,8 +114,12 @@ class Again:
         axes = Axes.of(plant)
         problem = self._problem(program, plant)
         chain, qd, times = _chain(axes, problem, plan)
-        legs = tuple(_leg(axes, problem, plan, k, chain, qd, times) for k in range(len(problem.legs)))
-        draft = Draft(chain.q, qd, tuple(label.cfx for label in chain.labels), legs)
+
+        def begun(N: int) -> Draft:
+            legs = tuple(_leg(axes, problem, plan, k, chain, qd, times, N) for k in range(len(problem.legs)))
+            return Draft(chain.q, qd, tuple(label.cfx for label in chain.labels), legs)
+
+        draft = begun(FIRST)
         if not problem.coordinated and self._passed:
             problem = frozen(problem, chain)
         self.motion = _Motion(axes, problem, chain, draft)
@@ -128,7 +133,14 @@ class Again:
             if _free(axes, window):
                 key = window.key()
                 if key not in known:
-                    known[key] = _Program.of(axes, self._formulation, Grids.of(problem), window)
+                    grids = Grids.of(problem)
+                    found = _Program.of(axes, self._formulation, grids, window)
+                    if found is None or found.duration > (1 + LATER) * duration(window.draft):
+                        # the coarse grid led away from the plan; one of its own does not
+                        nearer = Window.of(problem, begun(grids.path), span)
+                        other = _Program.of(axes, self._formulation, grids, nearer)
+                        found = min(filter(None, (found, other)), key=lambda one: one.duration, default=None)
+                    known[key] = found
                 nlp = known[key]
             if nlp is not None:
                 self._parts.append(replace(nlp, span=span))
@@ -482,8 +494,10 @@ def _chain(axes: Axes, problem: Problem, plan: Plan) -> tuple[Chain, Array, Arra
     return Chain(q, rail, tuple(labels), times, float(times.sum())), qd, times
 
 
-def _leg(axes: Axes, problem: Problem, plan: Plan, k: int, chain: Chain, qd: Array, times: Array) -> LegMotion:
-    """The plan's motion on a leg as the nonlinear program may begin with it."""
+def _leg(
+    axes: Axes, problem: Problem, plan: Plan, k: int, chain: Chain, qd: Array, times: Array, paths: int
+) -> LegMotion:
+    """The plan's motion on a leg as the nonlinear program may begin with it, on so many intervals of a path."""
     leg, T, begin = problem.legs[k], float(times[k]), float(times[:k].sum())
     if leg.kind is LegKind.DWELL and not leg.rail_moves:
         return hold(leg.duration or 0.0, chain.q[k])
@@ -495,7 +509,7 @@ def _leg(axes: Axes, problem: Problem, plan: Plan, k: int, chain: Chain, qd: Arr
             ratios = check_leg(axes, leg, closed)
             if closed.T > T - LEAST_GAIN and max(ratios.tool.max(), ratios.position.max()) <= 1 + OVER:
                 return closed
-    N = Grids.of(problem).joints if leg.kind is LegKind.JOINT else FIRST
+    N = Grids.of(problem).joints if leg.kind is LegKind.JOINT else paths
     grid = np.linspace(0.0, 1.0, N + 1)
     q, rate, _ = hermite(plan.trajectory, float(plan.trajectory.t[0]) + begin + T * grid)
     if leg.kind is LegKind.JOINT:
