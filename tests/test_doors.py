@@ -101,17 +101,17 @@ def test_another_name_is_no_door() -> None:
         trajopt_cli.optimise  # noqa: B018
 
 
-def test_the_readmes_example_runs(
+def test_the_manuals_example_runs(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Word for word, on two joint moves under the name of its program."""
-    match = re.search(r"## From Python\n.*?```python\n(.+?)```", (REPOSITORY / "README.md").read_text(), re.DOTALL)
+    match = re.search(r"# From Python\n.*?```python\n(.+?)```", (REPOSITORY / "docs/python.md").read_text(), re.DOTALL)
     assert match
     monkeypatch.chdir(tmp_path)
     (tmp_path / "programs").mkdir()
     (tmp_path / "programs/bench_irb140.mod").write_text(TINY)
     (tmp_path / "programs/bench_irb140.yaml").write_text(CELL)
-    exec(compile(match[1], "README.md", "exec"), {})
+    exec(compile(match[1], "python.md", "exec"), {})
     cycle, verdict = capsys.readouterr().out.splitlines()
     # rest to rest over 20 deg and back, within 2.5 m/s of the tool: no closed form, but neither 0 nor a second each
     assert 0.2 < float(cycle.split()[0]) < 2.0

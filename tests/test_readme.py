@@ -1,4 +1,4 @@
-"""README.md is true: its commands exist, its two install lines are what .ci/run runs, its example cell file loads."""
+"""README.md and the pages that it leads to are true: commands exist, what .ci/run runs, keys and links."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from trajopt_cli.problem.plant import build_plant
 
 REPOSITORY = Path(__file__).parents[1]
 README = (REPOSITORY / "README.md").read_text(encoding="utf-8")
-IIWA = (REPOSITORY / "IIWA.md").read_text(encoding="utf-8")
+DOCS = {page.name: page.read_text(encoding="utf-8") for page in (REPOSITORY / "docs").glob("*.md")}
 CI = (REPOSITORY / ".ci" / "run").read_text(encoding="utf-8")
 
 
@@ -52,7 +52,7 @@ def test_ci_runs_the_readme_commands_word_for_word(tmp_path: Path) -> None:
         "#!/bin/bash\n"
         f'echo "python3.11 $*" >> {log}\n'
         'mkdir -p "$3/bin"\n'
-        "for name in pip trajopt pytest ruff mypy; do\n"
+        "for name in pip trajopt pytest ruff mypy sphinx-build; do\n"
         f'  printf \'#!/bin/bash\\necho "$0 $*" >> {log}\\n\' > "$3/bin/$name"\n'
         '  chmod +x "$3/bin/$name"\n'
         "done\n"
@@ -67,7 +67,8 @@ def test_ci_runs_the_readme_commands_word_for_word(tmp_path: Path) -> None:
     wanted = []
     for name in ("run", "test"):
         wanted += [step.replace("'", "").replace(".venv", venv) for step in block(name).split(" && ")]
-    assert called == [*wanted, f"{venv}/bin/ruff check .", f"{venv}/bin/ruff format --check .", f"{venv}/bin/mypy"]
+    after = ["ruff check .", "ruff format --check .", "mypy", f"sphinx-build -W --keep-going -q docs {venv[:-5]}/site"]
+    assert called == [*wanted, *(f"{venv}/bin/{step}" for step in after)]
 
 
 def test_ci_stops_at_the_first_failure() -> None:
@@ -92,34 +93,34 @@ def test_every_command_and_option_of_the_readme_exists(line: str) -> None:
 
 
 def test_the_example_cell_file_loads() -> None:
-    match = re.search(r"```yaml\n(.+?)```", README, re.DOTALL)
+    match = re.search(r"```yaml\n(.+?)```", DOCS["cell-file.md"], re.DOTALL)
     assert match
-    assert build_plant(parse_cell(match[1], "readme.yaml")).rail_eax == 0
+    assert build_plant(parse_cell(match[1], "cell-file.yaml")).rail_eax == 0
 
 
 def test_the_table_of_keys_is_the_documents() -> None:
-    keys = re.findall(r"^\| `(\w+)` \|", README, re.MULTILINE)
+    keys = re.findall(r"^\| `(\w+)` \|", DOCS["cell-file.md"], re.MULTILINE)
     assert keys == list(CellDocument.model_fields)
 
 
 def test_the_functions_named_for_python_exist() -> None:
-    sections = [page.split("## From Python")[1] for page in (README, IIWA)]
+    sections = [DOCS["python.md"], DOCS["iiwa.md"].split("## From Python")[1]]
     for name in re.findall(r"`(trajopt_cli\.[\w.]+)`", "".join(sections)):
         assert pkgutil.resolve_name(name) is not None
 
 
 def test_links_point_at_files() -> None:
-    for target in re.findall(r"\]\(([^)#]+)\)", README):
+    for target in re.findall(r"\]\(([^)#]+)[^)]*\)", README):
         assert target.startswith("http") or (REPOSITORY / target).exists(), target
 
 
 def test_the_task_files_keys_are_all_told() -> None:
-    rows = IIWA.split("## The task file")[1].split("##")[0]
+    rows = DOCS["task-file.md"].split("## ")[0]
     told = [key for row in re.findall(r"^\| (`.+?`) \|", rows, re.MULTILINE) for key in re.findall(r"`(\w+)`", row)]
     assert sorted(told) == sorted(TaskDocument.model_fields)
 
 
-@pytest.mark.parametrize("line", re.findall(r"^trajopt iiwa .+", IIWA, re.MULTILINE))
+@pytest.mark.parametrize("line", re.findall(r"^trajopt iiwa .+", DOCS["iiwa.md"], re.MULTILINE))
 def test_the_commands_of_the_compliant_job_exist(line: str) -> None:
     command, *rest = line.split("#")[0].split()[2:]
     shown = CliRunner().invoke(app, ["iiwa", command, "--help"])

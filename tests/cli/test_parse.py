@@ -260,8 +260,8 @@ def test_many_findings_are_counted_and_json_has_them_all(here: Path, capsys: pyt
 
 
 def documented(heading: str) -> set[str]:
-    """The keys in the first table under a heading of PARSE.md."""
-    text = (REPOSITORY / "PARSE.md").read_text(encoding="utf-8").split(f"# {heading}\n", 1)[1]
+    """The keys in the first table under a heading of docs/parse-json.md."""
+    text = (REPOSITORY / "docs/parse-json.md").read_text(encoding="utf-8").split(f"# {heading}\n", 1)[1]
     table = text.split("| key |", 1)[1].split("\n\n", 1)[0]
     rows = [line.split("|")[1] for line in table.splitlines()[2:]]
     return {key for row in rows for key in re.findall(r"`(\w+)`", row)}

@@ -1,4 +1,4 @@
-"""A program's motions as plain data, as `trajopt parse --json` prints them; PARSE.md documents every field.
+"""A program's motions as plain data, as `trajopt parse --json` prints them; docs/parse-json.md documents every field.
 
 Rounded so that the float32 numbers of RAPID show no noise: 0.1 is 0.1 and not 0.10000000149.
 """

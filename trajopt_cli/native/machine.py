@@ -21,7 +21,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.native.writing import LIBM, module_text
 
 _ENTRY = ctypes.CFUNCTYPE(None, ctypes.c_int64, *[ctypes.c_void_p] * 4)
-_LEVEL = 0  # of code generation. Measured: see CONTRIBUTING.md, Machine code
+_LEVEL = 0  # of code generation. Measured: see docs/measured.md, Machine code
 
 
 @dataclass(frozen=True, eq=False)

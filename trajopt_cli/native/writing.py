@@ -12,7 +12,7 @@ from struct import pack
 
 import casadi as ca
 
-CHUNK = 200  # instructions per LLVM function, a part of ours. Measured: see CONTRIBUTING.md, Machine code
+CHUNK = 200  # instructions per LLVM function, a part of ours. Measured: see docs/measured.md, Machine code
 _BINARY = {ca.OP_ADD: "fadd", ca.OP_SUB: "fsub", ca.OP_MUL: "fmul", ca.OP_DIV: "fdiv"}
 _COMPARED = {ca.OP_LT: "olt", ca.OP_LE: "ole", ca.OP_EQ: "oeq", ca.OP_NE: "une"}
 _LLVMS = {ca.OP_SQRT: "sqrt", ca.OP_FABS: "fabs", ca.OP_FMAX: "maxnum", ca.OP_FMIN: "minnum"}

@@ -1,4 +1,4 @@
-"""The timing problem as mathematics, top to bottom. FORMULATION.md names the symbols and says what holds where.
+"""The timing problem as mathematics, top to bottom. docs/mathematics.md names the symbols and says what holds where.
 
     min   sum T  over all legs                            + DAMPING / 2 * accelerations^2 where the time does not care
     s.t.  dynamics      x_1 = x_0 + h x_0' + h^2/2 x'',   x_1' = x_0' + h x''       exact, x'' constant per interval

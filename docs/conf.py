@@ -1,0 +1,22 @@
+"""How the manual is built: `sphinx-build -W docs site`. It needs no network, neither for building nor for reading."""
+
+from __future__ import annotations
+
+import trajopt_cli
+
+project = "trajopt"
+author = "trajopt contributors"
+version = release = trajopt_cli.__version__
+
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx_copybutton"]
+myst_heading_anchors = 3
+highlight_language = "none"
+default_role = "code"  # docstrings quote names as Markdown does
+autodoc_typehints = "description"
+
+html_theme = "furo"
+html_title = f"trajopt {release}"
+html_copy_source = False
+html_show_sphinx = False
+copybutton_prompt_text = "$ "
+copybutton_only_copy_prompt_lines = True
