@@ -20,6 +20,10 @@ from trajopt_cli.problem.plant import build_plant
 REPOSITORY = Path(__file__).parents[1]
 README = (REPOSITORY / "README.md").read_text(encoding="utf-8")
 DOCS = {page.name: page.read_text(encoding="utf-8") for page in (REPOSITORY / "docs").glob("*.md")}
+KEYS = {
+    "cell": (REPOSITORY / "trajopt_cli/cell/keys.md").read_text(encoding="utf-8"),
+    "task": (REPOSITORY / "trajopt_cli/compliance/task/keys.md").read_text(encoding="utf-8"),
+}
 CI = (REPOSITORY / ".ci" / "run").read_text(encoding="utf-8")
 
 
@@ -99,7 +103,7 @@ def test_the_example_cell_file_loads() -> None:
 
 
 def test_the_table_of_keys_is_the_documents() -> None:
-    keys = re.findall(r"^\| `(\w+)` \|", DOCS["cell-file.md"], re.MULTILINE)
+    keys = re.findall(r"^\| `(\w+)` \|", KEYS["cell"], re.MULTILINE)
     assert keys == list(CellDocument.model_fields)
 
 
@@ -115,8 +119,9 @@ def test_links_point_at_files() -> None:
 
 
 def test_the_task_files_keys_are_all_told() -> None:
-    rows = DOCS["task-file.md"].split("## ")[0]
-    told = [key for row in re.findall(r"^\| (`.+?`) \|", rows, re.MULTILINE) for key in re.findall(r"`(\w+)`", row)]
+    told = [
+        key for row in re.findall(r"^\| (`.+?`) \|", KEYS["task"], re.MULTILINE) for key in re.findall(r"`(\w+)`", row)
+    ]
     assert sorted(told) == sorted(TaskDocument.model_fields)
 
 

@@ -6,7 +6,8 @@ import json
 import math
 import re
 from collections.abc import Callable, Mapping
-from typing import Any
+from dataclasses import dataclass
+from typing import Any, Generic, TypeVar
 
 from pydantic_core import PydanticCustomError
 
@@ -35,6 +36,41 @@ TURN_JERK = _per(ANGLE, "/s3", "/s^3", "/s³")
 _LIST = re.compile(r"\[(?P<items>[^\[\]]*)\]\s*(?P<unit>.*)", re.DOTALL)
 # DOTALL: a match that a line break ends would be tried anew for every digit before it
 _SCALAR = re.compile(r"(?P<number>[-+]?(\d+(\.\d*)?|\.\d+)([eE][-+]?\d+)?)\s*(?P<unit>.*)", re.DOTALL)
+
+
+_Read = TypeVar("_Read")
+
+
+@dataclass(frozen=True, eq=False)
+class Reader(Generic[_Read]):
+    """A validator that also says what it takes, as JSON schema for editors, who look before it is read."""
+
+    read: Callable[[Any], _Read]
+    takes: dict[str, Any]
+
+    def __call__(self, value: Any) -> _Read:
+        """What read makes of value; raises its PydanticCustomError."""
+        return self.read(value)
+
+
+def takes_number(units: Mapping[str, float], **bounds: float) -> dict[str, Any]:
+    """JSON schema of what number(units) takes. bounds: JSON schema's own, held for plain numbers alone."""
+    return {"anyOf": [{"type": "number", **bounds}, {"type": "string", "pattern": f"^\\s*{_DIGITS}{_unit(units)}$"}]}
+
+
+def takes_numbers(one: dict[str, Any], units: Mapping[str, float], count: int | None = None) -> dict[str, Any]:
+    """JSON schema of what numbers(units, count) takes; one: that of an item."""
+    length = {} if count is None else {"minItems": count, "maxItems": count}
+    text = {"type": "string", "pattern": f"^\\s*\\[[^\\[\\]]*\\]{_unit(units)}$"}
+    return {"anyOf": [{"type": "array", "items": one, **length}, text]}
+
+
+_DIGITS = r"[-+]?(\d+(\.\d*)?|\.\d+)([eE][-+]?\d+)?"
+
+
+def _unit(units: Mapping[str, float]) -> str:
+    names = "|".join(unit.replace("^", r"\^") for unit in units)
+    return f"\\s*({names})\\s*"
 
 
 def complain(text: str) -> PydanticCustomError:
@@ -91,7 +127,7 @@ def _finite(value: float, given: object) -> float:
     return value
 
 
-def number(units: Mapping[str, float]) -> Callable[[Any], float]:
+def number(units: Mapping[str, float]) -> Reader[float]:
     """A validator: a finite number in SI, or a text with one of units (name to factor), to a float in SI."""
 
     def validate(value: Any) -> float:
@@ -107,10 +143,10 @@ def number(units: Mapping[str, float]) -> Callable[[Any], float]:
         except OverflowError:
             raise complain(f"needs a finite number, not {shown(value)}") from None
 
-    return validate
+    return Reader(validate, takes_number(units))
 
 
-def numbers(units: Mapping[str, float], count: int | None = None) -> Callable[[Any], tuple[float, ...]]:
+def numbers(units: Mapping[str, float], count: int | None = None) -> Reader[tuple[float, ...]]:
     """A validator: a list whose items number(units) takes, or a text `"[..] unit"`; count items where given."""
     one = number(units)
 
@@ -131,7 +167,7 @@ def numbers(units: Mapping[str, float], count: int | None = None) -> Callable[[A
             raise complain(f"needs {count} numbers, not {len(items)}")
         return tuple(one(item) for item in items)
 
-    return validate
+    return Reader(validate, takes_numbers(one.takes, units, count))
 
 
 def above_zero(value: float) -> float:
@@ -148,14 +184,14 @@ def not_negative(value: float) -> float:
     return value
 
 
-def positive(units: Mapping[str, float]) -> Callable[[Any], float]:
+def positive(units: Mapping[str, float]) -> Reader[float]:
     """A validator: as number, above zero."""
-    return lambda value: above_zero(number(units)(value))
+    return Reader(lambda value: above_zero(number(units)(value)), takes_number(units, exclusiveMinimum=0))
 
 
-def from_zero(units: Mapping[str, float]) -> Callable[[Any], float]:
+def from_zero(units: Mapping[str, float]) -> Reader[float]:
     """A validator: as number, zero or more."""
-    return lambda value: not_negative(number(units)(value))
+    return Reader(lambda value: not_negative(number(units)(value)), takes_number(units, minimum=0))
 
 
 def option_value(text: str, units: Mapping[str, float], option: str) -> float:

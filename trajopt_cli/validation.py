@@ -1,16 +1,18 @@
-"""What pydantic finds wrong in a file, in words for the person who has the file."""
+"""What pydantic finds wrong in a file, in words for the person who has it; and what a file takes, as JSON schema."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping, Sequence
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from typing import Any, get_type_hints
 
-from pydantic import BaseModel
-from pydantic_core import ErrorDetails
+from pydantic import BaseModel, TypeAdapter
+from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
+from pydantic_core import ErrorDetails, core_schema
 
-from trajopt_cli.quantity import shown
+from trajopt_cli.quantity import Reader, shown
 
 
 def in_words(model: type[BaseModel], detail: ErrorDetails, wanted: Mapping[str, str]) -> str:
@@ -96,3 +98,36 @@ def _models(annotation: Any) -> Iterator[type[BaseModel]]:
         yield annotation
     for inner in getattr(annotation, "__args__", ()):
         yield from _models(inner)
+
+
+class _AsWritten(GenerateJsonSchema):
+    """JSON schema of what a file may hold, units as text included, not of what it is read into."""
+
+    def function_before_schema(self, schema: core_schema.BeforeValidatorFunctionSchema) -> JsonSchemaValue:
+        read = schema["function"]["function"]
+        return dict(read.takes) if isinstance(read, Reader) else super().function_before_schema(schema)
+
+    def field_title_should_be_set(self, schema: object) -> bool:
+        return False
+
+
+def json_schema(kind: Any, title: str, keys: str = "") -> dict[str, Any]:
+    """JSON schema (draft 2020-12) of the files that a model, or a union of models, reads.
+
+    keys: a table in Markdown whose rows begin with the names of top-level keys in backticks; what the second column
+    says of them is their description. Rules across keys (one of two, ranges in order) are no part of it.
+    """
+    schema = TypeAdapter(kind).json_schema(schema_generator=_AsWritten)
+    for names, text in told(keys.splitlines()):
+        for name in names:
+            schema["properties"][name]["description"] = text
+    return {"$schema": GenerateJsonSchema.schema_dialect} | schema | {"title": title}
+
+
+def told(table: Iterable[str]) -> Iterator[tuple[list[str], str]]:
+    """The keys that a row of a table in Markdown names in its first column, and what its second one says."""
+    for line in table:
+        cells = [cell.strip().replace("\\|", "|") for cell in re.split(r"(?<!\\)\|", line)[1:-1]]
+        names = re.findall(r"`(\w+)`", cells[0]) if cells else []
+        if names:
+            yield names, re.sub(r"\[([^\]]+)\]\([^)]*\)", r"\1", cells[1])

@@ -29,6 +29,7 @@ from trajopt_cli.quantity import (
     TURN_ACCELERATION,
     TURN_JERK,
     TURN_RATE,
+    Reader,
     above_zero,
     complain,
     from_zero,
@@ -36,6 +37,7 @@ from trajopt_cli.quantity import (
     numbers,
     positive,
     shown,
+    takes_number,
 )
 from trajopt_cli.scenario import LONGEST_WAIT, NUM_LIMIT, Lines, Scenario
 
@@ -85,8 +87,8 @@ def _least(value: Any) -> float | None:
     return seconds
 
 
-def _each(one: Callable[[Any], Any]) -> Callable[[Any], Any]:
-    """A validator: a value that one takes, or a list of them."""
+def _each(one: Callable[[Any], Any], *kinds: str) -> Reader[Any]:
+    """A validator: a value that one takes, or a list of them. kinds: what one takes, as JSON schema names it."""
 
     def validate(value: Any) -> Any:
         if not isinstance(value, list):
@@ -95,7 +97,14 @@ def _each(one: Callable[[Any], Any]) -> Callable[[Any], Any]:
             raise complain(f"needs 1 to {MAX_SEQUENCE} values in its list, not {len(value)}")
         return tuple(one(item) for item in value)
 
-    return validate
+    item = {"type": list(kinds)}
+    several = {"type": "array", "items": item, "minItems": 1, "maxItems": MAX_SEQUENCE}
+    return Reader(validate, {"anyOf": [item, several]})
+
+
+def _or(word: str, units: dict[str, float]) -> dict[str, Any]:
+    takes = takes_number(units, minimum=0)
+    return {"anyOf": [*takes["anyOf"], {"type": "string", "pattern": rf"^\s*{word}\s*$"}]}
 
 
 def _said(value: str) -> str:
@@ -229,7 +238,7 @@ Length3 = Annotated[Triple, BeforeValidator(numbers(LENGTH, 3))]
 class BoxSection(FrameSection):
     """A box: size along its own axes [m], its centre's frame."""
 
-    size: Annotated[tuple[float, ...], BeforeValidator(lambda value: _sizes(numbers(LENGTH, 3)(value)))]
+    size: Annotated[tuple[float, ...], BeforeValidator(Reader(_sizes, numbers(LENGTH, 3).takes))]
 
 
 class CapsuleSection(_Section):
@@ -247,8 +256,8 @@ class MeshSection(FrameSection):
     scale: Annotated[float, BeforeValidator(positive(RATIO))] = 1.0
 
 
-def _sizes(values: tuple[float, ...]) -> tuple[float, ...]:
-    return tuple(above_zero(value) for value in values)
+def _sizes(value: Any) -> tuple[float, ...]:
+    return tuple(above_zero(item) for item in numbers(LENGTH, 3)(value))
 
 
 def _beside(value: str) -> str:
@@ -317,15 +326,16 @@ class HoldRailSection(_Section):
     """Where the rail stands still: procedures by name, lines, all waits; gripper: waits right after an output."""
 
     procedures: tuple[StrictStr, ...] = ()
-    lines: tuple[Annotated[Lines, PlainValidator(_place)], ...] = ()
+    lines: tuple[Annotated[Lines, PlainValidator(_place, json_schema_input_type=int | str)], ...] = ()
     waits: StrictBool = False
     gripper: StrictBool = True
 
 
 Solids = dict[StrictStr, SolidSection]
-SignalValues = Annotated[float | tuple[float, ...], BeforeValidator(_each(_signal))]
+SignalValues = Annotated[float | tuple[float, ...], BeforeValidator(_each(_signal, "number", "boolean", "string"))]
 Answers = Annotated[
-    StrictBool | float | StrictStr | tuple[StrictBool | float | StrictStr, ...], BeforeValidator(_each(_answer))
+    StrictBool | float | StrictStr | tuple[StrictBool | float | StrictStr, ...],
+    BeforeValidator(_each(_answer, "number", "boolean", "string")),
 ]
 
 
@@ -359,13 +369,19 @@ class CellDocument(_Section):
     clearance: Annotated[float, BeforeValidator(from_zero(LENGTH))] = 0.0
     signals: dict[StrictStr, SignalValues] = Field(default_factory=dict)
     answers: dict[StrictStr, Answers] = Field(default_factory=dict)
-    data: dict[StrictStr, Annotated[DataSection, BeforeValidator(_data)]] = Field(default_factory=dict)
-    waits: dict[StrictStr, Annotated[float | None, BeforeValidator(_least)]] = Field(default_factory=dict)
-    searches: dict[StrictStr, Annotated[float | None, BeforeValidator(_share)]] = Field(default_factory=dict)
+    data: dict[
+        StrictStr, Annotated[DataSection, BeforeValidator(_data, json_schema_input_type=DataSection | Answers)]
+    ] = Field(default_factory=dict)
+    waits: dict[StrictStr, Annotated[float | None, BeforeValidator(Reader(_least, _or("timeout", TIME)))]] = Field(
+        default_factory=dict
+    )
+    searches: dict[StrictStr, Annotated[float | None, BeforeValidator(Reader(_share, _or("never", RATIO)))]] = Field(
+        default_factory=dict
+    )
     endless_passes: Annotated[int, Field(strict=True, gt=0, le=MAX_ENDLESS_PASSES)] | None = None
     optional: tuple[StrictStr, ...] = ()
     hold_rail: HoldRailSection = HoldRailSection()
-    constant_speed: tuple[Annotated[Lines | str, PlainValidator(_part)], ...] = ()
+    constant_speed: tuple[Annotated[Lines | str, PlainValidator(_part, json_schema_input_type=int | str)], ...] = ()
     free_speed: StrictBool = False
     jerk_limits: StrictBool = False
     pass_limit: Annotated[int, Field(strict=True, gt=0)] = Scenario.pass_limit

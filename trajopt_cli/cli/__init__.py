@@ -15,7 +15,7 @@ from typing import Annotated
 import typer
 
 from trajopt_cli import __version__
-from trajopt_cli.cli import analyse, compare, export, iiwa, optimize, parse, robot, sensitivity, verify
+from trajopt_cli.cli import analyse, compare, export, iiwa, optimize, parse, robot, schema, sensitivity, verify
 from trajopt_cli.cli.process import own_process
 from trajopt_cli.errors import InputError
 
@@ -37,6 +37,7 @@ app.command("parse", short_help="PROGRAM's flat motions with file:line.")(parse.
 app.command("analyse", short_help="PROGRAM as written, in steps of speed.")(analyse.analyse)
 app.add_typer(iiwa.app, name="iiwa")
 app.add_typer(robot.app, name="robot")
+app.command("schema", short_help="What cell, task and robot files may hold.")(schema.schema)
 
 
 def _version(wanted: bool) -> None:

@@ -13,6 +13,7 @@ from ruamel.yaml.error import MarkedYAMLError
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.robot.structure import Structure
 from trajopt_cli.shapes import ATTACHED
+from trajopt_cli.validation import json_schema
 
 _PACKAGE = Path(__file__).parents[1]
 # In a checkout the files stand beside the package, a wheel carries them inside it. What stands beside an installed
@@ -126,6 +127,11 @@ class SrsFile(RobotFile):
 
 
 _FILES: dict[str, type[RobotFile]] = {Structure.SIX_AXIS.value: SixAxisFile, Structure.SRS.value: SrsFile}
+
+
+def robot_schema() -> dict[str, Any]:
+    """What a robot's YAML file may hold, of either structure, as JSON schema for editors."""
+    return json_schema(SixAxisFile | SrsFile, "trajopt robot file")
 
 
 def robot_names(structure: Structure | None = None) -> tuple[str, ...]:

@@ -20,6 +20,7 @@ from trajopt_cli.quantity import (
     TURN_ACCELERATION,
     TURN_JERK,
     TURN_RATE,
+    Reader,
     above_zero,
     complain,
     not_a_list,
@@ -27,6 +28,7 @@ from trajopt_cli.quantity import (
     number,
     numbers,
     shown,
+    takes_number,
 )
 from trajopt_cli.units import DEG
 
@@ -52,7 +54,7 @@ _LONGEST_NAME = 100
 _FINEST = 1e-6  # m, rad: nearer poses are better taken as stops
 
 
-def _sane(units: dict[str, float]) -> Callable[[Any], float]:
+def _sane(units: dict[str, float]) -> Reader[float]:
     """As quantity.number, within what a cell can have."""
     most = next(bound for kind, bound in _MOST if kind is units)
 
@@ -64,7 +66,7 @@ def _sane(units: dict[str, float]) -> Callable[[Any], float]:
             )
         return out
 
-    return validate
+    return Reader(validate, takes_number(units, minimum=-most, maximum=most))
 
 
 def _not_tiny(value: float) -> float:
@@ -74,11 +76,13 @@ def _not_tiny(value: float) -> float:
 
 
 def _above(units: dict[str, float]) -> BeforeValidator:
-    return BeforeValidator(lambda value: _not_tiny(above_zero(_sane(units)(value))))
+    takes = takes_number(units, exclusiveMinimum=0)
+    return BeforeValidator(Reader(lambda value: _not_tiny(above_zero(_sane(units)(value))), takes))
 
 
 def _from_zero(units: dict[str, float]) -> BeforeValidator:
-    return BeforeValidator(lambda value: _not_tiny(not_negative(_sane(units)(value))))
+    takes = takes_number(units, minimum=0)
+    return BeforeValidator(Reader(lambda value: _not_tiny(not_negative(_sane(units)(value))), takes))
 
 
 def _period(value: Any) -> float:
@@ -92,7 +96,7 @@ def _list_of(units: dict[str, float], count: int) -> BeforeValidator:
     def validate(value: Any) -> tuple[float, ...]:
         return tuple(_sane(units)(item) for item in numbers(units, count)(value))
 
-    return BeforeValidator(validate)
+    return BeforeValidator(Reader(validate, numbers(units, count).takes))
 
 
 def _line(value: Any) -> Any:
@@ -116,7 +120,7 @@ def _program(value: Any) -> Any:
 
 def _six_values(
     first: dict[str, float], last: dict[str, float], rule: Callable[[float], float] | None = None
-) -> Callable[[Any], tuple[float, ...]]:
+) -> Reader[tuple[float, ...]]:
     """A validator: three values in the first units, three in the last; rule holds each."""
 
     def validate(value: Any) -> tuple[float, ...]:
@@ -128,7 +132,8 @@ def _six_values(
         out = [kind(item) for kind, item in zip(kinds, value, strict=True)]
         return tuple(_not_tiny(rule(item)) if rule else item for item in out)
 
-    return validate
+    items = [_sane(first).takes] * 3 + [_sane(last).takes] * 3
+    return Reader(validate, {"type": "array", "prefixItems": items, "items": False, "minItems": 6})
 
 
 def _six(
@@ -144,7 +149,8 @@ def _per_segment(units: dict[str, float]) -> BeforeValidator:
         one = _sane(units)
         return tuple(_not_tiny(one(item)) for item in value) if isinstance(value, list) else _not_tiny(one(value))
 
-    return BeforeValidator(validate)
+    one = _sane(units).takes
+    return BeforeValidator(Reader(validate, {"anyOf": [*one["anyOf"], {"type": "array", "items": one}]}))
 
 
 PoseValues = Annotated[Six, _six(LENGTH, ANGLE)]
@@ -181,7 +187,13 @@ class PoseSection(Section):
     """One pose: at (a pose, or "start": where the tool is at the start) or by (added to the pose before); dwell."""
 
     name: Annotated[StrictStr, BeforeValidator(_line)] | None = None
-    at: Annotated[Six | Literal["start"], BeforeValidator(_pose_or_start)] | None = None
+    at: (
+        Annotated[
+            Six | Literal["start"],
+            BeforeValidator(_pose_or_start, json_schema_input_type=PoseValues | Literal["start"]),
+        ]
+        | None
+    ) = None
     by: PoseValues | None = None
     dwell: Annotated[float, _from_zero(TIME)] = 0.0
 
@@ -337,14 +349,24 @@ class TaskDocument(Section):
     base: FrameSection = FrameSection()
     tool: ToolSection = ToolSection()
     start: StartSection
-    h: Annotated[float, BeforeValidator(_period)] = 0.001
+    h: Annotated[float, BeforeValidator(Reader(_period, takes_number(TIME, exclusiveMinimum=0)))] = 0.001
     profile: Literal["thesis", "trapezoid", "s-curve"] | None = None
     rotation: Literal["tait-bryan", "slerp"] = "tait-bryan"
     angles: Literal["relative", "absolute"] = "relative"
-    poses: tuple[Annotated[PoseSection, BeforeValidator(_pose)], ...] | None = None
+    poses: (
+        tuple[
+            Annotated[
+                PoseSection, BeforeValidator(_pose, json_schema_input_type=PoseSection | PoseValues | Literal["start"])
+            ],
+            ...,
+        ]
+        | None
+    ) = None
     program: Annotated[StrictStr, BeforeValidator(_program)] | None = None
     approach: Literal["line", "joint", "none"] = "line"
-    passing: Annotated[PassingSection | None, BeforeValidator(_passing)] = None
+    passing: Annotated[
+        PassingSection | None, BeforeValidator(_passing, json_schema_input_type=PassingSection | Literal["stop"])
+    ] = None
     v_max: Speed | None = None
     omega_max: TurnRate | None = None
     a_max: Acceleration | None = None
