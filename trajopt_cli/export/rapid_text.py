@@ -15,6 +15,7 @@ from trajopt_cli.rapid.language.lexer import scan
 from trajopt_cli.rapid.marks import DROPPED
 
 NAME_LIMIT = 32  # characters in a RAPID name
+PLACE = 3  # decimals of a place in mm: 0.001 mm, a thirtieth of the robot's repeatability
 
 
 class Edits:
