@@ -34,7 +34,7 @@ FLOORS: tuple[tuple[str, ...], ...] = (
     ("rapid", "robot", "cell", "timing", "collision"),
     ("problem",),
     ("runs",),
-    ("optimize", "verify", "export", "report"),
+    ("optimize", "verify", "export", "report", "page"),
     # what is worked on: a program and its cell, or those of a results folder
     ("job",),
     ("pipeline", "compliance"),

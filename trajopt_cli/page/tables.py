@@ -1,0 +1,48 @@
+"""Tables and the places of charts, as HTML."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from trajopt_cli.page.encode import text
+
+
+def table(caption: str, heads: Sequence[str], rows: Iterable[Sequence[str]], html: bool = False) -> str:
+    """A table that scrolls in a box of its own. heads: ">" before one puts its column to the right. rows: plain text,
+    or HTML where html is true."""
+    right = [head.startswith(">") for head in heads]
+    made = "".join(f"<tr>{''.join(_cell(value, right[i], html) for i, value in enumerate(row))}</tr>\n" for row in rows)
+    name, head = text(caption), "".join(_head(one) for one in heads)
+    return (
+        f'<div class="scroll" role="region" aria-label="{name}" tabindex="0"><table><caption>{name}</caption>'
+        f"<thead><tr>{head}</tr></thead><tbody>\n{made}</tbody></table></div>"
+    )
+
+
+def chart(name: str, label: str) -> str:
+    """Where the chart of this name in data["charts"] is drawn. label: what a screen reader calls it."""
+    return f'<figure class="chart" data-chart="{text(name)}" aria-label="{text(label)}"></figure>'
+
+
+def facts(pairs: Iterable[tuple[str, str]]) -> str:
+    """Names and values below each other, plain text."""
+    return f'<dl class="facts">{"".join(f"<dt>{text(name)}</dt><dd>{text(value)}</dd>" for name, value in pairs)}</dl>'
+
+
+def points(lines: Iterable[str]) -> str:
+    """A list of plain sentences; nothing for none."""
+    made = "".join(f"<li>{text(line)}</li>" for line in lines)
+    return f"<ul>{made}</ul>" if made else ""
+
+
+def _head(head: str) -> str:
+    right = head.startswith(">")
+    return f'<th scope="col"{_class(right)}>{text(head.removeprefix(">"))}</th>'
+
+
+def _cell(value: str, right: bool, html: bool) -> str:
+    return f"<td{_class(right)}>{value if html else text(value)}</td>"
+
+
+def _class(right: bool) -> str:
+    return ' class="n"' if right else ""
