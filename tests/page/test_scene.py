@@ -1,0 +1,109 @@
+"""The scene that a page's script is given, worked out here as the script does it, against pin."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from link_poses import link_poses
+from small_cells import plant_with_rail, plant_without_rail
+
+from trajopt_cli.geometry import Array, pose, rotation_about
+from trajopt_cli.page.scene import Cycle, plant_scene, robot_scene
+from trajopt_cli.robot.srs import load_srs
+from trajopt_cli.shapes import Box, Capsule, Mesh, Solid
+
+X_FT = pose(rotation_about([0, 1, 0], 0.4), [0.05, -0.02, 0.12])
+PLACE = pose(rotation_about([1, 0, 0], 0.6) @ rotation_about([0, 0, 1], -0.8), [-0.1, 0.2, 0.3])
+
+
+def frames(scene: dict[str, Any], q: Array) -> list[Array]:
+    """Frames of the chain in the world, the flange last: what the script computes."""
+    X, values, out = np.reshape(scene["base"], (4, 4)), iter(q), []
+    for joint in scene["chain"]:
+        X = X @ np.reshape(joint["placement"], (4, 4))
+        if joint["kind"] == "prismatic":
+            X = X @ pose(np.eye(3), next(values) * np.array(joint["axis"]))
+        elif joint["kind"] == "revolute":
+            X = X @ pose(rotation_about(joint["axis"], next(values)), np.zeros(3))
+        out.append(X)
+    return out
+
+
+def robots() -> dict[str, Any]:
+    return {
+        "rail": plant_with_rail(X_WR=PLACE).robot,
+        "bench": plant_without_rail().robot,
+        "iiwa": load_srs("iiwa7", PLACE),
+    }
+
+
+@pytest.mark.parametrize("name", ["rail", "bench", "iiwa"])
+def test_chain_and_links_stand_where_pin_has_them(name: str) -> None:
+    robot = robots()[name]
+    rng = np.random.default_rng(5)
+    q = rng.uniform(-1.5, 1.5, (4, len(robot.axis_names)))
+    scene = robot_scene(robot, [], [Cycle("one", np.arange(4.0), q, ((0.0, X_FT),))])
+    links = dict(zip(robot.link_names, link_poses(robot, q).swapaxes(0, 1), strict=True))
+    bodies = [body for body in scene["bodies"] if body["role"] == "link"]
+    assert {body["name"] for body in bodies} == set(robot.capsules)
+    flange = robot.pin_model.frames[robot.pin_model.getFrameId("tool0")].placement.homogeneous
+    for i, row in enumerate(q):
+        found = frames(scene, row)
+        for body in bodies:
+            X = np.reshape(scene["base"], (4, 4)) if body["link"] < 0 else found[body["link"]]
+            np.testing.assert_allclose(X, links[body["name"]][i], atol=1e-12)
+            np.testing.assert_array_equal(body["a"], robot.capsules[body["name"]].a)
+        X_WT = links[robot.link_names[-1]][i] @ flange @ X_FT
+        np.testing.assert_allclose(found[-1] @ np.reshape(scene["tool"], (4, 4)), X_WT, atol=1e-12)
+        np.testing.assert_allclose(scene["cycles"][0]["path"][i], X_WT[:3, 3], atol=1e-6)
+
+
+def test_the_path_changes_tools_when_the_program_does() -> None:
+    robot = plant_without_rail().robot
+    t, q = np.arange(5.0), np.tile([0.1, 0.2, 0.3, 0.4, 0.5, 0.6], (5, 1))
+    path = robot_scene(robot, [], [Cycle("one", t, q, ((0.0, np.eye(4)), (2.0, X_FT)))])["cycles"][0]["path"]
+    flange = robot.forward(q[0])
+    for i, tool in enumerate([np.eye(4), np.eye(4), X_FT, X_FT, X_FT]):
+        np.testing.assert_allclose(path[i], (flange @ tool)[:3, 3], atol=1e-6)
+
+
+def test_the_rail_carries_the_base_from_end_to_end_of_its_stroke() -> None:
+    plant = plant_with_rail((-0.5, 1.5), PLACE)
+    scene = plant_scene(plant, [], [Cycle("one", np.zeros(1), np.zeros((1, 7)))])
+    (beam,) = [one for one in scene["static"] if one["role"] == "rail"]
+    X, size = np.reshape(beam["X"], (4, 4)), np.array(beam["size"])
+    for d in (-0.5, 1.5):
+        foot = (np.linalg.inv(X) @ plant.robot.base(d))[:3, 3]
+        assert abs(foot[0]) < size[0] / 2
+        np.testing.assert_allclose(foot[1:], [0, size[2] / 2 + 0.03], atol=1e-12)
+    inside = size[0] - 2.0
+    assert 0 < inside < 0.5
+    (plate,) = [one for one in scene["bodies"] if one["role"] == "carriage"]
+    X_WP = frames(scene, np.r_[1.5, np.zeros(6)])[plate["link"]] @ np.reshape(plate["X"], (4, 4))
+    np.testing.assert_allclose(X_WP[:3, :3], X[:3, :3], atol=1e-12)
+
+
+def test_obstacles_and_what_the_flange_carries() -> None:
+    wedge = Mesh("wedge", np.eye(3), np.array([[0, 1, 2]]), PLACE)
+    plant = plant_without_rail(
+        obstacles=(Solid(Box("table", np.ones(3), PLACE)), Solid(wedge)),
+        attached=(Solid(Capsule("torch", np.zeros(3), np.array([0, 0, 0.2]), 0.03)),),
+    )
+    scene = plant_scene(plant, [], [])
+    assert [(one["name"], one["kind"], one["role"]) for one in scene["static"]] == [
+        ("table", "box", "obstacle"),
+        ("wedge", "mesh", "obstacle"),
+    ]
+    np.testing.assert_array_equal(scene["static"][1]["triangles"], [[0, 1, 2]])
+    (torch,) = [one for one in scene["bodies"] if one["role"] == "tool"]
+    assert torch["link"] == len(scene["chain"]) - 1
+
+
+def test_a_robot_without_shapes_is_drawn_by_rods_between_its_joints() -> None:
+    robot = replace(plant_without_rail().robot, capsules={})
+    scene = robot_scene(robot, [], [])
+    rods = [np.linalg.norm(body["b"]) for body in scene["bodies"]]
+    np.testing.assert_allclose(rods, [np.hypot(0.07, 0.352), 0.36, 0.239, 0.141, 0.065])

@@ -1,0 +1,258 @@
+"""What the 3-D view of a page draws: the robot's chain, bodies on it and around it, points, and cycles to play.
+
+The page's script works the poses out itself: X_WF = base · placement_1 · joint_1(q_1) · placement_2 · joint_2(q_2) ...,
+with q linear between rows. Matrices stand row by row. Frame i of the chain is the one behind its i-th element, -1 the
+base; a body names the frame it is fixed to.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.motion import MoveAbsJ, MoveC, MoveJ, MoveL, Program
+from trajopt_cli.problem.plan import Plan
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.robot.model import RobotModel
+from trajopt_cli.robot.srs import SrsRobot
+from trajopt_cli.shapes import Box, Capsule, Mesh, MeshFile, Shape
+from trajopt_cli.trajectory import Trajectory, hermite
+
+_STEP = 2e-3  # s between rows: at 20 m/s² a straight line between them is 0.01 mm off
+_MOST_ROWS = 20_000
+_MOST_POINTS = 4_000  # of a drawn path
+_BEAM, _PLATE = (0.26, 0.1), (0.34, 0.03)  # m, width and height of the rail's beam and of the carriage's plate
+_BONE = 0.035  # m, radius of a link of which no shape is known
+
+
+@dataclass(frozen=True)
+class ScenePoint:
+    """A point of the program: its name, position in the world [m], and place in the text ("line.mod:41")."""
+
+    name: str
+    position: tuple[float, float, float]
+    place: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Cycle:
+    """A motion to play. t (n,) [s] from 0; q (n, k) as the robot's axes [rad, m].
+
+    tools: X_FT (4, 4) from a time [s] on, the first from the start. driven: from when to when [s] the tool is on lines
+    and arcs, drawn stronger; none for a motion that has no such parts.
+    """
+
+    name: str
+    t: Array
+    q: Array
+    tools: tuple[tuple[float, Array], ...] = field(default_factory=lambda: ((0.0, np.eye(4)),))
+    driven: tuple[tuple[float, float], ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "t", readonly(self.t))
+        object.__setattr__(self, "q", readonly(self.q))
+        if self.t.ndim != 1 or self.q.ndim != 2 or len(self.t) != len(self.q) or not len(self.t):
+            raise ValueError(f"cycle '{self.name}': t {self.t.shape} and q {self.q.shape}, wanted (n,) and (n, k)")
+
+
+def plan_cycle(name: str, program: Program, plan: Plan) -> Cycle:
+    """A plan of a program as a cycle, with the tool in force at every time."""
+    tools: list[tuple[float, Array]] = []
+    driven: list[tuple[float, float]] = []
+    for planned in plan.motions:
+        motion = program.motions[planned.index]
+        if planned.dropped or not isinstance(motion, MoveJ | MoveL | MoveC | MoveAbsJ):
+            continue
+        if not tools or not np.array_equal(tools[-1][1], motion.tool.X_FT):
+            tools.append((planned.t_0 if tools else 0.0, motion.tool.X_FT))
+        if isinstance(motion, MoveL | MoveC) and planned.t_1 > planned.t_0:
+            if driven and driven[-1][1] == planned.t_0:
+                driven[-1] = (driven[-1][0], planned.t_1)
+            else:
+                driven.append((planned.t_0, planned.t_1))
+    t, q = _sampled(plan.trajectory)
+    return Cycle(name, t, q, tuple(tools) or ((0.0, np.eye(4)),), tuple(driven))
+
+
+def program_points(program: Program, plan: Plan, plant: Plant) -> list[ScenePoint]:
+    """The targets that a plan's moves lead to, as programmed; each name at each position once."""
+    out: dict[tuple[str, tuple[float, ...]], ScenePoint] = {}
+    for planned in plan.motions:
+        motion = program.motions[planned.index]
+        if planned.dropped or not isinstance(motion, MoveJ | MoveL | MoveC | MoveAbsJ):
+            continue
+        X_WT = motion.X_WT if not isinstance(motion, MoveAbsJ) else plant.robot.forward(planned.q_1) @ motion.tool.X_FT
+        x, y, z = (round(float(value), 6) for value in X_WT[:3, 3])
+        out.setdefault(
+            (motion.target, (x, y, z)),
+            ScenePoint(motion.target, (x, y, z), str(motion.source)),
+        )
+    return list(out.values())
+
+
+def plant_scene(plant: Plant, points: Iterable[ScenePoint], cycles: Sequence[Cycle]) -> dict[str, Any]:
+    """The scene of a cell: robot, rail with its carriage, obstacles, what the flange carries.
+
+    Arrays are NumPy's, float32; page.encode writes them as blocks.
+    """
+    rail = plant.layout.rail
+    stroke = (float(plant.limits.lower[0]), float(plant.limits.upper[0])) if rail.stop > rail.start else None
+    obstacles = [solid.shape for solid in plant.obstacles]
+    carried = [solid.shape for solid in plant.attached]
+    return robot_scene(plant.robot, points, cycles, obstacles, carried, stroke)
+
+
+def robot_scene(
+    robot: RobotModel | SrsRobot,
+    points: Iterable[ScenePoint],
+    cycles: Sequence[Cycle],
+    obstacles: Iterable[Shape | MeshFile] = (),
+    carried: Iterable[Shape | MeshFile] = (),
+    stroke: tuple[float, float] | None = None,
+) -> dict[str, Any]:
+    """The scene of any robot. obstacles: shapes in the world, carried: in the flange frame, meshes loaded.
+
+    stroke: lowest and highest rail position [m], None without a rail. Arrays are NumPy's, float32.
+    """
+    chain, frames = _chain(robot)
+    base = robot.X_WR if isinstance(robot, RobotModel) else robot.X_WB
+    bodies = [_shape(capsule) | {"link": frames[link], "role": "link"} for link, capsule in robot.capsules.items()]
+    bodies = bodies or _bones(chain)
+    bodies += [_shape(shape) | {"link": len(chain) - 1, "role": "tool"} for shape in carried]
+    static = [_shape(shape) | {"role": "obstacle"} for shape in obstacles]
+    if stroke is not None and isinstance(robot, RobotModel):
+        beam, plate = _rail(robot, stroke)
+        static.append(_shape(beam) | {"role": "rail"})
+        bodies.append(_shape(plate) | {"link": frames[robot.link_names[0]], "role": "carriage"})
+    return {
+        "chain": chain,
+        "bodies": bodies,
+        "static": static,
+        "points": [{"name": one.name, "position": list(one.position), "place": one.place} for one in points],
+        "tool": _flat(cycles[0].tools[0][1]) if cycles else _flat(np.eye(4)),
+        "base": _flat(base),
+        "axes": list(robot.axis_names),
+        "cycles": [_cycle(robot, one) for one in cycles],
+    }
+
+
+def _chain(robot: RobotModel | SrsRobot) -> tuple[list[dict[str, Any]], dict[str, int]]:
+    """The chain from the base to the flange, and the frame of every link by name."""
+    chain, frames = [], {}
+    if isinstance(robot, RobotModel):
+        if robot.rail_axis is not None:
+            axis = robot.rail_axis.tolist()
+            chain.append(
+                {"name": robot.axis_names[0], "placement": _flat(np.eye(4)), "kind": "prismatic", "axis": axis}
+            )
+        chain.append({"name": robot.link_names[0], "placement": _flat(robot.X_RB), "kind": "fixed", "axis": [0, 0, 0]})
+    frames[robot.link_names[0]] = len(chain) - 1
+    for joint in robot.chain:
+        chain.append(
+            {
+                "name": joint.name,
+                "placement": _flat(joint.X),
+                "kind": joint.kind,
+                "axis": np.asarray(joint.axis).tolist(),
+            }
+        )
+        frames[joint.child] = len(chain) - 1
+    return chain, frames
+
+
+def _bones(chain: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Rods from each joint to the next, for a robot of whose links nothing else is known."""
+    out = []
+    for i, joint in enumerate(chain):
+        end = np.reshape(joint["placement"], (4, 4))[:3, 3]
+        if joint["kind"] != "prismatic" and np.any(end):
+            rod = Capsule(f"to {joint['name']}", np.zeros(3), end, _BONE)
+            out.append(_shape(rod) | {"link": i - 1, "role": "link"})
+    return out
+
+
+def _rail(robot: RobotModel, stroke: tuple[float, float]) -> tuple[Box, Box]:
+    """The rail's beam in the world, and the carriage's plate in the frame of the arm's base.
+
+    No robot file says how large they are: the beam is as long as the stroke and the plate, and stands under the base.
+    """
+    assert robot.rail_axis_W is not None
+    along = robot.rail_axis_W
+    up = robot.X_WB0[:3, 2] - (robot.X_WB0[:3, 2] @ along) * along
+    if np.linalg.norm(up) < 0.1:  # the arm's base looks along the rail
+        up = robot.X_WB0[:3, 0] - (robot.X_WB0[:3, 0] @ along) * along
+    up = up / np.linalg.norm(up)
+    R = np.column_stack([along, np.cross(up, along), up])
+    (width, height), (plate, thick) = _BEAM, _PLATE
+    beam, carriage = np.eye(4), np.eye(4)
+    beam[:3, :3] = R
+    middle = robot.X_WB0[:3, 3] + along * (stroke[0] + stroke[1]) / 2
+    beam[:3, 3] = middle - up * (thick + height / 2)
+    R_BW = robot.X_WB0[:3, :3].T
+    carriage[:3, :3] = R_BW @ R
+    carriage[:3, 3] = -R_BW @ up * thick / 2
+    length = stroke[1] - stroke[0] + plate
+    return Box("rail", np.array([length, width, height]), beam), Box(
+        "carriage", np.array([plate, plate, thick]), carriage
+    )
+
+
+def _shape(shape: Shape | MeshFile) -> dict[str, Any]:
+    match shape:
+        case Capsule():
+            return {
+                "kind": "capsule",
+                "name": shape.name,
+                "a": shape.a.tolist(),
+                "b": shape.b.tolist(),
+                "radius": float(shape.radius),
+            }
+        case Box():
+            return {"kind": "box", "name": shape.name, "size": shape.size.tolist(), "X": _flat(shape.X)}
+        case Mesh():
+            return {
+                "kind": "mesh",
+                "name": shape.name,
+                "vertices": shape.vertices.astype(np.float32),
+                "triangles": shape.triangles.astype(np.float32),
+                "X": _flat(shape.X),
+            }
+    raise TypeError(f"{type(shape).__name__} is no shape that is loaded")
+
+
+def _cycle(robot: RobotModel | SrsRobot, cycle: Cycle) -> dict[str, Any]:
+    every = max(1, -(-len(cycle.t) // _MOST_POINTS))
+    rows = np.unique(np.r_[0 : len(cycle.t) : every, len(cycle.t) - 1])
+    X_WT = robot.forward(cycle.q[rows])
+    starts = [start for start, _ in cycle.tools]
+    which = np.maximum(np.searchsorted(starts, cycle.t[rows], side="right") - 1, 0)
+    X_FT = np.array([tool for _, tool in cycle.tools])[which]
+    path = (X_WT @ X_FT)[:, :3, 3]
+    return {
+        "name": cycle.name,
+        "t": cycle.t.astype(np.float32),
+        "q": cycle.q.astype(np.float32),
+        "path": path.astype(np.float32),
+        "path_t": cycle.t[rows].astype(np.float32),
+        "tools": [{"t": start, "X": _flat(tool)} for start, tool in cycle.tools],
+        "driven": [list(span) for span in cycle.driven],
+    }
+
+
+def _sampled(trajectory: Trajectory) -> tuple[Array, Array]:
+    """Times from 0 (n,) and positions (n, k), close enough for straight lines in between: rows and steps."""
+    t, last = trajectory.t, float(trajectory.t[-1])
+    step = max(_STEP, trajectory.duration / _MOST_ROWS)
+    if trajectory.qd is None or len(t) < 2:
+        return t - t[0], np.asarray(trajectory.q)
+    count = max(int(np.ceil(trajectory.duration / step)), 1)
+    times = np.linspace(float(t[0]), last, count + 1)
+    return times - t[0], hermite(trajectory, times)[0]
+
+
+def _flat(X: Array) -> list[float]:
+    return [float(value) for value in np.asarray(X).ravel()]
