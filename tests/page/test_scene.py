@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from base64 import b64decode
 from dataclasses import replace
 from typing import Any
 
@@ -17,6 +18,10 @@ from trajopt_cli.shapes import Box, Capsule, Mesh, Solid
 
 X_FT = pose(rotation_about([0, 1, 0], 0.4), [0.05, -0.02, 0.12])
 PLACE = pose(rotation_about([1, 0, 0], 0.6) @ rotation_about([0, 0, 1], -0.8), [-0.1, 0.2, 0.3])
+
+
+def unpacked(block: dict[str, Any]) -> Array:
+    return np.frombuffer(b64decode(block["f32"]), "<f4").reshape(block["shape"]).astype(np.float64)
 
 
 def frames(scene: dict[str, Any], q: Array) -> list[Array]:
@@ -58,13 +63,14 @@ def test_chain_and_links_stand_where_pin_has_them(name: str) -> None:
             np.testing.assert_array_equal(body["a"], robot.capsules[body["name"]].a)
         X_WT = links[robot.link_names[-1]][i] @ flange @ X_FT
         np.testing.assert_allclose(found[-1] @ np.reshape(scene["tool"], (4, 4)), X_WT, atol=1e-12)
-        np.testing.assert_allclose(scene["cycles"][0]["path"][i], X_WT[:3, 3], atol=1e-6)
+        np.testing.assert_allclose(unpacked(scene["cycles"][0]["path"])[i], X_WT[:3, 3], atol=1e-6)
 
 
 def test_the_path_changes_tools_when_the_program_does() -> None:
     robot = plant_without_rail().robot
     t, q = np.arange(5.0), np.tile([0.1, 0.2, 0.3, 0.4, 0.5, 0.6], (5, 1))
-    path = robot_scene(robot, [], [Cycle("one", t, q, ((0.0, np.eye(4)), (2.0, X_FT)))])["cycles"][0]["path"]
+    scene = robot_scene(robot, [], [Cycle("one", t, q, ((0.0, np.eye(4)), (2.0, X_FT)))])
+    path = unpacked(scene["cycles"][0]["path"])
     flange = robot.forward(q[0])
     for i, tool in enumerate([np.eye(4), np.eye(4), X_FT, X_FT, X_FT]):
         np.testing.assert_allclose(path[i], (flange @ tool)[:3, 3], atol=1e-6)
@@ -97,7 +103,7 @@ def test_obstacles_and_what_the_flange_carries() -> None:
         ("table", "box", "obstacle"),
         ("wedge", "mesh", "obstacle"),
     ]
-    np.testing.assert_array_equal(scene["static"][1]["triangles"], [[0, 1, 2]])
+    np.testing.assert_array_equal(unpacked(scene["static"][1]["triangles"]), [[0, 1, 2]])
     (torch,) = [one for one in scene["bodies"] if one["role"] == "tool"]
     assert torch["link"] == len(scene["chain"]) - 1
 

@@ -40,10 +40,11 @@ def document(
 
     title: plain text. head: HTML above the sections. data: what the scripts read, JSON; "clock": {"duration": s,
     "cycles": [{"name", "duration"}]} brings the transport, "charts" what elements with data-chart show (see charts.js),
-    "arrays" the blocks that charts name. scripts: of the folder assets, behind BASE, in order. Raises ValueError for
-    numbers that are not finite.
+    "arrays" the blocks that charts name. scripts: of the folder assets, behind BASE, in order; names in .css join the
+    style. Raises ValueError for numbers that are not finite.
     """
-    style, programs = asset("page.css"), [asset(name) for name in (*BASE, *scripts)]
+    style = "".join(asset(name) for name in ("page.css", *scripts) if name.endswith(".css"))
+    programs = [asset(name) for name in (*BASE, *scripts) if name.endswith(".js")]
     policy = "; ".join(
         (
             "default-src 'none'",

@@ -15,6 +15,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.motion import MoveAbsJ, MoveC, MoveJ, MoveL, Program
+from trajopt_cli.page.encode import block
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.model import RobotModel
@@ -22,10 +23,13 @@ from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.shapes import Box, Capsule, Mesh, MeshFile, Shape
 from trajopt_cli.trajectory import Trajectory, hermite
 
+SCRIPTS = ("view3d.css", "view3d_motion.js", "view3d_graphics.js", "view3d.js")
+"""What a page with a scene takes besides; an element with the attribute data-scene then shows it."""
+HOLDER = "<div data-scene></div>"
 _STEP = 2e-3  # s between rows: at 20 m/s² a straight line between them is 0.01 mm off
 _MOST_ROWS = 20_000
 _MOST_POINTS = 4_000  # of a drawn path
-_BEAM, _PLATE = (0.26, 0.1), (0.34, 0.03)  # m, width and height of the rail's beam and of the carriage's plate
+_BEAM, _PLATE = (0.3, 0.1), (0.42, 0.03)  # m, width and height of the rail's beam and of the carriage's plate
 _BONE = 0.035  # m, radius of a link of which no shape is known
 
 
@@ -95,10 +99,7 @@ def program_points(program: Program, plan: Plan, plant: Plant) -> list[ScenePoin
 
 
 def plant_scene(plant: Plant, points: Iterable[ScenePoint], cycles: Sequence[Cycle]) -> dict[str, Any]:
-    """The scene of a cell: robot, rail with its carriage, obstacles, what the flange carries.
-
-    Arrays are NumPy's, float32; page.encode writes them as blocks.
-    """
+    """The scene of a cell, for a page's data["scene"]: robot, rail with its carriage, obstacles, what the flange carries."""
     rail = plant.layout.rail
     stroke = (float(plant.limits.lower[0]), float(plant.limits.upper[0])) if rail.stop > rail.start else None
     obstacles = [solid.shape for solid in plant.obstacles]
@@ -116,7 +117,7 @@ def robot_scene(
 ) -> dict[str, Any]:
     """The scene of any robot. obstacles: shapes in the world, carried: in the flange frame, meshes loaded.
 
-    stroke: lowest and highest rail position [m], None without a rail. Arrays are NumPy's, float32.
+    stroke: lowest and highest rail position [m], None without a rail.
     """
     chain, frames = _chain(robot)
     base = robot.X_WR if isinstance(robot, RobotModel) else robot.X_WB
@@ -217,8 +218,8 @@ def _shape(shape: Shape | MeshFile) -> dict[str, Any]:
             return {
                 "kind": "mesh",
                 "name": shape.name,
-                "vertices": shape.vertices.astype(np.float32),
-                "triangles": shape.triangles.astype(np.float32),
+                "vertices": block(shape.vertices),
+                "triangles": block(shape.triangles),
                 "X": _flat(shape.X),
             }
     raise TypeError(f"{type(shape).__name__} is no shape that is loaded")
@@ -234,10 +235,10 @@ def _cycle(robot: RobotModel | SrsRobot, cycle: Cycle) -> dict[str, Any]:
     path = (X_WT @ X_FT)[:, :3, 3]
     return {
         "name": cycle.name,
-        "t": cycle.t.astype(np.float32),
-        "q": cycle.q.astype(np.float32),
-        "path": path.astype(np.float32),
-        "path_t": cycle.t[rows].astype(np.float32),
+        "t": block(cycle.t),
+        "q": block(cycle.q),
+        "path": block(path),
+        "path_t": block(cycle.t[rows]),
         "tools": [{"t": start, "X": _flat(tool)} for start, tool in cycle.tools],
         "driven": [list(span) for span in cycle.driven],
     }

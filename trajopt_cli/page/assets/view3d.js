@@ -8,13 +8,14 @@
   const { times, at, Motion, Camera, onScreen } = window.TrajoptView3DMotion;
   const { Graphics, triangles, reach } = window.TrajoptView3DGraphics;
   const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-  const COLORS = ["ground", "grid", "link", "link-2", "rail", "obstacle", "tool", "point", "path", "x", "y", "z"];
+  const COLORS = ["ground", "grid", "link", "link-2", "rail", "obstacle", "tool", "point", "x", "y", "z"];
+  const GAP = 6; // px between the cycles
   const NARROW = 640; // px: below, the cycles stand below each other
   const PATH = 3.2; // px, where driven on lines and arcs
   const NEAR = 14; // px from the pointer to a point that is meant
   const VIEWS = [["iso", "Iso"], ["front", "Front"], ["side", "Side"], ["top", "Top"]];
   const HELP =
-    "Drag to turn, with Shift to shift. With the view in focus: arrow keys turn, + and − or the wheel zoom, " +
+    "Drag to turn, with Shift to move. With the view in focus: arrow keys turn, + and − or the wheel zoom, " +
     "1 to 4 choose a view, 0 resets.";
 
   function make(tag, attributes = {}, ...children) {
@@ -42,6 +43,7 @@
       this.pick = options.pick || (() => {});
       this.cycles = scene.cycles.map((one) => new Motion(scene, one, this.decode));
       this.shown = this.cycles.map((_, i) => i).slice(0, 2);
+      this.foot = Math.min(...scene.bodies.filter((one) => one.role === "link").map((one) => one.link));
       this.time = 0;
       this.hover = null;
       this.held = -1;
@@ -49,7 +51,7 @@
       this.floor = extent.floor;
       this.size = extent.size;
       this.middle = extent.middle;
-      this.camera = new Camera(extent.corners, extent.along);
+      this.camera = new Camera(extent.points, extent.along);
       this.build(element);
       this.canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
       this.canvas.addEventListener("webglcontextrestored", () => this.start());
@@ -60,38 +62,37 @@
 
     // ------------------------------------------------------------------------------------------- what there is
 
-    // Corners of the boxes around all that is ever in sight, the floor's height, the horizontal axis along it.
+    // Points around all that is ever in sight, the floor's height, the horizontal axis along it.
     extent() {
-      const boxes = [];
-      const around = (points, radius) => {
-        const low = [0, 1, 2].map((i) => Math.min(...points.map((p) => p[i])) - radius);
-        const high = [0, 1, 2].map((i) => Math.max(...points.map((p) => p[i])) + radius);
-        boxes.push([low, high]);
+      const points = [];
+      const around = (inside, radius) => {
+        const low = [0, 1, 2].map((i) => Math.min(...inside.map((p) => p[i])) - radius);
+        const high = [0, 1, 2].map((i) => Math.max(...inside.map((p) => p[i])) + radius);
+        for (let k = 0; k < (radius ? 8 : 0); k++) points.push([0, 1, 2].map((i) => ((k >> i) & 1 ? high[i] : low[i])));
+        if (!radius) points.push(...inside);
       };
       const bodies = this.scene.bodies.map((one) => [one, ...reach(one, this.decode)]);
       for (const cycle of this.cycles) {
-        for (let k = 0; k <= 40; k++) {
-          const time = (cycle.end * k) / 40;
+        for (let k = 0; k <= 24; k++) {
+          const time = (cycle.end * k) / 24;
           const frames = cycle.frames(time);
           around([this.tcp(cycle, time)], 0.02);
-          for (const [body, points, radius] of bodies) {
-            around(points.map((p) => at(this.frame(frames, body.link), p)), radius);
+          for (const [body, inside, radius] of bodies) {
+            around(inside.map((p) => at(this.frame(frames, body.link), p)), radius);
           }
         }
         for (let i = 0; i + 2 < cycle.path.length; i += 30) around([Array.from(cycle.path.subarray(i, i + 3))], 0);
       }
       for (const one of this.scene.static) around(reach(one, this.decode)[0], 0);
       for (const one of this.scene.points) around([one.position], 0);
-      if (!boxes.length) around([[0, 0, 0]], 0.5);
-      const low = [0, 1, 2].map((i) => Math.min(...boxes.map((one) => one[0][i])));
-      const high = [0, 1, 2].map((i) => Math.max(...boxes.map((one) => one[1][i])));
+      if (!points.length) around([[0, 0, 0]], 0.5);
+      const low = [0, 1, 2].map((i) => points.reduce((least, p) => Math.min(least, p[i]), Infinity));
+      const high = [0, 1, 2].map((i) => points.reduce((most, p) => Math.max(most, p[i]), -Infinity));
       const stands = this.scene.static.filter((one) => one.role === "rail").flatMap((one) => reach(one, this.decode)[0]);
-      const floor = stands.length ? Math.min(...stands.map((p) => p[2])) : Math.min(this.scene.base[11], low[2]);
-      const corners = [];
-      for (let k = 0; k < 8; k++) corners.push([0, 1, 2].map((i) => ((k >> i) & 1 ? high[i] : low[i])));
+      const floor = stands.length ? Math.min(...stands.map((p) => p[2])) : this.scene.base[11];
       const size = Math.max(...high.map((v, i) => v - low[i]));
       const middle = high.map((v, i) => (v + low[i]) / 2);
-      return { corners, floor, size, middle, along: high[1] - low[1] > high[0] - low[0] ? 1 : 0 };
+      return { points, floor, size, middle, along: high[1] - low[1] > high[0] - low[0] ? 1 : 0 };
     }
 
     frame(frames, link) {
@@ -141,12 +142,18 @@
     // Names and times over the cycles.
     tag() {
       for (const one of this.tags || []) one.box.remove();
-      this.tags = this.shown.map((i) => {
+      this.tags = this.shown.map((i, k) => {
         const clock = make("span");
-        const box = make("div", { class: "v3d-tag", "aria-hidden": "true" }, make("b", {}, this.cycles[i].name), clock);
+        const name = make("b", { class: `key ${this.looks(k)}` }, this.cycles[i].name);
+        const box = make("div", { class: "v3d-tag", "aria-hidden": "true" }, name, clock);
         this.stage.append(box);
         return { box, clock };
       });
+    }
+
+    // The first of two is the one before, as in the charts.
+    looks(k) {
+      return this.shown.length > 1 && k === 0 ? "before" : "after";
     }
 
     start() {
@@ -174,6 +181,7 @@
       const style = getComputedStyle(document.documentElement);
       const read = (name) => rgb(style.getPropertyValue(name));
       this.ink = Object.fromEntries(COLORS.map((name) => [name, read(`--v3d-${name}`)]));
+      for (const name of ["before", "after", "paper"]) this.ink[name] = read(`--${name}`);
     }
 
     // Lines of the floor, fading outward, in pieces so that none passes behind the eye.
@@ -336,9 +344,9 @@
       const width = Math.max(this.stage.clientWidth, 1);
       const count = Math.max(this.shown.length, 1);
       const stacked = width < NARROW;
-      const one = stacked ? width : width / count;
+      const one = stacked ? width : (width - GAP * (count - 1)) / count;
       const tall = Math.round(Math.min(Math.max(one * 0.78, 240), 520));
-      const height = stacked ? tall * count : tall;
+      const height = stacked ? (tall + GAP) * count - GAP : tall;
       if (this.stage.style.height !== `${height}px`) this.stage.style.height = `${height}px`;
       const sharp = Math.min(window.devicePixelRatio || 1, 2);
       const [w, h] = [Math.round(width * sharp), Math.round(height * sharp)];
@@ -349,8 +357,8 @@
       this.sharp = sharp;
       this.ports = this.shown.map((cycle, k) => {
         const port = stacked
-          ? { x: 0, y: k * tall, width, height: tall }
-          : { x: k * one, y: 0, width: one, height: tall };
+          ? { x: 0, y: k * (tall + GAP), width, height: tall }
+          : { x: k * (one + GAP), y: 0, width: one, height: tall };
         return { ...port, cycle, look: this.camera.look(port.width, port.height) };
       });
       this.perPixel = this.ports.length ? this.ports[0].look.perPixel : 0;
@@ -360,7 +368,7 @@
       this.layout();
       if (this.graphics) this.clear();
       for (const [k, port] of this.ports.entries()) {
-        if (this.graphics) this.paint(port);
+        if (this.graphics) this.paint(port, this.ink[this.looks(k)]);
         else this.sketch(port, k);
         const cycle = this.cycles[port.cycle];
         const { box, clock } = this.tags[k];
@@ -374,7 +382,7 @@
     clear() {
       const gl = this.graphics.gl;
       gl.disable(gl.SCISSOR_TEST);
-      gl.clearColor(...this.ink.ground, 1);
+      gl.clearColor(...this.ink.paper, 1);
       gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
       gl.enable(gl.DEPTH_TEST);
       gl.enable(gl.BLEND);
@@ -382,12 +390,14 @@
       gl.enable(gl.SCISSOR_TEST);
     }
 
-    paint({ x, y, width, height, cycle, look }) {
+    paint({ x, y, width, height, cycle, look }, way) {
       const { graphics: g, ink, sharp } = this;
       const gl = g.gl;
       const box = [x * sharp, this.canvas.height - (y + height) * sharp, width * sharp, height * sharp].map(Math.round);
       gl.viewport(...box);
       gl.scissor(...box);
+      gl.clearColor(...ink.ground, 1);
+      gl.clear(gl.COLOR_BUFFER_BIT);
       const motion = this.cycles[cycle];
       const frames = motion.frames(this.time);
       const flange = frames[frames.length - 1];
@@ -395,7 +405,7 @@
       const port = [box[2], box[3]];
       const { both, view, projection } = look;
       const solid = (one, X, color, opacity = 1) => {
-        g.use(g.solid, { model: X, view, projection, color: [...color, opacity], lit: 1 });
+        g.use(g.solid, { model: X, view, projection, color: [...color, opacity], lit: 1, least: this.least(one) });
         g.draw(g.solid, one.buffer);
       };
       const stroke = (ribbons, X, color, width, opacity = 1, now = 1e9) => {
@@ -424,7 +434,7 @@
       for (const [how, opacity] of [[gl.GREATER, 0.22], [gl.LEQUAL, 1]]) {
         gl.depthFunc(how);
         gl.depthMask(how === gl.LEQUAL);
-        stroke(this.paths[cycle], IDENTITY, ink.path, PATH, opacity, this.time);
+        stroke(this.paths[cycle], IDENTITY, way, PATH, opacity, this.time);
       }
       dots(this.dots, IDENTITY, ink.point, 9);
       gl.depthMask(false);
@@ -434,11 +444,16 @@
       const scale = [length, 0, 0, 0, 0, length, 0, 0, 0, 0, length, 0, 0, 0, 0, 1];
       gl.disable(gl.DEPTH_TEST);
       this.triad.forEach((axis, i) => stroke(axis, times(X_WT, scale), ink["xyz"[i]], 3));
-      dots(this.spot, X_WT, ink.path, 8);
+      dots(this.spot, X_WT, way, 8);
       gl.enable(gl.DEPTH_TEST);
     }
 
-    // A turn and a stretch that bring the unit rod along z from the flange to the tool's point; null where they meet.
+    // The capsule of the arm's base is larger than the base; what of it lies below the mounting plane is not drawn.
+    least(one) {
+      return one.role === "link" && one.link === this.foot ? 0 : -1e9;
+    }
+
+    // What brings the unit rod along z from the flange to the tool's point; null where they meet.
     rodTo(X_FT) {
       const p = [X_FT[3], X_FT[7], X_FT[11]];
       return Math.hypot(...p) > 1e-4 ? [1, 0, p[0], 0, 0, 1, p[1], 0, 0, 0, p[2], 0, 0, 0, 0, 1] : null;
@@ -452,7 +467,7 @@
       gl.stencilFunc(gl.EQUAL, 0, 255);
       gl.stencilOp(gl.KEEP, gl.KEEP, gl.INCR);
       for (const [one, X] of links) {
-        const uniforms = { model: times(down, X), view, projection, color: [0, 0, 0, 0.13], lit: 0 };
+        const uniforms = { model: times(down, X), view, projection, color: [0, 0, 0, 0.13], lit: 0, least: this.least(one) };
         this.graphics.use(this.graphics.solid, uniforms);
         this.graphics.draw(this.graphics.solid, one.buffer);
       }
@@ -486,7 +501,7 @@
       }
       const path = [];
       for (let i = 0; i + 2 < motion.path.length; i += 3) path.push(Array.from(motion.path.subarray(i, i + 3)));
-      line(path, this.ink.path, 1);
+      line(path, this.ink[this.looks(k)], 1);
       line(frames, this.ink.link, 7);
       line([frames[frames.length - 1], this.tcp(motion, this.time)], this.ink.tool, 3);
     }

@@ -109,10 +109,13 @@ window.TrajoptView3DGraphics = (() => {
 
   const SOLID = [
     `attribute vec3 position, normal; uniform mat4 model, view, projection; varying vec3 n, p;
-    void main() { vec4 q = view * (model * vec4(position, 1.0)); p = q.xyz;
+    varying float height;
+    void main() { height = position.z; vec4 q = view * (model * vec4(position, 1.0)); p = q.xyz;
       n = mat3(view) * (mat3(model) * normal); gl_Position = projection * q; }`,
-    `precision mediump float; uniform vec4 color; uniform float lit; varying vec3 n, p;
-    void main() { vec3 N = normalize(n), V = normalize(-p); if (dot(N, V) < 0.0) N = -N;
+    `precision mediump float; uniform vec4 color; uniform float lit, least; varying vec3 n, p;
+    varying float height;
+    void main() { if (height < least) discard;
+      vec3 N = normalize(n), V = normalize(-p); if (dot(N, V) < 0.0) N = -N;
       float light = 0.66 + 0.4 * max(dot(N, normalize(vec3(-0.35, 0.75, 0.55))), 0.0);
       float edge = pow(1.0 - max(dot(N, V), 0.0), 3.0);
       gl_FragColor = vec4(mix(color.rgb, color.rgb * light * (1.0 - 0.28 * edge), lit), color.a); }`,

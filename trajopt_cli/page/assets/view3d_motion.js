@@ -107,8 +107,10 @@ window.TrajoptView3DMotion = (() => {
   }
 
   class Camera {
-    constructor(corners, along) {
-      this.corners = corners;
+    // points: all that should be in sight; along: the horizontal axis that the front view has across the page.
+    constructor(points, along) {
+      this.points = points;
+      this.fits = new Map();
       this.front = along === 1 ? 0 : -Math.PI / 2;
       this.preset("iso");
     }
@@ -131,6 +133,30 @@ window.TrajoptView3DMotion = (() => {
       this.zoom = Math.min(Math.max(this.zoom * factor, 0.3), 12);
     }
 
+    // Least distance from which all points lie within the field, and where the eye then stands across.
+    fit(right, up, back, aspect, tall) {
+      const key = `${this.azimuth} ${this.elevation} ${aspect}`;
+      if (!this.fits.has(key)) {
+        let [left, most, low, top, near, far, sum] = [Infinity, -Infinity, Infinity, -Infinity, Infinity, -Infinity, 0];
+        for (const p of this.points) {
+          const [x, y, d] = [dot(right, p), dot(up, p), dot(back, p)];
+          // |x - middle| <= (distance - d) tall aspect for every point, from both sides; the same for y
+          left = Math.min(left, x - d * tall * aspect);
+          most = Math.max(most, x + d * tall * aspect);
+          low = Math.min(low, y - d * tall);
+          top = Math.max(top, y + d * tall);
+          near = Math.min(near, -d);
+          far = Math.max(far, -d);
+          sum += d;
+        }
+        const distance = Math.max((most - left) / (2 * tall * aspect), (top - low) / (2 * tall));
+        const middle = [(left + most) / 2, (low + top) / 2];
+        if (this.fits.size > 8) this.fits.clear();
+        this.fits.set(key, { distance, middle, focus: sum / this.points.length, near, far });
+      }
+      return this.fits.get(key);
+    }
+
     // View and projection for a viewport [px]; everything is in sight where nobody has zoomed.
     look(width, height) {
       const [ce, se] = [Math.cos(this.elevation), Math.sin(this.elevation)];
@@ -140,22 +166,7 @@ window.TrajoptView3DMotion = (() => {
       const up = cross(back, right);
       const aspect = width / height;
       const tall = Math.tan(FIELD / 2);
-      const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-      // The rays to all corners lie within the field: least distance by the sides, middle by the two that bind.
-      let [left, most, low, top, near, far] = [Infinity, -Infinity, Infinity, -Infinity, Infinity, -Infinity];
-      for (const p of this.corners) {
-        const [x, y, d] = [dot(right, p), dot(up, p), dot(back, p)];
-        left = Math.min(left, x - d * tall * aspect);
-        most = Math.max(most, x + d * tall * aspect);
-        low = Math.min(low, y - d * tall);
-        top = Math.max(top, y + d * tall);
-        near = Math.min(near, -d);
-        far = Math.max(far, -d);
-      }
-      // x - c + d a t <= D a t for all corners, from both sides: D and c as if each side alone bound.
-      const distance = Math.max((most - left) / (2 * tall * aspect), (top - low) / (2 * tall));
-      const middle = [(left + most) / 2, (low + top) / 2];
-      const focus = this.corners.reduce((sum, p) => sum + dot(back, p), 0) / this.corners.length;
+      const { distance, middle, focus, near, far } = this.fit(right, up, back, aspect, tall);
       const away = focus + (1.06 * (distance - focus)) / this.zoom;
       const eye = [0, 1, 2].map(
         (i) =>
@@ -172,6 +183,10 @@ window.TrajoptView3DMotion = (() => {
       ];
       return { view, projection, both: times(projection, view), perPixel: (2 * tall * (away - focus)) / height };
     }
+  }
+
+  function dot(a, b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   }
 
   // Where a world point is in a viewport [px from its top left], null behind the camera.
