@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -43,6 +44,27 @@ class Report:
     def legal(self) -> bool:
         """True when every legality finding passed."""
         return all(finding.passed for finding in self.findings)
+
+
+def nearest(findings: Iterable[Finding]) -> list[tuple[Finding, int]]:
+    """Of every check the case nearest to its limit, failed ones first, and how many cases it has; in their order."""
+    cases: dict[str, list[Finding]] = {}
+    for one in findings:
+        cases.setdefault(one.check, []).append(one)
+    return [(min(group, key=closeness), len(group)) for group in cases.values()]
+
+
+def good_side(finding: Finding) -> float:
+    """How far the value is on the good side; a limit from below is told by a case that passed under it."""
+    lower = finding.passed and finding.margin < -1e-6 * abs(finding.limit)
+    return abs(finding.margin) if lower else finding.margin if finding.passed else -abs(finding.margin)
+
+
+def closeness(finding: Finding) -> tuple[bool, float]:
+    """Failed cases first, then by margin relative to the limit."""
+    margin = good_side(finding)
+    relative = margin / abs(finding.limit) if finding.limit else margin
+    return finding.passed, relative if math.isfinite(relative) else -math.inf
 
 
 def finding_record(finding: Finding) -> dict[str, Any]:

@@ -12,10 +12,10 @@ from small_cells import plant_with_rail, rapid
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize import optimize
+from trajopt_cli.problem.course import Course, follow
 from trajopt_cli.problem.freedom import AS_WRITTEN
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.report import in_space, over_time, style
-from trajopt_cli.report.course import Course, follow
 from trajopt_cli.report.names import by_place
 
 BODY = """MoveJ p_in, v2500, z50, tool0;

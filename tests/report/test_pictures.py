@@ -15,10 +15,11 @@ import numpy as np
 import pytest
 from drawn_plans import PAUSE, TOOL, Drawn, drawn
 
+from trajopt_cli.problem.course import Course, follow
 from trajopt_cli.report import in_space, over_time, style
 from trajopt_cli.report.bars import comparison, comparison_figure, savings, savings_figure
-from trajopt_cli.report.course import Course, follow, skeleton
 from trajopt_cli.report.pictures import PICTURES, draw
+from trajopt_cli.report.skeleton import skeleton
 
 RAIL, BARE = drawn(rail=True), drawn(rail=False)
 

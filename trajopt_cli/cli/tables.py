@@ -10,7 +10,7 @@ from rich.table import Table
 
 from trajopt_cli.cli.layout import place, plain_table
 from trajopt_cli.cli.listing import shortened
-from trajopt_cli.findings import Finding, Report
+from trajopt_cli.findings import Finding, Report, good_side, nearest
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.pipeline.optimise import Optimised
 from trajopt_cli.problem.constant_speed import DIP, Dip, Stretch, Why
@@ -143,37 +143,21 @@ def _findings(title: str, findings: tuple[Finding, ...], everything: bool) -> Ta
     table = plain_table(
         title, "check", ">cases", "of", ">worst value", ">limit", ">margin", "unit", ">time [s]", "place", ""
     )
-    cases: dict[str, list[Finding]] = {}
-    for i, one in enumerate(findings):
-        cases.setdefault(f"{one.check} {i}" if everything else one.check, []).append(one)
-    for group in cases.values():
-        worst = min(group, key=_closeness)
+    shown = [(one, 1) for one in findings] if everything else nearest(findings)
+    for worst, count in shown:
         table.add_row(
             worst.check,
-            str(len(group)),
+            str(count),
             worst.subject,
             _figure(worst.value, 6),
             _figure(worst.limit, 6),
-            _figure(_margin(worst), 3),
+            _figure(good_side(worst), 3),
             worst.unit,
             "" if worst.time is None else f"{worst.time:.4f}",
             place(worst.source),
             "ok" if worst.passed else "NO",
         )
     return table
-
-
-def _margin(finding: Finding) -> float:
-    """How far the value is on the good side; a limit from below is told by a case that passed under it."""
-    lower = finding.passed and finding.margin < -1e-6 * abs(finding.limit)
-    return abs(finding.margin) if lower else finding.margin if finding.passed else -abs(finding.margin)
-
-
-def _closeness(finding: Finding) -> tuple[bool, float]:
-    """Failed cases first, then by margin relative to the limit."""
-    margin = _margin(finding)
-    relative = margin / abs(finding.limit) if finding.limit else margin
-    return finding.passed, relative if math.isfinite(relative) else -math.inf
 
 
 def _figure(value: float, digits: int) -> str:

@@ -116,11 +116,12 @@ def all_three(
     jobs: int,
     asked: Mapping[Target, Objective],
     kept: Mapping[Target, RowsFile],
+    kept_written: RowsFile | None = None,
 ) -> tuple[dict[Target, Judged | Infeasible | NoPlan], Plan | str, float | None]:
     """Both targets with what is asked of them, the program as written, and what the chain takes [s] that the rapid plan
     began with, in up to `jobs` processes. A stream that cannot be done ends the run at once. A plan that collides, or
     that the judge rejects, gives way to the next one that may change less and is legal. kept: where the rows of each
-    target go."""
+    target go; kept_written: those of the program as written, of which else the first and the last alone are known."""
     from trajopt_cli.optimize import Memory
 
     stream, rapid = Target.STREAM, Target.RAPID
@@ -143,7 +144,7 @@ def all_three(
         if not isinstance(answer, Judged):
             return answer, "", None, own.seconds
         tell(Progress("as written", answer.plan.duration, answer.plan.lower_bound))
-        written = as_written(job, changes[rapid], own, memory)
+        written = as_written(job, changes[rapid], own, memory, kept_written)
         if isinstance(written, Plan):
             if not answer.report.legal:
                 note = f"the plan is the program as written: a faster one {forbidden(answer)}"
@@ -184,6 +185,8 @@ def all_three(
                 return {stream: first}, "", None
             found, written, estimate, seconds = beside.answer()
     clock.seconds |= seconds
+    if isinstance(written, Plan) and kept_written is not None:
+        written = kept_written.kept(written)
     answer = Judged(kept[rapid].kept(found[0]), kept[rapid], found[1]) if isinstance(found, tuple) else found
     failure = None
     if isinstance(first, NoPlan):
@@ -338,10 +341,13 @@ def _judged(job: Job, plan: Plan, kept: RowsFile, clock: Clock) -> Judged:
         return Judged(plan, kept, report)
 
 
-def as_written(job: Job, changes: Changes, clock: Clock, memory: Memory) -> Plan | str:
+def as_written(
+    job: Job, changes: Changes, clock: Clock, memory: Memory, kept: RowsFile | None = None
+) -> Plan | str:
     """The program as it stands, driven by the RAPID controller under the same limits; or why it cannot be, one line.
 
-    The same question as that of the first row of `compare`. memory: legal motions that the rapid plan has found.
+    The same question as that of the first row of `compare`. memory: legal motions that the rapid plan has found. kept:
+    where its rows go.
     """
     from trajopt_cli.optimize import NoCleanPlan, optimize
 
@@ -354,7 +360,7 @@ def as_written(job: Job, changes: Changes, clock: Clock, memory: Memory) -> Plan
             return f"no plan found: {failure}"
         if isinstance(plan, Infeasible):
             return str(plan)
-        kept = RowsFile()
+        kept = kept or RowsFile()
         plan = kept.keep(plan)
         report = judge(job.plant, job.program, kept.text, "as written", (), Target.RAPID, advice=False)
     return plan if report.legal else f"not legal: {worst(report).message}"

@@ -12,10 +12,11 @@ from matplotlib.ticker import MaxNLocator
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import MoveC, MoveL, Wait
+from trajopt_cli.problem.course import Course, Leg
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.workspace import sections
-from trajopt_cli.report.course import Course, Leg, skeleton, wrist_section
 from trajopt_cli.report.names import by_place, name_places, short
+from trajopt_cli.report.skeleton import skeleton, wrist_section
 from trajopt_cli.report.style import (
     BLACK,
     BLUE,

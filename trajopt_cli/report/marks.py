@@ -10,7 +10,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from trajopt_cli.motion import Wait
-from trajopt_cli.report.course import Course
+from trajopt_cli.problem.course import Course
 from trajopt_cli.report.style import GREY, PALE
 
 WAIT = Patch(color=PALE, linewidth=0, label="wait")

@@ -11,11 +11,12 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.motion import MoveAbsJ, MoveExtJ, MoveJ, Wait
+from trajopt_cli.motion import Wait
+from trajopt_cli.problem.course import Course, programmed_speed, target_flange
 from trajopt_cli.problem.workspace import rail_ranges
-from trajopt_cli.report.course import Course, angles, target_flange
 from trajopt_cli.report.marks import PASSED, WAIT, mark_motions
 from trajopt_cli.report.names import name_times, spread
+from trajopt_cli.report.skeleton import angles
 from trajopt_cli.report.style import (
     AXIS_STYLES,
     BLACK,
@@ -131,7 +132,7 @@ def tcp_speed(course: Course) -> Figure:
     cap = course.plant.tcp.speed / MM
     bound = False
     for leg in course.legs:
-        value = programmed_speed(course, leg.motion)
+        value = programmed_speed(course.plant, leg.motion)
         if value is not None:
             bound = True
             axes.plot([leg.t_0, leg.t_1], [min(value / MM, cap)] * 2, color=VERMILLION, linewidth=2.2, gid="programmed")
@@ -146,15 +147,6 @@ def tcp_speed(course: Course) -> Figure:
         handles.append(Line2D([], [], color=VERMILLION, linewidth=2.2, label="programmed, at most the cap"))
     key(figure, course, handles)
     return named(course, figure, axes)
-
-
-def programmed_speed(course: Course, motion: object) -> float | None:
-    """The TCP speed [m/s] a motion is held to; None for waits, \\T, external axes and where the cell frees it."""
-    if isinstance(motion, Wait | MoveExtJ):
-        return None
-    if isinstance(motion, MoveJ | MoveAbsJ) and course.plant.free_speed:
-        return None
-    return None if motion.duration is not None else motion.speed.v_tcp  # type: ignore[attr-defined]
 
 
 def axis_speeds(course: Course) -> Figure:

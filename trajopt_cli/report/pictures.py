@@ -7,12 +7,12 @@ from collections.abc import Callable
 from matplotlib.figure import Figure
 
 from trajopt_cli.motion import Program
+from trajopt_cli.problem.course import Course, follow
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.stepwise import Analysis
 from trajopt_cli.report import in_space, over_time, steps
 from trajopt_cli.report.bars import comparison, savings
-from trajopt_cli.report.course import Course, follow
 from trajopt_cli.report.style import files, house_style
 
 __all__ = ["PICTURES", "comparison", "draw", "savings", "stepwise"]

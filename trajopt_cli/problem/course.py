@@ -1,4 +1,4 @@
-"""What the pictures of a plan are drawn from: everything over time, once, in SI."""
+"""What pictures and pages of a plan are drawn from: everything over time, once, in SI."""
 
 from __future__ import annotations
 
@@ -7,16 +7,14 @@ from functools import cached_property
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, BoolArray, inverse_pose, xyz_from_rotation
+from trajopt_cli.geometry import Array, BoolArray, inverse_pose
 from trajopt_cli.motion import MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL, Program, Wait
 from trajopt_cli.problem.corners import corners_of, passed_in
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.robot.arm import axes_and_points
 from trajopt_cli.trajectory import hermite
 
 _EDGE = 1 + 1e-6  # of a zone: its edge is inside
-_TURN = np.pi / 2  # rad between two samples: no angle moves so fast, it is the singularity of the three angles
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,30 +112,42 @@ class Course:
         return max(int(np.searchsorted(self.t, time, side="right")) - 1, 0)
 
 
-def follow(program: Program, plant: Plant, plan: Plan, title: str) -> Course:
-    """Sample a plan. title: the program's name for people. Raises ValueError for a trajectory without speeds."""
-    legs = _legs(program, plant, plan)
+def follow(program: Program, plant: Plant, plan: Plan, title: str, times: Array | None = None) -> Course:
+    """Sample a plan. title: the program's name for people. times (n,) [s]: inside it, in order; None for both ends of
+    every interval. Raises ValueError for a trajectory without speeds."""
+    legs = legs_of(program, plant, plan)
     rows = plan.trajectory.t
-    # The last number before a row still belongs to the interval that ends there.
-    t = np.column_stack([rows[:-1], np.nextafter(rows[1:], -np.inf)]).ravel()
-    t = np.append(t, rows[-1])
+    if times is None:
+        times = np.append(np.column_stack([rows[:-1], before(rows[1:])]).ravel(), rows[-1])
+    t = times
     q, qd, qdd = hermite(plan.trajectory, t)
     X_WF = plant.robot.forward(q)
     X_WT, V_WT = np.empty_like(X_WF), np.empty((len(t), 6))
-    for tool, part in _tools(legs, t):
+    for tool, part in _tools(legs, t, first_tool(program)):
         X_WT[part] = X_WF[part] @ tool
         V_WT[part] = (plant.robot.jacobian(q[part], tool) @ qd[part][..., None])[..., 0]
     below = f"{title} · target {plan.target.value} · cycle {plan.duration:.3f} s"
     return Course(program, plant, plan, below, legs, t, q, qd, qdd, X_WT, V_WT)
 
 
-def _legs(program: Program, plant: Plant, plan: Plan) -> tuple[Leg, ...]:
+def before(times: Array) -> Array:
+    """The last numbers before times: of a row, it still belongs to the interval that ends there."""
+    return np.nextafter(times, -np.inf)
+
+
+def first_tool(program: Program) -> Array:
+    """X_FT (4, 4) of the first move with a tool: a program may wait, or move external axes, before that; then that tool
+    counts from the start."""
+    tools = (m.tool.X_FT for m in program.motions if isinstance(m, MoveJ | MoveL | MoveC | MoveAbsJ))
+    return next(tools, np.eye(4))
+
+
+def legs_of(program: Program, plant: Plant, plan: Plan) -> tuple[Leg, ...]:
+    """The moves and waits of a plan that take time, in order."""
     legs: list[Leg] = []
     passed = passed_in(program, plant, plan)
     zones = corners_of(program, plant, {motion.index for motion in plan.motions if motion.dropped}).passed
-    # A program may wait, or move external axes, before its first tool: then that tool counts from the start.
-    tools = (m.tool.X_FT for m in program.motions if isinstance(m, MoveJ | MoveL | MoveC | MoveAbsJ))
-    X_FT = next(tools, np.eye(4))
+    X_FT = first_tool(program)
     for planned in plan.motions:
         motion = program.motions[planned.index]
         if planned.dropped or not isinstance(motion, MoveJ | MoveL | MoveC | MoveAbsJ | MoveExtJ | Wait):
@@ -150,10 +160,10 @@ def _legs(program: Program, plant: Plant, plan: Plan) -> tuple[Leg, ...]:
     return tuple(legs)
 
 
-def _tools(legs: tuple[Leg, ...], t: Array) -> list[tuple[Array, slice]]:
-    """Each tool and the samples it is in force for, without a gap."""
+def _tools(legs: tuple[Leg, ...], t: Array, first: Array) -> list[tuple[Array, slice]]:
+    """Each tool and the samples it is in force for, without a gap. first: where there are no legs."""
     if not legs:
-        return [(np.eye(4), slice(0, len(t)))]
+        return [(first, slice(0, len(t)))]
     cuts = [0, *(int(np.searchsorted(t, leg.t_0)) for leg in legs[1:]), len(t)]
     return [(leg.X_FT, slice(a, b)) for leg, a, b in zip(legs, cuts, cuts[1:], strict=False)]
 
@@ -165,26 +175,10 @@ def target_flange(leg: Leg) -> Array | None:
     return None
 
 
-def angles(X_WT: Array) -> Array:
-    """Intrinsic x-y'-z'' angles (n, 3) [rad] without jumps by whole turns; nan where they pass their singularity."""
-    out = np.unwrap(xyz_from_rotation(X_WT[:, :3, :3]), axis=0)
-    out[1:][(np.abs(np.diff(out, axis=0)) > _TURN).any(axis=1)] = np.nan
-    return out
-
-
-def wrist_section(plant: Plant, q: Array) -> Array:
-    """The wrist centre in the arm's own plane (n, 2) [m]: ahead of axis 1 and up, of axis positions q (n, k)."""
-    arm, q2, q23 = plant.robot.arm, q[:, -5], q[:, -5] + q[:, -4]
-    ahead = arm.a1 + arm.L2 * np.sin(q2) + arm.L4 * np.cos(q23)
-    return np.column_stack([ahead, arm.d1 + arm.L2 * np.cos(q2) - arm.L4 * np.sin(q23)])
-
-
-def skeleton(plant: Plant, q: Array, X_FT: Array) -> Array:
-    """Base, foot of joint 2, joints 2 and 3, wrist centre, flange, TCP: (7, 3) [m] in the world at q (k,)."""
-    robot = plant.robot
-    X_WB = robot.base(plant.layout.place(q))
-    points = axes_and_points(robot.arm, q[plant.layout.arm])[1].T  # (6, 3): a point on each axis, in the base frame
-    inside = np.array([[0.0, 0, 0], [0, 0, robot.arm.d1], points[1], points[2], points[4]])
-    X_WF = robot.forward(q)
-    chain = inside @ X_WB[:3, :3].T + X_WB[:3, 3]
-    return np.vstack([chain, X_WF[:3, 3], (X_WF @ X_FT)[:3, 3]])
+def programmed_speed(plant: Plant, motion: object) -> float | None:
+    """The TCP speed [m/s] a motion is held to; None for waits, \\T, external axes and where the cell frees it."""
+    if isinstance(motion, Wait | MoveExtJ):
+        return None
+    if isinstance(motion, MoveJ | MoveAbsJ) and plant.free_speed:
+        return None
+    return None if motion.duration is not None else motion.speed.v_tcp  # type: ignore[attr-defined]

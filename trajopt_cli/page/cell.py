@@ -1,0 +1,155 @@
+"""The parts that pages of a cell's motions have in common: cycles side by side, their charts, motions and source."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from trajopt_cli.page.cycles import (
+    MOST_REACHES,
+    Shown,
+    axes_data,
+    cycle_data,
+    files_of,
+    motions_data,
+    place,
+    programs_of,
+    reach_data,
+)
+from trajopt_cli.page.document import Section
+from trajopt_cli.page.encode import text
+from trajopt_cli.page.listing import sources_data
+from trajopt_cli.page.scene import HOLDER, SCRIPTS, plan_cycle, plant_scene, program_points
+from trajopt_cli.problem.plan import Plan
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.runs.results import motion_label
+
+SCRIPTS_OF_CELL = ("cycle.css", *SCRIPTS, "gantt.js", "cycle.js")
+MOST_MOTIONS = 2_000
+"""Motions in the table; summary.json has all of any program."""
+_HEADS = ("place", "instruction", "target")
+
+
+def cell_data(plant: Plant, shown: Sequence[Shown], at_first: Sequence[int], reach_of: Plan | None) -> dict[str, Any]:
+    """All that the scripts read. shown: the cycles, at_first: which one or two stand beside each other. The first
+    cycle's program is the user's; reach_of: a plan of it, for the reach of its points."""
+    programs, which = programs_of(shown)
+    files = files_of(programs)
+    user = programs[0]
+    points = [] if reach_of is None else program_points(user, reach_of, plant)
+    reach = None if reach_of is None else reach_data(plant, user, reach_of)
+    return {
+        "clock": {
+            "duration": max(one.plan.duration for one in shown),
+            "cycles": [{"name": one.name, "duration": one.plan.duration} for one in shown],
+            "shown": list(at_first),
+        },
+        "axes": axes_data(plant),
+        "cap": plant.tcp.speed,
+        "cycles": [cycle_data(plant, one, i) for one, i in zip(shown, which, strict=True)],
+        "programs": [motions_data(one, files) for one in programs],
+        "sources": sources_data(programs, files),
+        "reach": reach or {"ranges": {}, "asked": {}, "left_out": 0},
+        "scene": plant_scene(plant, points, [plan_cycle(one.name, one.program, one.plan) for one in shown]),
+    }
+
+
+def motion_section() -> Section:
+    """Rail, arm, path and obstacles, playing; motions and dwells over time."""
+    html = (
+        f'<div class="controls" id="choice"></div>{HOLDER}<div id="now"></div><figure class="chart" id="gantt"></figure>'
+    )
+    lead = (
+        "Play, or drag the slider below: both cycles, all charts and the lines of the program follow it. Space plays, "
+        "arrow keys step 10 ms, with Shift 100 ms, n and p go to the next and the previous motion."
+    )
+    return Section("motion", "Motion", html, lead)
+
+
+def program_section(shown: Sequence[Shown], at_first: Sequence[int]) -> Section:
+    """Per motion its times and what limits it, beside the program's text."""
+    first = [shown[i] for i in at_first]
+    html = (
+        f'<div class="pair">{_motions(first)}<div id="source" class="own-keys" role="region" tabindex="0" '
+        'aria-label="The program"></div></div>'
+    )
+    lead = "A click on a motion or on its line goes to its beginning. Beside the lines: what they save or cost."
+    return Section("program", "Motions and their lines", html, lead)
+
+
+def chart_sections(plant: Plant, data: Mapping[str, Any]) -> list[Section]:
+    """Axes against their limits, the rail, the tool's speed."""
+    rest = '<li class="swatch rest">wait</li>'
+    axes = Section(
+        "axes",
+        "Axes",
+        f'<div class="controls" id="axes-choice"></div><div class="charts" id="axes"></div><ul class="legend">{rest}</ul>',
+        "Drag over a chart to enlarge a stretch of time, in all charts at once; double click or key 0 shows the whole "
+        "cycle again. Keys + and −, pinching, Ctrl and the wheel zoom, too.",
+    )
+    speed = Section(
+        "speed",
+        "Tool speed",
+        '<figure class="chart" id="tcp-chart"></figure><ul class="legend"><li class="swatch speed">programmed, at most '
+        f"the cap</li>{rest}</ul>",
+    )
+    if not plant.robot.has_rail:
+        return [axes, speed]
+    more = data["reach"]["left_out"]
+    left_out = f" Of the first {MOST_REACHES} poses; {more} more moves have none." if more else ""
+    rail = Section(
+        "rail",
+        "Rail",
+        '<figure class="chart" id="rail-chart"></figure><ul class="legend"><li class="swatch reach">from there the '
+        'point is in reach</li><li class="swatch asked">as programmed</li>'
+        f"{rest}</ul>",
+        f"At the time each point is reached: from where on the rail the arm reaches it, joint limits kept.{left_out}",
+    )
+    return [axes, rail, speed]
+
+
+def seconds(value: float) -> str:
+    """Three digits, as all commands print."""
+    return f"{value:.3f}"
+
+
+def _motions(shown: Sequence[Shown]) -> str:
+    """The table; the scripts put other cycles' numbers into the same cells."""
+    user = shown[-1].program
+    two = len(shown) > 1
+    names = [*(f"{one.name} [s]" for one in shown), *(["saved [s]"] if two else []), f"what limits the {shown[-1].name}"]
+    found = [{m.index: m for m in one.plan.motions} for one in shown]
+    rows = []
+    moving = [m.index for m in shown[-1].plan.motions][:MOST_MOTIONS]
+    for index in moving:
+        planned = [one.get(index) for one in found]
+        spent = [None if m is None or m.dropped else m.t_1 - m.t_0 for m in planned]
+        cells = ["dropped" if m is not None and m.dropped else "–" if t is None else seconds(t)
+                 for m, t in zip(planned, spent, strict=True)]  # fmt: skip
+        if two:
+            cells.append("" if spent[0] is None else seconds(spent[0] - (spent[1] or 0.0)).replace("-", "−"))
+        instruction, target = motion_label(user, index)
+        source = user.motions[index].source
+        rows.append(
+            f'<tr data-motion="{index}"><td><button type="button">{text(place(source))}</button></td>'
+            f'<td>{text(instruction)}</td><td title="{text(target)}">{text(target)}</td>'
+            f"{''.join(map(_number, cells))}"
+            f"<td>{text(planned[-1].binding if planned[-1] else '')}</td></tr>"
+        )
+    ends = [seconds(one.plan.duration) for one in shown]
+    if two:
+        ends.append(seconds(shown[0].plan.duration - shown[1].plan.duration).replace("-", "−"))
+    head = "".join(f'<th scope="col">{name}</th>' for name in _HEADS)
+    head += "".join(f'<th scope="col" class="n">{text(name)}</th>' for name in names[:-1])
+    foot = "".join(map(_number, ends))
+    cut = f"; the first {MOST_MOTIONS} of them" if len(shown[-1].plan.motions) > MOST_MOTIONS else ""
+    return (
+        '<div class="scroll own-keys" id="motions" role="region" aria-label="Motions" tabindex="0"><table>'
+        f'<caption class="quiet">Every motion{cut}</caption><thead><tr>{head}<th scope="col">{text(names[-1])}</th></tr>'
+        f"</thead><tbody>{''.join(rows)}</tbody><tfoot><tr><td>cycle</td><td></td><td></td>{foot}<td></td></tr></tfoot>"
+        "</table></div>"
+    )
+
+
+def _number(value: str) -> str:
+    return f'<td class="n">{value}</td>'

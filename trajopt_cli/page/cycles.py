@@ -1,0 +1,196 @@
+"""Motions as a page plays and draws them: thinned rows, who moves when, and what the program asks for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import PurePath
+from typing import Any
+
+import numpy as np
+
+from trajopt_cli.findings import Report
+from trajopt_cli.motion import MoveC, MoveExtJ, MoveL, Program, SignalEvent, Source, Wait
+from trajopt_cli.page.encode import block
+from trajopt_cli.page.samples import sample_times
+from trajopt_cli.problem.course import Course, follow, programmed_speed, target_flange
+from trajopt_cli.problem.plan import Plan
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.problem.workspace import rail_ranges
+from trajopt_cli.runs.results import motion_label
+from trajopt_cli.trajectory import Trajectory
+from trajopt_cli.units import DEG, MM
+
+MOST_REACHES = 150
+"""Poses whose reach is worked out; a millisecond or two each."""
+
+
+@dataclass(frozen=True, eq=False)
+class Shown:
+    """A motion on a page. name: for people. program: what it carries out. plan: without motions where only its rows are
+    known. report: the judge's word, None where it was not asked."""
+
+    name: str
+    program: Program
+    plan: Plan
+    report: Report | None = None
+
+
+def programs_of(shown: Sequence[Shown]) -> tuple[list[Program], list[int]]:
+    """Each program once, and which of them a motion carries out."""
+    programs: list[Program] = []
+    which = []
+    for one in shown:
+        if not any(one.program is known for known in programs):
+            programs.append(one.program)
+        which.append(next(i for i, known in enumerate(programs) if known is one.program))
+    return programs, which
+
+
+def cycle_data(plant: Plant, one: Shown, program: int) -> dict[str, Any]:
+    """A motion as the page's scripts read it; program: index of its own. SI."""
+    plan = one.plan
+    ends = np.array([time for motion in plan.motions for time in (motion.t_0, motion.t_1)])
+    times = sample_times(plan.trajectory, plant.limits, ends)
+    course = follow(one.program, plant, plan, one.name, times)
+    legs = _legs(one.program, course) if course.legs else _rests(plan.trajectory)
+    return {
+        "name": one.name,
+        "target": plan.target.value,
+        "duration": plan.duration,
+        "program": program,
+        "t": block(times - plan.trajectory.t[0]),
+        "q": block(course.q),
+        "qd": block(course.qd),
+        "qdd": block(course.qdd),
+        "speed": block(np.linalg.norm(course.V_WT[:, :3], axis=1)),
+        "legs": legs,
+        "programmed": _programmed(course),
+    }
+
+
+def axes_data(plant: Plant) -> list[dict[str, Any]]:
+    """Every axis with its limits, and the unit it is shown in: 1 unit is `scale` SI."""
+    limits, rows = plant.limits, []
+    for k, name in enumerate(limits.names):
+        scale, unit = (MM, "mm") if name == "rail" else (DEG, "deg")
+        rows.append(
+            {
+                "name": name.replace("_", " "),
+                "unit": unit,
+                "scale": scale,
+                "lower": float(limits.lower[k]),
+                "upper": float(limits.upper[k]),
+                "velocity": float(limits.velocity[k]),
+                "acceleration": float(limits.acceleration[k]),
+            }
+        )
+    return rows
+
+
+def reach_data(plant: Plant, program: Program, plan: Plan) -> dict[str, Any] | None:
+    """From where on the rail each pose is in reach, by motion, and what the program asks of the rail; None without a
+    rail. Of a long program the first MOST_REACHES poses."""
+    if not plant.robot.has_rail:
+        return None
+    course = follow(program, plant, plan, "", plan.trajectory.t[[0, -1]])
+    indices = {id(program.motions[m.index]): m.index for m in plan.motions}
+    known: dict[bytes, list[list[float]]] = {}
+    ranges: dict[int, list[list[float]]] = {}
+    asked: dict[int, float] = {}
+    left_out = 0
+    for leg in course.moves:
+        index = indices[id(leg.motion)]
+        assert not isinstance(leg.motion, Wait)
+        value = plant.rail_value(leg.motion.extax)
+        if value is not None:
+            asked[index] = value
+        X_WF = target_flange(leg)
+        if X_WF is None:
+            continue
+        key = np.round(X_WF, 9).tobytes()
+        if key not in known:
+            if len(known) == MOST_REACHES:
+                left_out += 1
+                continue
+            known[key] = rail_ranges(plant, X_WF).tolist()
+        ranges[index] = known[key]
+    return {"ranges": ranges, "asked": asked, "left_out": left_out}
+
+
+def files_of(programs: Iterable[Program]) -> list[str]:
+    """The paths of all files, each once, as data of motions name them by index."""
+    return list(dict.fromkeys(path for one in programs for path in one.files))
+
+
+def motions_data(program: Program, files: Sequence[str]) -> dict[str, list[Any]]:
+    """A program's motions in columns; files: of files_of."""
+    known = {path: i for i, path in enumerate(files)}
+    labels = [motion_label(program, i) for i in range(len(program.motions))]
+    return {
+        "instruction": [one for one, _ in labels],
+        "target": [target for _, target in labels],
+        "file": [known.get(motion.source.file, -1) for motion in program.motions],
+        "line": [motion.source.line for motion in program.motions],
+        "place": [place(motion.source) for motion in program.motions],
+    }
+
+
+def place(source: Source | None) -> str:
+    """The file's name and the line."""
+    return f"{PurePath(source.file).name}:{source.line}" if source else ""
+
+
+def kind_of(motion: object) -> str:
+    """Which colour a motion has: "line", "arc", "joint", "rail" or "wait"."""
+    match motion:
+        case Wait() | SignalEvent():
+            return "wait"
+        case MoveL():
+            return "line"
+        case MoveC():
+            return "arc"
+        case MoveExtJ():
+            return "rail"
+    return "joint"
+
+
+def _legs(program: Program, course: Course) -> dict[str, list[Any]]:
+    begins = {motion.t_0: motion for motion in course.plan.motions if motion.t_1 > motion.t_0}
+    planned = [begins[leg.t_0] for leg in course.legs]
+    start = float(course.plan.trajectory.t[0])
+    return {
+        "index": [motion.index for motion in planned],
+        "from": [leg.t_0 - start for leg in course.legs],
+        "to": [leg.t_1 - start for leg in course.legs],
+        "kind": [kind_of(leg.motion) for leg in course.legs],
+        "binding": [motion.binding for motion in planned],
+        "passed": [int(leg.passed) for leg in course.legs],
+    }
+
+
+def _rests(rows: Trajectory) -> dict[str, list[Any]]:
+    """Of a motion known by its rows alone: when any axis moves, and when all rest."""
+    assert rows.qd is not None
+    still = (rows.qd[:-1] == 0).all(axis=1) & (rows.qd[1:] == 0).all(axis=1) & (np.diff(rows.q, axis=0) == 0).all(axis=1)
+    cuts = np.r_[0, np.flatnonzero(np.diff(still.astype(int))) + 1, len(still)]
+    spans = [(int(a), int(b)) for a, b in zip(cuts, cuts[1:], strict=False) if b > a]
+    return {
+        "index": [-1] * len(spans),
+        "from": [float(rows.t[a] - rows.t[0]) for a, _ in spans],
+        "to": [float(rows.t[b] - rows.t[0]) for _, b in spans],
+        "kind": ["wait" if still[a] else "joint" for a, _ in spans],
+        "binding": [""] * len(spans),
+        "passed": [0] * len(spans),
+    }
+
+
+def _programmed(course: Course) -> list[list[float]]:
+    """From, to [s] and the TCP speed [m/s] that the program gives, at most the cap."""
+    start, cap = float(course.plan.trajectory.t[0]), course.plant.tcp.speed
+    out = []
+    for leg in course.legs:
+        speed = programmed_speed(course.plant, leg.motion)
+        if speed is not None:
+            out.append([leg.t_0 - start, leg.t_1 - start, min(speed, cap)])
+    return out
