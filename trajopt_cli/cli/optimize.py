@@ -115,8 +115,8 @@ def optimize(
         console.print(f"note: {note}")
     rapid = f"{', '.join(answer.rapid_files)} (always the rapid plan), " if answer.no_rapid is None else ""
     console.print(
-        f"written to {answer.folder}: trajectory.csv (the {target} plan), stream.csv, rapid.csv, {rapid}summary.json, "
-        f"run.json{', plots/' if plots else ''}"
+        f"written to {answer.folder}: report.html (open it in a browser), trajectory.csv (the {target} plan), "
+        f"stream.csv, rapid.csv, {rapid}summary.json, run.json{', plots/' if plots else ''}"
     )
     if answer.no_rapid is not None and answer.target is Target.RAPID:
         typer.echo(f"no RAPID text: {answer.no_rapid}", err=True)

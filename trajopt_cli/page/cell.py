@@ -24,7 +24,7 @@ from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.runs.results import motion_label
 
-SCRIPTS_OF_CELL = ("cycle.css", *SCRIPTS, "gantt.js", "cycle.js")
+SCRIPTS_OF_CELL = ("cycle.css", "gantt.js", "cycle.js", *SCRIPTS)
 MOST_MOTIONS = 2_000
 """Motions in the table; summary.json has all of any program."""
 _HEADS = ("place", "instruction", "target")
@@ -56,9 +56,8 @@ def cell_data(plant: Plant, shown: Sequence[Shown], at_first: Sequence[int], rea
 
 def motion_section() -> Section:
     """Rail, arm, path and obstacles, playing; motions and dwells over time."""
-    html = (
-        f'<div class="controls" id="choice"></div>{HOLDER}<div id="now"></div><figure class="chart" id="gantt"></figure>'
-    )
+    gantt = '<figure class="chart" id="gantt"></figure>'
+    html = f'<div class="controls" id="choice"></div>{HOLDER}<div id="now"></div>{gantt}'
     lead = (
         "Play, or drag the slider below: both cycles, all charts and the lines of the program follow it. Space plays, "
         "arrow keys step 10 ms, with Shift 100 ms, n and p go to the next and the previous motion."
@@ -83,7 +82,8 @@ def chart_sections(plant: Plant, data: Mapping[str, Any]) -> list[Section]:
     axes = Section(
         "axes",
         "Axes",
-        f'<div class="controls" id="axes-choice"></div><div class="charts" id="axes"></div><ul class="legend">{rest}</ul>',
+        '<div class="controls" id="axes-choice"></div><div class="charts" id="axes-charts"></div>'
+        f'<ul class="legend">{rest}</ul>',
         "Drag over a chart to enlarge a stretch of time, in all charts at once; double click or key 0 shows the whole "
         "cycle again. Keys + and −, pinching, Ctrl and the wheel zoom, too.",
     )
@@ -117,7 +117,11 @@ def _motions(shown: Sequence[Shown]) -> str:
     """The table; the scripts put other cycles' numbers into the same cells."""
     user = shown[-1].program
     two = len(shown) > 1
-    names = [*(f"{one.name} [s]" for one in shown), *(["saved [s]"] if two else []), f"what limits the {shown[-1].name}"]
+    names = [
+        *(f"{one.name} [s]" for one in shown),
+        *(["saved [s]"] if two else []),
+        f"what limits the {shown[-1].name}",
+    ]
     found = [{m.index: m for m in one.plan.motions} for one in shown]
     rows = []
     moving = [m.index for m in shown[-1].plan.motions][:MOST_MOTIONS]
@@ -145,8 +149,9 @@ def _motions(shown: Sequence[Shown]) -> str:
     cut = f"; the first {MOST_MOTIONS} of them" if len(shown[-1].plan.motions) > MOST_MOTIONS else ""
     return (
         '<div class="scroll own-keys" id="motions" role="region" aria-label="Motions" tabindex="0"><table>'
-        f'<caption class="quiet">Every motion{cut}</caption><thead><tr>{head}<th scope="col">{text(names[-1])}</th></tr>'
-        f"</thead><tbody>{''.join(rows)}</tbody><tfoot><tr><td>cycle</td><td></td><td></td>{foot}<td></td></tr></tfoot>"
+        f'<caption class="quiet">Every motion{cut}</caption><thead><tr>{head}'
+        f'<th scope="col">{text(names[-1])}</th></tr></thead>'
+        f"<tbody>{''.join(rows)}</tbody><tfoot><tr><td>cycle</td><td></td><td></td>{foot}<td></td></tr></tfoot>"
         "</table></div>"
     )
 

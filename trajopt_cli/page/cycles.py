@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import PurePath
 from typing import Any
 
@@ -172,9 +173,11 @@ def _legs(program: Program, course: Course) -> dict[str, list[Any]]:
 def _rests(rows: Trajectory) -> dict[str, list[Any]]:
     """Of a motion known by its rows alone: when any axis moves, and when all rest."""
     assert rows.qd is not None
-    still = (rows.qd[:-1] == 0).all(axis=1) & (rows.qd[1:] == 0).all(axis=1) & (np.diff(rows.q, axis=0) == 0).all(axis=1)
+    still = (
+        (rows.qd[:-1] == 0).all(axis=1) & (rows.qd[1:] == 0).all(axis=1) & (np.diff(rows.q, axis=0) == 0).all(axis=1)
+    )
     cuts = np.r_[0, np.flatnonzero(np.diff(still.astype(int))) + 1, len(still)]
-    spans = [(int(a), int(b)) for a, b in zip(cuts, cuts[1:], strict=False) if b > a]
+    spans = [(int(a), int(b)) for a, b in pairwise(cuts) if b > a]
     return {
         "index": [-1] * len(spans),
         "from": [float(rows.t[a] - rows.t[0]) for a, _ in spans],

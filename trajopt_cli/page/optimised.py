@@ -17,7 +17,6 @@ from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.runs.results import Judged, motion_label
 
-NAME = "report.html"
 WRITTEN = "as written"
 _MACHINES = {Target.STREAM: "a joint stream", Target.RAPID: "the RAPID controller"}
 

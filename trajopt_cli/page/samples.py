@@ -19,8 +19,8 @@ _CHUNK = 100_000  # rows looked at at once: those of an hour have no room in mem
 def sample_times(trajectory: Trajectory, limits: JointLimits, marks: Array) -> Array:
     """Times (m,) [s] of the rows to keep, in order; where an acceleration jumps, the last number before the row, too.
 
-    The first and the last row are kept, those at marks (times [s], in any order) and every row from which a line between
-    its neighbours would be off by more than a hair, in position, speed or acceleration of an axis against its limits.
+    The first and the last row are kept, those at marks (times [s], in any order), and every row from which a line
+    between its neighbours would be off by more than a hair, in position, speed or acceleration against the limits.
     """
     t = trajectory.t
     jumps = np.zeros(len(t), dtype=bool)
@@ -44,10 +44,8 @@ def _kept(
     behind = hermite(trajectory, np.maximum(before(t), trajectory.t[0]))[2]
     spans = limits.upper - limits.lower, limits.velocity, limits.acceleration
     values = np.hstack([value / span for value, span in zip(ahead, spans, strict=True)])
-    jumps = (np.abs(ahead[2] - behind) / limits.acceleration > _HAIR * _LEVELS).any(axis=1)
-    jumps[[0, -1]] = False
-    if part.stop < len(trajectory.t) or part.start > 0:  # a part's own ends are rows like any other
-        jumps[0] = part.start > 0
+    jumps: BoolArray = np.asarray((np.abs(ahead[2] - behind) / limits.acceleration > _HAIR * _LEVELS).any(axis=1))
+    jumps[0] &= part.start > 0  # before the first row there is nothing
     fixed = marked | jumps
     fixed[[0, -1]] = True
     rows = np.arange(len(t))

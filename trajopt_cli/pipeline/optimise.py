@@ -8,8 +8,9 @@ from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from io import BufferedRandom
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from trajopt_cli import __version__
 from trajopt_cli.beside import cores
 from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job
@@ -23,9 +24,9 @@ from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective, fo
 from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
-from trajopt_cli.runs import SUMMARY
-from trajopt_cli.runs.folder import check_replaceable, write_run
-from trajopt_cli.runs.record import INPUT, InputFile, Inputs
+from trajopt_cli.runs import REPORT, SUMMARY
+from trajopt_cli.runs.folder import check_replaceable, library_versions, write_run
+from trajopt_cli.runs.record import INPUT, InputFile, Inputs, RunRecord, Section, sha256
 from trajopt_cli.runs.results import (
     CHOSEN,
     CSV,
@@ -119,9 +120,9 @@ def optimise(
     inputs = inputs_of(job)
     judged: dict[Target, Judged] = {}
     asked = {one: objective if one is target else for_the_other(objective) for one in Target}
-    kept = {one: RowsFile(folder) for one in Target}
+    kept, kept_written = {one: RowsFile(folder) for one in Target}, RowsFile(folder)
     answers, written, estimate = all_three(
-        job, listen, clock, changes, patience or Patience(), jobs or cores(), asked, kept
+        job, listen, clock, changes, patience or Patience(), jobs or cores(), asked, kept, kept_written
     )
     for one, answer in answers.items():
         if not isinstance(answer, Judged):
@@ -147,6 +148,18 @@ def optimise(
         files = _files(
             job, target, judged, inputs, export, notices, notes, changes[Target.RAPID].kept, written, kept_speed
         )
+    options = PlanOptions(
+        program=[str(path) for path in job.paths],
+        cell=str(job.cell_path),
+        entry=job.program.entry,
+        assume_identity=list(job.assume_identity),
+        target=target.value,
+        loops=loops,
+        cycle_time=objective.seconds if isinstance(objective, LeastEffort) else None,
+    )
+    listen("results", Progress("page"))
+    with clock.phase("page"):
+        files[REPORT] = _page(job, target, judged, written, notices, notes, inputs, options)
     if plots:
         listen("results", Progress("plots"))
         with clock.phase("plots"):
@@ -158,15 +171,7 @@ def optimise(
         PlanRecord,
         files,
         command="optimize",
-        options=PlanOptions(
-            program=[str(path) for path in job.paths],
-            cell=str(job.cell_path),
-            entry=job.program.entry,
-            assume_identity=list(job.assume_identity),
-            target=target.value,
-            loops=loops,
-            cycle_time=objective.seconds if isinstance(objective, LeastEffort) else None,
-        ),
+        options=options,
         inputs=Inputs(
             program=first.place,
             cell=cell.place,
@@ -233,6 +238,42 @@ def _files(
     for path, new in export.new.items() if export is not None else ():
         files[_place_of_new(path)] = new.text.encode(new.encoding)
     return files
+
+
+def _page(
+    job: Job,
+    target: Target,
+    judged: Mapping[Target, Judged],
+    written: Plan | str,
+    notices: tuple[str, ...],
+    notes: tuple[str, ...],
+    inputs: Mapping[str, InputFile],
+    options: PlanOptions,
+) -> bytes:
+    """report.html, which shows all of this."""
+    from trajopt_cli.page.optimised import Provenance, optimised_page
+
+    made = made_by("optimize", PlanRecord, options)
+    files = {path: sha256(given.content) for path, given in inputs.items()}
+    return optimised_page(
+        job.title, job.program, job.plant, target, judged, written, notices, notes, Provenance(made, files)
+    )
+
+
+def made_by(command: str, model: type[RunRecord[Any]], options: Section) -> list[tuple[str, str]]:
+    """What a page says of its making, by name: command, options that were given, versions."""
+    given = options.model_dump(mode="json", exclude_defaults=True)
+    said = {
+        name.replace("_", " "): ", ".join(map(str, one)) if isinstance(one, list) else str(one)
+        for name, one in given.items()
+    }
+    versions = ", ".join(f"{name} {number}" for name, number in library_versions(model).items())
+    return [
+        ("made by", f"trajopt {__version__} {command}"),
+        *said.items(),
+        ("libraries", versions),
+        ("when, and how long it took", "in run.json beside this page, so that the same input gives the same page"),
+    ]
 
 
 def _one_way(job: Job, export: RapidExport | None) -> Iterator[str]:

@@ -341,9 +341,7 @@ def _judged(job: Job, plan: Plan, kept: RowsFile, clock: Clock) -> Judged:
         return Judged(plan, kept, report)
 
 
-def as_written(
-    job: Job, changes: Changes, clock: Clock, memory: Memory, kept: RowsFile | None = None
-) -> Plan | str:
+def as_written(job: Job, changes: Changes, clock: Clock, memory: Memory, kept: RowsFile | None = None) -> Plan | str:
     """The program as it stands, driven by the RAPID controller under the same limits; or why it cannot be, one line.
 
     The same question as that of the first row of `compare`. memory: legal motions that the rapid plan has found. kept:

@@ -91,13 +91,18 @@ def write_run(
         format=FORMAT,
         kind=model.KIND,
         command=command,
-        versions={"python": platform.python_version(), **{name: version(name) for name in model.LIBRARIES}},
+        versions=library_versions(model),
         files={name: sha256(content) for name, content in sorted(files.items())},
         finished=datetime.now(UTC).isoformat(),
         **said,
     )
     check_replaceable(folder)
     write_folder(folder, {**files, RUN: as_json(record)})
+
+
+def library_versions(model: type[RunRecord[Any]]) -> dict[str, str]:
+    """Python's and those of the libraries that a kind of folder keeps."""
+    return {"python": platform.python_version(), **{name: version(name) for name in model.LIBRARIES}}
 
 
 def check_replaceable(folder: Path) -> None:

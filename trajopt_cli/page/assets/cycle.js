@@ -110,7 +110,7 @@
   }
 
   function startAxes() {
-    const host = document.getElementById("axes");
+    const host = document.getElementById("axes-charts");
     if (!host) return;
     host.replaceChildren();
     data.axes.forEach((axis, k) => axisChart(host, axis, k));
@@ -222,7 +222,7 @@
       file.parts.forEach(([first, texts], p) => {
         if (p || first > 1) host.append(make("div", { class: "gap" }, "⋯"));
         texts.forEach((text, i) => {
-          const row = make("div", { class: text.trimStart().startsWith("!") ? "line comment" : "line" },
+          const row = make("div", { class: text.trimStart().startsWith("!") ? "src comment" : "src" },
             make("span", { class: "number" }, String(first + i)), make("span", { class: "text" }, text || " "), make("span", { class: "saved" }));
           lines.set(`${f}:${first + i}`, row);
           host.append(row);
@@ -231,7 +231,7 @@
       if (file.cut) host.append(make("p", { class: "sub" }, "The rest of the module is left out; input/ in the results folder has it."));
     });
     host.addEventListener("click", (event) => {
-      const row = event.target.closest(".line");
+      const row = event.target.closest(".src");
       if (row && row.dataset.from !== undefined) clock.seek(Number(row.dataset.from));
     });
   }

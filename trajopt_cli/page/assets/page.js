@@ -220,7 +220,7 @@
     get calm() {
       return still.matches;
     },
-    // Scripts' start functions, called in order once all are there; page.js is the first of them.
+    // Scripts' start functions, called in order once all are there and the text is painted.
     register(start) {
       starts.push(start);
     },
@@ -232,7 +232,19 @@
     }
     startTheme();
     startTransport();
-    for (const start of starts) start();
-    document.documentElement.dataset.ready = "yes";
+    // Each start in a task of its own, so that text and what is ready are painted before the next one.
+    const next = () => {
+      const start = starts.shift();
+      if (!start) {
+        document.documentElement.dataset.ready = "yes";
+        return;
+      }
+      try {
+        start();
+      } finally {
+        setTimeout(next);
+      }
+    };
+    requestAnimationFrame(() => setTimeout(next));
   });
 })();
