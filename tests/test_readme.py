@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import pkgutil
 import re
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -46,8 +47,9 @@ def test_one_command_makes_its_environment_installs_and_runs(name: str, parts: l
     assert steps == [f".venv/bin/{part}" for part in parts]
 
 
-def test_ci_runs_the_readme_commands_word_for_word(tmp_path: Path) -> None:
-    """.ci/run itself, with stand-ins on the PATH that write down what they are called with."""
+@pytest.mark.parametrize("browser", [True, False])
+def test_ci_runs_the_readme_commands_word_for_word(tmp_path: Path, browser: bool) -> None:
+    """.ci/run itself, with stand-ins on the PATH that write down what they are called with, and little else there."""
     log = tmp_path / "log"
     fake = tmp_path / "bin"
     fake.mkdir()
@@ -61,10 +63,18 @@ def test_ci_runs_the_readme_commands_word_for_word(tmp_path: Path) -> None:
         '  chmod +x "$3/bin/$name"\n'
         "done\n"
     )
-    (fake / "python3.11").chmod(0o755)
-    env = {**os.environ, "PATH": f"{fake}:{os.environ['PATH']}", "TMPDIR": str(tmp_path)}
+    for name in ("apt-get", *(("chromium", "chromedriver") if browser else ())):
+        (fake / name).write_text(f'#!/bin/bash\necho "{name} $*" >> {log}\n')
+    for path in fake.iterdir():
+        path.chmod(0o755)
+    for name in ("awk", "bash", "chmod", "dirname", "env", "id", "mkdir", "mktemp", "rm", "sed"):
+        (fake / name).symlink_to(str(shutil.which(name)))
+    env = {**os.environ, "PATH": str(fake), "TMPDIR": str(tmp_path)}
     subprocess.run([REPOSITORY / ".ci" / "run"], env=env, check=True, capture_output=True)
     called = [line.rstrip() for line in log.read_text().splitlines()]
+    if not browser:
+        assert called[:2] == ["apt-get update", "apt-get install -y chromium chromium-driver"]
+        called = called[2:]
     venv = called[0].split()[-1]
     assert venv.startswith(str(tmp_path))
     assert not Path(venv).exists(), ".ci/run leaves its environment behind"

@@ -99,7 +99,7 @@ def program_points(program: Program, plan: Plan, plant: Plant) -> list[ScenePoin
 
 
 def plant_scene(plant: Plant, points: Iterable[ScenePoint], cycles: Sequence[Cycle]) -> dict[str, Any]:
-    """The scene of a cell, for a page's data["scene"]: robot, rail with its carriage, obstacles, what the flange carries."""
+    """The scene of a cell, data["scene"] of a page: robot, rail with carriage, obstacles, what the flange carries."""
     rail = plant.layout.rail
     stroke = (float(plant.limits.lower[0]), float(plant.limits.upper[0])) if rail.stop > rail.start else None
     obstacles = [solid.shape for solid in plant.obstacles]

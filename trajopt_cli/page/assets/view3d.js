@@ -586,7 +586,7 @@
       setTime: (time) => view.setTime(time),
       resize: () => view.resize(),
       dispose: () => view.dispose(),
-      poseOf: (cycle, time) => view.cycles[cycle].pose(time),
+      poseOf: (cycle, time = view.time) => view.cycles[cycle].pose(time),
       describe: () => view.describe(),
       select: (cycles) => view.select(cycles),
       theme: () => view.theme(),

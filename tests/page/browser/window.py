@@ -1,0 +1,90 @@
+"""A page in the browser, as the tests look at it."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from io import BytesIO
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import matplotlib.image
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from selenium.webdriver import Chrome
+
+Picture = NDArray[np.uint8]
+FLAGS = (
+    "--headless=new",
+    "--no-sandbox",
+    "--no-first-run",
+    "--disable-quic",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--force-device-scale-factor=1",
+)
+
+
+@dataclass(frozen=True)
+class Window:
+    """One page in the browser."""
+
+    chrome: Chrome
+
+    def open(self, file: Path, width: int = 1280, height: int = 900, theme: str = "light") -> None:
+        """A file, loaded anew, in a window of so many pixels; drawn when this returns."""
+        self.command(
+            "Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=width < 500
+        )
+        self.theme(theme)
+        self.chrome.get(file.as_uri())
+        assert self.run("return document.documentElement.dataset.ready") == "yes"
+        self.settle()
+
+    def theme(self, name: str) -> None:
+        self.command("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": name}])
+        self.settle()
+
+    def command(self, name: str, **values: Any) -> dict[str, Any]:
+        return self.chrome.execute_cdp_cmd(name, values)
+
+    def run(self, script: str, *values: Any) -> Any:
+        return self.chrome.execute_script(script, *values)
+
+    def settle(self) -> None:
+        """Wait until what is asked for has been drawn."""
+        self.chrome.execute_async_script(
+            "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 0)))"
+        )
+
+    def keys(self, *keys: str) -> None:
+        from selenium.webdriver import ActionChains
+
+        ActionChains(self.chrome, duration=0).send_keys(*keys).perform()
+        self.settle()
+
+    def complaints(self) -> list[str]:
+        """What the console has said since it was asked last."""
+        return [f"{one['level']}: {one['message']}" for one in self.chrome.get_log("browser")]
+
+    def fetched(self) -> list[str]:
+        """Every address that was asked for since, that of the page included."""
+        events = (json.loads(one["message"])["message"] for one in self.chrome.get_log("performance"))
+        return [one["params"]["request"]["url"] for one in events if one["method"] == "Network.requestWillBeSent"]
+
+    def picture(self, selector: str) -> Picture:
+        """What an element shows (h, w, 3), as bytes."""
+        from selenium.webdriver.common.by import By
+
+        content = self.chrome.find_element(By.CSS_SELECTOR, selector).screenshot_as_png
+        return np.round(255 * matplotlib.image.imread(BytesIO(content))[..., :3]).astype(np.uint8)
+
+    def tree(self) -> list[dict[str, Any]]:
+        """What a screen reader is given: nodes with role, name and properties, ignored ones left out."""
+        nodes = self.command("Accessibility.getFullAXTree")["nodes"]
+        return [node for node in nodes if not node["ignored"]]
