@@ -15,7 +15,7 @@ from typing import Annotated
 import typer
 
 from trajopt_cli import __version__
-from trajopt_cli.cli import analyse, compare, export, iiwa, optimize, parse, robot, schema, sensitivity, verify
+from trajopt_cli.cli import analyse, compare, export, iiwa, optimize, parse, robot, schema, sensitivity, verify, view
 from trajopt_cli.cli.process import own_process
 from trajopt_cli.errors import InputError
 
@@ -33,6 +33,7 @@ app.command("sensitivity", short_help="What to change first: seconds per limit, 
 )
 app.add_typer(export.app, name="export")
 app.command("verify", short_help="Judge results or anybody's joint CSV.")(verify.verify)
+app.command("view", short_help="RESULTS' page in the browser.")(view.view)
 app.command("parse", short_help="PROGRAM's flat motions with file:line.")(parse.parse)
 app.command("analyse", short_help="PROGRAM as written, in steps of speed.")(analyse.analyse)
 app.add_typer(iiwa.app, name="iiwa")

@@ -15,7 +15,7 @@ from typing import Any, Generic, TypeVar
 
 from trajopt_cli import __version__
 from trajopt_cli.errors import InputError
-from trajopt_cli.runs import RUN, SUMMARY
+from trajopt_cli.runs import REPORT, RUN, SUMMARY
 from trajopt_cli.runs.files import recover, write_folder
 from trajopt_cli.runs.record import Model, RunRecord, as_json, checked, parse_record, quoted, sha256
 
@@ -24,6 +24,8 @@ FORMAT = 1
 PLAN, TASK, EXPERIMENTS, SENSITIVITY = "plan", "iiwa", "experiments", "sensitivity"
 _COMMANDS = {PLAN: "optimize", TASK: "iiwa segments", EXPERIMENTS: "iiwa experiments", SENSITIVITY: "sensitivity"}
 """What makes a folder of each kind."""
+_REPORTS = {PLAN: "optimize", TASK: "iiwa simulate", EXPERIMENTS: "iiwa experiments"}
+"""What writes a folder's page."""
 _FOREIGN, _ANEW = "was not written by trajopt", "move the folder away and make it again"
 Record = TypeVar("Record", bound=RunRecord[Any])
 
@@ -133,6 +135,20 @@ def check_replaceable(folder: Path) -> None:
 def kind_of(folder: Path) -> str:
     """What made a folder, as its run.json has it: PLAN, TASK and so on. Raises InputError for a folder that is none."""
     return _record(folder, RunRecord[Any]).kind
+
+
+def read_report(folder: Path) -> bytes:
+    """report.html of a folder of any kind, as it was written. Raises InputError, and says what makes one, where there
+    is none, and for one that was changed."""
+    record = _record(folder, RunRecord[Any])
+    if REPORT not in record.files:
+        wanted = _REPORTS.get(record.kind)
+        advice = f"; run trajopt {wanted} again" if wanted else ""
+        raise InputError(f"has no {REPORT}{advice}", file=str(folder))
+    content = _read_listed(folder, REPORT)
+    if sha256(content) != record.files[REPORT]:
+        raise InputError(f"was changed since the run; {record.REMEDY}", file=str(folder / REPORT))
+    return content
 
 
 def read_bytes(path: Path) -> bytes:
