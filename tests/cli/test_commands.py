@@ -265,12 +265,12 @@ def test_export_joint_carries_the_chosen_target_to_its_exact_end(
 ) -> None:
     assert run(["optimize", str(program), "--target", "rapid"]) == 0
     capsys.readouterr()
-    assert run(["export", "joint", "results/tiny", "--rate", "250", "--output", "a/joints.csv"]) == 0
+    assert run(["export", "joint", "results/tiny", "--rate", "250", "--output", "joints.csv"]) == 0
     said = capsys.readouterr().out
-    trajectory, _ = read_csv_text(Path("a/joints.csv").read_text(), "joints.csv")
+    trajectory, _ = read_csv_text(Path("joints.csv").read_text(), "joints.csv")
     assert trajectory.duration == pytest.approx(CYCLE[Target.RAPID], abs=1e-12)
     rows = len(trajectory.t)
-    assert said == f"a/joints.csv: the rapid plan, {rows} rows at 250 Hz, T = {CYCLE[Target.RAPID]:.4f} s\n"
+    assert said == f"joints.csv: the rapid plan, {rows} rows at 250 Hz, T = {CYCLE[Target.RAPID]:.4f} s\n"
     assert run(["export", "joint", "results/tiny", "--rate", "0", "--output", "b.csv"]) == 2
     assert capsys.readouterr().err == "rate 0 Hz lies outside (0, 100000] Hz; 1000 suits most controllers\n"
     assert not Path("b.csv").exists()

@@ -1,4 +1,4 @@
-"""`trajopt export joint|ros2|parquet|fri|rapid RESULTS`: motions as files for whoever takes them."""
+"""`trajopt export FORMAT RESULTS`: motions as files for whoever takes them."""
 
 from __future__ import annotations
 
@@ -12,10 +12,16 @@ from trajopt_cli.cli.options import ResultsFolder
 from trajopt_cli.errors import InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from trajopt_cli.export.recorded import Recorded
     from trajopt_cli.trajectory import Trajectory
 
-app = typer.Typer(help="Write a motion for the machine or the program that takes it.", rich_markup_mode=None)
+app = typer.Typer(
+    help="Write a motion for the machine or the program that takes it.",
+    rich_markup_mode=None,
+    invoke_without_command=True,
+)
 
 AnyResults = Annotated[
     Path, typer.Argument(metavar="RESULTS", help="Results folder of trajopt optimize, or of trajopt iiwa with joints.")
@@ -23,13 +29,27 @@ AnyResults = Annotated[
 Rate = Annotated[float, typer.Option(metavar="HZ", help="Rows per second.")]
 
 
-@app.command("joint", short_help="Joint CSV at a fixed rate.")
+@app.callback()
+def _formats(context: typer.Context) -> None:
+    """Write a motion for the machine or the program that takes it; without a format, list them all."""
+    if context.invoked_subcommand is None:
+        typer.echo("trajopt export FORMAT RESULTS --output FILE; --help of a format shows an example")
+        for command in app.registered_commands:
+            typer.echo(f"  {command.name:<9}{command.short_help}")
+
+
+@app.command("joint", short_help="Joint CSV at a fixed rate, for machines that follow a stream.")
 def joint(
     results: AnyResults,
     output: Annotated[Path, typer.Option(metavar="FILE.csv", help="The CSV file to write.")],
     rate: Rate = 1000.0,
 ) -> None:
-    """Joint positions and speeds at a fixed rate, the exact end as last row: trajectory.csv's target, or joints.csv."""
+    """Joint positions and speeds at a fixed rate, the exact end as last row: trajectory.csv's target, or joints.csv.
+
+    \b
+    Example:
+      trajopt export joint results/hinge_cell --output joints.csv
+    """
     from trajopt_cli.export.recorded import recorded
     from trajopt_cli.joint_csv import write_csv_text
 
@@ -39,7 +59,7 @@ def joint(
     _write(output, write_csv_text(trajectory).encode("ascii"), motion, trajectory, f"{rate:g} Hz", note)
 
 
-@app.command("ros2", short_help="ROS 2 JointTrajectory as YAML.")
+@app.command("ros2", short_help="ROS 2 JointTrajectory as YAML, for ros2 topic pub.")
 def ros2(
     results: AnyResults,
     output: Annotated[Path, typer.Option(metavar="FILE.yaml", help="The YAML file to write.")],
@@ -48,7 +68,12 @@ def ros2(
         str | None, typer.Option(metavar="NAME,...", help="The joints' names in ROS, in order; default: our own.")
     ] = None,
 ) -> None:
-    """A trajectory_msgs/msg/JointTrajectory: positions, velocities, accelerations and times of all joints."""
+    """A trajectory_msgs/msg/JointTrajectory: positions, velocities, accelerations and times of all joints.
+
+    \b
+    Example:
+      trajopt export ros2 results/hinge_cell --output trajectory.yaml
+    """
     from trajopt_cli.export.recorded import recorded
     from trajopt_cli.export.ros2 import joint_trajectory
 
@@ -59,7 +84,7 @@ def ros2(
     _write(output, text.encode("ascii"), motion, trajectory, f"{rate:g} Hz", note)
 
 
-@app.command("parquet", short_help="The joint CSV's columns as Parquet.")
+@app.command("parquet", short_help="The joint CSV's columns as Parquet, for pandas, polars, DuckDB.")
 def parquet(
     results: AnyResults,
     output: Annotated[Path, typer.Option(metavar="FILE.parquet", help="The Parquet file to write.")],
@@ -67,7 +92,12 @@ def parquet(
         float | None, typer.Option(metavar="HZ", help="Rows per second; default: the rows as they are.")
     ] = None,
 ) -> None:
-    """Time, positions and speeds of all joints as columns of doubles; needs pyarrow, the extra parquet."""
+    """Time, positions and speeds of all joints as columns of doubles; needs pyarrow, the extra parquet.
+
+    \b
+    Example:
+      trajopt export parquet results/hinge_cell --output joints.parquet
+    """
     from trajopt_cli.export.parquet import parquet as parquet_of
     from trajopt_cli.export.recorded import recorded
 
@@ -78,7 +108,7 @@ def parquet(
     _write(output, parquet_of(trajectory), motion, trajectory, said, note)
 
 
-@app.command("fri", short_help="Joint positions per millisecond for KUKA's FRI.")
+@app.command("fri", short_help="Joint positions per millisecond, for a client of KUKA's FRI.")
 def fri(
     results: Annotated[Path, typer.Argument(metavar="RESULTS", help="Results folder of trajopt iiwa with joints.")],
     output: Annotated[Path, typer.Option(metavar="FILE.csv", help="The CSV file to write.")],
@@ -86,7 +116,12 @@ def fri(
         bool, typer.Option("--resample", help="Make rows every 1 ms of a sequence with another period.")
     ] = False,
 ) -> None:
-    """What a client of the fast robot interface commands: A1 to A7 in rad, one line for every millisecond."""
+    """What a client of the fast robot interface commands: A1 to A7 in rad, one line for every millisecond.
+
+    \b
+    Example:
+      trajopt export fri results/iiwa_cube --resample --output fri.csv
+    """
     from trajopt_cli.export.fri import fri_rows
     from trajopt_cli.export.recorded import recorded
     from trajopt_cli.runs.files import write_file
@@ -100,7 +135,7 @@ def fri(
     typer.echo(f"{output}: the arm's joints, {rows} rows of 1 ms{f'; {note}' if note else ''}")
 
 
-@app.command("rapid", short_help="The program with the rapid plan in it.")
+@app.command("rapid", short_help="The program with the rapid plan in it, for the RAPID controller.")
 def rapid(
     results: ResultsFolder,
     output: Annotated[
@@ -113,7 +148,12 @@ def rapid(
         bool, typer.Option("--in-place", help="Write over the program's own files; the old ones stay as NAME.bak.")
     ] = False,
 ) -> None:
-    """The program with the rapid plan in it; everything else is byte for byte as given."""
+    """The program with the rapid plan in it; everything else is byte for byte as given.
+
+    \b
+    Example:
+      trajopt export rapid results/hinge_cell --output new.mod
+    """
     from trajopt_cli.pipeline.folder import rapid_export
     from trajopt_cli.runs.files import write_file
     from trajopt_cli.runs.results import write_in_place
@@ -121,6 +161,7 @@ def rapid(
     if output is None and not diff and not in_place:
         raise typer.BadParameter("give --output, --diff, --in-place or several of them")
     files = rapid_export(results)
+    places = [] if output is None else _places(output, results, [Path(one.place) for one in files.modules])
     if diff and not files.patch:
         for why in files.kept or ("the plan needs no change to the program",):
             typer.echo(f"no change: {why}", err=True)
@@ -130,9 +171,7 @@ def rapid(
         sys.stdout.flush()
         sys.stdout.buffer.write(files.patch)  # in the files' own encodings and line ends
     if output is not None:
-        for one in files.modules:
-            path = output / one.place if len(files.modules) > 1 else output
-            _check_output(path, results)
+        for path, one in zip(places, files.modules, strict=True):
             write_file(path, one.content)
             typer.echo(f"{path}: the rapid plan", err=diff)
     if in_place:
@@ -164,8 +203,27 @@ def _write(output: Path, content: bytes, motion: Recorded, trajectory: Trajector
 
 
 def _check_output(output: Path, results: Path) -> None:
-    """Refuse to write over a folder, or over what a results folder holds: its files are held against their hashes."""
-    if output.is_dir():
-        raise InputError("is a folder; --output names a file", file=str(output))
+    """Refuse a place that cannot be written, and what a results folder holds: its files are held against their
+    hashes."""
+    from trajopt_cli.runs.files import check_file
+
+    check_file(output)
     if output.exists() and output.resolve().is_relative_to(results.resolve()):
         raise InputError("is a file of the results folder; write to another place", file=str(output))
+
+
+def _places(output: Path, results: Path, names: Sequence[Path]) -> list[Path]:
+    """Where the modules of a program go: one to the file output, several by their names into the folder output."""
+    if len(names) == 1:
+        _check_output(output, results)
+        return [output]
+    if output.exists() and not output.is_dir():
+        message = f"is a file; the program has {len(names)} modules, --output names a folder for them"
+        raise InputError(message, file=str(output))
+    if not output.parent.is_dir():
+        raise InputError("is not a folder to write to; make it or correct --output", file=str(output.parent))
+    places = [output / name for name in names]
+    for place in places:
+        if place.parent.is_dir():
+            _check_output(place, results)
+    return places

@@ -37,6 +37,26 @@ def write_file(path: Path, content: bytes) -> None:
             _discard(part)
 
 
+def check_file(path: Path, option: str = "--output") -> None:
+    """Before any work: a file can be written here, by trying one under another name. option: what named it.
+
+    Raises InputError for a folder or a device, for a folder to hold it that is none, and for what the system refuses.
+    """
+    if path.is_dir():
+        raise InputError(f"is a folder; {option} names a file", file=str(path))
+    if path.exists() and not path.is_file():
+        raise InputError(f"is no file; {option} names one", file=str(path))
+    real = Path(os.path.realpath(path))
+    if not real.parent.is_dir():
+        raise InputError(f"is not a folder to write to; make it or correct {option}", file=str(path.parent))
+    part = real.with_name(f"{_prefix(real)}{secrets.token_hex(4)}")
+    try:
+        part.touch(exist_ok=False)
+        part.unlink()
+    except OSError as error:
+        raise InputError(f"cannot write: {error.strerror}", file=str(path)) from error
+
+
 def write_folder(path: Path, files: Mapping[str, bytes | BufferedRandom]) -> None:
     """Make path a folder that holds exactly files, or leave it as it was. files: relative name to content, or an open
     file that holds it.

@@ -1,0 +1,88 @@
+"""`trajopt export`: the list of formats, the example of each, and places that are looked at before any work."""
+
+from __future__ import annotations
+
+import errno
+import os
+import shlex
+from pathlib import Path
+from typing import NoReturn
+
+import pytest
+from fake_planner import Planner
+from typer.testing import CliRunner
+
+from trajopt_cli.cli import app, run
+
+KINDS = [command.name for group in app.registered_groups if group.name == "export" for command in
+         group.typer_instance.registered_commands]  # fmt: skip
+
+
+def test_without_a_format_all_are_listed_in_80_columns(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["export"]) == 0
+    first, *lines = capsys.readouterr().out.splitlines()
+    assert first == "trajopt export FORMAT RESULTS --output FILE; --help of a format shows an example"
+    assert [line[2:].split()[0] for line in lines] == KINDS
+    assert len({line.index(line[2:].split()[1]) for line in lines}) == 1, "the words of all lines begin in one column"
+    assert max(map(len, [first, *lines])) <= 80
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_help_ends_its_words_with_an_example(kind: str) -> None:
+    lines = CliRunner().invoke(app, ["export", kind, "--help"]).output.splitlines()
+    words = shlex.split(lines[lines.index("  Example:") + 1])
+    assert words[:3] == ["trajopt", "export", kind]
+    assert words[3] in ("results/hinge_cell", "results/iiwa_cube")
+    assert "--output" in words
+
+
+@pytest.fixture
+def no_work(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    def fail(*_: object) -> NoReturn:
+        raise AssertionError("the results were read before the place was looked at")
+
+    monkeypatch.setattr("trajopt_cli.export.recorded.recorded", fail)
+    monkeypatch.chdir(tmp_path)
+
+
+@pytest.mark.usefixtures("no_work")
+@pytest.mark.parametrize("kind", [kind for kind in KINDS if kind != "rapid"])
+@pytest.mark.parametrize(
+    ("place", "said"),
+    [
+        (".", ".: is a folder; --output names a file"),
+        ("nowhere/x", "nowhere: is not a folder to write to; make it or correct --output"),
+        ("/dev/null", "/dev/null: is no file; --output names one"),
+        ("a" * 250, "a" * 250 + ": cannot write: File name too long"),
+    ],
+)
+def test_a_place_that_cannot_be_is_one_line_before_any_work(
+    kind: str, place: str, said: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["export", kind, "results/hinge_cell", "--output", place]) == 2
+    assert capsys.readouterr().err == f"{said}\n"
+    assert [*Path().iterdir()] == []
+
+
+@pytest.mark.usefixtures("no_work")
+def test_a_folder_that_may_not_be_written_is_told(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def refuse(path: Path, **_: object) -> NoReturn:
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(path))
+
+    monkeypatch.setattr(Path, "touch", refuse)  # root, as whom tests often run, may write anywhere
+    assert run(["export", "joint", "results/x", "--output", "x.csv"]) == 2
+    assert capsys.readouterr().err == "x.csv: cannot write: Permission denied\n"
+
+
+def test_rapids_places_are_looked_at_too(program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["optimize", str(program)]) == 0
+    capsys.readouterr()
+    for place, said in (
+        ("results", "results: is a folder; --output names a file"),
+        ("nowhere/new.mod", "nowhere: is not a folder to write to; make it or correct --output"),
+    ):
+        assert run(["export", "rapid", "results/tiny", "--output", place]) == 2
+        assert capsys.readouterr().err == f"{said}\n"
+    assert run(["export", "rapid", "results/tiny", "--output", "new.mod"]) == 0
