@@ -94,6 +94,7 @@ ADDRESSES: dict[str, tuple[str, ...]] = {
     ),
     "pydantic_core": ("cell/*", "runs/*", "quantity.py", "validation.py", "yaml_file.py"),
     "ruamel": ("robot/*", "yaml_file.py"),
+    "mcap_ros2": ("export/mcap.py",),
     "pyarrow": ("export/parquet.py",),
     "numpy": ("*",),
 }

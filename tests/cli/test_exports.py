@@ -1,4 +1,4 @@
-"""`trajopt export joint|ros2|parquet|fri` of plans and of an iiwa's joints."""
+"""`trajopt export joint|ros2|mcap|parquet|fri` of plans and of an iiwa's joints."""
 
 from __future__ import annotations
 
@@ -45,9 +45,8 @@ def test_an_arms_joints_leave_in_every_form_and_stay_legal(arm: Path, capsys: py
         assert said in printed
         assert run(["verify", str(out / "j.csv"), "--task", task]) == 0
         capsys.readouterr()
-    for kind, name in (("ros2", "j.yaml"), ("parquet", "j.parquet")):
-        if kind == "parquet":
-            pytest.importorskip("pyarrow")
+    for kind, name in (("ros2", "j.yaml"), ("mcap", "j.mcap"), ("parquet", "j.parquet")):
+        pytest.importorskip({"mcap": "mcap_ros2", "parquet": "pyarrow"}.get(kind, "json"))
         assert run(["export", kind, str(arm), "--output", str(out / name)]) == 0
         assert f"{name}: the arm's joints, " in capsys.readouterr().out
     assert (out / "j.yaml").read_text().count("positions:") == len(own.t) // 5 + 1 + ((len(own.t) - 1) % 5 > 0)
@@ -81,7 +80,7 @@ def test_a_plan_leaves_in_every_form_but_fri(
     )
 
 
-@pytest.mark.parametrize("kind", ["joint", "ros2", "parquet", "fri"])
+@pytest.mark.parametrize("kind", ["joint", "ros2", "mcap", "parquet", "fri"])
 def test_what_cannot_be_exported_is_one_line(kind: str, arm: Path, capsys: pytest.CaptureFixture[str]) -> None:
     bare, out = arm.parent / "bare", str(arm.parent / "x")
     assert run(["iiwa", "segments", str(arm.parent / "task.yaml"), "--output", str(bare)]) == 0

@@ -28,6 +28,11 @@ AnyResults = Annotated[
 ]
 Rate = Annotated[float, typer.Option(metavar="HZ", help="Rows per second.")]
 
+RosNames = Annotated[
+    str | None,
+    typer.Option("--joints", metavar="NAME,...", help="The joints' names in ROS, in order; default: our own."),
+]
+
 
 @app.callback()
 def _formats(context: typer.Context) -> None:
@@ -64,9 +69,7 @@ def ros2(
     results: AnyResults,
     output: Annotated[Path, typer.Option(metavar="FILE.yaml", help="The YAML file to write.")],
     rate: Rate = 100.0,
-    joints: Annotated[
-        str | None, typer.Option(metavar="NAME,...", help="The joints' names in ROS, in order; default: our own.")
-    ] = None,
+    joints: RosNames = None,
 ) -> None:
     """A trajectory_msgs/msg/JointTrajectory: positions, velocities, accelerations and times of all joints.
 
@@ -80,8 +83,31 @@ def ros2(
     _check_output(output, results)
     motion = recorded(results)
     trajectory, note = motion.at(rate)
-    text = joint_trajectory(trajectory, None if joints is None else [name.strip() for name in joints.split(",")])
+    text = joint_trajectory(trajectory, _split(joints))
     _write(output, text.encode("ascii"), motion, trajectory, f"{rate:g} Hz", note)
+
+
+@app.command("mcap", short_help="The same with joint states in an MCAP file, for bag tools.")
+def mcap(
+    results: AnyResults,
+    output: Annotated[Path, typer.Option(metavar="FILE.mcap", help="The MCAP file to write.")],
+    rate: Rate = 100.0,
+    joints: RosNames = None,
+) -> None:
+    """ROS 2 messages for bag tools: /joint_trajectory once, /joint_states at the rate, times from 0; needs the extra
+    mcap.
+
+    \b
+    Example:
+      trajopt export mcap results/hinge_cell --output motion.mcap
+    """
+    from trajopt_cli.export.mcap import mcap as mcap_of
+    from trajopt_cli.export.recorded import recorded
+
+    _check_output(output, results)
+    motion = recorded(results)
+    trajectory, note = motion.at(rate)
+    _write(output, mcap_of(trajectory, _split(joints)), motion, trajectory, f"{rate:g} Hz", note)
 
 
 @app.command("parquet", short_help="The joint CSV's columns as Parquet, for pandas, polars, DuckDB.")
@@ -186,6 +212,10 @@ def rapid(
         if any(one.given is None for one in files.modules):
             every = " ".join(str(one.path) for one in files.modules)
             typer.echo(f"from now on give the folder, or all files: trajopt parse {every}", err=diff)
+
+
+def _split(names: str | None) -> list[str] | None:
+    return None if names is None else [name.strip() for name in names.split(",")]
 
 
 def _write(output: Path, content: bytes, motion: Recorded, trajectory: Trajectory, rate: str, note: str) -> None:

@@ -17,6 +17,15 @@ def joint_trajectory(trajectory: Trajectory, names: Sequence[str] | None = None)
     """The message as YAML, as `ros2 topic pub` takes it. names: the joints' in ROS, the motion's own for None.
 
     Times count from the first row. Accelerations are second divided differences, 0 in the first and the last row.
+    Raises InputError as checked_names.
+    """
+    names, qd = checked_names(trajectory, names)
+    return "".join(_lines(trajectory, qd, names))
+
+
+def checked_names(trajectory: Trajectory, names: Sequence[str] | None) -> tuple[tuple[str, ...], Array]:
+    """The joints' names in ROS, the motion's own for None, and its speeds.
+
     Raises InputError for a motion without speeds, for names that are not one for each axis, and for a motion too long
     for the message's seconds.
     """
@@ -28,7 +37,7 @@ def joint_trajectory(trajectory: Trajectory, names: Sequence[str] | None = None)
         raise InputError(f"--joints: '{given}' are not {len(trajectory.names)} different names, one each for {wanted}")
     if trajectory.duration >= 2**31:
         raise InputError(f"takes {trajectory.duration:g} s; a JointTrajectory counts up to 2^31 s")
-    return "".join(_lines(trajectory, trajectory.qd, names))
+    return names, trajectory.qd
 
 
 def _plain(name: str) -> bool:
@@ -40,13 +49,14 @@ def _lines(trajectory: Trajectory, qd: Array, names: Sequence[str]) -> Iterator[
     yield "header: {stamp: {sec: 0, nanosec: 0}, frame_id: ''}\n"
     yield f"joint_names: [{', '.join(names)}]\npoints:\n"
     times = np.rint((trajectory.t - trajectory.t[0]) * _NANO).astype(np.int64).tolist()
-    rows = zip(times, trajectory.q, qd, _accelerations(trajectory), strict=True)
+    rows = zip(times, trajectory.q, qd, accelerations(trajectory), strict=True)
     for time, q, speed, acceleration in rows:
         yield f"- positions: {_row(q)}\n  velocities: {_row(speed)}\n  accelerations: {_row(acceleration)}\n"
         yield f"  effort: []\n  time_from_start: {{sec: {time // _NANO}, nanosec: {time % _NANO}}}\n"
 
 
-def _accelerations(trajectory: Trajectory) -> Array:
+def accelerations(trajectory: Trajectory) -> Array:
+    """Second divided differences of the positions, 0 in the first and the last row."""
     gaps = np.diff(trajectory.t)[:, None]
     inner = 2 * np.diff(np.diff(trajectory.q, axis=0) / gaps, axis=0) / (gaps[1:] + gaps[:-1])
     rest = np.zeros((1, trajectory.q.shape[1]))
