@@ -6,6 +6,7 @@ import ast
 import sys
 from collections.abc import Collection, Iterator
 from fnmatch import fnmatch
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -104,8 +105,13 @@ def floor_of(room: str, floors: tuple[tuple[str, ...], ...] = FLOORS) -> int:
     return next(i for i, rooms in enumerate(floors) if room in rooms)
 
 
-def statements(text: str, module: str) -> Iterator[tuple[int, str, str]]:
+@cache
+def statements(text: str, module: str) -> tuple[tuple[int, str, str], ...]:
     """Line, dotted name and what is taken from it of every import in a module's text; "" for `import a.b` itself."""
+    return tuple(_statements(text, module))
+
+
+def _statements(text: str, module: str) -> Iterator[tuple[int, str, str]]:
     package = module.split(".")[:-1]
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.Import):
