@@ -38,7 +38,7 @@ def block(name: str) -> str:
     ("name", "parts"),
     [
         ("run", ["pip install .", "trajopt optimize programs/hinge_cell.mod"]),
-        ("test", ["pip install -e '.[test]'", "pytest"]),
+        ("test", ["pip install -e '.[test]'", "pytest -n auto"]),
     ],
 )
 def test_one_command_makes_its_environment_installs_and_runs(name: str, parts: list[str]) -> None:
