@@ -2,6 +2,15 @@
 
 from __future__ import annotations
 
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from generated import filled
+from rapid_lexer import RapidLexer
+from sphinx.application import Sphinx
+
 import trajopt_cli
 
 project = "trajopt"
@@ -20,3 +29,9 @@ html_copy_source = False
 html_show_sphinx = False
 copybutton_prompt_text = "$ "
 copybutton_only_copy_prompt_lines = True
+
+
+def setup(app: Sphinx) -> None:
+    """Fill the generated parts in before a page is parsed; know RAPID."""
+    app.add_lexer("rapid", RapidLexer)
+    app.connect("source-read", lambda _app, _page, source: source.__setitem__(0, filled(source[0])))

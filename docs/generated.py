@@ -1,0 +1,219 @@
+"""The parts of the manual that are made from the code while it is built, each in place of <!-- generated: NAME -->."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Iterator
+from importlib import import_module
+from pkgutil import iter_modules
+from typing import Any
+
+_MARK = re.compile(r"<!-- generated: ([a-z-]+) -->")
+
+
+def filled(text: str) -> str:
+    """A page with its generated parts. Raises KeyError for a part that nobody makes."""
+    return _MARK.sub(lambda match: PARTS[match[1]](), text)
+
+
+def commands() -> str:
+    """Every command with its own help, in the order of `trajopt --help`."""
+    from typer.main import get_command
+
+    from trajopt_cli.cli import app
+
+    os.environ["COLUMNS"] = "92"  # of the help's lines
+    parts = []
+    for words, command in _tree((), get_command(app)):
+        name = " ".join(["trajopt", *words])
+        with command.make_context(name, [], resilient_parsing=True) as context:
+            parts.append(f"## {name}\n\n```text\n{command.get_help(context)}\n```\n")
+    return "\n".join(parts)
+
+
+def _tree(words: tuple[str, ...], command: Any) -> Iterator[tuple[tuple[str, ...], Any]]:
+    inner = getattr(command, "commands", None)
+    if inner is None or not words:
+        yield words, command
+    for name, one in (inner or {}).items():
+        yield from _tree((*words, name), one)
+
+
+# What a plan makes of the instructions of a topic; a handler that does nothing says so itself.
+_PLANNED = {
+    "moves": "planned",
+    "triggers": "planned as the moves they make; what is triggered takes no time",
+    "searches": "planned as moves to where the cell file says that they hit (`searches`)",
+    "processes": "planned as the plain moves they make",
+    "displacement": "worked into every target",
+    "waits": "planned: the tool rests",
+    "signals": "read; an output takes no time",
+    "variables": "run",
+    "settings": "in force for the moves behind them",
+    "flow": "run",
+    "files": "written: nothing; read: the cell file's `answers`",
+    "operator": "the cell file's `answers`",
+    "sockets": "sent: nothing; received: the cell file's `answers`",
+    "symbols": "run, modules from the program's folder",
+}
+_REFUSED = {"EGMRunJoint", "EGMRunPose"}
+
+
+def instructions() -> str:
+    """Every instruction that is read, by topic, and what a plan makes of it."""
+    import trajopt_cli.rapid.execution.instructions as package
+
+    rows, nothing = [], set[str]()
+    for topic, table in _topics(package, "INSTRUCTIONS"):
+        idle = {name for name, handler in table.items() if handler.__qualname__.startswith("nothing.")}
+        nothing |= idle
+        if named := sorted(set(table) - idle - _REFUSED):
+            rows.append((f"{_title(package, topic)}", named, _PLANNED[topic]))
+    rows.append(("Without effect on the motion", sorted(nothing), "nothing; `parse` counts them"))
+    rows.append(("A sensor guides the robot", sorted(_REFUSED), "refused: the path is not in the program"))
+    head = "| instructions | by name | in a plan |\n|---|---|---|\n"
+    return head + "".join(f"| {title} | {_names(names)} | {what} |\n" for title, names, what in rows)
+
+
+def functions() -> str:
+    """Every function that is read, by topic."""
+    import trajopt_cli.rapid.execution.functions as package
+
+    head = "| functions | by name |\n|---|---|\n"
+    return head + "".join(
+        f"| {_title(package, topic)} | {_names(sorted(table))} |\n" for topic, table in _topics(package, "FUNCTIONS")
+    )
+
+
+def _topics(package: Any, table: str) -> Iterator[tuple[str, dict[str, Any]]]:
+    for module in iter_modules(package.__path__):
+        found = getattr(import_module(f"{package.__name__}.{module.name}"), table, None)
+        if found is not None and module.name != "table":
+            yield module.name, found
+
+
+def _title(package: Any, topic: str) -> str:
+    text = import_module(f"{package.__name__}.{topic}").__doc__ or topic
+    return text.strip().split("\n")[0].split(":")[0].rstrip(".")
+
+
+def _names(names: list[str]) -> str:
+    return " ".join(f"`{name}`" for name in names)
+
+
+def cell_keys() -> str:
+    """Every key of a cell file with all that it may hold."""
+    from trajopt_cli.cell.schema import cell_schema
+
+    return _keys(cell_schema())
+
+
+def task_keys() -> str:
+    """Every key of a task file with all that it may hold."""
+    from trajopt_cli.compliance.task.schema import task_schema
+
+    return _keys(task_schema())
+
+
+def robot_keys() -> str:
+    """Every key of the file of a six-axis robot."""
+    from trajopt_cli.robot.catalogue import robot_schema
+
+    schema = robot_schema()
+    return _keys(schema | schema["$defs"]["SixAxisFile"])
+
+
+def _keys(schema: dict[str, Any]) -> str:
+    rows = "".join(f"| `{path}` | {takes} | {default} |\n" for path, takes, default in _rows(schema, schema, ""))
+    return f"| key | takes | default |\n|---|---|---|\n{rows}"
+
+
+def _rows(schema: dict[str, Any], node: dict[str, Any], path: str) -> Iterator[tuple[str, str, str]]:
+    inside = dict(node.get("properties", {}))
+    if isinstance(others := node.get("additionalProperties"), dict):
+        inside["NAME"] = others
+    for name, one in inside.items():
+        here = f"{path}.{name}" if path else name
+        kinds, sections = _taken(schema, one)
+        if kinds:
+            default = "required" if name in node.get("required", []) else _default(one.get("default"))
+            yield here, " or ".join(dict.fromkeys(kinds)), default
+        for key, section in sections:
+            yield from _rows(schema, section, f"{here}{key}")
+
+
+def _default(value: object) -> str:
+    """As YAML writes it; nothing for what is empty or has keys of its own."""
+    match value:
+        case bool():
+            return f"`{str(value).lower()}`"
+        case float():
+            return f"`{value:g}`"
+        case int() | str():
+            return f"`{value}`"
+    return ""
+
+
+Taken = tuple[list[str], list[tuple[str, dict[str, Any]]]]
+
+
+def _taken(schema: dict[str, Any], node: dict[str, Any]) -> Taken:
+    """What a key may hold, in words, and the sections among it, each with what is put behind the key's name."""
+    if "$ref" in node:
+        node = schema["$defs"][node["$ref"].rsplit("/", 1)[1]]
+    if choices := node.get("anyOf", node.get("oneOf")):
+        found = [_taken(schema, one) for one in choices]
+        return [word for words, _ in found for word in words], [part for _, parts in found for part in parts]
+    if "enum" in node or "const" in node:
+        return [f"`{value}`" for value in node.get("enum", [node.get("const")])], []
+    match node["type"]:
+        case "object" if "properties" in node:
+            return ["section"], [("", node)]
+        case "object":
+            return ["section of names"], [("", {"additionalProperties": node["additionalProperties"]})]
+        case "array":
+            return _list(schema, node)
+        case "string":
+            return _text(node.get("pattern")), []
+        case "null":
+            return [], []
+        case list() as kinds:
+            return [_KINDS[kind] for kind in kinds], []
+        case kind:
+            return [_KINDS[kind]], []
+
+
+def _list(schema: dict[str, Any], node: dict[str, Any]) -> Taken:
+    length = node.get("minItems")
+    words = f"list of {length}" if length and node.get("maxItems", length) == length else "list"
+    kinds, sections = _taken(schema, {"anyOf": node.get("prefixItems") or [node["items"]]})
+    items_in_words = "" if sections else f": {' or '.join(dict.fromkeys(kinds))}"
+    return [words + items_in_words], [(f"[]{key}", section) for key, section in sections]
+
+
+def _text(pattern: str | None) -> list[str]:
+    """A text that a pattern tells: a number with a unit, a word; of a list with its unit nothing, it is said above."""
+    if pattern is None:
+        return ["text"]
+    if units := re.search(r"\(([^()]*)\)\\s\*\$$", pattern):
+        names = [unit for unit in units[1].split("|") if unit and not re.search(r"\^|[²³]", unit)]
+        return (
+            [f"text with {', '.join(f'`{name}`' for name in names)}"]
+            if names and not pattern[4:].startswith("\\[")
+            else []
+        )
+    word = re.fullmatch(r"\^\\s\*(\w+)\\s\*\$", pattern)
+    return [f"`{word[1]}`" if word else "text"]
+
+
+_KINDS = {"number": "number", "integer": "whole number", "boolean": "true or false", "string": "text"}
+
+PARTS: dict[str, Callable[[], str]] = {
+    "commands": commands,
+    "instructions": instructions,
+    "functions": functions,
+    "cell-keys": cell_keys,
+    "task-keys": task_keys,
+    "robot-keys": robot_keys,
+}

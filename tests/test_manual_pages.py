@@ -1,0 +1,89 @@
+"""The manual as web pages: built without a warning, whole, and without an address outside."""
+
+from __future__ import annotations
+
+import html
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from trajopt_cli.rapid.execution.functions.table import FUNCTIONS
+from trajopt_cli.rapid.execution.instructions.table import INSTRUCTIONS
+
+REPOSITORY = Path(__file__).parents[1]
+IMAGES = REPOSITORY / "docs" / "images"
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """The pages by name, built as .ci/run does. A proxy that is not there stands for the network."""
+    out = tmp_path_factory.mktemp("site")
+    environment = {**os.environ, "PYTHONPATH": str(REPOSITORY)}
+    environment |= dict.fromkeys(("http_proxy", "https_proxy", "all_proxy"), "http://127.0.0.1:9")
+    command = [sys.executable, "-m", "sphinx", "-W", "--keep-going", "-q", "-d", out / "trees", "docs", out / "site"]
+    built = subprocess.run(command, cwd=REPOSITORY, env=environment, capture_output=True, text=True)
+    assert (built.returncode, built.stderr) == (0, "")
+    return {page.name: page.read_text(encoding="utf-8") for page in (out / "site").glob("*.html")}
+
+
+def shown(page: str) -> str:
+    return html.unescape(re.sub(r"<[^>]+>", "", page))
+
+
+def test_nothing_is_fetched(site: dict[str, str]) -> None:
+    for name, page in site.items():
+        loaded = re.findall(r"<(?:script|img|iframe|source)[^>]*\ssrc=\"([^\"]*)", page)
+        loaded += re.findall(r"<link[^>]*\shref=\"([^\"]*)", page)
+        assert loaded
+        assert [address for address in loaded if re.match(r"(https?:)?//", address)] == [], name
+
+
+def test_no_part_was_left_unmade(site: dict[str, str]) -> None:
+    assert not [name for name, page in site.items() if "generated:" in page]
+
+
+def test_every_command_has_its_help(site: dict[str, str]) -> None:
+    text = shown(site["cli.html"])
+    usage = re.search(r"```text\n(trajopt .+?)```", (REPOSITORY / "README.md").read_text(), re.DOTALL)
+    assert usage
+    for line in usage[1].splitlines():
+        words = re.match(r"trajopt(?: [a-z]+\d?(?![\w|.]))+", line)
+        assert words
+        assert f"Usage: {words[0]} [" in text, line
+
+
+def test_every_instruction_and_function_is_listed_once(site: dict[str, str]) -> None:
+    cells = re.findall(r'<span class="pre">(\w+)</span>', site["rapid.html"])
+    for name in (*INSTRUCTIONS, *FUNCTIONS):
+        assert cells.count(name) == 1, name
+
+
+def test_the_keys_of_all_sections_are_listed(site: dict[str, str]) -> None:
+    wanted = {
+        "cell-file.html": ("rail.frame.wxyz", "limits.NAME.jerk", "obstacles.NAME.capsule.from", "hold_rail.gripper"),
+        "task-file.html": ("poses[].by", "changes[].clamps.torque", "contact.obstacles.NAME.box.size"),
+        "robot-file.html": ("profiles.NAME.acceleration.NAME.grade", "confdata.rule"),
+    }
+    for page, keys in wanted.items():
+        for key in keys:
+            assert f'<span class="pre">{key}</span>' in site[page], key
+
+
+def test_the_functions_of_the_door_are_documented(site: dict[str, str]) -> None:
+    text = shown(site["python.html"])
+    for name in ("read_program", "load_cell", "build_plant", "build_problem", "optimize", "verify", "export"):
+        assert re.search(rf"\.{name}\(", text), name
+    assert "Raises InputError" in text
+
+
+def test_pictures_are_small_and_have_what_makes_them() -> None:
+    made = (IMAGES / "make").read_text(encoding="utf-8")
+    pictures = sorted(path.name for path in IMAGES.glob("*.png"))
+    assert pictures
+    for name in pictures:
+        assert (IMAGES / name).stat().st_size <= 200_000, name
+        assert name in made, name
