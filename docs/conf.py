@@ -15,16 +15,22 @@ import trajopt_cli
 
 project = "trajopt"
 author = "trajopt contributors"
+copyright = "trajopt contributors, MIT licence"
 version = release = trajopt_cli.__version__
 
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx_copybutton"]
 myst_heading_anchors = 3
 highlight_language = "none"
 default_role = "code"  # docstrings quote names as Markdown does
-autodoc_typehints = "description"
+autodoc_class_signature = "separated"
+autodoc_preserve_defaults = True
+add_module_names = False  # trajopt_cli gives them all
+python_maximum_signature_line_length = 90
 
 html_theme = "furo"
 html_title = f"trajopt {release}"
+html_static_path = ["_static"]
+html_css_files = ["wide.css"]
 html_copy_source = False
 html_show_sphinx = False
 copybutton_prompt_text = "$ "
