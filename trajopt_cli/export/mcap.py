@@ -20,7 +20,8 @@ _HEADER = f"{_BAR}\nMSG: std_msgs/Header\nbuiltin_interfaces/Time stamp\nstring 
 # Name and fields of a message, those of the messages in it behind a bar: how MCAP holds a ROS 2 definition.
 JOINT_STATE = (
     "sensor_msgs/msg/JointState",
-    f"std_msgs/Header header\nstring[] name\nfloat64[] position\nfloat64[] velocity\nfloat64[] effort\n{_HEADER}{_TIME}",
+    "std_msgs/Header header\nstring[] name\nfloat64[] position\nfloat64[] velocity\nfloat64[] effort\n"
+    f"{_HEADER}{_TIME}",
 )
 JOINT_TRAJECTORY = (
     "trajectory_msgs/msg/JointTrajectory",
@@ -40,8 +41,8 @@ def mcap(trajectory: Trajectory, names: Sequence[str] | None = None) -> bytes:
     try:
         from mcap_ros2.writer import Writer
     except ImportError as error:
-        message = "mcap-ros2-support is not installed: pip install 'trajopt-cli[mcap]'"
-        raise InputError(message if error.name == "mcap_ros2" else f"MCAP cannot be written: {error}") from error
+        missing = "mcap-ros2-support is not installed: pip install 'trajopt-cli[mcap]'"
+        raise InputError(missing if error.name == "mcap_ros2" else f"MCAP cannot be written: {error}") from error
     names, qd = checked_names(trajectory, names)
     out = BytesIO()
     with Writer(out) as writer:
