@@ -15,7 +15,20 @@ from typing import Annotated
 import typer
 
 from trajopt_cli import __version__
-from trajopt_cli.cli import analyse, compare, export, iiwa, optimize, parse, robot, schema, sensitivity, verify, view
+from trajopt_cli.cli import (
+    analyse,
+    compare,
+    export,
+    iiwa,
+    optimize,
+    parse,
+    play,
+    robot,
+    schema,
+    sensitivity,
+    verify,
+    view,
+)
 from trajopt_cli.cli.process import own_process
 from trajopt_cli.errors import InputError
 
@@ -32,6 +45,7 @@ app.command("sensitivity", short_help="What to change first: seconds per limit, 
     sensitivity.sensitivity
 )
 app.add_typer(export.app, name="export")
+app.add_typer(play.app, name="play")
 app.command("verify", short_help="Judge results or anybody's joint CSV.")(verify.verify)
 app.command("view", short_help="RESULTS' page in the browser.")(view.view)
 app.command("parse", short_help="PROGRAM's flat motions with file:line.")(parse.parse)

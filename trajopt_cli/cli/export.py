@@ -14,6 +14,7 @@ from trajopt_cli.errors import InputError
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from trajopt_cli.export.egm import Stream
     from trajopt_cli.export.recorded import Recorded
     from trajopt_cli.trajectory import Trajectory
 
@@ -58,7 +59,7 @@ def joint(
     from trajopt_cli.export.recorded import recorded
     from trajopt_cli.joint_csv import write_csv_text
 
-    _check_output(output, results)
+    check_output(output, results)
     motion = recorded(results)
     trajectory, note = motion.at(rate)
     _write(output, write_csv_text(trajectory).encode("ascii"), motion, trajectory, f"{rate:g} Hz", note)
@@ -80,7 +81,7 @@ def ros2(
     from trajopt_cli.export.recorded import recorded
     from trajopt_cli.export.ros2 import joint_trajectory
 
-    _check_output(output, results)
+    check_output(output, results)
     motion = recorded(results)
     trajectory, note = motion.at(rate)
     text = joint_trajectory(trajectory, _split(joints))
@@ -104,7 +105,7 @@ def mcap(
     from trajopt_cli.export.mcap import mcap as mcap_of
     from trajopt_cli.export.recorded import recorded
 
-    _check_output(output, results)
+    check_output(output, results)
     motion = recorded(results)
     trajectory, note = motion.at(rate)
     _write(output, mcap_of(trajectory, _split(joints)), motion, trajectory, f"{rate:g} Hz", note)
@@ -127,7 +128,7 @@ def parquet(
     from trajopt_cli.export.parquet import parquet as parquet_of
     from trajopt_cli.export.recorded import recorded
 
-    _check_output(output, results)
+    check_output(output, results)
     motion = recorded(results)
     trajectory, note = motion.at(rate)
     said = "as recorded" if rate is None else f"{rate:g} Hz"
@@ -152,13 +153,42 @@ def fri(
     from trajopt_cli.export.recorded import recorded
     from trajopt_cli.runs.files import write_file
 
-    _check_output(output, results)
+    check_output(output, results)
     try:
         text, rows, note = fri_rows(recorded(results), between)
     except InputError as error:
         raise error if error.file else InputError(error.message, file=str(results), kind=error.kind) from error
     write_file(output, text.encode("ascii"))
     typer.echo(f"{output}: the arm's joints, {rows} rows of 1 ms{f'; {note}' if note else ''}")
+
+
+@app.command("egm", short_help="EgmSensor messages every 4 ms, for ABB's Externally Guided Motion.")
+def egm(
+    results: ResultsFolder,
+    output: Annotated[Path, typer.Option(metavar="FILE.egm", help="The file of messages to write.")],
+    rate: Annotated[float, typer.Option(metavar="HZ", help="Messages per second, at most 250.")] = 250.0,
+) -> None:
+    """Set points and speed references: joints in degrees, the rail in mm in the place of its external axis. Each
+    message stands behind its length; trajopt play egm tries them.
+
+    \b
+    Example:
+      trajopt export egm results/hinge_cell --output stream.egm
+    """
+    from trajopt_cli.export.egm import stream_bytes
+    from trajopt_cli.runs.files import write_file
+
+    check_output(output, results)
+    motion, stream = egm_stream(results, rate)
+    write_file(output, stream_bytes(stream))
+    typer.echo(
+        f"{output}: {motion.name}, {len(stream.q)} set points at {rate:g} Hz of {', '.join(stream.names)}, T ="
+        f" {stream.duration:.4f} s"
+    )
+    unused = stream.names[stream.joints : -1]
+    if unused:
+        typer.echo(f"{', '.join(unused)}: 0 in every message; the rail is {stream.names[-1]}")
+    _tell_holds(motion)
 
 
 @app.command("rapid", short_help="The program with the rapid plan in it, for the RAPID controller.")
@@ -214,6 +244,21 @@ def rapid(
             typer.echo(f"from now on give the folder, or all files: trajopt parse {every}", err=diff)
 
 
+def egm_stream(results: Path, rate: float = 250.0) -> tuple[Recorded, Stream]:
+    """The motion of a results folder, and its EGM stream with the rail in the place of its external axis."""
+    from trajopt_cli.cell.loader import load_cell
+    from trajopt_cli.export.egm import stream_of
+    from trajopt_cli.export.recorded import recorded
+    from trajopt_cli.runs.results import read_results
+
+    motion = recorded(results)
+    rail = load_cell(read_results(results).cell).rail if motion.period is None else None
+    try:
+        return motion, stream_of(motion, rate, None if rail is None else rail.eax)
+    except InputError as error:
+        raise InputError(error.message, file=str(results), kind=error.kind) from error
+
+
 def _split(names: str | None) -> list[str] | None:
     return None if names is None else [name.strip() for name in names.split(",")]
 
@@ -228,16 +273,20 @@ def _write(output: Path, content: bytes, motion: Recorded, trajectory: Trajector
         f"{output}: {motion.name}, {len(trajectory.t)} rows {at}, T = {trajectory.duration:.4f} s"
         f"{f'; {note}' if note else ''}"
     )
+    _tell_holds(motion)
+
+
+def _tell_holds(motion: Recorded) -> None:
     for when, condition in motion.holds:
         typer.echo(f"hold at t = {when:.4f} s until {condition}")
 
 
-def _check_output(output: Path, results: Path) -> None:
+def check_output(output: Path, results: Path, option: str = "--output") -> None:
     """Refuse a place that cannot be written, and what a results folder holds: its files are held against their
     hashes."""
     from trajopt_cli.runs.files import check_file
 
-    check_file(output)
+    check_file(output, option)
     if output.exists() and output.resolve().is_relative_to(results.resolve()):
         raise InputError("is a file of the results folder; write to another place", file=str(output))
 
@@ -245,7 +294,7 @@ def _check_output(output: Path, results: Path) -> None:
 def _places(output: Path, results: Path, names: Sequence[Path]) -> list[Path]:
     """Where the modules of a program go: one to the file output, several by their names into the folder output."""
     if len(names) == 1:
-        _check_output(output, results)
+        check_output(output, results)
         return [output]
     if output.exists() and not output.is_dir():
         message = f"is a file; the program has {len(names)} modules, --output names a folder for them"
@@ -255,5 +304,5 @@ def _places(output: Path, results: Path, names: Sequence[Path]) -> list[Path]:
     places = [output / name for name in names]
     for place in places:
         if place.parent.is_dir():
-            _check_output(place, results)
+            check_output(place, results)
     return places

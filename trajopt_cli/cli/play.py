@@ -1,0 +1,122 @@
+"""`trajopt play egm FILE|RESULTS`: a stream tried on a simulated controller, on the loopback."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from threading import Thread
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from trajopt_cli.errors import InputError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from rich.table import Table
+
+    from trajopt_cli.export.egm import Stream
+    from trajopt_cli.export.egm_player import Lag
+
+app = typer.Typer(help="Play a stream to a simulated controller on this machine.", rich_markup_mode=None)
+_SETTLED = 10  # time constants behind the last set point, in which a follower arrives
+
+
+@app.callback()
+def _group() -> None:
+    """Play a stream to a simulated controller on this machine: it moves no robot."""
+
+
+@app.command("egm", short_help="Answer EGM on the loopback; log and lag of what comes back.")
+def egm(
+    source: Annotated[
+        Path, typer.Argument(metavar="FILE|RESULTS", help="File of trajopt export egm, or folder of trajopt optimize.")
+    ],
+    to: Annotated[
+        str, typer.Option("--to", metavar="HOST:PORT", help="Loopback address that a simulated controller sends to.")
+    ] = "127.0.0.1:6510",
+    log: Annotated[
+        Path | None, typer.Option("--log", metavar="FILE.csv", help="Write what came back, and what was set.")
+    ] = None,
+    constant: Annotated[
+        float,
+        typer.Option("--follower-time-constant", metavar="S", help="Of the first-order follower that is foretold."),
+    ] = 0.05,
+    echo: Annotated[
+        bool, typer.Option("--echo", help="Be the controller, too: such a follower, as fast as answers come.")
+    ] = False,
+    silence: Annotated[
+        float, typer.Option("--silence", metavar="S", help="How long to wait for a message of the controller.")
+    ] = 30.0,
+) -> None:
+    """Answer every EgmRobot message with the set point due on the controller's clock, and say how far every axis lags.
+
+    \b
+    Example:
+      trajopt play egm results/hinge_cell --echo --log back.csv
+    """
+    from trajopt_cli.cli.console import show, stdout
+    from trajopt_cli.cli.export import check_output
+    from trajopt_cli.export.egm_player import address, bound, lags, log_text, play, simulated_controller
+    from trajopt_cli.runs.files import write_file
+
+    for value, option in ((constant, "--follower-time-constant"), (silence, "--silence")):
+        if not 0 < value < 1e4:
+            raise InputError(f"{option} {value:g}: wanted seconds above 0")
+    host, port = address(to)
+    if log is not None:
+        check_output(log, source, "--log")
+    stream, settle = _stream(source), _SETTLED * constant
+    with bound(host, port) as here:
+        port = here.getsockname()[1]
+        typer.echo(
+            f"{source}: {len(stream.q)} set points in {stream.duration:.3f} s, answered on {host}:{port}", err=True
+        )
+        if echo:
+            arguments = stream, (host, port), constant, settle
+            Thread(target=simulated_controller, args=arguments, daemon=True).start()
+        played = play(stream, here, settle, silence)
+    if log is not None and len(played.t):
+        write_file(log, log_text(stream, played).encode("ascii"))
+    if len(played.t):
+        show(stdout(), _table(constant, lags(stream, constant, played)))
+        also = f", {played.strangers} datagrams that were none of its messages" if played.strangers else ""
+        typer.echo(f"{len(played.t)} messages of the controller answered, {played.lost} lost{also}")
+    if log is not None and len(played.t):
+        typer.echo(f"{log}: what came back, {len(played.t)} rows")
+    if played.why_not:
+        typer.echo(played.why_not, err=True)
+        raise typer.Exit(1)
+
+
+def _stream(source: Path) -> Stream:
+    from trajopt_cli.cli.export import egm_stream
+    from trajopt_cli.export.egm import read_stream
+
+    if source.is_dir():
+        return egm_stream(source)[1]
+    try:
+        return read_stream(source.read_bytes(), str(source))
+    except OSError as error:
+        raise InputError(f"cannot read: {error.strerror}", file=str(source)) from error
+
+
+def _table(constant: float, found: Iterable[Lag]) -> Table:
+    from trajopt_cli.cli.layout import plain_table
+
+    table = plain_table(
+        f"lag behind the set points, foretold for a follower of {1000 * constant:g} ms",
+        *("axis", ">fastest", "", ">speed x time", ">foretold", ">came back", "", ">as of"),
+    )
+    for lag in found:
+        table.add_row(
+            lag.name,
+            f"{lag.fastest:.2f}",
+            f"{lag.unit}/s",
+            f"{lag.ramp:.3f}",
+            f"{lag.foretold:.3f}",
+            "" if lag.measured is None else f"{lag.measured:.3f}",
+            lag.unit,
+            "" if lag.constant is None else f"{1000 * lag.constant:.1f} ms",
+        )
+    return table
