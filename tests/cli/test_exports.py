@@ -74,10 +74,22 @@ def test_a_plan_leaves_in_every_form_but_fri(
     assert run(["export", "parquet", "results/tiny", "--output", "j.parquet"]) == 0
     rows = len(Path("results/tiny/trajectory.csv").read_text().splitlines()) - 1
     assert f"j.parquet: the stream plan, {rows} rows as recorded" in capsys.readouterr().out
+    assert run(["export", "gltf", "results/tiny", "--output", "j.glb"]) == 0
+    assert "j.glb: the stream plan, " in capsys.readouterr().out
+    assert Path("j.glb").read_bytes()[:4] == b"glTF"
     assert run(["export", "fri", "results/tiny", "--output", "j.csv"]) == 2
     assert capsys.readouterr().err == (
         "results/tiny: is no motion of an LBR iiwa; FRI is KUKA's, give a folder of trajopt iiwa\n"
     )
+
+
+def test_what_is_for_plans_only_refuses_an_arms_joints(arm: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for kind, said in (
+        ("egm", "is no motion of a six-axis robot; EGM is ABB's, give a folder of trajopt optimize"),
+        ("gltf", "holds no plan in a cell; give a folder of trajopt optimize"),
+    ):
+        assert run(["export", kind, str(arm), "--output", str(arm.parent / "x")]) == 2
+        assert capsys.readouterr().err == f"{arm}: {said}\n"
 
 
 @pytest.mark.parametrize("kind", ["joint", "ros2", "mcap", "parquet", "fri"])

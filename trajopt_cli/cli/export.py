@@ -191,6 +191,33 @@ def egm(
     _tell_holds(motion)
 
 
+@app.command("gltf", short_help="The cell in motion as glTF, for 3D viewers and browsers.")
+def gltf(
+    results: ResultsFolder,
+    output: Annotated[Path, typer.Option(metavar="FILE.glb", help="The binary glTF file to write.")],
+    rate: Annotated[float, typer.Option(metavar="HZ", help="Key frames per second.")] = 60.0,
+) -> None:
+    """An animation of the arm's capsules, of what it carries, and of the cell's obstacles.
+
+    \b
+    Example:
+      trajopt export gltf results/hinge_cell --output cell.glb
+    """
+    from trajopt_cli.cell.loader import load_cell
+    from trajopt_cli.export.gltf import gltf as gltf_of
+    from trajopt_cli.export.recorded import recorded
+    from trajopt_cli.problem.plant import build_plant
+    from trajopt_cli.runs.results import read_results
+
+    check_output(output, results)
+    motion = recorded(results)
+    if motion.period is not None:
+        raise InputError("holds no plan in a cell; give a folder of trajopt optimize", file=str(results))
+    trajectory, note = motion.at(rate)
+    plant = build_plant(load_cell(read_results(results).cell))
+    _write(output, gltf_of(trajectory, plant, motion.name), motion, trajectory, f"{rate:g} Hz", note)
+
+
 @app.command("rapid", short_help="The program with the rapid plan in it, for the RAPID controller.")
 def rapid(
     results: ResultsFolder,

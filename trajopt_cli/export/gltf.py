@@ -1,0 +1,174 @@
+"""A plan as a glTF 2.0 animation in one binary file (GLB): the arm's capsules, what it carries, and the obstacles.
+
+Every link is a node in the frame of the one before it, as the URDF has them; a joint's sampler turns its node, the
+rail's shifts the base. Metres and seconds; glTF's y points up, so all stands under one node that turns z there.
+Source: Khronos, glTF 2.0 specification (ISO/IEC 12113).
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from struct import pack
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array, rotation_about, wxyz_from_rotation
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.shapes import Box, Capsule, Mesh, MeshFile
+from trajopt_cli.trajectory import Trajectory
+
+_FLOAT, _UINT, _VERTICES, _INDICES = 5126, 5125, 34962, 34963  # as OpenGL numbers them
+_AROUND, _UP = 16, 4  # edges of a capsule, and of a quarter of its ends
+_ARM, _OBSTACLE = 0, 1  # materials
+_COLOURS = {"arm": [0.85, 0.45, 0.15, 1.0], "obstacle": [0.5, 0.55, 0.6, 1.0]}
+_BOX = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1],
+                 [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]])  # fmt: skip
+
+
+@dataclass(eq=False)
+class _File:
+    """A glTF document and its bytes, as they grow."""
+
+    nodes: list[dict[str, Any]] = field(default_factory=list)
+    meshes: list[dict[str, Any]] = field(default_factory=list)
+    accessors: list[dict[str, Any]] = field(default_factory=list)
+    views: list[dict[str, Any]] = field(default_factory=list)
+    data: bytearray = field(default_factory=bytearray)
+
+    def numbers(self, values: NDArray[Any], kind: str, target: int | None = None) -> int:
+        """An accessor of rows of float32, or of indices; with bounds, which places and times must have."""
+        whole = values.dtype.kind in "iu"
+        rows = np.ascontiguousarray(values, dtype=np.uint32 if whole else np.float32)
+        view = {"buffer": 0, "byteOffset": len(self.data), "byteLength": rows.nbytes}
+        self.views.append(view if target is None else view | {"target": target})
+        self.data += rows.tobytes()
+        flat = rows.reshape(len(rows), -1)
+        bounds = {"min": flat.min(axis=0).tolist(), "max": flat.max(axis=0).tolist()}
+        made = {"bufferView": len(self.views) - 1, "componentType": _UINT if whole else _FLOAT, "count": len(rows)}
+        self.accessors.append(made | {"type": kind} | bounds)
+        return len(self.accessors) - 1
+
+    def node(self, name: str, parent: int | None = None, X: Array | None = None, **more: Any) -> int:
+        """A node at X in its parent's frame."""
+        self.nodes.append({"name": name, **more})
+        if X is not None:
+            self.nodes[-1] |= {"translation": X[:3, 3].tolist(), "rotation": _xyzw(X[None, :3, :3])[0].tolist()}
+        if parent is not None:
+            self.nodes[parent].setdefault("children", []).append(len(self.nodes) - 1)
+        return len(self.nodes) - 1
+
+    def shape(self, shape: Box | Capsule | Mesh, parent: int, material: int) -> None:
+        """A node with a shape's surface."""
+        vertices, triangles = _surface(shape)
+        places = self.numbers(vertices, "VEC3", _VERTICES)
+        indices = self.numbers(triangles.ravel(), "SCALAR", _INDICES)
+        self.meshes.append(
+            {"primitives": [{"attributes": {"POSITION": places}, "indices": indices, "material": material}]}
+        )
+        self.node(shape.name, parent, None if isinstance(shape, Capsule) else shape.X, mesh=len(self.meshes) - 1)
+
+
+def gltf(trajectory: Trajectory, plant: Plant, title: str) -> bytes:
+    """The GLB file of a trajectory's rows, as one animation. Raises InputError for another robot's trajectory."""
+    robot = plant.robot
+    if trajectory.names != robot.axis_names:
+        raise InputError(f"moves {', '.join(trajectory.names)}, not the axes of {robot.title}")
+    file, samplers, channels = _File(), list[dict[str, Any]](), list[dict[str, Any]]()
+    times = file.numbers(trajectory.t - trajectory.t[0], "SCALAR")
+    upright = np.eye(4)
+    upright[:3, :3] = rotation_about([1, 0, 0], -np.pi / 2)
+    world = file.node(title, X=upright)
+
+    def animate(node: int, path: str, values: Array, kind: str) -> None:
+        channels.append({"sampler": len(samplers), "target": {"node": node, "path": path}})
+        samplers.append({"input": times, "output": file.numbers(values, kind)})
+
+    arm = trajectory.q[:, robot.layout.arm]
+    bases = robot.base(trajectory.q[:, 0])
+    at = file.node(robot.link_names[0], world, bases[0])
+    places = {robot.link_names[0]: at}
+    if robot.has_rail:
+        animate(at, "translation", bases[:, :3, 3], "VEC3")
+    for i, joint in enumerate(robot.chain):
+        turns = joint.X[:3, :3] @ (rotation_about(joint.axis, arm[:, i]) if i < arm.shape[1] else np.eye(3)[None])
+        X = joint.X.copy()
+        X[:3, :3] = turns[0]
+        at = places[joint.child] = file.node(joint.child, at, X)
+        if len(turns) > 1:
+            animate(at, "rotation", _xyzw(turns), "VEC4")
+    _add_shapes(file, plant, places, world, at)
+    return _glb(file, {"name": title, "samplers": samplers, "channels": channels})
+
+
+def _add_shapes(file: _File, plant: Plant, places: Mapping[str, int], world: int, flange: int) -> None:
+    for link, capsule in plant.robot.capsules.items():
+        file.shape(capsule, places[link], _ARM)
+    for solids, parent, material in ((plant.attached, flange, _ARM), (plant.obstacles, world, _OBSTACLE)):
+        for solid in solids:
+            assert not isinstance(solid.shape, MeshFile)  # a plant has them loaded
+            file.shape(solid.shape, parent, material)
+
+
+def _glb(file: _File, animation: dict[str, Any]) -> bytes:
+    materials = [
+        {"name": name, "pbrMetallicRoughness": {"baseColorFactor": colour, "metallicFactor": 0.0}}
+        for name, colour in _COLOURS.items()
+    ]
+    document = {
+        "asset": {"version": "2.0", "generator": "trajopt"},
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": file.nodes,
+        "meshes": file.meshes,
+        "materials": materials,
+        "accessors": file.accessors,
+        "bufferViews": file.views,
+        "buffers": [{"byteLength": len(file.data)}],
+        "animations": [animation],
+    }
+    text = json.dumps(document, separators=(",", ":")).encode()
+    text += b" " * (-len(text) % 4)
+    chunks = pack("<I4s", len(text), b"JSON") + text + pack("<I4s", len(file.data), b"BIN\0") + file.data
+    return pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+
+
+def _xyzw(R: Array) -> Array:
+    """Quaternions (n, 4) as glTF orders them, of rotations (n, 3, 3) in turn: each on the side of the one before it."""
+    q = np.roll(wxyz_from_rotation(R), -1, axis=-1)
+    flips = np.where(np.sum(q[1:] * q[:-1], axis=1, keepdims=True) < 0, -1.0, 1.0)
+    q[1:] *= np.cumprod(flips, axis=0)
+    return q
+
+
+def _surface(shape: Box | Capsule | Mesh) -> tuple[Array, NDArray[np.int64]]:
+    """Vertices and triangles, counter-clockwise from outside, in the frame of the shape's X."""
+    match shape:
+        case Mesh():
+            return shape.vertices, shape.triangles
+        case Box():
+            corners = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
+            return corners * shape.size, _BOX
+    z = shape.b - shape.a
+    z = z / np.linalg.norm(z) if z.any() else np.array([0.0, 0.0, 1.0])
+    x = np.cross(z, np.eye(3)[np.argmin(np.abs(z))])
+    x /= np.linalg.norm(x)
+    y = np.cross(z, x)
+    around = 2 * np.pi * np.arange(_AROUND) / _AROUND
+    circle = np.cos(around)[:, None] * x + np.sin(around)[:, None] * y
+    up = np.pi / 2 * np.arange(_UP) / _UP
+    halves = [(shape.a, -up[::-1]), (shape.b, up)]
+    rings = [end + shape.radius * (np.cos(w) * circle + np.sin(w) * z) for end, half in halves for w in half]
+    vertices = np.vstack([*rings, shape.a - shape.radius * z, shape.b + shape.radius * z])
+    i, j = np.arange(_AROUND), np.roll(np.arange(_AROUND), -1)
+    last = (len(rings) - 1) * _AROUND
+    bottom, top = np.full_like(i, len(vertices) - 2), np.full_like(i, len(vertices) - 1)
+    triangles = [(bottom, j, i), (top, last + i, last + j)]
+    for a in range(0, last, _AROUND):
+        b = a + _AROUND
+        triangles += [(a + i, a + j, b + j), (a + i, b + j, b + i)]
+    return vertices, np.vstack([np.stack(corners, axis=1) for corners in triangles])
