@@ -35,7 +35,7 @@ FLOORS: tuple[tuple[str, ...], ...] = (
     ("rapid", "robot", "cell", "timing", "collision"),
     ("problem",),
     ("runs",),
-    ("optimize", "verify", "export", "report", "page"),
+    ("optimize", "verify", "export", "report", "page", "measured"),
     # what is worked on: a program and its cell, or those of a results folder
     ("job",),
     ("pipeline", "compliance"),
@@ -78,7 +78,7 @@ ADDRESSES: dict[str, tuple[str, ...]] = {
     "toppra": ("timing/*",),
     "qdldl": ("optimize/interior_point.py",),
     "ruckig": ("timing/*",),
-    "scipy": ("optimize/*", "timing/*", "compliance/controller/*", "compliance/task/arm_plan.py"),
+    "scipy": ("optimize/*", "timing/*", "measured/*", "compliance/controller/*", "compliance/task/arm_plan.py"),
     "typer": ("cli/*",),
     "rich": ("cli/*",),
     "matplotlib": ("report/*", "compliance/report/*"),

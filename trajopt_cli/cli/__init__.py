@@ -18,7 +18,9 @@ from trajopt_cli import __version__
 from trajopt_cli.cli import (
     analyse,
     compare,
+    estimate,
     export,
+    identify,
     iiwa,
     optimize,
     parse,
@@ -50,6 +52,8 @@ app.command("verify", short_help="Judge results or anybody's joint CSV.")(verify
 app.command("view", short_help="RESULTS' page in the browser.")(view.view)
 app.command("parse", short_help="PROGRAM's flat motions with file:line.")(parse.parse)
 app.command("analyse", short_help="PROGRAM as written, in steps of speed.")(analyse.analyse)
+app.command("estimate", short_help="PROGRAM's cycle time as written, and what it rests on.")(estimate.estimate)
+app.command("identify", short_help="Speed, acceleration and jerk limits from controllers' logs.")(identify.identify)
 app.add_typer(iiwa.app, name="iiwa")
 app.add_typer(robot.app, name="robot")
 app.command("schema", short_help="What cell, task and robot files may hold.")(schema.schema)

@@ -44,3 +44,21 @@ LoopsOfProgram = Annotated[
     Literal["keep", "unroll"] | None,
     typer.Option("--loops", help=f"{_LOOPS} Of a program, keep; a results folder brings its own.", show_default=False),
 ]
+LogUnits = Annotated[
+    str | None,
+    typer.Option(
+        "--units",
+        metavar="UNIT,...",
+        help="Units of a log's columns whose heads name none: s or ms, deg or rad, mm or m, as in deg,mm.",
+        show_default=False,
+    ),
+]
+Columns = Annotated[
+    str | None,
+    typer.Option(
+        "--columns",
+        metavar="NAME=HEAD,...",
+        help="Which of a log's columns is what where the heads do not tell: time=Stamp,joint_1=#3.",
+        show_default=False,
+    ),
+]

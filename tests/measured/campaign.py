@@ -1,0 +1,126 @@
+"""One run of a campaign: a hidden robot, its log, what identify says of it, and what estimate makes of that."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from measured.simulated_log import (
+    NAMES,
+    Move,
+    Robot,
+    drive,
+    identification_moves,
+    random_recorder,
+    random_robot,
+    record,
+    working_moves,
+)
+from measured.simulated_log import (
+    PERIODS as PERIODS,
+)
+from trajopt_cli.job import read_job
+from trajopt_cli.measured.identify import Kind, Limit, identify
+from trajopt_cli.measured.limits_file import limits_section
+from trajopt_cli.measured.nominal import limits_in_force
+from trajopt_cli.study.estimate import Estimate, estimate
+from trajopt_cli.trajectory import Trajectory
+
+CELL = """robot: irb140_rail
+rail: {eax: a, stroke: [-0.1, 2.1]}
+tcp: {speed: 1000, acceleration: 100000, source: the simulated robot has none}
+free_speed: true
+"""
+
+
+@dataclass(frozen=True)
+class Answered:
+    """One limit of one axis: whether the truth is inside, None where nothing is stated; half the interval and the
+    error, as shares. slow: the log holds no full-speed motion of the axis."""
+
+    axis: str
+    kind: str
+    inside: bool | None
+    half: float
+    error: float
+    slow: bool
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """cycle: how far the estimate is off, as a share; None where it was not made."""
+
+    period: float
+    jerk: bool
+    limits: tuple[Answered, ...]
+    cycle: float | None
+
+
+def one_run(seed: int, folder: Path | None) -> Outcome:
+    """Run number `seed`. folder: where program and cell file of the estimate go, None for no estimate."""
+    rng = np.random.default_rng(seed)
+    period, jerk = PERIODS[seed % 5], bool(seed // 5 % 2)
+    robot, recorder = random_robot(rng, jerk), random_recorder(rng, period)
+    slow = rng.choice(7, 1) if rng.random() < 0.5 else np.zeros(0, int)
+    start, moves = identification_moves(rng, slow)
+    t, q, _ = drive(robot, start, moves)
+    log = Trajectory(NAMES, *record(robot, t, q, recorder, rng))
+    found, _ = identify([log], limits_in_force("irb140_rail", None)[0])
+    answered = tuple(_answered(one, robot, slow) for one in found)
+    cycle = None
+    known = {one.axis for one in found if one.kind is Kind.SPEED and one.value} & {
+        one.axis for one in found if one.kind is Kind.ACCELERATION and one.value
+    }
+    if folder is not None and known >= {name for i, name in enumerate(NAMES) if i not in slow}:
+        work = working_moves(rng, start, [i for i in range(7) if i not in slow])
+        made = estimated(folder, start, work, found)
+        marks = drive(robot, start, work)[2]
+        waits = sum(move.wait for move in work[:-1])
+        truth = marks[-1] - marks[0] - waits
+        cycle = (made.driven - truth) / (truth + waits)
+    return Outcome(period, jerk, answered, cycle)
+
+
+def truth_of(robot: Robot, limit: Limit) -> float:
+    values = {Kind.SPEED: robot.velocity, Kind.ACCELERATION: robot.acceleration, Kind.JERK: robot.jerk}[limit.kind]
+    return np.inf if values is None else float(values[NAMES.index(limit.axis)])
+
+
+def _answered(limit: Limit, robot: Robot, slow: np.ndarray) -> Answered:
+    hidden = NAMES.index(limit.axis) in slow
+    if limit.value is None:
+        return Answered(limit.axis, limit.kind.value, None, np.nan, np.nan, hidden)
+    truth = truth_of(robot, limit)
+    half = (limit.high - limit.low) / 2 / limit.value
+    return Answered(
+        limit.axis, limit.kind.value, limit.low <= truth <= limit.high, half, limit.value / truth - 1, hidden
+    )
+
+
+def program_text(start: np.ndarray, moves: list[Move]) -> str:
+    """The moves as RAPID; start is given in the cell file."""
+    lines = ["MODULE Work", "PROC main()"]
+    for move in moves:
+        joints = ",".join(f"{value:.12g}" for value in np.degrees(move.q[1:]))
+        lines.append(f"MoveAbsJ [[{joints}],[{1e3 * move.q[0]:.12g},9E9,9E9,9E9,9E9,9E9]], vmax, fine, tool0;")
+        if move.wait:
+            lines.append(f"WaitTime {move.wait:.12g};")
+    return "\n".join([*lines, "ENDPROC", "ENDMODULE", ""])
+
+
+def cell_text(start: np.ndarray, found: list[Limit]) -> str:
+    section = limits_section(found, ["simulated.csv"])
+    jerk = "jerk_limits: true\n" if any(one.kind is Kind.JERK and one.value for one in found) else ""
+    return f"{CELL}{jerk}start: {{joints: {[float(x) for x in start[1:]]}, rail: {float(start[0])}}}\n{section}"
+
+
+def estimated(folder: Path, start: np.ndarray, moves: list[Move], found: list[Limit]) -> Estimate:
+    """The estimate of a program with identified limits, read from the files that a user would have."""
+    program = folder / "work.mod"
+    program.write_text(program_text(start, moves))
+    program.with_suffix(".yaml").write_text(cell_text(start, found))
+    answer = estimate(read_job(program))
+    assert isinstance(answer, Estimate), answer
+    return answer

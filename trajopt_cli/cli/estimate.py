@@ -1,0 +1,67 @@
+"""`trajopt estimate PROGRAM`: the cycle time of the program as written, and what it rests on."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Columns, Entry, LogUnits, ProgramPaths
+from trajopt_cli.cli.process import reading
+
+
+def estimate(
+    program: ProgramPaths,
+    cell: CellPath = None,
+    entry: Entry = None,
+    assume_identity: AssumeIdentity = None,
+    log: Annotated[
+        Path | None,
+        typer.Option(
+            "--log", metavar="FILE.csv", help="A controller's log of time and joints, to compare motion by motion."
+        ),
+    ] = None,
+    units: LogUnits = None,
+    columns: Columns = None,
+    as_json: AsJson = False,
+) -> None:
+    """Tell how long PROGRAM takes as its controller would drive it as written, under the cell's limits, with ramps and
+    corners, waits apart; beside it length over programmed speed.
+
+    Says which numbers are guesses. Exit code 1: it cannot be driven as written, and why.
+    """
+    import json
+
+    from trajopt_cli.cli.console import show, stdout
+    from trajopt_cli.cli.estimate_tables import estimate_table, sums
+    from trajopt_cli.errors import InputError
+    from trajopt_cli.job import MAIN, read_job
+    from trajopt_cli.measured.align import align
+    from trajopt_cli.measured.log_csv import read_log
+    from trajopt_cli.study.estimate import doubts, estimate, estimate_record, uncalibrated
+
+    if log is None and (units or columns):
+        raise InputError("--units and --columns are about a log; give it by --log FILE.csv")
+    with reading():
+        job = read_job(program, cell, entry or MAIN, assume_identity or ())
+    measured = None if log is None else read_log(log, job.plant.limits, units, columns)
+    answer = estimate(job)
+    if isinstance(answer, str):
+        typer.echo(f"as written it cannot be driven: {answer}", err=True)
+        raise typer.Exit(1)
+    compared = None
+    if measured is not None:
+        compared = align(job.program, answer.plan, job.plant.limits.velocity, measured[0], str(log))
+    if as_json:
+        typer.echo(json.dumps(estimate_record(answer, compared), indent=2, ensure_ascii=False))
+        return
+    console = stdout()
+    show(console, estimate_table(answer, compared))
+    for line in sums(answer, compared):
+        console.print(line)
+    for line in doubts(answer):
+        console.print(line)
+    if measured is not None and measured[1]:
+        console.print(f"columns not used: {', '.join(measured[1])}")
+    console.print(uncalibrated(compared))

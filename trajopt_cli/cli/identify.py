@@ -1,0 +1,77 @@
+"""`trajopt identify LOG...`: limits of the axes from what a controller recorded."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from trajopt_cli.cli.options import AsJson, Columns, LogUnits
+
+
+def identify(
+    logs: Annotated[
+        list[Path], typer.Argument(metavar="LOG...", help="CSV with a time and every joint, rows 4 to 100 ms apart.")
+    ],
+    robot: Annotated[
+        str | None,
+        typer.Option("--robot", metavar="NAME", help="Whose axes these are: a name of 'trajopt robot list'."),
+    ] = None,
+    cell: Annotated[
+        Path | None,
+        typer.Option("--cell", metavar="FILE.yaml", help="The cell file, for its robot and the limits in force."),
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "--output",
+            metavar="FILE.yaml",
+            help="Where to write the limits: section for the cell file; default: nowhere.",
+        ),
+    ] = None,
+    units: LogUnits = None,
+    columns: Columns = None,
+    as_json: AsJson = False,
+) -> None:
+    """Fit speed, acceleration and jerk of every axis to LOGs of its motions, with 90 % intervals.
+
+    A limit is told where several motions of different length have the same top and nothing else holds them back; where
+    a log does not show it, why. Exit code 1: it shows none.
+    """
+    import json
+
+    from trajopt_cli.cli.console import show, stdout
+    from trajopt_cli.cli.identify_tables import identified_record, identified_table, seen_lines
+    from trajopt_cli.errors import InputError
+    from trajopt_cli.measured.identify import identify
+    from trajopt_cli.measured.limits_file import limits_section
+    from trajopt_cli.measured.log_csv import in_order, read_log
+    from trajopt_cli.measured.nominal import limits_in_force
+    from trajopt_cli.runs.files import write_file
+
+    if output is not None and any(output.resolve() == path.resolve() for path in [*logs, *([cell] if cell else [])]):
+        raise InputError("--output is one of the inputs; name another file", file=str(output))
+    limits, place = limits_in_force(robot, cell)
+    in_order(logs)
+    read = [read_log(path, limits, units, columns) for path in logs]
+    found, seen = identify([one for one, _ in read], limits)
+    names = [path.name for path in logs]
+    if as_json:
+        typer.echo(
+            json.dumps(
+                identified_record(found, seen, [str(path) for path in logs], limits), indent=2, ensure_ascii=False
+            )
+        )
+    else:
+        console = stdout()
+        show(console, identified_table(found, limits, place))
+        for line in seen_lines(names, seen, [unused for _, unused in read], found):
+            console.print(line)
+    text = limits_section(found, names)
+    if not text:
+        typer.echo("NOTHING WRITTEN: these logs show no limit of any axis", err=True)
+        raise typer.Exit(1)
+    if output is not None:
+        write_file(output, text.encode())
+        typer.echo(f"written to {output}", err=True)

@@ -1,0 +1,89 @@
+"""Identified limits as a table and as a record."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from rich.table import Table
+
+from trajopt_cli.cli.layout import plain_table
+from trajopt_cli.limits import JointLimits
+from trajopt_cli.measured.identify import Kind, Limit, Seen
+from trajopt_cli.units import DEG, MM
+
+_UNIT = {Kind.SPEED: "/s", Kind.ACCELERATION: "/s²", Kind.JERK: "/s³"}
+
+
+def _in_force(limit: Limit, limits: JointLimits) -> float | None:
+    values = {Kind.SPEED: limits.velocity, Kind.ACCELERATION: limits.acceleration, Kind.JERK: limits.jerk}[limit.kind]
+    if values is None:
+        return None
+    value = float(values[limits.names.index(limit.axis)])
+    return value if value == value else None
+
+
+def identified_table(found: Sequence[Limit], limits: JointLimits, place: str) -> Table:
+    """A line per axis and limit, in degrees and millimetres."""
+    table = plain_table(
+        f"limits by the log, 90 % intervals, beside those of {place}",
+        *("axis", "limit", ">identified", ">from", ">to", "unit", ">motions", ">in force", "what is missing"),
+    )
+    for one in found:
+        factor = MM if one.axis == "rail" else DEG
+        unit = ("mm" if one.axis == "rail" else "deg") + _UNIT[one.kind]
+        now = _in_force(one, limits)
+        cells = [one.axis, one.kind.value]
+        if one.value is None:
+            most = "" if one.most is None else f"; the highest seen is {one.most / factor:.4g} {unit}"
+            cells += ["", "", "", unit, "", "" if now is None else f"{now / factor:.4g}", f"{one.why}{most}"]
+        else:
+            assert one.low is not None
+            assert one.high is not None
+            three = (f"{value / factor:.5g}" for value in (one.value, one.low, one.high))
+            cells += [*three, unit, str(one.motions), "" if now is None else f"{now / factor:.4g}", ""]
+        table.add_row(*cells)
+    return table
+
+
+def seen_lines(
+    names: Sequence[str], seen: Sequence[Seen], unused: Sequence[tuple[str, ...]], found: Sequence[Limit]
+) -> Iterator[str]:
+    """What became of each log, a line each, and what to do with the result."""
+    for name, one, columns in zip(names, seen, unused, strict=True):
+        left = [f"{one.not_straight} not along one line in the joints"] if one.not_straight else []
+        left += [f"{one.not_ramps} not one ramp up and one down"] if one.not_ramps else []
+        yield (
+            f"{name}: {one.rows} rows every {one.period * 1e3:.3g} ms, {one.motions} motions between rests, "
+            f"{', '.join([f'{one.fitted} fitted', *left])}; times are off by {one.jitter * 1e3:.2f} ms (rms)"
+        )
+        if columns:
+            yield f"{name}: columns not used: {', '.join(columns)}"
+    if any(one.kind is Kind.JERK and one.value is not None for one in found):
+        yield "accelerations do not jump here: 'jerk_limits: true' in the cell file has plans keep the jerks"
+    if any(one.kind is Kind.SPEED and one.value is not None for one in found):
+        yield "one speed programmed for all motions of an axis looks the same as its limit: log vmax at 100 % override"
+
+
+def identified_record(
+    found: Sequence[Limit], seen: Sequence[Seen], logs: Sequence[str], limits: JointLimits
+) -> dict[str, Any]:
+    """The same as plain data, SI."""
+    return {
+        "logs": [
+            {
+                "file": name, "rows": one.rows, "seconds": one.seconds, "period_s": one.period, "motions": one.motions,
+                "fitted": one.fitted, "not_straight": one.not_straight, "not_ramps": one.not_ramps,
+                "clock_s": one.jitter, "lag_s": one.lags,
+            }
+            for name, one in zip(logs, seen, strict=True)
+        ],
+        "limits": [
+            {
+                "axis": one.axis, "limit": one.kind.value, "value": one.value, "low": one.low, "high": one.high,
+                "confidence": 0.9, "motions": one.motions, "why_not": one.why or None, "highest_seen": one.most,
+                "in_force": _in_force(one, limits),
+            }
+            for one in found
+        ],
+    }  # fmt: skip

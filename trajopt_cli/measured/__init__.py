@@ -1,0 +1,1 @@
+"""What a controller recorded: reading it, finding its motions, and the limits that they show."""

@@ -1,0 +1,205 @@
+"""`estimate`: how long a program takes as the controller would drive it, beside length over speed, and what that rests
+on."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from trajopt_cli.job import Job
+from trajopt_cli.measured.align import Alignment
+from trajopt_cli.motion import Move, SignalEvent, Source, Wait
+from trajopt_cli.pipeline.planning import Clock, as_written, changes_of
+from trajopt_cli.problem.corners import corners_of, passed_in
+from trajopt_cli.problem.plan import Plan, Target
+from trajopt_cli.problem.stepwise import StepMove, analyse
+from trajopt_cli.runs.results import motion_label
+
+_STANDS = 1e-9  # m
+_OF_AXIS = re.compile(r"(\w+) (speed|acceleration|jerk)")
+_KEY = {"speed": "velocity", "acceleration": "acceleration", "jerk": "jerk"}
+_GRADE = re.compile(r"\(grade ([A-D])\)$")
+LEFT_OUT = (
+    "not in the model: the servo's lag and settling at fine points, speeds the load costs, singularities that slow the "
+    "controller down, and waits that take longer than their least time"
+)
+
+
+@dataclass(frozen=True)
+class EstimatedMotion:
+    """One motion: naive [s] is length over programmed speed, driven [s] under all limits; of a wait both are its least
+    time. binding: the limit that holds it back longest."""
+
+    index: int
+    source: Source
+    wait: bool
+    naive: float
+    driven: float
+    binding: str
+
+
+@dataclass(frozen=True)
+class RestsOn:
+    """A limit of an axis that holds motions back: its value [SI], where it comes from, for how many seconds of motions
+    it is the first to bind; guess: nobody at hand confirms it (grade C or D)."""
+
+    limit: str
+    value: float
+    unit: str
+    source: str
+    guess: bool
+    seconds: float
+
+
+@dataclass(frozen=True, eq=False)
+class Estimate:
+    """plan: the program as written under the cell's limits. motions: those that take time, in order. corners: how many
+    fly-bys are driven as corners, stops: how many are stops. rests: the most seconds first."""
+
+    job: Job
+    plan: Plan
+    motions: tuple[EstimatedMotion, ...]
+    rests: tuple[RestsOn, ...]
+    corners: int
+    stops: int
+
+    @property
+    def naive(self) -> float:
+        """Length over speed, waits apart [s]."""
+        return sum(one.naive for one in self.motions if not one.wait)
+
+    @property
+    def driven(self) -> float:
+        """As driven, waits apart [s]."""
+        return sum(one.driven for one in self.motions if not one.wait)
+
+    @property
+    def waits(self) -> float:
+        """Programmed waits, their least time [s]."""
+        return sum(one.driven for one in self.motions if one.wait)
+
+    @property
+    def guesses(self) -> tuple[RestsOn, ...]:
+        """The numbers that are guesses."""
+        return tuple(one for one in self.rests if one.guess)
+
+
+def estimate(job: Job) -> Estimate | str:
+    """The program as written, driven by the RAPID controller under the cell's limits; or why it cannot be, one line."""
+    from trajopt_cli.optimize import Memory
+
+    plan = as_written(job, changes_of(job, Target.RAPID), Clock(), Memory())
+    if isinstance(plan, str):
+        return plan
+    naive = {move.index: _naive(job, move) for move in analyse(job.program, job.plant).moves}
+    motions = []
+    for one in plan.motions:
+        motion = job.program.motions[one.index]
+        if isinstance(motion, SignalEvent):
+            continue
+        wait = isinstance(motion, Wait)
+        driven = one.t_1 - one.t_0
+        motions.append(
+            EstimatedMotion(one.index, one.source, wait, driven if wait else naive[one.index], driven, one.binding)
+        )
+    programmed = corners_of(job.program, job.plant)
+    passed = len(passed_in(job.program, job.plant, plan))
+    stopped = len(programmed.passed) + len(programmed.stopped) - passed
+    return Estimate(job, plan, tuple(motions), tuple(_rests_on(job, motions)), passed, stopped)
+
+
+def _naive(job: Job, move: StepMove) -> float:
+    """Length over speed [s], for the rail as for the tool; a programmed duration as it is."""
+    motion, limits = job.program.motions[move.index], job.plant.limits
+    assert isinstance(motion, Move)
+    way = abs(move.rail_1 - move.rail_0)
+    if motion.duration is not None or not job.plant.robot.has_rail or way < _STANDS:
+        return move.duration
+    return max(move.t_arm, way / min(motion.speed.v_leax, float(limits.velocity[limits.names.index("rail")])))
+
+
+def _rests_on(job: Job, motions: list[EstimatedMotion]) -> Iterator[RestsOn]:
+    limits = job.plant.limits
+    seconds: dict[str, float] = {}
+    for one in motions:
+        if _OF_AXIS.fullmatch(one.binding) and one.binding.split()[0] in limits.names:
+            seconds[one.binding] = seconds.get(one.binding, 0.0) + one.driven
+    for name in sorted(seconds, key=lambda name: (-seconds[name], name)):
+        axis, kind = name.split()
+        values = getattr(limits, _KEY[kind])
+        source = limits.sources.get(f"{axis}.{_KEY[kind]}", "")
+        grade = _GRADE.search(source)
+        base = "m" if axis == "rail" else "rad"
+        unit = f"{base}/s{ {'speed': '', 'acceleration': '²', 'jerk': '³'}[kind] }"
+        guess = grade is not None and grade[1] in "CD"
+        yield RestsOn(name, float(values[limits.names.index(axis)]), unit, source, guess, seconds[name])
+
+
+def doubts(answer: Estimate) -> Iterator[str]:
+    """What the cycle time rests on that nobody has measured, a line each."""
+    if answer.guesses:
+        share = sum(one.seconds for one in answer.guesses)
+        names = ", ".join(f"{one.limit} {one.value:g} {one.unit}" for one in answer.guesses)
+        yield f"guesses: {names}; they hold back {share:.3f} s of {answer.driven:.3f} s of motion"
+    if answer.corners:
+        yield (
+            f"a guess too: how {answer.corners} fly-by{'s are' if answer.corners > 1 else ' is'} rounded; driven as "
+            "parabolas inside their zones, controllers publish no other"
+        )
+    if answer.stops:
+        yield f"{answer.stops} programmed fly-by{'s are' if answer.stops > 1 else ' is'} driven as stops here"
+    if answer.job.plant.limits.binding_jerk is None:
+        yield "accelerations may jump: the cell file has no jerk_limits"
+    yield LEFT_OUT
+
+
+def uncalibrated(alignment: Alignment | None) -> str:
+    """What was compared, or that nothing was."""
+    if alignment is None:
+        return "uncalibrated: no log of this cell was compared with it; --log FILE.csv does that"
+    return alignment.said
+
+
+def estimate_record(answer: Estimate, alignment: Alignment | None) -> dict[str, Any]:
+    """The whole answer as plain data, SI."""
+    measured = {} if alignment is None else {one.index: one for one in alignment.motions}
+    motions = []
+    for one in answer.motions:
+        instruction, target = motion_label(answer.job.program, one.index)
+        entry: dict[str, Any] = {
+            "index": one.index, "source": str(one.source), "instruction": instruction, "target": target,
+            "wait": one.wait, "length_over_speed_s": one.naive, "predicted_s": one.driven, "binding": one.binding,
+        }  # fmt: skip
+        if one.index in measured:
+            entry["measured_s"] = measured[one.index].measured
+            entry["measured_minus_predicted_s"] = measured[one.index].measured - one.driven
+        motions.append(entry)
+    record: dict[str, Any] = {
+        "program": str(answer.job.program_path),
+        "cycle_time_s": answer.plan.duration,
+        "motion_s": answer.driven,
+        "length_over_speed_s": answer.naive,
+        "waits_s": answer.waits,
+        "corners": answer.corners,
+        "fly_bys_driven_as_stops": answer.stops,
+        "calibrated": alignment is not None,
+        "calibration": uncalibrated(alignment),
+        "rests_on": [
+            {
+                "limit": one.limit, "value": one.value, "unit": one.unit, "source": one.source, "guess": one.guess,
+                "seconds": one.seconds,
+            }
+            for one in answer.rests
+        ],
+        "doubts": list(doubts(answer)),
+        "motions": motions,
+    }  # fmt: skip
+    if alignment is not None:
+        record["log"] = {
+            "file": alignment.file, "cycle_s": alignment.cycle, "predicted_s": alignment.predicted,
+            "motion_s": alignment.motion, "waits_s": alignment.waits, "from_s": alignment.t_0, "to_s": alignment.t_1,
+            "farthest": alignment.farthest,
+        }  # fmt: skip
+    return record
