@@ -46,6 +46,11 @@ class Report:
         return all(finding.passed for finding in self.findings)
 
 
+def failures(findings: Iterable[Finding]) -> list[str]:
+    """What the judge says of each case that did not pass."""
+    return [finding.message or f"{finding.check} of {finding.subject}" for finding in findings if not finding.passed]
+
+
 def nearest(findings: Iterable[Finding]) -> list[tuple[Finding, int]]:
     """Of every check the case nearest to its limit, failed ones first, and how many cases it has; in their order."""
     cases: dict[str, list[Finding]] = {}

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 
-from trajopt_cli.cli.comparison_tables import comparison_record
 from trajopt_cli.findings import Report
 from trajopt_cli.job import Job, read_job
 from trajopt_cli.motion import Move
@@ -17,6 +16,7 @@ from trajopt_cli.study import comparison
 from trajopt_cli.study.case import Attempt
 from trajopt_cli.study.causes import causes, with_stops
 from trajopt_cli.study.comparison import Comparison, Tried, _after, compare
+from trajopt_cli.study.comparison_record import comparison_record
 
 TEXT = """MODULE made
     CONST robtarget p1:=[[450,50,400],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];

@@ -39,6 +39,10 @@ def baseline(
         Path | None,
         typer.Option("--plots", metavar="FOLDER", help="Draw the rows, the saving by cause and the fastest plan, too."),
     ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", metavar="FOLDER", help="Results folder; default: results/PROGRAM_comparison."),
+    ] = None,
     phi_min: Annotated[
         float, typer.Option(min=0, max=80, metavar="DEG", help="Row thesis: least angle of joint 3 from stretched.")
     ] = 10.0,
@@ -55,21 +59,26 @@ def baseline(
     """
     import json
 
-    from trajopt_cli.cli.comparison_tables import causes_table, comparison_record, rows_csv, rows_table
+    from trajopt_cli.cli.comparison_tables import causes_table, rows_table
     from trajopt_cli.cli.console import show, stdout
     from trajopt_cli.cli.progress import ProgressView
     from trajopt_cli.job import read_program_or_results
     from trajopt_cli.pipeline.optimise import held_unasked
     from trajopt_cli.problem.changes import Loops
     from trajopt_cli.runs.files import write_file, write_files
+    from trajopt_cli.runs.folder import check_replaceable
     from trajopt_cli.study.case import RailRule
     from trajopt_cli.study.comparison import compare, comparison_pictures
+    from trajopt_cli.study.comparison_folder import ComparisonOptions, write_comparison
+    from trajopt_cli.study.comparison_record import comparison_record, rows_csv
     from trajopt_cli.units import DEG
 
     with reading():
         wanted = Loops(loops) if loops else None
         job, made_of_loops = read_program_or_results(program, cell, entry, assume_identity or (), wanted)
     _check_places(csv, plots)
+    folder = output or Path("results") / f"{job.program.name}_comparison"
+    check_replaceable(folder)
     with ProgressView() as view:
         answer = compare(job, view.show, RailRule(phi_min * DEG, v_transfer, v_area), made_of_loops)
     record = comparison_record(answer)
@@ -100,6 +109,15 @@ def baseline(
         pictures = comparison_pictures(answer)
         write_files(plots, pictures)
         typer.echo(f"drawn in {plots}: {len(pictures)} files", err=True)
+    options = ComparisonOptions(
+        program=[str(path) for path in job.paths],
+        cell=str(job.cell_path),
+        entry=job.program.entry,
+        assume_identity=list(job.assume_identity),
+        loops=made_of_loops.value,
+    )
+    count = write_comparison(folder, answer, options)
+    typer.echo(f"written to {folder}: report.html (open it in a browser) and {count - 1} files more", err=as_json)
     if not any(row["legal"] for row in record["rows"]):
         raise typer.Exit(1)
 

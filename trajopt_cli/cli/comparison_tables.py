@@ -1,117 +1,13 @@
-"""The tables of a comparison, and the records behind them."""
+"""The tables of a comparison."""
 
 from __future__ import annotations
 
-import csv
-import io
-import math
 from typing import Any
 
 from rich.table import Table
 
 from trajopt_cli.cli.layout import plain_table
-from trajopt_cli.cli.tables import failures
-from trajopt_cli.findings import Report
-from trajopt_cli.pipeline.planning import NoPlan
-from trajopt_cli.problem.plan import Infeasible
-from trajopt_cli.study.comparison import Comparison, Step, Tried
-
-_COLUMNS = (
-    "name", "target", "cycle_time_s", "saving", "cycle_time_without_waits_s", "saving_without_waits", "legal",
-    "breaks", "worst_ratio", "lower_bound_s", "moves", "title", "why",
-)  # fmt: skip
-
-
-_RATIOS = frozenset(
-    {
-        "joint speed",
-        "joint acceleration",
-        "joint jerk",
-        "TCP speed",
-        "TCP acceleration",
-        "programmed speed",
-        "programmed reorientation",
-    }
-)
-
-
-def worst_ratio(report: Report) -> float:
-    """The largest speed or acceleration of a joint or the TCP relative to its limit; above 1 one of them is over."""
-    ratios = [one.value / one.limit for one in report.findings if one.check in _RATIOS and one.limit > 0]
-    return max(ratios, default=math.nan)
-
-
-def comparison_record(answer: Comparison) -> dict[str, Any]:
-    """The whole comparison as plain data: rows, the saving by cause, and the seconds of programmed waiting."""
-    steps = answer.steps
-    causes: dict[str, Any] = {"why_not": steps} if isinstance(steps, str) else {"steps": [_step(one) for one in steps]}
-    return {
-        "program": str(answer.job.program_path),
-        "programmed_waits_s": answer.waits,
-        "rows": row_records(answer),
-        "saving_by_cause": causes,
-    }
-
-
-def _step(step: Step) -> dict[str, Any]:
-    return {
-        "name": step.name,
-        "cycle_time_s": step.plan.duration,
-        "saved_s": step.saved,
-        "why_not": step.why_not or None,
-    }
-
-
-def row_records(answer: Comparison) -> list[dict[str, Any]]:
-    """Rows as plain data; a saving is the share of the first legal row's cycle time, counted for legal rows only."""
-    records: list[dict[str, Any]] = []
-    reference: float | None = None
-    for row in answer.rows:
-        record: dict[str, Any] = {
-            "name": row.name,
-            "target": row.baseline.target.value,
-            "title": row.baseline.title,
-            "moves": row.baseline.moves,
-        }
-        match row.result:
-            case Tried(attempt=attempt, report=report):
-                time = attempt.trajectory.duration
-                if reference is None and report.legal:
-                    reference = time
-                counted = reference is not None and report.legal
-                bound = attempt.plan.lower_bound if attempt.plan is not None and row.baseline.optimum else None
-                record |= {
-                    "cycle_time_s": time,
-                    "cycle_time_without_waits_s": time - answer.waits,
-                    "saving": 1.0 - time / reference if counted and reference else None,
-                    "saving_without_waits": (
-                        1.0 - (time - answer.waits) / (reference - answer.waits) if counted and reference else None
-                    ),
-                    "legal": report.legal,
-                    "breaks": next((one.check for one in report.findings if not one.passed), None),
-                    "failed": failures(report.findings),
-                    "worst_ratio": worst_ratio(report),
-                    "lower_bound_s": bound,
-                    "notes": list(attempt.notes),
-                }
-            case Infeasible() as no:
-                record |= {"legal": False, "why": str(no)}
-            case NoPlan(message=message):
-                record |= {"legal": False, "why": f"no plan found: {message}"}
-            case str(why):
-                record |= {"legal": None, "why": why}
-        records.append(record)
-    return records
-
-
-def rows_csv(records: list[dict[str, Any]]) -> str:
-    """The rows as CSV, a header and a line for each; empty where there is nothing to say."""
-    out = io.StringIO()
-    writer = csv.DictWriter(out, _COLUMNS, extrasaction="ignore", lineterminator="\n")
-    writer.writeheader()
-    for record in records:
-        writer.writerow({name: "" if record.get(name) is None else record[name] for name in _COLUMNS})
-    return out.getvalue()
+from trajopt_cli.study.comparison import Step
 
 
 def rows_table(program: str, waits: float, records: list[dict[str, Any]]) -> Table:

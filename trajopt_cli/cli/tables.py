@@ -134,11 +134,6 @@ def advice_table(name: str, report: Report, everything: bool) -> Table:
     return _findings(f"{name}: advice, which does not affect the verdict", report.advice, everything)
 
 
-def failures(findings: tuple[Finding, ...]) -> list[str]:
-    """What the judge says of each case that did not pass."""
-    return [finding.message or f"{finding.check} of {finding.subject}" for finding in findings if not finding.passed]
-
-
 def _findings(title: str, findings: tuple[Finding, ...], everything: bool) -> Table:
     table = plain_table(
         title, "check", ">cases", "of", ">worst value", ">limit", ">margin", "unit", ">time [s]", "place", ""

@@ -33,7 +33,8 @@ def verify(
 ) -> None:
     """Judge trajectories against program or task, and limits. Exit code 0: legal, 1: not."""
     from trajopt_cli.cli.console import stdout
-    from trajopt_cli.cli.tables import advice_table, failures, findings_table, verdict
+    from trajopt_cli.cli.tables import advice_table, findings_table, verdict
+    from trajopt_cli.findings import failures
     from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.pipeline.folder import verify_file, verify_results
     from trajopt_cli.runs.folder import TASK, kind_of

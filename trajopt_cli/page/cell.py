@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from trajopt_cli.motion import Program
 from trajopt_cli.page.cycles import (
     MOST_REACHES,
     Shown,
@@ -30,12 +31,13 @@ MOST_MOTIONS = 2_000
 _HEADS = ("place", "instruction", "target")
 
 
-def cell_data(plant: Plant, shown: Sequence[Shown], at_first: Sequence[int], reach_of: Plan | None) -> dict[str, Any]:
-    """All that the scripts read. shown: the cycles, at_first: which one or two stand beside each other. The first
-    cycle's program is the user's; reach_of: a plan of it, for the reach of its points."""
-    programs, which = programs_of(shown)
+def cell_data(
+    plant: Plant, user: Program, shown: Sequence[Shown], at_first: Sequence[int], reach_of: Plan | None
+) -> dict[str, Any]:
+    """All that the scripts read. user: the program as given. shown: the cycles, at_first: which one or two stand beside
+    each other. reach_of: a plan of the user's program, for the reach of its points."""
+    programs, which = programs_of(user, shown)
     files = files_of(programs)
-    user = programs[0]
     points = [] if reach_of is None else program_points(user, reach_of, plant)
     reach = None if reach_of is None else reach_data(plant, user, reach_of)
     return {
@@ -65,11 +67,11 @@ def motion_section() -> Section:
     return Section("motion", "Motion", html, lead)
 
 
-def program_section(shown: Sequence[Shown], at_first: Sequence[int]) -> Section:
+def program_section(user: Program, shown: Sequence[Shown], at_first: Sequence[int]) -> Section:
     """Per motion its times and what limits it, beside the program's text."""
     first = [shown[i] for i in at_first]
     html = (
-        f'<div class="pair">{_motions(first)}<div id="source" class="own-keys" role="region" tabindex="0" '
+        f'<div class="pair">{_motions(user, first)}<div id="source" class="own-keys" role="region" tabindex="0" '
         'aria-label="The program"></div></div>'
     )
     lead = "A click on a motion or on its line goes to its beginning. Beside the lines: what they save or cost."
@@ -113,32 +115,32 @@ def seconds(value: float) -> str:
     return f"{value:.3f}"
 
 
-def _motions(shown: Sequence[Shown]) -> str:
-    """The table; the scripts put other cycles' numbers into the same cells."""
-    user = shown[-1].program
+def _motions(user: Program, shown: Sequence[Shown]) -> str:
+    """The table; the scripts put other cycles' numbers into the same cells. A cycle of another program has none."""
     two = len(shown) > 1
     names = [
         *(f"{one.name} [s]" for one in shown),
         *(["saved [s]"] if two else []),
         f"what limits the {shown[-1].name}",
     ]
-    found = [{m.index: m for m in one.plan.motions} for one in shown]
+    found = [{m.index: m for m in one.plan.motions} if one.program is user else {} for one in shown]
     rows = []
-    moving = [m.index for m in shown[-1].plan.motions][:MOST_MOTIONS]
-    for index in moving:
+    for index in range(min(len(user.motions), MOST_MOTIONS)):
         planned = [one.get(index) for one in found]
         spent = [None if m is None or m.dropped else m.t_1 - m.t_0 for m in planned]
         cells = ["dropped" if m is not None and m.dropped else "–" if t is None else seconds(t)
                  for m, t in zip(planned, spent, strict=True)]  # fmt: skip
         if two:
-            cells.append("" if spent[0] is None else seconds(spent[0] - (spent[1] or 0.0)).replace("-", "−"))
+            before, after = planned
+            known = before is not None and after is not None and spent[0] is not None
+            cells.append(seconds((spent[0] or 0.0) - (spent[1] or 0.0)).replace("-", "−") if known else "")
         instruction, target = motion_label(user, index)
         source = user.motions[index].source
         rows.append(
             f'<tr data-motion="{index}"><td><button type="button">{text(place(source))}</button></td>'
             f'<td>{text(instruction)}</td><td title="{text(target)}">{text(target)}</td>'
             f"{''.join(map(_number, cells))}"
-            f"<td>{text(planned[-1].binding if planned[-1] else '')}</td></tr>"
+            f"<td>{text(planned[-1].binding if planned[-1] is not None else '')}</td></tr>"
         )
     ends = [seconds(one.plan.duration) for one in shown]
     if two:
@@ -146,7 +148,7 @@ def _motions(shown: Sequence[Shown]) -> str:
     head = "".join(f'<th scope="col">{name}</th>' for name in _HEADS)
     head += "".join(f'<th scope="col" class="n">{text(name)}</th>' for name in names[:-1])
     foot = "".join(map(_number, ends))
-    cut = f"; the first {MOST_MOTIONS} of them" if len(shown[-1].plan.motions) > MOST_MOTIONS else ""
+    cut = f"; the first {MOST_MOTIONS} of them" if len(user.motions) > MOST_MOTIONS else ""
     return (
         '<div class="scroll own-keys" id="motions" role="region" aria-label="Motions" tabindex="0"><table>'
         f'<caption class="quiet">Every motion{cut}</caption><thead><tr>{head}'

@@ -37,9 +37,9 @@ class Shown:
     report: Report | None = None
 
 
-def programs_of(shown: Sequence[Shown]) -> tuple[list[Program], list[int]]:
-    """Each program once, and which of them a motion carries out."""
-    programs: list[Program] = []
+def programs_of(user: Program, shown: Sequence[Shown]) -> tuple[list[Program], list[int]]:
+    """Each program once, the user's first, and which of them a motion carries out."""
+    programs = [user]
     which = []
     for one in shown:
         if not any(one.program is known for known in programs):
@@ -59,6 +59,7 @@ def cycle_data(plant: Plant, one: Shown, program: int) -> dict[str, Any]:
         "name": one.name,
         "target": plan.target.value,
         "duration": plan.duration,
+        "bound": plan.lower_bound,
         "program": program,
         "t": block(times - plan.trajectory.t[0]),
         "q": block(course.q),

@@ -50,18 +50,16 @@ def optimised_page(
     shown = [*before, *(Shown(f"{one} plan", program, plans[one].plan, plans[one].report) for one in (target, other))]
     at_first = [0, 1] if before else [0]
     chosen = plans[target].plan
-    data = cell_data(plant, shown, at_first, chosen)
-    for cycle, one in zip(data["cycles"], shown, strict=True):
-        cycle["bound"] = one.plan.lower_bound
+    data = cell_data(plant, program, shown, at_first, chosen)
     sections = [
         motion_section(),
         *_saving(program, target, chosen, written),
-        program_section(shown, at_first),
+        program_section(program, shown, at_first),
         *chart_sections(plant, data),
         Section(
             "judge",
             "Judge",
-            "".join(judged(f"{one} plan", plans[one].report) for one in (target, other)),
+            "".join(judged(f"{one} plan", plans[one].report, one is target) for one in (target, other)),
             "An independent judge, with kinematics and geometry of its own, read the rows that were written. Of every "
             "check the case nearest to its limit.",
         ),
@@ -83,17 +81,17 @@ def _head(
     chosen, second = plans[target].plan, plans[other].plan
     tiles = []
     if isinstance(written, Plan):
-        tiles.append(_tile("before", WRITTEN, f"{seconds(written.duration)} s", "the program under the same limits"))
+        tiles.append(tile("before", WRITTEN, f"{seconds(written.duration)} s", "the program under the same limits"))
     else:
-        tiles.append(_tile("before", WRITTEN, "–", f"cannot be driven: {written}"))
+        tiles.append(tile("before", WRITTEN, "–", f"cannot be driven: {written}"))
     changed = f"{_change(written, chosen)}, for {_MACHINES[target]}".removeprefix(", ")
-    tiles.append(_tile("after", f"{target} plan", f"{seconds(chosen.duration)} s", changed))
+    tiles.append(tile("after", f"{target} plan", f"{seconds(chosen.duration)} s", changed))
     if chosen.lower_bound is not None and chosen.gap is not None:
         gap = f"no legal motion is faster; gap {100 * chosen.gap:.1f} %"
-        tiles.append(_tile("bound", f"lower bound, {target}", f"{seconds(chosen.lower_bound)} s", gap))
+        tiles.append(tile("bound", f"lower bound, {target}", f"{seconds(chosen.lower_bound)} s", gap))
     gap = "" if second.gap is None else f", gap {100 * second.gap:.1f} %"
     told = f"{_change(written, second)}, for {_MACHINES[other]}{gap}".removeprefix(", ")
-    tiles.append(_tile("", f"{other} plan", f"{seconds(second.duration)} s", told))
+    tiles.append(tile("", f"{other} plan", f"{seconds(second.duration)} s", told))
     verdicts = " · ".join(
         f'{one} plan <span class="verdict {"good" if plans[one].report.legal else "bad"}">'
         f"{'legal' if plans[one].report.legal else 'not legal'}</span>, {len(plans[one].report.findings)} findings"
@@ -120,13 +118,15 @@ def _saving(program: Program, target: Target, plan: Plan, written: Plan | str) -
         plan.lower_bound,
         "Saving by motion",
     )
-    share = f"{signed(written.duration - plan.duration)}, {_change(written, plan)}"
+    change = _change(written, plan)
+    share = change.capitalize() if change == "unchanged" else f"{signed(written.duration - plan.duration)}, {change}"
     bound = "" if plan.lower_bound is None else f" The dashed line is the lower bound, {seconds(plan.lower_bound)} s."
     lead = f"{share}, by motion.{bound} trajopt compare baseline tells it by cause."
     return [Section("saving", "Saving", drawn, lead)]
 
 
-def _tile(kind: str, name: str, big: str, small: str) -> str:
+def tile(kind: str, name: str, big: str, small: str) -> str:
+    """A number above all sections. kind: "before", "after", "bound" or none of them."""
     return (
         f'<div class="tile {kind}"><dt>{text(name)}</dt><dd class="big">{text(big)}</dd>'
         f'<dd class="small">{text(small)}</dd></div>'
@@ -137,4 +137,5 @@ def _change(before: Plan | str, after: Plan) -> str:
     """What becomes of a time, in per cent; nothing where there is none to begin with."""
     if isinstance(before, str) or before.duration <= 0:
         return ""
-    return f"{100 * (after.duration / before.duration - 1):+.1f} %".replace("-", "−")
+    percent = f"{100 * (after.duration / before.duration - 1):+.1f}"
+    return "unchanged" if percent[1:] == "0.0" else f"{percent.replace('-', '−')} %"

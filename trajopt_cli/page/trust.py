@@ -15,8 +15,8 @@ from trajopt_cli.units import DEG, MM
 GRADES = "Grades: A several sources agree, B one good source, C a weak one or inferred, D an estimate."
 
 
-def judged(name: str, report: Report) -> str:
-    """The verdict and, of every check, the case nearest to its limit."""
+def judged(name: str, report: Report, opened: bool) -> str:
+    """The verdict and, of every check, the case nearest to its limit. opened: as the page is first shown."""
     bad = sum(not one.passed for one in report.findings)
     word, kind = ("legal", "good") if report.legal else (f"not legal: {bad} checks failed", "bad")
     rows = []
@@ -37,7 +37,8 @@ def judged(name: str, report: Report) -> str:
         )
     heads = ("check", ">cases", "nearest case", ">value", ">limit", ">margin", "unit", ">at [s]", "place", "")
     verdict = f'<h3>{text(name)}: <span class="verdict {kind}">{word}</span></h3>'
-    return verdict + table(f"{name}: {len(report.findings)} findings", heads, rows, html=True)
+    shown = table(f"{name}: {len(report.findings)} findings", heads, rows, html=True)
+    return f"<details{' open' if opened else ''}><summary>{verdict}</summary>{shown}</details>"
 
 
 def limits(plant: Plant) -> str:

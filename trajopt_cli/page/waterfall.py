@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from trajopt_cli.page.encode import text
 
 _LEFT = 0.97  # of the drawing's width that the longest bar takes
+_SEEN = 5e-4  # s: less is printed as 0.000
 
 
 @dataclass(frozen=True)
@@ -21,17 +22,27 @@ class Bar:
     cycle: str = ""
 
 
-def by_motion(saved: Sequence[tuple[str, str, float]], before: float, after: float, most: int = 9) -> list[Bar]:
-    """Bars from before to after [s] by motion. saved: name, place and seconds of each; those that save or cost most
-    have a bar of their own, the rest one together, so that the bars add up."""
-    order = sorted(saved, key=lambda one: -abs(one[2]))
-    shown, rest = (order, []) if len(order) <= most else (order[: most - 1], order[most - 1 :])
-    bars = [Bar(name, seconds, detail=place) for name, place, seconds in sorted(shown, key=lambda one: -one[2])]
-    if rest:
-        bars.append(Bar(f"{len(rest)} other motions", sum(one[2] for one in rest)))
-    if abs(left := before - after - sum(bar.seconds for bar in bars)) > 1e-6:
-        bars.append(Bar("not in any motion", left))
-    return bars
+def by_motion(saved: Iterable[tuple[str, str, float]], before: float, after: float, most: int = 9) -> list[Bar]:
+    """Bars from before to after [s] by motion. saved: name, place and seconds of each; several passes of one line are
+    one. Those that save or cost most have a bar of their own, the rest one together, so that the bars add up."""
+    groups: dict[tuple[str, str], list[float]] = {}
+    for name, place, seconds in saved:
+        groups.setdefault((name, place), []).append(seconds)
+    bars = [
+        Bar(name, sum(passes), detail=place if len(passes) == 1 else f"{place}, {len(passes)} times")
+        for (name, place), passes in groups.items()
+    ]
+    bars.sort(key=lambda bar: -abs(bar.seconds))
+    shown = [bar for bar in bars[: most - 1] if abs(bar.seconds) >= _SEEN]
+    rest = bars[len(shown) :]
+    if len(rest) == 1 and abs(rest[0].seconds) >= _SEEN:
+        shown, rest = bars, []
+    shown.sort(key=lambda bar: -bar.seconds)
+    left = before - after - sum(bar.seconds for bar in shown)
+    if rest or abs(left) >= _SEEN:
+        count = f"{len(rest)} other {'lines' if len(rest) > 1 else 'line'}" if rest else "not in any motion"
+        shown.append(Bar(count, left))
+    return shown
 
 
 def waterfall(start: Bar, steps: Sequence[Bar], end: Bar, bound: float | None, label: str) -> str:
@@ -59,9 +70,9 @@ def _row(bar: Bar, left: float, length: float, scale: float, bound: float | None
     kind = f"total {bar.cycle}".strip() if bar.total else "saves" if bar.seconds >= 0 else "costs"
     line = "" if bound is None else f'<path class="bound" d="M{bound * scale:.3f} 0V10"/>'
     figure = f"{bar.seconds:.3f} s" if bar.total else signed(bar.seconds)
-    detail = f' <span class="small">{text(bar.detail)}</span>' if bar.detail else ""
+    detail = f'<span class="small">{text(bar.detail)}</span>' if bar.detail else ""
     return (
-        f'<li class="{kind}"><span class="name">{text(bar.name)}{detail}</span>'
+        f'<li class="{kind}"><span class="name"><span title="{text(bar.name)}">{text(bar.name)}</span>{detail}</span>'
         f'<svg viewBox="0 0 100 10" preserveAspectRatio="none" aria-hidden="true"><rect x="{left * scale:.3f}" y="1.2" '
         f'width="{max(length * scale, 0.15):.3f}" height="7.6"/>{line}</svg><span class="figure">{figure}</span></li>\n'
     )

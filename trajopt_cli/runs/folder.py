@@ -21,8 +21,14 @@ from trajopt_cli.runs.record import Model, RunRecord, as_json, checked, parse_re
 
 FORMAT = 1
 """Of the folders; a reader refuses a newer one."""
-PLAN, TASK, EXPERIMENTS, SENSITIVITY = "plan", "iiwa", "experiments", "sensitivity"
-_COMMANDS = {PLAN: "optimize", TASK: "iiwa segments", EXPERIMENTS: "iiwa experiments", SENSITIVITY: "sensitivity"}
+PLAN, TASK, EXPERIMENTS, SENSITIVITY, COMPARISON = "plan", "iiwa", "experiments", "sensitivity", "comparison"
+_COMMANDS = {
+    PLAN: "optimize",
+    TASK: "iiwa segments",
+    EXPERIMENTS: "iiwa experiments",
+    SENSITIVITY: "sensitivity",
+    COMPARISON: "compare baseline",
+}
 """What makes a folder of each kind."""
 _REPORTS = {PLAN: "optimize", TASK: "iiwa simulate", EXPERIMENTS: "iiwa experiments"}
 """What writes a folder's page."""

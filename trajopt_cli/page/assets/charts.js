@@ -2,7 +2,7 @@
 //
 // data.charts[name] draws itself in <figure data-chart="name">:
 //   {title, unit, digits, zero, height, series: [{name, t: "array", y: "array", column, scale, style, cycle}],
-//    limits: [{value, name}], spans: [[from, to]], steps: [{from, to, y}], marks: [{t, low, high}], points: [{t, y}]}
+//    limits: [{value, name}], spans: [[from, to]], steps: [{from, to, y}], marks: [{t, to, low, high}], points: [{t, y}]}
 // where t and y name blocks in data.arrays. style: "before", "after" or "a" to "f".
 "use strict";
 (() => {
@@ -122,7 +122,7 @@
 
     timeAxis() {
       const { pen, area } = this;
-      const { values, digits } = ticks(zoom.from, zoom.to, Math.max(2, Math.floor((area.x1 - area.x0) / 90)));
+      const { values, digits } = ticks(zoom.from, zoom.to, Math.max(2, Math.floor((area.x1 - area.x0) / 62)));
       pen.strokeStyle = color("grid");
       pen.fillStyle = color("ink-2");
       pen.lineWidth = 1;
@@ -348,10 +348,11 @@
     marks(pen, x, y) {
       for (const one of this.spec.marks || []) {
         const at = x(one.t);
+        const right = one.to === undefined ? at : x(one.to);
         pen.fillStyle = color("reach");
-        pen.fillRect(at - 2, y(one.high), 4, Math.max(y(one.low) - y(one.high), 1));
+        pen.fillRect(at - 2, y(one.high), right - at + 4, Math.max(y(one.low) - y(one.high), 1));
         pen.fillStyle = color("sky");
-        for (const end of [one.low, one.high]) pen.fillRect(at - 5, y(end) - 1, 10, 2);
+        for (const end of [one.low, one.high]) pen.fillRect(at - 5, y(end) - 1, right - at + 10, 2);
       }
     }
 

@@ -146,8 +146,11 @@
     const { legs } = one;
     const marks = [];
     const points = [];
+    let held = []; // of the point last reached: through a wait it stays in reach
     legs.index.forEach((index, k) => {
-      for (const [low, high] of data.reach.ranges[index] || []) marks.push({ t: legs.to[k], low: low * MM, high: high * MM });
+      const waits = legs.kind[k] === "wait";
+      held = waits ? held : data.reach.ranges[index] || [];
+      for (const [low, high] of held) marks.push({ t: waits ? legs.from[k] : legs.to[k], to: legs.to[k], low: low * MM, high: high * MM });
       const asked = data.reach.asked[index];
       if (asked !== undefined && one.program === 0) points.push({ t: legs.to[k], y: asked * MM });
     });
@@ -172,9 +175,10 @@
     }));
   }
 
-  // What each motion takes in two cycles, by its index; several programs have no common motions.
+  // What each motion of the user's program takes, by its index; a cycle of another program has none of them.
   function times(one) {
     const out = new Map();
+    if (one.program) return out;
     one.legs.index.forEach((index, k) => out.set(index, { time: one.legs.to[k] - one.legs.from[k], from: one.legs.from[k], binding: one.legs.binding[k] }));
     return out;
   }
@@ -239,7 +243,7 @@
   // Seconds saved beside each line, and where a click on it leads: its first motion in the later cycle.
   function markLines() {
     const two = shown();
-    const [was, is] = two.length > 1 && two[0].program === two[1].program ? two.map(times) : [null, times(after())];
+    const [was, is] = two.length > 1 ? two.map(times) : [null, times(after())];
     const sums = new Map();
     for (const [index, one] of is) {
       const known = motion(after(), index);
