@@ -68,6 +68,27 @@ def drawn(rail: bool) -> Drawn:
     return Drawn(Program("main", motions, {}), plant, plan)
 
 
+def many(count: int) -> Drawn:
+    """Joint moves to and fro over a table, without a rail, to targets with long names."""
+    few = drawn(rail=False)
+    plant = few.plant
+    X = [pose(DOWN, [0.4 + 0.002 * k, 0.25 - 0.5 * (k % 10) / 9, 0.25 + 0.1 * (k % 2)]) for k in range(count)]
+    q = [plant.start, *(_axes(plant, X_WT, None) for X_WT in X)]
+    names = [f"p_station_{k:02d}_left_magazine_position_{k:02d}" for k in range(count)]
+    motions = tuple(_move(k, name, X_WT) for k, (name, X_WT) in enumerate(zip(names, X, strict=True)))
+    rows, planned, t = [], [], 0.0
+    for i, motion in enumerate(motions):
+        times, p, v = _bang(plant.limits, q[i], q[i + 1])
+        last = len(times) if i == count - 1 else len(times) - 1
+        rows.append((t + times[:last], p[:last], v[:last]))
+        planned.append(PlannedMotion(i, motion.source, t, t + times[-1], p[0], p[-1], "joint_1 acceleration"))
+        t += times[-1]
+    names_of_axes = plant.limits.names
+    trajectory = Trajectory(names_of_axes, *(np.concatenate(column) for column in zip(*rows, strict=True)))
+    plan = Plan(Target.RAPID, trajectory, tuple(planned), None, "none")
+    return Drawn(Program("main", motions, {}), plant, plan)
+
+
 def _axes(plant: Plant, X_WT: Array, rail: float | None) -> Array:
     X_WF = X_WT @ np.linalg.inv(TOOL.X_FT)
     q = inverse(plant.robot, X_WF[None], None if rail is None else np.array([rail]))[0, 0]

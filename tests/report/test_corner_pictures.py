@@ -84,8 +84,12 @@ def test_points_that_are_passed_are_hollow_and_stand_where_they_are_programmed(
     stops, passed = (line for line in axes.lines if line.get_marker() == "o")
     assert passed.get_markerfacecolor() == "white"
     assert stops.get_markerfacecolor() != "white"
-    for line, which in ((stops, ~np.array(PASSED)), (passed, np.array(PASSED))):
-        np.testing.assert_allclose(np.column_stack(line.get_data()) * 1e-3, points()[which][:, plane], atol=1e-8)
+    start = course().X_WT[:1, :3, 3]
+    for line, places in (
+        (stops, np.vstack([start, points()[~np.array(PASSED)]])),
+        (passed, points()[np.array(PASSED)]),
+    ):
+        np.testing.assert_allclose(np.column_stack(line.get_data()) * 1e-3, places[:, plane], atol=1e-8)
 
 
 def test_the_legend_names_both_and_a_plan_of_stops_has_neither() -> None:
@@ -108,7 +112,7 @@ def test_over_time_a_point_that_is_passed_is_a_dotted_line_in_the_middle_of_its_
 def test_the_arm_is_shown_where_it_stops() -> None:
     labels = [name for _, name, _ in in_space._stations(course())]
     assert labels[0] == "start"
-    assert [label.split(",")[0] for label in labels[1:]] == ["Offs(p_in"]
+    assert [label.split(",")[0] for label in labels[1:]] == ["Offs(p_in…"]
 
 
 def test_a_name_of_many_places_is_written_once_and_all_places_are_kept() -> None:

@@ -17,7 +17,7 @@ from drawn_plans import PAUSE, TOOL, Drawn, drawn
 
 from trajopt_cli.problem.course import Course, follow
 from trajopt_cli.report import in_space, over_time, style
-from trajopt_cli.report.bars import comparison, comparison_figure, savings, savings_figure
+from trajopt_cli.report.bars import Bar, comparison, comparison_figure, savings, savings_figure
 from trajopt_cli.report.pictures import PICTURES, draw
 from trajopt_cli.report.skeleton import skeleton
 
@@ -51,19 +51,31 @@ def texts(svg: bytes) -> list[str]:
             "joints",
             ["position", "speed", "acceleration", "[mm/s²]", "[deg/s²]", "rail", "joint 6", "time [s]", "limit"],
         ),
-        ("rail", ["rail [mm]", "time [s]", "p_one", "p_two", "end of the rail 1200 mm", "point in reach", "wait"]),
+        (
+            "rail",
+            [
+                "rail [mm]",
+                "time [s]",
+                "p_one",
+                "p_two",
+                "end of the rail 1200 mm",
+                "rail positions that reach the point",
+                "wait",
+            ],
+        ),
         ("tcp_speed", ["TCP speed [mm/s]", "cap of the tool centre point 2500 mm/s", "p_one", "j_home"]),
-        ("axis_speeds", ["in the world", "relative to the carriage", "x", "y", "z"]),
-        ("path", ["real space, side view", "relative to the carriage, from above", "y [mm]", "z [mm]", "p_two"]),
+        (
+            "path",
+            ["in the world, side view", "seen from the carriage, from above", "y [mm]", "z [mm]", "p_two", "rail"],
+        ),
         ("workspace", ["ahead of axis 1 [mm]", "above the base [mm]", "p_one", "j_home"]),
-        ("effector", ["position [mm]", "speed [mm/s]", "x-y'-z'' angles [deg]"]),
-        ("motors", ["angle [deg]", "speed [deg/s]", "rail [mm]", *(f"joint {i}" for i in range(1, 7))]),
+        ("effector", ["speed in the world", "the carriage [mm/s]", "orientation", "turned about x", "along x"]),
         ("arm", ["x [mm]", "y [mm]", "z [mm]", "1: start"]),
     ],
 )
 def test_labels_units_and_names_are_in_the_file(with_rail: dict[str, bytes], picture: str, wanted: list[str]) -> None:
     found = [line for text in texts(with_rail[f"{picture}.svg"]) for line in (text, *text.split("\n"))]
-    heading = f"cell · target stream · cycle {RAIL.plan.duration:.3f} s"
+    heading = f"cell · stream plan, for a machine that follows joint positions · cycle {RAIL.plan.duration:.3f} s"
     assert [text for text in [*wanted, heading] if text not in found] == []
 
 
@@ -160,11 +172,11 @@ def test_the_tcps_speed_is_the_change_of_its_place() -> None:
     assert programmed == pytest.approx([800.0] * 3)
 
 
-def test_relative_to_the_carriage_the_wait_is_at_rest_and_the_speed_is_less_the_rails() -> None:
+def test_seen_from_the_carriage_the_wait_is_at_rest_and_the_speed_is_less_the_rails() -> None:
     c = course(RAIL)
     with style.house_style():
-        figure = over_time.axis_speeds(c)
-    world, carriage = ([line.get_ydata() for line in axes.lines[:3]] for axes in figure.axes[:2])
+        figure = over_time.effector(c)
+    world, carriage = ([line.get_ydata() for line in axes.lines[:3]] for axes in figure.axes[1:3])
     rail = c.qd[:, 0] * 1e3
     assert np.allclose(world[1] - carriage[1], rail, atol=1e-9)  # the rail runs along y
     assert np.allclose(world[0], carriage[0])
@@ -254,19 +266,29 @@ def test_texts_are_legible_at_half_size_and_inside_the_page(picture: str) -> Non
     assert outside == []
 
 
+ROWS = [
+    Bar("b", "what b does", 5.0, False),
+    Bar("a", "what a does", 9.0, True),
+    Bar("c", "what c does", 6.0, True, 5.5),
+]
+
+
 def test_savings_steps_add_up_and_comparison_marks_what_is_illegal() -> None:
     steps = [("as written", 9.0), ("retimed", 7.5), ("margin", 7.75), ("rail", 6.0)]
     with style.house_style():
         bars = savings_figure(steps, "Saving").axes[0].patches
-        rows = comparison_figure([("a", 9.0, True), ("b", 5.0, False), ("c", 6.0, True)], "Rows").axes[0].patches
+        compared = comparison_figure(ROWS, "Rows").axes[0]
     assert [bar.get_width() for bar in bars] == pytest.approx([9.0, 1.5, 0.25, 1.75, 6.0])
     assert [bar.get_x() for bar in bars] == pytest.approx([0, 7.5, 7.5, 6.0, 0])
     assert bars[1].get_facecolor() != bars[2].get_facecolor()
-    assert [bool(bar.get_hatch()) for bar in rows] == [False, True, False]
-    files = savings(steps, "Saving") | comparison([("a", 9.0, True), ("b", 5.0, False)], "Rows")
+    assert [bool(bar.get_hatch()) for bar in compared.patches] == [True, False, False]
+    assert [line.get_xdata()[0] for line in compared.lines if line.get_gid() == "reference"] == [9.0]
+    assert [line.get_xdata()[0] for line in compared.lines if line.get_gid() == "bound"] == [5.5]
+    files = savings(steps, "Saving") | comparison(ROWS, "Rows")
     assert set(files) == {f"{name}.{kind}" for name in ("savings", "comparison") for kind in ("svg", "png")}
     assert {"as written", "−1.500 s", "+0.250 s", "6.000 s", "cycle time [s]"} <= set(texts(files["savings.svg"]))
-    assert "5.000 s, breaks a limit" in texts(files["comparison.svg"])
+    told = {"5.000 s, breaks a limit", "9.000 s, reference", "6.000 s, −33.3 %, bound 5.500 s", "what a does"}
+    assert told | {"Rows · savings count against a, the first legal row"} <= set(texts(files["comparison.svg"]))
 
 
 def test_too_little_to_compare_is_said() -> None:

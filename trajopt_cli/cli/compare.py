@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
 from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, LoopsOfProgram
 from trajopt_cli.cli.process import reading
+
+if TYPE_CHECKING:
+    from trajopt_cli.problem.plan import Target
 
 _SHOWN = 3  # failed checks per row; an illegal plan breaks many at once
 
@@ -38,6 +41,12 @@ def baseline(
     plots: Annotated[
         Path | None,
         typer.Option("--plots", metavar="FOLDER", help="Draw the rows, the saving by cause and the fastest plan, too."),
+    ] = None,
+    target: Annotated[
+        Literal["stream", "rapid"] | None,
+        typer.Option(
+            help="Whose plan --plots draws; default: stream, of a results folder its own.", show_default=False
+        ),
     ] = None,
     output: Annotated[
         Path | None,
@@ -106,7 +115,7 @@ def baseline(
         for line in (*job.plant.unchecked, *answer.notices, *held_unasked(job)):
             console.print(line)
     if plots is not None:
-        pictures = comparison_pictures(answer)
+        pictures = comparison_pictures(answer, _drawn(target, program[0]))
         write_files(plots, pictures)
         typer.echo(f"drawn in {plots}: {len(pictures)} files", err=True)
     options = ComparisonOptions(
@@ -120,6 +129,17 @@ def baseline(
     typer.echo(f"written to {folder}: report.html (open it in a browser) and {count - 1} files more", err=as_json)
     if not any(row["legal"] for row in record["rows"]):
         raise typer.Exit(1)
+
+
+def _drawn(target: str | None, program: Path) -> Target:
+    """Whose plan is drawn: as asked for, else as a results folder was made, else the stream's."""
+    from trajopt_cli.job import is_results
+    from trajopt_cli.problem.plan import Target
+    from trajopt_cli.runs.results import read_results
+
+    if target is None and is_results(program):
+        return read_results(program).target
+    return Target(target or "stream")
 
 
 def _check_places(csv: Path | None, plots: Path | None) -> None:

@@ -333,7 +333,7 @@ def plan_pictures(job: Job, plan: Plan) -> dict[str, bytes]:
 
     name = job.title
     pictures = draw(job.program, job.plant, plan, name)
-    pictures |= stepwise(job.program, analyse(job.program, job.plant), name)
+    pictures |= stepwise(job.program, job.plant, analyse(job.program, job.plant), name)
     return {f"plots/{place}": content for place, content in pictures.items()}
 
 

@@ -126,7 +126,7 @@ def follow(program: Program, plant: Plant, plan: Plan, title: str, times: Array 
     for tool, part in _tools(legs, t, first_tool(program)):
         X_WT[part] = X_WF[part] @ tool
         V_WT[part] = (plant.robot.jacobian(q[part], tool) @ qd[part][..., None])[..., 0]
-    below = f"{title} · target {plan.target.value} · cycle {plan.duration:.3f} s"
+    below = f"{title} · {plan.target.in_words} · cycle {plan.duration:.3f} s"
     return Course(program, plant, plan, below, legs, t, q, qd, qdd, X_WT, V_WT)
 
 

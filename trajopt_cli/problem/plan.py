@@ -17,6 +17,13 @@ class Target(StrEnum):
     STREAM = "stream"
     RAPID = "rapid"
 
+    @property
+    def in_words(self) -> str:
+        """What a stranger reads of its plan, as in titles of pictures."""
+        if self is Target.STREAM:
+            return "stream plan, for a machine that follows joint positions"
+        return "RAPID plan, for the controller that runs the program"
+
 
 @dataclass(frozen=True, eq=False)
 class PlannedMotion:

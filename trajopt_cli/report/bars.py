@@ -3,15 +3,43 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from trajopt_cli.report.style import BLACK, BLUE, GREY, SMALL, TEXT, VERMILLION, files, house_style, new_figure, settle
+from trajopt_cli.report.over_time import legend
+from trajopt_cli.report.style import (
+    BLACK,
+    BLUE,
+    GREY,
+    LEAST,
+    LIMIT,
+    SMALL,
+    TEXT,
+    VERMILLION,
+    files,
+    house_style,
+    new_figure,
+    settle,
+)
 
-_LIGHT = "#c9dcea"  # of an illegal row, under its hatching
+_LEGAL = "#8fb3cc"
+
+
+@dataclass(frozen=True)
+class Bar:
+    """A row of a comparison: its name, what it is, its cycle [s], whether it is legal, and the time no legal motion on
+    its target beats [s], None where none was asked for."""
+
+    name: str
+    what: str
+    seconds: float
+    legal: bool
+    bound: float | None = None
 
 
 def savings(steps: Sequence[tuple[str, float]], title: str) -> dict[str, bytes]:
@@ -24,10 +52,11 @@ def savings(steps: Sequence[tuple[str, float]], title: str) -> dict[str, bytes]:
         return files("savings", savings_figure(steps, title), title)
 
 
-def comparison(rows: Sequence[tuple[str, float, bool]], title: str) -> dict[str, bytes]:
-    """Bars of cycle times, as comparison.svg and comparison.png. rows: (name, seconds, legal), drawn in this order.
+def comparison(rows: Sequence[Bar], title: str) -> dict[str, bytes]:
+    """Bars of cycle times, as comparison.svg and comparison.png, in the order of rows.
 
-    A row that breaks a limit is hatched and says so. Raises ValueError without rows.
+    Savings count for legal rows, against the first of them. A row that breaks a limit is hatched and says so. Raises
+    ValueError without rows.
     """
     with house_style():
         return files("comparison", comparison_figure(rows, title), title)
@@ -38,14 +67,16 @@ def savings_figure(steps: Sequence[tuple[str, float]], title: str) -> Figure:
     if len(steps) < 2:
         raise ValueError(f"savings needs a start and at least one step, not {len(steps)} steps")
     first, last = steps[0][1], steps[-1][1]
-    figure = new_figure(1.9 + 0.52 * (len(steps) + 1), title, _outcome(first, last))
+    heading = "Saving by cause, for a machine that follows joint positions"
+    figure = new_figure(1.9 + 0.52 * (len(steps) + 1), heading, f"{title} · {_outcome(first, last)}")
     axes = figure.subplots()
     longest = max(seconds for _, seconds in steps)
     _bar(axes, 0, 0.0, first, GREY, f"{first:.3f} s")
     for row, ((_, before), (_, after)) in enumerate(pairwise(steps), start=1):
         change = after - before
         color = BLUE if change <= 0 else VERMILLION
-        _bar(axes, row, min(before, after), abs(change), color, f"{_signed(change)} s", max(before, after))
+        told = f"{_signed(change)} s" if f"{change:.3f}" not in ("0.000", "-0.000") else "nothing"
+        _bar(axes, row, min(before, after), abs(change), color, told, max(before, after))
         axes.plot([before, before], [row - 1 + 0.32, row + 0.32], color=GREY, linewidth=0.9)
     rows = len(steps)
     axes.plot([last, last], [rows - 1 + 0.32, rows + 0.32], color=GREY, linewidth=0.9)
@@ -60,55 +91,87 @@ def savings_figure(steps: Sequence[tuple[str, float]], title: str) -> Figure:
     return figure
 
 
-def comparison_figure(rows: Sequence[tuple[str, float, bool]], title: str) -> Figure:
+def comparison_figure(rows: Sequence[Bar], title: str) -> Figure:
     """The figure of comparison; call it in house_style."""
     if not rows:
         raise ValueError("comparison needs at least one row")
-    figure = new_figure(1.7 + 0.52 * len(rows), title)
+    legal = [row for row in rows if row.legal]
+    reference = legal[0] if legal else None
+    below = "no row is legal: nothing to count savings against"
+    if reference is not None:
+        below = f"{title} · savings count against {reference.name}, the first legal row"
+    figure = new_figure(1.9 + 0.72 * len(rows), "Cycle times", below)
     axes = figure.subplots()
-    quickest = min((seconds for _, seconds, legal in rows if legal), default=None)
-    for row, (_, seconds, legal) in enumerate(rows):
-        label = f"{seconds:.3f} s" if legal else f"{seconds:.3f} s, breaks a limit"
-        color = GREY if not legal else BLUE if seconds == quickest else "#8fb3cc"
-        _bar(axes, row, 0.0, seconds, color, label, legal=legal)
-    _finish(axes, [name for name, _, _ in rows], max(seconds for _, seconds, _ in rows))
-    handles = [Patch(color=BLUE, label="legal, quickest"), Patch(color="#8fb3cc", label="legal")]
-    if not all(legal for _, _, legal in rows):
+    quickest = min((row.seconds for row in legal), default=None)
+    if reference is not None:
+        axes.axvline(reference.seconds, **LIMIT, zorder=0.5, gid="reference")  # type: ignore[arg-type]
+    for place, row in enumerate(rows):
+        color = GREY if not row.legal else BLUE if row.seconds == quickest else _LEGAL
+        at = place + 0.18
+        end = row.seconds if row.bound is None else max(row.seconds, row.bound)
+        _bar(axes, at, 0.0, row.seconds, color, _saving(row, reference), end, legal=row.legal, height=0.42)
+        if row.bound is not None:
+            axes.plot([row.bound] * 2, [at - 0.26, at + 0.26], color=BLACK, linewidth=2.6, gid="bound")
+        axes.annotate(
+            row.what, (0, place - 0.2), (2, 0), textcoords="offset points", va="center", size=LEAST, color=GREY,
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 1},
+        )  # fmt: skip
+    _finish(axes, [row.name for row in rows], max(row.seconds for row in rows))
+    axes.set_yticks([place + 0.18 for place in range(len(rows))])
+    handles: list[Line2D | Patch] = [Patch(color=BLUE, label="legal, fastest"), Patch(color=_LEGAL, label="legal")]
+    if len(legal) < len(rows):
         handles.append(Patch(facecolor="white", edgecolor=GREY, hatch="///", label="breaks a limit"))
-    figure.legend(handles=handles, loc="outside lower center", ncols=3)
+    if any(row.bound is not None for row in rows):
+        told = "lower bound: no legal motion is faster"
+        handles.append(Line2D([], [], color=BLACK, linewidth=2.6, label=told))
+    if reference is not None:
+        handles.append(Line2D([], [], **LIMIT, label="reference"))  # type: ignore[arg-type]
+    legend(figure, handles)
     settle(figure)
     return figure
 
 
+def _saving(row: Bar, reference: Bar | None) -> str:
+    """What stands beside a bar: its seconds, what that saves, how far the bound is below."""
+    text = f"{row.seconds:.3f} s"
+    if not row.legal or reference is None:
+        return f"{text}, breaks a limit"
+    if row is reference:
+        return f"{text}, reference"
+    text += f", {_signed(100 * (row.seconds / reference.seconds - 1), 1)} %"
+    return text if row.bound is None else f"{text}, bound {row.bound:.3f} s"
+
+
 def _bar(
-    axes: Axes, row: int, start: float, length: float, color: str, label: str, end: float | None = None,
-    legal: bool = True,
+    axes: Axes, row: float, start: float, length: float, color: str, label: str, end: float | None = None,
+    legal: bool = True, height: float = 0.64,
 ) -> None:  # fmt: skip
     if legal:
-        axes.barh(row, length, 0.64, left=start, color=color)
+        axes.barh(row, length, height, left=start, color=color)
     else:
-        axes.barh(row, length, 0.64, left=start, facecolor="white", edgecolor=color, hatch="///")
+        axes.barh(row, length, height, left=start, facecolor="white", edgecolor=color, hatch="///")
     axes.annotate(
-        label, (start + length if end is None else end, row), (5, 0), textcoords="offset points", va="center", size=TEXT
-    )
+        label, (start + length if end is None else end, row), (6, 0), textcoords="offset points", va="center",
+        size=TEXT, bbox={"facecolor": "white", "edgecolor": "none", "pad": 1}, zorder=3,
+    )  # fmt: skip
 
 
 def _finish(axes: Axes, labels: Sequence[str], longest: float) -> None:
     axes.set_yticks(range(len(labels)), labels, size=TEXT)
     axes.tick_params(axis="y", length=0)
     axes.set_ylim(len(labels) - 0.5, -0.5)
-    axes.set_xlim(0, 1.3 * longest)
+    axes.set_xlim(0, 1.5 * longest)
     axes.set_xticks([tick for tick in axes.get_xticks() if tick <= 1.05 * longest])
     axes.set_xlabel("cycle time [s]")
     axes.spines["left"].set_visible(False)
     axes.tick_params(axis="x", labelsize=SMALL)
 
 
-def _signed(seconds: float) -> str:
-    return f"{seconds:+.3f}".replace("-", "−")
+def _signed(value: float, decimals: int = 3) -> str:
+    return f"{value:+.{decimals}f}".replace("-", "−")
 
 
 def _outcome(first: float, last: float) -> str:
     saved = first - last
     word = "saved" if saved >= 0 else "lost"
-    return f"{first:.3f} s → {last:.3f} s: {abs(saved):.3f} s {word}, {100 * abs(saved) / first:.1f} % of the start"
+    return f"{first:.3f} s → {last:.3f} s: {abs(saved):.3f} s {word}, {100 * abs(saved) / first:.1f} %"

@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
-from trajopt_cli.geometry import Array
+from trajopt_cli.geometry import Array, BoolArray
 from trajopt_cli.motion import MoveC, MoveL, Wait
 from trajopt_cli.problem.course import Course, Leg
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.workspace import sections
 from trajopt_cli.report.names import by_place, name_places, short
+from trajopt_cli.report.over_time import legend
 from trajopt_cli.report.skeleton import skeleton, wrist_section
 from trajopt_cli.report.style import (
     BLACK,
@@ -24,6 +29,7 @@ from trajopt_cli.report.style import (
     GREY,
     ORANGE,
     PURPLE,
+    ROUND,
     SMALL,
     TEXT,
     VERMILLION,
@@ -45,9 +51,30 @@ KINDS: dict[str, dict[str, Any]] = {
 STOP: dict[str, Any] = {"marker": "o", "linestyle": "", "color": BLACK, "markersize": 4.5}
 PASSED: dict[str, Any] = {**STOP, "markerfacecolor": "white", "markersize": 5.5}
 SAME = 5e-3  # m: points nearer than this share a name tag
+STANDS = 1e-6  # m: no way to show
 _TAG = 45.0  # mm from an elbow up to its number
 _NAMES = "xyz"
+WORLD, CARRIAGE = "in the world", "seen from the carriage"
+_RAIL: dict[str, Any] = {"color": "#c8c8c8", "linewidth": 9, "solid_capstyle": "butt", "zorder": 0.8}
+_CARRIAGE: dict[str, Any] = {"color": "#a8a8a8", "marker": "s", "markersize": 13, "linestyle": "", "zorder": 0.8}
+_RAIL_LABEL = Line2D([], [], **_RAIL, label="rail")
+_CARRIAGE_LABEL = Line2D([], [], **_CARRIAGE, label="carriage")
+_ARROW: dict[str, Any] = {
+    "arrowstyle": "-|>", "mutation_scale": 15, "color": BLACK, "linewidth": 0, "shrinkA": 0, "shrinkB": 0,
+}  # fmt: skip
+_ARROWS_FROM, _ARROWS_EVERY = 26.0, 260.0  # px
 _GHOSTS = (BLACK, VERMILLION, BLUE, GREEN, PURPLE, ORANGE)
+
+
+@dataclass(frozen=True, eq=False)
+class Space:
+    """What a path is drawn in: its name, the path (n, 3), the places of the program's points (m, 3), and what the arm
+    stands on (k, 3): both ends of the rail, the carriage alone, or nothing (k = 0), all in m."""
+
+    name: str
+    path: Array
+    places: Array
+    ground: Array
 
 
 def path(course: Course) -> Figure:
@@ -55,16 +82,35 @@ def path(course: Course) -> Figure:
 
     Relative to the carriage ("deformed" in the thesis) means: minus the rail's travel, so both agree at rail 0.
     """
-    points = course.X_WT[:, :3, 3]
-    spaces = [("real space", points)]
-    if course.plant.robot.has_rail:
-        spaces.append(("relative to the carriage", points - course.rail))
-    ends = [course.points, course.points - _carried(course)][: len(spaces)]
-    tags = [by_place(places, [leg.name for leg in course.moves], SAME) for places in ends]
-    marks = [(places[~course.passed], places[course.passed]) for places in ends]
-    heading = "Path of the tool centre point"
-    along = along_page(course.plant, points)
-    return path_figure(heading, course.below, spaces, _parts(course), tags, along, marks=marks)
+    points, plant, places = course.X_WT[:, :3, 3], course.plant, course.points
+    spaces = [Space(WORLD, points, np.vstack([points[:1], places]), rail_ends(plant))]
+    if plant.robot.has_rail:
+        seen = points - course.rail
+        spaces.append(Space(CARRIAGE, seen, np.vstack([seen[:1], places - _carried(course)]), carriage(plant)))
+    return path_figure(
+        "Path of the tool centre point",
+        course.below,
+        spaces,
+        ["start", *(leg.name for leg in course.moves)],
+        _parts(course),
+        [course.at(leg.t_1) for leg in course.moves],
+        along_page(plant, points),
+        passed=np.r_[False, course.passed],
+    )
+
+
+def rail_ends(plant: Plant) -> Array:
+    """Where the arm's base is with the rail at its ends (2, 3) [m] in the world; (0, 3) without a rail."""
+    axis, place = plant.robot.rail_axis_W, plant.layout.place
+    if axis is None:
+        return np.empty((0, 3))
+    ends = np.array([float(place(plant.limits.lower)), float(place(plant.limits.upper))])
+    return np.asarray(plant.robot.X_WB0[:3, 3] + ends[:, None] * axis)
+
+
+def carriage(plant: Plant) -> Array:
+    """Where the arm's base is with the rail at 0 (1, 3) [m]; (0, 3) without a rail."""
+    return plant.robot.X_WB0[None, :3, 3] if plant.robot.has_rail else np.empty((0, 3))
 
 
 def _carried(course: Course) -> Array:
@@ -99,61 +145,102 @@ def _kind(leg: Leg) -> str:
 def path_figure(
     heading: str,
     below: str,
-    spaces: list[tuple[str, Array]],
+    spaces: list[Space],
+    names: list[str],
     parts: list[tuple[slice, str]],
-    tags: list[tuple[Array, list[str]]],
+    ends: list[int],
     along: int,
     kinds: dict[str, dict[str, Any]] = KINDS,
-    marks: list[tuple[Array, Array]] | None = None,
+    passed: BoolArray | None = None,
 ) -> Figure:
-    """Spaces side by side (name, points (n, 3) [m]), seen from the side and from above, all to one scale.
+    """Spaces side by side, each seen from the side and from above, all to one scale, with arrows along the way.
 
-    parts: samples and the key of kinds they are drawn in. tags: per space places (m, 3) [m] and their names. along: the
-    world axis across the page. marks: per space the points at which the plan stops and those it passes, (m, 3) [m]
-    each; all tags are stops if not given. One space alone has its two views side by side.
+    names: of the places (m). parts: samples and the key of kinds they are drawn in. ends: the samples where ways end.
+    along: the world axis across the page. passed: which of the places are passed (m,); none if not given. One space
+    alone has its two views side by side, or one below the other where that shows it larger.
     """
-    marks = marks or [(places, np.empty((0, 3))) for places, _ in tags]
+    passed = np.zeros(len(names), dtype=bool) if passed is None else passed
     across = 1 - along
     views = [[(i, up) for i in range(len(spaces))] for up in (2, across)]
-    if len(spaces) == 1:
+    shown = [np.vstack([space.path, space.places, space.ground]) for space in spaces]
+    if len(spaces) == 1 and np.ptp(shown[0][:, along]) < 1.5 * max(np.ptp(shown[0][:, [2, across]], axis=0)):
         views = [[(0, 2), (0, across)]]
-    shown = [np.vstack([p, *marks[i]]) for i, (_, p) in enumerate(spaces)]
-    spans = [np.ptp(p, axis=0) for p in shown]
-    room = 0.12 * max(float(span.max()) for span in spans) + 0.02  # m for names at every side
+    spans = [np.ptp(points, axis=0) for points in shown]
+    room = 0.08 * max(float(span.max()) for span in spans) + 0.02  # m for names at every side
     wide = [spans[i][along] + 2 * room for i, _ in views[0]]
-    wide = [max(width, 0.6 * max(wide)) for width in wide]  # a narrow space has as many names
-    # Names stand in the views from the side, above and below the path.
-    tall = [max(spans[i][up] + (3 if up == 2 else 2) * room for i, up in row) for row in views]
-    scale = min(9.4 / sum(wide), 5.4 / sum(tall))  # in per m
-    figure = new_figure(1.5 + scale * sum(tall) + 0.75 * len(tall), heading, below)
+    wide = [max(width, 0.7 * max(wide)) for width in wide]  # a narrow space has as many names
+    # Where all is in one plane names need room, too.
+    least = min(1.7 + 0.08 * len(set(names)), 3.2) * sum(wide) / 9.4  # m
+    tall = [max(least, *(spans[i][up] + 2 * room for i, up in row)) for row in views]
+    scale = min(9.4 / sum(wide), 7.4 / sum(tall))  # in per m
+    figure = new_figure(1.6 + scale * sum(tall) + 0.75 * len(tall), heading, below)
     grid = figure.subplots(*np.shape(views)[:2], width_ratios=wide, height_ratios=tall, squeeze=False)
     for panels, row, height in zip(grid, views, tall, strict=True):
         for axes, (i, up), width in zip(panels, row, wide, strict=True):
-            space, p = spaces[i]
+            space, plane = spaces[i], [along, up]
+            _draw_ground(axes, space.ground[:, plane] / MM)
             for part, kind in parts:
-                axes.plot(p[part, along] / MM, p[part, up] / MM, **kinds[kind], solid_capstyle="round", gid=kind)
-            for points, style in zip(marks[i], (STOP, PASSED), strict=True):
-                axes.plot(points[:, along] / MM, points[:, up] / MM, **style, zorder=4)
+                axes.plot(*space.path[part][:, plane].T / MM, **kinds[kind], solid_capstyle="round", gid=kind)
+            for which, style in ((~passed, STOP), (passed, PASSED)):
+                axes.plot(*space.places[which][:, plane].T / MM, **style, zorder=4)
             middle = (shown[i].max(axis=0) + shown[i].min(axis=0)) / 2
             axes.set_xlim((middle[along] - width / 2) / MM, (middle[along] + width / 2) / MM)
             axes.set_ylim((middle[up] - height / 2) / MM, (middle[up] + height / 2) / MM)
             axes.set_aspect("equal")
-            axes.xaxis.set_major_locator(MaxNLocator(max(2, round(0.9 * scale * width))))
-            axes.yaxis.set_major_locator(MaxNLocator(max(2, round(1.6 * scale * height))))
+            axes.xaxis.set_major_locator(MaxNLocator(max(4, round(0.9 * scale * width)), steps=ROUND))
+            axes.yaxis.set_major_locator(MaxNLocator(max(4, round(1.4 * scale * height)), steps=ROUND))
             axes.set_xlabel(f"{_NAMES[along]} [mm]")
             axes.set_ylabel(f"{_NAMES[up]} [mm]")
-            axes.set_title(f"{space}, {'side view' if up == 2 else 'from above'}", size=SMALL + 0.5, loc="left")
-    used = {kind for _, kind in parts}
-    handles = [Line2D([], [], **style) for kind, style in kinds.items() if kind in used]
-    if len(marks[0][1]):
+            axes.set_title(f"{space.name}, {'side view' if up == 2 else 'from above'}", size=SMALL + 0.5, loc="left")
+    used = {kind for part, kind in parts if any(np.ptp(one.path[part], axis=0).max() > STANDS for one in spaces)}
+    handles: list[Line2D | Patch] = [Line2D([], [], **style) for kind, style in kinds.items() if kind in used]
+    if passed.any():
         handles += [Line2D([], [], **STOP, label="stop"), Line2D([], [], **PASSED, label="passed")]
-    figure.legend(handles=handles, loc="outside lower center", ncols=len(handles))
+    handles += [_RAIL_LABEL, _CARRIAGE_LABEL] if len(spaces[0].ground) else []
+    legend(figure, handles)
     settle(figure)
-    for axes, (i, up) in zip(grid[0], views[0], strict=True):
-        if up == 2:  # heights tell the points apart; from above most stand on one another
-            places, names = tags[i]
-            name_places(axes, places[:, [along, up]] / MM, names, _dense(spaces[i][1][:, [along, up]]) / MM)
+    for axes, (i, up) in zip(grid.flat, (view for row in views for view in row), strict=True):
+        plane = [along, up]
+        curve = spaces[i].path[:, plane] / MM
+        draw_arrows(axes, curve, ends)
+        places, told = by_place(spaces[i].places[:, plane], names, SAME)
+        name_places(axes, places / MM, told, np.vstack([_dense(curve), _filled(spaces[i].ground[:, plane] / MM)]))
     return figure
+
+
+def _draw_ground(axes: Axes, ground: Array) -> None:
+    """What the arm stands on, of places (k, 2) [mm]: a beam between two, a block at one."""
+    if len(ground) == 2:
+        axes.plot(*ground.T, **_RAIL, gid="ground")
+    elif len(ground):
+        axes.plot(*ground.T, **_CARRIAGE, gid="ground")
+
+
+def _filled(ground: Array) -> Array:
+    """Points (n, 2) on what the arm stands on, for names to keep away from."""
+    if len(ground) == 2:
+        return np.asarray(ground[0] + np.linspace(0, 1, 200)[:, None] * (ground[1] - ground[0]))
+    return np.vstack([ground + np.array(corner) for corner in product((-40.0, 0.0, 40.0), repeat=2)])  # mm
+
+
+def draw_arrows(axes: Axes, curve: Array, ends: Sequence[int]) -> None:
+    """Arrow heads along a curve (n, 2) in data units of a settled figure: one on every way from one sample of ends to
+    the next, beyond its middle, so that ways there and back show both; more on long ways, fewer where ways are short.
+    """
+    pixels = np.asarray(axes.transData.transform(curve))
+    run = np.r_[0.0, np.cumsum(np.linalg.norm(np.diff(pixels, axis=0), axis=1))]
+    low = before = 0.0
+    for high in (*run[list(ends)], run[-1]):
+        own, before = high - before, high
+        if own < _ARROWS_FROM and high - low < 3 * _ARROWS_FROM:
+            continue  # with the next way together
+        count = 1 + int((high - low) // _ARROWS_EVERY)
+        for k in range(count):
+            middle = low + (high - low) * (k + 0.7) / count
+            tail, tip = (np.array([np.interp(middle + d, run, column) for column in curve.T]) for d in (-4.0, 4.0))
+            if np.linalg.norm(np.subtract(*axes.transData.transform([tail, tip]))) > 4.0:  # no way back within it
+                axes.annotate("", tuple(tip), tuple(tail), arrowprops=_ARROW, zorder=3.5, gid="direction")
+        low = high
 
 
 def along_page(plant: Plant, points: Array) -> int:
@@ -187,6 +274,7 @@ def workspace(course: Course) -> Figure:
     chain = np.vstack([base, knee, wrist[0]])
     axes.plot(*chain.T / MM, "-o", color="#b0b0b0", linewidth=5, solid_capstyle="round", zorder=1, markersize=7)
     axes.set_aspect("equal")
+    axes.xaxis.set_major_locator(MaxNLocator(9, steps=ROUND))
     axes.set_xlabel("ahead of axis 1 [mm]")
     axes.set_ylabel("above the base [mm]")
     handles = [
@@ -209,17 +297,15 @@ def workspace(course: Course) -> Figure:
 
 def arm(course: Course) -> Figure:
     """Rail and arm in space at the start and at the plan's stations, with the TCP's path. Fig. 6.1."""
-    robot, limits = course.plant.robot, course.plant.limits
+    robot = course.plant.robot
     figure = new_figure(7.4, "Rail, arm and path" if robot.has_rail else "Arm and path", course.below)
     figure.set_layout_engine(None)
     axes: Any = figure.add_axes((0, 0, 1, 1), projection="3d", computed_zorder=False)
     stations = _stations(course)
     shapes = [skeleton(course.plant, course.q[i], X_FT) / MM for i, _, X_FT in stations]
     p = course.X_WT[:, :3, 3] / MM
-    beam = np.empty((0, 3))
-    if robot.rail_axis_W is not None:
-        ends = np.array([limits.lower, limits.upper])[:, course.plant.layout.rail] * robot.rail_axis_W
-        beam = (robot.X_WB0[:3, 3] + ends) / MM
+    beam = rail_ends(course.plant) / MM
+    if len(beam):
         axes.plot(*beam.T, color="#c8c8c8", linewidth=11, solid_capstyle="butt", zorder=1)
         axes.plot(*beam.T, color=GREY, linewidth=1, zorder=1.1)
     for order, (shape, color) in enumerate(zip(shapes, _GHOSTS, strict=False)):
@@ -233,7 +319,7 @@ def arm(course: Course) -> Figure:
     low, high = everything.min(axis=0), everything.max(axis=0)
     span = np.maximum(high - low, 0.15 * float((high - low).max()))
     _to_scale(axes, low, span)
-    for letter, pad in zip("xyz", (11, 11, 8), strict=True):
+    for letter, pad in zip("xyz", (14, 22, 24), strict=True):
         getattr(axes, f"set_{letter}label")(f"{letter} [mm]", labelpad=pad)
     handles = [Line2D([], [], color=BLACK, linewidth=1.5, label="path")]
     for order, ((_, name, _), color) in enumerate(zip(stations, _GHOSTS, strict=False)):
@@ -268,12 +354,24 @@ def _to_scale(axes: Any, low: Array, span: Array) -> None:
     axes.set_proj_type("ortho")
     for axis, s in zip((axes.xaxis, axes.yaxis, axes.zaxis), span, strict=True):
         low_end, high_end = axis.get_view_interval()
-        ticks = MaxNLocator(nbins=max(2, round(7 * s / span.max()))).tick_values(low_end, high_end)
-        # Numbers at a corner of the box would stand on those of the next axis.
-        axis.set_ticks([tick for tick in ticks if low_end + 0.05 * s < tick < high_end - 0.05 * s])
+        ticks = _inner_ticks(low_end, high_end, max(2, round(7 * s / span.max())))
+        axis.set_ticks(ticks[::2] if len(ticks) == 3 and s < 0.4 * span.max() and axis is not axes.zaxis else ticks)
         axis.pane.set_facecolor("white")
         axis.pane.set_edgecolor("#d8d8d8")
     axes.tick_params(labelsize=SMALL, pad=3)
+    axes.tick_params(axis="z", pad=8)
+
+
+def _inner_ticks(low: float, high: float, wanted: int) -> list[float]:
+    """About so many round ticks, two at least, away from the ends: numbers at a corner of the box would stand on those
+    of the next axis."""
+    edge = 0.05 * (high - low)
+    for count in range(wanted, wanted + 20):
+        ticks = MaxNLocator(nbins=count, steps=ROUND).tick_values(low, high)
+        inner = [float(tick) for tick in ticks if low + edge < tick < high - edge]
+        if len(inner) >= 2:
+            break
+    return inner
 
 
 def _fit(figure: Figure, axes: Any, span: Array, low: float) -> None:
@@ -310,7 +408,8 @@ def _pixels(axes: Any, points: Array) -> Array:
 
 
 def _stations(course: Course) -> list[tuple[int, str, Array]]:
-    """Sample, label and tool of the start and of where the plan waits (else of where it stops), five at most."""
+    """Sample, label and tool of the start and of where the plan waits (else of where it stops), five at most, spread
+    over the cycle."""
     named = [(0, "start", course.legs[0].X_FT if course.legs else np.eye(4))]
     waits = [
         (before.t_1, before.name, before.X_FT)
@@ -319,9 +418,10 @@ def _stations(course: Course) -> list[tuple[int, str, Array]]:
     ]
     for time, name, X_FT in waits or [(leg.t_1, leg.name, leg.X_FT) for leg in course.moves if not leg.passed]:
         i = course.at(time)
-        if len(named) <= 5 and all(_apart(course, i, j) for j, _, _ in named):
+        if all(_apart(course, i, j) for j, _, _ in named):
             named.append((i, f"{short(name)}, {course.t[i]:.2f} s", X_FT))
-    return named[: len(_GHOSTS)]
+    shown = min(len(named), len(_GHOSTS))
+    return [named[k] for k in np.linspace(0, len(named) - 1, shown).round().astype(int)]
 
 
 def _apart(course: Course, i: int, j: int) -> bool:

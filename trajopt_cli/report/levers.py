@@ -17,8 +17,8 @@ MOST = 16
 def lever_bars(
     bars: Sequence[tuple[str, float, float | None]], cycle: float, title: str, name: str
 ) -> dict[str, bytes]:
-    """sensitivity_NAME.svg and .png. bars: (lever and step, seconds saved, what first order foretold), the longest
-    first; the first MOST of them are drawn. cycle: of the plan [s]."""
+    """sensitivity_NAME.svg and .png. title: program and plan, for people. bars: (lever and step, seconds saved, what
+    first order foretold), the longest first; the first MOST of them are drawn. cycle: of the plan [s]."""
     with house_style():
         return files(f"sensitivity_{name}", levers_figure(bars, cycle, title), title)
 
@@ -26,11 +26,11 @@ def lever_bars(
 def levers_figure(bars: Sequence[tuple[str, float, float | None]], cycle: float, title: str) -> Figure:
     """The figure of lever_bars; call it in house_style."""
     shown = bars[:MOST]
-    below = "nothing that was asked saves a millisecond"
+    below = f"{title} · nothing that was asked saves a millisecond"
     if shown:
         more = f", the first {MOST} of {len(bars)}" if len(bars) > MOST else ""
-        below = f"seconds saved of a cycle of {cycle:.3f} s, one change at a time{more}"
-    figure = new_figure(1.9 + 0.4 * max(1, len(shown)), title, below)
+        below = f"{title} · cycle {cycle:.3f} s, one change at a time{more}"
+    figure = new_figure(1.9 + 0.4 * max(1, len(shown)), "Seconds that each change saves", below)
     axes = figure.subplots()
     for row, (_, saved, foretold) in enumerate(shown):
         axes.barh(row, saved, 0.64, color=BLUE)
@@ -47,7 +47,10 @@ def levers_figure(bars: Sequence[tuple[str, float, float | None]], cycle: float,
     axes.set_xticks([tick for tick in axes.get_xticks() if tick <= 1.05 * longest])
     axes.set_xlabel("saved [s]")
     axes.spines["left"].set_visible(False)
-    handles = [Patch(color=BLUE, label="solved again"), Line2D([], [], color=BLACK, linewidth=2.2, label="first order")]
+    handles = [
+        Patch(color=BLUE, label="solved again with the change"),
+        Line2D([], [], color=BLACK, linewidth=2.2, label="foretold from the plan (first order)"),
+    ]
     figure.legend(handles=handles, loc="outside lower center", ncols=2)
     settle(figure)
     return figure

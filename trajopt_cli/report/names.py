@@ -17,6 +17,8 @@ from trajopt_cli.report.style import GREY, SMALL
 
 LONGEST = 18  # letters of a target's name that are shown
 MOST_PLACES = 6  # that one name is written at
+MOST_NAMES = 4  # at one place
+MOST_TAGS = 24  # in one picture in space
 _SLANT = 50.0  # deg
 _LIFT = 10.0  # pt: from the top of the panel to the foot of a slanted name
 _REACHES = (7.0, 13.0, 20.0, 29.0, 40.0, 54.0, 72.0, 94.0)  # pt: from a place to the edge of its name
@@ -30,12 +32,19 @@ _ROUNDS = 6
 
 
 def short(name: str) -> str:
-    """A target's name, cut with an ellipsis where it is long."""
-    return name if len(name) <= LONGEST else name[: LONGEST - 1] + "…"
+    """A target's name; of a long one the beginning and the end, which tell it from its neighbours."""
+    return name if len(name) <= LONGEST else f"{name[: LONGEST // 2]}…{name[1 - LONGEST // 2 :]}"
 
 
 def name_times(axes: Axes, ends: Sequence[tuple[float, str]]) -> list[Annotation]:
-    """A name per (time, name), slanted, over the panel; in time order. spread moves them once the figure is settled."""
+    """A name per (time, name), slanted, over the panel; in time order. spread moves them once the figure is settled.
+
+    A name of more than MOST_PLACES times, as of a target in a loop, stands at the first and the last.
+    """
+    count = Counter(name for _, name in ends)
+    first = {name: time for time, name in reversed(ends)}
+    last = {name: time for time, name in ends}
+    ends = [(time, name) for time, name in ends if count[name] <= MOST_PLACES or time in (first[name], last[name])]
     return [
         axes.annotate(
             short(name),
@@ -100,7 +109,8 @@ def _apart(wanted: Array, gap: float, low: float, high: float) -> Array:
 def by_place(places: Array, names: list[str], apart: float) -> tuple[Array, list[str]]:
     """Places (m, d) [m] with those nearer than apart [m] put together, the names of one place below each other.
 
-    A name of more than MOST_PLACES places, as of a target computed in a loop, stands at the first, others have none.
+    A name of more than MOST_PLACES places, as of a target computed in a loop, stands at the first, others have none. Of
+    more than MOST_NAMES at one place two are written, and how many more there are.
     """
     kept: list[Array] = []
     groups: list[list[str]] = []
@@ -116,17 +126,22 @@ def by_place(places: Array, names: list[str], apart: float) -> tuple[Array, list
     for group in groups:
         group[:] = [name for name in group if count[name] <= MOST_PLACES or name not in told]
         told.update(group)
-    return np.array(kept).reshape(-1, places.shape[1]), ["\n".join(group) for group in groups]
+    told_of = [group if len(group) <= MOST_NAMES else [*group[:2], f"and {len(group) - 2} more"] for group in groups]
+    return np.array(kept).reshape(-1, places.shape[1]), ["\n".join(group) for group in told_of]
 
 
 def name_places(axes: Axes, places: Array, names: list[str], avoid: Array) -> None:
     """Name places (m, 2) in data units by the free spot nearest to each, with a thin line to it.
 
-    avoid (n, 2): points of curves that a name should not cover. The figure must be settled.
+    avoid (n, 2): points of curves that a name should not cover. The figure must be settled. Of more than MOST_TAGS
+    names every second, third, ... is tried; one that finds no spot inside the panel and clear of the others is left
+    out, and the label under the panel says how many are there.
     """
     places, names = places[[bool(name) for name in names]], [name for name in names if name]
     if not names:
         return
+    asked, every = len(names), -(-len(names) // MOST_TAGS)
+    places, names = places[::every], names[::every]
     canvas = axes.figure.canvas
     assert isinstance(canvas, FigureCanvasAgg)
     renderer = canvas.get_renderer()  # type: ignore[no-untyped-call]
@@ -178,8 +193,23 @@ def name_places(axes: Axes, places: Array, names: list[str], avoid: Array) -> No
         chosen, cost = _settle_spots(alone, with_other, order)
         if cost < least:
             best, least = chosen, cost
-    for label, spot, anchor, k in zip(labels, spots, anchors, best, strict=True):
+    kept: list[Array] = []
+    for i, (label, spot, anchor, k) in enumerate(zip(labels, spots, anchors, best, strict=True)):
         label.set_position(tuple((spot[k] - anchor) / scale))
+        box = np.array([low[i, k], high[i, k]])
+        clear = all((box[0] >= other[1]).any() or (box[1] <= other[0]).any() for other in kept)
+        if (
+            clear
+            and box[0, 0] >= frame.x0
+            and box[1, 0] <= frame.x1
+            and box[0, 1] >= frame.y0
+            and box[1, 1] <= frame.y1
+        ):
+            kept.append(box)
+        else:
+            label.remove()
+    if len(kept) < asked:
+        axes.set_xlabel(f"{axes.get_xlabel()} ({len(kept)} of {asked} names shown)")
 
 
 def _settle_spots(

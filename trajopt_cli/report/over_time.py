@@ -1,4 +1,4 @@
-"""Pictures over time: joints against limits, rail, TCP speed, axis speeds, effector, motors."""
+"""Pictures over time: axes against their limits, rail, TCP speed, and all there is of the TCP."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.ticker import MaxNLocator
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Wait
@@ -22,11 +23,13 @@ from trajopt_cli.report.style import (
     BLACK,
     BLUE,
     GREY,
-    JOINT_STYLES,
+    LEAST,
     LIMIT,
+    ROUND,
     SKY,
     SMALL,
     VERMILLION,
+    WIDTH,
     name_limit,
     new_figure,
     settle,
@@ -38,9 +41,9 @@ _LIMIT = Line2D([], [], **LIMIT, label="limit")  # type: ignore[arg-type]
 
 
 def joints(course: Course) -> Figure:
-    """Position, speed and acceleration of each axis; the ticks are its limits. Figs 6.5 and 6.6 with their limits."""
+    """Position, speed and acceleration of each axis between its limits. Figs 6.4 to 6.6 with their limits."""
     names, limits = course.plant.limits.names, course.plant.limits
-    figure = new_figure(1.2 + 1.5 * len(names), "Axes against their limits", course.below)
+    figure = new_figure(1.2 + 1.55 * len(names), "Axes against their limits", course.below)
     grid = figure.subplots(len(names), 3, sharex=True, squeeze=False)
     columns = (
         ("position", "", course.q, limits.lower, limits.upper),
@@ -56,12 +59,12 @@ def joints(course: Course) -> Figure:
             panel.set_ylabel(f"[{unit}{per}]", size=SMALL)
             if k == 0:
                 panel.set_title(what, pad=10)
+            told = f"{whole(low)} to {whole(high)}"
             if what != "position":
-                used = float(np.max(np.abs(values[:, k])) / upper[k])
-                panel.text(
-                    0.99, 0.985, f"peak {100 * used:.0f} %", transform=panel.transAxes, ha="right", va="top",
-                    size=SMALL - 1.5, color=GREY,
-                )  # fmt: skip
+                told = f"±{whole(high)}, peak {100 * float(np.max(np.abs(values[:, k])) / upper[k]):.0f} %"
+            panel.text(
+                0.99, 0.985, told, transform=panel.transAxes, ha="right", va="top", size=LEAST, color=GREY, gid="limits"
+            )
         grid[k, 0].set_ylabel(f"{readable(name)}\n[{unit}]", size=SMALL)
     mark_motions(course, grid.flat)
     for panel in grid[-1]:
@@ -73,11 +76,11 @@ def joints(course: Course) -> Figure:
 
 
 def _between_limits(panel: Axes, low: float, high: float) -> None:
-    """Dashed lines and ticks at both limits, and one between them: 0 where it is clear of both."""
-    middle = 0.0 if min(-low, high) > 0.25 * (high - low) else (low + high) / 2
+    """Dashed lines at both limits, room for their values over them, and round ticks between them."""
     room = 0.3 * (high - low)
-    panel.set_ylim(low - room / 2, high + room)
-    panel.set_yticks([low, middle, high], [number(value) for value in (low, middle, high)])
+    panel.set_ylim(low - room / 2, high + 1.1 * room)
+    ticks = MaxNLocator(nbins=4, steps=ROUND).tick_values(low, high)
+    panel.set_yticks([tick for tick in ticks if low <= tick <= high])
     for limit in (low, high):
         panel.axhline(limit, **LIMIT)  # type: ignore[arg-type]
 
@@ -86,7 +89,7 @@ def rail(course: Course) -> Figure | None:
     """Rail position, and from where each work point can be reached, at the time it is reached. Figs 5.2 and 6.4."""
     if not course.plant.robot.has_rail:
         return None
-    figure = new_figure(6.0, "Rail and the positions each point can be reached from", course.below)
+    figure = new_figure(6.0, "Rail, and from where on it each point is in reach", course.below)
     axes = figure.subplots()
     width = 0.004 * (course.t[-1] - course.t[0])
     ranges = np.empty((0, 2))
@@ -117,9 +120,19 @@ def rail(course: Course) -> Figure | None:
     mark_motions(course, [axes])
     handles: list[Line2D | Patch] = [Line2D([], [], color=BLACK, linewidth=2.4, label="rail")]
     if any(target_flange(leg) is not None for leg in course.legs):
-        handles.append(Line2D([], [], color=SKY, linewidth=3, marker="_", markeredgecolor=BLUE, label="point in reach"))
+        handles.append(
+            Line2D(
+                [],
+                [],
+                color=SKY,
+                linewidth=3,
+                marker="_",
+                markeredgecolor=BLUE,
+                label="rail positions that reach the point",
+            )
+        )
     if any(course.plant.rail_value(leg.motion.extax) is not None for leg in course.moves):  # type: ignore[union-attr]
-        handles.append(Line2D([], [], color=VERMILLION, marker="x", linestyle="", label="as programmed"))
+        handles.append(Line2D([], [], color=VERMILLION, marker="x", linestyle="", label="rail as programmed"))
     key(figure, course, handles)
     return named(course, figure, axes)
 
@@ -149,62 +162,42 @@ def tcp_speed(course: Course) -> Figure:
     return named(course, figure, axes)
 
 
-def axis_speeds(course: Course) -> Figure:
-    """x, y, z speeds of the TCP in the world and, on a rail, as seen from the carriage. Fig. 4.5."""
-    V = course.V_WT[:, :3]
-    panels = [("in the world", V)]
-    if course.plant.robot.has_rail:
-        panels.append(("relative to the carriage", V - course.rail_speed))
-    figure = new_figure(2.0 + 2.7 * len(panels), "Speeds of the tool centre point along the axes", course.below)
-    grid = figure.subplots(len(panels), 1, sharex=True, sharey=True, squeeze=False)[:, 0]
-    for axes, (where, values) in zip(grid, panels, strict=True):
-        draw_xyz(axes, course.t, values / MM)
-        axes.axhline(0, color=GREY, linewidth=0.7)
-        axes.set_ylabel(f"TCP speed\n{where}\n[mm/s]" if len(panels) > 1 else "TCP speed [mm/s]")
-    grid[-1].set_xlabel(TIME)
-    mark_motions(course, grid)
-    key(figure, course, xyz_handles())
-    return named(course, figure, grid[0])
-
-
 def effector(course: Course) -> Figure:
-    """Position, speed and orientation of the TCP in the world. Figs 6.2 and 6.3, and the three angles."""
-    figure = new_figure(9.4, "Effector: position, speed, orientation", course.below)
-    grid = figure.subplots(3, 1, sharex=True)
-    turned = angles(course.X_WT) / DEG
+    """Position, speed and orientation of the TCP; on a rail its speed as the carriage sees it, too. Figs 4.5, 6.2, 6.3
+    and the three angles."""
+    V, cap = course.V_WT[:, :3] / MM, course.plant.tcp.speed / MM
+    speeds = [("speed\n[mm/s]", V)]
+    if course.plant.robot.has_rail:
+        speeds = [
+            ("speed in the world\n[mm/s]", V),
+            ("speed seen from\nthe carriage [mm/s]", V - course.rail_speed / MM),
+        ]
+    figure = new_figure(5.6 + 2.4 * len(speeds), "Tool centre point: position, speed, orientation", course.below)
+    grid = figure.subplots(2 + len(speeds), 1, sharex=True)
     draw_xyz(grid[0], course.t, course.X_WT[:, :3, 3] / MM)
-    draw_xyz(grid[1], course.t, course.V_WT[:, :3] / MM)
-    for i, (color, line) in enumerate(AXIS_STYLES):
-        grid[2].plot(course.t, turned[:, i], color=color, linestyle=line)
-    for axes, label in zip(grid, ("position [mm]", "speed [mm/s]", "x-y'-z'' angles [deg]"), strict=True):
+    grid[0].set_ylabel("position\n[mm]")
+    for axes, (label, values) in zip(grid[1:-1], speeds, strict=True):
+        draw_xyz(axes, course.t, values)
+        axes.axhline(0, color=GREY, linewidth=0.7)
         axes.set_ylabel(label)
-    grid[1].axhline(0, color=GREY, linewidth=0.7)
-    _at_least(grid[2], 20.0)
+    reach = 1.12 * max(float(np.abs(V).max()), 0.0)
+    if 1.3 * reach > cap:  # else the curves would be thin lines between two caps
+        for limit in (-cap, cap):
+            grid[1].axhline(limit, **LIMIT)
+        grid[1].set_ylim(-1.15 * cap, 1.15 * cap)
+    draw_xyz(grid[-1], course.t, angles(course.X_WT) / DEG)
+    grid[-1].set_ylabel("orientation\n[deg]")
+    _at_least(grid[-1], 20.0)
+    for axes in grid:
+        axes.yaxis.set_major_locator(MaxNLocator(5, steps=ROUND))
+    grid[-1].legend(
+        handles=xyz_handles(("turned about x", "then about the new y", "then about the new z")),
+        loc="lower right", bbox_to_anchor=(1, 1), borderaxespad=0.1, ncols=3, columnspacing=1.6, handlelength=2.6,
+    )  # fmt: skip
     grid[-1].set_xlabel(TIME)
     mark_motions(course, grid)
-    key(figure, course, xyz_handles(("x · about x", "y · about y'", "z · about z''")))
-    return named(course, figure, grid[0])
-
-
-def motors(course: Course) -> Figure:
-    """Angle and speed of every motor of the arm, and the rail's trajectory. Figs 6.4, 6.5 and 6.6."""
-    has_rail, joints = course.plant.layout.has_rail, course.plant.layout.arm
-    figure = new_figure(9.4 if has_rail else 7.4, "Motors", course.below)
-    heights = [3, 3, 2] if has_rail else [3, 3]
-    grid = figure.subplots(len(heights), 1, sharex=True, height_ratios=heights)
-    for panel, values in zip(grid, (course.q, course.qd), strict=False):
-        for value, (color, line) in zip(values[:, joints].T, JOINT_STYLES, strict=True):
-            panel.plot(course.t, value / DEG, color=color, linestyle=line)
-    grid[0].set_ylabel("angle [deg]")
-    grid[1].set_ylabel("speed [deg/s]")
-    grid[1].axhline(0, color=GREY, linewidth=0.7)
-    if has_rail:
-        grid[2].plot(course.t, course.plant.layout.place(course.q) / MM, color=BLACK)
-        grid[2].set_ylabel("rail [mm]")
-    grid[-1].set_xlabel(TIME)
-    mark_motions(course, grid)
-    styles = zip(course.plant.limits.names[joints], JOINT_STYLES, strict=True)
-    key(figure, course, [Line2D([], [], color=c, linestyle=s, label=readable(n)) for n, (c, s) in styles])
+    capped = [Line2D([], [], **LIMIT, label=f"cap {number(cap)} mm/s")] if 1.3 * reach > cap else []  # type: ignore[arg-type]
+    key(figure, course, [*xyz_handles(("along x", "along y", "along z")), *capped])
     return named(course, figure, grid[0])
 
 
@@ -229,6 +222,11 @@ def number(value: float) -> str:
     return f"{value:.4g}".replace("-", "−")
 
 
+def whole(value: float) -> str:
+    """The nearest whole number; of a small one three figures."""
+    return f"{value:.0f}".replace("-", "−") if abs(value) >= 100 else f"{value:.3g}".replace("-", "−")
+
+
 def readable(axis: str) -> str:
     """An axis' name as people write it."""
     return axis.replace("_", " ")
@@ -241,8 +239,19 @@ def key(figure: Figure, course: Course, handles: list[Line2D] | list[Line2D | Pa
 
 
 def legend(figure: Figure, entries: Sequence[Line2D | Patch]) -> None:
-    """The entries in one row under the picture."""
-    figure.legend(handles=entries, loc="outside lower center", ncols=len(entries), columnspacing=1.6, handlelength=2.6)
+    """The entries under the picture, in as few rows as the page is wide."""
+    figure.legend(
+        handles=entries, loc="outside lower center", ncols=columns(entries), columnspacing=1.6, handlelength=2.6
+    )
+
+
+def columns(entries: Sequence[Line2D | Patch]) -> int:
+    """How many entries of a legend stand beside each other."""
+    wide = [0.75 + 0.093 * len(str(entry.get_label())) for entry in entries]  # in
+    rows = 1
+    while max(wide) * -(-len(wide) // rows) > WIDTH - 0.4 and sum(wide) > (WIDTH - 0.4) * rows and rows < len(wide):
+        rows += 1
+    return -(-len(wide) // rows)
 
 
 def named(course: Course, figure: Figure, top: Axes) -> Figure:

@@ -12,21 +12,19 @@ from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.stepwise import Analysis
 from trajopt_cli.report import in_space, over_time, steps
-from trajopt_cli.report.bars import comparison, savings
+from trajopt_cli.report.bars import Bar, comparison, savings
 from trajopt_cli.report.style import files, house_style
 
-__all__ = ["PICTURES", "comparison", "draw", "savings", "stepwise"]
+__all__ = ["PICTURES", "Bar", "comparison", "draw", "savings", "stepwise"]
 
 # File name without ending -> the figure, or None where the plan has nothing to show there.
 PICTURES: dict[str, Callable[[Course], Figure | None]] = {
     "joints": over_time.joints,
     "rail": over_time.rail,
     "tcp_speed": over_time.tcp_speed,
-    "axis_speeds": over_time.axis_speeds,
     "path": in_space.path,
     "workspace": in_space.workspace,
     "effector": over_time.effector,
-    "motors": over_time.motors,
     "arm": in_space.arm,
 }
 # The same for a program in steps of speed.
@@ -49,7 +47,7 @@ def draw(program: Program, plant: Plant, plan: Plan, title: str) -> dict[str, by
     return out
 
 
-def stepwise(program: Program, analysis: Analysis, title: str) -> dict[str, bytes]:
+def stepwise(program: Program, plant: Plant, analysis: Analysis, title: str) -> dict[str, bytes]:
     """Pictures of a program as written, in steps of speed: steps_speed and steps_path, each as .svg and as .png.
 
     analysis: of this program. title: the program's name for people; its times are added to it. A program without moves
@@ -58,7 +56,7 @@ def stepwise(program: Program, analysis: Analysis, title: str) -> dict[str, byte
     out: dict[str, bytes] = {}
     if analysis.moves:
         with house_style():
-            shown = steps.steps_of(program, analysis, title)
+            shown = steps.steps_of(program, plant, analysis, title)
             for name, picture in STEP_PICTURES.items():
                 out |= files(name, picture(shown), f"{title}: {name.replace('_', ' ')}")
     return out

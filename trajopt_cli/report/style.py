@@ -15,6 +15,7 @@ import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 
 BLACK, GREY, PALE = "#000000", "#5f5f5f", "#e4e4e4"
 BLUE, VERMILLION, GREEN, ORANGE, PURPLE, SKY = "#0072b2", "#d55e00", "#009e73", "#e69f00", "#cc79a7", "#56b4e9"
@@ -35,7 +36,10 @@ LIMIT = {"color": GREY, "linestyle": (0, (4, 3)), "linewidth": 1.1}
 
 WIDTH = 11.0  # in; printed at half of it every text still has half of the sizes below
 DPI = 110
-TITLE, TEXT, SMALL = 15.0, 13.0, 11.5  # pt
+_EDGE = 0.012  # of the width, beside headings
+TITLE, TEXT, SMALL, LEAST = 15.0, 13.0, 11.5, 10.5  # pt
+ROUND = [1, 2, 5, 10]
+"""Ticks are these times a power of ten apart."""
 
 _SETTINGS: dict[Any, Any] = {
     "font.family": "DejaVu Sans",  # comes with matplotlib: the same glyphs on every machine
@@ -70,17 +74,29 @@ def house_style() -> Iterator[None]:
 
 
 def new_figure(height: float, heading: str, below: str = "") -> Figure:
-    """An empty figure WIDTH x height in, its heading and the line below it at the top left; layout is automatic."""
+    """An empty figure WIDTH x height in, its heading and the line below it at the top left, either shortened in its
+    middle where it is wider than the page; layout is automatic."""
     figure = Figure(figsize=(WIDTH, height), dpi=DPI, layout="constrained")
     FigureCanvasAgg(figure)
     room = (0.72 if below else 0.45) / height
     layout = figure.get_layout_engine()
     assert layout is not None
     layout.set(rect=(0, 0, 1, 1 - room), w_pad=0.1, h_pad=0.06)  # type: ignore[call-arg]
-    figure.text(0.012, 1 - 0.1 / height, heading, size=TITLE, weight="bold", va="top")
+    _shortened(figure.text(_EDGE, 1 - 0.1 / height, heading, size=TITLE, weight="bold", va="top"))
     if below:
-        figure.text(0.012, 1 - 0.38 / height, below, size=TEXT, color=GREY, va="top")
+        _shortened(figure.text(_EDGE, 1 - 0.38 / height, below, size=TEXT, color=GREY, va="top"))
     return figure
+
+
+def _shortened(text: Text) -> None:
+    """Take letters out of a text's first part, as of a program's long name, until it fits the page's width."""
+    first, dot, rest = text.get_text().partition(" · ")
+    kept = len(first)
+    figure = text.get_figure()
+    assert figure is not None
+    while text.get_window_extent().x1 > (1 - _EDGE) * figure.bbox.x1 and kept > 6:
+        kept -= 1
+        text.set_text(f"{first[: kept // 2]}…{first[-(kept - kept // 2) :]}{dot}{rest}")
 
 
 def settle(figure: Figure) -> None:

@@ -114,26 +114,35 @@ def compare(job: Job, listen: Listener, rule: RailRule | None = None, loops: Loo
     return Comparison(job, rows, steps, waits, study.notices)
 
 
-def comparison_pictures(answer: Comparison) -> dict[str, bytes]:
-    """Bars of all rows, the saving by cause, and the pictures of the fastest legal plan, by file name."""
+def comparison_pictures(answer: Comparison, target: Target = Target.STREAM) -> dict[str, bytes]:
+    """Bars of all rows, the saving by cause, and the pictures of the fastest legal plan for target, by file name."""
     from trajopt_cli.pipeline.optimise import plan_pictures
-    from trajopt_cli.report.pictures import comparison, savings
+    from trajopt_cli.report.pictures import Bar, comparison, savings
 
     name = answer.job.title
-    tried = [(row.name, row.result) for row in answer.rows if isinstance(row.result, Tried)]
-    bars = [(label, one.attempt.trajectory.duration, one.report.legal) for label, one in tried]
+    tried = [(row, row.result) for row in answer.rows if isinstance(row.result, Tried)]
+    bars = [
+        Bar(row.name, row.baseline.title, one.attempt.trajectory.duration, one.report.legal, _bound(row, one))
+        for row, one in tried
+    ]
     out = comparison(bars, name) if bars else {}
     if not isinstance(answer.steps, str):
         out |= savings([(step.name, step.plan.duration) for step in answer.steps], name)
     own = [
         one.attempt.plan
-        for _, one in tried
-        if one.attempt.plan and one.report.legal and len(one.attempt.plan.motions) == len(answer.job.program.motions)
+        for row, one in tried
+        if one.attempt.plan and one.report.legal and row.baseline.target is target
+        if len(one.attempt.plan.motions) == len(answer.job.program.motions)
     ]
     if own:
         pictures = plan_pictures(answer.job, min(own, key=lambda plan: plan.duration))
         out |= {Path(place).name: content for place, content in pictures.items()}
     return out
+
+
+def _bound(row: Row, tried: Tried) -> float | None:
+    """The time no legal motion on a row's target beats [s]; None where none was asked for."""
+    return tried.attempt.plan.lower_bound if row.baseline.optimum and tried.attempt.plan else None
 
 
 def _effort(item: tuple[Question, str]) -> int:

@@ -289,7 +289,7 @@ def sensitivity_pictures(answer: Sensitivity) -> dict[str, bytes]:
         if isinstance(rows, str):
             continue
         bars = [(f"{row.lever.name}, {row.lever.step}", row.best, row.first_order) for row in _shown(rows)]
-        out |= lever_bars(bars, answer.plans[target].duration, f"{answer.job.title}: {target.value}", target.value)
+        out |= lever_bars(bars, answer.plans[target].duration, f"{answer.job.title} · {target.in_words}", target.value)
     return out
 
 

@@ -57,9 +57,15 @@ BASELINES: dict[str, Baseline] = {
     "as-written": _free(_RAPID, AS_WRITTEN, "the program's own rail positions and configurations", "timing"),
     "practice": Baseline(_RAPID, "today: home, the rail alone, the arm works", "timing", practice),
     "bang-bang": Baseline(
-        _STREAM, "the thesis' generator on Cartesian axes, no joint limits", "timing", bang_bang_row, after="fixed-rail"
+        _STREAM,
+        "generator of Krotký's thesis (2014) on Cartesian axes, no joint limits",
+        "timing",
+        bang_bang_row,
+        after="fixed-rail",
     ),
-    "thesis": Baseline(_RAPID, "the thesis' rail heuristic, legs timed under all limits", "rail by rule", thesis),
+    "thesis": Baseline(
+        _RAPID, "rail heuristic of Krotký's thesis (2014), legs timed under all limits", "rail by rule", thesis
+    ),
     "fixed-rail": _free(
         _STREAM, FIXED_RAIL, "the best rail position per station, the rail still there", "rail per station, branch"
     ),

@@ -1,0 +1,219 @@
+"""What a picky reader asks of every picture, measured by the renderer, over several programs and both plans."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+from itertools import combinations, pairwise
+
+import numpy as np
+import pytest
+from drawn_plans import Drawn, drawn, many
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+from test_corner_pictures import course as corners
+
+from trajopt_cli.problem.course import Course, follow
+from trajopt_cli.problem.plan import Target
+from trajopt_cli.problem.stepwise import analyse
+from trajopt_cli.report.bars import Bar, comparison_figure, savings_figure
+from trajopt_cli.report.levers import levers_figure
+from trajopt_cli.report.pictures import PICTURES, STEP_PICTURES
+from trajopt_cli.report.steps import steps_of
+from trajopt_cli.report.style import house_style
+
+LONG = "the_third_line_of_the_left_magazine_and_of_the_right_magazine_as_of_today.mod"
+CASES = ("rail", "no rail", "corners", "many")
+STEPS = (1.0, 2.0, 2.5, 4.0, 5.0)  # times a power of ten: what a reader counts by
+
+
+def case_of(name: str) -> Drawn:
+    return many(60) if name == "many" else drawn(rail=name == "rail")
+
+
+@cache
+def course(name: str) -> Course:
+    if name == "corners":
+        return corners()
+    case = case_of(name)
+    return follow(case.program, case.plant, case.plan, LONG)
+
+
+@cache
+def figure(case: str, picture: str) -> Figure | None:
+    with house_style():
+        if picture in PICTURES:
+            made = PICTURES[picture](course(case))
+        else:
+            c = course(case)
+            made = STEP_PICTURES[picture](steps_of(c.program, c.plant, analyse(c.program, c.plant), LONG))
+        if made is not None:
+            made.canvas.draw()
+        return made
+
+
+def panels(case: str, picture: str) -> list[Axes]:
+    made = figure(case, picture)
+    return [] if made is None else made.axes
+
+
+def axes_of(panel: Axes) -> list[str]:
+    return ["x", "y", "z"] if panel.name == "3d" else ["x", "y"]
+
+
+def ticks(panel: Axes, name: str) -> np.ndarray:
+    """Where an axis has a number, as shown."""
+    axis = getattr(panel, f"{name}axis")
+    low, high = sorted(axis.get_view_interval())
+    at = np.array([tick for tick in axis.get_majorticklocs() if low - 1e-9 <= tick <= high + 1e-9])
+    return at
+
+
+def shown(made: Figure) -> list[Text]:
+    """Every text on the page but for those inside 3-D boxes, whose extent is not in pixels of the page."""
+    hidden = set()
+    for axes in made.axes:
+        for name in axes_of(axes):
+            axis = getattr(axes, f"{name}axis")
+            hidden |= {label for tick in axis.get_major_ticks() for label in (tick.label1, tick.label2)}
+            # Those of them that are in view; in a box all are, and asking would move them.
+            seen = axis.get_major_ticks() if axes.name == "3d" else axis._update_ticks()
+            hidden -= {tick.label1 for tick in seen}
+    texts = [text for text in made.findobj(Text) if type(text).__name__ != "Text3D" and text not in hidden]
+    return [text for text in texts if text.get_visible() and text.get_text().strip()]
+
+
+EVERY = [(case, picture) for case in CASES for picture in (*PICTURES, *STEP_PICTURES)]
+
+
+@pytest.mark.parametrize(("case", "picture"), EVERY)
+def test_numbers_on_the_axes_are_round_and_two_at_least(case: str, picture: str) -> None:
+    wrong = []
+    for panel in panels(case, picture):
+        for name in axes_of(panel):
+            at = ticks(panel, name)
+            step = np.diff(at).min() if len(at) > 1 else np.nan
+            digits = step / 10 ** np.floor(np.log10(step)) if step > 0 else np.nan
+            # evenly apart, by a round step, and through zero if they went on
+            even = np.allclose(np.diff(at), step) and np.allclose(at / step, np.round(at / step), atol=1e-6)
+            if not even or not np.isclose(digits, STEPS).any():
+                wrong.append((name, at.tolist()))
+    # A foreshortened axis of a box may show 50 and 150, every second of a round row.
+    assert [one for one in wrong if picture != "arm" or one != ("y", [50.0, 150.0])] == []
+
+
+@pytest.mark.parametrize(("case", "picture"), EVERY)
+def test_every_axis_of_every_panel_says_what_it_is_and_in_what_unit(case: str, picture: str) -> None:
+    made = figure(case, picture)
+    for panel in panels(case, picture):
+        assert made is not None
+        for name in axes_of(panel):
+            axis = panel
+            if name == "x" and not panel.get_xlabel():  # above another one that shares its axis and has the label
+                under = [other for other in made.axes if panel.get_shared_x_axes().joined(panel, other)]
+                under = [other for other in under if np.isclose(other.get_position().x0, panel.get_position().x0)]
+                axis = min(under, key=lambda other: other.get_position().y0)
+            assert "[" in getattr(axis, f"get_{name}label")(), (panel.get_title(), name)
+
+
+@pytest.mark.parametrize(("case", "picture"), EVERY)
+def test_no_panel_is_empty(case: str, picture: str) -> None:
+    """A panel shows a curve that is more than a point, inside it."""
+    for panel in panels(case, picture):
+        frame, reach = panel.get_window_extent(), []
+        for line in panel.lines:
+            if panel.name == "3d" or line.get_gid() == "ground" or len(line.get_xdata()) < 2:
+                continue
+            pixels = panel.transData.transform(np.column_stack(line.get_data()))
+            reach.append(np.ptp(pixels[np.isfinite(pixels).all(axis=1)], axis=0).max())
+        assert panel.name == "3d" or max(reach) > 0.05 * frame.width
+
+
+@pytest.mark.parametrize(("case", "picture"), EVERY)
+def test_texts_are_inside_the_page_and_none_is_on_another(case: str, picture: str) -> None:
+    made = figure(case, picture)
+    if made is not None:
+        assert outside(made) == []
+        assert list(overlapping(made)) == []
+
+
+def outside(made: Figure) -> list[str]:
+    page = made.bbox.padded(1)
+    boxes = [(text.get_text(), Text.get_window_extent(text)) for text in shown(made)]
+    return [text for text, box in boxes if not (page.contains(box.x0, box.y0) and page.contains(box.x1, box.y1))]
+
+
+def overlapping(made: Figure) -> Iterator[tuple[str, str]]:
+    """Pairs of texts that cover each other by more than a pixel; slanted ones by the strip that they stand in."""
+    level = [(text.get_text(), Text.get_window_extent(text)) for text in shown(made) if text.get_rotation() in (0, 90)]
+    for (a, one), (b, other) in combinations(level, 2):
+        if min(one.x1, other.x1) - max(one.x0, other.x0) > 1 and min(one.y1, other.y1) - max(one.y0, other.y0) > 1:
+            yield a, b
+    slanted = [text for text in shown(made) if text.get_rotation() not in (0, 90)]
+    if slanted and made.axes[0].name != "3d":
+        feet = sorted(Text.get_window_extent(text).x0 for text in slanted)
+        wanted = slanted[0].get_fontsize() * made.dpi / 72 / np.sin(np.radians(slanted[0].get_rotation()))
+        for low, high in pairwise(feet):
+            if high - low < wanted:
+                yield f"slanted at {low:.0f}", f"at {high:.0f} px"
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_the_title_says_whose_plan_it_is(case: str) -> None:
+    """In words, whole, however long the program's name."""
+    wanted = {Target.STREAM: "stream plan, for a machine", Target.RAPID: "RAPID plan, for the controller"}
+    for picture in PICTURES:
+        made = figure(case, picture)
+        if made is not None:
+            told = [text.get_text() for text in made.texts if wanted[course(case).plan.target] in text.get_text()]
+            assert len(told) == 1, picture
+            assert told[0].endswith(f"cycle {course(case).plan.duration:.3f} s")
+
+
+def test_directions_are_the_ways_the_tool_goes() -> None:
+    """Each arrow of `path` lies on the path and points along the tool's velocity there."""
+    c = course("rail")
+    made = figure("rail", "path")
+    assert made is not None
+    for panel, up in ((made.axes[0], 2), (made.axes[2], 0)):
+        arrows = [one for one in panel.texts if one.get_gid() == "direction"]
+        assert len(arrows) >= 3
+        plane = [1, up]
+        for arrow in arrows:
+            tip, tail = np.array(arrow.xy) * 1e-3, np.array(arrow.get_position()) * 1e-3
+            away = np.linalg.norm(c.X_WT[:, :3, 3][:, plane] - (tip + tail) / 2, axis=1)
+            assert away.min() < 3e-3
+            there = c.V_WT[away < away.min() + 3e-3][:, plane]
+            assert ((there @ (tip - tail)) > 0).any()
+
+
+def test_the_rail_is_drawn_from_end_to_end_and_the_carriage_where_the_base_is() -> None:
+    made = figure("rail", "path")
+    assert made is not None
+    limits, base = course("rail").plant.limits, course("rail").plant.robot.X_WB0[:3, 3]
+    (rail,) = [line for line in made.axes[0].lines if line.get_gid() == "ground"]
+    assert rail.get_xdata() == pytest.approx(1e3 * (base[1] + np.array([limits.lower[0], limits.upper[0]])))
+    (carriage,) = [line for line in made.axes[1].lines if line.get_gid() == "ground"]
+    assert [*carriage.get_xdata(), *carriage.get_ydata()] == pytest.approx([1e3 * base[1], 1e3 * base[2]])
+    bare = figure("no rail", "path")
+    assert bare is not None
+    assert not [line for axes in bare.axes for line in axes.lines if line.get_gid() == "ground"]
+
+
+def test_bars_are_readable_too() -> None:
+    what = "the best rail position per station, the rail still there, and what else there is"
+    rows = [
+        Bar("practice", what, 10.5, True),
+        Bar("bang-bang", what, 7.4, False),
+        Bar("optimum stream", what, 6.5, True, 6.1),
+    ]
+    bars = [
+        (f"v500 of MoveL p_number_{k} at a_long_name.mod:{k}, +10 %", 0.1 / (k + 1), 0.12 / (k + 1)) for k in range(20)
+    ]
+    causes = [("as written, fly-bys as stops", 9.0), ("retimed: joint moves bend", 7.0), ("rail through stops", 7.0)]
+    with house_style():
+        for made in (comparison_figure(rows, LONG), savings_figure(causes, LONG), levers_figure(bars, 6.5, LONG)):
+            made.canvas.draw()
+            assert outside(made) == []
+            assert list(overlapping(made)) == []
