@@ -17,8 +17,9 @@ from trajopt_cli.compliance.report.charts import STABLE, joints_figure
 from trajopt_cli.compliance.report.follow import family_figure, path_figure
 from trajopt_cli.compliance.report.forces import contact_figure
 from trajopt_cli.compliance.report.pictures import Following
-from trajopt_cli.compliance.report.runs import looked_at, number_of, thinned
+from trajopt_cli.compliance.report.runs import looked_at, number_of
 from trajopt_cli.compliance.report.space import View
+from trajopt_cli.compliance.report.thinning import thinned
 from trajopt_cli.geometry import pose
 from trajopt_cli.report import style
 from trajopt_cli.shapes import Box, Capsule

@@ -27,6 +27,7 @@ from trajopt_cli.compliance.task.equilibrium import Equilibrium
 from trajopt_cli.compliance.task.model import Clamps, Feed, Profile, RotationLaw, Task
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
+from trajopt_cli.runs import REPORT
 from trajopt_cli.runs.folder import check_replaceable
 from trajopt_cli.runs.record import INPUT
 from trajopt_cli.units import MM
@@ -405,12 +406,14 @@ def _write(job: DosedJob) -> None:
         "joints": joint_record(job.joints),
         "notes": list(job.dosed.notes),
     }
+    from trajopt_cli.compliance.job.showing import dose_page
+
     options = {"max_lag_m": allowed.lag, "max_lead": lead_record(allowed.lead), "feed": job.dosed.feed.value}
     write_task_run(
         job.folder,
         "iiwa dose",
         options,
         found.record.inputs,
-        inputs | sequence_files(job.after),
+        {**inputs, **sequence_files(job.after), REPORT: dose_page(job)},
         {"task": found.sections()["task"], "sequence": sequence_record(job.after), "dosing": dosing},
     )

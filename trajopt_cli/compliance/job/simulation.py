@@ -27,6 +27,7 @@ from trajopt_cli.compliance.task.model import (
 )
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
+from trajopt_cli.runs import REPORT
 
 if TYPE_CHECKING:
     from trajopt_cli.compliance.controller.lag import Lag
@@ -138,7 +139,7 @@ def simulate(
     integration: Integration | None = None,
     settle: float | None = None,
 ) -> Simulated | NoRun:
-    """Run the controller on a folder's sequence and write simulation.csv into it.
+    """Run the controller on a folder's sequence and write simulation.csv and report.html into it.
 
     contact_file: what the tool may run into, None for what the task itself says. engine: "spring" or "mujoco", None for
     MuJoCo where it is installed. feed: None for the one the folder was made for. settle [s]: how long the last pose is
@@ -151,9 +152,10 @@ def simulate(
     place = str(contact_file or opened.task.file)
     answer = run_controller(opened, contact, engine, feed, integration, settle, place)
     if isinstance(answer, Simulated):
-        add_to_folder(
-            answer.opened, {SIMULATION: simulation_csv(answer).encode()}, {"simulation": simulation_record(answer)}
-        )
+        from trajopt_cli.compliance.job.showing import simulation_page
+
+        files = {SIMULATION: simulation_csv(answer).encode(), REPORT: simulation_page(answer)}
+        add_to_folder(answer.opened, files, {"simulation": simulation_record(answer)})
     return answer
 
 

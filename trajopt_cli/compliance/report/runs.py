@@ -12,7 +12,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike
 
-from trajopt_cli.geometry import Array, BoolArray, IndexArray
+from trajopt_cli.compliance.report.thinning import thinned
+from trajopt_cli.geometry import Array, BoolArray
 from trajopt_cli.report.names import name_places
 from trajopt_cli.report.over_time import number
 from trajopt_cli.report.style import AXIS_STYLES, BLACK, BLUE, GREY, PALE, VERMILLION, settle
@@ -26,7 +27,6 @@ MOVES = 1e-6  # m or rad: a coordinate that travels less stands still
 ACTS = 1e-9  # N or Nm: less is no force
 _FINE = 4.0  # px: no name is narrower
 _WIDE, _HIGH = 450.0, 260.0  # px: no name stands further from its place
-SHOWN = 2400  # points per curve that a page can show, highest and lowest of each stretch kept
 
 # The thesis draws the planned trajectory and the controller's in two colours and the flange dashed.
 PLANNED: dict[str, Any] = {"color": "#a9a9a9", "linewidth": 4.2, "label": "equilibrium (planned)"}
@@ -92,27 +92,6 @@ def times(values: ArrayLike, what: str) -> Array:
     if len(t) < 2 or not (np.diff(t) > 0).all():
         raise ValueError(f"{what}: t has {len(t)} samples, wanted at least two that grow")
     return t
-
-
-def thinned(values: Array, progress: Array | None = None, stretches: int = SHOWN // 2) -> IndexArray:
-    """Rows (k,) of values (n,) or (n, c) that show as all would: lowest and highest of each stretch, first and last.
-
-    progress (n,): what the stretches are equal parts of, the row number unless given; it never falls.
-    """
-    columns = values.reshape(len(values), -1)
-    n = len(columns)
-    if n <= 2 * stretches:
-        return np.arange(n)
-    along = np.arange(n, dtype=np.float64) if progress is None else progress
-    stretch = (stretches * (along - along[0]) / max(float(along[-1] - along[0]), 1e-300)).astype(int)
-    starts = np.flatnonzero(np.diff(stretch, prepend=-1))
-    counts = np.diff(starts, append=n)
-    kept = [starts, np.array([n - 1])]
-    for column in columns.T:
-        for best in (np.minimum, np.maximum):
-            hits = np.flatnonzero(column == np.repeat(best.reduceat(column, starts), counts))
-            kept.append(hits[np.diff(stretch[hits], prepend=-1) > 0])  # the first of each stretch
-    return np.unique(np.concatenate(kept))
 
 
 def curve(axes: Axes, t: Array, values: Array, gid: str, **style: Any) -> None:

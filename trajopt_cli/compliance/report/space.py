@@ -9,7 +9,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
-from trajopt_cli.compliance.report.runs import MOVES, Marks, thinned
+from trajopt_cli.compliance.report.runs import MOVES, Marks
+from trajopt_cli.compliance.report.thinning import thinned
 from trajopt_cli.geometry import Array
 from trajopt_cli.report.over_time import number
 from trajopt_cli.report.style import BLACK, SMALL
