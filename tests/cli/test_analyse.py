@@ -18,7 +18,7 @@ LINE = Path(__file__).parents[2] / "programs" / "hinge_line.mod"
 def test_the_table_of_the_hinge_line_ends_in_the_published_sums(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setenv("COLUMNS", "200")
+    monkeypatch.setenv("COLUMNS", "300")
     assert run(["analyse", str(LINE)]) == 0
     out = capsys.readouterr().out
     lines = [" ".join(line.split()) for line in out.splitlines()]
@@ -28,12 +28,12 @@ def test_the_table_of_the_hinge_line_ends_in_the_published_sums(
     rows = [line for line in lines if re.match(r"hinge_line\.mod:\d+ ", line)]
     assert len(rows) == 23
     # 60 mm straight down at 200 mm/s; the rail alone over 1500 mm; a wait in its own column
-    assert re.fullmatch(r"hinge_line\.mod:\d+ MoveL p_n1 60\.0 200\.0 -200\.0 0\.300", rows[2])
+    assert re.fullmatch(r"hinge_line\.mod:\d+ MoveL p_n1 0\.300 60\.0 200\.0 -200\.0", rows[2])
     assert re.fullmatch(r"hinge_line\.mod:\d+ WaitTime 0\.8 s 0\.800", rows[3])
-    assert re.fullmatch(r"hinge_line\.mod:\d+ MoveAbsJ j_home_n2 1500\.0 2\.000", rows[7])
+    assert re.fullmatch(r"hinge_line\.mod:\d+ MoveAbsJ j_home_n2 2\.000 1500\.0", rows[7])
     # all three axis speeds, from N2 out of the station: (-80, 60, 40) mm at 500 mm/s
     x, y, z = 500 * np.array([-80, 60, 40]) / np.linalg.norm([80, 60, 40])
-    assert rows[14].endswith(f"MoveL p_n2_out 107.7 500.0 {x:.1f} {y:.1f} {z:.1f} 0.215")
+    assert rows[14].endswith(f"MoveL p_n2_out 0.215 107.7 500.0 {x:.1f} {y:.1f} {z:.1f}")
 
 
 def test_the_record_adds_up(capsys: pytest.CaptureFixture[str]) -> None:

@@ -105,7 +105,10 @@ def test_joints_put_the_tool_on_every_pose(task: Path) -> None:
     np.testing.assert_allclose(joints.q[0], np.radians([0, 30, 0, -100, 0, 50, 0]), rtol=0, atol=1e-9)
 
 
-def test_an_arm_angle_is_chosen_told_and_drawn(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_arm_angle_is_chosen_told_and_drawn(
+    task: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("trajopt_cli.cli.progress.log_pause", lambda spent: 0.0)
     folder, plots = segments(task), task.parent / "plots"
     capsys.readouterr()
     options = ["--arm-angle", "optimal", "--for", "speed"]
@@ -144,8 +147,9 @@ def test_long_sequences_tell_what_is_worked_on(
     assert capsys.readouterr().err == ""
     rows = len(table(folder / "equilibrium.csv")[1])
     monkeypatch.setattr("trajopt_cli.compliance.job.joints.LONG", rows)
+    monkeypatch.setattr("trajopt_cli.cli.progress.log_pause", lambda spent: 0.0)
     assert run(["iiwa", "joints", str(folder)]) == 0
-    assert capsys.readouterr().err.splitlines() == [
+    assert [line.split(" s: ")[1] for line in capsys.readouterr().err.splitlines()] == [
         f"joints: inverse kinematics and checks of {rows} poses",
         "joints: writing joints.csv",
     ]

@@ -31,7 +31,7 @@ from trajopt_cli.cli import (
     verify,
     view,
 )
-from trajopt_cli.cli.process import own_process
+from trajopt_cli.cli.process import begin, interrupted, own_process
 from trajopt_cli.errors import InputError
 
 app = typer.Typer(
@@ -77,6 +77,7 @@ def _root(
 def run(arguments: list[str]) -> int:
     """Run one command line and give its exit code; every expected mistake is a line on stderr, never a traceback."""
     own_process()
+    begin()
     try:
         _check_arguments(arguments)
         code = app(arguments or ["--help"], prog_name="trajopt", standalone_mode=False)
@@ -96,7 +97,7 @@ def run(arguments: list[str]) -> int:
             typer.echo(f"{os.fsdecode(error.filename)}: {error.strerror}", err=True)
         return 2
     if code == 130:
-        typer.echo("interrupted: nothing half-written, earlier results stand", err=True)
+        typer.echo(interrupted(), err=True)
     return int(code or 0)
 
 

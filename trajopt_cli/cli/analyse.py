@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, ProgramPaths
+from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, ProgramPaths, Quiet
 from trajopt_cli.cli.process import reading
 
 
@@ -12,17 +12,19 @@ def analyse(
     entry: Entry = None,
     assume_identity: AssumeIdentity = None,
     as_json: AsJson = False,
+    quiet: Quiet = False,
 ) -> None:
     """Add up PROGRAM's times as written: every move straight (MoveC along its arc) as seen from the carriage, speed
     changing in steps.
 
     Waits are counted apart. No limit of a joint is asked, so this is not a motion a robot can do.
+
+    \b
+    Example:
+      trajopt analyse programs/hinge_line.mod
     """
-    import json
-
-    import typer
-
     from trajopt_cli.cli.analysis_table import MODEL, analysis_record, analysis_table, sums
+    from trajopt_cli.cli.console import print_json, result, show, stdout, tell
     from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.problem.stepwise import analyse
 
@@ -30,12 +32,11 @@ def analyse(
         job = read_job(program, cell, entry or MAIN, assume_identity or ())
     analysis = analyse(job.program, job.plant)
     if as_json:
-        typer.echo(json.dumps(analysis_record(job.program, analysis), indent=2, ensure_ascii=False))
+        print_json(analysis_record(job.program, analysis))
         return
-    from trajopt_cli.cli.console import show, stdout
-
+    if quiet:
+        result(next(line for line in sums(analysis) if line.startswith("cycle")))
+        return
     console = stdout()
     show(console, analysis_table(str(job.program_path), job.program, analysis))
-    for line in sums(analysis):
-        console.print(line)
-    console.print(f"model: {MODEL}")
+    tell(console, [*sums(analysis), f"model: {MODEL}"])

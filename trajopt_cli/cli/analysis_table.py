@@ -61,20 +61,20 @@ def analysis_table(name: str, program: Program, analysis: Analysis) -> Table:
     """One line per move and wait, in program order; a wait's time stands in a column of its own."""
     table = plain_table(
         f"{name}: as written, in steps of speed; lengths and axis speeds as the carriage sees them",
-        *("place", "instruction", "target", ">length [mm]", ">turn [deg]", ">rail by [mm]", ">programmed [mm/s]"),
-        *(">x [mm/s]", ">y [mm/s]", ">z [mm/s]", ">time [s]", ">wait [s]"),
+        *("~place", "instruction", "~target", ">time [s]", ">wait [s]", ">length [mm]", ">turn [deg]", ">rail by [mm]"),
+        *(">programmed [mm/s]", ">x [mm/s]", ">y [mm/s]", ">z [mm/s]"),
     )
     entries: list[StepMove | StepWait] = [*analysis.moves, *analysis.waits]
     for entry in sorted(entries, key=lambda one: one.index):
         label = (place(entry.source), *motion_label(program, entry.index))
         if isinstance(entry, StepWait):
-            table.add_row(*label, *[""] * 8, f"{entry.duration:.3f}")
+            table.add_row(*label, "", f"{entry.duration:.3f}", *[""] * 7)
             continue
         x, y, z = (_figure(float(value) / MM) for value in entry.velocity)
         table.add_row(
-            *label,
+            *(*label, f"{entry.duration:.3f}", ""),
             *(_figure(entry.length / MM), _figure(entry.angle / DEG), _figure((entry.rail_1 - entry.rail_0) / MM)),
-            *(_figure(entry.v_tcp / MM), x, y, z, f"{entry.duration:.3f}", ""),
+            *(_figure(entry.v_tcp / MM), x, y, z),
         )
     return table
 

@@ -7,13 +7,11 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, LoopsOfProgram
-from trajopt_cli.cli.process import reading
+from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, LoopsOfProgram, Quiet
+from trajopt_cli.cli.process import reading, wrote
 
 if TYPE_CHECKING:
     from trajopt_cli.problem.plan import Target
-
-_SHOWN = 3  # failed checks per row; an illegal plan breaks many at once
 
 app = typer.Typer(help="Compare plans of one program.", rich_markup_mode=None)
 
@@ -37,6 +35,7 @@ def baseline(
     assume_identity: AssumeIdentity = None,
     loops: LoopsOfProgram = None,
     as_json: AsJson = False,
+    quiet: Quiet = False,
     csv: Annotated[Path | None, typer.Option("--csv", metavar="FILE.csv", help="Write the rows as CSV, too.")] = None,
     plots: Annotated[
         Path | None,
@@ -65,12 +64,15 @@ def baseline(
     """Drive PROGRAM in all ways people would, judge each, and tell where the optimum's saving comes from.
 
     Savings count against the first legal row. Exit code 1 when no row is legal.
-    """
-    import json
 
-    from trajopt_cli.cli.comparison_tables import causes_table, rows_table
-    from trajopt_cli.cli.console import show, stdout
+    \b
+    Example:
+      trajopt compare baseline programs/hinge_cell.mod --csv rows.csv
+    """
+    from trajopt_cli.cli.comparison_tables import causes_table, comparison_line, row_lines, rows_table
+    from trajopt_cli.cli.console import print_json, result, show, stdout, tell
     from trajopt_cli.cli.progress import ProgressView
+    from trajopt_cli.cli.remarks import by_name
     from trajopt_cli.job import read_program_or_results
     from trajopt_cli.pipeline.optimise import held_unasked
     from trajopt_cli.problem.changes import Loops
@@ -88,36 +90,34 @@ def baseline(
     _check_places(csv, plots)
     folder = output or Path("results") / f"{job.program.name}_comparison"
     check_replaceable(folder)
-    with ProgressView() as view:
+    with ProgressView(quiet=quiet) as view:
         answer = compare(job, view.show, RailRule(phi_min * DEG, v_transfer, v_area), made_of_loops)
     record = comparison_record(answer)
     if csv is not None:
         write_file(csv, rows_csv(record["rows"]).encode())
+        wrote(csv)
     if as_json:
-        typer.echo(json.dumps(record, indent=2, ensure_ascii=False))
+        print_json(record)
+    elif quiet:
+        result(comparison_line(record["rows"]))
     else:
         console = stdout()
         show(console, rows_table(program[0].name or job.title, answer.waits, record["rows"]))
-        for row in record["rows"]:
-            console.print(f"{row['name']}: {row.get('why') or row['title']}; may move: {row['moves']}")
-            for note in row.get("notes", ()):
-                console.print(f"    {note}")
-            failed = row.get("failed", [])
-            for line in failed[:_SHOWN]:
-                console.print(f"    not legal: {line}")
-            if len(failed) > _SHOWN:
-                console.print(f"    {len(failed) - _SHOWN} checks more failed; --json lists them")
+        files = (*job.program.files, str(job.cell_path))
+        tell(console, row_lines(record["rows"], files))
         console.print()
         if isinstance(answer.steps, str):
-            console.print(f"saving by cause: not available, there is no plan to start from ({answer.steps})")
+            why = f"saving by cause: not available, there is no plan to start from ({answer.steps})"
+            tell(console, [by_name(why, files)])
         else:
             show(console, causes_table(answer.steps))
         for line in (*job.plant.unchecked, *answer.notices, *held_unasked(job)):
-            console.print(line)
+            tell(console, [by_name(line, files)])
     if plots is not None:
         pictures = comparison_pictures(answer, _drawn(target, program[0]))
         write_files(plots, pictures)
-        typer.echo(f"drawn in {plots}: {len(pictures)} files", err=True)
+        if not quiet:
+            typer.echo(f"drawn in {plots}: {len(pictures)} files", err=True)
     options = ComparisonOptions(
         program=[str(path) for path in job.paths],
         cell=str(job.cell_path),
@@ -126,7 +126,9 @@ def baseline(
         loops=made_of_loops.value,
     )
     count = write_comparison(folder, answer, options)
-    typer.echo(f"written to {folder}: report.html (open it in a browser) and {count - 1} files more", err=as_json)
+    wrote(folder)
+    if not quiet:
+        typer.echo(f"written to {folder}: report.html (open it in a browser) and {count - 1} files more", err=as_json)
     if not any(row["legal"] for row in record["rows"]):
         raise typer.Exit(1)
 

@@ -2,76 +2,103 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NoReturn
+import json
+import math
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import typer
 from rich.console import Console
-from rich.measure import Measurement
 from rich.table import Table
+
+from trajopt_cli.cli.layout import wrapped
+from trajopt_cli.cli.listing import terminal_width
 
 if TYPE_CHECKING:
     from trajopt_cli.pipeline.optimise import Collides, Illegal
     from trajopt_cli.pipeline.planning import NoPlan
     from trajopt_cli.problem.plan import Infeasible
 
-_PIPED_WIDTH = 300  # columns when nobody tells; tables of paths and numbers must not wrap in a log
+_UNBOUND = 100_000  # columns where nobody tells: a log has lines of any length
+_DEEPER = "    "  # before what follows the first line of a text that takes several
+_REPORT = "This is an error in trajopt; please report it with program and cell file"
 
 
-def _console(stderr: bool) -> Console:
-    console = Console(stderr=stderr, highlight=False, markup=False, emoji=False, soft_wrap=False)
-    if not console.is_terminal:
-        console.width = _PIPED_WIDTH
-    return console
-
-
-def stdout() -> Console:
-    """The console for answers."""
-    return _console(stderr=False)
+def stdout(quiet: bool = False) -> Console:
+    """The console for answers: as wide as the terminal, in plain text where there is none. quiet: it says nothing, and
+    a command prints its result with result()."""
+    width = terminal_width(piped=_UNBOUND)
+    return Console(highlight=False, markup=False, emoji=False, width=width, quiet=quiet)
 
 
 def show(console: Console, table: Table) -> None:
-    """Print a table with every figure whole: a terminal that is too narrow wraps lines rather than lose digits."""
-    least = Measurement.get(console, console.options.update(max_width=_PIPED_WIDTH), table).maximum
-    width = console.width
-    console.width = max(width, least)
-    console.print(table, crop=False)
-    console.width = width
+    """Print a table with every figure whole: one that is too narrow for its first column is not cut."""
+    console.print(table, crop=False, no_wrap=True, overflow="ignore")
 
 
-def stderr() -> Console:
-    """The console for progress and errors."""
-    return _console(stderr=True)
+def tell(console: Console, lines: Iterable[str]) -> None:
+    """Print lines, each with what does not fit hanging below it."""
+    for line in lines:
+        for part in wrapped(line, console.width, deeper=_DEEPER) or [""]:
+            console.print(part, crop=False, no_wrap=True, overflow="ignore")
 
 
-def answer_no(answer: Infeasible | NoPlan | Illegal | Collides) -> NoReturn:
-    """Say on stderr why there is no result, and stop with exit code 1."""
+def result(text: str) -> None:
+    """Print a line of what --quiet leaves: the result."""
+    typer.echo(text)
+
+
+def warn(text: str) -> None:
+    """Say on stderr what the user should know of the result, whatever is asked to be quiet."""
+    typer.echo(text, err=True)
+
+
+def print_json(record: Any) -> None:
+    """Print one JSON document; numbers that are none (NaN, infinite) become null, which JSON has."""
+    typer.echo(json.dumps(_plain(record), indent=2, ensure_ascii=False, allow_nan=False))
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if isinstance(value, dict):
+        return {str(key): _plain(one) for key, one in value.items()}
+    return [_plain(one) for one in value] if isinstance(value, list | tuple) else value
+
+
+def no(lines: Iterable[str], as_json: bool, feasible: bool | None = False, **record: Any) -> NoReturn:
+    """Say on stderr why the answer is no, as JSON on stdout, too, where that is asked; and stop with exit code 1.
+
+    feasible: None where it is not known that it cannot be done.
+    """
+    lines = list(lines)
+    if as_json:
+        print_json({"feasible": feasible, **record, "why": lines})
+    for line in lines:
+        typer.echo(line, err=True)
+    raise typer.Exit(1)
+
+
+def answer_no(answer: Infeasible | NoPlan | Illegal | Collides, as_json: bool = False) -> NoReturn:
+    """Say why there is no result, and stop with exit code 1."""
     from trajopt_cli.pipeline.optimise import Collides, Illegal
     from trajopt_cli.pipeline.planning import NoPlan
     from trajopt_cli.problem.plan import Infeasible
 
     match answer:
         case Infeasible():
-            typer.echo(str(answer), err=True)
+            place = {"index": answer.index, "source": str(answer.source)}
+            no([str(answer)], as_json, answer="infeasible", motion=place, limit=answer.message)
         case NoPlan(label=label, message=message):
-            typer.echo(
-                f"NOTHING WRITTEN: no {label} plan found although the program can be done ({message}). "
-                "This is an error in trajopt; please report it with program and cell file.",
-                err=True,
-            )
+            line = f"NOTHING WRITTEN: no {label} plan found although the program can be done ({message}). {_REPORT}."
+            no([line], as_json, None, answer="no plan", plan=label)
         case Collides(label=label, hits=hits):
-            for hit in hits:
-                typer.echo(hit.message, err=True)
             what = f"the {label} plan collides. The planner does not look at obstacles: move or add a point"
             if not label:
                 what = "the robot cannot stand at its start. Correct the start or the obstacle"
-            typer.echo(
-                f"NOTHING WRITTEN: {what}, or say in the cell file what may touch ('ignore', 'may_touch')", err=True
-            )
+            last = f"NOTHING WRITTEN: {what}, or say in the cell file what may touch ('ignore', 'may_touch')"
+            no([*(hit.message for hit in hits), last], as_json, None, answer="collides", plan=label or "start")
         case Illegal(label=label, finding=finding):
             what = finding.message or f"{finding.check} of {finding.subject} failed"
-            typer.echo(
-                f"NOTHING WRITTEN: the judge rejects the {label} plan: {what}. "
-                "This is an error in trajopt; please report it with program and cell file.",
-                err=True,
-            )
-    raise typer.Exit(1)
+            line = f"NOTHING WRITTEN: the judge rejects the {label} plan: {what}. {_REPORT}."
+            no([line], as_json, None, answer="illegal", plan=label)

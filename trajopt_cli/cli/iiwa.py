@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Annotated, Literal, NoReturn
 
 import typer
 
-from trajopt_cli.cli.options import AsJson
+from trajopt_cli.cli.options import AsJson, Quiet
+from trajopt_cli.cli.process import wrote
 from trajopt_cli.errors import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Callable, Mapping
 
     from trajopt_cli.compliance.controller.dose_allowed import Lead
     from trajopt_cli.compliance.job.simulation import NoRun
@@ -44,11 +45,15 @@ def segments(
         typer.Option("--angles", help="Count angles from the start's orientation or from the world's axes."),
     ] = None,
     as_json: AsJson = False,
+    quiet: Quiet = False,
 ) -> None:
-    """Interpolate TASK: what the controller is fed every period, as CSV with angles and with quaternions."""
-    import json
+    """Interpolate TASK: what the controller is fed every period, as CSV with angles and with quaternions.
 
-    from trajopt_cli.cli.console import show, stdout
+    \b
+    Example:
+      trajopt iiwa segments programs/iiwa_cube.yaml
+    """
+    from trajopt_cli.cli.console import print_json, result, show, stdout, tell
     from trajopt_cli.cli.iiwa_tables import passing_lines, segments_table, sequence_line
     from trajopt_cli.compliance.job.folder import read_summary
     from trajopt_cli.compliance.job.segments import make_segments
@@ -56,18 +61,18 @@ def segments(
 
     folder = output or Path("results") / task.stem
     meaning = AngleMeaning(angles) if angles else None
-    made = make_segments(task, folder, task_file, meaning, lambda text: typer.echo(text, err=True))
+    made = make_segments(task, folder, task_file, meaning, said(quiet))
     if as_json:
-        typer.echo(json.dumps(read_summary(folder)["sequence"], indent=2, ensure_ascii=False))
+        print_json(read_summary(folder)["sequence"])
+        return
+    if quiet:
+        result(sequence_line(made.opened.equilibrium))
         return
     console = stdout()
     show(console, segments_table(task.name, made.facts))
-    for line in passing_lines(made.facts, made.opened.task.route):
-        console.print(line)
-    console.print(sequence_line(made.opened.equilibrium))
-    for note in made.notes:
-        console.print(f"note: {note}")
-    console.print(f"written to {folder}")
+    tell(console, passing_lines(made.facts, made.opened.task.route))
+    tell(console, [sequence_line(made.opened.equilibrium), *(f"note: {note}" for note in made.notes)])
+    tell(console, [f"written to {folder}"])
 
 
 @app.command("joints", short_help="RESULTS' joints in one configuration, the arm angle fixed or chosen.")
@@ -87,15 +92,19 @@ def joints(
         Path | None, typer.Option("--plots", metavar="FOLDER", help="Draw the map of path and arm angle, too.")
     ] = None,
     as_json: AsJson = False,
+    quiet: Quiet = False,
 ) -> None:
     """Inverse kinematics along the sequence, every sample held against position, speed and acceleration limits.
 
     Exit code 1 when a limit is broken or a pose is out of reach. joints.csv is written unless a joint passes its range
     or its speed, which would stop the controller.
-    """
-    import json
 
-    from trajopt_cli.cli.console import show, stdout
+    \b
+    Example:
+      trajopt iiwa segments programs/iiwa_cube.yaml
+      trajopt iiwa joints results/iiwa_cube
+    """
+    from trajopt_cli.cli.console import no, print_json, result, show, stdout, tell
     from trajopt_cli.cli.iiwa_tables import (
         ahead_line,
         arm_line,
@@ -119,32 +128,34 @@ def joints(
         from trajopt_cli.compliance.task.arm_plan import Goal
 
         wanted = Goal(goal or "limits")
-    with ProgressView() as view:
+    with ProgressView(quiet=quiet) as view:
         opened, answer = follow_joints(
             results, arm_angle == "free", wanted, lambda phase: view.show("joints", Progress(phase))
         )
     assert opened.folder is not None
     ahead = [ahead_line(opened)] if "dosing" in opened.folder.sections() else []
     if isinstance(answer, Unfollowable):
-        for line in (f"{opened.task.file}: {answer.message}", *ahead):
-            typer.echo(line, err=True)
-        raise typer.Exit(1)
+        no((f"{opened.task.file}: {answer.message}", *ahead), as_json, answer="out of reach")
     failed = [finding for finding in answer.findings if not finding.passed]
     written = stops_nothing(answer)
+    if written:
+        wrote(results / "joints.csv")
     if as_json and written:
-        typer.echo(json.dumps(read_summary(results)["joints"], indent=2, ensure_ascii=False))
-    elif not as_json:
+        print_json(read_summary(results)["joints"])
+    elif as_json:
+        print_json({"feasible": False, "answer": "limits broken", "why": [one.message for one in failed]})
+    elif quiet:
+        result(arm_line(answer))
+    else:
         console = stdout()
         show(console, joints_table(opened.robot.name, answer))
-        console.print(arm_line(answer))
+        tell(console, [arm_line(answer)])
         if answer.plan is not None:
             show(console, chosen_table(answer.plan))
-            for line in chosen_lines(answer.plan):
-                console.print(line)
-        for note in answer.notes:
-            console.print(f"note: {note}")
+            tell(console, chosen_lines(answer.plan))
+        tell(console, (f"note: {note}" for note in answer.notes))
         if written:
-            console.print(f"written to {results / 'joints.csv'}")
+            tell(console, [f"written to {results / 'joints.csv'}"])
     if failed:
         for line in ahead or failure_lines(answer.findings):
             typer.echo(line, err=True)
@@ -155,7 +166,7 @@ def joints(
 
         pictures = joint_pictures(opened, answer)
         write_files(plots, pictures)
-        typer.echo(f"drawn in {plots}: {len(pictures)} files", err=True)
+        said(quiet)(f"drawn in {plots}: {len(pictures)} files")
     if failed:
         raise typer.Exit(1)
 
@@ -186,14 +197,18 @@ def simulate(
         typer.Option("--plots", metavar="FOLDER", help="Draw equilibrium, answer, lag, forces and the arm, too."),
     ] = None,
     as_json: AsJson = False,
+    quiet: Quiet = False,
 ) -> None:
     """Run the admittance controller on the sequence: how far the arm lags, where, and with which force it would push.
 
     Writes simulation.csv into RESULTS. Exit code 1 when the controller is unstable, or a joint limit stops its loop.
-    """
-    import json
 
-    from trajopt_cli.cli.console import show, stdout
+    \b
+    Example:
+      trajopt iiwa segments programs/iiwa_cube.yaml
+      trajopt iiwa simulate results/iiwa_cube --engine spring
+    """
+    from trajopt_cli.cli.console import print_json, result, show, stdout, tell
     from trajopt_cli.cli.iiwa_tables import contact_lines, lag_lines, loop_time_line, stability_table
     from trajopt_cli.compliance.job.folder import check_place, read_summary
     from trajopt_cli.compliance.job.simulation import NoRun
@@ -207,21 +222,23 @@ def simulate(
     how = Integration(integration) if integration else None
     answer = run(results, contact, engine, Feed(feed) if feed else None, how, settle)
     if isinstance(answer, NoRun):
-        no_run(answer)
+        no_run(answer, as_json)
+    wrote(results / "simulation.csv")
     if as_json:
-        typer.echo(json.dumps(read_summary(results)["simulation"], indent=2, ensure_ascii=False))
+        print_json(read_summary(results)["simulation"])
+    elif quiet:
+        result(lag_lines(answer)[0])
     else:
         console = stdout()
         show(console, stability_table(answer.axes, answer.opened.equilibrium.h))
-        for line in (*lag_lines(answer), *contact_lines(answer), *loop_time_line(answer)):
-            console.print(line)
-        console.print(f"written to {results / 'simulation.csv'}")
+        tell(console, (*lag_lines(answer), *contact_lines(answer), *loop_time_line(answer)))
+        tell(console, [f"written to {results / 'simulation.csv'}"])
     if plots is not None:
         from trajopt_cli.compliance.job.drawing import simulation_pictures
 
         pictures = simulation_pictures(answer)
         write_files(plots, pictures)
-        typer.echo(f"drawn in {plots}: {len(pictures)} files", err=True)
+        said(quiet)(f"drawn in {plots}: {len(pictures)} files")
     if broken := answer.broken:
         for line in broken:
             typer.echo(line, err=True)
@@ -265,14 +282,18 @@ def dose(
         Path | None, typer.Option("--plots", metavar="FOLDER", help="Draw lag, speed and path before and after, too.")
     ] = None,
     as_json: AsJson = False,
+    quiet: Quiet = False,
 ) -> None:
     """Retime the sequence: least time within the lag, and within the push that you allow, beside the run as it was.
 
     Exit code 1 when no such sequence is found or the arm cannot follow it; nothing is written then.
-    """
-    import json
 
-    from trajopt_cli.cli.console import show, stdout
+    \b
+    Example:
+      trajopt iiwa segments programs/iiwa_cube.yaml
+      trajopt iiwa dose results/iiwa_cube --max-lag 5mm --max-lead 100N
+    """
+    from trajopt_cli.cli.console import no, print_json, result, show, stdout, tell
     from trajopt_cli.cli.iiwa_tables import dose_lines, dose_table, front_table
     from trajopt_cli.compliance.controller.dose import CannotDose
     from trajopt_cli.compliance.controller.dose_allowed import Allowed, DoseFeed
@@ -300,32 +321,31 @@ def dose(
     )
     answer = dose_folder(results, folder, allowed, DoseFeed(feed) if feed else None, front)
     if isinstance(answer, NoRun):
-        no_run(answer)
+        no_run(answer, as_json)
     if isinstance(answer, CannotDose | Unfollowable):
-        typer.echo(f"{results}: {answer.message}", err=True)
-        raise typer.Exit(1)
+        no([f"{results}: {answer.message}"], as_json, answer="no sequence")
     if isinstance(answer, NotFollowed):
-        for line in answer.sentences:
-            typer.echo(line, err=True)
         remedy = "allow less lead or lag, lower v_max, or move the path"
-        typer.echo(f"NOTHING WRITTEN: the arm cannot follow; {remedy}", err=True)
-        raise typer.Exit(1)
+        last = f"NOTHING WRITTEN: the arm cannot follow; {remedy}"
+        no([*answer.sentences, last], as_json, answer="not followed")
+    wrote(folder)
     if as_json:
-        typer.echo(json.dumps(read_summary(folder)["dosing"], indent=2, ensure_ascii=False))
+        print_json(read_summary(folder)["dosing"])
+    elif quiet:
+        result(dose_lines(answer)[0])
     else:
         console = stdout()
         show(console, dose_table(results.name, answer))
-        for line in dose_lines(answer):
-            console.print(line)
+        tell(console, dose_lines(answer))
         if answer.front:
             show(console, front_table(answer))
-        console.print(f"written to {folder}")
+        tell(console, [f"written to {folder}"])
     if plots is not None:
         from trajopt_cli.compliance.job.drawing import dose_pictures
 
         pictures = dose_pictures(answer)
         write_files(plots, pictures)
-        typer.echo(f"drawn in {plots}: {len(pictures)} files", err=True)
+        said(quiet)(f"drawn in {plots}: {len(pictures)} files")
 
 
 @app.command("experiments", short_help="Chapter 6 of the second thesis, its numbers beside ours.")
@@ -337,11 +357,15 @@ def experiments(
         Literal["auto", "spring", "mujoco"], typer.Option("--engine", help="What moves the arm and answers the tool.")
     ] = "auto",
     as_json: AsJson = False,
+    quiet: Quiet = False,
 ) -> None:
-    """Force steps, orientation, hand guiding, zeroing, stability, following, collision, loop time and dosing."""
-    import json
+    """Force steps, orientation, hand guiding, zeroing, stability, following, collision, loop time and dosing.
 
-    from trajopt_cli.cli.console import show, stdout
+    \b
+    Example:
+      trajopt iiwa experiments --engine spring
+    """
+    from trajopt_cli.cli.console import print_json, result, show, stdout, tell
     from trajopt_cli.cli.experiments_tables import tables
     from trajopt_cli.compliance.experiments.catalogue import run_experiments
     from trajopt_cli.compliance.experiments.folder import write_experiments
@@ -351,18 +375,21 @@ def experiments(
 
     check_place(output, "--output")
     check_replaceable(output)
-    answer = run_experiments(lambda name: typer.echo(f"experiment {name}", err=True), engine)
+    answer = run_experiments(lambda name: said(quiet)(f"experiment {name}"), engine)
     if as_json:
-        typer.echo(json.dumps(record(answer), indent=2, ensure_ascii=False))
-    else:
+        print_json(record(answer))
+    elif not quiet:
         console = stdout()
         for part in tables(answer):
             if isinstance(part, str):
-                console.print(part)
+                tell(console, part.split("\n"))
             else:
                 show(console, part)
     count = write_experiments(output, answer)
-    typer.echo(f"written to {output}: {count} files", err=True)
+    if quiet and not as_json:
+        result(f"written to {output}: {count} files")
+    else:
+        said(quiet)(f"written to {output}: {count} files")
 
 
 def _lead(text: str | None, pushes: Mapping[str, float], stretches: Mapping[str, float], option: str) -> Lead | None:
@@ -376,9 +403,13 @@ def _lead(text: str | None, pushes: Mapping[str, float], stretches: Mapping[str,
     return Lead(option_value(text, {**pushes, **stretches}, option), stretch)
 
 
-def no_run(answer: NoRun) -> NoReturn:
+def no_run(answer: NoRun, as_json: bool) -> NoReturn:
     """Say why there is nothing to show, and stop with exit code 1."""
-    for sentence in answer.sentences:
-        typer.echo(sentence, err=True)
-    typer.echo("NOTHING WRITTEN: the controller cannot run", err=True)
-    raise typer.Exit(1)
+    from trajopt_cli.cli.console import no
+
+    no([*answer.sentences, "NOTHING WRITTEN: the controller cannot run"], as_json, answer="no run")
+
+
+def said(quiet: bool) -> Callable[[str], None]:
+    """What takes a word on how far things are."""
+    return (lambda text: None) if quiet else lambda text: typer.echo(text, err=True)

@@ -39,8 +39,8 @@ def segments_table(task: str, facts: Sequence[SegmentFacts]) -> Table:
     table = plain_table(
         f"{task}: segments",
         *(
-            "from",
-            "to",
+            "~from",
+            "~to",
             ">length [mm]",
             ">turn [°]",
             ">time [s]",
@@ -192,7 +192,7 @@ def stability_table(axes: Iterable[AxisStability], h: float) -> Table:
     """The law per axis; axes of the same numbers share a line."""
     table = plain_table(
         f"the controller's law at {h / MM:g} ms",
-        *("axis", ">K", ">D", ">M", "verdict", ">stable up to", ">damping ratio", ">time constant [s]"),
+        *("~axis", ">K", ">D", ">M", "verdict", ">stable up to", ">damping ratio", ">time constant [s]"),
     )
     groups: dict[tuple[float, float, float], list[AxisStability]] = {}
     for axis in axes:
@@ -309,7 +309,7 @@ def dose_table(name: str, job: DosedJob) -> Table:
     allowed = job.dosed.allowed
     table = plain_table(
         f"{name}: {_allowed(allowed)}",
-        *("fed", ">time [s]", ">least [s]", ">there [s]", ">lag [mm]", ">push [N]"),
+        *("~fed", ">time [s]", ">least [s]", ">there [s]", ">lag [mm]", ">push [N]"),
         *([">turn lag [°]"] if turns else []),
     )
     rows: list[tuple[str, float, float | None, float | None, Lag, float]] = [

@@ -5,6 +5,7 @@ Columns that are empty everywhere are left out. Those that do not fit stand belo
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import sys
@@ -50,9 +51,11 @@ COLUMNS: dict[str, Callable[[Row], str]] = {
 }
 
 
-def terminal_width() -> int:
-    """Columns of the terminal that stdout is; many where it is none."""
-    return shutil.get_terminal_size().columns if sys.stdout.isatty() else PIPED_WIDTH
+def terminal_width(piped: int = PIPED_WIDTH) -> int:
+    """Columns of the terminal that stdout is, or what COLUMNS says; piped where nobody tells."""
+    told = os.environ.get("COLUMNS", "")
+    asked = sys.stdout.isatty() or (told.isdecimal() and int(told) > 0)
+    return shutil.get_terminal_size().columns if asked else piped
 
 
 def listing_lines(program: str, listing: Listing, width: int) -> Iterator[str]:

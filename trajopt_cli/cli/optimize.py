@@ -8,8 +8,8 @@ from typing import Annotated, Literal
 
 import typer
 
-from trajopt_cli.cli.options import AssumeIdentity, CellPath, Entry, LoopsOption, ProgramPaths
-from trajopt_cli.cli.process import reading
+from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, LoopsOption, ProgramPaths, Quiet
+from trajopt_cli.cli.process import reading, wrote
 from trajopt_cli.errors import InputError
 
 
@@ -61,22 +61,28 @@ def optimize(
     gentle: Annotated[
         bool, typer.Option("--gentle", help="The gentlest motion that takes at most 0.01 % longer than the fastest.")
     ] = False,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
 ) -> None:
     """Find the fastest legal motion for PROGRAM, have it judged, and write it as joint CSV and as RAPID.
 
     Both targets are solved in every run. Exit code 1: the program cannot be done, or not in the time given, and why;
     or, with --target rapid, its text cannot carry the plan.
+
+    \b
+    Example:
+      trajopt optimize programs/hinge_cell.mod --time-limit 60
+      trajopt optimize programs/hinge_cell.mod --target rapid --quiet
     """
-    from trajopt_cli.cli.console import answer_no, stdout
+    from trajopt_cli.cli.console import answer_no, print_json, result, show, stdout, tell, warn
     from trajopt_cli.cli.progress import ProgressView
-    from trajopt_cli.cli.tables import cycle_line, motions_table, saving_line, speed_lines
+    from trajopt_cli.cli.tables import motions_table, optimised_lines, optimised_record, saving_line
     from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.pipeline.optimise import Optimised, optimise
     from trajopt_cli.problem.changes import Loops
     from trajopt_cli.problem.objective import GENTLE, LEAST_TIME, LeastEffort
     from trajopt_cli.problem.patience import Patience
     from trajopt_cli.problem.plan import Target
-    from trajopt_cli.verify.clearance import least_clearance
 
     if time_limit is not None and not 0 <= time_limit < math.inf:
         raise InputError(f"--time-limit: needs a time of 0 s or more, not {time_limit:g}")
@@ -89,35 +95,25 @@ def optimize(
     with reading():
         job = read_job(program, cell, entry or MAIN, assume_identity or ())
     folder = output or Path("results") / job.program.name
-    with ProgressView(patience) as view:
+    with ProgressView(patience, quiet) as view:
         answer = optimise(job, Target(target), folder, view.show, plots, Loops(loops), patience, jobs, objective)
     if not isinstance(answer, Optimised):
-        answer_no(answer)
-    console = stdout()
-    console.print(saving_line(answer))
-    console.print()
-    console.print(motions_table(answer))
-    for one in Target:
-        console.print(cycle_line(one.value, answer.judged[one].plan))
-    for line in speed_lines(target, answer.kept_speed[answer.target]):
-        console.print(line)
-    for one in Target:
-        nearest = least_clearance(answer.judged[one].report.findings)
-        if nearest is not None:
-            console.print(f"{one.value}: {nearest.message}")
-    for line in job.plant.unchecked:
-        console.print(line)
-    for warning in answer.warnings:
-        console.print(f"warning: {warning}")
-    for line in job.plant.notes:
-        console.print(f"limits: {line}")
-    for note in answer.notes:
-        console.print(f"note: {note}")
-    rapid = f"{', '.join(answer.rapid_files)} (always the rapid plan), " if answer.no_rapid is None else ""
-    console.print(
-        f"written to {answer.folder}: report.html (open it in a browser), trajectory.csv (the {target} plan), "
-        f"stream.csv, rapid.csv, {rapid}summary.json, run.json{', plots/' if plots else ''}"
-    )
+        answer_no(answer, as_json)
+    wrote(answer.folder)
+    if as_json:
+        print_json(optimised_record(answer, patience.interrupted))
+    elif quiet:
+        result(saving_line(answer))
+        for line in answer.warnings:
+            warn(f"warning: {line}")
+    else:
+        console = stdout()
+        tell(console, [saving_line(answer), ""])
+        show(console, motions_table(answer))
+        tell(console, optimised_lines(answer))
+    if patience.interrupted:
+        best = answer.judged[answer.target].plan.duration
+        warn(f"interrupted: the best plan so far, {best:.3f} s, was completed, judged and written to {answer.folder}")
     if answer.no_rapid is not None and answer.target is Target.RAPID:
-        typer.echo(f"no RAPID text: {answer.no_rapid}", err=True)
+        warn(f"no RAPID text: {answer.no_rapid}")
         raise typer.Exit(1)

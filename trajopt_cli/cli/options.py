@@ -34,7 +34,17 @@ AssumeIdentity = Annotated[
     ),
 ]
 ResultsFolder = Annotated[Path, typer.Argument(metavar="RESULTS", help="Results folder of trajopt optimize.")]
-AsJson = Annotated[bool, typer.Option("--json", help="Print JSON instead of a table.")]
+AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON document instead of text.")]
+Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Print the result in a line, and warnings; no progress.")]
+
+
+def robots(incomplete: str) -> list[str]:
+    """Names of robots that ship, for the shell to complete."""
+    from trajopt_cli.robot.model import robot_names
+
+    return [name for name in robot_names() if name.startswith(incomplete)]
+
+
 _LOOPS = (
     "RAPID plan: keep loops and routines, with one rail position and configuration per target in all passes, or write "
     "them out motion by motion where that is faster."

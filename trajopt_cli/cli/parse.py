@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, ProgramPaths
+from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, ProgramPaths, Quiet
 from trajopt_cli.cli.process import reading
 from trajopt_cli.notices import Notice, NoticeKind
 
@@ -40,10 +40,16 @@ def parse(
             "--scenario-template", help="Print what the cell file must still say about signals, answers, ... and stop."
         ),
     ] = False,
+    quiet: Quiet = False,
 ) -> None:
     """Run PROGRAM on paper and print its motions in order, each with file and line, in the units of RAPID.
 
     Needs no cell file; where there is one, its scenario is used, and confdata is held against its robot.
+
+    \b
+    Example:
+      trajopt parse programs/hinge_cell.mod
+      trajopt parse programs/bench_irb140.mod --scenario-template
     """
     from trajopt_cli.errors import InputError
     from trajopt_cli.job import MAIN, cell_for, scenario_of
@@ -89,24 +95,22 @@ def parse(
         typer.echo(json_text(listing_record(flat, listing, found, notes)))
         return
     from trajopt_cli.cli.listing import listing_lines, terminal_width
+    from trajopt_cli.cli.remarks import by_name, remarks
 
+    files = [*flat.files]
+    warnings = [*remarks("warning", map(str, flat.warnings), files, "--json lists them all")]
+    if quiet:
+        typer.echo(", ".join(_sums(listing)))
+        for line in warnings:
+            typer.echo(line, err=True)
+        return
     title = " ".join(str(path) for path in program)
     lines = [*listing_lines(title, listing, terminal_width()), "", *_sums(listing)]
-    lines += [_short(note, flat) for note in notes]
-    lines += [f"warning: {_short(str(warning), flat)}" for warning in flat.warnings]
+    lines += [by_name(note, files) for note in notes]
+    lines += warnings
     if any(row.conf is not None for row in listing.rows):
-        lines += [_short(line, flat) for line in _configurations(found)]
+        lines += [by_name(line, files) for line in _configurations(found)]
     typer.echo("\n".join(lines))
-
-
-def _short(text: str, program: Program) -> str:
-    """A message with its places as the table has them: the file's name alone, where no two files share it."""
-    names = {path: Path(path).name for path in program.files}
-    if len(set(names.values())) < len(names):
-        return text
-    for path in sorted(names, key=len, reverse=True):  # a path may be the end of another
-        text = text.replace(f"{path}:", f"{names[path]}:")
-    return text
 
 
 def _plant(cell: Cell) -> Plant:

@@ -7,6 +7,7 @@ import os
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
 from trajopt_cli.rapid.execution.room import FRAMES
 
@@ -17,6 +18,26 @@ def own_process() -> None:
         # both targets are solved side by side on two cores; more threads inside would only wait for each other
         os.environ.setdefault(library, "1")
     sys.setrecursionlimit(max(sys.getrecursionlimit(), FRAMES))
+
+
+_finished: list[str] = []  # what this command has written whole
+
+
+def wrote(path: Path) -> None:
+    """Remember that a file or folder is written, to say so where the user ends the command after that."""
+    _finished.append(str(path))
+
+
+def begin() -> None:
+    """Nothing is written yet."""
+    _finished.clear()
+
+
+def interrupted() -> str:
+    """What a command that Ctrl-C ended says that it kept."""
+    if not _finished:
+        return "interrupted: nothing written, earlier results stand"
+    return f"interrupted: {', '.join(_finished)} written before that, nothing half-written"
 
 
 @contextmanager

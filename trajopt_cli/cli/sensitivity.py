@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 
 import typer
 
-from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, LoopsOfProgram
+from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, LoopsOfProgram, Quiet
 from trajopt_cli.cli.process import reading
 
 
@@ -36,6 +36,7 @@ def sensitivity(
         typer.Option("--output", metavar="FOLDER", help="Folder for numbers and pictures; default: none are written."),
     ] = None,
     as_json: AsJson = False,
+    quiet: Quiet = False,
     everything: Annotated[bool, typer.Option("--all", help="List every lever, also those that save nothing.")] = False,
     jobs: Annotated[
         int | None,
@@ -53,10 +54,13 @@ def sensitivity(
     Limits and speeds by 10 %, waits 10 % shorter, the rail's stroke longer by 10 % of itself, places by 10 mm, one at a
     time; the most worth first. Each is solved again from the plan at hand and foretold by multipliers beside it. Exit
     code 1: the program cannot be done, and why.
-    """
-    import json
 
-    from trajopt_cli.cli.console import answer_no, show, stdout
+    \b
+    Example:
+      trajopt optimize programs/hinge_cell.mod
+      trajopt sensitivity results/hinge_cell --target stream
+    """
+    from trajopt_cli.cli.console import answer_no, print_json, result, show, stdout, tell
     from trajopt_cli.cli.progress import ProgressView
     from trajopt_cli.cli.sensitivity_tables import levers_table, rest_lines
     from trajopt_cli.job import is_results, read_program_or_results
@@ -72,26 +76,27 @@ def sensitivity(
         job, made_of_loops = read_program_or_results(program, cell, entry, assume_identity or (), wanted)
     results = program[0] if is_results(program[0]) else None
     targets = tuple(Target) if target == "both" else (Target(target),)
-    with ProgressView() as view:
+    with ProgressView(quiet=quiet) as view:
         answer = sensitivity(job, made_of_loops, results, targets, view.show, jobs, search)
     if not isinstance(answer, Sensitivity):
-        answer_no(answer)
+        answer_no(answer, as_json)
     if as_json:
-        typer.echo(json.dumps(sensitivity_record(answer), indent=2, ensure_ascii=False))
+        print_json(sensitivity_record(answer))
+    elif quiet:
+        for one in answer.rows:
+            result(answer.first(one))
     else:
         console = stdout()
         for one, rows in answer.rows.items():
             if not isinstance(rows, str):
                 name = program[0].name or job.title
                 show(console, levers_table(name, one, rows, answer.plans[one].duration, everything, search))
-                for line in rest_lines(rows, answer.plans[one].duration, answer.again[one], everything):
-                    console.print(line)
+                tell(console, rest_lines(rows, answer.plans[one].duration, answer.again[one], everything))
                 console.print()
-        for line in answer.not_asked:
-            console.print(f"not asked: {line}")
+        tell(console, (f"not asked: {line}" for line in answer.not_asked))
         console.print()
-        for one in answer.rows:
-            console.print(answer.first(one))
+        tell(console, (answer.first(one) for one in answer.rows))
     if output is not None:
         count = write_sensitivity(output, answer)
-        typer.echo(f"written to {output}: {count} files", err=True)
+        if not quiet:
+            typer.echo(f"written to {output}: {count} files", err=True)

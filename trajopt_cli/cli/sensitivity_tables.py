@@ -22,7 +22,7 @@ def levers_table(
     searched = (">planned anew [s]",) if search else ()
     table = plain_table(
         f"{program}, {target.value}: what one change saves of {cycle:.3f} s",
-        *("lever", "step", ">now", ">then", "", ">saves [s]", ">of the cycle", ">first order [s]"),
+        *("~lever", "step", ">now", ">then", "", ">saves [s]", ">of the cycle", ">first order [s]"),
         *searched,
         "",
     )

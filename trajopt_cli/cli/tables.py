@@ -4,21 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict
+from typing import Any
 
 from rich.table import Table
 
 from trajopt_cli.cli.layout import place, plain_table
 from trajopt_cli.cli.listing import shortened
-from trajopt_cli.findings import Finding, Report, good_side, nearest
-from trajopt_cli.limits import JointLimits
+from trajopt_cli.cli.remarks import by_name, remarks
+from trajopt_cli.findings import Finding, Report, finding_record, good_side, nearest
 from trajopt_cli.pipeline.optimise import Optimised
 from trajopt_cli.problem.constant_speed import DIP, Dip, Stretch, Why
 from trajopt_cli.problem.plan import Plan, Target
-from trajopt_cli.robot.model import RobotModel
-from trajopt_cli.robot.srs import SrsRobot
 from trajopt_cli.runs.results import motion_label
-from trajopt_cli.units import DEG, MM
+from trajopt_cli.units import MM
+from trajopt_cli.verify.clearance import least_clearance
 
 _NAME = 50  # characters of a motion's name: many targets are written in numbers
 _DIPS = 10  # of constant speed, in text; summary.json has them all
@@ -51,6 +50,65 @@ def saving_line(answer: Optimised) -> str:
         for plan, name in zip(plans, names, strict=True)
     )
     return f"as written {before.duration:.3f} s → {told}"
+
+
+def optimised_lines(answer: Optimised) -> Iterator[str]:
+    """What stands below the table of motions: cycle times, clearance, what was not looked at, remarks, the files."""
+    job, target = answer.job, answer.target.value
+    files = (*job.program.files, str(job.cell_path))
+    for one in Target:
+        yield cycle_line(one.value, answer.judged[one].plan)
+    yield from speed_lines(target, answer.kept_speed[answer.target])
+    for one in Target:
+        nearest = least_clearance(answer.judged[one].report.findings)
+        if nearest is not None:
+            yield f"{one.value}: {by_name(nearest.message, files)}"
+    yield from job.plant.unchecked
+    said = (("warning", answer.warnings), ("limits", job.plant.notes), ("note", answer.notes))
+    for label, lines in said:
+        yield from remarks(label, lines, files, "all in summary.json")
+    rapid = f"{', '.join(answer.rapid_files)} (always the rapid plan), " if answer.no_rapid is None else ""
+    plots = "" if not (answer.folder / "plots").is_dir() else ", plots/"
+    yield (
+        f"written to {answer.folder}: report.html (open it in a browser), trajectory.csv (the {target} plan), "
+        f"stream.csv, rapid.csv, {rapid}summary.json, run.json{plots}"
+    )
+
+
+def optimised_record(answer: Optimised, interrupted: bool) -> dict[str, Any]:
+    """The answer in short as plain data, SI; all of it is in the folder's summary.json. interrupted: by
+    Ctrl-C."""
+    before = answer.written
+    plans = {}
+    for one in Target:
+        judged = answer.judged[one]
+        plan = judged.plan
+        plans[one.value] = {
+            "cycle_time_s": plan.duration,
+            "lower_bound_s": plan.lower_bound,
+            "gap": plan.gap,
+            "saving": None if isinstance(before, str) or not before.duration else 1 - plan.duration / before.duration,
+            "legal": judged.report.legal,
+            "checks": len(judged.report.findings),
+        }
+    return {
+        "feasible": True,
+        "program": str(answer.job.program_path),
+        "target": answer.target.value,
+        "as_written": {
+            "cycle_time_s": None if isinstance(before, str) else before.duration,
+            "why_not": before if isinstance(before, str) else None,
+        },
+        "plans": plans,
+        "folder": str(answer.folder),
+        "files": sorted(path.relative_to(answer.folder).as_posix() for path in answer.folder.rglob("*.*")),
+        "no_rapid": answer.no_rapid,
+        "interrupted": interrupted,
+        "warnings": list(answer.warnings),
+        "limits": list(answer.job.plant.notes),
+        "unchecked": list(answer.job.plant.unchecked),
+        "notes": list(answer.notes),
+    }
 
 
 def speed_lines(label: str, stretches: Sequence[Stretch]) -> Iterator[str]:
@@ -100,9 +158,9 @@ def motions_table(answer: Optimised) -> Table:
     table = plain_table(
         f"{answer.job.program_path} on {answer.job.plant.robot.name}",
         *(
-            "place",
+            "~place",
             "instruction",
-            "target",
+            "~target",
             ">written [s]",
             ">stream [s]",
             ">rapid [s]",
@@ -136,13 +194,13 @@ def advice_table(name: str, report: Report, everything: bool) -> Table:
 
 def _findings(title: str, findings: tuple[Finding, ...], everything: bool) -> Table:
     table = plain_table(
-        title, "check", ">cases", "of", ">worst value", ">limit", ">margin", "unit", ">time [s]", "place", ""
+        title, "check", "", "~of", ">worst value", ">limit", ">margin", "unit", ">time [s]", "place", ">cases"
     )
     shown = [(one, 1) for one in findings] if everything else nearest(findings)
     for worst, count in shown:
         table.add_row(
             worst.check,
-            str(count),
+            "ok" if worst.passed else "NO",
             worst.subject,
             _figure(worst.value, 6),
             _figure(worst.limit, 6),
@@ -150,7 +208,7 @@ def _findings(title: str, findings: tuple[Finding, ...], everything: bool) -> Ta
             worst.unit,
             "" if worst.time is None else f"{worst.time:.4f}",
             place(worst.source),
-            "ok" if worst.passed else "NO",
+            str(count),
         )
     return table
 
@@ -159,98 +217,23 @@ def _figure(value: float, digits: int) -> str:
     return f"{value:.{digits}g}" if math.isfinite(value) else "-"
 
 
+def reports_record(reports: Mapping[str, Report], unchecked: Sequence[str]) -> dict[str, Any]:
+    """What the judge says of every file as plain data, each case of each check."""
+    return {
+        "legal": all(report.legal for report in reports.values()),
+        "files": {
+            name: {
+                "legal": report.legal,
+                "checks": [finding_record(one) for one in report.findings],
+                "advice": [finding_record(one) for one in report.advice],
+            }
+            for name, report in reports.items()
+        },
+        "unchecked": list(unchecked),
+    }
+
+
 def verdict(name: str, report: Report) -> str:
     """One line: legal or not, and by how many findings."""
     bad = sum(not finding.passed for finding in report.findings)
     return f"{name}: legal ({len(report.findings)} checks)" if not bad else f"{name}: ILLEGAL ({bad} checks failed)"
-
-
-def robot_tables(robot: RobotModel | SrsRobot) -> Iterator[Table | str]:
-    """Everything trajopt knows of a robot: dimensions, ranges, speeds, every profile's accelerations and jerks."""
-    notes = _Footnotes()
-    yield f"{robot.name}: {robot.title}\n"
-    lengths = plain_table("dimensions", "length", ">mm", "source")
-    for name, value in asdict(robot.lengths if isinstance(robot, SrsRobot) else robot.arm).items():
-        lengths.add_row(name, f"{value / MM:.6g}", notes.mark(robot.notes["geometry"]))
-    yield lengths
-    yield _ranges(robot.profile("default"), notes)
-    yield _by_profile("acceleration", "²", robot.profiles, notes)
-    with_jerk = {name: limits for name, limits in robot.profiles.items() if limits.jerk is not None}
-    if with_jerk:
-        yield _by_profile("jerk", "³", with_jerk, notes)
-    yield from _bodies(robot, notes) if isinstance(robot, SrsRobot) else _caps(robot, notes)
-    for name in robot.profiles:
-        yield f"profile {name}: {robot.notes[f'profiles.{name}']}"
-    yield from notes.lines()
-
-
-def _caps(robot: RobotModel, notes: _Footnotes) -> Iterator[Table]:
-    """What the data sheet grants the tool centre point."""
-    caps = plain_table("tool centre point", "cap", ">value", "unit", "source")
-    caps.add_row("speed", f"{robot.tcp.speed:g}", "m/s", notes.mark(robot.notes["tcp.speed"]))
-    caps.add_row("acceleration", f"{robot.tcp.acceleration:g}", "m/s²", notes.mark(robot.notes["tcp.acceleration"]))
-    yield caps
-
-
-def _bodies(robot: SrsRobot, notes: _Footnotes) -> Iterator[Table]:
-    """What joints give and lose; masses and centres of mass of the links, in the links' frames."""
-    heads = (">torque, sensor's range [Nm]", "source", ">damping [Nm s/rad]", "source", ">friction [Nm]", "source")
-    torques = plain_table("torques of motors and joints", "axis", *heads)
-    for axis, torque, *losses in zip(robot.axis_names, robot.torque, robot.damping, robot.friction, strict=True):
-        row = [f"±{torque:g}", notes.mark(robot.notes[f"{axis}.torque"])]
-        for name, value in zip(("damping", "friction"), losses, strict=True):
-            source = robot.notes.get(f"{axis}.{name}")
-            row += [f"{value:g}", notes.mark(source)] if source else ["", ""]
-        torques.add_row(axis, *row)
-    yield torques
-    masses = plain_table("links", "link", ">mass [kg]", ">centre x [mm]", ">y", ">z", "source")
-    model = robot.pin_model
-    for link, body in zip(robot.link_names[1:], list(model.inertias)[1:], strict=True):
-        centre = (f"{value / MM:.4g}" for value in body.lever)
-        masses.add_row(link, f"{body.mass:.4g}", *centre, notes.mark(robot.notes["inertia"]))
-    yield masses
-
-
-class _Footnotes:
-    """Sources by number, each once."""
-
-    def __init__(self) -> None:
-        self._numbers: dict[str, int] = {}
-
-    def mark(self, source: str) -> str:
-        """The number of a source, with its grade: "A [2]"."""
-        number = self._numbers.setdefault(source, len(self._numbers) + 1)
-        grade = source[-2] if source.endswith(")") and "(grade " in source else "?"
-        return f"{grade} [{number}]"
-
-    def lines(self) -> Iterator[str]:
-        """A line per source."""
-        yield "\ngrades: A several sources agree, B one good source, C a weak one or inferred, D an estimate"
-        for source, number in self._numbers.items():
-            yield f"[{number}] {source}"
-
-
-def _unit(axis: str) -> tuple[float, str]:
-    """How many SI units one shown unit has, and its name."""
-    return (MM, "mm") if axis == "rail" else (DEG, "deg")
-
-
-def _ranges(limits: JointLimits, notes: _Footnotes) -> Table:
-    table = plain_table("ranges and speeds", "axis", ">from", ">to", "unit", "source", ">speed", "unit", "source")
-    for i, axis in enumerate(limits.names):
-        factor, unit = _unit(axis)
-        low, high, speed = (f"{values[i] / factor:.6g}" for values in (limits.lower, limits.upper, limits.velocity))
-        marks = [notes.mark(limits.sources[f"{axis}.{kind}"]) for kind in ("position", "velocity")]
-        table.add_row(axis, low, high, unit, marks[0], speed, f"{unit}/s", marks[1])
-    return table
-
-
-def _by_profile(kind: str, power: str, profiles: Mapping[str, JointLimits], notes: _Footnotes) -> Table:
-    columns = [column for name in profiles for column in (f">{name}", "source")]
-    table = plain_table(f"{kind}s by profile", "axis", "unit", *columns)
-    for i, axis in enumerate(next(iter(profiles.values())).names):
-        cells = []
-        for limits in profiles.values():
-            cells += [f"{getattr(limits, kind)[i]:g}", notes.mark(limits.sources[f"{axis}.{kind}"])]
-        table.add_row(axis, f"m/s{power}" if axis == "rail" else f"rad/s{power}", *cells)
-    return table

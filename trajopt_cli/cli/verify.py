@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from trajopt_cli.cli.options import AssumeIdentity, CellPath, Entry
+from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, Quiet
 from trajopt_cli.cli.process import reading
 from trajopt_cli.errors import InputError
 
@@ -30,10 +30,18 @@ def verify(
     everything: Annotated[
         bool, typer.Option("--all", help="List every case, not only the worst of each check.")
     ] = False,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
 ) -> None:
-    """Judge trajectories against program or task, and limits. Exit code 0: legal, 1: not."""
-    from trajopt_cli.cli.console import stdout
-    from trajopt_cli.cli.tables import advice_table, findings_table, verdict
+    """Judge trajectories against program or task, and limits. Exit code 0: legal, 1: not.
+
+    \b
+    Example:
+      trajopt optimize programs/hinge_cell.mod
+      trajopt verify results/hinge_cell
+    """
+    from trajopt_cli.cli.console import print_json, result, show, stdout, tell
+    from trajopt_cli.cli.tables import advice_table, findings_table, reports_record, verdict
     from trajopt_cli.findings import failures
     from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.pipeline.folder import verify_file, verify_results
@@ -66,19 +74,21 @@ def verify(
         with reading():
             job = read_job(program, cell, entry or MAIN, assume_identity or ())
         reports = {what.name: verify_file(what, job)}
-    console = stdout()
-    for name, report in reports.items():
-        console.print(findings_table(name, report, everything))
-        if report.advice:
-            console.print(advice_table(name, report, everything))
-    for line in unchecked:
-        console.print(f"not checked: {line}", soft_wrap=True)
-    for name, report in reports.items():
-        for line in failures(report.advice):
-            console.print(f"advice: {line}")
-        console.print(verdict(name, report))
-        for line in failures(report.findings):
-            console.print(f"  {line}")
+    if as_json:
+        print_json(reports_record(reports, unchecked))
+    elif quiet:
+        for name, report in reports.items():
+            result(verdict(name, report))
+    else:
+        console = stdout()
+        for name, report in reports.items():
+            show(console, findings_table(name, report, everything))
+            if report.advice:
+                show(console, advice_table(name, report, everything))
+        tell(console, (f"not checked: {line}" for line in unchecked))
+        for name, report in reports.items():
+            tell(console, (f"advice: {line}" for line in failures(report.advice)))
+            tell(console, [verdict(name, report), *(f"  {line}" for line in failures(report.findings))])
     if not all(report.legal for report in reports.values()):
         raise typer.Exit(1)
 

@@ -1,0 +1,34 @@
+"""What is said below an answer, kept short: files by name as in the tables, of many remarks alike the first ones."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+_MOST = 6  # remarks of one kind
+_OWN = re.compile(r"\S*[\d_()\[\]'\"]\S*")  # what names one thing: places, names with figures, numbers, quoted words
+
+
+def by_name(text: str, files: Iterable[str]) -> str:
+    """A sentence with its places as the tables have them: the file's name alone, where no two files share it."""
+    names = {path: Path(path).name for path in files}
+    if len(set(names.values())) < len(names):
+        return text
+    for path in sorted(names, key=len, reverse=True):  # a path may be the end of another
+        text = re.sub(rf"(?<![\w./-]){re.escape(path)}(?=:\d|\b)", names[path].replace("\\", r"\\"), text)
+    return text
+
+
+def remarks(label: str, lines: Iterable[str], files: Iterable[str], rest: str) -> Iterator[str]:
+    """Lines with a label before each; of those that differ only in names, places and figures the first few, and how
+    many more there are. rest: where all of them are, `all in summary.json`."""
+    kinds: dict[str, list[str]] = {}
+    for line in lines:
+        text = by_name(line, files)
+        kinds.setdefault(_OWN.sub("#", text), []).append(text)
+    before = f"{label}: " if label else ""
+    for alike in kinds.values():
+        yield from (f"{before}{text}" for text in alike[:_MOST])
+        if len(alike) > _MOST:
+            yield f"{before}and {len(alike) - _MOST} more of this kind, {rest}"

@@ -1,0 +1,135 @@
+"""What `robot show` tells of a robot: tables for people, plain data for programs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import asdict
+from typing import Any
+
+from rich.table import Table
+
+from trajopt_cli.cli.layout import plain_table
+from trajopt_cli.limits import JointLimits
+from trajopt_cli.robot.model import RobotModel
+from trajopt_cli.robot.srs import SrsRobot
+from trajopt_cli.units import DEG, MM
+
+
+def robot_record(robot: RobotModel | SrsRobot) -> dict[str, Any]:
+    """A robot as plain data, SI, with the source of every number."""
+    record: dict[str, Any] = {
+        "name": robot.name,
+        "title": robot.title,
+        "axes": list(robot.axis_names),
+        "lengths_m": asdict(robot.lengths if isinstance(robot, SrsRobot) else robot.arm),
+        "profiles": {name: _limits_record(limits) for name, limits in robot.profiles.items()},
+        "notes": dict(robot.notes),
+    }
+    if isinstance(robot, SrsRobot):
+        joints = ("torque_nm", robot.torque), ("damping_nm_s_rad", robot.damping), ("friction_nm", robot.friction)
+        return record | {name: [float(value) for value in values] for name, values in joints}
+    return record | {"tcp": {"speed_m_s": robot.tcp.speed, "acceleration_m_s2": robot.tcp.acceleration}}
+
+
+def _limits_record(limits: JointLimits) -> dict[str, Any]:
+    rows = {}
+    for i, axis in enumerate(limits.names):
+        rows[axis] = {
+            "lower": float(limits.lower[i]),
+            "upper": float(limits.upper[i]),
+            "velocity": float(limits.velocity[i]),
+            "acceleration": float(limits.acceleration[i]),
+            "jerk": None if limits.jerk is None else float(limits.jerk[i]),
+        }
+    return {"axes": rows, "sources": dict(limits.sources)}
+
+
+def robot_tables(robot: RobotModel | SrsRobot) -> Iterator[Table | str]:
+    """Everything trajopt knows of a robot: dimensions, ranges, speeds, every profile's accelerations and jerks."""
+    notes = _Footnotes()
+    yield f"{robot.name}: {robot.title}\n"
+    lengths = plain_table("dimensions", "length", ">mm", "source")
+    for name, value in asdict(robot.lengths if isinstance(robot, SrsRobot) else robot.arm).items():
+        lengths.add_row(name, f"{value / MM:.6g}", notes.mark(robot.notes["geometry"]))
+    yield lengths
+    yield _ranges(robot.profile("default"), notes)
+    yield _by_profile("acceleration", "²", robot.profiles, notes)
+    with_jerk = {name: limits for name, limits in robot.profiles.items() if limits.jerk is not None}
+    if with_jerk:
+        yield _by_profile("jerk", "³", with_jerk, notes)
+    yield from _bodies(robot, notes) if isinstance(robot, SrsRobot) else _caps(robot, notes)
+    for name in robot.profiles:
+        yield f"profile {name}: {robot.notes[f'profiles.{name}']}"
+    yield from notes.lines()
+
+
+def _caps(robot: RobotModel, notes: _Footnotes) -> Iterator[Table]:
+    """What the data sheet grants the tool centre point."""
+    caps = plain_table("tool centre point", "cap", ">value", "unit", "source")
+    caps.add_row("speed", f"{robot.tcp.speed:g}", "m/s", notes.mark(robot.notes["tcp.speed"]))
+    caps.add_row("acceleration", f"{robot.tcp.acceleration:g}", "m/s²", notes.mark(robot.notes["tcp.acceleration"]))
+    yield caps
+
+
+def _bodies(robot: SrsRobot, notes: _Footnotes) -> Iterator[Table]:
+    """What joints give and lose; masses and centres of mass of the links, in the links' frames."""
+    heads = (">torque, sensor's range [Nm]", "source", ">damping [Nm s/rad]", "source", ">friction [Nm]", "source")
+    torques = plain_table("torques of motors and joints", "axis", *heads)
+    for axis, torque, *losses in zip(robot.axis_names, robot.torque, robot.damping, robot.friction, strict=True):
+        row = [f"±{torque:g}", notes.mark(robot.notes[f"{axis}.torque"])]
+        for name, value in zip(("damping", "friction"), losses, strict=True):
+            source = robot.notes.get(f"{axis}.{name}")
+            row += [f"{value:g}", notes.mark(source)] if source else ["", ""]
+        torques.add_row(axis, *row)
+    yield torques
+    masses = plain_table("links", "link", ">mass [kg]", ">centre x [mm]", ">y", ">z", "source")
+    model = robot.pin_model
+    for link, body in zip(robot.link_names[1:], list(model.inertias)[1:], strict=True):
+        centre = (f"{value / MM:.4g}" for value in body.lever)
+        masses.add_row(link, f"{body.mass:.4g}", *centre, notes.mark(robot.notes["inertia"]))
+    yield masses
+
+
+class _Footnotes:
+    """Sources by number, each once."""
+
+    def __init__(self) -> None:
+        self._numbers: dict[str, int] = {}
+
+    def mark(self, source: str) -> str:
+        """The number of a source, with its grade: "A [2]"."""
+        number = self._numbers.setdefault(source, len(self._numbers) + 1)
+        grade = source[-2] if source.endswith(")") and "(grade " in source else "?"
+        return f"{grade} [{number}]"
+
+    def lines(self) -> Iterator[str]:
+        """A line per source."""
+        yield "\ngrades: A several sources agree, B one good source, C a weak one or inferred, D an estimate"
+        for source, number in self._numbers.items():
+            yield f"[{number}] {source}"
+
+
+def _unit(axis: str) -> tuple[float, str]:
+    """How many SI units one shown unit has, and its name."""
+    return (MM, "mm") if axis == "rail" else (DEG, "deg")
+
+
+def _ranges(limits: JointLimits, notes: _Footnotes) -> Table:
+    table = plain_table("ranges and speeds", "axis", ">from", ">to", "unit", "source", ">speed", "unit", "source")
+    for i, axis in enumerate(limits.names):
+        factor, unit = _unit(axis)
+        low, high, speed = (f"{values[i] / factor:.6g}" for values in (limits.lower, limits.upper, limits.velocity))
+        marks = [notes.mark(limits.sources[f"{axis}.{kind}"]) for kind in ("position", "velocity")]
+        table.add_row(axis, low, high, unit, marks[0], speed, f"{unit}/s", marks[1])
+    return table
+
+
+def _by_profile(kind: str, power: str, profiles: Mapping[str, JointLimits], notes: _Footnotes) -> Table:
+    columns = [column for name in profiles for column in (f">{name}", "source")]
+    table = plain_table(f"{kind}s by profile", "axis", "unit", *columns)
+    for i, axis in enumerate(next(iter(profiles.values())).names):
+        cells = []
+        for limits in profiles.values():
+            cells += [f"{getattr(limits, kind)[i]:g}", notes.mark(limits.sources[f"{axis}.{kind}"])]
+        table.add_row(axis, f"m/s{power}" if axis == "rail" else f"rad/s{power}", *cells)
+    return table
