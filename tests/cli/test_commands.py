@@ -430,8 +430,10 @@ def test_help_lists_every_command(capsys: pytest.CaptureFixture[str]) -> None:
     assert sorted(listed) == [
         "analyse",
         "compare",
+        "doctor",
         "export",
         "iiwa",
+        "new",
         "optimize",
         "parse",
         "robot",

@@ -18,10 +18,12 @@ from trajopt_cli import __version__
 from trajopt_cli.cli import (
     analyse,
     compare,
+    doctor,
     estimate,
     export,
     identify,
     iiwa,
+    new,
     optimize,
     parse,
     play,
@@ -57,6 +59,8 @@ app.command("identify", short_help="Speed, acceleration and jerk limits from con
 app.add_typer(iiwa.app, name="iiwa")
 app.add_typer(robot.app, name="robot")
 app.command("schema", short_help="What cell, task and robot files may hold.")(schema.schema)
+app.command("new", short_help="Write a commented program and cell file to begin with.")(new.new)
+app.command("doctor", short_help="What is installed, what is missing, and whether it works.")(doctor.doctor)
 
 
 def _version(wanted: bool) -> None:

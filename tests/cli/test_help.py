@@ -1,0 +1,95 @@
+"""Every command's help ends with an example, and the example works."""
+
+from __future__ import annotations
+
+import re
+import shlex
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+import typer
+
+from trajopt_cli.cli import app, run
+from trajopt_cli.cli.new_files import task
+from trajopt_cli.errors import InputError
+
+REPOSITORY = Path(__file__).parents[2]
+# As examples name it, with the cell's robot: the time of the real one is spent elsewhere.
+SMALL = """MODULE HingeCell
+    CONST jointtarget j_home:=[[0,0,0,0,30,0],[0,9E9,9E9,9E9,9E9,9E9]];
+    CONST jointtarget j_side:=[[20,0,0,0,30,0],[100,9E9,9E9,9E9,9E9,9E9]];
+    PROC main()
+        MoveAbsJ j_side, v1000, fine, tool0;
+        WaitTime 0.3;
+        MoveAbsJ j_home, v1000, fine, tool0;
+    ENDPROC
+ENDMODULE
+"""
+
+
+def commands(group: Any, path: tuple[str, ...] = ()) -> Iterator[tuple[str, str]]:
+    """Every command's path and its help."""
+    for name, one in group.commands.items():
+        if hasattr(one, "commands"):
+            yield from commands(one, (*path, name))
+        else:
+            yield " ".join((*path, name)), one.help or ""
+
+
+COMMANDS = dict(commands(typer.main.get_command(app)))
+
+
+def example(text: str) -> list[str]:
+    """The lines of an example."""
+    _, found, rest = text.partition("Example:\n")
+    return [line.strip() for line in rest.splitlines() if line.strip()] if found else []
+
+
+EXAMPLES = {name: example(text) for name, text in COMMANDS.items()}
+
+
+@pytest.fixture(scope="module")
+def prepared(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with programs/, and results of those that examples ask about."""
+    folder = tmp_path_factory.mktemp("examples")
+    shutil.copytree(REPOSITORY / "programs", folder / "programs")
+    (folder / "programs" / "hinge_cell.mod").write_text(SMALL)
+    (folder / "programs" / "iiwa_cube.yaml").write_text(task("iiwa_cube", "iiwa7"))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        assert run(["optimize", "programs/hinge_cell.mod", "--quiet", "--jobs", "1"]) == 0
+        assert run(["iiwa", "segments", "programs/iiwa_cube.yaml", "--quiet"]) == 0
+        assert run(["iiwa", "joints", "results/iiwa_cube", "--quiet"]) == 0
+    return folder
+
+
+@pytest.mark.parametrize("name", [name for name in COMMANDS if not name.startswith("export") or EXAMPLES[name]])
+def test_the_example_of_a_help_works(
+    name: str, prepared: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lines = EXAMPLES[name]
+    assert any(line.startswith(f"trajopt {name} ") or line == f"trajopt {name}" for line in lines), COMMANDS[name]
+    shutil.copytree(prepared, tmp_path / "here")
+    monkeypatch.chdir(tmp_path / "here")
+
+    def stand_in(*_: object) -> None:
+        raise InputError("a minute is saved")
+
+    monkeypatch.setattr("trajopt_cli.compliance.experiments.catalogue.run_experiments", stand_in)
+    for line in lines:
+        assert len(line) <= 76
+        program, *words = shlex.split(line)
+        assert program == "trajopt"
+        if line.startswith(f"trajopt {name}"):
+            assert run(words) == (2 if name == "iiwa experiments" else 0), line
+        else:  # what comes before or after: an example of another command
+            assert any(line.startswith(f"trajopt {other}") for other in COMMANDS), line
+
+
+def test_the_example_stays_in_lines_of_its_own(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["sensitivity", "--help"]) == 0
+    shown = capsys.readouterr().out
+    assert re.search(r"\n  Example:\n    trajopt optimize .+\n    trajopt sensitivity .+\n\nArguments", shown)

@@ -1,0 +1,87 @@
+"""`trajopt new NAME`: a program and its cell file, or an iiwa task, that run at once and say what each line is for."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from trajopt_cli.cli.options import AsJson, Quiet, robots
+from trajopt_cli.errors import InputError
+
+_TAKEN = frozenset({"main", "j_home", "p_take", "p_put", "tool0", "wobj0", "offs", "movej", "movel", "moveabsj"})
+
+
+def new(
+    name: Annotated[
+        Path,
+        typer.Argument(metavar="NAME", help="What to call it: NAME.mod and NAME.yaml are written, where a path leads."),
+    ],
+    rail: Annotated[bool, typer.Option("--rail", help="The robot stands on a rail.")] = False,
+    robot: Annotated[
+        str,
+        typer.Option("--robot", metavar="R", help="A name of 'trajopt robot list'.", autocompletion=robots),
+    ] = "irb140",
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+) -> None:
+    """Write a commented RAPID program and its cell file, to begin with; of an iiwa a task file. Nothing is overwritten.
+
+    \b
+    Example:
+      trajopt new glue --rail
+      trajopt optimize glue.mod
+    """
+    from trajopt_cli.cli.console import print_json, stdout, tell
+    from trajopt_cli.cli.new_files import program_and_cell, task
+    from trajopt_cli.robot.description import read
+    from trajopt_cli.robot.model import Structure, load_robot, robot_names
+    from trajopt_cli.runs.files import replace_files
+
+    place = name.with_suffix("") if name.suffix.lower() in (".mod", ".yaml") else name
+    _check_name(place.name)
+    if rail and f"{robot}_rail" in robot_names():
+        robot = f"{robot}_rail"
+    if read(robot)[0].structure is Structure.SRS:
+        if rail:
+            raise InputError(f"--rail: {robot} has none; leave --rail out")
+        texts, then = {".yaml": task(place.name, robot)}, f"trajopt iiwa segments {place}.yaml"
+    else:
+        model = load_robot(robot)
+        if rail and not model.has_rail:
+            raise InputError(f"--rail: there is no {robot}_rail; 'trajopt robot list' shows which robots have a rail")
+        module, cell = program_and_cell(place.name, model)
+        texts, then = {".mod": module, ".yaml": cell}, f"trajopt optimize {place}.mod"
+    files = {place.with_name(f"{place.name}{ending}"): text.encode("ascii") for ending, text in texts.items()}
+    for path in files:
+        if path.exists() or path.is_symlink():
+            raise InputError("exists and is not overwritten; choose another name", file=str(path))
+        if not path.parent.is_dir():
+            raise InputError("is not a folder to write to; make it first", file=str(path.parent))
+    replace_files({}, files)
+    if as_json:
+        print_json({"files": [str(path) for path in files], "robot": robot, "next": then})
+        return
+    console = stdout()
+    tell(console, [f"written: {', '.join(map(str, files))}"])
+    if not quiet:
+        tell(console, [f"next: {then}"])
+
+
+def _check_name(name: str) -> None:
+    """Raise InputError unless a RAPID module may be called so."""
+    from trajopt_cli.rapid.language.frequent import NAME_LIMIT
+    from trajopt_cli.rapid.language.lexer import KEYWORDS
+
+    if not name.isidentifier() or not name.isascii() or name.startswith("_"):
+        message = f"'{name}' is no RAPID name: a letter first, then letters, digits and underscores"
+    elif len(name) > NAME_LIMIT:
+        message = f"'{name}' has {len(name)} characters; a RAPID name has at most {NAME_LIMIT}"
+    elif name.upper() in KEYWORDS:
+        message = f"'{name}' is a word of RAPID's own; choose another name"
+    elif name.lower() in _TAKEN:
+        message = f"'{name}' is the name of something in the module; choose another name"
+    else:
+        return
+    raise InputError(message)
