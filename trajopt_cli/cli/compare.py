@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
+from trajopt_cli.cli.compare_runs import runs
 from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, LoopsOfProgram, Quiet
 from trajopt_cli.cli.process import reading, wrote
 
@@ -19,6 +20,9 @@ app = typer.Typer(help="Compare plans of one program.", rich_markup_mode=None)
 @app.callback()
 def _group() -> None:
     """Compare plans of one program."""
+
+
+app.command("runs", short_help="Results folders side by side: times, motions, limits, inputs that differ.")(runs)
 
 
 @app.command("baseline", short_help="Today's practice, textbook methods, both optima, and the saving by cause.")

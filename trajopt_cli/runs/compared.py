@@ -1,0 +1,289 @@
+"""Results folders of `trajopt optimize` side by side: cycle times, motions in step, limits, and inputs that differ."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from difflib import SequenceMatcher
+from itertools import combinations
+from pathlib import Path, PurePath
+from typing import Annotated
+
+from pydantic import Field
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.problem.plan import Target
+from trajopt_cli.runs import SUMMARY
+from trajopt_cli.runs.folder import PLAN, TASK, kind_of, read_run
+from trajopt_cli.runs.inputs_compared import (
+    Difference,
+    ModuleChange,
+    RunInputs,
+    changed_modules,
+    differences,
+    inputs_of,
+)
+from trajopt_cli.runs.record import Section
+from trajopt_cli.runs.results import PlanRecord
+
+LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+"""What runs are called, in the order they were given."""
+EQUAL = 5e-4  # s: two times this close are printed alike
+_LIMITS = ("joint speed", "joint acceleration", "joint jerk", "TCP speed", "TCP acceleration")
+_ALIKE = 0.5  # of the motions: two runs with fewer in common are of different programs
+
+
+class Motion(Section):
+    """A motion of a plan: where it is written, what it is, from when on and how long [s], what holds it back."""
+
+    source: str
+    instruction: str
+    target: str
+    start_s: float
+    time_s: float
+    binding: str
+    dropped: bool
+
+    @property
+    def place(self) -> str:
+        """The file's name and the line."""
+        path, _, line = self.source.removesuffix(":" + self.source.rsplit(":", 1)[-1]).rpartition(":")
+        return f"{PurePath(path).name}:{line}" if path else self.source
+
+    @property
+    def key(self) -> tuple[str, str]:
+        """What it is called."""
+        return self.instruction, self.target
+
+    @property
+    def name(self) -> str:
+        """The same, for people."""
+        return " ".join(self.key).strip()
+
+
+class Finding(Section):
+    """What one check of the judge held a plan against."""
+
+    check: str
+    subject: str
+    limit: float | None
+    unit: str
+
+
+class Verdict(Section):
+    """The judge's word on a plan."""
+
+    legal: bool
+    findings: list[Finding]
+
+
+class RunPlan(Section):
+    """One target's plan. bound: no legal motion is faster [s], None where none was asked for."""
+
+    cycle: float = Field(alias="cycle_time_s")
+    bound: float | None = Field(alias="lower_bound_s")
+    gap: float | None
+    motions: list[Motion]
+    judge: Verdict
+
+    @property
+    def limits(self) -> dict[str, tuple[float, str]]:
+        """The speed and acceleration limits that were in force, with their units, by name."""
+        found = [one for one in self.judge.findings if one.check in _LIMITS and one.limit is not None]
+        return {_limit_name(one): (float(one.limit or 0.0), one.unit) for one in found}
+
+
+class _Plans(Section):
+    stream: RunPlan
+    rapid: RunPlan
+
+
+class _Written(Section):
+    cycle_time_s: float | None = None
+
+
+class _Summary(Section):
+    target: Annotated[Target, Field(strict=False)]
+    plans: _Plans
+    as_written: _Written = _Written()
+
+
+@dataclass(frozen=True, eq=False)
+class OneRun:
+    """A run: its letter, its folder, the target it chose, both plans, the cycle as written [s] where that can be
+    driven, and what it was made from."""
+
+    letter: str
+    folder: Path
+    target: Target
+    plans: Mapping[Target, RunPlan]
+    written: float | None
+    inputs: RunInputs
+
+
+@dataclass(frozen=True, eq=False)
+class MotionRow:
+    """A motion as each run has it; None where the run's program does not have it."""
+
+    motions: tuple[Motion | None, ...]
+
+    @property
+    def any(self) -> Motion:
+        """As the first run has it that does."""
+        return next(one for one in self.motions if one is not None)
+
+    @property
+    def times(self) -> tuple[float, ...]:
+        """What it takes in each run [s]; nothing where it is missing or dropped."""
+        return tuple(0.0 if one is None else one.time_s for one in self.motions)
+
+    @property
+    def spread(self) -> float:
+        """Longest less shortest [s]."""
+        return max(self.times) - min(self.times)
+
+    @property
+    def bindings(self) -> tuple[str | None, ...]:
+        """What holds it back in each run; None where it is missing or dropped."""
+        return tuple(None if one is None or one.dropped else one.binding for one in self.motions)
+
+
+@dataclass(frozen=True, eq=False)
+class ComparedRuns:
+    """Runs side by side. target: of the plans whose motions rows has, in the order of the programs. limits: speed and
+    acceleration limits in force that differ. inputs: other things that differ. modules: changes of program text by run
+    after the first. notes: what a reader must know, one line each."""
+
+    runs: tuple[OneRun, ...]
+    target: Target
+    rows: tuple[MotionRow, ...]
+    limits: tuple[Difference, ...]
+    inputs: tuple[Difference, ...]
+    modules: Mapping[str, tuple[ModuleChange, ...]]
+    notes: tuple[str, ...]
+
+    @property
+    def by_difference(self) -> tuple[MotionRow, ...]:
+        """The rows whose times differ, the largest difference first."""
+        differ = [row for row in self.rows if row.spread >= EQUAL]
+        return tuple(sorted(differ, key=lambda row: -row.spread))
+
+    @property
+    def bound_otherwise(self) -> tuple[MotionRow, ...]:
+        """The rows that different limits hold back."""
+        return tuple(row for row in self.rows if len({one for one in row.bindings if one is not None}) > 1)
+
+
+def compare_runs(folders: Sequence[Path], target: Target | None = None) -> ComparedRuns:
+    """Two results folders of trajopt optimize or more. target: whose motions are put side by side; None for the first
+    run's choice. Raises InputError for a folder that is none, of another kind, or damaged."""
+    if not 2 <= len(folders) <= len(LETTERS):
+        wanted = f"two results folders or more, at most {len(LETTERS)}"
+        raise InputError(f"{len(folders)} given; compare runs needs {wanted}", file="RESULTS")
+    runs = tuple(_read(folder, letter) for folder, letter in zip(folders, LETTERS, strict=False))
+    chosen = target or runs[0].target
+    rows = _in_step([run.plans[chosen].motions for run in runs])
+    modules = {run.letter: changed_modules(runs[0].inputs, run.inputs) for run in runs[1:]}
+    limits = differences("", [_limits(run.plans[chosen]) for run in runs])
+    return ComparedRuns(
+        runs, chosen, rows, limits, _inputs(runs), modules, (*_same(runs), *_strangers(runs, rows), *_chosen(runs))
+    )
+
+
+def _read(folder: Path, letter: str) -> OneRun:
+    made = kind_of(folder)
+    if made == TASK:
+        why = "its sequence has no motions of a program to put side by side"
+        raise InputError(f"was made by trajopt iiwa; compare runs reads folders of optimize: {why}", file=str(folder))
+    if made != PLAN:
+        raise InputError(f"is a folder of kind {made}; compare runs reads folders of optimize", file=str(folder))
+    run = read_run(folder, PlanRecord, (SUMMARY,))
+    told = run.summary(_Summary)
+    plans = {Target.STREAM: told.plans.stream, Target.RAPID: told.plans.rapid}
+    return OneRun(letter, folder, told.target, plans, told.as_written.cycle_time_s, inputs_of(run))
+
+
+def _inputs(runs: Sequence[OneRun]) -> tuple[Difference, ...]:
+    """What else differs, in the order a reader looks for it."""
+    return (
+        *differences("cell", [run.inputs.cell for run in runs]),
+        *differences("file", [run.inputs.others for run in runs]),
+        *differences("option", [run.inputs.options for run in runs]),
+        *differences("version", [run.inputs.versions for run in runs]),
+    )
+
+
+def _limits(plan: RunPlan) -> dict[str, str]:
+    return {name: f"{value:.6g} {unit}" for name, (value, unit) in sorted(plan.limits.items())}
+
+
+def _limit_name(one: Finding) -> str:
+    """ "joint_1 speed", "TCP speed"."""
+    kind = one.check.removeprefix("joint ")
+    return kind if kind.startswith("TCP") else f"{one.subject} {kind}"
+
+
+def _in_step(columns: Sequence[Sequence[Motion]]) -> tuple[MotionRow, ...]:
+    """Rows of the same motions, in order: of equal name; where names differ of equal target, or waits.
+
+    Each run is put beside the rows of those before it; a motion that they lack has a row of its own.
+    """
+    rows: list[list[Motion | None]] = [[one] for one in columns[0]]
+    for n, column in enumerate(columns[1:], start=1):
+        keys = [next(one for one in row if one is not None).key for row in rows]
+        own = [one.key for one in column]
+        out: list[list[Motion | None]] = []
+        empty: list[Motion | None] = [None] * n
+        for what, a, b, c, d in SequenceMatcher(None, keys, own, autojunk=False).get_opcodes():
+            if what == "equal":
+                out += [[*row, one] for row, one in zip(rows[a:b], column[c:d], strict=True)]
+                continue
+            at = c
+            for row, key in zip(rows[a:b], keys[a:b], strict=True):
+                found = next((i for i in range(at, d) if _alike(key, own[i])), None)
+                if found is not None:
+                    out += [[*empty, one] for one in column[at:found]]
+                    at = found + 1
+                out.append([*row, None if found is None else column[found]])
+            out += [[*empty, one] for one in column[at:d]]
+        rows = out
+    return tuple(MotionRow(tuple(row)) for row in rows)
+
+
+def _alike(one: tuple[str, str], other: tuple[str, str]) -> bool:
+    """Whether two motions of different names stand for each other: to one target, or waits of another length."""
+    return one[1] == other[1] or one[0] == other[0] == "WaitTime"
+
+
+def _same(runs: Sequence[OneRun]) -> list[str]:
+    out = []
+    for a, b in combinations(runs, 2):
+        if os.path.realpath(a.folder) == os.path.realpath(b.folder):
+            out.append(f"{a.letter} and {b.letter} are the same folder, so nothing differs between them")
+    return out
+
+
+def _strangers(runs: Sequence[OneRun], rows: Sequence[MotionRow]) -> list[str]:
+    """Runs that have little in common with the first."""
+    out = []
+    for n, run in enumerate(runs[1:], start=1):
+        both = sum(row.motions[0] is not None and row.motions[n] is not None for row in rows)
+        most = max(sum(row.motions[0] is not None for row in rows), sum(row.motions[n] is not None for row in rows))
+        if both < _ALIKE * most:
+            names = " and ".join(", ".join(one.inputs.modules) for one in (runs[0], run))
+            out.append(
+                f"{runs[0].letter} and {run.letter} are of different programs ({names}): {both} of {most} motions are "
+                "in both, so differences of their times say little"
+            )
+    return out
+
+
+def _chosen(runs: Sequence[OneRun]) -> list[str]:
+    """Plans that no judge calls legal, as of a folder whose run said so."""
+    return [
+        f"{run.letter}: the {target} plan is not legal, says its judge"
+        for run in runs
+        for target, plan in run.plans.items()
+        if not plan.judge.legal
+    ]
