@@ -32,7 +32,8 @@ def test_a_stream_is_played_to_a_follower_and_what_comes_back_is_kept(
     count = int(np.ceil(CYCLE * 250)) + 1
     assert run(["export", "egm", results, "--output", "s.egm"]) == 0
     said = capsys.readouterr().out
-    assert said.startswith(f"s.egm: the stream plan, {count} set points at 250 Hz of joint_1, joint_2, ")
+    assert said.startswith(f"s.egm: the stream plan, {count} set points at 250 Hz, T = ")
+    assert said.endswith(" s: 6 joints in deg\n")
     for source in ("s.egm", results):
         assert run(["play", "egm", source, "--echo", *HERE, "--log", "back.csv"]) == 0
         shown = capsys.readouterr()

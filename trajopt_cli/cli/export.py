@@ -147,7 +147,7 @@ def fri(
 
     \b
     Example:
-      trajopt export fri results/iiwa_cube --resample --output fri.csv
+      trajopt export fri results/iiwa_cube --output fri.csv
     """
     from trajopt_cli.export.fri import fri_rows
     from trajopt_cli.export.recorded import recorded
@@ -182,8 +182,8 @@ def egm(
     motion, stream = egm_stream(results, rate)
     write_file(output, stream_bytes(stream))
     typer.echo(
-        f"{output}: {motion.name}, {len(stream.q)} set points at {rate:g} Hz of {', '.join(stream.names)}, T ="
-        f" {stream.duration:.4f} s"
+        f"{output}: {motion.name}, {len(stream.q)} set points at {rate:g} Hz, T = {stream.duration:.4f} s:"
+        f" {stream.joints} joints in deg{''.join(f', {name} in mm' for name in stream.names[stream.joints :])}"
     )
     unused = stream.names[stream.joints : -1]
     if unused:
