@@ -87,7 +87,9 @@ def test_several_files_are_one_program_with_the_cell_and_the_results_of_the_firs
     assert run(["verify", "results/Tiny/stream.csv", *(f"--program={path}" for path in modules), *GO]) == 0
 
 
-def test_modules_of_one_name_do_not_take_each_others_place(line: Path, planner: Planner) -> None:
+def test_modules_of_one_name_do_not_take_each_others_place(
+    line: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+) -> None:
     task = line / "RAPID/TASK1"
     (task / "SYSMOD/Data.sys").rename(task / "SYSMOD/TINY.MOD")
     assert run(["optimize", str(line), *GO]) == 0
@@ -96,6 +98,14 @@ def test_modules_of_one_name_do_not_take_each_others_place(line: Path, planner: 
         assert (results / "input" / place).read_bytes() == (task / place).read_bytes()
         assert (results / "program" / place).is_file()
     assert run(["verify", "results/line"]) == 0
+    Path("taken").write_text("")
+    for place, said in (
+        ("taken", "taken: is a file; the program has 2 modules, --output names a folder for them"),
+        ("nowhere/new", "nowhere: is not a folder to write to; make it or correct --output"),
+    ):
+        capsys.readouterr()
+        assert run(["export", "rapid", "results/line", "--output", place]) == 2
+        assert capsys.readouterr().err == f"{said}\n"
     assert run(["export", "rapid", "results/line", "--output", "new"]) == 0
     assert {path.relative_to("new").as_posix() for path in Path("new").rglob("*.*")} == {
         "PROGMOD/Tiny.mod",
