@@ -436,6 +436,7 @@ def test_help_lists_every_command(capsys: pytest.CaptureFixture[str]) -> None:
         "new",
         "optimize",
         "parse",
+        "play",
         "robot",
         "sensitivity",
         "verify",

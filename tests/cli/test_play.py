@@ -64,7 +64,10 @@ def test_a_log_is_looked_at_first_and_nobody_who_asks_is_an_answer(
     assert run(["play", "egm", "nothing.egm", *HERE]) == 2
     assert capsys.readouterr().err == "nothing.egm: cannot read: No such file or directory\n"
     assert run(["play", "egm", results, *HERE, "--silence", "0.05"]) == 1
-    assert capsys.readouterr().err.endswith("\nno EgmRobot message came for 0.05 s\n")
+    shown = capsys.readouterr()
+    assert shown.err.endswith("\nno EgmRobot message came for 0.05 s\n")
+    (row,) = [line.split() for line in shown.out.splitlines() if "joint_1" in line]
+    assert row[-1] == "deg", "foretold all the same, and nothing came back"
 
 
 def test_the_rail_stands_in_the_place_of_its_external_axis(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -78,8 +78,8 @@ def egm(
         played = play(stream, here, settle, silence)
     if log is not None and len(played.t):
         write_file(log, log_text(stream, played).encode("ascii"))
+    show(stdout(), _table(constant, lags(stream, constant, played)))
     if len(played.t):
-        show(stdout(), _table(constant, lags(stream, constant, played)))
         also = f", {played.strangers} datagrams that were none of its messages" if played.strangers else ""
         typer.echo(f"{len(played.t)} messages of the controller answered, {played.lost} lost{also}")
     if log is not None and len(played.t):
