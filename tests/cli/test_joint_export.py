@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import CubicHermiteSpline
 
@@ -44,6 +44,7 @@ def test_rows_agree_with_scipys_hermite_spline() -> None:
     np.testing.assert_allclose(out.qd, spline(out.t, 1), rtol=0, atol=1e-10)
 
 
+@settings(deadline=None)
 @given(st.floats(0.011, 20.0), st.floats(1.0, 5000.0), st.floats(-3.0, 3.0))
 def test_first_and_last_row_stand_and_no_interval_is_under_the_promised_one(
     duration: float, rate: float, start: float
