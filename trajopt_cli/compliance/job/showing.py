@@ -29,6 +29,7 @@ _STEP, _ROWS = 4e-3, 10_000  # s between rows of the arm in space, and how many 
 _LEGS = 400  # in the table
 _NOT_BOTH = "The arm cannot follow one of the two runs: there is nothing to show in space."
 _MOVES = 1e-6  # m, rad, N, Nm: less is rounding
+_SEEN = (1e-4,) * 3 + (1e-3,) * 3  # m, rad: coordinates that move less have no chart
 _NAMES = ("x", "y", "z", "alpha", "beta", "gamma")
 _UNITS = ((MM, "mm"),) * 3 + ((DEG, "°"),) * 3
 
@@ -84,24 +85,27 @@ def dose_page(job: DosedJob) -> bytes:
             zero=True,
         )
     ]
+    pair = ((before.name, before.run, BEFORE), (name, after, AFTER))
     speeds = [
-        Curve(who, run.t[1:], np.linalg.norm(np.diff(run.x_e[:, :3], axis=0), axis=1) / run.opened.equilibrium.h, look)
-        for who, run, look in ((before.name, before.run, BEFORE), (name, after, AFTER))
+        Curve(who, run.t[1:], np.linalg.norm(np.diff(run.x[:, :3], axis=0), axis=1) / run.opened.equilibrium.h, look)
+        for who, run, look in pair
     ]
+    leads = [Curve(who, run.t, deviation(run.x, run.x_e[: len(run.x)]) / MM, look) for who, run, look in pair]
     charts: dict[str, tuple[str, Sequence[Chart]]] = {
         "Lag": ("", list(_lag_charts(runs, allowed.lag, allowed.turn_lag))),
-        "Feed": ("", [Chart("feed", "Speed of the equilibrium that is fed", "m/s", speeds, zero=True, digits=3)]),
+        "Feed": (
+            "",
+            [
+                Chart("speed", "Speed of the tool", "m/s", speeds, zero=True, digits=3),
+                Chart("lead", "What is fed, away from the tool", "mm", leads, zero=True),
+            ],
+        ),
         "Push": ("What the spring, and the damper where speed is fed, would begin to push with.", pushes),
     }
-    ways = [(before.name, before.run.t, before.run.x, BEFORE), (name, after.t, after.x, AFTER)]
-    charts["Pose"] = ("", list(_pose_charts(ways)))
-    arms = [(who, run, joints_of(run)) for who, run in ((before.name, before.run), (name, after))]
-    shown = [(who, rows) for who, _, rows in arms if rows is not None]
-    joints = [
-        (who, run.t, rows, look)
-        for (who, run, rows), look in zip(arms, (BEFORE, AFTER), strict=True)
-        if rows is not None
-    ]
+    charts["Pose"] = ("", list(_pose_charts([(who, run.t, run.x, look) for who, run, look in pair])))
+    arms = [(who, run.t, joints_of(run), look) for who, run, look in pair]
+    joints = [(who, t, rows, look) for who, t, rows, look in arms if rows is not None]
+    shown = [(who, rows) for who, _, rows, _ in joints]
     charts["Joints"] = ("", _joint_charts(joints, limits))
     return run_page(
         f"{Path(job.before.task.file).stem}, dosed",
@@ -197,7 +201,7 @@ def _lag_charts(runs: Sequence[tuple[str, Simulated]], lag: float | None, turn: 
 def _pose_charts(ways: Sequence[tuple[str, Array, Array, str]]) -> Iterator[Chart]:
     """Name, times (n,), poses (n, 6) and looks of each: the coordinates that move."""
     for i, (name, (size, unit)) in enumerate(zip(_NAMES, _UNITS, strict=True)):
-        if max(float(np.ptp(x[:, i])) for _, _, x, _ in ways) > _MOVES:
+        if max(float(np.ptp(x[:, i])) for _, _, x, _ in ways) > _SEEN[i]:
             yield Chart(f"pose-{name}", name, unit, [Curve(who, t, x[:, i] / size, look) for who, t, x, look in ways])
 
 
@@ -251,7 +255,8 @@ def _tiles(run: Simulated) -> Iterator[Tile]:
         yield Tile("push, if held", f"{push:.1f} N", "the most, anywhere on the way", AFTER)
     yield Tile("duration", f"{run.t[-1]:.3f} s", f"the last pose held for {run.settle:.3g} s", BEFORE)
     broken = run.broken
-    told = "; ".join(broken) if broken else "joints keep position, speed and acceleration limits"
+    kept = "joints keep position, speed and acceleration limits" if run.loop is None else "no limit stops the loop"
+    told = "; ".join(broken) if broken else kept
     yield Tile("the arm", "cannot" if broken else "follows", told, "" if broken else "bound")
 
 
@@ -267,9 +272,14 @@ def _dose_tiles(job: DosedJob) -> Iterator[Tile]:
             "lower bound", f"{made.least:.3f} s", "no sequence fed so and within these bounds is faster", "bound"
         )
     lead = made.allowed.lead
-    asked = "no bound was asked for" if lead is None else f"of {lead.most / (MM if lead.stretch else 1):g} allowed"
-    unit = "" if lead is None else " mm" if lead.stretch else " N"
-    yield Tile("push, if held", f"{made.push:.1f} N", f"{asked}{unit}")
+    asked = "no bound was asked for"
+    if lead is not None:
+        asked = (
+            f"the spring stretched by at most {lead.most / MM:g} mm"
+            if lead.stretch
+            else f"at most {lead.most:g} N allowed"
+        )
+    yield Tile("push, if held", f"{made.push:.1f} N", asked)
 
 
 def _legs(run: Simulated) -> str:

@@ -13,10 +13,10 @@
   const NARROW = 640; // px: below, the cycles stand below each other
   const PATH = 3.2; // px, where driven on lines and arcs
   const NEAR = 14; // px from the pointer to a point that is meant
-  const VIEWS = [["iso", "Iso"], ["front", "Front"], ["side", "Side"], ["top", "Top"]];
+  const VIEWS = [["iso", "Iso"], ["front", "Front"], ["side", "Side"], ["top", "Top"], ["path", "Path"]];
   const HELP =
     "Drag to turn, with Shift to move. With the view in focus: arrow keys turn, + and − or the wheel zoom, " +
-    "1 to 4 choose a view, 0 resets.";
+    "1 to 5 choose a view, 0 resets.";
 
   function make(tag, attributes = {}, ...children) {
     const element = document.createElement(tag);
@@ -51,7 +51,7 @@
       this.floor = extent.floor;
       this.size = extent.size;
       this.middle = extent.middle;
-      this.camera = new Camera(extent.points, extent.along);
+      this.camera = new Camera(extent.points, extent.path, extent.along);
       this.build(element);
       this.canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
       this.canvas.addEventListener("webglcontextrestored", () => this.start());
@@ -65,6 +65,7 @@
     // Points around all that is ever in sight, the floor's height, the horizontal axis along it.
     extent() {
       const points = [];
+      const path = [];
       const around = (inside, radius) => {
         const low = [0, 1, 2].map((i) => Math.min(...inside.map((p) => p[i])) - radius);
         const high = [0, 1, 2].map((i) => Math.max(...inside.map((p) => p[i])) + radius);
@@ -81,10 +82,11 @@
             around(inside.map((p) => at(this.frame(frames, body.link), p)), radius);
           }
         }
-        for (let i = 0; i + 2 < cycle.path.length; i += 30) around([Array.from(cycle.path.subarray(i, i + 3))], 0);
+        for (let i = 0; i + 2 < cycle.path.length; i += 30) path.push(Array.from(cycle.path.subarray(i, i + 3)));
       }
+      path.push(...this.scene.points.map((one) => one.position));
+      points.push(...path);
       for (const one of this.scene.static) around(reach(one, this.decode)[0], 0);
-      for (const one of this.scene.points) around([one.position], 0);
       if (!points.length) around([[0, 0, 0]], 0.5);
       const low = [0, 1, 2].map((i) => points.reduce((least, p) => Math.min(least, p[i]), Infinity));
       const high = [0, 1, 2].map((i) => points.reduce((most, p) => Math.max(most, p[i]), -Infinity));
@@ -92,7 +94,9 @@
       const floor = stands.length ? Math.min(...stands.map((p) => p[2])) : this.scene.base[11];
       const size = Math.max(...high.map((v, i) => v - low[i]));
       const middle = high.map((v, i) => (v + low[i]) / 2);
-      return { points, floor, size, middle, along: high[1] - low[1] > high[0] - low[0] ? 1 : 0 };
+      // room around the path for the tool and a part of the arm
+      const wide = path.flatMap((p) => [p.map((v) => v - 0.06), p.map((v) => v + 0.06)]);
+      return { points, path: wide, floor, size, middle, along: high[1] - low[1] > high[0] - low[0] ? 1 : 0 };
     }
 
     frame(frames, link) {
@@ -287,7 +291,7 @@
       if (!acts[event.key]) return;
       event.preventDefault(); // the page's own keys mean its time
       acts[event.key]();
-      if (!(event.key in { 0: 1, 1: 1, 2: 1, 3: 1, 4: 1 })) this.free();
+      if (!(event.key >= "0" && event.key <= "9")) this.free();
     }
 
     preset(name) {
@@ -434,6 +438,9 @@
       for (const [how, opacity] of [[gl.GREATER, 0.22], [gl.LEQUAL, 1]]) {
         gl.depthFunc(how);
         gl.depthMask(how === gl.LEQUAL);
+        for (const [k, other] of this.shown.entries()) {
+          if (other !== cycle) stroke(this.paths[other], IDENTITY, this.ink[this.looks(k)], 0.5 * PATH, 0.5 * opacity);
+        }
         stroke(this.paths[cycle], IDENTITY, way, PATH, opacity, this.time);
       }
       dots(this.dots, IDENTITY, ink.point, 9);

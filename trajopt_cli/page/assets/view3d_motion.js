@@ -107,9 +107,10 @@ window.TrajoptView3DMotion = (() => {
   }
 
   class Camera {
-    // points: all that should be in sight; along: the horizontal axis that the front view has across the page.
-    constructor(points, along) {
-      this.points = points;
+    // all: what should be in sight; path: of it, where the tool goes, for a view of its own. along: the horizontal axis
+    // that the front view has across the page.
+    constructor(all, path, along) {
+      this.sets = { all, path };
       this.fits = new Map();
       this.front = along === 1 ? 0 : -Math.PI / 2;
       this.preset("iso");
@@ -117,7 +118,9 @@ window.TrajoptView3DMotion = (() => {
 
     preset(name) {
       const ways = { iso: [-0.62, 0.36], front: [0, 0.06], side: [Math.PI / 2, 0.06], top: [0, Math.PI / 2 - 1e-3] };
-      const [turn, up] = ways[name];
+      this.near = name === "path";
+      this.points = this.near ? this.sets.path : this.sets.all;
+      const [turn, up] = ways[name] || ways.iso;
       this.azimuth = this.front + turn;
       this.elevation = up;
       this.zoom = 1;
@@ -135,7 +138,7 @@ window.TrajoptView3DMotion = (() => {
 
     // Least distance from which all points lie within the field, and where the eye then stands across.
     fit(right, up, back, aspect, tall) {
-      const key = `${this.azimuth} ${this.elevation} ${aspect}`;
+      const key = `${this.near} ${this.azimuth} ${this.elevation} ${aspect}`;
       if (!this.fits.has(key)) {
         let [left, most, low, top, near, far, sum] = [Infinity, -Infinity, Infinity, -Infinity, Infinity, -Infinity, 0];
         for (const p of this.points) {
