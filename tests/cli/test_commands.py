@@ -30,6 +30,7 @@ REPOSITORY = Path(__file__).parents[2]
 FILES = {
     "run.json",
     "summary.json",
+    "report.html",
     "trajectory.csv",
     "stream.csv",
     "rapid.csv",
@@ -73,7 +74,7 @@ def test_optimize_writes_both_targets_and_says_so(
     )
     assert f"rapid: T = {CYCLE[Target.RAPID]:.3f} s" in out
     assert "limits: accelerations of joint_1, joint_2" in out
-    assert "written to results/tiny: trajectory.csv (the stream plan)" in out
+    assert "written to results/tiny: report.html (open it in a browser), trajectory.csv (the stream plan)" in out
 
 
 def test_target_chooses_whose_plan_trajectory_csv_carries(program: Path, planner: Planner) -> None:

@@ -38,7 +38,8 @@ def test_a_plan_without_rapid_text_is_kept(
     assert f"no RAPID text: {REASON}" in json.loads((folder / "summary.json").read_text())["warnings"]
     names = {path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()}
     assert names == {
-        "trajectory.csv", "stream.csv", "rapid.csv", "summary.json", "run.json", "input/tiny.mod", "input/tiny.yaml",
+        "report.html", "trajectory.csv", "stream.csv", "rapid.csv", "summary.json", "run.json", "input/tiny.mod",
+        "input/tiny.yaml",
     }  # fmt: skip
 
     assert run(["verify", str(folder)]) == 0

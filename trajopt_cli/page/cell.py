@@ -28,6 +28,8 @@ from trajopt_cli.runs.results import motion_label
 SCRIPTS_OF_CELL = ("cycle.css", "gantt.js", "cycle.js", *SCRIPTS)
 MOST_MOTIONS = 2_000
 """Motions in the table; summary.json has all of any program."""
+_FEW, _MANY = 4, 3
+"""More cycles than the first have rows as many times as far apart as the second says."""
 _HEADS = ("place", "instruction", "target")
 
 
@@ -40,6 +42,10 @@ def cell_data(
     files = files_of(programs)
     points = [] if reach_of is None else program_points(user, reach_of, plant)
     reach = None if reach_of is None else reach_data(plant, user, reach_of)
+    scene = plant_scene(plant, points, [plan_cycle(one.name, one.program, one.plan) for one in shown])
+    for i, cycle in enumerate(scene["cycles"]):
+        cycle |= {name: {"same": [i, name]} for name in ("t", "q")}  # the same motion: once is enough
+    coarse = _MANY if len(shown) > _FEW else 1
     return {
         "clock": {
             "duration": max(one.plan.duration for one in shown),
@@ -48,11 +54,11 @@ def cell_data(
         },
         "axes": axes_data(plant),
         "cap": plant.tcp.speed,
-        "cycles": [cycle_data(plant, one, i) for one, i in zip(shown, which, strict=True)],
+        "cycles": [cycle_data(plant, one, i, coarse) for one, i in zip(shown, which, strict=True)],
         "programs": [motions_data(one, files) for one in programs],
         "sources": sources_data(programs, files),
         "reach": reach or {"ranges": {}, "asked": {}, "left_out": 0},
-        "scene": plant_scene(plant, points, [plan_cycle(one.name, one.program, one.plan) for one in shown]),
+        "scene": scene,
     }
 
 

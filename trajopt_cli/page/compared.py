@@ -67,7 +67,7 @@ def compared_page(
     shown = [row.shown for row in moving if row.shown is not None]
     legal = [i for i, row in enumerate(moving) if row.legal]
     fastest = min(legal, key=lambda i: shown[i].plan.duration, default=len(shown) - 1)
-    at_first = list(dict.fromkeys((legal[0] if legal else 0, fastest)))
+    at_first = list(dict.fromkeys((legal[0] if legal else 0, fastest))) if shown else []
     sections = [Section("rows", "Rows", _rows(rows), _LEAD), *_saving(causes, moving, at_first)]
     data = {}
     if shown:
@@ -100,7 +100,7 @@ def _head(title: str, plant: Plant, moving: Sequence[Compared], at_first: Sequen
         assert row.shown is not None
         said = row.title if row.saving is None or not row.saving else f"{-100 * row.saving:+.1f} %, {row.title}"
         tiles.append(tile(kind, row.name, f"{seconds(row.shown.plan.duration)} s", said.replace("-", "−", 1)))
-    last = moving[at_first[-1]] if moving else None
+    last = moving[at_first[-1]] if at_first else None
     if last is not None and last.bound is not None:
         said = f"no legal motion for the {last.target} target is faster"
         tiles.append(tile("bound", "lower bound", f"{seconds(last.bound)} s", said))

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.findings import Report
+from trajopt_cli.geometry import BoolArray
 from trajopt_cli.motion import MoveC, MoveExtJ, MoveL, Program, SignalEvent, Source, Wait
 from trajopt_cli.page.encode import block
 from trajopt_cli.page.samples import sample_times
@@ -24,6 +25,7 @@ from trajopt_cli.units import DEG, MM
 
 MOST_REACHES = 150
 """Poses whose reach is worked out; a millisecond or two each."""
+_RESTS = 1e-9  # rad, m and per second: rounding
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,11 +50,11 @@ def programs_of(user: Program, shown: Sequence[Shown]) -> tuple[list[Program], l
     return programs, which
 
 
-def cycle_data(plant: Plant, one: Shown, program: int) -> dict[str, Any]:
-    """A motion as the page's scripts read it; program: index of its own. SI."""
+def cycle_data(plant: Plant, one: Shown, program: int, coarse: float = 1.0) -> dict[str, Any]:
+    """A motion as the page's scripts read it; program: index of its own; coarse: as in sample_times. SI."""
     plan = one.plan
     ends = np.array([time for motion in plan.motions for time in (motion.t_0, motion.t_1)])
-    times = sample_times(plan.trajectory, plant.limits, ends)
+    times = sample_times(plan.trajectory, plant.limits, ends, coarse)
     course = follow(one.program, plant, plan, one.name, times)
     legs = _legs(one.program, course) if course.legs else _rests(plan.trajectory)
     return {
@@ -174,9 +176,8 @@ def _legs(program: Program, course: Course) -> dict[str, list[Any]]:
 def _rests(rows: Trajectory) -> dict[str, list[Any]]:
     """Of a motion known by its rows alone: when any axis moves, and when all rest."""
     assert rows.qd is not None
-    still = (
-        (rows.qd[:-1] == 0).all(axis=1) & (rows.qd[1:] == 0).all(axis=1) & (np.diff(rows.q, axis=0) == 0).all(axis=1)
-    )
+    calm: BoolArray = np.asarray((np.abs(rows.qd) < _RESTS).all(axis=1))
+    still: BoolArray = np.asarray(calm[:-1] & calm[1:] & (np.abs(np.diff(rows.q, axis=0)) < _RESTS).all(axis=1))
     cuts = np.r_[0, np.flatnonzero(np.diff(still.astype(int))) + 1, len(still)]
     spans = [(int(a), int(b)) for a, b in pairwise(cuts) if b > a]
     return {

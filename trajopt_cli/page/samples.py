@@ -16,27 +16,28 @@ _LEVELS = 6
 _CHUNK = 100_000  # rows looked at at once: those of an hour have no room in memory several times over
 
 
-def sample_times(trajectory: Trajectory, limits: JointLimits, marks: Array) -> Array:
+def sample_times(trajectory: Trajectory, limits: JointLimits, marks: Array, coarse: float = 1.0) -> Array:
     """Times (m,) [s] of the rows to keep, in order; where an acceleration jumps, the last number before the row, too.
 
     The first and the last row are kept, those at marks (times [s], in any order), and every row from which a line
     between its neighbours would be off by more than a hair, in position, speed or acceleration against the limits.
+    coarse: how many times wider gap and hair may be.
     """
     t = trajectory.t
     jumps = np.zeros(len(t), dtype=bool)
     keep = np.zeros(len(t), dtype=bool)
     keep[np.clip(np.searchsorted(t, marks - 1e-9), 0, len(t) - 1)] = True
-    gap = max(GAP, trajectory.duration / ROWS)
+    gap = coarse * max(GAP, trajectory.duration / ROWS)
     for start in range(0, len(t), _CHUNK):
         part = slice(start, min(start + _CHUNK, len(t)))
-        inner, jumping = _kept(trajectory, limits, part, keep[part], gap)
+        inner, jumping = _kept(trajectory, limits, part, keep[part], gap, coarse * _HAIR)
         keep[part], jumps[part] = inner, jumping
     jumps &= keep
     return np.sort(np.concatenate([t[keep], before(t[jumps])]))
 
 
 def _kept(
-    trajectory: Trajectory, limits: JointLimits, part: slice, marked: BoolArray, gap: float
+    trajectory: Trajectory, limits: JointLimits, part: slice, marked: BoolArray, gap: float, hair: float
 ) -> tuple[BoolArray, BoolArray]:
     """Which rows of a part stay, its ends among them, and at which an acceleration jumps."""
     t = trajectory.t[part]
@@ -44,24 +45,24 @@ def _kept(
     behind = hermite(trajectory, np.maximum(before(t), trajectory.t[0]))[2]
     spans = limits.upper - limits.lower, limits.velocity, limits.acceleration
     values = np.hstack([value / span for value, span in zip(ahead, spans, strict=True)])
-    jumps: BoolArray = np.asarray((np.abs(ahead[2] - behind) / limits.acceleration > _HAIR * _LEVELS).any(axis=1))
+    jumps: BoolArray = np.asarray((np.abs(ahead[2] - behind) / limits.acceleration > hair * _LEVELS).any(axis=1))
     jumps[0] &= part.start > 0  # before the first row there is nothing
     fixed = marked | jumps
     fixed[[0, -1]] = True
     rows = np.arange(len(t))
     for _ in range(_LEVELS):
-        rows = _thinned(rows, t, values, fixed, gap)
+        rows = _thinned(rows, t, values, fixed, gap, hair)
     keep = np.zeros(len(t), dtype=bool)
     keep[rows] = True
     return keep, jumps
 
 
-def _thinned(rows: IndexArray, t: Array, values: Array, fixed: BoolArray, gap: float) -> IndexArray:
+def _thinned(rows: IndexArray, t: Array, values: Array, fixed: BoolArray, gap: float, hair: float) -> IndexArray:
     """Without every second row that lies on the line between its neighbours, where those are no more than gap apart."""
     inner = np.arange(1, len(rows) - 1, 2)
     a, b, c = rows[inner - 1], rows[inner], rows[inner + 1]
     width = t[c] - t[a]
     share = ((t[b] - t[a]) / width)[:, None]
     off = np.abs(values[a] * (1 - share) + values[c] * share - values[b]).max(axis=1, initial=0.0)
-    gone = (off <= _HAIR) & (width <= gap * (1 + 1e-9)) & ~fixed[b]
+    gone = (off <= hair) & (width <= gap * (1 + 1e-9)) & ~fixed[b]
     return np.delete(rows, inner[gone])

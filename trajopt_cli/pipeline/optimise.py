@@ -157,7 +157,6 @@ def optimise(
         loops=loops,
         cycle_time=objective.seconds if isinstance(objective, LeastEffort) else None,
     )
-    listen("results", Progress("page"))
     with clock.phase("page"):
         files[REPORT] = _page(job, target, judged, written, notices, notes, inputs, options)
     if plots:

@@ -7,8 +7,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, ClassVar
 
-from pydantic import Field
-
 from trajopt_cli.pipeline.optimise import held_unasked, inputs_of, made_by
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.runs import REPORT
@@ -23,9 +21,9 @@ class ComparisonOptions(Section):
 
     program: list[str]
     cell: str
-    entry: str = "main"
-    assume_identity: list[str] = Field(default_factory=list)
-    loops: str = "keep"
+    entry: str
+    assume_identity: list[str]
+    loops: str
 
 
 class ComparisonRecord(RunRecord[ComparisonOptions]):

@@ -31,7 +31,7 @@
           clock.seek(at ? gantt.rows[at[0]].legs.from[at[1]] : time);
           if (at) page.emit("motion", gantt.rows[at[0]].legs.index[at[1]]);
         }
-      })(host, { label, height: 30 + ROW * rows.length, left: 96 });
+      })(host, { label, height: 30 + ROW * rows.length, left: host.clientWidth > 700 ? 124 : 88 });
       host.append(key);
     }
 

@@ -8,8 +8,9 @@
   const starts = [];
   const listeners = { theme: new Set(), selection: new Set(), zoom: new Set(), motion: new Set() };
 
-  // A block of page/encode.py as {data: Float32Array, shape}; decoded once.
+  // A block of page/encode.py as {data: Float32Array, shape}; decoded once. {same: [cycle, name]}: that of a cycle.
   function decode(block) {
+    if (block.same) return decode(data.cycles[block.same[0]][block.same[1]]);
     if (!decoded.has(block)) {
       const text = atob(block.f32);
       const bytes = new Uint8Array(text.length);
