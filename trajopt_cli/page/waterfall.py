@@ -39,7 +39,7 @@ def by_motion(saved: Iterable[tuple[str, str, float]], before: float, after: flo
         shown, rest = bars, []
     shown.sort(key=lambda bar: -bar.seconds)
     left = before - after - sum(bar.seconds for bar in shown)
-    if rest or abs(left) >= _SEEN:
+    if abs(left) >= _SEEN:
         count = f"{len(rest)} other {'lines' if len(rest) > 1 else 'line'}" if rest else "not in any motion"
         shown.append(Bar(count, left))
     return shown
