@@ -43,7 +43,10 @@ class Window:
         )
         self.theme(theme)
         self.chrome.get(file.as_uri())
-        assert self.run("return document.documentElement.dataset.ready") == "yes"
+        self.chrome.execute_async_script(
+            "const done = arguments[0], page = document.documentElement;"
+            "const look = () => (page.dataset.ready ? done() : setTimeout(look, 5)); look()"
+        )
         self.settle()
 
     def theme(self, name: str) -> None:

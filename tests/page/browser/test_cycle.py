@@ -1,0 +1,169 @@
+"""The rail job's page in a browser: one clock for charts, table and source; keys; no page wider than its window."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from report.drawn_plans import drawn
+from window import Window
+
+from trajopt_cli.findings import Finding, Report
+from trajopt_cli.motion import TextFile
+from trajopt_cli.page.optimised import Provenance, optimised_page
+from trajopt_cli.problem.plan import Target
+from trajopt_cli.runs.results import Judged
+from trajopt_cli.runs.rows import RowsFile
+from trajopt_cli.trajectory import Trajectory, hermite
+
+TEXT = "MoveJ p_one; ! </script><script>document.title='no'</script>\nWaitTime 0.4;\nMoveJ p_two;\nMoveAbsJ j_home;\n"
+SLOWER = 1.5
+DRAWN = drawn(rail=True)
+ENDS = [motion.t_1 for motion in DRAWN.plan.motions]
+
+
+@pytest.fixture(scope="module")
+def page(written: Callable[[str, bytes], Path]) -> Path:
+    """A plan, and the same driven slower as the program as written."""
+    rows = DRAWN.plan.trajectory
+    assert rows.qd is not None
+    motions = tuple(replace(m, t_0=m.t_0 * SLOWER, t_1=m.t_1 * SLOWER) for m in DRAWN.plan.motions)
+    slow = Trajectory(rows.names, rows.t * SLOWER, rows.q, rows.qd / SLOWER)
+    before = replace(DRAWN.plan, trajectory=slow, motions=motions, lower_bound=None)
+    report = Report((Finding("joint speed", "joint_1", 1.25, 2.5, "rad/s", True, 0.5),))
+    plans = {one: Judged(replace(DRAWN.plan, target=one), RowsFile(), report) for one in Target}
+    program = replace(DRAWN.program, files={"t.mod": TextFile("t.mod", TEXT, "utf-8")})
+    made = Provenance([("made by", "a test")], {"t.mod": "abc"})
+    content = optimised_page("t.mod", program, DRAWN.plant, Target.STREAM, plans, before, ["a warning"], [], made)
+    return written("cycle.html", content)
+
+
+def seek(window: Window, time: float) -> None:
+    window.run("TrajoptPage.clock.seek(arguments[0])", time)
+    window.settle()
+
+
+def lit(window: Window, mark: str) -> tuple[str, str]:
+    """The number of the line and the motion's index that a mark stands on."""
+    line = window.run(f"return document.querySelector('#source .{mark} .number').textContent")
+    return line, window.run(f"return document.querySelector('#motions .{mark}').dataset.motion")
+
+
+def test_the_lines_of_both_cycles_follow_the_slider(window: Window, page: Path) -> None:
+    window.open(page)
+    assert window.run("return document.title") == "t.mod · trajopt"
+    seek(window, ENDS[1] + 0.01)  # the plan has waited, the slower one has not
+    assert lit(window, "now-after") == ("3", "2")
+    assert lit(window, "now-before") == ("2", "1")
+    assert "WaitTime 0.4 s" in window.run("return document.querySelector('#now .before').textContent")
+    seek(window, ENDS[3] + 0.5)  # after the plan's end
+    assert lit(window, "now-after") == ("4", "3")
+    clocks = window.run("return [...document.querySelectorAll('#clocks b')].map((e) => e.textContent)")
+    assert clocks == [f"{ENDS[3] + 0.5:.3f} s", f"{ENDS[3]:.3f} s"]
+
+
+def test_the_charts_say_the_numbers_of_the_rows(window: Window, page: Path) -> None:
+    window.open(page)
+    time = 0.613
+    seek(window, time)
+    window.run("document.getElementById('axes').scrollIntoView()")
+    window.settle()
+    now, before = (hermite(DRAWN.plan.trajectory, np.array([t]))[0][0] for t in (time, time / SLOWER))
+    captions = window.run("return [...document.querySelectorAll('#axes-charts figcaption')].map((e) => e.textContent)")
+    assert len(captions) == 7
+    for k, caption in enumerate(captions):
+        shown = [float(value.replace("−", "-")) for value in re.findall(r"(?:written|plan) ([−\d.]+)", caption)]
+        scale = 1e3 if k == 0 else 180 / np.pi
+        assert shown == pytest.approx([before[k] * scale, now[k] * scale], abs=0.51 if k == 0 else 0.06)
+
+
+def test_keys_step_play_zoom_and_go_to_the_next_motion(window: Window, page: Path) -> None:
+    window.open(page)
+    time, span = "return TrajoptPage.clock.time", "return [TrajoptPage.zoom.from, TrajoptPage.zoom.to]"
+    window.keys("\ue014", "\ue014")  # right
+    assert window.run(time) == pytest.approx(0.02)
+    window.run(
+        "document.body.dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight', shiftKey: true, bubbles: true}))"
+    )
+    assert window.run(time) == pytest.approx(0.12)
+    window.keys("n")
+    assert window.run(time) == pytest.approx(ENDS[0])
+    window.keys("n", "p", "p")
+    assert window.run(time) == pytest.approx(0.0)
+    window.keys("+")
+    assert window.run(span) == pytest.approx([0.0, ENDS[3] * SLOWER / 2])
+    window.keys("0")
+    assert window.run(span) == pytest.approx([0.0, ENDS[3] * SLOWER])
+    window.keys(" ")
+    assert window.run("return [TrajoptPage.clock.playing, document.getElementById('play').textContent]") == [
+        True,
+        "Pause",
+    ]
+    window.keys(" ")
+    assert window.run("return TrajoptPage.clock.playing") is False
+    assert window.run(time) > 0
+
+
+def test_another_cycle_can_be_chosen_and_fills_table_and_charts(window: Window, page: Path) -> None:
+    window.open(page)
+    chosen = "const s = document.getElementById('cycle-0'); s.value = '2'; s.dispatchEvent(new Event('change'))"
+    window.run(chosen)
+    window.settle()
+    head = window.run("return document.querySelector('#motions th:nth-child(4)').textContent")
+    cells = window.run("return [...document.querySelectorAll('#motions tbody tr')].map((r) => r.cells[5].textContent)")
+    assert (head, cells) == ("rapid plan [s]", ["0.000"] * 4)
+    assert window.run("return TrajoptPage.clock.duration") == pytest.approx(ENDS[3])
+    assert window.run("return [...document.querySelectorAll('.saved')].map((e) => e.textContent).join('')") == ""
+
+
+def test_a_click_on_a_motion_goes_to_its_beginning(window: Window, page: Path) -> None:
+    window.open(page)
+    window.run("document.querySelector('#motions tr[data-motion=\"2\"] button').click()")
+    assert window.run("return TrajoptPage.clock.time") == pytest.approx(ENDS[1])
+    window.run("document.querySelectorAll('#source .src')[1].click()")
+    assert window.run("return TrajoptPage.clock.time") == pytest.approx(ENDS[0])
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_nothing_is_wider_than_a_phone_and_every_text_can_be_read(window: Window, page: Path, theme: str) -> None:
+    window.open(page, 390, 844, theme)
+    assert window.run("return document.documentElement.scrollWidth") <= 390
+    faint = window.run(_CONTRAST)
+    assert faint == []
+
+
+def test_a_screen_reader_hears_what_each_control_is(window: Window, page: Path) -> None:
+    window.open(page)
+    wanted = {"button", "slider", "combobox", "radio", "checkbox", "region", "img"}
+    unnamed = [
+        node["role"]["value"]
+        for node in window.tree()
+        if node.get("role", {}).get("value") in wanted and not node.get("name", {}).get("value")
+    ]
+    assert unnamed == []
+
+
+# Text whose contrast with what is behind it is under 4.5 (WCAG 2.2, 1.4.3); large text needs 3.
+_CONTRAST = """
+const light = (c) => { const f = (v) => (v /= 255) <= 0.03928 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4;
+  return 0.2126 * f(c[0]) + 0.7152 * f(c[1]) + 0.0722 * f(c[2]); };
+const rgb = (text) => text.match(/[\\d.]+/g).map(Number);
+const behind = (e) => { for (; e; e = e.parentElement) { const c = rgb(getComputedStyle(e).backgroundColor);
+  if (c.length < 4 || c[3] > 0.99) return c; } return [255, 255, 255]; };
+const out = [];
+for (const e of document.querySelectorAll("body *")) {
+  if (!e.checkVisibility() || e.closest("svg, .v3d, noscript, script, style")) continue;
+  const own = [...e.childNodes].some((n) => n.nodeType === 3 && n.textContent.trim());
+  if (!own || getComputedStyle(e).fontSize === "0px") continue;
+  const style = getComputedStyle(e);
+  const [a, b] = [light(rgb(style.color)), light(behind(e))].sort((p, q) => q - p);
+  const large = parseFloat(style.fontSize) >= 24;
+  const ratio = (a + 0.05) / (b + 0.05);
+  if (ratio < (large ? 3 : 4.5)) out.push([e.tagName, e.className, e.textContent.slice(0, 20), ratio].join(' '));
+}
+return out;
+"""
