@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import time
 from dataclasses import dataclass
 from io import BytesIO
 from pathlib import Path
@@ -36,17 +37,16 @@ class Window:
 
     chrome: Chrome
 
-    def open(self, file: Path, width: int = 1280, height: int = 900, theme: str = "light") -> None:
+    def open(self, file: Path, width: int = 800, height: int = 600, theme: str = "light") -> None:
         """A file, loaded anew, in a window of so many pixels; drawn when this returns."""
         self.command(
             "Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=width < 500
         )
         self.theme(theme)
         self.chrome.get(file.as_uri())
-        self.chrome.execute_async_script(
-            "const done = arguments[0], page = document.documentElement;"
-            "const look = () => (page.dataset.ready ? done() : setTimeout(look, 5)); look()"
-        )
+        until = time.monotonic() + 20
+        while self.run("return document.documentElement.dataset.ready") != "yes":
+            assert time.monotonic() < until, f"not ready: {self.complaints()}"
         self.settle()
 
     def theme(self, name: str) -> None:
