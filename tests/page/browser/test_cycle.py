@@ -67,11 +67,14 @@ def test_the_lines_of_both_cycles_follow_the_slider(window: Window, page: Path) 
 
 
 def test_the_charts_say_the_numbers_of_the_rows(window: Window, page: Path) -> None:
-    window.open(page)
+    window.open(page, 1280, 2000)
     time = 0.613
     seek(window, time)
     window.run("document.getElementById('axes').scrollIntoView()")
-    window.settle()
+    window.chrome.execute_async_script(  # charts out of sight say nothing
+        "const done = arguments[0], last = document.querySelector('#axes-charts figure:last-child output');"
+        "const look = () => (last.textContent ? done() : setTimeout(look, 10)); look()"
+    )
     now, before = (hermite(DRAWN.plan.trajectory, np.array([t]))[0][0] for t in (time, time / SLOWER))
     captions = window.run("return [...document.querySelectorAll('#axes-charts figcaption')].map((e) => e.textContent)")
     assert len(captions) == 7
