@@ -15,6 +15,7 @@ from report.drawn_plans import PAUSE, TOOL, drawn
 from trajopt_cli.findings import Finding, Report
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Program, TextFile
+from trajopt_cli.page.cell import program_section
 from trajopt_cli.page.compared import Cause, Compared, compared_page
 from trajopt_cli.page.cycles import Shown
 from trajopt_cli.page.listing import AROUND, WHOLE, sources_data
@@ -95,7 +96,11 @@ def test_the_curves_are_those_of_the_rows(data: dict[str, Any]) -> None:
             shown = array(cycle[name])
             drawn = np.column_stack([np.interp(fine, t, column) for column in shown.T])
             assert np.abs((drawn - exact) / span).max() < 2e-3, name
-        # the greatest acceleration is there to be seen
+        # an acceleration jumps in the page where it does in the rows, and its greatest is there to be seen
+        clear = fine[np.abs(fine[:, None] - t).min(axis=1) > 1e-5]
+        exact = hermite(plan.trajectory, clear)[2] / limits.acceleration
+        drawn = np.column_stack([np.interp(clear, t, column) for column in array(cycle["qdd"]).T])
+        assert np.abs(drawn / limits.acceleration - exact).max() < 2e-3
         exact = np.abs(hermite(plan.trajectory, plan.trajectory.t)[2]).max(axis=0)
         assert np.abs(array(cycle["qdd"])).max(axis=0) == pytest.approx(exact, rel=1e-5)
 
@@ -156,6 +161,23 @@ def test_a_program_that_cannot_be_driven_as_written_is_shown_alone() -> None:
     assert [one["name"] for one in data["cycles"]] == ["stream plan", "rapid plan"]
     assert data["clock"]["shown"] == [0]
     assert 'id="saving"' not in page
+
+
+def test_rows_that_bend_are_kept_and_rows_on_a_line_are_not() -> None:
+    limits = RAIL.plant.limits
+    t = np.arange(0.0, 1.0, 1e-3)
+    turn = 2 * np.pi * np.linspace(5, 60, 7)
+    size = 0.9 * np.minimum(limits.velocity / turn, limits.acceleration / turn**2)
+    rows = Trajectory(limits.names, t, size * np.sin(t[:, None] * turn), size * turn * np.cos(t[:, None] * turn))
+    kept = sample_times(rows, limits, np.array([]))
+    spans = (limits.upper - limits.lower, limits.velocity, limits.acceleration)
+    for shown, exact, span in zip(hermite(rows, kept), hermite(rows, t), spans, strict=True):
+        lines = np.column_stack([np.interp(t, kept, column) for column in shown.T])
+        assert np.abs((lines - exact) / span).max() < 1.5e-3
+    calm = Trajectory(limits.names, t, np.outer(t, limits.velocity / 3), np.tile(limits.velocity / 3, (len(t), 1)))
+    assert len(sample_times(calm, limits, np.array([]))) == pytest.approx(250, abs=2)
+    marked = sample_times(calm, limits, np.array([0.457]))
+    assert 0.457 in np.round(marked, 9)
 
 
 def test_a_long_wait_is_two_rows() -> None:
@@ -223,6 +245,8 @@ def test_rows_that_are_no_plan_and_other_programs_have_no_motions_of_the_users()
     assert data["cycles"][1]["legs"]["to"][1] - data["cycles"][1]["legs"]["from"][1] == pytest.approx(PAUSE)
     assert data["clock"]["shown"] == [0, 1]
     assert "n/a: &lt;nothing&gt;" in page
+    both = program_section(RAIL.program, [rows[0].shown, rows[2].shown], [0, 1]).html
+    assert re.findall(r'<td class="n">([^<]*)</td>', both)[1:3] == ["–", ""]  # another program's motions are not these
     assert "−1.000 s" in page
     assert data["scene"]["cycles"][1]["q"] == {"same": [1, "q"]}
 
