@@ -221,7 +221,7 @@ def test_of_a_long_module_the_lines_around_motions_are_kept() -> None:
 
 
 def test_rows_that_are_no_plan_and_other_programs_have_no_motions_of_the_users() -> None:
-    other = replace(RAIL.program, motions=RAIL.program.motions[:1])
+    other = replace(RAIL.program, name="another")
     bare = Plan(Target.STREAM, RAIL.plan.trajectory, (), None, "")
     rows = [
         Compared(
@@ -233,7 +233,7 @@ def test_rows_that_are_no_plan_and_other_programs_have_no_motions_of_the_users()
             saving=0.0,
         ),
         Compared("ruckig", "stream", "Ruckig", "timing", Shown("ruckig", RAIL.program, bare, LEGAL), saving=0.2),
-        Compared("thesis", "rapid", "the thesis'", "rail", Shown("thesis", other, bare, None)),
+        Compared("thesis", "rapid", "the thesis'", "rail", Shown("thesis", other, RAIL.plan, None)),
         Compared("toppra", "stream", "TOPP-RA", "timing", None, why="n/a: <nothing>"),
     ]
     causes = [Cause("as written", 9.0, 0.0), Cause("rail", 8.0, 1.0)]
