@@ -70,10 +70,27 @@ def test_the_path_changes_tools_when_the_program_does() -> None:
     robot = plant_without_rail().robot
     t, q = np.arange(5.0), np.tile([0.1, 0.2, 0.3, 0.4, 0.5, 0.6], (5, 1))
     scene = robot_scene(robot, [], [Cycle("one", t, q, ((0.0, np.eye(4)), (2.0, X_FT)))])
-    path = unpacked(scene["cycles"][0]["path"])
+    (cycle,) = scene["cycles"]
+    assert unpacked(cycle["path_t"]).tolist() == [0, 1, 2, 4]  # where it stands still, its ends are enough
     flange = robot.forward(q[0])
-    for i, tool in enumerate([np.eye(4), np.eye(4), X_FT, X_FT, X_FT]):
-        np.testing.assert_allclose(path[i], (flange @ tool)[:3, 3], atol=1e-6)
+    for p, tool in zip(unpacked(cycle["path"]), [np.eye(4), np.eye(4), X_FT, X_FT], strict=True):
+        np.testing.assert_allclose(p, (flange @ tool)[:3, 3], atol=1e-6)
+
+
+def test_a_long_path_is_drawn_by_the_points_where_it_bends() -> None:
+    robot = plant_without_rail().robot
+    t = np.linspace(0.0, 10.0, 5001)
+    q = np.zeros((len(t), 6))
+    q[:, 0], q[:, 4] = np.clip(0.4 * t - 0.8, 0.0, 1.6), 0.5  # rests, swings around axis 1, rests
+    cycle = Cycle("one", t, q, ((0.0, X_FT),), ((3.001, 4.001),))
+    drawn = robot_scene(robot, [], [cycle])["cycles"][0]
+    path, path_t = unpacked(drawn["path"]), unpacked(drawn["path_t"])
+    assert len(path) < 200
+    assert {round(1000 * one) for one in path_t} >= {3002, 4002, 0, 10_000}
+    whole = (robot.forward(q) @ X_FT)[:, :3, 3]
+    shown = np.column_stack([np.interp(t, path_t, path[:, i]) for i in range(3)])
+    np.testing.assert_allclose(np.hypot(*shown[:, :2].T), np.hypot(*whole[:, :2].T), atol=4e-4)
+    assert np.linalg.norm(np.diff(path, axis=0), axis=1).max() < 0.021
 
 
 def test_the_rail_carries_the_base_from_end_to_end_of_its_stroke() -> None:

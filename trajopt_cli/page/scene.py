@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.geometry import Array, IndexArray, readonly
 from trajopt_cli.motion import MoveAbsJ, MoveC, MoveJ, MoveL, Program
 from trajopt_cli.page.encode import block
 from trajopt_cli.problem.plan import Plan
@@ -28,7 +28,9 @@ SCRIPTS = ("view3d.css", "view3d_motion.js", "view3d_graphics.js", "view3d.js")
 HOLDER = "<div data-scene></div>"
 _STEP = 2e-3  # s between rows: at 20 m/s² a straight line between them is 0.01 mm off
 _MOST_ROWS = 20_000
-_MOST_POINTS = 4_000  # of a drawn path
+_FLAT, _CHORD = 5e-5, 0.02  # m: what a point of a drawn path may be off at each level, and how far they are apart
+_LEVELS = 8
+_SAME = 1e-9  # s
 _BEAM, _PLATE = (0.3, 0.1), (0.42, 0.03)  # m, width and height of the rail's beam and of the carriage's plate
 _BONE = 0.035  # m, radius of a link of which no shape is known
 
@@ -226,22 +228,36 @@ def _shape(shape: Shape | MeshFile) -> dict[str, Any]:
 
 
 def _cycle(robot: RobotModel | SrsRobot, cycle: Cycle) -> dict[str, Any]:
-    every = max(1, -(-len(cycle.t) // _MOST_POINTS))
-    rows = np.unique(np.r_[0 : len(cycle.t) : every, len(cycle.t) - 1])
-    X_WT = robot.forward(cycle.q[rows])
     starts = [start for start, _ in cycle.tools]
-    which = np.maximum(np.searchsorted(starts, cycle.t[rows], side="right") - 1, 0)
+    which = np.maximum(np.searchsorted(starts, cycle.t, side="right") - 1, 0)
     X_FT = np.array([tool for _, tool in cycle.tools])[which]
-    path = (X_WT @ X_FT)[:, :3, 3]
+    path = (robot.forward(cycle.q) @ X_FT)[:, :3, 3]
+    edges = [*starts, *(time for span in cycle.driven for time in span)]
+    rows = _bends(path, np.searchsorted(cycle.t, np.array(edges) - _SAME))
     return {
         "name": cycle.name,
         "t": block(cycle.t),
         "q": block(cycle.q),
-        "path": block(path),
+        "path": block(path[rows]),
         "path_t": block(cycle.t[rows]),
         "tools": [{"t": start, "X": _flat(tool)} for start, tool in cycle.tools],
         "driven": [list(span) for span in cycle.driven],
     }
+
+
+def _bends(path: Array, kept: IndexArray) -> IndexArray:
+    """Rows of a path (n, 3) [m] that are enough to draw it, those in kept among them."""
+    rows, fixed = np.arange(len(path)), np.zeros(len(path), dtype=bool)
+    fixed[np.minimum(kept, len(path) - 1)] = True
+    for _ in range(_LEVELS):
+        inner = np.arange(1, len(rows) - 1, 2)
+        a, b, c = (path[rows[inner + k]] for k in (-1, 0, 1))
+        chord = c - a
+        length = np.linalg.norm(chord, axis=1)
+        aside = np.linalg.norm(np.cross(b - a, chord), axis=1) / np.maximum(length, _FLAT)
+        away = np.where(length > _FLAT, aside, np.linalg.norm(b - a, axis=1))
+        rows = np.delete(rows, inner[(away <= _FLAT) & (length <= _CHORD) & ~fixed[rows[inner]]])
+    return rows
 
 
 def _sampled(trajectory: Trajectory) -> tuple[Array, Array]:

@@ -58,7 +58,7 @@ def simulation_page(run: Simulated) -> bytes:
         Path(run.opened.task.file).stem,
         _about(run),
         list(_tiles(run)),
-        [(ASKED, float(run.t[-1])), (FORETOLD, float(run.t[-1]))],
+        [(name, float(run.t[-1])) for name, _ in shown] or [(FORETOLD, float(run.t[-1]))],
         _scene(run, shown),
         charts,
         told,
