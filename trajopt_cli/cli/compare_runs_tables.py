@@ -66,11 +66,10 @@ def motions_table(answer: ComparedRuns, rows: Sequence[MotionRow]) -> Table:
     heads = [f">{run.letter} [s]" for run in answer.runs]
     if len(answer.runs) == 2:
         heads.append(">B − A [s]")
+    missing = "not there" if len(answer.runs) == 2 else "–"
     table = plain_table(f"motions of the {answer.target} plans", "place", "motion", *heads)
     for row in rows:
-        times = [
-            "not there" if one is None else "dropped" if one.dropped else f"{one.time_s:.3f}" for one in row.motions
-        ]
+        times = [missing if one is None else "dropped" if one.dropped else f"{one.time_s:.3f}" for one in row.motions]
         if len(answer.runs) == 2:
             times.append(_signed(row.times[1] - row.times[0]))
         table.add_row(row.any.place, shortened(row.any.name), *times)
