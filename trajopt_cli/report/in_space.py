@@ -12,6 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator
 
 from trajopt_cli.geometry import Array, BoolArray
@@ -62,7 +63,8 @@ _CARRIAGE_LABEL = Line2D([], [], **_CARRIAGE, label="carriage")
 _ARROW: dict[str, Any] = {
     "arrowstyle": "-|>", "mutation_scale": 15, "color": BLACK, "linewidth": 0, "shrinkA": 0, "shrinkB": 0,
 }  # fmt: skip
-_ARROWS_FROM, _ARROWS_EVERY = 26.0, 260.0  # px
+_POINT = 25.0  # px: a path that is no longer has nothing to show
+_ARROWS_FROM, _ARROWS_EVERY = 20.0, 260.0  # px
 _GHOSTS = (BLACK, VERMILLION, BLUE, GREEN, PURPLE, ORANGE)
 
 
@@ -157,7 +159,8 @@ def path_figure(
 
     names: of the places (m). parts: samples and the key of kinds they are drawn in. ends: the samples where ways end.
     along: the world axis across the page. passed: which of the places are passed (m,); none if not given. One space
-    alone has its two views side by side, or one below the other where that shows it larger.
+    alone has its two views side by side, or one below the other where that shows it larger. A view in which the path is
+    a point is left out.
     """
     passed = np.zeros(len(names), dtype=bool) if passed is None else passed
     across = 1 - along
@@ -202,6 +205,9 @@ def path_figure(
     for axes, (i, up) in zip(grid.flat, (view for row in views for view in row), strict=True):
         plane = [along, up]
         curve = spaces[i].path[:, plane] / MM
+        if np.ptp(axes.transData.transform(curve), axis=0).max() < _POINT:
+            axes.remove()  # seen along the only way there is: a point
+            continue
         draw_arrows(axes, curve, ends)
         places, told = by_place(spaces[i].places[:, plane], names, SAME)
         name_places(axes, places / MM, told, np.vstack([_dense(curve), _filled(spaces[i].ground[:, plane] / MM)]))
@@ -232,14 +238,14 @@ def draw_arrows(axes: Axes, curve: Array, ends: Sequence[int]) -> None:
     low = before = 0.0
     for high in (*run[list(ends)], run[-1]):
         own, before = high - before, high
-        if own < _ARROWS_FROM and high - low < 3 * _ARROWS_FROM:
+        if own < _ARROWS_FROM and high - low < 4 * _ARROWS_FROM:
             continue  # with the next way together
         count = 1 + int((high - low) // _ARROWS_EVERY)
         for k in range(count):
             middle = low + (high - low) * (k + 0.7) / count
             tail, tip = (np.array([np.interp(middle + d, run, column) for column in curve.T]) for d in (-4.0, 4.0))
             if np.linalg.norm(np.subtract(*axes.transData.transform([tail, tip]))) > 4.0:  # no way back within it
-                axes.annotate("", tuple(tip), tuple(tail), arrowprops=_ARROW, zorder=3.5, gid="direction")
+                axes.annotate("", tuple(tip), tuple(tail), arrowprops=_ARROW, zorder=5, gid="direction")
         low = high
 
 
@@ -308,12 +314,21 @@ def arm(course: Course) -> Figure:
     if len(beam):
         axes.plot(*beam.T, color="#c8c8c8", linewidth=11, solid_capstyle="butt", zorder=1)
         axes.plot(*beam.T, color=GREY, linewidth=1, zorder=1.1)
+    halo = [withStroke(linewidth=3, foreground="white")]
     for order, (shape, color) in enumerate(zip(shapes, _GHOSTS, strict=False)):
         axes.plot(*shape[:2].T, color=color, linewidth=9, alpha=0.45, solid_capstyle="round", zorder=2 + order)
         axes.plot(*shape[1:5].T, color=color, linewidth=6, alpha=0.6, solid_joinstyle="round", zorder=2 + order)
         axes.plot(*shape[4:].T, color=color, linewidth=3, zorder=2 + order)
         axes.plot(*shape[1:5].T, "o", color="white", markeredgecolor=color, markersize=5, zorder=2.1 + order)
-        axes.text(*(shape[3] + [0, 0, _TAG]), str(order + 1), color=color, size=TEXT, ha="center", zorder=30)
+        axes.text(
+            *(shape[3] + [0, 0, _TAG]),
+            str(order + 1),
+            color=color,
+            size=TEXT,
+            ha="center",
+            zorder=30,
+            path_effects=halo,
+        )
     axes.plot(*p.T, color=BLACK, linewidth=1.5, zorder=20)
     everything = np.vstack([p, beam, *shapes])
     low, high = everything.min(axis=0), everything.max(axis=0)
