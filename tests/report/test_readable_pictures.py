@@ -225,8 +225,13 @@ def test_bars_are_readable_too() -> None:
         (f"v500 of MoveL p_number_{k} at a_long_name.mod:{k}, +10 %", 0.1 / (k + 1), 0.12 / (k + 1)) for k in range(20)
     ]
     causes = [("as written, fly-bys as stops", 9.0), ("retimed: joint moves bend", 7.0), ("rail through stops", 7.0)]
+    told: list[set[str]] = []
     with house_style():
         for made in (comparison_figure(rows, LONG), savings_figure(causes, LONG), levers_figure(bars, 6.5, LONG)):
             made.canvas.draw()
             assert outside(made) == []
             assert list(overlapping(made)) == []
+            told.append({text.get_text() for text in shown(made)})
+    assert {one for row in rows for one in (row.name, row.what)} <= told[0]
+    assert {name for name, _ in causes} <= told[1]
+    assert {name for name, _, _ in bars[:16]} <= told[2]

@@ -116,13 +116,12 @@ def comparison_figure(rows: Sequence[Bar], title: str) -> Figure:
             row.what, (0, place - 0.2), (2, 0), textcoords="offset points", va="center", size=LEAST, color=GREY,
             bbox={"facecolor": "white", "edgecolor": "none", "pad": 1},
         )  # fmt: skip
-    _finish(axes, [row.name for row in rows], max(row.seconds for row in rows))
-    axes.set_yticks([place + 0.18 for place in range(len(rows))])
+    _finish(axes, [row.name for row in rows], max(row.seconds for row in rows), below=0.18)
     handles: list[Line2D | Patch] = [Patch(color=BLUE, label="legal, fastest"), Patch(color=_LEGAL, label="legal")]
     if len(legal) < len(rows):
         handles.append(Patch(facecolor="white", edgecolor=GREY, hatch="///", label="breaks a limit"))
     if any(row.bound is not None for row in rows):
-        told = "lower bound: no legal motion is faster"
+        told = "lower bound (no legal motion is faster)"
         handles.append(Line2D([], [], color=BLACK, linewidth=2.6, label=told))
     if reference is not None:
         handles.append(Line2D([], [], **LIMIT, label="reference"))  # type: ignore[arg-type]
@@ -156,8 +155,8 @@ def _bar(
     )  # fmt: skip
 
 
-def _finish(axes: Axes, labels: Sequence[str], longest: float) -> None:
-    axes.set_yticks(range(len(labels)), labels, size=TEXT)
+def _finish(axes: Axes, labels: Sequence[str], longest: float, below: float = 0.0) -> None:
+    axes.set_yticks([row + below for row in range(len(labels))], labels, size=TEXT)
     axes.tick_params(axis="y", length=0)
     axes.set_ylim(len(labels) - 0.5, -0.5)
     axes.set_xlim(0, 1.5 * longest)
