@@ -141,7 +141,7 @@ def read_job(
         check_plannable(flat, plant)
     doubts = (Notice(NoticeKind.DOUBTFUL, text) for text in rail_doubts(flat, plant))
     return Job(
-        program=replace(flat, warnings=(*flat.warnings, *doubts)),
+        program=replace(flat, warnings=(*flat.warnings, *loaded.doubts, *doubts)),
         cell=loaded,
         plant=plant,
         scenario=scenario,

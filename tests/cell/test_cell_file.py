@@ -142,7 +142,7 @@ def test_estimated_accelerations_are_said_and_measured_ones_are_not() -> None:
         ),
         (
             RAIL.replace("stroke: [-0.2, 2.2]", "stroke: [-200, 2200]"),
-            "cell.yaml:3: rail: stroke is 2400 m long, no rail is longer than 200 m; if these are millimetres, write"
+            "cell.yaml:3: rail: stroke is 2400 m long, no rail is longer than 100 m; if these are millimetres, write"
             " [-0.2, 2.2] or [-200 mm, 2200 mm]",
         ),
         (

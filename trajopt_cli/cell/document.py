@@ -41,7 +41,7 @@ from trajopt_cli.quantity import (
 )
 from trajopt_cli.scenario import LONGEST_WAIT, NUM_LIMIT, Lines, Scenario
 
-LONGEST_RAIL = 200.0  # m of stroke; beyond, somebody wrote millimetres
+LONGEST_RAIL = 100.0  # m of stroke; beyond, somebody wrote millimetres
 MAX_SEQUENCE = 10_000  # values of one signal or answer; a program that polls reads a few dozen
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import TypeVar
 
@@ -10,6 +11,7 @@ import numpy as np
 
 from trajopt_cli.cell.document import CellDocument, FrameSection, SolidSection
 from trajopt_cli.cell.model import Cell, LimitOverride, Rail
+from trajopt_cli.cell.suspected import CELL, suspected
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, pose, rotation_about, rotation_from_wxyz
 from trajopt_cli.limits import TcpCaps
@@ -37,7 +39,7 @@ def parse_cell(text: str, file: str) -> Cell:
     """The Cell in a cell file's text; file is its name in messages. Raises InputError as load_cell does."""
     content, lines = parse(text, file, "at least robot and start are needed")
     document = validated(CellDocument, content, lines, file, _WANTED)
-    return _cell(document, file, lines)
+    return replace(_cell(document, file, lines), doubts=suspected(content, CELL, lines, file))
 
 
 _WANTED = {

@@ -11,6 +11,7 @@ import numpy as np
 from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.limits import JointLimits, TcpCaps
+from trajopt_cli.notices import Notice
 from trajopt_cli.scenario import Scenario
 from trajopt_cli.shapes import MeshFile, Solid
 from trajopt_cli.validation import hint
@@ -51,7 +52,7 @@ class Cell:
     documented caps apply. start_joints [rad], start_rail [m]. droppable: target names in lower case. lines: the line
     of each key by its dotted path, for messages. obstacles: in the world; attached: in the flange frame; meshes still
     in their files. may_touch: pairs of links or attached bodies that are not held against each other. clearance: the
-    least distance wanted from obstacles [m].
+    least distance wanted from obstacles [m]. doubts: numbers that look like another unit.
     """
 
     file: str
@@ -73,6 +74,7 @@ class Cell:
     attached: tuple[Solid, ...] = ()
     may_touch: tuple[tuple[str, str], ...] = ()
     clearance: float = 0.0
+    doubts: tuple[Notice, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "X_WB", readonly(self.X_WB))

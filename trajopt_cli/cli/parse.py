@@ -87,7 +87,7 @@ def parse(
 
         found = check_configurations(flat, plant)
         doubts = (Notice(NoticeKind.DOUBTFUL, text) for text in rail_doubts(flat, plant))
-        flat = replace(flat, warnings=(*flat.warnings, *doubts))
+        flat = replace(flat, warnings=(*flat.warnings, *(loaded.doubts if loaded else ()), *doubts))
     notes = [*notes_on(flat, listing, plant)]
     if as_json:
         from trajopt_cli.cli.listing_record import json_text, listing_record
@@ -97,7 +97,7 @@ def parse(
     from trajopt_cli.cli.listing import listing_lines, terminal_width
     from trajopt_cli.cli.remarks import by_name, remarks
 
-    files = [*flat.files]
+    files = [*flat.files, *([] if loaded is None else [loaded.file])]
     warnings = [*remarks("warning", map(str, flat.warnings), files, "--json lists them all")]
     if quiet:
         typer.echo(", ".join(_sums(listing)))

@@ -14,7 +14,7 @@ from trajopt_cli.motion import ExternalAxes
 from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.model import RobotModel, load_robot
 from trajopt_cli.shapes import ATTACHED, MeshFile, Solid
-from trajopt_cli.units import MM
+from trajopt_cli.units import DEG, MM
 from trajopt_cli.validation import hint
 
 
@@ -138,6 +138,8 @@ def _start(cell: Cell, limits: JointLimits) -> Array:
             key = "start.rail" if name == "rail" else "start.joints"
             metres = name == "rail" and low <= value / 1e3 <= high
             hint = f"; if this is in millimetres, write {value / 1e3:g} or {value:g} mm" if metres else ""
+            if name != "rail" and abs(value) > 2 * np.pi and low <= value * DEG <= high:
+                hint = f'; if this is in degrees, write "{value:g} deg"'
             raise cell.error(key, f"{name} = {value:.6g} lies outside its range {low:.6g}..{high:.6g}{hint}")
     return readonly(start)
 

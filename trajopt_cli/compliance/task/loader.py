@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from trajopt_cli.cell.loader import frame_pose
+from trajopt_cli.cell.suspected import TASK, suspected
 from trajopt_cli.compliance.task.approach import Approached, by_joints, by_line
 from trajopt_cli.compliance.task.document import (
     ChangeSection,
@@ -115,6 +116,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         content = {("program" if key == "poses" else key): value for key, value in content.items()}
         lines = {**lines, "program": line_of("poses", lines)}
     document = validated(TaskDocument, content, lines, file, _WANTED)
+    doubts = map(str, suspected(content, TASK, lines, file))
     X_WB = _near(frame_pose(document.base), "base", _FARTHEST, lines, file)
     X_FT = _near(frame_pose(document.tool), "tool", _LONGEST_TOOL, lines, file)
     try:
@@ -204,7 +206,7 @@ def parse_task(text: str, file: str, poses_from: str | Path | None = None) -> Ta
         if document.sensor is not None
         else None,
         contact=_contact(document.contact, lines, file) if document.contact is not None else None,
-        notes=(*notes, *path.notes),
+        notes=(*doubts, *notes, *path.notes),
         sources=texts,
     )
 
