@@ -151,6 +151,7 @@ def _drawn(target: str | None, program: Path) -> Target:
 def _check_places(csv: Path | None, plots: Path | None) -> None:
     """Before minutes of work: the places to write to can be what they are meant to be."""
     from trajopt_cli.errors import InputError
+    from trajopt_cli.runs.files import check_writable
 
     if csv is not None and csv.is_dir():
         raise InputError("is a folder; --csv names a file", file=str(csv))
@@ -158,3 +159,6 @@ def _check_places(csv: Path | None, plots: Path | None) -> None:
         raise InputError("is not a folder to write to; make it or correct --csv", file=str(csv.parent))
     if plots is not None and plots.exists() and not plots.is_dir():
         raise InputError("is a file; --plots names a folder", file=str(plots))
+    for place in (csv, plots):
+        if place is not None:
+            check_writable(place, into=place is plots)

@@ -121,6 +121,7 @@ def joints(
     from trajopt_cli.runs.files import write_files
 
     check_place(plots, "--plots")
+    _check_results(results)
     if goal is not None and arm_angle != "optimal":
         raise InputError(f"--for {goal}: says what --arm-angle optimal is best for; the arm angle is {arm_angle} here")
     wanted = None
@@ -217,6 +218,7 @@ def simulate(
     from trajopt_cli.runs.files import write_files
 
     check_place(plots, "--plots")
+    _check_results(results)
     if settle is not None and not settle < float("inf"):
         raise InputError(f"--settle: needs a time of 0 to 600 s, not {settle}")
     how = Integration(integration) if integration else None
@@ -390,6 +392,14 @@ def experiments(
         result(f"written to {output}: {count} files")
     else:
         said(quiet)(f"written to {output}: {count} files")
+
+
+def _check_results(results: Path) -> None:
+    """Before the work: what the command finds can be written into RESULTS."""
+    from trajopt_cli.runs.files import check_writable
+
+    if results.is_dir():
+        check_writable(results, into=True)
 
 
 def _lead(text: str | None, pushes: Mapping[str, float], stretches: Mapping[str, float], option: str) -> Lead | None:

@@ -14,6 +14,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from io import BufferedRandom
 from pathlib import Path
+from tempfile import TemporaryFile
 
 from trajopt_cli.errors import InputError
 
@@ -147,6 +148,21 @@ def replace_files(wanted: Mapping[Path, tuple[bytes, bytes]], added: Mapping[Pat
             _discard(part)
     kept = {path: backups.get(Path(os.path.realpath(path))) for path in wanted}
     return {path: backup for path, backup in kept.items() if backup is not None}
+
+
+def check_writable(path: Path, into: bool = False) -> None:
+    """Before the work: raise InputError unless a file or folder of this name could be made, or files be written into a
+    folder of this name. Missing parents stand in nobody's way, a file among them does. A nameless file is made and goes
+    again: rights alone do not tell of disks that are read-only."""
+    full = Path(os.path.realpath(path))
+    try:
+        place = next(one for one in ((full, *full.parents) if into else full.parents) if one.exists())
+        if not place.is_dir():
+            raise InputError("is a file, and no folder to write to; choose another place", file=str(place))
+        with TemporaryFile(dir=place):
+            pass
+    except OSError as error:
+        raise InputError(f"cannot write: {error.strerror}", file=str(path)) from error
 
 
 def recover(path: Path) -> None:

@@ -16,7 +16,7 @@ from typing import Any, Generic, TypeVar
 from trajopt_cli import __version__
 from trajopt_cli.errors import InputError
 from trajopt_cli.runs import REPORT, RUN, SUMMARY
-from trajopt_cli.runs.files import recover, write_folder
+from trajopt_cli.runs.files import check_writable, recover, write_folder
 from trajopt_cli.runs.record import Model, RunRecord, as_json, checked, parse_record, quoted, sha256
 
 FORMAT = 1
@@ -114,8 +114,10 @@ def library_versions(model: type[RunRecord[Any]]) -> dict[str, str]:
 
 
 def check_replaceable(folder: Path) -> None:
-    """Raise InputError unless folder is absent, empty, or a folder that holds only what trajopt wrote."""
+    """Raise InputError unless folder is absent, empty, or a folder that holds only what trajopt wrote, and can be
+    written."""
     recover(folder)
+    check_writable(folder)
     with _reading(folder):
         if not folder.exists():
             return

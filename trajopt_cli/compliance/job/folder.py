@@ -17,6 +17,7 @@ from trajopt_cli.compliance.task.model import AngleMeaning, Feed, RotationLaw, T
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.quantity import complain
 from trajopt_cli.runs import RUN, SUMMARY
+from trajopt_cli.runs.files import check_writable
 from trajopt_cli.runs.folder import TASK, Run, read_run, write_run
 from trajopt_cli.runs.record import Inputs, RunRecord, Section, as_json
 
@@ -131,6 +132,7 @@ def check_place(place: Path | None, option: str) -> None:
                 raise InputError(message, file=str(place))
     except OSError as error:
         raise InputError(f"{option}: {error.strerror}", file=str(place)) from error
+    check_writable(place, into=True)
 
 
 @of_kind(ErrorKind.RESULTS)
