@@ -11,7 +11,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
-from typing import get_args, get_type_hints
+from typing import Any, get_args, get_type_hints
 
 import numpy as np
 import pytest
@@ -22,6 +22,7 @@ from trajopt_cli.cli.optimize import optimize
 from trajopt_cli.job import read_job
 from trajopt_cli.joint_csv import read_csv_text
 from trajopt_cli.motion import Source
+from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.study.case import Case
 from trajopt_cli.study.table import BASELINES
@@ -521,6 +522,48 @@ def test_ctrl_c_ends_in_one_line_and_writes_nothing(program: Path, planner: str)
     assert process.returncode == 130
     assert err == "0 s: checking what can be reached\ninterrupted: nothing written, earlier results stand\n"
     assert not Path("results").exists()
+
+
+@pytest.mark.parametrize("more", [[], ["--quiet"], ["--json"]])
+def test_ctrl_c_with_a_plan_at_hand_says_what_it_kept(
+    program: Path,
+    planner: Planner,
+    more: list[str],
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    def interrupted(*given: Any, patience: Patience, **named: Any) -> object:
+        patience.answer()
+        if not patience.interrupted:
+            signal.raise_signal(signal.SIGINT)
+        return planner(*given, **named)
+
+    monkeypatch.setattr(
+        "trajopt_cli.optimize.optimize",
+        lambda *given, **named: interrupted(*given, **named) if "patience" in named else planner(*given, **named),
+    )
+    assert run(["optimize", str(program), "--jobs", "1", *more]) == 0
+    captured = capsys.readouterr()
+    assert "stopping: the best plan so far is being completed (Ctrl-C again to give it up)\n" in captured.err
+    assert captured.err.splitlines()[-1] == (
+        f"interrupted: the best plan so far, {CYCLE[Target.STREAM]:.3f} s, was completed, judged and written to "
+        "results/tiny"
+    )
+    assert Path("results/tiny/summary.json").exists()
+    if more == ["--json"]:
+        assert json.loads(captured.out)["interrupted"] is True
+
+
+def test_ctrl_c_after_something_was_written_names_it(
+    program: Path, planner: Planner, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def interrupted(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("trajopt_cli.study.comparison.comparison_pictures", interrupted)
+    assert run(["compare", "baseline", str(program), "--csv", "rows.csv", "--plots", "plots", "--quiet"]) == 130
+    assert capsys.readouterr().err == "interrupted: rows.csv written before that, nothing half-written\n"
+    assert run(["parse", str(program)]) == 0
 
 
 def test_the_real_optimiser_gives_the_closed_form_of_a_single_joint_there_and_back(

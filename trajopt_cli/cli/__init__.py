@@ -41,7 +41,6 @@ app = typer.Typer(
     help="The fastest legal motion for the robot program a cell already runs.",
     rich_markup_mode=None,  # plain help: rich would double the time to the first line
     pretty_exceptions_enable=False,
-    add_completion=False,
 )
 app.command("optimize", short_help="PROGRAM in, faster judged motion out.")(optimize.optimize)
 app.add_typer(compare.app, name="compare")
