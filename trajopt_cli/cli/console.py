@@ -39,7 +39,8 @@ def show(console: Console, table: Table) -> None:
 def tell(console: Console, lines: Iterable[str]) -> None:
     """Print lines, each with what does not fit hanging below it."""
     for line in lines:
-        for part in wrapped(line, console.width, deeper=_DEEPER) or [""]:
+        text = line.lstrip(" ")
+        for part in wrapped(text, console.width, line[: len(line) - len(text)], _DEEPER) or [""]:
             console.print(part, crop=False, no_wrap=True, overflow="ignore")
 
 
