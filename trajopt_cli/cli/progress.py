@@ -51,7 +51,7 @@ class ProgressView:
 
     Where there is patience and an answer at hand, the first interrupt ends only the search for a better one.
 
-    A terminal has one line, as wide as it is, with the seconds gone and those left; it is drawn four times a second at
+    A terminal has one line, as wide as it is, with the seconds gone, of how many; it is drawn four times a second at
     most and taken away at the end. A log has whole lines when something changed. quiet: nothing is shown.
     """
 
@@ -126,8 +126,8 @@ class ProgressView:
         self._news, self._shown, self._drawing = False, spent, False
 
     def _clock(self, spent: float) -> str:
-        left = self._patience.left if self._patience is not None else None
-        return f"{spent:.0f} s" if left is None else f"{spent:.0f} s, {left:.0f} s left"
+        limit = None if self._patience is None else self._patience.limit
+        return f"{spent:.0f} s" if limit is None else f"{spent:.0f} of {limit:g} s"
 
     def _width(self) -> int:
         told = os.environ.get("COLUMNS", "")

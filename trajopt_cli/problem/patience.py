@@ -42,11 +42,6 @@ class Patience:
         """Whether the search should end."""
         return self.interrupted or (self.limit is not None and monotonic() - self._start >= self.limit)
 
-    @property
-    def left(self) -> float | None:
-        """Seconds until the time limit; None where there is none."""
-        return None if self.limit is None else max(0.0, self._start + self.limit - monotonic())
-
     def why(self) -> str:
         """What ended the search."""
         return "stopped by Ctrl-C" if self.interrupted else f"stopped by the time limit after {self.limit:g} s"
