@@ -7,7 +7,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from generated import filled
+from generated import filled, with_subscripts
 from rapid_lexer import RapidLexer
 from sphinx.application import Sphinx
 
@@ -20,6 +20,7 @@ version = release = trajopt_cli.__version__
 
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx_copybutton"]
 myst_heading_anchors = 3
+suppress_warnings = ["toc.not_readable"]  # index.md names pages that are still being written
 highlight_language = "none"
 default_role = "code"  # docstrings quote names as Markdown does
 autodoc_class_signature = "separated"
@@ -40,4 +41,8 @@ copybutton_only_copy_prompt_lines = True
 def setup(app: Sphinx) -> None:
     """Fill the generated parts in before a page is parsed; know RAPID."""
     app.add_lexer("rapid", RapidLexer)
-    app.connect("source-read", lambda _app, _page, source: source.__setitem__(0, filled(source[0])))
+    app.connect("source-read", _read)
+
+
+def _read(_app: Sphinx, page: str, source: list[str]) -> None:
+    source[0] = with_subscripts(source[0]) if page == "mathematics" else filled(source[0])

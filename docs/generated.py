@@ -17,6 +17,14 @@ def filled(text: str) -> str:
     return _MARK.sub(lambda match: PARTS[match[1]](), text)
 
 
+def with_subscripts(text: str) -> str:
+    """Formulas with T_k and d_{k+1} set lower, outside of code."""
+    parts = re.split(r"(`[^`]*`)", text)
+    lower = re.compile(r"(?<!\w)([^\W\d_][\u0300-\u036f]?)_(\{[^}]+\}|[A-Za-z0-9]+)")
+    parts[::2] = [lower.sub(lambda m: f"{m[1]}<sub>{m[2].strip('{}')}</sub>", part) for part in parts[::2]]
+    return "".join(parts)
+
+
 def commands() -> str:
     """Every command with its own help, in the order of `trajopt --help`."""
     from typer.main import get_command

@@ -74,10 +74,16 @@ def test_the_keys_of_all_sections_are_listed(site: dict[str, str]) -> None:
 
 
 def test_the_functions_of_the_door_are_documented(site: dict[str, str]) -> None:
-    text = shown(site["python.html"])
+    page = site["python.html"]
     for name in ("read_program", "load_cell", "build_plant", "build_problem", "optimize", "verify", "export"):
-        assert re.search(rf"\.{name}\(", text), name
-    assert "Raises InputError" in text
+        assert re.search(rf'id="trajopt_cli\.[\w.]+\.{name}"', page), name
+    assert "Raises InputError" in shown(page)
+
+
+def test_formulas_have_their_subscripts(site: dict[str, str]) -> None:
+    page = site["mathematics.html"]
+    assert "q<sub>arm</sub> = IK(X(s)" in page
+    assert re.findall(r"\b[A-Za-z]_\w+|_\{", shown(re.sub(r"<code.*?</code>", "", page, flags=re.DOTALL))) == []
 
 
 def test_pictures_are_small_and_have_what_makes_them() -> None:
