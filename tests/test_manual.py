@@ -22,10 +22,11 @@ from pathlib import Path
 
 import pytest
 from ruamel.yaml import YAML
+from typer.main import get_command
 
 from trajopt_cli.cell.document import CellDocument
 from trajopt_cli.cell.loader import parse_cell
-from trajopt_cli.cli import run
+from trajopt_cli.cli import app, run
 from trajopt_cli.compliance.task.document import TaskDocument
 from trajopt_cli.compliance.task.loader import parse_task
 from trajopt_cli.rapid.language.parser import parse_module
@@ -168,6 +169,35 @@ def test_what_a_page_tells_to_do_can_be_done_and_says_what_is_shown(
                 read_yaml(block.text)
             case "rapid":
                 read_rapid(block.text)
+
+
+def spoken_of() -> list[tuple[str, str]]:
+    """Page and command of every command line that stands in a sentence, a table, or a block that is not run."""
+    found = []
+    for page in PAGES:
+        text = page.read_text(encoding="utf-8")
+        lines = [" ".join(code.split()) for code in re.findall(r"`(trajopt [^`]+)`", text)]
+        fenced = "".join(re.findall(r"^```\w+\n(.*?)^```$", text, re.MULTILINE | re.DOTALL))
+        lines += re.findall(r"^(?:\$ )?(trajopt [a-z].*)$", fenced, re.MULTILINE)
+        found += [(page.name, line.split("  #")[0]) for line in lines]
+    return sorted(set(found))
+
+
+@pytest.mark.parametrize(("page", "line"), spoken_of())
+def test_commands_that_are_spoken_of_exist(page: str, line: str) -> None:
+    command = get_command(app)
+    words = [word for part in line.split() for word in part.strip("[]").split("|")]
+    options = {name for name in words if re.fullmatch(r"--[a-z-]+", name)}
+    for word in words[1:]:
+        inner = getattr(command, "commands", None)
+        if inner is None or word.startswith("-"):
+            break
+        assert word in inner, f"there is no 'trajopt {word}'"
+        command = inner[word]
+        if f" {word}|" in line:  # `export joint|ros2`: the others are its neighbours
+            break
+    known = {name for parameter in command.params for name in parameter.opts} | {"--help"}
+    assert options <= known, options - known
 
 
 def test_what_is_not_run_says_why() -> None:

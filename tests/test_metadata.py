@@ -69,6 +69,7 @@ def test_no_text_names_a_strangers_package() -> None:
         *REPOSITORY.glob("*.md"),
         *(REPOSITORY / "trajopt_cli").rglob("*.py"),
         *(REPOSITORY / "results").glob("*.md"),
+        *(REPOSITORY / "docs").glob("*.md"),
     ]
     for path in texts:
         if path.name == "CHANGELOG.md":  # tells of the old name
