@@ -201,18 +201,14 @@ def _list(schema: dict[str, Any], node: dict[str, Any]) -> Taken:
 
 
 def _text(pattern: str | None) -> list[str]:
-    """A text that a pattern tells: a number with a unit, a word; of a list with its unit nothing, it is said above."""
+    """A number with its unit as text. Of a list as text and of a word with capitals nothing: told elsewhere."""
     if pattern is None:
         return ["text"]
-    if units := re.search(r"\(([^()]*)\)\\s\*\$$", pattern):
-        names = [unit for unit in units[1].split("|") if unit and not re.search(r"\^|[²³]", unit)]
-        return (
-            [f"text with {', '.join(f'`{name}`' for name in names)}"]
-            if names and not pattern[4:].startswith("\\[")
-            else []
-        )
-    word = re.fullmatch(r"\^\\s\*(\w+)\\s\*\$", pattern)
-    return [f"`{word[1]}`" if word else "text"]
+    units = re.search(r"\(([^()]*)\)\\s\*\$$", pattern)
+    if units is None:
+        return [] if pattern.startswith("^") else ["text"]
+    names = [f"`{unit}`" for unit in units[1].split("|") if unit and not re.search(r"\^|[²³]", unit)]
+    return [f"text with {', '.join(names)}"] if names and not pattern.startswith(r"^\s*\[") else []
 
 
 _KINDS = {"number": "number", "integer": "whole number", "boolean": "true or false", "string": "text"}

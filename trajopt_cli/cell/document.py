@@ -103,8 +103,10 @@ def _each(one: Callable[[Any], Any], *kinds: str) -> Reader[Any]:
 
 
 def _or(word: str, units: dict[str, float]) -> dict[str, Any]:
-    takes = takes_number(units, minimum=0)
-    return {"anyOf": [*takes["anyOf"], {"type": "string", "pattern": rf"^\s*{word}\s*$"}]}
+    """JSON schema of a number from zero or a word, which may have capitals."""
+    letters = "".join(f"[{letter}{letter.upper()}]" for letter in word)
+    words = [{"const": word}, {"type": "string", "pattern": rf"^\s*{letters}\s*$"}]
+    return {"anyOf": [*takes_number(units, minimum=0)["anyOf"], *words]}
 
 
 def _said(value: str) -> str:
