@@ -48,7 +48,7 @@ def test_no_part_was_left_unmade(site: dict[str, str]) -> None:
 
 def test_every_command_has_its_help(site: dict[str, str]) -> None:
     text = shown(site["cli.html"])
-    usage = re.search(r"```text\n(trajopt .+?)```", (REPOSITORY / "README.md").read_text(), re.DOTALL)
+    usage = re.search(r"```text\n(trajopt .+?)```", (REPOSITORY / "docs" / "commands.md").read_text(), re.DOTALL)
     assert usage
     for line in usage[1].splitlines():
         words = re.match(r"trajopt(?: [a-z]+\d?(?![\w|.]))+", line)

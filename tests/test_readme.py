@@ -91,13 +91,13 @@ def test_ci_stops_at_the_first_failure() -> None:
 
 
 def usage_lines() -> list[str]:
-    match = re.search(r"```text\n(trajopt .+?)```", README, re.DOTALL)
+    match = re.search(r"```text\n(trajopt .+?)```", DOCS["commands.md"], re.DOTALL)
     assert match
     return match[1].splitlines()
 
 
 @pytest.mark.parametrize("line", usage_lines())
-def test_every_command_and_option_of_the_readme_exists(line: str) -> None:
+def test_every_command_and_option_of_the_list_exists(line: str) -> None:
     words = re.findall(r"[\w.-]+|--\w+", line)
     command = [w for w in words[1:3] if re.fullmatch(r"[a-z]+\d?", w)]
     shown = CliRunner().invoke(app, [*command, "--help"])
