@@ -25,6 +25,7 @@ from trajopt_cli.job import read_job
 from trajopt_cli.measured.identify import Kind, Limit, identify
 from trajopt_cli.measured.limits_file import limits_section
 from trajopt_cli.measured.nominal import limits_in_force
+from trajopt_cli.robot.model import load_robot
 from trajopt_cli.study.estimate import Estimate, estimate
 from trajopt_cli.trajectory import Trajectory
 
@@ -33,6 +34,7 @@ rail: {eax: a, stroke: [-0.1, 2.1]}
 tcp: {speed: 1000, acceleration: 100000, source: the simulated robot has none}
 free_speed: true
 """
+TOUCH = [list(pair) for pair in load_robot("irb140_rail").self_pairs if "attached" not in pair]
 
 
 @dataclass(frozen=True)
@@ -50,12 +52,14 @@ class Answered:
 
 @dataclass(frozen=True)
 class Outcome:
-    """cycle: how far the estimate is off, as a share; None where it was not made."""
+    """cycle: how far the estimate is off, as a share, of a program that drives the axes all of whose limits the log
+    shows; guessed: of one that drives those, too, whose jerk it does not show. None where there are no such axes."""
 
     period: float
     jerk: bool
     limits: tuple[Answered, ...]
     cycle: float | None
+    guessed: float | None = None
 
 
 def one_run(seed: int, folder: Path | None) -> Outcome:
@@ -69,18 +73,28 @@ def one_run(seed: int, folder: Path | None) -> Outcome:
     log = Trajectory(NAMES, *record(robot, t, q, recorder, rng))
     found, _ = identify([log], limits_in_force("irb140_rail", None)[0])
     answered = tuple(_answered(one, robot, slow) for one in found)
-    cycle = None
-    known = {one.axis for one in found if one.kind is Kind.SPEED and one.value} & {
-        one.axis for one in found if one.kind is Kind.ACCELERATION and one.value
-    }
-    if folder is not None and known >= {name for i, name in enumerate(NAMES) if i not in slow}:
-        work = working_moves(rng, start, [i for i in range(7) if i not in slow])
-        made = estimated(folder, start, work, found)
-        marks = drive(robot, start, work)[2]
-        waits = sum(move.wait for move in work[:-1])
-        truth = marks[-1] - marks[0] - waits
-        cycle = (made.driven - truth) / (truth + waits)
-    return Outcome(period, jerk, answered, cycle)
+    if folder is None:
+        return Outcome(period, jerk, answered, None)
+    shown = {kind: {i for i, one in enumerate(NAMES) if _has(found, one, kind)} for kind in Kind}
+    moved = shown[Kind.SPEED] & shown[Kind.ACCELERATION]
+    whole = moved & shown[Kind.JERK] if jerk else moved
+    cycle = _off(folder, robot, start, sorted(whole), found, rng) if len(whole) > 1 else None
+    guessed = _off(folder, robot, start, sorted(moved), found, rng) if whole < moved and len(moved) > 1 else None
+    return Outcome(period, jerk, answered, cycle, guessed)
+
+
+def _has(found: list[Limit], axis: str, kind: Kind) -> bool:
+    return any(one.axis == axis and one.kind is kind and one.value is not None for one in found)
+
+
+def _off(
+    folder: Path, robot: Robot, start: np.ndarray, axes: list[int], found: list[Limit], rng: np.random.Generator
+) -> float:
+    """How far the estimated cycle of another program is off, as a share of the simulated one."""
+    work = working_moves(rng, start, axes)
+    marks = drive(robot, start, work)[2]
+    truth = marks[-1] - marks[0] + work[-1].wait
+    return estimated(folder, start, work, found).plan.duration / truth - 1
 
 
 def truth_of(robot: Robot, limit: Limit) -> float:
@@ -113,7 +127,8 @@ def program_text(start: np.ndarray, moves: list[Move]) -> str:
 def cell_text(start: np.ndarray, found: list[Limit]) -> str:
     section = limits_section(found, ["simulated.csv"])
     jerk = "jerk_limits: true\n" if any(one.kind is Kind.JERK and one.value for one in found) else ""
-    return f"{CELL}{jerk}start: {{joints: {[float(x) for x in start[1:]]}, rail: {float(start[0])}}}\n{section}"
+    joints = [float(value) for value in start[1:]]
+    return f"{CELL}{jerk}may_touch: {TOUCH}\nstart: {{joints: {joints}, rail: {float(start[0])}}}\n{section}"
 
 
 def estimated(folder: Path, start: np.ndarray, moves: list[Move], found: list[Limit]) -> Estimate:

@@ -66,12 +66,18 @@ def guesses(motion: Recorded, axis: int) -> list[Array]:
 
 
 def fit(
-    motions: Sequence[Recorded], axis: int, noise: float, jitter: float, starts: Sequence[Array], jumps: bool = False
+    motions: Sequence[Recorded],
+    axis: int,
+    noise: float,
+    jitter: float,
+    starts: Sequence[Array],
+    lag: tuple[float, float] = (float(_LAG[0]), float(_LAG[1])),
+    jumps: bool = False,
 ) -> Fitted:
     """All motions that one axis leads, at once: the lag is theirs in common.
 
     noise: of a position. jitter [s]: of the clock, which counts as noise in proportion to the speed. starts: local
-    parameters of each, begins by the log's clock. jumps: accelerations jump, there is no jerk phase.
+    parameters of each, begins by the log's clock; lag: to start from. jumps: accelerations jump, no jerk phases.
     """
     from scipy.optimize import least_squares
 
@@ -81,11 +87,11 @@ def fit(
     zero = np.array([one.t[0] for one in motions])
     q = [one.q[:, axis] for one in motions]
     t = [one.t - one.t[0] for one in motions]
-    start = np.concatenate([np.asarray(starts, float).ravel(), _LAG])
+    start = np.concatenate([np.asarray(starts, float).ravel(), lag])
     start[: m * _LOCAL : _LOCAL] -= zero
     weights = []
     for i, one in enumerate(motions):
-        rate = slopes(t[i] - start[i * _LOCAL], start[i * _LOCAL + 1 : i * _LOCAL + 4], *_LAG)[1]
+        rate = slopes(t[i] - start[i * _LOCAL], start[i * _LOCAL + 1 : i * _LOCAL + 4], *lag)[1]
         weights.append(1 / np.sqrt(noise**2 + (rate * one.way[axis] * jitter) ** 2))
 
     def residual(p: Array) -> Array:

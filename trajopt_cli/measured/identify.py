@@ -25,19 +25,22 @@ _MOVES = 30.0  # times the noise: a shorter way is none
 _ALONE = 1e-3  # of the leading axis' share: others rest
 _COORDINATED = 0.01  # of the way: how far axes may part from one common progress
 _FIRST_JITTER = 3e-4  # s
+_THIN = 120  # rows of a motion that is looked at alone, before all of them are
 _MOST = 20  # motions of one leading axis that are fitted at once
+_ROWS = 8  # of a motion, the rests around it included
+_QUICK = (0.015, 0.1)  # a lag to begin from, mean delay [s] and shape
 _FEWEST = 3  # motions that make a level
 _DIFFERENT = 0.1  # of the larger way: motions of another shape
 _PLATEAU = 0.03  # of the time to go the way at top speed: a shorter cruise is none
-_CERTAIN = 30.0  # of a likelihood ratio for jerk phases, in units of chi square
+_CERTAIN = 50.0  # of a likelihood ratio for jerk phases, in units of chi square
 _SEEN = 0.25  # of the log's period: a shorter jerk phase passes between two rows
 _PROGRAMMED = 0.5  # of the speed in force: a lower level may be a programmed one
 _SURE = {"speed": 0.01, "acceleration": 0.06, "jerk": 0.5}  # standard deviation of one motion that counts
 _FLOOR = {"speed": 2e-4, "acceleration": 1e-3, "jerk": 1e-2}  # what no interval is narrower than, half
-_WIDE = {"speed": 0.03, "acceleration": 0.15, "jerk": 0.8}  # half a 90 % interval: a wider one says too little
+_WIDE = {"speed": 0.03, "acceleration": 0.15, "jerk": 0.6}  # half a 90 % interval: a wider one says too little
 # Standard deviations for 90 %: 1.645 for a model that is right; these are what runs with other seeds than those of
 # bench_identify asked for.
-_QUANTILE = {"speed": 2.4, "acceleration": 2.2, "jerk": 3.3}
+_QUANTILE = {"speed": 2.7, "acceleration": 2.6, "jerk": 3.3}
 
 
 class Kind(StrEnum):
@@ -112,48 +115,51 @@ def identify(logs_read: Sequence[Trajectory], limits: JointLimits) -> tuple[list
     return out, seen
 
 
+@dataclass(eq=False)
+class _Batch:
+    """Motions that one axis leads, with the local parameters and the lag that are known of them so far."""
+
+    axis: int
+    motions: list[Recorded]
+    local: list[Array]
+    lag: tuple[float, float]
+
+    def fitted(self, noise: Array, jitter: float) -> Fitted:
+        """A better fit, from which the next one begins."""
+        found = fit(self.motions, self.axis, float(noise[self.axis]), jitter, self.local, self.lag)
+        self.local, self.lag = list(found.local), found.lag
+        return found
+
+    def weighed(self, noise: Array, jitter: float, first: Fitted) -> tuple[Fitted, bool]:
+        """The better of a fit and one that begins without jerk phases, and whether jumping accelerations, with another
+        lag, could not have been it."""
+        own = float(noise[self.axis])
+        without = list(without_jerk(first.local))
+        tried = [fit(self.motions, self.axis, own, jitter, without, lag, jumps=True) for lag in (first.lag, _QUICK)]
+        jumping = min(tried, key=lambda one: one.cost)
+        best = first
+        if jumping.cost < first.cost:
+            again = fit(self.motions, self.axis, own, jitter, list(jumping.local), jumping.lag)
+            best = min(again, jumping, key=lambda one: one.cost)
+        return best, jumping.cost - best.cost > _CERTAIN * best.wider
+
+
 def _of_log(log: Trajectory, found: list[_Motion], covs: list[Array]) -> Seen:
     t, q, period = log.t, log.q, float(np.median(np.diff(log.t)))
     motions, noise, _ = motions_of(t, q)
-    groups: dict[int, list[tuple[Recorded, Array]]] = {}
-    bent = wild = 0
-    for one in motions:
-        axis = int(np.argmax(np.abs(one.way) / noise))
-        if abs(one.way[axis]) < _MOVES * noise[axis] or len(one.t) < 8:
-            wild += 1
-            continue
-        tried = [fit([one], axis, noise[axis], _FIRST_JITTER, [guess]) for guess in guesses(one, axis)]
-        if not tried:
-            wild += 1
-            continue
-        best = min(tried, key=lambda single: single.cost)
-        if best.rough[0] > _ROUGH:
-            wild += 1
-        elif not _straight(one, axis, best, noise):
-            bent += 1
-        else:
-            groups.setdefault(axis, []).append((one, best.local[0]))
-    batches = [
-        (axis, some[i :: -(-len(some) // _MOST)])
-        for axis, some in groups.items()
-        for i in range(-(-len(some) // _MOST))
-    ]
+    batches, bent, wild = _batches(motions, noise)
     jitter, fits = _FIRST_JITTER, []
     for _ in range(2):
-        fits = [fit([one for one, _ in some], a, noise[a], jitter, [p for _, p in some]) for a, some in batches]
-        batches = [
-            (a, [(one, p) for (one, _), p in zip(some, result.local, strict=True)])
-            for (a, some), result in zip(batches, fits, strict=True)
-        ]
-        jitter = clock_jitter(fits, [noise[a] for a, _ in batches]) if fits else 0.0
-    for (axis, some), first in zip(batches, fits, strict=True):
-        result, jerks = _weighed([one for one, _ in some], axis, float(noise[axis]), jitter, first)
+        fits = [batch.fitted(noise, jitter) for batch in batches]
+        jitter = clock_jitter(fits, [noise[batch.axis] for batch in batches]) if fits else 0.0
+    for batch, first in zip(batches, fits, strict=True):
+        result, jerks = batch.weighed(noise, jitter, first)
         value, cov = logs(result.phases, result.cov)
-        for i, (one, _) in enumerate(some):
+        for i, one in enumerate(batch.motions):
             way = np.where(np.abs(one.way) > _MOVES * noise, np.abs(one.way), 0.0)
-            way[axis] = abs(result.local[i, 5])
+            way[batch.axis] = abs(result.local[i, 5])
             off = np.where(way > 0, noise / np.where(way > 0, way, 1.0), 0.0)
-            off[axis] = 0.0
+            off[batch.axis] = 0.0
             x, y, z = result.phases[i]
             # a jerk phase too short to be seen trades with y and z, not with T1 and T2
             here = result.cov[3 * i : 3 * i + 3, 3 * i : 3 * i + 3]
@@ -164,18 +170,36 @@ def _of_log(log: Trajectory, found: list[_Motion], covs: list[Array]) -> Seen:
         covs.append(cov)
     return Seen(
         rows=len(t), seconds=log.duration, period=period, motions=len(motions),
-        fitted=sum(len(some) for _, some in batches), not_straight=bent, not_ramps=wild, jitter=jitter,
-        lags={log.names[a]: result.lag[0] for (a, _), result in zip(batches, fits, strict=True)},
+        fitted=sum(len(batch.motions) for batch in batches), not_straight=bent, not_ramps=wild, jitter=jitter,
+        lags={log.names[batch.axis]: batch.lag[0] for batch in batches},
     )  # fmt: skip
 
 
-def _weighed(motions: Sequence[Recorded], axis: int, noise: float, jitter: float, first: Fitted) -> tuple[Fitted, bool]:
-    """The better of the fit with jerk phases and one that begins without, and whether jumping accelerations, with
-    another lag, could not have been it."""
-    jumping = fit(motions, axis, noise, jitter, list(without_jerk(first.local)), jumps=True)
-    again = fit(motions, axis, noise, jitter, list(jumping.local))
-    best = min(first, again, key=lambda one: one.cost)
-    return best, jumping.cost - best.cost > _CERTAIN * best.wider
+def _batches(motions: Sequence[Recorded], noise: Array) -> tuple[list[_Batch], int, int]:
+    """The motions that can be fitted, by the axis that leads; how many are not straight, and how many no ramps."""
+    groups: dict[int, list[tuple[Recorded, Fitted]]] = {}
+    bent = wild = 0
+    for one in motions:
+        axis = int(np.argmax(np.abs(one.way) / noise))
+        few = one.thinned(_THIN)
+        tried = []
+        if abs(one.way[axis]) > _MOVES * noise[axis] and len(one.t) >= _ROWS:
+            tried = [fit([few], axis, noise[axis], _FIRST_JITTER, [guess]) for guess in guesses(few, axis)]
+        best = min(tried, key=lambda single: single.cost, default=None)
+        if best is None or best.rough[0] > _ROUGH:
+            wild += 1
+        elif not _straight(few, axis, best, noise):
+            bent += 1
+        else:
+            groups.setdefault(axis, []).append((one, best))
+    out = []
+    for axis, some in groups.items():
+        parts = -(-len(some) // _MOST)
+        for part in (some[i::parts] for i in range(parts)):
+            b1, beta = np.median([best.lag for _, best in part], axis=0)
+            lag = (float(b1), float(beta))
+            out.append(_Batch(axis, [one for one, _ in part], [best.local[0] for _, best in part], lag))
+    return out, bent, wild
 
 
 def _straight(one: Recorded, axis: int, single: Fitted, noise: Array) -> bool:

@@ -26,6 +26,11 @@ class Recorded:
     begin: int
     end: int
 
+    def thinned(self, rows: int) -> Recorded:
+        """The same in at most about so many rows."""
+        k = max(len(self.t) // rows, 1)
+        return Recorded(self.t[::k], self.q[::k], self.way, -(-self.begin // k), -(-self.end // k))
+
 
 def noise_of(t: Array, q: Array, resting: BoolArray) -> Array:
     """Standard deviation (k,) of the positions at rest, rounding included; at least that of the rounding."""
