@@ -1,10 +1,10 @@
 """Limits identified from simulated logs whose truth is hidden: how often it lies inside the stated interval, how wide
 that is, and how far the estimate of another program is off with what was identified.
 
-python tests/benchmarks/bench_identify.py [--runs 100] [--first 0] [--jobs N] [--no-cycles]
+python tests/benchmarks/bench_identify.py [--runs 100] [--first 1000] [--jobs N] [--no-cycles]
 
 Every run is another robot (half of them with limited jerk), another recorder and another program. The numbers of
-trajopt_cli/measured were settled on runs from 9000 on; those from 0 on are for the table.
+trajopt_cli/measured were settled on runs from 9000 on; those from 1000 on are for the table.
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ def told(seed: int, one: Outcome) -> None:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--runs", type=int, default=100)
-    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--first", type=int, default=1000)
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--no-cycles", action="store_true")
     options = parser.parse_args()

@@ -115,7 +115,7 @@ def identification_moves(rng: np.random.Generator, slow: Sequence[int] = ()) -> 
     return start, moves
 
 
-def working_moves(rng: np.random.Generator, start: np.ndarray, driven: Sequence[int], count: int = 14) -> list[Move]:
+def working_moves(rng: np.random.Generator, start: np.ndarray, driven: Sequence[int], count: int = 8) -> list[Move]:
     """Another program: joint moves of one to all of the axes that may be driven."""
     q, moves = start, []
     for _ in range(count):

@@ -40,7 +40,7 @@ _FLOOR = {"speed": 2e-4, "acceleration": 1e-3, "jerk": 1e-2}  # what no interval
 _WIDE = {"speed": 0.03, "acceleration": 0.15, "jerk": 0.6}  # half a 90 % interval: a wider one says too little
 # Standard deviations for 90 %: 1.645 for a model that is right; these are what runs with other seeds than those of
 # bench_identify asked for.
-_QUANTILE = {"speed": 2.7, "acceleration": 2.6, "jerk": 3.3}
+_QUANTILE = {"speed": 2.7, "acceleration": 2.8, "jerk": 3.3}
 
 
 class Kind(StrEnum):
@@ -130,10 +130,10 @@ class _Batch:
         self.local, self.lag = list(found.local), found.lag
         return found
 
-    def weighed(self, noise: Array, jitter: float, first: Fitted) -> tuple[Fitted, bool]:
+    def weighed(self, noise: Array, jitter: float) -> tuple[Fitted, bool]:
         """The better of a fit and one that begins without jerk phases, and whether jumping accelerations, with another
         lag, could not have been it."""
-        own = float(noise[self.axis])
+        own, first = float(noise[self.axis]), self.fitted(noise, jitter)  # the same weights for all that are compared
         without = list(without_jerk(first.local))
         tried = [fit(self.motions, self.axis, own, jitter, without, lag, jumps=True) for lag in (first.lag, _QUICK)]
         jumping = min(tried, key=lambda one: one.cost)
@@ -148,12 +148,12 @@ def _of_log(log: Trajectory, found: list[_Motion], covs: list[Array]) -> Seen:
     t, q, period = log.t, log.q, float(np.median(np.diff(log.t)))
     motions, noise, _ = motions_of(t, q)
     batches, bent, wild = _batches(motions, noise)
-    jitter, fits = _FIRST_JITTER, []
+    jitter = _FIRST_JITTER
     for _ in range(2):
         fits = [batch.fitted(noise, jitter) for batch in batches]
         jitter = clock_jitter(fits, [noise[batch.axis] for batch in batches]) if fits else 0.0
-    for batch, first in zip(batches, fits, strict=True):
-        result, jerks = batch.weighed(noise, jitter, first)
+    for batch in batches:
+        result, jerks = batch.weighed(noise, jitter)
         value, cov = logs(result.phases, result.cov)
         for i, one in enumerate(batch.motions):
             way = np.where(np.abs(one.way) > _MOVES * noise, np.abs(one.way), 0.0)
