@@ -26,11 +26,9 @@ def lever_bars(
 def levers_figure(bars: Sequence[tuple[str, float, float | None]], cycle: float, title: str) -> Figure:
     """The figure of lever_bars; call it in house_style."""
     shown = bars[:MOST]
-    below = f"{title} · nothing that was asked saves a millisecond"
-    if shown:
-        more = f", the first {MOST} of {len(bars)}" if len(bars) > MOST else ""
-        below = f"{title} · cycle {cycle:.3f} s, one change at a time{more}"
-    figure = new_figure(1.9 + 0.4 * max(1, len(shown)), "Seconds that each change saves", below)
+    more = f" (the first {MOST} of {len(bars)})" if len(bars) > MOST else ""
+    below = f"{title} · cycle {cycle:.3f} s" if shown else f"{title} · nothing that was asked saves a millisecond"
+    figure = new_figure(1.9 + 0.4 * max(1, len(shown)), f"Seconds that each change saves, one at a time{more}", below)
     axes = figure.subplots()
     for row, (_, saved, foretold) in enumerate(shown):
         axes.barh(row, saved, 0.64, color=BLUE)

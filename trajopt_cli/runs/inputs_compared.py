@@ -105,7 +105,9 @@ def _flat(value: Any, path: str) -> Iterator[tuple[str, str]]:
 
 
 def _text(value: Any) -> str:
-    """As JSON, but for a text, which stands as it is."""
+    """As JSON, but for texts, which stand as they are."""
+    if isinstance(value, list) and value and all(isinstance(one, str) for one in value):
+        return ", ".join(value)
     return value if isinstance(value, str) else json.dumps(value, ensure_ascii=False, default=str)
 
 
