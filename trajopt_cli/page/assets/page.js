@@ -246,6 +246,6 @@
         setTimeout(next);
       }
     };
-    requestAnimationFrame(() => setTimeout(next));
+    requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(next)));
   });
 })();
