@@ -125,7 +125,7 @@ def _rows(rows: Sequence[Compared]) -> str:
         )
         report = row.shown.report
         breaks = "" if report is None else next((one.check for one in report.findings if not one.passed), "")
-        word = '<span class="good">yes</span>' if row.legal else f'<span class="bad">no: {text(breaks)}</span>'
+        word = '<span class="good">yes</span>' if row.legal else f'<span class="bad w">no: {text(breaks)}</span>'
         saving = "" if row.saving is None else f"{100 * row.saving:.1f} %".replace("-", "−")
         bound = "" if row.bound is None else seconds(row.bound)
         cells.append((_named(row), text(row.target), seconds(time), bar, saving, bound, word))

@@ -119,5 +119,6 @@ _TRANSPORT = f"""<div id="transport" role="group" aria-label="Playback">
 <button type="button" id="play" aria-pressed="false">Play</button>
 <input type="range" id="time" min="0" max="1" step="any" value="0" aria-label="Time in the cycle">
 <div id="clocks"></div>
+<button type="button" id="whole" hidden>Whole cycle</button>
 <label>Speed <select id="rate">{_SPEEDS}</select></label>
 </div>"""

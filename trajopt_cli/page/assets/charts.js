@@ -298,7 +298,7 @@
       const y = (value) => area.y1 - ((value - low) / (high - low)) * (area.y1 - area.y0);
       const x = (time) => this.panel.x(time);
       const { spec } = this;
-      const { values, digits } = ticks(low, high, Math.max(2, Math.floor((area.y1 - area.y0) / 34)));
+      const { values, digits } = ticks(low, high, Math.max(3, Math.floor((area.y1 - area.y0) / 28)));
       pen.textAlign = "right";
       pen.textBaseline = "middle";
       for (const value of values) {

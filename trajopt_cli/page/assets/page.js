@@ -182,6 +182,9 @@
       if (clock.playing) zoom.show(time);
     });
     on("selection", renew);
+    const whole = document.getElementById("whole");
+    whole.addEventListener("click", () => zoom.all());
+    on("zoom", () => (whole.hidden = zoom.to - zoom.from > clock.duration - 1e-6));
     document.addEventListener("keydown", keys);
   }
 
