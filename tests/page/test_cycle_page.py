@@ -22,6 +22,7 @@ from trajopt_cli.page.listing import AROUND, WHOLE, sources_data
 from trajopt_cli.page.optimised import Provenance, optimised_page
 from trajopt_cli.page.samples import GAP, sample_times
 from trajopt_cli.page.waterfall import Bar, by_motion, waterfall
+from trajopt_cli.problem.constant_speed import Dip, Stretch, Why
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.runs.results import Judged
 from trajopt_cli.runs.rows import RowsFile
@@ -30,6 +31,7 @@ from trajopt_cli.trajectory import Trajectory, hermite
 RAIL, BARE = drawn(rail=True), drawn(rail=False)
 LEGAL = Report((Finding("joint speed", "joint_1", 1.25, 2.5, "rad/s", True, 0.5),))
 HOSTILE = "! </script><script>alert(1)</script> <!-- & \u2028"
+DRAWN_AT = RAIL.program.motions[0].source
 MADE = Provenance([("made by", "a test")], {"t.mod": "abc"})
 
 
@@ -42,12 +44,21 @@ def slower(plan: Plan, factor: float = 1.5) -> Plan:
     return replace(plan, target=Target.RAPID, trajectory=trajectory, motions=motions, lower_bound=None)
 
 
-def made(case: Any = RAIL, program: Program | None = None, written: Plan | str | None = None) -> str:
+def made(case: Any = RAIL, program: Program | None = None, written: Plan | str | None = None, kept: Any = None) -> str:
     rapid = replace(case.plan, target=Target.RAPID)
     plans = {Target.STREAM: Judged(case.plan, RowsFile(), LEGAL), Target.RAPID: Judged(rapid, RowsFile(), LEGAL)}
     before = slower(case.plan) if written is None else written
     return optimised_page(
-        "t.mod", program or case.program, case.plant, Target.STREAM, plans, before, ["a warning"], ["a note"], MADE
+        "t.mod",
+        program or case.program,
+        case.plant,
+        Target.STREAM,
+        plans,
+        before,
+        ["a warning"],
+        ["a note"],
+        MADE,
+        kept,
     ).decode()
 
 
@@ -178,6 +189,21 @@ def test_rows_that_bend_are_kept_and_rows_on_a_line_are_not() -> None:
     assert len(sample_times(calm, limits, np.array([]))) == pytest.approx(250, abs=2)
     marked = sample_times(calm, limits, np.array([0.457]))
     assert 0.457 in np.round(marked, 9)
+
+
+def test_where_the_speed_should_be_kept_and_is_not_is_marked_and_told() -> None:
+    where = (0, DRAWN_AT, "MoveL <p>", 0.0123, 0.5, 0.25, 0.4, 0.5, 0.25, 0.0625)
+    dip = Dip(*where, Why.STOP, "stop & fine", "joint_1 acceleration", 1.0, "")
+    stretches = {
+        Target.STREAM: (Stretch(0, 2, 0.0, 1.0, 0.8, (dip,)),),
+        Target.RAPID: (Stretch(0, 2, 0.0, 1.0, 0.8, ()),),
+    }
+    page = made(kept=stretches)
+    assert [cycle["dips"] for cycle in data_of(page)["cycles"]] == [[], [[0.5, 0.75]], []]
+    assert "stream plan: 800.0 mm should keep the programmed speed within 1 %; where they do not" in page
+    assert "<td>MoveL &lt;p&gt;</td>" in page
+    assert "<td>stop &amp; fine, limited by joint_1 acceleration</td>" in page
+    assert "rapid plan: 800.0 mm should keep the programmed speed, and do within 1 %." in page
 
 
 def test_a_long_wait_is_two_rows() -> None:

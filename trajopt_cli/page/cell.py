@@ -19,6 +19,7 @@ from trajopt_cli.page.cycles import (
 )
 from trajopt_cli.page.document import Section
 from trajopt_cli.page.encode import text
+from trajopt_cli.page.kept_speed import kept_speed
 from trajopt_cli.page.listing import sources_data
 from trajopt_cli.page.scene import HOLDER, SCRIPTS, plan_cycle, plant_scene, program_points
 from trajopt_cli.problem.plan import Plan
@@ -84,9 +85,11 @@ def program_section(user: Program, shown: Sequence[Shown], at_first: Sequence[in
     return Section("program", "Motions and their lines", html, lead)
 
 
-def chart_sections(plant: Plant, data: Mapping[str, Any]) -> list[Section]:
-    """Axes against their limits, the rail, the tool's speed."""
+def chart_sections(plant: Plant, data: Mapping[str, Any], shown: Sequence[Shown]) -> list[Section]:
+    """Axes against their limits, the rail, the tool's speed and where it should have been kept."""
     rest = '<li class="swatch rest">wait</li>'
+    dips = any(cycle["dips"] for cycle in data["cycles"])
+    dip = '<li class="swatch dip">slower than it should keep</li>' if dips else ""
     axes = Section(
         "axes",
         "Axes",
@@ -99,7 +102,7 @@ def chart_sections(plant: Plant, data: Mapping[str, Any]) -> list[Section]:
         "speed",
         "Tool speed",
         '<figure class="chart" id="tcp-chart"></figure><ul class="legend"><li class="swatch speed">programmed, at most '
-        f"the cap</li>{rest}</ul>",
+        f"the cap</li>{dip}{rest}</ul>{''.join(map(kept_speed, shown))}",
     )
     if not plant.robot.has_rail:
         return [axes, speed]

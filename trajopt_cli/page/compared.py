@@ -73,7 +73,7 @@ def compared_page(
     if shown:
         own = next((one.plan for one in reversed(shown) if one.program is program and one.plan.motions), None)
         data = cell_data(plant, program, shown, at_first, own)
-        sections += [motion_section(), program_section(program, shown, at_first), *chart_sections(plant, data)]
+        sections += [motion_section(), program_section(program, shown, at_first), *chart_sections(plant, data, shown)]
         said = "".join(
             judged(row.name, one.report, False) for row, one in zip(moving, shown, strict=True) if one.report
         )

@@ -15,6 +15,7 @@ from trajopt_cli.geometry import BoolArray
 from trajopt_cli.motion import MoveC, MoveExtJ, MoveL, Program, SignalEvent, Source, Wait
 from trajopt_cli.page.encode import block
 from trajopt_cli.page.samples import sample_times
+from trajopt_cli.problem.constant_speed import Stretch
 from trajopt_cli.problem.course import Course, follow, programmed_speed, target_flange
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
@@ -31,12 +32,13 @@ _RESTS = 1e-9  # rad, m and per second: rounding
 @dataclass(frozen=True, eq=False)
 class Shown:
     """A motion on a page. name: for people. program: what it carries out. plan: without motions where only its rows are
-    known. report: the judge's word, None where it was not asked."""
+    known. report: the judge's word, None where it was not asked. stretches: that should keep their programmed speed."""
 
     name: str
     program: Program
     plan: Plan
     report: Report | None = None
+    stretches: Sequence[Stretch] = ()
 
 
 def programs_of(user: Program, shown: Sequence[Shown]) -> tuple[list[Program], list[int]]:
@@ -70,6 +72,11 @@ def cycle_data(plant: Plant, one: Shown, program: int, coarse: float = 1.0) -> d
         "speed": block(np.linalg.norm(course.V_WT[:, :3], axis=1)),
         "legs": legs,
         "programmed": _programmed(course),
+        "dips": [
+            [dip.start - plan.trajectory.t[0], dip.start + dip.duration - plan.trajectory.t[0]]
+            for stretch in one.stretches
+            for dip in stretch.dips
+        ],
     }
 
 

@@ -13,6 +13,7 @@ from trajopt_cli.page.encode import text
 from trajopt_cli.page.tables import facts
 from trajopt_cli.page.trust import GRADES, doubts, hashes, judged, limits
 from trajopt_cli.page.waterfall import Bar, by_motion, signed, waterfall
+from trajopt_cli.problem.constant_speed import Stretch
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.runs.results import Judged, motion_label
@@ -39,15 +40,24 @@ def optimised_page(
     warnings: Sequence[str],
     notes: Sequence[str],
     made: Provenance,
+    kept_speed: Mapping[Target, Sequence[Stretch]] | None = None,
 ) -> bytes:
     """The page's bytes, the same for the same arguments. target: the plan that is shown; the other one can be chosen.
 
     title: the program's name for people. written: the program as it stands, with all its rows, or why it cannot be
-    driven so. warnings, notes: as printed. Raises ValueError for a trajectory without speeds.
+    driven so. warnings, notes: as printed. kept_speed: the stretches that should keep their speed, if any. Raises
+    ValueError for a trajectory without speeds.
     """
     other = next(one for one in Target if one is not target)
     before = [Shown(WRITTEN, program, written)] if isinstance(written, Plan) else []
-    shown = [*before, *(Shown(f"{one} plan", program, plans[one].plan, plans[one].report) for one in (target, other))]
+    kept = kept_speed or {}
+    shown = [
+        *before,
+        *(
+            Shown(f"{one} plan", program, plans[one].plan, plans[one].report, kept.get(one, ()))
+            for one in (target, other)
+        ),
+    ]
     at_first = [0, 1] if before else [0]
     chosen = plans[target].plan
     data = cell_data(plant, program, shown, at_first, chosen)
@@ -55,7 +65,7 @@ def optimised_page(
         motion_section(),
         *_saving(program, target, chosen, written),
         program_section(program, shown, at_first),
-        *chart_sections(plant, data),
+        *chart_sections(plant, data, shown),
         Section(
             "judge",
             "Judge",

@@ -158,7 +158,7 @@ def optimise(
         cycle_time=objective.seconds if isinstance(objective, LeastEffort) else None,
     )
     with clock.phase("page"):
-        files[REPORT] = _page(job, target, judged, written, notices, notes, inputs, options)
+        files[REPORT] = _page(job, target, judged, written, notices, notes, inputs, options, kept_speed)
     if plots:
         listen("results", Progress("plots"))
         with clock.phase("plots"):
@@ -248,15 +248,15 @@ def _page(
     notes: tuple[str, ...],
     inputs: Mapping[str, InputFile],
     options: PlanOptions,
+    kept_speed: Mapping[Target, tuple[Stretch, ...]],
 ) -> bytes:
     """report.html, which shows all of this."""
     from trajopt_cli.page.optimised import Provenance, optimised_page
 
     made = made_by("optimize", PlanRecord, options)
     files = {path: sha256(given.content) for path, given in inputs.items()}
-    return optimised_page(
-        job.title, job.program, job.plant, target, judged, written, notices, notes, Provenance(made, files)
-    )
+    given = Provenance(made, files)
+    return optimised_page(job.title, job.program, job.plant, target, judged, written, notices, notes, given, kept_speed)
 
 
 def made_by(command: str, model: type[RunRecord[Any]], options: Section) -> list[tuple[str, str]]:

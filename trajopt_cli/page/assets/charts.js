@@ -2,7 +2,7 @@
 //
 // data.charts[name] draws itself in <figure data-chart="name">:
 //   {title, unit, digits, zero, height, series: [{name, t: "array", y: "array", column, scale, style, cycle}],
-//    limits: [{value, name}], spans: [[from, to]], steps: [{from, to, y}], marks: [{t, to, low, high}], points: [{t, y}]}
+//    limits: [{value, name}], spans: [[from, to]], alerts: [[from, to]], steps: [{from, to, y}], marks: [{t, to, low, high}], points: [{t, y}]}
 // where t and y name blocks in data.arrays. style: "before", "after" or "a" to "f".
 "use strict";
 (() => {
@@ -318,6 +318,8 @@
       pen.clip();
       pen.fillStyle = color("wait");
       for (const [from, to] of spec.spans || []) pen.fillRect(x(from), area.y0, Math.max(x(to) - x(from), 1), area.y1 - area.y0);
+      pen.fillStyle = color("alert");
+      for (const [from, to] of spec.alerts || []) pen.fillRect(x(from), area.y0, Math.max(x(to) - x(from), 1), area.y1 - area.y0);
       this.marks(pen, x, y);
       this.limits(pen, area, y);
       pen.setLineDash([]);

@@ -167,7 +167,7 @@
     if (!host) return;
     const one = after();
     drawn.push(new page.LineChart(host, {
-      title: "TCP speed", unit: "mm/s", digits: 0, zero: true, height: 260, spans: spans(),
+      title: "TCP speed", unit: "mm/s", digits: 0, zero: true, height: 260, spans: spans(), alerts: one.dips,
       label: `Speed of the tool centre point against the programmed speed and the cap of ${figure(data.cap * MM, 0)} mm/s`,
       limits: [{ value: data.cap * MM, name: `cap ${figure(data.cap * MM, 0)} mm/s` }],
       steps: one.programmed.map(([from, to, v]) => ({ from, to, y: v * MM })),
