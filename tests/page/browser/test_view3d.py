@@ -164,6 +164,29 @@ def test_a_point_is_named_with_its_place(window: Window, arm_page: Path) -> None
     assert tip.text == "p_far (400.0, 200.0, 900.0) mm · a.mod:7"
 
 
+def test_a_click_on_a_point_goes_to_when_the_tool_is_there(window: Window, rail_page: Path) -> None:
+    from selenium.webdriver import ActionChains
+    from selenium.webdriver.common.by import By
+    from selenium.webdriver.support.select import Select
+
+    window.open(rail_page, *SMALL)
+    first, _, second, _ = DRAWN.plan.motions
+    script = "return TrajoptPage.view3d.timeAt(arguments[0], TrajoptPage.data.scene.points[arguments[1]].position)"
+    choice = window.chrome.find_element(By.CSS_SELECTOR, ".v3d-tools select")
+    Select(choice).select_by_index(1)  # behind "none"
+    window.settle()
+    tip, stage = (window.chrome.find_element(By.CSS_SELECTOR, name).rect for name in (".v3d-tip", ".v3d-stage"))
+    spot = tip["x"] + tip["width"] / 2 - stage["x"], tip["y"] + tip["height"] + 12 - stage["y"]
+    middle = stage["width"] / 2, stage["height"] / 2
+    canvas = window.chrome.find_element(By.CSS_SELECTOR, ".v3d-stage canvas")
+    aside = [int(one - half) for one, half in zip(spot, middle, strict=True)]
+    ActionChains(window.chrome, duration=0).move_to_element_with_offset(canvas, *aside).click().perform()
+    assert window.run("return TrajoptPage.clock.time") == pytest.approx(SLOWER * first.t_1, abs=0.03)
+    for point, planned in ((0, first), (1, second)):
+        assert window.run(script, 1, point) == pytest.approx(planned.t_1, abs=0.03)
+        assert window.run(script, 0, point) == pytest.approx(SLOWER * planned.t_1, abs=0.03)
+
+
 def test_what_a_screen_reader_is_told(window: Window, arm_page: Path) -> None:
     window.open(arm_page)
     slide(window, 1.0)

@@ -1,8 +1,9 @@
 // The 3-D view: robot, rail, path, points and obstacles of the chosen cycles side by side, each at its own time.
 //
-// TrajoptView3D.create(element, scene, options) -> {setTime(t), resize(), dispose(), poseOf(cycle, t) -> 16 numbers,
-// the tool in the world row by row, describe(), select(cycles)}. scene: of page/scene.py. options: decode (of blocks),
-// pick(point, cycle) for a click on a point. An element with data-scene gets data.scene, on the page's clock.
+// TrajoptView3D.create(element, scene, options) -> {setTime(t), resize(), dispose(), select(cycles), theme(), describe(),
+// poseOf(cycle, t) -> 16 numbers, the tool in the world row by row, timeAt(cycle, p) -> when it is nearest to a point}.
+// scene: of page/scene.py. options: decode (of blocks), pick(point, cycle) for a click on a point. An element with
+// data-scene gets data.scene, on the page's clock.
 "use strict";
 (() => {
   const { times, at, Motion, Camera, onScreen } = window.TrajoptView3DMotion;
@@ -15,7 +16,7 @@
   const NEAR = 14; // px from the pointer to a point that is meant
   const VIEWS = [["iso", "Iso"], ["front", "Front"], ["side", "Side"], ["top", "Top"], ["path", "Path"]];
   const HELP =
-    "Drag to turn, with Shift to move. With the view in focus: arrow keys turn, + and − or the wheel zoom, " +
+    "Drag to turn, with Shift to move; a click on a point goes to when the tool is there. With the view in focus: arrow keys turn, + and − or the wheel zoom, " +
     "1 to 5 choose a view, 0 resets.";
 
   function make(tag, attributes = {}, ...children) {
@@ -593,6 +594,7 @@
       setTime: (time) => view.setTime(time),
       resize: () => view.resize(),
       dispose: () => view.dispose(),
+      timeAt: (cycle, point) => view.cycles[cycle].timeAt(point),
       poseOf: (cycle, time = view.time) => view.cycles[cycle].pose(time),
       describe: () => view.describe(),
       select: (cycles) => view.select(cycles),
@@ -605,7 +607,8 @@
     window.TrajoptPage.register(() => {
       const page = window.TrajoptPage;
       for (const element of document.querySelectorAll("[data-scene]")) {
-        const view = create(element, page.data.scene, {});
+        const pick = (point, cycle) => page.clock.seek(view.timeAt(cycle, point.position));
+        const view = create(element, page.data.scene, { pick });
         page.view3d = view;
         view.select(page.selection.shown);
         page.clock.on((time) => view.setTime(time));

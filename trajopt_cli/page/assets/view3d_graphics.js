@@ -127,7 +127,7 @@ window.TrajoptView3DGraphics = (() => {
       if (A.w < 0.01 || B.w < 0.01) { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); return; }
       vec2 d = (B.xy / B.w - A.xy / A.w) * port; float l = length(d); d = l > 1e-5 ? d / l : vec2(1.0, 0.0);
       vec4 P = corner.y > 0.5 ? B : A; float w = width * style.x;
-      P.xy += (vec2(-d.y, d.x) * corner.x + d * (2.0 * corner.y - 1.0) * 0.5) * w / port * P.w;
+      P.xy += vec2(-d.y, d.x) * corner.x * w / port * P.w;
       P.z -= 0.0004 * P.w; gl_Position = P; }`,
     `precision mediump float; uniform vec4 color; uniform highp float now; varying vec2 s;
     void main() { gl_FragColor = vec4(color.rgb, color.a * s.x * (s.y > now ? 0.3 : 1.0)); }`,

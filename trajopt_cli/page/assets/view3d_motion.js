@@ -97,6 +97,23 @@ window.TrajoptView3DMotion = (() => {
       return times(frames[frames.length - 1], this.tool(time));
     }
 
+    // When the tool is first as near to a point as it ever is, to a tenth of a millimetre.
+    timeAt(point) {
+      let [best, when] = [Infinity, 0];
+      const p = (i) => [0, 1, 2].map((k) => this.path[3 * i + k]);
+      for (let i = 0; i + 1 < this.pathTimes.length; i++) {
+        const [a, b] = [p(i), p(i + 1)];
+        const way = b.map((v, k) => v - a[k]);
+        const long = dot(way, way);
+        const share = long ? Math.min(Math.max(dot(way, point.map((v, k) => v - a[k])) / long, 0), 1) : 0;
+        const away = Math.hypot(...point.map((v, k) => v - a[k] - share * way[k]));
+        if (away < best - 1e-4) {
+          [best, when] = [away, this.pathTimes[i] + share * (this.pathTimes[i + 1] - this.pathTimes[i])];
+        }
+      }
+      return when;
+    }
+
     isDriven(time) {
       return this.driven.some(([from, to]) => time >= from && time <= to);
     }
