@@ -202,7 +202,8 @@ def simulate(
 ) -> None:
     """Run the admittance controller on the sequence: how far the arm lags, where, and with which force it would push.
 
-    Writes simulation.csv into RESULTS. Exit code 1 when the controller is unstable, or a joint limit stops its loop.
+    Writes simulation.csv and report.html into RESULTS. Exit code 1 when the controller is unstable, or a joint limit
+    stops its loop.
 
     \b
     Example:
@@ -234,7 +235,7 @@ def simulate(
         console = stdout()
         show(console, stability_table(answer.axes, answer.opened.equilibrium.h))
         tell(console, (*lag_lines(answer), *contact_lines(answer), *loop_time_line(answer)))
-        tell(console, [f"written to {results / 'simulation.csv'}"])
+        tell(console, [f"written to {results}: report.html (open it in a browser), simulation.csv"])
     if plots is not None:
         from trajopt_cli.compliance.job.drawing import simulation_pictures
 
@@ -341,7 +342,7 @@ def dose(
         tell(console, dose_lines(answer))
         if answer.front:
             show(console, front_table(answer))
-        tell(console, [f"written to {folder}"])
+        tell(console, [f"written to {folder}: report.html (open it in a browser) and the sequence"])
     if plots is not None:
         from trajopt_cli.compliance.job.drawing import dose_pictures
 
@@ -391,7 +392,7 @@ def experiments(
     if quiet and not as_json:
         result(f"written to {output}: {count} files")
     else:
-        said(quiet)(f"written to {output}: {count} files")
+        said(quiet)(f"written to {output}: report.html (open it in a browser) and {count - 1} files more")
 
 
 def _check_results(results: Path) -> None:

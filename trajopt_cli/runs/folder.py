@@ -30,8 +30,8 @@ _COMMANDS = {
     COMPARISON: "compare baseline",
 }
 """What makes a folder of each kind."""
-_REPORTS = {PLAN: "optimize", TASK: "iiwa simulate", EXPERIMENTS: "iiwa experiments"}
-"""What writes a folder's page."""
+_REPORTS = _COMMANDS | {TASK: "iiwa simulate"}
+"""What writes a folder's page; sensitivity writes none."""
 _FOREIGN, _ANEW = "was not written by trajopt", "move the folder away and make it again"
 Record = TypeVar("Record", bound=RunRecord[Any])
 
@@ -150,7 +150,7 @@ def read_report(folder: Path) -> bytes:
     is none, and for one that was changed."""
     record = _record(folder, RunRecord[Any])
     if REPORT not in record.files:
-        wanted = _REPORTS.get(record.kind)
+        wanted = None if record.kind == SENSITIVITY else _REPORTS.get(record.kind)
         advice = f"; run trajopt {wanted} again" if wanted else ""
         raise InputError(f"has no {REPORT}{advice}", file=str(folder))
     content = _read_listed(folder, REPORT)
