@@ -442,6 +442,7 @@ def test_help_lists_every_command(capsys: pytest.CaptureFixture[str]) -> None:
         "robot",
         "sensitivity",
         "verify",
+        "view",
     ]
     assert run(["--version"]) == 0
     assert re.fullmatch(r"trajopt \d+\.\d+\.\d+\n", capsys.readouterr().out)
