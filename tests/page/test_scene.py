@@ -125,6 +125,23 @@ def test_obstacles_and_what_the_flange_carries() -> None:
     assert torch["link"] == len(scene["chain"]) - 1
 
 
+def test_a_fine_mesh_is_drawn_coarser_with_the_same_outline() -> None:
+    u, v = np.meshgrid(np.linspace(0, 2 * np.pi, 301), np.linspace(0, np.pi, 201), indexing="ij")
+    ball = np.stack([np.sin(v) * np.cos(u), np.sin(v) * np.sin(u), np.cos(v)], axis=-1).reshape(-1, 3)
+    corner = (np.arange(300)[:, None] * 201 + np.arange(200)).ravel()
+    fine = np.concatenate([corner[:, None] + [0, 201, 202], corner[:, None] + [0, 202, 1]])
+    robot = plant_without_rail().robot
+    shapes = [Mesh("ball", ball, fine, PLACE), Mesh("tip", np.eye(3), np.array([[0, 1, 2]]))]
+    drawn, tip = robot_scene(robot, [], [], shapes)["static"]
+    vertices, triangles = unpacked(drawn["vertices"]), unpacked(drawn["triangles"])
+    assert len(fine) == 120_000
+    assert 10_000 < len(triangles) <= 30_000
+    np.testing.assert_allclose(np.linalg.norm(vertices, axis=1), 1.0, atol=1e-6)
+    np.testing.assert_allclose([vertices.min(axis=0), vertices.max(axis=0)], [[-1] * 3, [1] * 3], atol=0.02)
+    assert triangles.max() == len(vertices) - 1
+    assert len(unpacked(tip["triangles"])) == 1
+
+
 def test_a_robot_without_shapes_is_drawn_by_rods_between_its_joints() -> None:
     robot = replace(plant_without_rail().robot, capsules={})
     scene = robot_scene(robot, [], [])

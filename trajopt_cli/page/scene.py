@@ -31,6 +31,7 @@ _MOST_ROWS = 20_000
 _FLAT, _CHORD = 5e-5, 0.02  # m: what a point of a drawn path may be off at each level, and how far they are apart
 _LEVELS = 8
 _SAME = 1e-9  # s
+_MOST_TRIANGLES, _CELLS = 60_000, 400  # of all meshes of a scene: 1.5 MB; of a mesh' longest side, to begin with
 _BEAM, _PLATE = (0.3, 0.1), (0.42, 0.03)  # m, width and height of the rail's beam and of the carriage's plate
 _BONE = 0.035  # m, radius of a link of which no shape is known
 
@@ -121,6 +122,10 @@ def robot_scene(
 
     stroke: lowest and highest rail position [m], None without a rail.
     """
+    obstacles, carried = list(obstacles), list(carried)
+    meshes = sum(isinstance(one, Mesh) for one in (*obstacles, *carried))
+    most = _MOST_TRIANGLES // max(meshes, 1)
+    obstacles, carried = ([_coarse(one, most) for one in shapes] for shapes in (obstacles, carried))
     chain, frames = _chain(robot)
     base = robot.X_WR if isinstance(robot, RobotModel) else robot.X_WB
     bodies = [_shape(capsule) | {"link": frames[link], "role": "link"} for link, capsule in robot.capsules.items()]
@@ -202,6 +207,24 @@ def _rail(robot: RobotModel, stroke: tuple[float, float]) -> tuple[Box, Box]:
     return Box("rail", np.array([length, width, height]), beam), Box(
         "carriage", np.array([plate, plate, thick]), carriage
     )
+
+
+def _coarse(shape: Shape | MeshFile, most: int) -> Shape | MeshFile:
+    """A mesh of at most so many triangles, its vertices drawn together within cells of a grid; all else as it is."""
+    if not isinstance(shape, Mesh) or len(shape.triangles) <= most:
+        return shape
+    low = shape.vertices.min(axis=0)
+    cell = float(np.ptp(shape.vertices, axis=0).max()) / _CELLS
+    while True:
+        _, first, cluster = np.unique(
+            np.round((shape.vertices - low) / cell), axis=0, return_index=True, return_inverse=True
+        )
+        triangles = cluster.reshape(-1)[shape.triangles]
+        a, b, c = triangles.T
+        triangles = triangles[(a != b) & (b != c) & (c != a)]
+        if len(triangles) <= most:
+            return Mesh(shape.name, shape.vertices[first], triangles, shape.X)
+        cell *= 1.25
 
 
 def _shape(shape: Shape | MeshFile) -> dict[str, Any]:
