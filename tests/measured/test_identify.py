@@ -3,12 +3,10 @@ tests/benchmarks/bench_identify.py."""
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
-from measured.campaign import CELL, one_run, truth_of
+from measured.campaign import CELL, Outcome, one_run, truth_of
 from measured.simulated_log import NAMES, Move, Recorder, Robot, drive, identification_moves, random_robot, record
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.measured.identify import Kind, Limit, identify
@@ -104,14 +102,17 @@ def test_an_axis_that_rides_along_is_not_taken_for_the_one_that_limits(robot: Ro
         assert "another axis may be what limits it" in found[axis, "speed"].why
 
 
-def test_jerk_limited_ramps_give_the_jerk() -> None:
-    one = one_run(9006, None)  # 12 ms
-    stated = [limit for limit in one.limits if limit.inside is not None]
+@pytest.fixture(scope="module")
+def jerky(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
+    return one_run(9007, tmp_path_factory.mktemp("work"))  # 24 ms
+
+
+def test_jerk_limited_ramps_give_the_jerk(jerky: Outcome) -> None:
+    stated = [limit for limit in jerky.limits if limit.inside is not None]
     assert {limit.kind for limit in stated} == {"speed", "acceleration", "jerk"}
     assert all(limit.inside for limit in stated)
 
 
-def test_an_estimate_with_identified_limits_is_within_one_percent(tmp_path: Path) -> None:
-    one = one_run(9007, tmp_path)  # another program than the one in the log, 24 ms
-    assert one.cycle is not None
-    assert abs(one.cycle) < 0.01
+def test_an_estimate_of_another_program_with_identified_limits_is_within_one_percent(jerky: Outcome) -> None:
+    assert jerky.cycle is not None
+    assert abs(jerky.cycle) < 0.01

@@ -1,8 +1,9 @@
 """A log beside a plan: when each motion of the program began and ended in it.
 
-The program's stops are looked for in the log in their order, nearest in joint space; between two of them a motion
+The program's stops are looked for in the log in their order, nearest in joint space. Between two of them a motion
 begins and ends where a small share of its way is behind it and before it, in log and plan alike, so that the servo's
-delay cancels. What lies between the motions is waiting. Fly-bys are placed where the log passes nearest.
+delay cancels; the rest of the ramps is taken from the plan, slower or faster as the log is between. What lies between
+the motions is waiting. Fly-bys are placed where the log passes nearest.
 """
 
 from __future__ import annotations
@@ -224,7 +225,8 @@ def _ends(
     fine = np.linspace(t[first], t[max(last, first + 1)], 1 + max(int((t[last] - t[first]) / 0.002), 50))
     measured = at(fine)
     seen = _edges(fine, measured, q[first], q[last], velocity, edge)
-    return seen[0] - (leaves - t_0), seen[1] + (t_1 - arrives)
+    slower = (seen[1] - seen[0]) / (arrives - leaves)  # the ends are as much slower as what lies between
+    return seen[0] - slower * (leaves - t_0), seen[1] + slower * (t_1 - arrives)
 
 
 def _edges(t: Array, q: Array, q_0: Array, q_1: Array, velocity: Array, edge: float) -> tuple[float, float]:

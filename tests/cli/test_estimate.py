@@ -1,0 +1,164 @@
+"""`trajopt estimate` and `trajopt identify` as people type them: a cycle beside its log, and beside another one."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from trajopt_cli.cli import run
+
+TEXT = """MODULE Tiny
+    CONST jointtarget j_home:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+    CONST jointtarget j_side:=[[40,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+    CONST jointtarget j_up:=[[40,-20,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+
+    PROC main()
+        MoveAbsJ j_side, vmax, fine, tool0;
+        WaitTime 0.5;
+        MoveAbsJ j_up, vmax, fine, tool0;
+        MoveAbsJ j_home, vmax, fine, tool0;
+    ENDPROC
+ENDMODULE
+"""
+SIDE, UP = np.radians(40), np.radians(20)
+
+
+@pytest.fixture
+def tiny(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    Path("tiny.mod").write_text(TEXT)
+    Path("tiny.yaml").write_text(
+        'robot: irb140\nfree_speed: true\nstart: {joints: "[0, 0, 0, 0, 30, 0] deg"}\n'
+        "tcp: {speed: 9, acceleration: 90, source: a test}\n"
+        'limits: {joint_1: {acceleration: 10, source: "measured in spring"}}\n'
+    )
+    return Path("tiny.mod")
+
+
+def trapezoid(t: np.ndarray, way: float, v: float, a: float) -> np.ndarray:
+    v = min(v, np.sqrt(way * a))
+    T, ramp = way / v + v / a, v / a
+    t = np.clip(t, 0, T)
+    return np.where(t < ramp, a * t**2 / 2, np.where(t < T - ramp, v * (t - ramp / 2), way - a * (T - t) ** 2 / 2))
+
+
+def times(way: float, v: float, a: float) -> float:
+    v = min(v, np.sqrt(way * a))
+    return way / v + v / a
+
+
+def log(a_1: float, wait: float, period: float = 0.02, lag: float = 0.03) -> tuple[str, list[float]]:
+    """A log of the program: joint 1 at a_1 [rad/s2], another wait; and how long each motion takes."""
+    v, a_2 = np.radians(200), 15.0
+    T = [times(SIDE, v, a_1), wait, times(UP, v, a_2), times(SIDE, v, a_1)]
+    ends = 1 + lag + np.cumsum([0, *T])
+    t = np.arange(0, ends[-1] + 1, period)
+    q = np.zeros((len(t), 6))
+    q[:, 4] = np.radians(30)
+    q[:, 0] = trapezoid(t - ends[0], SIDE, v, a_1) - trapezoid(t - ends[3], SIDE, v, a_1)
+    back = UP / SIDE  # coordinated: joint 2 shares joint 1's progress on the way home
+    q[:, 1] = -trapezoid(t - ends[2], UP, v, a_2) + back * trapezoid(t - ends[3], SIDE, v, a_1)
+    rows = [
+        ";".join([f"{1e3 * now:.0f}", *(f"{x:.3f}" for x in np.degrees(row))]) for now, row in zip(t, q, strict=True)
+    ]
+    return "\n".join(["Time [ms];" + ";".join(f"J{i} [deg]" for i in range(1, 7)), *rows]) + "\n", T
+
+
+def answer(capsys: pytest.CaptureFixture[str], *arguments: str) -> dict:
+    capsys.readouterr()
+    assert run([*arguments, "--json"]) == 0
+    return json.loads(capsys.readouterr().out)
+
+
+def test_cycle_naive_figure_waits_and_guesses(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    told = answer(capsys, "estimate", str(tiny))
+    v = np.radians(200)
+    wanted = [times(SIDE, v, 10), 0.5, times(UP, v, 15), times(SIDE, v, 10)]
+    assert [one["predicted_s"] for one in told["motions"]] == pytest.approx(wanted, abs=2e-3)
+    assert told["cycle_time_s"] == pytest.approx(sum(wanted), abs=5e-3)
+    assert told["waits_s"] == pytest.approx(0.5)
+    assert told["length_over_speed_s"] < told["motion_s"]
+    assert told["calibrated"] is False
+    assert told["calibration"].startswith("uncalibrated")
+    rests = {one["limit"]: one for one in told["rests_on"]}
+    assert rests["joint_2 acceleration"]["guess"]  # grade D of the robot's profile
+    assert not rests["joint_1 acceleration"]["guess"]
+    assert rests["joint_1 acceleration"]["source"] == "measured in spring"
+    assert run(["estimate", str(tiny)]) == 0
+    out = capsys.readouterr().out
+    assert "guesses: joint_2 acceleration 15 rad/s²" in out
+    assert "uncalibrated" in out
+
+
+@pytest.mark.parametrize("period", [0.004, 0.02, 0.1])
+def test_a_log_gives_every_motion_its_measured_time(
+    tiny: Path, capsys: pytest.CaptureFixture[str], period: float
+) -> None:
+    text, T = log(7.0, 0.8, period)
+    Path("log.csv").write_text(text)
+    told = answer(capsys, "estimate", str(tiny), "--log", "log.csv")
+    near = 0.01 if period < 0.05 else 0.05
+    assert [one["measured_s"] for one in told["motions"]] == pytest.approx(T, abs=near)
+    assert told["log"]["cycle_s"] == pytest.approx(sum(T), abs=near)
+    assert told["calibrated"] is True
+    assert told["calibration"].startswith("compared with log.csv")
+
+
+def test_a_second_cycle_before_it_does_no_harm(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text, T = log(7.0, 0.8)
+    lines = text.splitlines()
+    shift = 20 * (len(lines) - 1)
+    again = [f"{int(line.partition(';')[0]) + shift};{line.partition(';')[2]}" for line in lines[1:]]
+    Path("log.csv").write_text("\n".join([*lines, *again]) + "\n")
+    told = answer(capsys, "estimate", str(tiny), "--log", "log.csv")
+    assert told["log"]["cycle_s"] == pytest.approx(sum(T), abs=0.01)
+
+
+def refusal(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
+    capsys.readouterr()
+    assert run([*arguments]) == 2
+    err = capsys.readouterr().err
+    assert err.count("\n") == 1
+    return err
+
+
+def test_a_log_of_something_else_is_told_with_where_it_departs(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text, _ = log(7.0, 0.8)
+    heads, *lines = text.splitlines()
+    swapped = heads.replace("J2", "J9").replace("J3", "J2").replace("J9", "J3")
+    Path("log.csv").write_text("\n".join([swapped, *lines]) + "\n")
+    err = refusal(capsys, "estimate", str(tiny), "--log", "log.csv")
+    assert "departs from the program at MoveAbsJ j_up (tiny.mod:9" in err
+    assert "joint_2 stays 20.00° away" in err
+    cut = [line for line in lines if float(line.split(";")[1]) > 5]  # begins on the way
+    Path("log.csv").write_text("\n".join([heads, *cut]) + "\n")
+    assert "the log never is where the program starts: joint_1" in refusal(
+        capsys, "estimate", str(tiny), "--log", "log.csv"
+    )
+
+
+def test_units_without_a_log_are_refused(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert "--log FILE.csv" in refusal(capsys, "estimate", str(tiny), "--units", "deg")
+
+
+def test_a_log_at_rest_shows_no_limit_and_nothing_is_written(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text, _ = log(7.0, 0.8)
+    heads, first, *lines = text.splitlines()
+    still = [f"{line.partition(';')[0]};{first.partition(';')[2]}" for line in lines]
+    Path("log.csv").write_text("\n".join([heads, *still]) + "\n")
+    assert run(["identify", "log.csv", "--cell", "tiny.yaml", "--output", "limits.yaml"]) == 1
+    captured = capsys.readouterr()
+    assert "NOTHING WRITTEN" in captured.err
+    assert captured.out.count("it does not move in a motion that could be fitted") == 18  # three limits of six axes
+    assert not Path("limits.yaml").exists()
+
+
+def test_identify_asks_whose_axes_these_are(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    Path("log.csv").write_text(log(7.0, 0.8)[0])
+    assert "--robot NAME" in refusal(capsys, "identify", "log.csv")
+    assert "no column is rail" in refusal(capsys, "identify", "log.csv", "--robot", "irb140_rail")
+    assert "is named twice" in refusal(capsys, "identify", "log.csv", "log.csv", "--robot", "irb140")
+    assert "one of the inputs" in refusal(capsys, "identify", "log.csv", "--robot", "irb140", "--output", "log.csv")
