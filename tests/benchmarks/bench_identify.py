@@ -1,7 +1,7 @@
 """Limits identified from simulated logs whose truth is hidden: how often it lies inside the stated interval, how wide
 that is, and how far the estimate of another program is off with what was identified.
 
-python tests/benchmarks/bench_identify.py [--runs 100] [--first 1000] [--jobs N] [--no-cycles]
+python tests/benchmarks/bench_identify.py [--runs 100] [--first 1000] [--jobs N] [--cycles 100] [--keep FILE]
 
 Every run is another robot (half of them with limited jerk), another recorder and another program. The numbers of
 trajopt_cli/measured were settled on runs from 9000 on; those from 1000 on are for the table.
@@ -15,6 +15,7 @@ os.environ.setdefault("OMP_NUM_THREADS", "1")  # before NumPy starts its threads
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import argparse
+import pickle
 import sys
 from multiprocessing import Pool
 from pathlib import Path
@@ -82,25 +83,32 @@ def main() -> None:
     parser.add_argument("--runs", type=int, default=100)
     parser.add_argument("--first", type=int, default=1000)
     parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--no-cycles", action="store_true")
+    parser.add_argument("--cycles", type=int, default=100, help="runs, from the first, whose cycles are estimated too")
+    parser.add_argument("--keep", type=Path, help="a file that holds what was run, and from which to go on")
     options = parser.parse_args()
-    seeds = range(options.first, options.first + options.runs)
-    outcomes = []
+    kept: dict[int, Outcome] = {}
+    if options.keep and options.keep.exists():
+        kept = pickle.loads(options.keep.read_bytes())
+    seeds = [seed for seed in range(options.first, options.first + options.runs) if seed not in kept]
     with TemporaryDirectory() as folder, Pool(options.jobs) as pool:
-        places = [None if options.no_cycles else Path(folder, str(seed)) for seed in seeds]
-        for seed, one in zip(seeds, pool.imap(_run, zip(seeds, places, strict=True)), strict=True):
+        tasks = [(seed, Path(folder, str(seed)) if seed < options.first + options.cycles else None) for seed in seeds]
+        for seed, one in pool.imap_unordered(_run, tasks):
             told(seed, one)
-            outcomes.append(one)
+            kept[seed] = one
+            if options.keep:
+                options.keep.write_bytes(pickle.dumps(kept))
+    outcomes = [one for _, one in sorted(kept.items())]
+    print(f"{len(outcomes)} runs")
     table(outcomes)
-    if not options.no_cycles:
+    if any(one.cycle is not None for one in outcomes):
         cycles(outcomes)
 
 
-def _run(task: tuple[int, Path | None]) -> Outcome:
+def _run(task: tuple[int, Path | None]) -> tuple[int, Outcome]:
     seed, place = task
     if place is not None:
         place.mkdir()
-    return one_run(seed, place)
+    return seed, one_run(seed, place)
 
 
 if __name__ == "__main__":

@@ -53,6 +53,7 @@ def seen_lines(
     for name, one, columns in zip(names, seen, unused, strict=True):
         left = [f"{one.not_straight} not along one line in the joints"] if one.not_straight else []
         left += [f"{one.not_ramps} not one ramp up and one down"] if one.not_ramps else []
+        left += [f"{one.not_looked_at} more not looked at"] if one.not_looked_at else []
         yield (
             f"{name}: {one.rows} rows every {one.period * 1e3:.3g} ms, {one.motions} motions between rests, "
             f"{', '.join([f'{one.fitted} fitted', *left])}; times are off by {one.jitter * 1e3:.2f} ms (rms)"
@@ -74,6 +75,7 @@ def identified_record(
             {
                 "file": name, "rows": one.rows, "seconds": one.seconds, "period_s": one.period, "motions": one.motions,
                 "fitted": one.fitted, "not_straight": one.not_straight, "not_ramps": one.not_ramps,
+                "not_looked_at": one.not_looked_at,
                 "clock_s": one.jitter, "lag_s": one.lags,
             }
             for name, one in zip(logs, seen, strict=True)

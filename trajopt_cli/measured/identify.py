@@ -25,6 +25,7 @@ _MOVES = 30.0  # times the noise: a shorter way is none
 _ALONE = 1e-3  # of the leading axis' share: others rest
 _COORDINATED = 0.01  # of the way: how far axes may part from one common progress
 _FIRST_JITTER = 3e-4  # s
+_ENOUGH = 40  # motions of one leading axis that are looked at
 _THIN = 120  # rows of a motion that is looked at alone, before all of them are
 _MOST = 20  # motions of one leading axis that are fitted at once
 _ROWS = 8  # of a motion, the rests around it included
@@ -93,6 +94,7 @@ class Seen:
     fitted: int
     not_straight: int
     not_ramps: int
+    not_looked_at: int
     jitter: float
     lags: dict[str, float]
 
@@ -170,17 +172,20 @@ def _of_log(log: Trajectory, found: list[_Motion], covs: list[Array]) -> Seen:
         covs.append(cov)
     return Seen(
         rows=len(t), seconds=log.duration, period=period, motions=len(motions),
-        fitted=sum(len(batch.motions) for batch in batches), not_straight=bent, not_ramps=wild, jitter=jitter,
+        fitted=sum(len(batch.motions) for batch in batches), not_straight=bent, not_ramps=wild,
+        not_looked_at=len(motions) - sum(len(batch.motions) for batch in batches) - bent - wild, jitter=jitter,
         lags={log.names[batch.axis]: batch.lag[0] for batch in batches},
     )  # fmt: skip
 
 
 def _batches(motions: Sequence[Recorded], noise: Array) -> tuple[list[_Batch], int, int]:
     """The motions that can be fitted, by the axis that leads; how many are not straight, and how many no ramps."""
+    leads: dict[int, list[Recorded]] = {}
+    for one in motions:
+        leads.setdefault(int(np.argmax(np.abs(one.way) / noise)), []).append(one)
     groups: dict[int, list[tuple[Recorded, Fitted]]] = {}
     bent = wild = 0
-    for one in motions:
-        axis = int(np.argmax(np.abs(one.way) / noise))
+    for axis, one in [(k, one) for k, led in leads.items() for one in _some(led, k)]:
         few = one.thinned(_THIN)
         tried = []
         if abs(one.way[axis]) > _MOVES * noise[axis] and len(one.t) >= _ROWS:
@@ -200,6 +205,14 @@ def _batches(motions: Sequence[Recorded], noise: Array) -> tuple[list[_Batch], i
             lag = (float(b1), float(beta))
             out.append(_Batch(axis, [one for one, _ in part], [best.local[0] for _, best in part], lag))
     return out, bent, wild
+
+
+def _some(motions: list[Recorded], axis: int) -> list[Recorded]:
+    """All of the motions, or enough of a long log: of all lengths."""
+    if len(motions) <= _ENOUGH:
+        return motions
+    by_length = sorted(motions, key=lambda one: abs(float(one.way[axis])))
+    return [by_length[i] for i in np.linspace(0, len(motions) - 1, _ENOUGH).astype(int)]
 
 
 def _straight(one: Recorded, axis: int, single: Fitted, noise: Array) -> bool:
