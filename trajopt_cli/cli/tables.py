@@ -101,7 +101,9 @@ def optimised_record(answer: Optimised, interrupted: bool) -> dict[str, Any]:
         },
         "plans": plans,
         "folder": str(answer.folder),
-        "files": sorted(path.relative_to(answer.folder).as_posix() for path in answer.folder.rglob("*.*")),
+        "files": sorted(
+            path.relative_to(answer.folder).as_posix() for path in answer.folder.rglob("*") if path.is_file()
+        ),
         "no_rapid": answer.no_rapid,
         "interrupted": interrupted,
         "warnings": list(answer.warnings),
