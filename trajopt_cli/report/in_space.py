@@ -61,7 +61,7 @@ _CARRIAGE: dict[str, Any] = {"color": "#a8a8a8", "marker": "s", "markersize": 13
 _RAIL_LABEL = Line2D([], [], **_RAIL, label="rail")
 _CARRIAGE_LABEL = Line2D([], [], **_CARRIAGE, label="carriage")
 _ARROW: dict[str, Any] = {
-    "arrowstyle": "-|>", "mutation_scale": 15, "color": BLACK, "linewidth": 0, "shrinkA": 0, "shrinkB": 0,
+    "arrowstyle": "-|>", "color": BLACK, "linewidth": 0, "shrinkA": 0, "shrinkB": 0,
 }  # fmt: skip
 _POINT = 25.0  # px: a path that is no longer has nothing to show
 _ARROWS_FROM, _ARROWS_EVERY = 20.0, 260.0  # px
@@ -245,7 +245,8 @@ def draw_arrows(axes: Axes, curve: Array, ends: Sequence[int]) -> None:
             middle = low + (high - low) * (k + 0.7) / count
             tail, tip = (np.array([np.interp(middle + d, run, column) for column in curve.T]) for d in (-4.0, 4.0))
             if np.linalg.norm(np.subtract(*axes.transData.transform([tail, tip]))) > 4.0:  # no way back within it
-                axes.annotate("", tuple(tip), tuple(tail), arrowprops=_ARROW, zorder=5, gid="direction")
+                look = _ARROW | {"mutation_scale": 15 if high - low > 2 * _ARROWS_FROM else 10}
+                axes.annotate("", tuple(tip), tuple(tail), arrowprops=look, zorder=5, gid="direction")
         low = high
 
 

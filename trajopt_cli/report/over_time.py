@@ -63,7 +63,17 @@ def joints(course: Course) -> Figure:
             if what != "position":
                 told = f"±{whole(high)}, peak {100 * float(np.max(np.abs(values[:, k])) / upper[k]):.0f} %"
             panel.text(
-                0.99, 0.985, told, transform=panel.transAxes, ha="right", va="top", size=LEAST, color=GREY, gid="limits"
+                0.99,
+                0.985,
+                told,
+                transform=panel.transAxes,
+                ha="right",
+                va="top",
+                size=LEAST,
+                color=GREY,
+                gid="limits",
+                bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.8},
+                zorder=0.9,
             )
         grid[k, 0].set_ylabel(f"{readable(name)}\n[{unit}]", size=SMALL)
     mark_motions(course, grid.flat)
