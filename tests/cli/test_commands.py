@@ -442,6 +442,7 @@ def test_help_lists_every_command(capsys: pytest.CaptureFixture[str]) -> None:
         "parse",
         "play",
         "robot",
+        "schema",
         "sensitivity",
         "verify",
         "view",
