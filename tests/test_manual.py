@@ -3,7 +3,8 @@ r"""The manual is true: what its pages tell to run is run, what they show is hel
 Each page has a folder of its own, with the repository's programs and robots, in which its blocks run in order:
 bash: every line. console: lines after "$ ", their output as shown; a line "..." stands for any lines, "..." within
 one for any characters. python: run. yaml: read as cell or task, or as a part of one. rapid: parsed. Comments before a
-block: <!-- file: NAME --> writes it there first, <!-- after: COMMAND --> runs that first, <!-- not run: REASON -->.
+block: <!-- file: NAME --> writes it there first, <!-- after: COMMAND && COMMAND --> runs these first,
+<!-- not run: REASON -->.
 """
 
 from __future__ import annotations
@@ -154,7 +155,8 @@ def test_what_a_page_tells_to_do_can_be_done_and_says_what_is_shown(
             (root / block.notes["file"]).parent.mkdir(parents=True, exist_ok=True)
             (root / block.notes["file"]).write_text(block.text, encoding="utf-8")
         if "after" in block.notes:
-            folder.command(block.notes["after"])
+            for line in block.notes["after"].split(" && "):
+                folder.command(line)
         match block.language:
             case "bash":
                 for line in block.text.splitlines():
@@ -192,6 +194,8 @@ def test_commands_that_are_spoken_of_exist(page: str, line: str) -> None:
         inner = getattr(command, "commands", None)
         if inner is None or word.startswith("-"):
             break
+        if word.isupper():  # COMMAND or FORMAT: any of them
+            return
         assert word in inner, f"there is no 'trajopt {word}'"
         command = inner[word]
         if f" {word}|" in line:  # `export joint|ros2`: the others are its neighbours
