@@ -87,6 +87,7 @@ def compared_page(
     return document(f"{title}, compared · trajopt", head, sections, data, SCRIPTS_OF_CELL if shown else ())
 
 
+_UNCHANGED = 5e-4  # share of a cycle time: printed as 0.0 %, and its sign may be rounding
 _LEAD = (
     "The same work in the ways people would drive it, each judged. Savings are relative to the first legal row, and "
     "count for legal rows only."
@@ -98,7 +99,8 @@ def _head(title: str, plant: Plant, moving: Sequence[Compared], at_first: Sequen
     for kind, i in zip(("before", "after"), at_first, strict=False):
         row = moving[i]
         assert row.shown is not None
-        said = row.title if row.saving is None or not row.saving else f"{-100 * row.saving:+.1f} %, {row.title}"
+        unchanged = row.saving is None or abs(row.saving) < _UNCHANGED
+        said = row.title if unchanged else f"{-100 * (row.saving or 0.0):+.1f} %, {row.title}"
         tiles.append(tile(kind, row.name, f"{seconds(row.shown.plan.duration)} s", said.replace("-", "−", 1)))
     last = moving[at_first[-1]] if at_first else None
     if last is not None and last.bound is not None:
@@ -127,6 +129,7 @@ def _rows(rows: Sequence[Compared]) -> str:
         breaks = "" if report is None else next((one.check for one in report.findings if not one.passed), "")
         word = '<span class="good">yes</span>' if row.legal else f'<span class="bad w">no: {text(breaks)}</span>'
         saving = "" if row.saving is None else f"{100 * row.saving:.1f} %".replace("-", "−")
+        saving = "0.0 %" if row.saving is not None and abs(row.saving) < _UNCHANGED else saving
         bound = "" if row.bound is None else seconds(row.bound)
         cells.append((_named(row), text(row.target), seconds(time), bar, saving, bound, word))
     heads = ("row", "target", ">cycle time [s]", "", ">saving", ">bound [s]", "legal")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from trajopt_cli.pipeline.optimise import held_unasked, inputs_of, made_by
 from trajopt_cli.problem.plan import Plan
@@ -14,6 +14,9 @@ from trajopt_cli.runs.folder import COMPARISON, write_run
 from trajopt_cli.runs.record import Inputs, RunRecord, Section, as_json, sha256
 from trajopt_cli.study.comparison import Comparison, Row, Tried
 from trajopt_cli.study.comparison_record import comparison_record, rows_csv
+
+if TYPE_CHECKING:
+    from trajopt_cli.page.compared import Compared
 
 
 class ComparisonOptions(Section):
@@ -74,7 +77,7 @@ def comparison_page(answer: Comparison, options: ComparisonOptions) -> bytes:
     return compared_page(job.title, job.program, job.plant, rows, causes, notices, made)
 
 
-def _compared(row: Row, record: dict[str, Any]) -> Any:
+def _compared(row: Row, record: dict[str, Any]) -> Compared:
     from trajopt_cli.page.compared import Compared
     from trajopt_cli.page.cycles import Shown
 

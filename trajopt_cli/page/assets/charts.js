@@ -233,7 +233,7 @@
     // spec: as data.charts, but t and y are arrays: series [{name, t, y, stride, offset, scale, style}].
     constructor(host, spec) {
       this.spec = spec;
-      this.outputs = spec.series.map((one) => make("output", { class: `key ${one.style}` }));
+      this.outputs = spec.series.map((one) => make("output", { class: `key ${one.style}`, "aria-live": "off" }));
       const head = make("figcaption", {}, make("b", {}, spec.title), make("span", { class: "unit" }, spec.unit || ""), ...this.outputs);
       host.replaceChildren(head);
       const chart = this;

@@ -10,7 +10,7 @@
     // rows: [{name, style, legs, label(k) -> text, detail(k) -> text, end, bound}]
     constructor(host, rows, label) {
       this.rows = rows;
-      this.out = make("output", { class: "sub" });
+      this.out = make("output", { class: "sub", "aria-live": "off" });
       const kinds = Object.keys(KINDS).filter((kind) => rows.some((row) => row.legs.kind.includes(kind)));
       const key = make("ul", { class: "legend" }, ...kinds.map((kind) => make("li", { class: `kind ${kind}` }, KINDS[kind])));
       if (rows.some((row) => row.bound)) key.append(make("li", { class: "kind bound" }, "lower bound"));

@@ -4,7 +4,6 @@
 (() => {
   const data = JSON.parse(document.getElementById("data").textContent);
   const decoded = new WeakMap();
-  const still = matchMedia("(prefers-reduced-motion: reduce)");
   const starts = [];
   const listeners = { theme: new Set(), selection: new Set(), zoom: new Set(), motion: new Set() };
 
@@ -221,9 +220,6 @@
 
   window.TrajoptPage = {
     data, decode, clock, zoom, selection, on, emit, make, figure, color,
-    get calm() {
-      return still.matches;
-    },
     // Scripts' start functions, called in order once all are there and the text is painted.
     register(start) {
       starts.push(start);
