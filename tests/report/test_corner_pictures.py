@@ -15,7 +15,7 @@ from trajopt_cli.optimize import optimize
 from trajopt_cli.problem.course import Course, follow
 from trajopt_cli.problem.freedom import AS_WRITTEN
 from trajopt_cli.problem.plan import Plan, Target
-from trajopt_cli.report import in_space, over_time, style
+from trajopt_cli.report import arm, in_space, over_time, style
 from trajopt_cli.report.names import by_place
 
 BODY = """MoveJ p_in, v2500, z50, tool0;
@@ -110,7 +110,7 @@ def test_over_time_a_point_that_is_passed_is_a_dotted_line_in_the_middle_of_its_
 
 
 def test_the_arm_is_shown_where_it_stops() -> None:
-    labels = [name for _, name, _ in in_space._stations(course())]
+    labels = [name for _, name, _ in arm._stations(course())]
     assert labels[0] == "start"
     assert [label.split(",")[0] for label in labels[1:]] == ["Offs(p_in…"]
 

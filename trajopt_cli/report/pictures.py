@@ -11,7 +11,7 @@ from trajopt_cli.problem.course import Course, follow
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.stepwise import Analysis
-from trajopt_cli.report import in_space, over_time, steps
+from trajopt_cli.report import arm, in_space, over_time, steps
 from trajopt_cli.report.bars import Bar, comparison, savings
 from trajopt_cli.report.style import files, house_style
 
@@ -25,7 +25,7 @@ PICTURES: dict[str, Callable[[Course], Figure | None]] = {
     "path": in_space.path,
     "workspace": in_space.workspace,
     "effector": over_time.effector,
-    "arm": in_space.arm,
+    "arm": arm.arm,
 }
 # The same for a program in steps of speed.
 STEP_PICTURES: dict[str, Callable[[steps.Steps], Figure]] = {"steps_speed": steps.speed, "steps_path": steps.path}
