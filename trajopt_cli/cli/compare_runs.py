@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from trajopt_cli.cli.options import AsJson
+from trajopt_cli.cli.options import AsJson, Quiet
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -32,29 +32,38 @@ def runs(
         Path | None, typer.Option("--report", metavar="FILE.html", help="Write the comparison as a page, too.")
     ] = None,
     as_json: AsJson = False,
+    quiet: Quiet = False,
 ) -> None:
     """Put runs side by side: cycle times, inputs that differ, motions and the limits that hold them back.
 
     Differences count against the first folder. Nothing is planned again.
-    """
-    import json
 
-    from trajopt_cli.cli.compare_runs_tables import runs_record
-    from trajopt_cli.cli.console import stdout
+    \b
+    Example:
+      trajopt optimize programs/hinge_cell.mod --gentle --output results/gentle
+      trajopt compare runs results/hinge_cell results/gentle
+    """
+    from trajopt_cli.cli.compare_runs_tables import runs_line, runs_record
+    from trajopt_cli.cli.console import print_json, result, stdout
     from trajopt_cli.problem.plan import Target
     from trajopt_cli.runs.compared import compare_runs
+    from trajopt_cli.runs.files import check_file, write_file
 
+    if report is not None:
+        check_file(report, "--report")
     answer = compare_runs(results, Target(target) if target else None)
     if as_json:
-        typer.echo(json.dumps(runs_record(answer), indent=2, ensure_ascii=False))
+        print_json(runs_record(answer))
+    elif quiet:
+        result(runs_line(answer))
     else:
         _print(stdout(), answer, everything, diff)
     if report is not None:
         from trajopt_cli.page.runs import runs_page
-        from trajopt_cli.runs.files import write_file
 
         write_file(report, runs_page(answer))
-        typer.echo(f"written to {report}", err=True)
+        if not quiet:
+            typer.echo(f"written to {report}", err=True)
 
 
 def _print(console: Console, answer: ComparedRuns, everything: bool, diff: bool) -> None:

@@ -35,6 +35,16 @@ def cycles_table(answer: ComparedRuns) -> Table:
     return table
 
 
+def runs_line(answer: ComparedRuns) -> str:
+    """The cycle times of the plans that are put side by side, in a line."""
+    cycles = [(run.letter, run.plans[answer.target].cycle) for run in answer.runs]
+    told = (
+        f"{letter} {cycle:.3f} s" + (f" ({_change(cycle, cycles[0][1])} s)" if letter != "A" else "")
+        for letter, cycle in cycles
+    )
+    return f"{answer.target} plans: {', '.join(told)}"
+
+
 def inputs_lines(answer: ComparedRuns, diff: bool = False) -> Iterator[str]:
     """What differs in what the runs were made from; diff: with the changed lines of the program."""
     said = False

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Columns, Entry, LogUnits, ProgramPaths
+from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Columns, Entry, LogUnits, ProgramPaths, Quiet
 from trajopt_cli.cli.process import reading
 
 
@@ -25,15 +25,18 @@ def estimate(
     units: LogUnits = None,
     columns: Columns = None,
     as_json: AsJson = False,
+    quiet: Quiet = False,
 ) -> None:
     """Tell how long PROGRAM takes as its controller would drive it as written, under the cell's limits, with ramps and
     corners, waits apart; beside it length over programmed speed.
 
     Says which numbers are guesses. Exit code 1: it cannot be driven as written, and why.
-    """
-    import json
 
-    from trajopt_cli.cli.console import show, stdout
+    \b
+    Example:
+      trajopt estimate programs/hinge_cell.mod
+    """
+    from trajopt_cli.cli.console import no, print_json, result, show, stdout, tell
     from trajopt_cli.cli.estimate_tables import estimate_table, sums
     from trajopt_cli.errors import InputError
     from trajopt_cli.job import MAIN, read_job
@@ -48,20 +51,19 @@ def estimate(
     measured = None if log is None else read_log(log, job.plant.limits, units, columns)
     answer = estimate(job)
     if isinstance(answer, str):
-        typer.echo(f"as written it cannot be driven: {answer}", err=True)
-        raise typer.Exit(1)
+        no([f"as written it cannot be driven: {answer}"], as_json)
     compared = None
     if measured is not None:
         compared = align(job.program, answer.plan, job.plant.limits.velocity, measured[0], str(log))
     if as_json:
-        typer.echo(json.dumps(estimate_record(answer, compared), indent=2, ensure_ascii=False))
+        print_json(estimate_record(answer, compared))
+        return
+    if quiet:
+        result(next(iter(sums(answer, compared))))
         return
     console = stdout()
     show(console, estimate_table(answer, compared))
-    for line in sums(answer, compared):
-        console.print(line)
-    for line in doubts(answer):
-        console.print(line)
+    tell(console, (*sums(answer, compared), *doubts(answer)))
     if measured is not None and measured[1]:
-        console.print(f"columns not used: {', '.join(measured[1])}")
-    console.print(uncalibrated(compared))
+        tell(console, [f"columns not used: {', '.join(measured[1])}"])
+    tell(console, [uncalibrated(compared)])

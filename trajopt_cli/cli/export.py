@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from trajopt_cli.cli.options import ResultsFolder
+from trajopt_cli.cli.options import AsJson, Quiet, ResultsFolder
 from trajopt_cli.errors import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
     from trajopt_cli.export.egm import Stream
     from trajopt_cli.export.recorded import Recorded
@@ -49,6 +49,8 @@ def joint(
     results: AnyResults,
     output: Annotated[Path, typer.Option(metavar="FILE.csv", help="The CSV file to write.")],
     rate: Rate = 1000.0,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
 ) -> None:
     """Joint positions and speeds at a fixed rate, the exact end as last row: trajectory.csv's target, or joints.csv.
 
@@ -62,7 +64,7 @@ def joint(
     check_output(output, results)
     motion = recorded(results)
     trajectory, note = motion.at(rate)
-    _write(output, write_csv_text(trajectory).encode("ascii"), motion, trajectory, f"{rate:g} Hz", note)
+    _write(output, write_csv_text(trajectory).encode("ascii"), motion, trajectory, rate, note, as_json, quiet)
 
 
 @app.command("ros2", short_help="ROS 2 JointTrajectory as YAML, for ros2 topic pub.")
@@ -71,6 +73,8 @@ def ros2(
     output: Annotated[Path, typer.Option(metavar="FILE.yaml", help="The YAML file to write.")],
     rate: Rate = 100.0,
     joints: RosNames = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
 ) -> None:
     """A trajectory_msgs/msg/JointTrajectory: positions, velocities, accelerations and times of all joints.
 
@@ -85,7 +89,7 @@ def ros2(
     motion = recorded(results)
     trajectory, note = motion.at(rate)
     text = joint_trajectory(trajectory, _split(joints))
-    _write(output, text.encode("ascii"), motion, trajectory, f"{rate:g} Hz", note)
+    _write(output, text.encode("ascii"), motion, trajectory, rate, note, as_json, quiet)
 
 
 @app.command("mcap", short_help="The same with joint states in an MCAP file, for bag tools.")
@@ -94,6 +98,8 @@ def mcap(
     output: Annotated[Path, typer.Option(metavar="FILE.mcap", help="The MCAP file to write.")],
     rate: Rate = 100.0,
     joints: RosNames = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
 ) -> None:
     """ROS 2 messages for bag tools: /joint_trajectory once, /joint_states at the rate, times from 0; needs the extra
     mcap.
@@ -108,7 +114,7 @@ def mcap(
     check_output(output, results)
     motion = recorded(results)
     trajectory, note = motion.at(rate)
-    _write(output, mcap_of(trajectory, _split(joints)), motion, trajectory, f"{rate:g} Hz", note)
+    _write(output, mcap_of(trajectory, _split(joints)), motion, trajectory, rate, note, as_json, quiet)
 
 
 @app.command("parquet", short_help="The joint CSV's columns as Parquet, for pandas, polars, DuckDB.")
@@ -118,6 +124,8 @@ def parquet(
     rate: Annotated[
         float | None, typer.Option(metavar="HZ", help="Rows per second; default: the rows as they are.")
     ] = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
 ) -> None:
     """Time, positions and speeds of all joints as columns of doubles; needs pyarrow, the extra parquet.
 
@@ -131,8 +139,7 @@ def parquet(
     check_output(output, results)
     motion = recorded(results)
     trajectory, note = motion.at(rate)
-    said = "as recorded" if rate is None else f"{rate:g} Hz"
-    _write(output, parquet_of(trajectory), motion, trajectory, said, note)
+    _write(output, parquet_of(trajectory), motion, trajectory, rate, note, as_json, quiet)
 
 
 @app.command("fri", short_help="Joint positions per millisecond, for a client of KUKA's FRI.")
@@ -142,6 +149,8 @@ def fri(
     between: Annotated[
         bool, typer.Option("--resample", help="Make rows every 1 ms of a sequence with another period.")
     ] = False,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
 ) -> None:
     """What a client of the fast robot interface commands: A1 to A7 in rad, one line for every millisecond.
 
@@ -159,7 +168,8 @@ def fri(
     except InputError as error:
         raise error if error.file else InputError(error.message, file=str(results), kind=error.kind) from error
     write_file(output, text.encode("ascii"))
-    typer.echo(f"{output}: the arm's joints, {rows} rows of 1 ms{f'; {note}' if note else ''}")
+    line = f"{output}: the arm's joints, {rows} rows of 1 ms{f'; {note}' if note else ''}"
+    _tell(line, (), {"file": str(output), "rows": rows, "rate_hz": 1000.0, "note": note or None}, as_json, quiet)
 
 
 @app.command("egm", short_help="EgmSensor messages every 4 ms, for ABB's Externally Guided Motion.")
@@ -167,6 +177,8 @@ def egm(
     results: ResultsFolder,
     output: Annotated[Path, typer.Option(metavar="FILE.egm", help="The file of messages to write.")],
     rate: Annotated[float, typer.Option(metavar="HZ", help="Messages per second, at most 250.")] = 250.0,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
 ) -> None:
     """Set points and speed references: joints in degrees, the rail in mm in the place of its external axis. Each
     message stands behind its length; trajopt play egm tries them.
@@ -181,14 +193,14 @@ def egm(
     check_output(output, results)
     motion, stream = egm_stream(results, rate)
     write_file(output, stream_bytes(stream))
-    typer.echo(
+    line = (
         f"{output}: {motion.name}, {len(stream.q)} set points at {rate:g} Hz, T = {stream.duration:.4f} s:"
         f" {stream.joints} joints in deg{''.join(f', {name} in mm' for name in stream.names[stream.joints :])}"
     )
+    record = {**_record(output, motion, len(stream.q), stream.duration, rate), "axes": list(stream.names)}
     unused = stream.names[stream.joints : -1]
-    if unused:
-        typer.echo(f"{', '.join(unused)}: 0 in every message; the rail is {stream.names[-1]}")
-    _tell_holds(motion)
+    said = [f"{', '.join(unused)}: 0 in every message; the rail is {stream.names[-1]}"] if unused else []
+    _tell(line, (*said, *_holds(motion)), record, as_json, quiet)
 
 
 @app.command("gltf", short_help="The cell in motion as glTF, for 3D viewers and browsers.")
@@ -196,6 +208,8 @@ def gltf(
     results: ResultsFolder,
     output: Annotated[Path, typer.Option(metavar="FILE.glb", help="The binary glTF file to write.")],
     rate: Annotated[float, typer.Option(metavar="HZ", help="Key frames per second.")] = 60.0,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
 ) -> None:
     """An animation of the arm's capsules, of what it carries, and of the cell's obstacles.
 
@@ -215,7 +229,7 @@ def gltf(
         raise InputError("holds no plan in a cell; give a folder of trajopt optimize", file=str(results))
     trajectory, note = motion.at(rate)
     plant = build_plant(load_cell(read_results(results).cell))
-    _write(output, gltf_of(trajectory, plant, motion.name), motion, trajectory, f"{rate:g} Hz", note)
+    _write(output, gltf_of(trajectory, plant, motion.name), motion, trajectory, rate, note, as_json, quiet)
 
 
 @app.command("rapid", short_help="The program with the rapid plan in it, for the RAPID controller.")
@@ -230,6 +244,8 @@ def rapid(
     in_place: Annotated[
         bool, typer.Option("--in-place", help="Write over the program's own files; the old ones stay as NAME.bak.")
     ] = False,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
 ) -> None:
     """The program with the rapid plan in it; everything else is byte for byte as given.
 
@@ -237,6 +253,7 @@ def rapid(
     Example:
       trajopt export rapid results/hinge_cell --output new.mod
     """
+    from trajopt_cli.cli.console import print_json
     from trajopt_cli.pipeline.folder import rapid_export
     from trajopt_cli.runs.files import write_file
     from trajopt_cli.runs.results import write_in_place
@@ -245,30 +262,39 @@ def rapid(
         raise typer.BadParameter("give --output, --diff, --in-place or several of them")
     files = rapid_export(results)
     places = [] if output is None else _places(output, results, [Path(one.place) for one in files.modules])
-    if diff and not files.patch:
-        for why in files.kept or ("the plan needs no change to the program",):
+    kept = (files.kept or ("the plan needs no change to the program",)) if diff and not files.patch else ()
+    if diff and not as_json:
+        for why in () if quiet else kept:
             typer.echo(f"no change: {why}", err=True)
-    if diff and sys.stdout.isatty():
-        typer.echo(files.difference, nl=False)
-    elif diff:
-        sys.stdout.flush()
-        sys.stdout.buffer.write(files.patch)  # in the files' own encodings and line ends
+        if sys.stdout.isatty():
+            typer.echo(files.difference, nl=False)
+        else:
+            sys.stdout.flush()
+            sys.stdout.buffer.write(files.patch)  # in the files' own encodings and line ends
+    said, written = list[str](), list[str]()
     if output is not None:
         for path, one in zip(places, files.modules, strict=True):
             write_file(path, one.content)
-            typer.echo(f"{path}: the rapid plan", err=diff)
+            said.append(f"{path}: the rapid plan")
+            written.append(str(path))
     if in_place:
         backups = write_in_place(files.modules)
         for one in files.modules:
             if one.given is None:
-                typer.echo(f"{one.path}: a new module; load it with the program", err=diff)
+                said.append(f"{one.path}: a new module; load it with the program")
             elif one.path in backups:
-                typer.echo(f"{one.path}: the rapid plan; as it was: {backups[one.path].name}", err=diff)
+                said.append(f"{one.path}: the rapid plan; as it was: {backups[one.path].name}")
             else:
-                typer.echo(f"{one.path}: stays as it is", err=diff)
+                said.append(f"{one.path}: stays as it is")
+                continue
+            written.append(str(one.path))
         if any(one.given is None for one in files.modules):
             every = " ".join(str(one.path) for one in files.modules)
-            typer.echo(f"from now on give the folder, or all files: trajopt parse {every}", err=diff)
+            said.append(f"from now on give the folder, or all files: trajopt parse {every}")
+    if as_json:
+        print_json({"written": written, "difference": files.difference if diff else None, "kept": list(files.kept)})
+    for line in () if as_json else said[:1] if quiet else said:
+        typer.echo(line, err=diff)
 
 
 def egm_stream(results: Path, rate: float = 250.0) -> tuple[Recorded, Stream]:
@@ -290,22 +316,51 @@ def _split(names: str | None) -> list[str] | None:
     return None if names is None else [name.strip() for name in names.split(",")]
 
 
-def _write(output: Path, content: bytes, motion: Recorded, trajectory: Trajectory, rate: str, note: str) -> None:
-    """Write the file, and say what is in it."""
+def _write(
+    output: Path,
+    content: bytes,
+    motion: Recorded,
+    trajectory: Trajectory,
+    rate: float | None,
+    note: str,
+    as_json: bool,
+    quiet: bool,
+) -> None:
+    """Write the file, and say what is in it. rate: of its rows, None where they are as recorded."""
     from trajopt_cli.runs.files import write_file
 
     write_file(output, content)
-    at = rate if rate == "as recorded" else f"at {rate}"
-    typer.echo(
-        f"{output}: {motion.name}, {len(trajectory.t)} rows {at}, T = {trajectory.duration:.4f} s"
-        f"{f'; {note}' if note else ''}"
-    )
-    _tell_holds(motion)
+    rows, at = len(trajectory.t), "as recorded" if rate is None else f"at {rate:g} Hz"
+    line = f"{output}: {motion.name}, {rows} rows {at}, T = {trajectory.duration:.4f} s{f'; {note}' if note else ''}"
+    record = {**_record(output, motion, rows, trajectory.duration, rate), "note": note or None}
+    _tell(line, _holds(motion), record, as_json, quiet)
 
 
-def _tell_holds(motion: Recorded) -> None:
-    for when, condition in motion.holds:
-        typer.echo(f"hold at t = {when:.4f} s until {condition}")
+def _record(output: Path, motion: Recorded, rows: int, duration: float, rate: float | None) -> dict[str, Any]:
+    holds = [{"t": when, "until": condition} for when, condition in motion.holds]
+    return {
+        "file": str(output),
+        "motion": motion.name,
+        "rows": rows,
+        "rate_hz": rate,
+        "cycle_time_s": duration,
+        "holds": holds,
+    }
+
+
+def _holds(motion: Recorded) -> list[str]:
+    return [f"hold at t = {when:.4f} s until {condition}" for when, condition in motion.holds]
+
+
+def _tell(line: str, more: Iterable[str], record: dict[str, Any], as_json: bool, quiet: bool) -> None:
+    """Say what was written: a line and what belongs to it, of which --quiet leaves the line; or all of it as JSON."""
+    from trajopt_cli.cli.console import print_json
+
+    if as_json:
+        print_json(record)
+    else:
+        for one in (line,) if quiet else (line, *more):
+            typer.echo(one)
 
 
 def check_output(output: Path, results: Path, option: str = "--output") -> None:

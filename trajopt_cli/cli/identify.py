@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from trajopt_cli.cli.options import AsJson, Columns, LogUnits
+from trajopt_cli.cli.options import AsJson, Columns, LogUnits, Quiet
 
 
 def identify(
@@ -33,45 +33,47 @@ def identify(
     units: LogUnits = None,
     columns: Columns = None,
     as_json: AsJson = False,
+    quiet: Quiet = False,
 ) -> None:
     """Fit speed, acceleration and jerk of every axis to LOGs of its motions, with 90 % intervals.
 
     A limit is told where several motions of different length have the same top and nothing else holds them back; where
     a log does not show it, why. Exit code 1: it shows none.
-    """
-    import json
 
-    from trajopt_cli.cli.console import show, stdout
+    \b
+    Example:
+      trajopt identify log.csv --robot irb140 --output limits.yaml
+    """
+    from trajopt_cli.cli.console import no, print_json, result, show, stdout, tell
     from trajopt_cli.cli.identify_tables import identified_record, identified_table, seen_lines
     from trajopt_cli.errors import InputError
     from trajopt_cli.measured.identify import identify
     from trajopt_cli.measured.limits_file import limits_section
     from trajopt_cli.measured.log_csv import in_order, read_log
     from trajopt_cli.measured.nominal import limits_in_force
-    from trajopt_cli.runs.files import write_file
+    from trajopt_cli.runs.files import check_file, write_file
 
     if output is not None and any(output.resolve() == path.resolve() for path in [*logs, *([cell] if cell else [])]):
         raise InputError("--output is one of the inputs; name another file", file=str(output))
+    if output is not None:
+        check_file(output, "--output")
     limits, place = limits_in_force(robot, cell)
     in_order(logs)
     read = [read_log(path, limits, units, columns) for path in logs]
     found, seen = identify([one for one, _ in read], limits)
     names = [path.name for path in logs]
     if as_json:
-        typer.echo(
-            json.dumps(
-                identified_record(found, seen, [str(path) for path in logs], limits), indent=2, ensure_ascii=False
-            )
-        )
-    else:
+        print_json(identified_record(found, seen, [str(path) for path in logs], limits))
+    elif not quiet:
         console = stdout()
         show(console, identified_table(found, limits, place))
-        for line in seen_lines(names, seen, [unused for _, unused in read], found):
-            console.print(line)
+        tell(console, seen_lines(names, seen, [unused for _, unused in read], found))
     text = limits_section(found, names)
     if not text:
-        typer.echo("NOTHING WRITTEN: these logs show no limit of any axis", err=True)
-        raise typer.Exit(1)
+        no(["NOTHING WRITTEN: these logs show no limit of any axis"], False)
     if output is not None:
         write_file(output, text.encode())
-        typer.echo(f"written to {output}", err=True)
+        if quiet and not as_json:
+            result(f"written to {output}")
+        else:
+            typer.echo(f"written to {output}", err=True)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from pathlib import Path
 from threading import Thread
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from trajopt_cli.cli.options import AsJson, Quiet
 from trajopt_cli.errors import InputError
 
 if TYPE_CHECKING:
@@ -48,6 +50,8 @@ def egm(
     silence: Annotated[
         float, typer.Option("--silence", metavar="S", help="How long to wait for a message of the controller.")
     ] = 30.0,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
 ) -> None:
     """Answer every EgmRobot message with the set point due on the controller's clock, and say how far every axis lags.
 
@@ -55,7 +59,7 @@ def egm(
     Example:
       trajopt play egm results/hinge_cell --echo --log back.csv
     """
-    from trajopt_cli.cli.console import show, stdout
+    from trajopt_cli.cli.console import print_json, show, stdout
     from trajopt_cli.cli.export import check_output
     from trajopt_cli.export.egm_player import address, bound, lags, log_text, play, simulated_controller
     from trajopt_cli.runs.files import write_file
@@ -69,20 +73,26 @@ def egm(
     stream, settle = _stream(source), _SETTLED * constant
     with bound(host, port) as here:
         port = here.getsockname()[1]
-        typer.echo(
-            f"{source}: {len(stream.q)} set points in {stream.duration:.3f} s, answered on {host}:{port}", err=True
-        )
+        if not quiet:
+            typer.echo(
+                f"{source}: {len(stream.q)} set points in {stream.duration:.3f} s, answered on {host}:{port}", err=True
+            )
         if echo:
             arguments = stream, (host, port), constant, settle
             Thread(target=simulated_controller, args=arguments, daemon=True).start()
         played = play(stream, here, settle, silence)
     if log is not None and len(played.t):
         write_file(log, log_text(stream, played).encode("ascii"))
-    show(stdout(), _table(constant, lags(stream, constant, played)))
-    if len(played.t):
+    found = list(lags(stream, constant, played))
+    if as_json:
+        told = {"answered": len(played.t), "lost": played.lost, "strangers": played.strangers}
+        print_json({**told, "axes": [asdict(lag) for lag in found], "why_not": played.why_not or None})
+    elif not quiet:
+        show(stdout(), _table(constant, found))
+    if len(played.t) and not as_json:
         also = f", {played.strangers} datagrams that were none of its messages" if played.strangers else ""
         typer.echo(f"{len(played.t)} messages of the controller answered, {played.lost} lost{also}")
-    if log is not None and len(played.t):
+    if log is not None and len(played.t) and not as_json and not quiet:
         typer.echo(f"{log}: what came back, {len(played.t)} rows")
     if played.why_not:
         typer.echo(played.why_not, err=True)

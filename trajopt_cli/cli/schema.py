@@ -18,6 +18,10 @@ def schema(
 
     Editors complete keys and mark mistakes with it. In VS Code with the YAML extension: save it as cell.schema.json
     and begin the cell file with the line '# yaml-language-server: $schema=cell.schema.json'.
+
+    \b
+    Example:
+      trajopt schema cell
     """
     from trajopt_cli.cell.schema import cell_schema
     from trajopt_cli.compliance.task.schema import task_schema

@@ -24,6 +24,11 @@ def view(
 
     A browser that is a snap, or that runs on the Windows side of WSL, may not read files here: then, and with --serve,
     the page is served on a port of 127.0.0.1 until Ctrl-C, this one file and nothing else.
+
+    \b
+    Example:
+      trajopt optimize programs/hinge_cell.mod
+      trajopt view results/hinge_cell --print
     """
     from trajopt_cli.cli.page_server import apart, open_browser, serve_page
     from trajopt_cli.runs import REPORT
