@@ -99,7 +99,7 @@ def test_the_terminal_says_it_within_80_columns(folders: list[str], capsys: pyte
     assert "limit joint_1 acceleration: A 15 rad/s2; B 14 rad/s2" in out
     assert "program tiny.mod: B has +4 −1 lines against A" in out
     assert "    -        WaitTime 0.5;\n" in out
-    order = re.findall(r"^ tiny.mod:\d+ +(\w+ j?[\w.]+)", out, re.M)
+    order = re.findall(r"^ ?tiny.mod:\d+ +(\w+ j?[\w.]+)", out, re.M)
     assert order == ["WaitTime 0.5", "MoveAbsJ j_far", "MoveAbsJ j_home"]  # the largest difference first
     assert "1 of 4 motions take the same time" in out
 

@@ -68,12 +68,11 @@ def runs(
 
 def _print(console: Console, answer: ComparedRuns, everything: bool, diff: bool) -> None:
     from trajopt_cli.cli.compare_runs_tables import bindings, cycles_table, inputs_lines, motions_table
-    from trajopt_cli.cli.console import show
+    from trajopt_cli.cli.console import show, tell
 
     for run in answer.runs:
         console.print(f"{run.letter}: {run.folder} ({', '.join(run.inputs.modules)})")
-    for note in answer.notes:
-        console.print(f"note: {note}")
+    tell(console, [f"note: {note}" for note in answer.notes])
     console.print()
     show(console, cycles_table(answer))
     for line in inputs_lines(answer, diff):
@@ -88,5 +87,4 @@ def _print(console: Console, answer: ComparedRuns, everything: bool, diff: bool)
     same = len(answer.rows) - len(answer.by_difference)
     if not everything and same:
         console.print(f"{same} of {len(answer.rows)} motions take the same time")
-    for line in bindings(answer):
-        console.print(line)
+    tell(console, bindings(answer))
