@@ -20,7 +20,6 @@ version = release = trajopt_cli.__version__
 
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx_copybutton"]
 myst_heading_anchors = 3
-suppress_warnings = ["toc.not_readable"]  # index.md names pages that are still being written
 highlight_language = "none"
 default_role = "code"  # docstrings quote names as Markdown does
 autodoc_class_signature = "separated"

@@ -11,9 +11,9 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from no_browser import MISSING
 from window import FLAGS, Window
 
-MISSING = "no browser here: install chromium and its chromedriver (Debian: chromium, chromium-driver)"
 
 
 @pytest.fixture(scope="session")
@@ -38,13 +38,6 @@ def window(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Window]:
         yield window
     finally:
         chrome.quit()
-
-
-def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    """pytest itself gives no reason for a skip unless it is asked."""
-    count = sum(MISSING in str(report.longrepr) for report in terminalreporter.getreports("skipped"))
-    if count:
-        terminalreporter.write_line(f"{count} tests of the report page did not run: {MISSING}")
 
 
 @pytest.fixture(autouse=True)
