@@ -4,7 +4,7 @@ that is, and how far the estimate of another program is off with what was identi
 python tests/benchmarks/bench_identify.py [--runs 100] [--first 1000] [--jobs N] [--cycles 100] [--keep FILE]
 
 Every run is another robot (half of them with limited jerk), another recorder and another program. The numbers of
-trajopt_cli/measured were settled on runs from 9000 on; those from 1000 on are for the table.
+trajopt_cli/measured were settled on runs from 9000 on; those from 1000 on are for the table of docs/estimate.md.
 """
 
 from __future__ import annotations
