@@ -1,4 +1,4 @@
-"""What every test has: a cache folder that is not the user's."""
+"""What every test has: a cache folder that is not the user's, and a terminal of no width."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ from no_browser import MISSING
 
 _FOLDER = tempfile.TemporaryDirectory()
 os.environ["XDG_CACHE_HOME"] = _FOLDER.name
+for _name in ("COLUMNS", "NO_COLOR", "FORCE_COLOR"):  # what is printed depends on them
+    os.environ.pop(_name, None)
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 from fake_planner import Planner
-from hypothesis import given
+from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from trajopt_cli.cli import run
@@ -35,6 +35,7 @@ def tables(draw: st.DrawFn) -> tuple[list[Column], int]:
     return names, n
 
 
+@settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])  # on a busy machine
 @given(tables(), st.integers(32, 200))
 def test_a_table_is_no_wider_than_the_terminal_and_loses_no_figure(given: tuple[list[Column], int], width: int) -> None:
     columns, n = given

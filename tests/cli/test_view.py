@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from functools import partial
 from http.client import HTTPConnection
 from pathlib import Path
 
@@ -65,7 +66,10 @@ def test_where_no_browser_can_be_opened_the_place_is_printed(folder: Path, capsy
 
 def test_the_server_gives_the_page_alone_to_this_machine_alone_until_ctrl_c(folder: Path, browser: Path) -> None:
     (folder.parent / "secret").write_text("secret")
-    with subprocess.Popen(command(str(folder), "--serve"), stdout=subprocess.PIPE, text=True) as process:
+    heard = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)  # tests in the background of a shell hear no Ctrl-C
+    with subprocess.Popen(
+        command(str(folder), "--serve"), stdout=subprocess.PIPE, text=True, preexec_fn=heard
+    ) as process:
         assert process.stdout is not None
         address = process.stdout.readline().split()[0]
         port = int(address.rstrip("/").rpartition(":")[2])
@@ -84,7 +88,10 @@ def test_the_server_gives_the_page_alone_to_this_machine_alone_until_ctrl_c(fold
         while not browser.exists() and time.monotonic() < until:
             time.sleep(0.01)
         process.send_signal(signal.SIGINT)
-        assert process.wait(timeout=10) == 0
+        try:
+            assert process.wait(timeout=10) == 0
+        finally:
+            process.kill()
     assert browser.read_text().split() == [address]
 
 

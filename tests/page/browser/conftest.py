@@ -15,7 +15,6 @@ from no_browser import MISSING
 from window import FLAGS, Window
 
 
-
 @pytest.fixture(scope="session")
 def window(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Window]:
     from selenium.webdriver import Chrome, ChromeOptions
