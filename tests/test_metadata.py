@@ -85,3 +85,10 @@ def test_records_keep_the_versions_of_what_is_required() -> None:
     for kind in (PlanRecord, TaskRecord, ExperimentsRecord):
         assert kind.LIBRARIES
         assert set(kind.LIBRARIES) <= required
+
+
+def test_the_newest_release_notes_are_those_of_this_version() -> None:
+    text = (REPOSITORY / "CHANGELOG.md").read_text(encoding="utf-8")
+    released = re.findall(r"^## (\S+) – (\d{4}-\d\d-\d\d)$", text, re.MULTILINE)
+    assert released[0][0] == trajopt_cli.__version__
+    assert "### What breaks silently\n" in text.split(f"## {trajopt_cli.__version__}")[1].split("\n## ")[0]

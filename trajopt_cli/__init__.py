@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from trajopt_cli.rapid.reader import read_program
     from trajopt_cli.verify.judge import verify
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 __all__ = [
     "Infeasible",
     "InputError",
