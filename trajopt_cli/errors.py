@@ -7,6 +7,13 @@ from contextlib import contextmanager
 from enum import Enum
 
 
+def printable(text: str, keep: str = "\t") -> str:
+    """text with what a terminal would obey or hide (control characters, marks of direction) written as escapes."""
+    if text.isprintable():
+        return text
+    return "".join(c if c.isprintable() or c in keep else c.encode("unicode_escape").decode() for c in text)
+
+
 class ErrorKind(Enum):
     """What is wrong, so that nobody has to read it out of the words."""
 
@@ -56,7 +63,8 @@ class InputError(Exception):
 
     def __str__(self) -> str:
         place = ":".join(str(part) for part in (self.file, self.line, self.column) if part is not None)
-        return f"{place}: {self.message}" if place else self.message
+        message = printable(self.message, keep="\n\t")
+        return f"{printable(place)}: {message}" if place else message
 
     def shown(self) -> str:
         """The line to print, and below it the excerpt."""

@@ -257,7 +257,7 @@ def test_a_csv_file_of_anybody_is_judged_against_a_program(
     assert run(["verify", "joints.csv"]) == 2
     assert capsys.readouterr().err == (
         "trajopt: Invalid value: joints.csv is a file: say which --program it executes; of an iiwa --task or --robot;"
-        " see 'trajopt --help'\n"
+        " see 'trajopt verify --help'\n"
     )
     Path("fast.csv").write_text(Path("joints.csv").read_text().replace("joint_1 [rad]", "joint_1 [deg]"))
     assert run(["verify", "fast.csv", "--program", str(program)]) == 1
@@ -275,7 +275,7 @@ def test_export_joint_carries_the_chosen_target_to_its_exact_end(
     rows = len(trajectory.t)
     assert said == f"joints.csv: the rapid plan, {rows} rows at 250 Hz, T = {CYCLE[Target.RAPID]:.4f} s\n"
     assert run(["export", "joint", "results/tiny", "--rate", "0", "--output", "b.csv"]) == 2
-    assert capsys.readouterr().err == "rate 0 Hz lies outside (0, 100000] Hz; 1000 suits most controllers\n"
+    assert capsys.readouterr().err == "rate 0 Hz lies outside [1, 100000] Hz; 1000 suits most controllers\n"
     assert not Path("b.csv").exists()
 
 
@@ -391,11 +391,11 @@ def test_robot_show_prints_figures_with_grades(capsys: pytest.CaptureFixture[str
     ("arguments", "line"),
     [
         (["nonsense"], "trajopt: No such command 'nonsense'; see 'trajopt --help'"),
-        (["optimize"], "trajopt: Missing argument 'PROGRAM...'; see 'trajopt --help'"),
+        (["optimize"], "trajopt: Missing argument 'PROGRAM...'; see 'trajopt optimize --help'"),
         (["optimize", "none.mod"], "none.mod: no such program"),
         (
             ["optimize", "tiny.mod", "--target", "egm"],
-            "trajopt: Invalid value for '--target': 'egm' is not one of 'stream', 'rapid'; see 'trajopt --help'",
+            "trajopt: Invalid value for '--target': 'egm' is not one of 'stream', 'rapid'; see 'trajopt optimize --help'",
         ),
         (
             ["optimize", "tiny.mod", "--cell", "no.yaml"],
@@ -406,11 +406,11 @@ def test_robot_show_prints_figures_with_grades(capsys: pytest.CaptureFixture[str
         (
             ["verify", ".", "--program", "tiny.mod"],
             "trajopt: Invalid value: a results folder holds its own program and cell; leave --program and --cell out; "
-            "see 'trajopt --help'",
+            "see 'trajopt verify --help'",
         ),
         (
             ["export", "rapid", "x"],
-            "trajopt: Invalid value: give --output, --diff, --in-place or several of them; see 'trajopt --help'",
+            "trajopt: Invalid value: give --output, --diff, --in-place or several of them; see 'trajopt export rapid --help'",
         ),
         (
             ["robot", "show", "irb14"],

@@ -13,6 +13,8 @@ from fake_planner import Planner
 from typer.testing import CliRunner
 
 from trajopt_cli.cli import app, run
+from trajopt_cli.errors import InputError
+from trajopt_cli.runs.files import check_file
 
 KINDS = [command.name for group in app.registered_groups if group.name == "export" for command in
          group.typer_instance.registered_commands]  # fmt: skip
@@ -86,3 +88,16 @@ def test_rapids_places_are_looked_at_too(program: Path, planner: Planner, capsys
         assert run(["export", "rapid", "results/tiny", "--output", place]) == 2
         assert capsys.readouterr().err == f"{said}\n"
     assert run(["export", "rapid", "results/tiny", "--output", "new.mod"]) == 0
+
+
+def test_a_file_of_another_results_folder_is_not_written_over(
+    tmp_path: Path,
+) -> None:
+    other = tmp_path / "other"
+    other.mkdir()
+    (other / "run.json").write_text("{}")
+    (other / "stream.csv").write_text("t\n")
+    with pytest.raises(InputError, match="is a file of a results folder"):
+        check_file(other / "stream.csv")
+    check_file(other / "new.csv")
+    assert (other / "stream.csv").read_text() == "t\n"

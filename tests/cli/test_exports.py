@@ -105,7 +105,7 @@ def test_what_cannot_be_exported_is_one_line(kind: str, arm: Path, capsys: pytes
         assert run(["export", kind, str(folder), "--output", out]) == 2
         assert capsys.readouterr().err == f"{folder}: {said}\n"
     assert run(["export", kind, str(arm), "--output", str(arm / "joints.csv")]) == 2
-    assert "is a file of the results folder" in capsys.readouterr().err
+    assert "is a file of a results folder" in capsys.readouterr().err
     (arm / "joints.csv").write_text("t [s]\n")
     assert run(["export", kind, str(arm), "--output", out]) == 2
     assert "joints.csv: was changed since the run; make the folder again" in capsys.readouterr().err

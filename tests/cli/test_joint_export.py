@@ -59,12 +59,12 @@ def test_first_and_last_row_stand_and_no_interval_is_under_the_promised_one(
     assert steps.max() < 1 / rate + 1.01e-5
 
 
-@pytest.mark.parametrize("rate", [0.0, -1.0, 1.1e5, float("nan"), float("inf")])
+@pytest.mark.parametrize("rate", [0.0, 0.99, -1.0, 1.1e5, float("nan"), float("inf")])
 def test_bad_rates_are_named(rate: float) -> None:
     trajectory = Trajectory(("rail", "joint_1"), KNOTS, *cubic(KNOTS))
     with pytest.raises(InputError) as caught:
         resample(trajectory, rate)
-    assert str(caught.value) == f"rate {rate:g} Hz lies outside (0, 100000] Hz; 1000 suits most controllers"
+    assert str(caught.value) == f"rate {rate:g} Hz lies outside [1, 100000] Hz; 1000 suits most controllers"
 
 
 def test_more_rows_than_anybody_reads_are_refused_before_they_are_made() -> None:

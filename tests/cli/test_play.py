@@ -55,7 +55,7 @@ def test_a_log_is_looked_at_first_and_nobody_who_asks_is_an_answer(
 ) -> None:
     for more, said in (
         (["--log", "nowhere/b.csv"], "nowhere: is not a folder to write to; make it or correct --log"),
-        (["--log", f"{results}/rapid.csv"], f"{results}/rapid.csv: is a file of the results folder; "),
+        (["--log", f"{results}/rapid.csv"], f"{results}/rapid.csv: is a file of a results folder, "),
         (["--to", "192.168.125.1:6510"], "--to 192.168.125.1:6510: is not the loopback, and this player moves no mach"),
         (["--follower-time-constant", "0"], "--follower-time-constant 0: wanted seconds above 0"),
     ):

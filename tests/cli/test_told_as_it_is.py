@@ -55,7 +55,7 @@ def test_an_export_writes_over_no_folder_and_no_file_of_the_results(
     assert capsys.readouterr().err == "results: is a folder; --output names a file\n"
     assert run([*command, "results/tiny", "--output", "results/tiny/stream.csv"]) == 2
     assert capsys.readouterr().err == (
-        "results/tiny/stream.csv: is a file of the results folder; write to another place\n"
+        "results/tiny/stream.csv: is a file of a results folder, which keeps its hash; write to another place\n"
     )
     assert {path: path.read_bytes() for path in Path("results").rglob("*") if path.is_file()} == before
     assert run([*command, "results/tiny", "--output", "out.txt"]) == 0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import socket
+import time
 from collections.abc import Iterator
 from io import BytesIO
 from threading import Thread
@@ -212,6 +213,24 @@ def test_a_controller_that_stops_is_told(here: socket.socket) -> None:
     found = played_by(Controller(here.getsockname()[1], 0.03, 100), ramp(), here)
     assert found.why_not == "no EgmRobot message came for 1 s, after 0.396 s of 1.000"
     assert len(found.t) == 100
+
+
+def test_strangers_do_not_keep_it_waiting(here: socket.socket) -> None:
+    until, to = time.monotonic() + 1.5, here.getsockname()
+
+    def garbage() -> None:
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as there:
+            while time.monotonic() < until:
+                there.sendto(b"nothing of EGM", to)
+                time.sleep(0.01)
+
+    thread = Thread(target=garbage, daemon=True)
+    thread.start()
+    found = play(ramp(), here, 0.1, 0.3)
+    assert time.monotonic() < until
+    assert found.why_not == "no EgmRobot message came for 0.3 s"
+    assert found.strangers > 0
+    thread.join()
 
 
 def test_fewer_axes_than_the_stream_has_are_refused(here: socket.socket) -> None:

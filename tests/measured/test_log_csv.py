@@ -75,6 +75,8 @@ def changed(number: int, line: str) -> list[str]:
         (HEADS, changed(7, "0.07,0.5,nan,0"), "log.csv:9: 'nan' in column 'joint_1 [rad]' is not a finite number"),
         (HEADS, changed(7, "0.07,0.5,x,0"), "log.csv:9: 'x' in column 'joint_1 [rad]' is not a finite number"),
         (HEADS, changed(7, "0.07,0.5"), "log.csv:9: 2 values, the first line has 4"),
+        (HEADS, changed(7, "0.07,0.5,0,0,1"), "log.csv:9: 5 values, the first line has 4"),
+        (HEADS, ["\0"], "holds NUL bytes"),
         (HEADS, changed(7, "0.01,0.5,0,0"), "log.csv:9: time 0.01 s follows 0.06 s; times must increase"),
         (HEADS, changed(7, "0.06,0.5,0,0"), "log.csv:9: time 0.06 s stands in two rows"),
         (

@@ -90,7 +90,8 @@ def run(arguments: list[str]) -> int:
         return 2
     except typer.TyperException as error:
         message = " ".join(error.format_message().replace("Value error, ", "").split()).rstrip(".")
-        typer.echo(f"trajopt: {message}; see 'trajopt --help'", err=True)
+        asked = getattr(getattr(error, "ctx", None), "command_path", None) or "trajopt"
+        typer.echo(f"trajopt: {message}; see '{asked} --help'", err=True)
         return 2
     except OSError as error:
         if error.filename is None:

@@ -39,7 +39,7 @@ def runs_line(answer: ComparedRuns) -> str:
     """The cycle times of the plans that are put side by side, in a line."""
     cycles = [(run.letter, run.plans[answer.target].cycle) for run in answer.runs]
     told = (
-        f"{letter} {cycle:.3f} s" + (f" ({_change(cycle, cycles[0][1])} s)" if letter != "A" else "")
+        f"{letter} {cycle:.3f} s" + (f", {_change(cycle, cycles[0][1])} against A" if letter != "A" else "")
         for letter, cycle in cycles
     )
     return f"{answer.target} plans: {', '.join(told)}"

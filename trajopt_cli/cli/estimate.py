@@ -36,7 +36,7 @@ def estimate(
     Example:
       trajopt estimate programs/hinge_cell.mod
     """
-    from trajopt_cli.cli.console import no, print_json, result, show, stdout, tell
+    from trajopt_cli.cli.console import no, print_json, result, show, stdout, tell, warn
     from trajopt_cli.cli.estimate_tables import estimate_table, sums
     from trajopt_cli.errors import InputError
     from trajopt_cli.job import MAIN, read_job
@@ -52,6 +52,8 @@ def estimate(
     answer = estimate(job)
     if isinstance(answer, str):
         no([f"as written it cannot be driven: {answer}"], as_json)
+    for line in job.program.warnings:
+        warn(f"warning: {line}")
     compared = None
     if measured is not None:
         compared = align(job.program, answer.plan, job.plant.limits.velocity, measured[0], str(log))

@@ -369,8 +369,8 @@ def check_output(output: Path, results: Path, option: str = "--output") -> None:
     from trajopt_cli.runs.files import check_file
 
     check_file(output, option)
-    if output.exists() and output.resolve().is_relative_to(results.resolve()):
-        raise InputError("is a file of the results folder; write to another place", file=str(output))
+    if output.exists() and output.resolve() == results.resolve():
+        raise InputError(f"is what is played; {option} names another file", file=str(output))
 
 
 def _places(output: Path, results: Path, names: Sequence[Path]) -> list[Path]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import platform
 import re
 import sys
@@ -61,7 +60,15 @@ def looked_at() -> list[Check]:
 
 
 def _trajopt() -> Check:
-    return Check("trajopt", State.OK, f"{__version__} in {Path(__file__).parents[1]}")
+    found = f"{__version__} in {Path(__file__).parents[1]}"
+    try:
+        installed = version("trajopt-cli")
+    except PackageNotFoundError:
+        installed = __version__
+    if installed == __version__:
+        return Check("trajopt", State.OK, found)
+    remedy = "what follows are the packages of that version; pip install . in the checkout again"
+    return Check("trajopt", State.ABSENT, f"{found}, installed as {installed}", remedy)
 
 
 def _python() -> Check:
@@ -120,8 +127,11 @@ def _cache() -> Check:
     files = [path for path in folder.glob("*") if path.is_file()] if folder.is_dir() else []
     size = f"{sum(path.stat().st_size for path in files) / 1e6:.1f} MB in {len(files)} files"
     nearest = next(path for path in (folder, *folder.parents) if path.exists())
-    if os.access(nearest, os.W_OK | os.X_OK) and nearest.is_dir():
-        return Check("cache", State.OK, f"{folder}, {size}")
+    try:
+        with TemporaryDirectory(dir=nearest):
+            return Check("cache", State.OK, f"{folder}, {size}")
+    except OSError:
+        pass
     remedy = "every run translates its expressions anew, some seconds; make it writable or set XDG_CACHE_HOME"
     return Check("cache", State.ABSENT, f"{folder} cannot be written", remedy)
 

@@ -17,7 +17,7 @@ _UNIT = {Kind.SPEED: "/s", Kind.ACCELERATION: "/s²", Kind.JERK: "/s³"}
 
 def _in_force(limit: Limit, limits: JointLimits) -> float | None:
     values = {Kind.SPEED: limits.velocity, Kind.ACCELERATION: limits.acceleration, Kind.JERK: limits.jerk}[limit.kind]
-    if values is None:
+    if values is None or (limit.kind is Kind.JERK and not limits.jerk_binds):
         return None
     value = float(values[limits.names.index(limit.axis)])
     return value if value == value else None
@@ -35,7 +35,7 @@ def identified_table(found: Sequence[Limit], limits: JointLimits, place: str) ->
         now = _in_force(one, limits)
         cells = [one.axis, one.kind.value]
         if one.value is None:
-            most = "" if one.most is None else f"; the highest seen is {one.most / factor:.4g} {unit}"
+            most = "" if one.most is None else f"; the highest of those that can tell is {one.most / factor:.4g} {unit}"
             cells += ["", "", "", unit, "", "" if now is None else f"{now / factor:.4g}", f"{one.why}{most}"]
         else:
             assert one.low is not None

@@ -56,7 +56,11 @@ def serve_page(content: bytes, tell: Callable[[str], None]) -> None:
         def log_message(self, format: str, *args: object) -> None:
             """Say nothing."""
 
-    with ThreadingHTTPServer((_LOOPBACK, 0), Handler) as server:
+    class Server(ThreadingHTTPServer):
+        def handle_error(self, request: object, client_address: object) -> None:
+            """A browser that goes away in the middle is no matter for anybody."""
+
+    with Server((_LOOPBACK, 0), Handler) as server:
         port = server.server_address[1]
         address = f"http://{_LOOPBACK}:{port}/"
         tell(address)

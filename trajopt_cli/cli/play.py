@@ -66,7 +66,7 @@ def egm(
 
     for value, option in ((constant, "--follower-time-constant"), (silence, "--silence")):
         if not 0 < value < 1e4:
-            raise InputError(f"{option} {value:g}: wanted seconds above 0")
+            raise InputError(f"{option} {value:g}: wanted seconds above 0 and below 10,000")
     host, port = address(to)
     if log is not None:
         check_output(log, source, "--log")
@@ -105,6 +105,8 @@ def _stream(source: Path) -> Stream:
 
     if source.is_dir():
         return egm_stream(source)[1]
+    if source.exists() and not source.is_file():
+        raise InputError("is not a regular file; give one of trajopt export egm", file=str(source))
     try:
         return read_stream(source.read_bytes(), str(source))
     except OSError as error:

@@ -11,6 +11,7 @@ import socket
 from collections.abc import Iterator
 from dataclasses import dataclass
 from ipaddress import ip_address
+from time import monotonic
 
 import numpy as np
 
@@ -90,11 +91,15 @@ def play(stream: Stream, here: socket.socket, settle: float, silence: float) -> 
     It ends early where nothing comes for so long a silence [s], and where the controller stands elsewhere than the
     stream begins. Raises InputError for a controller with fewer axes than the stream.
     """
-    here.settimeout(silence)
+    heard = monotonic()
     rows: list[tuple[float, int, Array]] = []
     peer, begin, before, lost, strangers, why_not = None, 0, 0, 0, 0, ""
     while True:
         try:
+            left = heard + silence - monotonic()
+            if left <= 0:  # strangers do not make it longer
+                raise TimeoutError
+            here.settimeout(left)
             message, sender = here.recvfrom(_DATAGRAM)
         except TimeoutError:
             why_not = f"no EgmRobot message came for {silence:g} s"
@@ -105,6 +110,7 @@ def play(stream: Stream, here: socket.socket, settle: float, silence: float) -> 
         if state is None or (peer is not None and (sender != peer or not 0 < step < _CLOCK // 2)):
             strangers += 1
             continue
+        heard = monotonic()
         x = _axes_of(state, stream)
         if peer is None:
             peer, begin = sender, state.tm

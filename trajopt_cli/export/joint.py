@@ -9,6 +9,7 @@ import numpy as np
 from trajopt_cli.errors import InputError
 from trajopt_cli.trajectory import Trajectory, hermite
 
+LOWEST_RATE = 1.0  # Hz: rows farther apart are no motion
 HIGHEST_RATE = 1e5  # Hz; no controller listens faster, and a row takes some 300 bytes
 MOST_ROWS = 5_000_000  # 1.5 GB of text, more than an hour at 1 kHz
 _SHORTEST_INTERVAL = 1e-5  # s, what our own files promise; a shorter last step is joined with the one before it
@@ -31,9 +32,9 @@ def resample(trajectory: Trajectory, rate: float) -> Trajectory:
 
 
 def check_rate(trajectory: Trajectory, rate: float) -> None:
-    """Raise InputError for a rate outside (0, 1e5] Hz, and for one that makes more than MOST_ROWS rows."""
-    if not (math.isfinite(rate) and 0 < rate <= HIGHEST_RATE):
-        raise InputError(f"rate {rate:g} Hz lies outside (0, {HIGHEST_RATE:g}] Hz; 1000 suits most controllers")
+    """Raise InputError for a rate outside [1, 1e5] Hz, and for one that makes more than MOST_ROWS rows."""
+    if not (math.isfinite(rate) and LOWEST_RATE <= rate <= HIGHEST_RATE):
+        raise InputError(f"rate {rate:g} Hz lies outside [1, {HIGHEST_RATE:g}] Hz; 1000 suits most controllers")
     if trajectory.duration * rate > MOST_ROWS:
         rows, slowest = trajectory.duration * rate, math.floor(MOST_ROWS / trajectory.duration * 10) / 10
         raise InputError(

@@ -60,11 +60,19 @@ def read_log(
     Raises InputError, one line, with the file and the column or line, for what is missing, ambiguous or no number, for
     times that do not increase, and for positions far outside the axes' ranges.
     """
+    file = str(path)
+    if path.exists() and not path.is_file():
+        raise InputError("is not a regular file; save the log in one", file=file)
     try:
         text = path.read_bytes().decode("utf-8-sig", errors="replace")
     except FileNotFoundError:
-        raise InputError("no such log", file=str(path)) from None
-    file = str(path)
+        raise InputError("no such log", file=file) from None
+    except OSError as error:
+        raise InputError(f"cannot read: {error.strerror}", file=file) from error
+    if "\0" in text[:1000]:
+        raise InputError("holds NUL bytes, as UTF-16 and binary files do; save the log as UTF-8 text", file=file)
+    if "\r" in text and "\n" not in text:
+        raise InputError("its lines end in CR alone; save the log with LF or CRLF", file=file)
     first, _, _ = text.partition("\n")
     if not first.strip():
         raise InputError("the file is empty or begins with an empty line; wanted a line of heads", file=file)
@@ -217,7 +225,8 @@ def _numbers(text: str, delimiter: str, columns: Sequence[_Column], skip: int, w
         table = np.loadtxt(io.StringIO(body), delimiter=delimiter, usecols=use, comments=None, ndmin=2, quotechar='"')
     except ValueError:
         raise _first_mistake(body, delimiter, columns, skip, width, file) from None
-    if not np.isfinite(table).all():
+    long = any(len(more := line.split(delimiter)) > width and more[width:] != [""] for line in body.splitlines())
+    if long or not np.isfinite(table).all():
         raise _first_mistake(body, delimiter, columns, skip, width, file)
     return np.asarray(table)
 
@@ -229,6 +238,8 @@ def _first_mistake(
         if not line.strip():
             continue
         fields = line.rstrip("\r\n").split(delimiter)
+        if len(fields) > width and fields[width:] != [""]:
+            return InputError(f"{len(fields)} values, the first line has {width}", file=file, line=number)
         for column in columns:
             if column.number >= len(fields):
                 return InputError(f"{len(fields)} values, the first line has {width}", file=file, line=number)

@@ -104,7 +104,7 @@ def _head(
     tiles.append(tile("", f"{other} plan", f"{seconds(second.duration)} s", told))
     verdicts = " · ".join(
         f'{one} plan <span class="verdict {"good" if plans[one].report.legal else "bad"}">'
-        f"{'legal' if plans[one].report.legal else 'not legal'}</span>, {len(plans[one].report.findings)} findings"
+        f"{'legal' if plans[one].report.legal else 'not legal'}</span>, {len(plans[one].report.findings)} checks"
         for one in (target, other)
     )
     return (

@@ -37,7 +37,7 @@ def judged(name: str, report: Report, opened: bool) -> str:
         )
     heads = ("check", ">cases", "nearest case", ">value", ">limit", ">margin", "unit", ">at [s]", "place", "")
     verdict = f'<h3>{text(name)}: <span class="verdict {kind}">{word}</span></h3>'
-    shown = table(f"{name}: {len(report.findings)} findings", heads, rows, html=True)
+    shown = table(f"{name}: {len(report.findings)} checks", heads, rows, html=True)
     return f"<details{' open' if opened else ''}><summary>{verdict}</summary>{shown}</details>"
 
 

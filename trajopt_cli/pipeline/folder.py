@@ -97,6 +97,8 @@ def rapid_export(folder: Path) -> RapidFiles:
 
 
 def _text(path: Path) -> str:
+    if path.exists() and not path.is_file():
+        raise InputError("is not a regular file; save the rows in one", file=str(path))
     try:
         return path.read_text(encoding="utf-8")
     except OSError as error:

@@ -17,6 +17,7 @@ from pathlib import Path
 from tempfile import TemporaryFile
 
 from trajopt_cli.errors import InputError
+from trajopt_cli.runs import RUN
 
 _AT_FDCWD, _RENAME_EXCHANGE = -100, 2  # linux/fcntl.h, linux/fs.h
 
@@ -50,6 +51,8 @@ def check_file(path: Path, option: str = "--output") -> None:
     real = Path(os.path.realpath(path))
     if not real.parent.is_dir():
         raise InputError(f"is not a folder to write to; make it or correct {option}", file=str(path.parent))
+    if real.exists() and any((folder / RUN).is_file() for folder in (*real.parents[:2],)):
+        raise InputError("is a file of a results folder, which keeps its hash; write to another place", file=str(path))
     part = real.with_name(f"{_prefix(real)}{secrets.token_hex(4)}")
     try:
         part.touch(exist_ok=False)

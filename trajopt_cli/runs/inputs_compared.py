@@ -9,6 +9,7 @@ from difflib import SequenceMatcher, unified_diff
 from pathlib import PurePath
 from typing import Any
 
+from trajopt_cli.errors import printable
 from trajopt_cli.rapid.language.text import decode
 from trajopt_cli.runs.folder import Run
 from trajopt_cli.runs.record import INPUT
@@ -89,7 +90,7 @@ def _change(before: str | None, after: str | None, a: str, b: str) -> ModuleChan
         return None
     codes = [code for code in SequenceMatcher(None, old, new, autojunk=False).get_opcodes() if code[0] != "equal"]
     added, removed = sum(d - c for _, _, _, c, d in codes), sum(b - a for _, a, b, _, _ in codes)
-    return ModuleChange(name, added, removed, tuple(unified_diff(old, new, a, b, n=1, lineterm="")))
+    return ModuleChange(name, added, removed, tuple(map(printable, unified_diff(old, new, a, b, n=1, lineterm=""))))
 
 
 def _flat(value: Any, path: str) -> Iterator[tuple[str, str]]:

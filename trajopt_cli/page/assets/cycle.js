@@ -257,7 +257,9 @@
       row.classList.toggle("moves", Boolean(known));
       if (known) row.dataset.from = String(known.from);
       else delete row.dataset.from;
-      row.lastChild.textContent = known && was && Math.abs(known.saved) > 5e-4 ? `${figure(-known.saved, 3)} s` : "";
+      const felt = known && was && Math.abs(known.saved) > 5e-4;
+      row.lastChild.textContent = felt ? `${known.saved < 0 ? "+" : ""}${figure(-known.saved, 3)} s` : "";
+      row.lastChild.classList.toggle("costs", Boolean(felt) && known.saved < 0);
     }
   }
 
