@@ -19,7 +19,7 @@ def runs_page(answer: ComparedRuns) -> bytes:
     """The page's bytes, the same for the same comparison."""
     sections = [
         Section(
-            "times", "Cycle times", _cycles(answer), "Differences count against A. The black line is the lower bound."
+            "times", "Cycle times", _cycles(answer), "Differences count against A. The line across a bar is its lower bound."
         ),
         Section("gantt", f"Motions of the {answer.target} plans over time", _gantt(answer), _key(answer)),
         Section("motions", "Times by motion", _motions(answer), "The largest difference first."),
@@ -137,7 +137,8 @@ def _inputs(answer: ComparedRuns) -> str:
 
 def _svg(drawn: Sequence[str], high: float, label: str) -> str:
     box = f"0 0 {_WIDE} {high:g}"
-    return f'<svg class="gantt" viewBox="{box}" role="img" aria-label="{text(label)}">{"".join(drawn)}</svg>'
+    svg = f'<svg class="gantt" viewBox="{box}" role="img" aria-label="{text(label)}">{"".join(drawn)}</svg>'
+    return f'<div class="scroll" role="region" aria-label="{text(label)}" tabindex="0">{svg}</div>'
 
 
 def _signed(seconds: float) -> str:

@@ -25,7 +25,11 @@
     const rough = (high - low) / Math.max(count, 1);
     if (!(rough > 0)) return { values: [low], digits: 3 };
     const power = 10 ** Math.floor(Math.log10(rough));
-    const step = [1, 2, 5, 10].map((f) => f * power).find((s) => s >= rough * 0.999);
+    const steps = [0.2, 0.5, 1, 2, 5, 10].map((f) => f * power);
+    const within = (step) => Math.floor(high / step + 1e-9) - Math.ceil(low / step - 1e-9) + 1;
+    let k = steps.findIndex((s) => s >= rough * 0.999);
+    while (k > 0 && within(steps[k]) < 2) k--; // one figure says nothing of a scale
+    const step = steps[k];
     const values = [];
     for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i++) values.push(i * step);
     return { values, digits: Math.max(0, -Math.floor(Math.log10(step) + 1e-9)) };
