@@ -395,7 +395,8 @@ def test_robot_show_prints_figures_with_grades(capsys: pytest.CaptureFixture[str
         (["optimize", "none.mod"], "none.mod: no such program"),
         (
             ["optimize", "tiny.mod", "--target", "egm"],
-            "trajopt: Invalid value for '--target': 'egm' is not one of 'stream', 'rapid'; see 'trajopt optimize --help'",
+            "trajopt: Invalid value for '--target': 'egm' is not one of 'stream', 'rapid'; "
+            "see 'trajopt optimize --help'",
         ),
         (
             ["optimize", "tiny.mod", "--cell", "no.yaml"],
@@ -410,7 +411,8 @@ def test_robot_show_prints_figures_with_grades(capsys: pytest.CaptureFixture[str
         ),
         (
             ["export", "rapid", "x"],
-            "trajopt: Invalid value: give --output, --diff, --in-place or several of them; see 'trajopt export rapid --help'",
+            "trajopt: Invalid value: give --output, --diff, --in-place or several of them; "
+            "see 'trajopt export rapid --help'",
         ),
         (
             ["robot", "show", "irb14"],

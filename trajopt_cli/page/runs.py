@@ -19,7 +19,10 @@ def runs_page(answer: ComparedRuns) -> bytes:
     """The page's bytes, the same for the same comparison."""
     sections = [
         Section(
-            "times", "Cycle times", _cycles(answer), "Differences count against A. The line across a bar is its lower bound."
+            "times",
+            "Cycle times",
+            _cycles(answer),
+            "Differences count against A. The line across a bar is its lower bound.",
         ),
         Section("gantt", f"Motions of the {answer.target} plans over time", _gantt(answer), _key(answer)),
         Section("motions", "Times by motion", _motions(answer), "The largest difference first."),
