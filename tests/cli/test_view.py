@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import signal
+import socket
+import struct
 import subprocess
 import sys
 import time
@@ -68,7 +70,7 @@ def test_the_server_gives_the_page_alone_to_this_machine_alone_until_ctrl_c(fold
     (folder.parent / "secret").write_text("secret")
     heard = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)  # tests in the background of a shell hear no Ctrl-C
     with subprocess.Popen(
-        command(str(folder), "--serve"), stdout=subprocess.PIPE, text=True, preexec_fn=heard
+        command(str(folder), "--serve"), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=heard
     ) as process:
         assert process.stdout is not None
         address = process.stdout.readline().split()[0]
@@ -84,12 +86,18 @@ def test_the_server_gives_the_page_alone_to_this_machine_alone_until_ctrl_c(fold
         assert ask("/", f"127.0.0.1:{port}") == (200, PAGE)
         for path, host in (("/../secret", f"127.0.0.1:{port}"), ("/run.json", f"127.0.0.1:{port}"), ("/", "evil.test")):
             assert ask(path, host) == (404, b"")
+        with socket.create_connection(("127.0.0.1", port)) as leaving:  # half a request, and a reset
+            leaving.sendall(b"GET / HTTP/1.1\r\nHost:")
+            leaving.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+        assert ask("/", f"localhost:{port}") == (200, PAGE)
         until = time.monotonic() + 10
         while not browser.exists() and time.monotonic() < until:
             time.sleep(0.01)
         process.send_signal(signal.SIGINT)
         try:
             assert process.wait(timeout=10) == 0
+            assert process.stderr is not None
+            assert process.stderr.read() == ""
         finally:
             process.kill()
     assert browser.read_text().split() == [address]

@@ -10,6 +10,7 @@ from contextlib import suppress
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from threading import Thread
+from typing import Any
 
 _LOOPBACK = "127.0.0.1"
 _SNAPS = Path("/snap/bin")
@@ -57,8 +58,10 @@ def serve_page(content: bytes, tell: Callable[[str], None]) -> None:
             """Say nothing."""
 
     class Server(ThreadingHTTPServer):
-        def handle_error(self, request: object, client_address: object) -> None:
+        def handle_error(self, request: Any, client_address: Any) -> None:
             """A browser that goes away in the middle is no matter for anybody."""
+            if not isinstance(sys.exception(), ConnectionError):
+                super().handle_error(request, client_address)
 
     with Server((_LOOPBACK, 0), Handler) as server:
         port = server.server_address[1]

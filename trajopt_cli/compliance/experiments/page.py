@@ -39,7 +39,10 @@ def experiments_page(numbers: Mapping[str, Any], pictures: Mapping[str, bytes]) 
     if worst:
         html = _table("the flange behind the controller, worst of all", worst) + points(numbers["flange_worst_notes"])
         groups.insert(5, (Section("flange", "6.1.5 the flange", html), []))
-    about = f"Chapter 6 of the thesis, its numbers beside ours; engine {numbers['engine']}"
+    about = (
+        "Chapter 6 of the thesis that the compliant job goes back to (V. Číhala, Poddajné řízení průmyslového robota, "
+        f"ČVUT 2020), its numbers beside ours; engine {numbers['engine']}"
+    )
     return picture_page("iiwa experiments", about, groups)
 
 
