@@ -4,12 +4,43 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.geometry import Array, BoolArray, readonly
 
 _NEAREST_ROWS = 1e-5  # s: no rows of the files written here are nearer to each other
+
+
+@dataclass(frozen=True)
+class CoupledRange:
+    """A range of a weighted sum of joints, as a parallel linkage has it: lower <= sum of factor * angle <= upper [rad].
+
+    axes: names of different axes of the arm; source: where the numbers come from, with the grade in words.
+    """
+
+    axes: tuple[str, ...]
+    factors: tuple[float, ...]
+    lower: float
+    upper: float
+    source: str = ""
+
+    def __post_init__(self) -> None:
+        if not (len(self.axes) == len(self.factors) == len({*self.axes}) and all(self.factors)):
+            raise ValueError(f"CoupledRange: wanted a factor, not 0, for each of different axes, got {self}")
+        if not self.lower < self.upper:
+            raise ValueError("CoupledRange: the lower limit must lie under the upper limit")
+
+    @property
+    def name(self) -> str:
+        """The sum as a formula: "joint_2 + joint_3", "joint_3 - 0.5 joint_2"."""
+        out = ""
+        for axis, factor in zip(self.axes, self.factors, strict=True):
+            size = "" if abs(factor) == 1 else f"{abs(factor):g} "
+            sign = ("- " if factor < 0 else "+ ") if out else ("-" if factor < 0 else "")
+            out += f"{' ' if out else ''}{sign}{size}{axis}"
+        return out
 
 
 @dataclass(frozen=True, eq=False)
@@ -17,9 +48,10 @@ class JointLimits:
     """Limits of all axes in the robot's order (rail first), rad or m: position, speed [1/s], acceleration [1/s2].
 
     jerk [1/s3]: None where the robot's profile gives none; jerk_binds: every motion keeps it, not those alone that are
-    made with it.
+    made with it. torque [Nm, N for a rail]: what the drives give at most, inf for an axis of which nobody says it; None
+    where nobody says it of any; torque_binds: every motion keeps it.
     sources maps "joint_3.acceleration" to where the number comes from and its grade in words; grades to the grade, A to
-    D, of a number of the robot's own files.
+    D, of a number of the robot's own files. coupled: ranges of sums of axes, where the arm's links are coupled.
     """
 
     names: tuple[str, ...]
@@ -31,6 +63,14 @@ class JointLimits:
     jerk: Array | None = None
     grades: Mapping[str, str] = field(default_factory=dict)
     jerk_binds: bool = False
+    coupled: tuple[CoupledRange, ...] = ()
+    torque: Array | None = None
+    torque_binds: bool = False
+
+    @property
+    def binding_torque(self) -> Array | None:
+        """The torque limits where every motion keeps them."""
+        return self.torque if self.torque_binds else None
 
     @property
     def binding_jerk(self) -> Array | None:
@@ -40,8 +80,20 @@ class JointLimits:
             return None
         return None if np.all(self.jerk * _NEAREST_ROWS >= 2 * self.acceleration) else self.jerk
 
+    @cached_property
+    def couplings(self) -> Couplings:
+        """The ranges of sums of axes as numbers."""
+        rows = np.zeros((len(self.coupled), len(self.names)))
+        for row, one in zip(rows, self.coupled, strict=True):
+            row[[self.names.index(axis) for axis in one.axes]] = one.factors
+        ends = (np.array([getattr(one, end) for one in self.coupled], dtype=np.float64) for end in ("lower", "upper"))
+        return Couplings(rows, *ends)
+
     def __post_init__(self) -> None:
-        for name in ("lower", "upper", "velocity", "acceleration", "jerk"):
+        for one in self.coupled:
+            if not {*one.axes} <= {*self.names}:
+                raise ValueError(f"JointLimits: {one.name} names an axis that is none of {', '.join(self.names)}")
+        for name in ("lower", "upper", "velocity", "acceleration", "jerk", "torque"):
             if getattr(self, name) is None:
                 continue
             values = readonly(getattr(self, name))
@@ -56,6 +108,39 @@ class JointLimits:
             raise ValueError("JointLimits: jerks must be positive")
         if self.jerk_binds and self.jerk is None:
             raise ValueError("JointLimits: jerks that bind must be given")
+        if self.torque is not None and not np.all(self.torque > 0):
+            raise ValueError("JointLimits: torques must be positive")
+        if self.torque_binds and self.torque is None:
+            raise ValueError("JointLimits: torques that bind must be given")
+
+
+@dataclass(frozen=True, eq=False)
+class Couplings:
+    """c ranges of sums of n axes: lower <= rows @ q <= upper, rows (c, n), lower and upper (c,). c may well be 0."""
+
+    rows: Array
+    lower: Array
+    upper: Array
+
+    def __bool__(self) -> bool:
+        return len(self.rows) > 0
+
+    def arm(self, joints: slice) -> Couplings:
+        """The same of the arm's joints alone."""
+        return Couplings(self.rows[:, joints], self.lower, self.upper)
+
+    def within(self, q: Array, slack: float = 1e-9) -> BoolArray:
+        """Whether axes (..., n) keep all of them, but for a slack [rad]; NaN does not."""
+        if not self:
+            return np.ones(q.shape[:-1], dtype=bool)
+        with np.errstate(invalid="ignore"):
+            sums = q @ self.rows.T
+            return np.asarray(np.all((sums >= self.lower - slack) & (sums <= self.upper + slack), axis=-1))
+
+    def ratios(self, q: Array) -> Array:
+        """How far the sums (..., c) are from the middles of their ranges, as shares of half of them."""
+        half = (self.upper - self.lower) / 2
+        return np.asarray(np.abs(q @ self.rows.T - (self.upper + self.lower) / 2) / half)
 
 
 @dataclass(frozen=True)

@@ -205,6 +205,15 @@ def option_value(text: str, units: Mapping[str, float], option: str) -> float:
     return value
 
 
+def option_number(text: str, units: Mapping[str, float], option: str) -> float:
+    """A command line's number in SI: with one of units, or plain. Raises InputError naming the option."""
+    plain = _SCALAR.fullmatch(text.strip())
+    try:
+        return number(units)(float(text) if plain is not None and not plain["unit"] else text)
+    except PydanticCustomError as error:
+        raise InputError(f"{option}: {error.message()}") from error
+
+
 def _bare(item: str, text: str) -> float:
     match = _SCALAR.fullmatch(item.strip())
     if match is None or match["unit"]:

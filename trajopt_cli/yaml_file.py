@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NoReturn, TypeVar
 
@@ -88,6 +88,41 @@ def line_of(key: str, lines: Mapping[str, int]) -> int:
     parts = key.split(".")
     parents = (".".join(parts[:n]) for n in range(len(parts), 0, -1))
     return next((lines[parent] for parent in parents if parent in lines), 1)
+
+
+def with_value(text: str, file: str, keys: Sequence[str], value: str) -> str:
+    """A YAML text with another value at a key, given by the keys that lead to it, and every other character as it was.
+
+    value: as text for one line. All sections but the last key are there; that key is added where it is missing. Raises
+    InputError as parse does.
+    """
+    node: Node = _tree(YAML(typ="safe", pure=True), text, file, "")
+    for i, key in enumerate(keys):
+        assert isinstance(node, MappingNode)
+        inner = next((value for name, value in node.value if name.value == key), None)
+        if inner is None:
+            assert i == len(keys) - 1
+            return _with_key(text, node, key, value)
+        node = inner
+    return f"{text[: node.start_mark.index]}{value}{text[_end(node) :]}"
+
+
+def _with_key(text: str, section: MappingNode, key: str, value: str) -> str:
+    """A text with a key more in a section: behind all others of one in braces, else on a line before them."""
+    if section.flow_style:
+        at = _end(section.value[-1][1]) if section.value else section.end_mark.index - 1
+        return f"{text[:at]}{', ' if section.value else ''}{key}: {value}{text[at:]}"
+    first = section.value[0][0].start_mark
+    return f"{text[: first.index]}{key}: {value}\n{' ' * first.column}{text[first.index :]}"
+
+
+def _end(node: Node) -> int:
+    """Where a node's own text ends; the mark of a section in lines is behind the comments and blanks below it."""
+    if isinstance(node, MappingNode) and not node.flow_style and node.value:
+        return _end(node.value[-1][1])
+    if isinstance(node, SequenceNode) and not node.flow_style and node.value:
+        return _end(node.value[-1])
+    return int(node.end_mark.index)
 
 
 def _check_size(size: int, file: str) -> None:

@@ -2,9 +2,9 @@ import json
 
 import numpy as np
 import pytest
-from places import TRUTH, crooked_pose
+from places import ARMS, TRUTH, crooked_pose
 
-from trajopt_cli.robot.model import Structure, load_robot, robot_names
+from trajopt_cli.robot.model import load_robot
 
 
 @pytest.fixture(scope="session")
@@ -21,9 +21,9 @@ def irb140():
     return load_robot("irb140")
 
 
-@pytest.fixture(scope="session", params=robot_names(Structure.SIX_AXIS))
+@pytest.fixture(scope="session", params=ARMS)
 def mounted(request):
-    """Every six-axis robot that ships, mounted at a crooked pose in the world."""
+    """Every six-axis robot that ships, two of them on a track, mounted at a crooked pose in the world."""
     return load_robot(request.param, X_WR=crooked_pose(7))
 
 

@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
+import pinocchio as pin
 import pytest
+from arms import KNOWN, RAILS, on_rail, pin_flange, random_chain
 from small_cells import MOUNTS, mounted, plant_with_rail
 
 from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.robot.enclosure import Enclosure, Range
+from trajopt_cli.robot.inverse import representatives
+from trajopt_cli.robot.kinematics import singularity
+from trajopt_cli.robot.model import RobotModel
 
 TURN = 2 * np.pi
 
@@ -22,7 +28,7 @@ def enclosed(axes: Axes, X: Array, nodes: Array) -> Enclosure:
 
 def wrist_rates(axes: Axes, q: Array) -> Array:
     """Rates (n, 3) of the first three joints per metre of rail while the wrist centre stands still in the world."""
-    X_FT = pose(np.eye(3), [0.0, 0.0, -axes.robot.arm.L6])
+    X_FT = pose(np.eye(3), [0.0, 0.0, -axes.robot.arm.c4])
     J = axes.jacobian(q, X_FT)[:, :3]
     return -np.linalg.solve(J[:, :, 1:4], J[:, :, :1])[..., 0]
 
@@ -35,7 +41,7 @@ def poses(axes: Axes, rng: np.random.Generator, n: int, d: float) -> list[Array]
         R = rotation_about(axis / np.linalg.norm(axis), rng.uniform(0, np.pi))
         p = rng.uniform([-0.9, -0.9, -0.4], [0.9, 0.9, 1.2])
         if i % 6 == 0:  # wrist centre that passes close to axis 1
-            p = axes.robot.arm.L6 * R[:, 2] + np.array([*rng.normal(size=2) * 1e-3, rng.uniform(0.5, 0.9)])
+            p = axes.robot.arm.c4 * R[:, 2] + np.array([*rng.normal(size=2) * 1e-3, rng.uniform(0.5, 0.9)])
         out.append(axes.robot.base(np.array(d)) @ pose(R, p))
     return out
 
@@ -85,7 +91,7 @@ def test_random_configurations_lie_inside(mount: str, width: float) -> None:
 
 def axis_distance(axes: Axes, q: Array) -> Array:
     arm = axes.robot.arm
-    return np.abs(arm.a1 + arm.L2 * np.sin(q[:, 1]) + arm.L4 * np.cos(q[:, 1] + q[:, 2]))
+    return np.abs(arm.a1 + arm.c2 * np.sin(q[:, 1]) + arm.c3 * np.cos(q[:, 1] + q[:, 2]))
 
 
 def test_out_of_reach_is_given_up() -> None:
@@ -150,3 +156,84 @@ def test_rates_on_a_way_of_the_tool_lie_inside(mount: str) -> None:
             tight += int(np.sum(hi - lo < 0.2 + np.abs(rate)))
     assert checked > 3000
     assert tight > 0.5 * checked
+
+
+@pytest.fixture(params=[*((name, rail) for name in ("irb1200", "puma560") for rail in RAILS), *enumerate(RAILS * 2)])
+def railed(request: pytest.FixtureRequest, tmp_path: Path) -> RobotModel:
+    """An arm of any kind on a rail in any direction."""
+    name, rail = request.param
+    return on_rail(KNOWN[name]() if name in KNOWN else random_chain(name + 20), rail).load(tmp_path)
+
+
+def test_every_arm_on_every_rail_is_enclosed_in_all_its_turns(railed: RobotModel) -> None:
+    """Joints in every turn that their ranges hold, by the inverse; rates by pin's Jacobian at the wrist centre."""
+    rng, limits = np.random.default_rng(2), railed.profile()
+    nodes, p_FW = np.arange(-0.9, 0.9, 0.02), wrist_in_flange(railed)
+    data, model = railed.pin_model.createData(), railed.pin_model
+    checked, tight = 0, 0
+    once = np.flatnonzero((limits.upper - limits.lower)[1:4] <= TURN)  # the others may have the hull of several turns
+    for axes in rng.uniform(limits.lower, limits.upper, (15, 7)):
+        X, twist = railed.forward(np.r_[0.0, axes[1:]]), rng.normal(size=6) * 0.5
+        e = railed.enclose(X, nodes, limits, twist)
+        assert e.way is not None
+        d = np.r_[rng.uniform(nodes[0], nodes[-1], 40), rng.uniform(-1e-3, 1e-3, 5)]
+        for k, (rail, branches) in enumerate(
+            zip(d, railed.branches(np.broadcast_to(X, (len(d), 4, 4)), d), strict=True)
+        ):
+            i = int(np.searchsorted(nodes, rail, side="right")) - 1
+            for cfx in (0, 2, 4, 6):
+                row = 2 * bool(cfx & 4) + bool(cfx & 2)
+                for q in representatives(branches[cfx], limits.lower[1:] + 1e-7, limits.upper[1:] - 1e-7)[:, :3]:
+                    assert e.alive[row, i]
+                    assert np.all((q >= e.q.lo[:, row, i] - 1e-11) & (q <= e.q.hi[:, row, i] + 1e-11))
+                    checked += 1
+                    tight += bool(np.all((e.q.hi[:, row, i] - e.q.lo[:, row, i])[once] < 0.3))
+                whole = np.r_[rail, branches[cfx]]
+                if k % 5 or np.isnan(branches[cfx]).any() or singularity(railed, whole).min() < 1e-3:
+                    continue
+                J = pin.computeFrameJacobian(model, data, whole, model.getFrameId("tool0"), pin.LOCAL_WORLD_ALIGNED)
+                R = pin.updateFramePlacement(model, data, model.getFrameId("tool0")).rotation
+                carried = np.hstack([np.eye(3), -skew(R @ p_FW)])  # velocity of the wrist centre of the flange's
+                still = -np.linalg.solve((carried @ J)[:, 1:4], (carried @ J)[:, 0])
+                moved = np.linalg.solve((carried @ J)[:, 1:4], carried @ twist)
+                for rates, found in ((still, e.rate), (moved, e.way)):
+                    room = 1e-8 * (1 + np.abs(rates))
+                    assert np.all((rates >= found.lo[:, row, i] - room) & (rates <= found.hi[:, row, i] + room))
+    assert checked > 300
+    assert tight > 0.3 * checked
+
+
+def wrist_in_flange(robot: RobotModel) -> Array:
+    """Where axes 4, 5 and 6 meet, seen from the flange: it stays there when they turn."""
+    q = np.zeros((3, 7))
+    q[1, 4:], q[2, 4:] = [0.3, 0.5, -0.2], [-0.4, 0.7, 1.1]
+    X = pin_flange(robot, q)
+    unknown = np.hstack([X[:, :3, :3].reshape(9, 3), -np.tile(np.eye(3), (3, 1))])
+    return np.linalg.lstsq(unknown, -X[:, :3, 3].ravel(), rcond=None)[0][:3]
+
+
+def skew(v: Array) -> Array:
+    return np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
+
+
+@pytest.mark.parametrize("cfx", [0, 2])
+def test_joint_2_is_enclosed_where_the_wrist_centre_passes_straight_below_it(cfx: int, tmp_path: Path) -> None:
+    """There the angle that joint 2 is counted by passes its cut, from one node of the rail to the next; its range ends
+    between the two, so that no other turn of it is in range."""
+    robot = on_rail(KNOWN["irb4600"](), "floor").load(tmp_path)
+    arm, limits, row = robot.arm, robot.profile(), cfx // 2
+    X = pose(np.eye(3), [0.0, 0.3, arm.c1 - 1.0 + arm.c4])
+    below = 0.3 - arm.a1
+    (at,) = robot.branches(X[None], np.array([below]))[:, cfx, 1]
+    lower, upper = limits.lower.copy(), limits.upper.copy()
+    lower[1:4], upper[1:4] = [-3, at - 3, -6], [3, at + 0.004, 6]
+    limits, nodes = replace(limits, lower=lower, upper=upper), below + np.arange(-9.5, 9.5) * 0.02
+    d = below + np.linspace(-0.0099, 0.0099, 400)
+    e, checked = robot.enclose(X, nodes, limits), 0
+    for rail, branches in zip(d, robot.branches(np.broadcast_to(X, (400, 4, 4)), d), strict=True):
+        i = int(np.searchsorted(nodes, rail, side="right")) - 1
+        for q in representatives(branches[cfx, :3], lower[1:4], upper[1:4]):
+            assert e.alive[row, i]
+            assert np.all((q >= e.q.lo[:, row, i]) & (q <= e.q.hi[:, row, i]))
+            checked += 1
+    assert checked > 200

@@ -11,6 +11,7 @@ from ruamel.yaml import YAML
 
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.robot import catalogue
+from trajopt_cli.robot.catalogue import find_robot
 from trajopt_cli.robot.model import Structure, load_robot, robot_names
 
 ROBOTS = Path(__file__).parents[2] / "robots"
@@ -38,8 +39,10 @@ def line_with(text, path):
 
 
 def test_the_robots_ship_and_load():
-    assert robot_names() == ("iiwa7", "irb140", "irb140_rail")
-    assert robot_names(Structure.SIX_AXIS) == ("irb140", "irb140_rail")
+    arms = ("irb120", "irb1200_5_90", "irb140", "irb1600_6_120", "irb2600_12_165", "irb4600_40_255", "irb6700_200_260")
+    arms += ("crb15000_5_95", "kr6_r900", "puma560")
+    assert robot_names(Structure.SIX_AXIS) == tuple(sorted([*arms, *(f"{name}_rail" for name in arms)]))
+    assert set(robot_names()) == {"iiwa7", *robot_names(Structure.SIX_AXIS)}
     assert robot_names(Structure.SRS) == ("iiwa7",)
     assert load_robot("irb140").axis_names == tuple(f"joint_{i}" for i in range(1, 7))
     rail = load_robot("irb140_rail")
@@ -47,7 +50,15 @@ def test_the_robots_ship_and_load():
     assert rail.has_rail
     assert not load_robot("irb140").has_rail
     np.testing.assert_array_equal(rail.rail_axis, [0, 1, 0])
-    assert rail.arm == load_robot("irb140").arm
+    arm = load_robot("irb140").arm
+    assert arm.lengths == {"a1": 0.07, "a2": 0.0, "b": 0.0, "c1": 0.352, "c2": 0.36, "c3": 0.38, "c4": 0.065}
+    for one in (arm, rail.arm):  # exactly: expressions drop products with zeros and ones
+        assert one.lengths == arm.lengths
+        assert one.canonical_joints
+        assert one.canonical_flange
+        assert not one.converted
+        np.testing.assert_array_equal(one.X_BO, np.eye(4))
+        np.testing.assert_array_equal(rail.turns[:2], [[0] * 6, [0, 0, 0, 0, 0, -2 * np.pi]])
 
 
 def test_limits_are_those_of_the_data_sheet_and_the_profiles():
@@ -64,20 +75,34 @@ def test_limits_are_those_of_the_data_sheet_and_the_profiles():
 
 def test_every_number_has_a_source_and_a_grade(mounted):
     for limits in mounted.profiles.values():
-        wanted = {f"{n}.{k}" for n in mounted.axis_names for k in ("position", "velocity", "acceleration", "jerk")}
+        wanted = {f"{n}.{k}" for n in mounted.axis_names for k in ("position", "velocity", "acceleration")}
+        if limits.jerk is not None:
+            wanted |= {f"{n}.jerk" for n in mounted.axis_names}
+        if limits.torque is not None:
+            wanted |= {
+                f"{n}.torque" for n, torque in zip(limits.names, limits.torque, strict=True) if np.isfinite(torque)
+            }
         assert set(limits.sources) == wanted
         assert all(text.endswith(tuple(f"(grade {g})" for g in "ABCD")) for text in limits.sources.values())
     assert mounted.profile("default").sources["joint_3.acceleration"].endswith("(grade D)")
-    assert mounted.profile("optimistic").sources["joint_3.acceleration"].endswith("(grade C)")
-    assert mounted.notes["tcp.speed"].endswith("(grade B)")
+    assert mounted.profile("optimistic").sources["joint_3.acceleration"].endswith(("(grade C)", "(grade D)"))
+    for key in ("tcp.speed", "tcp.acceleration", "geometry", "confdata"):
+        assert mounted.notes[key].endswith(tuple(f"(grade {g})" for g in "ABCD"))
+    faster = mounted.profile("optimistic").acceleration[-6:] / mounted.profile("default").acceleration[-6:]
+    assert np.all((faster > 1) & (faster < 5))
 
 
 def test_an_unknown_robot_or_profile_lists_the_known():
     with pytest.raises(InputError) as error:
         load_robot("irb_140")
     assert str(error.value) == (
-        "unknown robot 'irb_140': known are irb140, irb140_rail; or give the path of a robot's .yaml file"
+        "unknown robot 'irb_140'; did you mean 'irb140'? 'trajopt robot list' shows all, or give the path of a robot's"
+        " .yaml file"
     )
+    with pytest.raises(
+        InputError, match=r"unknown robot 'xyz'; known: crb15000_5_95, .*, puma560_rail; 'trajopt robot list' shows"
+    ):
+        find_robot("xyz")
     with pytest.raises(InputError, match=r"irb140 has no limit profile 'fast': known are default, optimistic"):
         load_robot("irb140").profile("fast")
     with pytest.raises(InputError, match=r"robot file 'nowhere/x\.yaml' does not exist"):
@@ -86,7 +111,7 @@ def test_an_unknown_robot_or_profile_lists_the_known():
 
 def test_a_robot_loads_from_a_path(copy):
     robot = load_robot(copy())
-    assert robot.arm == load_robot("irb140").arm
+    assert robot.arm.lengths == load_robot("irb140").arm.lengths
     assert robot.urdf.parent == Path(copy()).parent
 
 
@@ -141,11 +166,32 @@ def test_several_mistakes_are_told_at_once(copy):
 @pytest.mark.parametrize(
     ("edit", "words"),
     [
-        ({'<axis xyz="0 0 1"/>': '<axis xyz="0 0 -1"/>'}, "joint 'joint_1' has axis 0 0 -1, wanted 0 0 1"),
-        ({'"0 0 0.36"': '"0 0.01 0.36"'}, "joint 'joint_3' has origin 0 0.01 0.36 m"),
-        ({'"0.239 0 0"': '"0.239 0 0.07"'}, "joint 'joint_4' has origin 0.239 0 0.07 m"),
-        ({'xyz="0 0 0.36" rpy="0 0 0"': 'xyz="0 0 0.36" rpy="0 0.1 0"'}, "joint 'joint_3' has a turned origin"),
-        ({"1.5707963267948966 0": "0 0"}, "joint 'flange' has a turned origin, wanted rpy 0 pi/2 0"),
+        (
+            {'"0 0 0.36" rpy="0 0 0"': '"0 0 0.36" rpy="0.1 0 0"'},
+            "axes 2 and 3 ('joint_2' and 'joint_3') are 5.72958° ",
+        ),
+        (
+            {'0 0.352" rpy="0 0 0"': '0 0.352" rpy="0.1 0 0"'},
+            "('joint_1' and 'joint_2') are 5.72958° from a right angle",
+        ),
+        (
+            {'"0.239 0 0" rpy="0 0 0"': '"0.239 0 0" rpy="0 0 0.2"'},
+            "('joint_3' and 'joint_4') are 11.4592° from a right",
+        ),
+        (
+            {'"0.141 0 0" rpy="0 0 0"': '"0.141 0 0" rpy="0 0 0.1"'},
+            "axes 4 and 5 ('joint_4' and 'joint_5') are 5.72958°",
+        ),
+        (
+            {'"0 0 0.36" rpy="0 0 0"': '"0 0 0.36" rpy="1e-7 0 0"'},
+            "from parallel, at most 6e-08°: six axes are served whose",
+        ),
+        (
+            {'"0.141 0 0"': '"0.141 0 0.01"'},
+            "the wrist: axis 5 passes axis 4 by 10 mm, at most 1e-06: six",
+        ),
+        ({'"0 0 0.36"': '"0 0.1 0"'}, "axes 2 and 3 are 0 mm apart, at least 0.001: six axes"),
+        ({'"0.239 0 0"': '"-0.141 0 0"'}, "the wrist centre and axis 3 are 0 mm apart, at least 0.001"),
         ({'type="revolute"': 'type="continuous"'}, "joint 'joint_1' has type 'continuous'"),
         ({'type="revolute"': 'type="prismatic"'}, "wanted six revolute joints in a row"),
         ({'velocity="3': 'speed="3'}, "joint 'joint_1': <limit> has no velocity"),
@@ -171,7 +217,7 @@ def test_lengths_come_from_the_urdf(copy):
         copy(urdf={'"0 0 0.36"': '"0 0 0.4"', '"0.141 0 0"': '"0.151 0 0"', '"0 0 0" rpy': '"0 0 0.1" rpy'})
     )
     arm = longer.arm
-    np.testing.assert_allclose([arm.a1, arm.d1, arm.L2, arm.L4, arm.L6], [0.07, 0.452, 0.4, 0.39, 0.065], rtol=1e-14)
+    np.testing.assert_allclose([arm.a1, arm.c1, arm.c2, arm.c3, arm.c4], [0.07, 0.452, 0.4, 0.39, 0.065], rtol=1e-14)
     q = np.array([0.3, 0.2, -0.4, 0.5, 0.6, -0.7])
     import pinocchio as pin
 
@@ -201,6 +247,14 @@ def test_a_turned_rail_in_the_urdf_equals_pin(tmp_path):
     np.testing.assert_allclose(robot.jacobian(q), jacobian, rtol=0, atol=1e-14)
 
 
+def test_the_sliding_axis_has_the_name_that_cell_files_use(tmp_path):
+    for suffix in ("yaml", "urdf"):
+        text = (ROBOTS / f"irb140_rail.{suffix}").read_text()
+        (tmp_path / f"irb140_rail.{suffix}").write_text(text.replace('name="rail"', 'name="slide"'))
+    with pytest.raises(InputError, match="joint 'slide' is the sliding axis: call it 'rail'"):
+        load_robot(str(tmp_path / "irb140_rail.yaml"))
+
+
 def test_a_mounting_must_be_a_pose():
     with pytest.raises(ValueError, match=r"X_WR has shape \(3, 3\), wanted \(4, 4\)"):
         load_robot("irb140", X_WR=np.eye(3))
@@ -222,7 +276,7 @@ def test_an_installed_package_uses_its_own_robots_and_not_its_neighbours(tmp_pat
     code = "from trajopt_cli.robot.model import *; print(robot_names(), load_robot('irb140').urdf)"
     done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True)
     urdf = tmp_path / "trajopt_cli" / "robots" / "irb140.urdf"
-    assert done.stdout.strip() == f"('iiwa7', 'irb140', 'irb140_rail') {urdf}"
+    assert done.stdout.strip() == f"{robot_names()} {urdf}"
 
 
 def test_loading_a_robot_imports_neither_pin_nor_casadi():

@@ -93,6 +93,8 @@ def test_every_solution_of_the_truth_is_found_and_none_extra(irb140, truth):
 
 
 def test_branches_lead_back_to_the_pose_from_a_rail_and_a_crooked_mounting(mounted, rng):
+    if not mounted.closed_form:
+        pytest.skip("branches that are sought step by step have tests of their own: test_offset_wrist.py")
     k = len(mounted.axis_names)
     q = rng.uniform(-3, 3, (3000, k))  # more than one chunk, and no whole number of them
     X = mounted.forward(q)
@@ -102,7 +104,7 @@ def test_branches_lead_back_to_the_pose_from_a_rail_and_a_crooked_mounting(mount
     assert np.isnan(found[~there]).all()  # no half answers
     axes = found if rail is None else np.concatenate([np.broadcast_to(rail[:, None, None], (3000, 8, 1)), found], -1)
     residual = np.abs(mounted.forward(np.where(there[..., None], axes, 0.0)) - X[:, None])
-    assert residual[there].max() < 1e-12
+    assert residual[there].max() < (1e-11 if mounted.arm.b else 1e-12)  # metres of a root beside a shoulder offset
     # The configuration that made the pose is among the branches, where confdata says it is.
     for row, branches in zip(q[:500, -6:], found, strict=False):
         turned = (branches[confdata(mounted, row).cfx] - row + pi) % (2 * pi) - pi
@@ -124,8 +126,8 @@ def test_angles_on_the_seam_take_its_closed_side(irb140):
     assert np.all(behind[:4, 0] == pi)
     assert np.all(behind[4:, 0] == 0.0)
     # Folded as far as the lengths allow, nearer by rounding: q3 = 90 deg on both elbows, never -270.
-    fold = arm.L4 - arm.L2 - 1e-15
-    folded = inverse(irb140, pose(R, [arm.a1 + arm.L6, 0.0, arm.d1 + fold])[None])[0]
+    fold = arm.c3 - arm.c2 - 1e-15
+    folded = inverse(irb140, pose(R, [arm.a1 + arm.c4, 0.0, arm.c1 + fold])[None])[0]
     np.testing.assert_array_equal(folded[:4, 2], pi / 2)
 
 
@@ -154,7 +156,7 @@ def test_conventions_at_the_three_singularities(irb140):
     straight = inverse(irb140, irb140.forward(np.radians([[25, 20, -30, 40, 0, 70]])))[0]
     np.testing.assert_allclose(np.degrees(straight[0]), [25, 20, -30, 0, 0, 110], rtol=0, atol=1e-9)
     np.testing.assert_allclose(np.degrees(straight[1]), [25, 20, -30, 180, 0, -70], rtol=0, atol=1e-9)
-    on_axis = pose(irb140.forward(np.zeros(6))[:3, :3], [irb140.arm.L6, 0.0, 0.9])
+    on_axis = pose(irb140.forward(np.zeros(6))[:3, :3], [irb140.arm.c4, 0.0, 0.9])
     found = inverse(irb140, on_axis[None])[0]
     assert np.array_equal(found[:, 0], [0, 0, 0, 0, pi, pi, pi, pi])
     stretched = np.radians([10, 30, -90, 20, 40, 60])
@@ -166,8 +168,8 @@ def test_conventions_at_the_three_singularities(irb140):
 def test_solutions_beyond_the_stretch_by_rounding_only(irb140):
     turn, arm = radians(10), irb140.arm
     X = irb140.forward(np.array([turn, *np.radians([30, -90, 20, 40, 60])]))
-    axis_2 = np.array([arm.a1 * cos(turn), arm.a1 * sin(turn), arm.d1])
-    away = X[:3, 3] - arm.L6 * X[:3, 2] - axis_2
+    axis_2 = np.array([arm.a1 * cos(turn), arm.a1 * sin(turn), arm.c1])
+    away = X[:3, 3] - arm.c4 * X[:3, 2] - axis_2
     away /= np.linalg.norm(away)
     for stretch, reachable in ((1e-14, True), (1e-9, False)):
         further = X.copy()

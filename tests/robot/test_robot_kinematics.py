@@ -75,15 +75,15 @@ def test_the_arm_can_hold_the_tcp_while_the_rail_runs(rng):
 def test_product_of_the_singularity_measures_is_the_determinant(irb140, rng):
     q = rng.uniform(-3, 3, (200, 6))
     wanted = np.abs(np.linalg.det(irb140.jacobian(q)))
-    found = irb140.arm.L2 * irb140.arm.L4 * singularity(irb140, q).prod(axis=-1)
+    found = irb140.arm.c2 * irb140.arm.c3 * singularity(irb140, q).prod(axis=-1)
     np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-13)
 
 
 @pytest.mark.parametrize(
     ("joints", "words"),
     [
-        ([10, 20, -40, 30, 0, 50], r"wrist singularity: \|sin joint_5\| = 0 at row 1, at least 1e-09"),
-        ([10, 20, -90, 30, 40, 50], r"elbow singularity: \|cos joint_3\| = \S+ at row 1, at least 1e-09"),
+        ([10, 20, -40, 30, 0, 50], r"wrist singularity: \|sin\| of axis 5 = 0 at row 1, at least 1e-09"),
+        ([10, 20, -90, 30, 40, 50], r"elbow singularity: \|cos\| of the elbow = \S+ at row 1, at least 1e-09"),
         (
             [10, np.degrees(np.arcsin(-0.07 / 0.36)), -90 - np.degrees(np.arcsin(-0.07 / 0.36)) + 180, 30, 40, 50],
             r"shoulder singularity: wrist centre off axis 1 by \[m\] = \S+ at row 1, at least 1e-09",

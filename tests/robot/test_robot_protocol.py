@@ -6,14 +6,14 @@ import casadi as ca
 import numpy as np
 import pinocchio as pin
 import pytest
+from places import ARMS
 
 from trajopt_cli.geometry import Array, inverse_pose
-from trajopt_cli.robot.model import RobotModel, load_robot, robot_names
+from trajopt_cli.robot.model import RobotModel, load_robot
 from trajopt_cli.robot.protocol import Robot
-from trajopt_cli.robot.structure import Structure
 
 
-@pytest.fixture(scope="module", params=robot_names(Structure.SIX_AXIS))
+@pytest.fixture(scope="module", params=ARMS)
 def robot(request: pytest.FixtureRequest) -> RobotModel:
     return load_robot(request.param)
 
@@ -42,6 +42,8 @@ def test_a_shipped_robot_is_a_robot(robot: RobotModel) -> None:
 
 
 def test_the_branches_of_a_pose_hold_the_joints_it_came_from(robot: RobotModel) -> None:
+    if not robot.closed_form:
+        pytest.skip("branches that are sought step by step have tests of their own: test_offset_wrist.py")
     for q in some_axes(robot, 20):
         X, rail = pin_pose(robot, q), robot.layout.place(q)
         branches = robot.branches(X[None], rail[None])[0]
@@ -54,6 +56,8 @@ def test_the_branches_of_a_pose_hold_the_joints_it_came_from(robot: RobotModel) 
 
 
 def test_expressions_say_what_pin_says(robot: RobotModel) -> None:
+    if not robot.closed_form:
+        pytest.skip("its inverse has no expression")
     symbol = ca.SX.sym("q", robot.layout.n)
     flange = ca.Function("flange", [symbol], [*robot.expressions.flange(symbol)])
     p, R = ca.SX.sym("p", 3), ca.SX.sym("R", 3, 3)
@@ -69,7 +73,7 @@ def test_expressions_say_what_pin_says(robot: RobotModel) -> None:
         X_BF = inverse_pose(robot.base(rail)) @ X
         joints, elbow, wrist = inverse(X_BF[:3, 3], X_BF[:3, :3], robot.expressions.branch(number), arm + 0.5)
         np.testing.assert_allclose(np.ravel(joints), arm, rtol=0, atol=1e-9)
-        assert (abs(float(elbow)), float(wrist)) == pytest.approx(robot.walls(arm), abs=1e-9)
+        assert (np.abs(elbow).max(), float(wrist)) == pytest.approx(robot.walls(arm), abs=1e-9)
 
 
 def test_the_jacobian_is_the_slope_of_pins_poses(robot: RobotModel) -> None:

@@ -173,11 +173,11 @@ def test_a_urdf_the_closed_form_does_not_fit_is_refused(copy, edit, words):
 def test_each_loader_names_the_arms_of_the_other():
     with pytest.raises(InputError) as error:
         load_robot("iiwa7")
-    assert str(error.value) == "iiwa7 is a seven-axis arm, for 'trajopt iiwa'; programs run on irb140, irb140_rail"
+    assert str(error.value) == "iiwa7 is a seven-axis arm, for 'trajopt iiwa'; programs run on arms of six axes"
     with pytest.raises(InputError) as error:
         load_srs("irb140")
     assert str(error.value) == "irb140 is a six-axis arm, for programs; 'trajopt iiwa' is for iiwa7"
-    with pytest.raises(InputError, match=r"unknown robot 'iiwa': known are iiwa7; or give the path"):
+    with pytest.raises(InputError, match=r"unknown robot 'iiwa'; did you mean 'iiwa7'\? 'trajopt robot list' shows"):
         load_srs("iiwa")
 
 
@@ -226,7 +226,8 @@ def test_the_pairs_are_chosen_by_what_is_measured(iiwa7):
 
 def test_robot_list_and_show_name_the_arm_its_torques_and_its_sources(capsys):
     assert run(["robot", "list"]) == 0
-    assert "iiwa7        KUKA LBR iiwa 7 R800" in capsys.readouterr().out.splitlines()
+    shown = [line.split() for line in capsys.readouterr().out.splitlines()]
+    assert ["iiwa7", *["KUKA", "LBR", "iiwa", "7", "R800"], "0.80", "m", "7", "kg"] in shown
     assert run(["robot", "show", "iiwa7"]) == 0
     out = capsys.readouterr().out
     assert re.search(r"ew +400 +A \[1\]", out)

@@ -1,82 +1,135 @@
-"""Six-axis arm with a spherical wrist and ABB's axis directions: closed-form products in the arm's base frame.
+"""Six-axis arm with a spherical wrist, axes 2 and 3 parallel and at right angles to axis 1: closed-form products.
 
-q = 0 stands the lower arm up and stretches the upper arm forward; the flange frame is tool0 (z out of the flange):
-X_BF = Rz(q1) T(a1, 0, d1) Ry(q2) T(0, 0, L2) Ry(q3) T(L4, 0, 0) Rx(q4) Ry(q5) Rx(q6) T(L6, 0, 0) Ry(90 deg).
+Any such arm is seven lengths, as Brandstötter, Angerer and Hofbaur name them ("An analytical solution of the inverse
+kinematics problem of industrial serial manipulators with an ortho-parallel basis and a spherical wrist", 2014), in a
+canonical pose of all joints: X_OK = Rz(t1) T(a1, b, c1) Ry(t2) T(0, 0, c2) Ry(t3) T(c3, 0, -a2) Rx(t4) Ry(t5) Rx(t6)
+T(c4, 0, 0) Ry(90 deg). All t = 0 stands the lower arm up and stretches the upper arm forward, as ABB's zero does; the
+paper's third angle is t3 + 90 deg. The arm's own joints are t = sign q + offset; its base link B and its flange F stand
+anywhere fixed to O and K. Frames: O on axis 1 with z along it, K with z along axis 6, away from the wrist centre.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cached_property
+from math import atan2, hypot
 
 import numpy as np
 
-from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array
-from trajopt_cli.robot.urdf import UrdfJoint
-
-_EXACT = 1e-12  # m or a matrix entry: how far a URDF number may lie from the structure the closed form needs
+from trajopt_cli.geometry import Array, readonly
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Arm:
-    """Lengths [m]: a1, d1 from the base to axis 2 (forward, up); L2 to axis 3; L4 to the wrist centre; L6 to tool0."""
+    """Lengths [m]: a1, b, c1 from the base to axis 2 and the arm's plane (forward, left, up); c2 to axis 3, positive;
+    c3 along axis 4 and -a2 across it to the wrist centre; c4 to the flange.
+
+    signs, offsets (6,): the canonical angle of a joint is sign * q + offset. middles (6,) [rad]: the inverse gives
+    joints within half a turn of them. X_BO, X_KF (4, 4): the canonical base in the base link, the flange (tool0) in the
+    canonical one. For ABB's axis directions signs are 1, offsets 0 and both poses the identity. wrist (3,): from where
+    axes 4 and 5 meet to axis 6, in the link before it (x along axis 6, y along axis 5); zero for a spherical wrist.
+    """
 
     a1: float
-    d1: float
-    L2: float
-    L4: float
-    L6: float
+    a2: float
+    b: float
+    c1: float
+    c2: float
+    c3: float
+    c4: float
+    signs: Array
+    offsets: Array
+    middles: Array
+    X_BO: Array
+    X_KF: Array
+    wrist: Array = field(default_factory=lambda: np.zeros(3))
+
+    def __post_init__(self) -> None:
+        for name in ("signs", "offsets", "middles", "X_BO", "X_KF", "wrist"):
+            object.__setattr__(self, name, readonly(getattr(self, name)))
+
+    @property
+    def lengths(self) -> dict[str, float]:
+        """The seven lengths [m] by name; where axis 6 stands off axis 4 also how far, along axis 5 and across."""
+        lengths = {name: float(getattr(self, name)) for name in ("a1", "a2", "b", "c1", "c2", "c3", "c4")}
+        if self.spherical:
+            return lengths
+        return lengths | {"wrist along": float(self.wrist[1]), "wrist across": float(self.wrist[2])}
+
+    @cached_property
+    def spherical(self) -> bool:
+        """Whether axes 4, 5 and 6 meet in one point, so that the inverse has a closed form."""
+        return not np.any(self.wrist)
+
+    @cached_property
+    def upper(self) -> float:
+        """The upper arm's length [m]: from axis 3 to the wrist centre."""
+        return hypot(self.a2, self.c3)
+
+    @cached_property
+    def bend(self) -> float:
+        """Angle [rad] at axis 3 from axis 4's direction to the wrist centre: t3 + bend is the angle of the elbow that
+        the line from axis 3 to the wrist centre makes. 0 without an elbow offset."""
+        return atan2(self.a2, self.c3)
+
+    @cached_property
+    def canonical_joints(self) -> bool:
+        """Whether the joints are the canonical angles."""
+        return bool(np.all(self.signs == 1) and not np.any(self.offsets))
+
+    @cached_property
+    def canonical_flange(self) -> bool:
+        """Whether the flange is the canonical one."""
+        return bool(np.array_equal(self.X_KF, np.eye(4)))
+
+    @cached_property
+    def natural_middles(self) -> Array:
+        """Canonical angles (6,) that those of the closed form lie within half a turn of."""
+        return readonly([0, 0, -np.pi / 2 - self.bend, 0, 0, 0])
+
+    @cached_property
+    def converted(self) -> tuple[int, ...]:
+        """The joints that are not what the closed form gives as they stand."""
+        own = (self.signs == 1) & (self.offsets == 0) & (self.middles == self.natural_middles)
+        return tuple(np.flatnonzero(~own).tolist())
+
+    def angles(self, q: Array) -> Array:
+        """Canonical angles (..., 6) of joints (..., 6)."""
+        return q if self.canonical_joints else self.signs * q + self.offsets
 
 
-def arm_from_chain(chain: list[UrdfJoint], file: str) -> Arm:
-    """The arm's lengths from its six revolute joints and the fixed flange joint, in that order.
-
-    Raises InputError where an axis or an offset is not the one the closed form stands on.
-    """
-    wanted_axes = ((0, 0, 1), (0, 1, 0), (0, 1, 0), (1, 0, 0), (0, 1, 0), (1, 0, 0))
-    # Which coordinates of each origin may be non-zero; the last row is the flange.
-    allowed = ((0, 0, 1), (1, 0, 1), (0, 0, 1), (1, 0, 0), (1, 0, 0), (1, 0, 0), (1, 0, 0))
-    turns = [np.eye(3)] * 6 + [np.array([[0.0, 0, 1], [0, 1, 0], [-1, 0, 0]])]
-    for i, joint in enumerate(chain):
-        where = f"joint '{joint.name}'"
-        need = "the closed-form inverse needs axes z, y, y, x, y, x and a spherical wrist at q = 0"
-        if i < 6 and not np.allclose(joint.axis, wanted_axes[i], rtol=0, atol=_EXACT):
-            raise InputError(f"{where} has axis {_row(joint.axis)}, wanted {_row(wanted_axes[i])}: {need}", file=file)
-        if not np.allclose(joint.X[:3, :3], turns[i], rtol=0, atol=_EXACT):
-            wish = "rpy 0 0 0" if i < 6 else "rpy 0 pi/2 0"
-            raise InputError(f"{where} has a turned origin, wanted {wish}: {need}", file=file)
-        stray = joint.X[:3, 3] * (1 - np.array(allowed[i]))
-        if np.any(np.abs(stray) > _EXACT):
-            raise InputError(f"{where} has origin {_row(joint.X[:3, 3])} m: {need}", file=file)
-    p = [joint.X[:3, 3] for joint in chain]
-    arm = Arm(
-        a1=float(p[1][0]),
-        d1=float(p[0][2] + p[1][2]),
-        L2=float(p[2][2]),
-        L4=float(p[3][0] + p[4][0]),
-        L6=float(p[5][0] + p[6][0]),
-    )
-    if min(arm.L2, arm.L4) <= 0:
-        raise InputError(f"arm lengths L2 = {arm.L2} m and L4 = {arm.L4} m must be positive", file=file)
-    return arm
-
-
-def _row(values: object) -> str:
-    return " ".join(f"{v:g}" for v in np.asarray(values, dtype=np.float64))
-
-
-def _sines(q: Array) -> tuple[list[Array], list[Array]]:
-    """Cosines and sines of q1, q2, q2 + q3, q4, q5, q6, each (...)."""
-    angles = np.stack([q[..., 0], q[..., 1], q[..., 1] + q[..., 2], q[..., 3], q[..., 4], q[..., 5]])
+def _sines(arm: Arm, q: Array) -> tuple[list[Array], list[Array]]:
+    """Cosines and sines of t1, t2, t2 + t3, t4, t5, t6, each (...)."""
+    t = arm.angles(q)
+    angles = np.stack([t[..., 0], t[..., 1], t[..., 1] + t[..., 2], t[..., 3], t[..., 4], t[..., 5]])
     return list(np.cos(angles)), list(np.sin(angles))
 
 
+def wrist_section(arm: Arm, q: Array) -> tuple[Array, Array]:
+    """The wrist centre in the arm's own plane [m]: how far before axis 1 and how high above the canonical base, both
+    (...), of joints (..., 6)."""
+    t = arm.angles(q)
+    t2, t23 = t[..., 1], t[..., 1] + t[..., 2]
+    c23, s23 = np.cos(t23), np.sin(t23)
+    return (
+        arm.a1 + arm.c2 * np.sin(t2) + arm.c3 * c23 - arm.a2 * s23,
+        arm.c1 + arm.c2 * np.cos(t2) - arm.c3 * s23 - arm.a2 * c23,
+    )
+
+
+def elbow_angle(arm: Arm, q: Array) -> Array:
+    """Angle (...) of the elbow of joints (..., 6): the wrist centre's line from axis 3 is square to the lower arm at 0,
+    stretched at -90 and folded at 90 degrees, and behind the lower arm where its cosine is negative."""
+    t3: Array = q[..., 2] if arm.canonical_joints else arm.signs[2] * q[..., 2] + arm.offsets[2]
+    return t3 + arm.bend if arm.bend else t3
+
+
 def forward(arm: Arm, q: Array) -> Array:
-    """Flange poses X_BF (..., 4, 4) of joints q (..., 6) in rad."""
-    (c1, c2, c23, c4, c5, c6), (s1, s2, s23, s4, s5, s6) = _sines(q)
+    """Flange poses X_OF (..., 4, 4) of joints q (..., 6) in rad."""
+    (c1, c2, c23, c4, c5, c6), (s1, s2, s23, s4, s5, s6) = _sines(arm, q)
     X = np.zeros((*q.shape[:-1], 4, 4))
     X[..., 3, 3] = 1.0
-    # Columns of Rx(q4) Ry(q5) Rx(q6) Ry(90 deg), then turned by Ry(q2 + q3) and Rz(q1).
+    # Columns of Rx(t4) Ry(t5) Rx(t6) Ry(90 deg), then turned by Ry(t2 + t3) and Rz(t1).
     xx, xy, xz = s5 * c6, -(c4 * s6 + s4 * c5 * c6), c4 * c5 * c6 - s4 * s6
     yx, yy, yz = s5 * s6, c4 * c6 - s4 * c5 * s6, s4 * c6 + c4 * c5 * s6
     zx, zy, zz = c5, s4 * s5, -c4 * s5
@@ -85,31 +138,47 @@ def forward(arm: Arm, q: Array) -> Array:
         X[..., 0, column] = c1 * ahead - s1 * y
         X[..., 1, column] = s1 * ahead + c1 * y
         X[..., 2, column] = c23 * z - s23 * x
-    radius = arm.a1 + arm.L2 * s2 + arm.L4 * c23
-    X[..., 0, 3] = c1 * radius + arm.L6 * X[..., 0, 2]
-    X[..., 1, 3] = s1 * radius + arm.L6 * X[..., 1, 2]
-    X[..., 2, 3] = arm.d1 + arm.L2 * c2 - arm.L4 * s23 + arm.L6 * X[..., 2, 2]
-    return X
+    radius, up = arm.a1 + arm.c2 * s2 + arm.c3 * c23, arm.c1 + arm.c2 * c2 - arm.c3 * s23
+    if arm.a2:
+        radius, up = radius - arm.a2 * s23, up - arm.a2 * c23
+    x, y = c1 * radius, s1 * radius
+    if arm.b:
+        x, y = x - arm.b * s1, y + arm.b * c1
+    X[..., 0, 3] = x + arm.c4 * X[..., 0, 2]
+    X[..., 1, 3] = y + arm.c4 * X[..., 1, 2]
+    X[..., 2, 3] = up + arm.c4 * X[..., 2, 2]
+    if not arm.spherical:
+        ahead = s23 * s4
+        axis_5 = np.stack([c1 * ahead - s1 * c4, s1 * ahead + c1 * c4, c23 * s4], axis=-1)
+        X[..., :3, 3] += arm.wrist[1] * axis_5 + arm.wrist[2] * np.cross(X[..., :3, 2], axis_5)
+    return X if arm.canonical_flange else X @ arm.X_KF
 
 
 def axes_and_points(arm: Arm, q: Array) -> tuple[Array, Array]:
-    """Unit axes (3, 6, ...) of the joints and a point (3, 6, ...) on each [m], base frame, of q (..., 6).
+    """Unit axes (3, 6, ...) of the canonical joints and a point (3, 6, ...) on each [m], frame O, of q (..., 6): the
+    canonical base, axes 2 and 3 in the arm's plane, and the wrist centre three times, for axis 6 with its offset.
 
     Components lead, so that each is one contiguous block: four times faster than (..., 3) on long batches.
     """
-    (c1, c2, c23, c4, c5, _), (s1, s2, s23, s4, s5, _) = _sines(q)
+    (c1, c2, c23, c4, c5, _), (s1, s2, s23, s4, s5, _) = _sines(arm, q)
     zero, one = np.zeros_like(c1), np.ones_like(c1)
-    radius = arm.a1 + arm.L2 * s2
+    radius = arm.a1 + arm.c2 * s2
     a, o = np.zeros((3, 6, *q.shape[:-1])), np.zeros((3, 6, *q.shape[:-1]))
     a[:, 0] = zero, zero, one
     a[:, 1] = a[:, 2] = -s1, c1, zero
     a[:, 3] = c1 * c23, s1 * c23, -s23
-    ahead = s23 * s4  # of Ry(q2 + q3) Rx(q4) e_y
+    ahead = s23 * s4  # of Ry(t2 + t3) Rx(t4) e_y
     a[:, 4] = c1 * ahead - s1 * c4, s1 * ahead + c1 * c4, c23 * s4
     y, z = s4 * s5, -c4 * s5
-    ahead = c23 * c5 + s23 * z  # of Ry(q2 + q3) Rx(q4) Ry(q5) e_x
+    ahead = c23 * c5 + s23 * z  # of Ry(t2 + t3) Rx(t4) Ry(t5) e_x
     a[:, 5] = c1 * ahead - s1 * y, s1 * ahead + c1 * y, c23 * z - s23 * c5
-    o[:, 1] = arm.a1 * c1, arm.a1 * s1, arm.d1 * one
-    o[:, 2] = radius * c1, radius * s1, arm.d1 + arm.L2 * c2
-    o[:, 3:] = (o[:, 2] + arm.L4 * a[:, 3])[:, None]
+    o[:, 1] = arm.a1 * c1, arm.a1 * s1, arm.c1 * one
+    o[:, 2] = radius * c1, radius * s1, arm.c1 + arm.c2 * c2
+    if arm.b:
+        o[:, 1:3] += arm.b * a[:, 1:3]
+    o[:, 3:] = (o[:, 2] + arm.c3 * a[:, 3])[:, None]
+    if arm.a2:
+        o[:, 3:] -= arm.a2 * np.stack([c1 * s23, s1 * s23, c23])[:, None]
+    if not arm.spherical:
+        o[:, 5] += arm.wrist[1] * a[:, 4] + arm.wrist[2] * np.cross(a[:, 5], a[:, 4], axis=0)
     return a, o

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -13,7 +13,7 @@ from ruamel.yaml.error import MarkedYAMLError
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.robot.structure import Structure
 from trajopt_cli.shapes import ATTACHED
-from trajopt_cli.validation import json_schema
+from trajopt_cli.validation import hint, json_schema
 
 _PACKAGE = Path(__file__).parents[1]
 # In a checkout the files stand beside the package, a wheel carries them inside it. What stands beside an installed
@@ -43,17 +43,27 @@ class Number(Origin):
     value: Positive
 
 
+class Rate(Number):
+    """An acceleration or a jerk that some drive could have."""
+
+    value: Annotated[float, Field(ge=1e-3, le=1e9, allow_inf_nan=False)]
+
+
 class ConfRule(Origin):
     """Which rule turns joints into RAPID confdata."""
 
-    rule: Literal["abb_six_axis"]
+    rule: Literal["abb_six_axis", "none"]
 
 
 class AxisOrigins(_Strict):
-    """Origins of an axis' range and speed, whose numbers stand in the URDF."""
+    """Origins of an axis' range and speed, whose numbers stand in the URDF; torque: of its effort there [Nm, N for a
+    rail], what the drive gives at most. rotor_inertia [kg m2, kg for a rail]: of the drive, as the axis feels it (the
+    motor's times the square of the gear ratio). Both None where nobody says."""
 
     position: Origin
     velocity: Origin
+    torque: Origin | None = None
+    rotor_inertia: Number | None = None
 
 
 class SrsAxisOrigins(AxisOrigins):
@@ -76,8 +86,8 @@ class Profile(_Strict):
     """Accelerations [rad/s2 or m/s2] by axis name and, where anybody has an idea of them, jerks [rad/s3 or m/s3]."""
 
     about: str
-    acceleration: dict[str, Number]
-    jerk: dict[str, Number] | None = None
+    acceleration: dict[str, Rate]
+    jerk: dict[str, Rate] | None = None
 
 
 Finite = Annotated[float, Field(allow_inf_nan=False)]
@@ -99,13 +109,23 @@ class Collision(Origin):
     self_pairs: tuple[tuple[str, str], ...]
 
 
+class Coupled(Origin):
+    """A range of a sum of axes [rad]: lower <= factors . axes <= upper, as the linkage of a parallel arm has it."""
+
+    axes: tuple[str, ...]
+    factors: tuple[Finite, ...]
+    lower: Finite
+    upper: Finite
+
+
 class RobotFile(_Strict):
-    """A robot's YAML file: what every structure has."""
+    """A robot's YAML file: what every structure has. payload [kg]: as its maker names it."""
 
     name: str
     title: str
     urdf: str
     structure: Structure = Structure.SIX_AXIS
+    payload: Number | None = None
     geometry: Origin
     axes: Mapping[str, AxisOrigins]
     profiles: dict[str, Profile]
@@ -113,10 +133,13 @@ class RobotFile(_Strict):
 
 
 class SixAxisFile(RobotFile):
-    """A six-axis arm with a spherical wrist and RAPID's confdata."""
+    """A six-axis arm with a spherical wrist and RAPID's confdata; inertia: where the URDF's masses and inertias come
+    from, None where it has none."""
 
+    inertia: Origin | None = None
     confdata: ConfRule
     tcp: Caps
+    coupled: tuple[Coupled, ...] = ()
 
 
 class SrsFile(RobotFile):
@@ -139,7 +162,24 @@ def robot_names(structure: Structure | None = None) -> tuple[str, ...]:
     paths = {path.stem: path for folder in _FOLDERS for path in folder.glob("*.yaml")}
     if structure is None:
         return tuple(sorted(paths))
-    return tuple(name for name in sorted(paths) if read_robot_file(paths[name])[0].structure is structure)
+    return tuple(name for name in sorted(paths) if read_head(paths[name]).structure is structure)
+
+
+class Head(BaseModel):
+    """The lines of a robot's YAML file that a list of robots shows."""
+
+    model_config = ConfigDict(extra="ignore", frozen=True)
+
+    title: str
+    urdf: str
+    structure: Structure = Structure.SIX_AXIS
+    payload: Number | None = None
+
+
+def read_head(path: Path) -> Head:
+    """The head of a file that ships. A whole file takes a tenth of a second, and there are many."""
+    lines = (line for line in path.read_text(encoding="utf-8").splitlines() if line.split(":")[0] in Head.model_fields)
+    return Head.model_validate(YAML(typ="safe").load("\n".join(lines)))
 
 
 def find_robot(name_or_path: str, structure: Structure | None = None) -> Path:
@@ -156,8 +196,9 @@ def find_robot(name_or_path: str, structure: Structure | None = None) -> Path:
         path = folder / f"{name_or_path}.yaml"
         if name_or_path in robot_names() and path.is_file():
             return path
-    known = ", ".join(robot_names(structure))
-    raise InputError(f"unknown robot '{name_or_path}': known are {known}; or give the path of a robot's .yaml file")
+    advice = hint(name_or_path, robot_names(structure))
+    more = "'trajopt robot list' shows all, or give the path of a robot's .yaml file"
+    raise InputError(f"unknown robot '{name_or_path}'; {advice}{' ' if advice.endswith('?') else '; '}{more}")
 
 
 def read_robot_file(path: Path) -> tuple[RobotFile, Mapping[str, Any]]:
@@ -201,6 +242,34 @@ def check_axes(data: RobotFile, raw: Mapping[str, Any], names: tuple[str, ...], 
         raise InputError("'profiles.default' is missing", file=file, line=line_of(raw, ("profiles",)))
 
 
+def check_coupled(
+    coupled: Sequence[Coupled], raw: Mapping[str, Any], ranges: Mapping[str, tuple[float, float]], file: str
+) -> None:
+    """Hold the coupled ranges against the arm's joints; ranges: of each by its name [rad]. Raises InputError for one
+    that is none, one factor too many or too few, and a range that is empty or out of the axes' reach."""
+    for i, one in enumerate(coupled):
+
+        def wrong(key: str, message: str, i: int = i) -> InputError:
+            return InputError(f"'coupled.{i}.{key}': {message}", file=file, line=line_of(raw, ("coupled", i, key)))
+
+        for name in one.axes:
+            if name not in ranges:
+                raise wrong("axes", f"{name} is no joint of the arm: known are {', '.join(ranges)}")
+        if len(one.axes) < 2 or len(set(one.axes)) < len(one.axes):
+            raise wrong("axes", f"[{', '.join(one.axes)}], wanted two joints or more, each once")
+        if len(one.factors) != len(one.axes):
+            raise wrong("factors", f"{len(one.factors)} for {len(one.axes)} axes: give one for each")
+        if 0.0 in one.factors:
+            raise wrong("factors", "0 leaves its axis out: remove both, or give another number")
+        if not one.lower < one.upper:
+            raise wrong("lower", f"{one.lower:g} is not below upper {one.upper:g}")
+        ends = [[f * end for end in ranges[name]] for name, f in zip(one.axes, one.factors, strict=True)]
+        low, high = (sum(pick(pair) for pair in ends) for pick in (min, max))
+        if one.upper < low or one.lower > high:
+            message = f"{one.lower:g}..{one.upper:g} rad is out of reach: their ranges give {low:g}..{high:g}"
+            raise wrong("lower", message)
+
+
 def check_links(collision: Collision, raw: Mapping[str, Any], names: tuple[str, ...], file: str) -> None:
     """Hold the collision section against the chain's links, base first. Raises InputError for a link that is none, and
     for a pair that names a link without a capsule or not the one nearer the base first."""
@@ -225,9 +294,13 @@ def line_of(raw: Mapping[str, Any], keys: tuple[int | str, ...]) -> int:
     line = 1
     node: Any = raw
     for key in keys:
+        places: Any = node  # ruamel keeps the lines on its mappings and lists as .lc
+        if isinstance(node, list) and isinstance(key, int) and key < len(node):
+            line = places.lc.item(key)[0] + 1
+            node = node[key]
+            continue
         if not isinstance(node, Mapping) or key not in node:
             break
-        places: Any = node  # ruamel keeps the lines on its mapping as .lc
         if key in places.lc.data:  # a merged key has no place of its own
             line = places.lc.key(key)[0] + 1
         node = node[key]

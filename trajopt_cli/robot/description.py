@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import Path
+from dataclasses import dataclass
+from math import hypot
+from pathlib import Path, PurePath
 from typing import Any
 
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import readonly
-from trajopt_cli.limits import JointLimits
+from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.limits import CoupledRange, JointLimits
 from trajopt_cli.robot import catalogue
+from trajopt_cli.robot.arm_chain import arm_from_chain
 from trajopt_cli.robot.catalogue import RobotFile, SixAxisFile, SrsFile
 from trajopt_cli.robot.structure import Structure
 from trajopt_cli.robot.urdf import UrdfJoint, read_chain
@@ -20,12 +23,45 @@ from trajopt_cli.shapes import Capsule
 Raw = Mapping[str, Any]
 
 
+@dataclass(frozen=True)
+class Shipped:
+    """A robot that ships. reach [m]: of the wrist centre, from axis 1 or an iiwa's shoulder; payload [kg] None where no
+    source tells."""
+
+    name: str
+    title: str
+    reach: float
+    payload: float | None
+
+
+def shipped() -> list[Shipped]:
+    """The robots that ship, by name."""
+    out = []
+    for name in catalogue.robot_names():
+        path = catalogue.find_robot(name)
+        head = catalogue.read_head(path)
+        chain = read_chain(path.parent / head.urdf)
+        payload = None if head.payload is None else head.payload.value
+        reach = _srs_reach(chain) if head.structure is Structure.SRS else _six_axis_reach(chain)
+        out.append(Shipped(name, head.title, reach, payload))
+    return out
+
+
+def _six_axis_reach(chain: list[UrdfJoint]) -> float:
+    arm = arm_from_chain(chain[-7:], "")
+    return hypot(arm.b, abs(arm.a1) + arm.c2 + arm.upper)
+
+
+def _srs_reach(chain: list[UrdfJoint]) -> float:
+    """Upper arm and forearm: of the origins between shoulder and wrist, as far as they lie along the arm."""
+    return float(sum(joint.X[2, 3] for joint in chain[2:6]))
+
+
 def read_six_axis(name_or_path: str) -> tuple[SixAxisFile, Path, Raw]:
     """The file of a six-axis arm: validated, its path, the raw YAML. Raises InputError for another structure."""
     data, path, raw = read(name_or_path, Structure.SIX_AXIS)
     if not isinstance(data, SixAxisFile):
-        known = ", ".join(catalogue.robot_names(Structure.SIX_AXIS))
-        raise InputError(f"{data.name} is a seven-axis arm, for 'trajopt iiwa'; programs run on {known}")
+        raise InputError(f"{data.name} is a seven-axis arm, for 'trajopt iiwa'; programs run on arms of six axes")
     return data, path, raw
 
 
@@ -50,9 +86,12 @@ def read(name_or_path: str, structure: Structure | None = None) -> tuple[RobotFi
 
 def urdf_chain(data: RobotFile, path: Path, raw: Raw) -> tuple[Path, list[UrdfJoint]]:
     """The URDF beside the file, and its joints from the root to the flange. Raises InputError where there is none."""
-    urdf = path.parent / data.urdf
+    urdf, given = path.parent / data.urdf, PurePath(data.urdf)
+    line = catalogue.line_of(raw, ("urdf",))
+    if given.is_absolute() or ".." in given.parts:
+        message = f"urdf: '{data.urdf}' has to be in this file's folder or below it, which results can keep"
+        raise InputError(message, file=str(path), line=line)
     if not urdf.is_file():
-        line = catalogue.line_of(raw, ("urdf",))
         raise InputError(f"urdf: '{data.urdf}' does not exist beside this file", file=str(path), line=line)
     return urdf, read_chain(urdf)
 
@@ -60,6 +99,9 @@ def urdf_chain(data: RobotFile, path: Path, raw: Raw) -> tuple[Path, list[UrdfJo
 def check(data: RobotFile, path: Path, raw: Raw, axes: list[UrdfJoint], arm: list[UrdfJoint]) -> None:
     """Hold the names in the file against the URDF's axes and the arm's links. Raises InputError with the line."""
     catalogue.check_axes(data, raw, tuple(joint.name for joint in axes), str(path))
+    if isinstance(data, SixAxisFile):
+        ranges = {joint.name: (joint.lower, joint.upper) for joint in axes if joint.kind == "revolute"}
+        catalogue.check_coupled(data.coupled, raw, ranges, str(path))
     if data.collision is not None:
         links = (arm[0].parent, *(joint.child for joint in arm[:-1]))
         catalogue.check_links(data.collision, raw, links, str(path))
@@ -68,7 +110,13 @@ def check(data: RobotFile, path: Path, raw: Raw, axes: list[UrdfJoint], arm: lis
 def profiles(data: RobotFile, axes: list[UrdfJoint]) -> dict[str, JointLimits]:
     """Limits of the axes by profile name, each number with its source."""
     names = tuple(joint.name for joint in axes)
-    origins = {f"{n}.{k}": str(getattr(o, k)) for n, o in data.axes.items() for k in ("position", "velocity")}
+    given = isinstance(data, SixAxisFile)  # of a seven-axis arm they are no limits of profiles
+    kinds = ("position", "velocity", *(["torque"] if given else []))
+    origins = {f"{n}.{k}": str(said) for n, o in data.axes.items() for k in kinds if (said := getattr(o, k))}
+    known = [given and joint.effort > 0 and data.axes[joint.name].torque is not None for joint in axes]
+    torque = np.array([joint.effort if says else np.inf for joint, says in zip(axes, known, strict=True)])
+    sums = data.coupled if isinstance(data, SixAxisFile) else ()
+    coupled = tuple(CoupledRange(one.axes, one.factors, one.lower, one.upper, str(one)) for one in sums)
     return {
         name: JointLimits(
             names,
@@ -81,9 +129,17 @@ def profiles(data: RobotFile, axes: list[UrdfJoint]) -> dict[str, JointLimits]:
             | {f"{n}.jerk": str(number) for n, number in (profile.jerk or {}).items()},
             np.array([profile.jerk[n].value for n in names]) if profile.jerk else None,
             grades={f"{n}.acceleration": profile.acceleration[n].grade for n in names},
+            torque=torque if any(known) else None,
+            coupled=coupled,
         )
         for name, profile in data.profiles.items()
     }
+
+
+def rotors(data: RobotFile, axes: list[UrdfJoint]) -> Array:
+    """Inertias of the drives as the axes feel them (n,) [kg m2, kg]; 0 where nobody says."""
+    said = [data.axes[joint.name].rotor_inertia for joint in axes]
+    return readonly([0.0 if one is None else one.value for one in said])
 
 
 def notes(data: RobotFile) -> dict[str, str]:

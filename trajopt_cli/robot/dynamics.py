@@ -1,17 +1,17 @@
-"""Torques and accelerations of a seven-axis arm and its tool as rigid bodies, by pinocchio.
+"""Torques and accelerations of an arm and its tool as rigid bodies, by pinocchio.
 
-No rotors and no friction: the masses are those of the URDF, whose source and grade the robot's YAML gives.
+No friction; rotors where their inertia is given: the masses are those of the URDF, whose source and grade the robot's
+YAML gives.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
 from trajopt_cli.geometry import Array, readonly
-from trajopt_cli.robot.srs import JOINTS, SrsRobot
 from trajopt_cli.robot.urdf import FLANGE
 
 GRAVITY = 9.81
@@ -49,14 +49,30 @@ class ToolLoad:
         if most > least + middle + _ROUNDING * size:
             raise ValueError(f"ToolLoad.inertia is no body's, one moment exceeds the sum of the others: {moments}")
 
+    @property
+    def numbers(self) -> tuple[float, ...]:
+        """All of it (13,): equal for equal loads."""
+        return self.mass, *self.com.tolist(), *self.inertia.ravel().tolist()
+
+
+class Bodies(Protocol):
+    """A robot of k axes whose links have masses."""
+
+    @property
+    def pin_model(self) -> Any:
+        """pin.Model, mounted in the world."""
+
 
 class Dynamics:
-    """An arm with what its flange carries, under gravity [m/s2] along the world's -z.
+    """A robot of k axes with what its flange carries, under gravity [m/s2] along the world's -z. rotor (k,): inertias
+    of the drives as the axes feel them, none for None.
 
     One object serves one thread: it owns its work space.
     """
 
-    def __init__(self, robot: SrsRobot, load: ToolLoad | None = None, gravity: float = GRAVITY) -> None:
+    def __init__(
+        self, robot: Bodies, load: ToolLoad | None = None, gravity: float = GRAVITY, rotor: Array | None = None
+    ) -> None:
         """Raises ValueError for a gravity that is not finite."""
         import pinocchio as pin
 
@@ -68,38 +84,38 @@ class Dynamics:
             flange = model.frames[model.getFrameId(FLANGE)]
             body = pin.Inertia(load.mass, np.array(load.com), np.array(load.inertia))
             model.appendBodyToJoint(flange.parentJoint, body, flange.placement)
+        if rotor is not None:
+            model.armature = np.array(rotor)
         self._pin: Any = pin
         self._model, self._data = model, model.createData()
 
     def torque(self, q: Array, qd: Array, qdd: Array) -> Array:
-        """Joint torques (7,) or (n, 7) [Nm] that move the arm so: inverse dynamics. q, qd, qdd alike [rad, s]."""
-        rows = [_rows(values, name) for values, name in ((q, "q"), (qd, "qd"), (qdd, "qdd"))]
+        """Joint torques (k,) or (n, k) [Nm] that move the arm so: inverse dynamics. q, qd, qdd alike [rad, s]."""
+        rows = [self._rows(values, name) for values, name in ((q, "q"), (qd, "qd"), (qdd, "qdd"))]
         if len({len(values) for values in rows}) != 1:
             raise ValueError(f"q, qd, qdd have {', '.join(str(len(v)) for v in rows)} rows, wanted as many of each")
         out = np.array([self._pin.rnea(self._model, self._data, *row) for row in zip(*rows, strict=True)])
         return out.reshape(np.shape(q))
 
     def gravity_torque(self, q: Array) -> Array:
-        """Joint torques (7,) or (n, 7) [Nm] that hold the arm at rest at q."""
-        rows = _rows(q, "q")
+        """Joint torques (k,) or (n, k) [Nm] that hold the arm at rest at q."""
+        rows = self._rows(q, "q")
         out = [np.array(self._pin.computeGeneralizedGravity(self._model, self._data, row)) for row in rows]
         return np.array(out).reshape(np.shape(q))
 
     def acceleration(self, q: Array, qd: Array, tau: Array) -> Array:
-        """Joint accelerations (7,) [rad/s2] under joint torques tau (7,) [Nm] at q, qd (7,): forward dynamics."""
-        state = _one(q, "q"), _one(qd, "qd"), _one(tau, "tau")
+        """Joint accelerations (k,) [rad/s2] under joint torques tau (k,) [Nm] at q, qd (k,): forward dynamics."""
+        state = self._one(q, "q"), self._one(qd, "qd"), self._one(tau, "tau")
         return np.array(self._pin.aba(self._model, self._data, *state), dtype=np.float64)
 
+    def _rows(self, values: Array, name: str) -> Array:
+        k, values = self._model.nv, np.asarray(values, dtype=np.float64)
+        if values.ndim not in (1, 2) or values.shape[-1] != k:
+            raise ValueError(f"{name} has shape {values.shape}, wanted ({k},) or (n, {k})")
+        return values.reshape(-1, k)
 
-def _rows(values: Array, name: str) -> Array:
-    values = np.asarray(values, dtype=np.float64)
-    if values.ndim not in (1, 2) or values.shape[-1] != JOINTS:
-        raise ValueError(f"{name} has shape {values.shape}, wanted ({JOINTS},) or (n, {JOINTS})")
-    return values.reshape(-1, JOINTS)
-
-
-def _one(values: Array, name: str) -> Array:
-    values = np.asarray(values, dtype=np.float64)
-    if values.shape != (JOINTS,):
-        raise ValueError(f"{name} has shape {values.shape}, wanted ({JOINTS},)")
-    return values
+    def _one(self, values: Array, name: str) -> Array:
+        k, values = self._model.nv, np.asarray(values, dtype=np.float64)
+        if values.shape != (k,):
+            raise ValueError(f"{name} has shape {values.shape}, wanted ({k},)")
+        return values

@@ -1,20 +1,24 @@
 """All joint solutions of a flange pose in closed form: eight branches named by ABB's cfx, and their turns.
 
-cfx = 4 (wrist centre behind axis 1) + 2 (wrist centre behind the lower arm, cos q3 < 0) + 1 (q5 < 0).
+cfx = 4 (wrist centre behind axis 1) + 2 (wrist centre behind the lower arm) + 1 (axis 5 < 0). The algebra is in the
+canonical angles t of robot.arm, with e = t3 + bend for the elbow: behind the lower arm cos e < 0.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from itertools import product
 from math import cos, floor, pi, sin
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trajopt_cli.geometry import Array
+from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.motion import ConfData
-from trajopt_cli.robot.arm import Arm
+from trajopt_cli.robot import offset_wrist
+from trajopt_cli.robot.arm import Arm, elbow_angle, wrist_section
+from trajopt_cli.robot.structure import NO_CONFDATA
 from trajopt_cli.robot.turns import ON_LIMIT, broken_limits, close_at_pi, half_turn
 
 if TYPE_CHECKING:
@@ -31,110 +35,146 @@ _QUADRANT_DOUBT = 1e-6  # rad from a quadrant's or a branch's border within whic
 
 
 def inverse(robot: RobotModel, X_WF: Array, rail: Array | None = None) -> Array:
-    """Joints (n, 8, 6) [rad] of flange poses X_WF (n, 4, 4), by branch: index cfx, NaN rows where there is none.
+    """Joints (n, 8, 6) [rad] of flange poses X_WF (n, 4, 4), by branch: index cfx, NaN rows where there is none; 16
+    branches of a wrist with an offset, of which two have one cfx.
 
-    rail (n,): rail positions [m], needed with a rail. q1, q4 and q6 lie in (-pi, pi], q3 in (-270, 90] deg; joint
-    limits are not applied. At singularities the answer is finite and its pose right: q4 = 0 where q5 = 0 (its partner
-    branch has q4 = pi), q1 = 0 (its partner pi) where the wrist centre stands on axis 1.
+    rail (n,): rail positions [m], needed with a rail. Joints lie within half a turn of arm.middles, the lower end left
+    out; joint limits are not applied. At singularities the answer is finite and its pose right: t4 = 0 where t5 = 0
+    (its partner branch has t4 = pi), t1 = 0 (its partner pi) where the wrist centre stands on axis 1 and may.
     """
     X_WF = np.asarray(X_WF, dtype=np.float64)
     if X_WF.ndim != 3 or X_WF.shape[1:] != (4, 4):
         raise ValueError(f"X_WF has shape {X_WF.shape}, wanted (n, 4, 4)")
     n = len(X_WF)
-    X_WB = robot.X_WB0
-    p = X_WF[:, :3, 3].T - X_WB[:3, 3, None]
+    X_WO = robot.X_WO0
+    if not robot.arm.canonical_flange:
+        X_WF = X_WF @ inverse_pose(robot.arm.X_KF)
+    p = X_WF[:, :3, 3].T - X_WO[:3, 3, None]
     if robot.rail_axis_W is not None:
         if rail is None:
             raise ValueError(f"robot {robot.name} rides a rail: give rail (n,)")
         p = p - robot.rail_axis_W[:, None] * np.broadcast_to(np.asarray(rail, dtype=np.float64), (n,))
-    R_BW = X_WB[:3, :3].T
-    out = np.empty((BRANCHES, 6, n))
+    R_OW = X_WO[:3, :3].T
+    out = np.empty((BRANCHES if robot.arm.spherical else 2 * BRANCHES, 6, n))
     for start in range(0, n, _CHUNK):
         part = slice(start, min(start + _CHUNK, n))
-        R_BF = R_BW @ X_WF[part, :3, :3].transpose(1, 2, 0).reshape(3, -1)
-        inverse_arm(robot.arm, R_BW @ p[:, part], R_BF.reshape(3, 3, -1), out[..., part])
+        R_OK = R_OW @ X_WF[part, :3, :3].transpose(1, 2, 0).reshape(3, -1)
+        inverse_arm(robot.arm, R_OW @ p[:, part], R_OK.reshape(3, 3, -1), out[..., part])
     return out.transpose(2, 0, 1)
 
 
-def inverse_arm(arm: Arm, p_BF: Array, R_BF: Array, out: Array) -> None:
-    """Put joints by cfx of flange positions (3, n) [m] and rotations (3, 3, n), arm's base frame, into out (8, 6, n).
+def inverse_arm(arm: Arm, p_OK: Array, R_OK: Array, out: Array) -> None:
+    """Put joints by cfx of canonical flange positions (3, n) [m] and rotations (3, 3, n), frame O, into out (8, 6, n).
 
     Poses come last so that every step runs over contiguous blocks. Results go straight to out, and the two halves are
     functions of their own so that their work arrays die early: memory given back to the system and fetched again page
     by page costs as much as the arithmetic.
     """
-    out = out.reshape(2, 2, 2, 6, -1)  # behind axis 1, behind the lower arm, q5 < 0; a view, axes are only split
-    with np.errstate(invalid="ignore", divide="ignore"):
-        c1, s1, c23, s23 = _reach(arm, p_BF - arm.L6 * R_BF[:, 2], out)
-        _wrist(R_BF, c1, s1, c23, s23, out)
+    split = out.reshape(2, 2, 2, 6, -1)  # behind axis 1, behind the lower arm, t5 < 0; a view, axes are only split
+    if arm.spherical:
+        with np.errstate(invalid="ignore", divide="ignore"):
+            c1, s1, c23, s23 = _reach(arm, p_OK - arm.c4 * R_OK[:, 2], split)
+            _wrist(R_OK, c1, s1, c23, s23, split)
+    else:
+        out[:] = offset_wrist.angles(arm, p_OK, R_OK, inverse_arm)
+    _as_joints(arm, out)
 
 
 def _reach(arm: Arm, w: Array, out: Array) -> tuple[Array, Array, Array, Array]:
-    """Put q1, q2, q3 of wrist centres w (3, n) into out; cos, sin q1 facing forward (n,), of q2 + q3 (2, 2, n)."""
-    reach = np.sqrt(w[0] * w[0] + w[1] * w[1])
-    c1, s1 = w[0] / reach, w[1] / reach
-    on_axis = reach < _SINGULAR
-    if on_axis.any():
-        c1[on_axis], s1[on_axis] = 1.0, 0.0
+    """Put t1, t2, t3 of wrist centres w (3, n) into out; cos, sin t1 (2, 1, n) or (1, 1, n), of t2 + t3 (2, 2, n).
+
+    Without an offset b the shoulder behind is the one before turned by half a turn: cos, sin t1 are then those before.
+    """
+    square = w[0] * w[0] + w[1] * w[1]
+    reach = np.sqrt(square)
+    if arm.b:
+        # The arm's plane passes axis 1 at b; the wrist centre lies in it, radius before axis 1 or behind it.
+        over = reach - abs(arm.b)
+        over[over < -_SINGULAR] = np.nan
+        radius = _FACING * np.sqrt(np.maximum(over, 0.0) * (reach + abs(arm.b)))
+        c1 = (radius * w[0] + arm.b * w[1]) / square
+        s1 = (radius * w[1] - arm.b * w[0]) / square
+        t1 = np.arctan2(s1, c1)
+        close_at_pi(t1)
+    else:
+        c1, s1 = w[0] / reach, w[1] / reach
+        on_axis = reach < _SINGULAR
+        if on_axis.any():
+            c1[on_axis], s1[on_axis] = 1.0, 0.0
+        radius = _FACING * reach
+        before = np.arctan2(s1, c1)
+        close_at_pi(before)
+        t1 = np.stack([before, half_turn(before)])
+        c1, s1 = c1[None], s1[None]
     # The wrist centre seen from axis 2 in the arm's own plane: ahead and up, both shoulders (2, n).
-    ahead, up = _FACING * reach - arm.a1, w[2] - arm.d1
+    ahead, up = radius - arm.a1, w[2] - arm.c1
     distance2 = ahead * ahead + up * up
-    s3 = (arm.L2**2 + arm.L4**2 - distance2) / (2 * arm.L2 * arm.L4)
+    s3 = (arm.c2**2 + arm.upper**2 - distance2) / (2 * arm.c2 * arm.upper)
     s3[np.abs(s3) > 1 + _STRETCH] = np.nan
     s3 = np.maximum(np.minimum(s3, 1.0), -1.0)
     c3 = np.sqrt((1 - s3) * (1 + s3))
-    q1 = np.arctan2(s1, c1)
-    close_at_pi(q1)
-    exists = 0 * s3  # NaN where the branch has no solution: its whole row says so
-    out[0, :, :, 0] = q1 + exists[0]
-    out[1, :, :, 0] = half_turn(q1) + exists[1]
-    q3 = np.arctan2(s3, c3)
-    out[:, 0, :, 2] = q3[:, None]
-    q3 = -pi - q3
-    q3[q3 <= -1.5 * pi] = 0.5 * pi  # -270 deg is +90 deg
-    out[:, 1, :, 2] = q3[:, None]
-    along, ahead, s3, distance2 = (a[:, None] for a in (arm.L2 - arm.L4 * s3, ahead, s3, distance2))
-    c3 = _FACING * c3[:, None]  # (2 shoulders, 2 elbows, n), as all that follows; the elbow's sign is cos q3's
-    across = arm.L4 * c3
+    out[..., 0, :] = (t1 + 0 * s3)[:, None, None]  # NaN where the branch has no solution: its whole row says so
+    e = np.arctan2(s3, c3)
+    out[:, 0, :, 2] = (e - arm.bend)[:, None]
+    e = -pi - e
+    e[e <= -1.5 * pi] = 0.5 * pi  # -270 deg is +90 deg
+    out[:, 1, :, 2] = (e - arm.bend)[:, None]
+    along, ahead, s3, distance2 = (a[:, None] for a in (arm.c2 - arm.upper * s3, ahead, s3, distance2))
+    c3 = _FACING * c3[:, None]  # (2 shoulders, 2 elbows, n), as all that follows; the elbow's sign is cos e's
+    across = arm.upper * c3
     y2, x2 = along * ahead - across * up, along * up + across * ahead
     out[..., 1, :] = np.arctan2(y2, x2)[:, :, None]
     y2 /= distance2
     x2 /= distance2
-    return c1, s1, x2 * c3 - y2 * s3, y2 * c3 + x2 * s3
+    if arm.bend:
+        cb, sb = cos(arm.bend), sin(arm.bend)
+        c3, s3 = c3 * cb + s3 * sb, s3 * cb - c3 * sb  # of t3
+    return c1[:, None], s1[:, None], x2 * c3 - y2 * s3, y2 * c3 + x2 * s3
 
 
-def _wrist(R_BF: Array, c1: Array, s1: Array, c23: Array, s23: Array, out: Array) -> None:
-    """Put q4, q5, q6 into out. R_36 = (Rz(q1) Ry(q2 + q3))^T [z, y, -x] of the flange, which adds Ry(90 deg)."""
+def _wrist(R_OK: Array, c1: Array, s1: Array, c23: Array, s23: Array, out: Array) -> None:
+    """Put t4, t5, t6 into out. R_36 = (Rz(t1) Ry(t2 + t3))^T [z, y, -x] of the flange, which adds Ry(90 deg)."""
     # The flange's axes x, y, z in the frame axis 1 carries: ahead (3, 2 shoulders, 1, n), up (3, n); z aside.
-    ahead = (c1 * R_BF[0] + s1 * R_BF[1])[:, None, None] * _FACING[:, None]
-    aside = (c1 * R_BF[1, 2] - s1 * R_BF[0, 2]) * _FACING[:, None]
-    up = R_BF[2]
-    q4, q5, q6 = (out[:, :, 0, i] for i in (3, 4, 5))
+    ahead = c1 * R_OK[0][:, None, None] + s1 * R_OK[1][:, None, None]
+    aside = c1 * R_OK[1, 2] - s1 * R_OK[0, 2]
+    facing = _FACING if len(c1) == 1 else np.ones((2, 1))
+    if len(c1) == 1:
+        ahead, aside = ahead * _FACING[:, None], aside * _FACING[:, None]
+    up = R_OK[2]
+    t4, t5, t6 = (out[:, :, 0, i] for i in (3, 4, 5))
     bend = s23 * ahead[2] + c23 * up[2]
-    np.arctan2(aside, -bend, out=q4)
+    np.arctan2(aside, -bend, out=t4)
     bend *= bend
     bend += aside * aside
     np.sqrt(bend, out=bend)
-    np.arctan2(bend, c23 * ahead[2] - s23 * up[2], out=q5)
-    np.arctan2(c23 * ahead[1] - s23 * up[1], s23 * up[0] - c23 * ahead[0], out=q6)
+    np.arctan2(bend, c23 * ahead[2] - s23 * up[2], out=t5)
+    np.arctan2(c23 * ahead[1] - s23 * up[1], s23 * up[0] - c23 * ahead[0], out=t6)
     weak = bend < _WEAK
     if weak.any():
-        # q4 and q6 are rounding here, each for itself, but exact in sum: take q6 from the turn that q4 leaves.
+        # t4 and t6 are rounding here, each for itself, but exact in sum: take t6 from the turn that t4 leaves.
         straight = bend[weak] < _SINGULAR
-        q4[weak] = np.where(straight, 0.0, q4[weak])
-        q5[weak] = np.where(straight, np.where(q5[weak] < 1, 0.0, pi), q5[weak])
+        t4[weak] = np.where(straight, 0.0, t4[weak])
+        t5[weak] = np.where(straight, np.where(t5[weak] < 1, 0.0, pi), t5[weak])
         shoulder, _, n = np.nonzero(weak)
-        s, c, s4, c4 = s23[weak], c23[weak], np.sin(q4[weak]), np.cos(q4[weak])
+        s, c, s4, c4 = s23[weak], c23[weak], np.sin(t4[weak]), np.cos(t4[weak])
+        own = shoulder % len(c1)
         sine, cosine = (
-            c4 * _FACING[shoulder, 0] * (c1[n] * R_BF[1, i, n] - s1[n] * R_BF[0, i, n])
+            c4 * facing[shoulder, 0] * (c1[own, 0, n] * R_OK[1, i, n] - s1[own, 0, n] * R_OK[0, i, n])
             + s4 * (s * ahead[i, shoulder, 0, n] + c * up[i, n])
             for i in (0, 1)
         )
-        q6[weak] = np.arctan2(sine, cosine)
-    np.negative(q5, out=out[:, :, 1, 4])
-    turns = out[:, :, 0, 3::2]  # q4 and q6
+        t6[weak] = np.arctan2(sine, cosine)
+    np.negative(t5, out=out[:, :, 1, 4])
+    turns = out[:, :, 0, 3::2]  # t4 and t6
     close_at_pi(turns)
     out[:, :, 1, 3::2] = half_turn(turns)
+
+
+def _as_joints(arm: Arm, out: Array) -> None:
+    """Make joints of canonical angles (8, 6, n), in place, each within half a turn of its middle."""
+    for i in arm.converted:
+        q = arm.signs[i] * (out[:, i] - arm.offsets[i])
+        out[:, i] = q - 2 * pi * np.ceil((q - arm.middles[i] - pi) / (2 * pi))
 
 
 def representatives(q: Array, lower: Array, upper: Array) -> Array:
@@ -165,7 +205,8 @@ def solutions(robot: RobotModel, X_WF: Array, rail: float | None, limits: JointL
     branches = inverse(robot, X_WF[None], None if rail is None else np.array([rail]))[0]
     found: list[tuple[int, Array]] = []
     for cfx, branch in enumerate(branches):
-        for q in representatives(branch, limits.lower[-6:], limits.upper[-6:]):
+        turned = representatives(branch, limits.lower[-6:], limits.upper[-6:])
+        for q in turned[limits.couplings.arm(robot.layout.arm).within(turned)]:
             if not any(np.array_equal(q, other) for _, other in found):
                 found.append((cfx, q))
     return found
@@ -180,19 +221,20 @@ def confdata(robot: RobotModel, q: Array) -> ConfData:
 
     A value less than 1e-9 rad below a multiple of 90 deg counts as on it, so that rounding does not flip a quadrant.
     """
-    wrist, lower_arm, axis_5 = _branch_margins(robot.arm, q)
+    wrist, lower_arm, axis_5 = branch_margins(robot.arm, q)
     cf1, cf4, cf6 = (_quadrant(float(q[i]), _ON_QUADRANT) for i in (0, 3, 5))
-    return ConfData(cf1, cf4, cf6, 4 * (wrist < 0) + 2 * (lower_arm < 0) + 1 * (axis_5 < 0))
+    return ConfData(cf1, cf4, cf6, int(4 * (wrist < 0) + 2 * (lower_arm < 0) + 1 * (axis_5 < 0)))
 
 
 def _quadrant(angle: float, shift: float) -> int:
     return floor((angle + shift) / (pi / 2))
 
 
-def _branch_margins(arm: Arm, q: Array) -> tuple[float, float, float]:
-    """What cfx takes the signs of: wrist centre before axis 1 [m], before the lower arm (cos q3), q5 [rad]."""
-    q2, q3, q5 = float(q[1]), float(q[2]), float(q[4])
-    return arm.a1 + arm.L2 * sin(q2) + arm.L4 * cos(q2 + q3), cos(q3), q5
+def branch_margins(arm: Arm, q: Array) -> tuple[Array, Array, Array]:
+    """What cfx takes the signs of, of joints (..., 6): wrist centre before axis 1 [m], before the lower arm (the cosine
+    of the elbow), axis 5 [rad]. Axis 5 counts from where axis 6 runs on along axis 4; all turns of it alike."""
+    t5 = arm.angles(q)[..., 4]
+    return wrist_section(arm, q)[0], np.cos(elbow_angle(arm, q)), t5 - 2 * pi * np.round(t5 / (2 * pi))
 
 
 def confdata_admits(robot: RobotModel, conf: ConfData, q: Array) -> bool:
@@ -200,12 +242,14 @@ def confdata_admits(robot: RobotModel, conf: ConfData, q: Array) -> bool:
 
     Quadrants and branch must be those of q. Only within 1e-6 rad (of a multiple of 90 deg for cf1, cf4, cf6; of a
     branch's border for a bit of cfx; 1e-6 m for the wrist centre before axis 1), where the rounding of a printed
-    target decides, the neighbour is taken too.
+    target decides, the neighbour is taken too. Always so for a robot without a rule for confdata.
     """
+    if robot.confdata_rule == NO_CONFDATA:
+        return True
     for cf, i in ((conf.cf1, 0), (conf.cf4, 3), (conf.cf6, 5)):
         if cf not in {_quadrant(float(q[i]), shift) for shift in (-_QUADRANT_DOUBT, 0.0, _QUADRANT_DOUBT)}:
             return False
-    margins = _branch_margins(robot.arm, q)
+    margins = branch_margins(robot.arm, q)
     return all(
         abs(margin) <= _QUADRANT_DOUBT or bool(conf.cfx & bit) == (margin < 0)
         for bit, margin in zip((4, 2, 1), margins, strict=True)
@@ -225,17 +269,40 @@ def why_unreachable(robot: RobotModel, X_WF: Array, rail: float | None, limits: 
         raise ValueError("why_unreachable: the pose has solutions")
     branches = inverse(robot, X_WF[None], None if rail is None else np.array([rail]))[0]
     alive = {f"cfx {cfx}": q for cfx, q in enumerate(branches) if not np.isnan(q).any()}
-    said = broken_limits(alive, robot.axis_names[-6:], limits.lower[-6:], limits.upper[-6:]) if alive else None
-    return said or _outside_workspace(robot, X_WF, rail)
+    if not alive:
+        return _outside_workspace(robot, X_WF, rail)
+    said = broken_limits(alive, robot.axis_names[-6:], limits.lower[-6:], limits.upper[-6:])
+    return said or _broken_couplings(robot, alive, limits)
+
+
+def _broken_couplings(robot: RobotModel, branches: Mapping[str, Array], limits: JointLimits) -> str:
+    """Which range of a sum of joints keeps the branches out that are within the ranges of each joint."""
+    lower, upper = limits.lower[-6:], limits.upper[-6:]
+    rows = limits.couplings.arm(robot.layout.arm).rows
+    found = []
+    for branch, raw in branches.items():
+        for q in representatives(raw, lower, upper):
+            sums = zip(limits.coupled, (rows @ q).tolist(), strict=True)
+            found.append(max((max(c.lower - v, v - c.upper), branch, c.name, v, c.lower, c.upper) for c, v in sums))
+    _, branch, name, value, low, high = min(found)
+    return f"every branch breaks a limit: nearest {name} = {np.degrees(value):.6g}° ({branch}), range" + (
+        f" {np.degrees(low):.6g}..{np.degrees(high):.6g}°"
+    )
 
 
 def _outside_workspace(robot: RobotModel, X_WF: Array, rail: float | None) -> str:
     arm = robot.arm
-    X_WB = robot.base(0.0 if rail is None else rail)
-    w = X_WB[:3, :3].T @ (X_WF[:3, 3] - arm.L6 * X_WF[:3, 2] - X_WB[:3, 3])
-    reach, up = float(np.hypot(w[0], w[1])), float(w[2]) - arm.d1
+    if not arm.spherical:
+        return "no posture was found that reaches it (its wrist has an offset, so postures are sought step by step)"
+    X_WO = robot.canonical_base(0.0 if rail is None else rail)
+    X_WK = X_WF @ inverse_pose(arm.X_KF)
+    w = X_WO[:3, :3].T @ (X_WK[:3, 3] - arm.c4 * X_WK[:3, 2] - X_WO[:3, 3])
+    reach, up = float(np.hypot(w[0], w[1])), float(w[2]) - arm.c1
+    if reach < abs(arm.b):
+        return f"wrist centre {reach:.6g} m from axis 1, at least the arm's offset of {abs(arm.b):.6g} m"
+    reach = float(np.sqrt((reach - abs(arm.b)) * (reach + abs(arm.b))))
     near, far = float(np.hypot(reach - arm.a1, up)), float(np.hypot(reach + arm.a1, up))
-    outer, inner = arm.L2 + arm.L4, abs(arm.L2 - arm.L4)
+    outer, inner = arm.c2 + arm.upper, abs(arm.c2 - arm.upper)
     if near > outer:
         return f"wrist centre outside the outer workspace: {near:.6g} m from axis 2, at most {outer:.6g} m"
     # Facing forward it is too near; facing backward too near or too far.

@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from trajopt_cli.geometry import Array, xyz_from_rotation
+from trajopt_cli.robot.inverse import branch_margins
 from trajopt_cli.robot.model import RobotModel
 
 _SINGULAR = 1e-9  # of the three measures below: axis speeds would be a billion times the TCP's
@@ -25,13 +26,14 @@ def forward_acceleration(robot: RobotModel, q: Array, qd: Array, qdd: Array, X_F
 
 
 def singularity(robot: RobotModel, q: Array) -> Array:
-    """How far arm joints are from singular (..., 3): |sin q5|; |cos q3|; m of the wrist centre from axis 1.
+    """How far arm joints are from singular (..., 3): |sin| of axis 5 from where axis 6 runs on along axis 4; |cos| of
+    the elbow, 0 where it is stretched or folded; m of the wrist centre before or behind axis 1 in the arm's plane.
 
-    Their product times L2 L4 is |det| of the arm's Jacobian. q (..., k); a rail does not matter.
+    Their product times the lengths of lower and upper arm is |det| of the arm's Jacobian. q (..., k); a rail does not
+    matter. For ABB's arms without an elbow offset they are |sin q5|, |cos q3| and a distance from axis 1.
     """
-    arm, q = robot.arm, np.asarray(q, dtype=np.float64)[..., -6:]
-    radius = arm.a1 + arm.L2 * np.sin(q[..., 1]) + arm.L4 * np.cos(q[..., 1] + q[..., 2])
-    measures: Array = np.abs(np.stack([np.sin(q[..., 4]), np.cos(q[..., 2]), radius], axis=-1))
+    before, elbow, axis_5 = branch_margins(robot.arm, np.asarray(q, dtype=np.float64)[..., -6:])
+    measures: Array = np.abs(np.stack([np.sin(axis_5), elbow, before], axis=-1))
     return measures
 
 
@@ -77,8 +79,8 @@ def _solve(robot: RobotModel, q: Array, J: Array, wanted: Array, rail: Array | f
     if np.any(measures < _SINGULAR):
         *row, which = (int(i) for i in np.argwhere(measures < _SINGULAR)[0])
         name = (
-            "wrist singularity: |sin joint_5|",
-            "elbow singularity: |cos joint_3|",
+            "wrist singularity: |sin| of axis 5",
+            "elbow singularity: |cos| of the elbow",
             "shoulder singularity: wrist centre off axis 1 by [m]",
         )[which]
         place = f" at row {', '.join(map(str, row))}" if row else ""

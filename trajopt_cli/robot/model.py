@@ -21,11 +21,13 @@ from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.motion import ConfData
 from trajopt_cli.robot import arm as arm_products
 from trajopt_cli.robot import inverse as closed_form
-from trajopt_cli.robot.arm import Arm, arm_from_chain
+from trajopt_cli.robot.arm import Arm, elbow_angle
+from trajopt_cli.robot.arm_chain import arm_from_chain
 from trajopt_cli.robot.chain import checked_pose, named_profile, pin_model
 from trajopt_cli.robot.enclosure import Enclosure, enclose
 from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.structure import Structure
+from trajopt_cli.robot.turns import ON_LIMIT
 from trajopt_cli.robot.urdf import UrdfJoint, split_chain
 from trajopt_cli.shapes import Capsule
 
@@ -34,7 +36,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Arm", "RobotModel", "Structure", "load_robot", "robot_names"]
 
-_TURNS = readonly(2 * np.pi * np.array([[i, 0, 0, j, 0, k] for i, j, k in product((0, -1, 1), repeat=3)]))
+_WINDING = [0, 3, 5]  # joints that nothing keeps from coming round as their branch goes on
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,6 +49,8 @@ class RobotModel:
     notes: sources of what is not a limit, by name. chain: the arm's six joints and the fixed one to the flange, as the
     URDF has them. capsules: around the links that have one, by link name, in the link's frame. self_pairs: the links
     that are held against each other, the one nearer the base first; "attached" stands for what the flange carries.
+    rotor (n,): inertias of the drives as the axes feel them [kg m2, kg for a rail], 0 where nobody says.
+    confdata_rule: "none" where RAPID's confdata does not describe the joints; it is then not looked at.
     """
 
     name: str
@@ -63,6 +67,25 @@ class RobotModel:
     chain: tuple[UrdfJoint, ...]
     capsules: Mapping[str, Capsule]
     self_pairs: tuple[tuple[str, str], ...]
+    rotor: Array
+    confdata_rule: str = "abb_six_axis"
+
+    def lacks_for_torques(self, torque: Array | None) -> tuple[str, ...]:
+        """What somebody would have to say before torques can be kept to limits torque (n,): "effort of joint_2" for a
+        joint of the arm without one, "mass of link_2" for a body without an inertial in the URDF. A rail may have no
+        limit; then what stands on it may have no mass."""
+        known = np.isfinite(np.full(self.layout.n, np.inf) if torque is None else torque)
+        links = (*(self.link_names[:1] * self.layout.r), *self.link_names[1:])
+        bodies = list(self.pin_model.inertias)[1:]
+        arm = [False] * self.layout.r + [True] * self.layout.joints
+        efforts = [f"effort of {n}" for n, has, of in zip(self.axis_names, known, arm, strict=True) if of and not has]
+        # a first joint that only turns about the vertical need not know how heavy its link is
+        masses = [
+            f"mass of {link}"
+            for link, body, has, of in zip(links, bodies, known, arm, strict=True)
+            if (of or has) and not (body.mass > 0 or np.any(body.inertia))
+        ]
+        return *efforts, *masses
 
     @property
     def has_rail(self) -> bool:
@@ -75,17 +98,40 @@ class RobotModel:
         return AxisLayout.rail_first(6, self.rail_axis is not None)
 
     @property
+    def closed_form(self) -> bool:
+        """Whether the wrist is spherical; else branches are found step by step, and the inverse has no expression."""
+        return self.arm.spherical
+
+    @cached_property
     def turns(self) -> Array:
-        """Whole turns (27, 6) [rad] of joints 1, 4 and 6, none first."""
-        return _TURNS
+        """Whole turns (t, 6) [rad] that take joints as the inverse gives them into their ranges, none first; one either
+        way at least of joints 1, 4 and 6, which come round where the rail takes the arm past a pose."""
+        limits, joints = self.profile(), self.layout.arm
+        low = np.ceil((limits.lower[joints] - self.arm.middles - np.pi - ON_LIMIT) / (2 * np.pi))
+        high = np.floor((limits.upper[joints] - self.arm.middles + np.pi + ON_LIMIT) / (2 * np.pi))
+        low[_WINDING], high[_WINDING] = np.minimum(low[_WINDING], -1), np.maximum(high[_WINDING], 1)
+        each = [sorted(range(int(a), int(b) + 1), key=lambda k: (abs(k), k)) for a, b in zip(low, high, strict=True)]
+        return readonly(2 * np.pi * np.array([*product(*each)]))
+
+    @property
+    def middles(self) -> Array:
+        """Joints (6,) [rad] that those of the inverse lie within half a turn of."""
+        return self.arm.middles
 
     def branches(self, X_WF: Array, rail: Array | None) -> Array:
         """Joints (k, 8, 6) by cfx of flange poses (k, 4, 4): see robot.inverse."""
         return closed_form.inverse(self, X_WF, rail)
 
     def walls(self, arm: Array) -> tuple[Array, Array]:
-        """|sin q3|, 1 at the stretched and the folded elbow, and |sin q5|, 0 at the stretched wrist."""
-        return np.abs(np.sin(arm[..., 2])), np.abs(np.sin(arm[..., 4]))
+        """|sin| of the elbow, 1 when it is stretched and folded, and of axis 5, 0 at the stretched wrist.
+
+        With an offset b the first is also 1 where the wrist centre is as near to axis 1 as it can be.
+        """
+        bent, reach = arm[..., 4] + self.arm.signs[4] * self.arm.offsets[4], np.abs(np.sin(elbow_angle(self.arm, arm)))
+        if self.arm.b:
+            before = arm_products.wrist_section(self.arm, arm)[0]
+            reach = np.maximum(reach, self.arm.b**2 / (self.arm.b**2 + before**2))
+        return reach, np.abs(np.sin(bent))
 
     def solutions(self, X_WF: Array, rail: float | None, limits: JointLimits) -> list[tuple[int, Array]]:
         """Every (cfx, joints (6,)) within limits of one flange pose (4, 4), turns included."""
@@ -105,12 +151,12 @@ class RobotModel:
 
     def enclose(self, X_WF: Array, rail: Array, limits: JointLimits, twist: Array | None = None) -> Enclosure:
         """The first three joints and their rates over the intervals between rail positions (k + 1,)."""
-        X_BW = inverse_pose(self.X_WB0)
-        e = np.zeros(3) if self.rail_axis_W is None else X_BW[:3, :3] @ self.rail_axis_W
+        X_OW = inverse_pose(self.X_WO0)
+        e = np.zeros(3) if self.rail_axis_W is None else X_OW[:3, :3] @ self.rail_axis_W
         lower, upper = (x[self.layout.arm][:3] for x in (limits.lower, limits.upper))
-        R_BW = X_BW[:3, :3]
-        twist_B = None if twist is None else np.concatenate([R_BW @ twist[:3], R_BW @ twist[3:]])
-        return enclose(self.arm, X_BW @ X_WF, e, rail, lower, upper, twist_B)
+        R_OW = X_OW[:3, :3]
+        twist_O = None if twist is None else np.concatenate([R_OW @ twist[:3], R_OW @ twist[3:]])
+        return enclose(self.arm, X_OW @ X_WF, e, rail, lower, upper, twist_O)
 
     @cached_property
     def expressions(self) -> Expressions:
@@ -129,14 +175,26 @@ class RobotModel:
         return readonly(self.X_WR @ self.X_RB)
 
     @cached_property
+    def X_WO0(self) -> Array:
+        """The arm's canonical base X_WO (4, 4) with the rail at 0: see robot.arm."""
+        return readonly(self.X_WB0 @ self.arm.X_BO)
+
+    @cached_property
     def rail_axis_W(self) -> Array | None:
         """Unit direction (3,) of rail travel in the world, None without a rail."""
         return None if self.rail_axis is None else readonly(self.X_WR[:3, :3] @ self.rail_axis)
 
     def base(self, rail: Array | float = 0.0) -> Array:
         """The arm's base X_WB (..., 4, 4) at rail positions (...) [m]; without a rail the value does not matter."""
+        return self._carried(self.X_WB0, rail)
+
+    def canonical_base(self, rail: Array | float = 0.0) -> Array:
+        """The arm's canonical base X_WO (..., 4, 4) at rail positions (...) [m]."""
+        return self._carried(self.X_WO0, rail)
+
+    def _carried(self, X_W0: Array, rail: Array | float) -> Array:
         rail = np.asarray(rail, dtype=np.float64)
-        X = np.array(np.broadcast_to(self.X_WB0, (*rail.shape, 4, 4)))
+        X = np.array(np.broadcast_to(X_W0, (*rail.shape, 4, 4)))
         if self.rail_axis_W is not None:
             X[..., :3, 3] += rail[..., None] * self.rail_axis_W
         return X
@@ -146,9 +204,9 @@ class RobotModel:
         q = np.asarray(q, dtype=np.float64)
         self._check(q, "q")
         X = arm_products.forward(self.arm, q[..., -6:])
-        X_WB0 = self.X_WB0
-        X[..., :3, :] = X_WB0[:3, :3] @ X[..., :3, :]
-        X[..., :3, 3] += X_WB0[:3, 3]
+        X_WO0 = self.X_WO0
+        X[..., :3, :] = X_WO0[:3, :3] @ X[..., :3, :]
+        X[..., :3, 3] += X_WO0[:3, 3]
         if self.rail_axis_W is not None:
             X[..., :3, 3] += q[..., :1] * self.rail_axis_W
         return X
@@ -159,10 +217,12 @@ class RobotModel:
         if self.rail_axis_W is None:
             return np.zeros((len(X_WF), 2))
         arm = self.arm
-        away = X_WF[:, :3, 3] - self.X_WB0[:3] @ np.array([0.0, 0.0, arm.d1, 1.0])
+        away = X_WF[:, :3, 3] - self.X_WO0[:3] @ np.array([0.0, 0.0, arm.c1, 1.0])
         along = away @ self.rail_axis_W
         aside = np.sum(away**2, axis=1) - along**2
-        half = np.sqrt(np.maximum((abs(arm.a1) + arm.L2 + arm.L4 + abs(arm.L6)) ** 2 - aside, 0.0))
+        flange = float(np.linalg.norm(arm.X_KF[:3, 3] + [0.0, 0.0, arm.c4]))  # from the wrist centre
+        longest = float(np.hypot(abs(arm.a1) + arm.c2 + arm.upper, arm.b) + np.linalg.norm(arm.wrist)) + flange
+        half = np.sqrt(np.maximum(longest**2 - aside, 0.0))
         return np.stack([along - half, along + half], axis=1)
 
     @cached_property
@@ -182,21 +242,27 @@ class RobotModel:
         return self._columns(q, qd, X_FT)
 
     def _columns(self, q: Array, qd: Array | None, X_FT: Array | None) -> Array:
-        """The Jacobian (qd None) or its rate, built in the base frame and turned into the world."""
+        """The Jacobian (qd None) or its rate, built in the canonical base frame and turned into the world."""
         q = np.asarray(q, dtype=np.float64)
         self._check(q, "q")
         a, o = arm_products.axes_and_points(self.arm, q[..., -6:])
-        lever = self.arm.L6 * a[:, 5]  # from the wrist centre to the TCP
-        if X_FT is not None:
-            R_BF = arm_products.forward(self.arm, q[..., -6:])[..., :3, :3]
-            lever = lever + np.moveaxis(R_BF @ np.asarray(X_FT, dtype=np.float64)[:3, 3], -1, 0)
+        arm = self.arm
+        lever = arm.c4 * a[:, 5]  # from the wrist centre to the TCP
+        p_FT = np.zeros(3) if X_FT is None else np.asarray(X_FT, dtype=np.float64)[:3, 3]
+        p_FT = p_FT + arm.X_KF[:3, :3].T @ arm.X_KF[:3, 3]  # from where axis 6 meets the canonical flange
+        if X_FT is not None or np.any(p_FT):
+            R_OF = arm_products.forward(arm, q[..., -6:])[..., :3, :3]
+            lever = lever + np.moveaxis(R_OF @ p_FT, -1, 0)
         if qd is None:
             linear, angular = _cross(a, (o[:, 5] + lever)[:, None] - o), a
         else:
             linear, angular = self._rates(a, o, lever, np.asarray(qd, dtype=np.float64), q.shape)
+        if not arm.canonical_joints:
+            signs = arm.signs.reshape(6, *[1] * (q.ndim - 1))
+            linear, angular = linear * signs, angular * signs
         J = np.zeros((*q.shape[:-1], 6, len(self.axis_names)))
         for rows, block in ((slice(0, 3), linear), (slice(3, 6), angular)):
-            turned = np.tensordot(self.X_WB0[:3, :3], block, axes=1)
+            turned = np.tensordot(self.X_WO0[:3, :3], block, axes=1)
             J[..., rows, -6:] = np.moveaxis(turned, (0, 1), (-2, -1))
         if qd is None and self.rail_axis_W is not None:
             J[..., :3, 0] = self.rail_axis_W
@@ -206,7 +272,8 @@ class RobotModel:
         """Time derivatives (3, 6, ...) of a x (p - o) and of a. The rail moves all points alike and drops out."""
         if qd.shape != shape:
             raise ValueError(f"qd has shape {qd.shape}, wanted {shape} like q")
-        omega = np.cumsum(a * np.moveaxis(qd[..., -6:], -1, 0), axis=1)  # of the link behind each joint
+        rates = qd[..., -6:] if self.arm.canonical_joints else self.arm.signs * qd[..., -6:]
+        omega = np.cumsum(a * np.moveaxis(rates, -1, 0), axis=1)  # of the link behind each joint
         carried = np.zeros_like(a)
         carried[:, 1:] = omega[:, :-1]  # an axis turns with the link before its joint
         o_dot = np.zeros_like(o)
@@ -269,6 +336,8 @@ def load_robot(name_or_path: str, X_WR: Array | None = None) -> RobotModel:
         tcp=TcpCaps(data.tcp.speed.value, data.tcp.acceleration.value),
         profiles=description.profiles(data, axes),
         notes=description.notes(data)
+        | ({"inertia": str(data.inertia)} if data.inertia else {})
+        | {f"{name}.rotor": str(one.rotor_inertia) for name, one in data.axes.items() if one.rotor_inertia}
         | {
             "confdata": str(data.confdata),
             "tcp.speed": str(data.tcp.speed),
@@ -278,4 +347,6 @@ def load_robot(name_or_path: str, X_WR: Array | None = None) -> RobotModel:
         chain=tuple(arm_chain),
         capsules=description.capsules(data),
         self_pairs=data.collision.self_pairs if data.collision else (),
+        rotor=description.rotors(data, axes),
+        confdata_rule=data.confdata.rule,
     )

@@ -32,8 +32,16 @@ class Robot(Protocol):
         """Which of them are the rail's and the arm's."""
 
     @property
+    def closed_form(self) -> bool:
+        """Whether its branches have closed forms; without, no nonlinear program improves plans."""
+
+    @property
     def turns(self) -> Array:
         """Whole turns (t, m) [rad] of the joints with which a configuration is tried, none first."""
+
+    @property
+    def middles(self) -> Array:
+        """Joints (m,) [rad]: branches come within half a turn of them."""
 
     # ---- where things are
     @property

@@ -18,7 +18,7 @@ from trajopt_cli.robot.urdf import FLANGE
 
 class Reached(NamedTuple):
     """Joints q (m,) of a pose on one branch, and the walls beside them: elbow, in (-1, 1) while the pose is in reach,
-    and wrist, positive on the branch's side of the singular wrist."""
+    all of them where there are several, and wrist, positive on the branch's side of the singular wrist."""
 
     q: ca.SX
     elbow: ca.SX
@@ -53,30 +53,30 @@ def forward(robot: RobotModel, q: ca.SX, X_FT: Array | None = None) -> tuple[ca.
             raise ValueError(f"joint {model.names[i]}: only a chain of one-axis joints has expressions")
         subspace = np.asarray(model.joints[i].createData().S).reshape(6)
         slide, turn = subspace[:3], subspace[3:]
-        R_here = R @ _turn(open_axis, open_angle)
-        p = p + R_here @ _exact(X.translation)
+        R_here = R @ rotation(open_axis, open_angle)
+        p = p + R_here @ exact(X.translation)
         if np.any(slide):
-            R, open_axis, open_angle = R_here @ _exact(X.rotation), np.zeros(3), ca.SX(0)
-            p = p + R @ _exact(slide) * q[i - 1]
+            R, open_axis, open_angle = R_here @ exact(X.rotation), np.zeros(3), ca.SX(0)
+            p = p + R @ exact(slide) * q[i - 1]
         elif np.array_equal(turn, open_axis) and np.array_equal(X.rotation, np.eye(3)):
             open_angle = open_angle + q[i - 1]
         else:
-            R, open_axis, open_angle = R_here @ _exact(X.rotation), turn, q[i - 1]
+            R, open_axis, open_angle = R_here @ exact(X.rotation), turn, q[i - 1]
     tail = flange.placement.homogeneous @ (np.eye(4) if X_FT is None else np.asarray(X_FT, dtype=np.float64))
-    R = R @ _turn(open_axis, open_angle)
-    return p + R @ _exact(tail[:3, 3]), R @ _exact(tail[:3, :3])
+    R = R @ rotation(open_axis, open_angle)
+    return p + R @ exact(tail[:3, 3]), R @ exact(tail[:3, :3])
 
 
-def _turn(axis: Array, angle: ca.SX) -> ca.SX:
+def rotation(axis: Array, angle: ca.SX) -> ca.SX:
     """Rotation (3, 3) about a unit axis (3,), the identity for the zero axis (Rodrigues, so that no 1 - (1 - cos))."""
     if not np.any(axis):
         return ca.SX.eye(3)
     x, y, z = axis
     along, K = np.outer(axis, axis), np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    return _exact(along) + _exact(np.eye(3) - along) * ca.cos(angle) + _exact(K) * ca.sin(angle)
+    return exact(along) + exact(np.eye(3) - along) * ca.cos(angle) + exact(K) * ca.sin(angle)
 
 
-def _exact(values: Array) -> ca.SX:
+def exact(values: Array) -> ca.SX:
     """Numbers as a constant expression, with rounding next to 0 and +-1 removed so that products vanish."""
     values = np.asarray(values, dtype=np.float64)
     near = np.round(values)

@@ -1,7 +1,7 @@
 """The closed-form inverse kinematics on one fixed branch as a CasADi expression, and its motion along a path.
 
-The same algebra as robot.inverse, written once more because there a branch is an array axis with NaN where nothing
-exists, and here it is a pair of signs in a smooth expression. Tests hold the two against each other.
+The same algebra as robot.inverse, in canonical angles, written once more because there a branch is an array axis with
+NaN where nothing exists, and here it is a pair of signs in a smooth expression. Tests hold the two against each other.
 """
 
 from __future__ import annotations
@@ -13,12 +13,12 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.robot.model import Arm, RobotModel
-from trajopt_cli.robot.symbolic import Reached, forward
+from trajopt_cli.robot.symbolic import Reached, exact, forward
 
 
 @dataclass(frozen=True)
 class BranchSigns:
-    """ABB cfx as three signs: +1 wrist centre before axis 1, before the lower arm (cos q3 > 0), q5 >= 0; else -1."""
+    """ABB cfx as three signs: +1 wrist centre before axis 1, before the lower arm, axis 5 >= 0; else -1."""
 
     shoulder: float
     elbow: float
@@ -50,8 +50,11 @@ class ArmExpressions:
 
     def inverse(self, position: ca.SX, rotation: ca.SX, branch: ca.SX, near: ca.SX) -> Reached:
         """See inverse_arm."""
-        q, s3 = inverse_arm(self.robot.arm, position, rotation, branch, near)
-        return Reached(q, s3, branch[2] * ca.sin(q[4]))
+        arm = self.robot.arm
+        if not arm.spherical:
+            raise ValueError(f"robot {self.robot.name}: a wrist with an offset has no closed form")
+        q, reach = inverse_arm(arm, position, rotation, branch, near)
+        return Reached(q, reach, branch[2] * ca.sin(q[4] + float(arm.signs[4] * arm.offsets[4])))
 
 
 def _angle(y: ca.SX, x: ca.SX, reference: ca.SX) -> ca.SX:
@@ -61,35 +64,54 @@ def _angle(y: ca.SX, x: ca.SX, reference: ca.SX) -> ca.SX:
 
 
 def inverse_arm(arm: Arm, p_BF: ca.SX, R_BF: ca.SX, signs: ca.SX, reference: ca.SX) -> tuple[ca.SX, ca.SX]:
-    """Joints q (6,) [rad] of flange pose p_BF (3,) [m], R_BF (3, 3) in the arm's base frame, and sin q3 (1,).
+    """Joints q (6,) [rad] of flange pose p_BF (3,) [m], R_BF (3, 3) in the arm's base frame, and what says that it is
+    in reach (1,), or (2,) for an arm with an offset b.
 
-    signs (3,): see BranchSigns. reference (6,): angles within half a turn of the answer; they choose the turns.
-    sin q3 is given back unclamped: |sin q3| <= 1 is the condition that the wrist centre is in reach.
+    signs (3,): see BranchSigns. reference (6,): angles within half a turn of the answer; they choose the turns. The
+    wrist centre is in reach where the sine of the elbow, unclamped, is between -1 and 1, and (b / r)^2 below 1 with r
+    from axis 1 to the wrist centre.
     """
     shoulder, elbow, wrist = signs[0], signs[1], signs[2]
-    w = p_BF - arm.L6 * R_BF[:, 2]
-    radius = shoulder * ca.sqrt(w[0] ** 2 + w[1] ** 2)
-    q1 = _angle(shoulder * w[1], shoulder * w[0], reference[0])
-    u, z = radius - arm.a1, w[2] - arm.d1
-    s3 = (arm.L2**2 + arm.L4**2 - u**2 - z**2) / (2 * arm.L2 * arm.L4)
+    near = exact(arm.signs) * reference + exact(arm.offsets)  # in canonical angles, as all that follows
+    p, R = _canonical(arm, p_BF, R_BF)
+    w = p - arm.c4 * R[:, 2]
+    square = w[0] ** 2 + w[1] ** 2
+    if arm.b:
+        radius = shoulder * ca.sqrt(ca.fmax(square - arm.b**2, 1e-12))
+        c1, s1 = radius * w[0] + arm.b * w[1], radius * w[1] - arm.b * w[0]
+        t1 = _angle(s1, c1, near[0])
+        c1, s1 = c1 / square, s1 / square
+    else:
+        norm = ca.sqrt(square)
+        radius = shoulder * norm
+        c1, s1 = shoulder * w[0], shoulder * w[1]
+        t1 = _angle(s1, c1, near[0])
+        c1, s1 = c1 / norm, s1 / norm
+    u, z = radius - arm.a1, w[2] - arm.c1
+    s3 = (arm.c2**2 + arm.upper**2 - u**2 - z**2) / (2 * arm.c2 * arm.upper)
     c3 = elbow * ca.sqrt(ca.fmax(1 - s3**2, 1e-12))
-    q3 = _angle(s3, c3, reference[2])
-    a, b = arm.L2 - arm.L4 * s3, arm.L4 * c3
-    q2 = _angle(a * u - b * z, a * z + b * u, reference[1])
-    c1, s1 = shoulder * w[0], shoulder * w[1]
-    norm1 = ca.sqrt(w[0] ** 2 + w[1] ** 2)
-    c1, s1 = c1 / norm1, s1 / norm1
-    c23, s23 = ca.cos(q2 + q3), ca.sin(q2 + q3)
-    # R_36 = (Rz(q1) Ry(q2+q3))^T R_06, where the flange adds Ry(90 deg): R_06 has columns (z_F, y_F, -x_F).
-    R_06 = ca.horzcat(R_BF[:, 2], R_BF[:, 1], -R_BF[:, 0])
+    t3 = _angle(s3, c3, near[2] + arm.bend) - arm.bend
+    a, b = arm.c2 - arm.upper * s3, arm.upper * c3
+    t2 = _angle(a * u - b * z, a * z + b * u, near[1])
+    c23, s23 = ca.cos(t2 + t3), ca.sin(t2 + t3)
+    # R_36 = (Rz(t1) Ry(t2 + t3))^T R_06, where the flange adds Ry(90 deg): R_06 has columns (z_F, y_F, -x_F).
+    R_06 = ca.horzcat(R[:, 2], R[:, 1], -R[:, 0])
     row = ca.vertcat(
         ca.horzcat(c1 * c23, s1 * c23, -s23),
         ca.horzcat(-s1, c1, 0),
         ca.horzcat(c1 * s23, s1 * s23, c23),
     )
-    R = row @ R_06
-    s5 = wrist * ca.sqrt(R[1, 0] ** 2 + R[2, 0] ** 2)
-    q5 = _angle(s5, R[0, 0], reference[4])
-    q4 = _angle(wrist * R[1, 0], -wrist * R[2, 0], reference[3])
-    q6 = _angle(wrist * R[0, 1], wrist * R[0, 2], reference[5])
-    return ca.vertcat(q1, q2, q3, q4, q5, q6), s3
+    R_36 = row @ R_06
+    s5 = wrist * ca.sqrt(R_36[1, 0] ** 2 + R_36[2, 0] ** 2)
+    t5 = _angle(s5, R_36[0, 0], near[4])
+    t4 = _angle(wrist * R_36[1, 0], -wrist * R_36[2, 0], near[3])
+    t6 = _angle(wrist * R_36[0, 1], wrist * R_36[0, 2], near[5])
+    q = exact(arm.signs) * (ca.vertcat(t1, t2, t3, t4, t5, t6) - exact(arm.offsets))
+    return q, ca.vertcat(s3, arm.b**2 / square) if arm.b else s3
+
+
+def _canonical(arm: Arm, p_BF: ca.SX, R_BF: ca.SX) -> tuple[ca.SX, ca.SX]:
+    """The canonical flange in the canonical base, where the flange is seen from the base link."""
+    R_OB = exact(arm.X_BO[:3, :3].T)
+    R = R_OB @ R_BF @ exact(arm.X_KF[:3, :3].T)
+    return R_OB @ (p_BF - exact(arm.X_BO[:3, 3])) - R @ exact(arm.X_KF[:3, 3]), R

@@ -11,8 +11,9 @@ import numpy as np
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
+from trajopt_cli.robot.xml import read_robot_element
 
-FLANGE = "tool0"
+FLANGE, RAIL = "tool0", "rail"
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,12 +38,8 @@ class UrdfJoint:
 def read_chain(path: Path) -> list[UrdfJoint]:
     """The joints from the root link to tool0, root first. Raises InputError for a file that has no such chain."""
     file = str(path)
-    try:
-        root = ElementTree.fromstring(path.read_text(encoding="utf-8"))
-    except ElementTree.ParseError as error:
-        raise InputError(f"not a URDF: {error}", file=file) from error
     by_child = {}
-    for element in root.iter("joint"):
+    for element in read_robot_element(path).findall("joint"):
         joint = _joint(element, file)
         by_child[joint.child] = joint
     chain: list[UrdfJoint] = []
@@ -51,7 +48,8 @@ def read_chain(path: Path) -> list[UrdfJoint]:
         chain.append(by_child.pop(link))
         link = chain[-1].parent
     if not chain:
-        raise InputError(f"no joint leads to link '{FLANGE}': name the flange frame so", file=file)
+        message = f"no joint leads to link '{FLANGE}': name the flange frame so, or see 'trajopt robot add'"
+        raise InputError(message, file=file)
     return chain[::-1]
 
 
@@ -66,9 +64,11 @@ def split_chain(chain: list[UrdfJoint], file: str) -> tuple[list[UrdfJoint], lis
     if [joint.kind for joint in arm] != ["revolute"] * 6 + ["fixed"] or kinds[:-6] not in ([], ["prismatic"]):
         raise InputError(
             f"the chain to {FLANGE} is {', '.join(joint.kind for joint in chain)}: wanted six revolute joints in a row,"
-            " a fixed one behind them, at most one prismatic before them",
+            " a fixed one behind them, at most one prismatic before them; 'trajopt robot add' makes such a file",
             file=file,
         )
+    if len(axes) > 6 and axes[0].name != RAIL:
+        raise InputError(f"joint '{axes[0].name}' is the sliding axis: call it '{RAIL}', as cell files do", file=file)
     check_ranges(axes, file)
     return mount, arm
 
@@ -87,7 +87,10 @@ def check_ranges(axes: list[UrdfJoint], file: str) -> None:
 def _joint(element: ElementTree.Element, file: str) -> UrdfJoint:
     name, kind = element.get("name", ""), element.get("type", "")
     if kind not in ("revolute", "prismatic", "fixed"):
-        raise InputError(f"joint '{name}' has type '{kind}': supported are revolute, prismatic, fixed", file=file)
+        message = (
+            f"joint '{name}' has type '{kind}': wanted revolute, prismatic or fixed; 'trajopt robot add' reads others"
+        )
+        raise InputError(message, file=file)
 
     def part(tag: str) -> ElementTree.Element:
         found = element.find(tag)
@@ -108,7 +111,7 @@ def _joint(element: ElementTree.Element, file: str) -> UrdfJoint:
         return values
 
     X = np.eye(4)
-    X[:3, :3] = _rotation_rpy(*numbers("origin", "rpy", 3))
+    X[:3, :3] = rotation_rpy(*numbers("origin", "rpy", 3))
     X[:3, 3] = numbers("origin", "xyz", 3)
     axis, lower, upper, velocity, effort = np.zeros(3), 0.0, 0.0, 0.0, 0.0
     if kind != "fixed":
@@ -121,7 +124,7 @@ def _joint(element: ElementTree.Element, file: str) -> UrdfJoint:
     return UrdfJoint(name, kind, parent, child, X, axis, lower, upper, velocity, effort)
 
 
-def _rotation_rpy(roll: float, pitch: float, yaw: float) -> Array:
+def rotation_rpy(roll: float, pitch: float, yaw: float) -> Array:
     """Rz(yaw) Ry(pitch) Rx(roll), with cos(pi/2) and its like exactly zero."""
     (cr, sr), (cp, sp), (cy, sy) = ((cos(t), sin(t)) for t in (roll, pitch, yaw))
     R = np.array(

@@ -1,0 +1,91 @@
+"""`coupled` in a robot's YAML file: ranges of sums of axes, read, checked, and kept by what asks for joints."""
+
+import json
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from trajopt_cli.cli import run
+from trajopt_cli.errors import InputError
+from trajopt_cli.limits import CoupledRange
+from trajopt_cli.robot.model import load_robot
+
+ROBOTS = Path(__file__).parents[2] / "robots"
+SECTION = """
+coupled:
+  - axes: [joint_2, joint_3]
+    factors: [1, 1]
+    lower: -2.5
+    upper: 0.6
+    source: "working range, made up"
+    grade: D
+"""
+
+
+@pytest.fixture
+def write(tmp_path):
+    """An IRB 140 with the section, after edits; gives its path."""
+
+    def made(old="", new=""):
+        assert old in SECTION
+        (tmp_path / "irb140.urdf").write_text((ROBOTS / "irb140.urdf").read_text())
+        (tmp_path / "mine.yaml").write_text((ROBOTS / "irb140.yaml").read_text() + SECTION.replace(old, new, 1))
+        return str(tmp_path / "mine.yaml")
+
+    return made
+
+
+def test_it_is_in_every_profile_with_its_source(write):
+    robot = load_robot(write())
+    for profile in robot.profiles.values():
+        (one,) = profile.coupled
+        assert one == CoupledRange(("joint_2", "joint_3"), (1, 1), -2.5, 0.6, "working range, made up (grade D)")
+        np.testing.assert_array_equal(profile.couplings.rows, [[0, 1, 1, 0, 0, 0]])
+    assert load_robot("irb140").profile().coupled == ()
+
+
+def test_solutions_stay_within_it(write):
+    robot, free = load_robot(write()), load_robot("irb140")
+    rng, left_out = np.random.default_rng(2), 0
+    for _ in range(40):
+        X = free.forward(rng.uniform([-1, -1, -2, -1, -1, -1], [1, 1, 0.5, 1, 1, 1]))
+        every = free.solutions(X, None, free.profile())
+        kept = robot.solutions(X, None, robot.profile())
+        wanted = [q for _, q in every if -2.5 - 1e-9 <= q[1] + q[2] <= 0.6 + 1e-9]
+        np.testing.assert_array_equal([q for _, q in kept], wanted)
+        left_out += len(every) - len(wanted)
+    assert left_out > 20
+
+
+def test_robot_show_tells_it(write, capsys):
+    assert run(["robot", "show", write()]) == 0
+    assert re.search(r"joint_2 \+ joint_3 +-143\.239 +34\.3775 +deg +D \[\d+\]", capsys.readouterr().out)
+    assert run(["robot", "show", write(), "--json"]) == 0
+    (one,) = json.loads(capsys.readouterr().out)["coupled"]
+    assert one == {"axes": ["joint_2", "joint_3"], "factors": [1, 1], "lower": -2.5, "upper": 0.6,
+                   "source": "working range, made up (grade D)"}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "place", "words"),
+    [
+        ("joint_2, joint_3", "joint_2, joint_7", "axes: [joint_2, joint_7", "joint_7 is no joint of the arm"),
+        ("joint_2, joint_3", "joint_2, joint_2", "axes: [joint_2, joint_2", "wanted two joints or more, each once"),
+        ("[joint_2, joint_3]", "[joint_2]", "axes: [joint_2]", "wanted two joints or more, each once"),
+        ("factors: [1, 1]", "factors: [1]", "factors: [1]", "1 for 2 axes: give one for each"),
+        ("factors: [1, 1]", "factors: [1, 0]", "factors: [1, 0]", "0 leaves its axis out"),
+        ("factors: [1, 1]", "factors: [1, .inf]", "factors: [1, .inf]", "input should be a finite number"),
+        ("lower: -2.5", "lower: 0.6", "lower: 0.6", "0.6 is not below upper 0.6"),
+        ("lower: -2.5\n    upper: 0.6", "lower: 4\n    upper: 5", "lower: 4", "4..5 rad is out of reach: "),
+        ("grade: D", "grade: E", "grade: E", "'coupled.0.grade': input should be"),
+        ("    lower: -2.5\n", "", "axes: [joint_2, joint_3]", "'coupled.0.lower' is missing"),
+    ],
+)  # fmt: skip
+def test_a_mistake_is_named_with_its_line(write, old, new, place, words):
+    path = write(old, new)
+    with pytest.raises(InputError, match=re.escape(words)) as error:
+        load_robot(path)
+    lines = Path(path).read_text().splitlines()
+    assert place in lines[error.value.line - 1]

@@ -1,0 +1,197 @@
+"""Arms of every kind against pin: forward, Jacobian and its rate, all branches of the inverse, what branches are."""
+
+from __future__ import annotations
+
+import casadi as ca
+import numpy as np
+import pinocchio as pin
+import pytest
+from arms import KNOWN, pin_flange, random_chain, random_pose
+
+from trajopt_cli.geometry import inverse_pose
+from trajopt_cli.motion import ConfData
+from trajopt_cli.robot.inverse import branch_margins, confdata, confdata_admits, inverse, representatives, solutions
+from trajopt_cli.robot.kinematics import singularity
+
+ARMS = [*KNOWN, *range(8)]
+ALL = 10_000  # configurations of one arm; the others have fewer
+
+
+@pytest.fixture(scope="module", params=ARMS)
+def arm(request, tmp_path_factory):
+    """An arm of some kind, its base anywhere in the world."""
+    chain = KNOWN[request.param]() if request.param in KNOWN else random_chain(request.param)
+    return chain.load(tmp_path_factory.mktemp("arm"), random_pose(np.random.default_rng(1)))
+
+
+def configurations(robot, n, seed=3):
+    limits = robot.profile()
+    return np.random.default_rng(seed).uniform(limits.lower, limits.upper, (n, 6))
+
+
+def test_forward_is_pins(arm):
+    q = configurations(arm, 200)
+    np.testing.assert_allclose(arm.forward(q), pin_flange(arm, q), rtol=0, atol=1e-13)
+
+
+def test_jacobian_and_its_rate_are_pins(arm, X_FT):
+    model, rng = arm.pin_model, np.random.default_rng(4)
+    flange, q, qd = (
+        model.frames[model.getFrameId("tool0", pin.FrameType.BODY)],
+        configurations(arm, 20),
+        rng.normal(size=6),
+    )
+    for tool in (None, X_FT):
+        at = flange.placement if tool is None else flange.placement * pin.SE3(tool)
+        frame = model.addFrame(pin.Frame(f"at {tool is None}", flange.parentJoint, at, pin.FrameType.OP_FRAME))
+        data = model.createData()
+        for row in q:
+            pin.computeJointJacobiansTimeVariation(model, data, row, qd)
+            pin.updateFramePlacements(model, data)
+            J = pin.getFrameJacobian(model, data, frame, pin.LOCAL_WORLD_ALIGNED)
+            rate = pin.getFrameJacobianTimeVariation(model, data, frame, pin.LOCAL_WORLD_ALIGNED)
+            np.testing.assert_allclose(arm.jacobian(row, tool), J, rtol=0, atol=1e-12)
+            np.testing.assert_allclose(arm.jacobian_rate(row, qd, tool), rate, rtol=0, atol=1e-11)
+
+
+def test_every_branch_leads_back_and_the_configuration_is_among_them(arm):
+    q = configurations(arm, ALL if arm.arm.b and arm.arm.a2 else 1000)
+    X, limits = pin_flange(arm, q), arm.profile()
+    found = inverse(arm, X)
+    there = np.isfinite(found).all(axis=-1)
+    assert np.isnan(found[~there]).all()
+    assert there.any(axis=1).all()
+    some = there & (np.cumsum(there, axis=0) < 400)  # pin is asked row by row: the first of every branch
+    back = pin_flange(arm, found[some])
+    assert np.abs(back - X[np.nonzero(some)[0]]).max() < 1e-9
+    assert np.abs(arm.forward(np.where(there[..., None], found, 0.0)) - X[:, None])[there].max() < 1e-9
+    assert np.abs(found[there] - arm.arm.middles).max() <= np.pi + 1e-9
+    singular = singularity(arm, q).min(axis=1)
+    for row, branches, distance in zip(q[:1000], found, singular, strict=False):
+        own = branches[confdata(arm, row).cfx]
+        turned = representatives(own, limits.lower, limits.upper)
+        assert np.abs(turned - row).max(axis=1).min() < 1e-12 / distance + 1e-9
+
+
+def test_whole_turns_reach_every_configuration_in_range(arm):
+    q = configurations(arm, 300)
+    found, turns, limits = inverse(arm, pin_flange(arm, q)), arm.turns, arm.profile()
+    np.testing.assert_array_equal(turns[0], np.zeros(6))
+    for row, branches in zip(q, found, strict=True):
+        tried = (branches[confdata(arm, row).cfx] + turns)[:, None]
+        assert np.abs(tried - row).max(axis=-1).min() < 1e-5
+    inside = [s for _, s in solutions(arm, arm.forward(q[0]), None, limits)]
+    assert all(np.all((s >= limits.lower) & (s <= limits.upper)) for s in inside)
+    assert min(np.abs(np.array(inside) - q[0]).max(axis=1)) < 1e-6
+
+
+def seen(robot, q):
+    """By pin's joint frames alone: unit axes (6, 3), a point (6, 3) on each, wrist centre and flange, at q (6,)."""
+    model = robot.pin_model
+    data = model.createData()
+    u = pin.computeJointJacobians(model, data, q)[3:].T
+    p = np.array([data.oMi[i].translation for i in range(1, 7)])
+    across = [np.eye(3) - np.outer(v, v) for v in u[3:]]
+    wrist = np.linalg.solve(sum(across), sum(A @ o for A, o in zip(across, p[3:], strict=True)))
+    return u, p, wrist, pin.updateFramePlacement(model, data, model.getFrameId("tool0", pin.FrameType.BODY)).translation
+
+
+def geometric_margins(robot, q):
+    """What cfx is about, (n, 3): wrist centre before axis 1 and before the lower arm, sine of axis 5."""
+    u, p, wrist, tool = seen(robot, np.zeros(6))
+    base = robot.X_WR[:3, 3]
+    high = u[0] @ (p[1] - base)
+    up = np.sign(high if abs(high) > 1e-9 else u[0] @ robot.X_WR[:3, 2])
+    front = np.cross(u[1], u[0]) @ (p[1] - p[0])
+    front = np.sign(front if abs(front) > 1e-9 else np.cross(u[1], u[0]) @ (wrist - p[0]))
+    onward, out = np.sign(u[3] @ (wrist - p[2])), np.sign(u[5] @ (tool - wrist))
+    rows = []
+    for row in q:
+        u, p, wrist, _ = seen(robot, row)
+        forward = front * np.cross(u[1], u[0])
+        left = np.cross(up * u[0], forward)
+        upright = np.cross(p[2] - p[1], wrist - p[2]) @ left
+        rows.append((forward @ (wrist - p[0]), upright, np.cross(onward * u[3], out * u[5]) @ u[4]))
+    return np.array(rows)
+
+
+def test_cfx_is_what_pins_frames_show(arm):
+    q = configurations(arm, 300)
+    wanted, (before, elbow, axis_5) = geometric_margins(arm, q), branch_margins(arm.arm, q)
+    found = np.column_stack([before, arm.arm.c2 * arm.arm.upper * elbow, np.sin(axis_5)])
+    np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-12)
+    for row, margins in zip(q, wanted, strict=True):
+        conf = confdata(arm, row)
+        assert conf.cfx == 4 * (margins[0] < 0) + 2 * (margins[1] < 0) + (margins[2] < 0)
+        assert (conf.cf1, conf.cf4, conf.cf6) == tuple(np.floor(row[[0, 3, 5]] / (np.pi / 2)))
+        assert confdata_admits(arm, conf, row)
+        assert not confdata_admits(arm, ConfData(conf.cf1, conf.cf4, conf.cf6, conf.cfx ^ 2), row)
+
+
+def test_branches_are_named_by_their_bits(arm):
+    X = pin_flange(arm, configurations(arm, 300))
+    found = inverse(arm, X)
+    for cfx in range(8):
+        there = np.isfinite(found[:, cfx, 0])
+        margins = geometric_margins(arm, found[there, cfx])
+        signs = np.where([cfx & 4, cfx & 2, cfx & 1], -1.0, 1.0)
+        assert there.sum() > 50
+        assert np.all((margins * signs > 0) | (np.abs(margins) < 1e-9))
+
+
+def test_expressions_are_the_numbers_on_every_branch(arm):
+    """Flange and inverse as expressions, from another base than the canonical one, on turns of any number."""
+    rng, symbol = np.random.default_rng(5), ca.SX.sym("q", 6)
+    flange = ca.Function("flange", [symbol], [*arm.expressions.flange(symbol)])
+    p, R, branch = ca.SX.sym("p", 3), ca.SX.sym("R", 3, 3), ca.SX.sym("branch", 3)
+    inverse_of = ca.Function("inverse", [p, R, branch, symbol], [*arm.expressions.inverse(p, R, branch, symbol)])
+    q = configurations(arm, 60)
+    q = q[singularity(arm, q).min(axis=1) > 0.03]
+    X = pin_flange(arm, q)
+    for X_WF, row, branches in zip(X, q, inverse(arm, X), strict=True):
+        position, rotation = flange(row)
+        np.testing.assert_allclose(np.ravel(position), X_WF[:3, 3], rtol=0, atol=1e-12)
+        np.testing.assert_allclose(rotation, X_WF[:3, :3], rtol=0, atol=1e-12)
+        X_BF = inverse_pose(arm.X_WB0) @ X_WF
+        for cfx, wanted in enumerate(branches):
+            if np.isnan(wanted).any():
+                continue
+            wanted = wanted + 2 * np.pi * rng.integers(-1, 2, 6)
+            near = wanted + rng.uniform(-0.98, 0.98, 6) * np.pi
+            found, elbow, wrist = inverse_of(X_BF[:3, 3], X_BF[:3, :3], arm.expressions.branch(cfx), near)
+            np.testing.assert_allclose(np.ravel(found), wanted, rtol=0, atol=1e-9)
+            walls = arm.walls(wanted)
+            assert np.abs(elbow).max() == pytest.approx(walls[0], abs=1e-9)
+            assert float(wrist) == pytest.approx(walls[1], abs=1e-9)
+
+
+def test_singularity_measures_make_the_determinant(arm):
+    q = configurations(arm, 200)
+    product = singularity(arm, q).prod(axis=1) * arm.arm.c2 * arm.arm.upper
+    np.testing.assert_allclose(product, np.abs(np.linalg.det(arm.jacobian(q))), rtol=0, atol=1e-12)
+    elbow, wrist = arm.walls(q)
+    square = arm.arm.b**2 / (arm.arm.b**2 + singularity(arm, q)[:, 2] ** 2)
+    np.testing.assert_allclose(elbow**2, np.maximum(1 - singularity(arm, q)[:, 1] ** 2, square**2), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(wrist, singularity(arm, q)[:, 0], rtol=0, atol=1e-13)
+
+
+def test_what_is_out_of_reach_is_said_in_the_arms_own_lengths(arm):
+    """Of a flange pose whose wrist centre is put somewhere in the canonical base."""
+    canonical, limits = arm.arm, arm.profile()
+    X = arm.forward(np.zeros(6))
+    wrist = seen(arm, np.zeros(6))[2]
+
+    def at(*place):
+        moved = X.copy()
+        moved[:3, 3] += arm.X_WO0[:3, 3] + arm.X_WO0[:3, :3] @ place - wrist
+        return arm.why_unreachable(moved, None, limits)
+
+    reach = canonical.c2 + canonical.upper
+    r = np.hypot(np.sqrt(5.0**2 - canonical.b**2) - canonical.a1, 1.0)
+    assert at(5.0, 0.0, canonical.c1 + 1.0) == (
+        f"wrist centre outside the outer workspace: {r:.6g} m from axis 2, at most {reach:.6g} m"
+    )
+    if canonical.b:
+        near = 0.9 * abs(canonical.b)
+        wanted = f"wrist centre {near:.6g} m from axis 1, at least the arm's offset of {abs(canonical.b):.6g} m"
+        assert at(0.0, near, canonical.c1 + 0.3) == wanted

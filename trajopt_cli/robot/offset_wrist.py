@@ -1,0 +1,106 @@
+"""Branches of an arm whose axis 6 passes the point where axes 4 and 5 meet, as cobots have it (ABB GoFa, FANUC CRX).
+
+Such an arm has no closed form, but with t6 given it has that of a spherical wrist: the offset only shifts the wrist
+centre. So t6 is tried all around, a posture lies where the closed form gives back the t6 that was tried, and Newton's
+method on the whole arm makes it exact. Postures that appear and vanish between two tries are not found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, IndexArray
+from trajopt_cli.robot.arm import Arm, axes_and_points, elbow_angle, forward, wrist_section
+
+TRIES = 64  # values of t6 around. Measured with GoFa's lengths on random configurations in range: 94 % of them are
+# among the branches (48: 93 %, 256: 96 %), and 99.5 % of their poses have one; twice the tries take twice the time
+STEPS = 12  # Newton steps
+_LARGEST = 0.3  # rad of one step of a joint
+_EXACT = 1e-11  # m and rad of the pose: farther off is no answer
+_DAMPED = 1e-14  # added to the squares of the Jacobian, so that a singular one has an inverse
+
+ClosedForm = Callable[[Arm, Array, Array, Array], None]
+
+
+def plain(arm: Arm) -> Arm:
+    """The arm in canonical angles, with a spherical wrist."""
+    return replace(
+        arm, wrist=np.zeros(3), signs=np.ones(6), offsets=np.zeros(6), middles=arm.natural_middles,
+        X_BO=np.eye(4), X_KF=np.eye(4),
+    )  # fmt: skip
+
+
+def angles(arm: Arm, p_OK: Array, R_OK: Array, closed_form: ClosedForm) -> Array:
+    """Canonical angles (16, 6, n) of canonical flange positions (3, n) [m] and rotations (3, 3, n), frame O; NaN where
+    there are none.
+
+    closed_form: inverse_arm of an arm with a spherical wrist. Branch cfx is that whose Jacobian's determinant has the
+    sign that a spherical wrist's has, branch 8 + cfx the other one with the same cfx.
+    """
+    spherical, n = plain(arm), p_OK.shape[1]
+    tried = np.arange(TRIES) * (2 * np.pi / TRIES)
+    c, s = np.cos(tried), np.sin(tried)
+    along_y, along_x = c * arm.wrist[1] + s * arm.wrist[2], s * arm.wrist[1] - c * arm.wrist[2]
+    shift = R_OK[:, 1, :, None] * along_y + R_OK[:, 0, :, None] * along_x  # (3, n, TRIES)
+    seeds = np.empty((8, 6, n * TRIES))
+    R = np.repeat(R_OK, TRIES, axis=2)
+    closed_form(spherical, (p_OK[:, :, None] - shift).reshape(3, -1), R, seeds)
+    seeds = seeds.reshape(8, 6, n, TRIES)
+    off = _wrapped(seeds[:, 5] - tried)
+    after = np.roll(off, -1, axis=2)
+    with np.errstate(invalid="ignore"):
+        crossed = (off * after <= 0) & (np.abs(off) + np.abs(after) < np.pi)
+    branch, pose, at = np.nonzero(crossed)
+    here = np.abs(off[crossed]) <= np.abs(after[crossed])
+    t = seeds[branch, :, pose, np.where(here, at, (at + 1) % TRIES)]
+    return _by_branch(arm, spherical, *_exact(replace(spherical, wrist=arm.wrist), t, pose, p_OK, R_OK), n)
+
+
+def _wrapped(angle: Array) -> Array:
+    return np.asarray((angle + np.pi) % (2 * np.pi) - np.pi)
+
+
+def _exact(arm: Arm, t: Array, pose: IndexArray, p_OK: Array, R_OK: Array) -> tuple[Array, IndexArray]:
+    """Angles (m, 6) near those given that have their poses exactly, and these poses' numbers (m,)."""
+    p, R = p_OK[:, pose].T, R_OK[:, :, pose].transpose(2, 0, 1)
+    off = np.full(len(t), np.inf)
+    for _ in range(STEPS):
+        move, off = _step(arm, t, p, R)
+        if not (off > _EXACT / 10).any():
+            break
+        t = t + move
+    ok = off <= _EXACT
+    return t[ok], pose[ok]
+
+
+def _step(arm: Arm, t: Array, p: Array, R: Array) -> tuple[Array, Array]:
+    """A Newton step (m, 6) from angles (m, 6) towards flange poses p (m, 3), R (m, 3, 3); how far they are off (m,)."""
+    X_OK = forward(arm, t)
+    turn = R @ X_OK[:, :3, :3].transpose(0, 2, 1)
+    skew = [turn[:, i, j] - turn[:, j, i] for i, j in ((2, 1), (0, 2), (1, 0))]
+    off = np.concatenate([p - X_OK[:, :3, 3], np.stack(skew, axis=1) / 2], axis=1)
+    J = _jacobian(arm, t, X_OK[:, :3, 3])
+    square = J.transpose(0, 2, 1) @ J + _DAMPED * np.eye(6)
+    step = np.linalg.solve(square, J.transpose(0, 2, 1) @ off[..., None])[..., 0]
+    size = np.abs(step).max(axis=1, keepdims=True)
+    return step * np.minimum(1.0, _LARGEST / np.maximum(size, 1e-300)), np.abs(off).max(axis=1)
+
+
+def _jacobian(arm: Arm, t: Array, tip: Array) -> Array:
+    """Geometric Jacobian (m, 6, 6) at tips (m, 3) of angles (m, 6)."""
+    a, o = (x.transpose(2, 1, 0) for x in axes_and_points(arm, t))
+    return np.concatenate([np.cross(a, tip[:, None] - o), a], axis=2).transpose(0, 2, 1)
+
+
+def _by_branch(arm: Arm, spherical: Arm, t: Array, pose: IndexArray, n: int) -> Array:
+    """Angles (m, 6) of poses put where their branches are: (16, 6, n)."""
+    before, lower, t5 = wrist_section(spherical, t)[0], np.cos(elbow_angle(spherical, t)), np.sin(t[:, 4])
+    whole = replace(spherical, wrist=arm.wrist)
+    determinant = np.linalg.det(_jacobian(whole, t, forward(whole, t)[:, :3, 3]))
+    usual = determinant * before * lower * t5 <= 0  # a spherical wrist's is minus c2 upper times these three
+    out = np.full((16, 6, n), np.nan)
+    out[8 * ~usual + 4 * (before < 0) + 2 * (lower < 0) + 1 * (t5 < 0), :, pose] = t
+    return np.asarray(out - 2 * np.pi * np.ceil((out - arm.natural_middles[:, None] - np.pi) / (2 * np.pi)))
