@@ -1,0 +1,144 @@
+"""Capsules fitted around collision geometry, and the pairs of links that are worth watching."""
+
+import struct
+
+import numpy as np
+import pytest
+from loose_arm import written
+
+from trajopt_cli.adopt.add import new_robot
+from trajopt_cli.adopt.capsule import smallest_capsule, smallest_circle
+from trajopt_cli.adopt.solids import find_mesh, self_pairs
+from trajopt_cli.geometry import rotation_about
+from trajopt_cli.robot.model import load_robot
+
+ROUND = '<cylinder radius="0.2" length="0.3"/>'
+TILT = rotation_about([0.6, 0, 0.8], 1.1)
+
+
+def distance(points, capsule):
+    """Of points from the capsule's segment, by a dense walk along it."""
+    steps = capsule.a + np.linspace(0, 1, 2001)[:, None] * (capsule.b - capsule.a)
+    return np.array([np.linalg.norm(steps - point, axis=1).min() for point in points])
+
+
+def test_a_capsule_comes_back_from_its_own_surface():
+    sphere = np.random.default_rng(0).normal(size=(3000, 3))
+    sphere /= np.linalg.norm(sphere, axis=1, keepdims=True)
+    ends = np.where(sphere[:, 2:] > 0, 1.0, -1.0) * np.array([0, 0, 0.25])
+    points = (0.1 * sphere + ends) @ TILT.T + [1, 2, 3]
+    found = smallest_capsule("x", points)
+    axis = (found.b - found.a) / np.linalg.norm(found.b - found.a)
+    assert found.radius == pytest.approx(0.1, abs=2e-3)
+    assert np.linalg.norm(found.b - found.a) == pytest.approx(0.5, abs=5e-3)
+    assert abs(axis @ TILT[:, 2]) > 1 - 1e-4
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_all_points_lie_inside(seed):
+    rng = np.random.default_rng(seed)
+    points = rng.normal(size=(200, 3)) * rng.uniform(0.01, 0.5, 3) @ TILT.T
+    found = smallest_capsule("x", points)
+    assert distance(points, found).max() <= found.radius + 1e-6
+    assert distance(points, found).max() >= found.radius - 2e-4  # and it is no larger than rounding makes it
+
+
+def test_no_direction_has_a_much_smaller_one():
+    def volume(radius, length):
+        return np.pi * radius**2 * (length + 4 / 3 * radius)
+
+    rng = np.random.default_rng(11)
+    for _ in range(3):
+        points = rng.normal(size=(6, 3)) * [0.1, 0.2, 0.3]  # few corners: their main axes are no good guess
+        found = smallest_capsule("x", points)
+        best = np.inf
+        for direction in rng.normal(size=(1500, 3)):
+            direction /= np.linalg.norm(direction)
+            sides = np.linalg.svd(direction[None])[2][1:]
+            centre, radius = smallest_circle(points @ sides.T)
+            cap = np.sqrt(np.maximum(radius**2 - ((points @ sides.T - centre) ** 2).sum(axis=1), 0))
+            t = points @ direction
+            best = min(best, volume(radius, max(float((t - cap).max() - (t + cap).min()), 0.0)))
+        assert volume(found.radius, np.linalg.norm(found.b - found.a)) < 1.03 * best
+
+
+@pytest.mark.parametrize(
+    "points",
+    [
+        [[0, 0, 0]],
+        [[0, 0, 0], [0, 0, 1]],
+        [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]],
+        np.zeros((9, 3)),
+        [[0, 0, i / 10] for i in range(11)],
+    ],
+)
+def test_points_in_a_place_a_row_or_a_plane_have_one_too(points):
+    found = smallest_capsule("x", np.array(points, dtype=float))
+    assert distance(np.array(points), found).max() <= found.radius + 1e-9
+
+
+def test_the_smallest_circle_has_no_smaller_neighbour():
+    rng = np.random.default_rng(5)
+    for _ in range(20):
+        points = rng.normal(size=(12, 2)) * [1, rng.uniform(0.01, 1)]
+        centre, radius = smallest_circle(points)
+        assert np.hypot(*(points - centre).T).max() == pytest.approx(radius, rel=1e-9)
+        for step in ([1e-4, 0], [-1e-4, 0], [0, 1e-4], [0, -1e-4]):  # the problem is convex: no way is downhill
+            assert np.hypot(*(points - centre - step).T).max() > radius
+
+
+def stl(path, corners):
+    """A binary STL of the box between two corners."""
+    low, high = np.array(corners)
+    v = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]) * (high - low) + low
+    faces = [(0, 1, 3), (0, 3, 2), (4, 7, 5), (4, 6, 7), (0, 5, 1), (0, 4, 5)]
+    faces += [(2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)]
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with open(path, "wb") as file:
+        file.write(bytes(80) + struct.pack("<I", len(faces)))
+        for face in faces:
+            file.write(struct.pack("<12fH", 0, 0, 0, *v[list(face)].ravel(), 0))
+
+
+def collision(geometry, xyz="0 0 0"):
+    return f'<collision><origin xyz="{xyz}"/><geometry>{geometry}</geometry></collision>'
+
+
+def test_meshes_are_found_in_packages_and_scaled(tmp_path):
+    package = tmp_path / "src" / "arm_description"
+    (package / "urdf").mkdir(parents=True)
+    stl(package / "meshes" / "lower.stl", [(-50, -50, 0), (50, 50, 700)])  # mm
+    mesh = '<mesh filename="package://arm_description/meshes/lower.stl" scale="0.001 0.001 0.001"/>'
+    lost = '<mesh filename="package://other/meshes/fore.stl"/>'
+    edits = {
+        '<link name="lower"/>': f'<link name="lower">{collision(mesh)}</link>',
+        '<link name="fore"/>': f'<link name="fore">{collision(lost)}{collision(mesh)}</link>',
+        '<link name="foot"/>': f'<link name="foot">{collision(ROUND)}</link>',
+    }
+    made = new_robot(written(package / "urdf", edits), "mine")
+    assert list(made.capsules) == ["base_link", "link_2"]
+    lower = made.capsules["link_2"]
+    assert lower.radius == pytest.approx(0.05 * np.sqrt(2), abs=3e-4)
+    corners = [[x, y, z] for x in (-0.05, 0.05) for y in (-0.05, 0.05) for z in (0, 0.7)]
+    assert distance(corners, lower).max() <= lower.radius
+    assert made.missing == ("link_4: mesh package://other/meshes/fore.stl is in no folder above the URDF",)
+    text = made.files["mine.yaml"].decode()
+    assert "#   link_4: mesh package://other/meshes/fore.stl is in no folder above the URDF" in text
+    assert "Without a capsule, and so not looked at: link_1, link_3, link_4, link_5, link_6" in text
+    assert find_mesh("../meshes/lower.stl", package / "urdf" / "x.urdf").is_file()
+
+
+def test_without_collision_geometry_there_is_no_section_and_the_file_says_so(tmp_path):
+    made = new_robot(written(tmp_path), "mine")
+    text = made.files["mine.yaml"].decode()
+    assert "\ncollision:" not in text
+    assert "# No collision section" in text
+    for name, content in made.files.items():
+        (tmp_path / name).write_bytes(content)
+    assert load_robot(str(tmp_path / "mine.yaml")).capsules == {}
+
+
+def test_the_pairs_of_the_irb_140_are_those_a_person_chose():
+    robot = load_robot("irb140")
+    assert self_pairs(robot.chain, robot.capsules) == robot.self_pairs
+    assert self_pairs(robot.chain, {}) == ()

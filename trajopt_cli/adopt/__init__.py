@@ -1,0 +1,1 @@
+"""A URDF that somebody else wrote becomes a robot of this program: two files, clean and commented."""

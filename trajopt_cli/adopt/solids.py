@@ -1,0 +1,145 @@
+"""Capsules around the links from a URDF's collision geometry, and which pairs of links are worth watching."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from urllib.parse import unquote, urlparse
+
+import numpy as np
+
+from trajopt_cli.adopt.chain import Body, NormalChain
+from trajopt_cli.adopt.tree import FIXED, CollisionShape
+from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array, rotation_about
+from trajopt_cli.robot.urdf import UrdfJoint
+from trajopt_cli.shapes import ATTACHED, Capsule, MeshFile
+
+POSTURES = 4000
+_SEED = 140
+_OFTEN = 0.1  # of all postures: capsules that overlap more often do so because they are larger than the links
+_ROUND = 24  # sides of a cylinder's or sphere's outline
+
+
+@dataclass(frozen=True, eq=False)
+class LinkCapsules:
+    """capsules: by link name; missing: meshes that are not there or cannot be read, one line each."""
+
+    capsules: Mapping[str, Capsule]
+    missing: tuple[str, ...]
+
+
+def link_capsules(chain: NormalChain) -> LinkCapsules:
+    """A capsule around every link of the arm whose collision geometry is given and readable."""
+    from trajopt_cli.adopt.capsule import smallest_capsule
+
+    capsules, missing = {}, []
+    for body in _arm(chain.bodies):
+        points: list[Array] = []
+        complete = True
+        for shape in body.shapes:
+            try:
+                points.append(_points(shape, chain.tree.path))
+            except InputError as error:
+                missing.append(f"{body.name}: {error.message}")
+                complete = False
+        if complete and points:  # part of a link's shapes would be a capsule around part of it
+            capsules[body.name] = smallest_capsule(body.name, np.vstack(points))
+    return LinkCapsules(capsules, tuple(missing))
+
+
+def _arm(bodies: Sequence[Body]) -> Sequence[Body]:
+    """From the arm's base to link_6."""
+    return bodies[-8:-1]
+
+
+def find_mesh(name: str, urdf: Path) -> Path:
+    """Where a mesh lies that a URDF names: beside it, or for package://PACKAGE/PATH in the nearest folder above it that
+    is the package or holds it. Raises InputError, unplaced, where it is nowhere."""
+    url = urlparse(name)
+    if url.scheme in ("package", "model"):
+        inner = unquote(url.path).lstrip("/")
+        for folder in urdf.resolve().parents:
+            for candidate in (folder / url.netloc / inner, folder / inner if folder.name == url.netloc else None):
+                if candidate is not None and candidate.is_file():
+                    return candidate
+        raise InputError(f"mesh {name} is in no folder above the URDF")
+    path = Path(unquote(url.path)) if url.scheme == "file" else urdf.parent / name
+    if not path.is_file():
+        raise InputError(f"mesh {name} is not there")
+    return path
+
+
+def _points(shape: CollisionShape, urdf: Path) -> Array:
+    """Points (n, 3) whose hull is the shape, round ones a little larger, in the link's frame."""
+    if shape.kind == "mesh":
+        from trajopt_cli.collision.meshes import load_mesh
+
+        points = load_mesh(MeshFile("mesh", find_mesh(shape.file, urdf))).vertices * np.array(shape.sizes)
+    elif shape.kind == "box":
+        corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
+        points = corners * np.array(shape.sizes) / 2
+    else:
+        angles = 2 * np.pi * np.arange(_ROUND) / _ROUND
+        sides = 1 if shape.kind == "cylinder" else 2
+        radius = shape.sizes[0] / np.cos(np.pi / _ROUND) ** sides  # the polygons lie around the circles
+        ring = np.column_stack([np.cos(angles), np.sin(angles), np.zeros(_ROUND)]) * radius
+        if shape.kind == "cylinder":
+            half = np.array([0, 0, shape.sizes[1] / 2])
+            points = np.vstack([ring - half, ring + half])
+        else:
+            points = np.vstack([ring @ rotation_about([1, 0, 0], turn).T for turn in angles[: _ROUND // 2]])
+    return np.asarray(points @ shape.X[:3, :3].T + shape.X[:3, 3])
+
+
+def self_pairs(
+    joints: Sequence[UrdfJoint], capsules: Mapping[str, Capsule], postures: int = POSTURES
+) -> tuple[tuple[str, str], ...]:
+    """Pairs of links worth holding against each other, the one nearer the base first; "attached" stands for what the
+    flange carries. joints: the arm's six and the flange's.
+
+    Left out are neighbours, pairs that touch in none of so many postures within the ranges, and pairs whose capsules
+    overlap in more than a tenth of them: those are larger than the links. The same postures every time.
+    """
+    from trajopt_cli.collision.pair import Pair
+
+    names = [joints[0].parent, *(joint.child for joint in joints[:6])]
+    poses = link_poses(joints, sampled(joints, postures))
+    pairs: list[tuple[str, str]] = []
+    known = [i for i, name in enumerate(names) if name in capsules]
+    for i in known:
+        for j in known:
+            if j > i + 1:
+                pair = Pair(capsules[names[j]], capsules[names[i]])
+                X = np.linalg.inv(poses[:, i]) @ poses[:, j]
+                share = float(np.mean(pair.distances(X) <= 0))
+                if 0 < share <= _OFTEN:
+                    pairs.append((names[i], names[j]))
+        if i < 4:  # what is carried touches the wrist by where it stands
+            pairs.append((names[i], ATTACHED))
+    return tuple(pairs)
+
+
+def sampled(joints: Sequence[UrdfJoint], count: int) -> Array:
+    """Postures (count, 6) within the ranges [rad], evenly spread and the same every time."""
+    lower, upper = (np.array([getattr(joint, end) for joint in joints[:6]]) for end in ("lower", "upper"))
+    return np.asarray(lower + np.random.default_rng(_SEED).random((count, 6)) * (upper - lower))
+
+
+def link_poses(joints: Iterable[UrdfJoint], q: Array) -> Array:
+    """Poses (n, k + 1, 4, 4) of the first link and the one behind each joint, seen from the first, at q (n, m) of the m
+    joints that move."""
+    X = np.broadcast_to(np.eye(4), (len(q), 4, 4))
+    found, column = [X], 0
+    for joint in joints:
+        X = X @ joint.X
+        if joint.kind != FIXED:
+            step = np.broadcast_to(np.eye(4), (len(q), 4, 4)).copy()
+            if joint.kind == "prismatic":
+                step[:, :3, 3] = q[:, column, None] * joint.axis
+            else:
+                step[:, :3, :3] = rotation_about(joint.axis, q[:, column])
+            X, column = X @ step, column + 1
+        found.append(X)
+    return np.stack(found, axis=1)

@@ -1,0 +1,172 @@
+"""The YAML file of a new robot: what a URDF cannot say, as far as it can be guessed, and what is to be filled in."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from math import floor, log10
+
+from trajopt_cli.adopt.chain import NormalChain
+from trajopt_cli.adopt.solids import POSTURES
+from trajopt_cli.errors import printable
+from trajopt_cli.geometry import Array
+from trajopt_cli.robot.urdf import RAIL, UrdfJoint
+from trajopt_cli.shapes import Capsule
+
+TO_FULL_SPEED = 0.2  # s, a rule of thumb of industrial robots
+TO_FULL_ACCELERATION = 0.1  # s
+_TCP_SPEED, _TCP_ACCELERATION = 2.0, 10.0  # m/s, m/s2: on the careful side for robots of this kind
+_REPLACE = "REPLACE: "
+
+_HEAD = """\
+# What the URDF cannot say about this robot. SI units: m, rad, s. Every number has a source and a grade:
+#   A  two or more independent sources agree     C  one weak source, or inferred
+#   B  one good source                           D  an estimate that no source at hand confirms
+# Lines with REPLACE are guesses of 'trajopt robot add'. Put in your own numbers, their source and their grade; a value
+# that holds for one cell alone belongs in its cell file, under limits.
+"""
+_CONFDATA = {
+    "abb_six_axis": (
+        "# How RAPID confdata follows from the joints. abb_six_axis: cf1, cf4, cf6 = floor(angle / 90 deg);\n"
+        "# cfx = 4 (wrist centre behind axis 1) + 2 (wrist centre behind the lower arm) + 1 (joint_5 < 0).\n",
+        "the structure's: ABB's rule for six axes with a spherical wrist; check it with targets of your own programs",
+        "C",
+    ),
+    "none": (
+        "# How RAPID confdata follows from the joints. none: this robot has no such rule, so the confdata of targets\n"
+        "# is not looked at; the plan takes any of the arm's configurations.\n",
+        "no ABB robot",
+        "B",
+    ),
+}
+
+
+def yaml_text(
+    name: str,
+    title: str,
+    chain: NormalChain,
+    confdata: str,
+    capsules: Mapping[str, Capsule],
+    pairs: Sequence[tuple[str, str]],
+    missing: Sequence[str],
+) -> str:
+    """The whole file."""
+    about, source, grade = _CONFDATA[confdata]
+    of = chain.tree.path.name
+    lines = [
+        _HEAD.rstrip("\n"),
+        f"name: {name}",
+        f"title: {quoted(title)}",
+        f"urdf: {name}.urdf",
+        "",
+        about.rstrip("\n"),
+        "confdata:",
+        f"  rule: {confdata}",
+        f"  source: {quoted(source)}",
+        f"  grade: {grade}",
+        "",
+        "# Caps on the tool centre point, from the maker's data sheet [m/s, m/s2].",
+        "tcp:",
+        f"  speed: {number(_TCP_SPEED, 'a careful guess; the data sheet has it')}",
+        f"  acceleration: {number(_TCP_ACCELERATION, 'a careful guess; the data sheet has it')}",
+        "",
+        "# Where the numbers in the URDF come from: origins and axes, then ranges and speeds of the axes.",
+        "geometry:",
+        f"  source: {quoted(f'{_REPLACE}{of}, as it was given')}",
+        "  grade: C",
+        "axes:",
+        *_axes(chain.axes, of),
+        "",
+        "# Accelerations and jerks: makers publish none. A rule of thumb stands here: full speed in 0.2 s, full",
+        "# acceleration in 0.1 s. Better ones come from a controller's log ('trajopt identify').",
+        "profiles:",
+        "  default:",
+        f"    about: {_REPLACE.lower().rstrip(': ')} these, guesses by a rule of thumb; full speed in 0.2 s",
+        *_profile(chain.axes),
+        "",
+        *_collision(chain, capsules, pairs, missing),
+    ]
+    return "\n".join([*lines, ""])
+
+
+def quoted(text: str) -> str:
+    """A YAML text in double quotes, which JSON's are."""
+    return json.dumps(printable(text), ensure_ascii=False)
+
+
+def number(value: float, why: str) -> str:
+    """A guessed number with its source and grade."""
+    return f"{{value: {float(value)!r}, source: {quoted(_REPLACE + why)}, grade: D}}"
+
+
+def rounded(value: float) -> float:
+    """Two digits are enough for a guess."""
+    return round(value, 1 - floor(log10(abs(value))))
+
+
+def guessed(joint: UrdfJoint) -> tuple[float, float]:
+    """Acceleration and jerk of an axis by the rule of thumb."""
+    acceleration = rounded(joint.velocity / TO_FULL_SPEED)
+    return acceleration, rounded(acceleration / TO_FULL_ACCELERATION)
+
+
+def _axes(axes: Sequence[UrdfJoint], of: str) -> Iterator[str]:
+    source = f"{{source: {quoted(f'{of}, as it was given')}, grade: C}}"
+    for i, joint in enumerate(axes):
+        if joint.name == RAIL:
+            placeholder = quoted("placeholder stroke, the cell file gives the real one")
+            yield f"  {joint.name}:"
+            yield f"    position: {{source: {placeholder}, grade: D}}"
+            yield f"    velocity: {source}"
+            continue
+        if i == len(axes) - 6:
+            yield f"  {joint.name}:"
+            yield f"    position: &range {source}"
+            yield f"    velocity: &speed {source}"
+        else:
+            yield f"  {joint.name}: {{position: *range, velocity: *speed}}"
+
+
+def _profile(axes: Sequence[UrdfJoint]) -> Iterator[str]:
+    for key, column, why in (
+        ("acceleration", 0, "full speed in 0.2 s, a rule of thumb"),
+        ("jerk", 1, "full acceleration in 0.1 s, a rule of thumb"),
+    ):
+        yield f"    {key}:"
+        for joint in axes:
+            yield f"      {joint.name}: {number(guessed(joint)[column], why)}"
+
+
+def _collision(
+    chain: NormalChain, capsules: Mapping[str, Capsule], pairs: Sequence[tuple[str, str]], missing: Sequence[str]
+) -> Iterator[str]:
+    bare = [body.name for body in chain.bodies[-8:-1] if body.name not in capsules]
+    if not capsules:
+        yield "# No collision section: the URDF gives no collision geometry that can be read, so self-collision and"
+        yield "# obstacles are not looked at. A capsule is  link_1: {a: [0, 0, 0], b: [0, 0, 0.3], radius: 0.1}  under"
+        yield "# collision: links:, with source, grade and self_pairs."
+        yield from (f"#   {printable(line)}" for line in missing)
+        return
+    yield "# Capsules around the links, each in its link's frame (the URDF's), and the pairs of links held against each"
+    yield f"# other. Neighbours are not, nor are pairs whose capsules overlap in none of {POSTURES:,} postures"
+    yield "# within the ranges, or in more than a tenth of them: those are larger than the links. attached: what a cell"
+    yield "# fixes to the flange."
+    if bare:
+        yield f"# Without a capsule, and so not looked at: {', '.join(bare)}."
+    yield from (f"#   {printable(line)}" for line in missing)
+    yield "collision:"
+    yield f"  source: {quoted(f'smallest capsules around the collision geometry of {chain.tree.path.name}')}"
+    yield "  grade: C"
+    yield "  links:"
+    for name, capsule in capsules.items():
+        yield f"    {name}: {{a: {_point(capsule.a)}, b: {_point(capsule.b)}, radius: {capsule.radius:.6g}}}"
+    if not pairs:
+        yield "  self_pairs: []"
+        return
+    yield "  self_pairs:"
+    for first, second in pairs:
+        yield f"    - [{first}, {second}]"
+
+
+def _point(values: Array) -> str:
+    return f"[{', '.join(f'{value:.6g}' for value in values.tolist())}]"
