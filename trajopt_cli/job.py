@@ -83,6 +83,22 @@ def cell_for(programs: Sequence[Path], cell: Path | None) -> Cell | None:
     return load_cell(path)
 
 
+def cell_of_results(folder: Path) -> Cell:
+    """The cell that a results folder keeps, with the robot that it keeps."""
+    from trajopt_cli.runs.results import read_results
+
+    results = read_results(folder)
+    return _with_robot(results.cell, results.robot)
+
+
+def _with_robot(path: Path, robot: Path | None) -> Cell:
+    """The cell in a file, with another place for its robot's file where one is given."""
+    from trajopt_cli.cell.loader import load_cell
+
+    cell = load_cell(path)
+    return cell if robot is None else replace(cell, robot=str(robot))
+
+
 def scenario_of(cell: Cell | None, assume_identity: Iterable[str] = ()) -> Scenario:
     """The cell's scenario with the names that the user lets stand for the identity; an empty one without a cell."""
     from trajopt_cli.scenario import Scenario
@@ -102,21 +118,25 @@ def read_flat(
 
 
 def read_job(
-    programs: Path | Sequence[Path], cell: Path | None = None, entry: str = MAIN, assume_identity: Sequence[str] = ()
+    programs: Path | Sequence[Path],
+    cell: Path | None = None,
+    entry: str = MAIN,
+    assume_identity: Sequence[str] = (),
+    robot: Path | None = None,
 ) -> Job:
     """Read a program (a file, several, a program list or a folder) and its cell file.
 
+    robot: the robot's file instead of that which the cell names: a results folder has its own copy.
     Raises InputError for a mistake in either, for a program that never moves, and for motions that no plan can keep;
     where there is no cell file, the message holds the shortest useful one.
     """
     start = perf_counter()
-    from trajopt_cli.cell.loader import load_cell
     from trajopt_cli.cell.model import minimal_cell
+    from trajopt_cli.problem.bodies import bodies_on, never
     from trajopt_cli.problem.plannable import check_plannable, rail_doubts
-    from trajopt_cli.problem.plant import build_plant
+    from trajopt_cli.problem.plant import build_plant, unwatched
     from trajopt_cli.problem.programmed import PlantKinematics
     from trajopt_cli.rapid.sources import refuse_results
-    from trajopt_cli.robot.model import Structure, robot_names
 
     paths = (programs,) if isinstance(programs, Path) else tuple(programs)
     for path in paths:
@@ -125,10 +145,10 @@ def read_job(
         refuse_results(path)
     path = cell or cell_path_for(paths)
     if cell is None and not path.exists():
-        text = minimal_cell(paths[0].name or paths[0].resolve().name, robot_names(Structure.SIX_AXIS))
+        text = minimal_cell(paths[0].name or paths[0].resolve().name)
         message = f"{paths[0]} has no cell file; save these lines there and adapt them:\n{text}"
         raise InputError(message, file=str(path), kind=ErrorKind.CELL)
-    loaded = load_cell(path)
+    loaded = _with_robot(path, robot)
     scenario = scenario_of(loaded, assume_identity)
     plant = build_plant(loaded)
     flat = read_flat(paths, scenario, entry, PlantKinematics(plant))
@@ -139,9 +159,14 @@ def read_job(
         raise InputError(message, file=str(paths[0]), kind=ErrorKind.UNPLANNABLE)
     with of_kind(ErrorKind.UNPLANNABLE):
         check_plannable(flat, plant)
+        for i, cue in never(plant, flat):
+            which = "at" if cue == plant.grips[i].at else "detach"
+            message = f"nothing happens at {cue}; give the line of a move, a wait or an output, or an output's value"
+            raise loaded.error(f"attach.{i}.{which}", message)
+        bodies_on(plant, flat, -1)
     doubts = (Notice(NoticeKind.DOUBTFUL, text) for text in rail_doubts(flat, plant))
     return Job(
-        program=replace(flat, warnings=(*flat.warnings, *loaded.doubts, *doubts)),
+        program=replace(flat, warnings=(*unwatched(loaded, plant.robot), *flat.warnings, *loaded.doubts, *doubts)),
         cell=loaded,
         plant=plant,
         scenario=scenario,
@@ -165,7 +190,8 @@ def _of_results(folder: Path, judged: bool = False) -> tuple[Job, Loops]:
 
     with of_kind(ErrorKind.RESULTS):
         results = read_results(folder, judged)
-    return read_job(results.modules, results.cell, results.entry, results.assume_identity), results.loops
+    job = read_job(results.modules, results.cell, results.entry, results.assume_identity, results.robot)
+    return job, results.loops
 
 
 def read_program_or_results(

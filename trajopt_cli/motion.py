@@ -83,8 +83,8 @@ class FlyBy(NamedTuple):
 
 @dataclass(frozen=True)
 class Load:
-    """mass [kg], cog: centre of gravity in the tool's flange frame [m], aom: its axes of moment (w, x, y, z),
-    inertia about them [kg m2]."""
+    """mass [kg], cog: centre of gravity [m], aom: its axes of moment (w, x, y, z) as written, inertia about them
+    [kg m2]; in the flange's frame where it is a tool's own (tload), in the tool's where the gripper holds it."""
 
     name: str
     mass: float
@@ -99,11 +99,13 @@ class Tool:
 
     stationary: it stands in the world and the robot holds the work object; X_FT is then where the target, which is
     brought to the tool, sits on the flange, so X_WF = X_WT inv(X_FT) holds for both.
+    load: what the robot carries of it (tload), None where the data say no mass.
     """
 
     name: str
     X_FT: Array
     stationary: bool = False
+    load: Load | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "X_FT", readonly(self.X_FT))
@@ -205,6 +207,18 @@ class Process:
     data: tuple[tuple[str, str], ...] = ()
 
 
+class UnitMove(NamedTuple):
+    """A positioner's axis that turns while a move goes on: mechanical unit and external axis (0 for eax_a), from and to
+    where [rad], the least time it takes [s] from rest to rest. carries: whether the move's work object rides on it."""
+
+    unit: str
+    eax: int
+    start: float
+    end: float
+    least: float
+    carries: bool
+
+
 @dataclass(frozen=True, eq=False, kw_only=True)
 class _Move:
     r"""What every move has.
@@ -213,6 +227,8 @@ class _Move:
     optional: it may be dropped. settings: the modal state. events: what happens on the way. process: the instruction
     where it is none of the four plain moves. hold: why the rail must stand still from this move's start to its end,
     None where it may move. constant_speed: a line or an arc that should keep its programmed speed from end to end.
+    units: positioners that turn meanwhile. detour: of a point that the plan adds on a way around bodies, their names.
+    marked: the same of one that an export has added, as its comment says; it is a point of the program like any other.
     """
 
     source: Source
@@ -228,6 +244,14 @@ class _Move:
     process: Process | None = None
     hold: Hold | None = None
     constant_speed: bool = False
+    units: tuple[UnitMove, ...] = ()
+    detour: tuple[str, ...] = ()
+    marked: tuple[str, ...] = ()
+
+    @property
+    def least(self) -> float:
+        """Least time [s] that positioners leave the move."""
+        return max((unit.least for unit in self.units), default=0.0)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

@@ -27,6 +27,7 @@ class NoticeKind(Enum):
     UNUSED = "unused"  # a name or a mark that nothing asks for
     ENDLESS = "endless loop"  # was ended after endless_passes
     NOT_READ = "not read"  # a file beside those that were
+    NOT_CHECKED = "not checked"  # what the user would expect to be; told before all else
     DOUBTFUL = "doubtful"  # the cell does not suit the program
     CHANGED = "changed"  # by an export
     NEW_MODULE = "new module"  # of an export

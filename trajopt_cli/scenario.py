@@ -61,6 +61,21 @@ class HoldRail:
 
 
 @dataclass(frozen=True)
+class PositionerAxis:
+    """One axis of a positioner: eax, 0 for eax_a. p [m], q (w, x, y, z): the frame about whose z it turns, in the world
+    or on the axis before it. range, start [rad], velocity [rad/s], acceleration [rad/s2]."""
+
+    eax: int
+    p: tuple[float, float, float]
+    q: tuple[float, float, float, float]
+    range: tuple[float, float]
+    velocity: float
+    acceleration: float
+    start: float
+    source: str
+
+
+@dataclass(frozen=True)
 class Scenario:
     """Everything by name; names are in lower case, blanks left out of conditions.
 
@@ -74,7 +89,8 @@ class Scenario:
     calls and changes of large data in all, before the reader gives up. assume_identity: tools, work objects and
     mechanical units that are taken as the identity where the program does not declare them. stubs: procedures that are
     taken as doing nothing where no file declares them. hold_rail: where the rail stands still. constant_speed: where
-    the tool should keep its programmed speed.
+    the tool should keep its programmed speed. positioners: mechanical units that carry work objects, their axes from
+    the floor on; the last one carries the user frame.
     """
 
     signals: Mapping[str, float | tuple[float, ...]] = field(default_factory=dict)
@@ -89,6 +105,7 @@ class Scenario:
     stubs: frozenset[str] = frozenset()
     hold_rail: HoldRail = HoldRail()
     constant_speed: ConstantSpeed = ConstantSpeed()
+    positioners: Mapping[str, tuple[PositionerAxis, ...]] = field(default_factory=dict)
 
 
 LONGEST_WAIT = 1_000_000  # [s]; what is longer is a slip, and swamps every other time of the cycle

@@ -1,8 +1,8 @@
-"""Bodies in space as plain data: boxes, capsules, triangle meshes, and who may touch them. SI units, poses X_AB."""
+"""Bodies in space as plain data: boxes, capsules, meshes, who may touch them, when they are carried. SI, poses X_AB."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +12,9 @@ from trajopt_cli.geometry import Array, readonly
 
 ATTACHED = "attached"
 """Stands in a pair of links for all that the flange carries."""
+
+TOOL = "tool"
+"""The name of the capsule that stands for a tool nobody described, and in a pair of links for it."""
 
 TriangleArray = NDArray[np.int64]
 _CORNERS = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=np.float64)
@@ -105,6 +108,42 @@ class Solid:
     def name(self) -> str:
         """The shape's name."""
         return self.shape.name
+
+
+@dataclass(frozen=True)
+class Cue:
+    """When a program grips or releases: at the line of a motion, a wait or an output, or when a signal gets a value.
+
+    line: counted from 1, of the file of this name (None: of any). signal: in lower case. One of line and signal is
+    None.
+    """
+
+    file: str | None = None
+    line: int | None = None
+    signal: str | None = None
+    value: float = 0.0
+
+    def __str__(self) -> str:
+        if self.line is None:
+            return f"{self.signal} = {self.value:g}"
+        return f"line {self.line}" if self.file is None else f"{self.file}:{self.line}"
+
+
+@dataclass(frozen=True)
+class Grip:
+    """An obstacle that the flange takes at a cue and leaves at another one; detach None: it keeps it."""
+
+    part: str
+    at: Cue
+    detach: Cue | None = None
+
+
+def moved(shape: Shape, X: ArrayLike) -> Shape:
+    """The shape after a rigid motion X (4, 4) of the frame it is given in."""
+    X = np.asarray(X, dtype=np.float64)
+    if isinstance(shape, Capsule):
+        return replace(shape, a=X[:3, :3] @ shape.a + X[:3, 3], b=X[:3, :3] @ shape.b + X[:3, 3])
+    return replace(shape, X=X @ shape.X)
 
 
 def outline(shape: Shape) -> tuple[Array, float]:

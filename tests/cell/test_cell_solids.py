@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from trajopt_cli.cell.loader import load_cell, parse_cell
+from trajopt_cli.collision.pair import Pair
 from trajopt_cli.errors import InputError
-from trajopt_cli.problem.plant import build_plant
-from trajopt_cli.shapes import Box, Capsule, Mesh
+from trajopt_cli.problem.plant import build_plant, unwatched
+from trajopt_cli.robot.model import load_robot
+from trajopt_cli.shapes import Box, Capsule, Cue, Grip, Mesh
 
 ARM = "robot: irb140\nstart: {joints: [0, 0, 0, 0, 0.5, 0]}\n"
 LINKS = "base_link, link_1, link_2, link_3, link_4, link_5, link_6"
@@ -66,6 +69,64 @@ def test_every_kind_of_body_with_units(tmp_path: Path) -> None:
     assert (gripper.name, gripper.ignore) == ("gripper", frozenset())
 
 
+def test_a_fence_is_a_wall_along_its_points() -> None:
+    """As far from any place as the floor plan says: the line of points, grown by half the thickness."""
+    points = [(1.0, -1.0), (1.2, 0.5), (0.0, 1.5), (-1.0, 1.5)]
+    text = obstacle("{fence: {points: [[1, -1], [1.2, 500 mm], [0, 1.5], [-1, 1.5]], height: 2, thickness: 40 mm}}")
+    walls = build_plant(parse_cell(text, "c")).obstacles
+    assert [wall.name for wall in walls] == ["table 1", "table 2", "table 3"]
+    rng = np.random.default_rng(7)
+    for _ in range(50):
+        place = np.r_[rng.uniform(-2, 2, 2), 1.0]
+        ball = Capsule("ball", place, place, 0.01)
+        apart = []
+        for p, q in pairwise(np.array(points)):
+            s = np.clip((place[:2] - p) @ (q - p) / ((q - p) @ (q - p)), 0, 1)
+            apart.append(float(np.linalg.norm(place[:2] - p - s * (q - p))))
+        found = min(Pair(ball, wall.shape).distance(np.eye(4), np.eye(4)) for wall in walls)
+        assert found == pytest.approx(min(apart) - 0.02 - 0.01, abs=0.0085)  # square ends: (sqrt 2 - 1) half thickness
+        assert found <= min(apart) - 0.03 + 1e-6
+    heights = [Pair(Capsule("b", [1, -1, z], [1, -1, z], 0.1), walls[0].shape).distance(np.eye(4), np.eye(4))
+               for z in (2.5, -0.5)]  # fmt: skip
+    np.testing.assert_allclose(heights, 0.4, atol=1e-9)
+    (alone,) = build_plant(parse_cell(obstacle("{fence: {points: [[1, 0], [1, 1]], height: 2}}"), "c")).obstacles
+    assert alone.name == "table"
+
+
+def test_the_rail_is_a_beam_under_the_base_from_end_to_end() -> None:
+    text = (
+        "robot: irb140_rail\nstart: {joints: [0, 0, 0, 0, 0.5, 0], rail: 0}\n"
+        "rail: {eax: a, stroke: [-0.5, 2], track: {width: 400 mm, height: 0.3}, frame: {position: [0, 0, 0.3], "
+        "rpy: [0, 0, 30 deg]}}\n"
+    )
+    plant = build_plant(parse_cell(text, "c"))
+    (track,) = plant.obstacles
+    assert (track.name, track.ignore) == ("track", {"base_link"})
+    assert isinstance(track.shape, Box)
+    np.testing.assert_allclose(track.shape.size, [3.0, 0.4, 0.3])
+    for rail in (-0.5, 2.0):
+        base = np.linalg.inv(track.shape.X) @ plant.robot.base(rail)
+        np.testing.assert_allclose(base[:3, 3], [rail - 0.75, 0, 0.15], atol=1e-12)  # on the top, 0.25 m from the end
+        assert abs(base[2, 2]) == pytest.approx(1)
+
+
+def test_what_is_taken_on_the_way_and_when() -> None:
+    cell = parse_cell(
+        obstacle(f"{BOX}\n  cube: {BOX}") + 'attach:\n  - {part: cube, at: "cell.mod:41", detach: 57}\n'
+        '  - {part: table, at: doGrip=1, detach: "doGrip = 0"}\n'
+        "  - {part: cube, at: 60}\n",
+        "c",
+    )
+    assert cell.grips == (
+        Grip("cube", Cue("cell.mod", 41), Cue(None, 57)),
+        Grip("table", Cue(signal="dogrip", value=1.0), Cue(signal="dogrip", value=0.0)),
+        Grip("cube", Cue(None, 60)),
+    )
+    plant = build_plant(cell)
+    assert [solid.name for solid in plant.parts] == ["table", "cube"]
+    assert ("link_1", "cube") in plant.self_pairs
+
+
 def test_a_cell_without_obstacles_says_so() -> None:
     plant = build_plant(parse_cell(ARM, "cell.yaml"))
     assert (plant.obstacles, plant.attached, plant.clearance) == ((), (), 0.0)
@@ -81,6 +142,19 @@ def test_a_robot_without_shapes_says_so(tmp_path: Path) -> None:
         "obstacles not checked: robot irb140 has no collision shapes",
         "self-collision not checked: robot irb140 has no collision shapes",
     )
+
+
+def test_links_without_a_shape_are_named(tmp_path: Path) -> None:
+    robots = Path(__file__).parents[2] / "robots"
+    lines = (robots / "irb140.yaml").read_text().splitlines()
+    kept = [line for line in lines if not any(word in line for word in ("link_3:", "link_3]", "[link_3"))]
+    (tmp_path / "part.yaml").write_text("\n".join(kept))
+    (tmp_path / "irb140.urdf").write_text((robots / "irb140.urdf").read_text())
+    text = ARM.replace("irb140", f"'{tmp_path / 'part.yaml'}'") + "obstacles: {table: {box: {size: [1, 1, 1]}}}\n"
+    cell = parse_cell(text, "cell.yaml")
+    (notice,) = unwatched(cell, build_plant(cell).robot)
+    assert "link_3 of irb140 has no collision shape and may touch anything unseen" in str(notice)
+    assert unwatched(parse_cell(text.replace(str(tmp_path / "part.yaml"), "irb140"), "c"), load_robot("irb140")) == ()
 
 
 BOX = "{box: {size: [1, 1, 1]}}"
@@ -127,17 +201,55 @@ BOX = "{box: {size: [1, 1, 1]}}"
         ),
         (
             obstacle("{box: {size: [1, 1, 1]}, capsule: {from: [0, 0, 0], to: [0, 0, 1], radius: 1}}"),
-            "cell.yaml:4: obstacles.table: has box and capsule; give one of box, capsule or mesh",
+            "cell.yaml:4: obstacles.table: has box and capsule; give one of box, capsule, mesh or fence",
         ),
         (
             obstacle("{ignore: [link_1]}"),
-            "cell.yaml:4: obstacles.table: has no shape; give one of box, capsule or mesh",
+            "cell.yaml:4: obstacles.table: has no shape; give one of box, capsule, mesh or fence",
         ),
         (
             obstacle("{bx: {size: [1, 1, 1]}}"),
             "cell.yaml:4: obstacles.table.bx: unknown key; did you mean 'box'?",
         ),
         (obstacle("1"), "cell.yaml:4: obstacles.table: needs a section of 'key: value' lines, not 1"),
+        (
+            obstacle("{fence: {points: [[1, 0]], height: 2}}"),
+            "cell.yaml:4: obstacles.table.fence.points: needs at least 2, not 1",
+        ),
+        (
+            obstacle("{fence: {points: [[1, 0], [1, 0]], height: 2}}"),
+            "cell.yaml:4: obstacles.table.fence: has the point [1, 0] twice in a row; remove one",
+        ),
+        (
+            obstacle("{fence: {points: [[1, 0], [1, 2]], height: 2}}") + "attach: [{part: table, at: 4}]\n",
+            "cell.yaml:5: attach.0.part: 'table' is a fence; no robot carries it",
+        ),
+        (
+            ARM + "attached: {fence: {fence: {points: [[1, 0], [1, 2]], height: 2}}}\n",
+            "cell.yaml:3: attached.fence.fence: a fence stands on the floor; give the flange a box",
+        ),
+        (
+            obstacle(f"{BOX}\nattach: [{{part: tabel, at: 41}}]"),
+            "cell.yaml:5: attach.0.part: 'tabel' is no obstacle; say under obstacles where it stands; did you mean "
+            "'table'?",
+        ),
+        (
+            obstacle(f"{BOX}\nattach: [{{part: table, at: SetDO doGrip}}]"),
+            "cell.yaml:5: attach.0.at: needs a line of the program or an output's value, 41 or 'doGrip = 1', not "
+            '"SetDO doGrip"',
+        ),
+        (
+            obstacle(f"{BOX}\nattach: [{{part: table, at: 41, detach: 41}}]"),
+            "cell.yaml:5: attach.0: takes and leaves the part at the same moment, line 41",
+        ),
+        (
+            ARM + f"attached: {{grip: {BOX}}}\ntool_radius: 30 mm\n",
+            "cell.yaml:4: tool_radius: the attached bodies stand for the tool; remove one of the two",
+        ),
+        (
+            ARM + "tool_radius: 40\n",
+            "cell.yaml:3: tool_radius: 40 m is no tool's, at most 1 m; if these are millimetres, write 40 mm",
+        ),
         (ARM + "obstacles: [1]\n", "cell.yaml:3: obstacles: needs a section of 'key: value' lines, not [1]"),
         (
             ARM + f"obstacles:\n  table: {BOX}\n  table: {BOX}\n",
@@ -178,8 +290,8 @@ def test_messages_of_the_file(text: str, expected: str) -> None:
         (
             ARM + "may_touch:\n  - [link_4, link_1]\n  - [link_1, link_3]\n",
             "cell.yaml:5: may_touch.1: [link_1, link_3] is not a pair that is checked; known: [base_link, link_3], "
-            "[base_link, link_4], [base_link, link_5], [base_link, link_6], [link_1, link_4], [link_1, link_5], "
-            "[link_1, link_6]",
+            "[base_link, link_4], [base_link, link_5], [base_link, link_6], [base_link, tool], [link_1, link_4], "
+            "[link_1, link_5], [link_1, link_6], [link_1, tool], [link_2, tool], [link_3, tool]",
         ),
         (
             obstacle("{mesh: {file: table.stl}}"),

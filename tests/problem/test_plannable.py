@@ -213,10 +213,14 @@ def test_targets_without_a_place_for_the_rail_are_counted() -> None:
 
 
 def test_the_two_switches_for_confdata_are_each_for_their_own_moves() -> None:
+    robot = plant(RAIL).robot
     for conf_j in (False, True):
         for conf_l in (False, True):
             settings = replace(DEFAULT_SETTINGS, conf_j=conf_j, conf_l=conf_l)
-            assert demands_configuration(move_j(settings=settings)) is conf_j
-            assert demands_configuration(move_l(settings=settings)) is conf_l
-            assert demands_configuration(move_c(settings=settings)) is conf_l
-    assert not demands_configuration(move_abs_j())
+            assert demands_configuration(move_j(settings=settings), robot) is conf_j
+            assert demands_configuration(move_l(settings=settings), robot) is conf_l
+            assert demands_configuration(move_c(settings=settings), robot) is conf_l
+    assert not demands_configuration(move_abs_j(), robot)
+    unruled = replace(robot, confdata_rule="none")  # an arm that confdata does not describe
+    assert not demands_configuration(move_j(), unruled)
+    assert not demands_configuration(move_l(), unruled)

@@ -311,7 +311,9 @@ def test_a_problem_says_how_its_target_binds_the_axes() -> None:
 
 def test_what_may_change_and_what_may_go_are_one_noun() -> None:
     program = rapid("MoveJ p_in, v500, fine, tool0; ! trajopt: optional\nMoveAbsJ j_home, v500, fine, tool0;")
-    assert everything(program, plant_with_rail()) == Changes(frozenset({0, 1}), (), frozenset({0}))
+    assert everything(program, plant_with_rail()) == Changes(
+        frozenset({0, 1}), droppable=frozenset({0}), detours=((0,), (1,))
+    )
 
 
 def test_messages_name_a_motion_as_the_program_spells_it() -> None:

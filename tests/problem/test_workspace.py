@@ -5,12 +5,16 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+import pinocchio as pin
 import pytest
+from arms import KNOWN, RAILS, on_rail, random_chain
+from matplotlib.path import Path as MplPath
 
 from trajopt_cli.cell.loader import load_cell
 from trajopt_cli.geometry import Array, pose
 from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.problem.workspace import rail_ranges, reachable, sections
+from trajopt_cli.report.skeleton import skeleton
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 DOWN = np.diag([-1.0, 1.0, -1.0])  # the flange looks down, x towards the base
@@ -27,8 +31,8 @@ def test_the_range_ends_where_the_elbow_stretches(plant: Plant, phi_min: float) 
     # that of the law of cosines at an elbow phi_min from stretched.
     x, y, z = 0.5, 1.0, 0.33
     arm = plant.robot.arm
-    far2 = arm.L2**2 + arm.L4**2 + 2 * arm.L2 * arm.L4 * np.cos(phi_min)
-    up = z + arm.L6 - arm.d1
+    far2 = arm.c2**2 + arm.c3**2 + 2 * arm.c2 * arm.c3 * np.cos(phi_min)
+    up = z + arm.c4 - arm.c1
     ahead = arm.a1 + np.sqrt(far2 - up**2)
     half = np.sqrt(ahead**2 - x**2)
     np.testing.assert_allclose(rail_ranges(plant, pose(DOWN, [x, y, z]), phi_min), [[y - half, y + half]], atol=3e-6)
@@ -63,13 +67,13 @@ def test_every_wrist_centre_of_random_joints_lies_inside_an_outline(plant: Plant
     q[:, 1] = 0.0  # the arm's own plane is the base's x-z plane
     q = q[np.abs(np.cos(q[:, 3])) > 0.02]  # nearer to the border than its chords are
     X = plant.robot.forward(q)
-    wrist = X[:, :3, 3] - arm.L6 * X[:, :3, 2]
+    wrist = X[:, :3, 3] - arm.c4 * X[:, :3, 2]
     base = plant.robot.base(q[:, 0])
     local = np.einsum("nji,nj->ni", base[:, :3, :3], wrist - base[:, :3, 3])[:, [0, 2]]
     inside = np.array([winding(outline, local) != 0 for outline in sections(plant)])
     assert inside.any(axis=0).all()
     stretched = rng.uniform(-np.pi, np.pi, 200)
-    beyond = [arm.a1, arm.d1] + 1.001 * (arm.L2 + arm.L4) * np.column_stack([np.cos(stretched), np.sin(stretched)])
+    beyond = [arm.a1, arm.c1] + 1.001 * (arm.c2 + arm.c3) * np.column_stack([np.cos(stretched), np.sin(stretched)])
     assert not any(winding(outline, beyond).any() for outline in sections(plant))
 
 
@@ -79,3 +83,59 @@ def winding(outline: Array, points: Array) -> Array:
     angle = np.arctan2(rays[..., 1], rays[..., 0])
     turn = np.angle(np.exp(1j * np.diff(angle, axis=1)))
     return np.round(turn.sum(axis=1) / (2 * np.pi))
+
+
+@pytest.mark.parametrize("name", [*KNOWN, *range(8)])
+def test_of_every_arm_the_wrist_centre_lies_inside_the_outlines_and_the_skeleton_on_its_axes(
+    name: str | int, tmp_path: Path
+) -> None:
+    """The wrist centre and the lines of axes 2 and 3 by pin."""
+    chain = KNOWN[name]() if isinstance(name, str) else random_chain(name)
+    chain.ranges[1:3] = [
+        (m - h, m + h) for (a, b), h in zip(chain.ranges[1:3], (1.0, 1.8), strict=True) for m in [(a + b) / 2]
+    ]
+    robot = chain.load(tmp_path)
+    limits, rng = robot.profile(), np.random.default_rng(3)
+    plant = Plant(robot, limits, robot.tcp, limits.lower, None, False, False, frozenset())
+    outlines = [MplPath(outline) for outline in sections(plant)]
+    q = rng.uniform(limits.lower, limits.upper, (150, 6))
+    model, inside = robot.pin_model, []
+    data, X_WO = model.createData(), robot.X_WO0
+    for row in q:
+        u = pin.computeJointJacobians(model, data, row)[3:].T
+        p = np.array([data.oMi[i].translation for i in range(1, 7)])
+        across = [np.eye(3) - np.outer(v, v) for v in u]
+        wrist = np.linalg.solve(sum(across[3:]), sum(A @ o for A, o in zip(across[3:], p[3:], strict=True)))
+        # in the canonical base: axis 1 is z, and axis 2 points left of the arm's plane
+        left = X_WO[:3, :3].T @ u[1]
+        w = X_WO[:3, :3].T @ (wrist - X_WO[:3, 3])
+        ahead = np.cross(left, [0, 0, 1]) @ w * np.sign(robot.arm.signs[1])
+        inside.append(
+            any(outline.contains_point((ahead, w[2]), radius=s) for outline in outlines for s in (-2e-3, 2e-3))
+        )
+        shape = skeleton(plant, row, np.eye(4))
+        assert np.linalg.norm(shape[4] - wrist) < 1e-9
+        for place, j in ((shape[2], 1), (shape[3], 2)):
+            assert np.linalg.norm(across[j] @ (place - p[j])) < 1e-9
+        assert np.linalg.norm(across[0] @ (shape[:2] - p[0]).T) < 1e-9
+    assert np.mean(inside) > 0.99  # the outlines are chords of arcs
+    assert all(area(outline) < 0.9 * np.pi * (robot.arm.c2 + robot.arm.upper) ** 2 for outline in outlines)
+
+
+def area(outline: MplPath) -> float:
+    x, y = outline.vertices.T
+    return float(abs(np.dot(x, np.roll(y, 1)) - np.dot(y, np.roll(x, 1)))) / 2
+
+
+@pytest.mark.parametrize("rail", RAILS)
+@pytest.mark.parametrize("name", ["irb4600", "puma560", 3, 5])
+def test_no_pose_is_reached_from_outside_the_rails_range(name: str | int, rail: str, tmp_path: Path) -> None:
+    chain = KNOWN[name]() if isinstance(name, str) else random_chain(name)
+    robot = on_rail(chain, rail).load(tmp_path)
+    limits = robot.profile()
+    q = np.random.default_rng(2).uniform(limits.lower, limits.upper, (3000, 7))
+    ends = robot.rail_within(robot.forward(q))
+    assert np.all((ends[:, 0] <= q[:, 0]) & (q[:, 0] <= ends[:, 1]))
+    arm = robot.arm
+    longest = np.hypot(arm.a1 + arm.c2 + arm.upper, arm.b) + np.linalg.norm(arm.X_KF[:3, 3] + [0, 0, arm.c4])
+    assert np.diff(ends).max() < 2 * longest + 1e-12

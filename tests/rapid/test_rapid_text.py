@@ -11,6 +11,7 @@ import pytest
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, SignalEvent, Span, TextFile, Wait
 from trajopt_cli.rapid.language.text import decode
+from trajopt_cli.rapid.marks import way_around
 from trajopt_cli.rapid.reader import read_program, run_program
 
 ROOT = Path(__file__).parents[2]
@@ -186,11 +187,21 @@ def test_a_mark_that_marks_nothing_is_an_error_and_one_on_no_move_is_said() -> N
         "m.mod:4:1: '! trajopt: optional' marks no instruction; put it after a move or on the line above it"
     )
     assert error_main("WaitTime 1; ! trajopt: optinal") == (
-        "m.mod:3:13: there is no mark 'optinal'; the marks are 'optional' and 'hold rail'"
+        "m.mod:3:13: there is no mark 'optinal'; the marks are 'optional', 'hold rail' and, with names, "
+        "\"way around 'column'\""
     )
     assert tuple(map(str, run_main("WaitTime 1; ! trajopt: optional").warnings)) == (
         "m.mod:7:1: marked as optional, but no move ran there",
     )
+
+
+def test_an_additional_point_says_what_it_goes_around() -> None:
+    names = ("column", "bob's  fence", "'", "a, b")
+    body = f"MoveJ p,v100,fine,tool0; {way_around(names)}\n! trajopt: Way  Around 'x'\nMoveAbsJ j,v100,fine,tool0;\n"
+    moves = [m for m in run_main(body + "MoveJ p,v100,fine,tool0;").motions if isinstance(m, MOVES)]
+    assert [m.marked for m in moves] == [("column", "bob's fence", "'", "a, b"), ("x",), ()]
+    for wrong in ("way around", "way around column", "way around 'a' 'b'", "way around ''", "way around 'a"):
+        assert "there is no mark" in error_main(f"MoveJ p,v100,fine,tool0; ! trajopt: {wrong}")
 
 
 # -------------------------------------------------------------------------------------------------- broken meaning

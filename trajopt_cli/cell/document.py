@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from itertools import pairwise
 from pathlib import PurePath
 from typing import Annotated, Any, Literal
 
@@ -18,11 +19,14 @@ from pydantic import (
     model_validator,
 )
 
+from trajopt_cli.cell.model import TOOL_RADIUS
 from trajopt_cli.quantity import (
     ACCELERATION,
     ANGLE,
+    FORCE,
     JERK,
     LENGTH,
+    MOMENT,
     RATIO,
     SPEED,
     TIME,
@@ -40,7 +44,9 @@ from trajopt_cli.quantity import (
     takes_number,
 )
 from trajopt_cli.scenario import LONGEST_WAIT, NUM_LIMIT, Lines, Scenario
+from trajopt_cli.shapes import Cue
 
+THICKEST = 1.0  # m of a tool's radius
 LONGEST_RAIL = 100.0  # m of stroke; beyond, somebody wrote millimetres
 MAX_SEQUENCE = 10_000  # values of one signal or answer; a program that polls reads a few dozen
 
@@ -142,6 +148,13 @@ class FrameSection(_Section):
         return self
 
 
+class TrackSection(_Section):
+    """The rail as a body: width and height [m] of the beam under the base, from end to end of the stroke."""
+
+    width: Annotated[float, BeforeValidator(positive(LENGTH))]
+    height: Annotated[float, BeforeValidator(positive(LENGTH))]
+
+
 class RailSection(_Section):
     """The rail: the external axis that drives it, its travel [m], its zero in the world; fixed keeps its positions."""
 
@@ -149,6 +162,7 @@ class RailSection(_Section):
     stroke: Annotated[tuple[float, float], BeforeValidator(numbers(LENGTH, 2))]
     frame: FrameSection = FrameSection()
     fixed: StrictBool = False
+    track: TrackSection | None = None
 
     @model_validator(mode="after")
     def _ordered(self) -> RailSection:
@@ -163,6 +177,51 @@ class RailSection(_Section):
         return self
 
 
+_SLOWEST = 1e-3
+"""rad/s, m/s, rad/s2, m/s2: less is no drive's, and a plan would take for ever."""
+
+
+def _drives(**limits: float | None) -> None:
+    """Raise where a velocity or an acceleration is none of a drive."""
+    for name, value in limits.items():
+        if value is not None and value < _SLOWEST:
+            raise complain(f"{name} {value:g} is less than any drive has, at least {_SLOWEST:g}; check the value")
+
+
+class PositionerSection(_Section):
+    """One axis of a positioner: the external axis that drives it, the frame about whose z it turns (in the world, or on
+    the axis before it), range and start [rad], velocity [rad/s], acceleration [rad/s2] and where they come from."""
+
+    eax: Literal["a", "b", "c", "d", "e", "f"]
+    frame: FrameSection = FrameSection()
+    range: Annotated[tuple[float, float], BeforeValidator(numbers(ANGLE, 2))]
+    velocity: Annotated[float, BeforeValidator(positive(TURN_RATE))]
+    acceleration: Annotated[float, BeforeValidator(positive(TURN_ACCELERATION))]
+    start: Angle = 0.0
+    source: SourceText
+
+    @model_validator(mode="after")
+    def _ordered(self) -> PositionerSection:
+        low, high = self.range
+        _drives(velocity=self.velocity, acceleration=self.acceleration)
+        if not low < high:
+            raise complain(f"range goes from {low:g} to {high:g}; the lower end comes first")
+        if not low <= self.start <= high:
+            raise complain(f"start {self.start:g} rad is not in the range {low:g}..{high:g} rad")
+        return self
+
+
+def _one_or_more(value: Any) -> Any:
+    return [value] if isinstance(value, dict) else value
+
+
+Positioner = Annotated[
+    tuple[PositionerSection, ...],
+    Field(min_length=1, max_length=6),
+    BeforeValidator(_one_or_more, json_schema_input_type=PositionerSection | tuple[PositionerSection, ...]),
+]
+
+
 class LimitSection(_Section):
     """One axis' own limits, in SI or with a unit; source says where they come from."""
 
@@ -171,35 +230,39 @@ class LimitSection(_Section):
     velocity: float | None = None
     acceleration: float | None = None
     jerk: float | None = None
+    torque: float | None = None
     source: SourceText
 
     @model_validator(mode="after")
     def _ordered(self) -> LimitSection:
+        _drives(velocity=self.velocity, acceleration=self.acceleration, jerk=self.jerk)
         if self.lower is not None and self.upper is not None and not self.lower < self.upper:
             raise complain(f"lower {self.lower:g} is not below upper {self.upper:g}")
-        if self.lower is self.upper is self.velocity is self.acceleration is self.jerk is None:
-            raise complain("names no limit: lower, upper, velocity, acceleration or jerk")
+        if self.lower is self.upper is self.velocity is self.acceleration is self.jerk is self.torque is None:
+            raise complain("names no limit: lower, upper, velocity, acceleration, jerk or torque")
         return self
 
 
 class JointLimitSection(LimitSection):
-    """Limits of a turning axis: rad, rad/s, rad/s2, rad/s3."""
+    """Limits of a turning axis: rad, rad/s, rad/s2, rad/s3, Nm."""
 
     lower: Angle | None = None
     upper: Angle | None = None
     velocity: Annotated[float, BeforeValidator(positive(TURN_RATE))] | None = None
     acceleration: Annotated[float, BeforeValidator(positive(TURN_ACCELERATION))] | None = None
     jerk: Annotated[float, BeforeValidator(positive(TURN_JERK))] | None = None
+    torque: Annotated[float, BeforeValidator(positive(MOMENT))] | None = None
 
 
 class RailLimitSection(LimitSection):
-    """Limits of the rail: m/s, m/s2, m/s3; its range is rail.stroke."""
+    """Limits of the rail: m/s, m/s2, m/s3, N; its range is rail.stroke."""
 
     lower: Annotated[None, BeforeValidator(lambda _: _elsewhere())] = None
     upper: Annotated[None, BeforeValidator(lambda _: _elsewhere())] = None
     velocity: Annotated[float, BeforeValidator(positive(SPEED))] | None = None
     acceleration: Annotated[float, BeforeValidator(positive(ACCELERATION))] | None = None
     jerk: Annotated[float, BeforeValidator(positive(JERK))] | None = None
+    torque: Annotated[float, BeforeValidator(positive(FORCE))] | None = None
 
 
 def _elsewhere() -> None:
@@ -258,6 +321,24 @@ class MeshSection(FrameSection):
     scale: Annotated[float, BeforeValidator(positive(RATIO))] = 1.0
 
 
+class FenceSection(_Section):
+    """A wall on the floor along a line of points [x, y] in the world, its height and thickness [m]."""
+
+    points: Annotated[
+        tuple[Annotated[tuple[float, ...], BeforeValidator(numbers(LENGTH, 2))], ...], Field(min_length=2)
+    ]
+    height: Annotated[float, BeforeValidator(positive(LENGTH))]
+    thickness: Annotated[float, BeforeValidator(positive(LENGTH))] = 0.05
+    floor: Length = 0.0
+
+    @model_validator(mode="after")
+    def _some_way(self) -> FenceSection:
+        for a, b in pairwise(self.points):
+            if a == b:
+                raise complain(f"has the point [{a[0]:g}, {a[1]:g}] twice in a row; remove one")
+        return self
+
+
 def _sizes(value: Any) -> tuple[float, ...]:
     return tuple(above_zero(item) for item in numbers(LENGTH, 3)(value))
 
@@ -270,18 +351,19 @@ def _beside(value: str) -> str:
 
 
 class SolidSection(_Section):
-    """A body: one of box, capsule or mesh; ignore names the links that may touch it."""
+    """A body: one of box, capsule, mesh or fence; ignore names the links that may touch it."""
 
     box: BoxSection | None = None
     capsule: CapsuleSection | None = None
     mesh: MeshSection | None = None
+    fence: FenceSection | None = None
     ignore: tuple[StrictStr, ...] = ()
 
     @model_validator(mode="after")
     def _one_shape(self) -> SolidSection:
-        given = [name for name in ("box", "capsule", "mesh") if getattr(self, name) is not None]
+        given = [name for name in ("box", "capsule", "mesh", "fence") if getattr(self, name) is not None]
         if len(given) != 1:
-            raise complain(f"has {' and '.join(given) or 'no shape'}; give one of box, capsule or mesh")
+            raise complain(f"has {' and '.join(given) or 'no shape'}; give one of box, capsule, mesh or fence")
         return self
 
 
@@ -324,6 +406,39 @@ def _part(value: Any) -> Lines | str:
     return lines
 
 
+_SET = re.compile(r"\s*([^\W\d]\w*)\s*=\s*(-?[\d.]+)\s*")
+
+
+def _cue(value: Any) -> Cue:
+    """One line of the program, or an output and its value."""
+    if isinstance(value, str) and (match := _SET.fullmatch(value)):
+        return Cue(signal=match[1].lower(), value=number(RATIO)(float(match[2])))
+    lines = _lines(value)
+    if lines is None or lines.first != lines.last:
+        raise complain(f"needs a line of the program or an output's value, 41 or 'doGrip = 1', not {shown(value)}")
+    return Cue(lines.file, lines.first)
+
+
+CueText = Annotated[Cue, PlainValidator(_cue, json_schema_input_type=int | str)]
+
+
+class AttachSection(_Section):
+    """An obstacle that the flange takes on the way: part is its name; at and detach say when it takes and leaves it."""
+
+    part: StrictStr
+    at: CueText
+    detach: CueText | None = None
+
+    @model_validator(mode="after")
+    def _two(self) -> AttachSection:
+        if self.at == self.detach:
+            raise complain(f"takes and leaves the part at the same moment, {self.at}")
+        return self
+
+
+Part = Annotated[Lines | str, PlainValidator(_part, json_schema_input_type=int | str)]
+
+
 class HoldRailSection(_Section):
     """Where the rail stands still: procedures by name, lines, all waits; gripper: waits right after an output."""
 
@@ -331,6 +446,15 @@ class HoldRailSection(_Section):
     lines: tuple[Annotated[Lines, PlainValidator(_place, json_schema_input_type=int | str)], ...] = ()
     waits: StrictBool = False
     gripper: StrictBool = True
+
+
+def _thickness(value: Any) -> float:
+    radius = from_zero(LENGTH)(value)
+    if radius > THICKEST:
+        raise complain(
+            f"{radius:g} m is no tool's, at most {THICKEST:g} m; if these are millimetres, write {radius:g} mm"
+        )
+    return radius
 
 
 Solids = dict[StrictStr, SolidSection]
@@ -362,13 +486,16 @@ class CellDocument(_Section):
     profile: StrictStr = "default"
     rail: RailSection | None = None
     base: FrameSection | None = None
+    positioners: dict[StrictStr, Positioner] = Field(default_factory=dict)
     limits: LimitsSection = Field(default_factory=lambda: LimitsSection.model_validate({}))
     tcp: TcpSection | None = None
     start: StartSection
     obstacles: Solids = Field(default_factory=dict)
     attached: Solids = Field(default_factory=dict)
+    attach: tuple[AttachSection, ...] = ()
     may_touch: tuple[Annotated[tuple[str, str], BeforeValidator(_pair)], ...] = ()
     clearance: Annotated[float, BeforeValidator(from_zero(LENGTH))] = 0.0
+    tool_radius: Annotated[float, BeforeValidator(Reader(_thickness, from_zero(LENGTH).takes))] = TOOL_RADIUS
     signals: dict[StrictStr, SignalValues] = Field(default_factory=dict)
     answers: dict[StrictStr, Answers] = Field(default_factory=dict)
     data: dict[
@@ -383,9 +510,11 @@ class CellDocument(_Section):
     endless_passes: Annotated[int, Field(strict=True, gt=0, le=MAX_ENDLESS_PASSES)] | None = None
     optional: tuple[StrictStr, ...] = ()
     hold_rail: HoldRailSection = HoldRailSection()
-    constant_speed: tuple[Annotated[Lines | str, PlainValidator(_part, json_schema_input_type=int | str)], ...] = ()
+    constant_speed: tuple[Part, ...] = ()
+    order: dict[StrictStr, Annotated[tuple[Part, ...], Field(min_length=2)]] = Field(default_factory=dict)
     free_speed: StrictBool = False
     jerk_limits: StrictBool = False
+    torque_limits: StrictBool = False
     pass_limit: Annotated[int, Field(strict=True, gt=0)] = Scenario.pass_limit
     statement_limit: Annotated[int, Field(strict=True, gt=0)] = Scenario.statement_limit
     assume_identity: tuple[StrictStr, ...] = ()

@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 from typing import TypeVar
 
 import numpy as np
 
-from trajopt_cli.cell.document import CellDocument, FrameSection, SolidSection
+from trajopt_cli.cell.document import CellDocument, FenceSection, FrameSection, PositionerSection, SolidSection
 from trajopt_cli.cell.model import Cell, LimitOverride, Rail
 from trajopt_cli.cell.suspected import CELL, suspected
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
-from trajopt_cli.geometry import Array, pose, rotation_about, rotation_from_wxyz
+from trajopt_cli.geometry import Array, pose, rotation_about, rotation_from_wxyz, wxyz_from_rotation
 from trajopt_cli.limits import TcpCaps
-from trajopt_cli.scenario import ConstantSpeed, Given, HoldRail, Scenario, condition_key
-from trajopt_cli.shapes import Box, Capsule, MeshFile, Solid
+from trajopt_cli.scenario import ConstantSpeed, Given, HoldRail, PositionerAxis, Scenario, condition_key
+from trajopt_cli.shapes import Box, Capsule, Grip, MeshFile, Solid
+from trajopt_cli.validation import hint
 from trajopt_cli.yaml_file import line_of, parse, read_text, validated
 
 _Value = TypeVar("_Value")
@@ -64,6 +66,9 @@ def frame_pose(section: FrameSection) -> Array:
 def _solids(sections: Mapping[str, SolidSection], folder: Path) -> tuple[Solid, ...]:
     out = []
     for name, section in sections.items():
+        if section.fence is not None:
+            out += [Solid(wall, frozenset(section.ignore)) for wall in _walls(name, section.fence)]
+            continue
         shape: Box | Capsule | MeshFile
         if section.box is not None:
             shape = Box(name, np.array(section.box.size), frame_pose(section.box))
@@ -75,6 +80,22 @@ def _solids(sections: Mapping[str, SolidSection], folder: Path) -> tuple[Solid, 
             shape = MeshFile(name, folder / section.mesh.file, frame_pose(section.mesh), section.mesh.scale)
         out.append(Solid(shape, frozenset(section.ignore)))
     return tuple(out)
+
+
+def _robot(given: str, folder: Path) -> str:
+    """A robot's name, or the path of its file, which is looked for beside the cell file."""
+    return str(folder / given) if given.endswith((".yaml", ".yml")) else given
+
+
+def _walls(name: str, fence: FenceSection) -> Iterator[Box]:
+    """A fence's walls, each as long as the way between its posts and once its thickness, so that corners are closed."""
+    for i, (a, b) in enumerate(pairwise(np.array(fence.points)), 1):
+        along = b - a
+        X = pose(
+            rotation_about([0, 0, 1], np.arctan2(along[1], along[0])), [*(a + b) / 2, fence.floor + fence.height / 2]
+        )
+        size = np.array([np.linalg.norm(along) + fence.thickness, fence.thickness, fence.height])
+        yield Box(name if len(fence.points) == 2 else f"{name} {i}", size, X)
 
 
 def _scenario(document: CellDocument, file: str, lines: Mapping[str, int]) -> Scenario:
@@ -107,7 +128,29 @@ def _scenario(document: CellDocument, file: str, lines: Mapping[str, int]) -> Sc
             frozenset(part.lower() for part in document.constant_speed if isinstance(part, str)),
             frozenset(part for part in document.constant_speed if not isinstance(part, str)),
         ),
+        positioners=by("positioners", {name: _axes(axes) for name, axes in document.positioners.items()}),
     )
+
+
+def _axes(sections: Iterable[PositionerSection]) -> tuple[PositionerAxis, ...]:
+    out = []
+    for section in sections:
+        X = frame_pose(section.frame)
+        x, y, z = X[:3, 3].tolist()
+        w, i, j, k = wxyz_from_rotation(X[:3, :3]).tolist()
+        out.append(
+            PositionerAxis(
+                _EXTERNAL_AXES.index(section.eax),
+                (x, y, z),
+                (w, i, j, k),
+                section.range,
+                section.velocity,
+                section.acceleration,
+                section.start,
+                section.source,
+            )
+        )
+    return tuple(out)
 
 
 def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
@@ -115,14 +158,22 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
     overrides = tuple(
         LimitOverride(axis, kind, value, section.source)
         for axis, section in document.limits.by_axis().items()
-        for kind in ("lower", "upper", "velocity", "acceleration", "jerk")
+        for kind in ("lower", "upper", "velocity", "acceleration", "jerk", "torque")
         if (value := getattr(section, kind)) is not None
     )
     cell = Cell(
         file=file,
-        robot=document.robot,
+        robot=_robot(document.robot, Path(file).parent),
         profile=document.profile,
-        rail=Rail(_EXTERNAL_AXES.index(rail.eax), rail.stroke, frame_pose(rail.frame), rail.fixed) if rail else None,
+        rail=Rail(
+            _EXTERNAL_AXES.index(rail.eax),
+            rail.stroke,
+            frame_pose(rail.frame),
+            rail.fixed,
+            (rail.track.width, rail.track.height) if rail.track else None,
+        )
+        if rail
+        else None,
         X_WB=frame_pose(document.base) if document.base else np.eye(4),
         overrides=overrides,
         tcp=TcpCaps(document.tcp.speed, document.tcp.acceleration) if document.tcp else None,
@@ -132,13 +183,24 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         scenario=_scenario(document, file, lines),
         free_speed=document.free_speed,
         jerk_limits=document.jerk_limits,
+        torque_limits=document.torque_limits,
         droppable=frozenset(name.lower() for name in document.optional),
         obstacles=_solids(document.obstacles, Path(file).parent),
         attached=_solids(document.attached, Path(file).parent),
         may_touch=document.may_touch,
         clearance=document.clearance,
+        tool_radius=document.tool_radius,
+        grips=tuple(Grip(one.part, one.at, one.detach) for one in document.attach),
+        order=document.order,
         lines=lines,
     )
+    driven = {} if document.rail is None else {document.rail.eax: "the rail"}
+    for name, axes in document.positioners.items():
+        for axis in axes:
+            if axis.eax in driven:
+                message = f"eax {axis.eax} drives {driven[axis.eax]} already; give each axis its own"
+                raise cell.error(f"positioners.{name}", message)
+            driven[axis.eax] = f"positioner {name}"
     if cell.rail is not None and document.base is not None:
         raise cell.error("base", "a robot on a rail is placed by rail.frame; remove one of the two")
     if cell.rail is not None and cell.start_rail is None:
@@ -147,7 +209,20 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         raise cell.error("hold_rail", "there is no rail; remove it or add a rail section")
     if cell.rail is None and cell.start_rail is not None:
         raise cell.error("start.rail", "there is no rail; remove it or add a rail section")
-    for name in document.attached:
+    if document.attached and "tool_radius" in document.model_fields_set and document.tool_radius > 0:
+        raise cell.error("tool_radius", "the attached bodies stand for the tool; remove one of the two")
+    for i, one in enumerate(document.attach):
+        if one.part not in document.obstacles:
+            known = hint(one.part, [*document.obstacles])
+            raise cell.error(
+                f"attach.{i}.part", f"'{one.part}' is no obstacle; say under obstacles where it stands; {known}"
+            )
+    for i, one in enumerate(document.attach):
+        if document.obstacles[one.part].fence is not None:
+            raise cell.error(f"attach.{i}.part", f"'{one.part}' is a fence; no robot carries it")
+    for name, body in document.attached.items():
+        if body.fence is not None:
+            raise cell.error(f"attached.{name}.fence", "a fence stands on the floor; give the flange a box")
         if name in document.obstacles:
             raise cell.error(f"attached.{name}", "an obstacle has this name too; give each body its own")
     return cell

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -12,23 +12,28 @@ from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.notices import Notice
-from trajopt_cli.scenario import Scenario
-from trajopt_cli.shapes import MeshFile, Solid
+from trajopt_cli.scenario import Lines, Scenario
+from trajopt_cli.shapes import Grip, MeshFile, Solid
 from trajopt_cli.validation import hint
 from trajopt_cli.yaml_file import line_of
+
+TOOL_RADIUS = 0.025
+"""m: of the capsule that stands for a tool nobody described. As thick as the IRB 140's last link."""
 
 
 @dataclass(frozen=True, eq=False)
 class Rail:
     """eax: index of the external axis that drives it, 0 for eax_a. X_WR (4, 4): the rail's zero in the world.
 
-    stroke: lowest and highest position [m]. fixed: robtargets keep the rail position their program gives.
+    stroke: lowest and highest position [m]. fixed: robtargets keep the rail position their program gives. track: width
+    and height [m] of the beam under the base, None where it is no body.
     """
 
     eax: int
     stroke: tuple[float, float]
     X_WR: Array
     fixed: bool = False
+    track: tuple[float, float] | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "X_WR", readonly(self.X_WR))
@@ -36,7 +41,8 @@ class Rail:
 
 @dataclass(frozen=True)
 class LimitOverride:
-    """A number of the cell file (SI) instead of the robot's: kind is lower, upper, velocity, acceleration or jerk."""
+    """A number of the cell file (SI) instead of the robot's: kind is lower, upper, velocity, acceleration, jerk or
+    torque."""
 
     axis: str
     kind: str
@@ -48,11 +54,14 @@ class LimitOverride:
 class Cell:
     """A cell file's content in SI.
 
-    file: as the user gave it. X_WB (4, 4): base in the world of a robot without a rail. tcp: None where the robot's
-    documented caps apply. start_joints [rad], start_rail [m]. droppable: target names in lower case. lines: the line
-    of each key by its dotted path, for messages. obstacles: in the world; attached: in the flange frame; meshes still
-    in their files. may_touch: pairs of links or attached bodies that are not held against each other. clearance: the
-    least distance wanted from obstacles [m]. doubts: numbers that look like another unit.
+    file: as the user gave it. robot: a name, or the path of its file. X_WB (4, 4): base in the world of a robot
+    without a rail. tcp: None where the robot's documented caps apply. start_joints [rad], start_rail [m]. droppable:
+    target names in lower case. lines: the line of each key by its dotted path, for messages. obstacles: in the world;
+    attached: in the flange frame; meshes still in their files. may_touch: pairs of links or attached bodies that are
+    not held against each other. clearance: the least distance wanted from obstacles [m]. tool_radius [m]: of the
+    capsule from flange to TCP that stands for the tool where nothing is attached; 0 for none. grips: which obstacles
+    the flange takes on the way. doubts: numbers that look like another unit. order: groups of procedures and lines, by
+    name, that may be done in any order.
     """
 
     file: str
@@ -74,7 +83,11 @@ class Cell:
     attached: tuple[Solid, ...] = ()
     may_touch: tuple[tuple[str, str], ...] = ()
     clearance: float = 0.0
+    tool_radius: float = TOOL_RADIUS
+    grips: tuple[Grip, ...] = ()
     doubts: tuple[Notice, ...] = ()
+    torque_limits: bool = False
+    order: Mapping[str, tuple[Lines | str, ...]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "X_WB", readonly(self.X_WB))
@@ -89,6 +102,10 @@ class Cell:
         shapes = [solid.shape for solid in (*self.obstacles, *self.attached)]
         return tuple(dict.fromkeys(shape.path for shape in shapes if isinstance(shape, MeshFile)))
 
+    def robot_files(self, urdf: Path) -> tuple[Path, ...]:
+        """The robot's own YAML file and its URDF; none for a robot that ships."""
+        return (Path(self.robot), urdf) if self.robot.endswith((".yaml", ".yml")) else ()
+
     def apply_limits(self, limits: JointLimits, axis_names: tuple[str, ...]) -> JointLimits:
         """limits with the cell's overrides and the rail's stroke in force, sources included.
 
@@ -97,6 +114,8 @@ class Cell:
         values = {kind: np.array(getattr(limits, kind)) for kind in ("lower", "upper", "velocity", "acceleration")}
         if limits.jerk is not None or any(change.kind == "jerk" for change in self.overrides):
             values["jerk"] = np.full(len(axis_names), np.nan) if limits.jerk is None else np.array(limits.jerk)
+        if limits.torque is not None or any(change.kind == "torque" for change in self.overrides):
+            values["torque"] = np.full(len(axis_names), np.inf) if limits.torque is None else np.array(limits.torque)
         sources, grades = dict(limits.sources), dict(limits.grades)
         changes = list(self.overrides)
         if self.rail is not None:
@@ -113,7 +132,7 @@ class Cell:
             grades.pop(f"{change.axis}.{topic}", None)
         for i, axis in enumerate(axis_names):
             for kind, column in values.items():
-                if not np.isfinite(column[i]):
+                if not np.isfinite(column[i]) and kind != "torque":
                     raise self.error(f"limits.{axis}", f"robot {self.robot} gives no {kind}; add it with its source")
             if not values["lower"][i] < values["upper"][i]:
                 low, high = values["lower"][i], values["upper"][i]
@@ -122,16 +141,19 @@ class Cell:
             raise self.error(
                 "jerk_limits", f"robot {self.robot} gives no jerk; give each axis its own under limits, with its source"
             )
-        return JointLimits(names=limits.names, **values, sources=sources, grades=grades, jerk_binds=self.jerk_limits)
+        return JointLimits(
+            names=limits.names, **values, sources=sources, grades=grades, jerk_binds=self.jerk_limits,
+            torque_binds=self.torque_limits and "torque" in values, coupled=limits.coupled,
+        )  # fmt: skip
 
 
-def minimal_cell(program: str, robots: Sequence[str]) -> str:
-    """The shortest useful cell file for a program, as text to save and adapt. robots: the names to choose from."""
+def minimal_cell(program: str) -> str:
+    """The shortest useful cell file for a program, as text to save and adapt."""
     rail = "rail: {eax: a, stroke: [-0.2, 2.2]}  # external axis, travel in m; without a rail remove this line"
     start = 'start: {joints: "[0, 0, 0, 0, 30, 0] deg", rail: 0}  # where the cycle begins, at rest'
     lines = (
         f"# the cell of {program}: SI units, or a text with a unit",
-        f"robot: irb140_rail  # one of: {', '.join(robots)}",
+        "robot: irb140_rail  # 'trajopt robot list' shows the others",
         "profile: default  # acceleration limits: default or optimistic",
         rail,
         start,

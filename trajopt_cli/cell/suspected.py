@@ -38,6 +38,7 @@ _BODY: dict[tuple[str, ...], Kind] = {
     ("*", "size"): LENGTH,
     ("*", "rpy"): ANGLE,
     ("capsule", "*"): LENGTH,
+    ("fence", "*"): LENGTH,
 }
 CELL: dict[tuple[str, ...], Kind] = {
     ("start", "joints"): ANGLE,
@@ -55,6 +56,8 @@ CELL: dict[tuple[str, ...], Kind] = {
     ("tcp", "speed"): SPEED,
     ("tcp", "acceleration"): ACCELERATION,
     ("clearance",): Kind("m", "mm", MM, 1, 100),
+    ("tool_radius",): Kind("m", "mm", MM, 1, 100),
+    ("rail", "track", "*"): Kind("m", "mm", MM, 3, 100),
     **{(of, "*", *path): kind for of in ("obstacles", "attached") for path, kind in _BODY.items()},
 }
 TASK: dict[tuple[str, ...], Kind] = {

@@ -21,7 +21,7 @@ _SHORT, _USUAL, _FINE = 5, 41, 641
 _SMALL = (0.03, 0.2)  # m and rad: a line this short has few samples
 _FAST = 0.8  # rad of a joint between two samples beyond which a turn may be missed
 _JUMP = 0.5 * np.pi  # rad between the finest samples: no joint follows that
-_WRIST = 1e-3  # |sin joint_5| below which joint_4 and joint_6 are no longer told apart
+_WRIST = 1e-3  # sine of the bent wrist below which joint_4 and joint_6 are no longer told apart
 _SAME = 1e-5  # rad between start joints and their branch
 _BEYOND = 1e-6  # rad a joint may be past its limit by rounding
 _AT_ONCE = 40_000  # samples: 30 MB of work arrays
@@ -106,7 +106,7 @@ def _level(
         chords, q, known = _sampled(plant, [lines[i] for i in some], samples)
         steps = np.abs(np.diff(q, axis=1))
         fast: BoolArray = np.asarray(~(steps <= _FAST).all(axis=(1, 2)))  # NaN is fast, too
-        weak: BoolArray = np.asarray(np.abs(np.sin(q[..., 4])) < _WRIST)
+        weak: BoolArray = np.asarray(plant.robot.walls(q)[1] < _WRIST)
         for j, i in enumerate(some.tolist()):
             if not known[j]:
                 out[i] = None
@@ -147,7 +147,7 @@ def _followed(plant: Plant, chord: float, q: Array, steps: Array, weak: BoolArra
     jump = np.nan_to_num(steps[jumps]).max(axis=0) if len(jumps) else np.zeros(q.shape[-1])
     singular = (int(jumps[0]) + 0.5) / last if len(jumps) else None
     if weak.any():
-        singular = int(np.nanargmin(np.abs(np.sin(q[:, 4])))) / last
+        singular = int(np.nanargmin(plant.robot.walls(q)[1])) / last
     low, high = plant.limits.lower[plant.layout.arm], plant.limits.upper[plant.layout.arm]
     with np.errstate(invalid="ignore"):
         out = (q < low - _BEYOND) | (q > high + _BEYOND)

@@ -6,7 +6,8 @@ which motions that leaves is known to the export, before anything is planned.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from enum import StrEnum
 from itertools import pairwise
 
@@ -26,17 +27,41 @@ class Changes:
     """Motions, by index. values: those that can have another rail position and configuration, or, for a wait, in which
     the rail can move. ties: those of them that must have the same, as one text serves them all: all passes of a loop or
     a routine through one target. droppable: those that can be left out. kept: why the others stay as programmed, a line
-    each."""
+    each. detours: the joint moves before which points may be added, in groups that must have the same ones, as one text
+    serves them all. straight: why the other joint moves can have none, in words."""
 
     values: frozenset[int]
     ties: tuple[tuple[int, ...], ...] = ()
     droppable: frozenset[int] = frozenset()
     kept: tuple[str, ...] = ()
+    detours: tuple[tuple[int, ...], ...] = ()
+    straight: Mapping[int, str] = field(default_factory=dict)
 
 
 def everything(program: Program, plant: Plant) -> Changes:
     """All that the user lets change, for a plan that nobody writes back into the program."""
-    return Changes(frozenset(range(len(program.motions))), droppable=droppable(program, plant))
+    whys = {i: why_straight(motion) for i, motion in enumerate(program.motions) if isinstance(motion, MoveJ | MoveAbsJ)}
+    return Changes(
+        frozenset(range(len(program.motions))),
+        droppable=droppable(program, plant),
+        detours=tuple((i,) for i, why in whys.items() if why is None),
+        straight={i: why for i, why in whys.items() if why is not None},
+    )
+
+
+def why_straight(motion: Motion) -> str | None:
+    r"""Why a motion can have no points added before it, whatever its text looks like; None where it can."""
+    if not isinstance(motion, MoveJ | MoveAbsJ):
+        return "it is no joint move"
+    if motion.units:
+        return "a positioner turns on the way"
+    if motion.duration is not None:
+        return r"its time is programmed (\T)"
+    if any(event.from_start or event.distance or event.time for event in motion.events):
+        return "something is triggered on the way"
+    if motion.tool.stationary or (isinstance(motion, MoveJ) and motion.X_WO is None):
+        return "its tool or work object is no fixed frame"
+    return None
 
 
 def may_go(motion: Motion, plant: Plant) -> bool:

@@ -21,7 +21,14 @@ from trajopt_cli.problem.along import ArmLine, Followed, follow
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plannable import demands_configuration
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.robot.inverse import confdata, confdata_admits, inverse, why_unreachable
+from trajopt_cli.robot.inverse import (
+    branch_margins,
+    confdata,
+    confdata_admits,
+    inverse,
+    representatives,
+    why_unreachable,
+)
 from trajopt_cli.robot.turns import ON_LIMIT
 
 _DOUBT = 1e-6  # rad or m, as in confdata_admits: where rounding decides, the neighbour is right too
@@ -119,7 +126,7 @@ def _points(program: Program, plant: Plant) -> list[_Point]:
         rail = rail if given is None else given
         if isinstance(motion, MoveJ | MoveL | MoveC):
             X_WF = motion.X_WT @ inverse_pose(motion.tool.X_FT)
-            points.append(_Point(index, motion, X_WF, rail, demands_configuration(motion)))
+            points.append(_Point(index, motion, X_WF, rail, demands_configuration(motion, plant.robot)))
     return points
 
 
@@ -128,7 +135,11 @@ def changed_configurations(program: Program, plant: Plant, plan: Plan) -> tuple[
     lines: dict[str, None] = {}
     for planned in plan.motions:
         motion = program.motions[planned.index]
-        if planned.dropped or not isinstance(motion, MoveJ | MoveL | MoveC) or not demands_configuration(motion):
+        if (
+            planned.dropped
+            or not isinstance(motion, MoveJ | MoveL | MoveC)
+            or not demands_configuration(motion, plant.robot)
+        ):
             continue
         arm = np.asarray(planned.q_1[plant.layout.arm])
         if not confdata_admits(plant.robot, motion.conf, arm):
@@ -169,12 +180,19 @@ def _reached(points: Sequence[_Point], plant: Plant) -> _Poses:
 
 
 def _branches(plant: Plant, X_WF: Array, rail: Array) -> Array:
-    """All branches (n, 8, 6) of poses, NaN rows also where the rail is outside its stroke."""
+    """All branches (n, 8, 6) of poses, NaN rows also where the rail is outside its stroke, or no turn of the joints
+    keeps the ranges of their sums."""
     if not plant.robot.has_rail:
         return inverse(plant.robot, X_WF)
     q = np.array(inverse(plant.robot, X_WF, rail))
     low, high = plant.layout.place(plant.limits.lower), plant.layout.place(plant.limits.upper)
     q[(rail < low - ON_LIMIT) | (rail > high + ON_LIMIT)] = np.nan
+    couplings = plant.limits.couplings.arm(plant.layout.arm)
+    if couplings:
+        lower, upper = (ends[plant.layout.arm] for ends in (plant.limits.lower, plant.limits.upper))
+        for place in np.ndindex(q.shape[:2]):
+            if not couplings.within(representatives(q[place], lower, upper)).any():
+                q[place] = np.nan
     return q
 
 
@@ -183,24 +201,19 @@ def _as_programmed(plant: Plant, q: Array, turned: Array, inside: BoolArray, con
 
     confdata_admits for all of them at once.
     """
-    arm = plant.robot.arm
     admitted = inside.copy()
     with np.errstate(invalid="ignore"):
         for column, joint in ((0, 0), (1, 3), (2, 5)):
             low = conf[:, column, None, None] * (np.pi / 2)
             angle = turned[:, :, joint]
             admitted[:, :, joint] &= (angle >= low - _DOUBT) & (angle < low + np.pi / 2 + _DOUBT)
-        margins = (
-            arm.a1 + arm.L2 * np.sin(q[..., 1]) + arm.L4 * np.cos(q[..., 1] + q[..., 2]),
-            np.cos(q[..., 2]),
-            q[..., 4],
-        )
+        margins = branch_margins(plant.robot.arm, q)
         ok: BoolArray = np.asarray(admitted.any(axis=-1).all(axis=-1))
         for bit, margin in zip((4, 2, 1), margins, strict=True):
             named = (conf[:, 3, None] & bit) > 0
             ok = np.asarray(ok & ((np.abs(margin) <= _DOUBT) | (named == (margin < 0))))
     # where two branches meet, the one that is named
-    own = np.equal(np.arange(8), conf[:, 3, None])
+    own = np.equal(np.arange(q.shape[1]) % 8, conf[:, 3, None])
     branch = np.argmax(ok.astype(np.intp) + (ok & own), axis=1)
     n = np.arange(len(q))
     turn = np.argmax(admitted[n, branch], axis=-1)

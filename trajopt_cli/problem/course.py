@@ -10,6 +10,7 @@ import numpy as np
 from trajopt_cli.geometry import Array, BoolArray, inverse_pose
 from trajopt_cli.motion import MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL, Program, Wait
 from trajopt_cli.problem.corners import corners_of, passed_in
+from trajopt_cli.problem.detours import unfolded, with_detours
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.trajectory import hermite
@@ -36,6 +37,11 @@ class Leg:
     def passed(self) -> bool:
         """Whether the plan does not stop at its end."""
         return self.zone > 0
+
+    @property
+    def added(self) -> bool:
+        """Whether it leads to a point that the plan adds on a way around obstacles."""
+        return not isinstance(self.motion, Wait) and bool(self.motion.detour)
 
     @property
     def name(self) -> str:
@@ -95,6 +101,11 @@ class Course:
         return np.array([leg.passed for leg in self.moves], dtype=bool)
 
     @cached_property
+    def added(self) -> BoolArray:
+        """Which of them the plan has added (m,)."""
+        return np.array([leg.added for leg in self.moves], dtype=bool)
+
+    @cached_property
     def corners(self) -> list[slice]:
         """The samples inside the zones of the points that are passed, in order."""
         out = []
@@ -143,7 +154,8 @@ def first_tool(program: Program) -> Array:
 
 
 def legs_of(program: Program, plant: Plant, plan: Plan) -> tuple[Leg, ...]:
-    """The moves and waits of a plan that take time, in order."""
+    """The moves and waits of a plan that take time, in order; a way around obstacles has a leg to each point of it."""
+    program, plan = with_detours(program, plant, plan.detours), unfolded(plan)
     legs: list[Leg] = []
     passed = passed_in(program, plant, plan)
     zones = corners_of(program, plant, {motion.index for motion in plan.motions if motion.dropped}).passed

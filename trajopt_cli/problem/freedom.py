@@ -20,7 +20,8 @@ class Freedom:
     line between two programmed rail positions that differ it always does.
 
     through_stops: the rail may move while the TCP stops (stream only). configuration: the IK branch may differ
-    from the program's confdata. drop: motions marked optional may be left out.
+    from the program's confdata. drop: motions marked optional may be left out. ways: what would touch something is
+    avoided, if need be by additional points before joint moves; without it the plan is made as if nothing stood there.
     """
 
     rail: RailFreedom = RailFreedom.STOP
@@ -29,6 +30,7 @@ class Freedom:
     through_stops: bool = True
     configuration: bool = True
     drop: bool = True
+    ways: bool = True
 
     def and_not_more_than(self, other: Freedom) -> Freedom:
         """What both of them allow."""
@@ -40,11 +42,18 @@ class Freedom:
             self.through_stops and other.through_stops,
             self.configuration and other.configuration,
             self.drop and other.drop,
+            self.ways and other.ways,
         )
 
 
 EVERYTHING = Freedom()
 AS_WRITTEN = Freedom(
-    rail=RailFreedom.PROGRAMMED, lines=True, dwells=False, through_stops=False, configuration=False, drop=False
+    rail=RailFreedom.PROGRAMMED,
+    lines=True,
+    dwells=False,
+    through_stops=False,
+    configuration=False,
+    drop=False,
+    ways=False,
 )
 FIXED_RAIL = Freedom(rail=RailFreedom.STATION, lines=False, dwells=False, through_stops=False)

@@ -26,12 +26,50 @@ class Target(StrEnum):
 
 
 @dataclass(frozen=True, eq=False)
+class Via:
+    """An additional point. q (k,): all axes. radius: of the fly-by [m], one of detours.radii(); None for a stop."""
+
+    q: Array
+    radius: float | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "q", readonly(self.q))
+
+
+@dataclass(frozen=True, eq=False)
+class Detour:
+    """A way around. motion: before which one of Program.motions its points are, in order. around: names of the bodies
+    that are in the straight way, at least one."""
+
+    motion: int
+    points: tuple[Via, ...]
+    around: tuple[str, ...]
+
+    def __post_init__(self) -> None:
+        if not self.points or not self.around:
+            raise ValueError(f"detour of motion {self.motion}: wanted at least one point and one name")
+
+
+@dataclass(frozen=True, eq=False)
+class Passing:
+    """An additional point of a motion as planned: t [s] when it is reached, q (k,) all axes there, binding: the limit
+    that holds the way to it back."""
+
+    t: float
+    q: Array
+    binding: str
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "q", readonly(self.q))
+
+
+@dataclass(frozen=True, eq=False)
 class PlannedMotion:
     """One motion of the program as planned.
 
     index: its place in Program.motions. t_0, t_1: start and end [s]. q_0, q_1: axis positions (k,) at both. binding:
     the limit that holds the motion back ("joint_1 acceleration", "programmed TCP speed", "programmed duration").
-    dropped: the user allowed it and the plan leaves it out; then t_0 = t_1.
+    dropped: the user allowed it and the plan leaves it out; then t_0 = t_1. via: the points that are added on its way.
     """
 
     index: int
@@ -42,6 +80,7 @@ class PlannedMotion:
     q_1: Array
     binding: str
     dropped: bool = False
+    via: tuple[Passing, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "q_0", readonly(self.q_0))
@@ -72,6 +111,7 @@ class Plan:
     lower_bound: no legal motion of this target's model is faster [s], None where none was asked for.
     grid: intervals per motion the optimiser ended with, for the printed duration. seconds: time spent per phase.
     notes: where the plan came by another way than hoped, one line each. eased: where the least effort was asked for.
+    detours: the ways around bodies. motions are the program's own, each from its start to its end with its points.
     """
 
     target: Target
@@ -82,6 +122,7 @@ class Plan:
     seconds: Mapping[str, float] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
     eased: Eased | None = None
+    detours: tuple[Detour, ...] = ()
 
     @property
     def duration(self) -> float:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
+from math import degrees
 
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.motion import (
@@ -26,6 +27,8 @@ from trajopt_cli.motion import (
 )
 from trajopt_cli.problem.circles import Circles
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.robot.model import RobotModel
+from trajopt_cli.robot.structure import NO_CONFDATA
 
 SHOWN = 20  # lines of one error; a program of a thousand arcs needs no thousand lines
 STILL = 0.1  # mm or deg: backups hold measured values of axes that stand
@@ -87,14 +90,15 @@ def rail_doubts(program: Program, plant: Plant) -> tuple[str, ...]:
     return (f"{place}: {n} {targets} no position for the rail (9E9 on axis {letters[axis]}): it keeps its last one",)
 
 
-def planned_otherwise(program: Program) -> tuple[str, ...]:
-    """What a plan takes lightly, one line each: for those who read its times."""
+def planned_otherwise(program: Program, loads_count: bool = False) -> tuple[str, ...]:
+    """What a plan takes lightly, one line each: for those who read its times. loads_count: torques are limited, so
+    what the gripper holds is no such thing."""
     moves = [motion for motion in program.motions if not isinstance(motion, Wait | SignalEvent)]
     lines = []
     off = {
         (r"on lines (ConfL \Off)" if isinstance(move, MoveL | MoveC) else r"on joint moves (ConfJ \Off)"): None
         for move in moves
-        if not demands_configuration(move) and isinstance(move, MoveJ | MoveL | MoveC)
+        if not _monitored(move) and isinstance(move, MoveJ | MoveL | MoveC)
     }
     if off:
         lines.append(f"confdata is ignored {' and '.join(sorted(off))}, as the program asks")
@@ -117,15 +121,21 @@ def planned_otherwise(program: Program) -> tuple[str, ...]:
     if written := Counter(move.process.instruction for move in moves if move.process is not None):
         told = ", ".join(f"{instruction} {count}" for instruction, count in written.items())
         lines.append(f"process instructions are planned as the plain moves they make: {told}")
-    if loads := dict.fromkeys(move.settings.load.name for move in moves if move.settings.load is not None):
+    loads = dict.fromkeys(move.settings.load.name for move in moves if move.settings.load is not None)
+    if loads and not loads_count:
         lines.append(
             f"loads ({', '.join(loads)}) do not affect the plan: the cell's acceleration limits apply to any load"
         )
     return tuple(lines)
 
 
-def demands_configuration(motion: Move) -> bool:
-    r"""Whether a motion must end in its programmed configuration: ConfJ \On for joint moves, ConfL \On for lines."""
+def demands_configuration(motion: Move, robot: RobotModel) -> bool:
+    r"""Whether a motion must end in its programmed configuration: ConfJ \On for joint moves, ConfL \On for lines, and a
+    robot that has a rule for confdata."""
+    return robot.confdata_rule != NO_CONFDATA and _monitored(motion)
+
+
+def _monitored(motion: Move) -> bool:
     match motion:
         case MoveJ():
             return motion.settings.conf_j
@@ -150,6 +160,20 @@ def _demands(motion: Move) -> Iterator[tuple[str, str, str]]:
             "holds axis 4 and leaves its orientation (SingArea \\LockAxis4)",
             "plans keep the exact orientation: set SingArea \\Off before it",
         )
+    for unit in motion.units:
+        axis = f"{unit.unit}'s eax_{'abcdef'[unit.eax]} from {degrees(unit.start):g} to {degrees(unit.end):g} deg"
+        if isinstance(motion, MoveL | MoveC) and unit.carries:
+            yield (
+                "lines on moving positioners",
+                f"turns {axis} under its own way",
+                "plans keep a work object still while a line is drawn on it: turn it before, by MoveJ or MoveExtJ",
+            )
+        elif motion.duration is not None and motion.duration < unit.least:
+            yield (
+                "times of positioners",
+                f"turns {axis} in {motion.duration:g} s",
+                f"that takes {unit.least:.3f} s: give it more time",
+            )
     if motion.zone.criterion is not None and motion.zone.criterion.lower() not in _STOP_POINTS:
         yield (
             "stop times",
@@ -172,10 +196,12 @@ class _OtherAxes:
                 continue
             before = self._at.setdefault(axis, value)
             self._at[axis] = value
+            if axis in {unit.eax for unit in motion.units}:
+                continue
             if abs(value - before) > STILL:
                 yield "external axes", f"moves eax_{'abcdef'[axis]} from {before:g} to {value:g}", self._advice(axis)
                 return
-        if isinstance(motion, MoveExtJ) and self._plant.rail_eax is None:
+        if isinstance(motion, MoveExtJ) and self._plant.rail_eax is None and not motion.units:
             yield "external axes", "moves external axes only, and the cell has none", self._advice(0)
 
     def _advice(self, axis: int) -> str:

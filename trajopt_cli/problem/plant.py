@@ -8,14 +8,22 @@ import numpy as np
 
 from trajopt_cli.cell.model import Cell
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.geometry import Array, pose, readonly
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.motion import ExternalAxes
+from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.model import RobotModel, load_robot
-from trajopt_cli.shapes import ATTACHED, MeshFile, Solid
+from trajopt_cli.robot.structure import NO_CONFDATA
+from trajopt_cli.shapes import ATTACHED, TOOL, Box, Grip, MeshFile, Solid
 from trajopt_cli.units import DEG, MM
 from trajopt_cli.validation import hint
+
+TRACK = "track"
+"""The name of the rail's body."""
+
+OVERHANG = 0.25
+"""m: how far a rail reaches beyond its stroke at each end; half a carriage."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,7 +35,9 @@ class Plant:
     programmed speed. droppable: target names (lower case) the cell file lets the plan leave out. notes: how sure the
     limits are, one line each. obstacles: in the world, attached: in the flange frame, all meshes loaded. may_touch:
     pairs of links, or of a link and an attached body, that are not held against each other. clearance: the least
-    distance wanted between the robot and an obstacle [m].
+    distance wanted between the robot and an obstacle [m]. tool_radius [m]: of the capsule from flange to TCP that
+    stands for the tool of each motion; 0 for none, as where something is attached. grips: which obstacles the flange
+    takes and leaves, and when. See problem.bodies.
     """
 
     robot: RobotModel
@@ -43,6 +53,8 @@ class Plant:
     attached: tuple[Solid, ...] = ()
     may_touch: frozenset[frozenset[str]] = frozenset()
     clearance: float = 0.0
+    tool_radius: float = 0.0
+    grips: tuple[Grip, ...] = ()
 
     @property
     def layout(self) -> AxisLayout:
@@ -51,17 +63,28 @@ class Plant:
 
     @property
     def self_pairs(self) -> tuple[tuple[str, str], ...]:
-        """Links, and links with attached bodies, that are held against each other; the one nearer the base first."""
+        """Links, and links with what the flange may carry, that are held against each other; the one nearer the base
+        first. A pair counts while its body is carried."""
         pairs = []
         for first, second in self.robot.self_pairs:
             carried = [solid.name for solid in self.attached if first not in solid.ignore]
+            carried += [TOOL] if self.tool_radius > 0 else []
+            carried += [part.name for part in self.parts if first not in part.ignore]
             pairs += [(first, name) for name in (carried if second == ATTACHED else [second])]
         return tuple(pair for pair in pairs if frozenset(pair) not in self.may_touch)
+
+    @property
+    def parts(self) -> tuple[Solid, ...]:
+        """The obstacles that the flange takes on the way."""
+        taken = {grip.part for grip in self.grips}
+        return tuple(solid for solid in self.obstacles if solid.name in taken)
 
     @property
     def unchecked(self) -> tuple[str, ...]:
         """What no judge can look at here and why, one line each: "obstacles not checked: ..."."""
         out = []
+        if self.robot.confdata_rule == NO_CONFDATA:
+            out.append(f"confdata not checked: robot {self.robot.name} has no rule for it")
         bodies = bool(self.robot.capsules or self.attached)
         if not self.obstacles:
             out.append("obstacles not checked: the cell file gives none")
@@ -101,6 +124,12 @@ def build_plant(cell: Cell) -> Plant:
             "profile", f"robot {robot.name} has no '{cell.profile}'; {hint(cell.profile, [*robot.profiles])}"
         )
     limits = cell.apply_limits(robot.profile(cell.profile), robot.axis_names)
+    if cell.torque_limits and (lacks := robot.lacks_for_torques(limits.torque)):
+        raise cell.error(
+            "torque_limits",
+            f"robot {robot.name} lacks {', '.join(lacks)}; give each link an <inertial> in its URDF, and each joint an"
+            " effort there with its source in the robot's file or a torque under limits",
+        )
     plant = Plant(
         robot=robot,
         limits=limits,
@@ -111,11 +140,32 @@ def build_plant(cell: Cell) -> Plant:
         free_speed=cell.free_speed,
         droppable=cell.droppable,
         notes=_notes(cell, robot, limits),
-        obstacles=_solids(cell, robot, "obstacles"),
+        obstacles=(*_solids(cell, robot, "obstacles"), *_track(cell, robot)),
         attached=_solids(cell, robot, "attached"),
         clearance=cell.clearance,
+        tool_radius=0.0 if cell.attached else cell.tool_radius,
+        grips=cell.grips,
     )
     return replace(plant, may_touch=_may_touch(cell, plant))
+
+
+def unwatched(cell: Cell, robot: RobotModel) -> tuple[Notice, ...]:
+    """What is told first: obstacles that a robot, or some of its links, are not held against for want of shapes."""
+    bare = [name for name in robot.link_names if name not in robot.capsules]
+    if not cell.obstacles or not bare:
+        return ()
+    many = len(cell.obstacles)
+    if robot.capsules:
+        text = (
+            f"{', '.join(bare)} of {robot.name} {'have' if len(bare) > 1 else 'has'} no collision shape and may touch "
+            "anything unseen; give capsules in the robot's file (collision.links)"
+        )
+        return (Notice(NoticeKind.NOT_CHECKED, text, cell.file),)
+    text = (
+        f"collisions of the robot are not checked: {robot.name} has no collision shapes, and the cell gives {many} "
+        f"obstacle{'s' if many > 1 else ''}; give the robot's links capsules in its file (collision.links)"
+    )
+    return (Notice(NoticeKind.NOT_CHECKED, text, cell.file),)
 
 
 def _robot(cell: Cell) -> RobotModel:
@@ -141,6 +191,10 @@ def _start(cell: Cell, limits: JointLimits) -> Array:
             if name != "rail" and abs(value) > 2 * np.pi and low <= value * DEG <= high:
                 hint = f'; if this is in degrees, write "{value:g} deg"'
             raise cell.error(key, f"{name} = {value:.6g} lies outside its range {low:.6g}..{high:.6g}{hint}")
+    for one, value in zip(limits.coupled, limits.couplings.rows @ start, strict=True):
+        if not one.lower <= value <= one.upper:
+            text = f"{one.name} = {value:.6g} lies outside its range {one.lower:.6g}..{one.upper:.6g}"
+            raise cell.error("start.joints", text)
     return readonly(start)
 
 
@@ -159,12 +213,33 @@ def _solids(cell: Cell, robot: RobotModel, section: str) -> tuple[Solid, ...]:
     return tuple(_solid(cell, robot, section, solid) for solid in given)
 
 
+def _track(cell: Cell, robot: RobotModel) -> tuple[Solid, ...]:
+    """The rail's beam, its top where the base stands; only the base may touch it."""
+    if cell.rail is None or cell.rail.track is None:
+        return ()
+    if TRACK in {solid.name for solid in (*cell.obstacles, *cell.attached)}:
+        raise cell.error("rail.track", f"an obstacle is named '{TRACK}', which is the name of this body; rename it")
+    assert robot.rail_axis_W is not None
+    along, (width, height), (low, high) = robot.rail_axis_W, cell.rail.track, cell.rail.stroke
+    up = robot.X_WB0[:3, 2] - (robot.X_WB0[:3, 2] @ along) * along
+    if np.linalg.norm(up) < 0.1:
+        raise cell.error("rail.track", "the base does not stand on the rail; give the rail's body under obstacles")
+    up = up / np.linalg.norm(up)
+    R = np.column_stack([along, np.cross(up, along), up])
+    middle = robot.X_WB0[:3, 3] + along * (low + high) / 2 - up * height / 2
+    size = np.array([high - low + 2 * OVERHANG, width, height])
+    return (Solid(Box(TRACK, size, pose(R, middle)), frozenset({robot.link_names[0]})),)
+
+
 def _solid(cell: Cell, robot: RobotModel, section: str, solid: Solid) -> Solid:
     key = f"{section}.{solid.name}"
     if solid.name in (*robot.link_names, ATTACHED):
         raise cell.error(key, f"robot {robot.name} has a link of this name; give the body another name")
-    carried = () if section == "attached" else tuple(other.name for other in cell.attached)
-    known = (*robot.capsules, *carried)
+    if solid.name == TOOL and not (section == "attached" or cell.attached):
+        raise cell.error(key, "this is the name of the capsule around the tool; give the body another name")
+    carried = () if section == "attached" else tuple(other.name for other in cell.attached) or (TOOL,)
+    taken = () if section == "attached" else tuple(grip.part for grip in cell.grips)
+    known = (*robot.capsules, *carried, *dict.fromkeys(taken))
     for name in sorted(solid.ignore):
         if name not in known:
             raise cell.error(f"{key}.ignore", f"'{name}' cannot touch it; {hint(name, known)}")

@@ -43,10 +43,12 @@ from trajopt_cli.problem.changes import Changes
 from trajopt_cli.problem.corners import corners_of
 from trajopt_cli.problem.demands import acceleration_share, tcp_acceleration
 from trajopt_cli.problem.freedom import Freedom, RailFreedom
+from trajopt_cli.problem.loads import loads_of
 from trajopt_cli.problem.objective import LEAST_TIME, Objective
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.plannable import demands_configuration
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.robot.dynamics import ToolLoad
 from trajopt_cli.robot.inverse import confdata_admits, solutions
 
 _POINT = 1e-9  # m, rad: a line to where it starts
@@ -103,7 +105,8 @@ class Leg:
 
     duration: fixed time [s] or None. rail_moves: the rail may move during the leg. segment:
     the way of a line or an arc, tool in the world; None where the tool rests or the joints decide. acceleration: share
-    of every axis' acceleration limit that is in force.
+    of every axis' acceleration limit that is in force. least: time [s] that it takes at least, as a positioner turns.
+    load: what the flange carries, None for nothing and where torques have no limit.
     """
 
     motion: int
@@ -118,6 +121,8 @@ class Leg:
     rail_moves: bool = True
     segment: Line | Arc | Carried | None = None
     acceleration: float = 1.0
+    least: float = 0.0
+    load: ToolLoad | None = None
 
     @property
     def chord(self) -> float:
@@ -213,13 +218,21 @@ def build_problem(
         program,
         freedom,
         tuple(waypoints),
-        tuple(_timed(leg, waypoints) for leg in build.legs),
+        tuple(_timed(leg, waypoints) for leg in _loaded(program, plant, build.legs)),
         _stations(build.legs, len(waypoints)),
         frozenset(dropped),
         target,
         Coupling.COORDINATED if target is Target.RAPID else Coupling.FREE,
         ties,
     )
+
+
+def _loaded(program: Program, plant: Plant, legs: list[Leg]) -> list[Leg]:
+    """The legs with what the flange carries on them, where that matters."""
+    if plant.limits.binding_torque is None:
+        return legs
+    loads = loads_of(program)
+    return [replace(leg, load=loads[leg.motion]) for leg in legs]
 
 
 def _timed(leg: Leg, waypoints: Sequence[Waypoint]) -> Leg:
@@ -296,7 +309,12 @@ class _Build:
             case MoveL() | MoveC():
                 self._way(index, motion)
             case _:
-                self._to(self._at_pose(index, motion), motion, _caps(motion, self._plant))
+                before, end = self.waypoints[-1], self._at_pose(index, motion)
+                there = before.q is None and np.allclose(before.X_WF, end.X_WF, rtol=0, atol=_POINT)
+                if motion.units and there and not _apart(before.rail, end.rail):
+                    self._stand(motion, end, self._target is not Target.RAPID and motion.hold is None)
+                else:
+                    self._to(end, motion, _caps(motion, self._plant))
 
     # ------------------------------------------------------------------------------------------------------- motions
 
@@ -327,8 +345,22 @@ class _Build:
             self.legs.append(dwell)
             self.waypoints.append(replace(before, motion=index, written=self._written, rest=before.rest or rest))
 
+    def _stand(self, motion: Move, end: Waypoint, moves: bool) -> None:
+        """The tool stands while positioners turn; moves: the rail may move meanwhile."""
+        moves = moves and self._has_rail and self._freedom.dwells
+        leg = Leg(end.motion, LegKind.DWELL, len(self.legs), np.eye(4), np.inf, np.inf, np.inf, np.inf,
+                  duration=motion.duration or motion.least, rail_moves=moves, least=motion.least)  # fmt: skip
+        self.legs.append(leg)
+        self.waypoints.append(end)
+        if not moves:
+            self._hold(motion)
+
     def _external(self, index: int, motion: MoveExtJ) -> None:
-        """The arm's joints hold, so the waypoint before is as the program writes it."""
+        """The arm's joints hold, so the waypoint before is as the program writes it. Where positioners alone turn, all
+        axes stand for as long as that takes, wherever they are."""
+        if motion.units and self._plant.rail_value(motion.extax) is None:
+            self._stand(motion, replace(self.waypoints[-1], motion=index, written=self._written, rest=True), False)
+            return
         self._take_rail(index, motion)
         before = self.waypoints[-1]
         q, layout = _as_written(before, self._plant), self._plant.layout
@@ -358,6 +390,7 @@ class _Build:
         leg = Leg(
             end.motion, LegKind.JOINT, len(self.legs), X_FT, v_tcp, a_tcp, v_ori, v_rail, duration=motion.duration,
             rail_moves=motion.hold is None or not self._has_rail, acceleration=acceleration_share(motion),
+            least=motion.least,
         )  # fmt: skip
         self.legs.append(leg)
         self.waypoints.append(end if zone is None else replace(end, rest=False, fly_by=zone))
@@ -397,7 +430,7 @@ class _Build:
         self._take_rail(index, motion)
         free = index in self._changes.values
         rail = self._stroke if free and not self._pinned else (self._written, self._written)
-        demanded = demands_configuration(motion) and not (free and self._freedom.configuration)
+        demanded = demands_configuration(motion, self._plant.robot) and not (free and self._freedom.configuration)
         return Waypoint(
             index,
             motion.X_WT @ inverse_pose(motion.tool.X_FT),
@@ -413,6 +446,9 @@ class _Build:
         for name, value, low, high in zip(limits.names, q, limits.lower, limits.upper, strict=True):
             if not low - _ON_LIMIT <= value <= high + _ON_LIMIT:
                 raise _OutOfRange(index, name, value, low, high)
+        for one, value in zip(limits.coupled, limits.couplings.rows @ q, strict=True):
+            if not one.lower - _ON_LIMIT <= value <= one.upper + _ON_LIMIT:
+                raise _OutOfRange(index, one.name, value, one.lower, one.upper)
         return Waypoint(index, self._plant.robot.forward(q), q, (self._written, self._written), self._written, True)
 
     def _axes(self, arm: Array) -> Array:

@@ -6,6 +6,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.robot.arm import elbow_angle
 from trajopt_cli.robot.inverse import inverse
 
 STEP = 2e-3  # m of rail between two tests; a gap or an island narrower than this may be missed
@@ -16,7 +17,7 @@ _ON_LIMIT = 1e-9  # rad a joint may stand outside its limit by rounding
 def reachable(plant: Plant, X_WF: Array, rail: Array, phi_min: float = 0.0, branch: int | None = None) -> BoolArray:
     """Whether the arm reaches flange pose X_WF (4, 4) from rail positions (n,) [m], joint limits kept: (n,).
 
-    phi_min [rad]: least angle of joint 3 from the stretched or folded elbow. branch: only this cfx, any for None.
+    phi_min [rad]: least angle of the elbow from stretched or folded. branch: only this cfx, any for None.
     """
     rail = np.asarray(rail, dtype=np.float64)
     q = inverse(plant.robot, np.broadcast_to(X_WF, (len(rail), 4, 4)), rail if plant.robot.has_rail else None)
@@ -25,7 +26,8 @@ def reachable(plant: Plant, X_WF: Array, rail: Array, phi_min: float = 0.0, bran
     turns = np.ceil((low - _ON_LIMIT - q) / (2 * np.pi))
     with np.errstate(invalid="ignore"):
         inside = (q + 2 * np.pi * turns <= high + _ON_LIMIT).all(axis=2)
-        inside &= np.abs(np.cos(q[..., 2])) >= np.sin(phi_min)
+        inside &= plant.limits.couplings.arm(plant.layout.arm).within(q + 2 * np.pi * turns)
+        inside &= np.abs(np.cos(elbow_angle(plant.robot.arm, q))) >= np.sin(phi_min)
     if branch is not None:
         inside = inside[:, branch : branch + 1]
     return np.asarray(inside.any(axis=1))
@@ -55,19 +57,26 @@ def rail_ranges(plant: Plant, X_WF: Array, phi_min: float = 0.0, branch: int | N
 def sections(plant: Plant, count: int = 361) -> tuple[Array, Array]:
     """Outlines (n, 2) [m] of what the wrist centre reaches in the arm's own plane, elbow bent the one or the other way.
 
-    Columns: ahead of axis 1 and up, in the arm's base frame. Joints 2 and 3 stay in range. Together they are the
-    thesis' figure 5.1; each is joint 2 at its least, the elbow stretched, joint 2 at its greatest, the elbow folded.
+    Columns: ahead of axis 1 and up, in the arm's canonical base. Joints 2 and 3 stay in range. Together they are the
+    thesis' figure 5.1; each is joint 2 at its least, the elbow as stretched as it may be, joint 2 at its greatest, the
+    elbow as folded as it may be.
     """
     arm, joints = plant.robot.arm, plant.layout.arm
-    low, high = plant.limits.lower[joints], plant.limits.upper[joints]
+    ends = [arm.angles(q[joints]) for q in (plant.limits.lower, plant.limits.upper)]
+    low, high = np.minimum(*ends), np.maximum(*ends)
+    t2, turns = np.linspace(low[1], high[1], count), 2 * np.pi * np.arange(-3, 4)
     stretched = -np.pi / 2
-    q2 = np.linspace(low[1], high[1], count)
 
     def outline(folded: float) -> Array:
-        q3 = np.linspace(folded, stretched, count)
-        a = np.concatenate([np.full(count, low[1]), q2, np.full(count, high[1]), q2[::-1]])
-        b = np.concatenate([q3, np.full(count, stretched), q3[::-1], np.full(count, folded)])
-        x = arm.a1 + arm.L2 * np.sin(a) + arm.L4 * np.cos(a + b)
-        return np.column_stack([x, arm.d1 + arm.L2 * np.cos(a) - arm.L4 * np.sin(a + b)])
+        least, most = min(folded, stretched), max(folded, stretched)
+        a, b = np.maximum(low[2] + arm.bend + turns, least), np.minimum(high[2] + arm.bend + turns, most)
+        held = b > a
+        least, most = (a[held].min(), b[held].max()) if held.any() else (stretched, stretched)
+        first, last = (most, least) if folded > stretched else (least, most)
+        e = np.linspace(first, last, count)
+        a = np.concatenate([np.full(count, low[1]), t2, np.full(count, high[1]), t2[::-1]])
+        b = np.concatenate([e, np.full(count, last), e[::-1], np.full(count, first)])
+        x = arm.a1 + arm.c2 * np.sin(a) + arm.upper * np.cos(a + b)
+        return np.column_stack([x, arm.c1 + arm.c2 * np.cos(a) - arm.upper * np.sin(a + b)])
 
-    return outline(min(float(high[2]), np.pi / 2)), outline(max(float(low[2]), -1.5 * np.pi))
+    return outline(np.pi / 2), outline(-1.5 * np.pi)

@@ -54,7 +54,7 @@ class Row:
     programmed time of a move. value: what a signal is set to. length: of a line or an arc whose start is known.
     settings: what differs from the default, by the name of the instruction. process: what an instruction of a process
     has besides, by parameter. hold: why the rail stands still. constant_speed:
-    whether its programmed speed should be kept from end to end.
+    whether its programmed speed should be kept from end to end. detour: around what an additional point leads.
     """
 
     index: int
@@ -91,6 +91,7 @@ class Row:
     process: tuple[tuple[str, str], ...] = ()
     hold: Hold | None = None
     constant_speed: bool = False
+    detour: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -279,4 +280,5 @@ def _move_row(
         process=motion.process.data if motion.process else (),
         hold=motion.hold,
         constant_speed=motion.constant_speed,
+        detour=motion.marked,
     )

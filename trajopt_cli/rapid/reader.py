@@ -148,6 +148,7 @@ def _modules(run: Run, files: Sequence[TextFile]) -> list[tuple[Module, Places]]
                 raise InputError("holds no RAPID module", file=file.path)
             marks = find_marks(tree, places)
             run.optional |= {(file.path, start) for start in marks.optional}
+            run.ways |= {(file.path, start): names for start, names in marks.ways.items()}
             run.held += [Span(file.path, *stretch) for stretch in marks.held]
             for module in tree.modules:
                 _name_once(module, places, known)

@@ -169,6 +169,8 @@ def _reason(move: Move, after: Move, way_in: float | None, way_out: float | None
     """Why the end of a move is a stop although another move follows."""
     if isinstance(move, MoveExtJ) or isinstance(after, MoveExtJ):
         return f"external axes alone move {'to it' if isinstance(move, MoveExtJ) else 'next'}"
+    if move.units or after.units:
+        return f"a positioner turns {'on the way to it' if move.units else 'next'}"
     if move.zone.radius == 0:
         return "its zone is 0 mm"
     if not _same(move.tool, after.tool):

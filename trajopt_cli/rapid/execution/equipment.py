@@ -9,7 +9,7 @@ found again only as long as its data is the very same.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import chain
 from math import isfinite
 from struct import Struct
@@ -18,13 +18,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trajopt_cli.geometry import Array, readonly, wxyz_from_rotation
-from trajopt_cli.motion import Load, Speed, Tool, Zone
+from trajopt_cli.motion import NO_EXTERNAL_AXES, ExternalAxes, Load, Speed, Tool, Zone
 from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.datatypes import LOADDATA, TOOLDATA, WOBJDATA, Data, Record, Value
 from trajopt_cli.rapid.data.predefined import predefined
 from trajopt_cli.rapid.data.scope import Datum
 from trajopt_cli.rapid.execution.evaluate import evaluate
+from trajopt_cli.rapid.execution.positioners import positions, user_frame
 from trajopt_cli.rapid.language.syntax import Component, Element, Expression, Name, Node
 from trajopt_cli.units import MM
 
@@ -50,7 +51,8 @@ class Setup:
     name, wobj: as written. tool_data, wobj_data: what they were made from. displacement: the D that was active. tcp:
     the tool's frame, seen from the flange, or from the world where it is stationary. base: U O D, seen from the world,
     or from the flange where the tool is stationary; None for the identity. tool: shared by all motions; None for a
-    stationary one, which has another X_FT for each target. X_WO: base as a pose [m], None where it moves.
+    stationary one, which has another X_FT for each target. X_WO: base as a pose [m], None where it moves. unit: the
+    positioner that carries the work object, whose axes stand at `at` [deg] in base.
     """
 
     name: str
@@ -63,6 +65,8 @@ class Setup:
     stationary: bool
     tool: Tool | None
     X_WO: Array | None
+    unit: str | None = None
+    at: tuple[float, ...] = ()
 
     def placed(self, target: frames.Frame) -> frames.Frame:
         """A target seen from the world, or from the flange where the tool is stationary."""
@@ -93,6 +97,7 @@ class Equipment:
         self.zones: dict[str, tuple[Data, Zone]] = {}
         self.manners: dict[tuple[str, ...], Known] = {}  # by the names of speed, zone, tool and work object
         self._setups: dict[tuple[str, str], Setup] = {}
+        self._turned: dict[tuple[Setup, tuple[float, ...]], Setup] = {}
         self._rough: set[frames.Quaternion] = set()  # the orientations off unit length that were told
 
     def setup(self, run: Run, tool: Expression, wobj: Expression | None, displaced: bool = True) -> Setup:
@@ -112,10 +117,25 @@ class Equipment:
             and known.wobj_data is wobj_data
             and known.displacement is displacement
         ):
-            return known
+            return self.turned(run, known, run.position.extax)
         setup = _setup(run, (name, tool_data, tool), (wobj_name, wobj_data, wobj or tool), displacement)
         self._setups[name, wobj_name] = setup
-        return setup
+        return self.turned(run, setup, run.position.extax)
+
+    def turned(self, run: Run, setup: Setup, extax: ExternalAxes) -> Setup:
+        """The setup with its work object where the positioner that carries it has it, external axes at extax."""
+        if setup.unit is None:
+            return setup
+        axes = run.scenario.positioners[setup.unit]
+        at = positions(axes, extax)
+        if at == setup.at:
+            return setup
+        key = setup, at
+        if key not in self._turned:
+            on_unit = frames.compose(frames.inverse(user_frame(axes, setup.at)), setup.base or IDENTITY)
+            base = frames.compose(user_frame(axes, at), on_unit)
+            self._turned[key] = replace(setup, base=base, X_WO=matrix(base), at=at)
+        return self._turned[key]
 
     def current(self, run: Run, node: Node, last: Setup, tool: Expression | None, wobj: Expression | None) -> Setup:
         """The setup of a question about where the robot is: what is not given is that of the last move.
@@ -123,14 +143,15 @@ class Equipment:
         node: the question, where messages point to.
         """
         if tool is None and wobj is None and last.displacement is self.displacement:
-            return last
+            return self.turned(run, last, run.position.extax)
         name, tool_data = last.name, last.tool_data
         if tool is not None:
             name, tool_data = said(run, tool), data_of(run, tool, TOOLDATA, "tool", "tool0")
         wobj_name, wobj_data = last.wobj, last.wobj_data
         if wobj is not None:
             wobj_name, wobj_data = said(run, wobj), data_of(run, wobj, WOBJDATA, "work object", "wobj0")
-        return _setup(run, (name, tool_data, tool or node), (wobj_name, wobj_data, wobj or node), self.displacement)
+        setup = _setup(run, (name, tool_data, tool or node), (wobj_name, wobj_data, wobj or node), self.displacement)
+        return self.turned(run, setup, run.position.extax)
 
     def orientation(
         self, run: Run, q: frames.Quaternion, name: str, node: Node, file: str, given: bool = False
@@ -237,12 +258,17 @@ def _setup(
     tcp = (p, orientation(run, q, f"tframe of {name}", node, run.file, True))
     written = wobj_data != WOBJDATA.default
     object_frame = (op, orientation(run, oq, f"oframe of {wobj_name}", wobj_node, run.file, written))
+    carrier: str | None = None
+    at: tuple[float, ...] = ()
     if fixed:
-        user_frame = (up, orientation(run, uq, f"uframe of {wobj_name}", wobj_node, run.file, written))
+        frame_of_user = (up, orientation(run, uq, f"uframe of {wobj_name}", wobj_node, run.file, written))
+    elif (known := run.scenario.positioners.get(str(unit).lower())) is not None:
+        carrier, at = str(unit).lower(), positions(known, NO_EXTERNAL_AXES)
+        frame_of_user = user_frame(known, at)
     else:
         _unit(run, wobj_name, str(unit), wobj_node)
-        user_frame = IDENTITY
-    base: frames.Frame | None = frames.compose(user_frame, object_frame)
+        frame_of_user = IDENTITY
+    base: frames.Frame | None = frames.compose(frame_of_user, object_frame)
     if displacement is not None:
         assert base is not None
         base = frames.compose(base, displacement)
@@ -257,9 +283,17 @@ def _setup(
         tcp=tcp,
         base=base,
         stationary=not held,
-        tool=Tool(name, matrix(tcp)) if held else None,
+        tool=Tool(name, matrix(tcp), load=_tool_load(name, tool_data)) if held else None,
         X_WO=None if not held else matrix(base) if base else X_IDENTITY,
+        unit=carrier,
+        at=at,
     )
+
+
+def _tool_load(name: str, data: Data) -> Load | None:
+    """What a tool weighs; None for no mass, for -1, as ABB marks one that is not known, and for tool0's gram."""
+    mass, (x, y, z), aom, ix, iy, iz = data[2]
+    return Load(name, mass, (x * MM, y * MM, z * MM), tuple(aom), (ix, iy, iz)) if mass > _NO_MASS else None
 
 
 def _unit(run: Run, wobj: str, unit: str, node: Node) -> None:
@@ -273,8 +307,8 @@ def _unit(run: Run, wobj: str, unit: str, node: Node) -> None:
         )
         return
     reason = (
-        f"work object {wobj} rides on the unit '{unit}' (ufprog FALSE), whose frame is not in the program; take the "
-        f"unit's frame as the identity: --assume-identity {name}"
+        f"work object {wobj} rides on the unit '{unit}' (ufprog FALSE), whose frame is not in the program; describe it "
+        f"under positioners in the cell file, or take the unit's frame as the identity: --assume-identity {name}"
     )
     run.world.lack(run, "assume_identity", name, node, reason, name)
 
@@ -330,4 +364,5 @@ def load(run: Run, node: Expression) -> Load | None:
     return Load(name, mass, (x * MM, y * MM, z * MM), axes, (ix, iy, iz))
 
 
+_NO_MASS = 1e-3  # kg: predefined tool0 has as much, for controllers want a mass above zero
 _WOBJ0: Data = predefined()["wobj0"].data

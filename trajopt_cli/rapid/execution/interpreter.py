@@ -64,6 +64,7 @@ class Run:
         self.motions: list[Motion] = []
         self.warnings: dict[Notice, None] = {}  # a set that keeps its order
         self.optional: set[tuple[str, int]] = set()  # file and start of the moves that are marked
+        self.ways: dict[tuple[str, int], tuple[str, ...]] = {}  # likewise, of points on a way around something
         self.held: list[Span] = []  # what is marked so that the rail stands still in it
         self.files: dict[str, Places] = {}
         self.shared = Scope()

@@ -24,6 +24,7 @@ from trajopt_cli.motion import (
     Span,
     Speed,
     Tool,
+    UnitMove,
     Written,
 )
 from trajopt_cli.notices import NoticeKind
@@ -36,6 +37,7 @@ from trajopt_cli.rapid.execution.evaluate import evaluate
 from trajopt_cli.rapid.execution.instructions import pace
 from trajopt_cli.rapid.execution.instructions.manner import manner
 from trajopt_cli.rapid.execution.making import made, maker
+from trajopt_cli.rapid.execution.positioners import moved
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 from trajopt_cli.units import DEG
 
@@ -116,16 +118,19 @@ def move_abs_j(run: Run, node: ProcedureCall) -> None:
     for axis, value in enumerate(robax, 1):
         if abs(value) > NO_POSITION:
             raise run.error(point, f"jointtarget {run.text(point)} gives no position for axis {axis} (9E9)")
+    at = external(run, extax, offset="noeoffs" not in args.optional)
     motion = MoveAbsJ(
         source=run.source(node),
         written=written(run, node, point, speed, target),
         target=said(run, point),
         speed=caps,
         zone=accuracy,
-        extax=external(run, extax, offset="noeoffs" not in args.optional),
+        extax=at,
         duration=duration,
         optional=marked(run, node),
+        marked=run.ways.get((run.file, node.start), ()),
         settings=run.settings,
+        units=moved(run, point, at, caps, None),
         q=np.array(robax) * DEG,
         tool=setup.tool or Tool(setup.name, matrix(setup.base or IDENTITY), stationary=True),
         wobj=setup.wobj if "wobj" in args.optional else None,
@@ -139,16 +144,20 @@ def move_ext_j(run: Run, node: ProcedureCall) -> None:
     args = bind(run, node, ("JointPos", "Speed", "Zone"), _EXTERNAL_OPTIONS)
     point, speed, zone = args.required
     target = evaluate(run, point, JOINTTARGET)
+    at = external(run, target.data[1], offset="useeoffs" in args.optional)
+    caps = pace.speed(run, speed, args, external=True)
     motion = MoveExtJ(
         source=run.source(node),
         written=written(run, node, point, speed, target),
         target=said(run, point),
-        speed=pace.speed(run, speed, args, external=True),
+        speed=caps,
         zone=pace.zone(run, zone, args),
-        extax=external(run, target.data[1], offset="useeoffs" in args.optional),
+        extax=at,
         duration=pace.duration(run, args),
         optional=marked(run, node),
+        marked=run.ways.get((run.file, node.start), ()),
         settings=run.settings,
+        units=moved(run, point, at, caps, None),
     )
     run.motions.append(motion)
     run.position.to_extax(motion.extax)
@@ -175,6 +184,10 @@ def to_pose(
         target = robtarget(run, point)
     setup, caps, zone, duration = manner(run, asked.speed, asked.zone, asked.tool, args, speed)
     place, conf, extax, value = target
+    units: tuple[UnitMove, ...] = ()
+    if run.scenario.positioners:
+        units = moved(run, point, extax, caps, setup.unit)
+        setup = run.position.equipment.turned(run, setup, run.position.kept(extax))
     placed = setup.placed(place)
     x, y, z = placed[0]
     if not (abs(x) < NO_POSITION and abs(y) < NO_POSITION and abs(z) < NO_POSITION):
@@ -190,11 +203,14 @@ def to_pose(
         "extax": extax,
         "duration": duration,
         "optional": marked(run, node),
+        "detour": (),
+        "marked": run.ways.get((run.file, node.start), ()),
         "settings": settings,
         "events": events,
         "process": process,
         "hold": None,
         "constant_speed": False,
+        "units": units,
         "conf": conf,
         "tool": setup.tool or Tool(setup.name, matrix(placed), stationary=True),
         "wobj": setup.wobj,

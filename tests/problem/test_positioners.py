@@ -1,0 +1,188 @@
+"""Tables that carry work objects: where targets stand when they turn, and the time that leaves the robot."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pinocchio as pin
+import pytest
+from small_cells import plant_with_rail, rapid
+
+from trajopt_cli.cell.loader import parse_cell
+from trajopt_cli.errors import InputError, InputErrorGroup
+from trajopt_cli.motion import MoveJ, Program
+from trajopt_cli.optimize import optimize
+from trajopt_cli.problem.changes import everything
+from trajopt_cli.problem.plan import Plan, Target
+from trajopt_cli.problem.plannable import check_plannable
+from trajopt_cli.rapid.zones import stopped_fly_bys
+from trajopt_cli.scenario import PositionerAxis, Scenario
+from trajopt_cli.verify.judge import verify
+
+V, A = np.radians(90.0), np.radians(180.0)
+
+
+def axis(eax: int, p: tuple[float, float, float], rpy: tuple[float, float, float] = (0, 0, 0)) -> PositionerAxis:
+    quaternion = pin.Quaternion(pin.rpy.rpyToMatrix(*rpy)).coeffs()  # x, y, z, w
+    x, y, z, w = (float(value) for value in quaternion)
+    return PositionerAxis(eax, p, (w, x, y, z), (-3.2, 3.2), V, A, 0.0, "a test")
+
+
+TURNTABLE = Scenario(positioners={"stn1": (axis(1, (0.6, 0.5, 0.1)),)})
+DATA = """PERS wobjdata wobj_t:=[FALSE,FALSE,"STN1",[[0,0,0],[1,0,0,0]],[[0,0,50],[1,0,0,0]]];
+CONST robtarget p_off:=[[-160,-90,330],[0,0,1,0],[0,0,0,0],[9E9,0,9E9,9E9,9E9,9E9]];
+CONST robtarget p_seam:=[[-120,-90,200],[0,0,1,0],[0,0,0,0],[9E9,0,9E9,9E9,9E9,9E9]];
+CONST robtarget p_side:=[[-90,160,330],[0,0.7071068,0.7071068,0],[0,0,0,0],[9E9,90,9E9,9E9,9E9,9E9]];
+CONST robtarget p_far:=[[-90,260,330],[0,0.7071068,0.7071068,0],[0,0,0,0],[9E9,90,9E9,9E9,9E9,9E9]];
+CONST jointtarget j_back:=[[9E9,9E9,9E9,9E9,9E9,9E9],[9E9,0,9E9,9E9,9E9,9E9]];"""
+
+
+def program(body: str, scenario: Scenario = TURNTABLE) -> Program:
+    return rapid(r"ConfJ \Off; ConfL \Off; " + body, scenario, DATA)
+
+
+def test_targets_stand_where_the_table_carries_them() -> None:
+    found = program(r"MoveJ p_off, v1000, fine, tool0 \WObj:=wobj_t; MoveJ p_side, v1000, fine, tool0 \WObj:=wobj_t;")
+    place = pin.SE3(np.eye(3), np.array([0.6, 0.5, 0.1]))
+    lifted = pin.SE3(np.eye(3), np.array([0, 0, 0.05]))
+    for motion, angle, at in zip(found.motions, (0.0, np.pi / 2), ([-160, -90, 330], [-90, 160, 330]), strict=True):
+        turned = pin.SE3(pin.AngleAxis(angle, np.array([0.0, 0, 1])).matrix(), np.zeros(3))
+        expected = place * turned * lifted * pin.SE3(np.eye(3), np.array(at) / 1e3)
+        assert isinstance(motion, MoveJ)
+        np.testing.assert_allclose(motion.X_WT[:3, 3], expected.translation, atol=1e-9)
+        np.testing.assert_allclose(motion.X_WT[:3, 2], [0, 0, -1], atol=1e-7)
+
+
+def test_a_second_axis_stands_on_the_first_one() -> None:
+    tilt, turn = axis(1, (0.6, 0.5, 0.3), (np.pi / 2, 0, 0)), axis(2, (0, 0.1, 0), (-np.pi / 2, 0, 0))
+    found = rapid(
+        r"ConfJ \Off; MoveJ p, v1000, fine, tool0 \WObj:=w;",
+        Scenario(positioners={"stn2": (tilt, turn)}),
+        'PERS wobjdata w:=[FALSE,FALSE,"Stn2",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];'
+        "CONST robtarget p:=[[100,0,0],[0,0,1,0],[0,0,0,0],[9E9,30,60,9E9,9E9,9E9]];",
+    )
+    X = pin.SE3(np.eye(3), np.array([0.6, 0.5, 0.3])) * pin.SE3(pin.rpy.rpyToMatrix(np.pi / 2, 0, 0), np.zeros(3))
+    X = X * pin.SE3(pin.rpy.rpyToMatrix(0, 0, np.radians(30)), np.zeros(3))
+    X = X * pin.SE3(pin.rpy.rpyToMatrix(-np.pi / 2, 0, 0), np.array([0, 0.1, 0]))
+    X = X * pin.SE3(pin.rpy.rpyToMatrix(0, 0, np.radians(60)), np.array([0.0, 0, 0]))
+    motion = found.motions[0]
+    assert isinstance(motion, MoveJ)
+    np.testing.assert_allclose(motion.X_WT[:3, 3], X.act(np.array([0.1, 0, 0])), atol=1e-9)
+
+
+def test_a_move_knows_what_turns_meanwhile_and_how_long_that_takes() -> None:
+    found = program(
+        r"MoveJ p_off, v1000, fine, tool0 \WObj:=wobj_t; MoveJ p_side, v1000, z50, tool0 \WObj:=wobj_t;"
+        r"MoveJ p_far, v1000, fine, tool0 \WObj:=wobj_t; MoveExtJ j_back, vrot10, fine;"
+    )
+    still, turns, _, back = found.motions
+    assert still.units == ()
+    (unit,) = turns.units
+    assert (unit.unit, unit.eax, unit.carries) == ("stn1", 1, True)
+    assert turns.least == pytest.approx(np.pi / 2 / V + V / A)  # a trapezoid: it reaches its speed
+    assert back.least == pytest.approx(np.pi / 2 / np.radians(10) + np.radians(10) / A)  # as slow as programmed
+    assert "positioner" in stopped_fly_bys(found)[1]
+
+
+def test_plans_wait_for_the_table_and_the_judge_sees_it() -> None:
+    found = program(
+        r"MoveJ p_off, v1000, fine, tool0 \WObj:=wobj_t; MoveL p_seam, v100, fine, tool0 \WObj:=wobj_t;"
+        r"MoveL p_off, v500, fine, tool0 \WObj:=wobj_t; MoveJ p_far, v1000, fine, tool0 \WObj:=wobj_t;"
+        r"MoveExtJ j_back, vrot100, fine; MoveAbsJ j_home, v1000, fine, tool0;"
+    )
+    plant = plant_with_rail()
+    for target in Target:
+        plan = optimize(found, plant, target)
+        assert isinstance(plan, Plan)
+        turns, back = plan.motions[3], plan.motions[4]
+        assert turns.t_1 - turns.t_0 == pytest.approx(found.motions[3].least, abs=1e-6)
+        assert turns.binding == "positioner"
+        assert back.t_1 - back.t_0 == pytest.approx(found.motions[4].least, abs=1e-6)
+        assert plan.lower_bound is not None
+        assert plan.lower_bound <= plan.duration
+        report = verify(found, plant, plan.trajectory, target=target)
+        assert report.legal, [one.message for one in report.findings if not one.passed]
+        slower = [unit._replace(least=unit.least + 0.2) for unit in found.motions[3].units]
+        impatient = replace(found, motions=(*found.motions[:3], replace(found.motions[3], units=tuple(slower)),
+                                            *found.motions[4:]))  # fmt: skip
+        missed = [one for one in verify(impatient, plant, plan.trajectory, target=target).findings if not one.passed]
+        assert [one.check for one in missed] == ["positioner"]
+        assert "at least" in missed[0].message
+
+
+def test_no_points_are_added_where_the_table_turns() -> None:
+    found = program(r"MoveJ p_off, v1000, fine, tool0 \WObj:=wobj_t; MoveJ p_side, v1000, fine, tool0 \WObj:=wobj_t;")
+    changes = everything(found, plant_with_rail())
+    assert changes.detours == ((0,),)
+    assert changes.straight == {1: "a positioner turns on the way"}
+
+
+def test_where_the_tool_is_there_already_it_stands_while_the_table_turns() -> None:
+    body = r"MoveJ p_off, v1000, fine, tool0 \WObj:=wobj_t; MoveJ p_side, v1000, fine, tool0 \WObj:=wobj_t;"
+    found = program(body + r"MoveL p_far, v500, fine, tool0 \WObj:=wobj_t;")
+    plant = plant_with_rail()
+    for target in Target:
+        plan = optimize(found, plant, target)
+        assert isinstance(plan, Plan)
+        assert plan.motions[1].t_1 - plan.motions[1].t_0 == pytest.approx(found.motions[1].least, abs=1e-6)
+        assert verify(found, plant, plan.trajectory, target=target).legal
+
+
+@pytest.mark.parametrize(
+    ("body", "said"),
+    [
+        (
+            r"MoveJ p_off, v1000, fine, tool0 \WObj:=wobj_t; MoveL p_side, v100, fine, tool0 \WObj:=wobj_t;",
+            "MoveL p_side turns stn1's eax_b from 0 to 90 deg under its own way; plans keep a work object still",
+        ),
+        (
+            r"MoveJ p_off, v1000, fine, tool0 \WObj:=wobj_t; MoveJ p_side, v1000 \T:=0.5, fine, tool0 \WObj:=wobj_t;",
+            "in 0.5 s; that takes 1.500 s",
+        ),
+    ],
+)
+def test_what_no_plan_keeps_is_said(body: str, said: str) -> None:
+    with pytest.raises(InputErrorGroup, match=r"t\.mod:5") as raised:
+        check_plannable(program(body), plant_with_rail())
+    assert said in str(raised.value)
+
+
+def test_a_position_beyond_the_tables_range_is_refused() -> None:
+    far = DATA.replace("[9E9,90,9E9", "[9E9,200,9E9", 1)
+    with pytest.raises(InputError, match=r"asks for stn1's eax_b = 200 deg, range -183\.\d+\.\.183\.\d+ deg"):
+        rapid(r"MoveJ p_side, v1000, fine, tool0 \WObj:=wobj_t;", TURNTABLE, far)
+
+
+CELL = """robot: irb140_rail
+rail: {eax: a, stroke: [0, 1]}
+start: {joints: "[0, 0, 0, 0, 30, 0] deg", rail: 0}
+positioners:
+  T: {eax: EAX, range: RANGE, velocity: 90 deg/s, acceleration: 3, source: a test}
+"""
+
+
+@pytest.mark.parametrize(
+    ("eax", "range_", "said"),
+    [
+        ("a", "[-1, 1]", "cell.yaml:5: positioners.T: eax a drives the rail already"),
+        ("b", "[-1, 1], velocity: 1e-9", "velocity 1e-09 is less than any drive has, at least 0.001"),
+        ("b", "[1, -1]", "range goes from 1 to -1"),
+        ("b", "[1, 2]", "start 0 rad is not in the range 1..2 rad"),
+        ("g", "[-1, 1]", "positioners.T.0.eax"),
+    ],
+)
+def test_a_positioner_with_a_mistake_is_refused_with_its_line(eax: str, range_: str, said: str) -> None:
+    text = CELL.replace("EAX", eax).replace("RANGE", range_)
+    with pytest.raises(InputError) as raised:
+        parse_cell(text.replace(", velocity: 90 deg/s", "") if "velocity: 1e-9" in text else text, "cell.yaml")
+    assert said in str(raised.value)
+
+
+def test_the_shipped_program_is_read_with_its_cell() -> None:
+    from trajopt_cli.job import read_job
+
+    job = read_job(Path(__file__).parents[2] / "programs" / "positioner.mod")
+    turning = [motion for motion in job.program.motions if getattr(motion, "units", ())]
+    assert [round(np.degrees(motion.units[0].end)) for motion in turning] == [90, -90, 0]

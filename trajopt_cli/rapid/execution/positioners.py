@@ -1,0 +1,65 @@
+"""Positioners: mechanical units that carry a work object, where they stand and how long they take to get there.
+
+Values of external axes are in degrees here, as RAPID states them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import cos, degrees, radians, sin, sqrt
+from typing import TYPE_CHECKING
+
+from trajopt_cli.motion import ExternalAxes, Speed, UnitMove
+from trajopt_cli.rapid.data import frames
+from trajopt_cli.scenario import PositionerAxis
+from trajopt_cli.units import MM
+
+if TYPE_CHECKING:
+    from trajopt_cli.rapid.execution.interpreter import Run
+    from trajopt_cli.rapid.language.syntax import Expression
+
+_STILL = 0.1  # deg: backups hold measured values of axes that stand
+
+
+def positions(axes: Sequence[PositionerAxis], extax: ExternalAxes) -> tuple[float, ...]:
+    """Where axes stand [deg]; at their start where extax says nothing."""
+    given = [extax[axis.eax] for axis in axes]
+    return tuple(degrees(axis.start) if value is None else value for axis, value in zip(axes, given, strict=True))
+
+
+def user_frame(axes: Sequence[PositionerAxis], at: Sequence[float]) -> frames.Frame:
+    """The user frame [mm] in the world that the last axis carries, the axes at [deg]."""
+    x, y, z = axes[0].p
+    found: frames.Frame = ((x / MM, y / MM, z / MM), axes[0].q)
+    for i, (axis, value) in enumerate(zip(axes, at, strict=True)):
+        if i:
+            x, y, z = axis.p
+            found = frames.compose(found, ((x / MM, y / MM, z / MM), axis.q))
+        half = radians(value) / 2
+        found = frames.compose(found, ((0.0, 0.0, 0.0), (cos(half), 0.0, 0.0, sin(half))))
+    return found
+
+
+def moved(run: Run, point: Expression, extax: ExternalAxes, speed: Speed, rides_on: str | None) -> tuple[UnitMove, ...]:
+    """The positioners that turn on the way to extax, at the programmed speed of turning axes at most.
+
+    rides_on: the one that carries the move's work object. Raises InputError for a value out of an axis' range.
+    """
+    out = []
+    for unit, axes in run.scenario.positioners.items():
+        before, after = positions(axes, run.position.extax), positions(axes, run.position.kept(extax))
+        for axis, start, end in zip(axes, before, after, strict=True):
+            low, high = (degrees(value) for value in axis.range)
+            if not low - _STILL <= end <= high + _STILL:
+                where = f"{run.text(point)} asks for {unit}'s eax_{'abcdef'[axis.eax]} = {end:.6g} deg"
+                raise run.error(point, f"{where}, range {low:.6g}..{high:.6g} deg")
+            if abs(end - start) > _STILL:
+                a, b = radians(start), radians(end)
+                least = _trapezoid(abs(b - a), min(axis.velocity, speed.v_reax), axis.acceleration)
+                out.append(UnitMove(unit, axis.eax, a, b, least, unit == rides_on))
+    return tuple(out)
+
+
+def _trapezoid(way: float, v: float, a: float) -> float:
+    """Least time from rest to rest over a way, at speed v and acceleration a at most."""
+    return way / v + v / a if way > v * v / a else 2 * sqrt(way / a)
