@@ -97,7 +97,7 @@ def safe_arm(rng: np.random.Generator, axes: Axes, n: int, margin: float = 0.15)
     found = np.empty((0, 6))
     while len(found) < n:
         q = rng.uniform(axes.lower[axes.layout.arm], axes.upper[axes.layout.arm], (4 * n, 6))
-        radius = arm.a1 + arm.L2 * np.sin(q[:, 1]) + arm.L4 * np.cos(q[:, 1] + q[:, 2])
+        radius = arm.a1 + arm.c2 * np.sin(q[:, 1]) + arm.c3 * np.cos(q[:, 1] + q[:, 2])
         ok = (np.abs(np.sin(q[:, 4])) > margin) & (np.abs(np.cos(q[:, 2])) > margin) & (np.abs(radius) > margin)
         found = np.concatenate([found, q[ok]])
     return found[:n]

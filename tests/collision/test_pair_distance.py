@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import struct
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from trajopt_cli.collision.meshes import inside, load_mesh
+from trajopt_cli.collision.meshes import convex, inside, load_mesh
 from trajopt_cli.collision.pair import Pair
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import pose, rotation_about
@@ -105,7 +106,8 @@ def test_nearest_points_are_as_far_apart_as_the_bodies(rng: np.random.Generator)
 
 
 def test_a_mesh_of_a_box_is_the_box(rng: np.random.Generator) -> None:
-    """Apart: the same distance. Overlapping: both negative, also where the capsule lies wholly inside."""
+    """Apart: the same distance. Overlapping: the same depth, also where the capsule lies wholly inside. As triangles
+    with corners of their own, too, which is what STL files hold."""
     counts = {"apart": 0, "over": 0, "inside": 0}
     for _ in range(400):
         size, X_B = rng.uniform(0.2, 0.8, 3), some_pose(rng, 0.1)
@@ -113,16 +115,34 @@ def test_a_mesh_of_a_box_is_the_box(rng: np.random.Generator) -> None:
         X_WA, X_WB = some_pose(rng, 0.4), some_pose(rng, 0.1)
         box = Pair(rod, Box("box", size, X_B)).distance(X_WA, X_WB)
         mesh = Pair(rod, box_mesh(size, X_B)).distance(X_WA, X_WB)
+        apart = Mesh("mesh", (CORNERS * size)[FACES].reshape(-1, 3), np.arange(36).reshape(-1, 3), X_B)
+        assert Pair(rod, apart).distance(X_WA, X_WB) == pytest.approx(mesh, abs=1e-6)
         turned = Pair(box_mesh(size, X_B), rod).distance(X_WB, X_WA)
         assert turned == pytest.approx(mesh, abs=1e-9)
+        assert mesh == pytest.approx(box, abs=1e-6)
         if box > 0:
             counts["apart"] += 1
-            assert mesh == pytest.approx(box, abs=1e-8)
         else:
-            assert box <= mesh + 1e-9
-            assert mesh < 0
             counts["inside" if box < -2 * rod.radius - np.linalg.norm(rod.a - rod.b) else "over"] += 1
     assert min(counts.values()) >= 5, counts
+
+
+def test_only_the_whole_surface_of_a_convex_body_is_convex() -> None:
+    size = np.array([0.2, 0.3, 0.4])
+    whole = box_mesh(size, np.eye(4))
+    faces = [face for face in FACES.tolist() if not {4, 7} <= set(face)]  # without those at x = 0.1
+    faces += [[4, 6, 8], [6, 7, 8], [7, 5, 8], [5, 4, 8]]
+    dent = Mesh("dent", np.vstack([CORNERS * size, [[0.09, 0, 0]]]), faces)
+    assert convex(whole) is not None
+    assert convex(replace(whole, triangles=FACES[:, ::-1])) is not None
+    assert convex(dent) is None
+    assert convex(replace(whole, triangles=FACES[1:])) is None
+    assert convex(Mesh("flat", (CORNERS * size)[:4], [[0, 1, 3], [0, 3, 2], [0, 3, 1], [0, 2, 3]])) is None
+    ball = Capsule("ball", np.zeros(3), np.zeros(3), 0.02)
+    assert Pair(ball, dent).distance(np.eye(4), np.eye(4)) < 0
+    assert Pair(ball, dent).distances(np.eye(4)[None], solid=False)[0] > 0  # still its surface
+    over = Pair(ball, dent).distance(at(0.115), np.eye(4))  # above the dent's deepest point, in the hull or not
+    assert over > Pair(ball, whole).distance(at(0.115), np.eye(4)) + 1e-4
 
 
 def test_distance_is_symmetric_and_the_placing_is_relative(rng: np.random.Generator) -> None:

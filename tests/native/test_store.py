@@ -156,7 +156,7 @@ def test_robots_that_differ_in_a_hair_have_blocks_of_their_own(tmp_path: Path) -
     ours = Native(machine(), Store(tmp_path))
     same = Formulation(Axes.of(plant_with_rail()), ours).axis_node("l").block
     assert Formulation(axes, ours).axis_node("l").block is same
-    longer = replace(axes.robot, arm=replace(axes.robot.arm, L2=np.nextafter(axes.robot.arm.L2, 1.0)))
+    longer = replace(axes.robot, arm=replace(axes.robot.arm, c2=np.nextafter(axes.robot.arm.c2, 1.0)))
     assert Formulation(replace(axes, robot=longer), ours).axis_node("l").block is not same
     higher = replace(axes, upper=np.nextafter(axes.upper, 9.0))
     assert Formulation(higher, ours).axis_node("l").block is not same

@@ -92,5 +92,5 @@ def test_a_range_is_not_passed_by_rounding() -> None:
     X, rest = np.eye(4), np.zeros(2)
     path = PathLeg(1.0, Line(X, X), X, 0, HOME, np.linspace(0, 1, 2), rest, rest, d[0], d, d, d[1:])
     margins = Margins.full(1, axes.n, 1.0)
-    assert not back_off(margins, Ratios(half, half, half + 0.5 + 2.3e-16, np.zeros((1, 3)), half), path, SAFE)
-    assert back_off(margins, Ratios(half, half, half + 0.5 + 1e-6, np.zeros((1, 3)), half), path, SAFE)
+    assert not back_off(margins, Ratios(half, half, half + 0.5 + 2.3e-16, np.zeros((1, 3)), half, half), path, SAFE)
+    assert back_off(margins, Ratios(half, half, half + 0.5 + 1e-6, np.zeros((1, 3)), half, half), path, SAFE)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from heavy_cells import heavy_on_rail
 from small_cells import MOUNTS, mounted, plant_without_rail, safe_arm
 
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose, pose, rotation_about
@@ -14,7 +15,9 @@ from trajopt_cli.optimize.library import Maps
 from trajopt_cli.optimize.relation import Relation
 from trajopt_cli.path.arc import Arc, ArcSymbols
 from trajopt_cli.path.line import Line, LineSymbols
+from trajopt_cli.robot.dynamics import Dynamics, ToolLoad
 from trajopt_cli.robot.kinematics import forward_acceleration, forward_velocity, inverse_acceleration, inverse_velocity
+from trajopt_cli.robot.symbolic_dynamics import load_parameters
 from trajopt_cli.robot.symbolic_inverse import BranchSigns
 
 X_FT = pose(rotation_about([0.6, 0, 0.8], 0.7), [0.05, -0.03, 0.12])
@@ -166,6 +169,40 @@ def test_dwell_rows_are_the_self_motion_over_its_limits(mount: str, sides: str) 
         wanted = [*arm_rows(axes, cfx, q, qd, qdds, T, V, A, np.ones(6)), rails(axes, w) / (V[rail] * T)]
         wanted += [rails(axes, b) / (A[rail] * T**2) for b in acc]
         np.testing.assert_allclose(got, np.hstack(wanted), rtol=1e-9, atol=1e-9)
+
+
+@pytest.mark.parametrize("way", ["line", "tied", "dwell"])
+def test_torque_rows_are_pins_forces_and_torques(way: str) -> None:
+    """On a rail at a slant, whose force has a row, too: what is beyond gravity by the share of what gravity leaves."""
+    slant = rotation_about([0.6, 0, 0.8], 0.4)
+    axes, rng = Axes.of(heavy_on_rail(pose(slant, [0.1, 0.2, 0.3]))), np.random.default_rng(21)
+    assert axes.torque is not None
+    load = ToolLoad(3.0, np.array([0.1, 0.02, 0.05]), np.diag([0.02, 0.03, 0.04]))
+    standing = Dynamics(axes.robot, load, rotor=axes.torque.plant.robot.rotor)
+    formulation, track = Formulation(axes, Maps()), LineSymbols(True)
+    rows = formulation.dwell_torque("lr") if way == "dwell" else formulation.path_torque(track, "lr", way == "tied")
+    for X_0, X_1, d, cfx in lines(axes, rng, True, 4):
+        s, v, w, T = rng.uniform(0.3, 0.7), rng.normal(), rng.normal() * 0.5, rng.uniform(0.3, 2)
+        acc, rail_acc = rng.normal(size=2) * 3, rng.normal(size=2)
+        if way == "dwell":
+            X_1, s, v, acc = X_0, 0.0, 0.0, np.zeros(2)
+        tie = {"d_0": np.array([d - s * 0.3]), "way": np.array([0.3])} if way == "tied" else {}
+        if tie:
+            w, rail_acc = 0.3 * v, 0.3 * acc
+        share, limit = rng.uniform(0.5, 1, 7), axes.torque.limit
+        wanted = []
+        for a, b in zip(acc, rail_acc, strict=True):
+            q, qd, qdd = motion_at(axes, X_0, X_1, cfx, s, d, v, w, a, b)
+            rest = standing.gravity_torque(q)
+            wanted.append((standing.torque(q, qd / T, qdd / T**2) - rest) / (share * limit) + rest / limit)
+        near = q[axes.layout.arm] + rng.uniform(-1, 1, 6)
+        p = {**parameters(axes, X_0, X_1, cfx, near), **tie}
+        p |= {"load": load_parameters(load), "limit": limit, "share": share}
+        values = {"s": s, "v": v, "d": rails(axes, d), "w": rails(axes, w), "T": T}
+        for i, side in enumerate("lr"):
+            values |= {f"a_{side}": acc[i], f"b_{side}": rails(axes, rail_acc[i])}
+        got = rows.value({name: values[name] for name in rows.z.shapes}, p)
+        np.testing.assert_allclose(got, np.ravel(wanted), rtol=1e-8, atol=1e-9)
 
 
 def test_waypoint_rows_vanish_at_the_self_motion_and_nowhere_else(axes: Axes, formulation: Formulation) -> None:

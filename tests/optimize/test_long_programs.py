@@ -61,9 +61,9 @@ def test_equal_passes_are_searched_once(monkeypatch: pytest.MonkeyPatch) -> None
     seen = []
     plain = searching._search
 
-    def counted(axes: Axes, problem: Problem) -> object:
+    def counted(axes: Axes, problem: Problem, avoid: object) -> object:
         seen.append(problem)
-        return plain(axes, problem)
+        return plain(axes, problem, avoid)
 
     monkeypatch.setattr(searching, "_search", counted)
     problem = places([0.3, 1.2, 1.7] * 14, plant_with_rail())

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
+from heavy_cells import heavy_on_rail
 from small_cells import plant_with_rail, problem_of, rapid
 
+from trajopt_cli.limits import CoupledRange
 from trajopt_cli.native.machine import machine
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.blocks import NlpResult
@@ -26,17 +30,33 @@ KINDS: dict[str, list[tuple[object, ...]]] = {
     "law_interval": [(10,)],
     "axis_node": [(sides,) for sides in SIDES],
     "tool_cap": [(cap,) for cap in ToolCap],
+    "clear_path": [(track,) for track in (TRACKS[0], TRACKS[-1], None)],
 }
 NO_ARGUMENTS = (
     "integration", "zoned_integration", "zones", "axis_reach", "waypoint", "resting_waypoint", "velocity_link", "equal",
-    "tool_chord", "axes_effort", "elapsed", "acceleration_link",
+    "tool_chord", "axes_effort", "elapsed", "acceleration_link", "clear_axes",
 )  # fmt: skip
 KINDS |= {name: [()] for name in NO_ARGUMENTS}
+LIMITED: dict[str, list[tuple[object, ...]]] = {  # of a plant whose torques and sums of axes are limited
+    "path_torque": [(TRACKS[0], "lr"), (TRACKS[0], "lr", True), (TRACKS[-1], "l")],
+    "dwell_torque": [("lr",)],
+    "axes_torque": [("lr",)],
+    "sums": [()],
+}
+KINDS |= LIMITED
 
 
 @pytest.fixture(scope="module")
 def both() -> tuple[Formulation, Formulation]:
     axes = Axes.of(plant_with_rail())
+    return Formulation(axes, library()), Formulation(axes, Maps())
+
+
+@pytest.fixture(scope="module")
+def both_limited() -> tuple[Formulation, Formulation]:
+    plant = heavy_on_rail(np.eye(4))
+    coupled = (CoupledRange(("joint_2", "joint_3"), (1.0, 1.0), -1.0, 1.0, "made up (grade D)"),)
+    axes = Axes.of(replace(plant, limits=replace(plant.limits, coupled=coupled)))
     return Formulation(axes, library()), Formulation(axes, Maps())
 
 
@@ -46,11 +66,15 @@ def test_no_kind_of_relation_is_left_out() -> None:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_native_functions_equal_casadis(both: tuple[Formulation, Formulation], kind: str) -> None:
+def test_native_functions_equal_casadis(
+    both: tuple[Formulation, Formulation], both_limited: tuple[Formulation, Formulation], kind: str
+) -> None:
     """To 1e-13 of the largest entry, at as many copies as leave lanes without one."""
     rng, n = np.random.default_rng(21), machine().lanes + 3
     for arguments in KINDS[kind]:
-        ours, casadis = (getattr(formulation, kind)(*arguments).block for formulation in both)
+        ours, casadis = (
+            getattr(formulation, kind)(*arguments).block for formulation in (both_limited if kind in LIMITED else both)
+        )
         n_z, n_p, m = ours.sizes
         z, p, lam = (rng.uniform(0.2, 1.0, (n, k)) for k in (n_z, n_p, m))
         for got, wanted in zip(
@@ -65,6 +89,8 @@ def test_native_functions_equal_casadis(both: tuple[Formulation, Formulation], k
                 "zones",
                 "velocity_link",
                 "elapsed",
+                "clear_axes",
+                "sums",
             )
             np.testing.assert_allclose(got, wanted, rtol=0, atol=1e-13 * np.abs(wanted).max(initial=0.0))
 

@@ -40,11 +40,11 @@ def test_a_target_too_far_from_every_rail_position_is_named() -> None:
     program = rapid(body, data=target("p_far", (0.5, 3, 0.4)))
     answer = said(program, plant_with_rail())
     arm = plant_with_rail().robot.arm
-    r = np.hypot(np.hypot(0.5, 0.8) - arm.a1, 0.4 + arm.L6 - arm.d1)
+    r = np.hypot(np.hypot(0.5, 0.8) - arm.a1, 0.4 + arm.c4 - arm.c1)
     assert answer.index == 1
     assert str(answer) == (
         "t.mod:6:1: MoveJ p_far cannot be reached at rail 2200.0 mm: wrist centre outside the outer workspace:"
-        f" {r:.6g} m from axis 2, at most {arm.L2 + arm.L4:.6g} m"
+        f" {r:.6g} m from axis 2, at most {arm.c2 + arm.c3:.6g} m"
     )
 
 

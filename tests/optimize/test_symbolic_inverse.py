@@ -58,11 +58,11 @@ def test_sine_of_the_elbow_says_how_far_out_of_reach_a_pose_is(axes: Axes, symbo
     """sin q3 = (L2^2 + L4^2 - r^2) / (2 L2 L4) with r from axis 2 to the wrist centre, not clamped."""
     arm = axes.robot.arm
     signs = BranchSigns.from_cfx(0).vector()
-    for far in (0.5, arm.L2 + arm.L4, 1.2, 2.0):
-        wrist = np.array([arm.a1 + 0.6 * far, 0.0, arm.d1 + 0.8 * far])
+    for far in (0.5, arm.c2 + arm.c3, 1.2, 2.0):
+        wrist = np.array([arm.a1 + 0.6 * far, 0.0, arm.c1 + 0.8 * far])
         R = rotation_about([0.0, 1.0, 0.0], 2.0)
-        s3 = float(symbolic(wrist + arm.L6 * R[:, 2], R, signs, np.zeros(6))[1])
-        assert s3 == pytest.approx((arm.L2**2 + arm.L4**2 - far**2) / (2 * arm.L2 * arm.L4), abs=1e-12)
+        s3 = float(symbolic(wrist + arm.c4 * R[:, 2], R, signs, np.zeros(6))[1])
+        assert s3 == pytest.approx((arm.c2**2 + arm.c3**2 - far**2) / (2 * arm.c2 * arm.c3), abs=1e-12)
     assert s3 < -1
 
 

@@ -247,3 +247,42 @@ def test_long_paths_in_lanes_are_those_in_one_go(
         monkeypatch.setattr(retiming, "_LANES", lanes)
         monkeypatch.setattr(retiming, "_SHORTEST_LANE", shortest)
         assert same(fastest_laws(*paths, *ends), whole)
+
+
+@pytest.mark.parametrize("make", [smooth, jumping])
+@pytest.mark.parametrize("n", [60, 300])
+def test_rests_are_those_of_toppra(make: Callable[..., Paths], n: int) -> None:
+    """Gravity takes up to 0.9 of a limit on one side and leaves as much more on the other: rates as toppra's, at both
+    ways of going along (side by side from 64 intervals on); rests of none change no bit."""
+    s, top, begins, ends = make(5, 6, n, 5)
+    rng = np.random.default_rng(2)
+    size, phase = rng.uniform(0, 0.9, (6, 1, 5)), rng.uniform(0, 6, (6, 1, 5))
+    g = size * np.sin(3 * s[..., None] + phase)
+    none = np.zeros_like(g)
+    assert same(
+        fastest_laws(s, top, (*begins, none[:, 1:]), (*ends, none[:, 1:]), 0.0, 0.0),
+        fastest_laws(s, top, begins, ends, 0.0, 0.0),
+    )
+    rows = (*begins, g[:, :-1]), (*ends, g[:, 1:])
+    laws = fastest_laws(s, top, *rows, 0.0, 0.0)
+    free = fastest_laws(s, top, begins, ends, 0.0, 0.0)
+    assert not np.allclose(laws.durations, free.durations, rtol=1e-3)
+    x = laws.rates**2
+    u = (np.diff(x) / (2 * np.diff(s)))[..., None]
+    for (slope, bend, rest), there in zip(rows, (x[:, :-1, None], x[:, 1:, None]), strict=True):
+        assert np.abs(slope * u + bend * there + rest).max() < 1 + 1e-9
+    peers = [fastest_law(s[k], top[k], *(tuple(x[k] for x in one) for one in rows), 0.0, 0.0) for k in range(6)]
+    assert sum(peer is not None for peer in peers) >= 4  # its solver gives up on smooth paths
+    for k, peer in enumerate(peers):
+        if peer is not None:
+            np.testing.assert_allclose(laws.rates[k], peer.rates, rtol=2e-6, atol=1e-9)
+
+
+def test_a_rest_of_a_whole_limit_stands_still() -> None:
+    s, ones = np.linspace(0, 1, 9), np.ones((1, 8, 1))
+    for g in (1.0, -1.2):
+        rows = ones, 0 * ones, g * ones
+        assert fastest_laws(s, np.ones((1, 9)), rows, rows, 0.0, 0.0).durations[0] == np.inf
+    rows = ones, 0 * ones, 0.5 * ones
+    with pytest.raises(ValueError, match="with rests"):
+        fastest_laws(s, np.ones((1, 9)), rows, rows, 0.5, 0.0)

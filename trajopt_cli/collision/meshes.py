@@ -1,6 +1,9 @@
-"""Meshes: read from a file, and what lies inside them."""
+"""Meshes: read from a file, whether they are convex, and what lies inside them."""
 
 from __future__ import annotations
+
+from functools import lru_cache
+from typing import Any
 
 import coal  # type: ignore[import-untyped]
 import numpy as np
@@ -8,6 +11,8 @@ import numpy as np
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, BoolArray
 from trajopt_cli.shapes import Mesh, MeshFile
+
+_ROUNDING = 1e-6  # of a mesh's size: what files with seven digits leave open
 
 
 def load_mesh(given: MeshFile) -> Mesh:
@@ -27,6 +32,41 @@ def load_mesh(given: MeshFile) -> Mesh:
     if not np.isfinite(vertices).all():
         raise InputError(f"the mesh {given.path} has a vertex that is not finite")
     return Mesh(given.name, vertices, np.array(triangles), given.X)
+
+
+@lru_cache(maxsize=64)
+def convex(mesh: Mesh) -> Any:
+    """coal's convex body, in the mesh's own axes, where a mesh is the whole surface of one; else None.
+
+    It is one where every edge lies between two triangles, nothing lies on one side of any triangle's plane (to a
+    millionth of the mesh's size), and it has some volume.
+    """
+    near = _ROUNDING * float(np.ptp(mesh.vertices, axis=0).max())
+    _, first, same = np.unique(
+        np.round(mesh.vertices / max(near, 1e-12)), axis=0, return_index=True, return_inverse=True
+    )
+    vertices, triangles = mesh.vertices[first], same.reshape(-1)[mesh.triangles]
+    triangles = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
+    edges = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+    if not len(edges) or (np.unique(edges, axis=0, return_counts=True)[1] != 2).any():
+        return None
+    deep = 0.0
+    for a, b, c in vertices[triangles]:
+        normal = np.cross(b - a, c - a)
+        length = float(np.linalg.norm(normal))
+        if length > near * near:
+            off = (vertices - a) @ normal / length
+            if min(off.max(), -off.min()) > near:
+                return None
+            deep = max(deep, float(np.abs(off).max()))
+    if deep <= near:
+        return None
+    model = coal.BVHModelOBBRSS()
+    model.beginModel(len(triangles), len(vertices))
+    model.addVertices(np.array(vertices))
+    model.addTriangles(np.array(triangles))
+    model.endModel()
+    return model.convex if model.buildConvexHull(True, "Qt") else None
 
 
 def inside(mesh: Mesh, points: Array) -> BoolArray:

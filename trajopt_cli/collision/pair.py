@@ -8,7 +8,7 @@ from typing import Any
 import coal  # type: ignore[import-untyped]
 import numpy as np
 
-from trajopt_cli.collision.meshes import inside
+from trajopt_cli.collision.meshes import convex, inside
 from trajopt_cli.geometry import Array
 from trajopt_cli.shapes import Box, Capsule, Mesh, Shape
 
@@ -18,7 +18,7 @@ _ALONG = 1e-12  # m: a segment shorter than this has no direction
 class Pair:
     """Two shapes; every question places both. Distances in m, negative where the shapes overlap: then minus the depth.
 
-    Against a mesh the depth is that in its surface, at most the size of the other body.
+    Against a mesh that is not convex the depth is that in its surface, at most the size of the other body.
     """
 
     def __init__(self, a: Shape, b: Shape):
@@ -35,7 +35,8 @@ class Pair:
     def distances(self, X_BA: Array, solid: bool = True) -> Array:
         """Distances (n,) of a placed at X_BA (n, 4, 4) in the frame of b.
 
-        solid False: a mesh is its surface alone, positive inside; looking inside costs a glance at every triangle.
+        solid False: a mesh that is not convex is its surface alone, positive inside; looking inside costs a glance at
+        every triangle.
         """
         X = X_BA @ self._X_a
         self._T_b.setTransform(self._X_b[:3, :3].copy(), self._X_b[:3, 3].copy())
@@ -64,7 +65,7 @@ class Pair:
         """surface distances, negative where one shape lies inside the other's mesh without touching its surface."""
         out = surface
         for mesh, other, X in ((self.b, self.a, X_BA), (self.a, self.b, np.linalg.inv(X_BA))):
-            if isinstance(mesh, Mesh):
+            if isinstance(mesh, Mesh) and convex(mesh) is None:
                 points = X[:, :3, :3] @ _some_point(other) + X[:, :3, 3]
                 apart = np.flatnonzero(out > 0)
                 out[apart[inside(mesh, points[apart])]] *= -1
@@ -86,6 +87,8 @@ def _geometry(shape: Shape) -> tuple[Any, Array]:
                 return coal.Sphere(shape.radius), X
             X[:3, :3] = _with_z(along / length)
             return coal.Capsule(shape.radius, length), X  # its length is the segment's, without the caps
+        case Mesh() if (body := convex(shape)) is not None:
+            return body, np.asarray(shape.X)
         case Mesh():
             model = coal.BVHModelOBBRSS()
             model.beginModel(len(shape.triangles), len(shape.vertices))

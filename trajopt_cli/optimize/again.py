@@ -216,7 +216,7 @@ class Again:
                 for k, motion in enumerate(before.draft.legs)
             )
             ways = (motion.node_arm(axes) for motion in legs_there if isinstance(motion, PathLeg))
-            inside = np.all((q[moved] >= axes.lower - _SAME) & (q[moved] <= axes.upper + _SAME))
+            inside = axes.within(q[moved], _SAME).all()
             if inside and all(np.isfinite(arm).all() for arm in ways):
                 chain = replace(before.chain, q=q)
                 if not problem.coordinated and self._passed:
@@ -282,7 +282,7 @@ class _Program:
         """By how much the time changes [s] where the answer stays optimal: what the Lagrangian changes by at the
         answer, with its multipliers."""
         problem, draft = self._moved(after)
-        other = Transcription(after.axes, self.formulation, problem, draft, self.program.margins)
+        other = Transcription(after.axes, self.formulation, problem, draft, self.program.margins, self.program.tangents)
         change = self.program.nlp.lagrangian_change(other.nlp, self.answer)
         if not np.isfinite(change):  # it leads where the arm does not reach
             return None

@@ -7,11 +7,15 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, IndexArray, inverse_pose
+from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
+from trajopt_cli.limits import Couplings
+from trajopt_cli.optimize.torque import Torques
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Leg
 from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.protocol import Robot
+
+_FREE = Couplings(np.zeros((0, 0)), np.zeros(0), np.zeros(0))
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,8 +38,9 @@ class Caps:
 
 @dataclass(frozen=True, eq=False)
 class Axes:
-    """Limits and names (n,) of all axes in the robot's order; jerk: None where it is free. X_WB0: the arm's base in the
-    world with the rail at 0; rail_axis (3, r): the rail's direction in the arm's base frame."""
+    """Limits and names (n,) of all axes in the robot's order; jerk, torque: None where they are free. X_WB0: the arm's
+    base in the world with the rail at 0; rail_axis (3, r): the rail's direction in the arm's base frame. couplings:
+    ranges of sums of axes."""
 
     robot: Robot
     layout: AxisLayout
@@ -47,6 +52,8 @@ class Axes:
     X_WB0: Array
     rail_axis: Array
     jerk: Array | None = None
+    couplings: Couplings = _FREE
+    torque: Torques | None = None
 
     @classmethod
     def of(cls, plant: Plant) -> Axes:
@@ -57,7 +64,7 @@ class Axes:
         axis = np.zeros((3, 0)) if robot.rail_axis_W is None else X_WB0[:3, :3].T @ robot.rail_axis_W[:, None]
         return cls(
             robot, robot.layout, limits.names, limits.lower, limits.upper, limits.velocity, limits.acceleration, X_WB0,
-            axis, limits.binding_jerk,
+            axis, limits.binding_jerk, limits.couplings, Torques.of(plant),
         )  # fmt: skip
 
     @property
@@ -65,10 +72,19 @@ class Axes:
         """How many axes."""
         return self.layout.n
 
+    def within(self, q: Array, slack: float = 1e-9) -> BoolArray:
+        """Whether axes (..., n) are in their ranges (...), those of sums too, but for a slack [rad, m]; NaN are not."""
+        with np.errstate(invalid="ignore"):
+            each = np.all((q >= self.lower - slack) & (q <= self.upper + slack), axis=-1)
+        return np.asarray(each & self.couplings.within(q, slack))
+
     def narrowed(self, room: float) -> Axes:
         """The same axes with a share of the room that their ranges leave on either side of the middle."""
         middle, half = (self.upper + self.lower) / 2, (self.upper - self.lower) / 2
-        return replace(self, lower=middle - room * half, upper=middle + room * half)
+        c = self.couplings
+        centre, width = (c.upper + c.lower) / 2, (c.upper - c.lower) / 2
+        narrower = Couplings(c.rows, centre - room * width, centre + room * width)
+        return replace(self, lower=middle - room * half, upper=middle + room * half, couplings=narrower)
 
     def velocity_on(self, leg: Leg) -> Array:
         """Velocity limits (n,) on a leg: the rail's is capped by the program as well."""

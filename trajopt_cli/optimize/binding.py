@@ -19,7 +19,7 @@ from trajopt_cli.problem.problem import Leg
 def binding_limits(axes: Axes, tcp: TcpCaps, legs: Sequence[Leg], motions: Sequence[LegMotion]) -> list[str]:
     """Of each motion the limit it stands at for the largest share of its time, as "joint_1 acceleration" or "programmed
     ..."; "already there" where no axis has to move. tcp: the cell's caps, which a programmed speed may lie below."""
-    out = ["programmed duration"] * len(legs)
+    out = ["positioner" if leg.least else "programmed duration" for leg in legs]
     asked = [i for i, leg in enumerate(legs) if leg.duration is None]
     counts = [int(np.clip(motions[i].T / LOOK, FEWEST_SAMPLES, BINDING_SAMPLES)) for i in asked]
     behind = np.cumsum(counts)
@@ -28,7 +28,7 @@ def binding_limits(axes: Axes, tcp: TcpCaps, legs: Sequence[Leg], motions: Seque
         at = [asked[j] for j in some]
         found = _binding(axes, tcp, [legs[i] for i in at], [motions[i] for i in at], [counts[j] for j in some])
         for i, name in zip(at, found, strict=True):
-            out[i] = name
+            out[i] = "positioner" if legs[i].least and legs[i].least / AT_LIMIT >= motions[i].T else name
     return out
 
 
@@ -40,17 +40,22 @@ def _binding(
     number, sample = np.repeat(np.arange(len(legs)), counts), sampled(axes, motions, times)
     tool = tool_ratios(axes.caps(legs).at(number), tool_of(axes, [leg.X_FT for leg in legs], number, sample))
     ratios = np.concatenate([np.abs(sample.qd) / axes.velocity, np.abs(sample.qdd) / axes.acceleration, tool], axis=1)
+    if axes.torque is not None:
+        ratios = np.hstack([ratios, axes.torque.used(legs, number, sample.q, sample.qd, sample.qdd)])
     for leg, rows in zip(legs, np.split(np.arange(len(number)), np.cumsum(counts)[:-1]), strict=True):
         own = Sample(sample.t[rows], sample.q[rows], sample.qd[rows], sample.qdd[rows])
         yield _named(axes, leg.v_tcp < tcp.speed, own, ratios[rows])
 
 
 def _named(axes: Axes, programmed: bool, sample: Sample, ratios: Array) -> str:
-    """The limit of one motion. ratios (m, 2 n + 3): speeds, accelerations and the tool's three as shares of theirs."""
+    """The limit of one motion. ratios (m, 2 n + 3): speeds, accelerations and the tool's three as shares of theirs; n
+    torques more where they are limited."""
     if np.all(np.ptp(sample.q, axis=0) < STILL):
         return "already there"
     names = [f"{name} speed" for name in axes.names] + [f"{name} acceleration" for name in axes.names]
     names += ["programmed TCP speed" if programmed else "TCP speed", "TCP acceleration", "TCP turning"]
+    if axes.torque is not None:
+        names += [f"{name} torque" for name in axes.names]
     if axes.jerk is not None:
         names += [f"{name} jerk" for name in axes.names]
         jerk = np.abs(np.diff(sample.qdd, axis=0)) / np.diff(sample.t)[:, None] / axes.jerk

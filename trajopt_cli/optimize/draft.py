@@ -29,7 +29,8 @@ class Margins:
     found an excess.
 
     velocity, acceleration (N+1, n); position (N+1, n): of half the range, about its middle; tool (N+1, 3): speed,
-    acceleration, reorientation. push (N,): the rail's acceleration in each interval of a dwell. jerk (N+1, n).
+    acceleration, reorientation. push (N,): the rail's acceleration in each interval of a dwell. jerk, torque (N+1, n).
+    room (N+1,): no share, but what is asked for between bodies beyond the distance wanted [m].
     """
 
     velocity: Array
@@ -38,6 +39,8 @@ class Margins:
     tool: Array
     push: Array
     jerk: Array
+    torque: Array
+    room: Array
 
     @classmethod
     def full(cls, N: int, n: int, joints: float) -> Margins:
@@ -45,7 +48,7 @@ class Margins:
         share = np.full((N + 1, n), joints)
         return cls(
             share, share.copy(), np.ones((N + 1, n)), np.full((N + 1, 3), START), np.ones(N),
-            np.full((N + 1, n), START_JERK),
+            np.full((N + 1, n), START_JERK), np.full((N + 1, n), START), np.zeros(N + 1),
         )  # fmt: skip
 
     def refined(self) -> Margins:
@@ -59,5 +62,5 @@ class Margins:
 
         return Margins(
             double(self.velocity), double(self.acceleration), double(self.position), double(self.tool),
-            np.repeat(self.push, 2), double(self.jerk),
+            np.repeat(self.push, 2), double(self.jerk), double(self.torque), -double(-self.room[:, None])[:, 0],
         )  # fmt: skip

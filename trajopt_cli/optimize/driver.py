@@ -12,6 +12,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.clearances import Clearances
 from trajopt_cli.optimize.draft import Draft, Margins
 from trajopt_cli.optimize.exchange import Ratios, back_off, check_legs
 from trajopt_cli.optimize.formulation import Formulation
@@ -21,6 +22,7 @@ from trajopt_cli.optimize.profiles import hold
 from trajopt_cli.optimize.reading import read
 from trajopt_cli.optimize.transcription import Transcription
 from trajopt_cli.optimize.tuning import (
+    ARRIVES,
     AT_LIMIT,
     BARRIER_AGAIN,
     BARRIER_COLD,
@@ -92,7 +94,7 @@ def first_draft(
     of the legs, zero where nothing is to be done. capped: joint moves known to meet a tool cap or a range."""
     legs: list[LegMotion | None] = []
     for k, leg in enumerate(problem.legs):
-        T = leg.duration or max(float(times[k]), LEAST_DRAFT)
+        T = leg.duration or max(float(times[k]), LEAST_DRAFT, leg.least)
         if leg.duration is None and times[k] == 0.0:
             legs.append(hold(0.0, q[k]))
         elif leg.kind is LegKind.JOINT and _on_grids(axes, problem):
@@ -256,7 +258,7 @@ class Refiner:
 
     def __init__(self, axes: Axes, formulation: Formulation, problem: Problem, patience: Patience, grids: Grids = LONG):
         self.axes, self.formulation, self.problem, self.patience = axes, formulation, problem, patience
-        self.grids = grids
+        self.grids, self.clearances = grids, Clearances(axes, problem)
         self.seconds = {"build": 0.0, "solve": 0.0, "check": 0.0}
         self._known: dict[LegMotion, Ratios] = {}  # of the motions looked at last
         self.solved: tuple[Transcription, NlpResult | None] | None = None
@@ -277,10 +279,29 @@ class Refiner:
         self, draft: Draft, margins: list[Margins | None], mu: float, tolerance: float = SHARP,
         warm: Sequence[Any] | None = None,
     ) -> tuple[Draft, Transcription, NlpResult | None]:  # fmt: skip
+        """The answer from a draft; where that goes deep into something that the draft goes around, with rows about the
+        draft that keep it out."""
+        while True:
+            found = self._answer(draft, margins, mu, tolerance, warm)
+            through = self.clearances.through(draft, found[0])
+            if not through:
+                return found
+            for k in through:
+                if isinstance(draft.legs[k], JointProfiles):
+                    margins[k] = Margins.full(self.grids.rough.joints, self.axes.n, EXACT)
+            draft, warm = self._with_grids(draft, margins), None
+
+    def _answer(
+        self, draft: Draft, margins: list[Margins | None], mu: float, tolerance: float = SHARP,
+        warm: Sequence[Any] | None = None,
+    ) -> tuple[Draft, Transcription, NlpResult | None]:  # fmt: skip
         if self.patience.over:
             raise Stopped
         start = perf_counter()
-        t = Transcription(self.axes, self.formulation, self.problem, draft, margins)
+        tangents = self.clearances.tangents(draft, margins)
+        if warm is not None and tangents.keys() != warm[0].tangents.keys():  # another program
+            warm, mu = None, BARRIER_REFINED
+        t = Transcription(self.axes, self.formulation, self.problem, draft, margins, tangents)
         if t.nlp.empty:
             return read(t, t.nlp.guess), t, None
         if warm is None:
@@ -396,6 +417,7 @@ class Refiner:
                     resting = leg.kind is LegKind.DWELL and leg.duration is not None and self.axes.jerk is None
                     rail = self.axes.acceleration_on(leg)[self.axes.layout.rail] if resting else None
                     changed |= back_off(m, ratios, motion, SAFE, rail)
+            changed |= self.clearances.make_room(draft, margins)
             if not (changed or opened):
                 self.solved = warm[0], warm[1]
                 return draft
@@ -418,18 +440,22 @@ class Refiner:
                 most = max(
                     most, *(one / share for one, share in zip((*rates, r.tool[:, 2].max()), shares, strict=True))
                 )
+                most = max(most, float(np.sqrt(r.torque.max() / m.torque.min())))
                 most = max(most, float(np.cbrt(r.jerk.max() / m.jerk.min())))
         if most > MOST_SLOWED or most == 1.0:
             return draft
         return slowed(self.problem, draft, most * SLOWED)
 
     def _open_grids(self, draft: Draft, margins: list[Margins | None], grids: Grids) -> bool:
-        """Joint moves whose closed-form profiles break a tool cap or a range go on a grid."""
+        """Joint moves whose closed-form profiles break a cap, a range or a torque limit, or touch something, go on a
+        grid."""
         opened = False
         closed = self._ratios(draft, JointProfiles)
-        for k, (leg, ratios) in enumerate(zip(self.problem.legs, closed, strict=True)):
-            past = 0.0 if ratios is None else max(np.max(ratios.tool), np.max(ratios.position))
-            if leg.kind is LegKind.JOINT and past > 1 + OVER:
+        for k, (leg, motion, ratios) in enumerate(zip(self.problem.legs, draft.legs, closed, strict=True)):
+            if leg.kind is not LegKind.JOINT or motion is None or ratios is None:
+                continue
+            past = max(np.max(x) for x in (ratios.tool, ratios.position, ratios.torque))
+            if past > 1 + OVER or self.clearances.touches(k, motion):
                 margins[k] = Margins.full(grids.joints, self.axes.n, EXACT)
                 opened = True
         return opened
@@ -439,5 +465,10 @@ class Refiner:
         for k, motion in enumerate(legs):
             m = margins[k]
             if isinstance(motion, JointProfiles) and m is not None:
-                legs[k] = _on_grid(self.axes, motion, len(m.tool) - 1)
+                T, N = motion.T, len(m.tool) - 1
+                end = motion.sample(self.axes, np.array([T])).q[0]
+                if np.abs(end - draft.q[k + 1]).max() < ARRIVES:
+                    legs[k] = _on_grid(self.axes, motion, N)
+                else:  # the time alone was guessed
+                    legs[k] = _smooth(T, draft.q[k : k + 2], draft.qd[k : k + 2], N)
         return replace(draft, legs=tuple(legs))

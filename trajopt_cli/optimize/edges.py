@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from trajopt_cli.geometry import Array, IndexArray
+from trajopt_cli.geometry import Array, BoolArray, IndexArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -187,4 +187,62 @@ class Band:
         return [(slice(*a), slice(*b)) for a, b in zip(*ends, strict=True)]
 
 
-Edge = Dense | Lazy | Band
+@dataclass(frozen=True, eq=False)
+class Checked:
+    """A table whose pairs (n_a, n_b) are looked at by and by, known or not, and may turn out to take longer. extra: by
+    how much, where the table below asks questions."""
+
+    edge: Dense | Lazy | Band
+    known: BoolArray
+    extra: Array | None = None
+
+    @classmethod
+    def of(cls, edge: Dense | Lazy | Band, states: tuple[int, int]) -> Checked:
+        """A table of its own."""
+        known = np.zeros(states, dtype=bool)
+        if isinstance(edge, Band):
+            return cls(Band(edge.shifts, edge.times.copy(), edge.a, edge.b), known)
+        if isinstance(edge, Dense):
+            return cls(Dense(edge.T.copy()), known)
+        extra = np.zeros(states)
+
+        def later(question: Callable[[IndexArray, IndexArray], Array]) -> Callable[[IndexArray, IndexArray], Array]:
+            return lambda i, j: question(i, j) + extra[i, j]
+
+        return cls(Lazy(edge.T.copy(), edge.doubt.copy(), [later(one) for one in edge.questions]), known, extra)
+
+    def add(self, i: IndexArray, j: IndexArray, time: Array) -> None:
+        """More time (k,) [s] between pairs of states (k,); of a band infinite."""
+        if isinstance(self.edge, Band):
+            (label, rail), rail_b = self.edge.a[:, i], self.edge.b[1, j]
+            number = {int(shift): at for at, shift in enumerate(self.edge.shifts)}
+            for L, start, end, T in zip(label, rail, rail_b, time, strict=True):
+                self.edge.times[number[int(end - start)], L, start] += T
+            return
+        self.edge.T[i, j] += time
+        if self.extra is not None:
+            self.extra[i, j] += time
+
+    def into(self, cost: Array) -> tuple[IndexArray, Array]:
+        """As of Dense."""
+        return self.edge.into(cost)
+
+    def out(self, cost: Array, most: Array | None = None) -> Array:
+        """As of Dense."""
+        return self.edge.out(cost, most)
+
+    def at(self, i: int, j: int) -> float:
+        """As of Dense."""
+        return self.edge.at(i, j)
+
+    def dense(self) -> Array:
+        """As of Dense."""
+        return self.edge.dense()
+
+    @property
+    def least(self) -> Array:
+        """No more than the times (n_a, n_b), as far as was asked."""
+        return self.edge.dense() if isinstance(self.edge, Band) else self.edge.T
+
+
+Edge = Dense | Lazy | Band | Checked

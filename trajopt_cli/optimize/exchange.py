@@ -38,18 +38,19 @@ from trajopt_cli.problem.problem import Leg
 @dataclass(frozen=True, eq=False)
 class Ratios:
     """Worst ratio to each limit per interval (N,) of a leg: velocity, acceleration, position (N, n), tool (N, 3); jerk
-    (N, n), zero where it is free."""
+    (N, n), zero where it is free; torque (N, n), too, of what gravity leaves (see torque.py)."""
 
     velocity: Array
     acceleration: Array
     position: Array
     tool: Array
     jerk: Array
+    torque: Array
 
     @property
     def worst(self) -> float:
         """The largest of all."""
-        return float(max(np.max(x) for x in (self.velocity, self.acceleration, self.position, self.tool, self.jerk)))
+        return float(max(np.max(getattr(self, one.name)) for one in fields(self)))
 
     def at(self, intervals: IndexArray | BoolArray) -> Ratios:
         """Those of some of the intervals."""
@@ -115,10 +116,24 @@ def ratios_of(axes: Axes, legs: Sequence[Leg], number: IndexArray, sample: Sampl
     return Ratios(
         fold(np.abs(sample.qd) / caps.velocity),
         fold(np.abs(sample.qdd) / caps.acceleration),
-        fold(np.abs(sample.q - middle) / half),
+        fold(_with_couplings(axes, sample.q, np.abs(sample.q - middle) / half)),
         fold(tool_ratios(caps, tool_of(axes, [leg.X_FT for leg in legs], number, sample))),
         fold(_jerk_ratios(axes, sample, first)),
+        fold(
+            np.zeros_like(sample.q)
+            if axes.torque is None
+            else axes.torque.ratios(legs, number, sample.q, sample.qd, sample.qdd)
+        ),
     )
+
+
+def _with_couplings(axes: Axes, q: Array, ratios: Array) -> Array:
+    """Ratios (m, n) of axes (m, n) to their ranges; where a sum of some is beyond its own, those have its ratio."""
+    if axes.couplings:
+        of_sums = axes.couplings.ratios(q)
+        for row, ratio in zip(axes.couplings.rows, of_sums.T, strict=True):
+            ratios = np.where((row != 0) & (ratio > 1.0)[:, None], np.maximum(ratios, ratio[:, None]), ratios)
+    return ratios
 
 
 def _jerk_ratios(axes: Axes, sample: Sample, first: IndexArray) -> Array:
@@ -170,7 +185,7 @@ def back_off(margins: Margins, ratios: Ratios, motion: LegMotion, target: float,
         margins.push[over] = np.minimum(margins.push, pushed * share)[over]
         changed = bool(over.any())
         ratios = replace(ratios, acceleration=np.where(once[:, None], 0.0, ratios.acceleration))
-    pairs = [(margins.tool, ratios.tool)]
+    pairs = [(margins.tool, ratios.tool), (margins.torque, ratios.torque)]
     touching = np.where(
         ratios.position > 1.0 + RANGE_ROUNDING, ratios.position, 0.0
     )  # a range may be used to its very end

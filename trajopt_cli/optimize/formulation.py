@@ -4,6 +4,7 @@
     s.t.  dynamics      x_1 = x_0 + h x_0' + h^2/2 x'',   x_1' = x_0' + h x''       exact, x'' constant per interval
           path          arm = IK(X(s), d) on a fixed branch, within reach, off singularities, within ranges
           limits        |qd| <= V,  |qdd| <= A,  tool within its caps               at both ends of every interval
+          torques       |M(q) qdd + C(q, qd) qd + g(q)| <= limit, where asked for   at both ends of every interval
           boundary      waypoints hold their pose or joints, legs begin and end at their velocities
           ties          waypoints that share one rail position
 
@@ -18,17 +19,21 @@ from enum import IntEnum
 from types import SimpleNamespace
 
 import casadi as ca
+import numpy as np
 
+from trajopt_cli.limits import Couplings
 from trajopt_cli.native.store import exact
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.library import Library
 from trajopt_cli.optimize.library import library as users_library
 from trajopt_cli.optimize.relation import Relation, Rows, Shapes
-from trajopt_cli.optimize.tuning import ELBOW, WRIST
+from trajopt_cli.optimize.tuning import ELBOW, PAIRS, WRIST
 from trajopt_cli.path.arc import ArcSymbols
 from trajopt_cli.path.dwell import DwellSymbols
 from trajopt_cli.path.line import LineSymbols
+from trajopt_cli.robot.dynamics import GRAVITY
 from trajopt_cli.robot.symbolic import Reached
+from trajopt_cli.robot.symbolic_dynamics import LOAD, torques
 
 INF = float("inf")
 LEFT, RIGHT = "l", "r"  # the intervals that end and begin at a node
@@ -61,9 +66,12 @@ class Formulation:
         self.rail, self.arm = layout.rail, layout.arm
         self._all, self._joints, self._rails = (axes.n,), (layout.joints,), (layout.r,)
         # what every relation is made from, besides its own key
-        self._identity = exact((axes.robot, layout.rail, layout.arm, axes.rail_axis, self.lower, self.upper))
+        self.couplings = axes.couplings
+        ranges = self.lower, self.upper, *((axes.couplings,) if axes.couplings else ())
+        self._identity = exact((axes.robot, layout.rail, layout.arm, axes.rail_axis, *ranges))
         self._cache: dict[tuple[object, ...], Relation] = {}
         self.smooth = axes.jerk is not None
+        self._limited = () if axes.torque is None else axes.torque.limited
         # parameters of a pose on a path: the path, the branch, joints within half a turn of the answer
         self._on_path: Shapes = {"path": (DwellSymbols().size,), "branch": (3,), "near": self._joints}
         # and of a node: limits; s the tool would take at its caps for the whole way, s^2 for the acceleration; the
@@ -126,10 +134,25 @@ class Formulation:
         middle, half = (self.upper + self.lower) / 2, (self.upper - self.lower) / 2
         return [
             ((at.q - middle) / (half * p.room), -1.0, 1.0),
+            *(self._sums(self.couplings.arm(self.arm), at.q, p.room)),
             *self._walls(at),
             (qd / (p.V[self.arm] * T), -1.0, 1.0),
             *((qdd / (p.A[self.arm] * T * T), -1.0, 1.0) for qdd in qdds),
         ]
+
+    def _sums(self, couplings: Couplings, q: ca.SX, room: ca.SX) -> list[tuple[ca.SX, float, float]]:
+        """Sums of axes q in their ranges, of which the least share is in force that any of the axes has."""
+        out = []
+        for row, low, high in zip(couplings.rows, couplings.lower, couplings.upper, strict=True):
+            at = np.flatnonzero(row).tolist()
+            total = sum(float(row[i]) * q[i] for i in at) - (low + high) / 2
+            out.append((total / ((high - low) / 2 * ca.mmin(ca.vertcat(*(room[i] for i in at)))), -1.0, 1.0))
+        return out
+
+    def sums(self) -> Relation:
+        """Sums of axes in their ranges at a waypoint, or at a node of a joint move. room: as for a path's node."""
+        z: Shapes = {"q": self._all}
+        return self._relation(("sums",), z, {"room": self._all}, lambda z, p: self._sums(self.couplings, z.q, p.room))
 
     def _rail_velocity(self, w: ca.SX, z: SimpleNamespace, p: SimpleNamespace) -> tuple[ca.SX, float, float]:
         return w / (p.V[self.rail] * z.T), -1.0, 1.0
@@ -219,6 +242,107 @@ class Formulation:
 
         z = {**z, "e": ()} if weighed else z
         return self._relation(("dwell", len(sides), weighed), z, {**self._at_node, **weight}, rows)
+
+    # ---- clearance: bodies stay apart
+
+    def clear_axes(self) -> Relation:
+        """Tangents of the distances of as many pairs of bodies as may be near: gradient q >= least [m]."""
+        return self._relation(
+            ("clear",), {"q": self._all}, self._tangents, lambda z, p: [(p.gradient @ z.q - p.least, 0.0, INF)]
+        )
+
+    def clear_path(self, track: LineSymbols | ArcSymbols | None) -> Relation:
+        """The same at a node of a path, of a dwell where there is no track: q = (d, IK(X(s), d))."""
+        share: Shapes = {} if track is None else {"s": ()}
+
+        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+            flange = DwellSymbols().flange(p.path) if track is None else track.flange(p.path, z.s)
+            d = ca.vec(z.d)
+            at = self._inverse(flange.position - self.rail_axis @ d, flange.rotation, p)
+            return [(p.gradient[:, self.arm] @ at.q + p.gradient[:, self.rail] @ d - p.least, 0.0, INF)]
+
+        path = (DwellSymbols().size if track is None else track.size,)
+        p = {**self._on_path, "path": path, **self._tangents}
+        return self._relation(("clear path", track), {**share, "d": self._rails}, p, rows)
+
+    @property
+    def _tangents(self) -> Shapes:
+        return {"gradient": (PAIRS, *self._all), "least": (PAIRS,)}
+
+    # ---- torques: rows of their own at the same nodes, where they are limited
+
+    def path_torque(self, track: LineSymbols | ArcSymbols, sides: str, tied: bool = False) -> Relation:
+        """Torques at a node of a path, see path_node and _torque."""
+        p: dict[str, tuple[int, ...]] = {**self._on_path, "path": (track.size,), **self._torque_limits}
+        z: Shapes = {"s": (), "v": (), **self._driving(sides, a=()), "T": ()}
+        if tied:
+            p = {**p, "d_0": self._rails, "way": self._rails}
+        else:
+            z = {"s": (), "v": (), "d": self._rails, "w": self._rails,
+                 **self._driving(sides, a=(), b=self._rails), "T": ()}  # fmt: skip
+
+        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+            if tied:
+                z.d, z.w = p.d_0 + z.s * p.way, z.v * p.way
+                for side in [""] if self.smooth else [f"_{side}" for side in sides]:
+                    setattr(z, f"b{side}", getattr(z, f"a{side}") * p.way)
+
+            def place(x: ca.SX) -> Reached:
+                flange = track.flange(p.path, x[0])
+                return self._inverse(flange.position - self.rail_axis @ x[1:, 0], flange.rotation, p)
+
+            acc, rail_acc = (self._by_side(z, sides, name) for name in ("a", "b"))
+            ddxs = [ca.vertcat(a, b) for a, b in zip(acc, rail_acc, strict=True)]
+            at, qd, qdds, _ = _carried(place, ca.vertcat(z.s, z.d), ca.vertcat(z.v, z.w), ddxs, [])
+            moved = [ca.vertcat(b, qdd) for b, qdd in zip(rail_acc, qdds, strict=True)]
+            return self._torque(ca.vertcat(z.d, at.q), ca.vertcat(z.w, qd), moved, z.T, p)
+
+        return self._relation(("path torque", track, len(sides), tied, self._limited), z, p, rows)
+
+    def dwell_torque(self, sides: str) -> Relation:
+        """Torques at a node of a dwell, see dwell_node and _torque."""
+        z: Shapes = {"d": self._rails, "w": self._rails, **self._driving(sides, b=self._rails), "T": ()}
+
+        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+            acc = self._by_side(z, sides, "b")
+            at, qd, qdds, _ = _carried(lambda d: self._resting(p, d), z.d, z.w, acc, [])
+            moved = [ca.vertcat(b, qdd) for b, qdd in zip(acc, qdds, strict=True)]
+            return self._torque(ca.vertcat(z.d, at.q), ca.vertcat(z.w, qd), moved, z.T, p)
+
+        p = {**self._on_path, **self._torque_limits}
+        return self._relation(("dwell torque", len(sides), self._limited), z, p, rows)
+
+    def axes_torque(self, sides: str) -> Relation:
+        """Torques at a node of a joint move on a grid, see _torque."""
+        z: Shapes = {"q": self._all, "v": self._all, **self._driving(sides, a=self._all), "T": ()}
+
+        def rows(z: SimpleNamespace, p: SimpleNamespace):  # type: ignore[no-untyped-def]
+            return self._torque(z.q, z.v, self._by_side(z, sides, "a"), z.T, p)
+
+        return self._relation(("axes torque", len(sides), self._limited), z, self._torque_limits, rows)
+
+    def _torque(self, q, qd, qdds, T, p):  # type: ignore[no-untyped-def]
+        """|moving / (room T^2) + g| <= limit for the torques beyond gravity of the axes that have a limit, by tau, and
+        gravity's g: what gravity leaves is used up to the share room. One by one for each of qdds."""
+        assert self.axes.torque is not None
+        robot, still = self.axes.torque.plant.robot, ca.SX.zeros(*self._all)
+        own = (robot.pin_model, q)
+        rest = torques(*own, still, still, GRAVITY, p.load, robot.rotor)
+        out = []
+        for qdd in qdds:
+            moving = torques(*own, qd, qdd, 0.0, p.load, robot.rotor) / (T * T)
+            for i in self._limited:
+                out.append((moving[i] / (p.limit[i] * p.share[i]) + rest[i] / p.limit[i], -1.0, 1.0))
+        return out
+
+    @property
+    def _torque_limits(self) -> dict[str, tuple[int, ...]]:
+        """Parameters of torques: what the flange carries, limits, and the share of what gravity leaves of them."""
+        return {"load": (LOAD,), "limit": self._all, "share": self._all}
+
+    def _by_side(self, z: SimpleNamespace, sides: str, name: str) -> list[ca.SX]:
+        """The accelerations of a name, by side unless jerk is limited."""
+        return [getattr(z, name)] if self.smooth else [getattr(z, f"{name}_{side}") for side in sides]
 
     # ---- effort: what a motion of a given time is gentle by
 

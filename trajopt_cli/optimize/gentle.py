@@ -25,6 +25,7 @@ from trajopt_cli.optimize.formulation import Formulation
 from trajopt_cli.optimize.gentle_law import gentle_law
 from trajopt_cli.optimize.improve import Sweeps, Tally, frozen
 from trajopt_cli.optimize.incumbent import duration, run_name
+from trajopt_cli.optimize.joined import joined
 from trajopt_cli.optimize.legal import Legal, add
 from trajopt_cli.optimize.legs import JointNodes, LegMotion, Pieces
 from trajopt_cli.optimize.pace import Shares, Unresolved, clean
@@ -97,7 +98,7 @@ def _spans(axes: Axes, problem: Problem, draft: Draft) -> list[_Span]:
         if there and not stiff:
             ratios = check_legs(axes, [leg for leg, _ in there], [motion for _, motion in there])
             rates = [max(r.velocity.max(), r.tool[:, 0].max(), r.tool[:, 2].max()) for r in ratios]
-            bends = [max(r.acceleration.max(), r.tool[:, 1].max()) for r in ratios]
+            bends = [max(r.acceleration.max(), r.tool[:, 1].max(), r.torque.max()) for r in ratios]
             jerk = max(r.jerk.max() for r in ratios)
             least = min(max(*rates, np.sqrt(max(bends)), np.cbrt(jerk / SAFE_JERK)) / SAFE, 1.0)
         rests = stiff or not time or least <= 0
@@ -174,7 +175,8 @@ def gentlest(
             base = stretched(axes, one.problem, one.draft, seconds)
             if axes.jerk is None:  # laws of least effort are of constant accelerations between their nodes
                 base = eased(axes, formulation, one.problem, one.draft, seconds)
-            bases.append((frozen(one.problem, one.chain), base))
+            own = frozen(one.problem, one.chain)
+            bases.append((own, base) if solved.coordinated else joined(axes, own, base, one.detours))
     bases = sorted(bases, key=lambda base: efforts(axes, base[1].legs).sum())[:1]
     add(spent, "ease", perf_counter() - start)
     sweeps, tally = Sweeps(axes, Grids.of(solved), patience, spent, hands), Tally()

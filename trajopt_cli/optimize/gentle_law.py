@@ -53,8 +53,9 @@ def gentle_law(
     for one in e:
         nlp.minimise(int(one))
     p = {"step": steps, "squared_0": squared_0 / whole, "squared_1": squared_1 / whole}
-    for end, (slopes, bends) in enumerate((begins, ends)):
-        p |= {f"slope_{end}": slopes * slope, f"bend_{end}": bends * bend}
+    for end, (slopes, bends, rest) in enumerate((begins, ends)):
+        room = 1 - np.abs(rest)  # of both signs of a torque the less, as these rows are symmetric
+        p |= {f"slope_{end}": slopes * slope / room, f"bend_{end}": bends * bend / room}
     z = {"r_0": r[:-1], "r_1": r[1:], "t_0": t[:-1], "t_1": t[1:], "e": e}
     formulation.law_interval(begins[0].shape[1]).holds(nlp, z, p)
     result = nlp.solve(mu=BARRIER_REFINED, tolerance=SHARP, most=MOST_ITERATIONS)

@@ -17,11 +17,13 @@ import numpy as np
 
 from trajopt_cli.beside import in_turns
 from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.clear import clear
 from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.driver import Grids, NotConverged, Refiner, Stage, Stopped, first_draft, on_grid
 from trajopt_cli.optimize.effort import cost
 from trajopt_cli.optimize.formulation import Formulation
 from trajopt_cli.optimize.incumbent import NotDriven, duration, stopped_at_joint_moves, stopping, timed
+from trajopt_cli.optimize.joined import joined
 from trajopt_cli.optimize.leg_times import least_time
 from trajopt_cli.optimize.legal import Legal, add
 from trajopt_cli.optimize.legs import JointNodes
@@ -87,16 +89,23 @@ def improved(
     many processes may work now.
 
     Where a rail may be in motion at the stops, the search's chain with such a rail is a start. Runs with corners stay
-    as they are, and so do the ends of them; but where joint moves meet at a fly-by, a stop there is tried, too.
+    as they are, and so do the ends of them; but where joint moves meet at a fly-by, a stop there is tried, too. Joint
+    moves by points that were added are one leg each, without the points.
     """
-    problem, chain, best = legal.problem, legal.chain, legal.draft
+    if not axes.robot.closed_form:
+        why = (
+            f"{axes.robot.name}'s wrist has an offset: its plan is searched and timed, no nonlinear program improves it"
+        )
+        return legal.problem, legal.draft, (why,)
+    problem, known = joined(axes, legal.problem, legal.draft, legal.detours)
+    best = known
     solved, bases = problem, [(problem, best)]
     hopes: Chain | None = None
     if patience.over:
         why = f"{patience.why()}: the first legal plan; the search for a faster one was not begun"
         return problem, best, (why,)
     if any(problem.passes(k) for k in range(len(problem.waypoints))):
-        bases = [*_stopping(axes, problem, chain)]
+        bases = [joined(axes, *one, legal.detours) for one in _stopping(axes, legal.problem, legal.chain)]
     elif axes.layout.has_rail and problem.freedom.through_stops:
         start = perf_counter()
         hopes = search(axes, problem)
@@ -106,7 +115,7 @@ def improved(
         found = sweeps.run(one, base, hopes, tally, partial(_tell_best, tell, duration(best)))
         if duration(found) < duration(best) - LEAST_GAIN:
             solved, best = one, found
-    return solved, best, tuple(tally.notes(best is not legal.draft, patience))
+    return solved, best, tuple(tally.notes(best is not known, patience))
 
 
 def sharpened(
@@ -136,7 +145,9 @@ def _stopping(axes: Axes, problem: Problem, chain: Chain) -> Iterator[tuple[Prob
     """The problem with stops at fly-bys beside joint moves: where the timed chain has them, and at all of them."""
     for one in (stopping(axes, problem, chain), stopped_at_joint_moves(problem)):
         try:
-            yield frozen(one, chain), timed(axes, one, chain)
+            draft = timed(axes, one, chain)
+            if clear(axes, one, draft):
+                yield frozen(one, chain), draft
         except NotDriven:
             continue
 
@@ -166,6 +177,8 @@ class Sweeps:
     def run(self, problem: Problem, base: Draft, hopes: Chain | None, tally: Tally, tell: Best) -> Draft:
         """The legal motion base, faster where a window found something. hopes: where the search would begin. tell: is
         told the cycle time [s] after every window."""
+        if not self._axes.robot.closed_form:
+            return base
         draft, (even, odd) = base, colours(problem)
         moved = dict.fromkeys((*even, *odd), np.inf)  # what was gained over each window's borders since it was solved
         for _ in range(SWEEPS):
@@ -255,7 +268,8 @@ class Sweeps:
                     found = refiner.finished(start) if isinstance(start, Stage) else refiner.run(start)
                     clean = True
                     ends += [cost(self._axes, problem, start.draft.legs)] if isinstance(start, Stage) else []
-                    if cost(self._axes, problem, best.legs) - cost(self._axes, problem, found.legs) > LEAST_GAIN:
+                    gain = cost(self._axes, problem, best.legs) - cost(self._axes, problem, found.legs)
+                    if gain > LEAST_GAIN and clear(self._axes, problem, found):
                         best = found
                         tell((key, cost(self._axes, problem, own.legs) - cost(self._axes, problem, best.legs)))
                 if clean and not untouched:

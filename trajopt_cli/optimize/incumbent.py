@@ -189,9 +189,11 @@ def _driven(
         else:
             (motions[run],) = pieces[run[0]].pieces  # one leg between stops is one piece
     for run, motion in motions.items():
-        T = problem.legs[run[0]].duration
+        T, least = problem.legs[run[0]].duration, problem.legs[run[0]].least
         if motion is None or (T is not None and T * (1 + 1e-9) < motion.T):
             out[run] = NotDriven(run, None if motion is None else motion.T)
+        elif T is None and least > motion.T:
+            out[run] = {run[0]: motion.slowed(least / motion.T)}
         elif T is None or isinstance(motion, JointProfiles):
             out[run] = {run[0]: motion}
         else:
@@ -212,10 +214,10 @@ def _simple(axes: Axes, problem: Problem, runs: Sequence[Run], q: Sequence[Array
             continue
         still, limits = np.zeros_like(q_0), (axes.velocity_on(leg), axes.acceleration_on(leg))
         with suppress(ValueError):  # an axis whose switches a file could not tell apart
-            tried[i] = profiles(q_0, still, q_1, still, *limits, leg.duration or 0.0, problem.coordinated)
+            tried[i] = profiles(q_0, still, q_1, still, *limits, leg.duration or leg.least, problem.coordinated)
     checked = check_legs(axes, [problem.legs[runs[i][0]] for i in tried], [*tried.values()])
     for (i, motion), ratios in zip(tried.items(), checked, strict=True):
-        if max(ratios.tool.max(), ratios.position.max()) <= 1 + OVER:
+        if max(ratios.tool.max(), ratios.position.max(), ratios.torque.max()) <= 1 + OVER:
             out[i] = motion
     return out
 

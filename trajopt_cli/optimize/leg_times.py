@@ -122,7 +122,7 @@ def _as_asked(axes: Axes, problem: Problem, pairs: Pairs, T: Array) -> Array:
     if leg.duration is not None:  # what takes longer than it may is no answer, but shows the way to one
         late = np.maximum(T * SLACK - leg.duration, 0.0)
         T = np.where(np.isfinite(T), leg.duration + LATE * late, np.inf)
-    return T
+    return np.maximum(T, leg.least)
 
 
 def _resting(problem: Problem, pairs: Pairs) -> BoolArray:
@@ -234,7 +234,7 @@ def _on_ways(axes: Axes, problem: Problem, pairs: Sequence[Pairs], s: Array) -> 
     every = q.reshape(B, m, -1)
     with np.errstate(invalid="ignore"):
         ends = np.maximum(np.abs(every[:, 0] - q_0), np.abs(every[:, -1] - q_1)).max(axis=1)
-        inside = np.all((every >= axes.lower - 1e-9) & (every <= axes.upper + 1e-9), axis=(1, 2))
+        inside = axes.within(every).all(axis=1)
         ok = np.asarray(inside & (ends < (_JUMP if s[0] == 0 else FLIPPED)))
     return Along(q, dq, ddq, twist[of, :3], twist[of, 3:], bend[of, :3]), ok
 

@@ -10,21 +10,28 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from time import perf_counter
 
+import numpy as np
+
 from trajopt_cli.motion import Program, motion_name
+from trajopt_cli.optimize.around import NoClearWay, clear_motions, coordinated, driven_clear
 from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.blocked import blocked_place
+from trajopt_cli.optimize.clear import clear, hit_on
 from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.incumbent import NotDriven, Runs, duration, stopped, timed
 from trajopt_cli.optimize.leg_times import Times
 from trajopt_cli.optimize.rail import polished, refined
 from trajopt_cli.optimize.reach import check_reach
 from trajopt_cli.optimize.search import Chain, search
+from trajopt_cli.optimize.surroundings import surroundings_of
 from trajopt_cli.optimize.tuning import HOPELESS, ROOMS
 from trajopt_cli.problem.changes import Changes, everything
+from trajopt_cli.problem.detours import Detour, Numbering, with_detours
 from trajopt_cli.problem.freedom import AS_WRITTEN, FIXED_RAIL, Freedom, RailFreedom
 from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.problem.problem import Coupling, Problem, build_problem
+from trajopt_cli.problem.problem import Problem, build_problem
 from trajopt_cli.problem.progress import Progress, Report
 
 
@@ -34,11 +41,22 @@ class NoCleanPlan(Exception):
 
 @dataclass(frozen=True, eq=False)
 class Legal:
-    """A motion at rest at every stop that keeps every limit, and the chain it was timed from."""
+    """A motion at rest at every stop that keeps every limit, and the chain it was timed from. detours: the points that
+    its problem's program has besides its own, so that it touches nothing."""
 
     problem: Problem
     chain: Chain
     draft: Draft
+    detours: tuple[Detour, ...] = ()
+
+    @property
+    def dropped(self) -> frozenset[int]:
+        """The motions left out, as numbered in the program without additional points."""
+        if not self.detours:
+            return self.problem.dropped
+        points = sum(len(detour.points) for detour in self.detours)
+        numbering = Numbering(len(self.problem.program.motions) - points, self.detours)
+        return frozenset(numbering.own(index) for index in self.problem.dropped)
 
     @property
     def duration(self) -> float:
@@ -79,6 +97,21 @@ class Question:
             for dropped in [frozenset[int]()] + ([optional] if optional else [])
         ]
 
+    def detoured(self, dropped: frozenset[int], detours: Sequence[Detour]) -> Problem:
+        """The program with additional points, without motions, which are numbered as in the one without them."""
+        changes = self.changes or everything(self.program, self.plant)
+        numbering = Numbering(len(self.program.motions), detours)
+        problem = build_problem(
+            with_detours(self.program, self.plant, detours),
+            self.plant,
+            self.freedom,
+            self.target,
+            numbering.changes(changes),
+            frozenset(numbering.at(index) for index in dropped),
+        )
+        assert isinstance(problem, Problem), problem  # without points it is one
+        return problem
+
     def lesser(self) -> Iterator[Question]:
         """The same of a RAPID controller with less that may change; each has a motion that this one allows."""
         if self.target is Target.RAPID or self.plant.limits.binding_jerk is not None:
@@ -118,9 +151,11 @@ def legal_motion(
         own = failure
     best = own if isinstance(own, Legal) else None
     for less in question.lesser():
-        found = _of_lesser(axes, less, open_, memory, patience, tell, seconds)
+        found = _of_lesser(axes, question, less, open_, memory, patience, tell, seconds, isinstance(own, NoCleanPlan))
         if found is not None and (best is None or found.duration < best.duration):
-            best = min([found, *_again(axes, found, memory.runs, seconds)], key=lambda one: one.duration)
+            near = [found, *_again(axes, found, memory.runs, seconds)]
+            near = [one for one in near if clear(axes, one.problem, one.draft)]
+            best = min([*near, *([best] if best else [])], key=lambda one: one.duration, default=None)
     if best is None and isinstance(own, NoCleanPlan):
         raise own
     if best is None:
@@ -134,18 +169,19 @@ def calmer_motions(
     axes: Axes, question: Question, legal: Legal, memory: Memory, seconds: dict[str, float]
 ) -> Iterator[Legal]:
     """Legal motions of the same problem whose rail moves less, and which may take longer."""
+    own = [one for one in question.unchecked() if isinstance(one, Problem) and one.dropped == legal.dropped]
     for less in question.calmer():
-        found = _of_lesser(axes, less, [legal.problem], memory, Patience(), lambda _: None, seconds)
+        found = _of_lesser(axes, question, less, own, memory, Patience(), lambda _: None, seconds)
         if found is not None:
             yield found
 
 
 def _of_lesser(
-    axes: Axes, less: Question, problems: Sequence[Problem], memory: Memory, patience: Patience, tell: Report,
-    seconds: dict[str, float],
+    axes: Axes, question: Question, less: Question, problems: Sequence[Problem], memory: Memory, patience: Patience,
+    tell: Report, seconds: dict[str, float], around: bool = False,
 ) -> Legal | None:  # fmt: skip
-    """The legal motion of a question with less freedom as one of these problems', None where there is none, or where it
-    asks for the same."""
+    """The legal motion of a question with less freedom as one of these problems', which are of this one; None where
+    there is none, or where it asks for the same. around: points may be added to the program, which takes time."""
     mine = {one.dropped: one for one in problems}
     asked = [one for one in less.unchecked() if isinstance(one, Problem) and one.dropped in mine]
     if all(_says(one) == _says(mine[one.dropped]) for one in asked):
@@ -153,24 +189,32 @@ def _of_lesser(
     name = less.target, less.freedom
     if name not in memory.answers:
         try:
-            memory.answers[name] = _found(axes, less, asked, memory, patience, tell, seconds)
+            found = _found(axes, less, asked, memory, patience, tell, seconds, around)
         except NoCleanPlan:
             return None
-    found = memory.answers[name]
-    return replace(found, problem=mine[found.problem.dropped]) if isinstance(found, Legal) else None
+        if isinstance(found, Legal) or around:
+            memory.answers[name] = found
+    else:
+        found = memory.answers[name]
+    if not isinstance(found, Legal):
+        return None
+    if found.detours:
+        return replace(found, problem=question.detoured(found.dropped, found.detours))
+    return replace(found, problem=mine[found.problem.dropped])
 
 
 def _found(
     axes: Axes, question: Question, problems: Sequence[Problem], memory: Memory, patience: Patience, tell: Report,
-    seconds: dict[str, float],
+    seconds: dict[str, float], around: bool = True,
 ) -> Legal | Infeasible:  # fmt: skip
-    """legal_of of a question's problems; what its chain takes is kept. Raises NoCleanPlan."""
+    """legal_of of a question's problems; what its chain takes is kept. around: points may be added. Raises
+    NoCleanPlan."""
     name = question.target, question.freedom
 
     def keep(cost: float) -> None:
         memory.estimates.setdefault(name, cost)
 
-    return legal_of(axes, problems, patience, tell, seconds, memory.runs, keep)
+    return legal_of(axes, problems, patience, tell, seconds, memory.runs, keep, question if around else None)
 
 
 def _says(problem: Problem) -> tuple[object, ...]:
@@ -185,7 +229,7 @@ def _again(axes: Axes, found: Legal, runs: Runs, seconds: dict[str, float]) -> I
     start = perf_counter()
     for chain in _shifted(axes, found.problem, found.chain, Times()):
         try:
-            yield Legal(found.problem, chain, timed(axes, found.problem, chain, runs))
+            yield replace(found, chain=chain, draft=timed(axes, found.problem, chain, runs))
         except NotDriven:
             continue
     add(seconds, "timing", perf_counter() - start)
@@ -193,18 +237,19 @@ def _again(axes: Axes, found: Legal, runs: Runs, seconds: dict[str, float]) -> I
 
 def legal_of(
     axes: Axes, problems: Sequence[Problem], patience: Patience, tell: Report, seconds: dict[str, float],
-    runs: Runs | None = None, searched: Callable[[float], None] = lambda _: None,
+    runs: Runs | None = None, searched: Callable[[float], None] = lambda _: None, question: Question | None = None,
 ) -> Legal | Infeasible:  # fmt: skip
     """That of the problem with the fastest chain that can be driven; each one timed is told, and the first one of a
     stream is an answer. Where none can, as an axis would leave its range between the places that the search looks at,
-    with narrower ranges. runs: as in timed. searched: hears what the best chain of a search takes [s], the first one in
-    the whole ranges. Raises NoCleanPlan."""
+    with narrower ranges. Where what is found touches something, the search is asked for what does not. runs: as in
+    timed. searched: hears what the best chain of a search takes [s], the first one in the whole ranges. question: whose
+    problems they are, to add points to its program. Raises NoCleanPlan."""
     failure: tuple[Problem, NotDriven] | None = None
+    touched: NoClearWay | None = None
     for room in ROOMS:
         start = perf_counter()
         narrow, known = axes.narrowed(room), Times()
-        together = [one if one.coordinated else replace(one, coupling=Coupling.COORDINATED) for one in problems]
-        chains = [(search(narrow, bound), bound, problem) for bound, problem in zip(together, problems, strict=True)]
+        chains = [(search(narrow, coordinated(problem)), coordinated(problem), problem) for problem in problems]
         if costs := [chain.cost for chain, _, _ in chains if chain is not None]:
             searched(min(costs))
         found = [
@@ -226,24 +271,80 @@ def legal_of(
                 start = perf_counter()
                 for one in tried:
                     try:
-                        drafts.append(Legal(problem, one, timed(axes, problem, one, runs)))
+                        draft = driven_clear(axes, problem, one, runs)
                     except NotDriven as said:
                         failure = failure or (problem, said)
                         wanted = problem.legs[said.run[0]].duration
                         hopeless &= said.least is not None and wanted is not None and said.least > HOPELESS * wanted
-                    else:
-                        if not problem.coordinated:
-                            patience.answer()
-                        tell(Progress("timing", drafts[-1].duration))
+                        continue
+                    if isinstance(draft, NoClearWay):
+                        touched = touched or draft
+                        continue
+                    drafts.append(Legal(problem, one, draft))
+                    if not problem.coordinated:
+                        patience.answer()
+                    tell(Progress("timing", drafts[-1].duration))
                 add(seconds, "timing", perf_counter() - start)
             if drafts:
                 return min(drafts, key=lambda one: one.duration)
-        if failure is None:
+        if touched is not None and question is not None:
+            start = perf_counter()
+            blocked = [blocked_place(axes, problem) for problem in problems]
+            if None not in blocked:
+                assert blocked[0] is not None
+                return blocked[0]
+            around = _around(narrow, question, problems, known, runs)
+            add(seconds, "ways around", perf_counter() - start)
+            if isinstance(around, Legal):
+                tell(Progress("timing", around.duration))
+                return around
+            touched = around or touched
+            if failure is None:  # with less room there is no more
+                break
+        if failure is None and touched is None:
             return _disconnected(problems[0].program, any(problem.ties for problem in problems))
         if hopeless:
             break
+    if touched is not None:
+        return _touches(axes, touched)
     assert failure is not None
     return _not_driven(axes, *failure)
+
+
+def _around(
+    axes: Axes, question: Question, problems: Sequence[Problem], known: Times, runs: Runs | None
+) -> Legal | NoClearWay | None:
+    """The fastest motion found that touches nothing; or what the best one touches."""
+    changes = question.changes or everything(question.program, question.plant)
+    found: list[Legal] = []
+    failure: NoClearWay | None = None
+
+    def shifted(problem: Problem, chain: Chain) -> list[Chain]:
+        near = refined(axes, problem, chain, known, surroundings_of(problem))
+        polish = axes.layout.has_rail and any(problem.passes(k) for k in range(len(problem.waypoints)))
+        return [near, polished(axes, problem, near)] if polish else [near]
+
+    for problem in problems:
+        try:
+            for one in clear_motions(
+                axes, coordinated(problem), problem, changes.straight, changes.detours, question.detoured, shifted, runs
+            ):
+                found.append(Legal(one.problem, one.chain, one.draft, one.detours))
+        except NoClearWay as said:
+            failure = said
+        except NotDriven:
+            continue
+    return min(found, key=lambda one: one.duration, default=failure)
+
+
+def _touches(axes: Axes, failure: NoClearWay) -> Infeasible:
+    """The answer no where every motion that was found touches something: what the best one does."""
+    assert failure.draft is not None
+    leg = failure.problem.legs[failure.legs[0]]
+    motion = failure.problem.motion(leg.motion)
+    hit = hit_on(axes, failure.problem, failure.draft, failure.legs[0])
+    said = "touches something" if hit is None else f"cannot be driven clear: {hit.said}"
+    return Infeasible(leg.motion, motion.source, f"{motion_name(motion)} {said}")
 
 
 def _shifted(axes: Axes, problem: Problem, chain: Chain, known: Times) -> list[Chain]:
@@ -262,9 +363,11 @@ def _not_driven(axes: Axes, problem: Problem, failure: NotDriven) -> Infeasible:
     motion = problem.motion(leg.motion)
     if failure.least is not None:
         text = f"has {leg.duration:g} s and takes {failure.least:.3f} s as fast as was found; give it more time"
+    elif (heavy := _too_heavy(axes, problem, failure.run)) is not None:
+        text = f"cannot be driven: {heavy}; take a lighter tool or load, or bring the point nearer"
     elif failure.singular is not None:
         elbow, wrist = axes.robot.walls(failure.singular.q[axes.layout.arm])
-        what = "the wrist singularity (joint_5 = 0)" if wrist < 1 - elbow else "the stretched or folded elbow"
+        what = "the wrist singularity (axes 4 and 6 in line)" if wrist < 1 - elbow else "the stretched or folded elbow"
         p = (axes.forward(failure.singular.q) @ leg.X_FT)[:3, 3] * 1e3
         text = (
             f"passes {what} at [{p[0]:.1f}, {p[1]:.1f}, {p[2]:.1f}] mm, where no speed is low enough; tilt the tool,"
@@ -273,6 +376,24 @@ def _not_driven(axes: Axes, problem: Problem, failure: NotDriven) -> Infeasible:
     else:
         raise NoCleanPlan(f"{motion.source}: no way of driving it from {motion_name(motion)} on was found")
     return Infeasible(leg.motion, motion.source, f"{motion_name(motion)} {text}")
+
+
+def _too_heavy(axes: Axes, problem: Problem, run: tuple[int, int]) -> str | None:
+    """Which axis cannot hold the arm at a point of a run in any posture, in words; a rail that is free there stands in
+    the middle of its room."""
+    if axes.torque is None:
+        return None
+    for k in range(*run):
+        for point in problem.waypoints[k : k + 2]:
+            postures = [point.q]
+            if point.q is None:
+                rail = np.full(axes.layout.r, sum(point.rail) / 2)
+                found = axes.robot.solutions(point.X_WF, float(rail[0]) if len(rail) else None, problem.plant.limits)
+                postures = [axes.layout.merge(rail, arm) for _, arm in found]
+            heavy = [axes.torque.too_heavy(problem.legs[k], q) for q in postures if q is not None]
+            if heavy and all(heavy):
+                return heavy[0]
+    return None
 
 
 def _disconnected(program: Program, tied: bool) -> Infeasible:

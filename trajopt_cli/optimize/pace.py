@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from itertools import groupby
 
 import numpy as np
@@ -14,6 +14,7 @@ from trajopt_cli.optimize.course import Along, Course, Part, finer, together
 from trajopt_cli.optimize.exchange import Ratios
 from trajopt_cli.optimize.legs import JointNodes, PathLeg, Pieces
 from trajopt_cli.optimize.looks import looked_at
+from trajopt_cli.optimize.torque import Columns, of_room
 from trajopt_cli.optimize.tuning import (
     BEYOND,
     LEAST_FELT,
@@ -48,20 +49,21 @@ class Unresolved(Exception):
 @dataclass
 class Shares:
     """Of each limit, what an interval (N,) of a course may use: axes' and tool's speed, axes' and tool's
-    acceleration."""
+    acceleration, axes' torque."""
 
     speed: Array
     tool_speed: Array
     acceleration: Array
     tool_acceleration: Array
+    torque: Array
 
     @classmethod
     def full(cls, N: int) -> Shares:
         """All but a hair."""
-        return cls(*(np.full(N, START) for _ in range(4)))
+        return cls(*(np.full(N, START) for _ in fields(cls)))
 
-    def tighten(self, used: Shares, speed: Array, acceleration: Array, tool: Array) -> BoolArray:
-        """Less for the intervals whose worst ratios (N,), (N,), (N, 3) exceed what is safe: which.
+    def tighten(self, used: Shares, speed: Array, acceleration: Array, tool: Array, torque: Array) -> BoolArray:
+        """Less for the intervals whose worst ratios (N,), (N,), (N, 3), (N,) exceed what is safe: which.
 
         used: what the law uses at the nodes, which is tightened, for what it leaves it would not miss.
         """
@@ -71,6 +73,7 @@ class Shares:
             (self.acceleration, used.acceleration, acceleration),
             (self.tool_speed, used.tool_speed, np.maximum(tool[:, 0], tool[:, 2])),
             (self.tool_acceleration, used.tool_acceleration, tool[:, 1]),
+            (self.torque, used.torque, torque),
         ):
             over = ratio > SAFE
             felt = np.clip(use, share * LEAST_FELT, share)
@@ -80,7 +83,7 @@ class Shares:
 
     def at(self, intervals: BoolArray) -> Shares:
         """Those of some of the intervals."""
-        return Shares(*(x[intervals] for x in (self.speed, self.tool_speed, self.acceleration, self.tool_acceleration)))
+        return Shares(*(getattr(self, one.name)[intervals] for one in fields(self)))
 
 
 def top_rate(caps: Caps, along: Along) -> tuple[Array, Array]:
@@ -123,15 +126,36 @@ def used_by(axes: Axes, problem: Problem, course: Course, law: TimeLaw) -> Share
         most[1] = np.maximum(most[1], np.abs(slopes[row] * u[:, None] + bends[row] * rate[:, None] ** 2))
     speed, acceleration = most
     return Shares(
-        speed[:, 0], speed[:, 1], acceleration[:, : axes.n].max(axis=1), acceleration[:, axes.n :].max(axis=1)
+        speed[:, 0],
+        speed[:, 1],
+        acceleration[:, : axes.n].max(axis=1),
+        acceleration[:, axes.n :].max(axis=1),
+        _torque_used(axes, problem, course, u, x),
     )
 
 
-def in_force(
-    axes: Axes, problem: Problem, course: Course, shares: Shares
-) -> tuple[Array, tuple[Array, Array], tuple[Array, Array]]:
-    """The greatest rates (N+1,) at the nodes of a course, and slopes and bends (N, c) of what is limited where each
-    interval begins and where it ends."""
+def torque_columns(axes: Axes, problem: Problem, course: Course) -> Columns:
+    """What torques ask for at all nodes of a course (rows, n); (rows, 0) where they are free."""
+    if axes.torque is None:
+        return Columns(*(course.along.q[:, :0] for _ in range(3)))
+    legs, of = np.unique([part.leg for part in course.parts], return_inverse=True)
+    number, along = np.repeat(of, course.counts + 1), course.along
+    return axes.torque.columns([problem.legs[k] for k in legs], number, along.q, along.dq, along.ddq)
+
+
+def _torque_used(axes: Axes, problem: Problem, course: Course, u: Array, x: Array) -> Array:
+    """The worst share (N,) of what gravity leaves at the ends of every interval."""
+    slopes, bends, rest = torque_columns(axes, problem, course)
+    most = np.zeros(len(u))
+    for row, there in ((course.first, x[:-1]), (course.first + 1, x[1:])):
+        used = of_room(slopes[row] * u[:, None] + bends[row] * there[:, None], rest[row])
+        most = np.maximum(most, used.max(axis=1, initial=0.0))
+    return most
+
+
+def in_force(axes: Axes, problem: Problem, course: Course, shares: Shares) -> tuple[Array, Rows, Rows]:
+    """The greatest rates (N+1,) at the nodes of a course, and slopes, bends and rests (N, c) of what is limited where
+    each interval begins and where it ends."""
     N = len(course.part)
     tops, slopes, bends = limits(axes, problem, course)
     give = np.column_stack([np.repeat(shares.acceleration[:, None], axes.n, 1),
@@ -142,7 +166,16 @@ def in_force(
     top[:-1] = np.min(tops[a] * allowed, axis=1)
     top[1:] = np.minimum(top[1:], np.min(tops[b] * allowed, axis=1))
     top[[*course.rests]] = 0.0
-    begins, ends = ((slopes[i] / give, bends[i] / give) for i in (a, b))
+    torque = torque_columns(axes, problem, course)
+    most, still = shares.torque[:, None], np.zeros((N, slopes.shape[1]))
+    begins, ends = (
+        (
+            np.hstack([slopes[i] / give, torque.slopes[i] / most]),
+            np.hstack([bends[i] / give, torque.bends[i] / most]),
+            np.hstack([still, torque.rest[i]]),
+        )
+        for i in (a, b)
+    )
     return top, begins, ends
 
 
@@ -152,6 +185,7 @@ def law_of(axes: Axes, problem: Problem, course: Course, shares: Shares) -> Time
     return law if _moves(law, slice(0, len(course.part))) else None
 
 
+Rows = tuple[Array, Array, Array]
 Pace = Callable[[Axes, Problem, Course, Shares], TimeLaw | None]
 Driven = dict[int, Pieces] | Unresolved | None
 
@@ -191,7 +225,7 @@ def least_times(axes: Axes, problem: Problem, courses: Sequence[Course]) -> Arra
 def _fastest(axes: Axes, problem: Problem, course: Course, shares: Shares) -> TimeLaw:
     """The fastest law of courses one after the other; it stands still on those that have none."""
     top, *rows = in_force(axes, problem, course, shares)
-    begins, ends = ((slopes[None], bends[None]) for slopes, bends in rows)
+    begins, ends = (tuple(x[None] for x in (one if axes.torque is not None else one[:2])) for one in rows)
     return TimeLaw(course.sigma, fastest_laws(course.sigma[None], top[None], begins, ends, 0.0, 0.0).rates[0])
 
 
@@ -222,7 +256,7 @@ def _clean(axes: Axes, problem: Problem, courses: Sequence[Course], pace: Pace) 
         new = np.flatnonzero(stay & _driven_anew(every, law, before))
         if len(new):
             seen.put(new, looked_at(axes, problem, every, law, new))
-        worst = seen.velocity.max(axis=1), seen.acceleration.max(axis=1), seen.tool
+        worst = seen.velocity.max(axis=1), seen.acceleration.max(axis=1), seen.tool, seen.torque.max(axis=1)
         over = shares.tighten(used_by(axes, problem, every, law), *worst)
         for i, at in spans.items():
             outside = i in lost or seen.position[at].max() > _RANGE
@@ -242,7 +276,7 @@ def _clean(axes: Axes, problem: Problem, courses: Sequence[Course], pace: Pace) 
 
 def _nothing(axes: Axes, N: int) -> Ratios:
     """Of intervals that were not looked at."""
-    return Ratios(*(np.zeros((N, k)) for k in (axes.n, axes.n, axes.n, 3, axes.n)))
+    return Ratios(*(np.zeros((N, k)) for k in (axes.n, axes.n, axes.n, 3, axes.n, axes.n)))
 
 
 def _moves(law: TimeLaw, at: slice) -> bool:

@@ -18,6 +18,7 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.incumbent import about
 from trajopt_cli.optimize.leg_times import Pairs, Times, leg_times, short
 from trajopt_cli.optimize.search import Chain, best_chain
+from trajopt_cli.optimize.surroundings import Surroundings
 from trajopt_cli.optimize.tuning import (
     CALM,
     CARRY,
@@ -43,9 +44,11 @@ from trajopt_cli.problem.problem import LegKind, Problem
 _SAME = 1e-9  # m between rail positions that are one
 
 
-def refined(axes: Axes, problem: Problem, chain: Chain, known: Times | None = None) -> Chain:
-    """The chain with the rail positions that the least time is found at, beside those it has. known: as in
-    leg_times."""
+def refined(
+    axes: Axes, problem: Problem, chain: Chain, known: Times | None = None, around: Surroundings | None = None
+) -> Chain:
+    """The chain with the rail positions that the least time is found at, beside those it has. known: as in leg_times.
+    around: what is not touched at them, nor by straight joint moves between them."""
     free = [k for k, point in enumerate(problem.waypoints) if point.q is None and point.rail[0] < point.rail[1]]
     still = replace(chain, w=np.zeros_like(chain.w))
     if not free or not axes.layout.has_rail:
@@ -61,9 +64,9 @@ def refined(axes: Axes, problem: Problem, chain: Chain, known: Times | None = No
     known = Times() if known is None else known
     for _ in range(REFINE_ROUNDS):
         before = near
-        found = iter(_near(axes, problem, best, marks[changed], step))
+        found = iter(_near(axes, problem, best, marks[changed], step, around))
         near = [next(found) if new else before[i] for i, new in enumerate(changed)]
-        edges = _edges(axes, problem, marks, near, best, before, edges, step, known)
+        edges = _edges(axes, problem, marks, near, best, before, edges, step, known, around)
         cost, path = best_chain(near, edges, ties)
         if not np.isfinite(cost):
             break
@@ -154,7 +157,7 @@ def _along_rail(axes: Axes, problem: Problem, chain: Chain, a: int, d: Array) ->
     X_WF = np.tile([point.X_WF for point in points], (len(d), 1, 1))
     arm = axes.inverse(X_WF, d.ravel())[:, _branch(chain, a)].reshape(*d.shape, axes.n - layout.r)
     q = layout.join(d, arm + 2 * np.pi * np.round((chain.q[behind, layout.arm] - arm) / (2 * np.pi)))
-    inside = np.all((q >= axes.lower - 1e-9) & (q <= axes.upper + 1e-9), axis=-1) & (d >= low) & (d <= high)
+    inside = axes.within(q) & (d >= low) & (d <= high)
     return np.where(inside[..., None], q, np.nan)
 
 
@@ -251,7 +254,7 @@ def _moved(axes: Axes, problem: Problem, q: Array, cfx: Sequence[int], at: Seque
         arm = axes.inverse(point.X_WF[None], np.array([d]))[0, cfx[k]]
         turned = arm + 2 * np.pi * np.round((q[k, axes.layout.arm] - arm) / (2 * np.pi))
         out[k] = axes.layout.join(np.array(d), turned)
-        if not (point.rail[0] <= d <= point.rail[1] and np.all((out[k] >= axes.lower) & (out[k] <= axes.upper))):
+        if not (point.rail[0] <= d <= point.rail[1] and axes.within(out[k], 0.0)):
             return None
     return out
 
@@ -260,7 +263,9 @@ def _branch(chain: Chain, k: int) -> int:
     return chain.labels[k].cfx if chain.labels[k].cfx >= 0 else chain.labels[k + 1].cfx
 
 
-def _near(axes: Axes, problem: Problem, chain: Chain, at: IndexArray, step: Array) -> list[Array]:
+def _near(
+    axes: Axes, problem: Problem, chain: Chain, at: IndexArray, step: Array, around: Surroundings | None
+) -> list[Array]:
     """Axes (m, n) to try at each of some waypoints, those of the chain among them; step [m] at every waypoint."""
     points = [problem.waypoints[k] for k in at]
     free = [i for i, point in enumerate(points) if point.q is None and point.rail[0] < point.rail[1]]
@@ -278,8 +283,12 @@ def _near(axes: Axes, problem: Problem, chain: Chain, at: IndexArray, step: Arra
     arm = axes.inverse(X_WF, d.ravel())[np.arange(d.size), cfx]
     turned = arm + 2 * np.pi * np.round((np.repeat(chain.q[k][:, axes.layout.arm], tries, axis=0) - arm) / (2 * np.pi))
     q = axes.layout.join(d.ravel(), turned)
-    ok = np.all((q >= axes.lower - 1e-9) & (q <= axes.upper + 1e-9), axis=1).reshape(d.shape)
+    ok = axes.within(q).reshape(d.shape)
     ok[:, 1:] &= np.diff(d, axis=1) > 0
+    if around is not None:
+        for side in (-1, 0):  # with what is carried before a waypoint and behind it
+            motions = [problem.legs[min(max(i + side, 0), len(problem.legs) - 1)].motion for i in k]
+            ok &= around.free(q, np.repeat(motions, tries)).reshape(d.shape)
     for i, every, these in zip(free, q.reshape(*d.shape, -1), ok, strict=True):
         if these.any():
             out[i] = every[these]
@@ -296,6 +305,7 @@ def _edges(
     edges: Sequence[Array],
     step: Array,
     known: Times,
+    around: Surroundings | None,
 ) -> list[Array]:
     """(m_a, m_b) least time from each mark to the next between the axes near them, infinite where it cannot be. A
     fly-by is passed as fast as may be: its corner is not looked at. edges: the same between the axes that were near
@@ -319,6 +329,9 @@ def _edges(
         worth = _worth(axes, problem, first, last, a[ia], b[ib], chain, max(step[first], step[last]))
         edge[ia, ib] = np.inf
         ia, ib = ia[worth], ib[worth]
+        if around is not None and problem.legs[first].kind is LegKind.JOINT:
+            clear = around.free_between(a[ia], b[ib], problem.legs[first].motion)
+            ia, ib = ia[clear], ib[clear]
         q = _between(axes, problem, chain, first, last, a[ia], b[ib])
         can = np.isfinite(q).all(axis=(1, 2))
         q, cfx = q[can], _branch(chain, first)

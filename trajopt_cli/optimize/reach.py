@@ -16,9 +16,11 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
+from trajopt_cli.limits import Couplings
 from trajopt_cli.motion import MoveJ, MoveL, motion_name
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.singular_start import SingularStart, usable
+from trajopt_cli.optimize.surroundings import Surroundings
 from trajopt_cli.optimize.tuning import (
     FEWEST_NODES,
     LINE_NODES,
@@ -59,8 +61,8 @@ class StationTable:
 
     d: (n,); waypoints: for each (L, n, m) with NaN where the configuration is not to be had, L labels; raw: per leg
     (branches, nodes, n, m) without turns, None for dwells. At a waypoint with fixed joints only its own rail value is
-    open. limits (2, m): lower and upper ones. leaves (L, n): where the first line begins at a singularity, to which
-    places the rail can go in proportion; else None.
+    open. limits (2, m): lower and upper ones; couplings: of sums of joints. leaves (L, n): where the first line begins
+    at a singularity, to which places the rail can go in proportion; else None.
     """
 
     first: int
@@ -69,6 +71,7 @@ class StationTable:
     waypoints: tuple[Array, ...]
     raw: tuple[Array | None, ...]
     limits: Array
+    couplings: Couplings
     leaves: BoolArray | None = None
 
     def line(self, i: int) -> Array | None:
@@ -88,6 +91,9 @@ class StationTable:
         for j, turn, some, cfx in self._turned:
             q = raw[..., j] + turn
             open_[some] &= ((q >= self.limits[0, j]) & (q <= self.limits[1, j]))[cfx]
+        if self.couplings:
+            for label, one in zip(self.labels, open_, strict=True):
+                one &= self.couplings.within(raw[label.cfx] + label.turns)
         return open_
 
     @cached_property
@@ -108,7 +114,8 @@ class StationTable:
         return ~np.isnan(self.waypoints[i][..., 0]) & ~np.isnan(self.waypoints[i + 1][..., 0])
 
     def _within(self, q: Array) -> BoolArray:
-        return np.asarray(np.all((q >= self.limits[0]) & (q <= self.limits[1]), axis=-1))
+        each = np.all((q >= self.limits[0]) & (q <= self.limits[1]), axis=-1)
+        return np.asarray(each & self.couplings.within(q)) if self.couplings else np.asarray(each)
 
 
 def rail_grid(problem: Problem, first: int, last: int, n: int, window: tuple[float, float] | None = None) -> Array:
@@ -154,15 +161,32 @@ def _reaches(axes: Axes, problem: Problem, first: int, last: int) -> Array:
     return np.asarray(axes.robot.rail_within(np.array(X_WF)))
 
 
-def _unwrap(arm: Array, axis: int, first: int = 0) -> Array:
-    """Whole turns removed between neighbours along an axis, gaps of NaN bridged; first: where to begin, both ways."""
-    if first:
-        before, behind = np.split(arm, [first], axis)
-        behind = _unwrap(behind, axis)
-        start = np.take(behind, [0], axis)
-        back = _unwrap(np.flip(np.concatenate([before, start], axis), axis), axis)
-        return np.concatenate([np.delete(np.flip(back, axis), -1, axis), behind], axis)
+def _unwrap(arm: Array, axis: int) -> Array:
+    """Whole turns removed between neighbours along an axis, gaps of NaN bridged."""
     x = np.moveaxis(arm, axis, 0)
+    turns = _windings(x)
+    return arm if turns is None else np.moveaxis(x - 2 * np.pi * turns, 0, axis)
+
+
+def _unwrap_beside(line: Array, known: BoolArray) -> Array:
+    """Whole turns removed between neighbouring columns of a line (b, nodes, n, m). Columns (b, n) that are known stay
+    as they are; the others are continued from the known one before, or from the first.
+
+    A column that is continued from the line's start is known. Beside it another may go round axis 1 the other way.
+    """
+    x = np.moveaxis(line, 2, 0)
+    turns = _windings(x)
+    if turns is None:
+        return line
+    rows = np.arange(len(x))[:, None]
+    before = np.maximum.accumulate(np.where(known.T, rows, -1), axis=0)
+    near = np.where(before >= 0, before, np.argmax(known, axis=1))
+    turns = turns - np.take_along_axis(turns, near[:, :, None, None], axis=0)
+    return np.moveaxis(x - 2 * np.pi * turns, 0, 2)
+
+
+def _windings(x: Array) -> Array | None:
+    """Whole turns by which values (k, ..., m) are ahead of the first, gaps of NaN bridged; None for none anywhere."""
     missing = np.isnan(x[..., 0])  # all joints of a place or none
     before = x[:-1]
     if missing.any():
@@ -171,10 +195,9 @@ def _unwrap(arm: Array, axis: int, first: int = 0) -> Array:
         before = np.take_along_axis(x, held[:-1, ..., None], axis=0)
     apart = x[1:] - before
     if not np.any(np.abs(apart) > np.pi):
-        return arm
+        return None
     steps = np.nan_to_num(np.round(apart / (2 * np.pi)))
-    turns = np.concatenate([np.zeros_like(x[:1]), np.cumsum(steps, axis=0)])
-    return np.moveaxis(x - 2 * np.pi * turns, 0, axis)
+    return np.concatenate([np.zeros_like(x[:1]), np.cumsum(steps, axis=0)])
 
 
 def line_nodes(leg: Leg) -> int:
@@ -241,21 +264,26 @@ def _raw(
         raw = next(found)
         raw[:, 0] = stops[-1]
         # along the line first; then along the rail, for columns whose start is out of reach and gave no reference
-        line = _unwrap(_unwrap(raw, 1), 2, given.column(d) if given is not None and left is leg else 0)
+        line = _unwrap_beside(_unwrap(raw, 1), ~np.isnan(raw[:, 0, :, 0]))
         lines.append(line)
         stops.append(line[:, -1])
     return stops, lines, leaves
 
 
-def station_table(axes: Axes, problem: Problem, first: int, last: int, d: Array) -> StationTable:
-    """Tables of one station."""
+def station_table(
+    axes: Axes, problem: Problem, first: int, last: int, d: Array, around: Surroundings | None = None
+) -> StationTable:
+    """Tables of one station; around: what must not be touched, at the waypoints and at the nodes of lines."""
     given = SingularStart.of(axes, problem, first, last)
     stops, lines, leaves = _raw(axes, problem, first, last, d, given)
+    if around is not None:
+        stops, lines = _clear(axes, problem, first, d, stops, lines, around)
     limits = np.array([axes.lower[axes.layout.arm] - 1e-9, axes.upper[axes.layout.arm] + 1e-9])
+    couplings = axes.couplings.arm(axes.layout.arm)
     alone = problem.waypoints[first].q if first == last else None
     if alone is not None:
         d, arm = axes.layout.place(alone[None]), alone[axes.layout.arm]
-        return StationTable(first, d, (Label(-1, np.zeros_like(arm)),), (arm[None, None],), (), limits)
+        return StationTable(first, d, (Label(-1, np.zeros_like(arm)),), (arm[None, None],), (), limits, couplings)
     labels = [Label(cfx, turns) for cfx, turns in product(range(len(stops[0])), axes.robot.turns)]
     kept = np.arange(len(labels))
     tables: list[Array] = []
@@ -275,13 +303,33 @@ def station_table(axes: Axes, problem: Problem, first: int, last: int, d: Array)
         tuple(tables),
         tuple(lines),
         limits,
+        couplings,
         None if leaves is None else leaves[[labels[j].cfx for j in kept]],
     )
 
 
+def _clear(
+    axes: Axes, problem: Problem, first: int, d: Array, stops: list[Array], lines: list[Array | None],
+    around: Surroundings,
+) -> tuple[list[Array], list[Array | None]]:  # fmt: skip
+    """The joints of a station, NaN where the robot touches something; whole turns do not matter to that."""
+
+    def kept(arm: Array, motions: set[int]) -> Array:
+        q = axes.layout.join(np.broadcast_to(d, arm.shape[:-1]), arm).reshape(-1, axes.n)
+        free = np.ones(len(q), dtype=bool)
+        for index in {around.scene(motion): motion for motion in sorted(motions)}.values():
+            free &= around.free(q, index)
+        return np.where(free.reshape(arm.shape[:-1])[..., None], arm, np.nan)
+
+    legs = problem.legs
+    beside = [{legs[k].motion for k in (first + i - 1, first + i) if 0 <= k < len(legs)} for i in range(len(stops))]
+    nodes = [None if raw is None else kept(raw, {legs[first + i].motion}) for i, raw in enumerate(lines)]
+    return [kept(stop, motions) for stop, motions in zip(stops, beside, strict=True)], nodes
+
+
 def _to_be_had(axes: Axes, stop: Waypoint, q: Array, d: Array, limits: Array) -> BoolArray:
     """Where joints q (L, n, m) at rail positions d (n,) may be those of a waypoint."""
-    ok = np.all((q >= limits[0]) & (q <= limits[1]), axis=-1)
+    ok = np.all((q >= limits[0]) & (q <= limits[1]), axis=-1) & axes.couplings.arm(axes.layout.arm).within(q)
     if stop.rail[0] == stop.rail[1]:
         ok &= np.abs(d - stop.rail[0]) < 1e-12
     if stop.conf is not None:
@@ -305,7 +353,8 @@ def check_reach(axes: Axes, problem: Problem) -> Infeasible | None:
     for first, last in problem.stations:
         singular = SingularStart.of(axes, problem, first, last) is not None
         name = stretch_name(problem if singular else alike, first, last)
-        key = blake2b(name + axes.lower.tobytes() + axes.upper.tobytes(), digest_size=16).digest()
+        ranges = (axes.lower, axes.upper, axes.couplings.rows, axes.couplings.lower, axes.couplings.upper)
+        key = blake2b(name + b"".join(x.tobytes() for x in ranges), digest_size=16).digest()
         if key in served:
             continue
         out = _unserved(axes, problem, first, last)
@@ -531,9 +580,9 @@ def _first_lost(axes: Axes, leg: Leg, arm: list[Array], branches: set[int]) -> i
 
 def _in_limits(axes: Axes, arm: Array) -> BoolArray:
     low, high = axes.lower[axes.layout.arm] - 1e-9, axes.upper[axes.layout.arm] + 1e-9
-    ok = np.zeros(arm.shape[:-1], dtype=bool)
+    ok, couplings = np.zeros(arm.shape[:-1], dtype=bool), axes.couplings.arm(axes.layout.arm)
     for turn in axes.robot.turns:
-        ok |= np.all((arm + turn >= low) & (arm + turn <= high), axis=-1)
+        ok |= np.all((arm + turn >= low) & (arm + turn <= high), axis=-1) & couplings.within(arm + turn)
     return ok
 
 

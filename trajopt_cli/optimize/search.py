@@ -12,13 +12,16 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, IndexArray
+from trajopt_cli.geometry import Array, BoolArray, IndexArray
+from trajopt_cli.optimize.avoid import Avoid, States
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.double_integrator import alone, reach, shortest_time, trapezoid_time
-from trajopt_cli.optimize.edges import Band, Dense, Edge, Lazy
+from trajopt_cli.optimize.edges import Band, Checked, Dense, Edge, Lazy
 from trajopt_cli.optimize.reach import Label, StationTable, back_along, grid_in_reach, rail_grid, station_table
 from trajopt_cli.optimize.tied import Ties, best_tied
 from trajopt_cli.optimize.tuning import (
+    AVOID_ROUNDS,
+    AVOID_WORSE,
     CURVED,
     LEAST_ROOM,
     LINE_CHUNK,
@@ -75,6 +78,8 @@ def _layer(axes: Axes, problem: Problem, table: StationTable, i: int, k: int, sp
     labels, rails = np.nonzero(~np.isnan(arm[..., 0]))
     stop = problem.waypoints[k]
     q = axes.layout.join(table.d[rails], arm[labels, rails])
+    if axes.torque is not None and (held := _held(axes, problem, k, q)).any():
+        q, labels, rails = q[held], labels[held], rails[held]
     if stop.rest or stop.q is not None or stop.rail[0] == stop.rail[1] or len(speeds) == 1:
         return _Layer(q, np.zeros_like(q), labels, rails)
     m = len(speeds)
@@ -83,6 +88,13 @@ def _layer(axes: Axes, problem: Problem, table: StationTable, i: int, k: int, sp
     qd = np.repeat(rate, m, axis=0) * np.tile(speeds, len(rate))[:, None]
     ok = np.all(np.abs(qd) <= axes.velocity + 1e-12, axis=1)
     return _Layer(q[ok], qd[ok], labels[ok], rails[ok])
+
+
+def _held(axes: Axes, problem: Problem, k: int, q: Array) -> BoolArray:
+    """At which axes (m, n) all torques can hold the arm at waypoint k, with what it carries before and behind it."""
+    assert axes.torque is not None
+    beside = [problem.legs[i] for i in (k - 1, k) if 0 <= i < len(problem.legs)]
+    return np.asarray(np.all([axes.torque.holds(leg.load, q) for leg in beside], axis=0))
 
 
 def _joint_edge(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) -> Edge:
@@ -130,8 +142,8 @@ def _joint_edge(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
 
 
 def _within(T: Array, leg: Leg) -> Array:
-    """Least times of a leg with its programmed time, where that is enough."""
-    return T if leg.duration is None else np.where(leg.duration >= T, leg.duration, T)
+    """Least times of a leg with its programmed time, where that is enough, or with the time of what turns meanwhile."""
+    return np.maximum(T, leg.least) if leg.duration is None else np.where(leg.duration >= T, leg.duration, T)
 
 
 def _one_share(axes: Axes, leg: Leg, q_a: Array, q_b: Array, V: Array, A: Array) -> tuple[Array, Array]:
@@ -227,7 +239,7 @@ def _line_times(axes: Axes, problem: Problem, table: StationTable, i: int, k: in
         for cfx, p in ((branch[j : j + most], pair[j : j + most]) for j in range(0, len(pair), most)):
             q = arm[:, cfx, low[:, p]] * (1 - f[:, p]) + arm[:, cfx, high[:, p]] * f[:, p]
             T[cfx, p] = _along_line(axes, leg, q, d[end[p]] - d[start[p]], V, A)
-        times[widest + start - end, :, start] = np.where(ok, np.maximum(T, leg.duration or 0.0)[of], np.inf).T
+        times[widest + start - end, :, start] = np.where(ok, np.maximum(T, leg.duration or leg.least)[of], np.inf).T
     return Band(shifts, times, a.place, b.place)
 
 
@@ -285,7 +297,7 @@ def _goes_back(problem: Problem, first: int, k: int) -> int | None:
     if j is None:
         return None
     caps, its = (
-        (x.v_tcp, x.a_tcp, x.v_ori, x.v_rail, x.duration, x.rail_moves, x.acceleration)
+        (x.v_tcp, x.a_tcp, x.v_ori, x.v_rail, x.duration, x.rail_moves, x.acceleration, x.least)
         for x in (problem.legs[k], problem.legs[j])
     )
     passed, its_passed = (problem.passes(i) and problem.passes(i + 1) for i in (k, j))
@@ -320,15 +332,17 @@ def _dwell_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
 
 
 def _edges(
-    axes: Axes, problem: Problem, tables: list[StationTable], where: list[int], layers: list[_Layer]
-) -> list[Edge]:
+    axes: Axes, problem: Problem, tables: list[StationTable], where: list[int], layers: list[_Layer],
+    avoid: Avoid | None = None,
+) -> list[Edge]:  # fmt: skip
     """Between all states; equal legs between equal states share one."""
     edges: list[Edge] = []
     known: dict[tuple[object, ...], Edge] = {}
     bands: dict[int | None, Band] = {}
     for k, leg in enumerate(problem.legs):
         a, b, table = layers[k], layers[k + 1], tables[where[k]]
-        name = id(a), id(b), leg_name(leg), problem.passes(k), problem.passes(k + 1)
+        scene = None if avoid is None else avoid.around.scene(leg.motion)
+        name = id(a), id(b), leg_name(leg), problem.passes(k), problem.passes(k + 1), scene
         if name in known:
             edges.append(known[name])
             continue
@@ -346,6 +360,9 @@ def _edges(
             T = _dwell_time(axes, problem, leg, a, b)
             held = problem.freedom.rail is RailFreedom.STATION
             edges.append(Dense(np.where(a.rail[:, None] == b.rail[None], T, np.inf) if held else T))
+        made = edges[-1]
+        if avoid is not None and not isinstance(made, Checked):
+            edges[-1] = Checked.of(made, (len(a.q), len(b.q)))
         known[name] = edges[-1]
     return edges
 
@@ -361,6 +378,35 @@ def _best(layers: list[_Layer], edges: Sequence[Edge], ties: Ties) -> tuple[floa
     for b in reversed(back):
         path.append(int(b[path[-1]]))
     return float(forward[-1][end]), path[::-1], forward
+
+
+def _best_clear(
+    problem: Problem, tables: list[StationTable], where: list[int], layers: list[_Layer], edges: Sequence[Edge],
+    avoid: Avoid | None,
+) -> tuple[float, list[int], list[Array]]:  # fmt: skip
+    """The same of chains that touch nothing: what is not known of the best one is looked at, until nothing is left.
+    Infinite and [] where that has no end."""
+    if avoid is None:
+        return _best(layers, edges, problem.ties)
+    forward: list[Array] = []
+    states = [
+        States(layer.q, np.array([label.cfx for label in tables[at].labels], dtype=np.intp)[layer.label])
+        for layer, at in zip(layers, where, strict=True)
+    ]
+    for _ in range(AVOID_ROUNDS):
+        cost, path, forward = _best(layers, edges, problem.ties)
+        if not np.isfinite(cost):
+            return np.inf, [], forward
+        new = [k for k, edge in enumerate(edges) if isinstance(edge, Checked) and not edge.known[path[k], path[k + 1]]]
+        if not new:
+            return cost, path, forward
+        backward = _backward(layers, edges, forward, cost * AVOID_WORSE)
+        for k in new:
+            edge, pair = edges[k], (path[k], path[k + 1])
+            if isinstance(edge, Checked) and not edge.known[pair]:  # equal legs share one
+                through = forward[k][:, None] + edge.least + backward[k + 1]
+                avoid.settle(problem, k, edge, states[k], states[k + 1], through, pair)
+    return np.inf, [], forward
 
 
 def _forward(layers: list[_Layer], edges: Sequence[Edge]) -> tuple[list[Array], list[IndexArray]]:
@@ -413,8 +459,9 @@ def best_chain(q: list[Array], edges: list[Array], ties: Ties) -> tuple[float, l
     return _best(layers, [Dense(T) for T in edges], ties)[:2]
 
 
-def search(axes: Axes, problem: Problem) -> Chain | None:
-    """The best chain found, or None when no chain of waypoints is connected on the grid.
+def search(axes: Axes, problem: Problem, avoid: Avoid | None = None) -> Chain | None:
+    """The best chain found, or None when no chain of waypoints is connected on the grid. avoid: what must not be
+    touched; then joint moves of the chain lead around it by the points that avoid knows.
 
     Long programs are searched in windows, each from where the one before it is certain enough; equal ones once.
     """
@@ -431,9 +478,9 @@ def search(axes: Axes, problem: Problem) -> Chain | None:
         end = next((k for k in ends if k - begin >= SEARCH_LEGS), final)
         sure = max((k for k in ends if begin < k <= end - SEARCH_AHEAD), default=end) if end < final else final
         window = _window(problem, begin, end, parts[-1].q[-1] if parts else None)
-        name = _name(window)
+        name = _name(window) + (b"" if avoid is None else avoid.scenes(window, 0, len(window.legs)))
         if name not in known:
-            known[name] = _search(axes, window)
+            known[name] = _search(axes, window, avoid)
         chain = known[name]
         if chain is None:
             return None
@@ -480,42 +527,50 @@ def _joined(chains: Sequence[Chain]) -> Chain:
     return Chain(q, w, labels, times, float(np.sum(times)))
 
 
-def _tables(axes: Axes, problem: Problem, grids: Sequence[Array]) -> list[StationTable]:
+def _tables(axes: Axes, problem: Problem, grids: Sequence[Array], avoid: Avoid | None = None) -> list[StationTable]:
     """Of all stations on their grids; equal ones once."""
     known: dict[bytes, StationTable] = {}
     out = []
     for (first, last), d in zip(problem.stations, grids, strict=True):
         name = stretch_name(problem, first, last) + d.tobytes()
+        if avoid is not None:
+            name += avoid.scenes(problem, first, last)
         if name not in known:
-            known[name] = station_table(axes, problem, first, last, d)
+            known[name] = station_table(axes, problem, first, last, d, None if avoid is None else avoid.around)
         out.append(known[name])
     return out
 
 
 def _layers(axes: Axes, problem: Problem, tables: list[StationTable], speeds: Array) -> list[_Layer]:
     """The states at all waypoints; at equal ones of equal stations one and the same."""
-    known: dict[tuple[int, int], _Layer] = {}
+    known: dict[tuple[object, ...], _Layer] = {}
     out = []
     for (first, last), table in zip(problem.stations, tables, strict=True):
         for k in range(first, last + 1):
-            name = id(table), k - first
+            name = id(table), k - first, *_loads_at(problem, k)
             if name not in known:
                 known[name] = _layer(axes, problem, table, k - first, k, speeds)
             out.append(known[name])
     return out
 
 
-def _search(axes: Axes, problem: Problem) -> Chain | None:
+def _loads_at(problem: Problem, k: int) -> tuple[tuple[float, ...], ...]:
+    """What is carried before and behind a waypoint, where that matters."""
+    beside = [problem.legs[i].load for i in (k - 1, k) if 0 <= i < len(problem.legs)]
+    return tuple(() if load is None else load.numbers for load in beside)
+
+
+def _search(axes: Axes, problem: Problem, avoid: Avoid | None = None) -> Chain | None:
     """The same, all at once."""
     where = _station_of(problem)
     grids = [grid_in_reach(axes, problem, first, last, SEARCH_COARSE, SEARCH_APART) for first, last in problem.stations]
-    tables = _tables(axes, problem, grids)
+    tables = _tables(axes, problem, grids, avoid)
     if not all(t.labels for t in tables):
         return None
     still = np.zeros(1)
     layers = _layers(axes, problem, tables, still)
-    edges = _edges(axes, problem, tables, where, layers)
-    cost, path, forward = _best(layers, edges, problem.ties)
+    edges = _edges(axes, problem, tables, where, layers, avoid)
+    cost, path, forward = _best_clear(problem, tables, where, layers, edges, avoid)
     if not np.isfinite(cost):
         return None
     coarse = _chain(problem, tables, where, layers, edges, path, cost)
@@ -533,7 +588,7 @@ def _search(axes: Axes, problem: Problem) -> Chain | None:
         for (first, last), window in zip(problem.stations, windows, strict=True)
     ]
     fine_tables, known = [], dict[tuple[object, ...], StationTable]()
-    finer = _tables(axes, problem, grids)
+    finer = _tables(axes, problem, grids, avoid)
     for (first, last), table, fine in zip(problem.stations, tables, finer, strict=True):
         keep: set[int] = set()
         for k in range(first, last + 1):
@@ -548,8 +603,8 @@ def _search(axes: Axes, problem: Problem) -> Chain | None:
     layers = _layers(axes, problem, fine_tables, speeds)
     if not all(len(layer.q) for layer in layers):
         return coarse
-    edges = _edges(axes, problem, fine_tables, where, layers)
-    cost, path, _ = _best(layers, edges, problem.ties)
+    edges = _edges(axes, problem, fine_tables, where, layers, avoid)
+    cost, path, _ = _best_clear(problem, fine_tables, where, layers, edges, avoid)
     return _chain(problem, fine_tables, where, layers, edges, path, cost) if np.isfinite(cost) else coarse
 
 
@@ -605,6 +660,7 @@ def _restrict(table: StationTable, labels: list[int]) -> StationTable:
         tuple(s[labels] for s in table.waypoints),
         table.raw,
         table.limits,
+        table.couplings,
         None if table.leaves is None else table.leaves[labels],
     )
 

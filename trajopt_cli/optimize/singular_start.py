@@ -60,7 +60,7 @@ class SingularStart:
         ok = np.abs(self.beginnings(axes, d) - self.arm).max(axis=-1) <= LEAVING  # NaN is not
         out = np.full((*ok.shape, len(self.arm)), np.nan)
         turning = np.any(axes.robot.turns != 0, axis=0)
-        within = self.arm - 2 * np.pi * np.round(self.arm / (2 * np.pi)) * turning
+        within = self.arm - 2 * np.pi * np.round((self.arm - axes.robot.middles) / (2 * np.pi)) * turning
         out[ok[:, self._may_go(problem, d)].any(axis=1), self.column(d)] = within
         return out, ok
 

@@ -162,5 +162,5 @@ def _apart(move: SoftMove) -> bool:
 def _slower(ratios: Ratios) -> float:
     """How many times as long a motion has to take that it is legal; less than one for time to spare."""
     rates = max(ratios.velocity.max(), ratios.tool[:, 0].max(), ratios.tool[:, 2].max())
-    bends = max(ratios.acceleration.max(), ratios.tool[:, 1].max())
+    bends = max(ratios.acceleration.max(), ratios.tool[:, 1].max(), ratios.torque.max())
     return float(max(rates, np.sqrt(bends), np.cbrt(ratios.jerk.max() / SAFE_JERK) * SAFE) / SAFE)

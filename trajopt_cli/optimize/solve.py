@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from time import perf_counter
 
 import numpy as np
 
 from trajopt_cli.geometry import Array, IndexArray
-from trajopt_cli.motion import Hold, Program
+from trajopt_cli.motion import Hold, Program, motion_name
 from trajopt_cli.optimize.assemble import rows_of
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.binding import binding_limits
@@ -19,6 +19,7 @@ from trajopt_cli.optimize.effort import efforts, rail_way
 from trajopt_cli.optimize.gentle import gentlest
 from trajopt_cli.optimize.improve import improved, sharpened
 from trajopt_cli.optimize.incumbent import duration
+from trajopt_cli.optimize.joined import driven_by
 from trajopt_cli.optimize.legal import Memory, NoCleanPlan, Question, calmer_motions, legal_motion
 from trajopt_cli.optimize.legs import JointProfiles, LegMotion, PathLeg
 from trajopt_cli.optimize.search import search
@@ -29,6 +30,7 @@ from trajopt_cli.optimize.tuning import (
     ROWS_AT_ONCE,
 )
 from trajopt_cli.problem.changes import Changes
+from trajopt_cli.problem.detours import Detour, folded, quoted
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom
 from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective
 from trajopt_cli.problem.patience import Patience
@@ -119,12 +121,16 @@ def optimize(
         start = perf_counter()
         tell(Progress("bound", incumbent=trajectory.duration))
         known = least if eased else trajectory.duration
-        bound = _checked(_bound(axes, problem, known), known)
+        asked = next(one for one in question.unchecked() if isinstance(one, Problem) and one.dropped == legal.dropped)
+        bound = _checked(_bound(axes, asked if legal.detours else problem, known), known)
         seconds["bound"] = perf_counter() - start
     tell(Progress("done", incumbent=least if eased else trajectory.duration, bound=bound))
     grid = _grid(legs, problem)
-    motions = _planned(axes, program, problem, draft, legs, bounds)
-    return Plan(target, trajectory, motions, bound, grid, seconds, notes, eased)
+    motions = _planned(axes, problem, draft, legs, bounds)
+    driven = driven_by(problem, legal.detours)
+    ways = _ways(program, legal.detours, driven)
+    plan = Plan(target, trajectory, motions, bound, grid, seconds, (*ways, *notes), eased)
+    return _without_others(folded(plan, program, legal.detours), driven)
 
 
 def _strain(axes: Axes, draft: Draft) -> Strain:
@@ -241,8 +247,23 @@ def _grid(legs: list[LegMotion], problem: Problem) -> str:
     return ", ".join(parts)
 
 
+def _ways(program: Program, detours: Sequence[Detour], driven: Sequence[Detour]) -> Iterator[str]:
+    """What a reader should know of ways around, a line each. driven: those that lead by their points."""
+    for detour in detours:
+        motion, count = program.motions[detour.motion], len(detour.points)
+        by = f" by {count} point{'s' if count > 1 else ''}" if detour in driven else ""
+        yield f"{motion.source}: {motion_name(motion)} goes around {quoted(detour.around)}{by}"
+
+
+def _without_others(plan: Plan, driven: tuple[Detour, ...]) -> Plan:
+    """The plan with the points alone that it is driven by."""
+    by = {detour.motion for detour in driven}
+    motions = tuple(one if one.index in by else replace(one, via=()) for one in plan.motions)
+    return replace(plan, motions=motions, detours=driven)
+
+
 def _planned(
-    axes: Axes, program: Program, problem: Problem, draft: Draft, legs: list[LegMotion], bounds: Array
+    axes: Axes, problem: Problem, draft: Draft, legs: list[LegMotion], bounds: Array
 ) -> tuple[PlannedMotion, ...]:
     first = {leg.motion: k for k, leg in reversed([*enumerate(problem.legs)])}
     last = {leg.motion: k for k, leg in enumerate(problem.legs)}
@@ -251,7 +272,7 @@ def _planned(
     binding = dict(zip(moved, limits, strict=True))
     out = []
     now, q_now = 0.0, draft.q[0]
-    for i, motion in enumerate(program.motions):
+    for i, motion in enumerate(problem.program.motions):
         k = last.get(i)
         if k is None:
             out.append(PlannedMotion(i, motion.source, now, now, q_now, q_now, "", i in problem.dropped))

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
+from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,6 +17,7 @@ from numpy.typing import ArrayLike
 from trajopt_cli.geometry import Array, IndexArray, inverse_pose
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.blocks import BlockNlp
+from trajopt_cli.optimize.clearances import Tangents
 from trajopt_cli.optimize.double_integrator import trapezoid_time
 from trajopt_cli.optimize.draft import Draft, Margins
 from trajopt_cli.optimize.effort import efforts
@@ -47,8 +49,10 @@ from trajopt_cli.path.line import Line, LineSymbols
 from trajopt_cli.problem.freedom import RailFreedom
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
+from trajopt_cli.robot.symbolic_dynamics import load_parameters
 
 NONE: IndexArray = np.zeros(0, dtype=np.intp)
+NOTHING_NEAR: Mapping[int, Tangents] = MappingProxyType({})
 
 
 @dataclass
@@ -108,13 +112,15 @@ def glides(leg: Leg) -> bool:
 
 
 class Transcription:
-    """The program for one draft's structure: its branches, grids, and which joint moves are on a grid."""
+    """The program for one draft's structure: its branches, grids, which joint moves are on a grid, and which legs have
+    bodies near them."""
 
     def __init__(
-        self, axes: Axes, formulation: Formulation, problem: Problem, draft: Draft, margins: Sequence[Margins | None]
-    ):
+        self, axes: Axes, formulation: Formulation, problem: Problem, draft: Draft, margins: Sequence[Margins | None],
+        tangents: Mapping[int, Tangents] = NOTHING_NEAR,
+    ):  # fmt: skip
         self.axes, self.formulation, self.problem = axes, formulation, problem
-        self.draft, self.margins = draft, margins
+        self.draft, self.margins, self.tangents = draft, margins, tangents
         self.nlp = BlockNlp()
         self.waypoint_q: list[IndexArray] = []
         self.waypoint_qd: list[IndexArray] = []
@@ -172,6 +178,8 @@ class Transcription:
             if self._smooth:
                 z |= {"b": self.waypoint_qdd[k][rail], "qdd": self.waypoint_qdd[k][arm]}
             self._hold(self.formulation.waypoint(), z, p)
+        if axes.couplings:
+            self._hold(self.formulation.sums(), {"q": self.waypoint_q[k]}, {"room": np.ones(axes.n)})
 
     def _rail_range(self, share: Array) -> tuple[Array, Array]:
         """The rail's range (..., r) at nodes that may use a share (..., r) of its half, about its middle: a rail that
@@ -253,11 +261,12 @@ class Transcription:
 
     def least(self, leg: Leg) -> float:
         """What a leg takes at least [s]; a joint move what the tool takes straight from stop to stop."""
+        shortest = max(LEAST_TIME, leg.least)
         if leg.kind is not LegKind.JOINT:
-            return LEAST_TIME
+            return shortest
         points = self.problem.waypoints[leg.start : leg.start + 2]
         p_0, p_1 = (((x.X_WF if x.q is None else self.axes.forward(x.q)) @ leg.X_FT)[:3, 3] for x in points)
-        return max(LEAST_TIME, float(trapezoid_time(float(np.linalg.norm(p_1 - p_0)), leg.v_tcp, leg.a_tcp)))
+        return max(shortest, float(trapezoid_time(float(np.linalg.norm(p_1 - p_0)), leg.v_tcp, leg.a_tcp)))
 
     def _elapse(self, seconds: float) -> None:
         """The legs take so long in all."""
@@ -436,6 +445,34 @@ class Transcription:
                 else self.formulation.dwell_node(nodes.sides, self._weighed)
             )
             self._hold(relation, z, here)
+            self._path_torques(track if line else None, nodes, z, here, leg, margins, tied)
+        if not tied and (tangents := self.tangents.get(leg.start)) is not None:
+            z = {"d": out.d, "s": out.s} if line else {"d": out.d}
+            here = {name: p[name] for name in ("path", "branch", "near")}
+            here |= {"gradient": tangents.gradient, "least": tangents.least}
+            self._hold(self.formulation.clear_path(track if line else None), z, here)
+
+    def _path_torques(
+        self, track: LineSymbols | ArcSymbols | None, nodes: Nodes, z: Parts, p: Parts, leg: Leg, margins: Margins,
+        tied: bool,
+    ) -> None:  # fmt: skip
+        """Torques at nodes of a path, track None for a dwell, with the parts of its own relation."""
+        if self.axes.torque is None:
+            return
+        rows = self.formulation
+        relation = rows.dwell_torque(nodes.sides) if track is None else rows.path_torque(track, nodes.sides, tied)
+        have = {**p, **self._torque_parameters(leg, margins, nodes)}
+        own = {name: have[name] for name in relation.p.shapes}
+        self._hold(relation, {name: z[name] for name in relation.z.shapes}, own)
+
+    def _torque_parameters(self, leg: Leg, margins: Margins, nodes: Nodes) -> dict[str, Array]:
+        assert self.axes.torque is not None
+        count = (len(nodes.at), 1)
+        return {
+            "load": np.tile(load_parameters(leg.load), count),
+            "limit": np.tile(np.nan_to_num(self.axes.torque.limit, posinf=1.0), count),
+            "share": margins.torque[nodes.at],
+        }
 
     def _driving(self, nodes: Nodes, **variables: IndexArray) -> dict[str, IndexArray]:
         """What drives at some nodes: accelerations on their sides; where jerk is limited their own, and jerks on their
@@ -465,6 +502,8 @@ class Transcription:
         room = half * margins.position[1:-1]
         inner = nlp.variables(motion.q[1:-1], (middle - room).ravel(), (middle + room).ravel())
         out.q = np.vstack([self.waypoint_q[k0], inner.reshape(N - 1, n), self.waypoint_q[k0 + 1]])
+        if self.axes.couplings:
+            self._hold(self.formulation.sums(), {"q": out.q[1:-1]}, {"room": margins.position[1:-1]})
         fast, sharp = self._most(leg, motion, JOINT_RATE, JOINT_CURVE)
         out.qv = nlp.variables(motion.v, -np.tile(fast, N + 1), np.tile(fast, N + 1)).reshape(N + 1, n)
         if self._smooth:
@@ -501,6 +540,13 @@ class Transcription:
             if self.axes.jerk is not None:
                 p["jerk"] = (self.axes.jerk * margins.jerk[at]).ravel()
             self._hold(self.formulation.axis_node(nodes.sides), z, p)
+            if self.axes.torque is not None:
+                own: Parts = {"q": out.q[at], "v": out.qv[at], **self._driving(nodes, a=out.qa, ja=out.qj), "T": out.T}
+                relation = self.formulation.axes_torque(nodes.sides)
+                self._hold(relation, own, self._torque_parameters(leg, margins, nodes))
+        if (tangents := self.tangents.get(k0)) is not None:
+            p = {"gradient": tangents.gradient, "least": tangents.least}
+            self._hold(self.formulation.clear_axes(), {"q": out.q}, p)
         self._tool_caps(leg, motion, margins, out)
 
     def _integrate(self, grid: Array, z: dict[str, IndexArray]) -> None:

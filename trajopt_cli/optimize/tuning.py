@@ -209,6 +209,23 @@ JOINT_JERK = 1e5  # the same of a joint. Not measured.
 JOINT_RATE = 100.0  # bound of a joint's first derivative on a grid. Not measured.
 JOINT_CURVE = 1000.0  # of the second. Not measured.
 
+# ---- clearances: distances in the nonlinear program
+NEAR = 0.1  # m beyond the distance wanted within which a pair of bodies has a row at a node. Measured on two programs
+# among boxes: 0.05 and 0.2 gave the same cycles, 0.2 in 1.3 times the time on one.
+FAR = 0.3  # m instead, on a leg whose first answer went deep into something. Not measured.
+SHALLOW = 0.03  # m that an answer may be inside a body and still find the way out. Measured on eight windows beside a
+# box, with first answers 44 to 125 mm deep: without it two had no clean answer; five with answers 5 to 24 mm deep ended
+# the same with 0.01, in 1.2 to 1.6 times the time.
+ARRIVES = 1e-6  # rad or m by which a profile may miss its end: rounding. Not measured.
+PAIRS = 4  # of bodies, the nearest ones, that have rows at a node. Measured on three: 2 gave the same cycle twice and
+# 5.402 s for 5.415 s, in 0.85 of the time; more bodies may be near.
+HAIR = 2e-4  # m that the rows keep beyond the distance wanted: what they are off by and the judge looks past. Measured
+# on two: 5e-5 gave 5.412 s for 5.415 s and the same, 1e-3 5.590 s and 0.02 % more.
+CLEAR_LOOKS = 3  # at the distances within an interval at least. Not measured.
+CLEAR_MOST = 1000  # of them within an interval: a wait may last for a day. Not measured.
+CLEAR_LOOK = 0.01  # s between two of them at most. Not measured.
+MORE_ROOM = 1.2  # times what bodies come nearer between two nodes that the nodes keep from then on. Not measured.
+
 # ---- solver
 MOST_ITERATIONS = 200  # a start that converges needs 25 to 60. Measured: 500 let some cells converge that fail with
 # 100, while another then tightens its limits without end; with 150 one plan, solved again, stayed on a coarser
@@ -351,3 +368,48 @@ SHIFTS = (
     -0.05,
 )  # m of rail that are tried in turn where a
 # place was moved out of the arm's reach. Not measured.
+
+# ---- surroundings: clear of obstacles and of itself
+CLEAR_MARGIN = 1e-4  # m that the planner stays farther away than wanted: CLEAR_STEP and rounding. Not measured.
+CLEAR_STEP = 1e-4  # m: what moves no farther to either side of a place is looked at there alone. Not measured.
+CLEAR_AT_ONCE = 4096  # places that are looked at at once: 6 MB. Not measured.
+CLEAR_EVERY = 5e-3  # s between two places of a motion that is looked at: at 40 rad/s2 and 0.5 m it leaves the straight
+# way between them by 0.06 mm. Not measured.
+
+# ---- ways: points by which joint moves lead around what is in their way
+WAY_TRIES = 300  # places near the straight way, and as many anywhere, that a way by one point or two may have. Not
+# measured.
+WAY_LOOKS = 48  # straight ways that are looked at together. Not measured.
+WAY_TREE = 36  # times that a tree grows before no way counts as found. Not measured.
+WAY_POCKET = 12  # of them after which a tree with fewer places than that is in a pocket. Not measured.
+WAY_STEP = 0.25  # s at top speed: the short ones of a tree's branches. Not measured.
+WAY_PULLS = 12  # times that each point of a way is moved to where it is quicker. Not measured.
+WAY_TURN = 0.3  # rad, m by which a point is moved at first. Not measured.
+
+# ---- avoid: ways that touch something, in the search
+AVOID_LOOKS = 64  # pairs of states of a leg that are looked at together, the best ones first. Not measured.
+AVOID_ROUNDS = 60  # times that the best chain is looked at and, where it is not clear, searched again. Not measured.
+AVOID_WORSE = 1.3  # times the best chain's cost beyond which pairs are not looked at beforehand. Not measured.
+AVOID_PLANS = 5  # times that a way around is looked for in one motion, between different states. Not measured.
+AVOID_FAILS = 5  # of them in a whole program that may find none. Not measured.
+AVOID_WAYS = 8  # ways found that are tried between other states. Not measured.
+AVOID_APART = 0.05  # s that a straight way that is not clear costs until a way around is known. Not measured.
+TUNE_STEPS = (0.8, 0.5, 0.5, 0.3, 0.3, 0.15, 0.15)  # rad, m by which added points are moved, in turn. Not measured.
+TUNE_TRIES = 16  # places each is tried at. Not measured.
+TUNE_FIRST = 80  # the same in the first turn. Not measured.
+AVOID_ALIKE = 0.5  # s more between states of the same branches as some between which none was found. Not measured.
+ZONES = (
+    0.2,
+    0.1,
+    0.05,
+    0.02,
+    0.01,
+    None,
+)  # m: radii of fly-bys at added points, tried in turn; None for a stop. Not measured.
+LEAST_STRETCH = 0.02  # least singular value of the arm's Jacobian at an added point: twice what a target is refused at,
+# so that a point that is moved a little stays one. Not measured.
+
+# ---- orders of stations
+EXACT_STATIONS = 12  # of which the best order is found for certain; of more it is looked for. Measured: 11 stations of
+# 150 states take 1.7 s.
+STATION_STATES = 400  # of a station at most, where its rail positions can be taken farther apart. Not measured.

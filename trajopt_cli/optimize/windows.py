@@ -17,6 +17,7 @@ import numpy as np
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.incumbent import duration
+from trajopt_cli.optimize.surroundings import surroundings_of
 from trajopt_cli.optimize.tuning import EVEN_PARTS, OVERLAP, WINDOW
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.problem.freedom import RailFreedom
@@ -89,12 +90,26 @@ class Window:
             asked = (point.rail, self.problem.rests(k), point.q is None, point.fly_by)
             parts += [_digits(point.X_WF), repr(asked).encode()]
         for leg in self.problem.legs:
-            numbers = (leg.v_tcp, leg.a_tcp, leg.v_ori, leg.v_rail, leg.duration, leg.rail_moves, leg.acceleration)
+            numbers = (
+                leg.v_tcp,
+                leg.a_tcp,
+                leg.v_ori,
+                leg.v_rail,
+                leg.duration,
+                leg.rail_moves,
+                leg.acceleration,
+                leg.least,
+            )
             parts += [leg.kind.value.encode(), _digits(leg.X_FT), repr(numbers).encode()]
+            if leg.load is not None:
+                parts.append(repr(leg.load.numbers).encode())
             if isinstance(leg.segment, Arc):  # a line is what lies between its ends
                 arc = leg.segment
                 parts += [_digits(arc.centre), _digits(arc.normal), repr(arc.sweep).encode()]
         held = self.problem.freedom.rail is RailFreedom.STATION
+        around = surroundings_of(self.problem)
+        if around is not None:
+            parts.append(repr([around.scene(leg.motion) for leg in self.problem.legs]).encode())
         parts.append(repr((self.problem.ties, self.problem.coupling.value, held)).encode())
         if isinstance(self.problem.objective, LeastEffort):
             parts.append(_digits(np.array([self.problem.objective.seconds])))

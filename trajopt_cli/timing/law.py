@@ -53,8 +53,8 @@ class TimeLaw:
 def fastest_law(
     s: Array,
     top: Array,
-    begins: tuple[Array, Array],
-    ends: tuple[Array, Array],
+    begins: tuple[Array, ...],
+    ends: tuple[Array, ...],
     rate_0: float,
     rate_1: float,
 ) -> TimeLaw | None:
@@ -62,7 +62,8 @@ def fastest_law(
 
     s (n,): the path's parameter at its points. top (n,): the greatest ds/dt there. begins, ends: slopes and bends, both
     (n-1, m), where each interval begins and where it ends: for every column |slope d2s/dt2 + bend (ds/dt)^2| <= 1. The
-    two sides of a point may differ, for paths whose curvature jumps there. rate_0, rate_1: ds/dt at both ends.
+    two sides of a point may differ, for paths whose curvature jumps there. A third array in both, rests, says |slope
+    d2s/dt2 + bend (ds/dt)^2 + rest| <= 1. rate_0, rate_1: ds/dt at both ends.
     """
     from toppra import algorithm, constraint
     from toppra.interpolator import AbstractGeometricPath
@@ -94,7 +95,11 @@ def fastest_law(
             a, b = np.vstack([a, last[0]]), np.vstack([b, last[1]])
             F = np.vstack([np.eye(2 * m), -np.eye(2 * m)])
             xbound = np.column_stack([np.zeros(n), np.minimum(top, _UNBOUND) ** 2])
-            return a, b, np.zeros_like(a), F, np.ones(4 * m), None, xbound
+            c = np.zeros_like(a)
+            if len(begins) > 2:
+                c[:-1] = np.hstack([begins[2], ends[2]])
+                c[-1] = np.tile(ends[2][-1], 2)
+            return a, b, c, F, np.ones(4 * m), None, xbound
 
     instance = algorithm.TOPPRA([Given()], Span(), gridpoints=s, solver_wrapper="seidel")
     _, rates, _ = instance.compute_parameterization(rate_0, rate_1)

@@ -1,10 +1,12 @@
-"""The shortest time along many given paths at once: TOPP-RA in closed form, for limits that are symmetric.
+"""The shortest time along many given paths at once: TOPP-RA in closed form, for limits that hold at rest.
 
 Pham and Pham, "A new approach to time-optimal path parameterization based on reachability analysis", T-RO 2018. With
 x = (ds/dt)^2 at the points and u = d2s/dt2 on the intervals, x_{i+1} = x_i + 2 h u, every limit is a row
 |p x_{i+1} + r x_i| <= 1. Limits from -1 to 1 hold a pair (x_i, x_{i+1}) as well as its negative; so the rows leave
 x_i <= f(x_{i+1}) and x_i >= -f(-x_{i+1}), f(y) = min over rows of (1 - sign(r) p y) / |r|, which is concave. One linear
 program per interval, where f is greatest, does not depend on the recursion; the rest is a minimum over rows at a point.
+Rows |p y + r x + g| <= 1 with |g| < 1, as gravity makes of torque limits, leave more room on one side: intercepts
+1 - g and 1 + g for 1.
 """
 
 from __future__ import annotations
@@ -48,8 +50,8 @@ class TimeLaws:
 def fastest_laws(
     s: Array,
     top: Array,
-    begins: tuple[Array, Array],
-    ends: tuple[Array, Array],
+    begins: tuple[Array, ...],
+    ends: tuple[Array, ...],
     rate_0: Array | float,
     rate_1: Array | float,
 ) -> TimeLaws:
@@ -57,14 +59,16 @@ def fastest_laws(
 
     s (B, n) or (n,): each path's parameter at its points, increasing. top (B, n): the greatest ds/dt there, inf for
     none. begins, ends: slopes and bends, both (B, n-1, m), where each interval begins and where it ends: for every
-    column |slope d2s/dt2 + bend (ds/dt)^2| <= 1; a column of zeros is none. rate_0, rate_1: ds/dt at both ends, (B,)
+    column |slope d2s/dt2 + bend (ds/dt)^2| <= 1; a column of zeros is none. A third array in both, rests of the same
+    shape, says |slope d2s/dt2 + bend (ds/dt)^2 + rest| <= 1; where a rest is 1 or more the path stands still, and rates
+    at the ends must be 0 or inf. rate_0, rate_1: ds/dt at both ends, (B,)
     or one for all; inf for whatever is fastest. Paths do not influence each other: one alone has the same answer.
     Raises ValueError for shapes that differ, s that does not increase, rates below zero, and slopes or bends that are
     not finite.
     """
     top = np.asarray(top, dtype=np.float64)
     s = np.broadcast_to(np.asarray(s, dtype=np.float64), top.shape)
-    rows = [np.asarray(x, dtype=np.float64) for x in (*begins, *ends)]
+    rows = [np.asarray(x, dtype=np.float64) for x in (*begins[:2], *ends[:2])]
     B, n = top.shape
     for name, x in zip(("begin slopes", "begin bends", "end slopes", "end bends"), rows, strict=True):
         if x.shape != (B, n - 1, rows[0].shape[-1]):
@@ -73,14 +77,20 @@ def fastest_laws(
             raise ValueError(f"fastest laws: {name} must be finite")
     if n < 2 or not (np.diff(s) > 0).all():
         raise ValueError("fastest laws: wanted two points or more and s that increases")
+    rest: Array | None = None
+    if len(begins) > 2:
+        rest = np.concatenate([np.asarray(begins[2]), np.asarray(ends[2])], axis=-1)
     rates_at_ends = [np.broadcast_to(np.asarray(rate, dtype=np.float64), (B,)) for rate in (rate_0, rate_1)]
     if not all((x >= 0).all() for x in (top, *rates_at_ends)):
         raise ValueError("fastest laws: wanted top, rate_0 and rate_1 of zero or more")
     x_0, x_1 = (rate**2 for rate in rates_at_ends)
+    if rest is not None and not all(np.all((x == 0) | np.isinf(x)) for x in (x_0, x_1)):
+        raise ValueError("fastest laws: with rests, wanted rate_0 and rate_1 of zero or inf")
     rates, durations = np.empty((B, n)), np.empty(B)
     for part in _parts(B, (n - 1) * 2 * rows[0].shape[-1]):
         step = np.diff(s[part])
-        x = _recursion(step, top[part], [row[part] for row in rows], x_0[part], x_1[part])
+        own = None if rest is None else rest[part]
+        x = _recursion(step, top[part], [row[part] for row in rows], x_0[part], x_1[part], own)
         rates[part] = np.sqrt(x)
         with np.errstate(divide="ignore"):
             taken = (2 * step / (rates[part, 1:] + rates[part, :-1])).sum(axis=1)
@@ -94,23 +104,25 @@ def _parts(B: int, elements: int) -> Iterator[slice]:
     return (slice(k, k + size) for k in range(0, B, size))
 
 
-def _recursion(step: Array, top: Array, rows: list[Array], x_0: Array, x_1: Array) -> Array:
-    """(ds/dt)^2 (B, n) of each path, NaN where there is none; rows: slopes and bends of begins, then of ends."""
+def _recursion(step: Array, top: Array, rows: list[Array], x_0: Array, x_1: Array, rest: Array | None = None) -> Array:
+    """(ds/dt)^2 (B, n) of each path, NaN where there is none; rows: slopes and bends of begins, then of ends; rest:
+    those of both."""
     B, n = top.shape
     h = 2 * step[..., None]
     p = np.concatenate([rows[0] / h, rows[2] / h + rows[3]], axis=-1).reshape(B * (n - 1), -1)
     r = np.concatenate([rows[1] - rows[0] / h, -rows[2] / h], axis=-1).reshape(p.shape)
+    g: Array | float = 0.0 if rest is None else rest.reshape(p.shape)
     cap = np.minimum(top, np.sqrt(_UNBOUND)) ** 2
     # what the rows of an interval alone leave at its points tells which parts of rows are too faint to divide by
-    far = _reach(r, p, cap[:, 1:].ravel())
-    at, peak = _peaks(r, p, far)
+    far = _reach(r, p, cap[:, 1:].ravel(), g)
+    at, peak = _peaks(r, p, far, g)
     here, there = np.minimum(peak, cap[:, :-1].ravel()), far
-    p, r, here, there = _without_faint(p, r, here, there)
+    p, r, here, there = _without_faint(p, r, here, there, g)
     cap[:, :-1] = np.minimum(cap[:, :-1], here.reshape(B, -1))
     cap[:, 1:] = np.minimum(cap[:, 1:], there.reshape(B, -1))
     at = at.reshape(B, -1)
     if (lanes := _lanes(B, n - 1)) > 1 and not np.any((x_1 > 0) & np.isfinite(x_1)):
-        back, on = ([x.reshape(B, n - 1, -1) for x in _lines(of, other)] for of, other in ((r, p), (p, r)))
+        back, on = ([x.reshape(B, n - 1, -1) for x in _lines(of, other, g)] for of, other in ((r, p), (p, r)))
         high = _swept([x[:, ::-1] for x in back], at[:, ::-1], cap[:, ::-1], x_1, lanes)[:, ::-1]
         x = _swept(on, np.full_like(at, np.inf), high, x_0, lanes)
         over = [(ends > of * (1 + _ROUNDING)) & ~np.isinf(ends) for ends, of in ((x_0, high[:, 0]), (x_1, cap[:, -1]))]
@@ -118,7 +130,7 @@ def _recursion(step: Array, top: Array, rows: list[Array], x_0: Array, x_1: Arra
         return x
     # points first, paths last: every step of the passes reads one contiguous block
     before, after = (
-        np.ascontiguousarray(np.reshape(_lines(of, other), (2, B, n - 1, -1)).transpose(0, 2, 3, 1))
+        np.ascontiguousarray(np.reshape(_lines(of, other, g), (2, B, n - 1, -1)).transpose(0, 2, 3, 1))
         for of, other in ((r, p), (p, r))
     )
     at, cap = np.ascontiguousarray(at.T), np.ascontiguousarray(cap.T)
@@ -168,40 +180,47 @@ def _swept(lines: Sequence[Array], at: Array, limit: Array, start: Array, lanes:
     return np.ascontiguousarray(every[:, front:])
 
 
-def _lines(of: Array, other: Array) -> tuple[Array, Array]:
-    """What rows |other y + of x| <= 1 leave for x: x <= intercept + slope y; inf and 0 where x is not in the row."""
+def _lines(of: Array, other: Array, g: Array | float = 0.0) -> tuple[Array, Array]:
+    """What rows |other y + of x + g| <= 1 leave for x: x <= intercept + slope y; inf and 0 where x is not in the row.
+    With -g for g it is what they leave for -x at -y."""
     held = of != 0
     safe = np.where(held, of, 1.0)
-    return np.where(held, 1 / np.abs(safe), np.inf), np.where(held, -other / safe, 0.0)
+    return np.where(held, _room(safe, g) / np.abs(safe), np.inf), np.where(held, -other / safe, 0.0)
 
 
-def _reach(r: Array, p: Array, far: Array) -> Array:
-    """The greatest y, at most far, for which rows |p y + r x| <= 1 leave some x.
+def _room(of: Array, g: Array | float) -> Array | float:
+    """What rest g leaves of 1 to a growing x, with its factor in a row; none where g leaves nothing."""
+    return 1.0 if isinstance(g, float) else np.maximum(1 - np.sign(of) * g, 0.0)
 
-    f(y) + f(-y), the room for x, is concave and even; Newton's method from beyond its zero ends there.
+
+def _reach(r: Array, p: Array, far: Array, g: Array | float) -> Array:
+    """The greatest y, at most far, for which rows |p y + r x + g| <= 1 leave some x.
+
+    The room for x, between the least line from above and the greatest from below, is concave; Newton's method from
+    beyond its zero ends there.
     """
-    c, m = _lines(r, p)
+    (c, m), (d, _) = _lines(r, p, g), _lines(r, p, -g)
     y = far.copy()
     at = np.arange(len(y))
     for _ in range(2 * c.shape[1]):
-        above, below = c + m * y[at, None], c - m * y[at, None]
+        above, below = c + m * y[at, None], d - m * y[at, None]
         k, up, down = np.arange(len(at)), np.argmin(above, axis=1), np.argmin(below, axis=1)
         on = above[k, up] + below[k, down] < 0
         if not on.any():
             break
-        c, m, at, up, down = c[on], m[on], at[on], up[on], down[on]
+        c, d, m, at, up, down = c[on], d[on], m[on], at[on], up[on], down[on]
         k = np.arange(len(at))
-        y[at] = (c[k, up] + c[k, down]) / (m[k, down] - m[k, up])
+        y[at] = (c[k, up] + d[k, down]) / (m[k, down] - m[k, up])
     return y
 
 
-def _peaks(r: Array, p: Array, far: Array) -> tuple[Array, Array]:
-    """Where, for y from -far to far, x is greatest under rows |p y + r x| <= 1; and this x. far is within _reach.
+def _peaks(r: Array, p: Array, far: Array, g: Array | float) -> tuple[Array, Array]:
+    """Where, for y from -far to far, x is greatest under rows |p y + r x + g| <= 1; and this x. far is within _reach.
 
     The two lines that hold x on either side of the peak meet above it; the line that is lowest there replaces one of
     them, until none is lower: a linear program in as many steps as it has rows at most.
     """
-    c, m = _lines(r, p)
+    c, m = _lines(r, p, g)
     k = np.arange(len(c))
     left, right = (np.argmin(c + m * y[:, None], axis=1) for y in (-far, far))
     y = np.where(m[k, left] > 0, far, -far)
@@ -223,16 +242,17 @@ def _peaks(r: Array, p: Array, far: Array) -> tuple[Array, Array]:
     return y, x
 
 
-def _without_faint(p: Array, r: Array, x: Array, y: Array) -> tuple[Array, Array, Array, Array]:
-    """The rows |p y + r x| <= 1 that need both points, and the greatest x and y with the other rows in them.
+def _without_faint(p: Array, r: Array, x: Array, y: Array, g: Array | float) -> tuple[Array, Array, Array, Array]:
+    """The rows |p y + r x + g| <= 1 that need both points, and the greatest x and y with the other rows in them.
 
     A part that stays below _FAINT is taken at its greatest: the row loses that much and is never passed.
     """
     part_x, part_y = np.abs(r) * x[:, None], np.abs(p) * y[:, None]
     faint_x, faint_y = part_x < _FAINT, part_y < _FAINT
     with np.errstate(divide="ignore", invalid="ignore"):
-        x = np.minimum(x, np.where(faint_y & ~faint_x, (1 - part_y) / np.abs(r), np.inf).min(axis=1))
-        y = np.minimum(y, np.where(faint_x & ~faint_y, (1 - part_x) / np.abs(p), np.inf).min(axis=1))
+        above, beyond = (np.maximum(_room(of, g) - part, 0.0) for of, part in ((r, part_y), (p, part_x)))
+        x = np.minimum(x, np.where(faint_y & ~faint_x, above / np.abs(r), np.inf).min(axis=1))
+        y = np.minimum(y, np.where(faint_x & ~faint_y, beyond / np.abs(p), np.inf).min(axis=1))
     drop = faint_x | faint_y
     return np.where(drop, 0.0, p), np.where(drop, 0.0, r), x, y
 

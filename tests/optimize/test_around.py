@@ -1,0 +1,186 @@
+"""Plans among obstacles: the planner leads around them, moves the rail, or says what is in the way.
+
+That nothing is touched is looked at densely by pin and coal; that the motion is legal by the judge.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+from clear_of import least_along
+from small_cells import plant_with_rail, plant_without_rail, rapid
+
+from trajopt_cli.geometry import pose
+from trajopt_cli.motion import MoveJ, Program
+from trajopt_cli.optimize import optimize
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.surroundings import Surroundings
+from trajopt_cli.optimize.ways import Ways, about
+from trajopt_cli.problem.changes import everything
+from trajopt_cli.problem.detours import held_against
+from trajopt_cli.problem.freedom import AS_WRITTEN
+from trajopt_cli.problem.plan import Infeasible, Plan, Target
+from trajopt_cli.problem.plant import Plant
+from trajopt_cli.shapes import Box, Solid
+from trajopt_cli.verify.judge import verify
+
+MOVES = "MoveJ p_a,v1000,fine,tool0;\nMoveJ p_b,v1000,fine,tool0;"
+PLACES = """CONST robtarget p_a:=[[450,-300,450],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+CONST robtarget p_b:=[[450,300,450],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];"""
+ACROSS = rapid(f"ConfJ \\Off;\n{MOVES}", data=PLACES)
+ACROSS_TWICE = rapid(f"ConfJ \\Off;\nFOR i FROM 1 TO 2 DO\n{MOVES}\nENDFOR", data=PLACES)
+DOWN_AND_UP = rapid(
+    """MoveJ p_in,v1000,fine,tool0;
+MoveL p_low,v500,fine,tool0;
+MoveL p_in,v500,fine,tool0;"""
+)
+
+
+def box(name: str, size: tuple[float, float, float], at: tuple[float, float, float]) -> Solid:
+    return Solid(Box(name, np.array(size), pose(np.eye(3), at)))
+
+
+POST = box("post", (0.1, 0.1, 0.45), (0.45, 0.0, 0.25))
+WANTED = 0.01
+
+
+@cache
+def plan(name: str, target: Target, *obstacles: Solid) -> Plan | Infeasible:
+    program, plant = CASES[name]
+    return optimize(program, replace(plant, obstacles=obstacles, clearance=WANTED), target, bounded=False)
+
+
+CASES: dict[str, tuple[Program, Plant]] = {
+    "across": (ACROSS, plant_without_rail()),
+    "down and up": (DOWN_AND_UP, plant_with_rail()),
+}
+
+
+def judged(name: str, found: Plan, *obstacles: Solid) -> None:
+    program, plant = CASES[name]
+    plant = replace(plant, obstacles=obstacles, clearance=WANTED)
+    there, dropped = held_against(program, plant, found.target, found.detours, ())
+    report = verify(there, plant, found.trajectory, None, dropped, found.target)
+    assert report.legal, [one for one in report.findings if not one.passed]
+
+
+@pytest.mark.parametrize("target", Target)
+def test_a_joint_move_leads_around_what_is_in_its_way(target: Target) -> None:
+    bare, found = plan("across", target), plan("across", target, POST)
+    assert isinstance(bare, Plan)
+    assert isinstance(found, Plan)
+    plant = replace(CASES["across"][1], obstacles=(POST,), clearance=WANTED)
+    assert least_along(plant, bare.trajectory) < -0.02  # it would go through it
+    assert least_along(plant, found.trajectory) >= 0
+    judged("across", found, POST)
+    assert found.duration < 1.1 * bare.duration
+    assert "MoveJ p_b goes around 'post'" in " ".join(found.notes)
+    if target is Target.RAPID:  # a stream bends as it likes
+        assert [detour.motion for detour in found.detours] == [1]
+        assert found.detours[0].around == ("post",)
+
+
+def test_the_same_question_has_the_same_answer() -> None:
+    program, plant = CASES["across"]
+    plant = replace(plant, obstacles=(POST,), clearance=WANTED)
+    first, second = (optimize(program, plant, Target.RAPID, bounded=False) for _ in range(2))
+    assert isinstance(first, Plan)
+    assert isinstance(second, Plan)
+    assert first.trajectory.q.tobytes() == second.trajectory.q.tobytes()
+
+
+def test_what_is_in_nobodys_way_changes_nothing() -> None:
+    far = box("far", (0.2, 0.2, 0.2), (-0.8, 0.0, 1.4))
+    bare, found = plan("across", Target.RAPID), plan("across", Target.RAPID, far)
+    assert isinstance(bare, Plan)
+    assert isinstance(found, Plan)
+    assert bare.trajectory.q.tobytes() == found.trajectory.q.tobytes()
+    assert found.detours == ()
+
+
+def test_a_line_that_is_blocked_from_one_rail_position_is_driven_from_another() -> None:
+    bare = plan("down and up", Target.RAPID)
+    assert isinstance(bare, Plan)
+    at = float(bare.motions[0].q_1[0])
+    program, plant = CASES["down and up"]
+    p_elbow = plant.robot.forward(bare.motions[0].q_1)[:3, 3] * [0.55, 0.5, 0] + [0, 0.5 * at, 0.72]
+    beam = box("beam", (0.08, 0.08, 0.3), tuple(p_elbow))
+    found = plan("down and up", Target.RAPID, beam)
+    assert isinstance(found, Plan)
+    blocked = replace(plant, obstacles=(beam,), clearance=WANTED)
+    assert least_along(blocked, bare.trajectory) < 0
+    assert least_along(blocked, found.trajectory) >= 0
+    judged("down and up", found, beam)
+    assert abs(float(found.motions[1].q_0[0]) - at) > 0.02
+    lines = [motion for motion in found.motions if not isinstance(program.motions[motion.index], MoveJ)]
+    assert not any(motion.via for motion in lines)
+
+
+def test_a_place_that_is_blocked_everywhere_is_named_with_what_is_in_it() -> None:
+    found = plan("down and up", Target.RAPID, box("block", (0.2, 0.2, 0.1), (0.5, 0.6, 0.36)))
+    assert isinstance(found, Infeasible)
+    assert found.index == 1
+    assert "MoveL p_low cannot be driven clear: link_6 is" in found.message
+    assert "mm inside 'block'; tried from rail" in found.message
+
+
+def test_a_start_in_something_is_said() -> None:
+    found = plan("across", Target.STREAM, box("post", (0.2, 0.2, 1.0), (0.45, 0.0, 0.5)))
+    assert isinstance(found, Infeasible)
+    assert "the start cannot be clear" in found.message
+
+
+def test_a_move_that_can_have_no_points_says_what_it_touches() -> None:
+    program, plant = CASES["across"]
+    plant = replace(plant, obstacles=(POST,), clearance=WANTED)
+    free = everything(program, plant)
+    changes = replace(free, detours=(), straight={1: "its text is fixed"})
+    found = optimize(program, plant, Target.RAPID, bounded=False, changes=changes)
+    if isinstance(found, Plan):  # in another configuration
+        assert found.detours == ()
+        judged("across", found, POST)
+    else:
+        assert "'post'" in found.message
+
+
+def test_the_program_as_written_is_driven_as_it_is() -> None:
+    program, plant = CASES["across"]
+    posted = replace(plant, obstacles=(POST,), clearance=WANTED)
+    bare, found = (optimize(program, one, Target.RAPID, AS_WRITTEN, bounded=False) for one in (plant, posted))
+    assert isinstance(bare, Plan)
+    assert isinstance(found, Plan)
+    assert bare.trajectory.q.tobytes() == found.trajectory.q.tobytes()
+
+
+def test_ways_between_places_are_clear_and_hardly_longer() -> None:
+    plant = replace(plant_without_rail(), obstacles=(POST,), clearance=WANTED)
+    axes, around = Axes.of(plant), Surroundings(plant, ACROSS)
+    q = np.array([[-0.6, 0.5, 0.1, 0, 0.9, 0], [0.6, 0.5, 0.1, 0, 0.9, 0]])
+    assert around.free(q, 0).all()
+    assert not around.free_between(q[:1], q[1:], 0).any()
+    found = [Ways(axes, around, 0, lambda x: np.ones(len(x), dtype=bool)).between(*q) for _ in range(2)]
+    assert found[0] is not None
+    assert found[1] is not None
+    np.testing.assert_array_equal(*found)
+    way = np.concatenate([q[:1], found[0], q[1:]])
+    assert around.way_free(way, 0)
+    assert len(found[0]) <= 2
+    assert about(axes, way[None])[0] < 1.5 * about(axes, q[None])[0]
+
+
+def test_passes_that_share_a_text_go_by_the_same_points() -> None:
+    program, plant = ACROSS_TWICE, replace(plant_without_rail(), obstacles=(POST,), clearance=WANTED)
+    groups = ((0, 2), (1, 3))
+    changes = replace(everything(program, plant), ties=groups, detours=groups)
+    found = optimize(program, plant, Target.RAPID, bounded=False, changes=changes)
+    assert isinstance(found, Plan)
+    points = {detour.motion: np.array([via.q for via in detour.points]) for detour in found.detours}
+    assert points
+    for first, second in groups:
+        assert (first in points) == (second in points)
+        if first in points:
+            np.testing.assert_array_equal(points[first], points[second])
+    assert least_along(plant, found.trajectory) >= 0

@@ -1,0 +1,114 @@
+"""Places of a program where the robot always touches something: what it is, how deep at least, what was tried."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from trajopt_cli.geometry import Array
+from trajopt_cli.motion import motion_name
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.reach import StationTable, grid_in_reach, station_table
+from trajopt_cli.optimize.surroundings import Hit, Surroundings, surroundings_of
+from trajopt_cli.optimize.tuning import SEARCH_APART, SEARCH_COARSE
+from trajopt_cli.problem.plan import Infeasible
+from trajopt_cli.problem.problem import Problem
+
+_NOWHERE = "cannot be driven clear: no configuration and rail position serves all points and lines around it"
+
+
+def blocked_place(axes: Axes, problem: Problem) -> Infeasible | None:
+    """The first waypoint or line that touches something from every rail position in every configuration; None where
+    there is no such one."""
+    around = surroundings_of(problem)
+    if around is None:
+        return None
+    for first, last in problem.stations:
+        out = _blocked_station(axes, problem, around, first, last)
+        if out is not None:
+            return out
+    return None
+
+
+def _blocked_station(axes: Axes, problem: Problem, around: Surroundings, first: int, last: int) -> Infeasible | None:
+    if first == last and problem.waypoints[first].q is not None:
+        return _blocked_joints(problem, around, first)
+    d = grid_in_reach(axes, problem, first, last, SEARCH_COARSE, SEARCH_APART)
+    if _serves(station_table(axes, problem, first, last, d, around)):
+        return None
+    free = station_table(axes, problem, first, last, d)
+    if not _serves(free):  # for another reason
+        return None
+    for k in range(first, last + 1):
+        if not station_table(axes, problem, k, k, d, around).labels if problem.waypoints[k].q is None else False:
+            q = _all(axes, d, free.waypoints[k - first])
+            return _about(axes, problem, around, max(problem.waypoints[k].motion, 0), _beside(problem, k), q, d)
+        leg = problem.legs[k] if k < last else None
+        line = free.line(k - first) if leg is not None else None
+        if leg is None or line is None:
+            continue
+        q = _all(axes, d, line)
+        clear = around.free(q, leg.motion).reshape(line.shape[:3]) | np.isnan(line[..., 0])
+        had = ~np.isnan(line[..., 0]).any(axis=1)
+        if not (clear.all(axis=1) & had).any():
+            # from each rail position the worst of the line counts
+            return _about(axes, problem, around, leg.motion, [leg.motion], q, d, line.shape[1])
+    index = problem.waypoints[last].motion
+    motion = problem.motion(index)
+    return Infeasible(index, motion.source, f"{motion_name(motion)} {_NOWHERE}")
+
+
+def _serves(table: StationTable) -> bool:
+    return bool(table.labels) and table.stands
+
+
+def _all(axes: Axes, d: Array, arm: Array) -> Array:
+    """All axes (k, n) of joints (..., n rail positions, m)."""
+    return axes.layout.join(np.broadcast_to(d, arm.shape[:-1]), arm).reshape(-1, axes.n)
+
+
+def _blocked_joints(problem: Problem, around: Surroundings, k: int) -> Infeasible | None:
+    q = problem.waypoints[k].q
+    assert q is not None
+    for index in _beside(problem, k):
+        hit = next(iter(around.hits(q[None], index)), None)
+        if hit is not None:
+            place = max(problem.waypoints[k].motion, 0)
+            motion = problem.motion(place)
+            name = motion_name(motion) if problem.waypoints[k].motion >= 0 else "the start"
+            return Infeasible(place, motion.source, f"{name} cannot be clear: {hit.said}")
+    return None
+
+
+def _beside(problem: Problem, k: int) -> list[int]:
+    """The motions that lead to a waypoint and away from it."""
+    return sorted({problem.legs[i].motion for i in (k - 1, k) if 0 <= i < len(problem.legs)})
+
+
+def _about(
+    axes: Axes, problem: Problem, around: Surroundings, index: int, during: Sequence[int], q: Array, d: Array,
+    nodes: int = 1,
+) -> Infeasible:  # fmt: skip
+    """What is least deep of all that axes q (labels x nodes x rail positions, n) touch, of the worst node of each."""
+    q = q.reshape(-1, nodes, len(d), axes.n)
+    best: Hit | None = None
+    for label, rail in np.ndindex(q.shape[0], q.shape[2]):
+        ways = q[label, :, rail]
+        if np.isnan(ways).any():
+            continue
+        hits = [hit for motion in during for hit in around.hits(ways, motion)[:1]]
+        hit = max(hits, key=lambda one: one.missing, default=None)
+        if hit is not None and (best is None or hit.missing < best.missing):
+            best = hit
+    if best is None:
+        return Infeasible(index, problem.motion(index).source, f"{motion_name(problem.motion(index))} {_NOWHERE}")
+    tried = ""
+    if axes.layout.has_rail and len(d) > 1:
+        at = float(axes.layout.place(best.q))
+        tried = (
+            f"; tried from rail {d[0] * 1e3:.0f} to {d[-1] * 1e3:.0f} mm, {len(d)} positions in all configurations,"
+            f" least so at {at * 1e3:.0f} mm"
+        )
+    motion = problem.motion(index)
+    return Infeasible(index, motion.source, f"{motion_name(motion)} cannot be driven clear: {best.said}{tried}")
