@@ -460,7 +460,7 @@ def test_too_near_is_illegal_where_a_clearance_is_wanted() -> None:
     (found,) = (f for f in report.findings if not f.passed)
     assert (found.value, found.limit) == (pytest.approx(0.01, abs=OVERLOOKED), 0.02)  # 0.37 - 0.01 over 0.35
     assert found.message.startswith("cell.mod:12:5: MoveL p_a comes too close to 'anvil' with ball at ")
-    assert " s, 10.0 mm, wanted 20 mm at " in found.message
+    assert " s, wanted 20 mm, least 10.0 mm at " in found.message
     assert verify(motions, replace(plant, clearance=0.0095), rows).legal
 
 

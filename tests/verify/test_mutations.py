@@ -93,7 +93,7 @@ def test_the_optimiser_as_it_is_plans_legally() -> None:
 
 def test_a_last_link_5_mm_too_long_is_told() -> None:
     plant = plant_with_rail()
-    arm = replace(plant.robot.arm, L6=plant.robot.arm.L6 + 0.005)
+    arm = replace(plant.robot.arm, c4=plant.robot.arm.c4 + 0.005)
     missed = values(planned(STATION, replace(plant, robot=replace(plant.robot, arm=arm))), "stop reached")
     assert set(missed) == {11, 12}
     assert all(0.004 < value <= 0.005 + 1e-9 for value in missed.values()), missed

@@ -2,22 +2,24 @@
 
 Every obstacle is one finding, the robot against itself another. value is the least distance of the whole motion
 (negative: the depth), limit the distance wanted. Where that is missed, time and source are those of the first miss.
-Pairs that no axis moves against each other are not looked at: nothing a program does changes them.
+What the flange carries and what stands where may change on the way: see scene. Pairs that no axis moves against each
+other are not looked at: nothing a program does changes them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
 from trajopt_cli.findings import Finding
-from trajopt_cli.motion import Program, Source
-from trajopt_cli.shapes import MeshFile, Shape, Solid
+from trajopt_cli.motion import Move, Program, Source, motion_name
+from trajopt_cli.shapes import TOOL, Capsule, Shape, Solid
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.findings import SourceAt
 from trajopt_cli.verify.machine import Machine
 from trajopt_cli.verify.mechanism import FLANGE, Mechanism, mechanism_of
+from trajopt_cli.verify.scene import Leg, shape_of, standing_still
 from trajopt_cli.verify.sweep import OVERLOOKED, Body, Closest, Near, Sweep
 
 CLEARANCE = "clearance"
@@ -39,39 +41,70 @@ def check_start(program: Program, plant: Machine, start: str) -> list[Finding]:
     """What check_clearance says of the robot standing at its start; start names that for people."""
     q = np.tile(plant.start, (2, 1))
     still = Trajectory(plant.limits.names, np.array([0.0, 1e-3]), q, np.zeros_like(q))
-    return check_clearance(program, plant, still, lambda _: None, start)
+    return check_clearance(program, plant, still, lambda _: None, start=start)
 
 
 def check_clearance(
-    program: Program, plant: Machine, trajectory: Trajectory, source_at: SourceAt, start: str = ""
+    program: Program,
+    plant: Machine,
+    trajectory: Trajectory,
+    source_at: SourceAt,
+    legs: Sequence[Leg] | None = None,
+    start: str = "",
 ) -> list[Finding]:
-    """One finding per obstacle and one for the robot against itself; none where the plant has no shapes for it."""
+    """One finding per obstacle and one for the robot against itself; none where the plant has no shapes for it.
+
+    legs: which bodies are where during which rows; None: as at the start, all the time.
+    """
     mechanism = mechanism_of(plant)
     sweep = Sweep(mechanism, trajectory)
-    bodies = _bodies(plant, mechanism)
-    out = []
-    for solid in plant.obstacles:
-        group = [Near(body, _shape(solid)) for body in bodies if _meet(mechanism, body, solid)]
-        if group:
-            out.append(_finding(CLEARANCE, program, sweep, group, plant.clearance, source_at, start))
-    named = {body.name: body for body in bodies}
-    pairs = [Near(named[second], None, named[first]) for first, second in plant.self_pairs]
-    if pairs:
-        out.append(_finding(SELF_CLEARANCE, program, sweep, pairs, 0.0, source_at, start))
-    return out
+    last = len(trajectory.t) - 1
+    legs = [leg for leg in legs or () if leg.first < leg.last] or standing_still(program, plant, last)
+    links = {n: Body(n, plant.robot.capsules[n], i) for i, n in enumerate(mechanism.link_names)
+             if n in plant.robot.capsules}  # fmt: skip
+    carried = {shape: Body(shape.name, shape, FLANGE) for leg in legs for shape in map(shape_of, leg.carried)}
+    facing: dict[str, _Spans] = {solid.name: _Spans(last) for solid in plant.obstacles}
+    own = _Spans(last)
+    for leg in legs:
+        held = [carried[shape_of(solid)] for solid in leg.carried]
+        for solid in leg.standing:
+            for body in (*links.values(), *held):
+                if _meet(mechanism, body, solid):
+                    facing[solid.name].add(leg, body, shape_of(solid))
+        named = {**links, **{body.name: body for body in held}}
+        for first, second in plant.self_pairs:
+            if second in named:
+                own.add(leg, named[second], named[first])
+    out = [
+        _finding(CLEARANCE, program, sweep, group, plant.clearance, source_at, start)
+        for group in (spans.group() for spans in facing.values())
+        if group
+    ]
+    pairs = own.group()
+    return [*out, _finding(SELF_CLEARANCE, program, sweep, pairs, 0.0, source_at, start)] if pairs else out
 
 
-def _bodies(plant: Machine, mechanism: Mechanism) -> list[Body]:
-    """The robot's links that have a shape, base first, then what its flange carries."""
-    capsules = plant.robot.capsules
-    links = [Body(n, capsules[n], i) for i, n in enumerate(mechanism.link_names) if n in capsules]
-    return links + [Body(solid.name, _shape(solid), FLANGE) for solid in plant.attached]
+class _Spans:
+    """Pairs of bodies with the rows in which they are held against each other. last: of all rows."""
 
+    def __init__(self, last: int):
+        self._last = last
+        self._rows: dict[tuple[Body, Shape | Body], list[tuple[int, int]]] = {}
 
-def _shape(solid: Solid) -> Shape:
-    if isinstance(solid.shape, MeshFile):
-        raise ValueError(f"mesh '{solid.name}' is not loaded; build_plant does it")
-    return solid.shape
+    def add(self, leg: Leg, body: Body, other: Shape | Body) -> None:
+        """The pair counts during the leg, too; legs come in order."""
+        spans = self._rows.setdefault((body, other), [])
+        if spans and spans[-1][1] == leg.first:
+            spans[-1] = (spans[-1][0], leg.last)
+        else:
+            spans.append((leg.first, leg.last))
+
+    def group(self) -> list[Near]:
+        """All pairs."""
+        return [
+            Near(body, None, other, tuple(spans)) if isinstance(other, Body) else Near(body, other, None, tuple(spans))
+            for (body, other), spans in self._rows.items()
+        ]
 
 
 def _meet(mechanism: Mechanism, body: Body, solid: Solid) -> bool:
@@ -99,7 +132,10 @@ def _finding(
         said = f"{_names(least)} come nearest at {least.time:.3f} s, {least.distance * 1e3:.1f} mm"
         message = f"{said}; no touch deeper than {OVERLOOKED * 1e3:g} mm was overlooked"
     else:
-        message = f"{_what(program, source, start)} {_touch(first, least, wanted)}"
+        later = source_at(least.time)
+        motion = next((one for one in program.motions if one.source == later), None)
+        where = f" in {motion_name(motion)}" if isinstance(motion, Move) and later != source and not start else ""
+        message = f"{_what(program, source, start)} {_touch(first, least, wanted, where)}"
     return Finding(check, _names(first), least.distance, wanted, "m", passed, first.time, source, message)
 
 
@@ -122,14 +158,19 @@ def _what(program: Program, source: Source | None, start: str) -> str:
     return "the motion"
 
 
-def _touch(first: Closest, least: Closest, wanted: float) -> str:
+def _touch(first: Closest, least: Closest, wanted: float, where: str) -> str:
+    """where: of the least distance, in words; empty where it is in the motion of the first touch."""
     other = "" if least.near is first.near else f" with {least.near.body.name}"
-    when = "" if f"{least.time:.3f}" == f"{first.time:.3f}" and not other else f"{other} at {least.time:.3f} s"
+    when = "" if f"{least.time:.3f}" == f"{first.time:.3f}" and not other else f"{other} at {least.time:.3f} s{where}"
     if least.distance < 0:
         verb, depth = "hits", f"{'deepest ' if when else ''}{-least.distance * 1e3:.1f} mm{'' if when else ' deep'}"
     else:
-        verb, depth = "comes too close to", f"{least.distance * 1e3:.1f} mm, wanted {wanted * 1e3:g} mm"
+        verb, depth = "comes too close to", f"wanted {wanted * 1e3:g} mm, {'least' if when else 'has'} "
+        depth += f"{least.distance * 1e3:.1f} mm"
     said = f"{verb} {_against(first)} with {first.near.body.name} at {first.time:.3f} s, {depth}{when}"
+    if TOOL in (first.near.body.name, first.near.against) and isinstance(first.near.body.shape, Capsule):
+        assumed = f"a capsule of {first.near.body.shape.radius * 1e3:g} mm from flange to TCP stands for the tool"
+        return f"{said} ({assumed}: give its bodies under attached, or another tool_radius)"
     # A link's capsule is up to three times as large as the link.
     remedy = " (as capsules; where the links themselves are clear, name the pair under may_touch)"
     return said if first.near.other is None else said + remedy

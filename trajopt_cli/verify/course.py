@@ -63,6 +63,11 @@ class Point:
         return None if self.move is None else self.move.duration
 
     @property
+    def least(self) -> float:
+        """What the positioners that turn during the move take at least, s."""
+        return 0.0 if self.move is None else self.move.least
+
+    @property
     def X_WT(self) -> Array:
         """Where the tool is when the flange is at X_WF (4, 4)."""
         assert self.X_WF is not None
@@ -101,7 +106,10 @@ def points_of(program: Program, plant: Machine, dropped: Collection[int] = (), o
             alone |= {len(points) - 1, len(points)}
             if _rail(plant, motion.extax) is None:
                 alone -= {len(points)}
-                continue  # it moves no axis that this robot has
+                if motion.units:  # it moves no axis that this robot has, which waits for the positioner
+                    time = motion.duration or motion.least
+                    holds[-1].append((i, Wait(source=motion.source, written=motion.written, duration=time)))
+                continue
         points.append(_point(plant, i, motion, points[-1].X_FT, optional and may_drop(program, plant, i)))
         holds.append([])
     points = [replace(point, holds=tuple(waits)) for point, waits in zip(points, holds, strict=True)]
@@ -151,7 +159,13 @@ def _passed(plant: Machine, points: Sequence[Point], alone: Collection[int], rai
     out: list[Point] = []
     for k, point in enumerate(points):
         fly_by = None
-        if 0 < k < len(points) - 1 and k not in alone and np.array_equal(point.X_FT, points[k + 1].X_FT):
+        turning = any(one.move is not None and one.move.units for one in points[k : k + 2])  # a stop on both sides
+        if (
+            0 < k < len(points) - 1
+            and k not in alone
+            and not turning
+            and np.array_equal(point.X_FT, points[k + 1].X_FT)
+        ):
             fly_by = _fly_by(point, ways[k - 1 : k + 1])
         if fly_by is not None:
             point = replace(point, fly_by=fly_by, X_WF=placed[k].X_WF)

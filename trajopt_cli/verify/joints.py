@@ -8,6 +8,7 @@ import numpy as np
 
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
+from trajopt_cli.limits import CoupledRange
 from trajopt_cli.verify.findings import Series, SourceAt, Worst, axis_unit, finding
 from trajopt_cli.verify.rows import INNER, LAGS, Rows, second_differences, shortest, windows
 from trajopt_cli.verify.tolerances import JOINT
@@ -19,7 +20,7 @@ _FROM_REST = len(LAGS) - 0.5  # place among the accelerations: behind the second
 
 def check_joints(rows: Rows, source_at: SourceAt) -> list[Finding]:
     """Worst case per axis of position, speed and acceleration, of jerk where its limits bind, and of the speed columns
-    where there are any."""
+    where there are any; of the position of coupled joints."""
     limits = rows.plant.limits
     tops = {"speed": limits.velocity, "acceleration": limits.acceleration}
     if limits.binding_jerk is not None:
@@ -38,7 +39,7 @@ def check_joints(rows: Rows, source_at: SourceAt) -> list[Finding]:
             lowest[j].add((times, -down) for times, _, down in places)
             if rows.qd is not None:
                 columns[j].add([(rows.t[part[0] : part[1]], _off_columns(rows, j, *part)[0])])
-    out = []
+    out = [_coupled(rows, one, source_at) for one in limits.coupled]
     for j, name in enumerate(limits.names):
         out.append(_position(rows, j, highest[j].worst, lowest[j].worst, source_at))
         for check, rate in (("speed", "/s"), ("acceleration", "/s2"), ("jerk", "/s3")):
@@ -75,6 +76,40 @@ def _positions(rows: Rows, j: int, first: int, last: int) -> Iterator[tuple[Arra
     if rows.exact:
         times, inner, _, _ = _between(rows, first, last)
         yield times, inner[:, j], inner[:, j]
+
+
+def _coupled(rows: Rows, one: CoupledRange, source_at: SourceAt) -> Finding:
+    """The sum of coupled joints farthest beyond its range, or nearest to its end: in rows, where speeds say that it
+    turned back between two rows, and on the Hermite."""
+    limits = rows.plant.limits
+    at, factors = [limits.names.index(axis) for axis in one.axes], np.array(one.factors)
+    top, doubt_q = (float(np.abs(factors) @ x[at]) for x in (limits.acceleration, rows.doubt_q))
+    up, down = Series(1.0), Series(1.0)
+    last = len(rows.t) - 1
+    for part in windows(0, last):
+        t = rows.t[part[0] : part[1] + 1]
+        x = rows.q[part[0] : part[1] + 1, at] @ factors
+        places = [(t, x, x)]
+        if rows.qd is not None:
+            v = rows.qd[part[0] : part[1] + 1, at] @ factors
+            reach = np.maximum(np.abs(v) - np.abs(factors) @ rows.doubt_v[at], 0) ** 2 / (2 * top)
+            over, under = (v[:-1] > 0) & (v[1:] < 0), (v[:-1] < 0) & (v[1:] > 0)
+            peak = np.where(over, np.maximum(x[:-1] + reach[:-1], x[1:] + reach[1:]), x[:-1])
+            valley = np.where(under, np.minimum(x[:-1] - reach[:-1], x[1:] - reach[1:]), x[:-1])
+            places.append((t[:-1], peak, valley))
+        if rows.exact:
+            times, inner, _, _ = _between(rows, *part)
+            places.append((times, inner[:, at] @ factors, inner[:, at] @ factors))
+        up.add((times, high) for times, high, _ in places)
+        down.add((times, -low) for times, _, low in places)
+    upper_is_worse = up.worst.value - one.upper >= one.lower + down.worst.value
+    worst, limit = (up.worst, one.upper) if upper_is_worse else (down.worst, one.lower)
+    value = worst.value if upper_is_worse else -worst.value
+    excess = (value - limit if upper_is_worse else limit - value) - doubt_q / 2
+    return finding(
+        "joint position", one.name, value, limit, "rad", excess <= JOINT * (one.upper - one.lower),
+        time=worst.time, source=source_at(worst.time), words="position",
+    )  # fmt: skip
 
 
 def _between(rows: Rows, first: int, last: int) -> tuple[Array, ...]:

@@ -25,9 +25,11 @@ from trajopt_cli.verify.lines import check_shapes
 from trajopt_cli.verify.machine import Machine
 from trajopt_cli.verify.mechanism import mechanism_of
 from trajopt_cli.verify.rows import PIECE, Rows, look
+from trajopt_cli.verify.scene import legs_of
 from trajopt_cli.verify.stops import check_stops
 from trajopt_cli.verify.timeline import build_timeline
 from trajopt_cli.verify.tolerances import COARSEST_PRINT, LARGEST_GAP
+from trajopt_cli.verify.torques import check_torques
 from trajopt_cli.verify.visits import match, never_near
 
 
@@ -67,6 +69,7 @@ def verify(
         check_caps(line, frames),
         check_demands(line, frames),
     )
+    legs = legs_of(program, plant, line.visits, len(trajectory.t) - 1)
     findings = [
         *_file(rows, frames[np.asarray(points[0].X_FT).tobytes()]),
         *_dropped(program, plant, dropped or ()),
@@ -74,9 +77,10 @@ def verify(
         *shapes,
         *check_held(line, frames),
         *check_joints(rows, line.source_at),
+        *check_torques(program, line),
         *caps,
         *demands,
-        *check_clearance(program, plant, trajectory, line.source_at),
+        *check_clearance(program, plant, trajectory, line.source_at, legs),
     ]
     return Report(tuple(findings), tuple(advise(line, frames, rapid)) if advice else ())
 

@@ -11,7 +11,7 @@ from typing import Protocol
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.limits import JointLimits, TcpCaps
-from trajopt_cli.shapes import Capsule, Solid
+from trajopt_cli.shapes import Capsule, Grip, Solid
 
 
 class Robot(Protocol):
@@ -28,6 +28,10 @@ class Robot(Protocol):
     @property
     def capsules(self) -> Mapping[str, Capsule]:
         """Around the links that have one, by link name, in the link's frame."""
+
+    @property
+    def rotor(self) -> Array:
+        """Inertias of the drives as the axes feel them (k,) [kg m2, kg for a rail], 0 where nobody says."""
 
 
 class Machine(Protocol):
@@ -80,3 +84,11 @@ class Machine(Protocol):
     @property
     def clearance(self) -> float:
         """Least distance wanted between the robot and an obstacle, m."""
+
+    @property
+    def tool_radius(self) -> float:
+        """Of the capsule from flange to TCP that stands for the tool, m; 0 for none."""
+
+    @property
+    def grips(self) -> tuple[Grip, ...]:
+        """Which obstacles the flange takes and leaves, and when."""

@@ -5,6 +5,7 @@ pin is asked row by row, 2 to 4 us each. Axis order: as the URDF has them from i
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import lru_cache
 from pathlib import Path
 
@@ -104,6 +105,42 @@ class Mechanism:
             pin.updateFramePlacements(model, data)
             X[i] = [pose.homogeneous for pose in placed]
         return X, axes
+
+
+class Forces:
+    """Torques of a mechanism's axes, gravity along the world's -z. rotor (k,): inertias of the drives. carried: bodies
+    fixed to the flange, each its mass [kg], centre (3,) and inertia (3, 3) about that, in the flange's frame."""
+
+    GRAVITY = 9.81
+    """m/s2, as plans have it."""
+
+    def __init__(self, mechanism: Mechanism, rotor: Array, carried: Sequence[tuple[float, Array, Array]]):
+        model = pin.Model(mechanism._model)  # a copy: loads must not stay in the mechanism's
+        model.gravity.linear = np.array([0.0, 0.0, -self.GRAVITY])
+        model.armature = np.array(rotor)
+        flange = model.frames[mechanism._flange]
+        for mass, centre, inertia in carried:
+            model.appendBodyToJoint(flange.parentJoint, pin.Inertia(mass, centre, inertia), flange.placement)
+        self._model, self._data = model, model.createData()
+
+    def torques(self, q: Array, qd: Array, qdd: Array) -> Array:
+        """Torques (n, k) [Nm, N] at q, qd, qdd (n, k)."""
+        model, data = self._model, self._data
+        return np.array([pin.rnea(model, data, *row) for row in zip(q, qd, qdd, strict=True)]).reshape(q.shape)
+
+    def changes(self, q: Array, qd: Array, qdd: Array) -> tuple[Array, Array, Array]:
+        """Derivatives (n, k, k) of torques by q, by qd, and by qdd (the mass matrix, rotors in it), at rows (n, k)."""
+        model, data, k = self._model, self._data, q.shape[1]
+        out = np.empty((3, len(q), k, k))
+        for i, row in enumerate(zip(q, qd, qdd, strict=True)):
+            out[0, i], out[1, i], out[2, i] = pin.computeRNEADerivatives(model, data, *row)
+        return out[0], out[1], out[2]
+
+    def masses(self, q: Array) -> Array:
+        """Mass matrices (n, k, k) with rotors, at q (n, k)."""
+        model, data = self._model, self._data
+        upper = np.array([np.triu(pin.crba(model, data, row)) for row in q]).reshape(*q.shape, q.shape[1])
+        return np.asarray(upper + np.triu(upper, 1).swapaxes(1, 2))
 
 
 def mechanism_of(machine: Machine) -> Mechanism:

@@ -61,6 +61,8 @@ def _point(line: Timeline, frame: Frame, i: int, rapid: bool) -> Iterator[Findin
     # in a run the moves beside a point share the time of its corner
     if i > 0 and visit.point.duration is not None and before.point.fly_by is None:
         yield _duration(rows, before, visit, _rest_over(line, i))
+    elif i > 0 and visit.point.least > 0:
+        yield _turning(rows, before, visit, _rest_over(line, i))
     yield from _dwells(rows, visit)
     if visit.holds or visit.stay:
         yield _drift(rows, visit, before, frame)
@@ -184,7 +186,7 @@ def _rest_over(line: Timeline, i: int) -> float:
     while last < len(visits) and (visits[last].stay or visits[last].at_once_after(visits[last - 1])):
         last += 1
     needed = sum(hold.end - hold.begin for visit in visits[i:last] for hold in visit.holds)
-    needed += sum(visit.point.duration or 0.0 for visit in visits[i + 1 : last])
+    needed += sum(visit.point.duration or visit.point.least for visit in visits[i + 1 : last])
     return max(float(line.rows.t[visits[last - 1].depart] - line.rows.t[first.arrive]) - needed, 0.0)
 
 
@@ -195,17 +197,33 @@ def _duration(rows: Rows, before: Visit, visit: Visit, rest_after: float) -> Fin
     rest_after [s]: how much of that there is behind it.
     """
     wanted = visit.point.duration or 0.0
-    if visit.stay:
-        taken = min(wanted, float(rows.t[visit.depart]) - sum(h.end - h.begin for h in visit.holds) - before.ready)
-    else:
-        shortest = float(rows.t[visit.arrive] - rows.t[before.depart])
-        longest = shortest + rest_after + max(float(rows.t[before.depart]) - before.ready, 0.0)
-        taken = min(max(wanted, shortest), longest)
-    passed = abs(taken - wanted) <= DURATION + 2 * rows.doubt_t + unseen(rows, before.depart) / 2 + unseen(
-        rows, visit.arrive
-    )
+    taken = _taken(rows, before, visit, rest_after, wanted)
+    passed = abs(taken - wanted) <= _unsure(rows, before, visit)
     return finding("duration", visit.point.name, taken, wanted, "s", passed, time=float(rows.t[visit.arrive]),
                    source=visit.point.source, bound="programmed")  # fmt: skip
+
+
+def _turning(rows: Rows, before: Visit, visit: Visit, rest_after: float) -> Finding:
+    """The time of a move, the longest it can have taken, against what the positioners take that turn meanwhile."""
+    wanted = visit.point.least
+    taken = _taken(rows, before, visit, rest_after, wanted)
+    return finding("positioner", visit.point.name, taken, wanted, "s", taken >= wanted - _unsure(rows, before, visit),
+                   time=float(rows.t[visit.arrive]), source=visit.point.source, bound="at least",
+                   words="lasts")  # fmt: skip
+
+
+def _taken(rows: Rows, before: Visit, visit: Visit, rest_after: float, wanted: float) -> float:
+    """The time of a move that is nearest to the wanted one, of those it can have taken."""
+    if visit.stay:
+        return min(wanted, float(rows.t[visit.depart]) - sum(h.end - h.begin for h in visit.holds) - before.ready)
+    shortest = float(rows.t[visit.arrive] - rows.t[before.depart])
+    longest = shortest + rest_after + max(float(rows.t[before.depart]) - before.ready, 0.0)
+    return min(max(wanted, shortest), longest)
+
+
+def _unsure(rows: Rows, before: Visit, visit: Visit) -> float:
+    """What is granted to the time of a move."""
+    return DURATION + 2 * rows.doubt_t + unseen(rows, before.depart) / 2 + unseen(rows, visit.arrive)
 
 
 def _dwells(rows: Rows, visit: Visit) -> list[Finding]:

@@ -50,11 +50,15 @@ class Body:
 
 @dataclass(frozen=True, eq=False)
 class Near:
-    """Two bodies that are held against each other; other None: `obstacle` stands in the world."""
+    """Two bodies that are held against each other; other None: `obstacle` stands in the world.
+
+    spans: from which row to which; None: always.
+    """
 
     body: Body
     obstacle: Shape | None
     other: Body | None = None
+    spans: tuple[tuple[int, int], ...] | None = None
 
     @property
     def against(self) -> str:
@@ -172,7 +176,7 @@ class _Look:
         self._arm = swing[:, -6:]
         self._rail = swing[:, 0] if mechanism.has_rail else np.zeros(len(q))
         self._origins = self.X_WL[:, 1:FLANGE, :3, 3]
-        self._bodies: dict[str, tuple[Array, Array]] = {}
+        self._bodies: dict[Body, tuple[Array, Array]] = {}
 
     def points(self, body: Body) -> Array:
         """Outline (m, n, 3) of a body in the world, its radius apart."""
@@ -186,15 +190,15 @@ class _Look:
 
     def _body(self, body: Body) -> tuple[Array, Array]:
         """Outline in the world, and how far each joint that moves the body moves its points: radius times angle."""
-        if body.name not in self._bodies:
+        if body not in self._bodies:
             local, radius = outline(body.shape)
             X, n = self.X_WL[:, body.frame], body.joints
             points = local @ np.swapaxes(X[:, :3, :3], 1, 2) + X[:, None, :3, 3]
             arm = points[:, :, None] - self._origins[:, None, :n]
             along = np.einsum("mpji,mji->mpj", arm, self._axes[:, :n])
             across = np.sqrt(np.maximum(np.einsum("mpji,mpji->mpj", arm, arm) - along**2, 0.0)).max(axis=1) + radius
-            self._bodies[body.name] = points, across * self._arm[:, :n]
-        return self._bodies[body.name]
+            self._bodies[body] = points, across * self._arm[:, :n]
+        return self._bodies[body]
 
 
 class _Placed:
@@ -250,8 +254,8 @@ class Sweep:
         """Where the group comes nearest; its distance is more than the least there is by OVERLOOKED at most, or by
         COARSE of what it is above wanted [m], whichever is more."""
         pairs = [_Placed(near) for near in group]
-        best = self._at_start(group, pairs)
-        nodes, alive = self._whole(len(pairs))
+        best = min(self._at_starts(group, pairs), key=lambda one: one[1].distance)[1]
+        nodes, alive = self._whole(group)
         while len(nodes):
             look = _Look(self._mechanism, self._course, nodes)
             bounds = []
@@ -273,12 +277,9 @@ class Sweep:
     def first_below(self, group: Sequence[Near], limit: float) -> Closest | None:
         """When a distance of the group is first below limit; None where it never is by more than OVERLOOKED."""
         pairs = [_Placed(near) for near in group]
-        start = self._at_start(group, pairs)
-        if start.distance < limit:
-            return start
-        first: Closest | None = None
-        before = np.inf  # s of the first
-        nodes, alive = self._whole(len(pairs))
+        hits = [one for one in self._at_starts(group, pairs) if one[1].distance < limit]
+        before, first = min(hits, key=lambda one: (one[0], one[1].distance), default=(np.inf, None))  # s of the first
+        nodes, alive = self._whole(group)
         while len(nodes):
             look = _Look(self._mechanism, self._course, nodes)
             for column, pair in enumerate(pairs):
@@ -291,9 +292,9 @@ class Sweep:
                 # An interval that moves less than OVERLOOKED is one moment: its beginning.
                 moment = moved <= OVERLOOKED
                 s = np.where(moment, nodes[rows, 0], look.middle[rows])
-                hits = np.flatnonzero(distance < limit)
-                if len(hits) and s[hits].min() < before:
-                    i = hits[np.argmin(s[hits])]
+                below = np.flatnonzero(distance < limit)
+                if len(below) and s[below].min() < before:
+                    i = below[np.argmin(s[below])]
                     before = float(s[i])
                     first = Closest(group[column], float(distance[i]), self._course.time(before))
                 alive[rows, column] = (distance - moved < limit) & ~moment
@@ -301,16 +302,31 @@ class Sweep:
             nodes, alive = _halved(nodes, look.middle, alive)
         return first
 
-    def _at_start(self, group: Sequence[Near], pairs: Sequence[_Placed]) -> Closest:
-        """The nearest pair in the first row, meshes filled: later a body comes inside through the surface only."""
-        look = _Look(self._mechanism, self._course, np.zeros((1, 2)))
-        distances = [float(pair.distances(look, np.zeros(1, dtype=np.intp), solid=True)[0]) for pair in pairs]
-        i = int(np.argmin(distances))
-        return Closest(group[i], distances[i], self._course.time(0.0))
+    def _at_starts(self, group: Sequence[Near], pairs: Sequence[_Placed]) -> list[tuple[float, Closest]]:
+        """Every pair in the first row of each of its spans, meshes filled: later a body comes inside through the
+        surface only."""
+        out = []
+        starts = [[first for first, _ in near.spans or ((0, 0),)] for near in group]
+        for row in sorted({first for own in starts for first in own}):
+            look = _Look(self._mechanism, self._course, np.full((1, 2), float(row)))
+            for near, pair, own in zip(group, pairs, starts, strict=True):
+                if row in own:
+                    distance = float(pair.distances(look, np.zeros(1, dtype=np.intp), solid=True)[0])
+                    out.append((float(row), Closest(near, distance, self._course.time(float(row)))))
+        return out
 
-    def _whole(self, pairs: int) -> tuple[Array, BoolArray]:
-        """The whole course as one interval, alive for every pair."""
-        return np.array([[0.0, float(self._course.last)]]), np.ones((1, pairs), dtype=bool)
+    def _whole(self, group: Sequence[Near]) -> tuple[Array, BoolArray]:
+        """The course cut where a span begins or ends; alive are the pieces in the spans of each pair."""
+        last = self._course.last
+        spans = [near.spans or ((0, last),) for near in group]
+        cuts = np.array(sorted({0, last, *(row for own in spans for span in own for row in span)}), dtype=np.float64)
+        nodes = np.column_stack([cuts[:-1], cuts[1:]])
+        alive = np.zeros((len(nodes), len(group)), dtype=bool)
+        for column, own in enumerate(spans):
+            for first, end in own:
+                alive[(nodes[:, 0] >= first) & (nodes[:, 1] <= end), column] = True
+        some = alive.any(axis=1)
+        return nodes[some], alive[some]
 
 
 def _enough(best: Closest, wanted: float) -> float:

@@ -178,7 +178,7 @@ def _pass(rows: Rows, frame: Frame, m: Match, event: Event, before: Visit) -> Vi
 def _visit(rows: Rows, m: Match, event: Event, before: Visit, limit: int, rapid: bool) -> Visit:
     stop, good = m.point, event.good
     stay = stays(stop, before.X_WF)
-    least = before.ready + ((stop.duration or 0.0) if stay or event is before.event else 0.0)
+    least = before.ready + ((stop.duration or stop.least) if stay or event is before.event else 0.0)
     arrive, depart = event.best, event.best
     if len(good):
         since = good[rows.t[good] >= least - DWELL - rows.doubt_t - unseen(rows, event.best)]

@@ -11,6 +11,10 @@ JOINT = 1e-6
 """Relative excess of a joint limit (of the range for positions): solvers stop at 1e-8, drives are tuned to 1e-3.
 Between the rows of a line the Hermite's own truncation comes on top, 1e-4 at most; see rows.truncation."""
 
+TORQUE = 1e-5
+"""Relative excess of a torque limit, besides what printing and the Hermite between rows leave open of accelerations;
+see torques.py. Plans keep 3e-5 below it between their samples; a robot's masses are known to percents."""
+
 TCP = 1e-4
 """Relative excess of a TCP cap. The cap is a data-sheet figure of two digits; the Hermite's TCP acceleration between
 rows of 1 kHz is good to 3e-5 of it."""
