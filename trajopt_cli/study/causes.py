@@ -26,7 +26,7 @@ class Cause:
 
 
 CORNERS = "corners"
-_TIMED = Freedom(RailFreedom.PROGRAMMED, False, False, False, configuration=False, drop=False)
+_TIMED = Freedom(RailFreedom.PROGRAMMED, False, False, False, configuration=False, drop=False, ways=False)
 
 CAUSES: tuple[Cause, ...] = (
     Cause("as written", Target.RAPID, AS_WRITTEN),

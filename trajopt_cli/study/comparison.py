@@ -15,6 +15,7 @@ from trajopt_cli.motion import MoveC, MoveJ, MoveL, Program, Wait
 from trajopt_cli.pipeline.planning import Listener, NoPlan, judge, may_change, out_of_order, streamed
 from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.corners import corners_of
+from trajopt_cli.problem.detours import held_against
 from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, Freedom, RailFreedom
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
@@ -64,6 +65,7 @@ class Step:
 
 
 _JERK_FREE = "as written, jerk free"
+_UNOBSTRUCTED = "without obstacles"
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,6 +101,8 @@ def compare(job: Job, listen: Listener, rule: RailRule | None = None, loops: Loo
     limited = job.plant.limits.binding_jerk is not None
     if limited:
         tasks[_JERK_FREE] = study.jerk_free
+    if job.plant.obstacles:
+        tasks[_UNOBSTRUCTED] = study.unobstructed
     alone = [name for name, one in BASELINES.items() if not one.freedom and not one.after]
     tasks |= {name: partial(study.make, name) for name in alone}
     results: dict[Question | str, Result] = {}
@@ -111,7 +115,25 @@ def compare(job: Job, listen: Listener, rule: RailRule | None = None, loops: Loo
         answers = [(_JERK_FREE, results[_JERK_FREE]), ("jerk limits", answers[0][1]), *answers[1:]]
     steps = _after(answers) if passed or limited else _steps(answers)
     waits = sum(motion.duration for motion in job.program.motions if isinstance(motion, Wait))
-    return Comparison(job, rows, steps, waits, study.notices)
+    notices = (*study.notices, *_cost_of_avoiding(results, study)) if job.plant.obstacles else study.notices
+    return Comparison(job, rows, steps, waits, notices)
+
+
+def _cost_of_avoiding(results: Mapping[Question | str, Result], study: _Study) -> Iterator[str]:
+    """What both optima would take if no obstacle stood in the cell."""
+    said = []
+    for target, name in ((Target.STREAM, "as a joint stream"), (Target.RAPID, "by the RAPID controller")):
+        bare = _legal_plan(results.get(_bare(target)))
+        plan = _legal_plan(results.get(study.question(target, EVERYTHING)))
+        if bare is not None:
+            costs = f" (avoiding them costs {plan.duration - bare.duration:.3f} s)" if plan is not None else ""
+            said.append(f"{bare.duration:.3f} s {name}{costs}")
+    if said:
+        yield f"without the obstacles: {', '.join(said)}"
+
+
+def _bare(target: Target) -> str:
+    return f"{_UNOBSTRUCTED}, {target}"
 
 
 def comparison_pictures(answer: Comparison, target: Target = Target.STREAM) -> dict[str, bytes]:
@@ -207,6 +229,19 @@ class _Study:
         make = solved(Target.RAPID, AS_WRITTEN)
         return {_JERK_FREE: free._tried(_JERK_FREE, Target.RAPID, make, tell, self.job.program)}
 
+    def unobstructed(self, tell: Tell) -> dict[Question | str, Result]:
+        """Both optima where no obstacle stands in the cell."""
+        from trajopt_cli.study.table import solved
+
+        bare = copy(self)
+        bare._known = {}
+        bare.job = replace(self.job, plant=replace(self.job.plant, obstacles=(), grips=()))
+        found: dict[Question | str, Result] = {}
+        for target in (Target.RAPID, Target.STREAM):
+            make = solved(target, EVERYTHING)
+            found[_bare(target)] = bare._tried(_bare(target), target, make, tell, self.job.program)
+        return found
+
     def _beyond_the_text(self) -> Iterator[str]:
         """A word where the optimum is held to what the program's text can carry, and a motion of its own is not."""
         free = self.changes[Target.RAPID].values
@@ -254,7 +289,9 @@ class _Study:
         from trajopt_cli.joint_csv import write_csv_text
 
         text = write_csv_text(answer.trajectory)
-        return Tried(answer, judge(self.job.plant, answer.program, text, name, answer.dropped, target, advice=False))
+        detours = () if answer.plan is None else answer.plan.detours
+        program, dropped = held_against(answer.program, self.job.plant, target, detours, answer.dropped)
+        return Tried(answer, judge(self.job.plant, program, text, name, dropped, target, advice=False))
 
     def _solver(self, name: str, tell: Tell) -> Solve:
         """The optimiser, that does not answer twice; a plan gets a bound where everything is free."""

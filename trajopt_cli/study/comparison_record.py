@@ -23,6 +23,7 @@ _RATIOS = frozenset(
         "joint speed",
         "joint acceleration",
         "joint jerk",
+        "joint torque",
         "TCP speed",
         "TCP acceleration",
         "programmed speed",
@@ -32,7 +33,7 @@ _RATIOS = frozenset(
 
 
 def worst_ratio(report: Report) -> float:
-    """The largest speed or acceleration of a joint or the TCP relative to its limit; above 1 one of them is over."""
+    """The largest speed, acceleration or torque relative to its limit; above 1 one of them is over."""
     ratios = [one.value / one.limit for one in report.findings if one.check in _RATIOS and one.limit > 0]
     return max(ratios, default=math.nan)
 

@@ -18,8 +18,8 @@ from trajopt_cli.problem.stepwise import StepMove, analyse
 from trajopt_cli.runs.results import motion_label
 
 _STANDS = 1e-9  # m
-_OF_AXIS = re.compile(r"(\w+) (speed|acceleration|jerk)")
-_KEY = {"speed": "velocity", "acceleration": "acceleration", "jerk": "jerk"}
+_OF_AXIS = re.compile(r"(\w+) (speed|acceleration|jerk|torque)")
+_KEY = {"speed": "velocity", "acceleration": "acceleration", "jerk": "jerk", "torque": "torque"}
 _GRADE = re.compile(r"\(grade ([A-D])\)$")
 LEFT_OUT = (
     "not in the model: the servo's lag and settling at fine points, speeds the load costs, singularities that slow the "
@@ -132,7 +132,8 @@ def _rests_on(job: Job, motions: list[EstimatedMotion]) -> Iterator[RestsOn]:
         source = limits.sources.get(f"{axis}.{_KEY[kind]}", "")
         grade = _GRADE.search(source)
         base = "m" if axis == "rail" else "rad"
-        unit = f"{base}/s{ {'speed': '', 'acceleration': '²', 'jerk': '³'}[kind] }"
+        powers = {"speed": "", "acceleration": "²", "jerk": "³"}
+        unit = f"{base}/s{powers[kind]}" if kind in powers else "N" if axis == "rail" else "Nm"
         guess = grade is not None and grade[1] in "CD"
         yield RestsOn(name, float(values[limits.names.index(axis)]), unit, source, guess, seconds[name])
 

@@ -33,6 +33,7 @@ from trajopt_cli.path.line import Line
 from trajopt_cli.problem.changes import everything
 from trajopt_cli.problem.corners import corners_of, passed_in
 from trajopt_cli.problem.demands import acceleration_share, tcp_acceleration
+from trajopt_cli.problem.detours import unfolded, with_detours
 from trajopt_cli.problem.freedom import FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
@@ -149,9 +150,9 @@ def fixed_rail(case: Case) -> FixedRail | Infeasible:
     plan = case.solve(case.program, Target.STREAM, FIXED_RAIL)
     if isinstance(plan, Infeasible):
         return plan
+    plant, there, plan = case.plant, with_detours(case.program, case.plant, plan.detours), unfolded(plan)
     kept = [motion for motion in plan.motions if not motion.dropped]
-    program = replace(case.program, motions=tuple(case.program.motions[motion.index] for motion in kept))
-    plant = case.plant
+    program = replace(there, motions=tuple(there.motions[motion.index] for motion in kept))
     X_FT = np.eye(4)
     legs: list[Leg] = []
     for index, planned in enumerate(kept):
@@ -161,7 +162,7 @@ def fixed_rail(case: Case) -> FixedRail | Infeasible:
         if planned.t_1 > planned.t_0:
             legs.append(_leg(plant, index, motion, X_FT, planned.q_0, planned.q_1, (planned.t_0, planned.t_1)))
     own = {motion.index: i for i, motion in enumerate(kept)}
-    passed = {own[index] for index in passed_in(case.program, plant, plan)}
+    passed = {own[index] for index in passed_in(there, plant, plan)}
     stops = len(corners_of(program, plant).passed) - len(passed)
     return FixedRail(program, plan, tuple(_runs(program, plant, legs, passed)), stops)
 

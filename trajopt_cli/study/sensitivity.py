@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -11,13 +11,16 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from trajopt_cli.beside import cores, in_turns
 from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job
+from trajopt_cli.motion import Program
 from trajopt_cli.pipeline.folder import plans_of_results
 from trajopt_cli.pipeline.optimise import Collides, Illegal, inputs_of
 from trajopt_cli.pipeline.planning import Clock, Listener, NoPlan, all_three, may_change, touches, worst
 from trajopt_cli.problem.changes import Changes, Loops
+from trajopt_cli.problem.detours import Detour, Numbering, unfolded, with_detours
 from trajopt_cli.problem.objective import LEAST_TIME
 from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
+from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.runs.folder import SENSITIVITY, write_run
 from trajopt_cli.runs.record import Inputs, RunRecord, as_json
@@ -113,6 +116,9 @@ def sensitivity(
     if job.plant.limits.binding_jerk is not None:
         text = "jerk_limits: sensitivity does not know what they cost; leave them out to ask about the other limits"
         raise InputError(text, file=job.cell.file)
+    if job.plant.limits.binding_torque is not None:
+        text = "torque_limits: sensitivity does not know what they cost; leave them out to ask about the other limits"
+        raise InputError(text, file=job.cell.file)
     hands = jobs or cores()
     agreed = may_change(job, loops)
     if agreed.infeasible is not None:
@@ -151,10 +157,16 @@ def asked(
     for target, plan in plans.items():
         listen(target.value, Progress("solve again", plan.duration))
         try:
-            at_hand[target] = Again(job.program, job.plant, plan, changes[target])
+            numbering = Numbering(len(job.program.motions), plan.detours)
+            there = with_detours(job.program, job.plant, plan.detours)
+            at_hand[target] = Again(there, job.plant, unfolded(plan), numbering.changes(changes[target]))
         except NotAgain as no:
             failed[target] = f"the plan cannot be solved again: {no}"
-    tasks = {(one, i): partial(_row, again, lever) for one, again in at_hand.items() for i, lever in enumerate(every)}
+    tasks = {
+        (one, i): partial(_row, again, lever, plans[one].detours)
+        for one, again in at_hand.items()
+        for i, lever in enumerate(every)
+    }
     count = dict.fromkeys(plans, 0)
 
     def hear(told: Target) -> None:
@@ -183,8 +195,12 @@ def _told(target: Target, task: Callable[[], Answer], tell: Callable[[Target], N
     return answer
 
 
-def _row(again: Again, lever: Lever) -> Answer:
-    return again.answer(lever.change, lever.loosens)
+def _row(again: Again, lever: Lever, detours: Sequence[Detour]) -> Answer:
+    def change(share: float) -> tuple[Program, Plant]:
+        program, plant = lever.change(share)
+        return with_detours(program, plant, detours), plant
+
+    return again.answer(change, lever.loosens)
 
 
 def _searched(job: Job, changes: Changes, plan: Plan, rows: list[Row], listen: Listener, hands: int) -> list[Row]:

@@ -1,0 +1,142 @@
+"""`trajopt order PROGRAM`: the fastest order of what may be done in any."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import typer
+
+from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, ProgramPaths, Quiet
+from trajopt_cli.cli.process import reading, wrote
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+    from trajopt_cli.study.order import Ordered
+
+
+def order(
+    program: ProgramPaths,
+    cell: CellPath = None,
+    entry: Entry = None,
+    assume_identity: AssumeIdentity = None,
+    group: Annotated[
+        str | None,
+        typer.Option("--group", metavar="NAME", help="Which group of the cell file's order, where it has several."),
+    ] = None,
+    target: Annotated[
+        Literal["stream", "rapid"], typer.Option(help="Whose cycle counts: a joint stream's, the RAPID controller's.")
+    ] = "rapid",
+    apply: Annotated[
+        bool,
+        typer.Option("--apply", help="Write the best order into your program; the file as it was stays as NAME.bak."),
+    ] = False,
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", metavar="FOLDER", help="Results folder; default: results/PROGRAM_order."),
+    ] = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+    jobs: Annotated[
+        int | None,
+        typer.Option(
+            "--jobs",
+            min=1,
+            metavar="N",
+            help="Processes at work; default: one for every core. The answer is the same for any number.",
+            show_default=False,
+        ),
+    ] = None,
+    time_limit: Annotated[
+        float | None,
+        typer.Option(
+            "--time-limit", min=1, metavar="S", help="Look for a better order no longer than this.", show_default=False
+        ),
+    ] = None,
+) -> None:
+    """Find the fastest order of the parts that the cell file lets be done in any order (its key order).
+
+    Rail and configuration are free at every part. The best order by the search's own times between them is exact up to
+    12 parts; the most promising ones are planned and judged. It is written as RAPID where the parts are plain
+    statements that share nothing. Exit code 1: no order can be done, or --apply could not write it.
+
+    \b
+    Example:
+      trajopt order programs/rivets.mod
+    """
+    from trajopt_cli.cli.console import answer_no, print_json, result, show, stdout, tell, warn
+    from trajopt_cli.cli.progress import ProgressView
+    from trajopt_cli.cli.remarks import by_name
+    from trajopt_cli.job import MAIN, read_job
+    from trajopt_cli.problem.patience import Patience
+    from trajopt_cli.problem.plan import Target
+    from trajopt_cli.runs.folder import check_replaceable
+    from trajopt_cli.study.order import Ordered, apply_order, order_of, order_record, write_order
+    from trajopt_cli.study.order_text import group_of
+
+    with reading():
+        job = read_job(program, cell, entry or MAIN, assume_identity or ())
+    found = group_of(job, group)
+    folder = output or Path("results") / f"{job.program.name}_order"
+    check_replaceable(folder)
+    patience = Patience(time_limit)
+    with ProgressView(patience, quiet) as view:
+        answer = order_of(found, Target(target), view.show, patience, jobs)
+    if not isinstance(answer, Ordered):
+        answer_no(answer, as_json)
+    count = write_order(folder, answer)
+    wrote(folder)
+    files = (*job.program.files, str(job.cell_path))
+    if as_json:
+        print_json(order_record(answer))
+    elif quiet:
+        result(answer.in_words)
+    else:
+        console = stdout()
+        show(console, _table(program[0].name or job.title, answer))
+        tell(console, (by_name(line, files) for line in answer.remarks))
+        console.print()
+        tell(console, [answer.in_words])
+    told = [f"written to {folder}: order.json and {count} files more"]
+    if apply and answer.new_text is not None:
+        backup = apply_order(answer)
+        wrote(Path(found.file))
+        told.append(f"written to {found.file}: the best order; as it was: {backup.name}")
+    for line in told:
+        if as_json and not quiet:
+            warn(line)
+        elif not quiet:
+            tell(stdout(), [line])
+    if apply and answer.why_not is not None:
+        warn(f"{found.file}: stays as it is: {by_name(answer.why_not, files)}")
+        raise typer.Exit(1)
+
+
+def _table(program: str, answer: Ordered) -> Table:
+    """The written order, that of the nearest neighbour, the best of the model and the fastest plan."""
+    from trajopt_cli.cli.layout import plain_table
+
+    table = plain_table(
+        f"{program}, {answer.target.value}: in which order {answer.group.name}",
+        *("", ">model [s]", ">planned [s]", ">saves [s]", ">of it", "~order"),
+    )
+    names: dict[tuple[int, ...], list[str]] = {}
+    best = answer.best
+    for name, one in (
+        ("as written", answer.written.order),
+        ("nearest neighbour", answer.nearest),
+        ("best of the model", answer.best_of_model),
+        ("fastest plan", None if best is None else best.order),
+    ):
+        if one is not None:
+            names.setdefault(one, []).append(name)
+    now = answer.written.planned
+    for order, said in names.items():
+        tour = answer.found[order]
+        saves = None if now is None or tour.planned is None or tour is answer.written else now - tour.planned
+        told = ["", ""] if saves is None or now is None else [f"{saves:.3f}", f"{100 * saves / now:.1f} %"]
+        planned = "-" if tour.planned is None else f"{tour.planned:.3f}"
+        numbers = " ".join(str(i + 1) for i in order)
+        table.add_row(", ".join(said), f"{tour.model:.3f}", planned, *told, numbers)
+    return table

@@ -1,0 +1,144 @@
+"""`trajopt place PROGRAM`: where the robot's base, its rail or a work object should stand."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+import typer
+
+from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, ProgramPaths, Quiet
+from trajopt_cli.cli.process import reading, wrote
+
+
+def place(
+    program: ProgramPaths,
+    what: Annotated[
+        str,
+        typer.Option(
+            "--what",
+            metavar="base|rail|station:NAME",
+            help="What stands elsewhere; NAME is a work object's (wobjdata).",
+        ),
+    ],
+    range_: Annotated[
+        list[str],
+        typer.Option(
+            "--range",
+            metavar="KEY=LOW..HIGH",
+            help="How far from where it stands now: x, y, z of the world [m] or yaw [rad], as in x=-300mm..300mm, "
+            "yaw=-30deg..30deg; of a rail also along, across, height. One to four of them.",
+        ),
+    ],
+    cell: CellPath = None,
+    entry: Entry = None,
+    assume_identity: AssumeIdentity = None,
+    target: Annotated[
+        Literal["stream", "rapid"], typer.Option(help="Whose cycle counts: a joint stream's, the RAPID controller's.")
+    ] = "stream",
+    points: Annotated[
+        int | None,
+        typer.Option(
+            "--points",
+            min=4,
+            metavar="N",
+            help="Places of the coarse search; default: 30 per range.",
+            show_default=False,
+        ),
+    ] = None,
+    apply: Annotated[
+        Path | None,
+        typer.Option("--apply", metavar="FILE.yaml", help="Write a copy of the cell file with the best place in it."),
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", metavar="FOLDER", help="Results folder; default: results/PROGRAM_place."),
+    ] = None,
+    as_json: AsJson = False,
+    quiet: Quiet = False,
+    jobs: Annotated[
+        int | None,
+        typer.Option(
+            "--jobs",
+            min=1,
+            metavar="N",
+            help="Processes at work; default: one for every core. The answer is the same for any number.",
+            show_default=False,
+        ),
+    ] = None,
+    time_limit: Annotated[
+        float | None,
+        typer.Option(
+            "--time-limit", min=1, metavar="S", help="Look for a better place no longer than this.", show_default=False
+        ),
+    ] = None,
+) -> None:
+    """Find where the base, the rail or a work object should stand for the shortest cycle, and draw the map.
+
+    All of PROGRAM's targets stay where they are, but those in the work object that is moved; obstacles stay. Every
+    place is planned under the same limits and judged. Exit code 1: nothing in the ranges can be done, and why.
+
+    \b
+    Example:
+      trajopt place programs/hinge_cell.mod --what rail --range height=-10cm..0
+    """
+    from trajopt_cli.cli.console import no, print_json, result, show, stdout, tell, warn
+    from trajopt_cli.cli.place_tables import impossible_lines, place_table, said
+    from trajopt_cli.cli.progress import ProgressView
+    from trajopt_cli.cli.remarks import by_name
+    from trajopt_cli.job import MAIN, read_job
+    from trajopt_cli.problem.patience import Patience
+    from trajopt_cli.problem.plan import Target
+    from trajopt_cli.runs.files import check_file, write_file
+    from trajopt_cli.runs.folder import check_replaceable
+    from trajopt_cli.study.place import place
+    from trajopt_cli.study.place_record import place_record, write_place
+    from trajopt_cli.study.places import parse_ranges, site_of
+
+    ranges = parse_ranges(range_)
+    with reading():
+        job = read_job(program, cell, entry or MAIN, assume_identity or ())
+    site = site_of(job, what, ranges)
+    folder = output or Path("results") / f"{job.program.name}_place"
+    check_replaceable(folder)
+    if apply is not None:
+        site.check_apply(apply)
+        check_file(apply, "--apply")
+    patience = Patience(time_limit)
+    with ProgressView(patience, quiet) as view:
+        answer = place(site, Target(target), view.show, patience, jobs, points)
+    best, files = answer.best, (*job.program.files, str(job.cell_path))
+    if best is None:
+        nearest = answer.impossible[0]
+        why = by_name(f"{said(site, nearest)}: {nearest.why}", files)
+        line = f"{site.in_words}: none of {len(answer.places)} places can be done; {why}"
+        no([line], as_json, answer="infeasible", tried=len(answer.places))
+    count = write_place(folder, answer)
+    wrote(folder)
+    if as_json:
+        print_json(place_record(answer))
+    elif quiet:
+        result(answer.in_words)
+    else:
+        console = stdout()
+        show(console, place_table(program[0].name or job.title, answer))
+        tell(console, (by_name(line, files) for line in (*impossible_lines(answer), *answer.remarks)))
+        if best is not answer.present:
+            console.print()
+            where = "the program" if apply is None and site.name else str(job.cell_path)
+            tell(console, [f"to paste into {where}:"])
+            for text in site.to_paste(best.offset).splitlines():
+                console.print(text, soft_wrap=True)
+        console.print()
+        tell(console, [answer.in_words])
+    if apply is not None:
+        write_file(apply, site.changed_cell(best.offset, str(apply)).encode())
+        wrote(apply)
+    told = [f"written to {folder}: place.json, its map in plots, and {count - 2} files more"]
+    told += [] if apply is None else [f"written to {apply}: the cell file with the best place"]
+    for line in told:
+        if as_json or quiet:
+            if not quiet:
+                warn(line)
+        else:
+            tell(stdout(), [line])

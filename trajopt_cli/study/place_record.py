@@ -1,0 +1,105 @@
+"""What `place` writes: the answer as plain data, the map, what to paste, a folder of its own."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any, ClassVar
+
+from trajopt_cli.pipeline.optimise import inputs_of
+from trajopt_cli.problem.plan import Target
+from trajopt_cli.runs.folder import PLACE, write_run
+from trajopt_cli.runs.record import Inputs, RunRecord, as_json
+from trajopt_cli.study.place import Placed, Tried, score
+from trajopt_cli.study.places import Site, What
+from trajopt_cli.units import DEG
+
+
+class PlaceRecord(RunRecord[dict[str, Any]]):
+    """run.json of trajopt place."""
+
+    KIND: ClassVar[str] = PLACE
+    LIBRARIES: ClassVar[tuple[str, ...]] = ("casadi", "numpy", "pin", "scipy")
+
+
+def place_record(answer: Placed) -> dict[str, Any]:
+    """The whole answer as plain data, SI."""
+    site, best = answer.site, answer.best
+    steps = answer.steps
+    return {
+        "program": str(site.job.program_path),
+        "what": site.in_words,
+        "target": answer.target.value,
+        "ranges": [
+            {
+                "key": one.key,
+                "unit": "rad" if one.turns else "m",
+                "from": one.low,
+                "to": one.high,
+                "resolution": None if steps is None else steps[i],
+            }
+            for i, one in enumerate(site.ranges)
+        ],
+        "compared_by": "full plans" if answer.planned else "first legal motions",
+        "present": _record(site, answer.present),
+        "best": None if best is None else _record(site, best),
+        "gained_s": answer.gained,
+        "frame": None if best is None else site.frame(best.offset).tolist(),
+        "paste": None if best is None or best is answer.present else site.to_paste(best.offset),
+        "tried": len(answer.places),
+        "planned": sum(one.planned is not None for one in answer.places.values()),
+        "infeasible": len(answer.impossible),
+        "stopped": answer.stopped,
+        "places": [_record(site, one) for one in answer.places.values()],
+    }
+
+
+def _record(site: Site, one: Tried) -> dict[str, Any]:
+    return {
+        "offset": {range_.key: value for range_, value in zip(site.ranges, one.offset, strict=True)},
+        "cycle_time_s": one.planned,
+        "cut_short": one.cut,
+        "first_motion_s": one.first,
+        "search_estimate_s": one.estimate,
+        "why_not": one.why or None,
+    }
+
+
+def write_place(folder: Path, answer: Placed) -> int:
+    """Write place.json, its map, what changes and the inputs; how many files that are. Raises InputError where folder
+    may not be replaced."""
+    site, job, best = answer.site, answer.site.job, answer.best
+    inputs = inputs_of(job)
+    files = {"place.json": as_json(place_record(answer))}
+    if best is not None and best is not answer.present:
+        name = "changed.mod" if site.what is What.STATION else "changed.yaml"
+        files[name] = site.to_paste(best.offset).encode()
+    files |= {f"plots/{name}": content for name, content in place_pictures(answer).items()}
+    files |= {given.place: given.content for given in inputs.values()}
+    first, cell = inputs[next(iter(job.program.files))], inputs[str(job.cell_path)]
+    write_run(
+        folder,
+        PlaceRecord,
+        files,
+        "place",
+        options={"what": site.in_words, "target": answer.target.value, "entry": job.program.entry},
+        inputs=Inputs(program=first.place, cell=cell.place, files=[one.record(rapid=False) for one in inputs.values()]),
+    )
+    return len(files)
+
+
+def place_pictures(answer: Placed) -> dict[str, bytes]:
+    """The map of cycle time over place, by file name."""
+    from trajopt_cli.report.place import Spot, place_map
+
+    site = answer.site
+    spots = [
+        Spot(tuple(one.offset), None if one.why else score(one, answer.target), one.planned is not None)
+        for one in answer.places.values()
+        if one.why or math.isfinite(score(one, answer.target))
+    ]
+    axes = [(one.key, "deg" if one.turns else "mm", 1 / DEG if one.turns else 1e3) for one in site.ranges]
+    best = answer.best
+    of = "planned cycle" if answer.target is Target.RAPID else "cycle as the search foretells it"
+    title = f"{site.job.title} · {site.in_words} · {answer.target.in_words}"
+    return place_map(spots, axes, None if best is None else best.offset, of, title, answer.target.value)
