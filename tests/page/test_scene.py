@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from base64 import b64decode
 from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -12,9 +14,12 @@ from link_poses import link_poses
 from small_cells import plant_with_rail, plant_without_rail
 
 from trajopt_cli.geometry import Array, pose, rotation_about
-from trajopt_cli.page.scene import Cycle, plant_scene, robot_scene
+from trajopt_cli.job import read_job
+from trajopt_cli.motion import SignalEvent
+from trajopt_cli.page.scene import Cycle, plan_cycle, plant_scene, robot_scene
 from trajopt_cli.robot.srs import load_srs
 from trajopt_cli.shapes import Box, Capsule, Mesh, Solid
+from trajopt_cli.trajectory import Trajectory
 
 X_FT = pose(rotation_about([0, 1, 0], 0.4), [0.05, -0.02, 0.12])
 PLACE = pose(rotation_about([1, 0, 0], 0.6) @ rotation_about([0, 0, 1], -0.8), [-0.1, 0.2, 0.3])
@@ -123,6 +128,23 @@ def test_obstacles_and_what_the_flange_carries() -> None:
     np.testing.assert_array_equal(unpacked(scene["static"][1]["triangles"]), [[0, 1, 2]])
     (torch,) = [one for one in scene["bodies"] if one["role"] == "tool"]
     assert torch["link"] == len(scene["chain"]) - 1
+
+
+def test_a_part_is_drawn_where_it_stands_with_the_flange_and_where_it_was_left() -> None:
+    job = read_job(Path(__file__).parents[2] / "programs" / "machine_tending.mod")
+    moves = [i for i, m in enumerate(job.program.motions) if not isinstance(m, SignalEvent)]
+    motions = [SimpleNamespace(index=i, t_0=float(k), t_1=k + 1.0, dropped=False) for k, i in enumerate(moves)]
+    rows = Trajectory(job.plant.limits.names, np.array([0.0, 10.0]), np.tile(job.plant.start, (2, 1)))
+    plan = SimpleNamespace(motions=motions, trajectory=rows)
+    scene = plant_scene(job.plant, [], [plan_cycle("one", job.program, plan, job.plant)])
+    assert "blank" not in [one["name"] for one in scene["static"]]
+    stands, held, left = sorted(scene["cycles"][0]["parts"], key=lambda one: one["from"])
+    assert (stands["from"], stands["to"], held["to"], left["to"]) == (0.0, held["from"], left["from"], 11.0)
+    taken = next(i for i, m in enumerate(job.program.motions) if isinstance(m, SignalEvent))
+    assert held["from"] == moves.index(taken + 1)  # with the wait after the output
+    assert [one["link"] for one in (stands, held, left)] == [-2, len(scene["chain"]) - 1, -2]
+    np.testing.assert_allclose(np.reshape(held["X"], (4, 4))[:3, 3], [0, 0, 0.1], atol=1e-6)  # at the TCP
+    np.testing.assert_allclose(np.reshape(left["X"], (4, 4))[:3, 3], [0.75, 0, 0.48], atol=1e-6)
 
 
 def test_a_fine_mesh_is_drawn_coarser_with_the_same_outline() -> None:

@@ -192,7 +192,7 @@ def test_the_wrists_path_is_inside_the_outlines_and_the_links_keep_their_lengths
     (wrist,) = [line for line in figure.axes[0].lines if line.get_gid() == "wrist"]
     arm, limits = BARE.plant.robot.arm, BARE.plant.limits
     flange = BARE.plant.robot.forward(c.q)
-    centre = (flange[:, :3, 3] - arm.L6 * flange[:, :3, 2]) * 1e3  # the wrist centre is behind the flange
+    centre = (flange[:, :3, 3] - arm.c4 * flange[:, :3, 2]) * 1e3  # the wrist centre is behind the flange
     ahead = centre[:, 0] * np.cos(c.q[:, 0]) + centre[:, 1] * np.sin(c.q[:, 0])
     assert np.allclose(wrist.get_xydata(), np.column_stack([ahead, centre[:, 2]]), atol=1e-6)
     outlines = [patch.get_path() for patch in figure.axes[0].patches]
@@ -200,18 +200,18 @@ def test_the_wrists_path_is_inside_the_outlines_and_the_links_keep_their_lengths
     # Both elbows: inside are exactly the places that joints 2 and 3 within their limits bring the wrist to.
     joints = np.random.default_rng(5).uniform(limits.lower[1:3], limits.upper[1:3], (4000, 2))
     reached = 1e3 * np.column_stack([
-        arm.a1 + arm.L2 * np.sin(joints[:, 0]) + arm.L4 * np.cos(joints.sum(axis=1)),
-        arm.d1 + arm.L2 * np.cos(joints[:, 0]) - arm.L4 * np.sin(joints.sum(axis=1)),
+        arm.a1 + arm.c2 * np.sin(joints[:, 0]) + arm.c3 * np.cos(joints.sum(axis=1)),
+        arm.c1 + arm.c2 * np.cos(joints[:, 0]) - arm.c3 * np.sin(joints.sum(axis=1)),
     ])  # fmt: skip
     held = np.any([outline.contains_points(reached) for outline in outlines], axis=0)
     assert held.mean() > 0.985  # the outlines are chords of arcs
-    shoulder = 1e3 * np.array([arm.a1, arm.d1])
+    shoulder = 1e3 * np.array([arm.a1, arm.c1])
     for outline in outlines:
         far = np.linalg.norm(outline.vertices - shoulder, axis=1)
-        assert far.max() == pytest.approx(1e3 * (arm.L2 + arm.L4), abs=0.5)
+        assert far.max() == pytest.approx(1e3 * (arm.c2 + arm.c3), abs=0.5)
     shape = skeleton(BARE.plant, c.q[len(c.t) // 3], c.legs[0].X_FT)
     lengths = np.linalg.norm(np.diff(shape, axis=0), axis=1)
-    assert lengths == pytest.approx([arm.d1, arm.a1, arm.L2, arm.L4, arm.L6, 0.05])
+    assert lengths == pytest.approx([arm.c1, arm.a1, arm.c2, arm.c3, arm.c4, 0.05])
 
 
 # Machado, Oliveira, Fernandes 2009, severity 1.0, on linear RGB.

@@ -15,6 +15,9 @@ r"""A plan written back into its RAPID program: edits in place, every other char
   it). A wait for a signal stays, with such a MoveL of its least duration before it.
 - A move with confdata switched off (ConfJ, ConfL \Off), which ends in the nearest configuration, gets
   `ConfJ \On;` before it and `ConfJ \Off;` behind it where the plan wants another.
+- A way around obstacles becomes a MoveJ (before a MoveAbsJ a MoveAbsJ) for each additional point, on a line of its own
+  before the move, `MoveJ pVia_10, v1000, z20, tool0 \WObj:=wobj0; ! trajopt: way around 'column'`, to a constant beside
+  the move's target.
 - With free_speed the speed of a motion planned faster than programmed becomes vmax.
 
 The edited text is read again and held against the plan, motion by motion, before anybody sees it.
@@ -34,8 +37,9 @@ from trajopt_cli.export.rapid_targets import Targets
 from trajopt_cli.export.rapid_text import Edits, Names, refusal
 from trajopt_cli.export.rapid_writable import safest
 from trajopt_cli.export.rapid_write import Choices, Intent, RapidExport, write
-from trajopt_cli.motion import Move, Program, Wait
+from trajopt_cli.motion import Move, MoveAbsJ, MoveJ, Program, Wait
 from trajopt_cli.problem.changes import Loops
+from trajopt_cli.problem.detours import Numbering, unfolded, with_detours
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.scenario import Scenario
@@ -64,14 +68,17 @@ def export_rapid(
     reading = Reading(program, plant, scenario or Scenario(), entry)
     scopes = Scopes(program.files)
     stretches = Stretches(program, scopes, reading)
+    there, parts = with_detours(program, plant, plan.detours), unfolded(plan)
+    numbering = Numbering(len(program.motions), plan.detours)
     intents = _intents(program, plan, plant, faster, scopes)
+    faster = frozenset(k for k in range(numbering.with_points) if numbering.own(k) in faster)
     choices, last = Choices(loops=loops), False
     refused: InputError | None = None
     while True:
         found: list[tuple[int | None, InputError]] = []
         try:
             export = write(program, plant, scopes, stretches, intents, choices)
-            found = list(mismatches(program, plan, plant, reading, export.texts, export.new, faster))
+            found = list(mismatches(there, parts, plant, reading, export.texts, export.new, faster))
         except InputError as error:
             refused = failure = refused or error
         else:
@@ -79,7 +86,8 @@ def export_rapid(
                 return export
             failure = found[0][1]
         # A computed target that the edits leave, or make, another than planned gets a declaration of its own.
-        computed = {index for index, _ in found if index is not None and _is_computed(program, index)}
+        others = {numbering.own(index) for index, _ in found if index is not None and not numbering.is_point(index)}
+        computed = {index for index in others if _is_computed(program, index)}
         spans = {program.motions[index].written.statement for index in computed}  # with all passes of each
         wrong = {index for index, motion in enumerate(program.motions) if motion.written.statement in spans}
         own = {index for index in wrong if _may_be_said(program, scopes, stretches, loops, index)} - choices.own
@@ -118,19 +126,25 @@ def _is_computed(program: Program, index: int) -> bool:
 
 def _intents(program: Program, plan: Plan, plant: Plant, faster: frozenset[int], scopes: Scopes) -> dict[int, Intent]:
     targets = Targets(program, plant, Edits(program.files), Names({}), scopes)  # for its wishes only
+    numbering = Numbering(len(program.motions), plan.detours)
+    there = with_detours(program, plant, plan.detours)
+    parts = {one.index: one for one in unfolded(plan).motions}
+    last = [parts[numbering.at(one.index)] for one in plan.motions]  # of each motion, from its last point on
     runs = Counter(motion.written.statement for motion in program.motions)
     texts = [(motion.written.statement, motion.written.aggregate) for motion in program.motions]
-    moving = {texts[one.index] for one in plan.motions if rail_moves(one, plant)}  # in some pass
+    moving = {texts[numbering.own(one.index)] for one in last if rail_moves(one, plant)}  # in some pass
     out = {}
-    for planned in plan.motions:
+    for planned, part in zip(plan.motions, last, strict=True):
         motion = program.motions[planned.index]
         if isinstance(motion, Move):
             if planned.dropped:
                 out[planned.index] = Intent(drop=True)
             else:
                 text = texts[planned.index]
-                wish = targets.wish(motion, planned, leave_open=runs[text[0]] > 1 and text not in moving)
-                out[planned.index] = Intent(wish, fast=planned.index in faster)
+                wish = targets.wish(motion, part, leave_open=runs[text[0]] > 1 and text not in moving)
+                before = there.motions[part.index - len(planned.via) : part.index]
+                points = tuple(one for one in before if isinstance(one, MoveJ | MoveAbsJ))
+                out[planned.index] = Intent(wish, fast=planned.index in faster, points=points)
         elif isinstance(motion, Wait):
             out[planned.index] = Intent(dwell=planned if rail_moves(planned, plant) else None)
     return out

@@ -9,11 +9,25 @@ from pathlib import PurePath
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.export.rapid_call import called, last_argument, read_move
+from trajopt_cli.export.rapid_points import Point, point_lines
 from trajopt_cli.export.rapid_scopes import Scopes
 from trajopt_cli.export.rapid_stretches import Stretch
 from trajopt_cli.export.rapid_targets import Targets, Wish, type_of
 from trajopt_cli.export.rapid_text import Edits, Names, plain, refusal
-from trajopt_cli.motion import Hold, Motion, Move, MoveC, MoveExtJ, Program, SignalEvent, Span, TextFile, Wait
+from trajopt_cli.motion import (
+    Hold,
+    Motion,
+    Move,
+    MoveAbsJ,
+    MoveC,
+    MoveExtJ,
+    MoveJ,
+    Program,
+    SignalEvent,
+    Span,
+    TextFile,
+    Wait,
+)
 from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.rapid.language.syntax import Assign, Node, ProcedureCall
 from trajopt_cli.rapid.marks import FLAT, HOLD
@@ -26,7 +40,7 @@ _INDENT = "    "
 class FlatMotion:
     r"""What becomes of one motion. wish: of its target, None for what is no move. text: what stands in its place.
 
-    fast: at vmax. before, behind: statements around it.
+    fast: at vmax. before, behind: statements around it. points: additional ones on the way to it.
     """
 
     wish: Wish | None = None
@@ -34,6 +48,7 @@ class FlatMotion:
     fast: bool = False
     before: tuple[str, ...] = ()
     behind: tuple[str, ...] = ()
+    points: tuple[Point, ...] = ()
 
 
 class FlatModule:
@@ -75,6 +90,7 @@ class FlatModule:
             motion, done = self._program.motions[index], how(index)
             text = done.text if done.text is not None else self._statement(motion, done)
             held = not isinstance(motion, SignalEvent) and motion.hold is Hold.PROGRAM
+            lines += self._points(motion, done, text)
             lines += [*done.before, f"{text} {HOLD}" if held else text, *done.behind]
         self._bodies.append((name, lines))
         self._edits.replace_by(stretch.span, f"{name};", FLAT)
@@ -100,6 +116,18 @@ class FlatModule:
         mark = "\ufeff" if given.text.startswith("\ufeff") else ""
         place = str(path.with_name(f"{name}{'.modx' if path.suffix.lower() in ('.modx', '.sysx') else '.mod'}"))
         return place, TextFile(place, mark + re.sub(r"\r\n|\r|\n", lambda _: end, text), given.encoding)
+
+    def _points(self, motion: Motion, how: FlatMotion, text: str) -> list[str]:
+        """The lines of additional points, whose targets are declared here."""
+        lines: list[str] = []
+        for one in how.points:
+            assert isinstance(motion, MoveJ | MoveAbsJ)
+            if (one.type, one.name) not in self._known:  # passes of one text through one point share its name
+                self._known[one.type, one.name] = one.name
+                self._names.take(one.name)
+                self._data.append(f"{_INDENT}LOCAL CONST {one.type} {one.name}:={one.literal};")
+            lines += point_lines(one, motion, self._edits.text(motion.written.statement), text, how.fast)
+        return lines
 
     def _statement(self, motion: Motion, how: FlatMotion) -> str:
         span = motion.written.statement

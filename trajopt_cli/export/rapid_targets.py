@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -71,6 +71,7 @@ class Targets:
         self._scopes, self._isolated = scopes, isolated
         self._literals: dict[Span, _Literal] = {}
         self._declared: dict[tuple[str, str, str], str] = {}
+        self._points: set[str] = set()
         self.notes: list[Notice] = []
 
     # -------------------------------------------------------------------------------------------------- the wishes
@@ -161,6 +162,19 @@ class Targets:
         wish = Wish(rail, confdata(self._plant.robot, np.asarray(q[layout.arm])))
         assert wish.conf is not None
         return f"[{_pose(X_WT)},{_conf(wish.conf)},{self._external(move, wish, move.settings.eax_offset)}]"
+
+    def literal(self, point: Move, own: Move) -> str:
+        """An additional point before a move as a literal, which the move's own options are in force for."""
+        values = replace(point, written=own.written)
+        return self.in_numbers(values, self.as_written(values))
+
+    def declare_point(self, name: str, type_: str, literal: str, own: Move) -> None:
+        """A constant for an additional point: beside the data its move's target is named after, or at the head of the
+        module."""
+        self._names.take(name)
+        if name not in self._points:
+            self._points.add(name)
+            self._declare(None, own.written.statement, name, type_, literal, base_name(own.target))
 
     def _seen_from(self, move: Move, place: Span) -> bool:
         """Whether what is declared beside a move's target can be named at a place."""

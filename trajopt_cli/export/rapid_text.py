@@ -126,6 +126,10 @@ class Names:
                 text.lower() for kind, text in zip(tokens.kinds, tokens.texts, strict=True) if kind == "name"
             }
 
+    def take(self, name: str) -> None:
+        """Let nobody else have a name that is given to something."""
+        self._used.add(name.lower())
+
     def new(self, base: str, suffix: str, first: int) -> str:
         """base_suffix, numbered from first (0 for no number) until nobody uses it; at most 32 characters."""
         number = first

@@ -12,6 +12,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.export.rapid_call import read_move
 from trajopt_cli.export.rapid_check import first_difference
 from trajopt_cli.export.rapid_passes import Passes, passes, resting
+from trajopt_cli.export.rapid_points import text_detours
 from trajopt_cli.export.rapid_reading import Reading
 from trajopt_cli.export.rapid_scopes import Scopes, names_in
 from trajopt_cli.export.rapid_stretches import Stretch, Stretches
@@ -37,6 +38,8 @@ def text_changes(program: Program, plant: Plant, reading: Reading, loops: Loops 
     - KEEP: what runs several times and is served by one text, tied to one answer; but nothing that depends on a
       variable becomes a number.
     - UNROLL: whatever lies in a stretch that can be written flat.
+    - A joint move can have points added before it; passes of one statement have the same, but where they can be written
+      flat.
 
     The last word has a trial: computed targets and flat stretches are written with the values of the program itself,
     and what is read back must be the program; then everything is written with other values, in the way that an export
@@ -46,9 +49,12 @@ def text_changes(program: Program, plant: Plant, reading: Reading, loops: Loops 
     text = _Text(program, plant, reading, Scopes(program.files))
     if loops is Loops.UNROLL:
         free = text.unrolled()
-        return Changes(free, (), droppable(program, plant) & free, tuple(text.kept(free, loops)))
+        detours, straight = text_detours(program, plant, text.scopes, free, _inside(text.flat))
+        gone = droppable(program, plant) & free
+        return Changes(free, (), gone, tuple(text.kept(free, loops)), detours, straight)
     free, ties = text.kept_loops()
-    return Changes(free, ties, text.droppable(free), tuple(text.kept(free, loops)))
+    detours, straight = text_detours(program, plant, text.scopes, free)
+    return Changes(free, ties, text.droppable(free), tuple(text.kept(free, loops)), detours, straight)
 
 
 def safest(program: Program, plant: Plant, scopes: Scopes, reading: Reading, loops: Loops = Loops.KEEP) -> Choices:
@@ -65,6 +71,7 @@ class _Text:
         self.program, self.plant, self.reading, self.scopes = program, plant, reading, scopes
         self.stretches = Stretches(program, scopes, reading)
         self.runs = Counter(motion.written.statement for motion in program.motions)
+        self.flat: list[Stretch] = []  # what unrolled() can write flat
         self.moving: set[int] = set()  # what cannot change as others are computed from it, as far as known
         self.single = {i for i, motion in enumerate(program.motions) if self.runs[motion.written.statement] == 1}
 
@@ -127,6 +134,7 @@ class _Text:
     def unrolled(self) -> frozenset[int]:
         """What can carry values of its own where loops and calls may be written out."""
         own, flat = self.tried(Loops.UNROLL)
+        self.flat = flat
         out = self._free(own, flat)
         several = {i for i in out if i not in self.single} - _inside(flat)  # edited in place: others compute with them
         for less, fewer, rest in ((out, own, flat), (out - several, own, flat)):

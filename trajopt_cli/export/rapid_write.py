@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 from trajopt_cli.export.rapid_call import MoveCall, last_argument, read_move
 from trajopt_cli.export.rapid_flat import FlatModule, FlatMotion
+from trajopt_cli.export.rapid_points import Point, point_lines, put_above
+from trajopt_cli.export.rapid_points import point as made_point
 from trajopt_cli.export.rapid_scopes import Scopes
 from trajopt_cli.export.rapid_stretches import Stretch, Stretches, outermost
 from trajopt_cli.export.rapid_targets import PoseMove, Targets, Wish
@@ -26,6 +28,7 @@ from trajopt_cli.motion import (
 )
 from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.problem.changes import Loops
+from trajopt_cli.problem.detours import JointMove, quoted
 from trajopt_cli.problem.plan import PlannedMotion
 from trajopt_cli.problem.plant import Plant
 
@@ -46,24 +49,28 @@ class RapidExport:
 class Intent:
     """What shall become of one motion.
 
-    wish: of a move's target. dwell: of a wait in which the rail moves, how it is planned.
+    wish: of a move's target. dwell: of a wait in which the rail moves, how it is planned. points: additional joint
+    moves before a joint move.
     """
 
     wish: Wish | None = None
     drop: bool = False
     fast: bool = False
     dwell: PlannedMotion | None = None
+    points: tuple[JointMove, ...] = ()
 
 
 @dataclass(frozen=True)
 class _Action:
-    """What happens to one statement. point, dwell: names of targets it must refer to, or that stand in for a wait."""
+    """What happens to one statement. point, dwell: names of targets it must refer to, or that stand in for a wait.
+    points: additional ones before it."""
 
     drop: bool = False
     point: str | None = None
     fast: bool = False
     dwell: str | None = None
     monitored: bool = False
+    points: tuple[Point, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -149,11 +156,23 @@ class _Attempt:
             several = self._is_bound(motion)
             wish = intent.wish
             point = self._targets.own(motion, wish) if own else self._targets.point(motion, wish, several)
-            return _Action(point=point, fast=intent.fast, monitored=intent.wish.monitored)
+            points = self._points_of(motion, intent)
+            return _Action(point=point, fast=intent.fast, monitored=intent.wish.monitored, points=points)
         if isinstance(motion, Wait) and intent.dwell is not None:
             name = self._dwell_target(index, intent.dwell, motion.written.statement)
             return _Action(dwell=name)
         return _Action()
+
+    def _points_of(self, motion: Move, intent: Intent) -> tuple[Point, ...]:
+        """The points before a move as its text has them; blanks in names of bodies, and what its file cannot hold, as a
+        comment can have them."""
+        out = []
+        encoding = self._program.files[motion.written.statement.file].encoding
+        for one in intent.points:
+            assert isinstance(motion, MoveJ | MoveAbsJ)
+            around = tuple(name.encode(encoding, "replace").decode(encoding) for name in one.detour)
+            out.append(made_point(replace(one, detour=around), motion, self._targets.literal(one, motion)))
+        return tuple(out)
 
     def conflicts(self) -> list[int]:
         """Motions whose statement would have to do one thing at one time and another at another."""
@@ -192,7 +211,7 @@ class _Attempt:
     def _refuse_compact(self, span: Span, index: int, action: _Action) -> None:
         motion = self._program.motions[index]
         doubled = action.dwell is not None and isinstance(motion, Wait) and motion.condition is not None
-        if span in self._scopes.compact and (action.drop or action.monitored or doubled):
+        if span in self._scopes.compact and (action.drop or action.monitored or action.points or doubled):
             raise refusal(motion.source, "this statement is part of an IF without THEN; write IF ... THEN ... ENDIF")
 
     def _apply(self, index: int, action: _Action) -> list[Notice]:
@@ -209,12 +228,22 @@ class _Attempt:
             else:
                 edits.put_before(span, text)
             return [self._dwell_note(motion, action.dwell)]
+        notes = []
+        if action.points and isinstance(motion, MoveJ | MoveAbsJ):
+            lines = [
+                line
+                for one in action.points
+                for line in point_lines(one, motion, edits.text(span), edits.text(span), action.fast)
+            ]
+            put_above(edits, span, lines)
+            for one in action.points:
+                self._targets.declare_point(one.name, one.type, one.literal, motion)
+            notes.append(_way_note(motion, action.points))
         if action.monitored:
             self._monitored.append(motion.source)
             on, off = _switches(motion)
             edits.put_before(span, on)
             edits.put_behind(span, off)
-        notes = []
         if action.point is not None and motion.written.target is not None:
             edits.replace(motion.written.target, action.point)
         if action.fast and isinstance(motion, Move):
@@ -247,11 +276,14 @@ class _Attempt:
         if not isinstance(motion, Move):
             return FlatMotion()
         wish = intent.wish or self._targets.as_written(motion)
+        points = self._points_of(motion, intent)
+        if points:
+            self._notes.append(_way_note(motion, points))
         if not wish.monitored:
-            return FlatMotion(wish, fast=intent.fast)
+            return FlatMotion(wish, fast=intent.fast, points=points)
         self._monitored.append(motion.source)
         on, off = _switches(motion)
-        return FlatMotion(wish, fast=intent.fast, before=(on,), behind=(off,))
+        return FlatMotion(wish, fast=intent.fast, before=(on,), behind=(off,), points=points)
 
     # ------------------------------------------------------------------------------------------------------- dwelling
 
@@ -308,6 +340,12 @@ class _Attempt:
         move: Motion = self._program.motions[index]
         assert isinstance(move, Move)
         return read_move(move, self._edits.text(move.written.statement))
+
+
+def _way_note(move: Move, points: Sequence[Point]) -> Notice:
+    names = ", ".join(point.name for point in points)
+    told = f"{names} {'are' if len(points) > 1 else 'is'} added before {move.target}, around {quoted(points[0].around)}"
+    return Notice(NoticeKind.CHANGED, told, move.source)
 
 
 def _switches(move: Motion) -> tuple[str, str]:

@@ -22,6 +22,7 @@ from trajopt_cli.page.encode import text
 from trajopt_cli.page.kept_speed import kept_speed
 from trajopt_cli.page.listing import sources_data
 from trajopt_cli.page.scene import HOLDER, SCRIPTS, plan_cycle, plant_scene, program_points
+from trajopt_cli.problem.detours import way_told
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.runs.results import motion_label
@@ -43,7 +44,7 @@ def cell_data(
     files = files_of(programs)
     points = [] if reach_of is None else program_points(user, reach_of, plant)
     reach = None if reach_of is None else reach_data(plant, user, reach_of)
-    scene = plant_scene(plant, points, [plan_cycle(one.name, one.program, one.plan) for one in shown])
+    scene = plant_scene(plant, points, [plan_cycle(one.name, one.program, one.plan, plant) for one in shown])
     for i, cycle in enumerate(scene["cycles"]):
         cycle |= {name: {"same": [i, name]} for name in ("t", "q")}  # the same motion: once is enough
     coarse = _MANY if len(shown) > _FEW else 1
@@ -133,6 +134,7 @@ def _motions(user: Program, shown: Sequence[Shown]) -> str:
         f"what limits the {shown[-1].name}",
     ]
     found = [{m.index: m for m in one.plan.motions} if one.program is user else {} for one in shown]
+    told = {detour.motion: way_told(detour) for detour in shown[-1].plan.detours} if shown[-1].program is user else {}
     rows = []
     for index in range(min(len(user.motions), MOST_MOTIONS)):
         planned = [one.get(index) for one in found]
@@ -145,9 +147,10 @@ def _motions(user: Program, shown: Sequence[Shown]) -> str:
             cells.append(seconds((spent[0] or 0.0) - (spent[1] or 0.0)).replace("-", "−") if known else "")
         instruction, target = motion_label(user, index)
         source = user.motions[index].source
+        way = f' <span class="quiet">{text(told[index])}</span>' if index in told else ""
         rows.append(
             f'<tr data-motion="{index}"><td><button type="button">{text(place(source))}</button></td>'
-            f'<td>{text(instruction)}</td><td title="{text(target)}">{text(target)}</td>'
+            f'<td>{text(instruction)}</td><td title="{text(target)}">{text(target)}{way}</td>'
             f"{''.join(map(_number, cells))}"
             f"<td>{text(planned[-1].binding if planned[-1] is not None else '')}</td></tr>"
         )

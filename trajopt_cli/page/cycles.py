@@ -17,6 +17,7 @@ from trajopt_cli.page.encode import block
 from trajopt_cli.page.samples import sample_times
 from trajopt_cli.problem.constant_speed import Stretch
 from trajopt_cli.problem.course import Course, follow, programmed_speed, target_flange
+from trajopt_cli.problem.detours import way_told
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.workspace import rail_ranges
@@ -111,6 +112,8 @@ def reach_data(plant: Plant, program: Program, plan: Plan) -> dict[str, Any] | N
     asked: dict[int, float] = {}
     left_out = 0
     for leg in course.moves:
+        if leg.added:
+            continue
         index = indices[id(leg.motion)]
         assert not isinstance(leg.motion, Wait)
         value = plant.rail_value(leg.motion.extax)
@@ -167,16 +170,20 @@ def kind_of(motion: object) -> str:
 
 
 def _legs(program: Program, course: Course) -> dict[str, list[Any]]:
-    begins = {motion.t_0: motion for motion in course.plan.motions if motion.t_1 > motion.t_0}
-    planned = [begins[leg.t_0] for leg in course.legs]
+    ends = {motion.t_1: motion for motion in course.plan.motions if motion.t_1 > motion.t_0}
+    legs = [leg for leg in course.legs if not leg.added]  # points that are added are part of the way to their motion's
+    planned = [ends[leg.t_1] for leg in legs]
+    told = {detour.motion: way_told(detour) for detour in course.plan.detours}
     start = float(course.plan.trajectory.t[0])
     return {
         "index": [motion.index for motion in planned],
-        "from": [leg.t_0 - start for leg in course.legs],
-        "to": [leg.t_1 - start for leg in course.legs],
-        "kind": [kind_of(leg.motion) for leg in course.legs],
+        "from": [motion.t_0 - start for motion in planned],
+        "to": [motion.t_1 - start for motion in planned],
+        "kind": [kind_of(leg.motion) for leg in legs],
         "binding": [motion.binding for motion in planned],
-        "passed": [int(leg.passed) for leg in course.legs],
+        "passed": [int(leg.passed) for leg in legs],
+        "way": [told.get(motion.index, "") for motion in planned],
+        "points": [[point.t - start for point in motion.via] for motion in planned],
     }
 
 
@@ -194,6 +201,8 @@ def _rests(rows: Trajectory) -> dict[str, list[Any]]:
         "kind": ["wait" if still[a] else "joint" for a, _ in spans],
         "binding": [""] * len(spans),
         "passed": [0] * len(spans),
+        "way": [""] * len(spans),
+        "points": [[] for _ in spans],
     }
 
 

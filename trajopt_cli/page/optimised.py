@@ -58,7 +58,7 @@ def optimised_page(
             for one in (target, other)
         ),
     ]
-    at_first = [0, 1] if before else [0]
+    at_first = [0, 1] if before else [1, 0]  # the plan that is shown comes last
     chosen = plans[target].plan
     data = cell_data(plant, program, shown, at_first, chosen)
     sections = [

@@ -7,7 +7,8 @@ base; a body names the frame it is fixed to.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import math
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -16,6 +17,8 @@ import numpy as np
 from trajopt_cli.geometry import Array, IndexArray, readonly
 from trajopt_cli.motion import MoveAbsJ, MoveC, MoveJ, MoveL, Program
 from trajopt_cli.page.encode import block
+from trajopt_cli.problem.bodies import bodies_on
+from trajopt_cli.problem.detours import unfolded, with_detours
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.model import RobotModel
@@ -38,11 +41,13 @@ _BONE = 0.035  # m, radius of a link of which no shape is known
 
 @dataclass(frozen=True)
 class ScenePoint:
-    """A point of the program: its name, position in the world [m], and place in the text ("line.mod:41")."""
+    """A point of the program: its name, position in the world [m], and place in the text ("line.mod:41"). added: the
+    plan has added it on a way around obstacles."""
 
     name: str
     position: tuple[float, float, float]
     place: str = ""
+    added: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,7 +55,8 @@ class Cycle:
     """A motion to play. t (n,) [s] from 0; q (n, k) as the robot's axes [rad, m].
 
     tools: X_FT (4, 4) from a time [s] on, the first from the start. driven: from when to when [s] the tool is on lines
-    and arcs, drawn stronger; none for a motion that has no such parts.
+    and arcs, drawn stronger; none for a motion that has no such parts. parts: what the flange takes and leaves, each
+    from when to when [s], and whether in the flange's frame or in the world's.
     """
 
     name: str
@@ -58,6 +64,7 @@ class Cycle:
     q: Array
     tools: tuple[tuple[float, Array], ...] = field(default_factory=lambda: ((0.0, np.eye(4)),))
     driven: tuple[tuple[float, float], ...] = ()
+    parts: tuple[tuple[float, float, bool, Shape], ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "t", readonly(self.t))
@@ -66,8 +73,8 @@ class Cycle:
             raise ValueError(f"cycle '{self.name}': t {self.t.shape} and q {self.q.shape}, wanted (n,) and (n, k)")
 
 
-def plan_cycle(name: str, program: Program, plan: Plan) -> Cycle:
-    """A plan of a program as a cycle, with the tool in force at every time."""
+def plan_cycle(name: str, program: Program, plan: Plan, plant: Plant | None = None) -> Cycle:
+    """A plan of a program as a cycle, with the tool in force at every time, and a plant's parts where they are then."""
     tools: list[tuple[float, Array]] = []
     driven: list[tuple[float, float]] = []
     for planned in plan.motions:
@@ -82,11 +89,33 @@ def plan_cycle(name: str, program: Program, plan: Plan) -> Cycle:
             else:
                 driven.append((planned.t_0, planned.t_1))
     t, q = _sampled(plan.trajectory)
-    return Cycle(name, t, q, tuple(tools) or ((0.0, np.eye(4)),), tuple(driven))
+    parts = () if plant is None else tuple(_parts(program, plan, plant))
+    return Cycle(name, t, q, tuple(tools) or ((0.0, np.eye(4)),), tuple(driven), parts)
+
+
+def _parts(program: Program, plan: Plan, plant: Plant) -> Iterator[tuple[float, float, bool, Shape]]:
+    """Where the parts are, from change to change. A part that is taken at the end of a move moves with the next."""
+    names = {solid.name for solid in plant.parts}
+    under: dict[str, tuple[float, bool, Shape]] = {}
+    moments = [(0.0, -1), *((one.t_0, one.index) for one in plan.motions if not one.dropped)] if names else []
+    for time, index in moments:
+        bodies = bodies_on(plant, program, index)
+        for carried, solids in ((True, bodies.carried), (False, bodies.standing)):
+            for shape in (solid.shape for solid in solids if solid.name in names):
+                assert not isinstance(shape, MeshFile)  # a plant has them loaded
+                before = under.get(shape.name)
+                if before is None or before[2] is not shape:
+                    if before is not None and time > before[0]:
+                        yield before[0], time, *before[1:]
+                    under[shape.name] = time, carried, shape
+    for since, carried, shape in under.values():
+        yield since, math.inf, carried, shape
 
 
 def program_points(program: Program, plan: Plan, plant: Plant) -> list[ScenePoint]:
-    """The targets that a plan's moves lead to, as programmed; each name at each position once."""
+    """The targets that a plan's moves lead to, as programmed, and the points it adds; each name at each position
+    once."""
+    program, plan = with_detours(program, plant, plan.detours), unfolded(plan)
     out: dict[tuple[str, tuple[float, ...]], ScenePoint] = {}
     for planned in plan.motions:
         motion = program.motions[planned.index]
@@ -96,7 +125,7 @@ def program_points(program: Program, plan: Plan, plant: Plant) -> list[ScenePoin
         x, y, z = (round(float(value), 6) for value in X_WT[:3, 3])
         out.setdefault(
             (motion.target, (x, y, z)),
-            ScenePoint(motion.target, (x, y, z), str(motion.source)),
+            ScenePoint(motion.target, (x, y, z), str(motion.source), bool(motion.detour)),
         )
     return list(out.values())
 
@@ -105,7 +134,8 @@ def plant_scene(plant: Plant, points: Iterable[ScenePoint], cycles: Sequence[Cyc
     """The scene of a cell, data["scene"] of a page: robot, rail with carriage, obstacles, what the flange carries."""
     rail = plant.layout.rail
     stroke = (float(plant.limits.lower[0]), float(plant.limits.upper[0])) if rail.stop > rail.start else None
-    obstacles = [solid.shape for solid in plant.obstacles]
+    moving = {solid.name for solid in plant.parts} if any(cycle.parts for cycle in cycles) else set[str]()
+    obstacles = [solid.shape for solid in plant.obstacles if solid.name not in moving]
     carried = [solid.shape for solid in plant.attached]
     return robot_scene(plant.robot, points, cycles, obstacles, carried, stroke)
 
@@ -134,18 +164,31 @@ def robot_scene(
     static = [_shape(shape) | {"role": "obstacle"} for shape in obstacles]
     if stroke is not None and isinstance(robot, RobotModel):
         beam, plate = _rail(robot, stroke)
-        static.append(_shape(beam) | {"role": "rail"})
+        if not any(one.name == "track" for one in obstacles):  # the cell says how large it is
+            static.append(_shape(beam) | {"role": "rail"})
         bodies.append(_shape(plate) | {"link": frames[robot.link_names[0]], "role": "carriage"})
     return {
         "chain": chain,
         "bodies": bodies,
         "static": static,
-        "points": [{"name": one.name, "position": list(one.position), "place": one.place} for one in points],
+        "points": [
+            {"name": one.name, "position": list(one.position), "place": one.place, "added": one.added} for one in points
+        ],
         "tool": _flat(cycles[0].tools[0][1]) if cycles else _flat(np.eye(4)),
         "base": _flat(base),
         "axes": list(robot.axis_names),
-        "cycles": [_cycle(robot, one) for one in cycles],
+        "cycles": [_cycle(robot, one) | _placed(one, len(chain) - 1, most) for one in cycles],
     }
+
+
+def _placed(cycle: Cycle, flange: int, most: int) -> dict[str, Any]:
+    """A cycle's parts: link -2 is the world. most: triangles of a mesh."""
+    parts = [
+        _shape(_coarse(shape, most))
+        | {"role": "part", "link": flange if carried else -2, "from": since, "to": min(until, float(cycle.t[-1]) + 1)}
+        for since, until, carried, shape in cycle.parts
+    ]
+    return {"parts": parts} if parts else {}
 
 
 def _chain(robot: RobotModel | SrsRobot) -> tuple[list[dict[str, Any]], dict[str, int]]:

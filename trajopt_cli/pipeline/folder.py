@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,10 +13,13 @@ from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.job import Job, read_results_job
 from trajopt_cli.motion import TextFile
 from trajopt_cli.pipeline.planning import judge
+from trajopt_cli.problem.detours import held_against, quoted
 from trajopt_cli.problem.plan import Plan, PlannedMotion, Target
 from trajopt_cli.runs.results import (
     CHOSEN,
     CSV,
+    DetourRow,
+    MotionRow,
     RapidModule,
     read_results,
 )
@@ -27,13 +31,15 @@ if TYPE_CHECKING:
 @dataclass(frozen=True)
 class RapidFiles:
     """The optimised modules of a results folder. patch: their difference from the program as given, for patch -p1;
-    difference: the same to read. kept: what the plan had to leave as programmed, and why.
+    difference: the same to read. kept: what the plan had to leave as programmed, and why. ways: which moves go around
+    what, a line each.
     """
 
     modules: tuple[RapidModule, ...]
     patch: bytes
     difference: str
     kept: tuple[str, ...]
+    ways: tuple[str, ...] = ()
 
 
 @of_kind(ErrorKind.RESULTS)
@@ -46,7 +52,9 @@ def verify_results(folder: Path) -> tuple[Job, dict[str, Report]]:
         texts[CHOSEN] = (results.target, results.texts[CHOSEN])
     reports = {}
     for name, (target, text) in texts.items():
-        reports[name] = judge(job.plant, job.program, text, str(folder / name), results.dropped(target), target)
+        detours, left_out = results.detours(target), results.dropped(target)
+        program, dropped = held_against(job.program, job.plant, target, detours, left_out)
+        reports[name] = judge(job.plant, program, text, str(folder / name), dropped, target)
     return job, reports
 
 
@@ -65,9 +73,10 @@ def plans_of_results(folder: Path, job: Job) -> dict[Target, Plan]:
         for row in results.motions[target]:
             motion, end = job.program.motions[row.index], np.array(row.axes_at_end)
             t_1 = row.start_s + row.time_s
-            motions.append(PlannedMotion(row.index, motion.source, row.start_s, t_1, q, end, "", row.dropped))
+            via = results.passings(target, row.index)
+            motions.append(PlannedMotion(row.index, motion.source, row.start_s, t_1, q, end, "", row.dropped, via))
             q = end
-        plans[target] = Plan(target, trajectory, tuple(motions), None, "")
+        plans[target] = Plan(target, trajectory, tuple(motions), None, "", detours=results.detours(target))
     return plans
 
 
@@ -93,7 +102,16 @@ def rapid_export(folder: Path) -> RapidFiles:
         else:
             given[path] = TextFile(path, *decode(one.given))
             texts[path] = one.content.decode(given[path].encoding)
-    return RapidFiles(results.rapid, patch(given, texts, new), unified_diff(given, texts, new), results.kept)
+    lines = (_way_line(way, results.motions[Target.RAPID]) for way in results.ways[Target.RAPID])
+    ways = tuple(dict.fromkeys(lines))  # passes of one text say the same
+    return RapidFiles(results.rapid, patch(given, texts, new), unified_diff(given, texts, new), results.kept, ways)
+
+
+def _way_line(way: DetourRow, motions: Sequence[MotionRow]) -> str:
+    """A way around obstacles and its points, in words."""
+    own = next(row for row in motions if row.index == way.motion)
+    names = ", ".join(point.target for point in way.points)
+    return f"{own.source}: {own.instruction} {own.target} goes around {quoted(way.around)} by {names}"
 
 
 def _text(path: Path) -> str:

@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from trajopt_cli.export.rapid_write import RapidExport
     from trajopt_cli.findings import Finding
 
+_ROBOT = f"{INPUT}robot/"
 _ROUNDING = 1e-6  # s
 _WORTH = 5e-3  # s of an estimate that are worth a word
 
@@ -57,7 +58,7 @@ class Illegal:
 
 @dataclass(frozen=True)
 class Collides:
-    """A plan that keeps every limit but touches something: the planner looks at no obstacles. hits: in time order."""
+    """A plan that keeps every limit but touches something, as the judge finds. hits: in time order."""
 
     label: str
     hits: tuple[Finding, ...]
@@ -174,6 +175,7 @@ def optimise(
         inputs=Inputs(
             program=first.place,
             cell=cell.place,
+            robot=robot_place(job),
             files=[one.record(rapid=export is not None) for one in dict.fromkeys((first, cell, *inputs.values()))],
         ),
         no_rapid=no_rapid,
@@ -215,6 +217,7 @@ def _files(
     files: dict[str, bytes | BufferedRandom] = {
         SUMMARY: summary(
             job.program,
+            plant,
             target,
             judged,
             written,
@@ -338,6 +341,7 @@ def plan_pictures(job: Job, plan: Plan) -> dict[str, bytes]:
 
 def _notices(job: Job, judged: Mapping[Target, Judged]) -> tuple[str, ...]:
     """What a reader of the cycle times must know: the program's oddities, what is planned otherwise than it asks."""
+    from trajopt_cli.problem.loads import load_notes
     from trajopt_cli.problem.plannable import planned_otherwise
 
     no_stops = {target: _no_stops(job, one.plan) for target, one in judged.items()}
@@ -349,7 +353,9 @@ def _notices(job: Job, judged: Mapping[Target, Judged]) -> tuple[str, ...]:
             f"{len(waits)} wait{'s' if len(waits) > 1 else ''} for signals: counted with the least time that the cell "
             f"file gives, {least:g} s in all; real waiting comes on top"
         )
-    return (*map(str, job.program.warnings), *out, *planned_otherwise(job.program), *held_unasked(job))
+    counted = load_notes(job.program, job.plant)
+    otherwise = planned_otherwise(job.program, bool(counted))
+    return (*map(str, job.program.warnings), *out, *otherwise, *counted, *held_unasked(job))
 
 
 def _of_given_time(asked: Mapping[Target, Objective], judged: Mapping[Target, Judged]) -> Iterator[str]:
@@ -398,6 +404,12 @@ def held_unasked(job: Job) -> Iterator[str]:
         yield held
 
 
+def robot_place(job: Job) -> str | None:
+    """Where the folder keeps the robot's own YAML file; None for a robot that ships."""
+    files = job.cell.robot_files(job.plant.robot.urdf)
+    return f"{_ROBOT}{files[0].name}" if files else None
+
+
 def inputs_of(job: Job) -> dict[str, InputFile]:
     """Every file the job was read from, by the path it was read under, with its exact bytes."""
     inputs = {}
@@ -407,6 +419,9 @@ def inputs_of(job: Job) -> dict[str, InputFile]:
     for mesh in job.cell.mesh_files:
         copy = mesh.relative_to(job.cell_path.parent).as_posix()
         inputs[str(mesh)] = InputFile(str(mesh), f"{INPUT}{copy}", mesh.read_bytes())
+    for file in (own := job.cell.robot_files(job.plant.robot.urdf)):
+        copy = file.relative_to(own[0].parent).as_posix()
+        inputs[str(file)] = InputFile(str(file), f"{_ROBOT}{copy}", file.read_bytes())
     cell = str(job.cell_path)
     inputs[cell] = InputFile(cell, f"{INPUT}{job.cell_path.name}", job.cell_path.read_bytes())
     return inputs

@@ -14,6 +14,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Program
 from trajopt_cli.problem.changes import Changes, Loops, everything
+from trajopt_cli.problem.detours import held_against
 from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING
 from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective
 from trajopt_cli.problem.patience import Patience
@@ -335,8 +336,9 @@ def _judged(job: Job, plan: Plan, kept: RowsFile, clock: Clock) -> Judged:
     """A plan with what the judge says of its text. Advice is for who asks `trajopt verify`: its libraries take longer
     to load than a short program to judge, and on a long one more than all that decides."""
     with clock.phase(f"{plan.target.value}: judge"):
-        dropped = tuple(motion.index for motion in plan.motions if motion.dropped)
-        report = judge(job.plant, job.program, kept.text, CSV[plan.target], dropped, plan.target, advice=False)
+        left_out = [motion.index for motion in plan.motions if motion.dropped]
+        program, dropped = held_against(job.program, job.plant, plan.target, plan.detours, left_out)
+        report = judge(job.plant, program, kept.text, CSV[plan.target], dropped, plan.target, advice=False)
         give_back()
         return Judged(plan, kept, report)
 

@@ -47,6 +47,8 @@ KINDS: dict[str, dict[str, Any]] = {
 # A point where the plan stops, and one that it passes.
 STOP: dict[str, Any] = {"marker": "o", "linestyle": "", "color": BLACK, "markersize": 4.5}
 PASSED: dict[str, Any] = {**STOP, "markerfacecolor": "white", "markersize": 5.5}
+# The same of points that the plan has added.
+ADDED: dict[str, Any] = {"marker": "D", "color": VERMILLION}
 SAME = 5e-3  # m: points nearer than this share a name tag
 STANDS = 1e-6  # m: no way to show
 _NAMES = "xyz"
@@ -92,6 +94,7 @@ def path(course: Course) -> Figure:
         [course.at(leg.t_1) for leg in course.moves],
         along_page(plant, points),
         passed=np.r_[False, course.passed],
+        added=np.r_[False, course.added],
     )
 
 
@@ -148,15 +151,18 @@ def path_figure(
     along: int,
     kinds: dict[str, dict[str, Any]] = KINDS,
     passed: BoolArray | None = None,
+    added: BoolArray | None = None,
 ) -> Figure:
     """Spaces side by side, each seen from the side and from above, all to one scale, with arrows along the way.
 
     names: of the places (m). parts: samples and the key of kinds they are drawn in. ends: the samples where ways end.
-    along: the world axis across the page. passed: which of the places are passed (m,); none if not given. One space
-    alone has its two views side by side, or one below the other where that shows it larger. A view in which the path is
-    a point is left out.
+    along: the world axis across the page. passed, added: which of the places are passed, and which of them no program
+    has (m,); none if not given. One space alone has its two views side by side, or one below the other where that shows
+    it larger. A view in which the path is a point is left out.
     """
-    passed = np.zeros(len(names), dtype=bool) if passed is None else passed
+    passed, added = (np.zeros(len(names), dtype=bool) if which is None else which for which in (passed, added))
+    looks = [(which & ~added, style) for which, style in ((~passed, STOP), (passed, PASSED))]
+    looks += [(which & added, style | ADDED) for which, style in ((~passed, STOP), (passed, PASSED))]
     across = 1 - along
     views = [[(i, up) for i in range(len(spaces))] for up in (2, across)]
     shown = [np.vstack([space.path, space.places, space.ground]) for space in spaces]
@@ -178,7 +184,7 @@ def path_figure(
             _draw_ground(axes, space.ground[:, plane] / MM)
             for part, kind in parts:
                 axes.plot(*space.path[part][:, plane].T / MM, **kinds[kind], solid_capstyle="round", gid=kind)
-            for which, style in ((~passed, STOP), (passed, PASSED)):
+            for which, style in looks:
                 axes.plot(*space.places[which][:, plane].T / MM, **style, zorder=4)
             middle = (shown[i].max(axis=0) + shown[i].min(axis=0)) / 2
             axes.set_xlim((middle[along] - width / 2) / MM, (middle[along] + width / 2) / MM)
@@ -193,6 +199,8 @@ def path_figure(
     handles: list[Line2D | Patch] = [Line2D([], [], **style) for kind, style in kinds.items() if kind in used]
     if passed.any():
         handles += [Line2D([], [], **STOP, label="stop"), Line2D([], [], **PASSED, label="passed")]
+    if added.any():
+        handles.append(Line2D([], [], **STOP | ADDED, label="added on a way around obstacles"))
     handles += [_RAIL_LABEL, _CARRIAGE_LABEL] if len(spaces[0].ground) else []
     legend(figure, handles)
     settle(figure)
@@ -270,8 +278,9 @@ def workspace(course: Course) -> Figure:
     for passed, style in ((False, STOP), (True, PASSED)):
         axes.plot(*ends[course.passed == passed].T / MM, **style, zorder=4)
     arm = course.plant.robot.arm
-    base = np.array([[0, 0], [0, arm.d1], [arm.a1, arm.d1]])
-    knee = base[2] + arm.L2 * np.array([np.sin(course.q[0, -5]), np.cos(course.q[0, -5])])
+    base = np.array([[0, 0], [0, arm.c1], [arm.a1, arm.c1]])
+    t2 = arm.angles(course.q[0, course.plant.layout.arm])[1]
+    knee = base[2] + arm.c2 * np.array([np.sin(t2), np.cos(t2)])
     chain = np.vstack([base, knee, wrist[0]])
     axes.plot(*chain.T / MM, "-o", color="#b0b0b0", linewidth=5, solid_capstyle="round", zorder=1, markersize=7)
     axes.set_aspect("equal")

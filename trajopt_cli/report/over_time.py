@@ -14,6 +14,7 @@ from matplotlib.ticker import MaxNLocator
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Wait
 from trajopt_cli.problem.course import Course, programmed_speed, target_flange
+from trajopt_cli.problem.loads import torques_along
 from trajopt_cli.problem.workspace import rail_ranges
 from trajopt_cli.report.marks import PASSED, WAIT, mark_motions
 from trajopt_cli.report.names import name_times, spread
@@ -41,26 +42,32 @@ _LIMIT = Line2D([], [], **LIMIT, label="limit")  # type: ignore[arg-type]
 
 
 def joints(course: Course) -> Figure:
-    """Position, speed and acceleration of each axis between its limits. Figs 6.4 to 6.6 with their limits."""
+    """Position, speed, acceleration of each axis between its limits, torque where it is limited. Figs 6.4 to 6.6 with
+    their limits."""
     names, limits = course.plant.limits.names, course.plant.limits
     figure = new_figure(1.2 + 1.55 * len(names), "Axes against their limits", course.below)
-    grid = figure.subplots(len(names), 3, sharex=True, squeeze=False)
-    columns = (
+    columns = [
         ("position", "", course.q, limits.lower, limits.upper),
         ("speed", "/s", course.qd, -limits.velocity, limits.velocity),
         ("acceleration", "/s²", course.qdd, -limits.acceleration, limits.acceleration),
-    )
+    ]
+    if limits.binding_torque is not None:
+        columns.append(("torque", "", torques_along(course), -limits.binding_torque, limits.binding_torque))
+    grid = figure.subplots(len(names), len(columns), sharex=True, squeeze=False)
     for k, name in enumerate(names):
-        factor, unit = unit_of(name)
         for panel, (what, per, values, lower, upper) in zip(grid[k], columns, strict=True):
+            factor, unit = unit_of(name)
+            if what == "torque":
+                factor, unit = 1.0, "N" if name == "rail" else "Nm"
             low, high = lower[k] / factor, upper[k] / factor
-            _between_limits(panel, low, high)
+            if np.isfinite(high):
+                _between_limits(panel, low, high)
             panel.plot(course.t, values[:, k] / factor, color=BLUE, linewidth=1.5, solid_joinstyle="round")
             panel.set_ylabel(f"[{unit}{per}]", size=SMALL)
             if k == 0:
                 panel.set_title(what, pad=10)
-            told = f"{whole(low)} to {whole(high)}"
-            if what != "position":
+            told = f"{whole(low)} to {whole(high)}" if np.isfinite(high) else "no limit"
+            if what != "position" and np.isfinite(high):
                 told = f"±{whole(high)}, peak {100 * float(np.max(np.abs(values[:, k])) / upper[k]):.0f} %"
             panel.text(
                 0.99,
@@ -75,7 +82,7 @@ def joints(course: Course) -> Figure:
                 bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.8},
                 zorder=0.9,
             )
-        grid[k, 0].set_ylabel(f"{readable(name)}\n[{unit}]", size=SMALL)
+        grid[k, 0].set_ylabel(f"{readable(name)}\n[{unit_of(name)[1]}]", size=SMALL)
     mark_motions(course, grid.flat)
     for panel in grid[-1]:
         panel.set_xlabel(TIME)

@@ -6,7 +6,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, xyz_from_rotation
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.robot.arm import axes_and_points
+from trajopt_cli.robot import arm
 
 _TURN = np.pi / 2  # rad between two samples: no angle moves so fast, it is the singularity of the three angles
 
@@ -20,17 +20,15 @@ def angles(X_WT: Array) -> Array:
 
 def wrist_section(plant: Plant, q: Array) -> Array:
     """The wrist centre in the arm's own plane (n, 2) [m]: ahead of axis 1 and up, of axis positions q (n, k)."""
-    arm, q2, q23 = plant.robot.arm, q[:, -5], q[:, -5] + q[:, -4]
-    ahead = arm.a1 + arm.L2 * np.sin(q2) + arm.L4 * np.cos(q23)
-    return np.column_stack([ahead, arm.d1 + arm.L2 * np.cos(q2) - arm.L4 * np.sin(q23)])
+    return np.column_stack(arm.wrist_section(plant.robot.arm, q[:, plant.layout.arm]))
 
 
 def skeleton(plant: Plant, q: Array, X_FT: Array) -> Array:
     """Base, foot of joint 2, joints 2 and 3, wrist centre, flange, TCP: (7, 3) [m] in the world at q (k,)."""
     robot = plant.robot
-    X_WB = robot.base(plant.layout.place(q))
-    points = axes_and_points(robot.arm, q[plant.layout.arm])[1].T  # (6, 3): a point on each axis, in the base frame
-    inside = np.array([[0.0, 0, 0], [0, 0, robot.arm.d1], points[1], points[2], points[4]])
+    X_WO = robot.canonical_base(plant.layout.place(q))
+    points = arm.axes_and_points(robot.arm, q[plant.layout.arm])[1].T  # (6, 3): a point on each axis, in that base
+    inside = np.array([[0.0, 0, 0], [0, 0, robot.arm.c1], points[1], points[2], points[4]])
     X_WF = robot.forward(q)
-    chain = inside @ X_WB[:3, :3].T + X_WB[:3, 3]
+    chain = inside @ X_WO[:3, :3].T + X_WO[:3, 3]
     return np.vstack([chain, X_WF[:3, 3], (X_WF @ X_FT)[:3, 3]])

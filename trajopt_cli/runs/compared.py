@@ -30,7 +30,7 @@ from trajopt_cli.runs.results import PlanRecord
 LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
 """What runs are called, in the order they were given."""
 EQUAL = 5e-4  # s: two times this close are printed alike
-_LIMITS = ("joint speed", "joint acceleration", "joint jerk", "TCP speed", "TCP acceleration")
+_LIMITS = ("joint speed", "joint acceleration", "joint jerk", "joint torque", "TCP speed", "TCP acceleration")
 _ALIKE = 0.5  # of the motions: two runs with fewer in common are of different programs
 
 

@@ -22,16 +22,19 @@ from trajopt_cli.runs.record import Model, RunRecord, as_json, checked, parse_re
 FORMAT = 1
 """Of the folders; a reader refuses a newer one."""
 PLAN, TASK, EXPERIMENTS, SENSITIVITY, COMPARISON = "plan", "iiwa", "experiments", "sensitivity", "comparison"
+PLACE, ORDER = "place", "order"
 _COMMANDS = {
     PLAN: "optimize",
     TASK: "iiwa segments",
     EXPERIMENTS: "iiwa experiments",
     SENSITIVITY: "sensitivity",
     COMPARISON: "compare baseline",
+    PLACE: "place",
+    ORDER: "order",
 }
 """What makes a folder of each kind."""
 _REPORTS = _COMMANDS | {TASK: "iiwa simulate"}
-"""What writes a folder's page; sensitivity writes none."""
+"""What writes a folder's page; sensitivity, place and order write none."""
 _FOREIGN, _ANEW = "was not written by trajopt", "move the folder away and make it again"
 Record = TypeVar("Record", bound=RunRecord[Any])
 
@@ -150,7 +153,7 @@ def read_report(folder: Path) -> bytes:
     is none, and for one that was changed."""
     record = _record(folder, RunRecord[Any])
     if REPORT not in record.files:
-        wanted = None if record.kind == SENSITIVITY else _REPORTS.get(record.kind)
+        wanted = None if record.kind in (SENSITIVITY, PLACE, ORDER) else _REPORTS.get(record.kind)
         advice = f"; run trajopt {wanted} again" if wanted else ""
         raise InputError(f"has no {REPORT}{advice}", file=str(folder))
     content = _read_listed(folder, REPORT)

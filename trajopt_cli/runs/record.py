@@ -63,11 +63,13 @@ class InputRecord(Section):
 
 
 class Inputs(Section):
-    """The places of the files that a command starts from, of several modules the first, and all files of the run."""
+    """The places of the files that a command starts from, of several modules the first, and all files of the run.
+    robot: of a robot's own YAML file, its URDF beside it; None for a robot that ships."""
 
     program: str | None = None
     cell: str | None = None
     task: str | None = None
+    robot: str | None = None
     files: list[InputRecord] = Field(default_factory=list)
 
 
@@ -95,7 +97,7 @@ class RunRecord(Section, Generic[Options]):
     def _inputs_are_listed(self) -> RunRecord[Options]:
         """Every input is a listed copy with that hash, and no two places are one."""
         seen = set[str]()
-        for key in ("program", "cell", "task"):
+        for key in ("program", "cell", "task", "robot"):
             place = getattr(self.inputs, key)
             self.listed(f"inputs.{key}", place, copy=True)
         for i, one in enumerate(self.inputs.files):

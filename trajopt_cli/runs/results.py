@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, ClassVar
 
+import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
 
 from trajopt_cli.errors import InputError
@@ -16,7 +17,9 @@ from trajopt_cli.motion import Program, SignalEvent, Wait
 from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.constant_speed import Stretch, stretch_record
 from trajopt_cli.problem.corners import Corners
-from trajopt_cli.problem.plan import Eased, Plan, Target
+from trajopt_cli.problem.detours import Detour, Via, point_names
+from trajopt_cli.problem.plan import Eased, Passing, Plan, Target
+from trajopt_cli.problem.plant import Plant
 from trajopt_cli.quantity import complain
 from trajopt_cli.runs import SUMMARY
 from trajopt_cli.runs.files import replace_files
@@ -108,6 +111,7 @@ class MotionRow(Section):
     """A motion in summary.json, as far as it is read back; times in s from the start."""
 
     index: int
+    source: str = ""
     instruction: str
     target: str
     start_s: float
@@ -116,10 +120,30 @@ class MotionRow(Section):
     axes_at_end: list[float]
 
 
+class PointRow(Section):
+    """An additional point in summary.json: its name in the RAPID text, all axes there, the radius of its zone [m] or
+    None for a stop, and when it is passed [s]."""
+
+    target: str
+    axes: list[float]
+    radius_m: float | None
+    time_s: float
+    binding: str
+
+
+class DetourRow(Section):
+    """A way around in summary.json. motion: index of the one that its points are before."""
+
+    motion: int
+    around: list[str]
+    points: list[PointRow]
+
+
 class PlanSummary(Section):
     """A plan in summary.json, as far as it is read back."""
 
     motions: list[MotionRow]
+    detours: list[DetourRow] = Field(default_factory=list)
 
 
 class Plans(Section):
@@ -156,21 +180,23 @@ class RapidModule:
 class Results:
     """A results folder read back. modules and cell are the copies of the run's inputs inside it, in their order.
 
-    entry, assume_identity, loops: as the run was asked for. texts: the three CSV files by name. motions: of each
-    target's plan. holds: when the chosen plan stands still until a signal comes [s], and for what. rapid: the
-    optimised modules; none where no_rapid says why. kept: what they keep as programmed, and why. cycle_time: as in
-    PlanOptions.
+    robot: the copy of the robot's own YAML file, None for a robot that ships. entry, assume_identity, loops: as the
+    run was asked for. texts: the three CSV files by name. motions, ways: of each target's plan, and around what it
+    goes. holds: when the chosen plan stands still until a signal comes [s], and for what. rapid: the optimised modules;
+    none where no_rapid says why. kept: what they keep as programmed, and why. cycle_time: as in PlanOptions.
     """
 
     folder: Path
     target: Target
     modules: tuple[Path, ...]
     cell: Path
+    robot: Path | None
     entry: str
     assume_identity: tuple[str, ...]
     loops: Loops
     texts: Mapping[str, str]
     motions: Mapping[Target, tuple[MotionRow, ...]]
+    ways: Mapping[Target, tuple[DetourRow, ...]]
     holds: tuple[tuple[float, str], ...]
     rapid: tuple[RapidModule, ...]
     no_rapid: str | None = None
@@ -180,6 +206,18 @@ class Results:
     def dropped(self, target: Target) -> tuple[int, ...]:
         """The motions that a target's plan leaves out."""
         return tuple(row.index for row in self.motions[target] if row.dropped)
+
+    def detours(self, target: Target) -> tuple[Detour, ...]:
+        """The ways around obstacles in a target's plan."""
+        return tuple(
+            Detour(row.motion, tuple(Via(np.array(one.axes), one.radius_m) for one in row.points), tuple(row.around))
+            for row in self.ways[target]
+        )
+
+    def passings(self, target: Target, motion: int) -> tuple[Passing, ...]:
+        """The additional points of one motion of a target's plan."""
+        points = [point for row in self.ways[target] if row.motion == motion for point in row.points]
+        return tuple(Passing(point.time_s, np.array(point.axes), point.binding) for point in points)
 
 
 def distinct_names(paths: Sequence[str]) -> dict[str, str]:
@@ -208,6 +246,7 @@ def motion_label(program: Program, index: int) -> tuple[str, str]:
 
 def summary(
     program: Program,
+    plant: Plant,
     target: Target,
     judged: Mapping[Target, Judged],
     written: Plan | str,
@@ -230,7 +269,7 @@ def summary(
     return as_json(
         {
             "target": target.value,
-            "plans": {one.value: _plan(program, judged[one], kept_speed[one]) for one in Target},
+            "plans": {one.value: _plan(program, plant, judged[one], kept_speed[one]) for one in Target},
             "as_written": _as_written(written),
             "fly_bys_passed": {one.value: passed[one] for one in Target},
             "fly_bys_stopped": [
@@ -253,7 +292,7 @@ def _as_written(written: Plan | str) -> dict[str, Any]:
     return {"cycle_time_s": written.duration, "motion_times_s": times, "why_not": None}
 
 
-def _plan(program: Program, judged: Judged, stretches: Sequence[Stretch]) -> dict[str, Any]:
+def _plan(program: Program, plant: Plant, judged: Judged, stretches: Sequence[Stretch]) -> dict[str, Any]:
     plan = judged.plan
     motions = []
     for motion in plan.motions:
@@ -279,12 +318,35 @@ def _plan(program: Program, judged: Judged, stretches: Sequence[Stretch]) -> dic
         "grid": plan.grid,
         "axes": list(plan.trajectory.names),
         "motions": motions,
+        "detours": _detours(program, plant, plan),
         "constant_speed": [stretch_record(program, one) for one in stretches],
         "judge": {
             "legal": judged.report.legal,
             "findings": [finding_record(finding) for finding in judged.report.findings],
         },
     }
+
+
+def _detours(program: Program, plant: Plant, plan: Plan) -> list[dict[str, Any]]:
+    names = point_names(program, plant, plan.detours)
+    via = {motion.index: motion.via for motion in plan.motions}
+    return [
+        {
+            "motion": detour.motion,
+            "around": list(detour.around),
+            "points": [
+                {
+                    "target": name,
+                    "axes": point.q.tolist(),
+                    "radius_m": point.radius,
+                    "time_s": passing.t,
+                    "binding": passing.binding,
+                }
+                for name, point, passing in zip(called, detour.points, via[detour.motion], strict=True)
+            ],
+        }
+        for detour, called in zip(plan.detours, names, strict=True)
+    ]
 
 
 def _eased(eased: Eased) -> dict[str, Any]:
@@ -307,12 +369,14 @@ def read_results(folder: Path, judged: bool = False) -> Results:
         target=digest.target,
         modules=tuple(folder / one.place for one in inputs.files if one.module),
         cell=folder / str(inputs.cell),
+        robot=None if inputs.robot is None else folder / inputs.robot,
         entry=options.entry,
         assume_identity=tuple(options.assume_identity),
         loops=options.loops,
         cycle_time=options.cycle_time,
         texts={name: run.text(name) for name in plans},
         motions={one: tuple(digest.plans.of(one).motions) for one in Target},
+        ways={one: tuple(digest.plans.of(one).detours) for one in Target},
         holds=tuple((row.start_s + row.time_s, row.target) for row in waits),
         rapid=tuple(_rapid(run)),
         no_rapid=run.record.no_rapid,

@@ -29,7 +29,8 @@
     const time = `${figure(one.legs.to[k] - one.legs.from[k], 3)} s`;
     if (!known) return `${one.name}: ${name(one, k)}, ${time}`;
     const limit = one.legs.binding[k] ? `, limited by ${one.legs.binding[k]}` : "";
-    return `${one.name}: ${known.place} ${known.instruction} ${known.target}, ${time}${limit}`;
+    const way = one.legs.way[k] ? ` (${one.legs.way[k]})` : "";
+    return `${one.name}: ${known.place} ${known.instruction} ${known.target}${way}, ${time}${limit}`;
   }
 
   // The leg of a cycle at a time; at its end the last one.

@@ -73,6 +73,8 @@
           const wide = b - a > 2;
           pen.fillStyle = color(`k-${row.legs.kind[k]}`);
           pen.fillRect(a, top, Math.max(b - a - (wide ? 1 : 0), 0.5), height);
+          pen.fillStyle = color("paper");
+          for (const time of row.legs.points[k]) pen.fillRect(panel.x(time) - 1, top + height - 7, 2, 7);
           if (b - a < 26) return;
           pen.fillStyle = color("ink");
           const x = Math.max(a, area.x0) + 5;

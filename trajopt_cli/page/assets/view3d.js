@@ -101,7 +101,7 @@
     }
 
     frame(frames, link) {
-      return link < 0 ? this.scene.base : frames[link];
+      return link < -1 ? IDENTITY : link < 0 ? this.scene.base : frames[link];
     }
 
     tcp(cycle, time) {
@@ -173,9 +173,11 @@
       const drawn = (one) => ({ ...one, buffer: this.graphics.shape(triangles(one, this.decode)) });
       this.bodies = this.scene.bodies.map(drawn);
       this.statics = this.scene.static.map(drawn);
+      this.parts = this.scene.cycles.map((cycle) => (cycle.parts || []).map(drawn));
       this.grid = this.graphics.ribbons(this.raster());
       this.paths = this.cycles.map((cycle) => this.graphics.ribbons(this.way(cycle)));
-      this.dots = this.graphics.buffer(this.scene.points.flatMap((one) => one.position), { position: 3 });
+      const places = (added) => this.scene.points.filter((one) => Boolean(one.added) === added).flatMap((one) => one.position);
+      [this.dots, this.added] = [false, true].map((added) => this.graphics.buffer(places(added), { position: 3 }));
       const unit = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
       this.triad = unit.map((p) => this.graphics.ribbons([[[0, 0, 0], p, 1, 1, -1]]));
       this.rod = this.graphics.ribbons([[[0, 0, 0], [0, 0, 1], 1, 1, -1]]);
@@ -421,7 +423,9 @@
         g.use(g.dot, { both: times(both, X), size: size * sharp, color: [...color, 1], rim: [...ink.ground, 0.9] });
         g.draw(g.dot, buffer, gl.POINTS);
       };
-      const links = this.bodies.map((one) => [one, times(this.frame(frames, one.link), one.X || IDENTITY)]);
+      const parts = this.parts[cycle].filter((one) => one.from <= this.time && this.time < one.to);
+      const placed = (one) => [one, times(this.frame(frames, one.link), one.X || IDENTITY)];
+      const links = [...this.bodies, ...parts].map(placed);
 
       gl.depthMask(false);
       stroke(this.grid, IDENTITY, ink.grid, 1.1);
@@ -430,7 +434,7 @@
       for (const one of this.statics) if (one.role !== "obstacle") solid(one, one.X || IDENTITY, ink.rail);
       let turn = 0;
       for (const [one, X] of links) {
-        const color = one.role === "link" ? ink[turn++ % 2 ? "link-2" : "link"] : ink[one.role === "tool" ? "tool" : "rail"];
+        const color = one.role === "link" ? ink[turn++ % 2 ? "link-2" : "link"] : ink[{ tool: "tool", part: "obstacle" }[one.role] || "rail"];
         solid(one, X, color);
       }
       const rod = this.rodTo(motion.tool(this.time));
@@ -445,6 +449,7 @@
         stroke(this.paths[cycle], IDENTITY, way, PATH, opacity, this.time);
       }
       dots(this.dots, IDENTITY, ink.point, 9);
+      dots(this.added, IDENTITY, ink.x, 9);
       gl.depthMask(false);
       for (const one of this.statics) if (one.role === "obstacle") solid(one, one.X || IDENTITY, ink.obstacle, 0.34);
       gl.depthMask(true);
@@ -523,7 +528,7 @@
       const one = this.scene.points[told.point];
       const port = this.ports[told.port];
       const [x, y, z] = one.position.map((v) => fixed(1000 * v, 1));
-      this.tip.textContent = `${one.name} (${x}, ${y}, ${z}) mm${one.place ? ` · ${one.place}` : ""}`;
+      this.tip.textContent = `${one.name} (${x}, ${y}, ${z}) mm${one.place ? ` · ${one.place}` : ""}${one.added ? " · added" : ""}`;
       const s = onScreen(port.look.both, one.position, port.width, port.height) || [0, 0];
       const wide = this.tip.offsetWidth;
       const left = Math.min(Math.max(port.x + s[0] - wide / 2, 4), this.stage.clientWidth - wide - 4);
