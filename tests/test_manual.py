@@ -2,9 +2,9 @@ r"""The manual is true: what its pages tell to run is run, what they show is hel
 
 Each page has a folder of its own, with the repository's programs and robots, in which its blocks run in order:
 bash: every line. console: lines after "$ ", their output as shown; a line "..." stands for any lines, "..." within
-one for any characters. python: run. yaml: read as cell or task, or as a part of one. rapid: parsed. Comments before a
-block: <!-- file: NAME --> writes it there first, <!-- after: COMMAND && COMMAND --> runs these first,
-<!-- not run: REASON -->.
+one for any characters. python: run. yaml: read as cell or task, or as a part of one. rapid: parsed. xml: parsed.
+Comments before a block: <!-- file: NAME --> writes it there first, <!-- after: COMMAND && COMMAND --> runs these
+first, <!-- not run: REASON -->.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from collections.abc import Iterator
 from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 from ruamel.yaml import YAML
@@ -35,7 +36,7 @@ from trajopt_cli.rapid.language.parser import parse_module
 REPOSITORY = Path(__file__).parents[1]
 PAGES = [REPOSITORY / "README.md", *sorted((REPOSITORY / "docs").glob("*.md"))]
 BLOCK = re.compile(r"((?:<!--[^\n]*-->\n)*)```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-RUN = ("bash", "console", "python", "yaml", "rapid")
+RUN = ("bash", "console", "python", "yaml", "rapid", "xml")
 CELL = 'robot: irb140_rail\nstart: {joints: "[0, 0, 0, 0, 30, 0] deg", rail: 0}\nrail: {eax: a, stroke: [0, 2]}\n'
 SHELL = re.compile(r"[|>&]|^(?!trajopt )")
 
@@ -171,6 +172,8 @@ def test_what_a_page_tells_to_do_can_be_done_and_says_what_is_shown(
                 read_yaml(block.text)
             case "rapid":
                 read_rapid(block.text)
+            case "xml":
+                ElementTree.fromstring(block.text)
 
 
 def spoken_of() -> list[tuple[str, str]]:

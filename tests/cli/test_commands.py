@@ -24,6 +24,7 @@ from trajopt_cli.joint_csv import read_csv_text
 from trajopt_cli.motion import Source
 from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Infeasible, Target
+from trajopt_cli.robot.model import robot_names
 from trajopt_cli.study.case import Case
 from trajopt_cli.study.table import BASELINES
 
@@ -380,7 +381,7 @@ def test_a_case_knows_whether_the_program_gives_the_rail_a_position(planner: Pla
 
 def test_robot_show_prints_figures_with_grades(capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["robot", "list"]) == 0
-    assert [line.split()[0] for line in capsys.readouterr().out.splitlines()] == ["iiwa7", "irb140", "irb140_rail"]
+    assert tuple(line.split()[0] for line in capsys.readouterr().out.splitlines()) == robot_names()
     assert run(["robot", "show", "irb140"]) == 0
     out = capsys.readouterr().out
     assert re.search(r"joint_6 +-400 +400 +deg +A \[\d+\] +450 +deg/s +A \[\d+\]", out)
@@ -416,7 +417,8 @@ def test_robot_show_prints_figures_with_grades(capsys: pytest.CaptureFixture[str
         ),
         (
             ["robot", "show", "irb14"],
-            "unknown robot 'irb14': known are iiwa7, irb140, irb140_rail; or give the path of a robot's .yaml file",
+            "unknown robot 'irb14'; did you mean 'irb140'? 'trajopt robot list' shows all, or give the path of a "
+            "robot's .yaml file",
         ),
     ],
 )
@@ -441,7 +443,9 @@ def test_help_lists_every_command(capsys: pytest.CaptureFixture[str]) -> None:
         "iiwa",
         "new",
         "optimize",
+        "order",
         "parse",
+        "place",
         "play",
         "robot",
         "schema",
@@ -642,6 +646,27 @@ def test_without_obstacles_it_is_said(program: Path, planner: Planner, capsys: p
     assert run(["optimize", str(program), "--output", "out"]) == 0
     assert "obstacles not checked: the cell file gives none" in capsys.readouterr().out
     assert json.loads(Path("out/summary.json").read_text())["unchecked"]
+
+
+def test_obstacles_that_nothing_is_held_against_are_told_first(
+    program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+) -> None:
+    robots = Path(__file__).parents[2] / "robots"
+    Path("bare.yaml").write_text((robots / "irb140.yaml").read_text().split("collision:\n")[0])
+    Path("irb140.urdf").write_text((robots / "irb140.urdf").read_text())
+    post = "obstacles:\n  post: {box: {size: [0.1, 0.1, 0.1], position: [2, 0, 0.5]}}\n"
+    Path("tiny.yaml").write_text(CELL.replace("irb140", "bare.yaml") + post)
+    wanted = (
+        "WARNING: tiny.yaml: collisions of the robot are not checked: irb140 has no collision shapes, and the cell "
+        "gives 1 obstacle; give the robot's links capsules in its file (collision.links)"
+    )
+    for command in (["optimize", str(program), "--output", "out"], ["verify", "out"], ["parse", str(program)]):
+        assert run(command) == 0, capsys.readouterr().err
+        told = " ".join(capsys.readouterr().out.split())
+        assert told.replace("out/input/tiny.yaml", "tiny.yaml").startswith(wanted), told[:400]
+        assert told.count("collisions of the robot are not checked") == 1
+    assert run(["verify", "out", "--quiet"]) == 0
+    assert capsys.readouterr().err.startswith("WARNING: ")
 
 
 def test_a_mesh_travels_with_the_results(program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]) -> None:

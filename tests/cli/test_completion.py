@@ -35,7 +35,7 @@ def said(environment: dict[str, str], **more: str) -> subprocess.CompletedProces
     [
         (["opt"], {"optimize"}),
         (["optimize", "tiny.mod", "--target", ""], {"stream", "rapid"}),
-        (["robot", "show", "irb"], {"irb140", "irb140_rail"}),
+        (["robot", "show", "irb14"], {"irb140", "irb140_rail"}),
         (["optimize", "ti"], set()),  # then bash itself completes files: -o default
     ],
 )

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 import typer
+from loose_arm import written
 
 from trajopt_cli.cli import app, run
 from trajopt_cli.cli.new_files import task
@@ -71,6 +72,7 @@ def log() -> str:
 def prepared(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with programs/, and results of those that examples ask about."""
     folder = tmp_path_factory.mktemp("examples")
+    written(folder, name="welder_arm.urdf")
     shutil.copytree(REPOSITORY / "programs", folder / "programs")
     (folder / "programs" / "hinge_cell.mod").write_text(SMALL)
     (folder / "log.csv").write_text(log())

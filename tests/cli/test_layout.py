@@ -19,6 +19,7 @@ from hypothesis import strategies as st
 from trajopt_cli.cli import run
 from trajopt_cli.cli.layout import Column, table_lines
 from trajopt_cli.cli.remarks import by_name, remarks
+from trajopt_cli.robot.model import robot_names
 
 REPOSITORY = Path(__file__).parents[2]
 _WORD = st.text("abc_.1", min_size=1, max_size=9)
@@ -179,7 +180,6 @@ def test_json_is_one_document_and_quiet_is_a_line(
         ["verify", "results/tiny"],
         ["parse", "tiny.mod"],
         ["analyse", "tiny.mod"],
-        ["robot", "list"],
         ["robot", "show", "irb140"],
         ["robot", "show", "iiwa7"],
     ):
@@ -191,6 +191,10 @@ def test_json_is_one_document_and_quiet_is_a_line(
         captured = capsys.readouterr()
         assert 0 < captured.out.count("\n") <= 3, command
         assert captured.err == ""
+    assert run(["robot", "list", "--quiet"]) == 0
+    assert tuple(capsys.readouterr().out.split("\n")[:-1]) == robot_names()
+    assert run(["robot", "list", "--json", "--quiet"]) == 0
+    assert [one["name"] for one in json.loads(capsys.readouterr().out)] == [*robot_names()]
     assert run(["optimize", str(program), "--json", "--quiet"]) == 0
     captured = capsys.readouterr()
     answer, summary = json.loads(captured.out), json.loads(Path("results/tiny/summary.json").read_text())

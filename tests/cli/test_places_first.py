@@ -28,6 +28,8 @@ def places(program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]) 
     [
         (["optimize", "tiny.mod"], "--output", "folder"),
         (["sensitivity", "tiny.mod"], "--output", "folder"),
+        (["place", "tiny.mod", "--what", "base", "--range", "x=0..1"], "--output", "folder"),
+        (["place", "tiny.mod", "--what", "base", "--range", "x=0..1"], "--apply", "file"),
         (["compare", "baseline", "tiny.mod"], "--plots", "into"),
         (["compare", "baseline", "tiny.mod"], "--csv", "file"),
         (["iiwa", "segments", "task.yaml"], "--output", "folder"),

@@ -78,7 +78,9 @@ def test_the_rail_stands_in_the_place_of_its_external_axis(tmp_path: Path, monke
     moved[1, 0] = 0.004
     motion = Recorded("a plan", Trajectory(names, np.array([0.0, 0.5]), moved, np.zeros((2, 7))))
     monkeypatch.setattr("trajopt_cli.export.recorded.recorded", lambda _: motion)
-    monkeypatch.setattr("trajopt_cli.runs.results.read_results", lambda _: SimpleNamespace(cell=tmp_path / "cell.yaml"))
+    monkeypatch.setattr(
+        "trajopt_cli.runs.results.read_results", lambda _: SimpleNamespace(cell=tmp_path / "cell.yaml", robot=None)
+    )
     _, stream = egm_stream(tmp_path)
     assert stream.names[6:] == ("eax_a", "eax_b", "eax_c")
     assert stream.q[-1, 6:].tolist() == [0, 0, 4]

@@ -25,7 +25,9 @@ from trajopt_cli.cli import (
     iiwa,
     new,
     optimize,
+    order,
     parse,
+    place,
     play,
     robot,
     schema,
@@ -47,6 +49,8 @@ app.add_typer(compare.app, name="compare")
 app.command("sensitivity", short_help="What to change first: seconds per limit, speed, wait, place.")(
     sensitivity.sensitivity
 )
+app.command("place", short_help="Where base, rail or a work object should stand.")(place.place)
+app.command("order", short_help="The fastest order of stations that may be done in any.")(order.order)
 app.add_typer(export.app, name="export")
 app.add_typer(play.app, name="play")
 app.command("verify", short_help="Judge results or anybody's joint CSV.")(verify.verify)

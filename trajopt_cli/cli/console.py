@@ -94,7 +94,7 @@ def answer_no(answer: Infeasible | NoPlan | Illegal | Collides, as_json: bool = 
             line = f"NOTHING WRITTEN: no {label} plan found although the program can be done ({message}). {_REPORT}."
             no([line], as_json, None, answer="no plan", plan=label)
         case Collides(label=label, hits=hits):
-            what = f"the {label} plan collides. The planner does not look at obstacles: move or add a point"
+            what = f"the {label} plan collides. The planner took it for clear: please report that; move or add a point"
             if not label:
                 what = "the robot cannot stand at its start. Correct the start or the obstacle"
             last = f"NOTHING WRITTEN: {what}, or say in the cell file what may touch ('ignore', 'may_touch')"

@@ -217,18 +217,17 @@ def gltf(
     Example:
       trajopt export gltf results/hinge_cell --output cell.glb
     """
-    from trajopt_cli.cell.loader import load_cell
     from trajopt_cli.export.gltf import gltf as gltf_of
     from trajopt_cli.export.recorded import recorded
+    from trajopt_cli.job import cell_of_results
     from trajopt_cli.problem.plant import build_plant
-    from trajopt_cli.runs.results import read_results
 
     check_output(output, results)
     motion = recorded(results)
     if motion.period is not None:
         raise InputError("holds no plan in a cell; give a folder of trajopt optimize", file=str(results))
     trajectory, note = motion.at(rate)
-    plant = build_plant(load_cell(read_results(results).cell))
+    plant = build_plant(cell_of_results(results))
     _write(output, gltf_of(trajectory, plant, motion.name), motion, trajectory, rate, note, as_json, quiet)
 
 
@@ -291,21 +290,24 @@ def rapid(
         if any(one.given is None for one in files.modules):
             every = " ".join(str(one.path) for one in files.modules)
             said.append(f"from now on give the folder, or all files: trajopt parse {every}")
+    said += files.ways
     if as_json:
-        print_json({"written": written, "difference": files.difference if diff else None, "kept": list(files.kept)})
+        difference = files.difference if diff else None
+        print_json(
+            {"written": written, "difference": difference, "kept": list(files.kept), "ways_around": list(files.ways)}
+        )
     for line in () if as_json else said[:1] if quiet else said:
         typer.echo(line, err=diff)
 
 
 def egm_stream(results: Path, rate: float = 250.0) -> tuple[Recorded, Stream]:
     """The motion of a results folder, and its EGM stream with the rail in the place of its external axis."""
-    from trajopt_cli.cell.loader import load_cell
     from trajopt_cli.export.egm import stream_of
     from trajopt_cli.export.recorded import recorded
-    from trajopt_cli.runs.results import read_results
+    from trajopt_cli.job import cell_of_results
 
     motion = recorded(results)
-    rail = load_cell(read_results(results).cell).rail if motion.period is None else None
+    rail = cell_of_results(results).rail if motion.period is None else None
     try:
         return motion, stream_of(motion, rate, None if rail is None else rail.eax)
     except InputError as error:

@@ -218,4 +218,5 @@ def _setting(value: Any) -> str:
 def _besides(row: Row) -> str:
     said = {"optional": row.optional, "hold rail": row.hold in _SAID, "constant speed": row.constant_speed}
     marks = [mark for mark, there in said.items() if there]
+    marks += [f"way around {', '.join(row.detour)}"] if row.detour else []
     return ", ".join([*(f"{key} {value}" for key, value in row.process), *marks])

@@ -100,6 +100,7 @@ def row_record(row: Row) -> dict[str, Any]:
         "process": dict(row.process),
         "hold": None if row.hold is None else row.hold.value,
         "constant_speed": row.constant_speed,
+        "detour": list(row.detour),
     }
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Annotated
 
@@ -21,7 +22,12 @@ def new(
     rail: Annotated[bool, typer.Option("--rail", help="The robot stands on a rail.")] = False,
     robot: Annotated[
         str,
-        typer.Option("--robot", metavar="R", help="A name of 'trajopt robot list'.", autocompletion=robots),
+        typer.Option(
+            "--robot",
+            metavar="R",
+            help="A name of 'trajopt robot list', or a robot's YAML file.",
+            autocompletion=robots,
+        ),
     ] = "irb140",
     as_json: AsJson = False,
     quiet: Quiet = False,
@@ -51,7 +57,9 @@ def new(
         model = load_robot(robot)
         if rail and not model.has_rail:
             raise InputError(f"--rail: there is no {robot}_rail; 'trajopt robot list' shows which robots have a rail")
-        module, cell = program_and_cell(place.name, model)
+        own = robot.endswith((".yaml", ".yml"))
+        said = os.path.relpath(os.path.realpath(robot), os.path.realpath(place.parent)) if own else None
+        module, cell = program_and_cell(place.name, model, said)
         texts, then = {".mod": module, ".yaml": cell}, f"trajopt optimize {place}.mod"
     files = {place.with_name(f"{place.name}{ending}"): text.encode("ascii") for ending, text in texts.items()}
     for path in files:

@@ -8,9 +8,10 @@ from trajopt_cli.geometry import Array, wxyz_from_rotation
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.units import MM
 
-_HOME = (0, 0, 0, 0, 30, 0)  # deg
-_OVER = (0, 20, 20, 0, 50, 0)  # deg: the tool points straight down, well inside the reach
-_TURNS = (10, 60)  # deg of joint 1 at the two places of a robot that stands still
+# Canonical angles of robot.arm [deg], which of ABB's robots are the joints:
+_HOME = (0, 0, 0, 0, 30, 0)
+_OVER = (0, 20, 20, 0, 50, 0)  # the tool points straight down, well inside the reach
+_TURNS = (10, 60)  # of joint 1 at the two places of a robot that stands still
 _RIDE = 800  # mm of rail between the two places
 
 _MODULE = """\
@@ -49,7 +50,7 @@ ENDMODULE
 _CELL = """\
 # The cell of {name}.mod. Numbers are SI (m, rad, s); a text may carry a unit: "30 deg", "800 mm", "1.5 m/s".
 
-robot: {robot}  # 'trajopt robot list' shows all, 'trajopt robot show {robot}' its limits and their sources
+robot: {robot}  # 'trajopt robot show {robot}' tells its limits and their sources
 profile: default  # acceleration limits; robots publish none, so these are estimates and say so
 
 {rail}start:  # where the cycle begins, at rest
@@ -114,23 +115,25 @@ def task(name: str, robot: str) -> str:
     return _TASK.format(name=name, robot=robot)
 
 
-def program_and_cell(name: str, robot: RobotModel) -> tuple[str, str]:
-    """A RAPID module and its cell file; on a rail if the robot has one."""
+def program_and_cell(name: str, robot: RobotModel, said: str | None = None) -> tuple[str, str]:
+    """A RAPID module and its cell file; on a rail if the robot has one. said: the robot in the cell file, its name for
+    None."""
     on_rail = robot.has_rail
     turns = (0, 0) if on_rail else _TURNS
     rides = (0, _RIDE) if on_rail else (None, None)
     fields: dict[str, str] = {}
+    home = _joints(robot, _HOME)
     for place, turn, ride in zip(("take", "put"), turns, rides, strict=True):
         X, q = _pointing_down(robot, turn, ride)
         fields |= {
             place: _figures(X[:3, 3] / MM, 1),
             f"{place}_q": _figures(wxyz_from_rotation(X[:3, :3]), 7),
-            f"{place}_conf": ",".join(str(int(q[joint] // 90)) for joint in (0, 3, 5)) + ",0",
+            f"{place}_conf": ",".join(str(int(q[joint] // 90)) for joint in (0, 3, 5)) + f",{_cfx(robot, q)}",
             f"eax_{place}": "9E9" if ride is None else f"{ride}",
         }
     module = _MODULE.format(
         name=name,
-        home=_numbers(_HOME),
+        home=_numbers(home),
         eax_home="0" if on_rail else "9E9",
         rail_home=", then the rail in mm" if on_rail else "",
         rail_place=", the rail in mm first;\n    ! 9E9 is an axis that is not there" if on_rail else ", 9E9 for none",
@@ -138,8 +141,8 @@ def program_and_cell(name: str, robot: RobotModel) -> tuple[str, str]:
     )
     cell = _CELL.format(
         name=name,
-        robot=robot.name,
-        home=_numbers(_HOME, ", "),
+        robot=said or robot.name,
+        home=_numbers(home, ", "),
         rail=_RAIL.format(end=(_RIDE + 400) / 1000) if on_rail else "",
         start_rail="  rail: 0  # m\n" if on_rail else "",
     )
@@ -148,13 +151,30 @@ def program_and_cell(name: str, robot: RobotModel) -> tuple[str, str]:
 
 def _pointing_down(robot: RobotModel, turn: float, ride: float | None) -> tuple[Array, tuple[float, ...]]:
     """The pose with joint 1 turned [deg] and the tool's orientation kept by joint 6, and the joints [deg]."""
-    straight = robot.forward(_axes(_OVER, ride))[:3, :3]
+    straight = robot.forward(_axes(_joints(robot, _OVER), ride))[:3, :3]
     for last in (turn, -turn):
-        q = (turn, *_OVER[1:5], last)
+        q = _joints(robot, (turn, *_OVER[1:5], last))
         X = robot.forward(_axes(q, ride))
         if np.allclose(X[:3, :3], straight, atol=1e-9):
             return X, q
     raise AssertionError(f"joints 1 and 6 of {robot.name} are not parallel over {_OVER}")
+
+
+def _joints(robot: RobotModel, canonical: tuple[float, ...]) -> tuple[float, ...]:
+    """Joints [deg] of canonical angles [deg], each in the turn that its range holds."""
+    limits = robot.profile()
+    q = robot.arm.signs * (np.array(canonical) - np.degrees(robot.arm.offsets))
+    lower, upper = (np.degrees(end[-6:]) for end in (limits.lower, limits.upper))
+    turns = np.where(q < lower, np.ceil((lower - q) / 360), -np.ceil(np.maximum(q - upper, 0) / 360))
+    return tuple(_plain(value) for value in np.round(q + 360 * turns, 6).tolist())
+
+
+def _plain(value: float) -> float:
+    return int(value) if value == int(value) else value
+
+
+def _cfx(robot: RobotModel, q: tuple[float, ...]) -> int:
+    return robot.confdata(np.radians(q)).cfx
 
 
 def _axes(q: tuple[float, ...], ride: float | None) -> Array:
@@ -162,7 +182,7 @@ def _axes(q: tuple[float, ...], ride: float | None) -> Array:
     return np.array([*([] if ride is None else [ride * MM]), *np.radians(q)])
 
 
-def _numbers(values: tuple[int, ...], gap: str = ",") -> str:
+def _numbers(values: tuple[float, ...], gap: str = ",") -> str:
     return gap.join(map(str, values))
 
 

@@ -76,6 +76,7 @@ def optimize(
     """
     from trajopt_cli.cli.console import answer_no, print_json, result, show, stdout, tell, warn
     from trajopt_cli.cli.progress import ProgressView
+    from trajopt_cli.cli.remarks import told_first
     from trajopt_cli.cli.tables import motions_table, optimised_lines, optimised_record, saving_line
     from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.pipeline.optimise import Optimised, optimise
@@ -108,7 +109,7 @@ def optimize(
             warn(f"warning: {line}")
     else:
         console = stdout()
-        tell(console, [saving_line(answer), ""])
+        tell(console, [*told_first(answer.job.program.warnings)[0], saving_line(answer), ""])
         show(console, motions_table(answer))
         tell(console, optimised_lines(answer))
     if patience.interrupted:

@@ -84,10 +84,13 @@ def parse(
     if plant is not None:
         from trajopt_cli.problem.configurations import check_configurations
         from trajopt_cli.problem.plannable import rail_doubts
+        from trajopt_cli.problem.plant import unwatched
 
         found = check_configurations(flat, plant)
         doubts = (Notice(NoticeKind.DOUBTFUL, text) for text in rail_doubts(flat, plant))
-        flat = replace(flat, warnings=(*flat.warnings, *(loaded.doubts if loaded else ()), *doubts))
+        assert loaded is not None
+        told = (*unwatched(loaded, plant.robot), *flat.warnings, *loaded.doubts, *doubts)
+        flat = replace(flat, warnings=told)
     notes = [*notes_on(flat, listing, plant)]
     if as_json:
         from trajopt_cli.cli.listing_record import json_text, listing_record
@@ -95,17 +98,18 @@ def parse(
         typer.echo(json_text(listing_record(flat, listing, found, notes)))
         return
     from trajopt_cli.cli.listing import listing_lines, terminal_width
-    from trajopt_cli.cli.remarks import by_name, remarks
+    from trajopt_cli.cli.remarks import by_name, remarks, told_first
 
     files = [*flat.files, *([] if loaded is None else [loaded.file])]
-    warnings = [*remarks("warning", map(str, flat.warnings), files, "--json lists them all")]
+    head, said = told_first(flat.warnings)
+    warnings = [*remarks("warning", said, files, "--json lists them all")]
     if quiet:
         typer.echo(", ".join(_sums(listing)))
-        for line in warnings:
+        for line in (*head, *warnings):
             typer.echo(line, err=True)
         return
     title = " ".join(str(path) for path in program)
-    lines = [*listing_lines(title, listing, terminal_width()), "", *_sums(listing)]
+    lines = [*head, *listing_lines(title, listing, terminal_width()), "", *_sums(listing)]
     lines += [by_name(note, files) for note in notes]
     lines += warnings
     if any(row.conf is not None for row in listing.rows):
@@ -117,7 +121,7 @@ def _plant(cell: Cell) -> Plant:
     """The cell's robot without the bodies around it: nothing is planned here, and their meshes take time to load."""
     from trajopt_cli.problem.plant import build_plant
 
-    return build_plant(replace(cell, obstacles=(), attached=(), may_touch=()))
+    return build_plant(replace(cell, obstacles=(), attached=(), may_touch=(), grips=()))
 
 
 def _print_template(lacks: Sequence[Lack]) -> None:

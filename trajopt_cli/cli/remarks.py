@@ -6,6 +6,8 @@ import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
+from trajopt_cli.notices import Notice, NoticeKind
+
 _MOST = 6  # remarks of one kind
 _OWN = re.compile(r"\S*[\d_()\[\]'\"]\S*")  # what names one thing: places, names with figures, numbers, quoted words
 
@@ -32,3 +34,10 @@ def remarks(label: str, lines: Iterable[str], files: Iterable[str], rest: str) -
         yield from (f"{before}{text}" for text in alike[:_MOST])
         if len(alike) > _MOST:
             yield f"{before}and {len(alike) - _MOST} more of this kind, {rest}"
+
+
+def told_first(notices: Iterable[Notice]) -> tuple[list[str], list[str]]:
+    """The lines that stand over an answer, because it does not hold what they speak of; and the other notices."""
+    notices = list(notices)
+    head = [f"WARNING: {one}" for one in notices if one.kind is NoticeKind.NOT_CHECKED]
+    return head, [str(one) for one in notices if one.kind is not NoticeKind.NOT_CHECKED]

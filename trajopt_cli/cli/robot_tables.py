@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import asdict
 from typing import Any
 
+import numpy as np
 from rich.table import Table
 
 from trajopt_cli.cli.layout import plain_table
@@ -21,14 +22,20 @@ def robot_record(robot: RobotModel | SrsRobot) -> dict[str, Any]:
         "name": robot.name,
         "title": robot.title,
         "axes": list(robot.axis_names),
-        "lengths_m": asdict(robot.lengths if isinstance(robot, SrsRobot) else robot.arm),
+        "lengths_m": _lengths(robot),
         "profiles": {name: _limits_record(limits) for name, limits in robot.profiles.items()},
         "notes": dict(robot.notes),
     }
     if isinstance(robot, SrsRobot):
         joints = ("torque_nm", robot.torque), ("damping_nm_s_rad", robot.damping), ("friction_nm", robot.friction)
         return record | {name: [float(value) for value in values] for name, values in joints}
+    record["coupled"] = [asdict(one) for one in robot.profile("default").coupled]
     return record | {"tcp": {"speed_m_s": robot.tcp.speed, "acceleration_m_s2": robot.tcp.acceleration}}
+
+
+def _lengths(robot: RobotModel | SrsRobot) -> dict[str, float]:
+    """An arm's lengths [m] by name."""
+    return asdict(robot.lengths) if isinstance(robot, SrsRobot) else robot.arm.lengths
 
 
 def _limits_record(limits: JointLimits) -> dict[str, Any]:
@@ -41,7 +48,8 @@ def _limits_record(limits: JointLimits) -> dict[str, Any]:
             "acceleration": float(limits.acceleration[i]),
             "jerk": None if limits.jerk is None else float(limits.jerk[i]),
         }
-    return {"axes": rows, "sources": dict(limits.sources)}
+    record: dict[str, Any] = {"axes": rows, "sources": dict(limits.sources)}
+    return record | ({"coupled": [asdict(one) for one in limits.coupled]} if limits.coupled else {})
 
 
 def robot_tables(robot: RobotModel | SrsRobot) -> Iterator[Table | str]:
@@ -49,18 +57,49 @@ def robot_tables(robot: RobotModel | SrsRobot) -> Iterator[Table | str]:
     notes = _Footnotes()
     yield f"{robot.name}: {robot.title}\n"
     lengths = plain_table("dimensions", "length", ">mm", "source")
-    for name, value in asdict(robot.lengths if isinstance(robot, SrsRobot) else robot.arm).items():
+    for name, value in _lengths(robot).items():
         lengths.add_row(name, f"{value / MM:.6g}", notes.mark(robot.notes["geometry"]))
     yield lengths
     yield _ranges(robot.profile("default"), notes)
+    if robot.profile("default").coupled:
+        yield _coupled(robot.profile("default"), notes)
     yield _by_profile("acceleration", "²", robot.profiles, notes)
     with_jerk = {name: limits for name, limits in robot.profiles.items() if limits.jerk is not None}
     if with_jerk:
         yield _by_profile("jerk", "³", with_jerk, notes)
-    yield from _bodies(robot, notes) if isinstance(robot, SrsRobot) else _caps(robot, notes)
+    if isinstance(robot, SrsRobot):
+        yield from _bodies(robot, notes)
+    else:
+        yield from _drives(robot, notes)
+        yield from _caps(robot, notes)
     for name in robot.profiles:
         yield f"profile {name}: {robot.notes[f'profiles.{name}']}"
     yield from notes.lines()
+
+
+def _drives(robot: RobotModel, notes: _Footnotes) -> Iterator[Table]:
+    """What the drives give and how heavy they are, and the links' masses, where the robot's files say it."""
+    limits = robot.profile()
+    if limits.torque is None:
+        return
+    table = plain_table("drives", "axis", ">torque", "unit", "source", ">rotor", "unit", "source")
+    for name, torque, rotor in zip(robot.axis_names, limits.torque, robot.rotor, strict=True):
+        units = ("N", "kg") if name == "rail" else ("Nm", "kg m²")
+        given = (
+            [f"±{torque:g}", units[0], notes.mark(limits.sources[f"{name}.torque"])]
+            if np.isfinite(torque)
+            else [""] * 3
+        )
+        has = [f"{rotor:g}", units[1], notes.mark(robot.notes[f"{name}.rotor"])] if rotor else [""] * 3
+        table.add_row(name, *given, *has)
+    yield table
+    if "inertia" in robot.notes:
+        masses = plain_table("links", "link", ">mass [kg]", ">centre x [mm]", ">y", ">z", "source")
+        bodies = list(robot.pin_model.inertias)[1:][robot.layout.arm]
+        for link, body in zip(robot.link_names[1:], bodies, strict=True):
+            centre = (f"{value / MM:.4g}" for value in body.lever)
+            masses.add_row(link, f"{body.mass:.4g}", *centre, notes.mark(robot.notes["inertia"]))
+        yield masses
 
 
 def _caps(robot: RobotModel, notes: _Footnotes) -> Iterator[Table]:
@@ -121,6 +160,17 @@ def _ranges(limits: JointLimits, notes: _Footnotes) -> Table:
         low, high, speed = (f"{values[i] / factor:.6g}" for values in (limits.lower, limits.upper, limits.velocity))
         marks = [notes.mark(limits.sources[f"{axis}.{kind}"]) for kind in ("position", "velocity")]
         table.add_row(axis, low, high, unit, marks[0], speed, f"{unit}/s", marks[1])
+    for one in limits.coupled:
+        low, high = (f"{value / DEG:.6g}" for value in (one.lower, one.upper))
+        table.add_row(one.name, low, high, "deg", notes.mark(one.source), "", "", "")
+    return table
+
+
+def _coupled(limits: JointLimits, notes: _Footnotes) -> Table:
+    table = plain_table("ranges of axes together", "sum", ">from", ">to", "unit", "source")
+    for one in limits.coupled:
+        low, high = (f"{value / DEG:.6g}" for value in (one.lower, one.upper))
+        table.add_row(one.name, low, high, "deg", notes.mark(one.source))
     return table
 
 

@@ -12,8 +12,10 @@ from trajopt_cli.cli.layout import place, plain_table
 from trajopt_cli.cli.listing import shortened
 from trajopt_cli.cli.remarks import by_name, remarks
 from trajopt_cli.findings import Finding, Report, finding_record, good_side, nearest
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.pipeline.optimise import Optimised
 from trajopt_cli.problem.constant_speed import DIP, Dip, Stretch, Why
+from trajopt_cli.problem.detours import Detour, way_told
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.runs.results import motion_label
 from trajopt_cli.units import MM
@@ -64,7 +66,9 @@ def optimised_lines(answer: Optimised) -> Iterator[str]:
         if nearest is not None:
             yield f"{one.value}: {by_name(nearest.message, files)}"
     yield from job.plant.unchecked
-    said = (("warning", answer.warnings), ("limits", job.plant.notes), ("note", answer.notes))
+    first = {str(one) for one in job.program.warnings if one.kind is NoticeKind.NOT_CHECKED}
+    warnings = [one for one in answer.warnings if one not in first]
+    said = (("warning", warnings), ("limits", job.plant.notes), ("note", answer.notes))
     for label, lines in said:
         yield from remarks(label, lines, files, "all in summary.json")
     rapid = f"{', '.join(answer.rapid_files)} (always the rapid plan), " if answer.no_rapid is None else ""
@@ -170,8 +174,10 @@ def motions_table(answer: Optimised) -> Table:
         ),
     )
     plans = {one: answer.judged[one].plan for one in Target}
+    told = ways_told({one: plan.detours for one, plan in plans.items()})
     for i, motion in enumerate(plans[chosen].motions):
         instruction, name = motion_label(program, motion.index)
+        name += f" ({told[motion.index]})" if motion.index in told else ""
         times = ["-" if isinstance(before, str) else f"{before.motions[i].t_1 - before.motions[i].t_0:.3f}"]
         for one in (Target.STREAM, Target.RAPID):
             planned = plans[one].motions[i]
@@ -182,6 +188,20 @@ def motions_table(answer: Optimised) -> Table:
     totals += [f"{plans[one].duration:.3f}" for one in (Target.STREAM, Target.RAPID)]
     table.add_row("cycle", "", "", *totals, "")
     return table
+
+
+def ways_told(detours: Mapping[Target, Sequence[Detour]]) -> dict[int, str]:
+    """The ways around by motion, in words; with the target where the plans of both do not go alike."""
+    found: dict[int, dict[Target, str]] = {}
+    for target, ways in detours.items():
+        for way in ways:
+            found.setdefault(way.motion, {})[target] = way_told(way)
+    return {
+        motion: words.pop()
+        if len(by_target) == len(detours) and len(words := {*by_target.values()}) == 1
+        else "; ".join(f"{target.value} {way}" for target, way in by_target.items())
+        for motion, by_target in found.items()
+    }
 
 
 def findings_table(name: str, report: Report, everything: bool) -> Table:

@@ -40,7 +40,8 @@ def verify(
       trajopt optimize programs/hinge_cell.mod
       trajopt verify results/hinge_cell
     """
-    from trajopt_cli.cli.console import print_json, result, show, stdout, tell
+    from trajopt_cli.cli.console import print_json, result, show, stdout, tell, warn
+    from trajopt_cli.cli.remarks import told_first
     from trajopt_cli.cli.tables import advice_table, findings_table, reports_record, verdict
     from trajopt_cli.findings import failures
     from trajopt_cli.job import MAIN, read_job
@@ -48,6 +49,7 @@ def verify(
     from trajopt_cli.runs.folder import TASK, kind_of
 
     unchecked: tuple[str, ...] = ()
+    head: list[str] = []
     of_program = bool(program) or cell is not None or entry is not None or bool(assume_identity)
     if what.is_dir():
         _check_folder_alone(program, cell, entry, assume_identity, task, arm)
@@ -58,7 +60,8 @@ def verify(
             reports, unchecked = judged.reports, judged.unchecked
         else:
             with reading():
-                _, reports = verify_results(what)
+                job, reports = verify_results(what)
+            head = told_first(job.program.warnings)[0]
     elif not what.exists():
         raise InputError("no such file or folder", file=str(what))
     elif task is not None or arm is not None:
@@ -74,13 +77,17 @@ def verify(
         with reading():
             job = read_job(program, cell, entry or MAIN, assume_identity or ())
         reports = {what.name: verify_file(what, job)}
+        head = told_first(job.program.warnings)[0]
     if as_json:
         print_json(reports_record(reports, unchecked))
     elif quiet:
+        for line in head:
+            warn(line)
         for name, report in reports.items():
             result(verdict(name, report))
     else:
         console = stdout()
+        tell(console, head)
         for name, report in reports.items():
             show(console, findings_table(name, report, everything))
             if report.advice:
