@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from functools import partial
 from math import pi
 from pathlib import Path
 
@@ -189,3 +190,51 @@ def pin_flange(robot: RobotModel, q: Array) -> Array:
         pin.forwardKinematics(model, data, row)
         out[i] = pin.updateFramePlacement(model, data, frame).homogeneous
     return out
+
+
+def random_parallel_chain(seed: int) -> Chain:
+    """An arm whose axes 2, 3 and 4 are parallel and whose axes 5 and 6 meet, with any lengths, signs and offsets, its
+    links' frames anywhere on the axes, base and flange anywhere; axis 5 may pass axis 4.
+
+    It is built forward from the axes it shall have; nothing of what reads it is used.
+    """
+    rng = np.random.default_rng(seed)
+    a1 = rng.choice([0.0, 1.0]) * rng.uniform(-0.2, 0.2)
+    offsets = rng.uniform(-0.1, 0.1, 4) * (1.0 if seed else 0.0)  # along axes 2 to 4; none with seed 0
+    c1, c2, c3, d5, c4 = rng.uniform([0.1, 0.3, 0.3, -0.12, -0.1], [0.3, 0.7, 0.6, 0.12, 0.2])
+    a5 = rng.choice([0.0, 1.0]) * rng.uniform(-0.1, 0.1)
+    steps = [(0, 0, c1), (a1, offsets[0], 0), (0, offsets[1], c2), (c3, offsets[2], 0), (a5, offsets[3], 0), (0, 0, d5)]
+    frame = random_pose(rng)  # of the link's frame in the canonical one: its inverse stands before the next joint
+    origins, axes = [], []
+    for step, axis in zip(steps, (Z, Y, Y, Y, Z, Y), strict=True):
+        turn = pose(rotation_about(axis, rng.choice([0.0, rng.uniform(-3, 3)])), np.zeros(3))
+        placed = random_pose(rng, 0.0)
+        placed[:3, 3] = axis * rng.uniform(-0.3, 0.3)
+        origins.append(np.linalg.inv(frame) @ pose(np.eye(3), step) @ turn @ placed)
+        axes.append(rng.choice([-1.0, 1.0]) * placed[:3, :3].T @ axis)
+        frame = placed
+    flange = np.linalg.inv(frame) @ pose(np.eye(3), [0, c4, 0]) @ random_pose(rng, 0.1)
+    middles, halves = rng.uniform(-1, 1, 6), rng.uniform(1.6, 3.0, 6) * rng.choice([1.0, 2.0], 6)
+    ranges = [(float(m - h), float(m + h)) for m, h in zip(middles, halves, strict=True)]
+    return Chain(origins, axes, flange, ranges)
+
+
+UR5E = (0.1625, -0.425, -0.3922, 0.1333, 0.0997, 0.0996)
+UR10E = (0.1807, -0.6127, -0.57155, 0.17415, 0.11985, 0.11655)
+
+
+def universal_robot(d1: float, a2: float, a3: float, d4: float, d5: float, d6: float) -> Chain:
+    """A Universal Robots arm by its maker's Denavit-Hartenberg table, every axis the z of its link's frame."""
+    rows = [(d1, 0, pi / 2), (0, a2, 0), (0, a3, 0), (d4, 0, pi / 2), (d5, 0, -pi / 2), (d6, 0, 0)]
+    links = [pose(np.eye(3), [0, 0, d]) @ pose(rotation_about(X, alpha), [a, 0, 0]) for d, a, alpha in rows]
+    return Chain([np.eye(4), *links[:5]], [Z] * 6, links[5], [(-2 * pi, 2 * pi)] * 6)
+
+
+PARALLEL = {"ur5e": partial(universal_robot, *UR5E), "ur10e": partial(universal_robot, *UR10E)}
+
+
+def some_arm(name: str | int) -> Chain:
+    """Of KNOWN or PARALLEL by its name, "parallel 3", or of a spherical wrist by its seed."""
+    if isinstance(name, int):
+        return random_chain(name)
+    return (KNOWN | PARALLEL)[name]() if name in KNOWN | PARALLEL else random_parallel_chain(int(name.split()[1]))

@@ -9,7 +9,7 @@ from tempfile import mkdtemp
 
 import numpy as np
 import pytest
-from arms import KNOWN, Chain, on_rail, random_chain
+from arms import KNOWN, PARALLEL, Chain, on_rail, random_chain
 from small_cells import problem_of, rapid
 
 from trajopt_cli.geometry import Array, wxyz_from_rotation
@@ -36,6 +36,14 @@ CASES = {
     ),
     "crooked": (
         lambda: random_chain(4), None, [0, 0, 20, 0, 40, 0], [-60, -40, 10, 10, 30, 10], [-55, -45, 5, 15, 35, 20],
+    ),
+    "three parallel axes": (
+        PARALLEL["ur10e"], None,
+        [0, -90, 90, -90, -90, 0], [30, -70, 80, -100, -90, 30], [10, -60, 75, -105, -80, 10],
+    ),
+    "three parallel axes, overhead": (
+        PARALLEL["ur5e"], "overhead",
+        [0, -90, 90, -90, -90, 0], [30, -70, 80, -100, -90, 30], [10, -60, 75, -105, -80, 10],
     ),
 }  # fmt: skip
 

@@ -23,7 +23,7 @@ def irb140():
 
 @pytest.fixture(scope="session", params=ARMS)
 def mounted(request):
-    """Every six-axis robot that ships, two of them on a track, mounted at a crooked pose in the world."""
+    """Every six-axis robot that ships, three of them on a track, mounted at a crooked pose in the world."""
     return load_robot(request.param, X_WR=crooked_pose(7))
 
 

@@ -19,6 +19,6 @@ def crooked_pose(seed):
     return X
 
 
-# A track adds the same axis to all of them (test_shipped_robots.py): two stand for the rest.
-TRACKS = ("irb140_rail", "kr6_r900_rail")
+# A track adds the same axis to all of them (test_shipped_robots.py): three stand for the rest.
+TRACKS = ("irb140_rail", "kr6_r900_rail", "ur5e_rail")
 ARMS = [name for name in robot_names(Structure.SIX_AXIS) if not name.endswith("_rail") or name in TRACKS]

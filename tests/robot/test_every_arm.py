@@ -6,22 +6,22 @@ import casadi as ca
 import numpy as np
 import pinocchio as pin
 import pytest
-from arms import KNOWN, pin_flange, random_chain, random_pose
+from arms import KNOWN, PARALLEL, pin_flange, random_pose, some_arm
 
 from trajopt_cli.geometry import inverse_pose
 from trajopt_cli.motion import ConfData
 from trajopt_cli.robot.inverse import branch_margins, confdata, confdata_admits, inverse, representatives, solutions
 from trajopt_cli.robot.kinematics import singularity
+from trajopt_cli.robot.parallel_arm import ParallelArm
 
-ARMS = [*KNOWN, *range(8)]
+ARMS = [*KNOWN, *range(8), *PARALLEL, *(f"parallel {seed}" for seed in range(6))]
 ALL = 10_000  # configurations of one arm; the others have fewer
 
 
 @pytest.fixture(scope="module", params=ARMS)
 def arm(request, tmp_path_factory):
     """An arm of some kind, its base anywhere in the world."""
-    chain = KNOWN[request.param]() if request.param in KNOWN else random_chain(request.param)
-    return chain.load(tmp_path_factory.mktemp("arm"), random_pose(np.random.default_rng(1)))
+    return some_arm(request.param).load(tmp_path_factory.mktemp("arm"), random_pose(np.random.default_rng(1)))
 
 
 def configurations(robot, n, seed=3):
@@ -55,7 +55,7 @@ def test_jacobian_and_its_rate_are_pins(arm, X_FT):
 
 
 def test_every_branch_leads_back_and_the_configuration_is_among_them(arm):
-    q = configurations(arm, ALL if arm.arm.b and arm.arm.a2 else 1000)
+    q = configurations(arm, ALL if arm.arm.b and arm.arm.a2 else 1000)  # test_parallel_arm.py has ALL of its own
     X, limits = pin_flange(arm, q), arm.profile()
     found = inverse(arm, X)
     there = np.isfinite(found).all(axis=-1)
@@ -86,14 +86,20 @@ def test_whole_turns_reach_every_configuration_in_range(arm):
 
 
 def seen(robot, q):
-    """By pin's joint frames alone: unit axes (6, 3), a point (6, 3) on each, wrist centre and flange, at q (6,)."""
+    """By pin's joint frames alone: unit axes (6, 3), a point (6, 3) on each, wrist centre and flange, at q (6,). The
+    wrist centre is where axes 4 to 6 meet, or 5 and 6 where axis 4 is parallel to axis 3."""
     model = robot.pin_model
     data = model.createData()
     u = pin.computeJointJacobians(model, data, q)[3:].T
     p = np.array([data.oMi[i].translation for i in range(1, 7)])
-    across = [np.eye(3) - np.outer(v, v) for v in u[3:]]
-    wrist = np.linalg.solve(sum(across), sum(A @ o for A, o in zip(across, p[3:], strict=True)))
+    first = 4 if parallel(u) else 3
+    across = [np.eye(3) - np.outer(v, v) for v in u[first:]]
+    wrist = np.linalg.solve(sum(across), sum(A @ o for A, o in zip(across, p[first:], strict=True)))
     return u, p, wrist, pin.updateFramePlacement(model, data, model.getFrameId("tool0", pin.FrameType.BODY)).translation
+
+
+def parallel(u):
+    return abs(u[2] @ u[3]) > 0.5
 
 
 def geometric_margins(robot, q):
@@ -110,8 +116,9 @@ def geometric_margins(robot, q):
         u, p, wrist, _ = seen(robot, row)
         forward = front * np.cross(u[1], u[0])
         left = np.cross(up * u[0], forward)
-        upright = np.cross(p[2] - p[1], wrist - p[2]) @ left
-        rows.append((forward @ (wrist - p[0]), upright, np.cross(onward * u[3], out * u[5]) @ u[4]))
+        end, before_5 = (p[3], left) if parallel(u) else (wrist, onward * u[3])
+        upright = np.cross(p[2] - p[1], end - p[2]) @ left
+        rows.append((forward @ (wrist - p[0]), upright, np.cross(before_5, out * u[5]) @ u[4]))
     return np.array(rows)
 
 
@@ -178,6 +185,8 @@ def test_singularity_measures_make_the_determinant(arm):
 def test_what_is_out_of_reach_is_said_in_the_arms_own_lengths(arm):
     """Of a flange pose whose wrist centre is put somewhere in the canonical base."""
     canonical, limits = arm.arm, arm.profile()
+    if isinstance(canonical, ParallelArm):
+        pytest.skip("test_parallel_arm.py has its words")
     X = arm.forward(np.zeros(6))
     wrist = seen(arm, np.zeros(6))[2]
 

@@ -103,10 +103,3 @@ def test_axis_5_beside_axis_4_is_refused(tmp_path):
     chain.origins[4][2, 3] = 0.01
     with pytest.raises(InputError, match=r"axis 5 passes axis 4 by 10 mm"):
         chain.load(tmp_path)
-
-
-def test_three_parallel_axes_are_told_by_what_they_are(tmp_path):
-    chain = abb_like(0.0, 0.265, 0.444, 0.0, 0.470, 0.101)
-    chain.axes[3] = chain.axes[2]
-    with pytest.raises(InputError, match=r"axes 2, 3 and 4 \('joint_2', 'joint_3', 'joint_4'\) are parallel"):
-        chain.load(tmp_path)

@@ -40,7 +40,7 @@ def line_with(text, path):
 
 def test_the_robots_ship_and_load():
     arms = ("irb120", "irb1200_5_90", "irb140", "irb1600_6_120", "irb2600_12_165", "irb4600_40_255", "irb6700_200_260")
-    arms += ("crb15000_5_95", "kr6_r900", "puma560")
+    arms += ("crb15000_5_95", "kr6_r900", "puma560", "ur10e", "ur5e")
     assert robot_names(Structure.SIX_AXIS) == tuple(sorted([*arms, *(f"{name}_rail" for name in arms)]))
     assert set(robot_names()) == {"iiwa7", *robot_names(Structure.SIX_AXIS)}
     assert robot_names(Structure.SRS) == ("iiwa7",)
@@ -100,7 +100,7 @@ def test_an_unknown_robot_or_profile_lists_the_known():
         " .yaml file"
     )
     with pytest.raises(
-        InputError, match=r"unknown robot 'xyz'; known: crb15000_5_95, .*, puma560_rail; 'trajopt robot list' shows"
+        InputError, match=r"unknown robot 'xyz'; known: crb15000_5_95, .*, ur5e_rail; 'trajopt robot list' shows"
     ):
         find_robot("xyz")
     with pytest.raises(InputError, match=r"irb140 has no limit profile 'fast': known are default, optimistic"):

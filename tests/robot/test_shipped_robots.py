@@ -101,6 +101,28 @@ def test_the_pumas_gravity_torques_are_those_of_the_paper():
     assert stretched[2] == pytest.approx(-8.44, abs=0.06)
 
 
+# d1, a2, a3, d4, d5, d6 [m] by universal-robots.com, and speeds [deg/s].
+UR = {
+    "ur5e": ((0.1625, -0.425, -0.3922, 0.1333, 0.0997, 0.0996), [180] * 6),
+    "ur10e": ((0.1807, -0.6127, -0.57155, 0.17415, 0.11985, 0.11655), [120, 120, 180, 180, 180, 180]),
+}
+
+
+@pytest.mark.parametrize("name", UR)
+def test_the_universal_robots_are_those_of_the_makers_table(name, rng):
+    """Denavit-Hartenberg parameters as universal-robots.com has them."""
+    robot, right, ((d1, a2, a3, d4, d5, d6), speeds) = load_robot(name), np.pi / 2, UR[name]
+    rows = [(d1, 0, right), (0, a2, 0), (0, a3, 0), (d4, 0, right), (d5, 0, -right), (d6, 0, 0)]
+    for q in rng.uniform(-6, 6, (20, 6)):
+        X = np.eye(4)
+        for theta, (d, a, alpha) in zip(q, rows, strict=True):
+            X = X @ dh(theta, d, a, alpha)
+        np.testing.assert_allclose(robot.forward(q), X, rtol=0, atol=1e-14)
+    np.testing.assert_allclose(np.degrees(robot.profile().velocity), speeds, rtol=1e-15)
+    np.testing.assert_allclose(np.degrees(robot.profile().upper), [360, 360, 180, 360, 360, 360], rtol=1e-15)
+    np.testing.assert_array_equal(robot.profile().lower, -robot.profile().upper)
+
+
 @pytest.mark.parametrize("name", [name for name in SIX if not name.endswith("_rail")])
 def test_a_robot_on_a_track_is_the_robot_on_a_track(name):
     made = on_track(name, {path: (ROBOTS / path).read_bytes() for path in (f"{name}.urdf", f"{name}.yaml")})
@@ -115,6 +137,7 @@ def test_the_list_says_how_far_they_reach_and_what_they_carry():
             assert robots[name].payload == float(match[1])
             assert robots[name].reach == pytest.approx(float(match[2]), abs=0.03)
     assert robots["kr6_r900"].reach == pytest.approx(0.9, abs=0.003)
+    assert robots["ur10e"].reach == pytest.approx(1.3, abs=0.02)  # as the maker says
     assert robots["iiwa7"].reach == pytest.approx(0.8, abs=1e-12)
 
 

@@ -6,11 +6,15 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, wxyz_from_rotation
 from trajopt_cli.robot.model import RobotModel
+from trajopt_cli.robot.parallel_arm import ParallelArm
 from trajopt_cli.units import MM
 
 # Canonical angles of robot.arm [deg], which of ABB's robots are the joints:
 _HOME = (0, 0, 0, 0, 30, 0)
 _OVER = (0, 20, 20, 0, 50, 0)  # the tool points straight down, well inside the reach
+# and those of an arm with three parallel axes:
+_PARALLEL_HOME = (0, 0, 0, 90, -90, 0)
+_PARALLEL_OVER = (0, 20, 20, 50, -90, 0)
 _TURNS = (10, 60)  # of joint 1 at the two places of a robot that stands still
 _RIDE = 800  # mm of rail between the two places
 
@@ -122,7 +126,7 @@ def program_and_cell(name: str, robot: RobotModel, said: str | None = None) -> t
     turns = (0, 0) if on_rail else _TURNS
     rides = (0, _RIDE) if on_rail else (None, None)
     fields: dict[str, str] = {}
-    home = _joints(robot, _HOME)
+    home = _joints(robot, _PARALLEL_HOME if isinstance(robot.arm, ParallelArm) else _HOME)
     for place, turn, ride in zip(("take", "put"), turns, rides, strict=True):
         X, q = _pointing_down(robot, turn, ride)
         fields |= {
@@ -151,13 +155,14 @@ def program_and_cell(name: str, robot: RobotModel, said: str | None = None) -> t
 
 def _pointing_down(robot: RobotModel, turn: float, ride: float | None) -> tuple[Array, tuple[float, ...]]:
     """The pose with joint 1 turned [deg] and the tool's orientation kept by joint 6, and the joints [deg]."""
-    straight = robot.forward(_axes(_joints(robot, _OVER), ride))[:3, :3]
+    over = _PARALLEL_OVER if isinstance(robot.arm, ParallelArm) else _OVER
+    straight = robot.forward(_axes(_joints(robot, over), ride))[:3, :3]
     for last in (turn, -turn):
-        q = _joints(robot, (turn, *_OVER[1:5], last))
+        q = _joints(robot, (turn, *over[1:5], last))
         X = robot.forward(_axes(q, ride))
         if np.allclose(X[:3, :3], straight, atol=1e-9):
             return X, q
-    raise AssertionError(f"joints 1 and 6 of {robot.name} are not parallel over {_OVER}")
+    raise AssertionError(f"joints 1 and 6 of {robot.name} are not parallel over {over}")
 
 
 def _joints(robot: RobotModel, canonical: tuple[float, ...]) -> tuple[float, ...]:

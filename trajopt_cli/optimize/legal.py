@@ -367,7 +367,7 @@ def _not_driven(axes: Axes, problem: Problem, failure: NotDriven) -> Infeasible:
         text = f"cannot be driven: {heavy}; take a lighter tool or load, or bring the point nearer"
     elif failure.singular is not None:
         elbow, wrist = axes.robot.walls(failure.singular.q[axes.layout.arm])
-        what = "the wrist singularity (axes 4 and 6 in line)" if wrist < 1 - elbow else "the stretched or folded elbow"
+        what = "the wrist singularity (axes 4 and 6 parallel)" if wrist < 1 - elbow else "the stretched or folded elbow"
         p = (axes.forward(failure.singular.q) @ leg.X_FT)[:3, 3] * 1e3
         text = (
             f"passes {what} at [{p[0]:.1f}, {p[1]:.1f}, {p[2]:.1f}] mm, where no speed is low enough; tilt the tool,"

@@ -21,7 +21,7 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.workspace import sections
 from trajopt_cli.report.names import by_place, name_places
 from trajopt_cli.report.over_time import legend
-from trajopt_cli.report.skeleton import wrist_section
+from trajopt_cli.report.skeleton import reach_section
 from trajopt_cli.report.style import (
     BLACK,
     BLUE,
@@ -34,6 +34,7 @@ from trajopt_cli.report.style import (
     new_figure,
     settle,
 )
+from trajopt_cli.robot.parallel_arm import ParallelArm
 from trajopt_cli.units import MM
 
 # How the path looks in lines and arcs (the thesis' functional parts), elsewhere, where only the rail moves, in corners.
@@ -266,15 +267,16 @@ def _dense(curve: Array, count: int = 600) -> Array:
 
 def workspace(course: Course) -> Figure:
     """What the wrist centre can reach in the arm's own plane, and where this plan takes it. Fig. 5.1."""
-    figure = new_figure(8.6, "Workspace of the wrist centre in the arm's own plane", course.below)
+    what = "axis 4" if isinstance(course.plant.robot.arm, ParallelArm) else "the wrist centre"
+    figure = new_figure(8.6, f"Workspace of {what} in the arm's own plane", course.below)
     axes = figure.subplots()
     elbows = zip(sections(course.plant), (GREY, GREEN), ("-", (0, (5, 2))), strict=True)
     for outline, color, line in elbows:
         axes.fill(*outline.T / MM, color=color, alpha=0.08, linewidth=0)
         axes.plot(*outline.T / MM, color=color, linestyle=line, linewidth=1.6)
-    wrist = wrist_section(course.plant, course.q)
+    wrist = reach_section(course.plant, course.q)
     axes.plot(*wrist.T / MM, color=BLUE, linewidth=2.2, gid="wrist")
-    ends = np.vstack([np.empty((0, 2)), *(wrist_section(course.plant, leg.q_1[None]) for leg in course.moves)])
+    ends = np.vstack([np.empty((0, 2)), *(reach_section(course.plant, leg.q_1[None]) for leg in course.moves)])
     for passed, style in ((False, STOP), (True, PASSED)):
         axes.plot(*ends[course.passed == passed].T / MM, **style, zorder=4)
     arm = course.plant.robot.arm

@@ -7,6 +7,7 @@ import numpy as np
 from trajopt_cli.geometry import Array, xyz_from_rotation
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot import arm
+from trajopt_cli.robot.parallel_arm import ParallelArm
 
 _TURN = np.pi / 2  # rad between two samples: no angle moves so fast, it is the singularity of the three angles
 
@@ -18,17 +19,20 @@ def angles(X_WT: Array) -> Array:
     return out
 
 
-def wrist_section(plant: Plant, q: Array) -> Array:
-    """The wrist centre in the arm's own plane (n, 2) [m]: ahead of axis 1 and up, of axis positions q (n, k)."""
-    return np.column_stack(arm.wrist_section(plant.robot.arm, q[:, plant.layout.arm]))
+def reach_section(plant: Plant, q: Array) -> Array:
+    """The wrist centre in the arm's own plane (n, 2) [m]: ahead of axis 1 and up, of axis positions q (n, k). Of three
+    parallel axes axis 4, which axes 2 and 3 alone carry."""
+    return np.column_stack(arm.reach_section(plant.robot.arm, q[:, plant.layout.arm]))
 
 
 def skeleton(plant: Plant, q: Array, X_FT: Array) -> Array:
-    """Base, foot of joint 2, joints 2 and 3, wrist centre, flange, TCP: (7, 3) [m] in the world at q (k,)."""
+    """Base, foot of joint 2, joints 2 and 3, wrist centre, flange, TCP: (7, 3) [m] in the world at q (k,); (8, 3) where
+    axis 4 is carried apart from the wrist centre, before it."""
     robot = plant.robot
     X_WO = robot.canonical_base(plant.layout.place(q))
     points = arm.axes_and_points(robot.arm, q[plant.layout.arm])[1].T  # (6, 3): a point on each axis, in that base
-    inside = np.array([[0.0, 0, 0], [0, 0, robot.arm.c1], points[1], points[2], points[4]])
+    ends = points[3:5] if isinstance(robot.arm, ParallelArm) else points[4:5]
+    inside = np.array([[0.0, 0, 0], [0, 0, robot.arm.c1], points[1], points[2], *ends])
     X_WF = robot.forward(q)
     chain = inside @ X_WO[:3, :3].T + X_WO[:3, 3]
     return np.vstack([chain, X_WF[:3, 3], (X_WF @ X_FT)[:3, 3]])

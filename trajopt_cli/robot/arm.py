@@ -5,13 +5,14 @@ kinematics problem of industrial serial manipulators with an ortho-parallel basi
 canonical pose of all joints: X_OK = Rz(t1) T(a1, b, c1) Ry(t2) T(0, 0, c2) Ry(t3) T(c3, 0, -a2) Rx(t4) Ry(t5) Rx(t6)
 T(c4, 0, 0) Ry(90 deg). All t = 0 stands the lower arm up and stretches the upper arm forward, as ABB's zero does; the
 paper's third angle is t3 + 90 deg. The arm's own joints are t = sign q + offset; its base link B and its flange F stand
-anywhere fixed to O and K. Frames: O on axis 1 with z along it, K with z along axis 6, away from the wrist centre.
+anywhere fixed to O and K. Frames: O on axis 1 with z along it, K with z along axis 6, away from the wrist centre. Where
+axis 4 is parallel to axes 2 and 3 it is another kind of arm, whose products robot.parallel_arm has under these names.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, singledispatch
 from math import atan2, hypot
 
 import numpy as np
@@ -52,12 +53,12 @@ class Arm:
     def lengths(self) -> dict[str, float]:
         """The seven lengths [m] by name; where axis 6 stands off axis 4 also how far, along axis 5 and across."""
         lengths = {name: float(getattr(self, name)) for name in ("a1", "a2", "b", "c1", "c2", "c3", "c4")}
-        if self.spherical:
+        if self.closed_form:
             return lengths
         return lengths | {"wrist along": float(self.wrist[1]), "wrist across": float(self.wrist[2])}
 
     @cached_property
-    def spherical(self) -> bool:
+    def closed_form(self) -> bool:
         """Whether axes 4, 5 and 6 meet in one point, so that the inverse has a closed form."""
         return not np.any(self.wrist)
 
@@ -105,9 +106,15 @@ def _sines(arm: Arm, q: Array) -> tuple[list[Array], list[Array]]:
     return list(np.cos(angles)), list(np.sin(angles))
 
 
+@singledispatch
 def wrist_section(arm: Arm, q: Array) -> tuple[Array, Array]:
     """The wrist centre in the arm's own plane [m]: how far before axis 1 and how high above the canonical base, both
     (...), of joints (..., 6)."""
+    return reach_section(arm, q)
+
+
+def reach_section(arm: Arm, q: Array) -> tuple[Array, Array]:
+    """Where axes 2 and 3 carry the upper arm's end, likewise: the wrist centre, or of three parallel axes axis 4."""
     t = arm.angles(q)
     t2, t23 = t[..., 1], t[..., 1] + t[..., 2]
     c23, s23 = np.cos(t23), np.sin(t23)
@@ -124,6 +131,7 @@ def elbow_angle(arm: Arm, q: Array) -> Array:
     return t3 + arm.bend if arm.bend else t3
 
 
+@singledispatch
 def forward(arm: Arm, q: Array) -> Array:
     """Flange poses X_OF (..., 4, 4) of joints q (..., 6) in rad."""
     (c1, c2, c23, c4, c5, c6), (s1, s2, s23, s4, s5, s6) = _sines(arm, q)
@@ -147,13 +155,14 @@ def forward(arm: Arm, q: Array) -> Array:
     X[..., 0, 3] = x + arm.c4 * X[..., 0, 2]
     X[..., 1, 3] = y + arm.c4 * X[..., 1, 2]
     X[..., 2, 3] = up + arm.c4 * X[..., 2, 2]
-    if not arm.spherical:
+    if not arm.closed_form:
         ahead = s23 * s4
         axis_5 = np.stack([c1 * ahead - s1 * c4, s1 * ahead + c1 * c4, c23 * s4], axis=-1)
         X[..., :3, 3] += arm.wrist[1] * axis_5 + arm.wrist[2] * np.cross(X[..., :3, 2], axis_5)
     return X if arm.canonical_flange else X @ arm.X_KF
 
 
+@singledispatch
 def axes_and_points(arm: Arm, q: Array) -> tuple[Array, Array]:
     """Unit axes (3, 6, ...) of the canonical joints and a point (3, 6, ...) on each [m], frame O, of q (..., 6): the
     canonical base, axes 2 and 3 in the arm's plane, and the wrist centre three times, for axis 6 with its offset.
@@ -179,6 +188,6 @@ def axes_and_points(arm: Arm, q: Array) -> tuple[Array, Array]:
     o[:, 3:] = (o[:, 2] + arm.c3 * a[:, 3])[:, None]
     if arm.a2:
         o[:, 3:] -= arm.a2 * np.stack([c1 * s23, s1 * s23, c23])[:, None]
-    if not arm.spherical:
+    if not arm.closed_form:
         o[:, 5] += arm.wrist[1] * a[:, 4] + arm.wrist[2] * np.cross(a[:, 5], a[:, 4], axis=0)
     return a, o

@@ -14,6 +14,7 @@ import numpy as np
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
 from trajopt_cli.robot.arm import Arm
+from trajopt_cli.robot.parallel_arm import ParallelArm
 from trajopt_cli.robot.urdf import UrdfJoint
 
 OFF = 1e-9  # rad or m that axes may be off the structure the closed form needs: ten printed digits
@@ -47,10 +48,20 @@ def arm_from_chain(chain: list[UrdfJoint], file: str) -> Arm:
     """The arm of six revolute joints and the fixed flange joint, in that order, whatever their frames.
 
     Raises InputError where the axes are not those of an arm whose axes 2 and 3 are parallel and at right angles to axis
-    1, and whose axes 4 and 5 meet.
+    1, and whose axes 4 and 5 meet; of one whose axis 4 is parallel to them too axes 5 and 6.
     """
     lines = _Lines.of(chain)
-    _check_directions(lines, file)
+    parallel = _check_directions(lines, file)
+    arm = _parallel(lines, file) if parallel else _with_a_wrist(lines, file)
+    beyond = "axes 4 and 3 are" if parallel else "the wrist centre and axis 3 are"
+    for what, length in (("axes 2 and 3 are", arm.c2), (beyond, arm.upper)):
+        if length < _SHORTEST:
+            raise InputError(f"{what} {length * 1e3:.6g} mm apart, at least {_SHORTEST * 1e3:g}: {_NEED}", file=file)
+    return _with_middles(arm, chain)
+
+
+def _with_a_wrist(lines: _Lines, file: str) -> Arm:
+    """The arm whose axis 4 runs along the forearm. Raises InputError where axes 4 and 5 do not meet."""
     u, steps = lines.u, lines.steps
     z = _facing(u[0], u[0] @ steps[0] + u[0] @ steps[1], u[0][2])
     t4 = u[3] @ steps[4]  # along axis 4 from its joint's origin to the wrist centre
@@ -88,7 +99,7 @@ def arm_from_chain(chain: list[UrdfJoint], file: str) -> Arm:
         "c3": x4 @ wrist,
         "c4": c4,
     }
-    arm = Arm(
+    return Arm(
         **{name: float(_clean(np.array(length))) for name, length in lengths.items()},
         signs=signs,
         offsets=_right_angles(np.array(offsets)),
@@ -97,20 +108,63 @@ def arm_from_chain(chain: list[UrdfJoint], file: str) -> Arm:
         X_KF=_clean(X_KF),
         wrist=_clean(np.array([0.0, y5 @ aside_6, np.cross(x6, y5) @ aside_6])),
     )
-    for what, length in (("axes 2 and 3 are", arm.c2), ("the wrist centre and axis 3 are", arm.upper)):
-        if length < _SHORTEST:
-            raise InputError(f"{what} {length * 1e3:.6g} mm apart, at least {_SHORTEST * 1e3:g}: {_NEED}", file=file)
-    return _with_middles(arm, chain)
+
+
+def _parallel(lines: _Lines, file: str) -> ParallelArm:
+    """The arm whose axis 4 is parallel to axes 2 and 3. Raises InputError where axes 5 and 6 do not meet."""
+    u, steps = lines.u, lines.steps
+    gap = abs(steps[5] @ np.cross(u[4], u[5]))
+    if gap > OFF:
+        message = f"the wrist: axis 6 passes axis 5 by {gap * 1e3:.6g} mm, at most {OFF * 1e3:g}: {_NEED}"
+        raise InputError(message, file=file)
+    z = _facing(u[0], u[0] @ steps[0] + u[0] @ steps[1], u[0][2])
+    t5 = u[4] @ steps[5]  # along axis 5 from its joint's origin to the wrist centre
+    wrist = _clean(steps[4] + t5 * u[4])  # from the origin of joint 4
+    aside = np.cross(u[1], z)
+    x = _facing(_clean(_unit(aside)), aside @ steps[1], aside @ (steps[1] + steps[2] + steps[3] + wrist), aside[0])
+    y = np.cross(z, x)
+    lower = _Planar(x @ steps[2], z @ steps[2])
+    t23 = np.arctan2(-(z @ steps[3]), x @ steps[3])
+    z5 = u[4]
+    t234, x5 = np.arctan2(x @ z5, z @ z5), np.cross(y, z5)
+    tail = steps[5] - t5 * u[4] + steps[6]  # from the wrist centre to the flange
+    y6 = _facing(u[5], u[5] @ tail, u[5] @ lines.R[:, 2])
+    t_5 = np.arctan2(-(x5 @ y6), y @ y6)
+    R_BK = np.column_stack([np.cross(y6, z5), -z5, y6])
+    c4 = y6 @ tail
+    X_BO, X_KF = np.eye(4), np.eye(4)
+    X_BO[:3, :3] = np.column_stack([x, y, z])
+    X_BO[:3, 3] = steps[0] - (steps[0] @ z) * z
+    X_KF[:3, :3], X_KF[:3, 3] = R_BK.T @ lines.R, R_BK.T @ (tail - c4 * y6)
+    lengths = {
+        "a1": x @ steps[1],
+        "a2": 0.0,
+        "b": y @ (steps[1] + steps[2] + steps[3] + wrist),
+        "c1": z @ steps[0] + z @ steps[1],
+        "c2": lower.length,
+        "c3": float(np.hypot(x @ steps[3], z @ steps[3])),
+        "c4": c4,
+    }
+    return ParallelArm(
+        **{name: float(_clean(np.array(length))) for name, length in lengths.items()},
+        signs=np.sign([z @ u[0], y @ u[1], y @ u[2], y @ u[3], 1.0, y6 @ u[5]]),
+        offsets=_right_angles(np.array([0.0, lower.angle, t23 - lower.angle, t234 - t23, t_5, 0.0])),
+        middles=np.zeros(6),
+        X_BO=_clean(X_BO),
+        X_KF=_clean(X_KF),
+        wrist=_clean(np.array([x5 @ wrist, 0.0, z5 @ wrist])),
+    )
 
 
 _NEED = (
     "six axes are served whose axes 2 and 3 are parallel to each other and at right angles to axis 1, and whose axes 4"
-    " and 5 meet"
+    " and 5 meet, or, where axis 4 is parallel to them too, axes 5 and 6"
 )
 
 
-def _check_directions(lines: _Lines, file: str) -> None:
-    """Raise InputError for axes that are not parallel, or not at right angles, to each other where they must be."""
+def _check_directions(lines: _Lines, file: str) -> bool:
+    """Whether axis 4 is parallel to axes 2 and 3. Raises InputError for axes that are not parallel, or not at right
+    angles, to each other where they must be."""
 
     def say(i: int, j: int, what: str, off: float) -> InputError:
         names = f"'{lines.names[i]}' and '{lines.names[j]}'"
@@ -124,13 +178,15 @@ def _check_directions(lines: _Lines, file: str) -> None:
     off = float(np.arcsin(min(float(np.linalg.norm(np.cross(u[1], u[2]))), 1.0)))
     if off > OFF:
         raise say(1, 2, "parallel", off)
-    if float(np.linalg.norm(np.cross(u[2], u[3]))) <= OFF:
-        names = ", ".join(f"'{name}'" for name in lines.names[1:4])
-        raise InputError(f"axes 2, 3 and 4 ({names}) are parallel, as on Universal Robots' arms: {_NEED}", file=file)
-    for i, j in ((0, 1), (2, 3), (3, 4), (4, 5)):
+    turned = float(np.arcsin(min(float(np.linalg.norm(np.cross(u[2], u[3]))), 1.0)))
+    parallel = turned < np.pi / 4  # meant to be, and then held to it
+    if parallel and turned > OFF:
+        raise say(2, 3, "parallel", turned)
+    for i, j in ((0, 1), *(() if parallel else ((2, 3),)), (3, 4), (4, 5)):
         off = float(np.arcsin(min(abs(float(u[i] @ u[j])), 1.0)))
         if off > OFF:
             raise say(i, j, "a right angle", off)
+    return parallel
 
 
 def _check_wrist(lines: _Lines, t4: float, file: str) -> None:

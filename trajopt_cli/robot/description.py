@@ -49,7 +49,8 @@ def shipped() -> list[Shipped]:
 
 def _six_axis_reach(chain: list[UrdfJoint]) -> float:
     arm = arm_from_chain(chain[-7:], "")
-    return hypot(arm.b, abs(arm.a1) + arm.c2 + arm.upper)
+    beyond = hypot(*arm.wrist) if arm.closed_form else 0.0  # of three parallel axes: from axis 4 to the wrist centre
+    return hypot(arm.b, abs(arm.a1) + arm.c2 + arm.upper + beyond)
 
 
 def _srs_reach(chain: list[UrdfJoint]) -> float:

@@ -14,6 +14,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, inverse_pose
 from trajopt_cli.robot.arm import Arm
+from trajopt_cli.robot.parallel_arm import ParallelArm
 
 WIDEN = 1e-9  # rad: a thousand times the rounding of the few operations below
 BIG = 1e9  # rad/m in place of infinity
@@ -86,9 +87,10 @@ def enclose(
 
     X_OF (4, 4), e (3,): the flange with the rail at 0 and the rail's direction, zero without a rail, both seen from the
     arm's canonical base. lower, upper (3,): ranges of the joints. twist (6,): of the flange on its way, in that base's
-    axes. A joint that may stand in its range in several turns has the hull of them all.
+    axes. A joint that may stand in its range in several turns has the hull of them all. Of an arm with three parallel
+    axes joint 1 alone is enclosed, and whether axis 4 may be in reach; joints 2 and 3 hang on the wrist's side.
     """
-    if not arm.spherical:
+    if not arm.closed_form:
         return _anything(len(nodes) - 1, lower, upper, twist is not None)
     X_OK = X_OF @ inverse_pose(arm.X_KF)
     centre = X_OK[:3, 3] - arm.c4 * X_OK[:3, 2]
@@ -114,10 +116,14 @@ def enclose(
     ways = [-e] if twist is None else [-e, twist[:3] + np.cross(twist[3:], centre - X_OF[:3, 3])]  # of the wrist centre
     rates = [(np.empty((3, 4, len(h))), np.empty((3, 4, len(h)))) for _ in ways]
     alive = np.zeros((4, len(h)), dtype=bool)
+    slack = float(np.linalg.norm(arm.wrist))  # of axis 4 from the wrist centre; of a spherical wrist 0
     for i, (shoulder, elbow) in enumerate(((1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0))):
         u = Range(r.lo - arm.a1, r.hi - arm.a1) if shoulder > 0 else Range(-r.hi - arm.a1, -r.lo - arm.a1)
         rho2 = u.square() + z.square()
-        s3 = Range(*((arm.c2**2 + arm.upper**2 - x) / (2 * arm.c2 * arm.upper) for x in (rho2.hi, rho2.lo)))
+        reach2 = rho2
+        if slack:
+            reach2 = Range(np.maximum(np.sqrt(rho2.lo) - slack, 0.0) ** 2, (np.sqrt(rho2.hi) + slack) ** 2)
+        s3 = Range(*((arm.c2**2 + arm.upper**2 - x) / (2 * arm.c2 * arm.upper) for x in (reach2.hi, reach2.lo)))
         alive[i] = (s3.lo <= 1 + WIDEN) & (s3.hi >= -1 - WIDEN) & (r2.hi >= b2 - WIDEN)
         s3 = Range(np.clip(s3.lo, -1, 1), np.clip(s3.hi, -1, 1))
         a3 = Range(np.arcsin(s3.lo) - arm.bend, np.arcsin(s3.hi) - arm.bend)
@@ -141,7 +147,11 @@ def enclose(
             for (low, high), found in zip(rates, q_rates, strict=True):
                 rate = found[j].scaled(float(arm.signs[j]))
                 low[j, i], high[j, i] = rate.lo - WIDEN * (1 + np.abs(rate.lo)), rate.hi + WIDEN * (1 + np.abs(rate.hi))
-    for j in range(3):
+    if isinstance(arm, ParallelArm):
+        q_lo[1:], q_hi[1:] = lower[1:, None, None], upper[1:, None, None]
+        for low, high in rates:
+            low[1:], high[1:] = -BIG, BIG
+    for j in range(1 if isinstance(arm, ParallelArm) else 3):
         q, there = _in_range(arm, j, Range(q_lo[j], q_hi[j]), float(lower[j]), float(upper[j]))
         q_lo[j], q_hi[j] = q.lo, q.hi
         alive &= there

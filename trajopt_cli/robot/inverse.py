@@ -6,7 +6,7 @@ canonical angles t of robot.arm, with e = t3 + bend for the elbow: behind the lo
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from itertools import product
 from math import cos, floor, pi, sin
 from typing import TYPE_CHECKING
@@ -16,8 +16,9 @@ import numpy as np
 from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.motion import ConfData
-from trajopt_cli.robot import offset_wrist
+from trajopt_cli.robot import offset_wrist, parallel_arm
 from trajopt_cli.robot.arm import Arm, elbow_angle, wrist_section
+from trajopt_cli.robot.parallel_arm import ParallelArm
 from trajopt_cli.robot.structure import NO_CONFDATA
 from trajopt_cli.robot.turns import ON_LIMIT, broken_limits, close_at_pi, half_turn
 
@@ -55,7 +56,7 @@ def inverse(robot: RobotModel, X_WF: Array, rail: Array | None = None) -> Array:
             raise ValueError(f"robot {robot.name} rides a rail: give rail (n,)")
         p = p - robot.rail_axis_W[:, None] * np.broadcast_to(np.asarray(rail, dtype=np.float64), (n,))
     R_OW = X_WO[:3, :3].T
-    out = np.empty((BRANCHES if robot.arm.spherical else 2 * BRANCHES, 6, n))
+    out = np.empty((BRANCHES if robot.arm.closed_form else 2 * BRANCHES, 6, n))
     for start in range(0, n, _CHUNK):
         part = slice(start, min(start + _CHUNK, n))
         R_OK = R_OW @ X_WF[part, :3, :3].transpose(1, 2, 0).reshape(3, -1)
@@ -71,17 +72,22 @@ def inverse_arm(arm: Arm, p_OK: Array, R_OK: Array, out: Array) -> None:
     by page costs as much as the arithmetic.
     """
     split = out.reshape(2, 2, 2, 6, -1)  # behind axis 1, behind the lower arm, t5 < 0; a view, axes are only split
-    if arm.spherical:
+    if arm.closed_form:
         with np.errstate(invalid="ignore", divide="ignore"):
-            c1, s1, c23, s23 = _reach(arm, p_OK - arm.c4 * R_OK[:, 2], split)
-            _wrist(R_OK, c1, s1, c23, s23, split)
+            w = p_OK - arm.c4 * R_OK[:, 2]
+            t1, radius, c1, s1 = _shoulder(arm, w)
+            if isinstance(arm, ParallelArm):
+                _parallel(arm, w, R_OK, (t1, radius, c1, s1), split)
+            else:
+                c23, s23 = _elbow(arm, t1, radius - arm.a1, w[2:] - arm.c1, split)
+                _wrist(R_OK, c1[:, None], s1[:, None], c23, s23, split)
     else:
         out[:] = offset_wrist.angles(arm, p_OK, R_OK, inverse_arm)
     _as_joints(arm, out)
 
 
-def _reach(arm: Arm, w: Array, out: Array) -> tuple[Array, Array, Array, Array]:
-    """Put t1, t2, t3 of wrist centres w (3, n) into out; cos, sin t1 (2, 1, n) or (1, 1, n), of t2 + t3 (2, 2, n).
+def _shoulder(arm: Arm, w: Array) -> tuple[Array, Array, Array, Array]:
+    """t1 (2, n) of wrist centres w (3, n), how far before axis 1 they are (2, n), and cos, sin t1 (2, n) or (1, n).
 
     Without an offset b the shoulder behind is the one before turned by half a turn: cos, sin t1 are then those before.
     """
@@ -106,8 +112,12 @@ def _reach(arm: Arm, w: Array, out: Array) -> tuple[Array, Array, Array, Array]:
         close_at_pi(before)
         t1 = np.stack([before, half_turn(before)])
         c1, s1 = c1[None], s1[None]
-    # The wrist centre seen from axis 2 in the arm's own plane: ahead and up, both shoulders (2, n).
-    ahead, up = radius - arm.a1, w[2] - arm.c1
+    return t1, radius, c1, s1
+
+
+def _elbow(arm: Arm, t1: Array, ahead: Array, up: Array, out: Array) -> tuple[Array, Array]:
+    """Put t1, and t2 and t3 of wrist centres ahead and up of axis 2 in the arm's own plane, (2, n) or (1, n) of both
+    shoulders, into out; cos, sin of t2 + t3 (2, 2, n)."""
     distance2 = ahead * ahead + up * up
     s3 = (arm.c2**2 + arm.upper**2 - distance2) / (2 * arm.c2 * arm.upper)
     s3[np.abs(s3) > 1 + _STRETCH] = np.nan
@@ -119,7 +129,7 @@ def _reach(arm: Arm, w: Array, out: Array) -> tuple[Array, Array, Array, Array]:
     e = -pi - e
     e[e <= -1.5 * pi] = 0.5 * pi  # -270 deg is +90 deg
     out[:, 1, :, 2] = (e - arm.bend)[:, None]
-    along, ahead, s3, distance2 = (a[:, None] for a in (arm.c2 - arm.upper * s3, ahead, s3, distance2))
+    along, ahead, up, s3, distance2 = (a[:, None] for a in (arm.c2 - arm.upper * s3, ahead, up, s3, distance2))
     c3 = _FACING * c3[:, None]  # (2 shoulders, 2 elbows, n), as all that follows; the elbow's sign is cos e's
     across = arm.upper * c3
     y2, x2 = along * ahead - across * up, along * up + across * ahead
@@ -129,7 +139,32 @@ def _reach(arm: Arm, w: Array, out: Array) -> tuple[Array, Array, Array, Array]:
     if arm.bend:
         cb, sb = cos(arm.bend), sin(arm.bend)
         c3, s3 = c3 * cb + s3 * sb, s3 * cb - c3 * sb  # of t3
-    return c1[:, None], s1[:, None], x2 * c3 - y2 * s3, y2 * c3 + x2 * s3
+    return x2 * c3 - y2 * s3, y2 * c3 + x2 * s3
+
+
+def _parallel(arm: ParallelArm, w: Array, R_OK: Array, shoulder: tuple[Array, Array, Array, Array], out: Array) -> None:
+    """Put all joints of wrist centres w (3, n) and rotations (3, 3, n) into out: see robot.parallel_arm. shoulder: what
+    _shoulder found."""
+    for place, (ahead, up, t234, t5, t6) in enumerate(_both_sides(arm, w, R_OK, shoulder)):
+        part = out[:, :, place : place + 1]
+        _elbow(arm, shoulder[0], ahead, up, part)
+        t4 = t234[:, None, None] - part[..., 1, :] - part[..., 2, :]
+        part[..., 3, :] = t4 - 2 * pi * np.ceil((t4 - pi) / (2 * pi))
+        for i, t in ((4, t5), (5, t6)):
+            part[..., i, :] = t[:, None, None] + 0 * t4
+
+
+def _both_sides(
+    arm: ParallelArm, w: Array, R_OK: Array, shoulder: tuple[Array, Array, Array, Array]
+) -> Iterator[tuple[Array, Array, Array, Array, Array]]:
+    """What parallel_arm.bent finds on either side of axis 5."""
+    _, radius, c1, s1 = shoulder
+    if len(c1) == 1:
+        c1, s1 = _FACING * c1, _FACING * s1
+    up = np.broadcast_to(R_OK[2][:, None], (3, *c1.shape))
+    R_1K = np.stack([c1 * R_OK[0][:, None] + s1 * R_OK[1][:, None], c1 * R_OK[1][:, None] - s1 * R_OK[0][:, None], up])
+    centre = radius - arm.a1, np.broadcast_to(w[2] - arm.c1, radius.shape)
+    return (parallel_arm.bent(arm, R_1K, centre, side) for side in (1, -1))
 
 
 def _wrist(R_OK: Array, c1: Array, s1: Array, c23: Array, s23: Array, out: Array) -> None:
@@ -292,7 +327,7 @@ def _broken_couplings(robot: RobotModel, branches: Mapping[str, Array], limits: 
 
 def _outside_workspace(robot: RobotModel, X_WF: Array, rail: float | None) -> str:
     arm = robot.arm
-    if not arm.spherical:
+    if not arm.closed_form:
         return "no posture was found that reaches it (its wrist has an offset, so postures are sought step by step)"
     X_WO = robot.canonical_base(0.0 if rail is None else rail)
     X_WK = X_WF @ inverse_pose(arm.X_KF)
@@ -300,6 +335,8 @@ def _outside_workspace(robot: RobotModel, X_WF: Array, rail: float | None) -> st
     reach, up = float(np.hypot(w[0], w[1])), float(w[2]) - arm.c1
     if reach < abs(arm.b):
         return f"wrist centre {reach:.6g} m from axis 1, at least the arm's offset of {abs(arm.b):.6g} m"
+    if isinstance(arm, ParallelArm):
+        return _out_of_reach_of_two(arm, w, X_WO[:3, :3].T @ X_WK[:3, :3])
     reach = float(np.sqrt((reach - abs(arm.b)) * (reach + abs(arm.b))))
     near, far = float(np.hypot(reach - arm.a1, up)), float(np.hypot(reach + arm.a1, up))
     outer, inner = arm.c2 + arm.upper, abs(arm.c2 - arm.upper)
@@ -310,3 +347,13 @@ def _outside_workspace(robot: RobotModel, X_WF: Array, rail: float | None) -> st
         f"wrist centre inside the inner workspace: {near:.6g} m from axis 2, at least {inner:.6g} m"
         f" (turned by half a turn {far:.6g} m, at most {outer:.6g} m)"
     )
+
+
+def _out_of_reach_of_two(arm: ParallelArm, w: Array, R_OK: Array) -> str:
+    """Where axis 4 would have to be, of the four places that wrist centre (3,) and flange leave it, the nearest to what
+    axes 2 and 3 reach."""
+    shoulder = _shoulder(arm, w[:, None])
+    places = [np.hypot(ahead, up) for ahead, up, *_ in _both_sides(arm, w[:, None], R_OK[..., None], shoulder)]
+    inner, outer = abs(arm.c2 - arm.c3), arm.c2 + arm.c3
+    far = min(np.ravel(places).tolist(), key=lambda r: max(inner - r, r - outer))
+    return f"axis 4 outside the workspace: {far:.6g} m from axis 2 at best, in reach are {inner:.6g} to {outer:.6g} m"

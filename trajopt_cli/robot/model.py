@@ -99,8 +99,8 @@ class RobotModel:
 
     @property
     def closed_form(self) -> bool:
-        """Whether the wrist is spherical; else branches are found step by step, and the inverse has no expression."""
-        return self.arm.spherical
+        """Whether branches have closed forms; else they are found step by step, and the inverse has no expression."""
+        return self.arm.closed_form
 
     @cached_property
     def turns(self) -> Array:

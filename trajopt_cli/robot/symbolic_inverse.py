@@ -13,6 +13,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.robot.model import Arm, RobotModel
+from trajopt_cli.robot.parallel_arm import ParallelArm
 from trajopt_cli.robot.symbolic import Reached, exact, forward
 
 
@@ -51,7 +52,7 @@ class ArmExpressions:
     def inverse(self, position: ca.SX, rotation: ca.SX, branch: ca.SX, near: ca.SX) -> Reached:
         """See inverse_arm."""
         arm = self.robot.arm
-        if not arm.spherical:
+        if not arm.closed_form:
             raise ValueError(f"robot {self.robot.name}: a wrist with an offset has no closed form")
         q, reach = inverse_arm(arm, position, rotation, branch, near)
         return Reached(q, reach, branch[2] * ca.sin(q[4] + float(arm.signs[4] * arm.offsets[4])))
@@ -88,12 +89,21 @@ def inverse_arm(arm: Arm, p_BF: ca.SX, R_BF: ca.SX, signs: ca.SX, reference: ca.
         t1 = _angle(s1, c1, near[0])
         c1, s1 = c1 / norm, s1 / norm
     u, z = radius - arm.a1, w[2] - arm.c1
+    if isinstance(arm, ParallelArm):
+        R_1K = ca.vertcat(c1 * R[0, :] + s1 * R[1, :], c1 * R[1, :] - s1 * R[0, :], R[2, :])
+        t5, c, s = _axis_5(R_1K, wrist, near)
+        u, z = u - c * arm.wrist[0] - s * arm.wrist[2], z + s * arm.wrist[0] - c * arm.wrist[2]
     s3 = (arm.c2**2 + arm.upper**2 - u**2 - z**2) / (2 * arm.c2 * arm.upper)
     c3 = elbow * ca.sqrt(ca.fmax(1 - s3**2, 1e-12))
     t3 = _angle(s3, c3, near[2] + arm.bend) - arm.bend
     a, b = arm.c2 - arm.upper * s3, arm.upper * c3
     t2 = _angle(a * u - b * z, a * z + b * u, near[1])
     c23, s23 = ca.cos(t2 + t3), ca.sin(t2 + t3)
+    apart = ca.vertcat(s3, arm.b**2 / square) if arm.b else s3
+    if isinstance(arm, ParallelArm):
+        t4 = _angle(s * c23 - c * s23, c * c23 + s * s23, near[3])
+        t6 = _angle(-(s * R_1K[0, 0] + c * R_1K[2, 0]), -(s * R_1K[0, 1] + c * R_1K[2, 1]), near[5])
+        return exact(arm.signs) * (ca.vertcat(t1, t2, t3, t4, t5, t6) - exact(arm.offsets)), apart
     # R_36 = (Rz(t1) Ry(t2 + t3))^T R_06, where the flange adds Ry(90 deg): R_06 has columns (z_F, y_F, -x_F).
     R_06 = ca.horzcat(R[:, 2], R[:, 1], -R[:, 0])
     row = ca.vertcat(
@@ -107,7 +117,13 @@ def inverse_arm(arm: Arm, p_BF: ca.SX, R_BF: ca.SX, signs: ca.SX, reference: ca.
     t4 = _angle(wrist * R_36[1, 0], -wrist * R_36[2, 0], near[3])
     t6 = _angle(wrist * R_36[0, 1], wrist * R_36[0, 2], near[5])
     q = exact(arm.signs) * (ca.vertcat(t1, t2, t3, t4, t5, t6) - exact(arm.offsets))
-    return q, ca.vertcat(s3, arm.b**2 / square) if arm.b else s3
+    return q, apart
+
+
+def _axis_5(R_1K: ca.SX, side: ca.SX, near: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
+    """t5 of an arm with three parallel axes, and cosine and sine of their angles' sum: see robot.parallel_arm.bent."""
+    bend = ca.sqrt(ca.fmax(R_1K[0, 2] ** 2 + R_1K[2, 2] ** 2, 1e-12))
+    return _angle(side * bend, R_1K[1, 2], near[4]), -side * R_1K[0, 2] / bend, side * R_1K[2, 2] / bend
 
 
 def _canonical(arm: Arm, p_BF: ca.SX, R_BF: ca.SX) -> tuple[ca.SX, ca.SX]:

@@ -1,0 +1,130 @@
+"""Six-axis arm whose axes 2, 3 and 4 are parallel and whose axes 5 and 6 meet, as Universal Robots build them.
+
+Lengths, canonical pose and the rest are robot.arm's as far as axis 3. From there on X_OK = ... Ry(t3) T(c3, 0, 0)
+Ry(t4) T(wrist) Rz(t5) Ry(t6) T(0, c4, 0) Rx(-90 deg): axis 4 stands c3 before axis 3, `wrist` (x, 0, z) leads from it,
+in the link behind it, to where axes 5 and 6 meet (the wrist centre; z runs along axis 5), and c4 along axis 6 to the
+flange. The wrist centre lies in the arm's plane as a spherical one does, so joint 1 is found alike; axis 6 seen from
+that plane gives axis 5 and the sum of t2, t3, t4, and with it axis 4's place, which axes 2 and 3 reach as they reach a
+wrist centre.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+
+from trajopt_cli.geometry import Array, BoolArray
+from trajopt_cli.robot.arm import Arm, axes_and_points, forward, reach_section, wrist_section
+from trajopt_cli.robot.turns import close_at_pi
+
+_STRAIGHT = 1e-12  # sin t5: below, only the sum of t2, t3, t4 and t6 is given
+
+
+class ParallelArm(Arm):
+    """The same lengths; a2 is 0, c3 leads from axis 3 to axis 4, `wrist` as above."""
+
+    @property
+    def lengths(self) -> dict[str, float]:
+        """The lengths [m] by name."""
+        lengths = {name: float(getattr(self, name)) for name in ("a1", "b", "c1", "c2", "c3", "c4")}
+        return lengths | {"axis 5 off axis 4": float(self.wrist[0]), "wrist along axis 5": float(self.wrist[2])}
+
+    @cached_property
+    def closed_form(self) -> bool:
+        """It has one."""
+        return True
+
+
+def _sines(arm: Arm, q: Array) -> tuple[list[Array], list[Array]]:
+    """Cosines and sines of t1, t2, t2 + t3, t2 + t3 + t4, t5, t6, each (...)."""
+    t = arm.angles(q)
+    t23 = t[..., 1] + t[..., 2]
+    angles = np.stack([t[..., 0], t[..., 1], t23, t23 + t[..., 3], t[..., 4], t[..., 5]])
+    return list(np.cos(angles)), list(np.sin(angles))
+
+
+@wrist_section.register
+def _(arm: ParallelArm, q: Array) -> tuple[Array, Array]:
+    ahead, up = reach_section(arm, q)
+    t = arm.angles(q)
+    t234 = t[..., 1] + t[..., 2] + t[..., 3]
+    along, over = _turned(arm, np.cos(t234), np.sin(t234))
+    return ahead + along, up + over
+
+
+def _turned(arm: Arm, c: Array, s: Array) -> tuple[Array, Array]:
+    """From axis 4 to the wrist centre, ahead and up, where the link between them is turned by an angle (c, s)."""
+    return c * arm.wrist[0] + s * arm.wrist[2], c * arm.wrist[2] - s * arm.wrist[0]
+
+
+@forward.register
+def _(arm: ParallelArm, q: Array) -> Array:
+    (c1, _, _, c234, c5, c6), (s1, _, _, s234, s5, s6) = _sines(arm, q)
+    X = np.zeros((*q.shape[:-1], 4, 4))
+    X[..., 3, 3] = 1.0
+    # Columns of Rz(t5) Ry(t6) Rx(-90 deg), then turned by Ry(t2 + t3 + t4) and Rz(t1).
+    zero = np.zeros_like(c5)
+    for column, (x, y, z) in enumerate(((c5 * c6, s5 * c6, -s6), (-c5 * s6, -s5 * s6, -c6), (-s5, c5, zero))):
+        ahead = c234 * x + s234 * z
+        X[..., 0, column] = c1 * ahead - s1 * y
+        X[..., 1, column] = s1 * ahead + c1 * y
+        X[..., 2, column] = c234 * z - s234 * x
+    radius, up = wrist_section(arm, q)
+    X[..., 0, 3] = c1 * radius - s1 * arm.b + arm.c4 * X[..., 0, 2]
+    X[..., 1, 3] = s1 * radius + c1 * arm.b + arm.c4 * X[..., 1, 2]
+    X[..., 2, 3] = up + arm.c4 * X[..., 2, 2]
+    return X if arm.canonical_flange else X @ arm.X_KF
+
+
+@axes_and_points.register
+def _(arm: ParallelArm, q: Array) -> tuple[Array, Array]:
+    """The points: the canonical base, axes 2, 3 and 4 in the arm's plane, and the wrist centre twice."""
+    (c1, c2, _, c234, c5, _), (s1, s2, _, s234, s5, _) = _sines(arm, q)
+    zero, one = np.zeros_like(c1), np.ones_like(c1)
+    a, o = np.zeros((3, 6, *q.shape[:-1])), np.zeros((3, 6, *q.shape[:-1]))
+    a[:, 0] = zero, zero, one
+    a[:, 1:4] = np.stack([-s1, c1, zero])[:, None]
+    a[:, 4] = c1 * s234, s1 * s234, c234
+    ahead = -s5 * c234
+    a[:, 5] = c1 * ahead - s1 * c5, s1 * ahead + c1 * c5, s5 * s234
+    places = (arm.a1 * one, arm.c1 * one), (arm.a1 + arm.c2 * s2, arm.c1 + arm.c2 * c2), reach_section(arm, q)
+    for i, (radius, up) in enumerate((*places, wrist_section(arm, q), wrist_section(arm, q)), 1):
+        o[:, i] = c1 * radius, s1 * radius, up
+    o[:, 1:] += arm.b * a[:, 1:2]
+    return a, o
+
+
+def bent(arm: Arm, R_1K: Array, centre: tuple[Array, Array], side: int) -> tuple[Array, Array, Array, Array, Array]:
+    """On one side of axis 5 (1 or -1): where axis 4 is, ahead and up of axis 2, the sum t2 + t3 + t4, t5 and t6, each
+    (2, n) of both shoulders.
+
+    R_1K (3, 3, 2, n): the canonical flange in the frame that axis 1 carries. centre: of the wrist, ahead and up of axis
+    2 (2, n). Where axis 6 is parallel to axis 4, t6 is 0 if axes 2 and 3 reach axis 4 so; else axis 4 stands where they
+    just reach it.
+    """
+    bend = np.hypot(R_1K[0, 2], R_1K[2, 2])
+    straight = bend < _STRAIGHT
+    over = np.copysign(1.0, R_1K[1, 2])
+    c, s = -side * R_1K[0, 2] / bend, side * R_1K[2, 2] / bend
+    if straight.any():
+        c, s = np.where(straight, side * over * R_1K[0, 0], c), np.where(straight, -side * over * R_1K[2, 0], s)
+        c, s = _within_reach(arm, centre, c, s, straight)
+    t5 = side * np.where(straight, np.where(over > 0, 0.0, np.pi), np.arctan2(bend, R_1K[1, 2]))
+    t6 = np.arctan2(-(s * R_1K[0, 0] + c * R_1K[2, 0]), -(s * R_1K[0, 1] + c * R_1K[2, 1]))
+    close_at_pi(t6)
+    along, up = _turned(arm, c, s)
+    return centre[0] - along, centre[1] - up, np.arctan2(s, c), t5, t6
+
+
+def _within_reach(arm: Arm, centre: tuple[Array, Array], c: Array, s: Array, free: BoolArray) -> tuple[Array, Array]:
+    """Cosine and sine of t2 + t3 + t4, which is free at some places: as given where axes 2 and 3 reach axis 4 with it,
+    else nearest to their reach."""
+    along, up = _turned(arm, c, s)
+    away = np.hypot(centre[0] - along, centre[1] - up)
+    wanted = np.clip(away, abs(arm.c2 - arm.c3), arm.c2 + arm.c3)
+    far, length = np.hypot(*centre), float(np.hypot(*arm.wrist[[0, 2]]))
+    cosine = np.clip((far**2 + length**2 - wanted**2) / (2 * far * length), -1.0, 1.0)
+    turn = np.arctan2(arm.wrist[2], arm.wrist[0]) - (np.arctan2(centre[1], centre[0]) - np.arccos(cosine))
+    out = free & (away != wanted) & np.isfinite(turn)
+    return np.where(out, np.cos(turn), c), np.where(out, np.sin(turn), s)
