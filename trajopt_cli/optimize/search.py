@@ -35,6 +35,8 @@ from trajopt_cli.optimize.tuning import (
     SEARCH_COARSE,
     SEARCH_FINE,
     SEARCH_LEGS,
+    MOST_TURNS,
+    SEARCH_TURNS,
     SEARCH_WINDOW,
     SHIFT,
     WAY_NODES,
@@ -560,19 +562,21 @@ def _loads_at(problem: Problem, k: int) -> tuple[tuple[float, ...], ...]:
     return tuple(() if load is None else load.numbers for load in beside)
 
 
-def _search(axes: Axes, problem: Problem, avoid: Avoid | None = None) -> Chain | None:
-    """The same, all at once."""
+def _search(axes: Axes, problem: Problem, avoid: Avoid | None = None, every: bool = False) -> Chain | None:
+    """The same, all at once. every: in every whole turn."""
     where = _station_of(problem)
     grids = [grid_in_reach(axes, problem, first, last, SEARCH_COARSE, SEARCH_APART) for first, last in problem.stations]
-    tables = _tables(axes, problem, grids, avoid)
-    if not all(t.labels for t in tables):
+    whole = _tables(axes, problem, grids, avoid)
+    if not all(t.labels for t in whole):
         return None
+    tables = whole if every else _in_few_turns(axes, problem, whole)
+    fewer = any(one is not other for one, other in zip(tables, whole, strict=True))
     still = np.zeros(1)
     layers = _layers(axes, problem, tables, still)
     edges = _edges(axes, problem, tables, where, layers, avoid)
     cost, path, forward = _best_clear(problem, tables, where, layers, edges, avoid)
     if not np.isfinite(cost):
-        return None
+        return _search(axes, problem, avoid, every=True) if fewer else None
     coarse = _chain(problem, tables, where, layers, edges, path, cost)
     if all(s.rail[0] == s.rail[1] for s in problem.waypoints):
         return coarse
@@ -650,6 +654,26 @@ def _like(fine: StationTable, i: int, coarse: StationTable, keep: set[int]) -> b
         if np.max(np.abs(a[ok_a[at]] - b[near[at]])) < np.pi:
             return True
     return False
+
+
+def _in_few_turns(axes: Axes, problem: Problem, tables: Sequence[StationTable]) -> list[StationTable]:
+    """The tables with, of every branch in more than MOST_TURNS whole turns, the SEARCH_TURNS nearest to joints that are
+    given: where the cycle begins, and joint targets. All where none are given."""
+    given = [point.q[axes.layout.arm] for point in problem.waypoints if point.q is not None]
+    known: dict[int, StationTable] = {}
+    for table in tables if given else ():
+        branches: dict[int, list[int]] = {}
+        for i, label in enumerate(table.labels):
+            branches.setdefault(label.cfx, []).append(i)
+        keep: list[int] = []
+        for some in branches.values():
+            if len(some) > MOST_TURNS:
+                q = np.stack([at[some] for at in table.waypoints], axis=1)  # (turns, waypoints, rails, joints)
+                away = [np.nanmin(np.abs(q - one).max(axis=-1), axis=(1, 2)) for one in given]
+                some = [some[i] for i in np.argsort(np.min(away, axis=0), kind="stable")[:SEARCH_TURNS]]
+            keep += some
+        known[id(table)] = table if len(keep) == len(table.labels) else _restrict(table, sorted(keep))
+    return [known.get(id(table), table) for table in tables]
 
 
 def _restrict(table: StationTable, labels: list[int]) -> StationTable:
