@@ -121,7 +121,10 @@ def test_meshes_are_found_in_packages_and_scaled(tmp_path):
     assert lower.radius == pytest.approx(0.05 * np.sqrt(2), abs=3e-4)
     corners = [[x, y, z] for x in (-0.05, 0.05) for y in (-0.05, 0.05) for z in (0, 0.7)]
     assert distance(corners, lower).max() <= lower.radius
-    assert made.missing == ("link_4: mesh package://other/meshes/fore.stl is in no folder above the URDF",)
+    assert made.missing == (
+        "link_4: mesh package://other/meshes/fore.stl is in no folder above the URDF: put the folder 'other' beside it,"
+        " or the link has no capsule",
+    )
     text = made.files["mine.yaml"].decode()
     assert "#   link_4: mesh package://other/meshes/fore.stl is in no folder above the URDF" in text
     assert "Without a capsule, and so not looked at: link_1, link_3, link_4, link_5, link_6" in text
@@ -142,3 +145,23 @@ def test_the_pairs_of_the_irb_140_are_those_a_person_chose():
     robot = load_robot("irb140")
     assert self_pairs(robot.chain, robot.capsules) == robot.self_pairs
     assert self_pairs(robot.chain, {}) == ()
+
+
+def test_a_mesh_that_is_missing_or_drawn_in_mm_is_told_with_what_to_do(tmp_path):
+    def made(mesh):
+        collision = f'<link name="fore"><collision><geometry>{mesh}</geometry></collision></link>'
+        return new_robot(written(tmp_path, {'<link name="fore"/>': collision}), "mine").missing
+
+    (tmp_path / "large.obj").write_text(
+        "v 0 0 0\nv 400 0 0\nv 0 400 0\nv 0 0 400\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+    )
+    assert made('<mesh filename="large.obj"/>') == (
+        "link_4: mesh large.obj is 400 m long, so the link has no capsule: if it is drawn in mm, say"
+        ' <mesh scale="0.001 0.001 0.001">',
+    )
+    assert made('<mesh filename="large.obj" scale="0.001 0.001 0.001"/>') == ()
+    assert made('<mesh filename="other.obj"/>') == (
+        "link_4: mesh other.obj is not there: put it beside the URDF, or the link has no capsule",
+    )
+    (told,) = made('<mesh filename="package://parts/a.stl"/>')
+    assert told.endswith("put the folder 'parts' beside it, or the link has no capsule")

@@ -5,6 +5,7 @@ import re
 import numpy as np
 import pinocchio as pin
 import pytest
+from arms import PARALLEL
 from loose_arm import LOOSE, written
 
 from trajopt_cli.adopt.add import new_robot
@@ -278,3 +279,69 @@ def test_odd_names_in_the_urdf_stay_inside_their_quotes_and_comments(tmp_path):
     assert robot.name == "mine"
     assert "--> " in robot.title
     assert Mechanism(tmp_path / "mine.urdf", np.eye(4)).names == robot.axis_names
+
+
+def inertial(mass, tensor):
+    xx, yy, zz, xy = tensor
+    return (
+        f'<link name="fore"><inertial><mass value="{mass}"/><inertia ixx="{xx}" iyy="{yy}" izz="{zz}" ixy="{xy}"'
+        ' ixz="0" iyz="0"/></inertial></link>'
+    )
+
+
+@pytest.mark.parametrize(
+    ("edits", "words"),
+    [
+        ({'<link name="fore"/>': inertial(2, (-0.1, 0.1, 0.1, 0))},
+         "link 'fore': <inertia> has the main moments -0.1 0.1 0.1 kg m2, and no body has a negative one; correct it"),
+        ({'<link name="fore"/>': inertial(2, (0.1, 0.1, 0.1, 0.2))}, "the main moments -0.1 0.1 0.3 kg m2"),
+        ({'rpy="0 1.5708 0"': 'rpy="0 90 0"'},
+         "joint 'face': <origin> rpy=\"0 90 0\" turns by 90 rad; a URDF's angles are in radians: 90 degrees are"),
+        ({'<link name="fore"/>': '<link name="fore"><collision><geometry><mesh filename="a.stl" scale="0 1 1"/>'
+          "</geometry></collision></link>"}, "link 'fore': collision <mesh> scale=\"0 1 1\" makes it flat"),
+    ],
+)  # fmt: skip
+def test_numbers_that_no_robot_has_are_refused(tmp_path, edits, words):
+    with pytest.raises(InputError) as error:
+        new_robot(written(tmp_path, edits), "mine")
+    assert words in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("edits", "words"),
+    [
+        ({'<link name="fore"/>': inertial(2, (0.1, 0.1, 0.3, 0))},
+         "link 'fore': <inertia> has the main moments 0.1 0.1 0.3 kg m2, but of a body the greatest is at"),
+        ({'<link name="fore"/>': inertial(0, (0.1, 0.1, 0.1, 0))}, "link 'fore': an <inertia> without mass"),
+        ({'<link name="fore"/>': '<link name="fore"><collision><geometry>'
+          '<mesh filename="a.stl" scale="0.001 0.001 0.001"/></geometry></collision></link>'},
+         "link 'fore': its collision mesh is scaled by 0.001 0.001 0.001, as its scale says"),
+        ({"fore_roll": "fore&#9;roll"}, "joint 'fore\troll': a tab, a line break or the like in its name"),
+        ({'"lower"': '"lower&#9;arm"'}, "link 'lower\tarm': a tab, a line break or the like in its name"),
+    ],
+)  # fmt: skip
+def test_what_is_doubtful_is_noted_in_one_line(tmp_path, edits, words):
+    notes = new_robot(written(tmp_path, edits), "mine").chain.notes
+    assert [note for note in notes if words in note]
+    assert new_robot(written(tmp_path), "mine").chain.notes != notes  # and not of the arm as it was
+
+
+def test_a_body_as_thin_as_a_plate_is_not_doubted(tmp_path):
+    path = written(tmp_path, {'<link name="fore"/>': inertial(2, (0.1, 0.2, 0.3001, 0))})
+    assert not [note for note in new_robot(path, "mine").chain.notes if "main moments" in note]
+
+
+def test_blanks_around_a_name_do_not_part_it_from_those_who_name_it(tmp_path):
+    path = written(tmp_path, {'name="lower"': 'name="lower&#9;"', 'link="lower"': 'link=" lower"'})
+    assert "lower" in new_robot(path, "mine").chain.tree.links
+
+
+def test_an_arm_with_three_parallel_axes_becomes_a_robot(tmp_path):
+    path = tmp_path / "given.urdf"
+    path.write_text(PARALLEL["ur10e"]().urdf())
+    robot = put(tmp_path, new_robot(path, "mine", track=True))
+    q = postures(robot)
+    wanted = pin_flange(path, [f"joint_{i}" for i in range(1, 7)], q, "tool0")
+    np.testing.assert_allclose(robot.forward(q), wanted, rtol=0, atol=1e-12)
+    on_rail = load_robot(str(tmp_path / "mine_rail.yaml"))
+    assert on_rail.arm.lengths == robot.arm.lengths == pytest.approx(load_robot("ur10e").arm.lengths, abs=1e-15)

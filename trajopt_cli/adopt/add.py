@@ -46,12 +46,11 @@ def new_robot(
     confdata: str | None = None,
     track: bool = False,
 ) -> NewRobot:
-    """A robot of this program from any URDF of a six-axis arm with a spherical wrist, on a sliding axis or not.
+    """A robot of this program from the URDF of a six-axis arm that robot.arm_chain reads, on a sliding axis or not.
 
     tip: the flange's link, base: the chain's first link, both found where None. confdata: the rule of RAPID's confdata,
     "abb_six_axis" or "none"; for None the first where the URDF speaks of ABB. track: NAME_rail too, the same on a
-    linear track. Raises InputError for what is no URDF, no
-    such arm, and no name.
+    linear track. Raises InputError for what is no URDF, no such arm, and no name.
     """
     check_name(name)
     tree = read_tree(urdf)

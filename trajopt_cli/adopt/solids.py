@@ -19,6 +19,7 @@ from trajopt_cli.shapes import ATTACHED, Capsule, MeshFile
 POSTURES = 4000
 _SEED = 140
 _OFTEN = 0.1  # of all postures: capsules that overlap more often do so because they are larger than the links
+_LONGEST = 20.0  # m of a link: beyond, a mesh is in other units
 _ROUND = 24  # sides of a cylinder's or sphere's outline
 
 
@@ -64,10 +65,13 @@ def find_mesh(name: str, urdf: Path) -> Path:
             for candidate in (folder / url.netloc / inner, folder / inner if folder.name == url.netloc else None):
                 if candidate is not None and candidate.is_file():
                     return candidate
-        raise InputError(f"mesh {name} is in no folder above the URDF")
+        raise InputError(
+            f"mesh {name} is in no folder above the URDF: put the folder '{url.netloc}' beside it, or the link has no"
+            " capsule"
+        )
     path = Path(unquote(url.path)) if url.scheme == "file" else urdf.parent / name
     if not path.is_file():
-        raise InputError(f"mesh {name} is not there")
+        raise InputError(f"mesh {name} is not there: put it beside the URDF, or the link has no capsule")
     return path
 
 
@@ -77,6 +81,9 @@ def _points(shape: CollisionShape, urdf: Path) -> Array:
         from trajopt_cli.collision.meshes import load_mesh
 
         points = load_mesh(MeshFile("mesh", find_mesh(shape.file, urdf))).vertices * np.array(shape.sizes)
+        if (long := float(np.ptp(points, axis=0).max())) > _LONGEST:
+            message = f"mesh {shape.file} is {long:.4g} m long, so the link has no capsule"
+            raise InputError(f'{message}: if it is drawn in mm, say <mesh scale="0.001 0.001 0.001">')
     elif shape.kind == "box":
         corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
         points = corners * np.array(shape.sizes) / 2

@@ -18,6 +18,8 @@ from trajopt_cli.robot.xml import read_robot_element
 
 TURNING, SLIDING, FIXED = "revolute", "prismatic", "fixed"
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
+_TURNS = 4 * pi  # rad of an origin's angle: beyond, somebody wrote degrees
+_BODY = 1.01  # how far the greatest main moment of inertia may pass the sum of the others by rounded digits
 _MOST = 1e6  # m, rad, kg, N: squares of such numbers still have a meaning
 _KINDS = {TURNING, "continuous", SLIDING, FIXED, "floating", "planar"}
 
@@ -150,6 +152,8 @@ class _Reader:
             raise self.error(f"a <{what}> has no name: give it one")
         if name in known:
             raise self.error(f"two {what}s are called '{name}': rename one")
+        if not name.isprintable():
+            self.notes.append(f"{what} '{name}': a tab, a line break or the like in its name; better rename it")
         return name
 
     def numbers(self, text: str, count: int, what: str) -> list[float]:
@@ -169,6 +173,9 @@ class _Reader:
             X[:3, 3] = self.numbers(origin.get("xyz", "0 0 0"), 3, f"{what}: <origin> xyz")
             text = origin.get("rpy", "0 0 0")
             angles = self.numbers(text, 3, f"{what}: <origin> rpy")
+            if (most := max(map(abs, angles))) > _TURNS:
+                message = f'{what}: <origin> rpy="{text}" turns by {most:g} rad; a URDF\'s angles are in radians'
+                raise self.error(f"{message}: 90 degrees are 1.5707963267948966")
             exact = [_right_angle(word, angle) for word, angle in zip(text.split(), angles, strict=True)]
             if exact != angles and any(abs(a - b) > 1e-9 for a, b in zip(exact, angles, strict=True)):
                 degrees = " ".join(f"{angle * 180 / pi:g}" for angle in exact)
@@ -191,9 +198,25 @@ class _Reader:
             keys = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
             xx, xy, xz, yy, yz, zz = (self.value(given, key, f"{where}: <inertia> {key}") or 0.0 for key in keys)
             tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+            self.check_inertia(mass, tensor, where)
             inertial = Inertial(mass, X[:3, 3], X[:3, :3] @ tensor @ X[:3, :3].T)
         shapes = [shape for part in element.findall("collision") if (shape := self.shape(part, where)) is not None]
         return Link(name, inertial, tuple(shapes))
+
+    def check_inertia(self, mass: float, tensor: Array, where: str) -> None:
+        """Raise InputError for an inertia (3, 3) [kg m2] with a negative main moment; note one that no body has."""
+        main = np.linalg.eigvalsh(tensor)
+        said = " ".join(f"{value:.4g}" for value in main.tolist())
+        if main[0] < -1e-6 * max(main[2], 1e-9):
+            message = f"{where}: <inertia> has the main moments {said} kg m2, and no body has a negative one"
+            raise self.error(f"{message}; correct it or remove <inertial>")
+        if main[2] > _BODY * (main[0] + main[1]) + 1e-9:
+            note = (
+                f"{where}: <inertia> has the main moments {said} kg m2, but of a body the greatest is at most the sum"
+            )
+            self.notes.append(f"{note} of the others; torques computed from it are wrong: correct it")
+        if mass == 0 and main[2] > 0:
+            self.notes.append(f"{where}: an <inertia> without mass; torques computed from it are wrong: give its mass")
 
     def value(self, element: ElementTree.Element | None, key: str, what: str) -> float | None:
         """A number that may be left out."""
@@ -208,7 +231,14 @@ class _Reader:
         X, kind, what = self.pose(element, f"{where}: <collision>"), str(given.tag), f"{where}: collision <{given.tag}>"
         wanted = {"box": (("size", 3),), "cylinder": (("radius", 1), ("length", 1)), "sphere": (("radius", 1),)}
         if kind == "mesh":
-            sizes = self.numbers(given.get("scale", "1 1 1"), 3, f"{what} scale")
+            text = given.get("scale", "1 1 1")
+            sizes = self.numbers(text, 3, f"{what} scale")
+            if 0 in sizes:
+                raise self.error(f'{what} scale="{text}" makes it flat: wanted numbers other than 0, 0.001 for mm')
+            if sizes != [1.0] * 3 and not any(" is scaled by " in note for note in self.notes):
+                self.notes.append(
+                    f"{where}: its collision mesh is scaled by {text}, as <mesh scale> says; so are others"
+                )
             return CollisionShape(kind, X, tuple(sizes), given.get("filename", ""))
         if kind == "capsule":  # not in the format's first version, but written by many tools
             kind = "cylinder"
@@ -229,7 +259,7 @@ class _Reader:
         ends = []
         for tag in ("parent", "child"):
             part = element.find(tag)
-            link = None if part is None else part.get("link")
+            link = "" if part is None else part.get("link", "").strip()
             if not link:
                 raise self.error(f"{where} has no <{tag} link=...>")
             if link not in links:

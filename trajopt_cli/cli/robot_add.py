@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import typer
 
 from trajopt_cli.cli.options import AsJson, Quiet
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import InputError, printable
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -23,10 +23,12 @@ _LENGTHS = {
     "b": "arm's plane left of axis 1",
     "c1": "axis 2 above the base",
     "c2": "axis 2 to axis 3",
-    "c3": "axis 3 to the wrist centre, along axis 4",
+    "c3": "axis 3 to the wrist centre, along axis 4; to axis 4 where it is parallel to axis 3",
     "c4": "wrist centre to the flange",
     "wrist along": "axis 6 beside axis 4, along axis 5",
     "wrist across": "axis 6 above axis 4, at right angles to axis 5",
+    "axis 5 off axis 4": "axis 5 beside axis 4",
+    "wrist along axis 5": "axis 4 to where axes 5 and 6 meet, along axis 5",
 }
 
 
@@ -62,7 +64,7 @@ def add(
     as_json: AsJson = False,
     quiet: Quiet = False,
 ) -> None:
-    """Make a robot of any URDF with six axes and a spherical wrist, alone or on a sliding axis.
+    """Make a robot of the URDF of nearly any six-axis arm, alone or on a sliding axis.
 
     Writes a clean URDF of the chain, and a YAML file with what a URDF cannot say, guessed and marked.
 
@@ -180,7 +182,7 @@ def _told(made: NewRobot, robot: RobotModel, folder: Path) -> Iterator[Table | s
     if made.capsules and (bare := [name for name in robot.link_names if name not in made.capsules]):
         yield f"no capsules: {', '.join(bare)}, which may touch anything unseen"
     for line in (*made.missing, *chain.notes):
-        yield f"note: {line}"
+        yield f"note: {printable(line)}"
     guesses = "accelerations, jerks, tcp caps"
     yield f"guessed, marked REPLACE in {made.name}.yaml: {guesses}"
 

@@ -133,7 +133,7 @@ class RobotFile(_Strict):
 
 
 class SixAxisFile(RobotFile):
-    """A six-axis arm with a spherical wrist and RAPID's confdata; inertia: where the URDF's masses and inertias come
+    """A six-axis arm and RAPID's confdata; inertia: where the URDF's masses and inertias come
     from, None where it has none."""
 
     inertia: Origin | None = None

@@ -41,7 +41,7 @@ _WINDING = [0, 3, 5]  # joints that nothing keeps from coming round as their bra
 
 @dataclass(frozen=True, eq=False)
 class RobotModel:
-    """A six-axis arm with a spherical wrist, on a rail or not, mounted at X_WR.
+    """A six-axis arm, on a rail or not, mounted at X_WR.
 
     arm: lengths, read from the URDF. X_RB: the arm's base in the root frame with the rail at 0. rail_axis (3,): the
     direction of rail travel in the root frame, None without a rail. tcp: the documented caps. profiles: limits of all
