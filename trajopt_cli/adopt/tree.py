@@ -211,10 +211,8 @@ class _Reader:
             message = f"{where}: <inertia> has the main moments {said} kg m2, and no body has a negative one"
             raise self.error(f"{message}; correct it or remove <inertial>")
         if main[2] > _BODY * (main[0] + main[1]) + 1e-9:
-            note = (
-                f"{where}: <inertia> has the main moments {said} kg m2, but of a body the greatest is at most the sum"
-            )
-            self.notes.append(f"{note} of the others; torques computed from it are wrong: correct it")
+            note = f"{where}: <inertia> has the main moments {said} kg m2, but of a body the greatest is at most the"
+            self.notes.append(f"{note} sum of the others; torques computed from it are wrong: correct it")
         if mass == 0 and main[2] > 0:
             self.notes.append(f"{where}: an <inertia> without mass; torques computed from it are wrong: give its mass")
 
@@ -236,9 +234,8 @@ class _Reader:
             if 0 in sizes:
                 raise self.error(f'{what} scale="{text}" makes it flat: wanted numbers other than 0, 0.001 for mm')
             if sizes != [1.0] * 3 and not any(" is scaled by " in note for note in self.notes):
-                self.notes.append(
-                    f"{where}: its collision mesh is scaled by {text}, as <mesh scale> says; so are others"
-                )
+                scaled = f"{where}: its collision mesh is scaled by {text}, as its scale says"
+                self.notes.append(f"{scaled}; other meshes by theirs")
             return CollisionShape(kind, X, tuple(sizes), given.get("filename", ""))
         if kind == "capsule":  # not in the format's first version, but written by many tools
             kind = "cylinder"

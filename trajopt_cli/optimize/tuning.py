@@ -29,10 +29,8 @@ NEAREST = 16  # halvings of a line's first interval that look for where it has l
 SEARCH_COARSE = 33  # rail positions on a stroke at least, all branches and turns, rail at rest. Measured: 1 to 2 s in
 # the prototype; 13 of its 14 other starts ended in the same optimum.
 SEARCH_APART = 0.075  # m between two of them at most: as far on 2.4 m. Measured: 33 on 40 m connect nothing.
-MOST_TURNS = (
-    16  # whole turns of a branch that are all looked at. Measured: ABB's arms have at most 12 of them, six axes
-)
-# of +-360 degrees 64, whose states on a rail fill half a gigabyte for every joint move; of so many only
+MOST_TURNS = 16  # whole turns of a branch that are all looked at. Measured: ABB's arms have 12 at most, six axes of
+# +-360 degrees 64, whose states on a rail fill half a gigabyte for every joint move; of so many only
 SEARCH_TURNS = 6  # those nearest to joints that are given. Measured on six programs of UR arms on a rail: 4, 8 and 16
 # find the same chains, in 0.2, 0.3 and 1 s, on one 64 do, in 12 s; 2 miss one by 9 %.
 SEARCH_LEGS = 96  # legs that are searched at once; longer programs in windows. Not measured.
