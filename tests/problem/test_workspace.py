@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pinocchio as pin
 import pytest
-from arms import KNOWN, RAILS, on_rail, random_chain
+from arms import KNOWN, PARALLEL, RAILS, on_rail, some_arm
 from matplotlib.path import Path as MplPath
 
 from trajopt_cli.cell.loader import load_cell
@@ -85,12 +85,12 @@ def winding(outline: Array, points: Array) -> Array:
     return np.round(turn.sum(axis=1) / (2 * np.pi))
 
 
-@pytest.mark.parametrize("name", [*KNOWN, *range(8)])
+@pytest.mark.parametrize("name", [*KNOWN, *range(8), *PARALLEL, "parallel 1", "parallel 2"])
 def test_of_every_arm_the_wrist_centre_lies_inside_the_outlines_and_the_skeleton_on_its_axes(
     name: str | int, tmp_path: Path
 ) -> None:
-    """The wrist centre and the lines of axes 2 and 3 by pin."""
-    chain = KNOWN[name]() if isinstance(name, str) else random_chain(name)
+    """The wrist centre, or axis 4 where it is parallel to axis 3, and the lines of axes 2 and 3 by pin."""
+    chain = some_arm(name)
     chain.ranges[1:3] = [
         (m - h, m + h) for (a, b), h in zip(chain.ranges[1:3], (1.0, 1.8), strict=True) for m in [(a + b) / 2]
     ]
@@ -105,17 +105,19 @@ def test_of_every_arm_the_wrist_centre_lies_inside_the_outlines_and_the_skeleton
         u = pin.computeJointJacobians(model, data, row)[3:].T
         p = np.array([data.oMi[i].translation for i in range(1, 7)])
         across = [np.eye(3) - np.outer(v, v) for v in u]
-        wrist = np.linalg.solve(sum(across[3:]), sum(A @ o for A, o in zip(across[3:], p[3:], strict=True)))
+        first = 4 if abs(u[2] @ u[3]) > 0.5 else 3
+        wrist = np.linalg.solve(sum(across[first:]), sum(A @ o for A, o in zip(across[first:], p[first:], strict=True)))
+        end = p[3] if first == 4 else wrist  # what axes 2 and 3 alone carry
         # in the canonical base: axis 1 is z, and axis 2 points left of the arm's plane
         left = X_WO[:3, :3].T @ u[1]
-        w = X_WO[:3, :3].T @ (wrist - X_WO[:3, 3])
+        w = X_WO[:3, :3].T @ (end - X_WO[:3, 3])
         ahead = np.cross(left, [0, 0, 1]) @ w * np.sign(robot.arm.signs[1])
         inside.append(
             any(outline.contains_point((ahead, w[2]), radius=s) for outline in outlines for s in (-2e-3, 2e-3))
         )
         shape = skeleton(plant, row, np.eye(4))
-        assert np.linalg.norm(shape[4] - wrist) < 1e-9
-        for place, j in ((shape[2], 1), (shape[3], 2)):
+        assert np.linalg.norm(shape[first + 1] - wrist) < 1e-9
+        for place, j in ((shape[2], 1), (shape[3], 2), *(((shape[4], 3),) if first == 4 else ())):
             assert np.linalg.norm(across[j] @ (place - p[j])) < 1e-9
         assert np.linalg.norm(across[0] @ (shape[:2] - p[0]).T) < 1e-9
     assert np.mean(inside) > 0.99  # the outlines are chords of arcs
@@ -128,14 +130,14 @@ def area(outline: MplPath) -> float:
 
 
 @pytest.mark.parametrize("rail", RAILS)
-@pytest.mark.parametrize("name", ["irb4600", "puma560", 3, 5])
+@pytest.mark.parametrize("name", ["irb4600", "puma560", 3, 5, "ur10e", "parallel 0"])
 def test_no_pose_is_reached_from_outside_the_rails_range(name: str | int, rail: str, tmp_path: Path) -> None:
-    chain = KNOWN[name]() if isinstance(name, str) else random_chain(name)
-    robot = on_rail(chain, rail).load(tmp_path)
+    robot = on_rail(some_arm(name), rail).load(tmp_path)
     limits = robot.profile()
     q = np.random.default_rng(2).uniform(limits.lower, limits.upper, (3000, 7))
     ends = robot.rail_within(robot.forward(q))
     assert np.all((ends[:, 0] <= q[:, 0]) & (q[:, 0] <= ends[:, 1]))
     arm = robot.arm
-    longest = np.hypot(arm.a1 + arm.c2 + arm.upper, arm.b) + np.linalg.norm(arm.X_KF[:3, 3] + [0, 0, arm.c4])
+    longest = np.hypot(abs(arm.a1) + arm.c2 + arm.upper, arm.b) + np.linalg.norm(arm.wrist)
+    longest += np.linalg.norm(arm.X_KF[:3, 3] + [0, 0, arm.c4])
     assert np.diff(ends).max() < 2 * longest + 1e-12
