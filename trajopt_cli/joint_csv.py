@@ -1,15 +1,16 @@
 """Joint trajectories as CSV: one row per instant, the unit in every column's head, 17 digits.
 
 `t [s],rail [m],joint_1 [rad],...,joint_6 [rad]`, then, if the file has them, the speeds in the same order:
-`rail speed [m/s],joint_1 speed [rad/s],...`. A file of somebody else may also use mm and deg. Text in, nouns out; where
-the text lives is the caller's business.
+`rail speed [m/s],joint_1 speed [rad/s],...`. A file of somebody else may also use mm and deg. Behind the robot's axes
+stand those of positioners that turn, by their external axes: `eax_b [rad]`. Text in, nouns out; where the text lives is
+the caller's business.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal, InvalidOperation
 from functools import lru_cache
 from itertools import islice
@@ -36,11 +37,13 @@ class Resolution:
     """The step between neighbouring printed values, in SI: a printed value is off by at most half of it.
 
     t [s], 0 where the rows stand on an exact grid. q, qd (k,): per axis, rad or m; qd is 0 without speed columns.
+    tables: of the positioners' axes, None where there are none.
     """
 
     t: float
     q: Array
     qd: Array
+    tables: Resolution | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "q", readonly(self.q))
@@ -63,6 +66,7 @@ def write_csv_text(trajectory: Trajectory) -> str:
 
 def csv_parts(trajectory: Trajectory) -> Iterator[str]:
     """The file's text in parts, some thousand rows at a time."""
+    trajectory = trajectory.whole
     columns = [trajectory.t[:, None], trajectory.q] + ([] if trajectory.qd is None else [trajectory.qd])
     yield ",".join(header(trajectory.names, trajectory.qd is not None)) + "\n"
     row = ",".join(["%.17g"] * sum(column.shape[1] for column in columns)) + "\n"
@@ -118,7 +122,12 @@ def read_csv_text(text: str | TextIO, file: str) -> tuple[Trajectory, Resolution
     )
     for array in (t, q, qd):
         array.setflags(write=False)
-    return Trajectory(names, t, q, qd if speeds else None), resolution
+    trajectory = Trajectory(names, t, q, qd if speeds else None).apart
+    if trajectory.tables is not None:
+        own, its = slice(0, len(trajectory.names)), slice(len(trajectory.names), k)
+        whole, tables = resolution, replace(resolution, q=resolution.q[its], qd=resolution.qd[its])
+        resolution = Resolution(whole.t, whole.q[own], whole.qd[own], tables)
+    return trajectory, resolution
 
 
 def _lines(text: str | TextIO) -> Iterator[str]:

@@ -209,7 +209,11 @@ class Process:
 
 class UnitMove(NamedTuple):
     """A positioner's axis that turns while a move goes on: mechanical unit and external axis (0 for eax_a), from and to
-    where [rad], the least time it takes [s] from rest to rest. carries: whether the move's work object rides on it."""
+    where [rad], the least time it takes [s] from rest to rest. carries: whether the move's work object rides on it.
+
+    velocity [rad/s], acceleration [rad/s2]: what it may do, the programmed speed counted. p [m], u (a unit vector): the
+    line in the world about which it turns, where that lies when the move begins.
+    """
 
     unit: str
     eax: int
@@ -217,6 +221,20 @@ class UnitMove(NamedTuple):
     end: float
     least: float
     carries: bool
+    velocity: float
+    acceleration: float
+    p: tuple[float, float, float]
+    u: tuple[float, float, float]
+
+    @property
+    def angle(self) -> float:
+        """How far it turns [rad]."""
+        return self.end - self.start
+
+    @property
+    def column(self) -> str:
+        """Its name in rows of axes: "eax_b"."""
+        return f"eax_{'abcdef'[self.eax]}"
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -343,6 +361,11 @@ class SignalEvent:
 
 Move = MoveJ | MoveL | MoveC | MoveAbsJ | MoveExtJ
 Motion = Move | Wait | SignalEvent
+
+
+def turned_under(motion: Motion) -> tuple[UnitMove, ...]:
+    """The axes, from the floor on, that turn the work object under a line or an arc while it is drawn there."""
+    return tuple(unit for unit in motion.units if unit.carries) if isinstance(motion, MoveL | MoveC) else ()
 
 
 def instruction_name(motion: Motion) -> str:

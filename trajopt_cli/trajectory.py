@@ -8,18 +8,22 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, readonly
 
+TABLE = "eax_"  # with which the names of positioners' axes begin
+
 
 @dataclass(frozen=True, eq=False)
 class Trajectory:
     """Rows of time t (n,) [s], positions q (n, k) and, where the file has them, speeds qd (n, k), in rad or m.
 
-    names gives the k axes in order, "rail" first where there is one.
+    names gives the k axes in order, "rail" first where there is one. tables: the same of the positioners that turn,
+    at the same times, each axis by its external axis, "eax_b"; None where none does, or the file does not tell.
     """
 
     names: tuple[str, ...]
     t: Array
     q: Array
     qd: Array | None = None
+    tables: Trajectory | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "t", _kept(self.t))
@@ -31,6 +35,25 @@ class Trajectory:
             object.__setattr__(self, "qd", _kept(self.qd))
             if self.qd.shape != (n, k):
                 raise ValueError(f"Trajectory.qd has shape {self.qd.shape}, wanted ({n}, {k})")
+
+    @property
+    def whole(self) -> Trajectory:
+        """All axes as one, the positioners' last."""
+        if self.tables is None:
+            return self
+        qd = None if self.qd is None or self.tables.qd is None else np.hstack([self.qd, self.tables.qd])
+        return Trajectory(self.names + self.tables.names, self.t, np.hstack([self.q, self.tables.q]), qd)
+
+    @property
+    def apart(self) -> Trajectory:
+        """The same with what whole put together taken apart."""
+        k = len([name for name in self.names if not name.startswith(TABLE)])
+        if k == len(self.names) or any(name.startswith(TABLE) for name in self.names[:k]):
+            return self
+        own, its = slice(0, k), slice(k, len(self.names))
+        qd, its_qd = (None if self.qd is None else self.qd[:, part] for part in (own, its))
+        tables = Trajectory(self.names[its], self.t, self.q[:, its], its_qd)
+        return Trajectory(self.names[own], self.t, self.q[:, own], qd, tables)
 
     @property
     def duration(self) -> float:

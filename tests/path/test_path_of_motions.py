@@ -13,7 +13,6 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import MoveC, MoveL, Wait
 from trajopt_cli.path.arc import Arc
-from trajopt_cli.path.carried import Carried
 from trajopt_cli.path.dwell import Dwell
 from trajopt_cli.path.line import Line
 from trajopt_cli.path.of_motion import segment_of
@@ -57,42 +56,6 @@ def test_lines_arcs_and_waits_are_segments_one_after_the_other() -> None:
 def test_three_points_on_a_line_are_told_with_their_place() -> None:
     with pytest.raises(InputError, match=r"^t\.mod:6:1: MoveC .*: no circle leads through three points on one line"):
         ways(f"MoveL {at(500, 0, 500)},v100,fine,tool0;\nMoveC {at(500, 50, 500)},{at(500, 90, 500)},v100,fine,tool0;")
-
-
-GLUE = """PERS tooldata tGlue:=[FALSE,[[900,0,600],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];
-PERS wobjdata wPart:=[TRUE,TRUE,"",[[10,20,30],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];"""
-
-
-def test_a_part_is_carried_past_a_stationary_tool() -> None:
-    """100 mm along x of the part, then half a circle on it about (100, 0, 25) in its x-z plane; the tool stands."""
-    body = "\n".join(
-        [
-            f"MoveL {at(0, 0, 0)},v100,fine,tGlue\\WObj:=wPart;",
-            f"MoveL {at(100, 0, 0)},v100,fine,tGlue\\WObj:=wPart;",
-            f"MoveC {at(125, 0, 25)},{at(100, 0, 50)},v100,fine,tGlue\\WObj:=wPart;",
-        ]
-    )
-    first, *rest = rapid(body, data=GLUE).motions
-    assert isinstance(first, MoveL)
-    X_WF, found = first.X_WT @ np.linalg.inv(first.tool.X_FT), []
-    for motion in rest:
-        assert isinstance(motion, MoveL | MoveC)
-        segment = segment_of(motion, X_WF @ motion.tool.X_FT)
-        assert isinstance(segment, Carried)
-        found.append(segment)
-        X_WF = motion.X_WT @ np.linalg.inv(motion.tool.X_FT)
-    line, arc = found
-    s = np.array([0.0, 0.25, 0.5, 1.0])
-    for segment, where in (
-        (line, [[0, 0, 0], [25, 0, 0], [50, 0, 0], [100, 0, 0]]),
-        (arc, [[100, 0, 0], [100 + 25 * 0.5**0.5, 0, 25 - 25 * 0.5**0.5], [125, 0, 25], [100, 0, 50]]),
-    ):
-        X_WF_s = segment.pose(s) @ np.linalg.inv(segment.X_FT)
-        X_FS = np.linalg.inv(X_WF_s) @ segment.X_WS
-        np.testing.assert_allclose(segment.X_WS[:3, 3], [0.9, 0, 0.6], rtol=0, atol=1e-9)
-        np.testing.assert_allclose(X_FS[:, :3, 3] * 1e3 - [10, 20, 30], where, rtol=0, atol=1e-6)
-    assert line.length == pytest.approx(0.1, rel=1e-9)
-    assert arc.length == pytest.approx(np.pi * 0.025, rel=1e-9)
 
 
 def test_numbers_need_no_casadi() -> None:

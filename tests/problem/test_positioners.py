@@ -134,8 +134,10 @@ def test_where_the_tool_is_there_already_it_stands_while_the_table_turns() -> No
     ("body", "said"),
     [
         (
-            r"MoveJ p_off, v1000, fine, tool0 \WObj:=wobj_t; MoveL p_side, v100, fine, tool0 \WObj:=wobj_t;",
-            "MoveL p_side turns stn1's eax_b from 0 to 90 deg under its own way; plans keep a work object still",
+            r"WorldAccLim \On:=3; MoveJ p_off, v1000, fine, tool0 \WObj:=wobj_t;"
+            r" MoveL p_side, v100, fine, tool0 \WObj:=wobj_t;",
+            r"MoveL p_side is drawn on a work object that turns meanwhile, under WorldAccLim; plans hold the tool's"
+            r" acceleration against the work object there: set WorldAccLim \Off before it",
         ),
         (
             r"MoveJ p_off, v1000, fine, tool0 \WObj:=wobj_t; MoveJ p_side, v1000 \T:=0.5, fine, tool0 \WObj:=wobj_t;",

@@ -28,7 +28,8 @@ def resample(trajectory: Trajectory, rate: float) -> Trajectory:
     t = np.append(t[t <= trajectory.t[-1] - min(_SHORTEST_INTERVAL, 0.5 / rate)], trajectory.t[-1])
     q, qd, _ = hermite(trajectory, t)
     q[-1], qd[-1] = trajectory.q[-1], trajectory.qd[-1]
-    return Trajectory(trajectory.names, t, q, qd)
+    tables = None if trajectory.tables is None else resample(trajectory.tables, rate)
+    return Trajectory(trajectory.names, t, q, qd, tables)
 
 
 def check_rate(trajectory: Trajectory, rate: float) -> None:

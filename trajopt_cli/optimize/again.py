@@ -431,6 +431,7 @@ def _differs(before: _Motion, after: _Motion, span: Span) -> BoolArray:
     for k in range(*span):
         pairs = zip(before.problem.waypoints[k : k + 2], after.problem.waypoints[k : k + 2], strict=True)
         out[k] |= any(not np.array_equal(a.X_WF, b.X_WF) for a, b in pairs)
+        out[k] |= before.problem.legs[k].units != after.problem.legs[k].units
     return out[span[0] : span[1]]
 
 

@@ -16,13 +16,17 @@ from trajopt_cli.optimize.tuning import ROW_APART, ROW_EVERY, SAME_TIME
 from trajopt_cli.trajectory import Trajectory
 
 
-def rows_of(axes: Axes, legs: list[LegMotion], end: Array, more: Sequence[float] = ()) -> tuple[Trajectory, Array]:
+def rows_of(
+    axes: Axes, legs: list[LegMotion], end: Array, more: Sequence[float] = (), busy: Sequence[bool] | None = None
+) -> tuple[Trajectory, Array]:
     """The trajectory of all legs in order, and the leg boundaries' times (L+1,).
 
-    end (n,): axes at the end, written into the last row exactly. more: times [s] that get a row as well.
+    end (n,): axes at the end, written into the last row exactly. more: times [s] that get a row as well. busy: legs (L)
+    during which something else moves, so that there is a grid where the axes rest.
     """
     bounds = np.concatenate([[0.0], np.cumsum([leg.T for leg in legs])])
-    times = [_leg_rows(leg, bounds[i], bounds[i + 1], more)[:-1] for i, leg in enumerate(legs)]
+    grids = busy or [False] * len(legs)
+    times = [_leg_rows(leg, bounds[i], bounds[i + 1], more, grids[i])[:-1] for i, leg in enumerate(legs)]
     t = np.concatenate([*times, bounds[-1:]])
     q, qd = np.empty((len(t), axes.n)), np.empty((len(t), axes.n))
     q[-1], qd[-1] = end, 0.0
@@ -33,7 +37,7 @@ def rows_of(axes: Axes, legs: list[LegMotion], end: Array, more: Sequence[float]
     return Trajectory(axes.robot.axis_names, t, q, qd), bounds
 
 
-def _leg_rows(leg: LegMotion, start: float, end: float, more: Sequence[float]) -> Array:
+def _leg_rows(leg: LegMotion, start: float, end: float, more: Sequence[float], busy: bool) -> Array:
     """Row times of one leg: its breaks, then every grid time that keeps its distance from them, then those of more."""
     breaks = start + leg.breaks()
     breaks[0], breaks[-1] = start, end
@@ -42,7 +46,7 @@ def _leg_rows(leg: LegMotion, start: float, end: float, more: Sequence[float]) -
     breaks = breaks[keep]
     if len(breaks) > 2 and breaks[-1] - breaks[-2] <= SAME_TIME:
         breaks = np.delete(breaks, -2)
-    grid = _grid(start + leg.breaks(), ~leg.resting())
+    grid = _grid(start + leg.breaks(), ~leg.resting() | busy)
     at = np.searchsorted(breaks, grid)
     gap = np.minimum(
         np.abs(grid - breaks[np.clip(at - 1, 0, len(breaks) - 1)]),

@@ -11,7 +11,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.limits import TcpCaps
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.exchange import tool_of, tool_ratios
-from trajopt_cli.optimize.legs import LegMotion, Sample, sampled
+from trajopt_cli.optimize.legs import LegMotion, Sample, sampled, shares
 from trajopt_cli.optimize.tuning import AT_LIMIT, BINDING_SAMPLES, CHECKED, FEWEST_SAMPLES, LOOK, STILL
 from trajopt_cli.problem.problem import Leg
 
@@ -42,20 +42,31 @@ def _binding(
     ratios = np.concatenate([np.abs(sample.qd) / axes.velocity, np.abs(sample.qdd) / axes.acceleration, tool], axis=1)
     if axes.torque is not None:
         ratios = np.hstack([ratios, axes.torque.used(legs, number, sample.q, sample.qd, sample.qdd)])
+    if turned := any(leg.units for leg in legs):
+        ratios = np.hstack([ratios, np.concatenate([_table(*of) for of in zip(legs, motions, times, strict=True)])])
     for leg, rows in zip(legs, np.split(np.arange(len(number)), np.cumsum(counts)[:-1]), strict=True):
         own = Sample(sample.t[rows], sample.q[rows], sample.qd[rows], sample.qdd[rows])
-        yield _named(axes, leg.v_tcp < tcp.speed, own, ratios[rows])
+        yield _named(axes, leg.v_tcp < tcp.speed, own, ratios[rows], turned)
 
 
-def _named(axes: Axes, programmed: bool, sample: Sample, ratios: Array) -> str:
+def _table(leg: Leg, motion: LegMotion, t: Array) -> Array:
+    """How much positioners use of their limits (m, 1) at times t (m,)."""
+    _, rate, change = shares(motion, t)
+    velocity, acceleration = leg.table
+    return np.maximum(np.abs(rate) * velocity, np.abs(change) * acceleration)[:, None]
+
+
+def _named(axes: Axes, programmed: bool, sample: Sample, ratios: Array, turned: bool) -> str:
     """The limit of one motion. ratios (m, 2 n + 3): speeds, accelerations and the tool's three as shares of theirs; n
-    torques more where they are limited."""
-    if np.all(np.ptp(sample.q, axis=0) < STILL):
+    torques more where they are limited; one for positioners where any is turned."""
+    if np.all(np.ptp(sample.q, axis=0) < STILL) and not (turned and ratios[:, -1].any()):
         return "already there"
     names = [f"{name} speed" for name in axes.names] + [f"{name} acceleration" for name in axes.names]
     names += ["programmed TCP speed" if programmed else "TCP speed", "TCP acceleration", "TCP turning"]
     if axes.torque is not None:
         names += [f"{name} torque" for name in axes.names]
+    if turned:
+        names.append("positioner")
     if axes.jerk is not None:
         names += [f"{name} jerk" for name in axes.names]
         jerk = np.abs(np.diff(sample.qdd, axis=0)) / np.diff(sample.t)[:, None] / axes.jerk

@@ -32,21 +32,21 @@ from trajopt_cli.optimize.tuning import (
 )
 from trajopt_cli.path.along import along_all
 from trajopt_cli.path.arc import Arc
-from trajopt_cli.path.carried import Carried
 from trajopt_cli.path.corner import Corner
 from trajopt_cli.path.joint_corner import JointCorner
 from trajopt_cli.path.joint_move import JointMove
 from trajopt_cli.path.line import Line
+from trajopt_cli.path.turning import Turning, over_work
 from trajopt_cli.problem.problem import LegKind, Problem
 
 _SHORT = 1e-9  # of a way, or of a share: no part of it
 _INSIDE = 1e-9  # share of a part by which a sample keeps from its ends, where derivatives jump
 _NUMB = 1e-6  # sine of joint 5 below which the inverse kinematics has no derivative
 _ASIDE = 1e-3  # share of a part beside such a place, where derivatives are taken instead
-_FIELDS = ("q", "dq", "ddq", "v", "w", "bend")
+_FIELDS = ("q", "dq", "ddq", "v", "w", "bend", "table")
 _APART = 1e-4  # rad, m: axes of two parts that are not one place
 
-Way = Line | Arc | Carried
+Way = Line | Arc | Turning
 Segment = Way | Corner | JointMove | JointCorner
 
 
@@ -96,7 +96,8 @@ class Part:
 @dataclass(frozen=True, eq=False)
 class Along:
     """At m places: axes q with their derivatives dq, ddq (m, n), and the tool's position's v, bend and turning's first
-    one w (m, 3), all by sigma."""
+    one w (m, 3), all by sigma; against the work object where that turns. table (m, 2): what positioners take for one
+    sigma, see Leg.table."""
 
     q: Array
     dq: Array
@@ -104,6 +105,7 @@ class Along:
     v: Array
     w: Array
     bend: Array
+    table: Array
 
     def at(self, rows: slice | IndexArray) -> Along:
         """Some of the places."""
@@ -117,12 +119,12 @@ class Along:
     def by(self, size: Array) -> Along:
         """The derivatives by a parameter that grows size (m,) times as fast."""
         k = 1 / size[:, None]
-        return Along(self.q, self.dq * k, self.ddq * k**2, self.v * k, self.w * k, self.bend * k**2)
+        return Along(self.q, self.dq * k, self.ddq * k**2, self.v * k, self.w * k, self.bend * k**2, self.table * k)
 
 
 def _empty(n: int, m: int) -> Along:
     """To be filled in, of n axes at m places."""
-    return Along(*(np.empty((m, k)) for k in (n, n, n, 3, 3, 3)))
+    return Along(*(np.empty((m, k)) for k in (n, n, n, 3, 3, 3, 2)))
 
 
 def joined(pieces: Sequence[Along]) -> Along:
@@ -520,7 +522,7 @@ def _on_axes(axes: Axes, problem: Problem, parts: Sequence[Part], shares: Sequen
         s, k = part.own(u), part.s_1 - part.s_0
         found.append((segment.axes(s), segment.rate(s) * k, segment.rate_change(s) * k**2))
     q, dq, ddq = (np.concatenate(x) for x in zip(*found, strict=True))
-    out = Along(q, dq, ddq, *(np.empty((len(q), 3)) for _ in range(3)))
+    out = Along(q, dq, ddq, *(np.empty((len(q), 3)) for _ in range(3)), table=np.zeros((len(q), 2)))
     tools = [problem.legs[part.leg].X_FT for part in parts]
     for at, X_FT in _by_tool(tools, shares):
         J, Jd = axes.jacobian(q[at], X_FT), axes.jacobian_rate(q[at], dq[at], X_FT)
@@ -549,13 +551,14 @@ def _on_ways(axes: Axes, problem: Problem, parts: Sequence[Part], shares: Sequen
         alike = np.array([one == name for one in names])
         numbers = np.flatnonzero(alike).tolist()
         ways = [parts[i] for i in numbers]
-        found = _with_tool(axes, tools[numbers[0]], ways, [shares[i] for i in numbers])
+        table = np.array([problem.legs[one.leg].table for one in ways])
+        found = _with_tool(axes, tools[numbers[0]], ways, [shares[i] for i in numbers], table)
         out.put(np.repeat(alike, counts), found)
     return out
 
 
-def _with_tool(axes: Axes, X_FT: Array, parts: Sequence[Part], shares: Sequence[Array]) -> Along:
-    """The same with one tool on all parts."""
+def _with_tool(axes: Axes, X_FT: Array, parts: Sequence[Part], shares: Sequence[Array], table: Array) -> Along:
+    """The same with one tool on all parts. table (p, 2): what positioners take for the whole way of each."""
     counts = [len(u) for u in shares]
     edges, of = np.cumsum(counts)[:-1], np.repeat(np.arange(len(parts)), counts)
     cfx, s_0, s_1 = (np.array([getattr(part, name) for part in parts])[of] for name in ("cfx", "s_0", "s_1"))
@@ -576,7 +579,9 @@ def _with_tool(axes: Axes, X_FT: Array, parts: Sequence[Part], shares: Sequence[
     if numb.any():  # there a derivative is what it is a little farther on
         place, _, twist, bend, dd, ddd = at(np.where(numb, np.clip(u, _ASIDE, 1 - _ASIDE), u))
     dq, ddq = rates(axes, place, X_FT, twist, bend, dd, ddd)
-    return Along(q, dq, ddq, twist[:, :3], twist[:, 3:], bend[:, :3])
+    if table.any():  # such a way is one part: its share is the way's own
+        twist, bend = over_work(segments, np.split(u, edges), twist, bend)
+    return Along(q, dq, ddq, twist[:, :3], twist[:, 3:], bend[:, :3], table[of])
 
 
 def rates(axes: Axes, q: Array, X_FT: Array, twist: Array, bend: Array, dd: Array, ddd: Array) -> tuple[Array, Array]:

@@ -31,9 +31,12 @@ from trajopt_cli.optimize.tuning import ELBOW, PAIRS, WRIST
 from trajopt_cli.path.arc import ArcSymbols
 from trajopt_cli.path.dwell import DwellSymbols
 from trajopt_cli.path.line import LineSymbols
+from trajopt_cli.path.turning import TurningSymbols
 from trajopt_cli.robot.dynamics import GRAVITY
 from trajopt_cli.robot.symbolic import Reached
 from trajopt_cli.robot.symbolic_dynamics import LOAD, torques
+
+Track = LineSymbols | ArcSymbols | TurningSymbols
 
 INF = float("inf")
 LEFT, RIGHT = "l", "r"  # the intervals that end and begin at a node
@@ -160,9 +163,7 @@ class Formulation:
     def _rail_acceleration(self, b: ca.SX, z: SimpleNamespace, p: SimpleNamespace) -> tuple[ca.SX, float, float]:
         return b / (p.A[self.rail] * z.T * z.T), -1.0, 1.0
 
-    def path_node(
-        self, track: LineSymbols | ArcSymbols, sides: str, weighed: bool = False, tied: bool = False
-    ) -> Relation:
+    def path_node(self, track: Track, sides: str, weighed: bool = False, tied: bool = False) -> Relation:
         """A node of a path: arm = IK(X(s), d) within all limits, the tool within its caps along the way.
 
         track: the kind of path. sides: the intervals it ends and begins, "l", "r" or "lr", each with an acceleration.
@@ -195,17 +196,25 @@ class Formulation:
             out += [self._rail_velocity(z.w, z, p)]
             for a, b in zip(acc, rail_acc, strict=True):
                 out += [self._tool_acceleration(track, a, z, p), self._rail_acceleration(b, z, p)]
+            if isinstance(track, TurningSymbols):  # positioners keep step with the share
+                rates = ca.vertcat(p.table[0] * z.v / z.T, *(p.table[1] * a / (z.T * z.T) for a in acc))
+                out += [(rates, -1.0, 1.0)]
             return out + (self._effort(qdds, rail_acc, z, p) if weighed else [])
 
         p = {**self._at_node, "path": (track.size,), **weight}
+        if isinstance(track, TurningSymbols):
+            p["table"] = (2,)
         z = {**z, "e": ()} if weighed else z
         return self._relation(("path", track, len(sides), weighed, tied), z, p, rows)
 
     def _tool_acceleration(self, track, a, z, p):  # type: ignore[no-untyped-def]
         """|L a| <= a_tcp T^2 on a line; on an arc with the part towards the centre, squared."""
+        path = p.path
+        if isinstance(track, TurningSymbols):  # against the work object
+            track, path = track.way, track.layout.split(path)["way"]
         if isinstance(track, LineSymbols):
             return p.at_acceleration * a / (z.T * z.T), -1.0, 1.0
-        inward = track.layout.split(p.path)["sweep"] * z.v**2
+        inward = track.layout.split(path)["sweep"] * z.v**2
         return (p.at_acceleration / z.T**2) ** 2 * (a**2 + inward**2), -INF, 1.0
 
     def _driving(self, sides: str, **shapes: tuple[int, ...]) -> dict[str, tuple[int, ...]]:
@@ -251,7 +260,7 @@ class Formulation:
             ("clear",), {"q": self._all}, self._tangents, lambda z, p: [(p.gradient @ z.q - p.least, 0.0, INF)]
         )
 
-    def clear_path(self, track: LineSymbols | ArcSymbols | None) -> Relation:
+    def clear_path(self, track: Track | None) -> Relation:
         """The same at a node of a path, of a dwell where there is no track: q = (d, IK(X(s), d))."""
         share: Shapes = {} if track is None else {"s": ()}
 
@@ -271,7 +280,7 @@ class Formulation:
 
     # ---- torques: rows of their own at the same nodes, where they are limited
 
-    def path_torque(self, track: LineSymbols | ArcSymbols, sides: str, tied: bool = False) -> Relation:
+    def path_torque(self, track: Track, sides: str, tied: bool = False) -> Relation:
         """Torques at a node of a path, see path_node and _torque."""
         p: dict[str, tuple[int, ...]] = {**self._on_path, "path": (track.size,), **self._torque_limits}
         z: Shapes = {"s": (), "v": (), **self._driving(sides, a=()), "T": ()}

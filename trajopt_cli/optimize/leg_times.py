@@ -32,6 +32,7 @@ from trajopt_cli.optimize.tuning import (
 from trajopt_cli.path.along import along_all
 from trajopt_cli.path.line import Line
 from trajopt_cli.path.segment import Segment
+from trajopt_cli.path.turning import over_work
 from trajopt_cli.problem.alike import leg_name
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 from trajopt_cli.timing.retiming import fastest_laws
@@ -211,7 +212,8 @@ def _straight(axes: Axes, problem: Problem, pairs: Sequence[Pairs], s: Array) ->
     X_FT = problem.legs[pairs[0].k].X_FT
     twist = (axes.jacobian(q, X_FT) @ dq[..., None])[..., 0]
     bend = (axes.jacobian_rate(q, dq, X_FT) @ dq[..., None])[..., 0]
-    return Along(q, dq, np.zeros_like(q), twist[:, :3], twist[:, 3:], bend[:, :3]), np.ones(B, dtype=bool)
+    still = np.zeros((len(q), 2))
+    return Along(q, dq, np.zeros_like(q), twist[:, :3], twist[:, 3:], bend[:, :3], still), np.ones(B, dtype=bool)
 
 
 def _on_ways(axes: Axes, problem: Problem, pairs: Sequence[Pairs], s: Array) -> tuple[Along, BoolArray]:
@@ -222,7 +224,8 @@ def _on_ways(axes: Axes, problem: Problem, pairs: Sequence[Pairs], s: Array) -> 
     rail_way = q_1[:, layout.rail] - q_0[:, layout.rail]
     d = (q_0[:, None, layout.rail] + s[:, None] * rail_way[:, None]).reshape(B * m, -1)
     kept = np.clip(s, 1e-9, 1 - 1e-9)
-    X, twist, bend = along_all([_segment(problem, one.k) for one in pairs], [kept] * len(pairs))
+    segments = [_segment(problem, one.k) for one in pairs]
+    X, twist, bend = along_all(segments, [kept] * len(pairs))
     of = (np.repeat(np.arange(len(pairs)), counts)[:, None] * m + np.arange(m)).ravel()  # place on the leg's way
     cfx = np.repeat([one.cfx for one in pairs], np.array(counts) * m)
     arm = axes.inverse((X @ inverse_pose(X_FT))[of], layout.value(d))[np.arange(B * m), cfx].reshape(B, m, -1)
@@ -236,7 +239,9 @@ def _on_ways(axes: Axes, problem: Problem, pairs: Sequence[Pairs], s: Array) -> 
         ends = np.maximum(np.abs(every[:, 0] - q_0), np.abs(every[:, -1] - q_1)).max(axis=1)
         inside = axes.within(every).all(axis=1)
         ok = np.asarray(inside & (ends < (_JUMP if s[0] == 0 else FLIPPED)))
-    return Along(q, dq, ddq, twist[of, :3], twist[of, 3:], bend[of, :3]), ok
+    twist, bend = over_work(segments, [kept] * len(pairs), twist, bend)
+    table = np.repeat([problem.legs[one.k].table for one in pairs], np.array(counts) * m, axis=0)
+    return Along(q, dq, ddq, twist[of, :3], twist[of, 3:], bend[of, :3], table), ok
 
 
 def _segment(problem: Problem, k: int) -> Segment:

@@ -19,6 +19,7 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.tuning import SAMPLED
 from trajopt_cli.path.along import along_all
 from trajopt_cli.path.segment import Segment
+from trajopt_cli.path.turning import over_work
 
 _NUMB = 1e-6  # sine of joint 5 below which the inverse kinematics tells joints 4 and 6 apart by convention only
 _BESIDE = 1e-6  # share of a way by which one goes beside such a place
@@ -73,7 +74,8 @@ def parabola(grid: Array) -> tuple[Array, Array, Array]:
 @dataclass(frozen=True, eq=False)
 class Sample:
     """All axes (m, n) at times t (m,) of a leg: positions, velocities, accelerations. tool (m, 2, 6): the tool's twist
-    and its rate where they decide the axes, NaN where it is the other way round; None where it is so everywhere."""
+    and its rate where they decide the axes, NaN where it is the other way round; None where it is so everywhere. Over
+    a work object that turns they are against it, for that is what its caps hold for."""
 
     t: Array
     q: Array
@@ -184,13 +186,16 @@ def on_ways(
         """Joint rates (n, m) that move the tool by its part of a rate, the rail having its own."""
         return np.asarray(np.linalg.solve(Ja, (tool - (Jr @ rail[..., None])[..., 0])[..., None])[..., 0])
 
-    tool = np.stack([sv[:, None] * twist, sa[:, None] * twist + sv[:, None] ** 2 * bend], axis=1)
+    def by_time(twist: Array, bend: Array) -> Array:
+        return np.stack([sv[:, None] * twist, sa[:, None] * twist + sv[:, None] ** 2 * bend], axis=1)
+
+    tool = by_time(twist, bend)
     qd = axes.layout.merge(dv, arm_follows(tool[:, 0], dv))
     carried = (axes.jacobian_rate(q, qd, X_FT) @ qd[..., None])[..., 0]
     qdd = axes.layout.merge(da, arm_follows(tool[:, 1] - carried, da))
     if numb.any():
         q = q + np.where(numb[:, None], back * axes.layout.merge(along, arm_follows(twist, along)), 0.0)
-    return Sample(t, q, qd, qdd, tool)
+    return Sample(t, q, qd, qdd, by_time(*over_work(segments, np.split(s, edges), twist, bend)))
 
 
 def _ratio(dv: Array, da: Array, sv: Array, sa: Array) -> Array:
@@ -349,6 +354,21 @@ class Pieces:
 
 
 LegMotion = Piece | Pieces
+
+
+def shares(motion: LegMotion, t: Array, right: bool = True) -> Array:
+    """The share of a line or an arc that is done at times t (m,), its rate and second derivative (3, m)."""
+    if isinstance(motion, PathLeg):
+        return motion.progress(t, right)[:, :, 0]
+    out = np.zeros((3, len(t)))
+    if isinstance(motion, Pieces):
+        last = max(i for i, piece in enumerate(motion.pieces) if isinstance(piece, PathLeg))
+        for piece, at, when in motion.split(t, right):
+            if isinstance(piece, PathLeg):
+                out[:, at] = piece.progress(when, right)[:, :, 0]
+            else:  # a rest before the way, or behind it
+                out[0, at] = float(motion.pieces.index(piece) > last)
+    return out
 
 
 def sampled(axes: Axes, motions: Sequence[LegMotion], times: Sequence[Array], right: bool = True) -> Sample:

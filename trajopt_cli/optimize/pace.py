@@ -87,25 +87,32 @@ class Shares:
 
 
 def top_rate(caps: Caps, along: Along) -> tuple[Array, Array]:
-    """The greatest rates of sigma (m,) that axes and that tool allow at places, or at all of them under one cap."""
+    """The greatest rates of sigma (m,) that axes and that tool and positioners allow at places, or at all of them under
+    one cap."""
     with np.errstate(divide="ignore"):
         joints = np.min(caps.velocity / np.abs(along.dq), axis=-1)
         speed, turning = (np.linalg.norm(x, axis=-1) for x in (along.v, along.w))
         tool = np.minimum(caps.v_tcp / speed, caps.v_ori / turning)
+        if along.table.any():
+            tool = np.minimum(tool, 1 / along.table[..., 0])
     return joints, tool
 
 
 def columns(caps: Caps, along: Along) -> tuple[Array, Array]:
     """Slopes and bends (m, c) of what is limited at places: |slope u + bend x| <= 1 with u the second derivative of
     sigma and x its squared rate. Axes first, then the tool's acceleration in the directions of a half circle; its limit
-    is a circle, around which they are drawn."""
+    is a circle, around which they are drawn; last the positioners', where any turns."""
     size = np.linalg.norm(along.v, axis=-1, keepdims=True)
     ahead = along.v / np.maximum(size, 1e-12)
     forward = np.sum(along.bend * ahead, axis=-1, keepdims=True)
     aside = np.linalg.norm(along.bend - forward * ahead, axis=-1, keepdims=True)
     c, s = (of(_ANGLES) / caps.a_tcp[:, None] for of in (np.cos, np.sin))
     slopes = np.concatenate([along.dq / caps.acceleration, size * c], axis=-1)
-    return slopes, np.concatenate([along.ddq / caps.acceleration, forward * c + aside * s], axis=-1)
+    bends = np.concatenate([along.ddq / caps.acceleration, forward * c + aside * s], axis=-1)
+    if along.table.any():
+        table = along.table[..., 1:]
+        slopes, bends = np.concatenate([slopes, table], axis=-1), np.concatenate([bends, 0 * table], axis=-1)
+    return slopes, bends
 
 
 def limits(axes: Axes, problem: Problem, course: Course) -> tuple[Array, Array, Array]:
@@ -159,7 +166,7 @@ def in_force(axes: Axes, problem: Problem, course: Course, shares: Shares) -> tu
     N = len(course.part)
     tops, slopes, bends = limits(axes, problem, course)
     give = np.column_stack([np.repeat(shares.acceleration[:, None], axes.n, 1),
-                            np.repeat(shares.tool_acceleration[:, None], TOOL_DIRECTIONS, 1)])  # fmt: skip
+                            np.repeat(shares.tool_acceleration[:, None], slopes.shape[1] - axes.n, 1)])  # fmt: skip
     a, b = course.first, course.first + 1
     allowed = np.column_stack([shares.speed, shares.tool_speed])
     top = np.full(N + 1, np.inf)

@@ -264,7 +264,7 @@ def _along_line(axes: Axes, leg: Leg, arm: Array, way: Array, V: Array, A: Array
     slow = np.max(np.max(dq, axis=1) / V[layout.arm, None], axis=0)
     for limit in V[layout.rail]:
         slow = np.maximum(slow, rail / limit)
-    slow = np.maximum(slow, max(leg.chord / leg.v_tcp, leg.angle / leg.v_ori, _LEAST))
+    slow = np.maximum(slow, max(leg.chord / leg.v_tcp, leg.angle / leg.v_ori, leg.table[0], _LEAST))
     limits = A[layout.arm, None, None]
     ddq *= -((CURVED / slow) ** 2)
     ddq += limits
@@ -273,7 +273,7 @@ def _along_line(axes: Axes, leg: Leg, arm: Array, way: Array, V: Array, A: Array
     hard = np.max(dq, axis=(0, 1))
     for limit in A[layout.rail]:
         hard = np.maximum(hard, rail / limit)
-    hard = np.maximum(hard, max(leg.chord / leg.a_tcp, _LEAST))
+    hard = np.maximum(hard, max(leg.chord / leg.a_tcp, leg.table[1], _LEAST))
     return np.where(slow * slow > hard, slow + hard / slow, 2 * np.sqrt(hard))
 
 

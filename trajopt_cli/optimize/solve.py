@@ -23,6 +23,7 @@ from trajopt_cli.optimize.joined import driven_by
 from trajopt_cli.optimize.legal import Memory, NoCleanPlan, Question, calmer_motions, legal_motion
 from trajopt_cli.optimize.legs import JointProfiles, LegMotion, PathLeg
 from trajopt_cli.optimize.search import search
+from trajopt_cli.optimize.tables import turning, with_tables
 from trajopt_cli.optimize.tuning import (
     DENSER,
     RESIDUAL,
@@ -111,7 +112,7 @@ def optimize(
         gentle, more = found
         eased = Eased(least, _strain(axes, draft), _strain(axes, gentle))
         draft, notes = gentle, (*notes, *more)
-    rows = _rows(axes, draft, _end(problem, draft))
+    rows = _rows(axes, problem, draft)
     if rows is None:
         raise NoCleanPlan("the written rows would pass a limit between each other")
     trajectory, bounds = rows
@@ -181,16 +182,16 @@ def search_estimate(program: Program, plant: Plant, target: Target, changes: Cha
     return min(found, default=None)
 
 
-def _rows(axes: Axes, draft: Draft, end: Array) -> tuple[Trajectory, Array] | None:
+def _rows(axes: Axes, problem: Problem, draft: Draft) -> tuple[Trajectory, Array] | None:
     """The rows and leg boundaries of a clean draft, denser where the cubic between two rows would pass a limit; None
     where that does not help."""
     more: list[float] = []
-    legs = _motions(draft)
+    legs, end, busy = _motions(draft), _end(problem, draft), turning(problem)
     for _ in range(DENSER + 1):
-        trajectory, bounds = rows_of(axes, legs, end, more)
+        trajectory, bounds = rows_of(axes, legs, end, more, busy)
         over = _passing(axes, trajectory)
         if not len(over):
-            return trajectory, bounds
+            return with_tables(problem, legs, trajectory, bounds), bounds
         gaps = np.diff(trajectory.t)[over]
         if gaps.min() < 2 * ROW_APART:
             return None

@@ -14,8 +14,8 @@ import numpy as np
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose
 from trajopt_cli.optimize.double_integrator import trapezoid_time
 from trajopt_cli.path.arc import Arc
-from trajopt_cli.path.carried import Carried
 from trajopt_cli.path.segment import POINT, Segment
+from trajopt_cli.path.turning import Turning
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 
 
@@ -78,8 +78,7 @@ def straight(problem: Problem, legs: Sequence[Leg], X_WF_0: Array, X_WF_1: Array
     """From one pose of the flange to another, over several legs of one tool as if there were nothing between."""
     a, b = (X_WF @ legs[0].X_FT for X_WF in (X_WF_0, X_WF_1))
     v, v_ori = np.max([_caps(problem, leg) for leg in legs], axis=0)
-    way = 0.0 if any(isinstance(leg.segment, Carried) for leg in legs) else float(np.linalg.norm(b[:3, 3] - a[:3, 3]))
-    return Part(way, v, _angle(a, b) / v_ori)
+    return Part(float(np.linalg.norm(b[:3, 3] - a[:3, 3])), v, _angle(a, b) / v_ori)
 
 
 def _caps(problem: Problem, leg: Leg) -> tuple[float, float]:
@@ -104,8 +103,9 @@ def _leg(problem: Problem, leg: Leg) -> Iterable[Part | Gate]:
     way, turn = leg.segment.length, leg.segment.angle
     if way <= POINT:  # a turn on the spot begins and ends with a stop
         return [Part(0.0, v, turn / v_ori)]
-    if isinstance(leg.segment, Arc):
-        v = min(v, float(np.sqrt(leg.a_tcp * leg.segment.radius)))
+    arc = leg.segment.way if isinstance(leg.segment, Turning) else leg.segment
+    if isinstance(arc, Arc):
+        v = min(v, float(np.sqrt(leg.a_tcp * arc.radius)))
     begins, ends_at = (0.0 if zone is None else zone.turning for zone in zones)
     exact = max(way - begins - ends_at, 0.0)
     steady = min(v, v_ori * way / turn) if turn > 0 else v
@@ -143,7 +143,7 @@ def _through(problem: Problem, k: int) -> Part:
     legs, zone = problem.legs[k - 1 : k + 1], problem.waypoints[k].fly_by
     before, after = (leg.segment for leg in legs)
     caps = np.max([_caps(problem, leg) for leg in legs], axis=0)
-    if before is None or after is None or zone is None or isinstance(before, Carried) or isinstance(after, Carried):
-        return Part(0.0, caps[0])  # joint moves may go anywhere, and a tool that stands has its way over the work
+    if before is None or after is None or zone is None:
+        return Part(0.0, caps[0])  # joint moves may go anywhere
     (a, b), (c, d) = ((_at(before, before.length - size), _at(after, size)) for size in (zone.radius, zone.turning))
     return Part(float(np.linalg.norm(b[:3, 3] - a[:3, 3])), caps[0], _angle(c, d) / caps[1])

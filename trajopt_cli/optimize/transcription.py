@@ -21,7 +21,7 @@ from trajopt_cli.optimize.clearances import Tangents
 from trajopt_cli.optimize.double_integrator import trapezoid_time
 from trajopt_cli.optimize.draft import Draft, Margins
 from trajopt_cli.optimize.effort import efforts
-from trajopt_cli.optimize.formulation import INF, LEFT, RIGHT, Formulation, ToolCap
+from trajopt_cli.optimize.formulation import INF, LEFT, RIGHT, Formulation, ToolCap, Track
 from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg
 from trajopt_cli.optimize.relation import Parts, Relation
 from trajopt_cli.optimize.tuning import (
@@ -41,11 +41,13 @@ from trajopt_cli.optimize.tuning import (
     SHARE_JERK,
     SHARE_RATE,
     SHARPEST,
+    START,
     TYPICAL_JERK,
 )
 from trajopt_cli.path.arc import Arc, ArcSymbols
 from trajopt_cli.path.dwell import Dwell, DwellSymbols
 from trajopt_cli.path.line import Line, LineSymbols
+from trajopt_cli.path.turning import Turning, TurningSymbols
 from trajopt_cli.problem.freedom import RailFreedom
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
@@ -297,9 +299,13 @@ class Transcription:
             self.nlp.minimise(int(one))
         return e
 
-    def _track(self, leg: Leg, motion: PathLeg) -> tuple[LineSymbols | ArcSymbols, Array]:
+    def _track(self, leg: Leg, motion: PathLeg) -> tuple[Track, Array]:
         """A path's kind, and its parameters."""
         X_BW, turning, segment = inverse_pose(self.axes.X_WB0), leg.angle > 1e-9, motion.segment
+        if isinstance(segment, Turning):
+            way = ArcSymbols(turning) if isinstance(segment.way, Arc) else LineSymbols(turning)
+            over = TurningSymbols(way, len(segment.turns))
+            return over, over.vector(segment, X_BW, motion.X_FT)
         if isinstance(segment, Arc):
             arc = ArcSymbols(turning)
             return arc, arc.vector(segment, X_BW, motion.X_FT)
@@ -322,6 +328,7 @@ class Transcription:
             "at_turning": caps[:, 2],
             "room": m.position[:, self.axes.layout.arm],
             **({} if self.axes.jerk is None else {"jerk": self.axes.jerk * m.jerk}),
+            **({"table": np.tile(np.array(leg.table) / START, (len(caps), 1))} if leg.units else {}),
         }
 
     def _chain(self, x: IndexArray, v: IndexArray, a: IndexArray, j: IndexArray) -> dict[str, IndexArray]:
@@ -453,7 +460,7 @@ class Transcription:
             self._hold(self.formulation.clear_path(track if line else None), z, here)
 
     def _path_torques(
-        self, track: LineSymbols | ArcSymbols | None, nodes: Nodes, z: Parts, p: Parts, leg: Leg, margins: Margins,
+        self, track: Track | None, nodes: Nodes, z: Parts, p: Parts, leg: Leg, margins: Margins,
         tied: bool,
     ) -> None:  # fmt: skip
         """Torques at nodes of a path, track None for a dwell, with the parts of its own relation."""

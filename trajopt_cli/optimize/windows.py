@@ -20,6 +20,7 @@ from trajopt_cli.optimize.incumbent import duration
 from trajopt_cli.optimize.surroundings import surroundings_of
 from trajopt_cli.optimize.tuning import EVEN_PARTS, OVERLAP, WINDOW
 from trajopt_cli.path.arc import Arc
+from trajopt_cli.path.turning import Turning
 from trajopt_cli.problem.freedom import RailFreedom
 from trajopt_cli.problem.objective import LeastEffort
 from trajopt_cli.problem.problem import LegKind, Problem, Waypoint
@@ -103,8 +104,9 @@ class Window:
             parts += [leg.kind.value.encode(), _digits(leg.X_FT), repr(numbers).encode()]
             if leg.load is not None:
                 parts.append(repr(leg.load.numbers).encode())
-            if isinstance(leg.segment, Arc):  # a line is what lies between its ends
-                arc = leg.segment
+            parts.append(repr(leg.units).encode())
+            arc = leg.segment.way if isinstance(leg.segment, Turning) else leg.segment
+            if isinstance(arc, Arc):  # a line is what lies between its ends
                 parts += [_digits(arc.centre), _digits(arc.normal), repr(arc.sweep).encode()]
         held = self.problem.freedom.rail is RailFreedom.STATION
         around = surroundings_of(self.problem)

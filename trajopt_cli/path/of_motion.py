@@ -2,38 +2,40 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array, inverse_pose
-from trajopt_cli.motion import MoveC, MoveL, Wait
+from trajopt_cli.geometry import Array
+from trajopt_cli.motion import Motion, MoveC, MoveL, Wait, turned_under
 from trajopt_cli.path.arc import Arc
-from trajopt_cli.path.carried import Carried
 from trajopt_cli.path.dwell import Dwell
 from trajopt_cli.path.line import Line
+from trajopt_cli.path.turning import Turn, Turning, turned_back
 
 
-def segment_of(motion: MoveL | MoveC | Wait, X_WT: Array) -> Line | Arc | Dwell | Carried:
-    """The way from X_WT (4, 4), where the motion's tool stands before it.
+def segment_of(motion: MoveL | MoveC | Wait, X_WT: Array) -> Line | Arc | Dwell | Turning:
+    """The way from X_WT (4, 4), where the motion's tool, which is on the flange, stands before it.
 
     Of other motions only the robot knows the tool's way.
 
     Raises:
         InputError: a MoveC whose three points make no circle, with its place in the program.
     """
-    match motion:
-        case Wait():
-            return Dwell(X_WT)
-        case MoveL():
-            return _carried(motion, X_WT) if motion.tool.stationary else Line(X_WT, motion.X_WT)
-        case MoveC():
-            try:
-                if motion.tool.stationary:
-                    return _carried(motion, X_WT)
-                return Arc.through(X_WT, motion.X_WV[:3, 3], motion.X_WT)
-            except InputError as error:
-                file, line, column = motion.source
-                raise InputError(f"MoveC {motion.target}: {error}", file=file, line=line, column=column) from error
+    if isinstance(motion, Wait):
+        return Dwell(X_WT)
+    turns = turns_of(motion)
+    X_1 = turned_back(turns, motion.X_WT)
+    if isinstance(motion, MoveL):
+        way: Line | Arc = Line(X_WT, X_1)
+    else:
+        try:
+            way = Arc.through(X_WT, turned_back(turns, motion.X_WV)[:3, 3], X_1)
+        except InputError as error:
+            file, line, column = motion.source
+            raise InputError(f"MoveC {motion.target}: {error}", file=file, line=line, column=column) from error
+    return Turning(way, turns) if turns else way
 
 
-def _carried(motion: MoveL | MoveC, X_WT: Array) -> Carried:
-    X_FT = motion.tool.X_FT
-    return Carried.to(X_WT @ inverse_pose(X_FT), motion.X_WT, X_FT, motion.X_WV if isinstance(motion, MoveC) else None)
+def turns_of(motion: Motion) -> tuple[Turn, ...]:
+    """How positioners turn the work object under a line or an arc; of other motions nothing."""
+    return tuple(Turn(np.array(unit.p), np.array(unit.u), unit.angle) for unit in turned_under(motion))

@@ -6,7 +6,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.path.arc import Arc
-from trajopt_cli.path.carried import Carried
+from trajopt_cli.path.turning import Turning
 from trajopt_cli.problem.problem import Leg, Problem, Waypoint
 
 
@@ -17,8 +17,8 @@ def leg_name(leg: Leg) -> bytes:
     if leg.load is not None:
         parts.append(repr(leg.load.numbers).encode())
     way = leg.segment
-    if isinstance(way, Carried):
-        return b"|".join([*parts, str(id(way)).encode()])
+    if isinstance(way, Turning):
+        parts, way = [*parts, repr(leg.units).encode()], way.way
     if way is not None:
         parts += [_digits(way.pose(np.array([0.0, 1.0])))]
     if isinstance(way, Arc):

@@ -70,10 +70,11 @@ def may_go(motion: Motion, plant: Plant) -> bool:
 
 
 def droppable(program: Program, plant: Plant) -> frozenset[int]:
-    """Motions the user lets go and that can, without moving another path: the next motion is a joint move."""
+    """Motions the user lets go and that can, without moving another path: the next motion is a joint move, and no
+    positioner waits for the motion."""
     motions = program.motions
     return frozenset(
         i
         for i, (motion, following) in enumerate(pairwise(motions))
-        if may_go(motion, plant) and isinstance(following, MoveJ | MoveAbsJ)
+        if may_go(motion, plant) and isinstance(following, MoveJ | MoveAbsJ) and not getattr(motion, "units", ())
     )

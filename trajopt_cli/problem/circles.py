@@ -15,6 +15,8 @@ import numpy as np
 from trajopt_cli.geometry import Array, inverse_pose
 from trajopt_cli.motion import Move, MoveAbsJ, MoveC, MoveExtJ
 from trajopt_cli.path.circle import Point, circle_through
+from trajopt_cli.path.of_motion import turns_of
+from trajopt_cli.path.turning import turned_back
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.units import MM
 
@@ -53,9 +55,12 @@ class Circles:
 
 
 def _points(motion: MoveC, X_WF: Array) -> dict[str, Point]:
-    """The three points by name, where the circle is: in the world, or on the work that is carried to the tool."""
+    """The three points by name, where the circle is: in the world, on a table as it stands at the start, or on
+    the work that is carried to the tool."""
     X_FT = motion.tool.X_FT
     poses = X_WF @ X_FT, motion.X_WV, motion.X_WT
+    if turns := turns_of(motion):
+        poses = poses[0], turned_back(turns, motion.X_WV), turned_back(turns, motion.X_WT)
     if motion.tool.stationary:
         poses = inverse_pose(X_WF) @ motion.X_WT, X_FT @ inverse_pose(motion.X_WV) @ motion.X_WT, X_FT
     return {

@@ -24,6 +24,7 @@ from trajopt_cli.motion import (
     Source,
     Wait,
     motion_name,
+    turned_under,
 )
 from trajopt_cli.problem.circles import Circles
 from trajopt_cli.problem.plant import Plant
@@ -162,18 +163,18 @@ def _demands(motion: Move) -> Iterator[tuple[str, str, str]]:
         )
     for unit in motion.units:
         axis = f"{unit.unit}'s eax_{'abcdef'[unit.eax]} from {degrees(unit.start):g} to {degrees(unit.end):g} deg"
-        if isinstance(motion, MoveL | MoveC) and unit.carries:
-            yield (
-                "lines on moving positioners",
-                f"turns {axis} under its own way",
-                "plans keep a work object still while a line is drawn on it: turn it before, by MoveJ or MoveExtJ",
-            )
-        elif motion.duration is not None and motion.duration < unit.least:
+        if motion.duration is not None and motion.duration < unit.least:
             yield (
                 "times of positioners",
                 f"turns {axis} in {motion.duration:g} s",
                 f"that takes {unit.least:.3f} s: give it more time",
             )
+    if turned_under(motion) and settings.world_acceleration is not None:
+        yield (
+            "WorldAccLim",
+            "is drawn on a work object that turns meanwhile, under WorldAccLim",
+            "plans hold the tool's acceleration against the work object there: set WorldAccLim \\Off before it",
+        )
     if motion.zone.criterion is not None and motion.zone.criterion.lower() not in _STOP_POINTS:
         yield (
             "stop times",

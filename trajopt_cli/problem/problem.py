@@ -31,14 +31,16 @@ from trajopt_cli.motion import (
     MoveL,
     Program,
     SignalEvent,
+    UnitMove,
     Wait,
     motion_name,
+    turned_under,
 )
 from trajopt_cli.path.arc import Arc
-from trajopt_cli.path.carried import Carried
 from trajopt_cli.path.dwell import Dwell
 from trajopt_cli.path.line import Line
 from trajopt_cli.path.of_motion import segment_of
+from trajopt_cli.path.turning import Turning
 from trajopt_cli.problem.changes import Changes
 from trajopt_cli.problem.corners import corners_of
 from trajopt_cli.problem.demands import acceleration_share, tcp_acceleration
@@ -106,7 +108,8 @@ class Leg:
     duration: fixed time [s] or None. rail_moves: the rail may move during the leg. segment:
     the way of a line or an arc, tool in the world; None where the tool rests or the joints decide. acceleration: share
     of every axis' acceleration limit that is in force. least: time [s] that it takes at least, as a positioner turns.
-    load: what the flange carries, None for nothing and where torques have no limit.
+    load: what the flange carries, None for nothing and where torques have no limit. units: positioners that turn the
+    work object under a line or an arc, in step with it; chord and speeds are then those over the work object.
     """
 
     motion: int
@@ -119,10 +122,11 @@ class Leg:
     v_rail: float
     duration: float | None = None
     rail_moves: bool = True
-    segment: Line | Arc | Carried | None = None
+    segment: Line | Arc | Turning | None = None
     acceleration: float = 1.0
     least: float = 0.0
     load: ToolLoad | None = None
+    units: tuple[UnitMove, ...] = ()
 
     @property
     def chord(self) -> float:
@@ -133,6 +137,15 @@ class Leg:
     def angle(self) -> float:
         """Reorientation on a line or an arc [rad]."""
         return 0.0 if self.segment is None else self.segment.angle
+
+    @property
+    def table(self) -> tuple[float, float]:
+        """What the units take for the whole way at their velocity [s], and at their acceleration [s2]: no share of it
+        goes by at more than 1 / the first, nor gathers speed at more than 1 / the second; 0 where none turns."""
+        return (
+            max((abs(unit.angle) / unit.velocity for unit in self.units), default=0.0),
+            max((abs(unit.angle) / unit.acceleration for unit in self.units), default=0.0),
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -358,7 +371,10 @@ class _Build:
     def _external(self, index: int, motion: MoveExtJ) -> None:
         """The arm's joints hold, so the waypoint before is as the program writes it. Where positioners alone turn, all
         axes stand for as long as that takes, wherever they are."""
-        if motion.units and self._plant.rail_value(motion.extax) is None:
+        if self._plant.rail_value(motion.extax) is None:
+            if not motion.units:  # every axis is where it should be
+                self.waypoints[-1] = replace(self.waypoints[-1], rest=True)
+                return
             self._stand(motion, replace(self.waypoints[-1], motion=index, written=self._written, rest=True), False)
             return
         self._take_rail(index, motion)
@@ -374,12 +390,13 @@ class _Build:
         end = self._at_pose(index, motion)
         way = segment_of(motion, start.X_WF @ motion.tool.X_FT)
         assert not isinstance(way, Dwell)
-        still = way.length < _POINT and way.angle < _POINT
+        units = turned_under(motion)
+        still = way.length < _POINT and way.angle < _POINT and not units
         moves = still or self._freedom.lines
         moves = self._has_rail and (moves or _apart(start.rail, end.rail)) and motion.hold is None
         self._to(end, motion, _caps(motion, self._plant))
         kind, segment = (LegKind.DWELL, None) if still else (LegKind.LINE, way)
-        self.legs[-1] = replace(self.legs[-1], kind=kind, rail_moves=moves, segment=segment)
+        self.legs[-1] = replace(self.legs[-1], kind=kind, rail_moves=moves, segment=segment, units=units)
 
     def _to(self, end: Waypoint, motion: Move, caps: tuple[float, float, float]) -> None:
         """A joint move to a waypoint. caps: programmed speeds of tool [m/s], turning [rad/s] and rail [m/s]."""

@@ -32,7 +32,9 @@ from trajopt_cli.motion import (
     Zone,
 )
 from trajopt_cli.path.circle import Point, arc_length, circle_through
+from trajopt_cli.path.of_motion import turns_of
 from trajopt_cli.path.segment import POINT
+from trajopt_cli.path.turning import turned_back
 from trajopt_cli.units import MM
 
 # [m] A shorter way has no corner: seven digits of a num tell points 10 m away no better.
@@ -226,9 +228,11 @@ def _travel(kinematics: Kinematics | None, before: ExternalAxes, extax: External
 
 
 def _length(motion: MoveJ | MoveL | MoveC | MoveAbsJ, before: _Place, after: _Place) -> float:
-    start, end = (_point(place.seen_by(motion.tool)[:3, 3]) for place in (before, after))
+    turns = turns_of(motion)  # of a table under it, as it stands at the start
+    X_0, X_1 = before.seen_by(motion.tool), turned_back(turns, after.seen_by(motion.tool))
+    start, end = _point(X_0[:3, 3]), _point(X_1[:3, 3])
     if isinstance(motion, MoveC) and not motion.tool.stationary:  # else the work moves: its points pass the tool
-        course = circle_through(start, _point(motion.X_WV[:3, 3]), end)
+        course = circle_through(start, _point(turned_back(turns, motion.X_WV)[:3, 3]), end)
         if course is not None:
             return arc_length(course, start)
     return dist(start, end)

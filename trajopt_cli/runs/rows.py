@@ -65,14 +65,15 @@ class RowsFile:
 
     def kept(self, plan: Plan) -> Plan:
         """A plan, of whose rows the first and the last are known, with all of those that were written."""
-        k, speeds = len(plan.trajectory.names), plan.trajectory.qd is not None
+        names, speeds = plan.trajectory.whole.names, plan.trajectory.qd is not None
+        k = len(names)
         row = np.dtype(np.float64).itemsize * (1 + k * (2 if speeds else 1))
         n = os.fstat(self._numbers.fileno()).st_size // row
         numbers = np.memmap(self._numbers, np.float64, mode="r").view(np.ndarray)
         t, *rest = np.split(numbers, np.cumsum([n, n * k]))
         q, qd = (x.reshape(n, k) if x.size else None for x in rest)
         assert q is not None
-        return replace(plan, trajectory=Trajectory(plan.trajectory.names, t, q, qd))
+        return replace(plan, trajectory=Trajectory(names, t, q, qd).apart)
 
     @contextmanager
     def _written(self) -> Iterator[None]:
@@ -86,8 +87,9 @@ def without_rows(plan: Plan) -> Plan:
     """A plan with the first and the last of its rows alone: for who asks how long it takes, and for another process."""
     rows = plan.trajectory
     t, q, *qd = (array[[0, -1]] for array in _arrays(rows))
-    return replace(plan, trajectory=Trajectory(rows.names, t, q, *qd))
+    return replace(plan, trajectory=Trajectory(rows.whole.names, t, q, qd[0] if qd else None).apart)
 
 
 def _arrays(rows: Trajectory) -> list[Array]:
+    rows = rows.whole
     return [rows.t, rows.q] + ([] if rows.qd is None else [rows.qd])

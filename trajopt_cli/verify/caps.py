@@ -108,12 +108,11 @@ def check_caps(line: Timeline, frames: dict[bytes, Frame]) -> Iterator[tuple[int
     speed: list[Worst] = []
     acceleration: list[Worst] = []
     programmed: list[Finding] = []
-    for first, last, X_FT, moves in _stretches(line):
-        frame = frames[X_FT.tobytes()]
+    for first, last, frame, moves in _stretches(line, frames):
         speeds, accelerated = Series(caps.speed), Series(caps.acceleration)
         todo = deque(moves)
         for a, b in windows(first, last):
-            inner = Inner(frame, a, b) if rows.exact and b > a else None
+            inner = Inner(frame, a, b) if frame.exact and b > a else None
             speeds.add(_speeds(frame, a, b, inner))
             accelerated.add(accelerations(frame, a, b, inner))
             while todo and todo[0][1].arrive <= b:
@@ -139,19 +138,30 @@ def check_caps(line: Timeline, frames: dict[bytes, Frame]) -> Iterator[tuple[int
     yield len(rows.t), out + programmed
 
 
-def _stretches(line: Timeline) -> Iterator[tuple[int, int, Array, list[tuple[Visit, Visit]]]]:
-    """Rows [first, last] with one tool, and the moves in them, from where and to where."""
+Stretch = tuple[int, int, Frame, list[tuple[Visit, Visit]]]
+
+
+def _stretches(line: Timeline, frames: dict[bytes, Frame]) -> Iterator[Stretch]:
+    """Rows [first, last] with one tool, and the moves in them, from where and to where. A move over a work object that
+    turns is a stretch of its own."""
     last_row = len(line.rows.t) - 1
-    first, X_FT = 0, np.asarray(line.visits[0].point.X_FT)
+    first, frame = 0, frames[np.asarray(line.visits[0].point.X_FT).tobytes()]
     moves: list[tuple[Visit, Visit]] = []
     for before, visit in zip(line.visits, line.visits[1:], strict=False):
-        if np.asarray(visit.point.X_FT).tobytes() != X_FT.tobytes():
-            yield first, before.depart, X_FT, moves
-            first, X_FT, moves = before.depart, np.asarray(visit.point.X_FT), []
         missing = before.event is None and before.point.fly_by is not None  # its rows may be the move's before
-        if visit.event is not None and not missing and not visit.stay and visit.arrive > before.depart:
+        shown = visit.event is not None and not missing and not visit.stay
+        if (turned := line.turned.get(visit.point.index)) is not None:
+            begin, end = turned.span(before, visit)
+            yield first, begin, frame, moves
+            yield begin, end, turned, [(before, visit)] if shown and visit.arrive > before.depart else []
+            first, moves = end, []
+            continue
+        if (tool := frames[np.asarray(visit.point.X_FT).tobytes()]) is not frame:
+            yield first, before.depart, frame, moves
+            first, frame, moves = before.depart, tool, []
+        if shown and visit.arrive > before.depart:
             moves.append((before, visit))
-    yield first, last_row, X_FT, moves
+    yield first, last_row, frame, moves
 
 
 def _speeds(frame: Frame, first: int, last: int, inner: Inner | None) -> Iterator[tuple[Array, Array]]:
@@ -193,7 +203,7 @@ def _tcp(frame: Frame, a: int, b: int) -> Iterator[tuple[Array, Array]]:
     yield from _means(frame, a, b, frame.path_lengths)
     if frame.rows.qd is not None:
         yield frame.rows.t[a : b + 1], frame.least_speed[a : b + 1]
-    if frame.rows.exact:
+    if frame.exact:
         inner = Inner(frame, a, b)
         yield inner.t, inner.speed
 
@@ -203,7 +213,7 @@ def _turning(frame: Frame, a: int, b: int) -> Iterator[tuple[Array, Array]]:
     yield from _means(frame, a, b, frame.angles)
     if frame.rows.qd is not None:
         yield frame.rows.t[a : b + 1], frame.least_turning[a : b + 1]
-    if frame.rows.exact:
+    if frame.exact:
         inner = Inner(frame, a, b)
         yield inner.t, inner.turning
 

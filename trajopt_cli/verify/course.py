@@ -24,9 +24,10 @@ from trajopt_cli.motion import (
     SignalEvent,
     Source,
     Wait,
+    turned_under,
 )
 from trajopt_cli.units import MM
-from trajopt_cli.verify.geometry import Arc, Line, angle_between, inverse_pose
+from trajopt_cli.verify.geometry import Arc, Line, angle_between, inverse_pose, turned_back
 from trajopt_cli.verify.machine import Machine
 from trajopt_cli.verify.mechanism import mechanism_of
 
@@ -202,15 +203,18 @@ def _way(a: Point, b: Point) -> float | None:
 
 
 def arc_to(X_WF_before: Array, point: Point, R: Array | None = None) -> Arc:
-    """The arc of a MoveC from where the flange is before it. R (m, 3, 3): rotations on it.
+    """The arc of a MoveC from where the flange is before it, on a table as that stands there. R (m, 3, 3): rotations on
+    it.
 
     Raises InputError where its three points lie on one line or in one place, with its place in the program.
     """
     move, X_0, X_1 = point.move, X_WF_before @ point.X_FT, point.X_WT
     assert isinstance(move, MoveC)
-    arc = Arc.through(Line.between(X_0, X_1, X_0[None, :3, :3] if R is None else R), move.X_WV[:3, 3])
+    units = turned_under(move)
+    X_1, X_V = turned_back(units, X_1), turned_back(units, move.X_WV)
+    arc = Arc.through(Line.between(X_0, X_1, X_0[None, :3, :3] if R is None else R), X_V[:3, 3])
     if arc is None:
-        places = ", ".join("[" + ", ".join(f"{x * 1e3:.3f}" for x in X[:3, 3]) + "]" for X in (X_0, move.X_WV, X_1))
+        places = ", ".join("[" + ", ".join(f"{x * 1e3:.3f}" for x in X[:3, 3]) + "]" for X in (X_0, X_V, X_1))
         file, line, column = move.source
         raise InputError(
             f"{point.name}: start, point on the way and end {places} mm lie on one line, no circle leads through them;"
@@ -222,7 +226,7 @@ def arc_to(X_WF_before: Array, point: Point, R: Array | None = None) -> Arc:
 
 def stays(stop: Point, X_WF_before: Array) -> bool:
     """Whether the move is a line to the pose where it starts: the TCP rests, only the redundant axis moves."""
-    if not isinstance(stop.move, MoveL) or stop.X_WF is None:
+    if not isinstance(stop.move, MoveL) or stop.X_WF is None or turned_under(stop.move):
         return False
     X, Y = X_WF_before @ stop.X_FT, stop.X_WF @ stop.X_FT
     angle = angle_between(X[:3, :3], Y[:3, :3])

@@ -34,7 +34,7 @@ def check_demands(line: Timeline, frames: dict[bytes, Frame]) -> Iterator[tuple[
         move = visit.point.move
         if visit.event is None or move is None:
             continue
-        frame = frames[np.asarray(visit.point.X_FT).tobytes()]
+        frame = line.turned.get(visit.point.index) or frames[np.asarray(visit.point.X_FT).tobytes()]
         first, last = outside_zones(frame, before, visit, "radius")
         if not line.rows.marked:  # rows beside the ends may belong to another motion
             first, last = first + 1, last - 1
@@ -91,7 +91,7 @@ def _tool(frame: Frame, visit: Visit, first: int, last: int, settings: Settings)
     if isinstance(move, MoveExtJ):
         return
     checks: list[tuple[str, str, Iterable[Places], float]] = []
-    inner = Inner(frame, first, last) if rows.exact else None
+    inner = Inner(frame, first, last) if frame.exact else None
     if settings.acceleration < 1.0:
         cap = settings.acceleration * rows.plant.tcp.acceleration
         word = f"AccSet {settings.acceleration * 100:g}"

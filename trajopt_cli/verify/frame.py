@@ -22,6 +22,11 @@ class Frame:
     rows: Rows
     X_FT: Array
 
+    @property
+    def exact(self) -> bool:
+        """Whether the Hermite between rows is the motion itself."""
+        return self.rows.exact
+
     @cached_property
     def R(self) -> Along:
         """Rotations (n, 3, 3) in the world."""

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import pinocchio as pin
 
 from trajopt_cli.geometry import Array
+from trajopt_cli.motion import UnitMove
 
 _POINT = 1e-6  # m: a line shorter than this is a reorientation, its progress is an angle
 _FLAT = 1e-9  # sine of the angle between two chords below which three points lie on one line
@@ -26,6 +28,26 @@ def rotation_vectors(R: Array) -> Array:
     sine = np.linalg.norm(skew, axis=-1, keepdims=True)
     angle = np.arctan2(sine, (np.trace(R, axis1=-2, axis2=-1)[..., None] - 1) / 2)
     return np.asarray(skew * np.where(sine > 0, angle / np.where(sine > 0, sine, 1.0), 1.0))
+
+
+def turned(units: Sequence[UnitMove], theta: Array) -> tuple[Array, Array]:
+    """How positioners have moved a work object that they have turned by theta (n, m) [rad]: R (n, 3, 3) and x (n, 3),
+    so that a point p of it has come to R p + x. units: from the floor on."""
+    R, x = np.tile(np.eye(3), (len(theta), 1, 1)), np.zeros((len(theta), 3))
+    for unit, angle in zip(units, theta.T, strict=True):
+        K, p = pin.skew(np.array(unit.u)), np.array(unit.p)
+        E = np.eye(3) + np.sin(angle)[:, None, None] * K + (1 - np.cos(angle))[:, None, None] * (K @ K)
+        x = x + np.einsum("nij,nj->ni", R, p - E @ p)
+        R = R @ E
+    return R, x
+
+
+def turned_back(units: Sequence[UnitMove], X: Array) -> Array:
+    """A pose (4, 4) on a work object at the end of a move that turns it, where it is at the move's start."""
+    R, x = turned(units, np.array([[unit.angle for unit in units]]))
+    E = np.eye(4)
+    E[:3, :3], E[:3, 3] = R[0], x[0]
+    return np.asarray(inverse_pose(E) @ X)
 
 
 def inverse_pose(X: Array) -> Array:
@@ -78,6 +100,8 @@ class Line:
 
     def progress(self, p: Array, R: Array) -> Array:
         """Share of the way (m,) at positions p (m, 3) and rotations R (m, 3, 3), not clipped."""
+        if self.length == 0.0 == self.angle:
+            return np.zeros(len(p))
         if not self.only_turns:
             return np.asarray((p - self.X_0[:3, 3]) @ self.chord / self.length**2)
         # the angle about the line's own axis: what is not about it shows in the deviation

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import replace
 
 import numpy as np
 
@@ -27,6 +28,7 @@ from trajopt_cli.verify.mechanism import mechanism_of
 from trajopt_cli.verify.rows import PIECE, Rows, look
 from trajopt_cli.verify.scene import legs_of
 from trajopt_cli.verify.stops import check_stops
+from trajopt_cli.verify.tables import check_columns, check_tables, turned_frames
 from trajopt_cli.verify.timeline import build_timeline
 from trajopt_cli.verify.tolerances import COARSEST_PRINT, LARGEST_GAP
 from trajopt_cli.verify.torques import check_torques
@@ -55,7 +57,8 @@ def verify(
     names = mechanism_of(plant).names
     if trajectory.names != names:
         raise InputError(f"the file's axes are {', '.join(trajectory.names)}; the robot's are {', '.join(names)}")
-    _check_rows(trajectory)
+    _check_rows(trajectory.whole)
+    check_columns(program, trajectory, dropped or ())
     points = points_of(program, plant, dropped or (), optional=dropped is None)
     rows = look(plant, trajectory, resolution, marks=len(points) - 1)
     rapid = target is Target.RAPID
@@ -63,6 +66,7 @@ def verify(
     if dropped is None and (absent := never_near(rows, frames, points)):  # zones reach from point to point
         points = points_of(program, plant, absent, optional=True)
     line = build_timeline(rows, frames, points[0], match(rows, frames, points, rapid), rapid)
+    line = replace(line, turned=turned_frames(program, frames, line))
     stops, shapes, caps, demands = in_step(
         check_stops(line, frames, rapid),
         check_shapes(line, frames, rapid),
@@ -78,6 +82,7 @@ def verify(
         *check_held(line, frames),
         *check_joints(rows, line.source_at),
         *check_torques(program, line),
+        *check_tables(program, line),
         *caps,
         *demands,
         *check_clearance(program, plant, trajectory, line.source_at, legs),

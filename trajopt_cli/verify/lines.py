@@ -23,6 +23,7 @@ from trajopt_cli.verify.frame import Frame
 from trajopt_cli.verify.geometry import Arc, Line, angle_between, off_triangles, rotation_vectors
 from trajopt_cli.verify.rows import Rows
 from trajopt_cli.verify.run import Indices, Run, off_way, runs_of
+from trajopt_cli.verify.tables import TurnedFrame
 from trajopt_cli.verify.timeline import Timeline, Visit
 from trajopt_cli.verify.tolerances import BACKWARD, JOINT_TARGET, LINE_POSITION, LINE_ROTATION
 
@@ -30,12 +31,13 @@ from trajopt_cli.verify.tolerances import BACKWARD, JOINT_TARGET, LINE_POSITION,
 def check_shapes(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> Iterator[tuple[int, list[Finding]]]:
     """Findings about every move between its rests, in program order, each run's with its last row; a kind that no check
     knows is never legal. Of a run without one of its points nothing is said: that the point is missing is."""
-    for run in runs_of(line.rows, frames, line.runs()):
+    for run in runs_of(line, frames):
         out: list[Finding] = []
         for leg, visit in enumerate(run.visits[1:]):
             match visit.point.move:
                 case MoveL() | MoveC():
                     out.extend(_way(run, leg))
+                    out.extend(_in_step(run, leg))
                     if rapid and line.rows.mechanism.has_rail:
                         out.extend(_rail_share(run, leg))
                 case MoveExtJ():
@@ -78,6 +80,22 @@ def _way(run: Run, leg: int) -> Iterator[Finding]:
             i = int(np.argmax(least))
             yield finding(f"{kind} {check}", "TCP", float(least[i]), limit, its_unit, bool(least[i] <= limit),
                           time=float(t[i]), source=point.source, note=f" {words} to {target}")  # fmt: skip
+
+
+def _in_step(run: Run, leg: int) -> Iterator[Finding]:
+    """Positioners that turn the work object against the share of the way that is done over it, at every row."""
+    way, frame, visit = run.ways[leg], run.frame, run.visits[leg + 1]
+    assert way is not None
+    if not isinstance(frame, TurnedFrame) or way.way < LINE_POSITION:  # no way, no share of it
+        return
+    here = np.arange(0, len(run.places.t), run.step)
+    doubt = LINE_POSITION + (run.places.doubt_angle if way.only_turns else run.places.doubt_p)[here]
+    off = frame.off(run.part[0] + here // run.step, run.shares[here], doubt / way.way)
+    i, j = np.unravel_index(int(np.argmax(off)), off.shape)
+    kind, value = "arc" if isinstance(way, Arc) else "line", float(off[i, j])
+    yield finding(f"positioner along {kind}", frame.units[int(j)].column, value, JOINT_TARGET, "rad",
+                  value <= JOINT_TARGET, time=float(run.places.t[here[i]]), source=visit.point.source,
+                  note=f" from its share of the way to {visit.point.name}, as it turns the work under it")  # fmt: skip
 
 
 def _way_back(way: Line | Arc, s: Array, free: NDArray[np.bool_]) -> Array:

@@ -121,7 +121,8 @@ class Rows:
     doubt_t [s], doubt_q, doubt_v (k,): printed step, never under COMPUTED. marked: a row stands at every boundary and
     switch. gaps (n-1,) [s]: times between rows, those of a standstill no longer than the others: where the speeds of
     both rows are zero and the positions the same, nothing is open however long it lasts. open_time (n,) [s]: how far
-    the nearest boundary may be from a row that shows it, half the gap beside it; 0 where marked.
+    the nearest boundary may be from a row that shows it, half the gap beside it; 0 where marked. doubt_tables: how
+    finely positioners' axes are printed, None where every digit is there.
     """
 
     plant: Machine
@@ -132,6 +133,7 @@ class Rows:
     marked: bool
     gaps: Array
     open_time: Array
+    doubt_tables: Resolution | None = None
 
     @property
     def t(self) -> Array:
@@ -397,6 +399,7 @@ def look(plant: Machine, trajectory: Trajectory, resolution: Resolution | None, 
         marked=marked,
         gaps=gaps,
         open_time=np.zeros(len(t)) if marked else both_sides(gaps[:, None])[:, 0] / 2,
+        doubt_tables=r.tables,
     )
 
 

@@ -7,7 +7,7 @@ which side of a small zone its corners lie, and several points may lie between t
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -15,12 +15,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.motion import FlyBy, MoveC, MoveL
+from trajopt_cli.motion import FlyBy, MoveC, MoveL, UnitMove, turned_under
 from trajopt_cli.verify.course import arc_to
 from trajopt_cli.verify.frame import Frame, Places
-from trajopt_cli.verify.geometry import Arc, Line
+from trajopt_cli.verify.geometry import Arc, Line, turned_back
 from trajopt_cli.verify.rows import Rows
-from trajopt_cli.verify.timeline import Visit, rows_of_run
+from trajopt_cli.verify.tables import TurnedFrame
+from trajopt_cli.verify.timeline import Timeline, Visit, rows_of_run
 from trajopt_cli.verify.tolerances import LINE_POSITION
 from trajopt_cli.verify.visits import off_chords
 
@@ -38,6 +39,8 @@ class Run:
     @cached_property
     def part(self) -> tuple[int, int]:
         """First and last row."""
+        if isinstance(self.frame, TurnedFrame) and self.visits[-1].arrive <= self.visits[0].depart:
+            return self.frame.span(self.visits[0], self.visits[-1])
         return rows_of_run(self.rows, self.visits)
 
     @cached_property
@@ -53,7 +56,16 @@ class Run:
     @cached_property
     def X_WT(self) -> Array:
         """The tool at the visits (n + 1, 4, 4)."""
-        return np.stack([visit.X_WF for visit in self.visits]) @ self.frame.X_FT
+        X_WT = np.stack([visit.X_WF for visit in self.visits]) @ self.frame.X_FT
+        if self._units:
+            X_WT[-1] = turned_back(self._units, X_WT[-1])
+        return np.asarray(X_WT)
+
+    @property
+    def _units(self) -> tuple[UnitMove, ...]:
+        """What turns the work object meanwhile; both ends are stops then."""
+        move = self.visits[-1].point.move
+        return () if move is None else turned_under(move)
 
     @cached_property
     def ways(self) -> tuple[Line | Arc | None, ...]:
@@ -215,6 +227,8 @@ def off_way(way: Line | Arc, p: Array, s: Array) -> Array:
     return np.asarray(np.linalg.norm(p - way.at(np.clip(s, 0.0, 1.0))[0], axis=1))
 
 
-def runs_of(rows: Rows, frames: dict[bytes, Frame], runs: Iterable[tuple[Visit, ...]]) -> Iterator[Run]:
+def runs_of(line: Timeline, frames: dict[bytes, Frame]) -> Iterator[Run]:
     """Every run with the tool in force on it; what is known of one goes before the next one comes."""
-    return (Run(rows, frames[np.asarray(visits[-1].point.X_FT).tobytes()], visits) for visits in runs)
+    for visits in line.runs():
+        point = visits[-1].point
+        yield Run(line.rows, line.turned.get(point.index) or frames[np.asarray(point.X_FT).tobytes()], visits)

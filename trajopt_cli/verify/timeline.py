@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,6 +16,9 @@ from trajopt_cli.verify.rail import Indices, still_from
 from trajopt_cli.verify.rows import Rows, unseen
 from trajopt_cli.verify.tolerances import DWELL
 from trajopt_cli.verify.visits import Event, Match, events_of, looking, off_chords, worth_a_look
+
+if TYPE_CHECKING:
+    from trajopt_cli.verify.tables import TurnedFrame
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,10 +63,12 @@ class Visit:
 
 @dataclass(frozen=True, eq=False)
 class Timeline:
-    """All points with their rows; the start first."""
+    """All points with their rows; the start first. turned: the tool over work objects that turn meanwhile, by the
+    number of the motion that is drawn there."""
 
     rows: Rows
     visits: tuple[Visit, ...]
+    turned: Mapping[int, TurnedFrame] = field(default_factory=dict)
 
     def source_at(self, time: float) -> Source | None:
         """The motion under way at a time: the move that ends next, or the wait."""

@@ -29,15 +29,20 @@ def positions(axes: Sequence[PositionerAxis], extax: ExternalAxes) -> tuple[floa
 
 def user_frame(axes: Sequence[PositionerAxis], at: Sequence[float]) -> frames.Frame:
     """The user frame [mm] in the world that the last axis carries, the axes at [deg]."""
-    x, y, z = axes[0].p
-    found: frames.Frame = ((x / MM, y / MM, z / MM), axes[0].q)
-    for i, (axis, value) in enumerate(zip(axes, at, strict=True)):
-        if i:
-            x, y, z = axis.p
-            found = frames.compose(found, ((x / MM, y / MM, z / MM), axis.q))
+    return _links(axes, at)[-1]
+
+
+def _links(axes: Sequence[PositionerAxis], at: Sequence[float]) -> list[frames.Frame]:
+    """What each axis carries, a frame [mm] in the world whose z it turns about, the axes at [deg]."""
+    out: list[frames.Frame] = []
+    for axis, value in zip(axes, at, strict=True):
+        x, y, z = axis.p
+        found: frames.Frame = ((x / MM, y / MM, z / MM), axis.q)
+        if out:
+            found = frames.compose(out[-1], found)
         half = radians(value) / 2
-        found = frames.compose(found, ((0.0, 0.0, 0.0), (cos(half), 0.0, 0.0, sin(half))))
-    return found
+        out.append(frames.compose(found, ((0.0, 0.0, 0.0), (cos(half), 0.0, 0.0, sin(half)))))
+    return out
 
 
 def moved(run: Run, point: Expression, extax: ExternalAxes, speed: Speed, rides_on: str | None) -> tuple[UnitMove, ...]:
@@ -48,15 +53,17 @@ def moved(run: Run, point: Expression, extax: ExternalAxes, speed: Speed, rides_
     out = []
     for unit, axes in run.scenario.positioners.items():
         before, after = positions(axes, run.position.extax), positions(axes, run.position.kept(extax))
-        for axis, start, end in zip(axes, before, after, strict=True):
+        for axis, start, end, (origin, q) in zip(axes, before, after, _links(axes, before), strict=True):
             low, high = (degrees(value) for value in axis.range)
             if not low - _STILL <= end <= high + _STILL:
                 where = f"{run.text(point)} asks for {unit}'s eax_{'abcdef'[axis.eax]} = {end:.6g} deg"
                 raise run.error(point, f"{where}, range {low:.6g}..{high:.6g} deg")
             if abs(end - start) > _STILL:
-                a, b = radians(start), radians(end)
-                least = _trapezoid(abs(b - a), min(axis.velocity, speed.v_reax), axis.acceleration)
-                out.append(UnitMove(unit, axis.eax, a, b, least, unit == rides_on))
+                a, b, v = radians(start), radians(end), min(axis.velocity, speed.v_reax)
+                least = _trapezoid(abs(b - a), v, axis.acceleration)
+                p = origin[0] * MM, origin[1] * MM, origin[2] * MM
+                u = frames.rotate(q, (0.0, 0.0, 1.0))
+                out.append(UnitMove(unit, axis.eax, a, b, least, unit == rides_on, v, axis.acceleration, p, u))
     return tuple(out)
 
 

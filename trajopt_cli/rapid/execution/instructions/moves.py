@@ -185,8 +185,10 @@ def to_pose(
     setup, caps, zone, duration = manner(run, asked.speed, asked.zone, asked.tool, args, speed)
     place, conf, extax, value = target
     units: tuple[UnitMove, ...] = ()
+    before = setup
     if run.scenario.positioners:
         units = moved(run, point, extax, caps, setup.unit)
+        before = run.position.equipment.turned(run, setup, run.position.extax)
         setup = run.position.equipment.turned(run, setup, run.position.kept(extax))
     placed = setup.placed(place)
     x, y, z = placed[0]
@@ -218,7 +220,7 @@ def to_pose(
     }
     if asked.via is not None:
         through = via or robtarget(run, asked.via).frame
-        _check_circle(run, asked.via, point, run.position.known_target(setup), through, place)
+        _check_circle(run, asked.via, point, run.position.known_target(before), through, place)
         # A stationary tool's via point as the flange passes it: X_WF = X_WV inv(X_FT) there too.
         parts["X_WV"] = matrix(setup.placed(through) if setup.tool else frames.compose(setup.flange(through), placed))
     motion = made(kind, parts)

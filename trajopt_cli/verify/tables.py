@@ -1,0 +1,283 @@
+"""Positioners that turn work objects: where a file has them, what the tool does over a work object that turns, and
+whether they keep their limits and the program's positions."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.findings import Finding
+from trajopt_cli.geometry import Array, IndexArray
+from trajopt_cli.motion import Program, UnitMove, motion_name, turned_under
+from trajopt_cli.trajectory import Trajectory
+from trajopt_cli.verify.findings import finding
+from trajopt_cli.verify.frame import Frame, Places
+from trajopt_cli.verify.geometry import turned
+from trajopt_cli.verify.rows import Along, Pieces, Rows
+from trajopt_cli.verify.timeline import Timeline, Visit
+from trajopt_cli.verify.tolerances import COMPUTED, JOINT, JOINT_TARGET
+
+
+def check_columns(program: Program, trajectory: Trajectory, dropped: Collection[int] = ()) -> None:
+    """Raise InputError for columns of positioners that the program does not turn, and where the path over a work object
+    that turns cannot be told for want of one."""
+    there = () if trajectory.tables is None else trajectory.tables.names
+    moved = {unit.column for motion in program.motions for unit in getattr(motion, "units", ())}
+    if strange := [name for name in there if name not in moved]:
+        text = f"the file has a column {strange[0]}, by which no positioner of the program turns: leave it out"
+        raise InputError(text)
+    for i, motion in enumerate(program.motions):
+        for unit in turned_under(motion) if i not in dropped else ():
+            if unit.column not in there:
+                raise InputError(
+                    f"the file has no column {unit.column} [rad], by which {unit.unit} turns the work object under"
+                    f" {motion_name(motion)} ({motion.source}): add where it stands in every row"
+                )
+
+
+@dataclass(frozen=True, eq=False)
+class TurnedFrame(Frame):
+    """The tool over a work object that units turn: seen from the table, as if that stood where it does when their move
+    begins. Speeds are those over the work object. world: the same tool in the world."""
+
+    world: Frame
+    units: tuple[UnitMove, ...]
+
+    @classmethod
+    def over(cls, world: Frame, units: tuple[UnitMove, ...]) -> TurnedFrame:
+        """Of a tool in the world."""
+        return cls(world.rows, world.X_FT, world, units)
+
+    @property
+    def exact(self) -> bool:
+        """No: what happens between rows is told by means over them."""
+        return False
+
+    @cached_property
+    def R(self) -> Along:
+        """Rotations (n, 3, 3) seen from the table."""
+
+        def make(a: int, b: int) -> tuple[Array]:
+            return (np.swapaxes(turned(self.units, self._theta[a:b])[0], 1, 2) @ self.world.R[a:b],)
+
+        return Along(Pieces(len(self.rows.t), make))
+
+    @property
+    def _tables(self) -> Trajectory:
+        assert self.rows.trajectory.tables is not None
+        return self.rows.trajectory.tables
+
+    @cached_property
+    def _its(self) -> list[int]:
+        return [self._tables.names.index(unit.column) for unit in self.units]
+
+    @cached_property
+    def _theta(self) -> Array:
+        """How far the units have turned (n, m) at the rows, rad."""
+        return self._since(self._tables.q)
+
+    def _since(self, q: Array) -> Array:
+        return np.asarray(q[:, self._its] - np.array([unit.start for unit in self.units]))
+
+    def _printed(self, p: Array) -> tuple[Array, Array]:
+        """How far printed angles may put positions p (n, 3) off, and turn rotations."""
+        angle, _ = printed_step(self.rows)
+        return self._lever(p) * angle / 2, np.full(len(p), len(self.units) * angle / 2)
+
+    def _lever(self, p: Array) -> Array:
+        """How far from all units' axes positions (n, 3) are, in all and at most [m]."""
+        return np.asarray(sum(np.linalg.norm(p - np.array(unit.p), axis=1) for unit in self.units))
+
+    @cached_property
+    def _small(self) -> tuple[Array, ...]:
+        p = self.world.p
+        R, x = turned(self.units, self._theta)
+        linear, angular = self._printed(p)
+        out = [_seen(R, p - x), self.world.doubt_p + linear, self.world.doubt_R + angular]
+        if self.rows.qd is not None:
+            V, *doubts = self._velocities.whole()
+            parts = np.linalg.norm(V[:, :3], axis=1), np.linalg.norm(V[:, 3:], axis=1)
+            out += [np.maximum(v - doubt, 0.0) for v, doubt in zip(parts, doubts, strict=True)]
+        return tuple(out)
+
+    @cached_property
+    def _velocities(self) -> Pieces:
+        rates, doubt = self._tables.qd, printed_step(self.rows)[1] / 2
+        assert rates is not None
+        rates = rates[:, self._its]
+
+        def make(a: int, b: int) -> tuple[Array, ...]:
+            V, p = self.world.V[a:b], self.world.p[a:b]
+            v, w = V[:, :3], V[:, 3:]
+            for i, unit in enumerate(self.units):  # an axis lies where those below it have brought it
+                R, x = turned(self.units[:i], self._theta[a:b, :i])
+                spin = rates[a:b, i, None] * (R @ np.array(unit.u))
+                v, w = v - np.cross(spin, p - (R @ np.array(unit.p) + x)), w - spin
+            R = turned(self.units, self._theta[a:b])[0]
+            linear, angular = (of[a:b] for of in self.world.doubt_V)
+            return np.hstack([_seen(R, v), _seen(R, w)]), linear + self._lever(p) * doubt, angular + doubt
+
+        return Pieces(len(self.rows.t), make)
+
+    def places(self, first: int, last: int) -> Places:
+        """All there is to see from row first to row last, seen from the table."""
+        seen = self.world.places(first, last)
+        between = self.rows.exact and last > first
+        q = _cubic(self._tables, seen.t, first) if between else self._tables.q[first : last + 1]
+        R, x = turned(self.units, self._since(q))
+        linear, angular = self._printed(seen.p)
+        R_seen = np.swapaxes(R, 1, 2) @ seen.R
+        return Places(seen.t, _seen(R, seen.p - x), R_seen, seen.doubt_p + linear, seen.doubt_angle + angular)
+
+    def span(self, before: Visit, visit: Visit) -> tuple[int, int]:
+        """First and last row of the move from one visit to the next; of a rest that has both, where units turn."""
+        if visit.arrive > before.depart:
+            return before.depart, visit.arrive
+        theta, angle = self._theta[before.arrive : visit.depart + 1, 0], self.units[0].angle
+        under_way = np.flatnonzero(np.minimum(np.abs(theta), np.abs(theta - angle)) > JOINT_TARGET)
+        if not len(under_way):
+            return visit.arrive, visit.arrive
+        last = under_way[np.argmax(np.diff(under_way, append=len(theta) + 2) > 1)]  # before it rests again
+        first = before.arrive + max(int(under_way[0]) - 1, 0)
+        return first, min(before.arrive + int(last) + 1, visit.depart)
+
+    def off(self, here: IndexArray, share: Array, doubt: Array) -> Array:
+        """How far the units (n, m) are at least, at rows here (n,), from where they should be at shares (n,) of the
+        way. doubt (n,): about the shares."""
+        angles = np.array([unit.angle for unit in self.units])
+        away = np.abs(self._theta[here] - share[:, None] * angles)
+        return np.asarray(np.maximum(away - doubt[:, None] * np.abs(angles) - printed_step(self.rows)[0] / 2, 0.0))
+
+
+def _cubic(tables: Trajectory, t: Array, first: int) -> Array:
+    """Angles (n, m) at times (n,) from row first on: of the cubic with the angles and the speeds at both rows."""
+    assert tables.qd is not None
+    i = np.clip(np.searchsorted(tables.t, t, side="right") - 1, first, len(tables.t) - 2)
+    h = np.diff(tables.t)[i, None]
+    u, way, v_0, v_1 = (t - tables.t[i])[:, None] / h, np.diff(tables.q, axis=0)[i], tables.qd[i], tables.qd[i + 1]
+    bent = u * u * (3 - 2 * u) * way + h * u * (1 - u) * ((1 - u) * v_0 - u * v_1)
+    return np.asarray(tables.q[i] + bent)
+
+
+def _seen(R: Array, values: Array) -> Array:
+    """Vectors (n, 3) seen from the frames R (n, 3, 3)."""
+    return np.asarray(np.einsum("nji,nj->ni", R, values))
+
+
+def printed_step(rows: Rows) -> tuple[float, float]:
+    """The printed step of positioners' angles [rad] and speeds [rad/s], the coarsest of all."""
+    if rows.doubt_tables is None:
+        return COMPUTED, COMPUTED
+    return max(float(rows.doubt_tables.q.max()), COMPUTED), max(float(rows.doubt_tables.qd.max()), COMPUTED)
+
+
+@dataclass(frozen=True)
+class _Phase:
+    """Rows first to last in which units turn, every other positioner standing. visit: at its end."""
+
+    first: int
+    last: int
+    units: tuple[UnitMove, ...]
+    visit: Visit
+
+
+def _phases(program: Program, line: Timeline) -> Iterator[_Phase]:
+    """Moves and rests in turn, all rows of the file. A rest may have moves in it that move the tables alone."""
+    first = line.visits[0]
+    begin, end, visit, waiting = first.arrive, first.depart, first, _holding(program, first)
+    for after in line.visits[1:]:
+        if after.event is None:
+            continue
+        units = () if after.point.move is None else after.point.move.units
+        if after.arrive <= end:
+            waiting += units
+        else:
+            yield _Phase(begin, end, waiting, visit)
+            yield _Phase(end, after.arrive, units, after)
+            begin, waiting = after.arrive, ()
+        end, visit, waiting = max(after.depart, end), after, waiting + _holding(program, after)
+    yield _Phase(begin, len(line.rows.t) - 1, waiting, visit)
+
+
+def _holding(program: Program, visit: Visit) -> tuple[UnitMove, ...]:
+    """What turns by itself while the tool waits at a point."""
+    return tuple(unit for i, _ in visit.point.holds for unit in getattr(program.motions[i], "units", ()))
+
+
+def check_tables(program: Program, line: Timeline) -> list[Finding]:
+    """Of every positioner's axis in the file: that it goes from position to position as the program wants, stands where
+    the program turns another or none, and keeps its velocity and acceleration. The worst of each kind, of each axis."""
+    rows, tables = line.rows, line.rows.trajectory.tables
+    if tables is None:
+        return []
+    found: dict[tuple[str, str], Finding] = {}
+    moves = [unit for motion in reversed(program.motions) for unit in getattr(motion, "units", ())]
+    at, hardest = {unit.column: unit.start for unit in moves}, {unit.column: unit.acceleration for unit in moves}
+    for phase in _phases(program, line):
+        for j, name in enumerate(tables.names):
+            units = [unit for unit in phase.units if unit.column == name]
+            for one in _axis(rows, tables, j, phase, units, at[name], hardest[name]):
+                known = found.get((one.check, name))
+                worse = known is not None and known.limit > 0 and one.value / one.limit > known.value / known.limit
+                if known is None or (known.passed and (worse or not one.passed)):
+                    found[one.check, name] = one
+            at[name] = units[-1].end if units else at[name]
+    return [*found.values()]
+
+
+def _axis(
+    rows: Rows, tables: Trajectory, j: int, phase: _Phase, units: Sequence[UnitMove], start: float, hardest: float
+) -> Iterator[Finding]:
+    """Findings about one axis in a phase that begins with it at start [rad]. hardest: its acceleration limit."""
+    a, b, name, source = phase.first, phase.last, tables.names[j], phase.visit.point.source
+    q, t = tables.q[a : b + 1, j], rows.t[a : b + 1]
+    step, step_v = printed_step(rows)
+    granted = step / 2 + hardest * rows.open_time[a : b + 1] ** 2 / 2  # where a row at rest is near, not there
+    off = (np.abs(q - start) - granted)[: len(q) if not units else 1]
+    i = int(np.argmax(off))
+    yield finding("positioner position", name, float(q[i]), start, "rad", bool(off[i] <= JOINT_TARGET),
+                  time=float(t[i]), source=source, bound="wanted")  # fmt: skip
+    if not units:
+        return
+    off_end = abs(float(q[-1]) - units[-1].end) - granted[-1]
+    yield finding("positioner position", name, float(q[-1]), units[-1].end, "rad", bool(off_end <= JOINT_TARGET),
+                  time=float(t[-1]), source=source, bound="wanted", note=f" at {phase.visit.point.name}")  # fmt: skip
+    if b <= a:
+        return
+    h = np.diff(t)
+    velocity, acceleration = max(one.velocity for one in units), max(one.acceleration for one in units)
+    mean = np.maximum(np.abs(np.diff(q)) - step, 0.0) / (h + rows.doubt_t)
+    if tables.qd is None:
+        speed, change = mean, np.maximum(np.abs(np.diff(np.diff(q) / h)) - 4 * step / h.min(), 0.0)
+        pull, when = change / ((h[1:] + h[:-1]) / 2), t[1:-1]
+    else:
+        v = tables.qd[a : b + 1, j]
+        speed = np.maximum(mean, np.maximum(np.abs(v[1:]), np.abs(v[:-1])) - step_v)
+        # the cubic between two rows: the mean of their speeds is the mean speed where the acceleration is steady
+        bend = np.abs(np.diff(q) / h - (v[1:] + v[:-1]) / 2) - 2 * step / h - step_v
+        pull = (np.maximum(np.abs(np.diff(v)) - step_v, 0.0)) / (h + rows.doubt_t)
+        pull, when = np.maximum(pull, np.maximum(bend, 0.0) / (h / 4)), t[:-1]
+    for check, values, times, limit, unit in (
+        ("speed", speed, t[:-1], velocity, "rad/s"),
+        ("acceleration", pull, when, acceleration, "rad/s2"),
+    ):
+        if len(values):
+            i = int(np.argmax(values))
+            passed = bool(values[i] <= limit * (1 + JOINT))
+            yield finding(f"positioner {check}", name, float(values[i]), limit, unit, passed, time=float(times[i]),
+                          source=source, words=check)  # fmt: skip
+
+
+def turned_frames(program: Program, frames: dict[bytes, Frame], line: Timeline) -> dict[int, TurnedFrame]:
+    """The frames over work objects that turn, by the number of the motion that is drawn there."""
+    out: dict[int, TurnedFrame] = {}
+    for _, visit in pairwise(line.visits):
+        units = turned_under(visit.point.move) if visit.point.move is not None else ()
+        if units and visit.event is not None:
+            out[visit.point.index] = TurnedFrame.over(frames[np.asarray(visit.point.X_FT).tobytes()], units)
+    return out
