@@ -180,8 +180,8 @@ def egm(
     as_json: AsJson = False,
     quiet: Quiet = False,
 ) -> None:
-    """Set points and speed references: joints in degrees, the rail in mm in the place of its external axis. Each
-    message stands behind its length; trajopt play egm tries them.
+    """Set points and speed references: joints in degrees, the rail in mm and positioners that turn in degrees in the
+    places of their external axes. Each message stands behind its length; trajopt play egm tries them.
 
     \b
     Example:
@@ -193,13 +193,14 @@ def egm(
     check_output(output, results)
     motion, stream = egm_stream(results, rate)
     write_file(output, stream_bytes(stream))
+    beside = [*zip(stream.names, stream.units, strict=True)][stream.joints :]
     line = (
         f"{output}: {motion.name}, {len(stream.q)} set points at {rate:g} Hz, T = {stream.duration:.4f} s:"
-        f" {stream.joints} joints in deg{''.join(f', {name} in mm' for name in stream.names[stream.joints :])}"
+        f" {stream.joints} joints in deg{''.join(f', {name} in {unit}' for name, unit in beside)}"
     )
     record = {**_record(output, motion, len(stream.q), stream.duration, rate), "axes": list(stream.names)}
-    unused = stream.names[stream.joints : -1]
-    said = [f"{', '.join(unused)}: 0 in every message; the rail is {stream.names[-1]}"] if unused else []
+    unused = [name for name in stream.names[stream.joints :] if name not in stream.driven]
+    said = [f"{', '.join(unused)}: 0 in every message; the rail is {stream.driven[-1]}"] if unused else []
     _tell(line, (*said, *_holds(motion)), record, as_json, quiet)
 
 

@@ -32,12 +32,15 @@ _LETTERS = "abcdef"
 @dataclass(frozen=True, eq=False)
 class Stream:
     """Set points a period [s] apart: positions q and speeds qd (n, k) of so many joints [deg], then external axes a, b,
-    ... [mm] as far as any is driven."""
+    ... [mm] as far as any is driven, those of turns in deg. driven: the external axes that are, the rail last; a stream
+    that was read says neither."""
 
     period: float
     joints: int
     q: Array
     qd: Array
+    turns: tuple[int, ...] = ()
+    driven: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "q", readonly(self.q))
@@ -53,7 +56,7 @@ class Stream:
     def units(self) -> tuple[str, ...]:
         """Of every axis."""
         beside: int = self.q.shape[1] - self.joints
-        return ("deg",) * self.joints + ("mm",) * beside
+        return ("deg",) * self.joints + tuple("deg" if i in self.turns else "mm" for i in range(beside))
 
     @property
     def t(self) -> Array:
@@ -79,8 +82,8 @@ class RobotState:
 def stream_of(motion: Recorded, rate: float = HIGHEST_RATE, eax: int | None = None) -> Stream:
     """Set points at k / rate, the last one at rest at the exact end. eax: index of the rail's external axis.
 
-    Axes before the rail's letter are 0. Raises InputError for a motion of another kind of robot, or without speeds, and
-    for a rate above 250 Hz.
+    Positioners that turn have their own letters; axes before the last one that have none are 0. Raises InputError for
+    a motion of another kind of robot, or without speeds, and for a rate above 250 Hz.
     """
     trajectory, layout = motion.trajectory, _layout(motion.trajectory)
     if motion.period is not None or layout is None:
@@ -93,10 +96,16 @@ def stream_of(motion: Recorded, rate: float = HIGHEST_RATE, eax: int | None = No
     q, qd, _ = hermite(trajectory, t)
     q[-1], qd[-1] = trajectory.q[-1], 0.0
     arm, rail = layout
-    beside = np.zeros((2, len(t), 0 if rail is None else (eax or 0) + 1))
+    tables = trajectory.tables
+    turns = () if tables is None else tuple(_LETTERS.index(name[-1]) for name in tables.names)
+    its_rail = () if rail is None else (eax or 0,)
+    beside = np.zeros((2, len(t), max((*turns, *its_rail), default=-1) + 1))
     if rail is not None:
-        beside[:, :, -1] = q[:, rail] / MM, qd[:, rail] / MM
-    return Stream(1 / rate, _JOINTS, np.hstack([q[:, arm] / DEG, beside[0]]), np.hstack([qd[:, arm] / DEG, beside[1]]))
+        beside[:, :, its_rail[0]] = q[:, rail] / MM, qd[:, rail] / MM
+    if tables is not None:
+        beside[:, :, [*turns]] = np.array(hermite(tables, t)[:2]) / DEG
+    parts = (np.hstack([x[:, arm] / DEG, more]) for x, more in zip((q, qd), beside, strict=True))
+    return Stream(1 / rate, _JOINTS, *parts, turns, tuple(f"eax_{_LETTERS[i]}" for i in (*turns, *its_rail)))
 
 
 def _layout(trajectory: Trajectory) -> tuple[list[int], int | None] | None:

@@ -43,6 +43,7 @@ def mcap(trajectory: Trajectory, names: Sequence[str] | None = None) -> bytes:
     except ImportError as error:
         missing = "mcap-ros2-support is not installed: pip install 'trajopt-cli[mcap]'"
         raise InputError(missing if error.name == "mcap_ros2" else f"MCAP cannot be written: {error}") from error
+    trajectory = trajectory.whole
     names, qd = checked_names(trajectory, names)
     out = BytesIO()
     with Writer(out) as writer:

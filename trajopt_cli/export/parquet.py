@@ -24,6 +24,7 @@ def parquet(trajectory: Trajectory) -> bytes:
         if error.name is None or error.name.split(".")[0] != "pyarrow":
             message = f"pyarrow cannot be imported: {error}; pip install --force-reinstall 'trajopt-cli[parquet]'"
         raise InputError(message) from error
+    trajectory = trajectory.whole
     columns = [trajectory.t, *trajectory.q.T, *([] if trajectory.qd is None else trajectory.qd.T)]
     heads = header(trajectory.names, trajectory.qd is not None)
     out = BytesIO()

@@ -19,6 +19,7 @@ def joint_trajectory(trajectory: Trajectory, names: Sequence[str] | None = None)
     Times count from the first row. Accelerations are second divided differences, 0 in the first and the last row.
     Raises InputError as checked_names.
     """
+    trajectory = trajectory.whole
     names, qd = checked_names(trajectory, names)
     return "".join(_lines(trajectory, qd, names))
 

@@ -522,7 +522,8 @@ def _on_axes(axes: Axes, problem: Problem, parts: Sequence[Part], shares: Sequen
         s, k = part.own(u), part.s_1 - part.s_0
         found.append((segment.axes(s), segment.rate(s) * k, segment.rate_change(s) * k**2))
     q, dq, ddq = (np.concatenate(x) for x in zip(*found, strict=True))
-    out = Along(q, dq, ddq, *(np.empty((len(q), 3)) for _ in range(3)), table=np.zeros((len(q), 2)))
+    v, w, bend = (np.empty((len(q), 3)) for _ in range(3))
+    out = Along(q, dq, ddq, v, w, bend, np.zeros((len(q), 2)))
     tools = [problem.legs[part.leg].X_FT for part in parts]
     for at, X_FT in _by_tool(tools, shares):
         J, Jd = axes.jacobian(q[at], X_FT), axes.jacobian_rate(q[at], dq[at], X_FT)
