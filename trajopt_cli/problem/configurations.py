@@ -16,7 +16,19 @@ from math import floor, pi
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
-from trajopt_cli.motion import ConfData, MoveAbsJ, MoveC, MoveJ, MoveL, Program, SignalEvent, Source, Wait, motion_name
+from trajopt_cli.motion import (
+    ConfData,
+    MoveAbsJ,
+    MoveC,
+    MoveJ,
+    MoveL,
+    Program,
+    SignalEvent,
+    Source,
+    Wait,
+    motion_name,
+    turned_under,
+)
 from trajopt_cli.problem.along import ArmLine, Followed, follow
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plannable import demands_configuration
@@ -240,7 +252,11 @@ def _alternatives(turned: Array, inside: BoolArray) -> tuple[ConfData, ...]:
 def _lines(program: Program, plant: Plant, points: Sequence[_Point], poses: _Poses) -> list[tuple[int, ArmLine]]:
     """The lines whose configuration counts and whose start joints are known, by index of the motion."""
     at = {point.index: k for k, point in enumerate(points)}
-    wanted = {point.index for point in points if point.demanded and isinstance(point.motion, MoveL)}
+    wanted = {
+        point.index
+        for point in points
+        if point.demanded and isinstance(point.motion, MoveL) and not turned_under(point.motion)
+    }
     robot = plant.robot
     lines: list[tuple[int, ArmLine]] = []
     if not wanted:

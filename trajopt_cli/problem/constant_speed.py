@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.motion import FlyBy, Move, MoveC, MoveL, Program, SignalEvent, Source, Wait, motion_name
+from trajopt_cli.motion import FlyBy, Move, MoveC, MoveL, Program, SignalEvent, Source, Wait, motion_name, turned_under
 from trajopt_cli.problem.demands import acceleration_share, tcp_acceleration
 from trajopt_cli.problem.plan import Plan, PlannedMotion
 from trajopt_cli.problem.plant import Plant
@@ -146,7 +146,7 @@ def _stretches(program: Program, planned: Sequence[PlannedMotion]) -> Iterator[l
             continue
         if isinstance(motion, Wait) and not motion.stops:
             continue
-        if isinstance(motion, MoveL | MoveC) and motion.constant_speed:
+        if isinstance(motion, MoveL | MoveC) and motion.constant_speed and not turned_under(motion):
             found += [one] if one.t_1 > one.t_0 else []  # a line to where it starts takes no time
         elif found:
             yield found

@@ -25,6 +25,7 @@ from trajopt_cli.motion import (
     SignalEvent,
     Wait,
     motion_name,
+    turned_under,
 )
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.course import Course, course_of
@@ -147,6 +148,10 @@ class FixedRail:
 
 def fixed_rail(case: Case) -> FixedRail | Infeasible:
     """The case's fixed-rail plan cut into runs, or why there is none."""
+    for i, motion in enumerate(case.program.motions):
+        if turned_under(motion):
+            why = "is drawn on a work object that turns meanwhile; this method knows only ways that lie still"
+            return Infeasible(i, motion.source, f"{motion_name(motion)} {why}")
     plan = case.solve(case.program, Target.STREAM, FIXED_RAIL)
     if isinstance(plan, Infeasible):
         return plan

@@ -178,8 +178,9 @@ def _rail_share(run: Run, leg: int) -> Iterator[Finding]:
     if not len(here):
         return
     s, d = run.shares[here], rows.q[where, 0]
-    s_0, d_0 = (0.0, rows.q[before.depart, 0]) if before.point.fly_by is None else (s[0], d[0])
-    s_1, d_1 = (1.0, rows.q[visit.arrive, 0]) if visit.point.fly_by is None else (s[-1], d[-1])
+    first, last = (before.depart, visit.arrive) if visit.arrive > before.depart else run.part
+    s_0, d_0 = (0.0, rows.q[first, 0]) if before.point.fly_by is None else (s[0], d[0])
+    s_1, d_1 = (1.0, rows.q[last, 0]) if visit.point.fly_by is None else (s[-1], d[-1])
     slope = (d_1 - d_0) / max(s_1 - s_0, 1e-9)
     doubt = (run.places.doubt_angle if way.only_turns else run.places.doubt_p)[here] / way.way
     granted = _end_doubt(rows, before, visit)[0] + rows.doubt_q[0] / 2 + 2 * abs(slope) * doubt

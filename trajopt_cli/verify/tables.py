@@ -22,6 +22,8 @@ from trajopt_cli.verify.rows import Along, Pieces, Rows
 from trajopt_cli.verify.timeline import Timeline, Visit
 from trajopt_cli.verify.tolerances import COMPUTED, JOINT, JOINT_TARGET
 
+_POSITION = "positioner position"
+
 
 def check_columns(program: Program, trajectory: Trajectory, dropped: Collection[int] = ()) -> None:
     """Raise InputError for columns of positioners that the program does not turn, and where the path over a work object
@@ -223,8 +225,8 @@ def check_tables(program: Program, line: Timeline) -> list[Finding]:
             units = [unit for unit in phase.units if unit.column == name]
             for one in _axis(rows, tables, j, phase, units, at[name], hardest[name]):
                 known = found.get((one.check, name))
-                worse = known is not None and known.limit > 0 and one.value / one.limit > known.value / known.limit
-                if known is None or (known.passed and (worse or not one.passed)):
+                worse = known is not None and one.value * known.limit > known.value * one.limit
+                if known is None or (known.passed and (not one.passed or (worse and one.check != _POSITION))):
                     found[one.check, name] = one
             at[name] = units[-1].end if units else at[name]
     return [*found.values()]
@@ -237,15 +239,15 @@ def _axis(
     a, b, name, source = phase.first, phase.last, tables.names[j], phase.visit.point.source
     q, t = tables.q[a : b + 1, j], rows.t[a : b + 1]
     step, step_v = printed_step(rows)
-    granted = step / 2 + hardest * rows.open_time[a : b + 1] ** 2 / 2  # where a row at rest is near, not there
+    granted = step / 2 + hardest * (2 * rows.open_time[a : b + 1]) ** 2 / 2  # a row at rest is near by
     off = (np.abs(q - start) - granted)[: len(q) if not units else 1]
     i = int(np.argmax(off))
-    yield finding("positioner position", name, float(q[i]), start, "rad", bool(off[i] <= JOINT_TARGET),
+    yield finding(_POSITION, name, float(q[i]), start, "rad", bool(off[i] <= JOINT_TARGET),
                   time=float(t[i]), source=source, bound="wanted")  # fmt: skip
     if not units:
         return
     off_end = abs(float(q[-1]) - units[-1].end) - granted[-1]
-    yield finding("positioner position", name, float(q[-1]), units[-1].end, "rad", bool(off_end <= JOINT_TARGET),
+    yield finding(_POSITION, name, float(q[-1]), units[-1].end, "rad", bool(off_end <= JOINT_TARGET),
                   time=float(t[-1]), source=source, bound="wanted", note=f" at {phase.visit.point.name}")  # fmt: skip
     if b <= a:
         return
