@@ -130,6 +130,18 @@ def test_where_the_tool_is_there_already_it_stands_while_the_table_turns() -> No
         assert verify(found, plant, plan.trajectory, target=target).legal
 
 
+def test_external_axes_that_are_there_already_take_no_time_whatever_their_speed() -> None:
+    """vrot100 has no speed for a rail: it stays where it is told to be, and so may the table."""
+    there = "MoveExtJ [[9E9,9E9,9E9,9E9,9E9,9E9],[0,%s,9E9,9E9,9E9,9E9]], vrot100, fine; "
+    found = program(
+        there % 50 + there % 50 + "MoveExtJ [[9E9,9E9,9E9,9E9,9E9,9E9],[9E9,50,9E9,9E9,9E9,9E9]], vrot100, fine;"
+    )
+    for target in Target:
+        plan = optimize(found, plant_with_rail(), target)
+        assert isinstance(plan, Plan)
+        assert plan.duration == pytest.approx(found.motions[0].least, abs=1e-5)
+
+
 @pytest.mark.parametrize(
     ("body", "said"),
     [

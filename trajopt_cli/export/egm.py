@@ -98,14 +98,14 @@ def stream_of(motion: Recorded, rate: float = HIGHEST_RATE, eax: int | None = No
     arm, rail = layout
     tables = trajectory.tables
     turns = () if tables is None else tuple(_LETTERS.index(name[-1]) for name in tables.names)
-    its_rail = () if rail is None else (eax or 0,)
-    beside = np.zeros((2, len(t), max((*turns, *its_rail), default=-1) + 1))
+    letters = [*turns, *([] if rail is None else [eax or 0])]
+    beside = np.zeros((2, len(t), max(letters, default=-1) + 1))
     if rail is not None:
-        beside[:, :, its_rail[0]] = q[:, rail] / MM, qd[:, rail] / MM
+        beside[:, :, letters[-1]] = q[:, rail] / MM, qd[:, rail] / MM
     if tables is not None:
         beside[:, :, [*turns]] = np.array(hermite(tables, t)[:2]) / DEG
-    parts = (np.hstack([x[:, arm] / DEG, more]) for x, more in zip((q, qd), beside, strict=True))
-    return Stream(1 / rate, _JOINTS, *parts, turns, tuple(f"eax_{_LETTERS[i]}" for i in (*turns, *its_rail)))
+    places, speeds = (np.hstack([x[:, arm] / DEG, more]) for x, more in zip((q, qd), beside, strict=True))
+    return Stream(1 / rate, _JOINTS, places, speeds, turns, tuple(f"eax_{_LETTERS[i]}" for i in letters))
 
 
 def _layout(trajectory: Trajectory) -> tuple[list[int], int | None] | None:

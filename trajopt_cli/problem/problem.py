@@ -382,7 +382,9 @@ class _Build:
         q, layout = _as_written(before, self._plant), self._plant.layout
         rail = float(layout.place(q))
         self.waypoints[-1] = replace(before, q=q, rail=(rail, rail), written=rail, conf=None)
-        self._to(self._at_joints(index, self._axes(q[layout.arm])), motion, (np.inf, np.inf, motion.speed.v_leax))
+        # vrot10 and its like have no speed for a rail, and need none where it stays
+        v_rail = motion.speed.v_leax if abs(self._written - rail) > _STILL else np.inf
+        self._to(self._at_joints(index, self._axes(q[layout.arm])), motion, (np.inf, np.inf, v_rail))
 
     def _way(self, index: int, motion: MoveL | MoveC) -> None:
         """A line or an arc; a line of no length is a dwell that lasts as long as its rail needs."""
