@@ -4,11 +4,23 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated
 
 import typer
 
-from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, LoopsOption, ProgramPaths, Quiet
+from trajopt_cli.cli.options import (
+    AsJson,
+    AssumeIdentity,
+    CellPath,
+    Entry,
+    Jobs,
+    LoopsOption,
+    ProgramPaths,
+    Quiet,
+    TargetOption,
+    TimeLimit,
+    patience_of,
+)
 from trajopt_cli.cli.process import reading, wrote
 from trajopt_cli.errors import InputError
 
@@ -18,10 +30,7 @@ def optimize(
     cell: CellPath = None,
     entry: Entry = None,
     assume_identity: AssumeIdentity = None,
-    target: Annotated[
-        Literal["stream", "rapid"],
-        typer.Option(help="Whose plan trajectory.csv carries: a joint stream's or the RAPID controller's."),
-    ] = "stream",
+    target: TargetOption = "stream",
     loops: LoopsOption = "keep",
     output: Annotated[
         Path | None, typer.Option(metavar="FOLDER", help="Results folder; default: results/PROGRAM.")
@@ -29,26 +38,8 @@ def optimize(
     plots: Annotated[
         bool, typer.Option("--plots", help="Draw the chosen plan as well: SVG and PNG in the folder's plots/.")
     ] = False,
-    jobs: Annotated[
-        int | None,
-        typer.Option(
-            "--jobs",
-            min=1,
-            metavar="N",
-            help="Processes at work; default: one for every core. The plans are the same for any number.",
-            show_default=False,
-        ),
-    ] = None,
-    time_limit: Annotated[
-        float | None,
-        typer.Option(
-            "--time-limit",
-            metavar="S",
-            help="Look for a faster plan until S seconds after the start, at most; 0 gives the first legal plan. Two "
-            "such runs may differ. Ctrl-C ends the search, too; a second one gives up.",
-            show_default=False,
-        ),
-    ] = None,
+    jobs: Jobs = None,
+    time_limit: TimeLimit = None,
     cycle_time: Annotated[
         float | None,
         typer.Option(
@@ -66,8 +57,8 @@ def optimize(
 ) -> None:
     """Find the fastest legal motion for PROGRAM, have it judged, and write it as joint CSV and as RAPID.
 
-    Both targets are solved in every run. Exit code 1: the program cannot be done, or not in the time given, and why;
-    or, with --target rapid, its text cannot carry the plan.
+    Both targets are solved in every run; trajectory.csv carries the plan of --target. Exit code 1: the program cannot
+    be done, or not in the time given, and why; or, with --target rapid, its text cannot carry the plan.
 
     \b
     Example:
@@ -82,17 +73,14 @@ def optimize(
     from trajopt_cli.pipeline.optimise import Optimised, optimise
     from trajopt_cli.problem.changes import Loops
     from trajopt_cli.problem.objective import GENTLE, LEAST_TIME, LeastEffort
-    from trajopt_cli.problem.patience import Patience
     from trajopt_cli.problem.plan import Target
 
-    if time_limit is not None and not 0 <= time_limit < math.inf:
-        raise InputError(f"--time-limit: needs a time of 0 s or more, not {time_limit:g}")
+    patience = patience_of(time_limit)
     if cycle_time is not None and not 0 < cycle_time < math.inf:
         raise InputError(f"--cycle-time: needs a time of more than 0 s, not {cycle_time:g}")
     if cycle_time is not None and gentle:
         raise InputError("--cycle-time and --gentle: give one of them; both are the gentlest plan, within other times")
     objective = GENTLE if gentle else LEAST_TIME if cycle_time is None else LeastEffort(cycle_time)
-    patience = Patience(time_limit)
     with reading():
         job = read_job(program, cell, entry or MAIN, assume_identity or ())
     folder = output or Path("results") / job.program.name

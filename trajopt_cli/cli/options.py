@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
+
+from trajopt_cli.errors import InputError
+
+if TYPE_CHECKING:
+    from trajopt_cli.problem.patience import Patience
 
 ProgramPaths = Annotated[
     list[Path],
@@ -33,9 +39,42 @@ AssumeIdentity = Annotated[
         show_default=False,
     ),
 ]
+TargetOption = Annotated[
+    Literal["stream", "rapid"],
+    typer.Option("--target", help="Whose plan is asked for: a joint stream's or the RAPID controller's."),
+]
+Jobs = Annotated[
+    int | None,
+    typer.Option(
+        "--jobs",
+        min=1,
+        metavar="N",
+        help="Processes at work; default: one for every core. The answer is the same for any number.",
+        show_default=False,
+    ),
+]
+TimeLimit = Annotated[
+    float | None,
+    typer.Option(
+        "--time-limit",
+        metavar="S",
+        help="Look for a better answer until S seconds after the start, at most; 0 gives the first legal one. Two such "
+        "runs may differ. Ctrl-C ends the search, too; a second one gives up.",
+        show_default=False,
+    ),
+]
 ResultsFolder = Annotated[Path, typer.Argument(metavar="RESULTS", help="Results folder of trajopt optimize.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON document instead of text.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Print the result in a line, and warnings; no progress.")]
+
+
+def patience_of(time_limit: float | None) -> Patience:
+    """How long a search may go on. Raises InputError for a limit that is no time."""
+    from trajopt_cli.problem.patience import Patience
+
+    if time_limit is not None and not 0 <= time_limit < math.inf:
+        raise InputError(f"--time-limit: needs a time of 0 s or more, not {time_limit:g}")
+    return Patience(time_limit)
 
 
 def robots(incomplete: str) -> list[str]:

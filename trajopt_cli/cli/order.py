@@ -3,11 +3,22 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, ProgramPaths, Quiet
+from trajopt_cli.cli.options import (
+    AsJson,
+    AssumeIdentity,
+    CellPath,
+    Entry,
+    Jobs,
+    ProgramPaths,
+    Quiet,
+    TargetOption,
+    TimeLimit,
+    patience_of,
+)
 from trajopt_cli.cli.process import reading, wrote
 
 if TYPE_CHECKING:
@@ -25,9 +36,7 @@ def order(
         str | None,
         typer.Option("--group", metavar="NAME", help="Which group of the cell file's order, where it has several."),
     ] = None,
-    target: Annotated[
-        Literal["stream", "rapid"], typer.Option(help="Whose cycle counts: a joint stream's, the RAPID controller's.")
-    ] = "rapid",
+    target: TargetOption = "rapid",
     apply: Annotated[
         bool,
         typer.Option("--apply", help="Write the best order into your program; the file as it was stays as NAME.bak."),
@@ -38,22 +47,8 @@ def order(
     ] = None,
     as_json: AsJson = False,
     quiet: Quiet = False,
-    jobs: Annotated[
-        int | None,
-        typer.Option(
-            "--jobs",
-            min=1,
-            metavar="N",
-            help="Processes at work; default: one for every core. The answer is the same for any number.",
-            show_default=False,
-        ),
-    ] = None,
-    time_limit: Annotated[
-        float | None,
-        typer.Option(
-            "--time-limit", min=1, metavar="S", help="Look for a better order no longer than this.", show_default=False
-        ),
-    ] = None,
+    jobs: Jobs = None,
+    time_limit: TimeLimit = None,
 ) -> None:
     """Find the fastest order of the parts that the cell file lets be done in any order (its key order).
 
@@ -69,18 +64,17 @@ def order(
     from trajopt_cli.cli.progress import ProgressView
     from trajopt_cli.cli.remarks import by_name
     from trajopt_cli.job import MAIN, read_job
-    from trajopt_cli.problem.patience import Patience
     from trajopt_cli.problem.plan import Target
     from trajopt_cli.runs.folder import check_replaceable
     from trajopt_cli.study.order import Ordered, apply_order, order_of, order_record, write_order
     from trajopt_cli.study.order_text import group_of
 
+    patience = patience_of(time_limit)
     with reading():
         job = read_job(program, cell, entry or MAIN, assume_identity or ())
     found = group_of(job, group)
     folder = output or Path("results") / f"{job.program.name}_order"
     check_replaceable(folder)
-    patience = Patience(time_limit)
     with ProgressView(patience, quiet) as view:
         answer = order_of(found, Target(target), view.show, patience, jobs)
     if not isinstance(answer, Ordered):

@@ -3,11 +3,22 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated
 
 import typer
 
-from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, ProgramPaths, Quiet
+from trajopt_cli.cli.options import (
+    AsJson,
+    AssumeIdentity,
+    CellPath,
+    Entry,
+    Jobs,
+    ProgramPaths,
+    Quiet,
+    TargetOption,
+    TimeLimit,
+    patience_of,
+)
 from trajopt_cli.cli.process import reading, wrote
 
 
@@ -33,9 +44,7 @@ def place(
     cell: CellPath = None,
     entry: Entry = None,
     assume_identity: AssumeIdentity = None,
-    target: Annotated[
-        Literal["stream", "rapid"], typer.Option(help="Whose cycle counts: a joint stream's, the RAPID controller's.")
-    ] = "stream",
+    target: TargetOption = "stream",
     points: Annotated[
         int | None,
         typer.Option(
@@ -56,22 +65,8 @@ def place(
     ] = None,
     as_json: AsJson = False,
     quiet: Quiet = False,
-    jobs: Annotated[
-        int | None,
-        typer.Option(
-            "--jobs",
-            min=1,
-            metavar="N",
-            help="Processes at work; default: one for every core. The answer is the same for any number.",
-            show_default=False,
-        ),
-    ] = None,
-    time_limit: Annotated[
-        float | None,
-        typer.Option(
-            "--time-limit", min=1, metavar="S", help="Look for a better place no longer than this.", show_default=False
-        ),
-    ] = None,
+    jobs: Jobs = None,
+    time_limit: TimeLimit = None,
 ) -> None:
     """Find where the base, the rail or a work object should stand for the shortest cycle, and draw the map.
 
@@ -87,7 +82,6 @@ def place(
     from trajopt_cli.cli.progress import ProgressView
     from trajopt_cli.cli.remarks import by_name
     from trajopt_cli.job import MAIN, read_job
-    from trajopt_cli.problem.patience import Patience
     from trajopt_cli.problem.plan import Target
     from trajopt_cli.runs.files import check_file, write_file
     from trajopt_cli.runs.folder import check_replaceable
@@ -96,6 +90,7 @@ def place(
     from trajopt_cli.study.places import parse_ranges, site_of
 
     ranges = parse_ranges(range_)
+    patience = patience_of(time_limit)
     with reading():
         job = read_job(program, cell, entry or MAIN, assume_identity or ())
     site = site_of(job, what, ranges)
@@ -104,7 +99,6 @@ def place(
     if apply is not None:
         site.check_apply(apply)
         check_file(apply, "--apply")
-    patience = Patience(time_limit)
     with ProgressView(patience, quiet) as view:
         answer = place(site, Target(target), view.show, patience, jobs, points)
     best, files = answer.best, (*job.program.files, str(job.cell_path))

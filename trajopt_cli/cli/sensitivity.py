@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 
 import typer
 
-from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, LoopsOfProgram, Quiet
+from trajopt_cli.cli.options import AsJson, AssumeIdentity, CellPath, Entry, Jobs, LoopsOfProgram, Quiet
 from trajopt_cli.cli.process import reading
 
 
@@ -38,16 +38,7 @@ def sensitivity(
     as_json: AsJson = False,
     quiet: Quiet = False,
     everything: Annotated[bool, typer.Option("--all", help="List every lever, also those that save nothing.")] = False,
-    jobs: Annotated[
-        int | None,
-        typer.Option(
-            "--jobs",
-            min=1,
-            metavar="N",
-            help="Processes at work; default: one for every core. The answer is the same for any number.",
-            show_default=False,
-        ),
-    ] = None,
+    jobs: Jobs = None,
 ) -> None:
     """Tell what PROGRAM's cycle would save with each limit, speed, wait and place of the cell a little different.
 
