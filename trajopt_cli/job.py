@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from trajopt_cli.kinematics import Kinematics
     from trajopt_cli.problem.changes import Loops
     from trajopt_cli.problem.plant import Plant
+    from trajopt_cli.runs.results import Results
     from trajopt_cli.scenario import Scenario
 
 MAIN = "main"
@@ -87,8 +88,16 @@ def cell_of_results(folder: Path) -> Cell:
     """The cell that a results folder keeps, with the robot that it keeps."""
     from trajopt_cli.runs.results import read_results
 
-    results = read_results(folder)
-    return _with_robot(results.cell, results.robot)
+    return _cell_kept(read_results(folder))
+
+
+def _cell_kept(results: Results) -> Cell:
+    """The cell of a results folder. Raises InputError where it names a robot's file that the folder does not hold."""
+    cell = _with_robot(results.cell, results.robot)
+    if results.robot is None and cell.robot_files(Path()):
+        message = "robot: names a file that the results folder does not hold; run trajopt optimize again"
+        raise InputError(message, file=str(results.cell), kind=ErrorKind.RESULTS)
+    return cell
 
 
 def _with_robot(path: Path, robot: Path | None) -> Cell:
@@ -190,6 +199,7 @@ def _of_results(folder: Path, judged: bool = False) -> tuple[Job, Loops]:
 
     with of_kind(ErrorKind.RESULTS):
         results = read_results(folder, judged)
+    _cell_kept(results)
     job = read_job(results.modules, results.cell, results.entry, results.assume_identity, results.robot)
     return job, results.loops
 

@@ -70,10 +70,12 @@ def test_a_place_that_cannot_be_is_one_line_before_any_work(
 def test_a_folder_that_may_not_be_written_is_told(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    def refuse(path: Path, **_: object) -> NoReturn:
+    def refuse(path: Path, *_: object) -> NoReturn:
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(path))
 
-    monkeypatch.setattr(Path, "touch", refuse)  # root, as whom tests often run, may write anywhere
+    monkeypatch.setattr(
+        "trajopt_cli.runs.files.open", refuse, raising=False
+    )  # root, as whom tests often run, may write anywhere
     assert run(["export", "joint", "results/x", "--output", "x.csv"]) == 2
     assert capsys.readouterr().err == "x.csv: cannot write: Permission denied\n"
 

@@ -15,8 +15,8 @@ from fake_planner import Planner
 from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError
 from trajopt_cli.pipeline.folder import rapid_export
-from trajopt_cli.runs.files import replace_files
 from trajopt_cli.runs.results import RapidModule, write_in_place
+from trajopt_cli.runs.together import replace_files
 
 OLD, NEW = b"MODULE m\r\nENDMODULE", b"MODULE m\r\n! edited\r\nENDMODULE"
 

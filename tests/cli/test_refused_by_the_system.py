@@ -16,7 +16,8 @@ import pytest
 
 from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError
-from trajopt_cli.runs.files import replace_files, write_file
+from trajopt_cli.runs.files import write_file
+from trajopt_cli.runs.together import replace_files
 
 
 def refusal(number: int, path: Path | None = None) -> OSError:
@@ -54,17 +55,22 @@ def test_a_name_that_is_too_long(program: Path, command: list[str], capsys: pyte
 @contextmanager
 def read_only() -> Iterator[None]:
     """A file system that lets nothing be made or removed, as Linux does: asked before whether there is the name."""
-    opened = open
+    opened, os_open = open, os.open
 
     def refuse_new(path: Any, mode: str = "r", *args: Any, **kwargs: Any) -> Any:
         if "x" in mode:
             raise refusal(errno.EROFS, path)
         return opened(path, mode, *args, **kwargs)
 
+    def refuse_made(path: Any, flags: int, *args: Any) -> int:
+        if flags & os.O_CREAT:
+            raise refusal(errno.EROFS, path)
+        return os_open(path, flags, *args)
+
     def unlink(path: Path, missing_ok: bool = False) -> None:
         raise refusal(errno.EROFS, path)
 
-    with patch("builtins.open", refuse_new), patch.object(Path, "unlink", unlink):
+    with patch("builtins.open", refuse_new), patch("os.open", refuse_made), patch.object(Path, "unlink", unlink):
         yield
 
 

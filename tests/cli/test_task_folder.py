@@ -216,7 +216,7 @@ def test_nothing_behind_a_link_or_a_device_is_read(folder: Path) -> None:
     assert said(lambda: read_task_run(folder)) == expected
     place.unlink()
     place.symlink_to(place)
-    assert said(lambda: read_task_run(folder)).startswith(f"{place}: cannot read: ")
+    assert said(lambda: read_task_run(folder)) == expected
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -35,7 +36,7 @@ def deadly(function):
 files.os.rename = deadly(os.rename)
 files.os.fsync = deadly(os.fsync)
 files.shutil.rmtree = deadly(shutil.rmtree)
-files._write = deadly(files._write)
+files.fill = deadly(files.fill)
 if sys.argv[3] == "two renames":
     files._exchange = lambda one, other: False
 else:
@@ -94,10 +95,10 @@ def test_a_failure_while_writing_leaves_the_old_folder_and_nothing_else(
     folder = tmp_path / "cell"
     write(folder, OLD)
 
-    def interrupted(path: Path, data: bytes) -> None:
+    def interrupted(file: object, data: bytes) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(files, "_write", interrupted)
+    monkeypatch.setattr(files, "fill", interrupted)
     with pytest.raises(KeyboardInterrupt):
         files.write_folder(folder, NEW)
     assert content(folder) == OLD
@@ -140,6 +141,60 @@ def test_a_file_is_old_or_new_and_leaves_nothing_beside_it(tmp_path: Path, monke
         files.write_file(path, b"newer")
     assert [p.name for p in path.parent.iterdir()] == ["joints.csv"]
     assert path.read_bytes() == b"new"
+
+
+@pytest.mark.parametrize("next_call", [lambda path: files.write_file(path, b"new"), files.check_file])
+def test_what_a_killed_export_left_goes_with_the_next(tmp_path: Path, next_call: Callable[[Path], None]) -> None:
+    import fcntl
+
+    path, left, busy = (tmp_path / name for name in ("a.csv", ".a.csv.trajopt-01234567", ".a.csv.trajopt-89abcdef"))
+    strangers = [".b.csv.trajopt-01234567", ".a.csv.trajopt-mine", ".a.csv"]
+    for one in (left, busy, *(tmp_path / name for name in strangers)):
+        one.write_bytes(b"half")
+    with open(busy, "rb") as living:
+        fcntl.flock(living, fcntl.LOCK_EX)
+        next_call(path)
+        assert not left.exists()
+        assert busy.exists()
+    next_call(path)
+    assert sorted(one.name for one in tmp_path.iterdir() if one != path) == sorted(strangers)
+
+
+def test_a_file_is_old_or_new_whenever_the_process_is_killed(tmp_path: Path) -> None:
+    seen = set()
+    for step in range(50):
+        path = tmp_path / str(step) / "a.csv"
+        files.write_file(path, b"old")
+        pid = os.fork()
+        if not pid:
+            code, left = 1, [step]
+
+            def deadly(function: Callable[..., object], left: list[int] = left) -> Callable[..., object]:
+                def call(*args: object, **kwargs: object) -> object:
+                    left[0] -= 1
+                    if left[0] < 0:
+                        os._exit(9)
+                    return function(*args, **kwargs)
+
+                return call
+
+            try:
+                for name in ("replace", "fsync", "open"):
+                    setattr(os, name, deadly(getattr(os, name)))
+                files.fill = deadly(files.fill)  # type: ignore[assignment]
+                files.locked = deadly(files.locked)  # type: ignore[assignment]
+                files.write_file(path, b"new")
+                code = 0
+            finally:
+                os._exit(code)
+        done = os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]) == 0
+        seen.add(path.read_bytes())
+        files.write_file(path, b"newer")
+        assert content(path.parent) == {"a.csv": b"newer"}, f"left behind after step {step}"
+        if done:
+            break
+    assert done
+    assert seen == {b"old", b"new"}
 
 
 def test_a_place_that_cannot_be_written_is_one_line(tmp_path: Path) -> None:

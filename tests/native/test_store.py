@@ -57,6 +57,34 @@ def test_a_damaged_entry_is_made_anew(tmp_path: Path, how: str) -> None:
     assert store.read("key") is not None
 
 
+def test_what_a_killed_process_left_goes_and_what_a_living_one_writes_stays(tmp_path: Path) -> None:
+    import fcntl
+
+    for name in ("left.part", "busy.part"):
+        (tmp_path / name).write_bytes(b"half")
+    with open(tmp_path / "busy.part", "rb") as busy:
+        fcntl.flock(busy, fcntl.LOCK_EX)
+        Store(tmp_path).write("key", ARRAYS)
+        assert {path.suffix for path in tmp_path.iterdir()} == {".block", ".part"}
+        assert (tmp_path / "busy.part").exists()
+    Store(tmp_path).write("key", ARRAYS)
+    assert {path.suffix for path in tmp_path.iterdir()} == {".block"}
+
+
+@pytest.mark.parametrize("mode", [0o777, 0o770, 0o1777])
+def test_a_folder_that_others_may_write_to_is_not_used(tmp_path: Path, mode: int) -> None:
+    """What it holds would be run."""
+    store = Store(tmp_path)
+    store.write("key", ARRAYS)
+    assert store.read("key") is not None
+    tmp_path.chmod(mode)
+    assert store.read("key") is None
+    store.write("other", ARRAYS)
+    assert store.trouble == f"{tmp_path}: others may write there, and what is kept is run as code"
+    tmp_path.chmod(0o700)
+    assert store.read("other") is None
+
+
 def test_an_entry_under_anothers_name_is_absent(tmp_path: Path) -> None:
     store = Store(tmp_path)
     store.write("key", ARRAYS)

@@ -28,7 +28,7 @@ def analyse(
     from trajopt_cli.job import MAIN, read_job
     from trajopt_cli.problem.stepwise import analyse
 
-    with reading():
+    with reading(program):
         job = read_job(program, cell, entry or MAIN, assume_identity or ())
     analysis = analyse(job.program, job.plant)
     if as_json:

@@ -80,15 +80,16 @@ def baseline(
     from trajopt_cli.job import read_program_or_results
     from trajopt_cli.pipeline.optimise import held_unasked
     from trajopt_cli.problem.changes import Loops
-    from trajopt_cli.runs.files import write_file, write_files
+    from trajopt_cli.runs.files import write_file
     from trajopt_cli.runs.folder import check_replaceable
+    from trajopt_cli.runs.together import write_files
     from trajopt_cli.study.case import RailRule
     from trajopt_cli.study.comparison import compare, comparison_pictures
     from trajopt_cli.study.comparison_folder import ComparisonOptions, write_comparison
     from trajopt_cli.study.comparison_record import comparison_record, rows_csv
     from trajopt_cli.units import DEG
 
-    with reading():
+    with reading(program):
         wanted = Loops(loops) if loops else None
         job, made_of_loops = read_program_or_results(program, cell, entry, assume_identity or (), wanted)
     _check_places(csv, plots)

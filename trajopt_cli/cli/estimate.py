@@ -46,7 +46,7 @@ def estimate(
 
     if log is None and (units or columns):
         raise InputError("--units and --columns are about a log; give it by --log FILE.csv")
-    with reading():
+    with reading(program):
         job = read_job(program, cell, entry or MAIN, assume_identity or ())
     measured = None if log is None else read_log(log, job.plant.limits, units, columns)
     answer = estimate(job)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from trajopt_cli.cli.options import AsJson, Quiet, ResultsFolder
+from trajopt_cli.cli.process import tidied
 from trajopt_cli.errors import InputError
 
 if TYPE_CHECKING:
@@ -255,8 +256,8 @@ def rapid(
     """
     from trajopt_cli.cli.console import print_json
     from trajopt_cli.pipeline.folder import rapid_export
-    from trajopt_cli.runs.files import write_file
     from trajopt_cli.runs.results import write_in_place
+    from trajopt_cli.runs.together import write_together
 
     if output is None and not diff and not in_place:
         raise typer.BadParameter("give --output, --diff, --in-place or several of them")
@@ -273,11 +274,12 @@ def rapid(
             sys.stdout.buffer.write(files.patch)  # in the files' own encodings and line ends
     said, written = list[str](), list[str]()
     if output is not None:
-        for path, one in zip(places, files.modules, strict=True):
-            write_file(path, one.content)
+        write_together({path: one.content for path, one in zip(places, files.modules, strict=True)})
+        for path in places:
             said.append(f"{path}: the rapid plan")
             written.append(str(path))
     if in_place:
+        tidied(one.path for one in files.modules)
         backups = write_in_place(files.modules)
         for one in files.modules:
             if one.given is None:

@@ -118,7 +118,7 @@ def joints(
     from trajopt_cli.compliance.job.joints import follow_joints, stops_nothing
     from trajopt_cli.compliance.task.joints import Unfollowable
     from trajopt_cli.problem.progress import Progress
-    from trajopt_cli.runs.files import write_files
+    from trajopt_cli.runs.together import write_files
 
     check_place(plots, "--plots")
     _check_results(results)
@@ -216,7 +216,7 @@ def simulate(
     from trajopt_cli.compliance.job.simulation import NoRun
     from trajopt_cli.compliance.job.simulation import simulate as run
     from trajopt_cli.compliance.task.model import Feed, Integration
-    from trajopt_cli.runs.files import write_files
+    from trajopt_cli.runs.together import write_files
 
     check_place(plots, "--plots")
     _check_results(results)
@@ -305,7 +305,7 @@ def dose(
     from trajopt_cli.compliance.job.simulation import NoRun
     from trajopt_cli.compliance.task.joints import Unfollowable
     from trajopt_cli.quantity import ANGLE, FORCE, LENGTH, MOMENT, option_value
-    from trajopt_cli.runs.files import write_files
+    from trajopt_cli.runs.together import write_files
 
     # '.' and '..' have no name of their own
     beside = results if results.name not in ("", "..") else results.resolve()

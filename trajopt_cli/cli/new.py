@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 from trajopt_cli.cli.options import AsJson, Quiet, robots
+from trajopt_cli.cli.process import tidied
 from trajopt_cli.errors import InputError
 
 _TAKEN = frozenset({"main", "j_home", "p_take", "p_put", "tool0", "wobj0", "offs", "movej", "movel", "moveabsj"})
@@ -43,7 +44,7 @@ def new(
     from trajopt_cli.cli.new_files import program_and_cell, task
     from trajopt_cli.robot.description import read
     from trajopt_cli.robot.model import Structure, load_robot, robot_names
-    from trajopt_cli.runs.files import replace_files
+    from trajopt_cli.runs.together import replace_files
 
     place = name.with_suffix("") if name.suffix.lower() in (".mod", ".yaml") else name
     _check_name(place.name)
@@ -62,6 +63,7 @@ def new(
         module, cell = program_and_cell(place.name, model, said)
         texts, then = {".mod": module, ".yaml": cell}, f"trajopt optimize {place}.mod"
     files = {place.with_name(f"{place.name}{ending}"): text.encode("ascii") for ending, text in texts.items()}
+    tidied(files)
     for path in files:
         if path.exists() or path.is_symlink():
             raise InputError("exists and is not overwritten; choose another name", file=str(path))

@@ -81,7 +81,7 @@ def optimize(
     if cycle_time is not None and gentle:
         raise InputError("--cycle-time and --gentle: give one of them; both are the gentlest plan, within other times")
     objective = GENTLE if gentle else LEAST_TIME if cycle_time is None else LeastEffort(cycle_time)
-    with reading():
+    with reading(program):
         job = read_job(program, cell, entry or MAIN, assume_identity or ())
     folder = output or Path("results") / job.program.name
     with ProgressView(patience, quiet) as view:

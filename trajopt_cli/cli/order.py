@@ -70,7 +70,7 @@ def order(
     from trajopt_cli.study.order_text import group_of
 
     patience = patience_of(time_limit)
-    with reading():
+    with reading(program):
         job = read_job(program, cell, entry or MAIN, assume_identity or ())
     found = group_of(job, group)
     folder = output or Path("results") / f"{job.program.name}_order"

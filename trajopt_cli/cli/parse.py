@@ -66,7 +66,7 @@ def parse(
 
         kinematics = PlantKinematics(plant)
     try:
-        with reading():
+        with reading(program):
             flat, lacks = try_paths(program, scenario_of(loaded, assume_identity or ()), entry or MAIN, kinematics)
     except InputError as error:
         lacks = _lacks_of(error)

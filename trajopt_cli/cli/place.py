@@ -91,7 +91,7 @@ def place(
 
     ranges = parse_ranges(range_)
     patience = patience_of(time_limit)
-    with reading():
+    with reading(program):
         job = read_job(program, cell, entry or MAIN, assume_identity or ())
     site = site_of(job, what, ranges)
     folder = output or Path("results") / f"{job.program.name}_place"

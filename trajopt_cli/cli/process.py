@@ -5,9 +5,11 @@ from __future__ import annotations
 import gc
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+
+import typer
 
 from trajopt_cli.rapid.execution.room import FRAMES
 
@@ -40,12 +42,24 @@ def interrupted() -> str:
     return f"interrupted: {', '.join(_finished)} written before that, nothing half-written"
 
 
+def tidied(files: Iterable[Path]) -> None:
+    """Put back what a killed run left half-written of these files, and say so."""
+    from trajopt_cli.runs.together import put_back
+
+    for line in put_back(files):
+        typer.echo(line, err=True)
+
+
 @contextmanager
-def reading() -> Iterator[None]:
-    """No garbage collector while a program is read, and no second look at what was read.
+def reading(program: Iterable[Path] = ()) -> Iterator[None]:
+    """No garbage collector while a program is read, and no second look at what was read; modules that a killed run left
+    half-written are put back before, and that is told.
 
     Nearly all of the objects stay, so looking for those that do not doubles the time (bench_parse.py).
     """
+    from trajopt_cli.rapid.sources import modules_at
+
+    tidied(modules_at(program))
     gc.disable()
     try:
         yield

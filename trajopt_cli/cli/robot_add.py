@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import typer
 
 from trajopt_cli.cli.options import AsJson, Quiet
+from trajopt_cli.cli.process import tidied
 from trajopt_cli.errors import InputError, printable
 
 if TYPE_CHECKING:
@@ -75,19 +76,19 @@ def add(
     from trajopt_cli.adopt.add import new_robot
     from trajopt_cli.cli import console
     from trajopt_cli.robot.model import load_robot
-    from trajopt_cli.runs.files import replace_files
+    from trajopt_cli.runs.together import replace_files
 
     made = new_robot(model, name, tip, base, confdata, rail)
     if output.exists() and not output.is_dir():
         raise InputError("is a file; --output names a folder", file=str(output))
     places = {output / file: content for file, content in made.files.items()}
+    tidied(places)
     there = [path for path in places if path.exists() or path.is_symlink()]
     if there and not force:
         raise InputError("exists; choose another --name or --output, or --force to replace it", file=str(there[0]))
     for path in there:
         if path.resolve() == model.resolve():
             raise InputError("is the URDF to read; choose another --name or --output", file=str(path))
-    output.mkdir(parents=True, exist_ok=True)
     old = {path: (path.read_bytes(), places[path]) for path in there}
     kept = replace_files(old, {path: content for path, content in places.items() if path not in old})
     robot = load_robot(str(output / f"{name}.yaml"))

@@ -62,7 +62,7 @@ def sensitivity(
 
     if output is not None:
         check_replaceable(output)
-    with reading():
+    with reading(program):
         wanted = Loops(loops) if loops else None
         job, made_of_loops = read_program_or_results(program, cell, entry, assume_identity or (), wanted)
     results = program[0] if is_results(program[0]) else None

@@ -74,7 +74,7 @@ def verify(
     elif not program:
         raise typer.BadParameter(f"{what} is a file: say which --program it executes; of an iiwa --task or --robot")
     else:
-        with reading():
+        with reading(program):
             job = read_job(program, cell, entry or MAIN, assume_identity or ())
         reports = {what.name: verify_file(what, job)}
         head = told_first(job.program.warnings)[0]

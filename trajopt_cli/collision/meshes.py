@@ -12,6 +12,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, BoolArray
 from trajopt_cli.shapes import Mesh, MeshFile
 
+MOST_BYTES = 200_000_000  # four million triangles
 _ROUNDING = 1e-6  # of a mesh's size: what files with seven digits leave open
 
 
@@ -19,6 +20,9 @@ def load_mesh(given: MeshFile) -> Mesh:
     """The mesh in a file: STL (text or binary), OBJ, and what else coal's loader takes. Raises InputError, unplaced."""
     if not given.path.is_file():
         raise InputError(f"no such mesh file: {given.path}")
+    if (size := given.path.stat().st_size) > MOST_BYTES:
+        bound = f"at most {MOST_BYTES // 10**6} MB are read"
+        raise InputError(f"the mesh {given.path} has {size / 1e6:.0f} MB, {bound}; give a coarser one")
     try:
         model = coal.MeshLoader().load(str(given.path), np.ones(3))
     except ValueError as error:

@@ -2,17 +2,19 @@
 
 An entry is one file: a digest of its key and content, then the content. Whatever is damaged, cut off or foreign has
 another digest and counts as absent. Files are written aside and then renamed, so that processes do not meet half ones.
+What is kept is run as machine code, so a folder that others may write to is not used: digests are against accidents.
 """
 
 from __future__ import annotations
 
+import fcntl
 import hashlib
 import os
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import fields, is_dataclass
 from enum import Enum
-from errno import ENOENT
+from errno import EACCES, ENOENT
 from io import BytesIO
 from pathlib import Path
 from tempfile import NamedTemporaryFile
@@ -35,6 +37,7 @@ class Store:
     def read(self, key: str) -> dict[str, NDArray[np.generic]] | None:
         """The arrays under a key, None where there are none that can be used."""
         try:
+            self._check_own()
             content = self._file(key).read_bytes()
         except OSError:
             return None
@@ -53,23 +56,36 @@ class Store:
             if not self.folder.is_absolute():
                 raise FileNotFoundError(ENOENT, "the user has no home folder")
             self.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+            self._check_own()
             self._make_room(len(body))
             with NamedTemporaryFile(dir=self.folder, suffix=_PART, delete=False) as aside:
+                fcntl.flock(aside, fcntl.LOCK_EX)  # as long as this process lives
                 aside.write(_digest(key, body) + body)
-            os.replace(aside.name, self._file(key))
+                aside.flush()
+                os.replace(aside.name, self._file(key))
         except OSError as error:
             self.trouble = f"{self.folder}: {error.strerror}"
 
     def _file(self, key: str) -> Path:
         return self.folder / (hashlib.sha256(key.encode()).hexdigest()[:32] + _SUFFIX)
 
+    def _check_own(self) -> None:
+        """Raise OSError unless the folder is this user's, and nobody else may write to it."""
+        found = self.folder.stat()
+        if found.st_uid != os.geteuid() or found.st_mode & 0o022:
+            raise PermissionError(EACCES, "others may write there, and what is kept is run as code")
+
     def _make_room(self, more: int) -> None:
-        """Remove the oldest files until there is room for more bytes."""
+        """Remove what killed processes left, and the oldest files until there is room for more bytes."""
         files = []
         for file in self.folder.iterdir():
-            if file.suffix in (_SUFFIX, _PART):
-                with suppress(FileNotFoundError):  # another process makes room, too
+            with suppress(FileNotFoundError):  # another process makes room, too
+                if file.suffix == _SUFFIX:
                     files.append((file.stat().st_mtime, file.stat().st_size, file))
+                elif file.suffix == _PART:
+                    with open(file, "rb") as part, suppress(BlockingIOError):  # a living one writes it
+                        fcntl.flock(part, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                        file.unlink()
         total = more + sum(size for _, size, _ in files)
         for _, size, file in sorted(files):
             if total <= MOST_BYTES:

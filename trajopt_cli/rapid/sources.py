@@ -73,6 +73,19 @@ def read_sources(paths: Sequence[Path], entry: str = "main") -> Sources:
     return Sources(tuple(files), name_of(paths), tuple(warnings))
 
 
+def modules_at(paths: Iterable[Path]) -> Iterator[Path]:
+    """The files that a program at these paths may be read from; none where there is nothing, or a results folder."""
+    for path in paths:
+        listed = path.suffix.lower() == LIST_SUFFIX
+        folder = path.parent if listed else path
+        if listed and folder.name.lower() == "progmod":
+            folder = folder.parent  # its neighbour SYSMOD belongs to it
+        if folder.is_dir() and not (folder / _RECORD).is_file():
+            yield from _walk(folder)
+        elif path.is_file():
+            yield path
+
+
 def name_of(paths: Sequence[Path]) -> str:
     """The name of a program: of its first file without suffix, or of the folder."""
     first = paths[0]

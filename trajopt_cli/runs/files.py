@@ -15,10 +15,15 @@ from contextlib import contextmanager, suppress
 from io import BufferedRandom
 from pathlib import Path
 from tempfile import TemporaryFile
+from time import monotonic, sleep
+from typing import BinaryIO
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.runs import RUN
 
+PATIENCE = 10.0  # s, to wait for another run that is writing just now
+_TRIES = 100
+_THERE = (errno.ENOTEMPTY, errno.EEXIST)
 _AT_FDCWD, _RENAME_EXCHANGE = -100, 2  # linux/fcntl.h, linux/fs.h
 
 
@@ -28,15 +33,13 @@ def write_file(path: Path, content: bytes) -> None:
     Missing parent folders are made. Raises InputError where the place cannot be written.
     """
     path = Path(os.path.realpath(path))
-    part = path.with_name(f"{_prefix(path)}{secrets.token_hex(4)}")
-    with _said(path):
+    with said_of(path):
         path.parent.mkdir(parents=True, exist_ok=True)
-        try:
-            _write(part, content)
+        _tidy(path)
+        with _part(path) as (part, file):
+            fill(file, content)
             os.replace(part, path)
-            _sync(path.parent)
-        finally:
-            _discard(part)
+            sync(path.parent)
 
 
 def check_file(path: Path, option: str = "--output") -> None:
@@ -53,10 +56,10 @@ def check_file(path: Path, option: str = "--output") -> None:
         raise InputError(f"is not a folder to write to; make it or correct {option}", file=str(path.parent))
     if real.exists() and any((folder / RUN).is_file() for folder in (*real.parents[:2],)):
         raise InputError("is a file of a results folder, which keeps its hash; write to another place", file=str(path))
-    part = real.with_name(f"{_prefix(real)}{secrets.token_hex(4)}")
     try:
-        part.touch(exist_ok=False)
-        part.unlink()
+        _tidy(real)
+        with _part(real):
+            pass
     except OSError as error:
         raise InputError(f"cannot write: {error.strerror}", file=str(path)) from error
 
@@ -72,85 +75,16 @@ def write_folder(path: Path, files: Mapping[str, bytes | BufferedRandom]) -> Non
     """
     path = Path(os.path.realpath(path))
     recover(path)
-    with _said(path):
+    with said_of(path):
         path.parent.mkdir(parents=True, exist_ok=True)
-        fresh = path.with_name(f"{_prefix(path)}{secrets.token_hex(4)}")
-        fresh.mkdir()
-        lock = os.open(fresh, os.O_RDONLY)
+        fresh, lock = _fresh(path)
         try:
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
             _fill(fresh, files)
             _swap(fresh, path)
-            _sync(path.parent)
+            sync(path.parent)
         finally:
             os.close(lock)
             shutil.rmtree(fresh, ignore_errors=True)  # the old folder after the swap; the half-made one before it
-
-
-def write_files(folder: Path, files: Mapping[str, bytes]) -> None:
-    """Write files by name into folder, which is made where it is missing; nothing else in it is touched.
-
-    Each file is whole or not there. Raises InputError where the folder cannot be made or written.
-    """
-    with _said(folder):
-        folder.mkdir(parents=True, exist_ok=True)
-    for name, content in files.items():
-        write_file(folder / name, content)
-
-
-def replace_files(wanted: Mapping[Path, tuple[bytes, bytes]], added: Mapping[Path, bytes]) -> dict[Path, Path]:
-    """Give every file of wanted its new content and add the new files: all of it, or nothing.
-
-    wanted: by path, the content a file must have now and the one it shall get. Returns where the old ones are kept:
-    beside each file that changes, as NAME.bak, or NAME.bak2 and so on where that is taken. Symbolic links are followed,
-    mode bits kept. added: files that must not exist. Raises InputError, with everything as it was, where a file has
-    another content, an added one exists, or a place cannot be written. Each file is whole at every moment; a kill in
-    between leaves some of them old and some new, and every backup.
-    """
-    places = {Path(os.path.realpath(path)): pair for path, pair in wanted.items()}
-    for path, (old, _) in wanted.items():
-        with _said(path):
-            if path.read_bytes() != old:
-                raise InputError("is not what it was any more; nothing is written", file=str(path))
-    backups: dict[Path, Path] = {}
-    parts: dict[Path, Path] = {}
-    replaced: list[Path] = []
-    made: list[Path] = []
-    try:
-        for path, (old, new) in places.items():
-            if old != new:
-                with _said(path):
-                    parts[path] = path.with_name(f"{_prefix(path)}{secrets.token_hex(4)}")
-                    _write(parts[path], new)
-                    parts[path].chmod(path.stat().st_mode & 0o7777)
-                    backups[path] = _keep(path, old)
-        for path, content in added.items():
-            with _said(path):
-                parts[path] = path.with_name(f"{_prefix(path)}{secrets.token_hex(4)}")
-                _write(parts[path], content)
-                _give_name(parts.pop(path), path)
-                made.append(path)
-        for path, part in parts.items():
-            with _said(path):
-                os.replace(part, path)
-                replaced.append(path)
-                _sync(path.parent)
-    except BaseException:  # Ctrl-C too: all files or none, then it goes on
-        for path in made:
-            with _said(path):
-                path.unlink()
-        for path, backup in backups.items():
-            with _said(path):
-                if path in replaced:
-                    os.replace(backup, path)
-                else:
-                    backup.unlink()
-        raise
-    finally:
-        for part in parts.values():
-            _discard(part)
-    kept = {path: backups.get(Path(os.path.realpath(path))) for path in wanted}
-    return {path: backup for path, backup in kept.items() if backup is not None}
 
 
 def check_writable(path: Path, into: bool = False) -> None:
@@ -177,23 +111,46 @@ def recover(path: Path) -> None:
     """
     path = Path(os.path.realpath(path))
     mark = glob.escape(_prefix(path))
-    with _said(path):
+    with said_of(path):
         (path.parent / f"{_prefix(path)}{'0' * 8}.old").exists()  # a name too long for its neighbours is said at once
         for aside in sorted(path.parent.glob(f"{mark}????????.old")):
-            partner = aside.with_suffix("")
-            if partner.exists() and _locked(partner):
-                continue
-            if path.exists():
-                shutil.rmtree(aside)
-            else:
-                os.rename(aside, path)
+            with _free(aside.with_suffix("")) as free:
+                if not free:
+                    continue
+                if path.exists():
+                    shutil.rmtree(aside, ignore_errors=True)
+                else:
+                    with _unless_there():
+                        os.rename(aside, path)
         for leftover in path.parent.glob(f"{mark}????????"):
-            if leftover.is_dir() and not leftover.is_symlink() and not _locked(leftover):
-                shutil.rmtree(leftover)
+            if leftover.is_dir() and not leftover.is_symlink():
+                with _free(leftover) as free:
+                    if free:
+                        shutil.rmtree(leftover, ignore_errors=True)  # another process may be at it, too
 
 
 @contextmanager
-def _said(path: Path) -> Iterator[None]:
+def holding(folder: Path) -> Iterator[None]:
+    """Nobody else who holds this folder writes it meanwhile. Raises InputError where another run does not let go."""
+    folder, until = Path(os.path.realpath(folder)), monotonic() + PATIENCE
+    while folder.is_dir():
+        with said_of(folder):
+            handle = os.open(folder, os.O_RDONLY)
+        try:
+            if locked(handle) is not False:
+                if is_named(folder, handle):  # and not what another run has put aside
+                    yield
+                    return
+            elif monotonic() > until:
+                raise InputError("another run is writing it; run this again when that has ended", file=str(folder))
+        finally:
+            os.close(handle)
+        sleep(0.01)
+    yield
+
+
+@contextmanager
+def said_of(path: Path) -> Iterator[None]:
     """What the system refuses inside is told in one line about path."""
     try:
         yield
@@ -202,50 +159,19 @@ def _said(path: Path) -> Iterator[None]:
         raise InputError(f"cannot write: {error.strerror}{where}", file=str(path)) from error
 
 
-def _discard(part: Path) -> None:
-    """Remove a half-made file, if there is one."""
-    with suppress(OSError):  # a read-only disk refuses even where there is nothing; what went wrong before is the news
-        part.unlink()
+def fill(file: BinaryIO, content: bytes | BufferedRandom) -> None:
+    """Write content into an open file, down to the disk."""
+    if isinstance(content, bytes):
+        file.write(content)
+    else:
+        content.seek(0)
+        shutil.copyfileobj(content, file)
+    file.flush()
+    os.fsync(file.fileno())
 
 
-def _prefix(path: Path) -> str:
-    return f".{path.name}.trajopt-"
-
-
-def _locked(folder: Path) -> bool:
-    """Whether a living process holds the folder; the lock goes with its process, so a killed one's folder is free."""
-    handle = os.open(folder, os.O_RDONLY)
-    try:
-        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        return True
-    finally:
-        os.close(handle)
-    return False
-
-
-def _fill(folder: Path, files: Mapping[str, bytes | BufferedRandom]) -> None:
-    for name, content in files.items():
-        place = folder / name
-        place.parent.mkdir(parents=True, exist_ok=True)
-        _write(place, content)
-    for inner in (*folder.rglob("*"), folder):
-        if inner.is_dir():
-            _sync(inner)
-
-
-def _write(path: Path, content: bytes | BufferedRandom) -> None:
-    with open(path, "xb") as file:
-        if isinstance(content, bytes):
-            file.write(content)
-        else:
-            content.seek(0)
-            shutil.copyfileobj(content, file)
-        file.flush()
-        os.fsync(file.fileno())
-
-
-def _sync(folder: Path) -> None:
+def sync(folder: Path) -> None:
+    """Bring the names in a folder to the disk."""
     handle = os.open(folder, os.O_RDONLY)
     try:
         os.fsync(handle)
@@ -253,19 +179,132 @@ def _sync(folder: Path) -> None:
         os.close(handle)
 
 
+def discard(part: Path) -> None:
+    """Remove a half-made file, if there is one."""
+    with suppress(OSError):  # a read-only disk refuses even where there is nothing; what went wrong before is the news
+        part.unlink()
+
+
+def locked(handle: int) -> bool | None:
+    """Whether this process may have an open file or folder alone, and has it from now on until it is closed; None where
+    the file system knows no locks. A lock goes with its process, so that what a killed one leaves is free."""
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return False
+    except OSError:
+        return None
+    return True
+
+
+def _prefix(path: Path) -> str:
+    return f".{path.name}.trajopt-"
+
+
+def is_named(path: Path, handle: int) -> bool:
+    """Whether path is the name of an open file or folder."""
+    try:
+        found = os.stat(path, follow_symlinks=False)
+    except FileNotFoundError:
+        return False
+    return os.path.samestat(found, os.fstat(handle))
+
+
+@contextmanager
+def _part(path: Path) -> Iterator[tuple[Path, BinaryIO]]:
+    """A new file beside path, locked, that is to get its name; removed at the end if it has not."""
+    while True:
+        part = path.with_name(f"{_prefix(path)}{secrets.token_hex(4)}")
+        try:
+            with open(part, "xb") as file:
+                locked(file.fileno())
+                if not is_named(part, file.fileno()):  # another run took it for a killed one's before it was locked
+                    continue
+                yield part, file
+                return
+        finally:
+            discard(part)
+
+
+def _fresh(path: Path) -> tuple[Path, int]:
+    """A new folder beside path, and the open handle that locks it."""
+    while True:
+        fresh = path.with_name(f"{_prefix(path)}{secrets.token_hex(4)}")
+        fresh.mkdir()
+        with suppress(FileNotFoundError):  # another run took it for a killed one's before it was locked
+            handle = os.open(fresh, os.O_RDONLY)
+            locked(handle)
+            if is_named(fresh, handle):
+                return fresh, handle
+            os.close(handle)
+
+
+def _tidy(path: Path) -> None:
+    """Remove what killed calls of write_file(path) left beside it."""
+    for leftover in path.parent.glob(f"{glob.escape(_prefix(path))}????????"):
+        if leftover.is_file() and not leftover.is_symlink():
+            with _free(leftover) as free:
+                if free:
+                    discard(leftover)
+
+
+@contextmanager
+def _free(place: Path) -> Iterator[bool]:
+    """Whether no living process holds place, or it is gone; no other one can as long as this lasts."""
+    try:
+        handle = os.open(place, os.O_RDONLY | os.O_NONBLOCK)
+    except FileNotFoundError:
+        yield True
+        return
+    try:
+        yield locked(handle) is True
+    finally:
+        os.close(handle)
+
+
+def _fill(folder: Path, files: Mapping[str, bytes | BufferedRandom]) -> None:
+    for name, content in files.items():
+        place = folder / name
+        place.parent.mkdir(parents=True, exist_ok=True)
+        with open(place, "xb") as file:
+            fill(file, content)
+    for inner in (*folder.rglob("*"), folder):
+        if inner.is_dir():
+            sync(inner)
+
+
 def _swap(fresh: Path, path: Path) -> None:
     """Give fresh the name path; what was there stands under fresh's name afterwards, or is gone."""
-    if not path.exists():
-        os.rename(fresh, path)
-    elif not _exchange(fresh, path):
+    for _ in range(_TRIES):  # more than one only where another run puts its own there at this moment
+        if path.exists() and _exchange(fresh, path):
+            return
+        with _unless_there():
+            os.rename(fresh, path)  # nothing there, or an empty folder
+            return
         aside = fresh.with_name(fresh.name + ".old")
-        os.rename(path, aside)
-        try:
-            os.rename(fresh, path)
-        except OSError:
-            os.rename(aside, path)
+        with suppress(FileNotFoundError):  # another run has just taken it away
+            os.rename(path, aside)
+            try:
+                os.rename(fresh, path)
+            except OSError as error:
+                if error.errno not in _THERE:
+                    os.rename(aside, path)
+                    raise
+            else:
+                shutil.rmtree(aside, ignore_errors=True)  # recover() of another run may be at it, too
+                return
+            shutil.rmtree(aside, ignore_errors=True)  # another run has just put its own in its place
+    raise InputError("other runs write it all the time; choose another place", file=str(path))
+
+
+@contextmanager
+def _unless_there() -> Iterator[None]:
+    """A rename inside that finds its goal taken does nothing; nor does one that another run has done before."""
+    try:
+        yield
+    except OSError as error:
+        if error.errno not in (*_THERE, errno.ENOENT):
             raise
-        shutil.rmtree(aside)
 
 
 def _exchange(one: Path, other: Path) -> bool:
@@ -277,34 +316,3 @@ def _exchange(one: Path, other: Path) -> bool:
         names = os.fsencode(one), os.fsencode(other)
         return bool(libc.renameat2(_AT_FDCWD, names[0], _AT_FDCWD, names[1], _RENAME_EXCHANGE) == 0)
     return False
-
-
-def _keep(path: Path, content: bytes) -> Path:
-    """A copy of a file beside it, under a name that is not taken yet."""
-    number = 1
-    while True:
-        backup = path.with_name(f"{path.name}.bak{number if number > 1 else ''}")
-        try:
-            _write(backup, content)
-        except FileExistsError:
-            number += 1
-            continue
-        except BaseException:  # Ctrl-C too leaves no half of a copy
-            _discard(backup)
-            raise
-        shutil.copystat(path, backup)
-        return backup
-
-
-def _give_name(part: Path, path: Path) -> None:
-    """Name a finished file path; FileExistsError where there is something of that name."""
-    try:
-        os.link(part, path)
-    except FileExistsError:
-        raise
-    except OSError:  # a file system without links
-        if os.path.lexists(path):
-            raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), str(path)) from None
-        os.rename(part, path)
-    finally:
-        _discard(part)

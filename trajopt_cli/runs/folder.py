@@ -11,13 +11,14 @@ from datetime import UTC, datetime
 from importlib.metadata import version
 from io import BufferedRandom
 from pathlib import Path
+from stat import S_ISDIR, S_ISREG
 from typing import Any, Generic, TypeVar
 
 from trajopt_cli import __version__
 from trajopt_cli.errors import InputError
 from trajopt_cli.runs import REPORT, RUN, SUMMARY
-from trajopt_cli.runs.files import check_writable, recover, write_folder
-from trajopt_cli.runs.record import Model, RunRecord, as_json, checked, parse_record, quoted, sha256
+from trajopt_cli.runs.files import check_writable, holding, recover, write_folder
+from trajopt_cli.runs.record import INPUT, Model, RunRecord, as_json, checked, parse_record, quoted, sha256
 
 FORMAT = 1
 """Of the folders; a reader refuses a newer one."""
@@ -35,17 +36,21 @@ _COMMANDS = {
 """What makes a folder of each kind."""
 _REPORTS = _COMMANDS | {TASK: "iiwa simulate"}
 """What writes a folder's page; sensitivity, place and order write none."""
+MOST_BYTES, MOST_RECORD = 1_000_000_000, 20_000_000
+"""Of all files of a folder, and of its run.json; a folder that holds more is not read."""
 _FOREIGN, _ANEW = "was not written by trajopt", "move the folder away and make it again"
 Record = TypeVar("Record", bound=RunRecord[Any])
 
 
 @dataclass(frozen=True, eq=False)
 class Run(Generic[Record]):
-    """A folder read back: its record, and the content of every other file by name, each with the hash recorded."""
+    """A folder read back: its record, and the content of every other file by name, each with the hash recorded.
+    stamp: the bytes of run.json."""
 
     folder: Path
     record: Record
     contents: Mapping[str, bytes]
+    stamp: bytes
 
     def text(self, name: str) -> str:
         """A file's text. Raises InputError where the command that makes it has not run."""
@@ -72,30 +77,48 @@ def read_run(
     it. Raises InputError for a folder that is none, is another or newer, for a record that trajopt cannot have written,
     and for a file that was changed.
     """
+    while True:
+        before = _identity(folder)
+        try:
+            return _read_run(folder, model, needed, judged)
+        except InputError:
+            if _identity(folder) == before:
+                raise  # and not what a run that ended just now has made of it
+
+
+def _read_run(folder: Path, model: type[Record], needed: tuple[str, ...], judged: tuple[str, ...]) -> Run[Record]:
     with _reading(folder):
         try:
             folder.stat()
         except (FileNotFoundError, NotADirectoryError) as error:
             message = f"does not exist; make it with trajopt {_COMMANDS[model.KIND]}"
             raise InputError(message, file=str(folder)) from error
-    record = _record(folder, model)
+    record, stamp = _record(folder, model)
     for name in needed:
         if name not in record.files:
             raise InputError(f"{_FOREIGN}: files: {quoted(name)} is missing; {_ANEW}", file=str(folder / RUN))
-    contents = {}
+    _check_plain(folder)
+    contents, left = {}, MOST_BYTES
     for name, digits in record.files.items():
-        contents[name] = _read_listed(folder, name)
+        contents[name] = _read_listed(folder, name, left)
+        left -= len(contents[name])
         if name not in judged and sha256(contents[name]) != digits:
             raise InputError(f"was changed since the run; {model.REMEDY}", file=str(folder / name))
-    return Run(folder, record, contents)
+    return Run(folder, record, contents, stamp)
 
 
 def write_run(
-    folder: Path, model: type[RunRecord[Any]], files: Mapping[str, bytes | BufferedRandom], command: str, **said: Any
+    folder: Path,
+    model: type[RunRecord[Any]],
+    files: Mapping[str, bytes | BufferedRandom],
+    command: str,
+    instead_of: Run[Any] | None = None,
+    **said: Any,
 ) -> None:
     """Write a folder of model's kind whole: files, as in write_folder, and run.json with what is said of them.
 
-    command: that made the folder. said: the model's other fields. Raises InputError where folder may not be replaced.
+    command: that made the folder. instead_of: the run that it is made from and must still hold. said: the model's other
+    fields. Raises InputError where folder may not be replaced.
     """
     record = model(
         trajopt=__version__,
@@ -107,8 +130,11 @@ def write_run(
         finished=datetime.now(UTC).isoformat(),
         **said,
     )
-    check_replaceable(folder)
-    write_folder(folder, {**files, RUN: as_json(record)})
+    with holding(folder):
+        if instead_of is not None and _read_listed(folder, RUN, MOST_RECORD) != instead_of.stamp:
+            raise InputError("another run has changed it meanwhile, and that stays; run this again", file=str(folder))
+        check_replaceable(folder)
+        write_folder(folder, {**files, RUN: as_json(record)})
 
 
 def library_versions(model: type[RunRecord[Any]]) -> dict[str, str]:
@@ -121,12 +147,22 @@ def check_replaceable(folder: Path) -> None:
     written."""
     recover(folder)
     check_writable(folder)
+    while True:
+        before = _identity(folder)
+        try:
+            return _check_replaceable(folder)
+        except InputError:
+            if _identity(folder) == before:
+                raise
+
+
+def _check_replaceable(folder: Path) -> None:
     with _reading(folder):
         if not folder.exists():
             return
         if not folder.is_dir():
             raise InputError("is a file; --output names a folder", file=str(folder))
-        content = (path for path in folder.rglob("*") if not path.is_dir())
+        content = (path for path in folder.rglob("*") if path.is_symlink() or not path.is_dir())
         if not os.path.lexists(folder / RUN):
             if next(content, None) is None:  # looks no further than the first file: this may be a home folder
                 return
@@ -134,7 +170,7 @@ def check_replaceable(folder: Path) -> None:
                 "is not a results folder of trajopt (no run.json) and is not replaced; choose another --output",
                 file=str(folder),
             )
-        known = {RUN, *_record(folder, RunRecord[Any]).files}
+        known = {RUN, *_record(folder, RunRecord[Any])[0].files}
         strangers = sorted({path.relative_to(folder).as_posix() for path in content} - known)
     if strangers:
         raise InputError(
@@ -145,18 +181,18 @@ def check_replaceable(folder: Path) -> None:
 
 def kind_of(folder: Path) -> str:
     """What made a folder, as its run.json has it: PLAN, TASK and so on. Raises InputError for a folder that is none."""
-    return _record(folder, RunRecord[Any]).kind
+    return _record(folder, RunRecord[Any])[0].kind
 
 
 def read_report(folder: Path) -> bytes:
     """report.html of a folder of any kind, as it was written. Raises InputError, and says what makes one, where there
     is none, and for one that was changed."""
-    record = _record(folder, RunRecord[Any])
+    record, _ = _record(folder, RunRecord[Any])
     if REPORT not in record.files:
         wanted = None if record.kind in (SENSITIVITY, PLACE, ORDER) else _REPORTS.get(record.kind)
         advice = f"; run trajopt {wanted} again" if wanted else ""
         raise InputError(f"has no {REPORT}{advice}", file=str(folder))
-    content = _read_listed(folder, REPORT)
+    content = _read_listed(folder, REPORT, MOST_BYTES)
     if sha256(content) != record.files[REPORT]:
         raise InputError(f"was changed since the run; {record.REMEDY}", file=str(folder / REPORT))
     return content
@@ -168,13 +204,14 @@ def read_bytes(path: Path) -> bytes:
         return path.read_bytes()
 
 
-def _record(folder: Path, model: type[Record]) -> Record:
-    """run.json, of this kind if the model has one."""
+def _record(folder: Path, model: type[Record]) -> tuple[Record, bytes]:
+    """run.json, of this kind if the model has one, and its bytes."""
     with _reading(folder):
-        if not (folder / RUN).is_file():
+        if not os.path.lexists(folder / RUN):
             raise InputError("is not a results folder of trajopt (no run.json)", file=str(folder))
     file = str(folder / RUN)
-    content = parse_record(read_bytes(folder / RUN), file)
+    stamp = _read_listed(folder, RUN, MOST_RECORD)
+    content = parse_record(stamp, file)
     number, made, kind = content.get("format"), content.get("kind", PLAN), model.KIND
     if type(number) is int and number > FORMAT:
         raise InputError(f"is of format {quoted(number)}; this trajopt reads up to {FORMAT}", file=file)
@@ -182,16 +219,42 @@ def _record(folder: Path, model: type[Record]) -> Record:
         known = made in _COMMANDS
         by = f"made by trajopt {_COMMANDS[made]}" if known else f"written as an unknown kind, {quoted(made)}"
         raise InputError(f"was {by}; this needs a folder of {_COMMANDS[kind]}", file=str(folder))
-    return checked(model, content, file, _FOREIGN, _ANEW)
+    return checked(model, content, file, _FOREIGN, _ANEW), stamp
 
 
-def _read_listed(folder: Path, name: str) -> bytes:
+def _read_listed(folder: Path, name: str, most: int) -> bytes:
+    """A file of the folder: a plain one, that no link leads away from, of at most so many bytes."""
     path = folder / name
     with _reading(path):
-        inside = os.path.realpath(path) == os.path.join(os.path.realpath(folder), name)
-        if path.exists() and not (inside and path.is_file()):
-            raise InputError("is not a file that trajopt wrote; make the folder again", file=str(path))
+        if os.path.lexists(path):
+            inside = os.path.realpath(path) == os.path.join(os.path.realpath(folder), name)
+            if not (inside and path.is_file()):
+                raise InputError("is not a file that trajopt wrote; make the folder again", file=str(path))
+            if path.stat().st_size > most:
+                bound = MOST_RECORD if name == RUN else MOST_BYTES
+                message = f"is too large: of {'run.json' if name == RUN else 'all files together'} at most"
+                raise InputError(f"{message} {bound // 10**6} MB are read", file=str(path))
     return read_bytes(path)
+
+
+def _check_plain(folder: Path) -> None:
+    """What the folder keeps of its inputs is read by names that stand in these inputs. So no link may lead out of it
+    there, and nothing lie there that has no end."""
+    with _reading(folder):
+        for place, folders, files in os.walk(folder / INPUT):
+            for path in (Path(place, name) for name in (*folders, *files)):
+                mode = path.lstat().st_mode
+                if not (S_ISREG(mode) or S_ISDIR(mode)):
+                    raise InputError("is not a file that trajopt wrote; make the folder again", file=str(path))
+
+
+def _identity(folder: Path) -> tuple[int, int] | None:
+    """What tells a folder from one that has taken its name; None where there is none."""
+    try:
+        found = os.stat(folder)
+    except OSError:
+        return None
+    return found.st_dev, found.st_ino
 
 
 @contextmanager

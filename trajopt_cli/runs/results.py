@@ -22,14 +22,15 @@ from trajopt_cli.problem.plan import Eased, Passing, Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.quantity import complain
 from trajopt_cli.runs import SUMMARY
-from trajopt_cli.runs.files import replace_files
 from trajopt_cli.runs.folder import PLAN, Run, read_bytes, read_run
 from trajopt_cli.runs.record import RunRecord, Section, UserPath, as_json, quoted
 from trajopt_cli.runs.rows import RowsFile
+from trajopt_cli.runs.together import replace_files
 
 CHOSEN = "trajectory.csv"
 CSV = {Target.STREAM: "stream.csv", Target.RAPID: "rapid.csv"}
 _SIGNAL_WAIT = "Wait"
+_MODULES = (".mod", ".prg", ".sys", ".modx", ".sysx")
 
 
 @dataclass(frozen=True, eq=False)
@@ -399,6 +400,10 @@ def write_in_place(modules: Sequence[RapidModule]) -> dict[Path, Path]:
     is taken, or a place cannot be written.
     """
     for one in modules:
+        if one.path.suffix.lower() not in _MODULES:  # whoever made the folder chose these paths
+            known = ", ".join(_MODULES)
+            message = f"is no RAPID module by its name ({known}), and is not written over; give --output"
+            raise InputError(message, file=str(one.path))
         if one.given is None:
             if os.path.lexists(one.path):
                 raise InputError("is a new module of the plan, and the name is taken; move it away", file=str(one.path))

@@ -325,7 +325,7 @@ def apply_order(answer: Ordered) -> Path:
 
     Raises InputError, with the file as it was, where it is another one by now or cannot be written.
     """
-    from trajopt_cli.runs.files import replace_files
+    from trajopt_cli.runs.together import replace_files
 
     given = answer.group.job.program.files[answer.group.file]
     text = answer.new_text

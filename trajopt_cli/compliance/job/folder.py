@@ -206,13 +206,15 @@ def write_task_run(
     inputs: Inputs,
     files: Mapping[str, bytes],
     sections: Mapping[str, Any],
+    instead_of: TaskRun | None = None,
 ) -> None:
-    """Write a folder whole; files: everything but summary.json, which gets the sections, and run.json.
+    """Write a folder whole; files: everything but summary.json, which gets the sections, and run.json. instead_of: the
+    folder as it was read, where it is added to.
 
     Raises InputError where folder may not be replaced.
     """
     content = {**files, SUMMARY: as_json(sections)}
-    write_run(folder, TaskRecord, content, command, options=dict(options), inputs=inputs)
+    write_run(folder, TaskRecord, content, command, instead_of, options=dict(options), inputs=inputs)
 
 
 def add_to_folder(opened: Opened, files: Mapping[str, bytes], sections: Mapping[str, Any]) -> None:
@@ -220,7 +222,8 @@ def add_to_folder(opened: Opened, files: Mapping[str, bytes], sections: Mapping[
     found = opened.folder
     assert found is not None
     record, sections = found.record, {**found.sections(), **sections}
-    write_task_run(found.folder, record.command, record.options, record.inputs, {**found.contents, **files}, sections)
+    content = {**found.contents, **files}
+    write_task_run(found.folder, record.command, record.options, record.inputs, content, sections, found)
 
 
 def sequence_files(opened: Opened) -> dict[str, bytes]:

@@ -7,6 +7,7 @@ Quaternions are the tool in the world, of norm 1 but for the digits they are pri
 
 from __future__ import annotations
 
+import os
 import re
 
 import numpy as np
@@ -17,7 +18,7 @@ from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, BoolArray, rotation_from_wxyz
 from trajopt_cli.quantity import ANGLE, LENGTH
 
-MOST_POINTS = 2_000_000
+MOST_POINTS, MOST_BYTES = 2_000_000, 400_000_000
 _POSITION, _ANGLES, _QUATERNION = ("x", "y", "z"), ("alpha", "beta", "gamma"), ("qw", "qx", "qy", "qz")
 _UNITS: dict[str, dict[str, float]] = {
     **dict.fromkeys(_POSITION, LENGTH),
@@ -35,6 +36,8 @@ _UNIT = 1e-4  # by which a quaternion's norm may differ from 1: four digits
 def read_text(file: str) -> str:
     """The file's text, without a byte-order mark. Raises InputError where it cannot be read as UTF-8."""
     try:
+        if (size := os.stat(file).st_size) > MOST_BYTES:
+            raise InputError(f"has {size / 1e6:.0f} MB, at most {MOST_BYTES // 10**6} MB are read", file=file)
         with open(file, encoding="utf-8-sig") as stream:
             return stream.read()
     except OSError as error:
