@@ -1,17 +1,46 @@
-"""What every test has: a cache folder that is not the user's, and a terminal of no width."""
+"""What every test has: a cache folder that is not the user's, a terminal of no width, and the same examples every time.
+
+--shuffle SEED runs files, and the tests of each, in another order: no test may need one that ran before it.
+"""
 
 from __future__ import annotations
 
 import os
+import random
 import tempfile
 
 import pytest
+from hypothesis import settings
 from no_browser import MISSING
 
-_FOLDER = tempfile.TemporaryDirectory()
-os.environ["XDG_CACHE_HOME"] = _FOLDER.name
+if "PYTEST_XDIST_WORKER" not in os.environ:  # the workers of one run share the cache of the process that started them
+    _FOLDER = tempfile.TemporaryDirectory()
+    os.environ["XDG_CACHE_HOME"] = _FOLDER.name
 for _name in ("COLUMNS", "NO_COLOR", "FORCE_COLOR"):  # what is printed depends on them
     os.environ.pop(_name, None)
+
+settings.register_profile("same", derandomize=True, deadline=None)
+settings.register_profile("search", deadline=None)  # other examples in every run: --hypothesis-profile=search
+settings.load_profile("same")
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--shuffle", type=int, metavar="SEED", help="run files, and the tests of each, in random order")
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """A file's tests stay together: what they share is made once."""
+    if (seed := config.getoption("--shuffle")) is None:
+        return
+    files: dict[str, list[pytest.Item]] = {}
+    for item in items:
+        files.setdefault(item.nodeid.split("::")[0], []).append(item)
+    chance, order = random.Random(seed), list(files.values())
+    chance.shuffle(order)
+    for tests in order:
+        chance.shuffle(tests)
+    items[:] = [item for tests in order for item in tests]
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:

@@ -50,6 +50,7 @@ ENDMODULE
 NUMBER = re.compile(r"-?\d+(\.\d+)?")
 
 
+@pytest.mark.usefixtures("unrefined")
 @pytest.mark.parametrize("body", [LOOP, ROUTINE], ids=["loop", "routine"])
 def test_loops_stay_unless_they_are_unrolled(
     body: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

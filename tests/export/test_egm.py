@@ -116,7 +116,8 @@ def test_a_controllers_message_is_read_whatever_else_it_says() -> None:
 @settings(max_examples=300, deadline=None)
 @given(st.binary(max_size=60))
 def test_any_datagram_is_read_or_is_none(datagram: bytes) -> None:
-    robot_state(datagram)
+    state = robot_state(datagram)
+    assert state is None or np.isfinite([*state.joints, *state.external]).all()
 
 
 # --------------------------------------------------------------------------------------------------------- the player

@@ -25,7 +25,6 @@ Change = Callable[[float], tuple[Program, Plant]]
 STATION = """MoveJ p_in, v2500, fine, tool0;
 MoveL p_low, v500, fine, tool0;
 WaitTime 0.3;
-MoveL p_in, v500, fine, tool0;
 MoveAbsJ j_home, v2500, fine, tool0;"""
 TURN = "MoveAbsJ [[{angle},0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], vmax, fine, tool0;"
 
@@ -71,9 +70,10 @@ def station(target: Target) -> tuple[Program, Plant, Plan, Again]:
     return program, plant, plan, Again(program, plant, plan, everything(program, plant))
 
 
-@pytest.mark.parametrize("low", [-0.15, -0.161])  # on the second the coarse grid leads to an optimum 0.5 % later
-def test_a_plan_solved_again_is_no_worse_than_the_plan(low: float) -> None:
-    program, plant = rapid(STATION), plant_with_rail((low, 0.8))
+def test_a_plan_solved_again_is_no_worse_than_the_plan() -> None:
+    """On this rail the coarse grid leads to an optimum 0.5 % later."""
+    body = STATION.replace("MoveAbsJ", "MoveL p_in, v500, fine, tool0;\nMoveAbsJ")
+    program, plant = rapid(body), plant_with_rail((-0.161, 0.8))
     plan = planned(program, plant, Target.STREAM)
     again = Again(program, plant, plan, everything(program, plant))
     assert plan.duration <= again.duration + 1e-4

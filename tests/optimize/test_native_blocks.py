@@ -25,7 +25,8 @@ from trajopt_cli.path.line import LineSymbols
 SIDES = ("l", "r", "lr")
 TRACKS = [symbols(turning) for symbols in (LineSymbols, ArcSymbols) for turning in (False, True)]
 KINDS: dict[str, list[tuple[object, ...]]] = {
-    "path_node": [(track, sides) for track in TRACKS for sides in SIDES] + [(TRACKS[0], "lr", True)],
+    "path_node": [(track, sides) for track in (TRACKS[0], TRACKS[-1]) for sides in SIDES]
+    + [(TRACKS[1], "lr"), (TRACKS[2], "lr"), (TRACKS[0], "lr", True)],
     "dwell_node": [(sides,) for sides in SIDES] + [("lr", True)],
     "law_interval": [(10,)],
     "axis_node": [(sides,) for sides in SIDES],
@@ -38,7 +39,7 @@ NO_ARGUMENTS = (
 )  # fmt: skip
 KINDS |= {name: [()] for name in NO_ARGUMENTS}
 LIMITED: dict[str, list[tuple[object, ...]]] = {  # of a plant whose torques and sums of axes are limited
-    "path_torque": [(TRACKS[0], "lr"), (TRACKS[0], "lr", True), (TRACKS[-1], "l")],
+    "path_torque": [(TRACKS[0], "lr", True), (TRACKS[-1], "l")],
     "dwell_torque": [("lr",)],
     "axes_torque": [("lr",)],
     "sums": [()],

@@ -8,11 +8,13 @@ from __future__ import annotations
 import os
 import sys
 from contextlib import suppress
+from functools import cache, partial
 from io import TextIOWrapper
 from itertools import pairwise
 from typing import Annotated
 
 import typer
+from typer.main import get_command
 
 from trajopt_cli import __version__
 from trajopt_cli.cli import (
@@ -87,7 +89,7 @@ def run(arguments: list[str]) -> int:
     begin()
     try:
         _check_arguments(arguments)
-        code = app(arguments or ["--help"], prog_name="trajopt", standalone_mode=False)
+        code = _commands()(arguments or ["--help"], prog_name="trajopt", standalone_mode=False)
         sys.stdout.flush()
     except InputError as error:
         typer.echo(error.shown().rstrip("\n"), err=True)
@@ -107,6 +109,9 @@ def run(arguments: list[str]) -> int:
     if code == 130:
         typer.echo(interrupted(), err=True)
     return int(code or 0)
+
+
+_commands = cache(partial(get_command, app))  # with all their options: made once in a process
 
 
 def _check_arguments(arguments: list[str]) -> None:

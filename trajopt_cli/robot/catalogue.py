@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -203,9 +204,13 @@ def find_robot(name_or_path: str, structure: Structure | None = None) -> Path:
 
 def read_robot_file(path: Path) -> tuple[RobotFile, Mapping[str, Any]]:
     """The validated file and the raw YAML it came from (for line_of). Raises InputError with file, line and key."""
-    file = str(path)
+    return _read(str(path), path.read_text(encoding="utf-8"))
+
+
+@lru_cache(maxsize=8)  # YAML takes 30 ms, and a command asks for its robot several times
+def _read(file: str, text: str) -> tuple[RobotFile, Mapping[str, Any]]:
     try:
-        raw = YAML().load(path.read_text(encoding="utf-8"))
+        raw = YAML().load(text)
     except MarkedYAMLError as error:
         mark = error.problem_mark
         raise InputError(
