@@ -56,7 +56,7 @@ def test_the_steps_are_those_of_the_ci(jobs: dict[str, Any]) -> None:
     lines = commands(jobs["test"]).splitlines()
     for name, arguments in steps[:3]:
         assert f"{name}{arguments}" in lines
-    assert lines[-1] == "pytest"
+    assert lines[-1] == "pytest -n auto"
     assert "sphinx-build -W --keep-going docs" in commands(jobs["manual"])
 
 

@@ -29,6 +29,11 @@ def said(environment: dict[str, str], **more: str) -> subprocess.CompletedProces
     )
 
 
+@pytest.fixture(scope="module")
+def script(environment: dict[str, str]) -> str:
+    return said(environment, _TRAJOPT_COMPLETE="source_bash").stdout
+
+
 @pytest.mark.skipif(shutil.which("bash") is None, reason="there is no bash")
 @pytest.mark.parametrize(
     ("words", "expected"),
@@ -39,8 +44,7 @@ def said(environment: dict[str, str], **more: str) -> subprocess.CompletedProces
         (["optimize", "ti"], set()),  # then bash itself completes files: -o default
     ],
 )
-def test_bash_completes(words: list[str], expected: set[str], environment: dict[str, str]) -> None:
-    script = said(environment, _TRAJOPT_COMPLETE="source_bash").stdout
+def test_bash_completes(words: list[str], expected: set[str], environment: dict[str, str], script: str) -> None:
     assert "complete -o default -F _trajopt_completion trajopt" in script
     line = " ".join(f"'{word}'" for word in ("trajopt", *words))
     ask = f'COMP_WORDS=({line}); COMP_CWORD={len(words)}; _trajopt_completion trajopt; echo "${{COMPREPLY[@]}}"'

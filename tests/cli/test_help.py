@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 import typer
 from loose_arm import written
+from unrefined import IMPROVED, as_it_comes
 
 from trajopt_cli.cli import app, run
 from trajopt_cli.cli.new_files import task
@@ -69,7 +70,7 @@ def log() -> str:
 
 
 @pytest.fixture(scope="module")
-def prepared(tmp_path_factory: pytest.TempPathFactory, unrefined: None) -> Path:
+def prepared(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with programs/, and results of those that examples ask about."""
     folder = tmp_path_factory.mktemp("examples")
     written(folder, name="welder_arm.urdf")
@@ -84,6 +85,7 @@ def prepared(tmp_path_factory: pytest.TempPathFactory, unrefined: None) -> Path:
     (folder / "programs" / "iiwa_cube.yaml").write_text(task("iiwa_cube", "iiwa7"))
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
+        patch.setattr(IMPROVED, as_it_comes)
         assert run(["optimize", "programs/hinge_cell.mod", "--quiet", "--jobs", "1"]) == 0
         assert run(["iiwa", "segments", "programs/iiwa_cube.yaml", "--quiet"]) == 0
         assert run(["iiwa", "joints", "results/iiwa_cube", "--quiet"]) == 0
@@ -91,6 +93,7 @@ def prepared(tmp_path_factory: pytest.TempPathFactory, unrefined: None) -> Path:
     return folder
 
 
+@pytest.mark.usefixtures("unrefined")
 @pytest.mark.parametrize("name", COMMANDS)
 def test_the_example_of_a_help_works(
     name: str, prepared: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -128,10 +128,10 @@ CONST jointtarget j_b:=[[-30,-10,10,-20,40,-60],[9E9,9E9,9E9,9E9,9E9,9E9]];
 CONST robtarget p_by:=[[500,-100,450],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];"""
     body = "\n".join([
         "ConfJ \\Off;",
-        "MoveAbsJ j_a, v50, fine, t_long;",
-        "MoveAbsJ j_b, v30, fine, t_long;",
-        "MoveJ p_by, v100, z50, t_long;",
         "MoveAbsJ j_a, v100, fine, t_long;",
+        "MoveAbsJ j_b, v60, fine, t_long;",
+        "MoveJ p_by, v200, z50, t_long;",
+        "MoveAbsJ j_a, v200, fine, t_long;",
     ])  # fmt: skip
     program, plant = rapid(body, data=data), plant_without_rail()
     plan = optimize(program, plant, target, bounded=False)
@@ -142,6 +142,6 @@ CONST robtarget p_by:=[[500,-100,450],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9
     t, q = plan.trajectory.t, plan.trajectory.q
     tool = (plant.robot.forward(q) @ problem_of(program, plant, target).legs[-1].X_FT)[:, :3, 3]
     way = np.linalg.norm(np.diff(tool, axis=0), axis=1)
-    speed = np.select([(t[1:] <= plan.motions[0].t_1), (t[1:] <= plan.motions[1].t_1)], [0.05, 0.03], 0.1)
+    speed = np.select([(t[1:] <= plan.motions[0].t_1), (t[1:] <= plan.motions[1].t_1)], [0.1, 0.06], 0.2)
     assert np.sum(way / speed) <= plan.duration <= 1.1 * np.sum(way / speed)
     np.testing.assert_allclose(q[0], HOME)

@@ -91,9 +91,10 @@ def test_plans_keep_jerk_limits_everywhere(target: Target, rail: bool) -> None:
     assert plant.limits.jerk is not None
     assert np.all(np.abs(jerk) <= plant.limits.jerk * (1 + 1e-4) + 1e-12 / h.min() ** 2)
     assert np.all(np.abs(qdd[[0, -1]]) <= plant.limits.jerk * h[[0, -1], None])
-    free = optimize(program, base, target, bounded=False)
-    assert isinstance(free, Plan)
-    assert plan.duration > 1.02 * free.duration
+    if not rail:
+        free = optimize(program, base, target, bounded=False)
+        assert isinstance(free, Plan)
+        assert plan.duration > 1.02 * free.duration
     if target is Target.RAPID:
         assert write_csv_text(planned(program, target, plant).trajectory) == write_csv_text(plan.trajectory)
 

@@ -117,6 +117,16 @@ def flown_by_at_speed() -> Judged:
     return replace(case, program=replace(case.program, motions=tuple(motions))), case.rows(), None
 
 
+@spoiled("start rest", "rail")
+def not_at_rest_at_the_start() -> Judged:
+    case = rapid_case()
+
+    def edit(t: Array, q: Array, qd: Array) -> None:
+        qd[0, 0] = OVER * tol.REST_JOINT
+
+    return case, edited(case, edit), None
+
+
 @spoiled("end rest", "rail", 18)
 def not_at_rest_at_the_end() -> Judged:
     case = rapid_case()

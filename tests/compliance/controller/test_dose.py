@@ -669,8 +669,8 @@ def test_the_turn_lag_is_the_angle_between_the_orientations(rotation: RotationLa
     made = dosed_as(path, law, h, Allowed(0.002, float(bound), turn_lead=Lead(2.0)), feed=feed)
     assert isinstance(made, Dosed), made
     # the controller again: angles by eq. 4.13, or log(R R_e^T) in world axes, by SciPy
-    u = np.concatenate([made.pose, np.repeat(made.pose[-1:], 2000, axis=0)])
-    plan = Rotation.from_matrix(np.concatenate([made.R_plan, np.repeat(made.R_plan[-1:], 2000, axis=0)]))
+    u = np.concatenate([made.pose, np.repeat(made.pose[-1:], 800, axis=0)])
+    plan = Rotation.from_matrix(np.concatenate([made.R_plan, np.repeat(made.R_plan[-1:], 800, axis=0)]))
     K, D, M = law.K[3:], law.D[3:], law.M[3:]
     if rotation is RotationLaw.TAIT_BRYAN:
         rate = np.zeros_like(u)
@@ -682,16 +682,16 @@ def test_the_turn_lag_is_the_angle_between_the_orientations(rotation: RotationLa
             x, v = x + h * v, v + h / M * (D * (rate[k, 3:] - v) + K * (u[k, 3:] - x))
         answer = Rotation.from_euler("xyz", rows)
     else:
-        fed = Rotation.from_matrix(np.concatenate([made.R, np.repeat(made.R[-1:], 2000, axis=0)]))
-        x, v, turns = plan[0], np.zeros(3), []
+        fed = Rotation.from_matrix(np.concatenate([made.R, np.repeat(made.R[-1:], 800, axis=0)]))
+        x, v, turns, back = plan[0], np.zeros(3), [], fed.inv()
+        rate = np.zeros((len(u), 3))
+        if feed is DoseFeed.VELOCITY:
+            rate[:-1] = (fed[1:] * back[:-1]).as_rotvec() / h
         for k in range(len(u)):
             turns.append(x)
-            rate = np.zeros(3)
-            if feed is DoseFeed.VELOCITY and k + 1 < len(u):
-                rate = (fed[k + 1] * fed[k].inv()).as_rotvec() / h
             x, v = (
                 Rotation.from_rotvec(h * v) * x,
-                v + h / M * (D * (rate - v) - K * (x * fed[k].inv()).as_rotvec()),
+                v + h / M * (D * (rate[k] - v) - K * (x * back[k]).as_rotvec()),
             )
         answer = Rotation.concatenate(turns)
     lag = (answer * plan.inv()).magnitude()
