@@ -85,10 +85,12 @@ ADDRESSES: dict[str, tuple[str, ...]] = {
         "measured/*",
         "compliance/controller/*",
         "compliance/task/arm_plan.py",
+        "report/obstacles.py",
     ),
     "typer": ("cli/*",),
     "rich": ("cli/*",),
     "matplotlib": ("report/*", "compliance/report/*"),
+    "mpl_toolkits": ("report/arm.py",),  # of matplotlib
     "mujoco": ("compliance/world/*",),
     # What reads files people write by hand (cells, robots, tasks) and records that trajopt wrote.
     "pydantic": (

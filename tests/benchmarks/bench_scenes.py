@@ -7,20 +7,23 @@ than it is away) from one look to the next. A search at random (RRT-connect, Kuf
 points, on branches and rail positions drawn at random, says whether there is a way at all: "none found" is no proof.
 
 Each seed has a file in the folder; one that is there is not done again, so that runs may be cut off, and several may
-work side by side. Seeds from 9000 on are for tuning.
+work side by side. Times are of the processor, but for the time limit that the command is given. Seeds from 9000 on are
+for tuning.
 """
 
 from __future__ import annotations
 
 import argparse
 import csv
+import fcntl
 import json
-import os
+import resource
+import signal
 import subprocess
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from time import monotonic, process_time
+from time import process_time
 
 import coal  # type: ignore[import-untyped]
 import numpy as np
@@ -175,7 +178,8 @@ def check_rows(world: Callable[[float], World], rows: Array) -> tuple[float, flo
 def connect(
     world: World, starts: Sequence[Array], goals: Sequence[Array], rng: np.random.Generator, until: float
 ) -> tuple[int, int] | None:
-    """RRT-connect between any of the starts and any of the goals: which two; None where no way was found by `until`."""
+    """RRT-connect between any of the starts and any of the goals: which two; None where no way was found by `until`, in
+    processor time."""
     roots = [[q for q in ends if world.free(q)] for ends in (starts, goals)]
     if not all(roots):
         return None
@@ -188,7 +192,7 @@ def connect(
     near = np.maximum(some.min(axis=0) - 0.5, lower), np.minimum(some.max(axis=0) + 0.5, upper)
     trees = [(list(own), [-1] * len(own)) for own in roots]
     turn = 0
-    while monotonic() < until:
+    while process_time() < until:
         tree, other = trees[turn], trees[1 - turn]
         draw = rng.random()
         goal = rng.uniform(*(near if draw < 0.8 else (lower, upper)))
@@ -282,15 +286,15 @@ def way_exists(job: Job, seed: int, seconds: float) -> bool:
     rng, moves = np.random.default_rng(seed), stretches(job.program)
     ends = [job.plant.start]
     for own in moves:
-        world, until = World(job.plant, job.program, own[0]), monotonic() + seconds / len(moves)
+        world, until = World(job.plant, job.program, own[0]), process_time() + seconds / len(moves)
         there = candidates(job, own, rng, 12)
         reached: list[Array] = []
-        while there and len(reached) < 3 and monotonic() < until:
+        while there and len(reached) < 3 and process_time() < until:
             found = connect(world, ends, [q_0 for q_0, _ in there], rng, until)
             if found is None:
                 break
             reached.append(there.pop(found[1])[1])
-            until = min(until, monotonic() + seconds / 20)
+            until = min(until, process_time() + seconds / 20)
         if not reached:
             return False
         ends = reached
@@ -372,20 +376,31 @@ def write(stem: Path, program: str, cell: str) -> Path:
 
 
 def plan(program: Path, seconds: float) -> dict[str, object]:
-    """What the command says of a program, and how long it takes."""
-    out = program.with_suffix("")
+    """What the command says of a program, and the processor's seconds it takes."""
+    out, most = program.with_suffix(""), int(6 * seconds + 60)
     command = [sys.executable, "-m", "trajopt_cli.cli", "optimize", str(program), "--output", str(out), "--json"]
     command += ["--quiet", "--jobs", "1", "--time-limit", f"{seconds:g}"]
-    begun = monotonic()
-    try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=6 * seconds + 60)
-    except subprocess.TimeoutExpired:
-        return {"answer": "too long", "seconds": monotonic() - begun}
+    begun = children()
+    done = subprocess.run(
+        command,
+        capture_output=True,
+        text=True,
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (most, most + 5)),
+    )
+    spent = children() - begun
+    if done.returncode == -signal.SIGXCPU:
+        return {"answer": "too long", "seconds": spent, "why": []}
     said = json.loads(done.stdout) if done.stdout.lstrip().startswith("{") else {}
     answer = "planned" if done.returncode == 0 else str(said.get("answer", f"exit {done.returncode}"))
     cycle = said.get("plans", {}).get("stream", {}).get("cycle_time_s")
     why = [line for line in done.stderr.splitlines() if line.strip()][-1:]
-    return {"answer": answer, "seconds": monotonic() - begun, "cycle": cycle, "why": [] if answer == "planned" else why}
+    return {"answer": answer, "seconds": spent, "cycle": cycle, "why": [] if answer == "planned" else why}
+
+
+def children() -> float:
+    """The processor's seconds of all commands so far."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def scene(seed: int, folder: Path, seconds: float, search: float) -> dict[str, object]:
@@ -455,17 +470,16 @@ def main() -> None:
     for seed in range(given.first, given.first + given.count):
         done, mine = given.folder / f"{seed}.json", given.folder / f"{seed}.working"
         if not done.exists():
-            try:
-                os.close(os.open(mine, os.O_CREAT | os.O_EXCL))  # somebody else's, or one that was cut off
-            except FileExistsError:
-                continue
-            try:
+            with mine.open("w") as lock:
+                try:
+                    fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                except BlockingIOError:  # somebody else's; one that was cut off is nobody's
+                    continue
                 found = scene(seed, given.folder / str(seed), given.seconds, given.search)
                 part = done.with_suffix(".part")
                 part.write_text(json.dumps(found, indent=1))
                 part.replace(done)
-            finally:
-                mine.unlink()
+            mine.unlink()
         rows.append(json.loads(done.read_text()))
         print(rows[-1]["seed"], rows[-1]["boxed"]["answer"], rows[-1].get("clean"), rows[-1].get("way"), flush=True)
     print(table(rows))

@@ -221,6 +221,14 @@ BOX = "{box: {size: [1, 1, 1]}}"
             "cell.yaml:4: obstacles.table.fence: has the point [1, 0] twice in a row; remove one",
         ),
         (
+            obstacle("{fence: {points: [[1, 0], [1, 2], [0, 2]], height: 2}}") + f"  table 2: {BOX}\n",
+            "cell.yaml:5: obstacles.table 2: a wall of fence 'table' has this name; give it another one",
+        ),
+        (
+            obstacle("{fence: {points: [[1, 0], [1, 2], [0, 2]], height: 2}}") + f"attached: {{table 1: {BOX}}}\n",
+            "cell.yaml:5: attached.table 1: a wall of fence 'table' has this name; give it another one",
+        ),
+        (
             obstacle("{fence: {points: [[1, 0], [1, 2]], height: 2}}") + "attach: [{part: table, at: 4}]\n",
             "cell.yaml:5: attach.0.part: 'table' is a fence; no robot carries it",
         ),

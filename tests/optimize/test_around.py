@@ -5,17 +5,19 @@ That nothing is touched is looked at densely by pin and coal; that the motion is
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from functools import cache
 
 import numpy as np
 import pytest
 from clear_of import least_along
-from small_cells import plant_with_rail, plant_without_rail, rapid
+from small_cells import plant_with_rail, plant_without_rail, problem_of, rapid
 
-from trajopt_cli.geometry import pose
+from trajopt_cli.geometry import Array, BoolArray, pose
 from trajopt_cli.motion import MoveJ, Program
 from trajopt_cli.optimize import optimize
+from trajopt_cli.optimize.avoid import Avoid
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.surroundings import Surroundings
 from trajopt_cli.optimize.ways import Ways, about
@@ -24,7 +26,7 @@ from trajopt_cli.problem.detours import held_against
 from trajopt_cli.problem.freedom import AS_WRITTEN
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.shapes import Box, Solid
+from trajopt_cli.shapes import Box, Capsule, Solid
 from trajopt_cli.verify.judge import verify
 
 MOVES = "MoveJ p_a,v1000,fine,tool0;\nMoveJ p_b,v1000,fine,tool0;"
@@ -169,6 +171,30 @@ def test_ways_between_places_are_clear_and_hardly_longer() -> None:
     assert about(axes, way[None])[0] < 1.5 * about(axes, q[None])[0]
 
 
+def test_a_state_that_joins_a_known_way_is_looked_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    plant = replace(plant_without_rail(), obstacles=(POST,), clearance=WANTED)
+    axes, around = Axes.of(plant), Surroundings(plant, ACROSS)
+    leg, rng = problem_of(ACROSS, plant, Target.RAPID).legs[1], np.random.default_rng(5)
+    avoid, points = Avoid(axes, around, {}), rng.uniform(-0.5, 0.5, (2, 6))
+    q = np.repeat(np.array([[-0.6, 0.5, 0.1, 0, 0.9, 0]]) + rng.uniform(-1, 1, (40, 6)), 2, axis=0)
+    ends = {end: np.tile(points[end], (len(q), 1)) for end in (0, -1)}
+    wanted = {0: around.free_between(q, ends[0], 1), -1: around.free_between(ends[-1], q, 1)}
+    assert 0 < wanted[0].sum() < len(q)
+    asked: list[int] = []
+    look = around.free_between
+
+    def counted(q_0: Array, q_1: Array, index: int) -> BoolArray:
+        asked.append(len(q_0))
+        return look(q_0, q_1, index)
+
+    monkeypatch.setattr(around, "free_between", counted)
+    for _ in range(2):
+        for end in (0, -1):
+            np.testing.assert_array_equal(avoid._joins(leg, points, end, q), wanted[end])
+    assert sum(asked) == 2 * 40
+    assert avoid._joins(leg, points, 0, q[:0]).shape == (0,)
+
+
 def test_passes_that_share_a_text_go_by_the_same_points() -> None:
     program, plant = ACROSS_TWICE, replace(plant_without_rail(), obstacles=(POST,), clearance=WANTED)
     groups = ((0, 2), (1, 3))
@@ -177,8 +203,53 @@ def test_passes_that_share_a_text_go_by_the_same_points() -> None:
     assert isinstance(found, Plan)
     points = {detour.motion: np.array([via.q for via in detour.points]) for detour in found.detours}
     assert points
+    assert len(found.notes) == len({*found.notes}) < len(points)  # a text's passes are told once
     for first, second in groups:
         assert (first in points) == (second in points)
         if first in points:
             np.testing.assert_array_equal(points[first], points[second])
     assert least_along(plant, found.trajectory) >= 0
+
+
+def test_a_place_behind_a_wall_is_named_with_the_rail_positions_that_were_tried() -> None:
+    wall = box("wall", (3.0, 0.1, 3.0), (0.0, 0.35, 0.5))  # across the rail
+    found = plan("down and up", Target.STREAM, wall)
+    assert isinstance(found, Infeasible)
+    assert found.index == 0
+    assert re.search(r"MoveJ p_in cannot be driven clear: \w+ is [\d.]+ mm inside 'wall'", found.message)
+    told = re.search(r"no way around was found, tried from rail (-?\d+) to (\d+) mm, (\d+) positions", found.message)
+    assert told is not None, found.message
+    low, high, count = map(int, told.groups())
+    assert -400 < low < 600 < high < 1600  # p_in is at y = 600 mm, and the arm reaches 0.8 m
+    assert count > 5
+
+
+CORNER = """CONST robtarget p_1:=[[550,-100,450],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+CONST robtarget p_2:=[[550,350,450],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+CONST robtarget p_3:=[[150,350,450],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];"""
+STAKE = Solid(Capsule("stake", np.array([0.45, 0.25, -0.2]), np.array([0.45, 0.25, 0.43]), 0.03))
+
+
+def in_a_corner(zone: str, target: Target) -> Plan | Infeasible:
+    moves = f"MoveJ p_1,v1000,fine,tool0;\nMoveL p_2,v1000,{zone},tool0;\nMoveL p_3,v1000,fine,tool0;"
+    program = rapid(f"ConfJ \\Off;\nConfL \\Off;\n{moves}", data=CORNER)
+    return optimize(program, plant_without_rail(obstacles=(STAKE,), clearance=0.005), target, bounded=False)
+
+
+@pytest.mark.parametrize("target", Target)
+def test_a_corner_that_cuts_into_something_is_told_with_the_zone_that_would_do(target: Target) -> None:
+    found = in_a_corner("z200", target)
+    assert isinstance(found, Infeasible)
+    assert "MoveL p_2 cannot be driven clear: " in found.message
+    assert "'stake'" in found.message
+    assert found.message.endswith("it would be clear with z150 instead of z200 at p_2")
+    assert isinstance(in_a_corner("z150", target), Plan)
+
+
+def test_no_zone_is_named_where_none_would_do() -> None:
+    moves = "MoveJ p_1,v1000,fine,tool0;\nMoveL p_2,v1000,z50,tool0;\nMoveL p_3,v1000,fine,tool0;"
+    program = rapid(f"ConfJ \\Off;\nConfL \\Off;\n{moves}", data=CORNER)
+    block = box("block", (0.1, 0.1, 0.1), (0.55, 0.35, 0.5))  # at the point itself
+    found = optimize(program, plant_without_rail(obstacles=(block,)), Target.RAPID, bounded=False)
+    assert isinstance(found, Infeasible)
+    assert "instead of" not in found.message

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 from link_poses import link_poses
-from small_cells import plant_with_rail, plant_without_rail
+from small_cells import plant_with_rail, plant_without_rail, rapid
 
 from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.job import read_job
@@ -138,13 +138,36 @@ def test_a_part_is_drawn_where_it_stands_with_the_flange_and_where_it_was_left()
     plan = SimpleNamespace(motions=motions, trajectory=rows)
     scene = plant_scene(job.plant, [], [plan_cycle("one", job.program, plan, job.plant)])
     assert "blank" not in [one["name"] for one in scene["static"]]
-    stands, held, left = sorted(scene["cycles"][0]["parts"], key=lambda one: one["from"])
+    parts = [one for one in scene["cycles"][0]["parts"] if one["role"] == "part"]
+    stands, held, left = sorted(parts, key=lambda one: one["from"])
     assert (stands["from"], stands["to"], held["to"], left["to"]) == (0.0, held["from"], left["from"], 11.0)
     taken = next(i for i, m in enumerate(job.program.motions) if isinstance(m, SignalEvent))
     assert held["from"] == moves.index(taken + 1)  # with the wait after the output
     assert [one["link"] for one in (stands, held, left)] == [-2, len(scene["chain"]) - 1, -2]
     np.testing.assert_allclose(np.reshape(held["X"], (4, 4))[:3, 3], [0, 0, 0.1], atol=1e-6)  # at the TCP
     np.testing.assert_allclose(np.reshape(left["X"], (4, 4))[:3, 3], [0.75, 0, 0.48], atol=1e-6)
+
+
+def test_the_capsule_that_stands_for_the_tool_is_drawn_while_its_tool_is_in_force() -> None:
+    """From the flange to one radius before the TCP, as the judge holds it; none for tool0."""
+    data = "PERS tooldata tLong:=[TRUE,[[0,0,200],[1,0,0,0]],[1,[0,0,40],[1,0,0,0],0,0,0]];"
+    data += "PERS tooldata tShort:=[TRUE,[[0,0,20],[1,0,0,0]],[1,[0,0,40],[1,0,0,0],0,0,0]];"
+    joints = "[[0,0,0,0,{0},0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
+    moves = [
+        f"MoveAbsJ {joints.format(20 + k)},v100,fine,{tool};" for k, tool in enumerate(("tLong", "tShort", "tLong"))
+    ]
+    program = rapid("\n".join(moves), data=data)
+    motions = [SimpleNamespace(index=k, t_0=float(k), t_1=k + 1.0, dropped=False) for k in range(3)]
+    plant = plant_without_rail(tool_radius=0.025)
+    rows = Trajectory(plant.limits.names, np.array([0.0, 3.0]), np.tile(plant.start, (2, 1)))
+    cycle = plan_cycle("one", program, SimpleNamespace(motions=motions, trajectory=rows), plant)
+    scene = plant_scene(replace(plant, obstacles=(Solid(Box("cube", np.ones(3))),)), [], [cycle])
+    first, last = scene["cycles"][0]["parts"]
+    for one, since, until in ((first, 0.0, 1.0), (last, 2.0, 4.0)):
+        assert (one["role"], one["kind"], one["link"]) == ("tool", "capsule", len(scene["chain"]) - 1)
+        assert (one["from"], one["to"], one["radius"]) == (since, until, 0.025)
+        np.testing.assert_allclose([one["a"], one["b"]], [[0, 0, 0], [0, 0, 0.175]], atol=1e-12)
+    assert [one["name"] for one in scene["static"]] == ["cube"]  # a tool's capsule is no part that leaves its place
 
 
 def test_a_fine_mesh_is_drawn_coarser_with_the_same_outline() -> None:

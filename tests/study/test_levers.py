@@ -137,6 +137,13 @@ def test_a_place_is_moved_as_a_whole_and_an_arc_with_the_point_it_goes_through()
                 assert not np.any(moved[:, :3])
 
 
+def test_what_obstacles_are_to_it_is_told_where_there_are_any() -> None:
+    fenced, free = job("hinge_cell_fenced"), job("hinge_cell")
+    (line,) = [line for line in not_asked(fenced.program, fenced.plant) if line.startswith("obstacles and clearance: ")]
+    assert "keeps clear" in line
+    assert not any("obstacles" in line for line in not_asked(free.program, free.plant))
+
+
 def test_what_is_no_lever_is_told() -> None:
     corners = job("corners")
     told = not_asked(corners.program, corners.plant)

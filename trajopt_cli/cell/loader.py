@@ -211,6 +211,11 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         raise cell.error("start.rail", "there is no rail; remove it or add a rail section")
     if document.attached and "tool_radius" in document.model_fields_set and document.tool_radius > 0:
         raise cell.error("tool_radius", "the attached bodies stand for the tool; remove one of the two")
+    bodies = {one: section for section in ("obstacles", "attached") for one in getattr(document, section)}
+    for name, body in document.obstacles.items():
+        walls = [wall.name for wall in _walls(name, body.fence)] if body.fence is not None else []
+        for other in sorted({*walls} & {*bodies} - {name}):
+            raise cell.error(f"{bodies[other]}.{other}", f"a wall of fence '{name}' has this name; give it another one")
     for i, one in enumerate(document.attach):
         if one.part not in document.obstacles:
             known = hint(one.part, [*document.obstacles])

@@ -31,7 +31,7 @@ def cycles_table(answer: ComparedRuns) -> Table:
         told = "" if run.written is None else f"{run.written:.3f}"
         counts = run is not answer.runs[0] and run.written is not None and before is not None
         change = _change(run.written or 0.0, before or 0.0) if counts else ""
-        table.add_row("as written", run.letter, told or "cannot be driven", "", "", change)
+        table.add_row("as written", run.letter, told or "not driven", "", "", change)
     return table
 
 

@@ -17,7 +17,7 @@ from trajopt_cli.pipeline.optimise import Optimised
 from trajopt_cli.problem.constant_speed import DIP, Dip, Stretch, Why
 from trajopt_cli.problem.detours import Detour, way_told
 from trajopt_cli.problem.plan import Plan, Target
-from trajopt_cli.runs.results import motion_label
+from trajopt_cli.runs.results import NOT_TIMED, motion_label
 from trajopt_cli.units import MM
 from trajopt_cli.verify.clearance import least_clearance
 
@@ -46,6 +46,8 @@ def saving_line(answer: Optimised) -> str:
     before = answer.written
     if isinstance(before, str):
         told = ", ".join(f"{plan.duration:.3f} s {name}" for plan, name in zip(plans, names, strict=True))
+        if before == NOT_TIMED:
+            return f"as written it was {before} → {told}"
         return f"as written it cannot be driven ({before}) → {told}"
     told = ", ".join(
         f"{plan.duration:.3f} s ({change(before.duration, plan.duration)}) {name}"

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from functools import lru_cache
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import coal  # type: ignore[import-untyped]
@@ -24,7 +27,10 @@ def load_mesh(given: MeshFile) -> Mesh:
         bound = f"at most {MOST_BYTES // 10**6} MB are read"
         raise InputError(f"the mesh {given.path} has {size / 1e6:.0f} MB, {bound}; give a coarser one")
     try:
-        model = coal.MeshLoader().load(str(given.path), np.ones(3))
+        with TemporaryDirectory() as folder:
+            file = _with_noughts(given.path, Path(folder)) if given.path.suffix.lower() == ".obj" else given.path
+            # boxes along the axes: fitting others to a vertex that is no number has the library complain by itself
+            model = coal.MeshLoader(coal.NODE_TYPE.BV_AABB).load(str(file), np.ones(3))
     except ValueError as error:
         # Its text is a page: source file, line, "message: Could not load resource ...", the reason, a hint.
         said = str(error).partition("message:")[2].strip().splitlines()
@@ -36,6 +42,17 @@ def load_mesh(given: MeshFile) -> Mesh:
     if not np.isfinite(vertices).all():
         raise InputError(f"the mesh {given.path} has a vertex that is not finite")
     return Mesh(given.name, vertices, np.array(triangles), given.X)
+
+
+def _with_noughts(path: Path, folder: Path) -> Path:
+    """The file, or a copy in a folder where its numbers begin with a point: .5 is OBJ, but not to the loader."""
+    content = path.read_bytes()
+    changed = re.sub(rb"(?<=\s)\.(?=\d)", b"0.", content)
+    if changed == content:
+        return path
+    copy = folder / path.name
+    copy.write_bytes(changed)
+    return copy
 
 
 @lru_cache(maxsize=64)

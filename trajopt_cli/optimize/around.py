@@ -41,25 +41,28 @@ class Clear:
 
 
 class NoClearWay(Exception):
-    """Every motion that was found touches something; legs: numbers of those of the best one that do."""
+    """Every motion that was found touches something; legs: numbers of those of the best one that do, with the chain it
+    was timed from. Without either, no chain was found that touches nothing, and legs are where it ends."""
 
-    def __init__(self, problem: Problem, draft: Draft | None, legs: tuple[int, ...]):
+    def __init__(self, problem: Problem, legs: tuple[int, ...], draft: Draft | None = None, chain: Chain | None = None):
         super().__init__(legs)
-        self.problem, self.draft, self.legs = problem, draft, legs
+        self.problem, self.legs, self.draft, self.chain = problem, legs, draft, chain
 
 
 def clear_motions(
     axes: Axes, bound: Problem, problem: Problem, straight: Mapping[int, str], groups: Sequence[Sequence[int]],
     detoured: Detoured, shifted: Shifted, runs: Runs | None,
 ) -> Iterator[Clear]:  # fmt: skip
-    """Motions that touch nothing, in no order; none where no chain does. bound: the problem with one progress for all
-    axes. straight: why joint moves can have no points; groups: those that must have the same. Raises NotDriven and
-    NoClearWay."""
+    """Motions that touch nothing, in no order; none where no chain does and nobody knows where that ends. bound: the
+    problem with one progress for all axes. straight: why joint moves can have no points; groups: those that must have
+    the same. Raises NotDriven and NoClearWay."""
     around = surroundings_of(problem)
     assert around is not None
     avoid = Avoid(axes, around, straight)
     chain = search(axes, bound, avoid)
     if chain is None:
+        if avoid.stuck is not None:
+            raise NoClearWay(problem, tuple(k for k, leg in enumerate(problem.legs) if leg.motion == avoid.stuck))
         return
     points: dict[int, Array] = {}
     for k, leg in enumerate(bound.legs):
@@ -180,7 +183,7 @@ def driven_clear(axes: Axes, problem: Problem, chain: Chain, runs: Runs | None) 
                 mixed[first:last] = together.legs[first:last]
         draft = replace(draft, legs=tuple(mixed))
         legs = touching(axes, problem, draft)
-    return NoClearWay(problem, draft, legs) if legs else draft
+    return NoClearWay(problem, legs, draft, chain) if legs else draft
 
 
 def coordinated(problem: Problem) -> Problem:

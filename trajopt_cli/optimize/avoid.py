@@ -40,14 +40,24 @@ class States:
 
 
 class Avoid:
-    """straight: why joint moves, by motion, can have no points added."""
+    """straight: why joint moves, by motion, can have no points added. ended: the motion at whose end no chain arrives
+    that touches nothing, once a search has found none; None where that is not known."""
 
     def __init__(self, axes: Axes, around: Surroundings, straight: Mapping[int, str]):
         self._axes, self.around, self._straight = axes, around, straight
         self._ways: dict[int, Ways] = {}
         self._known: dict[int, list[Array]] = {}  # points of ways that were found, by scene
+        self._joined: dict[tuple[int, int], dict[bytes, bool]] = {}  # by way and its end: from where it is clear
         self._plans: dict[int, int] = {}  # how often a way was looked for, by motion
         self._fails = 0
+        self._missed, self._led = set[int](), set[int]()  # motions with no way between two states, and with one
+        self.ended: int | None = None
+
+    @property
+    def stuck(self) -> int | None:
+        """The motion that stands in the way of a plan, once no chain was found: the first one that no way around is
+        known for; None where that is not known."""
+        return min(self._missed - self._led, default=self.ended)
 
     def scenes(self, problem: Problem, first: int, last: int) -> bytes:
         """Equal for stretches of a program with the same bodies around and in them."""
@@ -105,7 +115,9 @@ class Avoid:
             points = self._finder(leg).between(a.q[i[0]], b.q[j[0]])
             if points is None:
                 self._fails += 1
+                self._missed.add(leg.motion)
             else:
+                self._led.add(leg.motion)
                 self._known.setdefault(self.around.scene(leg.motion), []).append(points)
                 found = self._by_known(leg, a.q[i], b.q[j])
         times = np.array([T for T, _ in found])
@@ -139,16 +151,27 @@ class Avoid:
         """The quickest of the known ways between places (m, n): what it takes [s], about, and its points."""
         out: list[tuple[float, Array | None]] = [(np.inf, None)] * len(q_0)
         for points in self._known.get(self.around.scene(leg.motion), [])[-AVOID_WAYS:]:
-            m, count = len(q_0), len(points)
-            first, last = (np.tile(point, (m, 1)) for point in (points[0], points[-1]))
-            good = np.flatnonzero(self.around.free_between(q_0, first, leg.motion))
-            good = good[self.around.free_between(last[good], q_1[good], leg.motion)]
+            count = len(points)
+            good = np.flatnonzero(self._joins(leg, points, 0, q_0))
+            good = good[self._joins(leg, points, -1, q_1[good])]
             inner = np.broadcast_to(points, (len(good), count, q_0.shape[1]))
             ways = np.concatenate([q_0[good, None], inner, q_1[good, None]], axis=1)
             for at, T in zip(good.tolist(), about(self._axes, ways).tolist(), strict=True):
                 if out[at][0] > T:
                     out[at] = T, points
         return out
+
+    def _joins(self, leg: Leg, points: Array, end: int, q: Array) -> BoolArray:
+        """From which of axes (m, n) a straight way is clear to an end of a known way, 0 or -1. The search asks for the
+        same states again and again."""
+        known = self._joined.setdefault((id(points), end), {})
+        names = [one.tobytes() for one in q]
+        new = {name: row for row, name in enumerate(names) if name not in known}
+        rows, at = q[list(new.values())], np.tile(points[end], (len(new), 1))
+        q_0, q_1 = (rows, at) if end == 0 else (at, rows)
+        free = self.around.free_between(q_0, q_1, leg.motion)
+        known.update(zip(new, free.tolist(), strict=True))
+        return np.array([known[name] for name in names], dtype=bool)
 
     def _on_ways(self, problem: Problem, k: int, q_0: Array, q_1: Array, cfx: IndexArray) -> BoolArray:
         """Whether (m,) lines, arcs and waits between axes (m, n) are clear, the rail in proportion to the way."""

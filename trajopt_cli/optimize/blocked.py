@@ -1,19 +1,26 @@
-"""Places of a program where the robot always touches something: what it is, how deep at least, what was tried."""
+"""Where a program makes the robot touch something: what it is, how deep at least, what was tried, what would help."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.motion import motion_name
+from trajopt_cli.motion import Move, motion_name
+from trajopt_cli.optimize.around import NoClearWay, coordinated, driven_clear
 from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.clear import hit_on
+from trajopt_cli.optimize.draft import Draft
+from trajopt_cli.optimize.incumbent import NotDriven, Runs
 from trajopt_cli.optimize.reach import StationTable, grid_in_reach, station_table
 from trajopt_cli.optimize.surroundings import Hit, Surroundings, surroundings_of
 from trajopt_cli.optimize.tuning import SEARCH_APART, SEARCH_COARSE
+from trajopt_cli.problem.corners import corners_of
+from trajopt_cli.problem.detours import radii, zone_of
 from trajopt_cli.problem.plan import Infeasible
-from trajopt_cli.problem.problem import Problem
+from trajopt_cli.problem.problem import Coupling, LegKind, Problem
 
 _NOWHERE = "cannot be driven clear: no configuration and rail position serves all points and lines around it"
 
@@ -105,10 +112,78 @@ def _about(
         return Infeasible(index, problem.motion(index).source, f"{motion_name(problem.motion(index))} {_NOWHERE}")
     tried = ""
     if axes.layout.has_rail and len(d) > 1:
-        at = float(axes.layout.place(best.q))
-        tried = (
-            f"; tried from rail {d[0] * 1e3:.0f} to {d[-1] * 1e3:.0f} mm, {len(d)} positions in all configurations,"
-            f" least so at {at * 1e3:.0f} mm"
-        )
+        tried = f"; tried {_positions(d)}, least so at {float(axes.layout.place(best.q)) * 1e3:.0f} mm"
     motion = problem.motion(index)
     return Infeasible(index, motion.source, f"{motion_name(motion)} cannot be driven clear: {best.said}{tried}")
+
+
+def touches(axes: Axes, failure: NoClearWay, runs: Runs | None = None) -> Infeasible:
+    """The answer no where every motion that was found touches something: what the best one does, where its end was
+    tried, and which zones would do where it is in a corner."""
+    assert failure.draft is not None
+    problem, k = failure.problem, failure.legs[0]
+    leg = problem.legs[k]
+    motion, hit = problem.motion(leg.motion), hit_on(axes, problem, failure.draft, k)
+    said = "touches something" if hit is None else f"cannot be driven clear: {hit.said}"
+    first, last = next(one for one in problem.stations if one[0] <= k + 1 <= one[1])
+    d = grid_in_reach(axes, problem, first, last, SEARCH_COARSE, SEARCH_APART)
+    if zones := _zones_that_do(axes, failure, runs):
+        said += f"; {zones}"
+    elif axes.layout.has_rail and len(d) > 1:
+        no = "no way around was found" if leg.kind is LegKind.JOINT else "nothing clear was found"
+        said += f"; {no}, tried {_positions(d)}"
+    return Infeasible(leg.motion, motion.source, f"{motion_name(motion)} {said}")
+
+
+def _positions(d: Array) -> str:
+    """Rail positions [m] that were tried."""
+    return f"from rail {d[0] * 1e3:.0f} to {d[-1] * 1e3:.0f} mm, {len(d)} positions in all configurations"
+
+
+def _zones_that_do(axes: Axes, failure: NoClearWay, runs: Runs | None) -> str:
+    """The largest standard zones, in words, with which the motion that touches something would not; none where its
+    corners are not why."""
+    problem, chain = failure.problem, failure.chain
+    beside = [problem.waypoints[leg + i] for leg in failure.legs for i in (0, 1)]
+    corners: dict[int, tuple[Move, float]] = {}
+    for point in beside:
+        move = problem.motion(point.motion)
+        if point.fly_by is not None and isinstance(move, Move) and not move.detour:
+            corners[point.motion] = move, point.fly_by.radius
+    if chain is None or not corners:
+        return ""
+
+    def smaller(size: float | None) -> dict[int, float | None]:
+        return {index: size for index, (_, radius) in corners.items() if size is None or size < radius}
+
+    def would_do(size: float | None) -> bool:
+        other = _with_zones(problem, smaller(size))
+        try:
+            both = {other.coupling: other, Coupling.COORDINATED: coordinated(other)}
+            ways = [driven_clear(axes, one, chain, runs) for one in both.values()]
+        except NotDriven:
+            return False
+        return all(isinstance(way, Draft) for way in ways)
+
+    sizes = [None, *(size for size in radii() if smaller(size))]
+    if not would_do(None):
+        return ""
+    good, bad = 0, len(sizes)
+    while bad - good > 1:
+        middle = (good + bad) // 2
+        good, bad = (middle, bad) if would_do(sizes[middle]) else (good, middle)
+    name, moves = zone_of(sizes[good]).name, [corners[index][0] for index in smaller(sizes[good])]
+    said = dict.fromkeys(f"{name} instead of {move.zone.name} at {move.target}" for move in moves)
+    return f"it would be clear with {' and '.join(said)}"
+
+
+def _with_zones(problem: Problem, sizes: dict[int, float | None]) -> Problem:
+    """The problem with other zones [m] at the end of some motions, None for stops."""
+    motions = list(problem.program.motions)
+    for index, size in sizes.items():
+        move = motions[index]
+        assert isinstance(move, Move)
+        motions[index] = replace(move, zone=zone_of(size))
+    passed = corners_of(replace(problem.program, motions=tuple(motions)), problem.plant, problem.dropped).passed
+    points = (replace(one, fly_by=passed.get(one.motion)) if one.motion in sizes else one for one in problem.waypoints)
+    return replace(problem, waypoints=tuple(points))

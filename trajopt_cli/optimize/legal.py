@@ -15,8 +15,8 @@ import numpy as np
 from trajopt_cli.motion import Program, motion_name
 from trajopt_cli.optimize.around import NoClearWay, clear_motions, coordinated, driven_clear
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.blocked import blocked_place
-from trajopt_cli.optimize.clear import clear, hit_on
+from trajopt_cli.optimize.blocked import blocked_place, touches
+from trajopt_cli.optimize.clear import clear
 from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.incumbent import NotDriven, Runs, duration, stopped, timed
 from trajopt_cli.optimize.leg_times import Times
@@ -298,7 +298,7 @@ def legal_of(
             if isinstance(around, Legal):
                 tell(Progress("timing", around.duration))
                 return around
-            touched = around or touched
+            touched = _blamed(touched, around)
             if failure is None:  # with less room there is no more
                 break
         if failure is None and touched is None:
@@ -306,7 +306,7 @@ def legal_of(
         if hopeless:
             break
     if touched is not None:
-        return _touches(axes, touched)
+        return touches(axes, touched, runs)
     assert failure is not None
     return _not_driven(axes, *failure)
 
@@ -337,14 +337,13 @@ def _around(
     return min(found, key=lambda one: one.duration, default=failure)
 
 
-def _touches(axes: Axes, failure: NoClearWay) -> Infeasible:
-    """The answer no where every motion that was found touches something: what the best one does."""
-    assert failure.draft is not None
-    leg = failure.problem.legs[failure.legs[0]]
-    motion = failure.problem.motion(leg.motion)
-    hit = hit_on(axes, failure.problem, failure.draft, failure.legs[0])
-    said = "touches something" if hit is None else f"cannot be driven clear: {hit.said}"
-    return Infeasible(leg.motion, motion.source, f"{motion_name(motion)} {said}")
+def _blamed(touched: NoClearWay, around: NoClearWay | None) -> NoClearWay:
+    """What tells best why there is no plan: the motion by points that touches something; else the one without, at the
+    leg where chains end that touch nothing."""
+    if around is None or around.draft is not None:
+        return around or touched
+    legs = tuple(k for k in around.legs if k in touched.legs) if around.problem is touched.problem else ()
+    return NoClearWay(touched.problem, legs, touched.draft, touched.chain) if legs else touched
 
 
 def _shifted(axes: Axes, problem: Problem, chain: Chain, known: Times) -> list[Chain]:

@@ -576,7 +576,12 @@ def _search(axes: Axes, problem: Problem, avoid: Avoid | None = None, every: boo
     edges = _edges(axes, problem, tables, where, layers, avoid)
     cost, path, forward = _best_clear(problem, tables, where, layers, edges, avoid)
     if not np.isfinite(cost):
-        return _search(axes, problem, avoid, every=True) if fewer else None
+        if fewer:
+            return _search(axes, problem, avoid, every=True)
+        if avoid is not None:
+            ends = (k for k, least in enumerate(forward) if not np.isfinite(least).any())
+            avoid.ended = next((problem.legs[k - 1].motion for k in ends), None)
+        return None
     coarse = _chain(problem, tables, where, layers, edges, path, cost)
     if all(s.rail[0] == s.rail[1] for s in problem.waypoints):
         return coarse

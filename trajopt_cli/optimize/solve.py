@@ -249,11 +249,14 @@ def _grid(legs: list[LegMotion], problem: Problem) -> str:
 
 
 def _ways(program: Program, detours: Sequence[Detour], driven: Sequence[Detour]) -> Iterator[str]:
-    """What a reader should know of ways around, a line each. driven: those that lead by their points."""
+    """What a reader should know of ways around, a line each: one for all passes of a text that go around the same.
+    driven: those that lead by their points."""
+    lines = []
     for detour in detours:
         motion, count = program.motions[detour.motion], len(detour.points)
         by = f" by {count} point{'s' if count > 1 else ''}" if detour in driven else ""
-        yield f"{motion.source}: {motion_name(motion)} goes around {quoted(detour.around)}{by}"
+        lines.append(f"{motion.source}: {motion_name(motion)} goes around {quoted(detour.around)}{by}")
+    yield from dict.fromkeys(lines)
 
 
 def _without_others(plan: Plan, driven: tuple[Detour, ...]) -> Plan:

@@ -16,7 +16,7 @@ from trajopt_cli.page.waterfall import Bar, by_motion, signed, waterfall
 from trajopt_cli.problem.constant_speed import Stretch
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.runs.results import Judged, motion_label
+from trajopt_cli.runs.results import NOT_TIMED, Judged, motion_label
 
 WRITTEN = "as written"
 _MACHINES = {Target.STREAM: "a joint stream", Target.RAPID: "the RAPID controller"}
@@ -93,7 +93,7 @@ def _head(
     if isinstance(written, Plan):
         tiles.append(tile("before", WRITTEN, f"{seconds(written.duration)} s", "the program under the same limits"))
     else:
-        tiles.append(tile("before", WRITTEN, "–", f"cannot be driven: {written}"))
+        tiles.append(tile("before", WRITTEN, "–", written if written == NOT_TIMED else f"cannot be driven: {written}"))
     changed = f"{_change(written, chosen)}, for {_MACHINES[target]}".removeprefix(", ")
     tiles.append(tile("after", f"{target} plan", f"{seconds(chosen.duration)} s", changed))
     if chosen.lower_bound is not None and chosen.gap is not None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -17,13 +18,13 @@ import numpy as np
 from trajopt_cli.geometry import Array, IndexArray, readonly
 from trajopt_cli.motion import MoveAbsJ, MoveC, MoveJ, MoveL, Program
 from trajopt_cli.page.encode import block
-from trajopt_cli.problem.bodies import bodies_on
+from trajopt_cli.problem.bodies import bodies_on, tool_capsule
 from trajopt_cli.problem.detours import unfolded, with_detours
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.srs import SrsRobot
-from trajopt_cli.shapes import Box, Capsule, Mesh, MeshFile, Shape
+from trajopt_cli.shapes import TOOL, Box, Capsule, Mesh, MeshFile, Shape, Solid
 from trajopt_cli.trajectory import Trajectory, hermite
 
 SCRIPTS = ("view3d.css", "view3d_motion.js", "view3d_graphics.js", "view3d.js")
@@ -55,8 +56,8 @@ class Cycle:
     """A motion to play. t (n,) [s] from 0; q (n, k) as the robot's axes [rad, m].
 
     tools: X_FT (4, 4) from a time [s] on, the first from the start. driven: from when to when [s] the tool is on lines
-    and arcs, drawn stronger; none for a motion that has no such parts. parts: what the flange takes and leaves, each
-    from when to when [s], and whether in the flange's frame or in the world's.
+    and arcs, drawn stronger; none for a motion that has no such parts. parts: what the flange takes and leaves, and the
+    capsule that stands for the tool, each from when to when [s], and whether in the flange's frame or in the world's.
     """
 
     name: str
@@ -76,6 +77,7 @@ class Cycle:
 def plan_cycle(name: str, program: Program, plan: Plan, plant: Plant | None = None) -> Cycle:
     """A plan of a program as a cycle, with the tool in force at every time, and a plant's parts where they are then."""
     tools: list[tuple[float, Array]] = []
+    capsules: list[tuple[float, Shape | None]] = []
     driven: list[tuple[float, float]] = []
     for planned in plan.motions:
         motion = program.motions[planned.index]
@@ -83,6 +85,8 @@ def plan_cycle(name: str, program: Program, plan: Plan, plant: Plant | None = No
             continue
         if not tools or not np.array_equal(tools[-1][1], motion.tool.X_FT):
             tools.append((planned.t_0 if tools else 0.0, motion.tool.X_FT))
+            solids = () if plant is None else tool_capsule(motion.tool, plant.tool_radius)
+            capsules.append((tools[-1][0], _loaded(solids[0]) if solids else None))
         if isinstance(motion, MoveL | MoveC) and planned.t_1 > planned.t_0:
             if driven and driven[-1][1] == planned.t_0:
                 driven[-1] = (driven[-1][0], planned.t_1)
@@ -90,6 +94,8 @@ def plan_cycle(name: str, program: Program, plan: Plan, plant: Plant | None = No
                 driven.append((planned.t_0, planned.t_1))
     t, q = _sampled(plan.trajectory)
     parts = () if plant is None else tuple(_parts(program, plan, plant))
+    for (since, one), (until, _) in pairwise([*capsules, (math.inf, None)]):
+        parts += ((since, until, True, one),) if one is not None else ()
     return Cycle(name, t, q, tuple(tools) or ((0.0, np.eye(4)),), tuple(driven), parts)
 
 
@@ -101,8 +107,7 @@ def _parts(program: Program, plan: Plan, plant: Plant) -> Iterator[tuple[float, 
     for time, index in moments:
         bodies = bodies_on(plant, program, index)
         for carried, solids in ((True, bodies.carried), (False, bodies.standing)):
-            for shape in (solid.shape for solid in solids if solid.name in names):
-                assert not isinstance(shape, MeshFile)  # a plant has them loaded
+            for shape in (_loaded(solid) for solid in solids if solid.name in names):
                 before = under.get(shape.name)
                 if before is None or before[2] is not shape:
                     if before is not None and time > before[0]:
@@ -110,6 +115,11 @@ def _parts(program: Program, plan: Plan, plant: Plant) -> Iterator[tuple[float, 
                     under[shape.name] = time, carried, shape
     for since, carried, shape in under.values():
         yield since, math.inf, carried, shape
+
+
+def _loaded(solid: Solid) -> Shape:
+    assert not isinstance(solid.shape, MeshFile)  # a plant has them loaded
+    return solid.shape
 
 
 def program_points(program: Program, plan: Plan, plant: Plant) -> list[ScenePoint]:
@@ -134,7 +144,8 @@ def plant_scene(plant: Plant, points: Iterable[ScenePoint], cycles: Sequence[Cyc
     """The scene of a cell, data["scene"] of a page: robot, rail with carriage, obstacles, what the flange carries."""
     rail = plant.layout.rail
     stroke = (float(plant.limits.lower[0]), float(plant.limits.upper[0])) if rail.stop > rail.start else None
-    moving = {solid.name for solid in plant.parts} if any(cycle.parts for cycle in cycles) else set[str]()
+    moves = any(shape.name != TOOL for cycle in cycles for *_, shape in cycle.parts)
+    moving = {solid.name for solid in plant.parts} if moves else set[str]()
     obstacles = [solid.shape for solid in plant.obstacles if solid.name not in moving]
     carried = [solid.shape for solid in plant.attached]
     return robot_scene(plant.robot, points, cycles, obstacles, carried, stroke)
@@ -185,7 +196,12 @@ def _placed(cycle: Cycle, flange: int, most: int) -> dict[str, Any]:
     """A cycle's parts: link -2 is the world. most: triangles of a mesh."""
     parts = [
         _shape(_coarse(shape, most))
-        | {"role": "part", "link": flange if carried else -2, "from": since, "to": min(until, float(cycle.t[-1]) + 1)}
+        | {
+            "role": "tool" if shape.name == TOOL else "part",
+            "link": flange if carried else -2,
+            "from": since,
+            "to": min(until, float(cycle.t[-1]) + 1),
+        }
         for since, until, carried, shape in cycle.parts
     ]
     return {"parts": parts} if parts else {}

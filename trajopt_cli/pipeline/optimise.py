@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from io import BufferedRandom
@@ -143,7 +143,7 @@ def optimise(
             notices = (*notices, f"no RAPID text: {no_rapid}")
         notices = (*notices, *_of_given_time(asked, judged))
         placed = _placed(export, folder) if export is not None else ()
-        ways = tuple(f"{one.value}: {note}" for one in Target for note in judged[one].plan.notes)
+        ways = tuple(_said_once({one: judged[one].plan.notes for one in Target}))
         notes = (*ways, *_configurations(job, judged), *placed, *changes[Target.RAPID].kept, *unrolled)
         kept_speed = {one: constant_speed(job.program, judged[one].plan, job.plant) for one in Target}
         files = _files(
@@ -305,6 +305,21 @@ def _unrolled(job: Job, kept: Changes, loops: Loops, now: float | None) -> Itera
     else:
         saved = f"{now - then:.2f} s ({(now - then) / now:.1%})"
         yield f"--loops unroll would save about {saved} more, by an estimate of the search"
+
+
+def _said_once(notes: Mapping[Target, Sequence[str]]) -> Iterator[str]:
+    """The notes of both plans, with whose they are. A way around that both go is told in one line; only the RAPID plan
+    may go it by points."""
+    rapid = list(notes[Target.RAPID])
+    for note in notes[Target.STREAM]:
+        more = next((other for other in rapid if other == note or other.startswith(f"{note} by ")), None)
+        if more is None:
+            yield f"stream: {note}"
+            continue
+        rapid.remove(more)
+        points = more.removeprefix(note)
+        yield f"stream and rapid: {note}{f', rapid{points}' if points else ''}"
+    yield from (f"rapid: {note}" for note in rapid)
 
 
 def _configurations(job: Job, judged: Mapping[Target, Judged]) -> Iterator[str]:

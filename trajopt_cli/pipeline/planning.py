@@ -22,6 +22,7 @@ from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress, Report
 from trajopt_cli.runs.results import (
     CSV,
+    NOT_TIMED,
     Judged,
 )
 from trajopt_cli.runs.rows import RowsFile, without_rows
@@ -145,7 +146,7 @@ def all_three(
         if not isinstance(answer, Judged):
             return answer, "", None, own.seconds
         tell(Progress("as written", answer.plan.duration, answer.plan.lower_bound))
-        written = as_written(job, changes[rapid], own, memory, kept_written)
+        written = as_written(job, changes[rapid], own, memory, kept_written, patience)
         if isinstance(written, Plan):
             if not answer.report.legal:
                 note = f"the plan is the program as written: a faster one {forbidden(answer)}"
@@ -343,19 +344,44 @@ def _judged(job: Job, plan: Plan, kept: RowsFile, clock: Clock) -> Judged:
         return Judged(plan, kept, report)
 
 
-def as_written(job: Job, changes: Changes, clock: Clock, memory: Memory, kept: RowsFile | None = None) -> Plan | str:
-    """The program as it stands, driven by the RAPID controller under the same limits; or why it cannot be, one line.
+class _Interrupted(Exception):
+    """The user said to stop."""
+
+
+def as_written(
+    job: Job, changes: Changes, clock: Clock, memory: Memory, kept: RowsFile | None = None,
+    patience: Patience | None = None,
+) -> Plan | str:  # fmt: skip
+    """The program as it stands, driven by the RAPID controller under the same limits; or why it cannot be, one line;
+    NOT_TIMED where the user says to stop before a motion is known.
 
     The same question as that of the first row of `compare`. memory: legal motions that the rapid plan has found. kept:
-    where its rows go.
+    where its rows go. patience: its end leaves out what is done only to drive the program faster.
     """
     from trajopt_cli.optimize import NoCleanPlan, optimize
+
+    patience, known = patience or Patience(), (Target.RAPID, AS_WRITTEN) in memory.answers
+
+    def going_on(_: Progress) -> None:
+        if patience.interrupted and not known:
+            raise _Interrupted
 
     with clock.phase("as written"):
         try:
             plan = optimize(
-                job.program, job.plant, Target.RAPID, AS_WRITTEN, bounded=False, changes=changes, memory=memory
+                job.program,
+                job.plant,
+                Target.RAPID,
+                AS_WRITTEN,
+                progress=going_on,
+                bounded=False,
+                changes=changes,
+                memory=memory,
+                patience=patience,
             )
+            going_on(Progress("judge"))
+        except _Interrupted:
+            return NOT_TIMED
         except NoCleanPlan as failure:
             return f"no plan found: {failure}"
         if isinstance(plan, Infeasible):

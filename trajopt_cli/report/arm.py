@@ -8,12 +8,15 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # type: ignore[import-untyped]
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Wait
 from trajopt_cli.problem.course import Course
+from trajopt_cli.report import obstacles
 from trajopt_cli.report.in_space import rail_ends
 from trajopt_cli.report.names import short
 from trajopt_cli.report.skeleton import skeleton
@@ -70,11 +73,15 @@ def arm(course: Course) -> Figure:
     low, high = everything.min(axis=0), everything.max(axis=0)
     span = np.maximum(high - low, 0.15 * float((high - low).max()))
     _to_scale(axes, low, span)
+    for cloud in obstacles.clouds(course.plant):
+        if faces := obstacles.surface(cloud / MM, low - 0.03 * span, low + 1.03 * span):
+            axes.add_collection3d(Poly3DCollection(faces, zorder=0.5, gid="obstacle", **obstacles.FACE))
     for letter, pad in zip("xyz", (14, 22, 24), strict=True):
         getattr(axes, f"set_{letter}label")(f"{letter} [mm]", labelpad=pad)
-    handles = [Line2D([], [], color=BLACK, linewidth=1.5, label="path")]
+    handles: list[Line2D | Patch] = [Line2D([], [], color=BLACK, linewidth=1.5, label="path")]
     for order, ((_, name, _), color) in enumerate(zip(stations, _GHOSTS, strict=False)):
         handles.append(Line2D([], [], color=color, linewidth=6, alpha=0.7, label=f"{order + 1}: {name}"))
+    handles += [obstacles.LABEL] if course.plant.obstacles else []
     letters = sum(len(str(handle.get_label())) for handle in handles)
     ncols = len(handles) if 0.75 * len(handles) + 0.093 * letters < WIDTH - 0.4 else 3  # in
     figure.legend(handles=handles, loc="lower center", ncols=ncols, columnspacing=1.6)

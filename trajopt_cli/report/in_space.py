@@ -11,7 +11,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
+from matplotlib.patches import Patch, Polygon
 from matplotlib.ticker import MaxNLocator
 
 from trajopt_cli.geometry import Array, BoolArray
@@ -19,6 +19,7 @@ from trajopt_cli.motion import MoveC, MoveL, Wait
 from trajopt_cli.problem.course import Course, Leg
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.workspace import sections
+from trajopt_cli.report import obstacles
 from trajopt_cli.report.names import by_place, name_places
 from trajopt_cli.report.over_time import legend
 from trajopt_cli.report.skeleton import reach_section
@@ -68,12 +69,14 @@ _ARROWS_FROM, _ARROWS_EVERY = 20.0, 260.0  # px
 @dataclass(frozen=True, eq=False)
 class Space:
     """What a path is drawn in: its name, the path (n, 3), the places of the program's points (m, 3), and what the arm
-    stands on (k, 3): both ends of the rail, the carriage alone, or nothing (k = 0), all in m."""
+    stands on (k, 3): both ends of the rail, the carriage alone, or nothing (k = 0), all in m. bodies: clouds of points
+    (n, 3) whose hulls stand there."""
 
     name: str
     path: Array
     places: Array
     ground: Array
+    bodies: Sequence[Array] = ()
 
 
 def path(course: Course) -> Figure:
@@ -82,7 +85,7 @@ def path(course: Course) -> Figure:
     Relative to the carriage ("deformed" in the thesis) means: minus the rail's travel, so both agree at rail 0.
     """
     points, plant, places = course.X_WT[:, :3, 3], course.plant, course.points
-    spaces = [Space(WORLD, points, np.vstack([points[:1], places]), rail_ends(plant))]
+    spaces = [Space(WORLD, points, np.vstack([points[:1], places]), rail_ends(plant), obstacles.clouds(plant))]
     if plant.robot.has_rail:
         seen = points - course.rail
         spaces.append(Space(CARRIAGE, seen, np.vstack([seen[:1], places - _carried(course)]), carriage(plant)))
@@ -182,6 +185,10 @@ def path_figure(
     for panels, row, height in zip(grid, views, tall, strict=True):
         for axes, (i, up), width in zip(panels, row, wide, strict=True):
             space, plane = spaces[i], [along, up]
+            for cloud in space.bodies:
+                corners = obstacles.seen(cloud, plane) / MM
+                for look in (obstacles.FACE, obstacles.EDGE):
+                    axes.add_patch(Polygon(corners, zorder=0.5, gid="obstacle", **look))
             _draw_ground(axes, space.ground[:, plane] / MM)
             for part, kind in parts:
                 axes.plot(*space.path[part][:, plane].T / MM, **kinds[kind], solid_capstyle="round", gid=kind)
@@ -203,6 +210,7 @@ def path_figure(
     if added.any():
         handles.append(Line2D([], [], **STOP | ADDED, label="added on a way around obstacles"))
     handles += [_RAIL_LABEL, _CARRIAGE_LABEL] if len(spaces[0].ground) else []
+    handles += [obstacles.LABEL] if spaces[0].bodies else []
     legend(figure, handles)
     settle(figure)
     for axes, (i, up) in zip(grid.flat, (view for row in views for view in row), strict=True):

@@ -31,6 +31,7 @@ CHOSEN = "trajectory.csv"
 CSV = {Target.STREAM: "stream.csv", Target.RAPID: "rapid.csv"}
 _SIGNAL_WAIT = "Wait"
 _MODULES = (".mod", ".prg", ".sys", ".modx", ".sysx")
+NOT_TIMED = "not timed: stopped by Ctrl-C"
 
 
 @dataclass(frozen=True, eq=False)
@@ -262,10 +263,10 @@ def summary(
 ) -> bytes:
     """summary.json: the answer in numbers, SI, the same bytes for the same inputs.
 
-    written: the program as it stands, or why it cannot be driven so. kept_speed: the stretches that should keep their
-    programmed speed, by target. corners: of the whole program. passed: at how many fly-bys a plan does not stop.
-    limits: how sure they are. unchecked: what the judge was given nothing to hold the motion against. notes: what the
-    RAPID text changes, and what it could not; kept: those of the latter.
+    written: the program as it stands, or why it cannot be driven so, or NOT_TIMED. kept_speed: the stretches that
+    should keep their programmed speed, by target. corners: of the whole program. passed: at how many fly-bys a plan
+    does not stop. limits: how sure they are. unchecked: what the judge was given nothing to hold the motion against.
+    notes: what the RAPID text changes, and what it could not; kept: those of the latter.
     """
     return as_json(
         {

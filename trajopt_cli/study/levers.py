@@ -115,6 +115,12 @@ def not_asked(program: Program, plant: Plant) -> tuple[str, ...]:
         out.append(f"{more} of {more + EACH} places: only the first {EACH} are")
     if any(_on_stationary_tool(move) for move in moves):
         out.append("places of work that the robot holds to a tool that stands in the cell")
+    if plant.obstacles:
+        out.append(
+            "obstacles and clearance: what the nonlinear program solves again keeps clear of them; a course with one "
+            "progress for all axes is timed again, rail and places shifted, without a look at them; --search plans "
+            "clear of them"
+        )
     return tuple(out)
 
 
