@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
@@ -68,11 +68,11 @@ def ask(
     type_: Type,
     reason: str,
     default: Answer | None = None,
-    close: str | None = None,
+    close: Callable[[], str | None] | None = None,
 ) -> Value:
     """The scenario's answer under name, as a value of a type. Records and arrays are answered as RAPID writes them.
 
-    reason, close: see Lack.
+    reason, close: see World.lack.
     """
     if default is None:
         default = type_.default if isinstance(type_, Atomic) else _example(run, node, name, type_)

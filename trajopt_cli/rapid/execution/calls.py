@@ -91,7 +91,10 @@ def _stub(run: Run, node: ProcedureCall) -> None:
         run.ignored[node.name] += 1
         return
     message = f"{node.name} is neither a procedure of the files read nor a known instruction"
-    close = run.close(node.name, [*INSTRUCTIONS, *run.routines("PROC")])
+
+    def close() -> str | None:
+        return run.close(node.name, [*INSTRUCTIONS, *run.routines("PROC")])
+
     run.world.lack(run, "stubs", node.name, node, message, "", close=close)
 
 
@@ -114,7 +117,10 @@ def function(run: Run, node: Call, wanted: Type | None) -> Value:
     handler = _FUNCTIONS.get(node.name.lower())
     if handler is None:
         message = f"{node.name} is neither a function of the files read nor a known function"
-        close = run.close(node.name, [*FUNCTIONS, *run.routines("FUNC")])
+
+        def close() -> str | None:
+            return run.close(node.name, [*FUNCTIONS, *run.routines("FUNC")])
+
         return ask(run, node, node.name, wanted or NUM, message, close=close)
     try:
         value = handler(run, node)

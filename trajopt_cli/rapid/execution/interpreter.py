@@ -22,7 +22,7 @@ from trajopt_cli.rapid.execution.calls import Head, enter, function
 from trajopt_cli.rapid.execution.evaluate import convertible, locate
 from trajopt_cli.rapid.execution.faults import Fault, Undeclared
 from trajopt_cli.rapid.execution.jumps import Exit
-from trajopt_cli.rapid.execution.loops import unchanged
+from trajopt_cli.rapid.execution.loops import named_in, unchanged
 from trajopt_cli.rapid.execution.once import Link, fill_once
 from trajopt_cli.rapid.execution.operators import computed
 from trajopt_cli.rapid.execution.outside import Outside
@@ -43,7 +43,7 @@ from trajopt_cli.rapid.language.syntax import (
     While,
 )
 from trajopt_cli.rapid.language.text import Places
-from trajopt_cli.scenario import Scenario
+from trajopt_cli.scenario import Lack, Scenario
 
 __all__ = ["Exit", "Run"]
 
@@ -90,6 +90,7 @@ class Run:
         self.takes: dict[str, tuple[str, ...]] = {}  # the required arguments of instructions and functions that ran
         self._labels: dict[int, dict[str, int]] = {}  # by the block's id
         self._kept: dict[int, frozenset[str]] = {}  # by the loop's id
+        self._used: dict[int, tuple[frozenset[str], Counter[str]]] = {}  # by the routine's id
         self._noted: set[str] = set()
 
     # ---------------------------------------------------------------------------------------- places and messages
@@ -116,15 +117,18 @@ class Run:
         place = self.source(node)
         return Fault(message, name, ERRORS[name], file=place.file, line=place.line, column=place.column)
 
-    def undeclared(self, node: Name, what: str = "") -> Undeclared:
-        """The error for a name that stands for nothing; what: "robtarget " and the like."""
+    def undeclared(self, node: Name, what: str = "", known: Lack | None = None) -> Undeclared:
+        """The error for a name that stands for nothing; what: "robtarget " and the like. known: as it lacked before."""
         scope, routine = self.frame.scope, self.frame.routine
         where = [f"{routine.kind} {routine.name}"] if routine else []
         where += [f"MODULE {scope.name}"] if scope.name else []
-        known = (self.frame.local, scope.data, self.shared.data, self._predefined)
         message = f"{what}'{node.name}' is not declared in the program (looked for in {', '.join(where)}, "
         message += "the other modules' globals and the predefined data)"
-        close = self.close(node.name, [name for names in known for name in names])
+        if known is None:
+            data = (self.frame.local, scope.data, self.shared.data, self._predefined)
+            close = self.close(node.name, [name for names in data for name in names])
+        else:
+            close = known.close
         error = self.error(node, "")
         return Undeclared(message, close, file=error.file, line=error.line, column=error.column, excerpt=error.excerpt)
 
@@ -275,7 +279,12 @@ class Run:
         """The variables of the routine that runs, in lower case, that it names nowhere but in a loop's condition."""
         found = self._kept.get(id(loop))
         if found is None:
-            found = self._kept[id(loop)] = unchanged(self.frame.routine, loop)
+            routine = self.frame.routine
+            if routine is None:
+                return frozenset()
+            if id(routine) not in self._used:
+                self._used[id(routine)] = named_in(routine)
+            found = self._kept[id(loop)] = unchanged(*self._used[id(routine)], loop)
         return found
 
     def spend(self, node: Node, size: int) -> None:

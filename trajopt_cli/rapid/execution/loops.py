@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING
 
@@ -188,18 +189,28 @@ def never(run: Run, node: Expression) -> bool:
     return _constant(run, node) and not condition(run, node)
 
 
-def unchanged(routine: Routine | None, loop: While) -> frozenset[str]:
-    """The variables of a routine's own, in lower case, that it names nowhere but in a loop's condition."""
-    if routine is None:
-        return frozenset()
-    condition_ = {id(node) for node in walk(loop.condition)}
+def named_in(routine: Routine) -> tuple[frozenset[str], Counter[str]]:
+    """What a routine declares, and how often it names anything; in lower case."""
     declared: set[str] = set()
-    used: set[str] = set()
+    used: Counter[str] = Counter()
     for node in walk((routine.body, routine.handlers)):
         name = getattr(node, "name", None)
-        if isinstance(name, str) and id(node) not in condition_:
-            (declared if isinstance(node, DataDeclaration) else used).add(name.lower())
-    return frozenset(declared - used)
+        if isinstance(name, str):
+            if isinstance(node, DataDeclaration):
+                declared.add(name.lower())
+            else:
+                used[name.lower()] += 1
+    return frozenset(declared), used
+
+
+def unchanged(declared: frozenset[str], used: Counter[str], loop: While) -> frozenset[str]:
+    """The variables of a routine's own, in lower case, that it names nowhere but in a loop's condition.
+
+    declared, used: see named_in.
+    """
+    names = (getattr(node, "name", None) for node in walk(loop.condition))
+    read = Counter(name.lower() for name in names if isinstance(name, str))
+    return frozenset(name for name, times in read.items() if name in declared and used[name] == times)
 
 
 def _constant(run: Run, node: Expression, kept: Collection[str] = ()) -> bool:

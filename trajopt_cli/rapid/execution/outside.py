@@ -11,6 +11,7 @@ lacks: a value to begin with stands in, so that one run finds everything that is
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from math import prod
 from typing import TYPE_CHECKING
 
 from trajopt_cli.errors import InputError
@@ -35,9 +36,10 @@ from trajopt_cli.rapid.language.syntax import Component, Element, Expression, Na
 from trajopt_cli.scenario import Answer, Scenario
 
 if TYPE_CHECKING:
-    from trajopt_cli.rapid.execution.faults import Undeclared
     from trajopt_cli.rapid.execution.interpreter import Run
     from trajopt_cli.rapid.execution.world import World
+
+_ELEMENTS = 1000  # of an array that stands in; each growth writes all of them anew
 
 
 class Outside:
@@ -144,13 +146,13 @@ class Outside:
             raise run.undeclared(node, f"{wanted.name} ")
         if isinstance(wanted, Array):
             return self._array(run, node, wanted.element, (1,) * wanted.dimensions).value
-        return self._stand_in(run, node, wanted, run.undeclared(node, f"{wanted.name} ")).value
+        return self._stand_in(run, node, wanted, f"{wanted.name} ").value
 
     def assigned(self, run: Run, node: Name, type_: Type) -> Place:
         """The stand-in for a name that nothing declares and the program assigns to."""
         if is_opaque(type_):
             raise run.undeclared(node)
-        return self._stand_in(run, node, type_, run.undeclared(node))
+        return self._stand_in(run, node, type_)
 
     def whole(self, run: Run, base: Name, node: Component | Element, wanted: Type | None = None) -> Place:
         """What a component or an element is read from that nothing declares: a record that has it, or an array."""
@@ -158,7 +160,7 @@ class Outside:
             types = self._with(run, node.name.lower(), wanted)
             if not types:
                 raise run.undeclared(base)
-            return self._stand_in(run, base, types[0], run.undeclared(base), spelled=types[0].name)
+            return self._stand_in(run, base, types[0], spelled=types[0].name)
         element = NUM if wanted is None or is_opaque(wanted) else wanted
         return self._array(run, base, element, tuple(max(integer(run, one, "an index"), 1) for one in node.indices))
 
@@ -168,8 +170,7 @@ class Outside:
 
     def size(self, run: Run, node: Name, array: str, count: int) -> None:
         """Let a name that nothing declares stand in for the size of an array. count: one that fits."""
-        reason = run.undeclared(node, f"the size of array {array}, ")
-        self._stand_in(run, node, NUM, reason, float(count))
+        self._stand_in(run, node, NUM, f"the size of array {array}, ", float(count))
 
     def _array(self, run: Run, base: Name, element: Type, sizes: tuple[int, ...]) -> Place:
         before = self.data.get(base.name.lower())
@@ -179,17 +180,21 @@ class Outside:
             sizes = tuple(max(pair) for pair in zip(before.type.sizes, sizes, strict=False))
             if sizes == before.type.sizes:
                 return before
+        if prod(sizes) > _ELEMENTS:
+            raise run.undeclared(base, f"array of more than {_ELEMENTS} elements ")
         type_ = Array(element, sizes, len(sizes))
-        reason = run.undeclared(base, "array of unknown size ")
-        place = self._stand_in(run, base, type_, reason, _grown(data, type_))
+        place = self._stand_in(run, base, type_, "array of unknown size ", _grown(data, type_))
         if not self._world.trying_now:
             self._arrays.add(base.name.lower())
         return place
 
     def _stand_in(
-        self, run: Run, node: Name, type_: Type, undeclared: Undeclared, data: Data = None, spelled: str | None = None
+        self, run: Run, node: Name, type_: Type, what: str = "", data: Data = None, spelled: str | None = None
     ) -> Place:
-        """Note that data lacks, and let a value to begin with stand in. A trial (World.trying) leaves no trace."""
+        """Note that data lacks, and let a value to begin with stand in. A trial (World.trying) leaves no trace.
+
+        what: see Run.undeclared.
+        """
         world, key = self._world, node.name.lower()
         if data is None:
             fitting = world.fitting.get(key)
@@ -199,7 +204,9 @@ class Outside:
             return Datum(type_, value)
         shown = shown_value(run, node, node.name, value)
         shown = f"{{type: {spelled}, value: {shown}}}" if spelled else shown
-        world.lack(run, "data", node.name, node, undeclared.reason, shown, again=True, close=undeclared.close)
+        known = world.lacks.get(("data", key))  # by now as another type, or smaller
+        found = run.undeclared(node, what, known)
+        world.lack(run, "data", node.name, node, found.reason, shown, again=True, close=lambda: found.close)
         told = self.data[key] = Told(key, self._tell, type_)
         told.value = value
         return told

@@ -60,16 +60,18 @@ class World:
         value: str,
         declared: bool = False,
         again: bool = False,
-        close: str | None = None,
+        close: Callable[[], str | None] | None = None,
     ) -> None:
         """Note that the scenario lacks something, once per name; see Lack for what the parts mean.
 
-        again: put it in the place of what was noted under the name before.
+        close: finds the name that may be meant; asked once, for a loop may lack it on every pass. again: put it in the
+        place of what was noted under the name before.
         """
         key = (section, name.lower())
         if (again or key not in self.lacks) and not self._trying:
             excerpt = run.places().excerpt(node.start)
-            self.lacks[key] = Lack(section, name, run.source(node), reason, value, excerpt, declared, close)
+            meant = close() if close else None
+            self.lacks[key] = Lack(section, name, run.source(node), reason, value, excerpt, declared, meant)
 
     @property
     def trying_now(self) -> bool:
@@ -222,7 +224,15 @@ class World:
         self._asked.add(("answers", name.lower()))
         return name.lower() in self._answers
 
-    def answer(self, run: Run, node: Node, name: str, reason: str, default: Answer, close: str | None = None) -> Answer:
+    def answer(
+        self,
+        run: Run,
+        node: Node,
+        name: str,
+        reason: str,
+        default: Answer,
+        close: Callable[[], str | None] | None = None,
+    ) -> Answer:
         """The answer that is asked for under name; default stands in where the scenario has none."""
         self._asked.add(("answers", name.lower()))
         given = self._answers.get(name.lower())
