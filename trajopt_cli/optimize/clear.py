@@ -12,7 +12,7 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.legs import LegMotion, samples
 from trajopt_cli.optimize.surroundings import Hit, Surroundings, surroundings_of
-from trajopt_cli.optimize.tuning import CLEAR_EVERY
+from trajopt_cli.optimize.tuning import CLEAR_EVERY, CLEAR_MOST
 from trajopt_cli.problem.problem import Problem
 
 
@@ -70,7 +70,21 @@ def _courses(axes: Axes, motions: Sequence[LegMotion]) -> tuple[Array, IndexArra
 
 def _times(motion: LegMotion) -> Array:
     """When a motion is looked at: at its breaks, and often enough between them for straight ways in between."""
-    if motion.resting().all():
-        return np.array([0.0, motion.T])
-    grid = np.linspace(0.0, motion.T, 1 + int(np.ceil(motion.T / CLEAR_EVERY)))
-    return np.unique(np.clip(np.concatenate([motion.breaks(), grid]), 0.0, motion.T))
+    return np.clip(looks(motion, CLEAR_EVERY, 1)[0], 0.0, motion.T)
+
+
+def looks(motion: LegMotion, every: float, least: int) -> tuple[Array, IndexArray]:
+    """Times (m,) at which a motion is looked at, its last break at the end, and the number (N,) in them of the break
+    that begins each interval.
+
+    Between two breaks they are no more than every [s] apart, but CLEAR_MOST parts at most: a motion may last for a day.
+    least: parts of any interval, and all there are of one in which nothing moves.
+    """
+    breaks = motion.breaks()
+    steps = np.diff(breaks)
+    wanted = np.where(motion.resting(), 0.0, np.minimum(np.ceil(steps / every), CLEAR_MOST))
+    parts = np.maximum(wanted.astype(np.intp), least)
+    first = np.cumsum(parts) - parts
+    number = np.arange(parts.sum()) - np.repeat(first, parts)
+    inner = np.repeat(breaks[:-1], parts) + np.repeat(steps / parts, parts) * number
+    return np.append(inner, breaks[-1]), first

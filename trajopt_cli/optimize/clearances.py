@@ -15,10 +15,11 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.clear import looks
 from trajopt_cli.optimize.draft import Draft, Margins
 from trajopt_cli.optimize.legs import JointNodes, LegMotion, PathLeg
 from trajopt_cli.optimize.surroundings import Surroundings, surroundings_of
-from trajopt_cli.optimize.tuning import CLEAR_LOOK, CLEAR_LOOKS, CLEAR_MOST, FAR, HAIR, MORE_ROOM, NEAR, PAIRS, SHALLOW
+from trajopt_cli.optimize.tuning import CLEAR_LOOK, CLEAR_LOOKS, FAR, HAIR, MORE_ROOM, NEAR, PAIRS, SHALLOW
 from trajopt_cli.problem.problem import Leg, Problem
 
 
@@ -147,16 +148,11 @@ class Clearances:
     def _distances(self, k: int, motion: LegMotion) -> tuple[Array, Array]:
         """The least distance beyond that wanted [m] at every break of leg k's motion (N+1,), and between them (N,)."""
         assert self._surroundings is not None
-        breaks = motion.breaks()
-        steps = np.diff(breaks)
-        wanted = np.where(motion.resting(), 0.0, np.minimum(np.ceil(steps / CLEAR_LOOK), CLEAR_MOST))
-        looks = np.maximum(CLEAR_LOOKS, wanted.astype(np.intp)) + 1
-        first = np.cumsum(looks) - looks  # of each interval, at its beginning
-        number = np.arange(looks.sum()) - np.repeat(first, looks)
-        t = np.append(np.repeat(breaks[:-1], looks) + np.repeat(steps / looks, looks) * number, breaks[-1])
+        t, first = looks(motion, CLEAR_LOOK, CLEAR_LOOKS + 1)
         q = motion.sample(self._axes, t).q
         there = np.isfinite(q).all(axis=1)
         found = np.full(len(t), -np.inf)
         found[there] = self._surroundings.distances(q[there], self._problem.legs[k].motion)
-        inner = np.where(np.append(number, 0) == 0, np.inf, found)[:-1]
+        inner = found[:-1].copy()
+        inner[first] = np.inf
         return found[np.append(first, -1)], np.minimum.reduceat(inner, first)

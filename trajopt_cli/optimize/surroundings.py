@@ -212,15 +212,15 @@ class Surroundings:
         where there is nothing."""
         out = np.full(len(q), np.inf)
         for scene, rows in self._by_scene(len(q), index):
-            out[rows] = scene.least(q[rows])
+            for part in _parts(rows):
+                out[part] = scene.least(q[part])
         return out
 
     def free(self, q: Array, index: int | IndexArray) -> BoolArray:
         """Whether (m,) the robot may be at axes q (m, n) during motions index; not where q is NaN."""
         out = ~np.isnan(q[:, -1])
         for scene, rows in self._by_scene(len(q), index):
-            mine = rows[out[rows]]
-            for part in (mine[i : i + CLEAR_AT_ONCE] for i in range(0, len(mine), CLEAR_AT_ONCE)):
+            for part in _parts(rows[out[rows]]):
                 out[part] = scene.free(q[part])
         return out
 
@@ -245,16 +245,17 @@ class Surroundings:
         """All pairs nearer than what is wanted, the margin and within [m] at axes q (m, n), by rows."""
         parts: list[tuple[IndexArray, IndexArray, Array, Array, BoolArray]] = []
         names: list[str] = []
-        for scene, mine in self._by_scene(len(q), index):
-            X = links(self._robot, q[mine])
-            rows, pairs = np.nonzero(scene.near.bound(X) - scene.wanted < within)
-            found = scene.near.nearest(X, rows, pairs)
-            distance = found.distance - scene.wanted[pairs]
-            kept = np.flatnonzero(distance < within)
-            rows, pairs = rows[kept], pairs[kept]
-            gradient = _gradients(self._robot, scene, X[rows], pairs, found.on_a[kept], found.normal[kept])
-            own = np.array([pair.frame != WORLD for pair in scene.pairs])[pairs]
-            parts.append((mine[rows], len(names) + pairs, distance[kept], gradient, own))
+        for scene, all_mine in self._by_scene(len(q), index):
+            own_pairs = np.array([pair.frame != WORLD for pair in scene.pairs])
+            for mine in _parts(all_mine):
+                X = links(self._robot, q[mine])
+                rows, pairs = np.nonzero(scene.near.bound(X) - scene.wanted < within)
+                found = scene.near.nearest(X, rows, pairs)
+                distance = found.distance - scene.wanted[pairs]
+                kept = np.flatnonzero(distance < within)
+                rows, pairs = rows[kept], pairs[kept]
+                gradient = _gradients(self._robot, scene, X[rows], pairs, found.on_a[kept], found.normal[kept])
+                parts.append((mine[rows], len(names) + pairs, distance[kept], gradient, own_pairs[pairs]))
             names += [pair.name for pair in scene.pairs]
         if not parts:
             none = np.zeros(0, dtype=np.intp)
@@ -301,6 +302,11 @@ def surroundings_of(problem: Problem) -> Surroundings | None:
     """What a problem's motions must stay clear of; None where that is nothing, or where nothing may change that could
     avoid it: the program as written is driven as it is, and the judge tells."""
     return _known(problem.plant, problem.program) if problem.freedom.ways else None
+
+
+def _parts(rows: IndexArray) -> Iterator[IndexArray]:
+    """Rows in parts that are looked at at once."""
+    yield from (rows[i : i + CLEAR_AT_ONCE] for i in range(0, len(rows), CLEAR_AT_ONCE))
 
 
 def _at(rows: Array, s: Array) -> Array:
