@@ -28,6 +28,7 @@ _SI = {"m": 1.0, "mm": MM, "rad": 1.0, "deg": DEG}
 _POSITION = re.compile(r"(?P<name>\w+) \[(?P<unit>m|mm|rad|deg)\]")
 _SPEED = re.compile(r"(?P<name>\w+) speed \[(?P<unit>m|mm|rad|deg)/s\]")
 _FINEST = -15  # digits beyond the fifteenth decimal are under the rounding of any double near 1
+ABSURD = 100  # times its range: axes that are told beyond are no motion but a slip, or the end of a sensor's range
 _ROWS = 4096  # that are text and numbers at once
 _CHARACTERS = 300 * _ROWS  # of about as many
 
@@ -128,6 +129,24 @@ def read_csv_text(text: str | TextIO, file: str) -> tuple[Trajectory, Resolution
         whole, tables = resolution, replace(resolution, q=resolution.q[its], qd=resolution.qd[its])
         resolution = Resolution(whole.t, whole.q[own], whole.qd[own], tables)
     return trajectory, resolution
+
+
+@of_kind(ErrorKind.RESULTS)
+def check_reach(trajectory: Trajectory, lower: Array, upper: Array, file: str) -> None:
+    """Raise InputError for a position that is no robot's: more than ABSURD times the range (k,) beside it [rad or m].
+
+    What lies outside the range by less is a motion that is not legal, and for the judge to say.
+    """
+    far = ABSURD * (upper - lower)
+    for first in range(0, len(trajectory.t), _ROWS):
+        q = trajectory.q[first : first + _ROWS]
+        wrong = np.argwhere((q < lower - far) | (q > upper + far))
+        if len(wrong):
+            i, k = (int(x) for x in wrong[0])
+            name, unit = trajectory.names[k], "m" if trajectory.names[k] == "rail" else "rad"
+            message = f"{name} is {q[i, k]:.6g} {unit}, its range [{lower[k]:.6g}, {upper[k]:.6g}] {unit}: more than"
+            message += f" {ABSURD} times the range beside it is no trajectory; see the value, and the column's unit"
+            raise InputError(message, file=file, line=first + i + 2)
 
 
 def _lines(text: str | TextIO) -> Iterator[str]:

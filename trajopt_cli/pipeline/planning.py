@@ -403,10 +403,12 @@ def judge(
 ) -> findings.Report:
     """What the judge says of a CSV file's text, or of an open one; file is its name in messages, the rest as in
     verify."""
-    from trajopt_cli.joint_csv import read_csv_text
+    from trajopt_cli.joint_csv import check_reach, read_csv_text
     from trajopt_cli.verify.judge import verify
 
     trajectory, resolution = read_csv_text(text, file)
+    if trajectory.names == plant.limits.names:
+        check_reach(trajectory, plant.limits.lower, plant.limits.upper, file)
     return verify(program, plant, trajectory, resolution, dropped, target, advice)
 
 

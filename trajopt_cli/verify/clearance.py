@@ -20,7 +20,7 @@ from trajopt_cli.verify.findings import SourceAt
 from trajopt_cli.verify.machine import Machine
 from trajopt_cli.verify.mechanism import FLANGE, Mechanism, mechanism_of
 from trajopt_cli.verify.scene import Leg, shape_of, standing_still
-from trajopt_cli.verify.sweep import OVERLOOKED, Body, Closest, Near, Sweep
+from trajopt_cli.verify.sweep import LOOKS, OVERLOOKED, Body, Closest, Near, Sweep
 
 CLEARANCE = "clearance"
 SELF_CLEARANCE = "self clearance"
@@ -122,15 +122,19 @@ def _finding(
     start: str = "",
 ) -> Finding:
     least = sweep.least(group, wanted)
-    passed = least.distance >= wanted
+    passed = least.proven and least.distance >= wanted
     first = least
-    if not passed:
+    if least.distance < wanted:
         first = sweep.first_below(group, 0.0 if least.distance < 0 else wanted) or least
     # Before the first row nothing is under way: the program's first motion leaves from there.
     source = source_at(first.time) or next((motion.source for motion in program.motions), None)
     if passed:
         said = f"{_names(least)} come nearest at {least.time:.3f} s, {least.distance * 1e3:.1f} mm"
         message = f"{said}; no touch deeper than {OVERLOOKED * 1e3:g} mm was overlooked"
+    elif least.distance >= wanted:
+        said = f"{least.distance * 1e3:.1f} mm at {least.time:.3f} s"
+        message = f"{_names(least)} are not judged to the end: after {LOOKS} looks the nearest is {said}, and nobody"
+        message += " knows what is between; see the rows: axes go to and fro, or speeds do not fit the positions"
     else:
         later = source_at(least.time)
         motion = next((one for one in program.motions if one.source == later), None)

@@ -10,7 +10,7 @@ halved.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -28,6 +28,10 @@ BLOCK = 16
 """Intervals between rows whose bounds are kept together."""
 
 _AT_ONCE = 1024  # blocks or nodes
+
+LOOKS = 300_000
+"""Intervals that are looked at for one group of pairs at most, some ten seconds. Motions of cells take 1,000; only what
+goes to and fro by many turns from row to row takes all."""
 
 COARSE = 0.01
 """Share of what a distance is above the wanted one that it may be off by: a body that slides past far away would take
@@ -70,11 +74,15 @@ class Near:
 
 @dataclass(frozen=True, eq=False)
 class Closest:
-    """Where a group of pairs comes nearest: the pair, its signed distance [m] and the time [s]."""
+    """Where a group of pairs comes nearest: the pair, its signed distance [m] and the time [s].
+
+    proven: no pair comes nearer; False where LOOKS ended the search, and nobody knows.
+    """
 
     near: Near
     distance: float
     time: float
+    proven: bool = True
 
 
 class Course:
@@ -252,54 +260,67 @@ class Sweep:
 
     def least(self, group: Sequence[Near], wanted: float = 0.0) -> Closest:
         """Where the group comes nearest; its distance is more than the least there is by OVERLOOKED at most, or by
-        COARSE of what it is above wanted [m], whichever is more."""
+        COARSE of what it is above wanted [m], whichever is more. Where that is not proven, Closest says so."""
         pairs = [_Placed(near) for near in group]
         best = min(self._at_starts(group, pairs), key=lambda one: one[1].distance)[1]
         nodes, alive = self._whole(group)
+        left = LOOKS
         while len(nodes):
-            look = _Look(self._mechanism, self._course, nodes)
-            bounds = []
-            for column, pair in enumerate(pairs):
-                rows = np.flatnonzero(alive[:, column])
-                if len(rows):
-                    bounds.append((column, rows, pair.bound(look, rows), pair.moved(look)[rows]))
-            for column, rows, bound, moved in sorted(bounds, key=lambda entry: float(entry[2].min())):
-                near = bound - moved < _enough(best, wanted)
-                alive[rows[~near], column] = False
-                distance = pairs[column].distances(look, rows[near])
-                if len(distance) and distance.min() < best.distance:
-                    i = int(np.argmin(distance))
-                    best = Closest(group[column], float(distance[i]), self._course.time(look.middle[rows[near][i]]))
-                alive[rows[near], column] = distance - moved[near] < _enough(best, wanted)
-            nodes, alive = _halved(nodes, look.middle, alive)
+            if (left := left - len(nodes)) < 0:
+                return replace(best, proven=False)
+            middle = np.empty(len(nodes))
+            for part in _parts(np.arange(len(nodes))):
+                look = _Look(self._mechanism, self._course, nodes[part])
+                middle[part] = look.middle
+                bounds = []
+                for column, pair in enumerate(pairs):
+                    rows = np.flatnonzero(alive[part, column])
+                    if len(rows):
+                        bounds.append((column, rows, pair.bound(look, rows), pair.moved(look)[rows]))
+                for column, rows, bound, moved in sorted(bounds, key=lambda entry: float(entry[2].min())):
+                    near = bound - moved < _enough(best, wanted)
+                    alive[part[rows[~near]], column] = False
+                    distance = pairs[column].distances(look, rows[near])
+                    if len(distance) and distance.min() < best.distance:
+                        i = int(np.argmin(distance))
+                        best = Closest(group[column], float(distance[i]), self._course.time(look.middle[rows[near][i]]))
+                    alive[part[rows[near]], column] = distance - moved[near] < _enough(best, wanted)
+            nodes, alive = _halved(nodes, middle, alive)
         return best
 
     def first_below(self, group: Sequence[Near], limit: float) -> Closest | None:
-        """When a distance of the group is first below limit; None where it never is by more than OVERLOOKED."""
+        """When a distance of the group is first below limit; None where it never is by more than OVERLOOKED, and where
+        LOOKS ended the search before any was found."""
         pairs = [_Placed(near) for near in group]
         hits = [one for one in self._at_starts(group, pairs) if one[1].distance < limit]
         before, first = min(hits, key=lambda one: (one[0], one[1].distance), default=(np.inf, None))  # s of the first
         nodes, alive = self._whole(group)
+        left = LOOKS
         while len(nodes):
-            look = _Look(self._mechanism, self._course, nodes)
-            for column, pair in enumerate(pairs):
-                rows = np.flatnonzero(alive[:, column] & (nodes[:, 0] < before))
-                alive[:, column] = False
-                moved = pair.moved(look)[rows]
-                near = pair.bound(look, rows) - moved < limit
-                rows, moved = rows[near], moved[near]
-                distance = pair.distances(look, rows)
-                # An interval that moves less than OVERLOOKED is one moment: its beginning.
-                moment = moved <= OVERLOOKED
-                s = np.where(moment, nodes[rows, 0], look.middle[rows])
-                below = np.flatnonzero(distance < limit)
-                if len(below) and s[below].min() < before:
-                    i = below[np.argmin(s[below])]
-                    before = float(s[i])
-                    first = Closest(group[column], float(distance[i]), self._course.time(before))
-                alive[rows, column] = (distance - moved < limit) & ~moment
+            if (left := left - len(nodes)) < 0:
+                return None if first is None else replace(first, proven=False)
+            middle = np.empty(len(nodes))
+            for part in _parts(np.arange(len(nodes))):
+                look = _Look(self._mechanism, self._course, nodes[part])
+                middle[part] = look.middle
+                for column, pair in enumerate(pairs):
+                    rows = np.flatnonzero(alive[part, column] & (nodes[part, 0] < before))
+                    alive[part, column] = False
+                    moved = pair.moved(look)[rows]
+                    near = pair.bound(look, rows) - moved < limit
+                    rows, moved = rows[near], moved[near]
+                    distance = pair.distances(look, rows)
+                    # An interval that moves less than OVERLOOKED is one moment: its beginning.
+                    moment = moved <= OVERLOOKED
+                    s = np.where(moment, nodes[part[rows], 0], look.middle[rows])
+                    below = np.flatnonzero(distance < limit)
+                    if len(below) and s[below].min() < before:
+                        i = below[np.argmin(s[below])]
+                        before = float(s[i])
+                        first = Closest(group[column], float(distance[i]), self._course.time(before))
+                    alive[part[rows], column] = (distance - moved < limit) & ~moment
             alive &= nodes[:, :1] < before
-            nodes, alive = _halved(nodes, look.middle, alive)
+            nodes, alive = _halved(nodes, middle, alive)
         return first
 
     def _at_starts(self, group: Sequence[Near], pairs: Sequence[_Placed]) -> list[tuple[float, Closest]]:

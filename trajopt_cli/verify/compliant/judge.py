@@ -12,7 +12,7 @@ import numpy as np
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.findings import Finding, Report
 from trajopt_cli.geometry import Array
-from trajopt_cli.joint_csv import read_csv_text
+from trajopt_cli.joint_csv import check_reach, read_csv_text
 from trajopt_cli.runs import SUMMARY
 from trajopt_cli.runs.folder import TASK, Run, read_bytes, read_run
 from trajopt_cli.runs.record import RunRecord
@@ -131,6 +131,7 @@ def _check_names(rows: Trajectory, arm: Arm, path: Path) -> None:
     if rows.names != arm.mechanism.names:
         wanted = ", ".join(arm.mechanism.names)
         raise InputError(f"the file's axes are {', '.join(rows.names)}; the robot's are {wanted}", file=str(path))
+    check_reach(rows, arm.lower, arm.upper, str(path))
 
 
 def _quaternion_file(run: Run[_Record], name: str) -> Poses:
