@@ -265,7 +265,7 @@ SHARED: dict[str, tuple[str, ...]] = {
 APART: dict[str, tuple[str, ...]] = {
     "collision.pair": ("Pair",),
     "findings": (),
-    "joint_csv": ("Resolution", "read_csv_text"),
+    "joint_csv": ("Resolution", "check_reach", "read_csv_text"),
     "timing.point_to_point": ("rest_to_rest", "straight_rest_to_rest"),
     "timing.topp": ("shortest_time",),
 }
@@ -284,7 +284,7 @@ COMPLIANT_MAY: dict[str, tuple[str, ...]] = {
     "errors": ("ErrorKind", "InputError", "of_kind"),
     "findings": ("Finding", "Report"),
     "geometry": ("Array",),
-    "joint_csv": ("Resolution", "read_csv_text"),
+    "joint_csv": ("Resolution", "check_reach", "read_csv_text"),
     "motion": ("Source",),
     "robot.catalogue": ("find_robot",),
     "runs": ("SUMMARY",),

@@ -36,6 +36,14 @@ def give_back() -> None:
             ctypes.CDLL(None).malloc_trim(0)
 
 
+class ProcessEnded(RuntimeError):
+    """A process beside this one ended without an answer: by a signal, or by an error it has printed."""
+
+    def __init__(self, code: int | None):
+        name = signal.Signals(-code).name if code is not None and code < 0 else f"exit code {code}"
+        super().__init__(f"a process beside this one ended by {name}")
+
+
 class Beside(Generic[Answer]):
     """work(tell) running in a forked process between `with` and its end; what it tells is heard here.
 
@@ -74,7 +82,8 @@ class Beside(Generic[Answer]):
             self._receive()
 
     def answer(self) -> Answer:
-        """Wait for the answer. Raises what work raised if that is an InputError, RuntimeError if it broke down."""
+        """Wait for the answer. Raises what work raised if that is an InputError or a MemoryError, ProcessEnded if the
+        process broke down."""
         while not self._answer:
             self._receive()
         return self._answer[0]
@@ -84,7 +93,7 @@ class Beside(Generic[Answer]):
             kind, content = self._messages.recv()
         except EOFError:
             self._process.join()
-            raise RuntimeError(f"the second process ended with exit code {self._process.exitcode}") from None
+            raise ProcessEnded(self._process.exitcode) from None
         if kind == "error":
             raise content
         if kind == "answer":
@@ -113,6 +122,8 @@ def _run(work: Callable[[Callable[[Any], None]], Any], pipe: Connection, parent:
         pipe.send(("answer", work(lambda message: pipe.send(("told", message)))))
     except InputError as error:
         pipe.send(("error", error))
+    except MemoryError as error:
+        pipe.send(("error", MemoryError(str(error))))
 
 
 def in_turns(

@@ -5,6 +5,7 @@ Exit codes: 0 done, 1 the answer is no (infeasible, illegal), 2 the request is w
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 from contextlib import suppress
@@ -17,6 +18,7 @@ import typer
 from typer.main import get_command
 
 from trajopt_cli import __version__
+from trajopt_cli.beside import ProcessEnded
 from trajopt_cli.cli import (
     analyse,
     compare,
@@ -37,9 +39,10 @@ from trajopt_cli.cli import (
     verify,
     view,
 )
-from trajopt_cli.cli.process import begin, interrupted, own_process
+from trajopt_cli.cli.process import begin, interrupted, out_of_memory, own_process
 from trajopt_cli.errors import InputError
 
+_LONGEST = 600  # characters of a line on stderr: eight lines of a terminal
 app = typer.Typer(
     name="trajopt",
     help="The fastest legal motion for the robot program a cell already runs.",
@@ -92,15 +95,25 @@ def run(arguments: list[str]) -> int:
         code = _commands()(arguments or ["--help"], prog_name="trajopt", standalone_mode=False)
         sys.stdout.flush()
     except InputError as error:
-        typer.echo(error.shown().rstrip("\n"), err=True)
+        typer.echo("\n".join(map(_cut, error.shown().rstrip("\n").split("\n"))), err=True)
         return 2
     except typer.TyperException as error:
         message = " ".join(error.format_message().replace("Value error, ", "").split()).rstrip(".")
         asked = getattr(getattr(error, "ctx", None), "command_path", None) or "trajopt"
-        typer.echo(f"trajopt: {message}; see '{asked} --help'", err=True)
+        typer.echo(f"trajopt: {_cut(message)}; see '{asked} --help'", err=True)
         return 2
-    except OSError as error:
-        if error.filename is None:
+    except ProcessEnded as error:
+        typer.echo(f"{error}; where memory is short, --jobs 1 takes less. {interrupted().split(': ', 1)[1]}", err=True)
+        return 2
+    except (MemoryError, ImportError, RuntimeError, OSError, SystemError) as error:
+        line = out_of_memory(error)
+        if line is not None:
+            gc.collect()
+            typer.echo(line, err=True)
+            _give_up_stdout()
+        elif not isinstance(error, OSError) or (error.filename is None and error.errno is None):
+            raise
+        elif error.filename is None:
             typer.echo(f"cannot write the output: {error.strerror}", err=True)
             _give_up_stdout()
         else:
@@ -112,6 +125,11 @@ def run(arguments: list[str]) -> int:
 
 
 _commands = cache(partial(get_command, app))  # with all their options: made once in a process
+
+
+def _cut(line: str) -> str:
+    """A line of a message, of one that a name or a cell of thousands of characters made long its two ends."""
+    return line if len(line) <= _LONGEST else f"{line[: _LONGEST // 2]}…{line[-_LONGEST // 2 + 1 :]}"
 
 
 def _check_arguments(arguments: list[str]) -> None:

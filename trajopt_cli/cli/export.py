@@ -60,12 +60,12 @@ def joint(
       trajopt export joint results/hinge_cell --output joints.csv
     """
     from trajopt_cli.export.recorded import recorded
-    from trajopt_cli.joint_csv import write_csv_text
+    from trajopt_cli.joint_csv import csv_parts
 
     check_output(output, results)
     motion = recorded(results)
     trajectory, note = motion.at(rate)
-    _write(output, write_csv_text(trajectory).encode("ascii"), motion, trajectory, rate, note, as_json, quiet)
+    _write(output, map(str.encode, csv_parts(trajectory)), motion, trajectory, rate, note, as_json, quiet)
 
 
 @app.command("ros2", short_help="ROS 2 JointTrajectory as YAML, for ros2 topic pub.")
@@ -84,13 +84,13 @@ def ros2(
       trajopt export ros2 results/hinge_cell --output trajectory.yaml
     """
     from trajopt_cli.export.recorded import recorded
-    from trajopt_cli.export.ros2 import joint_trajectory
+    from trajopt_cli.export.ros2 import trajectory_parts
 
     check_output(output, results)
     motion = recorded(results)
-    trajectory, note = motion.at(rate)
-    text = joint_trajectory(trajectory, _split(joints))
-    _write(output, text.encode("ascii"), motion, trajectory, rate, note, as_json, quiet)
+    trajectory, note = motion.at(rate, rests=False)
+    text = trajectory_parts(trajectory, _split(joints))
+    _write(output, map(str.encode, text), motion, trajectory, rate, note, as_json, quiet)
 
 
 @app.command("mcap", short_help="The same with joint states in an MCAP file, for bag tools.")
@@ -114,7 +114,7 @@ def mcap(
 
     check_output(output, results)
     motion = recorded(results)
-    trajectory, note = motion.at(rate)
+    trajectory, note = motion.at(rate, rests=False)
     _write(output, mcap_of(trajectory, _split(joints)), motion, trajectory, rate, note, as_json, quiet)
 
 
@@ -188,12 +188,12 @@ def egm(
     Example:
       trajopt export egm results/hinge_cell --output stream.egm
     """
-    from trajopt_cli.export.egm import stream_bytes
+    from trajopt_cli.export.egm import stream_parts
     from trajopt_cli.runs.files import write_file
 
     check_output(output, results)
     motion, stream = egm_stream(results, rate)
-    write_file(output, stream_bytes(stream))
+    write_file(output, stream_parts(stream))
     beside = [*zip(stream.names, stream.units, strict=True)][stream.joints :]
     line = (
         f"{output}: {motion.name}, {len(stream.q)} set points at {rate:g} Hz, T = {stream.duration:.4f} s:"
@@ -228,7 +228,7 @@ def gltf(
     motion = recorded(results)
     if motion.period is not None:
         raise InputError("holds no plan in a cell; give a folder of trajopt optimize", file=str(results))
-    trajectory, note = motion.at(rate)
+    trajectory, note = motion.at(rate, rests=False)
     plant = build_plant(cell_of_results(results))
     _write(output, gltf_of(trajectory, plant, motion.name), motion, trajectory, rate, note, as_json, quiet)
 
@@ -323,7 +323,7 @@ def _split(names: str | None) -> list[str] | None:
 
 def _write(
     output: Path,
-    content: bytes,
+    content: bytes | Iterable[bytes],
     motion: Recorded,
     trajectory: Trajectory,
     rate: float | None,

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import gc
 import os
+import resource
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
+from importlib.abc import MetaPathFinder
 from pathlib import Path
 
 import typer
@@ -20,6 +22,54 @@ def own_process() -> None:
         # both targets are solved side by side on two cores; more threads inside would only wait for each other
         os.environ.setdefault(library, "1")
     sys.setrecursionlimit(max(sys.getrecursionlimit(), FRAMES))
+    limit = _address_space()
+    if limit is not None and not any(isinstance(one, _Room) for one in sys.meta_path):
+        sys.meta_path.insert(0, _Room(limit))
+
+
+_LIBRARIES = {"numpy": 100, "pinocchio": 200, "scipy": 200, "casadi": 200, "llvmlite": 200, "matplotlib": 100}
+"""MB that must be left where a library is imported first: it takes up to half of that, and OpenBLAS, which two of them
+bring, asks again and again for what it does not get, without end."""
+
+
+class _Room(MetaPathFinder):
+    """Finds nothing; raises MemoryError where a library would not find room under `ulimit -v`. limit: in bytes."""
+
+    def __init__(self, limit: int):
+        self._limit = limit
+
+    def find_spec(self, fullname: str, path: object = None, target: object = None) -> None:
+        wanted, used = _LIBRARIES.get(fullname), Path("/proc/self/statm")
+        if wanted is not None and used.exists():
+            left = self._limit - int(used.read_text().split()[0]) * resource.getpagesize()
+            if left < wanted * 10**6:
+                raise MemoryError(f"{fullname} needs {wanted} MB, and {left // 10**6} MB are left")
+
+
+def _address_space() -> int | None:
+    """How many bytes this process may have at most; None for as many as there are."""
+    limit = resource.getrlimit(resource.RLIMIT_AS)[0]
+    return None if limit == resource.RLIM_INFINITY else limit
+
+
+_REFUSED = ("bad_alloc", "failed to map segment", "cannot allocate memory", "can't start new thread")
+
+
+def out_of_memory(error: BaseException) -> str | None:
+    """The line for an error that says, in whatever words, that there is no more memory; None for any other."""
+    chain: BaseException | None = error
+    while chain is not None:
+        text = str(chain)
+        unloaded = isinstance(chain, OSError) and chain.errno is None and "libllvmlite" in text  # llvmlite says no more
+        if isinstance(chain, MemoryError) or unloaded or any(words in text.lower() for words in _REFUSED):
+            break
+        chain = chain.__cause__ or chain.__context__
+    if chain is None:
+        return None
+    limit, why = _address_space(), " ".join(str(chain).split()) if isinstance(chain, MemoryError) else ""
+    may = "the system has no more" if limit is None else f"the process may have {limit // 10**6} MB (ulimit -v)"
+    give = "give it 1 GB or more" if limit is not None and limit < 10**9 else "give it more, or --jobs 1"
+    return f"out of memory: {may}{f'; {why}' if why else ''}; {give}. {interrupted().removeprefix('interrupted: ')}"
 
 
 _finished: list[str] = []  # what this command has written whole

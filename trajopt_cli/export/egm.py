@@ -18,9 +18,10 @@ from struct import pack, unpack_from
 import numpy as np
 
 from trajopt_cli.errors import InputError
+from trajopt_cli.export.joint import between_rows, check_rate
 from trajopt_cli.export.recorded import Recorded
 from trajopt_cli.geometry import Array, readonly
-from trajopt_cli.trajectory import Trajectory, hermite
+from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.units import DEG, MM
 
 HIGHEST_RATE = 250.0  # Hz: EGM takes a message every 4 ms at most
@@ -90,10 +91,12 @@ def stream_of(motion: Recorded, rate: float = HIGHEST_RATE, eax: int | None = No
         raise InputError("is no motion of a six-axis robot; EGM is ABB's, give a folder of trajopt optimize")
     if not 0 < rate <= HIGHEST_RATE:
         raise InputError(f"rate {rate:g} Hz lies outside (0, {HIGHEST_RATE:g}] Hz; EGM's cycle is 4 ms")
-    motion.at(rate)  # what cannot be resampled is told there
+    if trajectory.qd is None:
+        raise InputError("the trajectory has no speed columns; resampling needs them")
+    check_rate(trajectory, rate)
     steps = int(np.ceil(trajectory.duration * rate - 1e-9))
     t = np.minimum(trajectory.t[0] + np.arange(steps + 1) / rate, trajectory.t[-1])
-    q, qd, _ = hermite(trajectory, t)
+    q, qd = between_rows(trajectory, t)
     q[-1], qd[-1] = trajectory.q[-1], 0.0
     arm, rail = layout
     tables = trajectory.tables
@@ -103,7 +106,7 @@ def stream_of(motion: Recorded, rate: float = HIGHEST_RATE, eax: int | None = No
     if rail is not None:
         beside[:, :, letters[-1]] = q[:, rail] / MM, qd[:, rail] / MM
     if tables is not None:
-        beside[:, :, [*turns]] = np.array(hermite(tables, t)[:2]) / DEG
+        beside[:, :, [*turns]] = np.array(between_rows(tables, t)) / DEG
     places, speeds = (np.hstack([x[:, arm] / DEG, more]) for x, more in zip((q, qd), beside, strict=True))
     return Stream(1 / rate, _JOINTS, places, speeds, turns, tuple(f"eax_{_LETTERS[i]}" for i in letters))
 
@@ -117,8 +120,14 @@ def _layout(trajectory: Trajectory) -> tuple[list[int], int | None] | None:
 
 def stream_bytes(stream: Stream) -> bytes:
     """The file: messages one after the other, each behind its length as a varint, as Protocol Buffers delimit them."""
-    messages = (sensor_message(stream, i, i, round(1000 * stream.period * i)) for i in range(len(stream.q)))
-    return b"".join(_varint(len(message)) + message for message in messages)
+    return b"".join(stream_parts(stream))
+
+
+def stream_parts(stream: Stream) -> Iterator[bytes]:
+    """The file, message by message."""
+    for i in range(len(stream.q)):
+        message = sensor_message(stream, i, i, round(1000 * stream.period * i))
+        yield _varint(len(message)) + message
 
 
 def read_stream(content: bytes, file: str) -> Stream:

@@ -31,12 +31,12 @@ class Recorded:
     holds: tuple[tuple[float, str], ...] = ()
     period: float | None = None
 
-    def at(self, rate: float | None) -> tuple[Trajectory, str]:
-        """The motion at rate [Hz], as recorded for None, and what a user should know of it. Raises InputError for a
-        rate that cannot be."""
+    def at(self, rate: float | None, rests: bool = True) -> tuple[Trajectory, str]:
+        """The motion at rate [Hz], as recorded for None, and what a user should know of it. rests: False leaves two
+        rows of a rest in a motion that is more than its rows. Raises InputError for a rate that cannot be."""
         if rate is None:
             return self.trajectory, ""
-        return (resample(self.trajectory, rate), "") if self.period is None else at_rate(self.trajectory, rate)
+        return (resample(self.trajectory, rate, rests), "") if self.period is None else at_rate(self.trajectory, rate)
 
 
 @of_kind(ErrorKind.RESULTS)

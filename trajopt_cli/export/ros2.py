@@ -19,9 +19,14 @@ def joint_trajectory(trajectory: Trajectory, names: Sequence[str] | None = None)
     Times count from the first row. Accelerations are second divided differences, 0 in the first and the last row.
     Raises InputError as checked_names.
     """
+    return "".join(trajectory_parts(trajectory, names))
+
+
+def trajectory_parts(trajectory: Trajectory, names: Sequence[str] | None = None) -> Iterator[str]:
+    """The text of joint_trajectory in parts."""
     trajectory = trajectory.whole
     names, qd = checked_names(trajectory, names)
-    return "".join(_lines(trajectory, qd, names))
+    return _lines(trajectory, qd, names)
 
 
 def checked_names(trajectory: Trajectory, names: Sequence[str] | None) -> tuple[tuple[str, ...], Array]:

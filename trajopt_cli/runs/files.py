@@ -10,7 +10,7 @@ import os
 import secrets
 import shutil
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from io import BufferedRandom
 from pathlib import Path
@@ -27,8 +27,9 @@ _THERE = (errno.ENOTEMPTY, errno.EEXIST)
 _AT_FDCWD, _RENAME_EXCHANGE = -100, 2  # linux/fcntl.h, linux/fs.h
 
 
-def write_file(path: Path, content: bytes) -> None:
-    """Write a file so that path holds its old content or all of the new one, whenever the process is killed.
+def write_file(path: Path, content: bytes | Iterable[bytes]) -> None:
+    """Write a file so that path holds its old content or all of the new one, whenever the process is killed. content:
+    or its parts one after the other, made while they are written.
 
     Missing parent folders are made. Raises InputError where the place cannot be written.
     """
@@ -159,13 +160,15 @@ def said_of(path: Path) -> Iterator[None]:
         raise InputError(f"cannot write: {error.strerror}{where}", file=str(path)) from error
 
 
-def fill(file: BinaryIO, content: bytes | BufferedRandom) -> None:
-    """Write content into an open file, down to the disk."""
+def fill(file: BinaryIO, content: bytes | BufferedRandom | Iterable[bytes]) -> None:
+    """Write content, or its parts, into an open file, down to the disk."""
     if isinstance(content, bytes):
         file.write(content)
-    else:
+    elif isinstance(content, BufferedRandom):
         content.seek(0)
         shutil.copyfileobj(content, file)
+    else:
+        file.writelines(content)
     file.flush()
     os.fsync(file.fileno())
 
