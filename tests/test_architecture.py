@@ -24,6 +24,7 @@ FLOORS: tuple[tuple[str, ...], ...] = (
         "scenario",
         "kinematics",
         "joint_csv",
+        "printed",
         "shapes",
         "findings",
         "quantity",
@@ -51,7 +52,8 @@ STACK = {
     "notices": set[str](),
     "limits": {"geometry"},
     "trajectory": {"geometry"},
-    "joint_csv": {"errors", "geometry", "trajectory", "units"},
+    "joint_csv": {"errors", "geometry", "printed", "trajectory", "units"},
+    "printed": {"geometry"},
     "errors": set[str](),
     "units": set[str](),
     "decimals": {"geometry"},
@@ -266,6 +268,7 @@ APART: dict[str, tuple[str, ...]] = {
     "collision.pair": ("Pair",),
     "findings": (),
     "joint_csv": ("Resolution", "check_reach", "read_csv_text"),
+    "printed": ("Digits",),
     "timing.point_to_point": ("rest_to_rest", "straight_rest_to_rest"),
     "timing.topp": ("shortest_time",),
 }
@@ -299,9 +302,9 @@ COMPLIANT_MAY: dict[str, tuple[str, ...]] = {
 }
 # All that this judge and the job it judges have in common: plain data, and readers with what they stand on.
 COMPLIANT_SHARED = {
-    "errors", "findings", "geometry", "joint_csv", "limits", "motion", "notices", "quantity", "robot.catalogue",
-    "robot.structure", "runs.files", "runs.folder", "runs.record", "shapes", "trajectory", "units", "validation",
-    "yaml_file",
+    "errors", "findings", "geometry", "joint_csv", "limits", "motion", "notices", "printed", "quantity",
+    "robot.catalogue", "robot.structure", "runs.files", "runs.folder", "runs.record", "shapes", "trajectory", "units",
+    "validation", "yaml_file",
 }  # fmt: skip
 
 

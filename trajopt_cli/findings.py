@@ -34,16 +34,44 @@ class Finding:
 
 
 @dataclass(frozen=True)
+class Promise:
+    """What one check is sure to see in a file: an excess over its limit, or a shortfall under it, of least in unit that
+    lasts so long [s]; None: whenever it is. most: where least is more, the file is too coarse to be judged by this
+    check; needs: how finely "positions", "speeds" or "times" must be printed at least for that [SI]."""
+
+    check: str
+    subject: str
+    least: float
+    unit: str
+    lasting: float | None = None
+    most: float | None = None
+    needs: tuple[tuple[str, float], ...] = ()
+
+
+COARSE = ("printed resolution", "row spacing")
+"""Checks of the file itself: one that fails them cannot be judged."""
+
+
+@dataclass(frozen=True)
 class Report:
-    """Legality decides (legal); advice never does."""
+    """Legality decides (legal); advice never does. promises: what the checks are sure to see, where that was asked.
+    rate: rows in a second [Hz] of a file whose boundaries lie between its rows; None where they have rows."""
 
     findings: tuple[Finding, ...]
     advice: tuple[Finding, ...] = ()
+    promises: tuple[Promise, ...] = ()
+    rate: float | None = None
 
     @property
     def legal(self) -> bool:
         """True when every legality finding passed."""
         return all(finding.passed for finding in self.findings)
+
+    @property
+    def too_coarse(self) -> bool:
+        """True when nothing is wrong but that the file is too coarse to be judged."""
+        failed = [finding for finding in self.findings if not finding.passed]
+        return bool(failed) and all(finding.check in COARSE for finding in failed)
 
 
 def failures(findings: Iterable[Finding]) -> list[str]:
@@ -85,6 +113,19 @@ def finding_record(finding: Finding) -> dict[str, Any]:
         "time_s": finding.time,
         "source": str(finding.source) if finding.source else None,
         "message": finding.message,
+    }
+
+
+def promise_record(promise: Promise) -> dict[str, Any]:
+    """A promise as plain data for JSON; null for an excess that no row would show."""
+    return {
+        "check": promise.check,
+        "subject": promise.subject,
+        "least_seen": _finite(promise.least),
+        "unit": promise.unit,
+        "lasting_s": promise.lasting,
+        "coarsest": promise.most,
+        "needs": dict(promise.needs),
     }
 
 

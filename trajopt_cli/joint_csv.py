@@ -11,15 +11,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from decimal import Decimal, InvalidOperation
-from functools import lru_cache
 from itertools import islice
-from typing import TextIO
+from typing import Any, TextIO
 
 import numpy as np
+from numpy.typing import NDArray
 
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
-from trajopt_cli.geometry import Array, BoolArray, readonly
+from trajopt_cli.geometry import Array
+from trajopt_cli.printed import Digits
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.units import DEG, MM
 
@@ -27,8 +27,8 @@ _TIME = "t [s]"
 _SI = {"m": 1.0, "mm": MM, "rad": 1.0, "deg": DEG}
 _POSITION = re.compile(r"(?P<name>\w+) \[(?P<unit>m|mm|rad|deg)\]")
 _SPEED = re.compile(r"(?P<name>\w+) speed \[(?P<unit>m|mm|rad|deg)/s\]")
-_FINEST = -15  # digits beyond the fifteenth decimal are under the rounding of any double near 1
 ABSURD = 100  # times its range: axes that are told beyond are no motion but a slip, or the end of a sensor's range
+Decimals = NDArray[np.int8]
 _ROWS = 4096  # that are text and numbers at once
 _CHARACTERS = 300 * _ROWS  # of about as many
 
@@ -37,18 +37,21 @@ _CHARACTERS = 300 * _ROWS  # of about as many
 class Resolution:
     """The step between neighbouring printed values, in SI: a printed value is off by at most half of it.
 
-    t [s], 0 where the rows stand on an exact grid. q, qd (k,): per axis, rad or m; qd is 0 without speed columns.
-    tables: of the positioners' axes, None where there are none.
+    t (n,) [s]: per row, 0 where a row stands on an exact grid. q, qd (n, k): per row and axis, rad or m; qd is 0
+    without speed columns. A row of one entry, or a number, stands for all rows. tables: of the positioners' axes, None
+    where there are none.
     """
 
-    t: float
+    t: Array | float
     q: Array
     qd: Array
     tables: Resolution | None = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "q", readonly(self.q))
-        object.__setattr__(self, "qd", readonly(self.qd))
+        for name, dimensions in (("t", 1), ("q", 2), ("qd", 2)):
+            table = np.array(getattr(self, name), ndmin=dimensions, copy=None)
+            table.setflags(write=False)
+            object.__setattr__(self, name, table)
 
 
 def header(names: Sequence[str], speeds: bool) -> list[str]:
@@ -94,16 +97,15 @@ def read_csv_text(text: str | TextIO, file: str) -> tuple[Trajectory, Resolution
         raise InputError("the file is empty; its first line must be the header t [s],<axis> [unit],...", file=file)
     names, factors, speeds = _read_header(first_line.removeprefix("\ufeff").rstrip("\r"), file)
     k, width, rows = len(names), len(factors), end - 1
-    t, q, qd, finest = np.empty(rows), np.empty((rows, k)), np.empty((rows, width - 1 - k)), [99] * width
-    least, most = np.full(width, np.inf), np.full(width, -np.inf)
+    t, q, qd = np.empty(rows), np.empty((rows, k)), np.empty((rows, width - 1 - k))
+    digits = Digits(rows, width)
     lines, first = islice(_lines(text), 1, end), 0
     while fields := [line.rstrip("\r").split(",") for line in islice(lines, _ROWS)]:
         for number, row in enumerate(fields, start=first + 2):
             if len(row) != width:
                 raise InputError(f"{len(row)} values, the header has {width} columns", file=file, line=number)
         table, part = _numbers(fields, file, first + 2), slice(first, first + len(fields))
-        least, most = np.minimum(least, table.min(axis=0)), np.maximum(most, table.max(axis=0))
-        finest = [_finest(fields, column, known) for column, known in enumerate(finest)]
+        digits.add(fields, table, first)
         table *= factors
         t[part], q[part], qd[part] = table[:, 0], table[:, 1 : 1 + k], table[:, 1 + k :]
         first += len(fields)
@@ -113,21 +115,22 @@ def read_csv_text(text: str | TextIO, file: str) -> tuple[Trajectory, Resolution
     if late.size:
         i = int(late[0])
         message = f"time {t[i + 1]:.17g} s follows {t[i]:.17g} s; times must increase"
+        if t[i + 1] == t[i]:
+            message += "; where both were rounded to this, print more digits of them"
         raise InputError(message, file=file, line=i + 3, column=1)
-    exponents = _exponents(finest, most > least)
-    steps = [10.0**exponent for exponent in exponents]
+    last = digits.last()
     resolution = Resolution(
-        t=0.0 if _on_grid(t, exponents[0]) else steps[0],
-        q=np.array(steps[1 : 1 + k]) * factors[1 : 1 + k],
-        qd=np.array(steps[1 + k :]) * factors[1 + k :] if speeds else np.zeros(k),
+        t=_off_grid(t, last[0]),
+        q=_steps(last[1 : 1 + k], factors[1 : 1 + k]),
+        qd=_steps(last[1 + k :], factors[1 + k :]) if speeds else np.zeros((1, k)),
     )
     for array in (t, q, qd):
         array.setflags(write=False)
     trajectory = Trajectory(names, t, q, qd if speeds else None).apart
     if trajectory.tables is not None:
         own, its = slice(0, len(trajectory.names)), slice(len(trajectory.names), k)
-        whole, tables = resolution, replace(resolution, q=resolution.q[its], qd=resolution.qd[its])
-        resolution = Resolution(whole.t, whole.q[own], whole.qd[own], tables)
+        whole, tables = resolution, replace(resolution, q=resolution.q[:, its], qd=resolution.qd[:, its])
+        resolution = Resolution(whole.t, whole.q[:, own], whole.qd[:, own], tables)
     return trajectory, resolution
 
 
@@ -212,34 +215,22 @@ def _numbers(fields: list[list[str]], file: str, line: int) -> Array:
     raise InputError("the table holds a number that cannot be read", file=file)
 
 
-def _finest(fields: list[list[str]], column: int, known: int) -> int:
-    """Power of ten of the last digit in a column, the finest found in these rows or known."""
-    for row in fields:
-        if known <= _FINEST:
-            break
-        known = min(known, _exponent(row[column]))
-    return max(known, _FINEST)
+def _steps(decimals: list[Decimals], factors: Array) -> Array:
+    """Steps (n, k) in SI of columns with so many decimals (n,) each; (1, k) where no column's change."""
+    if all((column == column[0]).all() for column in decimals):
+        return np.array([[10.0 ** -int(column[0]) for column in decimals]]) * factors
+    table: Any = np.empty((len(decimals[0]), len(decimals)), dtype=np.float32)  # half the memory
+    for j, column in enumerate(decimals):
+        table[:, j] = 10.0 ** -column.astype(np.float64) * factors[j]
+    return np.asarray(table)
 
 
-def _exponents(found: list[int], moving: BoolArray) -> list[int]:
-    """Power of ten of the last printed digit per column, from the finest found in it.
-
-    A column that never changes may hide its digits (`0.0`): it counts as printed like the finest of the others.
-    """
-    finest = min((e for e, moves in zip(found[1:], moving[1:], strict=True) if moves), default=min(found[1:]))
-    return [e if moves else min(e, finest) for e, moves in zip(found, moving, strict=True)]
-
-
-@lru_cache(maxsize=64)  # what rests is the same from row to row
-def _exponent(field: str) -> int:
-    try:
-        exponent = Decimal(field.strip()).as_tuple().exponent
-    except InvalidOperation:
-        return _FINEST  # a spelling float() knows and Decimal does not: nothing can be said against its digits
-    return exponent if isinstance(exponent, int) else _FINEST
-
-
-def _on_grid(t: Array, exponent: int) -> bool:
-    """Whether all steps are the same whole number of printed units: then no time is rounded."""
-    ticks = np.rint(t * 10.0**-exponent)
-    return len(t) > 2 and bool(np.ptp(np.diff(ticks)) == 0)
+def _off_grid(t: Array, decimals: Decimals) -> Array:
+    """The steps (n,) of times with so many decimals (n,), 0 for rows on a grid: there the times between them are the
+    same whole number of printed units, but for the first and the last one, for a grid may begin and end anywhere. One
+    entry where all are on it, or where all have the same step."""
+    h = np.diff(np.rint(t * 10.0 ** int(decimals.max())))
+    if len(h) > 1 and np.ptp(h[1:-1] if len(h) > 2 else h) == 0:
+        same = [h[0] == h[1], *(len(h) - 1) * [True], h[-1] == h[-2]]
+        return np.zeros(1) if all(same) else np.where(same, 0.0, 10.0 ** -decimals.astype(np.float64))
+    return _steps([decimals], np.ones(1))[:, 0]

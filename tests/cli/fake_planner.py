@@ -94,6 +94,7 @@ def plan(program: Program, plant: Plant, target: Target, speed: float) -> Plan:
 def planner(monkeypatch: pytest.MonkeyPatch) -> Planner:
     stand_in = Planner()
     monkeypatch.setattr("trajopt_cli.optimize.optimize", stand_in)
+    monkeypatch.setattr("trajopt_cli.optimize.slow_plan", lambda *question: None)
     monkeypatch.setattr("trajopt_cli.optimize.lower_bound_of", lambda program, plant, plan, **more: 0.9 * plan.duration)
     return stand_in
 

@@ -44,8 +44,8 @@ def test_foreign_units_are_converted() -> None:
     assert rows.q == pytest.approx(np.array([[0.1, np.pi / 2], [0.05, -np.pi / 20]]), abs=1e-15)
     assert rows.qd is not None
     assert rows.qd == pytest.approx(np.array([[0, 0], [0.005, np.pi]]), abs=1e-15)
-    assert resolution.q == pytest.approx([1e-4, np.radians(0.01)], rel=1e-12)
-    assert resolution.qd == pytest.approx([1e-3, np.radians(1)], rel=1e-12)
+    assert resolution.q == pytest.approx(np.array([[1e-4, np.radians(0.01)]]), rel=1e-12)
+    assert resolution.qd == pytest.approx(np.array([[1e-3, np.radians(1)]]), rel=1e-12)
 
 
 def test_a_file_that_is_read_in_parts_is_read_as_a_whole(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -62,27 +62,84 @@ def test_a_file_that_is_read_in_parts_is_read_as_a_whole(monkeypatch: pytest.Mon
                 parts, fineness = read_csv_text(source, "a.csv")
                 assert np.array_equal(parts.q, whole.q)
                 assert np.array_equal(parts.t, whole.t)
-                assert (fineness.t, *fineness.q) == (resolution.t, *resolution.q)
+                assert np.array_equal(fineness.t, resolution.t)
+                assert np.array_equal(fineness.q, resolution.q)
 
 
 def test_a_byte_order_mark_is_no_part_of_the_header() -> None:
     assert read_csv_text("\ufeff" + GOOD, "a.csv")[0].names == ("rail", "joint_1")
 
 
-def test_resolution_is_that_of_the_finest_digit() -> None:
+def steps(text: str) -> tuple[list[float], list[list[float]]]:
+    """Printed steps of the times, and of every column of positions."""
+    rows, resolution = read_csv_text(text, "a.csv")
+    q = np.broadcast_to(resolution.q, rows.q.shape)
+    return np.broadcast_to(resolution.t, rows.t.shape).tolist(), np.float64(q).T.tolist()
+
+
+def column(spell: str, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Values as they are read back from one spelling, and their steps."""
+    text = "t [s],joint_1 [rad]\n" + "".join(f"{i},{spell % x}\n" for i, x in enumerate(values))
+    rows, resolution = read_csv_text(text, "a.csv")
+    return rows.q[:, 0], np.broadcast_to(resolution.q, rows.q.shape)[:, 0]
+
+
+@pytest.mark.parametrize("digits", [4, 5, 6, 9])
+@pytest.mark.parametrize("style", ["g", "f", "e"])
+@pytest.mark.parametrize("seed", range(4))
+def test_every_value_is_within_half_its_step_and_no_step_is_wider_than_its_format(
+    digits: int, style: str, seed: int
+) -> None:
+    """%.6g keeps six digits of any number, %.4f four decimals: known from the format, not from the reader."""
+    rng = np.random.default_rng(seed)
+    values = np.cumsum(rng.normal(size=400)) * 10.0 ** rng.uniform(-3, 1)
+    found, step = column(f"%.{digits}{style}", values)
+    assert (np.abs(found - values) <= step / 2 * (1 + 1e-6)).all()
+    size = np.floor(np.log10(np.abs(values)))
+    kept = digits - 1 if style == "g" else digits
+    wanted = np.full(len(values), 10.0**-digits) if style == "f" else 10.0 ** (size - kept)
+    # a rare power of ten with a handful of values may show fewer digits than its format has
+    often = np.array([np.sum(size == one) >= 20 for one in size])
+    assert (step[often] <= 1.001 * np.maximum(wanted[often], 1e-15)).all()
+
+
+def test_one_fine_row_says_nothing_about_the_others() -> None:
+    """A first row with all digits, as copied from a cell file, and a recorder's rows behind it."""
+    rng = np.random.default_rng(5)
+    values = np.round(0.5 + np.cumsum(rng.normal(size=100)) * 1e-3, 4)
+    text = "t [s],joint_1 [rad]\n" + "".join(f"{i},{x:.4f}\n" for i, x in enumerate(values))
+    exact = text.replace(f"\n0,{values[0]:.4f}", "\n0,0.52359877559829882")
+    assert steps(exact)[1] == [pytest.approx([1e-15, *[1e-4] * 99], rel=1e-6)]
+
+
+def test_a_value_that_ends_in_zeros_is_as_fine_as_its_neighbours() -> None:
+    text = "t [s],joint_1 [rad]\n0,0.5\n1,0.51\n2,0.512\n3,0.5124\n4,0.51\n5,0\n"
+    assert steps(text)[1] == [[pytest.approx(1e-4)] * 6]
+
+
+def test_an_axis_at_rest_is_printed_like_the_others() -> None:
+    """Its one zero, or its 0.5, says nothing about how finely it is printed; where it rests long, neither does that."""
+    moving = [f"{0.1 + 0.0123 * i:.4f}" for i in range(20)]
     text = "t [s],rail [m],joint_1 [rad],joint_2 [rad]\n"
-    text += "0.0,0.0,0.12,1e-3\n0.013,0.0,0.125,2.5e-4\n0.02,0.0,0.2,1\n0.03,0.0,0.2,1\n"
-    _, resolution = read_csv_text(text, "a.csv")
-    assert resolution.t == 1e-3
-    # the rail stands still: its one zero says nothing about how finely it is printed
-    assert resolution.q == pytest.approx([1e-5, 1e-3, 1e-5])
+    text += "".join(f"{i},0.0,{x},0.5\n" for i, x in enumerate(moving))
+    assert steps(text)[1] == [[pytest.approx(1e-4)] * 20] * 3
+    resting = text + "".join(f"{i},0.0,0.3,0.5\n" for i in range(20, 200))
+    assert steps(resting)[1] == [[pytest.approx(1e-4)] * 200] * 3
 
 
 def test_times_on_a_grid_are_not_rounded() -> None:
     rows = "t [s],joint_1 [rad]\n" + "".join(f"{0.004 * i:.3f},{i}\n" for i in range(5))
-    assert read_csv_text(rows, "a.csv")[1].t == 0.0
-    assert read_csv_text(rows.replace("0.008", "0.009"), "a.csv")[1].t == 1e-3
-    assert read_csv_text(rows + "0.0171,5\n", "a.csv")[1].t == 1e-4
+    assert steps(rows)[0] == [0.0] * 5
+    assert steps(rows.replace("0.008", "0.009"))[0] == [1e-3] * 5
+    # where it begins and where it ends, a grid may be cut
+    assert steps(rows + "0.0171,5\n")[0] == [*[0.0] * 5, 1e-4]
+    assert steps(rows.replace("\n0.000,", "\n0.001,"))[0] == [1e-3, *[0.0] * 4]
+
+
+def test_times_that_are_printed_alike_ask_for_more_digits() -> None:
+    text = "t [s],joint_1 [rad]\n" + "".join(f"{99.95 + 0.02 * i:.4g},{i}\n" for i in range(9))
+    with pytest.raises(InputError, match=r"^a.csv:6:1: time 100 s follows 100 s; .* print more digits of them$"):
+        read_csv_text(text, "a.csv")
 
 
 GOOD = "t [s],rail [m],joint_1 [rad]\n0,0,0\n0.1,0.5,1\n"

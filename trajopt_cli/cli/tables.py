@@ -11,7 +11,7 @@ from rich.table import Table
 from trajopt_cli.cli.layout import place, plain_table
 from trajopt_cli.cli.listing import shortened
 from trajopt_cli.cli.remarks import by_name, remarks
-from trajopt_cli.findings import Finding, Report, finding_record, good_side, nearest
+from trajopt_cli.findings import Finding, Report, finding_record, good_side, nearest, promise_record
 from trajopt_cli.notices import NoticeKind
 from trajopt_cli.pipeline.optimise import Optimised
 from trajopt_cli.problem.constant_speed import DIP, Dip, Stretch, Why
@@ -28,6 +28,7 @@ _DIPS = 10  # of constant speed, in text; summary.json has them all
 def cycle_line(label: str, plan: Plan) -> str:
     """A duration with its bound, gap and grid; of a gentle plan its strain beside that of the fastest."""
     bound = "" if plan.gap is None else f" (lower bound {plan.lower_bound:.3f} s, gap {100 * plan.gap:.1f} %)"
+    bound += "" if plan.suspicion is None else ", SUSPICIOUS: see the warning"
     if plan.eased is None:
         return f"{label}: T = {plan.duration:.3f} s{bound}, grid {plan.grid}"
     now, fast = plan.eased.planned, plan.eased.fastest
@@ -93,6 +94,7 @@ def optimised_record(answer: Optimised, interrupted: bool) -> dict[str, Any]:
             "cycle_time_s": plan.duration,
             "lower_bound_s": plan.lower_bound,
             "gap": plan.gap,
+            "suspicious": plan.suspicion,
             "saving": None if isinstance(before, str) or not before.duration else 1 - plan.duration / before.duration,
             "legal": judged.report.legal,
             "checks": len(judged.report.findings),
@@ -250,6 +252,9 @@ def reports_record(reports: Mapping[str, Report], unchecked: Sequence[str]) -> d
                 "legal": report.legal,
                 "checks": [finding_record(one) for one in report.findings],
                 "advice": [finding_record(one) for one in report.advice],
+                "too_coarse": report.too_coarse,
+                "rows_per_second": report.rate,
+                "promises": [promise_record(one) for one in report.promises],
             }
             for name, report in reports.items()
         },
@@ -258,6 +263,44 @@ def reports_record(reports: Mapping[str, Report], unchecked: Sequence[str]) -> d
 
 
 def verdict(name: str, report: Report) -> str:
-    """One line: legal or not, and by how many findings."""
+    """One line: legal or not, and by how many findings; of a file on a bare grid also what its rate leaves open."""
     bad = sum(not finding.passed for finding in report.findings)
-    return f"{name}: legal ({len(report.findings)} checks)" if not bad else f"{name}: ILLEGAL ({bad} checks failed)"
+    if report.too_coarse:
+        return f"{name}: TOO COARSE to be judged ({bad} checks cannot be made)"
+    if bad:
+        return f"{name}: ILLEGAL ({bad} checks failed)"
+    return f"{name}: legal{_granted(report)} ({len(report.findings)} checks)"
+
+
+def _granted(report: Report) -> str:
+    """What rows on a bare grid leave open, as " at 250 Hz: dwell known to 8 ms, ..."; empty for others."""
+    told = {(one.check, one.unit): one.least for one in report.promises}
+    if report.rate is None or not told:
+        return ""
+    stop, rest, dwell = (told[key] for key in (("stop reached", "m"), ("stop rest", "m/s"), ("dwell length", "s")))
+    return (
+        f" at {report.rate:.4g} Hz: dwell known to {dwell * 1e3:.3g} ms, stops to {stop / MM:.2g} mm and {rest:.2g} m/s"
+    )
+
+
+def promises_table(name: str, report: Report) -> Table:
+    """What every check is sure to see in a file."""
+    table = plain_table(
+        f"{name}: the least excess that is sure to be seen", "check", "~of", ">least seen", "unit", ">of limit",
+        ">lasting [s]", ">coarsest judged", "~print in steps of (SI)",
+    )  # fmt: skip
+    limits = {(one.check, one.subject): one.limit for one in report.findings}
+    for one in report.promises:
+        limit = limits.get((one.check, one.subject.partition(",")[0]), 0.0)
+        relative = one.check.startswith(("joint", "TCP")) and one.check != "joint position" and limit > 0
+        table.add_row(
+            one.check,
+            one.subject,
+            _figure(one.least, 3),
+            one.unit,
+            f"{100 * one.least / limit:.2g} %" if relative else "",
+            "" if one.lasting is None else f"{one.lasting:.3g}",
+            "" if one.most is None else f"{one.most:.3g}",
+            ", ".join(f"{what} {step:g}" for what, step in one.needs),
+        )
+    return table

@@ -15,6 +15,7 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.binding import binding_limits
 from trajopt_cli.optimize.bound import lower_bound
 from trajopt_cli.optimize.draft import Draft
+from trajopt_cli.optimize.driver import slowed
 from trajopt_cli.optimize.effort import efforts, rail_way
 from trajopt_cli.optimize.gentle import gentlest
 from trajopt_cli.optimize.improve import improved, sharpened
@@ -22,6 +23,7 @@ from trajopt_cli.optimize.incumbent import duration
 from trajopt_cli.optimize.joined import driven_by
 from trajopt_cli.optimize.legal import Memory, NoCleanPlan, Question, calmer_motions, legal_motion
 from trajopt_cli.optimize.legs import JointProfiles, LegMotion, PathLeg
+from trajopt_cli.optimize.plain import plain_motion
 from trajopt_cli.optimize.search import search
 from trajopt_cli.optimize.tables import turning, with_tables
 from trajopt_cli.optimize.tuning import (
@@ -29,6 +31,7 @@ from trajopt_cli.optimize.tuning import (
     RESIDUAL,
     ROW_APART,
     ROWS_AT_ONCE,
+    SLOWER,
 )
 from trajopt_cli.problem.changes import Changes
 from trajopt_cli.problem.detours import Detour, folded, quoted
@@ -41,6 +44,7 @@ from trajopt_cli.problem.problem import LegKind, Problem
 from trajopt_cli.problem.progress import Progress, Report, never_worse
 from trajopt_cli.trajectory import Trajectory
 
+_SLOW = "a slow plan that is legal, as no faster one was found ({why}); please report the program"
 _HELD = "the rail is held still there (hold_rail): begin the hold behind the approach, or let the rail move"
 
 
@@ -113,25 +117,57 @@ def optimize(
         eased = Eased(least, _strain(axes, draft), _strain(axes, gentle))
         draft, notes = gentle, (*notes, *more)
     rows = _rows(axes, problem, draft)
+    for times in SLOWER if rows is None else ():
+        problem, draft, eased = legal.problem, slowed(legal.problem, legal.draft, times), None
+        rows = _rows(axes, problem, draft)
+        if rows is not None:
+            notes = (_SLOW.format(why="the written rows would pass a limit between each other"),)
+            break
     if rows is None:
         raise NoCleanPlan("the written rows would pass a limit between each other")
-    trajectory, bounds = rows
-    legs = _motions(draft)
-    bound = None
+    trajectory = rows[0]
+    bound: float | None = None
     if bounded and not patience.interrupted:
         start = perf_counter()
         tell(Progress("bound", incumbent=trajectory.duration))
         known = least if eased else trajectory.duration
         asked = next(one for one in question.unchecked() if isinstance(one, Problem) and one.dropped == legal.dropped)
-        bound = _checked(_bound(axes, asked if legal.detours else problem, known), known)
+        least_possible = _bound(axes, asked if legal.detours else problem, known)
+        if _refutes(least_possible, known):
+            notes = (*notes, _refuted(least_possible, known))
+        else:
+            bound = min(least_possible, known)  # equal up to rounding where the bound is exact
         seconds["bound"] = perf_counter() - start
     tell(Progress("done", incumbent=least if eased else trajectory.duration, bound=bound))
-    grid = _grid(legs, problem)
-    motions = _planned(axes, problem, draft, legs, bounds)
     driven = driven_by(problem, legal.detours)
     ways = _ways(program, legal.detours, driven)
-    plan = Plan(target, trajectory, motions, bound, grid, seconds, (*ways, *notes), eased)
+    estimate = memory.estimates.get((target, freedom))
+    plan = _plan(axes, problem, draft, target, rows, (*ways, *notes))
+    plan = replace(plan, lower_bound=bound, seconds=seconds, eased=eased, estimate=estimate)
     return _without_others(folded(plan, program, legal.detours), driven)
+
+
+def _plan(
+    axes: Axes, problem: Problem, draft: Draft, target: Target, rows: tuple[Trajectory, Array], notes: tuple[str, ...]
+) -> Plan:
+    legs, (trajectory, bounds) = _motions(draft), rows
+    motions = _planned(axes, problem, draft, legs, bounds)
+    return Plan(target, trajectory, motions, None, _grid(legs, problem), notes=notes)
+
+
+def slow_plan(program: Program, plant: Plant, target: Target, changes: Changes | None, why: str) -> Plan | None:
+    """A slow plan that stops at every point, by none of the means of optimize: for where that has no legal one. why: in
+    words, for its note. None where there is none either."""
+    axes = Axes.of(plant)
+    problems = Question(program, plant, target, EVERYTHING, changes).problems(axes)
+    for problem in problems:
+        draft = plain_motion(axes, problem) if isinstance(problem, Problem) else None
+        if isinstance(problem, Infeasible) or draft is None:
+            continue
+        rows = _rows(axes, problem, draft)
+        if rows is not None:
+            return _plan(axes, problem, draft, target, rows, (_SLOW.format(why=why),))
+    return None
 
 
 def _strain(axes: Axes, draft: Draft) -> Strain:
@@ -156,9 +192,11 @@ def lower_bound_of(
 
 
 def bounded(plan: Plan, bound: float, spent: float) -> Plan:
-    """The plan with its lower bound [s], and the seconds spent for that. Raises NoCleanPlan where the plan refutes
-    it."""
-    return replace(plan, lower_bound=_checked(bound, plan.duration), seconds={**plan.seconds, "bound": spent})
+    """The plan with its lower bound [s], and the seconds spent for that; where the plan refutes it, with a note."""
+    seconds = {**plan.seconds, "bound": spent}
+    if _refutes(bound, plan.duration):
+        return replace(plan, notes=(*plan.notes, _refuted(bound, plan.duration)), seconds=seconds)
+    return replace(plan, lower_bound=min(bound, plan.duration), seconds=seconds)
 
 
 def _bound(axes: Axes, problem: Problem, duration: float) -> float:
@@ -166,11 +204,15 @@ def _bound(axes: Axes, problem: Problem, duration: float) -> float:
     return lower_bound(axes, problem, duration * 1.001)
 
 
-def _checked(bound: float, duration: float) -> float:
-    """The lower bound of a plan of this duration. Raises NoCleanPlan where that refutes it."""
-    if bound > duration * (1 + 1e-6):
-        raise NoCleanPlan(f"an error in trajopt: the lower bound {bound:.6f} s lies above the plan, {duration:.6f} s")
-    return min(bound, duration)  # equal up to rounding where the bound is exact
+def _refutes(bound: float, duration: float) -> bool:
+    return bound > duration * (1 + 1e-6)
+
+
+def _refuted(bound: float, duration: float) -> str:
+    return (
+        f"no lower bound is told: the one found, {bound:.6f} s, lies above the plan, {duration:.6f} s: an error in "
+        "trajopt; please report it"
+    )
 
 
 def search_estimate(program: Program, plant: Plant, target: Target, changes: Changes) -> float | None:

@@ -313,6 +313,15 @@ LEAST_LEFT = 0.5  # share that one round leaves of any other limit at least. Mea
 OVER = 1e-6  # share by which a closed-form joint move may pass a cap before it goes on a grid. Not measured.
 
 # ---- rows of the written file
+SLOWER = (
+    1.0,
+    1.001,
+    1.01,
+    1.1,
+    1.5,
+    3.0,
+)  # times as long as the first legal motion, where rows of a faster one are not
+# legal. Not measured.
 ROW_EVERY = 1e-3  # s, the grid: what a machine that follows a stream takes. Not measured.
 ROW_APART = 1e-5  # s; no two rows are nearer, or differences of rounded rows say nothing. Not measured.
 SAME_TIME = 1e-9  # s; boundaries nearer than this are one row. Not measured.

@@ -98,6 +98,7 @@ def _head(
     tiles.append(tile("after", f"{target} plan", f"{seconds(chosen.duration)} s", changed))
     if chosen.lower_bound is not None and chosen.gap is not None:
         gap = f"no legal motion is faster; gap {100 * chosen.gap:.1f} %"
+        gap += "" if chosen.suspicion is None else f"; suspicious: {chosen.suspicion}"
         tiles.append(tile("bound", f"lower bound, {target}", f"{seconds(chosen.lower_bound)} s", gap))
     gap = "" if second.gap is None else f", gap {100 * second.gap:.1f} %"
     told = f"{_change(written, second)}, for {_MACHINES[other]}{gap}".removeprefix(", ")

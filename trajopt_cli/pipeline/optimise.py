@@ -141,7 +141,7 @@ def optimise(
         notices = (*_notices(job, judged), *agreed.notices, *_one_way(job, export), *evaluation_notices())
         if no_rapid is not None:
             notices = (*notices, f"no RAPID text: {no_rapid}")
-        notices = (*notices, *_of_given_time(asked, judged))
+        notices = (*notices, *_of_given_time(asked, judged), *_suspicious(judged))
         placed = _placed(export, folder) if export is not None else ()
         ways = tuple(_said_once({one: judged[one].plan.notes for one in Target}))
         notes = (*ways, *_configurations(job, judged), *placed, *changes[Target.RAPID].kept, *unrolled)
@@ -387,6 +387,17 @@ def _of_given_time(asked: Mapping[Target, Objective], judged: Mapping[Target, Ju
             "the RAPID text does not say how gently its moves are driven: a controller drives them as fast as their "
             "speeds allow; rapid.csv is the motion meant"
         )
+
+
+def _suspicious(judged: Mapping[Target, Judged]) -> Iterator[str]:
+    """A word on plans that are far slower than can be expected, and what to do about it."""
+    for target, one in judged.items():
+        if (why := one.plan.suspicion) is not None:
+            yield (
+                f"the {target.value} plan is suspicious: {why}; it is legal, but far from what can be expected: see "
+                "which motions take longest, give it more time where --time-limit or Ctrl-C ended the search, and "
+                "report the program if that does not help"
+            )
 
 
 def _no_stops(job: Job, plan: Plan) -> frozenset[int]:

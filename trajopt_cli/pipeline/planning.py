@@ -128,6 +128,10 @@ def all_three(
 
     stream, rapid = Target.STREAM, Target.RAPID
 
+    def refused(target: Target, answer: Judged | Infeasible | NoPlan) -> bool:
+        """Whether the answer is no to a time that was asked for: no slower plan will do."""
+        return isinstance(answer, Infeasible) and isinstance(asked[target], LeastEffort)
+
     def second(
         tell: Callable[[Progress], None],
     ) -> tuple[tuple[Plan, findings.Report] | Infeasible | NoPlan, Plan | str, float | None, dict[str, float]]:
@@ -143,17 +147,18 @@ def all_three(
             memory,
             objective=asked[rapid],
         )
-        if not isinstance(answer, Judged):
-            return answer, "", None, own.seconds
-        tell(Progress("as written", answer.plan.duration, answer.plan.lower_bound))
+        tell(Progress("as written", *((answer.plan.duration,) if isinstance(answer, Judged) else ())))
         written = as_written(job, changes[rapid], own, memory, kept_written, patience)
         if isinstance(written, Plan):
-            if not answer.report.legal:
-                note = f"the plan is the program as written: a faster one {forbidden(answer)}"
-                bound, spent = answer.plan.lower_bound, answer.plan.seconds
-                slower = kept[rapid].keep(replace(written, lower_bound=bound, seconds=spent, notes=(note,)))
-                answer = _judged(job, slower, kept[rapid], own)
+            if not refused(rapid, answer) and (why := instead(answer, written)) is not None:
+                note, found = f"the plan is the program as written: {why}", answer
+                plan = replace(written, notes=(note,))
+                if isinstance(found, Judged):
+                    plan = replace(plan, lower_bound=found.plan.lower_bound, seconds=found.plan.seconds)
+                answer = _judged(job, kept[rapid].keep(plan), kept[rapid], own)
             written = without_rows(written)
+        if not isinstance(answer, Judged):
+            return answer, written, None, own.seconds
         estimate = memory.estimates.get((rapid, EVERYTHING))
         return (without_rows(answer.plan), answer.report), written, estimate, own.seconds
 
@@ -162,7 +167,7 @@ def all_three(
 
     if jobs == 1:
         first = solve(job, stream, changes[stream], listen, clock, patience, kept[stream], objective=asked[stream])
-        if isinstance(first, Infeasible):
+        if refused(stream, first):
             return {stream: first}, "", None
         found, written, estimate, seconds = second(hear)
     else:
@@ -183,27 +188,66 @@ def all_three(
                 hands=lambda: max(1, jobs - (not beside.done)),
                 objective=asked[stream],
             )
-            if isinstance(first, Infeasible):
+            if refused(stream, first):
                 return {stream: first}, "", None
             found, written, estimate, seconds = beside.answer()
     clock.seconds |= seconds
     if isinstance(written, Plan) and kept_written is not None:
         written = kept_written.kept(written)
     answer = Judged(kept[rapid].kept(found[0]), kept[rapid], found[1]) if isinstance(found, tuple) else found
+    if not refused(rapid, answer):
+        answer = legal_or_slow(job, rapid, changes[rapid], answer, kept[rapid], clock)
     failure = None
-    if isinstance(first, NoPlan):
-        failure = f"no other one was found ({first.message}): an error in trajopt; please report it"
+    if isinstance(first, NoPlan | Infeasible):
+        failure = f"no other one was found ({said(first)}): an error in trajopt; please report it"
     elif not first.report.legal:
         failure = f"a stream plan that was found {forbidden(first)}"
     if isinstance(answer, Judged) and answer.report.legal:
         plan = streamed(answer.plan, first.plan if isinstance(first, Judged) else None, failure)
         first = first if plan is None else _judged(job, plan, answer.rows, clock)
+    else:
+        first = legal_or_slow(job, stream, changes[stream], first, kept[stream], clock)
     plans = {one.value: judged.plan for one, judged in ((stream, first), (rapid, answer)) if isinstance(judged, Judged)}
     if isinstance(written, Plan) and not any(isinstance(one, LeastEffort) for one in asked.values()):
         plans["as-written"] = written
     if (wrong := out_of_order(plans)) is not None:
         return {stream: NoPlan(stream.value, wrong)}, written, estimate
     return {stream: first, rapid: answer}, written, estimate
+
+
+def said(answer: Infeasible | NoPlan) -> str:
+    """Why there is no plan, in words."""
+    return answer.message if isinstance(answer, NoPlan) else str(answer)
+
+
+def instead(answer: Judged | Infeasible | NoPlan, written: Plan) -> str | None:
+    """Why the program as written is the better answer, in words; None where it is not."""
+    if not isinstance(answer, Judged):
+        return f"no other one was found ({said(answer)}): an error in trajopt; please report it"
+    if not answer.report.legal:
+        return f"a faster one {forbidden(answer)}"
+    slower = answer.plan.eased is None and answer.plan.duration > written.duration * (1 + _ROUNDING)
+    return "what was found takes longer: an error in trajopt; please report it" if slower else None
+
+
+def legal_or_slow(
+    job: Job, target: Target, changes: Changes, answer: Judged | Infeasible | NoPlan, kept: RowsFile, clock: Clock
+) -> Judged | Infeasible | NoPlan:
+    """The answer; where that is no legal plan, a slow one that stops at every point, if that is legal. kept: where its
+    rows go then."""
+    from trajopt_cli.optimize import slow_plan
+
+    if isinstance(answer, Judged) and answer.report.legal:
+        return answer
+    why = said(answer) if not isinstance(answer, Judged) else f"the one found {forbidden(answer)}"
+    with clock.phase(f"{target.value}: slow plan"):
+        slow = slow_plan(job.program, job.plant, target, changes, why)
+        if slow is None or slow.duration == 0.0:
+            return answer
+        own = RowsFile()  # the rows of the other plan are in kept
+        if not _judged(job, own.keep(slow), own, clock).report.legal:
+            return answer
+        return _judged(job, kept.keep(slow), kept, clock)
 
 
 def touches(judged: Judged) -> tuple[Finding, ...]:
@@ -401,15 +445,15 @@ def judge(
     target: Target | None = None,
     advice: bool = True,
 ) -> findings.Report:
-    """What the judge says of a CSV file's text, or of an open one; file is its name in messages, the rest as in
-    verify."""
+    """What the judge says of a CSV file's text, or of an open one; file is its name in messages, advice: and promises,
+    the rest as in verify."""
     from trajopt_cli.joint_csv import check_reach, read_csv_text
     from trajopt_cli.verify.judge import verify
 
     trajectory, resolution = read_csv_text(text, file)
     if trajectory.names == plant.limits.names:
         check_reach(trajectory, plant.limits.lower, plant.limits.upper, file)
-    return verify(program, plant, trajectory, resolution, dropped, target, advice)
+    return verify(program, plant, trajectory, resolution, dropped, target, advice, promises=advice)
 
 
 def worst(report: findings.Report) -> Finding:

@@ -104,6 +104,13 @@ class Eased:
     planned: Strain
 
 
+MOST_GAP = 1.0
+"""Gap beyond which a plan is suspicious: first legal plans of random programs have up to a third of this."""
+
+MOST_TIMES = 2.0
+"""Times the search's estimate beyond which a plan is suspicious: those take 0.6 to 1.1 times as long."""
+
+
 @dataclass(frozen=True, eq=False)
 class Plan:
     """A motion for the whole program on one target.
@@ -111,6 +118,7 @@ class Plan:
     lower_bound: no legal motion of this target's model is faster [s], None where none was asked for.
     grid: intervals per motion the optimiser ended with, for the printed duration. seconds: time spent per phase.
     notes: where the plan came by another way than hoped, one line each. eased: where the least effort was asked for.
+    estimate: what the chain takes that the search began with [s], None where there was no search.
     detours: the ways around bodies. motions are the program's own, each from its start to its end with its points.
     """
 
@@ -123,6 +131,7 @@ class Plan:
     notes: tuple[str, ...] = ()
     eased: Eased | None = None
     detours: tuple[Detour, ...] = ()
+    estimate: float | None = None
 
     @property
     def duration(self) -> float:
@@ -137,6 +146,16 @@ class Plan:
         if self.lower_bound is None or least == self.lower_bound:
             return None if self.lower_bound is None else 0.0
         return (least - self.lower_bound) / self.lower_bound
+
+    @property
+    def suspicion(self) -> str | None:
+        """Why the plan is suspiciously slow, in words; None where it is not."""
+        least = self.duration if self.eased is None else self.eased.least_time
+        if self.gap is not None and self.gap > MOST_GAP:
+            return f"it takes {least / max(self.lower_bound or 0.0, 1e-9):.3g} times its lower bound"
+        if self.estimate is not None and least > MOST_TIMES * self.estimate:
+            return f"it takes {least / max(self.estimate, 1e-9):.3g} times what the search estimated"
+        return None
 
 
 @dataclass(frozen=True)

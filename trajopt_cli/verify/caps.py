@@ -22,7 +22,7 @@ from trajopt_cli.verify.course import Point, obeys_programmed_speed
 from trajopt_cli.verify.findings import Series, Worst, finding, worse
 from trajopt_cli.verify.frame import Frame, carried
 from trajopt_cli.verify.machine import Machine
-from trajopt_cli.verify.rows import INNER, LAGS, Along, Rows, second_differences, windows
+from trajopt_cli.verify.rows import INNER, LAGS, Along, Rows, mean_of, second_differences, windows
 from trajopt_cli.verify.timeline import Timeline, Visit, outside_zones
 from trajopt_cli.verify.tolerances import JOINT, TCP
 
@@ -60,7 +60,8 @@ class Inner:
     @cached_property
     def _doubt_qd(self) -> Array:
         rows = self.frame.rows
-        return np.asarray(rows.doubt_v / 2 + 1.5 * rows.mismatch[1][self.first : self.last])
+        steps = rows.doubt_v[self.first : self.last + 1]
+        return np.asarray(np.maximum(steps[1:], steps[:-1]) / 2 + 1.5 * rows.mismatch[1][self.first : self.last])
 
     @property
     def speed(self) -> Array:
@@ -169,8 +170,8 @@ def _speeds(frame: Frame, first: int, last: int, inner: Inner | None) -> Iterato
     rows = frame.rows
     for m in LAGS:
         if first + m <= last:
-            h = rows.t[first + m : last + 1] - rows.t[first : last + 1 - m]
-            yield rows.t[first : last + 1 - m], frame.path_lengths(m)[first : last + 1 - m] / (h + rows.doubt_t)
+            way = frame.path_lengths(m)[first : last + 1 - m]
+            yield rows.t[first : last + 1 - m], way / _times(rows, first, last, m)
     if rows.qd is not None:
         yield rows.t[first : last + 1], frame.least_speed[first : last + 1]
     if inner is not None:
@@ -184,7 +185,7 @@ def accelerations(frame: Frame, first: int, last: int, inner: Inner | None) -> I
     """
     rows, part = frame.rows, slice(first, last + 1)
     t = rows.t[part]
-    for m, value, doubt in second_differences(t, frame.p[part], frame.doubt_p[part, None], rows.doubt_t):
+    for m, value, doubt in second_differences(t, frame.p[part], frame.doubt_p[part, None], rows.step_t[part]):
         # the doubt about a position is a length, the same for the whole vector
         yield t[m : len(t) - m], np.linalg.norm(value, axis=1) - doubt.max(axis=1)
     if rows.qd is None:
@@ -193,7 +194,7 @@ def accelerations(frame: Frame, first: int, last: int, inner: Inner | None) -> I
     for m in LAGS:
         if m < len(t):
             change = np.linalg.norm(V[m:] - V[:-m], axis=1) - doubt_V[m:] - doubt_V[:-m]
-            yield t[:-m], np.maximum(change, 0.0) / (t[m:] - t[:-m] + rows.doubt_t)
+            yield t[:-m], np.maximum(change, 0.0) / _times(rows, first, last, m)
     if inner is not None:
         yield from inner.accelerations
 
@@ -223,10 +224,11 @@ def _rail(frame: Frame, a: int, b: int) -> Iterator[tuple[Array, Array]]:
     rows = frame.rows
     for m in LAGS:
         if a + m <= b:
-            way = np.abs(rows.q[a + m : b + 1, 0] - rows.q[a : b + 1 - m, 0]) - rows.doubt_q[0]
+            here, after = slice(a, b + 1 - m), slice(a + m, b + 1)
+            way = np.abs(rows.q[after, 0] - rows.q[here, 0]) - mean_of(rows.doubt_q, here, after)[:, 0]
             yield rows.t[a : b + 1 - m], np.maximum(way, 0.0) / _times(rows, a, b, m)
     if rows.qd is not None:
-        yield rows.t[a : b + 1], np.abs(rows.qd[a : b + 1, 0]) - rows.doubt_v[0]
+        yield rows.t[a : b + 1], np.abs(rows.qd[a : b + 1, 0]) - rows.doubt_v[a : b + 1, 0]
 
 
 def _means(frame: Frame, a: int, b: int, ways: Callable[[int], Along]) -> Iterator[tuple[Array, Array]]:
@@ -236,7 +238,8 @@ def _means(frame: Frame, a: int, b: int, ways: Callable[[int], Along]) -> Iterat
 
 
 def _times(rows: Rows, a: int, b: int, m: int) -> Array:
-    return np.asarray(rows.t[a + m : b + 1] - rows.t[a : b + 1 - m] + rows.doubt_t)
+    here, after = slice(a, b + 1 - m), slice(a + m, b + 1)
+    return np.asarray(rows.t[after] - rows.t[here] + rows.unsure(here, after))
 
 
 @dataclass(frozen=True)

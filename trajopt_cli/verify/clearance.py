@@ -51,10 +51,12 @@ def check_clearance(
     source_at: SourceAt,
     legs: Sequence[Leg] | None = None,
     start: str = "",
+    open_: float = 0.0,
 ) -> list[Finding]:
     """One finding per obstacle and one for the robot against itself; none where the plant has no shapes for it.
 
-    legs: which bodies are where during which rows; None: as at the start, all the time.
+    legs: which bodies are where during which rows; None: as at the start, all the time. open_: how much nearer than it
+    is the robot may be seen, as its rows and their digits show it [m].
     """
     mechanism = mechanism_of(plant)
     sweep = Sweep(mechanism, trajectory)
@@ -76,12 +78,12 @@ def check_clearance(
             if second in named:
                 own.add(leg, named[second], named[first])
     out = [
-        _finding(CLEARANCE, program, sweep, group, plant.clearance, source_at, start)
+        _finding(CLEARANCE, program, sweep, group, plant.clearance, source_at, start, open_)
         for group in (spans.group() for spans in facing.values())
         if group
     ]
     pairs = own.group()
-    return [*out, _finding(SELF_CLEARANCE, program, sweep, pairs, 0.0, source_at, start)] if pairs else out
+    return [*out, _finding(SELF_CLEARANCE, program, sweep, pairs, 0.0, source_at, start, open_)] if pairs else out
 
 
 class _Spans:
@@ -120,18 +122,19 @@ def _finding(
     wanted: float,
     source_at: SourceAt,
     start: str = "",
+    open_: float = 0.0,
 ) -> Finding:
     least = sweep.least(group, wanted)
-    passed = least.proven and least.distance >= wanted
+    passed = least.proven and least.distance >= wanted - open_
     first = least
-    if least.distance < wanted:
-        first = sweep.first_below(group, 0.0 if least.distance < 0 else wanted) or least
+    if least.distance < wanted - open_:
+        first = sweep.first_below(group, (0.0 if least.distance < -open_ else wanted) - open_) or least
     # Before the first row nothing is under way: the program's first motion leaves from there.
     source = source_at(first.time) or next((motion.source for motion in program.motions), None)
     if passed:
         said = f"{_names(least)} come nearest at {least.time:.3f} s, {least.distance * 1e3:.1f} mm"
         message = f"{said}; no touch deeper than {OVERLOOKED * 1e3:g} mm was overlooked"
-    elif least.distance >= wanted:
+    elif least.distance >= wanted - open_:
         said = f"{least.distance * 1e3:.1f} mm at {least.time:.3f} s"
         message = f"{_names(least)} are not judged to the end: after {LOOKS} looks the nearest is {said}, and nobody"
         message += " knows what is between; see the rows: axes go to and fro, or speeds do not fit the positions"

@@ -119,9 +119,14 @@ def _along(
         wanted = isinstance(move, MoveL) and None not in (settings.path_acceleration, settings.path_deceleration)
         return tcp_accelerations(frame, first, last, inner) if wanted and lower == (sign < 0) else None
     t, here = rows.t[first : last + 1], slice(first, last + 1)
+    off_t = rows.step_t[here]
     speed, doubt = np.linalg.norm(frame.V[here, :3], axis=1), frame.doubt_V[0][here]
     return [
-        (t[:-m], (sign * (speed[m:] - speed[:-m]) - doubt[m:] - doubt[:-m]) / (t[m:] - t[:-m] + rows.doubt_t))
+        (
+            t[:-m],
+            (sign * (speed[m:] - speed[:-m]) - doubt[m:] - doubt[:-m])
+            / (t[m:] - t[:-m] + (off_t[m:] + off_t[:-m]) / 2),
+        )
         for m in LAGS
         if m < len(t)
     ]

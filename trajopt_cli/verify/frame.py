@@ -53,12 +53,13 @@ class Frame:
         def make(a: int, b: int) -> tuple[Array, ...]:
             X, columns = rows.X_WF[a:b], [part[a:b] for part in self._columns]
             p = X[:, :3, :3] @ self.X_FT[:3, 3] + X[:, :3, 3]
-            doubts = [lengths @ (rows.doubt_q / 2) for lengths in columns]
+            doubts = [(lengths * rows.doubt_q[a:b]).sum(axis=1) / 2 for lengths in columns]
             if rows.qd is None:
                 return p, *doubts
             V, total = (self.J[a:b] @ rows.qd[a:b, :, None])[..., 0], np.abs(rows.qd[a:b]).sum(axis=1)
             doubt_V = [
-                lengths @ (rows.doubt_v / 2) + total * doubt for lengths, doubt in zip(columns, doubts, strict=True)
+                (lengths * rows.doubt_v[a:b]).sum(axis=1) / 2 + total * doubt
+                for lengths, doubt in zip(columns, doubts, strict=True)
             ]
             speeds = np.linalg.norm(V[:, :3], axis=1), np.linalg.norm(V[:, 3:], axis=1)
             least = (np.maximum(one - doubt, 0.0) for one, doubt in zip(speeds, doubt_V, strict=True))
@@ -104,7 +105,7 @@ class Frame:
 
         def make(a: int, b: int) -> tuple[Array, ...]:
             total = np.abs(qd[a:b]).sum(axis=1)
-            linear, angular = (columns[a:b] @ (rows.doubt_v / 2) for columns in self._columns)
+            linear, angular = ((columns[a:b] * rows.doubt_v[a:b]).sum(axis=1) / 2 for columns in self._columns)
             V = (self.J[a:b] @ qd[a:b, :, None])[..., 0]
             return V, linear + total * self.doubt_p[a:b], angular + total * self.doubt_R[a:b]
 
@@ -137,7 +138,8 @@ class Frame:
 
     def _from_neighbours(self, way: Array, top: float) -> Array:
         h = np.diff(self.rows.t)
-        return both_sides(np.maximum(way / (h + self.rows.doubt_t) - top * h / 2, 0.0)[:, None])[:, 0]
+        off_t = self.rows.unsure(slice(None, -1), slice(1, None))
+        return both_sides(np.maximum(way / (h + off_t) - top * h / 2, 0.0)[:, None])[:, 0]
 
     @cached_property
     def stop_boxes(self) -> Boxes:

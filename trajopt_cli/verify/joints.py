@@ -10,7 +10,7 @@ from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.limits import CoupledRange
 from trajopt_cli.verify.findings import Series, SourceAt, Worst, axis_unit, finding
-from trajopt_cli.verify.rows import INNER, LAGS, Rows, second_differences, shortest, windows
+from trajopt_cli.verify.rows import INNER, LAGS, Rows, mean_of, second_differences, shortest, windows
 from trajopt_cli.verify.tolerances import JOINT
 
 _RESTING = 32  # rows of rest that are looked at before a file and behind it
@@ -67,7 +67,7 @@ def _positions(rows: Rows, j: int, first: int, last: int) -> Iterator[tuple[Arra
     yield t, q, q
     if rows.qd is not None:
         v = rows.qd[part, j]
-        reach = np.maximum(np.abs(v) - rows.doubt_v[j], 0) ** 2 / (2 * rows.plant.limits.acceleration[j])
+        reach = np.maximum(np.abs(v) - rows.doubt_v[part, j], 0) ** 2 / (2 * rows.plant.limits.acceleration[j])
         peak = np.maximum(q[:-1] + reach[:-1], q[1:] + reach[1:])
         valley = np.minimum(q[:-1] - reach[:-1], q[1:] - reach[1:])
         over, under = (v[:-1] > 0) & (v[1:] < 0), (v[:-1] < 0) & (v[1:] > 0)
@@ -83,7 +83,7 @@ def _coupled(rows: Rows, one: CoupledRange, source_at: SourceAt) -> Finding:
     turned back between two rows, and on the Hermite."""
     limits = rows.plant.limits
     at, factors = [limits.names.index(axis) for axis in one.axes], np.array(one.factors)
-    top, doubt_q = (float(np.abs(factors) @ x[at]) for x in (limits.acceleration, rows.doubt_q))
+    top = float(np.abs(factors) @ limits.acceleration[at])
     up, down = Series(1.0), Series(1.0)
     last = len(rows.t) - 1
     for part in windows(0, last):
@@ -92,7 +92,8 @@ def _coupled(rows: Rows, one: CoupledRange, source_at: SourceAt) -> Finding:
         places = [(t, x, x)]
         if rows.qd is not None:
             v = rows.qd[part[0] : part[1] + 1, at] @ factors
-            reach = np.maximum(np.abs(v) - np.abs(factors) @ rows.doubt_v[at], 0) ** 2 / (2 * top)
+            doubt_v = rows.doubt_v[part[0] : part[1] + 1, at] @ np.abs(factors)
+            reach = np.maximum(np.abs(v) - doubt_v, 0) ** 2 / (2 * top)
             over, under = (v[:-1] > 0) & (v[1:] < 0), (v[:-1] < 0) & (v[1:] > 0)
             peak = np.where(over, np.maximum(x[:-1] + reach[:-1], x[1:] + reach[1:]), x[:-1])
             valley = np.where(under, np.minimum(x[:-1] - reach[:-1], x[1:] - reach[1:]), x[:-1])
@@ -105,11 +106,18 @@ def _coupled(rows: Rows, one: CoupledRange, source_at: SourceAt) -> Finding:
     upper_is_worse = up.worst.value - one.upper >= one.lower + down.worst.value
     worst, limit = (up.worst, one.upper) if upper_is_worse else (down.worst, one.lower)
     value = worst.value if upper_is_worse else -worst.value
+    doubt_q = float(np.abs(factors) @ rows.doubt_q[row_at(rows, worst.time)][at])
     excess = (value - limit if upper_is_worse else limit - value) - doubt_q / 2
     return finding(
         "joint position", one.name, value, limit, "rad", excess <= JOINT * (one.upper - one.lower),
         time=worst.time, source=source_at(worst.time), words="position",
     )  # fmt: skip
+
+
+def row_at(rows: Rows, time: float) -> int:
+    """The coarser printed of the rows beside a time."""
+    i = min(int(np.searchsorted(rows.t, time)), len(rows.t) - 1)
+    return max((i, max(i - 1, 0)), key=lambda row: float(rows.doubt_q[row].sum()))
 
 
 def _between(rows: Rows, first: int, last: int) -> tuple[Array, ...]:
@@ -124,7 +132,7 @@ def _position(rows: Rows, j: int, up: Worst, down: Worst, source_at: SourceAt) -
     name, low, high = limits.names[j], limits.lower[j], limits.upper[j]
     upper_is_worse = up.value - high >= low + down.value
     value, limit, time = (up.value, high, up.time) if upper_is_worse else (-down.value, low, down.time)
-    excess = (value - high if upper_is_worse else low - value) - rows.doubt_q[j] / 2
+    excess = (value - high if upper_is_worse else low - value) - rows.doubt_q[row_at(rows, time), j] / 2
     return finding(
         "joint position", name, value, float(limit), axis_unit(name), excess <= JOINT * (high - low),
         time=time, source=source_at(time), words="position",
@@ -138,51 +146,54 @@ def _speeds(rows: Rows, j: int, first: int, last: int) -> Iterator[tuple[Array, 
     covers less, it need not go faster than (v0 + v1 + A h)/2 - sqrt(A (D - d)).
     """
     part = slice(first, last + 1)
-    t, q, doubt = rows.t[part], rows.q[part, j], rows.doubt_q[j]
+    t, q, off_q, off_t = rows.t[part], rows.q[part, j], rows.doubt_q[part, j] / 2, rows.step_t[part] / 2
     for m in LAGS:
         if m < len(t):
-            yield t[:-m], np.maximum(np.abs(q[m:] - q[:-m]) - doubt, 0.0) / (t[m:] - t[:-m] + rows.doubt_t)
+            way = np.maximum(np.abs(q[m:] - q[:-m]) - off_q[m:] - off_q[:-m], 0.0)
+            yield t[:-m], way / (t[m:] - t[:-m] + off_t[m:] + off_t[:-m])
     if rows.qd is None:
         return
-    v = rows.qd[part, j]
-    yield t, np.abs(v) - rows.doubt_v[j]
+    v, doubt_v = rows.qd[part, j], rows.doubt_v[part, j]
+    yield t, np.abs(v) - doubt_v
+    doubt_v = np.maximum(doubt_v[1:], doubt_v[:-1])
     e, doubt_e = (values[first:last, j] for values in rows.mismatch)
     if rows.exact:
         inner_t, _, inner_v, _ = _between(rows, first, last)
         # the Hermite's speed is that of its rows plus 6u(1-u) e at most
-        doubt_v = rows.doubt_v[j] + 1.5 * np.repeat(doubt_e, len(INNER))
-        yield inner_t, np.abs(inner_v[:, j]) - doubt_v
+        yield inner_t, np.abs(inner_v[:, j]) - np.repeat(doubt_v + 1.5 * doubt_e, len(INNER))
     top = rows.plant.limits.acceleration[j] * (1 + JOINT)
     h = np.diff(t)
     e = np.sign(e) * np.maximum(np.abs(e) - doubt_e, 0.0)
     for sign in (1.0, -1.0):
         total, change = sign * (v[1:] + v[:-1]), v[1:] - v[:-1]
         spare = top * h * h / 4 - change**2 / (4 * top) - sign * e * h
-        yield t[:-1], (total + top * h) / 2 - np.sqrt(top * np.maximum(spare, 0.0)) - rows.doubt_v[j]
+        yield t[:-1], (total + top * h) / 2 - np.sqrt(top * np.maximum(spare, 0.0)) - doubt_v
 
 
 def _from_rest(rows: Rows, j: int) -> tuple[Array, Array]:
     """Least accelerations of axis j beside both ends of the file, where it is at rest: it moves by A h^2/2 at most."""
     ends = np.array([0, len(rows.t) - 2])
-    step = np.maximum(np.abs(rows.q[ends + 1, j] - rows.q[ends, j]) - rows.doubt_q[j], 0.0)
-    h = rows.t[ends + 1] - rows.t[ends]
-    return rows.t[ends + np.array([0, 1])], 2 * step / (h + rows.doubt_t) ** 2
+    off_q = mean_of(rows.doubt_q, ends, ends + 1)[:, j]
+    step = np.maximum(np.abs(rows.q[ends + 1, j] - rows.q[ends, j]) - off_q, 0.0)
+    h = rows.t[ends + 1] - rows.t[ends] + rows.unsure(ends, ends + 1)
+    return rows.t[ends + np.array([0, 1])], 2 * step / h**2
 
 
 def accelerations(rows: Rows, j: int, first: int, last: int) -> Iterator[tuple[Array, Array]]:
     """Least accelerations of axis j between two rows, with their times: second divided differences over all lags;
     speed differences; the Hermite's ends."""
     part, between = slice(first, last + 1), slice(first, last)
-    t, q, doubt = rows.t[part], rows.q[part, j : j + 1], rows.doubt_q[j]
-    for m, value, uncertain in second_differences(t, q, np.array([[doubt / 2]]), rows.doubt_t):
+    t, q, off_t = rows.t[part], rows.q[part, j : j + 1], rows.step_t[part]
+    for m, value, uncertain in second_differences(t, q, rows.doubt_q[part, j : j + 1] / 2, off_t):
         yield t[m : len(t) - m], (np.abs(value) - uncertain)[:, 0]
     h = np.diff(t)
     if rows.qd is None:
         return
-    v = rows.qd[part, j]
+    v, off_v = rows.qd[part, j], rows.doubt_v[part, j] / 2
     for m in LAGS:
         if m < len(t):
-            yield t[:-m], np.maximum(np.abs(v[m:] - v[:-m]) - rows.doubt_v[j], 0) / (t[m:] - t[:-m] + rows.doubt_t)
+            change = np.maximum(np.abs(v[m:] - v[:-m]) - off_v[m:] - off_v[:-m], 0)
+            yield t[:-m], change / (t[m:] - t[:-m] + (off_t[m:] + off_t[:-m]) / 2)
     if rows.exact:
         mean = np.diff(v) / h
         swing = 6 * rows.mismatch[0][between, j] / h
@@ -200,14 +211,16 @@ def _jerks(rows: Rows, j: int, first: int, last: int) -> Iterator[tuple[Array, A
     # a lag of third differences reaches farther than windows overlap
     part = slice(first, min(last + LAGS[-1], len(rows.t) - 1) + 1)
     t = np.concatenate([before, rows.t[part], after])
-    x, doubt = (rows.q, rows.doubt_q) if rows.qd is None else (rows.qd, rows.doubt_v)
+    x, steps = (rows.q, rows.doubt_q) if rows.qd is None else (rows.qd, rows.doubt_v)
     ends = (0.0, 0.0) if rows.qd is not None else (x[0, j], x[-1, j])
     column = np.pad(x[part, j], (len(before), len(after)), constant_values=ends)[:, None]
-    for m, value, uncertain in second_differences(t, column, np.array([[doubt[j] / 2]]), rows.doubt_t):
+    half = np.pad(steps[part, j] / 2, (len(before), len(after)), mode="edge")[:, None]
+    off_t = np.pad(rows.step_t[part], (len(before), len(after)), mode="edge")
+    for m, value, uncertain in second_differences(t, column, half, off_t):
         if rows.qd is not None:
             yield t[m : len(t) - m], (np.abs(value) - uncertain)[:, 0]
         elif len(value) > m:
-            span = shortest(t[3 * m :] - t[: -3 * m], rows.doubt_t)
+            span = shortest(t[3 * m :] - t[: -3 * m], (off_t[3 * m :] + off_t[: -3 * m]) / 2)
             third = np.abs(value[m:] - value[:-m])[:, 0] - (uncertain[m:] + uncertain[:-m])[:, 0]
             yield t[m : len(t) - 2 * m], 3 * third / span
 
@@ -221,7 +234,8 @@ def _off_columns(rows: Rows, j: int, first: int, last: int) -> tuple[Array, Arra
     assert rows.qd is not None
     top, part = rows.plant.limits.acceleration[j] * (1 + JOINT), slice(first, last + 1)
     h, (e, doubt) = np.diff(rows.t[part]), (values[first:last, j] for values in rows.mismatch)
-    used = np.maximum(np.abs(np.diff(rows.qd[part, j])) - rows.doubt_v[j], 0.0) / (top * h)
+    off_v = mean_of(rows.doubt_v, slice(first, last), slice(first + 1, last + 1))[:, j]
+    used = np.maximum(np.abs(np.diff(rows.qd[part, j])) - off_v, 0.0) / (top * h)
     room = top * h / 4 * (1 - np.minimum(used, 1.0) ** 2)
     return np.abs(e) - doubt - room, np.abs(e), room + doubt
 

@@ -183,7 +183,7 @@ def _rail_share(run: Run, leg: int) -> Iterator[Finding]:
     s_1, d_1 = (1.0, rows.q[last, 0]) if visit.point.fly_by is None else (s[-1], d[-1])
     slope = (d_1 - d_0) / max(s_1 - s_0, 1e-9)
     doubt = (run.places.doubt_angle if way.only_turns else run.places.doubt_p)[here] / way.way
-    granted = _end_doubt(rows, before, visit)[0] + rows.doubt_q[0] / 2 + 2 * abs(slope) * doubt
+    granted = _end_doubt(rows, before, visit)[0] + rows.doubt_q[where, 0] / 2 + 2 * abs(slope) * doubt
     off = np.maximum(np.abs(d - (d_0 + (np.clip(s, 0.0, 1.0) - s_0) * slope)) - granted, 0.0)
     i = int(np.argmax(off))
     kind = "arc" if isinstance(way, Arc) else "line"
@@ -196,14 +196,15 @@ def _end_doubt(rows: Rows, before: Visit, visit: Visit) -> Array:
     """How far axes at the rows of both rests may be from where they really rested (k,)."""
     stops = [(before, before.depart), (visit, visit.arrive)]
     tau = max((float(rows.open_time[row]) for one, row in stops if one.point.fly_by is None), default=0.0)
-    return np.asarray(rows.doubt_q / 2 + rows.plant.limits.acceleration * tau**2 / 2)
+    doubt_q = np.maximum(rows.doubt_q[before.depart], rows.doubt_q[visit.arrive])
+    return np.asarray(doubt_q / 2 + rows.plant.limits.acceleration * tau**2 / 2)
 
 
 def _arm_holds(rows: Rows, before: Visit, visit: Visit) -> Finding:
     """MoveExtJ: the arm's joints stay as they were."""
     first, last = before.depart, visit.arrive
     off = np.abs(rows.q[first : last + 1, -6:] - rows.q[first, -6:])
-    least = np.maximum(off - rows.doubt_q[-6:] / 2 - _end_doubt(rows, before, visit)[-6:], 0.0)
+    least = np.maximum(off - rows.doubt_q[first : last + 1, -6:] / 2 - _end_doubt(rows, before, visit)[-6:], 0.0)
     i, j = np.unravel_index(int(np.argmax(least)), least.shape)
     name = rows.plant.limits.names[len(rows.plant.limits.names) - 6 + int(j)]
     value = float(least[i, j])
@@ -229,8 +230,8 @@ def _straight(run: Run, leg: int) -> Iterator[Finding]:
     share = ((q - q_0) * weight) @ way / max(float(way @ way), 1e-300)
     off = np.abs(q - (q_0 + np.clip(share, 0, 1)[:, None] * (q_1 - q_0)))
     # rounding of all axes enters the share
-    doubt_share = float((rows.doubt_q / 2 * weight) @ np.abs(way)) / max(float(way @ way), 1e-300)
-    granted = rows.doubt_q / 2 + 2 * _end_doubt(rows, before, visit) + doubt_share * np.abs(q_1 - q_0)
+    doubt_share = (rows.doubt_q[where] / 2 * weight) @ np.abs(way) / max(float(way @ way), 1e-300)
+    granted = rows.doubt_q[where] / 2 + 2 * _end_doubt(rows, before, visit) + doubt_share[:, None] * np.abs(q_1 - q_0)
     least = np.maximum(off - granted, 0.0)
     i, j = np.unravel_index(int(np.argmax(least)), least.shape)
     name, value = rows.plant.limits.names[int(j)], float(least[i, j])

@@ -17,7 +17,7 @@ def rail_course(rows: Rows, first: int, last: int) -> tuple[Array, Array, Array]
     between them where that is known."""
     part = slice(first, last + 1)
     t, d = rows.t[part], rows.q[part, 0]
-    doubt = np.full(len(t), rows.doubt_q[0] / 2)
+    doubt = rows.doubt_q[part, 0] / 2
     if not rows.exact or last <= first:
         return t, d, doubt
     inner = len(INNER)

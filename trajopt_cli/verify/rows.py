@@ -4,9 +4,10 @@ Every value here is the least one that a motion through the printed rows can hav
 a mean speed between rows is not above the speed limit, a second divided difference not above the acceleration limit
 (it is a mean of the acceleration with a positive kernel), for any spacing of the rows and any lag.
 
-Printing rounds. A position is off by r/2 at most (r the printed step), so a difference of two by r, a mean speed over
-h by r/h, a second divided difference over h1, h2 by (r/h1 + r/h2) * 2/(h1 + h2), that is 4r/(2h^2) on a grid. A time
-off by r_t/2 lengthens h by r_t at most and changes a mean speed c by c r_t/h. A TCP position is off by what r/2 in
+Printing rounds. A position is off by r/2 at most (r the printed step, which may differ from row to row), so a
+difference of two by r, a mean speed over h by r/h, a second divided difference over h1, h2 by
+(r/h1 + r/h2) * 2/(h1 + h2), that is 4r/(2h^2) on a grid. A time off by r_t/2 lengthens h by r_t at most and changes a
+mean speed c by c r_t/h. A TCP position is off by what r/2 in
 every axis does through the Jacobian's columns. These shares are subtracted before anything is called a breach; larger
 lags bring the sensitivity back.
 
@@ -118,22 +119,31 @@ def windows(first: int, last: int) -> Iterator[tuple[int, int]]:
 class Rows:
     """A file's rows with the doubt about them, and the flange at each.
 
-    doubt_t [s], doubt_q, doubt_v (k,): printed step, never under COMPUTED. marked: a row stands at every boundary and
-    switch. gaps (n-1,) [s]: times between rows, those of a standstill no longer than the others: where the speeds of
-    both rows are zero and the positions the same, nothing is open however long it lasts. open_time (n,) [s]: how far
+    step_t (n,) [s], doubt_q, doubt_v (n, k): printed step, never under COMPUTED. marked: a row stands at every boundary
+    and switch. gaps (n-1,) [s]: times between rows, those of a standstill no longer than the others: where the speeds
+    of both rows are zero and the positions the same, nothing is open however long it lasts. open_time (n,) [s]: how far
     the nearest boundary may be from a row that shows it, half the gap beside it; 0 where marked. doubt_tables: how
     finely positioners' axes are printed, None where every digit is there.
     """
 
     plant: Machine
     trajectory: Trajectory
-    doubt_t: float
+    step_t: Array
     doubt_q: Array
     doubt_v: Array
     marked: bool
     gaps: Array
     open_time: Array
     doubt_tables: Resolution | None = None
+
+    @cached_property
+    def doubt_t(self) -> float:
+        """The greatest printed step of a time, s."""
+        return float(self.step_t.max())
+
+    def unsure(self, a: slice | NDArray[np.intp], b: slice | NDArray[np.intp]) -> Array:
+        """How far printing may put the times (m,) between rows a and rows b off, s."""
+        return np.asarray((self.step_t[a] + self.step_t[b]) / 2)
 
     @property
     def t(self) -> Array:
@@ -191,11 +201,14 @@ class Rows:
 
         def make(a: int, b: int) -> tuple[Any, ...]:
             if self.qd is not None:
-                least = np.maximum(np.abs(self.qd[a:b]) - self.doubt_v, 0.0)
+                least = np.maximum(np.abs(self.qd[a:b]) - self.doubt_v[a:b], 0.0)
             else:
                 first = max(a - 1, 0)
                 h = np.diff(self.t[first : b + 1])[:, None]
-                c = np.maximum(np.abs(np.diff(self.q[first : b + 1], axis=0)) - self.doubt_q, 0.0) / (h + self.doubt_t)
+                after = slice(first + 1, min(b + 1, len(self.t)))
+                here = slice(first, after.stop - 1)
+                c = np.maximum(np.abs(self.q[after] - self.q[here]) - mean_of(self.doubt_q, here, after), 0.0)
+                c = c / (h + self.unsure(here, after)[:, None])
                 least = both_sides(np.maximum(c - self.plant.limits.acceleration * h / 2, 0.0))[a - first :][: b - a]
             granted = REST_JOINT + self.plant.limits.acceleration * self.open_time[a:b, None]
             return least, np.asarray(least <= granted).all(axis=1)
@@ -226,12 +239,16 @@ class Rows:
             h = np.diff(t[part])[:, None]
             c = np.diff(q[part], axis=0) / h
             e = c - (v[part][1:] + v[part][:-1]) / 2
-            least = shortest(h, self.doubt_t)
-            doubt = (self.doubt_q + np.abs(c) * self.doubt_t) / least + self.doubt_v / 2
+            before, after = slice(a, b), slice(a + 1, b + 1)
+            off_t = self.unsure(before, after)[:, None]
+            off_q, off_v = (mean_of(one, before, after) for one in (self.doubt_q, self.doubt_v))
+            least = shortest(h, off_t)
+            doubt = (off_q + np.abs(c) * off_t) / least + off_v / 2
             speed_change = np.abs(np.diff(v[part], axis=0)) / h
-            rounding = 6 * doubt / least + (self.doubt_v + speed_change * self.doubt_t) / least
+            rounding = 6 * doubt / least + (off_v + speed_change * off_t) / least
             most = np.maximum(np.abs(v[part][1:]), np.abs(v[part][:-1]))
-            inner = self.doubt_q / 2 + 8 / 27 * (h * self.doubt_v / 2 + most * self.doubt_t)
+            off_q, off_v = (np.maximum(one[before], one[after]) for one in (self.doubt_q, self.doubt_v))
+            inner = off_q / 2 + 8 / 27 * (h * off_v / 2 + most * off_t)
             return e, doubt, rounding, inner
 
         return Pieces(len(t) - 1, make)
@@ -309,7 +326,8 @@ class Rows:
     def arm_boxes(self) -> Boxes:
         """Around the arm's joints in each block, with what is granted at a stop."""
         tau = self.blocks.most(self.open_time)
-        granted = JOINT_TARGET + (self.doubt_q / 2 + self.plant.limits.acceleration * tau[:, None] ** 2 / 2)[:, -6:]
+        granted = JOINT_TARGET + self.blocks.most(self.doubt_q)[:, -6:] / 2
+        granted = granted + (self.plant.limits.acceleration * tau[:, None] ** 2 / 2)[:, -6:]
         tight = self.blocks.boxes(self.q[:, -6:], np.zeros(len(tau)))
         return Boxes(tight.low - (granted + ROUNDING), tight.high + (granted + ROUNDING), tight.room)
 
@@ -386,16 +404,17 @@ def look(plant: Machine, trajectory: Trajectory, resolution: Resolution | None, 
     t = trajectory.t
     k = len(trajectory.names)
     r = resolution or Resolution(0.0, np.zeros(k), np.zeros(k))
+    step_t = np.maximum(np.broadcast_to(r.t, t.shape), 4 * eps * float(np.abs(t).max()))
     gaps = np.diff(t)
     still = _standstill(trajectory)
     gaps[still] = np.minimum(gaps, np.median(gaps[~still]) if not still.all() else 0.0)[still]
-    marked = _marked(gaps, r.t, marks)
+    marked = _marked(gaps, float(np.broadcast_to(r.t, t.shape)[1:-1].max(initial=0.0)), marks)
     return Rows(
         plant=plant,
         trajectory=trajectory,
-        doubt_t=max(r.t, 4 * eps * float(np.abs(t).max())),
-        doubt_q=np.maximum(r.q, COMPUTED),
-        doubt_v=np.maximum(r.qd, COMPUTED),
+        step_t=step_t,
+        doubt_q=np.broadcast_to(np.maximum(r.q, COMPUTED), (len(t), k)),
+        doubt_v=np.broadcast_to(np.maximum(r.qd, COMPUTED), (len(t), k)),
         marked=marked,
         gaps=gaps,
         open_time=np.zeros(len(t)) if marked else both_sides(gaps[:, None])[:, 0] / 2,
@@ -417,7 +436,12 @@ def unseen(rows: Rows, row: int) -> float:
     return 4 * float(rows.open_time[row])
 
 
-def shortest(h: Array, doubt_t: float) -> Array:
+def mean_of(steps: Array, a: slice | NDArray[np.intp], b: slice | NDArray[np.intp]) -> Array:
+    """How far printing may put differences between rows a and rows b off, where values are printed in these steps."""
+    return np.asarray((steps[a] + steps[b]) / 2)
+
+
+def shortest(h: Array, doubt_t: Array | float) -> Array:
     """The least that intervals printed as h can last, s."""
     return np.asarray(np.maximum(h - doubt_t, COMPUTED))
 
@@ -434,18 +458,19 @@ def lagged(n: int) -> Iterator[tuple[int, slice, slice, slice]]:
             yield m, slice(0, n - 2 * m), slice(m, n - m), slice(2 * m, n)
 
 
-def second_differences(t: Array, x: Array, half: Array, doubt_t: float) -> Iterator[tuple[int, Array, Array]]:
+def second_differences(t: Array, x: Array, half: Array, step_t: Array | float) -> Iterator[tuple[int, Array, Array]]:
     """Per lag m: twice the second divided difference of rows i, i + m, i + 2m and the doubt about it, (n-2m, k).
 
-    x (n, k); half: how far x may be off at each row, broadcast to (n, k).
+    x (n, k); half: how far x may be off at each row, broadcast to (n, k). step_t: printed steps of the times (n,).
     """
-    half = np.broadcast_to(half, x.shape)
+    half, off = np.broadcast_to(half, x.shape), np.broadcast_to(step_t, t.shape)[:, None] / 2
     for m, a, b, c in lagged(len(t)):
         h1, h2 = (t[b] - t[a])[:, None], (t[c] - t[b])[:, None]
         c1, c2 = (x[b] - x[a]) / h1, (x[c] - x[b]) / h2
-        doubt = (half[a] + half[b] + np.abs(c1) * doubt_t) / shortest(h1, doubt_t)
-        doubt = doubt + (half[b] + half[c] + np.abs(c2) * doubt_t) / shortest(h2, doubt_t)
-        yield m, 2 * (c2 - c1) / (h1 + h2), 2 * doubt / shortest(h1 + h2, doubt_t)
+        off_1, off_2 = off[a] + off[b], off[b] + off[c]
+        doubt = (half[a] + half[b] + np.abs(c1) * off_1) / shortest(h1, off_1)
+        doubt = doubt + (half[b] + half[c] + np.abs(c2) * off_2) / shortest(h2, off_2)
+        yield m, 2 * (c2 - c1) / (h1 + h2), 2 * doubt / shortest(h1 + h2, off[a] + off[c])
 
 
 def _marked(gaps: Array, doubt_t: float, marks: int) -> bool:

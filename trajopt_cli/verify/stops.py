@@ -78,7 +78,7 @@ def _ends(rows: Rows, row: int, name: str, wanted: Array | None, source: Source 
     limits, time = rows.plant.limits, float(rows.t[row])
     out = []
     if wanted is not None:
-        off = np.abs(rows.q[row] - wanted) - rows.doubt_q / 2
+        off = np.abs(rows.q[row] - wanted) - rows.doubt_q[row] / 2
         j = int(np.argmax(off))
         passed = bool(off[j] <= JOINT_TARGET)
         out.append(
@@ -87,11 +87,11 @@ def _ends(rows: Rows, row: int, name: str, wanted: Array | None, source: Source 
         )  # fmt: skip
     if rows.qd is not None:
         # the first and the last row are the boundary itself, however sparse the others
-        speed = np.abs(rows.qd[row]) - rows.doubt_v
+        speed = np.abs(rows.qd[row]) - rows.doubt_v[row]
     else:
         a, b = (0, 1) if row == 0 else (row - 1, row)
         h = float(rows.t[b] - rows.t[a])
-        c = np.maximum(np.abs(rows.q[b] - rows.q[a]) - rows.doubt_q, 0) / (h + rows.doubt_t)
+        c = np.maximum(np.abs(rows.q[b] - rows.q[a]) - (rows.doubt_q[a] + rows.doubt_q[b]) / 2, 0) / (h + rows.doubt_t)
         speed = c - limits.acceleration * h / 2
     j = int(np.argmax(speed))
     passed = bool(speed[j] <= REST_JOINT)

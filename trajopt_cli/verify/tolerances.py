@@ -67,3 +67,11 @@ LARGEST_GAP = 0.02
 
 COARSEST_PRINT = 1e-4
 """Printed digits that leave the TCP more uncertain than this cannot show a line, m."""
+
+COARSEST_TURN = 1e-3
+"""Printed digits that leave the tool's orientation more uncertain than this cannot show a slerp, rad: 0.1 mm at 0.1 m
+from the TCP, as COARSEST_PRINT."""
+
+COARSEST_RATE = 0.03
+"""Printed digits and times that hide a motion so much too fast cannot show a limit on speed; twice as much of one on
+acceleration and three times of one on jerk, which such a motion exceeds by so much."""

@@ -18,7 +18,7 @@ from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.motion import Load, MoveExtJ, Program, SignalEvent, Wait
 from trajopt_cli.verify.findings import Series, finding
 from trajopt_cli.verify.mechanism import Forces
-from trajopt_cli.verify.rows import INNER, Rows, second_differences, windows
+from trajopt_cli.verify.rows import INNER, Rows, mean_of, second_differences, windows
 from trajopt_cli.verify.timeline import Timeline
 from trajopt_cli.verify.tolerances import TORQUE
 
@@ -28,12 +28,13 @@ Body = tuple[float, Array, Array]
 Looks = Iterator[tuple[Array, Array]]
 
 
-def check_torques(program: Program, line: Timeline) -> list[Finding]:
-    """Worst case per axis whose torque has a limit; none where no limit binds."""
+def check_torques(program: Program, line: Timeline) -> tuple[list[Finding], dict[str, float]]:
+    """Worst case per axis whose torque has a limit, and the most that is granted it by name; none where no limit
+    binds."""
     rows = line.rows
     limit = rows.plant.limits.binding_torque
     if limit is None:
-        return []
+        return [], {}
     carried = _Carried(program, line)
     found = [Series(float(top)) for top in limit]
     look = _exact if rows.exact else _means
@@ -52,7 +53,9 @@ def check_torques(program: Program, line: Timeline) -> list[Finding]:
                     time=worst.time, source=line.source_at(worst.time), words="torque",
                 )
             )  # fmt: skip
-    return out
+    names = rows.plant.limits.names
+    return out, {name: float(most) for name, most, top in zip(names, carried.granted, limit, strict=True)
+                 if np.isfinite(top)}  # fmt: skip
 
 
 class _Carried:
@@ -75,6 +78,12 @@ class _Carried:
             self.may[[*kinds].index(name), max(begin - beside, 0) : end + beside] = True
             begin = end
         self.may[[*kinds].index(names[-1]), begin:] = True
+        self.granted = np.zeros(len(rows.plant.limits.names))
+
+    def grant(self, doubt: Array) -> Array:
+        """The same (n, k), kept as what was granted at most."""
+        self.granted = np.maximum(self.granted, doubt.max(axis=0, initial=0.0))
+        return doubt
 
     def least(self, first: IndexArray, last: IndexArray, torque: Sequence[Array]) -> Array:
         """Of torques (n, k) with each load the least that rows first to last (n,) may have."""
@@ -102,7 +111,8 @@ def _exact(rows: Rows, carried: _Carried, first: int, last: int) -> Looks:
         (*(places[inner] for places in rows.hermite_places), np.repeat(number, n)),
     ]
     changes = [forces.changes(q[:-1], v[:-1], mean) for forces in carried.forces]
-    doubts = [_doubt(change, rows.doubt_q, rows.doubt_v, open_a) for change in changes]
+    off_q, off_v = (np.maximum(one[first:last], one[first + 1 : last + 1]) for one in (rows.doubt_q, rows.doubt_v))
+    doubts = [carried.grant(_doubt(change, off_q, off_v, open_a)) for change in changes]
     for times, at, rate, change, i in looks:
         torque = [
             np.abs(forces.torques(at, rate, change)) - doubt[i - first]
@@ -117,13 +127,13 @@ def _means(rows: Rows, carried: _Carried, first: int, last: int) -> Looks:
     t, q = rows.t[part], rows.q[part]
     if rows.qd is not None:
         v, h = rows.qd[part], np.diff(t)[:, None]
-        a, open_a = np.diff(v, axis=0) / h, rows.doubt_v / np.maximum(h - rows.doubt_t, h / 2)
+        off_v = mean_of(rows.doubt_v, slice(first, last), slice(first + 1, last + 1))
+        a, open_a = np.diff(v, axis=0) / h, off_v / np.maximum(h - rows.doubt_t, h / 2)
         states = [((q[1:] + q[:-1]) / 2, (v[1:] + v[:-1]) / 2), (q[:-1], v[:-1]), (q[1:], v[1:])]
         i = np.arange(first, last)
         yield (t[1:] + t[:-1]) / 2, _mean(rows, carried, states, a, open_a, i, i + 1)
         return
-    half = np.broadcast_to(rows.doubt_q / 2, q.shape)
-    for count, (m, a, open_a) in enumerate(second_differences(t, q, half, rows.doubt_t)):
+    for count, (m, a, open_a) in enumerate(second_differences(t, q, rows.doubt_q[part] / 2, rows.step_t[part])):
         if count == _MEANS:
             break
         begin, middle, end = slice(0, len(t) - 2 * m), slice(m, len(t) - m), slice(2 * m, len(t))
@@ -131,7 +141,7 @@ def _means(rows: Rows, carried: _Carried, first: int, last: int) -> Looks:
         v = (q[end] - q[begin]) / (before + after)
         states = [(q[middle], v), (q[begin], v - a * before), (q[end], v + a * after)]
         i = np.arange(first, first + len(a))
-        yield t[middle], _mean(rows, carried, states, a, open_a, i, i + 2 * m)
+        yield t[middle], _mean(rows, carried, states, a, open_a, i, i + 2 * m, count == 0)
 
 
 def _mean(
@@ -142,9 +152,12 @@ def _mean(
     open_a: Array,
     first: IndexArray,
     last: IndexArray,
+    shortest: bool = True,
 ) -> Array:
-    """Least means (n, k) of torques with mean accelerations a from states at the middle, the begin and the end."""
+    """Least means (n, k) of torques with mean accelerations a from states at the middle, the begin and the end.
+    shortest: of the lags; what it grants is kept."""
     top, torque = rows.plant.limits.acceleration, []
+    off_q, off_v = (np.maximum(one[first], one[last]) for one in (rows.doubt_q, rows.doubt_v))
     for forces in carried.forces:
         (q, v), *ends = states
         middle, mass = forces.torques(q, v, a), forces.masses(q)
@@ -152,15 +165,15 @@ def _mean(
         for q_end, v_end in ends:
             heavier = np.abs(forces.masses(q_end) - mass) @ top
             swing = np.maximum(swing, np.abs(forces.torques(q_end, v_end, a) - middle) + heavier)
-        doubt = _doubt(forces.changes(q, v, a), rows.doubt_q, rows.doubt_v, np.broadcast_to(open_a, a.shape))
-        torque.append(np.abs(middle) - doubt - swing)
+        doubt = _doubt(forces.changes(q, v, a), off_q, off_v, np.broadcast_to(open_a, a.shape))
+        torque.append(np.abs(middle) - (carried.grant(doubt + swing) if shortest else doubt + swing))
     return carried.least(first, last, torque)
 
 
 def _doubt(changes: tuple[Array, Array, Array], q: Array, v: Array, a: Array) -> Array:
-    """How far torques (n, k) may be off where positions, speeds (k,) and accelerations (n, k) may be by so much."""
+    """How far torques (n, k) may be off where positions, speeds and accelerations (n, k) may be by so much."""
     by_q, by_v, by_a = (np.abs(change) for change in changes)
-    return np.asarray(by_q @ q + by_v @ v + (by_a @ a[..., None])[..., 0])
+    return np.asarray((by_q @ q[..., None])[..., 0] + (by_v @ v[..., None])[..., 0] + (by_a @ a[..., None])[..., 0])
 
 
 Given = tuple[Load, bytes]  # a load and the pose of its frame on the flange

@@ -105,19 +105,19 @@ def _closeness(rows: Rows, frame: Frame, stop: Point, rapid: bool, at: NDArray[n
     limits, tau, q = rows.plant.limits, rows.open_time[at], rows.q[at]
     a, alpha = rows.plant.tcp.acceleration, angular_acceleration(rows)
     rests = (frame.least_speed[at] <= REST_LINEAR + a * tau) & (frame.least_turning[at] <= REST_ANGULAR + alpha * tau)
-    granted = JOINT_TARGET + rows.doubt_q / 2 + limits.acceleration * tau[:, None] ** 2 / 2
+    granted = JOINT_TARGET + rows.doubt_q[at] / 2 + limits.acceleration * tau[:, None] ** 2 / 2
     stands: Mask = rows.axes_rest[at] if rapid else np.ones(len(at), dtype=bool)
     rail_met = np.ones(len(at), dtype=bool) if stop.rail is None else np.abs(q[:, 0] - stop.rail) <= granted[:, 0]
     near: Mask
     tight: Mask
     if isinstance(stop.move, MoveExtJ):
         off = np.abs(q[:, 0] - (stop.rail or 0.0))
-        near, tight = rail_met & rests, off <= JOINT_TARGET + rows.doubt_q[0] / 2
+        near, tight = rail_met & rests, off <= JOINT_TARGET + rows.doubt_q[at, 0] / 2
         return Closeness(at, off / JOINT_TARGET, near, tight, rests, rail_met, stands)
     if stop.arm is not None:
         off = np.abs(q[:, -6:] - stop.arm)
         near = np.asarray((off <= granted[:, -6:]).all(axis=1))
-        tight = np.asarray((off <= JOINT_TARGET + rows.doubt_q[-6:] / 2).all(axis=1))
+        tight = np.asarray((off <= JOINT_TARGET + rows.doubt_q[at, -6:] / 2).all(axis=1))
         return Closeness(at, off.max(axis=1) / JOINT_TARGET, near, tight, rests, rail_met, stands)
     assert stop.X_WF is not None
     X_WT = stop.X_WF @ stop.X_FT

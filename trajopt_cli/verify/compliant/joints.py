@@ -34,8 +34,8 @@ class ArmAngleRange:
 def check_limits(arm: Arm, rows: Trajectory, resolution: Resolution | None) -> Iterator[Finding]:
     """Position, speed and acceleration of every joint, jumps, and the speed columns where there are any."""
     t, q, gaps = rows.t, rows.q, np.diff(rows.t)
-    half = np.full(q.shape[1], COMPUTED) if resolution is None else np.maximum(resolution.q / 2, COMPUTED)
-    off_t = 0.0 if resolution is None else resolution.t
+    half = np.full(q.shape[1], COMPUTED) if resolution is None else np.maximum(resolution.q.max(axis=0) / 2, COMPUTED)
+    off_t = 0.0 if resolution is None else float(np.max(resolution.t))
     step = np.diff(q, axis=0)
     speed, doubt_v = step / gaps[:, None], 2 * half / gaps.min()
     for j, name in enumerate(rows.names):
@@ -83,7 +83,7 @@ def _speed_columns(
     """Speed columns: within the limits, between the speeds of the steps beside their row but for what the joint's
     acceleration may change in half a gap, and rest in the first and in the last row."""
     assert rows.qd is not None
-    printed = np.zeros(len(rows.names)) if resolution is None else resolution.qd / 2
+    printed = np.zeros(len(rows.names)) if resolution is None else resolution.qd.max(axis=0) / 2
     before, after = np.concatenate([0 * speed[:1], speed]), np.concatenate([speed, 0 * speed[-1:]])
     low, high = np.minimum(before, after), np.maximum(before, after)
     for j, name in enumerate(rows.names):

@@ -68,15 +68,15 @@ def poses_of_joints(arm: Arm, X_FT: Frame, rows: Trajectory, resolution: Resolut
     q_WF = turns.from_matrix(X[:, :3, :3])
     lever = turns.turned(q_WF, np.broadcast_to(X_FT.p, (len(X), 3)))
     p, q = X[:, :3, 3] + lever, turns.product(q_WF, np.broadcast_to(X_FT.q, (len(X), 4)))
-    half = np.zeros(rows.q.shape[1]) if resolution is None else resolution.q / 2
+    half = np.zeros((1, rows.q.shape[1])) if resolution is None else resolution.q / 2
     linear = J[:, :3] + np.cross(J[:, 3:], lever[:, :, None], axis=1)
     rounding = ROUNDING * (1 + np.linalg.norm(p, axis=1))
     return Poses(
         t=rows.t,
         p=p,
         q=q,
-        off_p=np.linalg.norm(linear, axis=1) @ half + rounding,
-        off_q=np.full(len(p), half.sum() + ROUNDING),
+        off_p=(np.linalg.norm(linear, axis=1) * half).sum(axis=1) + rounding,
+        off_q=np.zeros(len(p)) + half.sum(axis=1) + ROUNDING,
         period=period,
     )
 

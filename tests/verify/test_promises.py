@@ -1,0 +1,142 @@
+"""What the judge says that it is sure to see it sees; files that are too coarse for a check are told so."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+from legal_motion import Case, faster, plant_with_rail, rapid_case
+from legal_random import random_case, written
+from offences import OFFENCES, RATES
+
+from trajopt_cli.cli.tables import promises_table, reports_record, verdict
+from trajopt_cli.findings import Report
+from trajopt_cli.joint_csv import read_csv_text
+from trajopt_cli.trajectory import Trajectory
+from trajopt_cli.verify.judge import verify
+
+
+def judged(case: Case, step: float, spell: str, speeds: bool = False, times: str | None = None) -> Report:
+    text = written(case.rows(step=step, grid_only=True), spell, speeds, times)
+    trajectory, resolution = read_csv_text(text, "a.csv")
+    return verify(case.program, case.plant, trajectory, resolution, advice=False, promises=True)
+
+
+@pytest.mark.parametrize("name", OFFENCES)
+def test_an_offence_a_hundredth_beyond_what_is_promised_is_found(name: str) -> None:
+    """Some of those of tests/benchmarks/bench_promises.py."""
+    tried = 0
+    for seed in range(40):
+        outcome = OFFENCES[name](np.random.default_rng(seed), 1.01)
+        if outcome is not None:
+            assert outcome.found, (seed, outcome.excess, outcome.promise, [f.message for f in outcome.failed])
+            tried += 1
+        if tried == 5:
+            return
+    raise AssertionError(f"{tried} offences were made")
+
+
+@pytest.mark.parametrize("name", ["joint position", "joint speed", "stop reached, m", "dwell length", "clearance"])
+def test_a_hundredth_of_what_is_promised_is_not_always_found(name: str) -> None:
+    """A promise that said too much would pass the test above as well: an offence this small is within the grant."""
+    outcomes = [OFFENCES[name](np.random.default_rng(seed), 0.01) for seed in range(8)]
+    assert not all(outcome.found for outcome in outcomes if outcome is not None)
+
+
+@pytest.mark.parametrize("spell", ["%.9g", "%.6g", "%.5g"])
+@pytest.mark.parametrize("step", RATES)
+def test_a_legal_motion_in_few_digits_is_legal(spell: str, step: float) -> None:
+    """Six significant digits are what C++ streams write. More of them: tests/benchmarks/bench_coarse_files.py."""
+    for seed in (0, 3):
+        report = judged(random_case(seed), step, spell)
+        assert report.legal, [f.message for f in report.findings if not f.passed]
+
+
+def test_a_wrist_in_steps_of_a_tenth_is_too_coarse() -> None:
+    """joint_6 turns the tool about itself: its position does not show that."""
+    case = rapid_case()
+    rows = case.rows(step=0.004, grid_only=True)
+    lines = written(rows, "%.9g", False).split("\n")
+    for i, line in enumerate(lines[1:-1], start=1):
+        lines[i] = ",".join([*line.split(",")[:-1], f"{float(line.split(',')[-1]):.1f}"])
+    trajectory, resolution = read_csv_text("\n".join(lines), "a.csv")
+    report = verify(case.program, case.plant, trajectory, resolution, advice=False)
+    assert report.too_coarse
+    told = [f.message for f in report.findings if not f.passed]
+    assert any("rad, limit" in one and "print positions in steps of 0.0001 (SI) or finer" in one for one in told), told
+
+
+def test_times_in_steps_of_a_hundredth_are_too_coarse_for_a_motion_five_per_cent_too_fast() -> None:
+    case = rapid_case()
+    fast = Case(case.plant, case.program, tuple(faster(piece, 1.05) for piece in case.pieces))
+    for one, step in ((case, 0.014), (fast, 0.014)):
+        report = judged(one, step, "%.9g", times="%.2f")
+        assert not report.legal
+        told = [f.message for f in report.findings if not f.passed and f.check == "printed resolution"]
+        assert any("times in steps of 0.0001" in line for line in told), told
+    assert judged(case, 0.014, "%.9g", times="%.2f").too_coarse
+
+
+def test_a_rounded_value_next_to_a_fine_one_is_granted_its_own_digits() -> None:
+    """One row with all digits, as the start is copied from a cell file, leaves the others what they are."""
+    case = rapid_case()
+    lines = written(case.rows(step=0.004, grid_only=True), "%.6f", False).split("\n")
+    start = ",".join(f"{x:.17g}" for x in case.plant.start)
+    lines[1] = f"0,{start}"
+    trajectory, resolution = read_csv_text("\n".join(lines), "a.csv")
+    report = verify(case.program, case.plant, trajectory, resolution, advice=False)
+    assert report.legal, [f.message for f in report.findings if not f.passed]
+
+
+def test_the_verdict_says_what_a_bare_grid_leaves_open() -> None:
+    """Nearly two gaps of a rest may be missing: 8 ms at 250 Hz; the nearest row to a stop is half a gap away."""
+    case = random_case(3)
+    report = judged(case, 0.004, "%.17g", speeds=True)
+    assert report.rate == pytest.approx(250)
+    line = verdict("a.csv", report)
+    told = "dwell known to 8 ms, stops to 0.041 mm and 0.04 m/s"
+    assert line == f"a.csv: legal at 250 Hz: {told} ({len(report.findings)} checks)"
+    a = case.plant.tcp.acceleration
+    told = {(one.check, one.unit): one for one in report.promises}
+    assert told["stop reached", "m"].least == pytest.approx(1e-6 + a * 0.002**2 / 2, rel=1e-6)
+    assert told["dwell length", "s"].least == pytest.approx(0.008, abs=1e-8)
+    own = verify(case.program, case.plant, case.rows(), advice=False, promises=True)
+    assert own.rate is None
+    assert verdict("a.csv", own) == f"a.csv: legal ({len(own.findings)} checks)"
+    assert {one.check: one.least for one in own.promises}["dwell length"] < 2e-9
+
+
+def test_promises_are_in_the_table_and_in_json() -> None:
+    report = judged(random_case(3), 0.004, "%.6g")
+    record = json.loads(json.dumps(reports_record({"a.csv": report}, ())))["files"]["a.csv"]
+    assert (record["too_coarse"], record["rows_per_second"]) == (False, pytest.approx(250))
+    assert [one["check"] for one in record["promises"]] == [one.check for one in report.promises]
+    assert promises_table("a.csv", report).row_count == len(report.promises)
+    assert {one.check for one in report.promises} >= {
+        "joint position", "joint speed", "joint acceleration", "TCP speed", "TCP acceleration", "path deviation",
+        "path rotation", "stop reached", "stop rest", "rail target", "way while held", "dwell length", "duration",
+        "clearance", "programmed reorientation",
+    }  # fmt: skip
+
+
+def test_a_file_of_few_rows_is_no_coarse_one() -> None:
+    """Lags that it has no rows for are no fault of its digits."""
+    case = rapid_case()
+    rows = case.rows(step=0.004, grid_only=True)
+    short = Trajectory(rows.names, rows.t[:3], rows.q[:3], None)
+    report = verify(case.program, case.plant, short, advice=False)
+    assert not any(f.check == "printed resolution" for f in report.findings if not f.passed)
+
+
+def test_levers_reach_at_least_as_far_as_the_robot() -> None:
+    """The way that a body's points go when one axis turns, against the lever that the judge grants."""
+    from trajopt_cli.verify.mechanism import mechanism_of
+    from trajopt_cli.verify.promises import levers
+
+    plant = plant_with_rail()
+    reach = levers(plant, mechanism_of(plant), ())
+    rng = np.random.default_rng(0)
+    q = np.c_[np.zeros(200), rng.uniform(-2, 2, (200, 6))]
+    J = plant.robot.jacobian(q)[:, :3]
+    assert (np.linalg.norm(J, axis=1) <= np.array(reach) + 1e-9).all()
