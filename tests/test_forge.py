@@ -76,6 +76,27 @@ def test_the_hooks_take_what_the_environment_has() -> None:
     assert all(hook["language"] == "system" for hook in repository["hooks"])
 
 
-@pytest.mark.parametrize("name", [".github/workflows/ci.yml", ".pre-commit-config.yaml"])
+def test_a_quarter_of_an_hour_of_fuzzing_is_scheduled() -> None:
+    document = read(".github/workflows/fuzz.yml")
+    assert set(document) == {"name", "on", "permissions", "jobs"}
+    (time,) = document["on"]["schedule"]
+    assert re.fullmatch(r"\d+ \d+ \* \* \d", time["cron"])
+    (job,) = document["jobs"].values()
+    first, second, install, *rest = job["steps"]
+    assert first["uses"].startswith("actions/checkout@")
+    assert second["uses"].startswith("actions/setup-python@")
+    assert install["run"] == "python -m pip install -e '.[test]'"
+    assert all(("uses" in step) != ("run" in step) for step in job["steps"])
+    runs = [step["run"].split() for step in rest if "run" in step]
+    assert sum(float(words[words.index("--minutes") + 1]) for words in runs) == 15 < job["timeout-minutes"]
+    for words in runs:
+        assert words[0] == "python"
+        described = (REPOSITORY / words[1]).read_text(encoding="utf-8")
+        for option in (word for word in words if word.startswith("--")):
+            assert f'parser.add_argument("{option}"' in described
+    assert rest[-1]["with"]["path"] in commands(job)
+
+
+@pytest.mark.parametrize("name", [".github/workflows/ci.yml", ".github/workflows/fuzz.yml", ".pre-commit-config.yaml"])
 def test_no_address_outside(name: str) -> None:
     assert "://" not in (REPOSITORY / name).read_text(encoding="utf-8")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from enum import Enum
+from itertools import accumulate
 
 
 def printable(text: str, keep: str = "\t") -> str:
@@ -12,6 +13,16 @@ def printable(text: str, keep: str = "\t") -> str:
     if text.isprintable():
         return text
     return "".join(c if c.isprintable() or c in keep else c.encode("unicode_escape").decode() for c in text)
+
+
+_LINE, _HEAD, _TAIL = 1000, 600, 300  # characters of a line that is printed; of a longer one, at its ends
+_PAGE = 3500  # characters of several errors
+
+
+def terminal_text(text: str) -> str:
+    """text for a terminal: printable, and of a line that is longer than 1000 characters only what is at its ends."""
+    lines = printable(text, keep="\n\t").split("\n")
+    return "\n".join(one if len(one) <= _LINE else f"{one[:_HEAD]} ... {one[-_TAIL:]}" for one in lines)
 
 
 class ErrorKind(Enum):
@@ -63,8 +74,7 @@ class InputError(Exception):
 
     def __str__(self) -> str:
         place = ":".join(str(part) for part in (self.file, self.line, self.column) if part is not None)
-        message = printable(self.message, keep="\n\t")
-        return f"{printable(place)}: {message}" if place else message
+        return terminal_text(f"{printable(place)}: {self.message}" if place else self.message)
 
     def shown(self) -> str:
         """The line to print, and below it the excerpt."""
@@ -93,8 +103,11 @@ class InputErrorGroup(InputError):
         return "\n".join(str(error) for error in self.errors)
 
     def shown(self) -> str:
-        """All of them, each with its excerpt."""
-        return "\n".join(error.shown() for error in self.errors)
+        """Each with its excerpt, as many as a page holds, and how many more there are."""
+        texts = [error.shown() for error in self.errors]
+        fit = max(1, sum(length <= _PAGE for length in accumulate(len(text) + 1 for text in texts)))
+        more = [f"{len(texts) - fit} more are not shown; correct these first"] if fit < len(texts) else []
+        return "\n".join([*texts[:fit], *more])
 
 
 @contextmanager

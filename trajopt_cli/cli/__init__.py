@@ -40,7 +40,7 @@ from trajopt_cli.cli import (
     view,
 )
 from trajopt_cli.cli.process import begin, interrupted, out_of_memory, own_process
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import InputError, terminal_text
 
 _LONGEST = 600  # characters of a line on stderr: eight lines of a terminal
 app = typer.Typer(
@@ -100,7 +100,7 @@ def run(arguments: list[str]) -> int:
     except typer.TyperException as error:
         message = " ".join(error.format_message().replace("Value error, ", "").split()).rstrip(".")
         asked = getattr(getattr(error, "ctx", None), "command_path", None) or "trajopt"
-        typer.echo(f"trajopt: {_cut(message)}; see '{asked} --help'", err=True)
+        typer.echo(terminal_text(f"trajopt: {_cut(message)}; see '{asked} --help'"), err=True)
         return 2
     except ProcessEnded as error:
         typer.echo(f"{error}; where memory is short, --jobs 1 takes less. {interrupted().split(': ', 1)[1]}", err=True)
@@ -117,7 +117,7 @@ def run(arguments: list[str]) -> int:
             typer.echo(f"cannot write the output: {error.strerror}", err=True)
             _give_up_stdout()
         else:
-            typer.echo(f"{os.fsdecode(error.filename)}: {error.strerror}", err=True)
+            typer.echo(terminal_text(f"{os.fsdecode(error.filename)}: {error.strerror}"), err=True)
         return 2
     if code == 130:
         typer.echo(interrupted(), err=True)

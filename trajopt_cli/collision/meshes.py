@@ -16,6 +16,7 @@ from trajopt_cli.geometry import Array, BoolArray
 from trajopt_cli.shapes import Mesh, MeshFile
 
 MOST_BYTES = 200_000_000  # four million triangles
+_REASON = 100  # characters of why a file cannot be read; an OBJ or STL may be quoted in it whole
 _ROUNDING = 1e-6  # of a mesh's size: what files with seven digits leave open
 
 
@@ -34,7 +35,8 @@ def load_mesh(given: MeshFile) -> Mesh:
     except ValueError as error:
         # Its text is a page: source file, line, "message: Could not load resource ...", the reason, a hint.
         said = str(error).partition("message:")[2].strip().splitlines()
-        raise InputError(f"cannot read the mesh {given.path}: {said[1] if len(said) > 1 else error}") from error
+        why = " ".join((said[1] if len(said) > 1 else str(error)).split())[:_REASON]
+        raise InputError(f"cannot read the mesh {given.path}: {why}") from error
     vertices = np.array(model.vertices()).reshape(-1, 3) * given.scale
     triangles = [[corners[k] for k in range(3)] for corners in map(model.tri_indices, range(model.num_tris))]
     if not triangles:

@@ -101,7 +101,11 @@ def rapid_export(folder: Path) -> RapidFiles:
             new[path] = TextFile(path, *decode(one.content))
         else:
             given[path] = TextFile(path, *decode(one.given))
-            texts[path] = one.content.decode(given[path].encoding)
+            try:
+                texts[path] = one.content.decode(given[path].encoding)
+            except UnicodeDecodeError as error:
+                why = f"byte {error.start} of the optimised {one.place} is no {given[path].encoding}, as the program is"
+                raise InputError(f"{why}; make the folder again", file=str(folder)) from error
     lines = (_way_line(way, results.motions[Target.RAPID]) for way in results.ways[Target.RAPID])
     ways = tuple(dict.fromkeys(lines))  # passes of one text say the same
     return RapidFiles(results.rapid, patch(given, texts, new), unified_diff(given, texts, new), results.kept, ways)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
@@ -9,12 +10,13 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from ruamel.yaml import YAML
-from ruamel.yaml.error import MarkedYAMLError
+from ruamel.yaml.error import ReusedAnchorWarning, YAMLError
 
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.robot.structure import Structure
 from trajopt_cli.shapes import ATTACHED
-from trajopt_cli.validation import hint, json_schema
+from trajopt_cli.validation import hint, json_schema, short
+from trajopt_cli.yaml_file import read_text
 
 _PACKAGE = Path(__file__).parents[1]
 # In a checkout the files stand beside the package, a wheel carries them inside it. What stands beside an installed
@@ -204,18 +206,21 @@ def find_robot(name_or_path: str, structure: Structure | None = None) -> Path:
 
 def read_robot_file(path: Path) -> tuple[RobotFile, Mapping[str, Any]]:
     """The validated file and the raw YAML it came from (for line_of). Raises InputError with file, line and key."""
-    return _read(str(path), path.read_text(encoding="utf-8"))
+    return _read(str(path), read_text(path, "robot file"))
 
 
 @lru_cache(maxsize=8)  # YAML takes 30 ms, and a command asks for its robot several times
 def _read(file: str, text: str) -> tuple[RobotFile, Mapping[str, Any]]:
     try:
-        raw = YAML().load(text)
-    except MarkedYAMLError as error:
-        mark = error.problem_mark
-        raise InputError(
-            f"not YAML: {error.problem}", file=file, line=mark.line + 1 if mark is not None else None
-        ) from error
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ReusedAnchorWarning)  # legal, and it would go to stderr
+            raw = YAML().load(text)
+    except YAMLError as error:
+        mark, problem = getattr(error, "problem_mark", None), getattr(error, "problem", None) or str(error)
+        line = mark.line + 1 if mark is not None else None
+        raise InputError(f"not YAML: {short(problem.splitlines()[0])}", file=file, line=line) from error
+    except (TypeError, ValueError, OverflowError) as error:  # a section as a key, an escape that is no character
+        raise InputError(f"not YAML that a robot file may hold: {short(str(error))}", file=file) from error
     if not isinstance(raw, Mapping):
         raise InputError("a robot file is a YAML mapping; this one is not", file=file, line=1)
     structure = raw.get("structure", Structure.SIX_AXIS.value)

@@ -230,7 +230,7 @@ def _dwells(rows: Rows, visit: Visit) -> list[Finding]:
     """Every wait as long as programmed, and every axis at rest where one ends on a condition."""
     out = []
     leaves = float(rows.t[visit.depart])
-    slack = DWELL + rows.doubt_t + unseen(rows, visit.depart)
+    slack = DWELL + rows.doubt_t + 2 * float(rows.open_time[visit.arrive] + rows.open_time[visit.depart])
     for hold in visit.holds:
         wait = hold.wait
         note = f" at {visit.point.name}"

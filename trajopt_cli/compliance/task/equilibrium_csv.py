@@ -58,7 +58,8 @@ def read_quaternion_csv(text: str, file: str) -> tuple[Array, Array, Array]:
     Raises InputError as read_angles_csv does (times may begin anywhere), and for a quaternion that is not of norm 1.
     """
     table = _read(text, file, QUATERNION_HEAD)
-    norms = np.linalg.norm(table[:, 4:], axis=1)
+    with np.errstate(over="ignore"):  # too large a number makes an infinite norm, which is refused
+        norms = np.linalg.norm(table[:, 4:], axis=1)
     wrong = np.flatnonzero(np.abs(norms - 1) > _UNIT)
     if wrong.size:
         row = int(wrong[0])

@@ -117,7 +117,8 @@ def columns(table: dict[str, Array], heads: tuple[str, ...]) -> Array:
 @of_kind(ErrorKind.RESULTS)
 def unit(q: Array, file: str) -> Array:
     """Quaternions (n, 4) of norm 1. Raises InputError with file and line for any that is not of norm 1."""
-    norms = np.linalg.norm(q, axis=1)
+    with np.errstate(over="ignore"):  # too large a number makes an infinite norm, which is refused
+        norms = np.linalg.norm(q, axis=1)
     wrong = np.flatnonzero(np.abs(norms - 1) > _UNIT)
     if wrong.size:
         row = int(wrong[0])

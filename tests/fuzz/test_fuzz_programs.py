@@ -1,0 +1,72 @@
+"""Small random programs through optimise, judge, export and reading back; a few of them, always the same."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from small_programs import Small, check_same_motions, program, round_trip
+
+from trajopt_cli.job import read_job
+from trajopt_cli.pipeline.folder import verify_file
+from trajopt_cli.pipeline.optimise import Optimised, optimise
+from trajopt_cli.problem.plan import Target
+
+ENDS_WITH_A_WAIT = Small(
+    """MODULE Small
+  PROC main()
+    MoveJ [[465.343,33.836,715.307],[0.461408084,0.355697186,0.760587867,0.286510365],[0,0,0,0],"""
+    """[9E9,9E9,9E9,9E9,9E9,9E9]], v200, fine, tool0;
+    WaitTime 0.2;
+  ENDPROC
+ENDMODULE
+""",
+    "robot: irb1200_5_90\nstart: {joints: '[0, 0, 0, 0, 30, 0] deg'}\n",
+    250.0,
+)
+
+
+@pytest.mark.parametrize("number", range(5))
+def test_a_small_program_keeps_its_promises(number: int, tmp_path: Path) -> None:
+    assert round_trip(program(0, number), tmp_path) in ("planned", "infeasible", "no RAPID text")
+
+
+def test_a_wait_at_the_end_is_as_long_as_coarse_rows_show(tmp_path: Path) -> None:
+    """The row at its end is closer than a row's distance; what rows leave open is at its begin."""
+    assert round_trip(ENDS_WITH_A_WAIT, tmp_path) == "planned"
+    shorter = replace(ENDS_WITH_A_WAIT, text=ENDS_WITH_A_WAIT.text.replace("0.2", "0.21"))
+    (tmp_path / "small.mod").write_text(shorter.text)
+    assert not verify_file(tmp_path / "joint.csv", read_job(tmp_path / "small.mod")).legal
+
+
+def test_programs_are_the_same_for_the_same_number_and_of_every_kind() -> None:
+    texts = [program(0, k).text for k in range(60)]
+    assert texts == [program(0, k).text for k in range(60)]
+    assert len(set(texts)) == 60
+    together = "".join(texts)
+    for kind in ("MoveAbsJ", "MoveJ", "MoveL", "MoveC", "WaitTime", r"\\T:=", "z10", "vmax"):
+        assert re.search(kind, together), kind
+
+
+def test_another_program_is_seen_when_it_is_read_back(tmp_path: Path) -> None:
+    (tmp_path / "small.mod").write_text(ENDS_WITH_A_WAIT.text)
+    (tmp_path / "small.yaml").write_text(ENDS_WITH_A_WAIT.cell)
+    job = read_job(tmp_path / "small.mod")
+    answer = optimise(job, Target.STREAM, tmp_path / "results", lambda *_: None, jobs=1)
+    assert isinstance(answer, Optimised)
+    plan = answer.judged[Target.RAPID].plan
+    check_same_motions(job, plan, job.program)
+    for old, new, said in (
+        ("33.836", "33.840", "another place"),
+        ("0.286510365", "0.286610365", "another orientation"),
+        ("MoveJ", "MoveL", "MoveJ became MoveL"),
+        ("WaitTime 0.2;", "", "2 motions became 1"),
+        ("WaitTime 0.2", "WaitTime 0.3", "wait"),
+    ):
+        (tmp_path / "other.mod").write_text(ENDS_WITH_A_WAIT.text.replace(old, new))
+        (tmp_path / "other.yaml").write_text(ENDS_WITH_A_WAIT.cell)
+        other = read_job(tmp_path / "other.mod").program
+        with pytest.raises(AssertionError, match=said):
+            check_same_motions(job, plan, other)
