@@ -27,6 +27,22 @@ ENDMODULE
     250.0,
 )
 
+WAITS_A_MILLISECOND = Small(
+    "MODULE Small\n"
+    "PERS tooldata tGrip:=[TRUE,[[0,0,0],[1,0,0,0]],[0.001,[0,0,0.001],[1,0,0,0],0,0,0]];\n"
+    'PERS wobjdata wobjHere:=[FALSE,TRUE,"",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];\n'
+    "PROC main()\n"
+    "MoveL [[508.279,-0.916,678.903],[0.524865095,-0.193527888,0.817797651,-0.135168752],[0,-1,-1,0],[9E9"
+    ",9E9,9E9,9E9,9E9,9E9]], v200, fine, tGrip\\WObj:=wobjHere;\n"
+    "WaitTime 0;\n"
+    "MoveJ [[336.399,571.441,610.236],[0.526893680,-0.317384404,0.695056979,0.372217659],[0,0,-1,0],[9E9,"
+    "9E9,9E9,9E9,9E9,9E9]], v2500\\T:=1.46, fine, tGrip\\WObj:=wobjHere;\n"
+    "ENDPROC\n"
+    "ENDMODULE\n",
+    "robot: irb140\nstart: {joints: '[0.0000,0.0000,0.0000,0.0000,30.0000,0.0000] deg'}\n",
+    1000.0,
+)
+
 
 @pytest.mark.parametrize("number", range(5))
 def test_a_small_program_keeps_its_promises(number: int, tmp_path: Path) -> None:
@@ -39,6 +55,10 @@ def test_a_wait_at_the_end_is_as_long_as_coarse_rows_show(tmp_path: Path) -> Non
     shorter = replace(ENDS_WITH_A_WAIT, text=ENDS_WITH_A_WAIT.text.replace("0.2", "0.21"))
     (tmp_path / "small.mod").write_text(shorter.text)
     assert not verify_file(tmp_path / "joint.csv", read_job(tmp_path / "small.mod")).legal
+
+
+def test_of_a_wait_shorter_than_rows_show_none_is_held_against_the_stop(tmp_path: Path) -> None:
+    assert round_trip(WAITS_A_MILLISECOND, tmp_path) == "planned"
 
 
 def test_programs_are_the_same_for_the_same_number_and_of_every_kind() -> None:

@@ -65,7 +65,7 @@ def _point(line: Timeline, frame: Frame, i: int, rapid: bool) -> Iterator[Findin
         yield _turning(rows, before, visit, _rest_over(line, i))
     yield from _dwells(rows, visit)
     if visit.holds or visit.stay:
-        yield _drift(rows, visit, before, frame)
+        yield from _drift(rows, visit, before, frame)
     if rapid:
         yield from _axes_stand(rows, visit)
 
@@ -252,8 +252,8 @@ def _dwells(rows: Rows, visit: Visit) -> list[Finding]:
     return out
 
 
-def _drift(rows: Rows, visit: Visit, before: Visit, frame: Frame) -> Finding:
-    """The farthest the TCP gets from the stop while it must rest there."""
+def _drift(rows: Rows, visit: Visit, before: Visit, frame: Frame) -> Iterator[Finding]:
+    """The farthest the TCP gets from the stop while it must rest there; none where no row is sure to be inside."""
     first, last = (before.arrive if visit.stay else visit.arrive), visit.depart
     end = max([hold.end for hold in visit.holds], default=visit.ready)
     last = min(last, int(np.searchsorted(rows.t, end + rows.doubt_t, side="right")) - 1)
@@ -262,8 +262,11 @@ def _drift(rows: Rows, visit: Visit, before: Visit, frame: Frame) -> Finding:
         first += 1
     while not rows.marked and first < last and rows.t[last] > end - 2 * rows.open_time[visit.depart]:
         last -= 1
+    soon = visit.arrive > 0 and rows.t[first] < rows.t[visit.arrive] + 2 * rows.open_time[visit.arrive]
+    if soon and not rows.marked:
+        return
     source = visit.holds[0].wait.source if visit.holds else visit.point.source
-    return deviation("dwell drift", frame.places(first, max(first, last)), visit.X_WF @ visit.point.X_FT, source,
+    yield deviation("dwell drift", frame.places(first, max(first, last)), visit.X_WF @ visit.point.X_FT, source,
                      f" at {visit.point.name}")  # fmt: skip
 
 
