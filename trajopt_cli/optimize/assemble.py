@@ -1,6 +1,7 @@
 """From leg motions to the rows of a file: a row at every boundary and every switch, a millisecond grid between.
 
-Where nothing moves from one of them to the next there is no grid: the cubic between two rows at rest stays where it is.
+What moves for longer than a minute has a wider grid, whole milliseconds and 20 of them at most. Where nothing moves
+from one of them to the next there is no grid: the cubic between two rows at rest stays where it is.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ import numpy as np
 from trajopt_cli.geometry import Array, BoolArray
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.legs import LegMotion, samples
-from trajopt_cli.optimize.tuning import ROW_APART, ROW_EVERY, SAME_TIME
+from trajopt_cli.optimize.tuning import LONG_MOTION, ROW_APART, ROW_EVERY, ROWS_WIDEST, SAME_TIME
 from trajopt_cli.trajectory import Trajectory
 
 
@@ -46,7 +47,7 @@ def _leg_rows(leg: LegMotion, start: float, end: float, more: Sequence[float], b
     breaks = breaks[keep]
     if len(breaks) > 2 and breaks[-1] - breaks[-2] <= SAME_TIME:
         breaks = np.delete(breaks, -2)
-    grid = _grid(start + leg.breaks(), ~leg.resting() | busy)
+    grid = _grid(start + leg.breaks(), ~leg.resting() | busy, np.clip(np.ceil(leg.T / LONG_MOTION), 1, ROWS_WIDEST))
     at = np.searchsorted(breaks, grid)
     gap = np.minimum(
         np.abs(grid - breaks[np.clip(at - 1, 0, len(breaks) - 1)]),
@@ -56,11 +57,12 @@ def _leg_rows(leg: LegMotion, start: float, end: float, more: Sequence[float], b
     return np.unique(np.concatenate([breaks, grid[(gap >= ROW_APART) & (grid > start) & (grid < end)], inside]))
 
 
-def _grid(breaks: Array, moving: BoolArray) -> Array:
-    """The grid times from break to break (N+1,) while something moves (N,)."""
+def _grid(breaks: Array, moving: BoolArray, wide: float) -> Array:
+    """The grid times from break to break (N+1,) while something moves (N,), so many ROW_EVERY apart."""
+    every = ROW_EVERY * wide
     edges = np.flatnonzero(np.diff(np.concatenate([[False], moving, [False]])))
     ticks = [
-        np.arange(np.ceil(breaks[a] / ROW_EVERY - 1e-9), np.floor(breaks[b] / ROW_EVERY + 1e-9) + 1)
+        np.arange(np.ceil(breaks[a] / every - 1e-9), np.floor(breaks[b] / every + 1e-9) + 1)
         for a, b in zip(edges[::2], edges[1::2], strict=True)
     ]
-    return ROW_EVERY * np.concatenate([np.zeros(0), *ticks])
+    return every * np.concatenate([np.zeros(0), *ticks])

@@ -8,6 +8,7 @@ from time import perf_counter
 
 import numpy as np
 
+from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.motion import Hold, Program, motion_name
 from trajopt_cli.optimize.assemble import rows_of
@@ -28,6 +29,7 @@ from trajopt_cli.optimize.search import search
 from trajopt_cli.optimize.tables import turning, with_tables
 from trajopt_cli.optimize.tuning import (
     DENSER,
+    LONGEST_MOTION,
     RESIDUAL,
     ROW_APART,
     ROWS_AT_ONCE,
@@ -116,6 +118,7 @@ def optimize(
         gentle, more = found
         eased = Eased(least, _strain(axes, draft), _strain(axes, gentle))
         draft, notes = gentle, (*notes, *more)
+    _check_lengths(program, problem, draft)
     rows = _rows(axes, problem, draft)
     for times in SLOWER if rows is None else ():
         problem, draft, eased = legal.problem, slowed(legal.problem, legal.draft, times), None
@@ -164,6 +167,7 @@ def slow_plan(program: Program, plant: Plant, target: Target, changes: Changes |
         draft = plain_motion(axes, problem) if isinstance(problem, Problem) else None
         if isinstance(problem, Infeasible) or draft is None:
             continue
+        _check_lengths(program, problem, draft)
         rows = _rows(axes, problem, draft)
         if rows is not None:
             return _plan(axes, problem, draft, target, rows, (_SLOW.format(why=why),))
@@ -222,6 +226,17 @@ def search_estimate(program: Program, plant: Plant, target: Target, changes: Cha
     open_ = [c for c in Question(program, plant, target, EVERYTHING, changes).unchecked() if isinstance(c, Problem)]
     found = [chain.cost for problem in open_ if (chain := search(axes, problem)) is not None]
     return min(found, default=None)
+
+
+def _check_lengths(program: Program, problem: Problem, draft: Draft) -> None:
+    """Raise InputError for a motion on which something moves for longer than LONGEST_MOTION: its rows fill a disk."""
+    for leg, motion in zip(problem.legs, draft.legs, strict=True):
+        under_way = 0.0 if motion is None else float(np.diff(motion.breaks())[~motion.resting()].sum())
+        if under_way > LONGEST_MOTION:
+            one = program.motions[leg.motion]
+            text = f"{motion_name(one)} takes {under_way:.6g} s; plans hold motions of up to {LONGEST_MOTION:g} s: give"
+            text += " it another speed or time, or a part of its way"
+            raise InputError(text, file=one.source.file, line=one.source.line, column=one.source.column)
 
 
 def _rows(axes: Axes, problem: Problem, draft: Draft) -> tuple[Trajectory, Array] | None:

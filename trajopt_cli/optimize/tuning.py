@@ -323,6 +323,9 @@ SLOWER = (
 )  # times as long as the first legal motion, where rows of a faster one are not
 # legal. Not measured.
 ROW_EVERY = 1e-3  # s, the grid: what a machine that follows a stream takes. Not measured.
+LONG_MOTION = 60.0  # s; a motion that takes longer has rows as many times farther apart. Not measured.
+ROWS_WIDEST = 20  # ROW_EVERY: the judge wants rows every 20 ms. Not measured: given by that.
+LONGEST_MOTION = 3600.0  # s on one motion in which something moves. Measured: 38 s of processor, 0.9 GB for that long
 ROW_APART = 1e-5  # s; no two rows are nearer, or differences of rounded rows say nothing. Not measured.
 SAME_TIME = 1e-9  # s; boundaries nearer than this are one row. Not measured.
 SWITCHES_APART = 1.1e-5  # s between an axis' switches that are not one: ROW_APART and a little. Not measured.
