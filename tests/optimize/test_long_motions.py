@@ -1,0 +1,35 @@
+"""Motions of minutes and hours: rows that a disk holds, close enough for the judge."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from small_cells import plant_with_rail, rapid
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.optimize import optimize
+from trajopt_cli.optimize.assemble import rows_of
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.legs import JointNodes
+from trajopt_cli.problem.plan import Target
+
+
+@pytest.mark.parametrize(("T", "apart"), [(6.0, 1e-3), (600.0, 1e-2), (3600.0, 2e-2)])
+def test_rows_of_a_long_motion_stand_farther_apart(T: float, apart: float) -> None:
+    grid = np.array([0.0, 0.25, 0.75, 1.0])
+    q, v, a = ([0.0, 0.05, 0.25, 0.3], [0.0, 0.4, 0.4, 0.0], [1.6, 0.0, -1.6])
+    way = JointNodes(T, grid, *(np.repeat(np.array(x)[:, None], 7, axis=1) for x in (q, v, a)))
+    rows, _ = rows_of(Axes.of(plant_with_rail()), [way], np.full(7, 0.3))
+    gaps = np.diff(rows.t)
+    assert gaps.max() <= apart * (1 + 1e-6)
+    assert len(rows.t) <= T / apart + 4
+    assert {0.0, 0.25 * T, 0.75 * T, T} <= set(rows.t.tolist())
+
+
+def test_a_motion_of_more_than_an_hour_is_refused_with_its_line() -> None:
+    program = rapid(
+        "MoveAbsJ j_home,v1000,fine,tool0;\nMoveJ p_in,v1000,fine,tool0;\nMoveL p_low,v5\\T:=4000,fine,tool0;"
+    )
+    said = r"t\.mod:7:1: MoveL p_low takes 4000 s; plans hold motions of up to 3600 s: give it another speed"
+    with pytest.raises(InputError, match=said):
+        optimize(program, plant_with_rail(), Target.STREAM, bounded=False)
