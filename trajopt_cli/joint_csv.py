@@ -135,12 +135,13 @@ def read_csv_text(text: str | TextIO, file: str) -> tuple[Trajectory, Resolution
 
 
 @of_kind(ErrorKind.RESULTS)
-def check_reach(trajectory: Trajectory, lower: Array, upper: Array, file: str) -> None:
-    """Raise InputError for a position that is no robot's: more than ABSURD times the range (k,) beside it [rad or m].
+def check_reach(trajectory: Trajectory, lower: Array, upper: Array, velocity: Array, file: str) -> None:
+    """Raise InputError for a position that is no robot's, more than ABSURD times the range (k,) beside it [rad or m],
+    and for a speed more than ABSURD times its limit (k,).
 
-    What lies outside the range by less is a motion that is not legal, and for the judge to say.
+    What lies outside by less is a motion that is not legal, and for the judge to say.
     """
-    far = ABSURD * (upper - lower)
+    far, fast = ABSURD * (upper - lower), ABSURD * velocity
     for first in range(0, len(trajectory.t), _ROWS):
         q = trajectory.q[first : first + _ROWS]
         wrong = np.argwhere((q < lower - far) | (q > upper + far))
@@ -149,6 +150,15 @@ def check_reach(trajectory: Trajectory, lower: Array, upper: Array, file: str) -
             name, unit = trajectory.names[k], "m" if trajectory.names[k] == "rail" else "rad"
             message = f"{name} is {q[i, k]:.6g} {unit}, its range [{lower[k]:.6g}, {upper[k]:.6g}] {unit}: more than"
             message += f" {ABSURD} times the range beside it is no trajectory; see the value, and the column's unit"
+            raise InputError(message, file=file, line=first + i + 2)
+        if trajectory.qd is None:
+            continue
+        wrong = np.argwhere(np.abs(qd := trajectory.qd[first : first + _ROWS]) > fast)
+        if len(wrong):
+            i, k = (int(x) for x in wrong[0])
+            name, unit = trajectory.names[k], "m/s" if trajectory.names[k] == "rail" else "rad/s"
+            message = f"the speed of {name} is {qd[i, k]:.6g} {unit}, its limit {velocity[k]:.6g} {unit}: more than"
+            message += f" {ABSURD} times the limit is no trajectory; see the value, and the column's unit"
             raise InputError(message, file=file, line=first + i + 2)
 
 

@@ -41,12 +41,25 @@ def test_a_cell_of_a_million_is_refused_with_its_line_value_and_range() -> None:
 
 def test_the_bound_is_a_hundred_ranges_on_either_side() -> None:
     plant = plant_without_rail()
-    low, high = plant.limits.lower, plant.limits.upper
+    low, high, fast = plant.limits.lower, plant.limits.upper, plant.limits.velocity
     for side, sign in ((high, 1), (low, -1)):
         far = side[1] + sign * ABSURD * (high[1] - low[1])
-        check_reach(rows(plant, 3, far * (1 - 1e-12), 1, 1), low, high, "a.csv")
+        check_reach(rows(plant, 3, far * (1 - 1e-12), 1, 1), low, high, fast, "a.csv")
         with pytest.raises(InputError, match=r"a\.csv:3: joint_2 "):
-            check_reach(rows(plant, 3, far * (1 + 1e-9), 1, 1), low, high, "a.csv")
+            check_reach(rows(plant, 3, far * (1 + 1e-9), 1, 1), low, high, fast, "a.csv")
+
+
+def test_a_speed_of_1e308_is_refused_with_its_line_value_and_limit() -> None:
+    plant = plant_without_rail()
+    one = rows(plant, 50)
+    qd = np.zeros_like(one.q)
+    qd[7, 1] = -1e308
+    limit = plant.limits.velocity[1]
+    with pytest.raises(InputError) as caught:
+        judge(plant, PROGRAM, write_csv_text(replace(one, qd=qd)), "a.csv")
+    assert str(caught.value).startswith(f"a.csv:9: the speed of joint_2 is -1e+308 rad/s, its limit {limit:.6g} rad/s")
+    qd[7, 1] = ABSURD * limit
+    check_reach(replace(one, qd=qd), plant.limits.lower, plant.limits.upper, plant.limits.velocity, "a.csv")
 
 
 def to_and_fro(plant: Plant, n: int) -> Trajectory:

@@ -452,7 +452,7 @@ def judge(
 
     trajectory, resolution = read_csv_text(text, file)
     if trajectory.names == plant.limits.names:
-        check_reach(trajectory, plant.limits.lower, plant.limits.upper, file)
+        check_reach(trajectory, plant.limits.lower, plant.limits.upper, plant.limits.velocity, file)
     return verify(program, plant, trajectory, resolution, dropped, target, advice, promises=advice)
 
 

@@ -46,6 +46,6 @@ def shortest_time(
     ]
     instance = algorithm.TOPPRA(limits, path, gridpoints=s, solver_wrapper="seidel")
     _, rates, _ = instance.compute_parameterization(rate_0, rate_1)
-    if rates is None or not np.isfinite(rates).all():
+    if rates is None or not np.isfinite(rates).all() or not (rates[1:] + rates[:-1] > 0).all():
         return None
     return float(np.sum(2 * np.diff(s) / (rates[1:] + rates[:-1])))
