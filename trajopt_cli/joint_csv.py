@@ -237,10 +237,10 @@ def _steps(decimals: list[Decimals], factors: Array) -> Array:
 
 def _off_grid(t: Array, decimals: Decimals) -> Array:
     """The steps (n,) of times with so many decimals (n,), 0 for rows on a grid: there the times between them are the
-    same whole number of printed units, but for the first and the last one, for a grid may begin and end anywhere. One
-    entry where all are on it, or where all have the same step."""
+    same whole number of printed units. The first and the last one may always be off it, also where they are printed as
+    if they were not: a grid may begin and end anywhere."""
     h = np.diff(np.rint(t * 10.0 ** int(decimals.max())))
     if len(h) > 1 and np.ptp(h[1:-1] if len(h) > 2 else h) == 0:
-        same = [h[0] == h[1], *(len(h) - 1) * [True], h[-1] == h[-2]]
-        return np.zeros(1) if all(same) else np.where(same, 0.0, 10.0 ** -decimals.astype(np.float64))
+        ends = np.isin(np.arange(len(t)), (0, len(t) - 1))
+        return np.where(ends, 10.0 ** -decimals.astype(np.float64), 0.0)
     return _steps([decimals], np.ones(1))[:, 0]

@@ -61,8 +61,9 @@ class Digits:
         out = []
         for column, counts in enumerate(self._counts):
             sizes, decimals = self._sizes[column], self._decimals[column]
-            borrow = column > 0 and sum(counts.values()) < _FEW
-            formats = [one for i, one in enumerate(known) if i and sum(self._counts[i].values()) >= _FEW]
+            borrow = column > 0 and _changes(counts) < _FEW
+            formats = [one for i, one in enumerate(known) if i and _changes(self._counts[i]) >= _FEW]
+            formats = formats or [one for one in known[1:] if max(one.values()) == _FINEST]  # rows of one rest
             told = np.empty(len(sizes), dtype=np.int8)
             for size in np.unique(sizes).tolist():
                 here = sizes == size
@@ -86,6 +87,11 @@ class Digits:
                     out[size] = decimals
                     break
         return out
+
+
+def _changes(counts: Counter[tuple[int, int]]) -> int:
+    """How many values of a column say anything about its format: 0 and -0 do not."""
+    return sum(count for (size, _), count in counts.items() if size != _ZERO)
 
 
 def _at(known: dict[int, int], size: int) -> int:

@@ -62,7 +62,7 @@ def test_the_end_of_memory_in_the_middle_is_one_line(
     def ends(*_: object, **__: object) -> int:
         raise error
 
-    monkeypatch.setattr(cli, "app", ends)
+    monkeypatch.setattr(cli, "_commands", lambda: ends)
     monkeypatch.setattr(cli, "_give_up_stdout", lambda: None)
     assert cli.run(["parse", "a.mod"]) == 2
     said = capsys.readouterr().err
@@ -76,7 +76,7 @@ def test_other_errors_are_not_called_so(monkeypatch: pytest.MonkeyPatch) -> None
     def ends(*_: object, **__: object) -> int:
         raise RuntimeError("an error of ours")
 
-    monkeypatch.setattr(cli, "app", ends)
+    monkeypatch.setattr(cli, "_commands", lambda: ends)
     with pytest.raises(RuntimeError, match="an error of ours"):
         cli.run(["parse", "a.mod"])
 
@@ -100,7 +100,7 @@ def test_a_process_that_the_system_ends_is_named(
         with Beside(work, print) as beside:
             return beside.answer()
 
-    monkeypatch.setattr(cli, "app", ends)
+    monkeypatch.setattr(cli, "_commands", lambda: ends)
     assert cli.run(["parse", "a.mod"]) == 2
     assert capsys.readouterr().err.startswith("a process beside this one ended by SIGKILL; where memory is short, ")
     assert issubclass(ProcessEnded, RuntimeError)

@@ -16,7 +16,7 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.bound import lower_bound
 from trajopt_cli.optimize.improve import improved
 from trajopt_cli.optimize.legal import Legal, legal_of
-from trajopt_cli.optimize.solve import _end, _rows
+from trajopt_cli.optimize.solve import _rows
 from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.problem import Problem
@@ -90,7 +90,7 @@ def planned(axes: Axes, problem: Problem) -> Trajectory:
     draft = found.draft
     if not problem.coordinated:
         _, draft, _ = improved(axes, found, Patience(), lambda _: None, seconds)
-    rows = _rows(axes, draft, _end(problem, draft))
+    rows = _rows(axes, problem, draft)
     assert rows is not None
     return rows[0]
 

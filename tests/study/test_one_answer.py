@@ -88,6 +88,7 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> dict[tuple[Target, bool], set[tupl
 
     monkeypatch.setattr(legal, "check_reach", check_reach)
     monkeypatch.setattr(legal, "search", lambda *_: None)
+    monkeypatch.setattr("trajopt_cli.optimize.slow_plan", lambda *_: None)
     monkeypatch.setattr("trajopt_cli.beside.cores", lambda: 1)
     monkeypatch.setattr("trajopt_cli.pipeline.optimise.cores", lambda: 1)
     return found

@@ -129,11 +129,18 @@ def test_an_axis_at_rest_is_printed_like_the_others() -> None:
 
 def test_times_on_a_grid_are_not_rounded() -> None:
     rows = "t [s],joint_1 [rad]\n" + "".join(f"{0.004 * i:.3f},{i}\n" for i in range(5))
-    assert steps(rows)[0] == [0.0] * 5
+    # where it begins and where it ends, a grid may be cut, also by less than is printed
+    assert steps(rows)[0] == [1e-3, 0.0, 0.0, 0.0, 1e-3]
     assert steps(rows.replace("0.008", "0.009"))[0] == [1e-3] * 5
-    # where it begins and where it ends, a grid may be cut
-    assert steps(rows + "0.0171,5\n")[0] == [*[0.0] * 5, 1e-4]
-    assert steps(rows.replace("\n0.000,", "\n0.001,"))[0] == [1e-3, *[0.0] * 4]
+    assert steps(rows + "0.0171,5\n")[0] == [1e-4, *[0.0] * 4, 1e-4]
+    assert steps(rows.replace("\n0.000,", "\n0.001,"))[0] == [1e-3, *[0.0] * 3, 1e-3]
+
+
+def test_a_column_of_zeros_of_both_signs_is_printed_like_the_others() -> None:
+    """As axes are that stand while others move: -0 and 0 say nothing of digits."""
+    text = "t [s],joint_1 [rad],joint_2 [rad]\n"
+    text += "".join(f"{0.004 * i:.17g},{-0.0 if i % 2 else 0.0:.17g},{i / 3:.17g}\n" for i in range(40))
+    assert max(one.max() for one in (read_csv_text(text, "a.csv")[1].q,)) <= 1e-14
 
 
 def test_times_that_are_printed_alike_ask_for_more_digits() -> None:

@@ -25,10 +25,10 @@ def resample(trajectory: Trajectory, rate: float, rests: bool = True) -> Traject
     Between the rows of trajectory the motion is the cubic Hermite, so a position here is the motion's own. Raises
     InputError for a rate outside (0, 1e5] Hz, for more than MOST_ROWS rows, and for a trajectory without speeds.
     """
+    _check_hertz(rate)
     trajectory = trajectory.whole
     if trajectory.qd is None:
         raise InputError("the trajectory has no speed columns; resampling needs them")
-    _check_hertz(rate)
     ticks = [(0, math.floor(trajectory.duration * rate))] if rests else _moving(trajectory, rate)
     check_rate(trajectory, rate, sum(last - first for first, last in ticks))
     t = trajectory.t[0] + np.concatenate([np.arange(first, last + 1) for first, last in ticks]) / rate

@@ -482,7 +482,7 @@ def _marked(gaps: Array, doubt_t: float, marks: int) -> bool:
     inner = gaps[1:-1]
     if not len(inner):
         return False
-    grid = float(np.median(inner))
-    short = inner < grid - 2 * doubt_t - 1e-9 * grid
-    longer = inner > grid + 2e-5 + 2 * doubt_t
-    return bool(np.mean(~short) >= 0.4 and np.sum(short) >= max(marks, 1) and not longer.any())
+    grid = float(inner.max())  # and not the median: between near boundaries most gaps are short
+    whole = inner > grid - 2e-5 - 2 * doubt_t
+    short = inner < grid - 2e-5 - 2 * doubt_t - 1e-9 * grid
+    return bool(np.mean(whole) >= 0.4 and np.sum(short) >= max(marks, 1))

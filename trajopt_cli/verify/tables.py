@@ -239,7 +239,10 @@ def _axis(
     a, b, name, source = phase.first, phase.last, tables.names[j], phase.visit.point.source
     q, t = tables.q[a : b + 1, j], rows.t[a : b + 1]
     step, step_v = printed_step(rows)
-    granted = step / 2 + hardest * (2 * rows.open_time[a : b + 1]) ** 2 / 2  # a row at rest is near by
+    # a row at rest is near by, and the robot seems to stand until it has gone as far as printing hides of all axes
+    k = len(rows.trajectory.names)
+    hidden = np.sqrt(2 * k * rows.doubt_q[a : b + 1] / rows.plant.limits.acceleration).max(axis=1)
+    granted = step / 2 + hardest * (2 * rows.open_time[a : b + 1] + hidden) ** 2 / 2
     off = (np.abs(q - start) - granted)[: len(q) if not units else 1]
     i = int(np.argmax(off))
     yield finding(_POSITION, name, float(q[i]), start, "rad", bool(off[i] <= JOINT_TARGET),
