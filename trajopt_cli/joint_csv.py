@@ -27,6 +27,8 @@ _TIME = "t [s]"
 _SI = {"m": 1.0, "mm": MM, "rad": 1.0, "deg": DEG}
 _POSITION = re.compile(r"(?P<name>\w+) \[(?P<unit>m|mm|rad|deg)\]")
 _SPEED = re.compile(r"(?P<name>\w+) speed \[(?P<unit>m|mm|rad|deg)/s\]")
+FARTHEST = 1e9  # s, m, rad, m/s, rad/s: of any axis; more than thirty years
+NEAREST = 1e-9  # s between rows
 ABSURD = 100  # times its range: axes that are told beyond are no motion but a slip, or the end of a sensor's range
 Decimals = NDArray[np.int8]
 _ROWS = 4096  # that are text and numbers at once
@@ -107,14 +109,23 @@ def read_csv_text(text: str | TextIO, file: str) -> tuple[Trajectory, Resolution
         table, part = _numbers(fields, file, first + 2), slice(first, first + len(fields))
         digits.add(fields, table, first)
         table *= factors
+        if (far := np.abs(table) > FARTHEST).any():
+            i, j = (int(x) for x in np.argwhere(far)[0])
+            message = f"'{fields[i][j]}' is no time, position or speed of a robot: at most {FARTHEST:g} in s, m or rad"
+            raise InputError(
+                message, file=file, line=first + i + 2, column=1 + sum(len(one) + 1 for one in fields[i][:j])
+            )
         t[part], q[part], qd[part] = table[:, 0], table[:, 1 : 1 + k], table[:, 1 + k :]
         first += len(fields)
     if rows < 2:
         raise InputError(f"{rows} rows; a motion needs at least 2", file=file, line=rows + 1)
-    late = np.flatnonzero(np.diff(t) <= 0)
+    late = np.flatnonzero(np.diff(t) < NEAREST)
     if late.size:
         i = int(late[0])
         message = f"time {t[i + 1]:.17g} s follows {t[i]:.17g} s; times must increase"
+        if t[i + 1] > t[i]:
+            message = f"times {t[i + 1] - t[i]:.3g} s apart, at {t[i]:g} s; rows are {NEAREST:g} s apart at least:"
+            message += " see their unit"
         if t[i + 1] == t[i]:
             message += "; where both were rounded to this, print more digits of them"
         raise InputError(message, file=file, line=i + 3, column=1)

@@ -111,7 +111,7 @@ def test_the_robots_documented_caps_hold_where_the_cell_gives_none() -> None:
     plant = build_plant(parse_cell(ARM, "cell.yaml"))
     assert plant.tcp == plant.robot.tcp
     assert plant.notes[-1].startswith("TCP caps 2.5 m/s and 20 m/s²: ABB's data sheet")
-    assert plant.notes[-1].endswith("the robot's documented cap")
+    assert plant.notes[-1].endswith("as the robot's file has it")
 
 
 def test_estimated_accelerations_are_said_and_measured_ones_are_not() -> None:

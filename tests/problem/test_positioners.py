@@ -200,3 +200,16 @@ def test_the_shipped_program_is_read_with_its_cell() -> None:
     job = read_job(Path(__file__).parents[2] / "programs" / "positioner.mod")
     turning = [motion for motion in job.program.motions if getattr(motion, "units", ())]
     assert [round(np.degrees(motion.units[0].end)) for motion in turning] == [90, -90, 0]
+
+
+def test_a_rail_that_moves_needs_a_speed_for_it() -> None:
+    """vrot100 has none for linear axes."""
+    moves = program(r"MoveExtJ [[9E9,9E9,9E9,9E9,9E9,9E9],[500,9E9,9E9,9E9,9E9,9E9]], vrot100, fine;")
+    with pytest.raises(InputError, match=r"moves the rail at vrot100, whose speed of linear axes is 0: give one"):
+        optimize(moves, plant_with_rail(), Target.STREAM)
+
+
+@pytest.mark.parametrize("v_reax", ["0", "1E-30"])
+def test_a_table_that_turns_needs_a_speed(v_reax: str) -> None:
+    with pytest.raises(InputError, match=r"eax_b at .* deg/s \(v_reax of .*\): give at least 0.0573 deg/s"):
+        program(rf"MoveExtJ [[9E9,9E9,9E9,9E9,9E9,9E9],[9E9,90,9E9,9E9,9E9,9E9]], [1000,500,1000,{v_reax}], fine;")

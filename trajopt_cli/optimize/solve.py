@@ -46,7 +46,10 @@ from trajopt_cli.problem.problem import LegKind, Problem
 from trajopt_cli.problem.progress import Progress, Report, never_worse
 from trajopt_cli.trajectory import Trajectory
 
-_SLOW = "a slow plan that is legal, as no faster one was found ({why}); please report the program"
+_SLOW = (
+    "no fast plan was found ({why}); this one is legal but slow, and stops at every point: please report the program"
+)
+_SLOWED = "the whole plan is slowed down: between rows of the file a limit would have been passed"
 _HELD = "the rail is held still there (hold_rail): begin the hold behind the approach, or let the rail move"
 
 
@@ -124,10 +127,10 @@ def optimize(
         problem, draft, eased = legal.problem, slowed(legal.problem, legal.draft, times), None
         rows = _rows(axes, problem, draft)
         if rows is not None:
-            notes = (_SLOW.format(why="the written rows would pass a limit between each other"),)
+            notes = (_SLOWED,)
             break
     if rows is None:
-        raise NoCleanPlan("the written rows would pass a limit between each other")
+        raise NoCleanPlan("between two rows of the file the motion would pass a limit")
     trajectory = rows[0]
     bound: float | None = None
     if bounded and not patience.interrupted:
@@ -230,8 +233,8 @@ def search_estimate(program: Program, plant: Plant, target: Target, changes: Cha
 
 def _check_lengths(program: Program, problem: Problem, draft: Draft) -> None:
     """Raise InputError for a motion on which something moves for longer than LONGEST_MOTION: its rows fill a disk."""
-    for leg, motion in zip(problem.legs, draft.legs, strict=True):
-        under_way = 0.0 if motion is None else float(np.diff(motion.breaks())[~motion.resting()].sum())
+    for leg, motion, busy in zip(problem.legs, draft.legs, turning(problem), strict=True):
+        under_way = 0.0 if motion is None else float(np.diff(motion.breaks())[~motion.resting() | busy].sum())
         if under_way > LONGEST_MOTION:
             one = program.motions[leg.motion]
             text = f"{motion_name(one)} takes {under_way:.6g} s; plans hold motions of up to {LONGEST_MOTION:g} s: give"

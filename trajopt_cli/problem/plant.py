@@ -265,6 +265,6 @@ def _notes(cell: Cell, robot: RobotModel, limits: JointLimits) -> tuple[str, ...
             f"(profile {cell.profile}: {about}); a measured value belongs in {cell.file}"
         )
     caps = cell.tcp or robot.tcp
-    source = cell.tcp_source or f"{robot.notes['tcp.speed']}, the robot's documented cap"
+    source = cell.tcp_source or f"{robot.notes['tcp.speed']}, as the robot's file has it"
     notes.append(f"TCP caps {caps.speed:g} m/s and {caps.acceleration:g} m/s²: {source}")
     return tuple(notes)

@@ -383,7 +383,12 @@ class _Build:
         rail = float(layout.place(q))
         self.waypoints[-1] = replace(before, q=q, rail=(rail, rail), written=rail, conf=None)
         # vrot10 and its like have no speed for a rail, and need none where it stays
-        v_rail = motion.speed.v_leax if abs(self._written - rail) > _STILL else np.inf
+        moved = abs(self._written - rail) > _STILL and motion.duration is None
+        v_rail = motion.speed.v_leax if moved else np.inf
+        if v_rail <= 0:
+            text = f"{motion_name(motion)} moves the rail at {motion.speed.name}, whose speed of linear axes is 0"
+            text += ": give one"
+            raise InputError(text, file=motion.source.file, line=motion.source.line, column=motion.source.column)
         self._to(self._at_joints(index, self._axes(q[layout.arm])), motion, (np.inf, np.inf, v_rail))
 
     def _way(self, index: int, motion: MoveL | MoveC) -> None:

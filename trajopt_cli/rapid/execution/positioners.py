@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
     from trajopt_cli.rapid.language.syntax import Expression
 
+_SLOWEST = 1e-3  # rad/s, as in a cell file: less would take for ever
 _STILL = 0.1  # deg: backups hold measured values of axes that stand
 
 
@@ -60,6 +61,9 @@ def moved(run: Run, point: Expression, extax: ExternalAxes, speed: Speed, rides_
                 raise run.error(point, f"{where}, range {low:.6g}..{high:.6g} deg")
             if abs(end - start) > _STILL:
                 a, b, v = radians(start), radians(end), min(axis.velocity, speed.v_reax)
+                if v < _SLOWEST:
+                    where = f"turns {unit}'s eax_{'abcdef'[axis.eax]} at {degrees(v):g} deg/s (v_reax of {speed.name})"
+                    raise run.error(point, f"{where}: give at least {degrees(_SLOWEST):.3g} deg/s")
                 least = _trapezoid(abs(b - a), v, axis.acceleration)
                 p = origin[0] * MM, origin[1] * MM, origin[2] * MM
                 u = frames.rotate(q, (0.0, 0.0, 1.0))
