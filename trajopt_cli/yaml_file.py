@@ -78,7 +78,13 @@ def validated(
     try:
         return model.model_validate(content)
     except ValidationError as error:
-        found = [_input_error(model, detail, lines, file, wanted) for detail in error.errors(include_url=False)]
+        details = error.errors(include_url=False)
+        wrong = {detail["loc"][:n] for detail in details for n in range(len(detail["loc"]))}
+        found = [
+            _input_error(model, detail, lines, file, wanted)
+            for detail in details
+            if detail["type"] != "too_short" or detail["loc"] not in wrong  # of entries that are wrong none is counted
+        ]
         found.sort(key=lambda one: one.line or 0)
         raise _all(found, file) from error
 
@@ -311,6 +317,8 @@ def _input_error(
     model: type[BaseModel], detail: ErrorDetails, lines: Mapping[str, int], file: str, wanted: Mapping[str, str]
 ) -> InputError:
     key, message = ".".join(str(part) for part in detail["loc"]), in_words(model, detail, wanted)
+    bare = ".".join(part for part in detail["loc"] if isinstance(part, str))
+    key = bare if key not in lines and bare in lines else key  # one entry, given without a list around it
     return InputError(f"{key}: {message}" if key else message, file=file, line=line_of(key, lines))
 
 

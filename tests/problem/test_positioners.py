@@ -213,3 +213,20 @@ def test_a_rail_that_moves_needs_a_speed_for_it() -> None:
 def test_a_table_that_turns_needs_a_speed(v_reax: str) -> None:
     with pytest.raises(InputError, match=r"eax_b at .* deg/s \(v_reax of .*\): give at least 0.0573 deg/s"):
         program(rf"MoveExtJ [[9E9,9E9,9E9,9E9,9E9,9E9],[9E9,90,9E9,9E9,9E9,9E9]], [1000,500,1000,{v_reax}], fine;")
+
+
+def test_a_mistake_in_the_only_axis_of_a_positioner_is_one_line_with_its_key() -> None:
+    text = """robot: irb140
+start: {joints: "[0, 0, 0, 0, 30, 0] deg"}
+positioners:
+  STN1:
+    eax: b
+    frame: {position: [0.65, 0.5, 0.1]}
+    range: "[-185, 185] deg"
+    velocity: -3
+    acceleration: 300 deg/s2
+    source: "a test"
+"""
+    with pytest.raises(InputError) as caught:
+        parse_cell(text, "c.yaml")
+    assert str(caught.value) == "c.yaml:8: positioners.STN1.velocity: needs a number above zero, not -3"
