@@ -184,7 +184,7 @@ positioners:
         ("b", "[-1, 1], velocity: 1e-9", "velocity 1e-09 is less than any drive has, at least 0.001"),
         ("b", "[1, -1]", "range goes from 1 to -1"),
         ("b", "[1, 2]", "start 0 rad is not in the range 1..2 rad"),
-        ("g", "[-1, 1]", "positioners.T.0.eax"),
+        ("g", "[-1, 1]", "positioners.T.eax"),
     ],
 )
 def test_a_positioner_with_a_mistake_is_refused_with_its_line(eax: str, range_: str, said: str) -> None:

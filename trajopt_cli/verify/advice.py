@@ -47,8 +47,10 @@ def advise(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> list[Find
     for before, visit in (run for run in line.runs() if len(run) == 2):
         frame = frames[np.asarray(visit.point.X_FT).tobytes()]
         first, last = before.depart, visit.arrive
-        if visit.point.duration is not None or last - first < 3 or getattr(visit.point.move, "units", ()):
-            continue  # the libraries know nothing of a table that turns meanwhile
+        if visit.point.duration is not None or last - first < 3 or visit.point.move is None:
+            continue
+        if visit.point.move.units:  # the libraries know nothing of a table that turns meanwhile
+            continue
         if isinstance(visit.point.move, MoveL):
             out.append(_line(rows, before, visit, frame))
         elif isinstance(visit.point.move, MoveJ | MoveAbsJ) and _caps_inactive(rows, visit, frame, first, last):
