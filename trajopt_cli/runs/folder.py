@@ -248,13 +248,13 @@ def _check_plain(folder: Path) -> None:
                     raise InputError("is not a file that trajopt wrote; make the folder again", file=str(path))
 
 
-def _identity(folder: Path) -> tuple[int, int] | None:
-    """What tells a folder from one that has taken its name; None where there is none."""
+def _identity(folder: Path) -> tuple[int, ...] | None:
+    """What tells a folder from one that has taken its name, and maybe its number; None where there is none."""
     try:
         found = os.stat(folder)
     except OSError:
         return None
-    return found.st_dev, found.st_ino
+    return found.st_dev, found.st_ino, found.st_mtime_ns, found.st_ctime_ns
 
 
 @contextmanager
