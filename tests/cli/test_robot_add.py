@@ -85,11 +85,14 @@ def test_confdata_of_an_arm_without_a_rule_is_not_looked_at(model, capsys):
     (model / "one.mod").write_text(f"MODULE one\nPROC main()\n{moves}\nENDPROC\nENDMODULE\n")
     (model / "one.yaml").write_text('robot: mine.yaml\nstart: {joints: "[0, 0, 0, 0, 30, 0] deg"}\n')
     assert run(["parse", "one.mod"]) == 0
-    assert "every point and line fits the robot" in capsys.readouterr().out
+    told = "every point and line fits the robot (confdata is not looked at: robot mine has no rule for it)\n"
+    assert told in capsys.readouterr().out
     text = (model / "mine.yaml").read_text()
     (model / "mine.yaml").write_text(text.replace("rule: none", "rule: abb_six_axis"))
     run(["parse", "one.mod"])
-    assert "every point and line fits the robot" not in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert "1 motion does not fit the robot\n" in said
+    assert "not looked at" not in said
 
 
 def test_on_a_track_and_with_a_program_of_its_own(model, capsys):

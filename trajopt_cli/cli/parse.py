@@ -113,7 +113,7 @@ def parse(
     lines += [by_name(note, files) for note in notes]
     lines += warnings
     if any(row.conf is not None for row in listing.rows):
-        lines += [by_name(line, files) for line in _configurations(found)]
+        lines += [by_name(line, files) for line in _configurations(found, plant)]
     typer.echo("\n".join(lines))
 
 
@@ -203,19 +203,23 @@ def _stopped(listing: Listing) -> Iterator[str]:
         yield f"{row.source}: {row.zone} at {target} is a stop: {reason}{more}"
 
 
-def _configurations(found: Sequence[ConfigurationFinding] | None) -> Iterator[str]:
+def _configurations(found: Sequence[ConfigurationFinding] | None, plant: Plant | None) -> Iterator[str]:
     """What is wrong with confdata, each statement once per trouble."""
-    if found is None:
+    if found is None or plant is None:
         yield "configurations not checked: no cell file"
         return
+    from trajopt_cli.robot.structure import NO_CONFDATA
+
+    unruled = plant.robot.confdata_rule == NO_CONFDATA
+    blind = f" (confdata is not looked at: robot {plant.robot.name} has no rule for it)" if unruled else ""
     if not found:
-        yield "configurations: every point and line fits the robot"
+        yield f"configurations: every point and line fits the robot{blind}"
         return
     first: dict[tuple[object, object], list[ConfigurationFinding]] = {}
     for one in found:
         first.setdefault((one.source, one.misfit), []).append(one)
     count = f"{len(found)} motions do" if len(found) > 1 else "1 motion does"
-    yield f"configurations: {count} not fit the robot"
+    yield f"configurations: {count} not fit the robot{blind}"
     for group in list(first.values())[:_SHOWN]:
         again = f" (and {len(group) - 1} more passes)" if len(group) > 1 else ""
         yield f"  {group[0].source}: {group[0].message}{again}"
