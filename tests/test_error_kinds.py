@@ -27,7 +27,7 @@ CELL = "robot: irb140\nstart: {joints: [0, 0, 0, 0, 0.5, 0]}\n"
 
 def test_an_error_is_nothing_that_a_terminal_obeys() -> None:
     error = InputError("key '\x1b]0;evil\x07\u202e' is odd\nsecond line", file="no\nfolder", line=2)
-    assert str(error) == "no\\nfolder:2: key '\\x1b]0;evil\\x07\\u202e' is odd\nsecond line"
+    assert str(error) == "no\\nfolder:2: key '\\x1b]0;evil\\x07\\u202e' is odd\\nsecond line"
     assert str(InputError("größer 0,5 µm – ≤", file="ü.mod")) == "ü.mod: größer 0,5 µm – ≤"
 
 

@@ -17,6 +17,7 @@ def test_of_a_line_without_end_the_ends_are_shown() -> None:
 def test_what_a_terminal_would_obey_is_written_as_an_escape() -> None:
     assert terminal_text("a\x1b[31mb\x9b\r\tc\nd\udc80") == "a\\x1b[31mb\\x9b\\r\tc\nd\\udc80"
     assert str(InputError("of \x07", file="\x1b]0;x")) == "\\x1b]0;x: of \\x07"
+    assert InputError("no 'a\nb'", file="c\nd", excerpt="e\n^").shown() == "c\\nd: no 'a\\nb'\ne\n^"
 
 
 def test_of_many_mistakes_a_page_is_shown_with_their_number() -> None:
@@ -27,5 +28,5 @@ def test_of_many_mistakes_a_page_is_shown_with_their_number() -> None:
     *lines, last = many.shown().splitlines()
     assert last == f"{40 - len(lines)} more are not shown; correct these first"
     assert len(many.errors) == str(many).count("\n") + 1 == 40
-    alone = InputErrorGroup([InputError("x\n" * 3000), InputError("y")])
+    alone = InputErrorGroup([InputError("x", excerpt="x\n" * 3000), InputError("y")])
     assert alone.shown().endswith("\n1 more are not shown; correct these first")

@@ -39,8 +39,9 @@ class ErrorKind(Enum):
 class InputError(Exception):
     """Something the user gave is wrong: one line with place, value, bound and next step. Exit code 2.
 
-    file, line and column (1-based) are None where they do not apply. str() is the line to print. excerpt: the line of
-    the file with a caret below the place, where there is one; shown() has both. kind: where it is raised, or of the
+    file, line and column (1-based) are None where they do not apply. str() is the line to print, a newline
+    in it as \\n. excerpt: what is printed below it, mostly the line of the file with a caret below the place; shown()
+    has both. kind: where it is raised, or of the
     innermost of_kind around that place; OPTION where neither says.
     """
 
@@ -74,7 +75,7 @@ class InputError(Exception):
 
     def __str__(self) -> str:
         place = ":".join(str(part) for part in (self.file, self.line, self.column) if part is not None)
-        return terminal_text(f"{printable(place)}: {self.message}" if place else self.message)
+        return terminal_text(printable(f"{place}: {self.message}" if place else self.message))
 
     def shown(self) -> str:
         """The line to print, and below it the excerpt."""

@@ -8,7 +8,7 @@ from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING
 
-from trajopt_cli.errors import ErrorKind, InputError, of_kind
+from trajopt_cli.errors import ErrorKind, InputError, of_kind, printable
 from trajopt_cli.motion import Move, Program
 from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.runs import RUN
@@ -154,9 +154,9 @@ def read_job(
         refuse_results(path)
     path = cell or cell_path_for(paths)
     if cell is None and not path.exists():
-        text = minimal_cell(paths[0].name or paths[0].resolve().name)
-        message = f"{paths[0]} has no cell file; save these lines there and adapt them:\n{text}"
-        raise InputError(message, file=str(path), kind=ErrorKind.CELL)
+        text = minimal_cell(printable(paths[0].name or paths[0].resolve().name))
+        message = f"{paths[0]} has no cell file; save these lines there and adapt them:"
+        raise InputError(message, file=str(path), excerpt=text, kind=ErrorKind.CELL)
     loaded = _with_robot(path, robot)
     scenario = scenario_of(loaded, assume_identity)
     plant = build_plant(loaded)

@@ -35,3 +35,17 @@ def test_no_line_is_longer_than_600_characters(
     assert max(map(len, lines)) <= 700
     assert any("…" in line for line in lines)
     assert any(line.rstrip("a'").rstrip() for line in lines)
+
+
+@pytest.mark.parametrize(
+    "arguments", [["parse"], ["parse", "one.mod", "--entry"], ["robot", "show"], ["new"], ["verify"], ["optimize"]]
+)
+def test_a_newline_in_an_argument_is_written_as_one(
+    arguments: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("one.mod").write_text("MODULE M\nPROC main()\nENDPROC\nENDMODULE\n", encoding="utf-8")
+    assert run([*arguments, "a\nb"]) == 2
+    said = capsys.readouterr().err
+    assert "a\\nb" in said
+    assert said.count("\n") == 1

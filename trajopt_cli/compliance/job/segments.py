@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from trajopt_cli.compliance.job.folder import Opened, check_place, sequence_files, sequence_record, write_task_run
 from trajopt_cli.compliance.task.model import AngleMeaning, Task
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import InputError, printable
 from trajopt_cli.runs.folder import check_replaceable, read_bytes
 from trajopt_cli.runs.record import INPUT, InputFile, Inputs
 
@@ -49,8 +49,8 @@ def read_task(path: Path, task: Path | None = None) -> tuple[Task, Path, Path | 
     if not path.is_file():
         raise InputError("no such path" if path.suffix.lower() == ".csv" else "no such program", file=str(path))
     if not beside.is_file():
-        message = f"{path} has no task file; name one with --task, or save these lines there and adapt them"
-        raise InputError(f"{message}:\n{minimal_task(path.name)}", file=str(beside))
+        message = f"{path} has no task file; name one with --task, or save these lines there and adapt them:"
+        raise InputError(message, file=str(beside), excerpt=minimal_task(printable(path.name)))
     return load_task(beside, path), beside, path
 
 
