@@ -46,6 +46,10 @@ class Digits:
         sizes = np.where(np.isfinite(sizes), np.clip(sizes, _ZERO + 1, -_ZERO), _ZERO).astype(np.int8)
         for column, (counts, last) in enumerate(zip(self._counts, self._last, strict=True)):
             texts = [row[column] for row in fields]
+            if texts.count(last) == len(texts):  # a column at rest
+                decimals = self._decimals[column, first - 1]
+                self._decimals[column, part], self._sizes[column, part] = decimals, sizes[:, column]
+                continue
             decimals = [_FINEST if len(text) > _ALL else decimals_of(text) for text in texts]
             new = [text != before for text, before in zip(texts, [last, *texts[:-1]], strict=True)]
             counts.update(

@@ -13,6 +13,7 @@ from hypothesis.extra.numpy import arrays
 from trajopt_cli import joint_csv
 from trajopt_cli.errors import InputError
 from trajopt_cli.joint_csv import header, read_csv_text, write_csv_text
+from trajopt_cli.printed import Digits
 from trajopt_cli.trajectory import Trajectory
 
 NAMES = ("rail", "joint_1", "joint_2")
@@ -35,6 +36,18 @@ def test_written_numbers_come_back_bit_for_bit(values: np.ndarray, speeds: bool)
     assert (read.qd is None) == (not speeds)
     if read.qd is not None:
         assert np.array_equal(read.qd, values[:, 3:])
+
+
+@pytest.mark.parametrize("at_once", [1, 20, 10**6])
+def test_digits_of_a_column_at_rest_are_told_of_all_its_rows(at_once: int) -> None:
+    digits = Digits(30, 2)
+    shown = [f"0.{201 + k}" if k < 10 or k >= 20 else "0.123456" for k in range(30)]
+    for first in range(0, 30, at_once):
+        fields = [[f"{k}.5", shown[k]] for k in range(30)][first : first + at_once]
+        digits.add(fields, np.array(fields, dtype=float), first)
+    times, column = digits.last()
+    assert set(times.tolist()) == {1}
+    assert column.tolist() == [3] * 10 + [6] * 10 + [3] * 10
 
 
 def test_foreign_units_are_converted() -> None:

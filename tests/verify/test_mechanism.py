@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 
 import numpy as np
+import pinocchio as pin
 import pytest
 from scipy.spatial.transform import Rotation
 
@@ -38,6 +39,20 @@ def mechanism(request: pytest.FixtureRequest, X_WR: Array) -> Mechanism:
 @pytest.fixture
 def rng() -> np.random.Generator:
     return np.random.default_rng(211)
+
+
+def test_of_rows_at_rest_the_first_is_looked_at(monkeypatch: pytest.MonkeyPatch, rng: np.random.Generator) -> None:
+    mechanism = Mechanism(ROBOTS / "irb140.urdf", np.eye(4))
+    q = states(mechanism, rng, 3)[0][[0, 0, 1, 1, 1, 0, 2]]
+    alone = [mechanism.flange(row[None]) for row in q]
+    looked: list[Array] = []
+    compute = pin.computeFrameJacobian
+    monkeypatch.setattr(pin, "computeFrameJacobian", lambda *given: (looked.append(given[2]), compute(*given))[1])
+    X, J = mechanism.flange(q)
+    assert len(looked) == 4
+    np.testing.assert_array_equal(X, [one[0] for one, _ in alone])
+    np.testing.assert_array_equal(J, [one[0] for _, one in alone])
+    assert mechanism.flange(q[:0])[0].shape == (0, 4, 4)
 
 
 def states(mechanism: Mechanism, rng: np.random.Generator, n: int = 60) -> tuple[Array, Array, Array]:
