@@ -133,6 +133,9 @@ def test_in_place_writes_over_the_users_own_file(
     assert run(["export", "rapid", "results/tiny", "--in-place"]) == 0
     assert capsys.readouterr().out == "tiny.mod: the rapid plan; as it was: tiny.mod.bak\n"
     assert (program.read_bytes(), Path("tiny.mod.bak").read_bytes()) == (content, given)
+    assert run(["export", "rapid", "results/tiny", "--in-place"]) == 2
+    said = "tiny.mod: is not the file that the results were made from (that is kept as tiny.mod.bak); run trajopt"
+    assert capsys.readouterr().err == f"{said} optimize again\n"
 
 
 def test_in_place_refuses_a_file_that_is_not_the_one_it_was_made_from(
@@ -173,6 +176,9 @@ def test_new_modules_are_kept_in_the_results(
         (Path("main_flat.mod"), Path("main_flat.mod"), NEW),
     ]
     assert "--- /dev/null\n+++ b/main_flat.mod\n" in files.difference
+    assert run(["export", "rapid", "results/tiny", "--output", "one.mod"]) == 2
+    said = "one.mod: is a file's name; the program has 2 modules, --output names a folder for them\n"
+    assert capsys.readouterr().err.endswith(said)
     assert run(["export", "rapid", "results/tiny", "--output", "out", "--in-place"]) == 0
     assert tree(Path("out")) == {"tiny.mod": content, "main_flat.mod": NEW}
     assert Path("main_flat.mod").read_bytes() == NEW

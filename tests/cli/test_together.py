@@ -246,6 +246,23 @@ def test_what_the_user_changed_meanwhile_stays(modules: dict[str, Any]) -> None:
     assert not (root / JOURNAL).exists()
 
 
+def test_what_cannot_be_put_back_says_how_to_go_on(modules: dict[str, Any]) -> None:
+    root, wanted = modules["root"], modules["wanted"]
+    main = root / "prog/main.mod"
+    steps = 0
+    while main.read_bytes() == wanted[main][0]:
+        put_back(wanted)
+        killed_at(steps, lambda: replace_files(wanted, {}))
+        steps += 1
+    (root / "prog/main.mod.bak2").write_bytes(b"another")
+    with pytest.raises(InputError) as error:
+        put_back(wanted)
+    kept = "main.mod.bak2 does not hold what it was; to keep the files as they are, remove"
+    assert str(error.value).endswith(f"{kept} {root / JOURNAL}")
+    (root / JOURNAL).unlink()
+    assert put_back(wanted) == []
+
+
 def digest(text: bytes) -> str:
     return hashlib.sha256(text).hexdigest()
 

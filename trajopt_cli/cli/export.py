@@ -380,11 +380,14 @@ def check_output(output: Path, results: Path, option: str = "--output") -> None:
 
 def _places(output: Path, results: Path, names: Sequence[Path]) -> list[Path]:
     """Where the modules of a program go: one to the file output, several by their names into the folder output."""
+    from trajopt_cli.runs.results import MODULES
+
     if len(names) == 1:
         check_output(output, results)
         return [output]
-    if output.exists() and not output.is_dir():
-        message = f"is a file; the program has {len(names)} modules, --output names a folder for them"
+    if not output.is_dir() and (output.exists() or output.suffix.lower() in MODULES):
+        what = "is a file" if output.exists() else "is a file's name"
+        message = f"{what}; the program has {len(names)} modules, --output names a folder for them"
         raise InputError(message, file=str(output))
     if not output.parent.is_dir():
         raise InputError("is not a folder to write to; make it or correct --output", file=str(output.parent))

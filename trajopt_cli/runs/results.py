@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from glob import escape
 from pathlib import Path
 from typing import Annotated, Any, ClassVar
 
@@ -30,7 +31,7 @@ from trajopt_cli.runs.together import replace_files
 CHOSEN = "trajectory.csv"
 CSV = {Target.STREAM: "stream.csv", Target.RAPID: "rapid.csv"}
 _SIGNAL_WAIT = "Wait"
-_MODULES = (".mod", ".prg", ".sys", ".modx", ".sysx")
+MODULES = (".mod", ".prg", ".sys", ".modx", ".sysx")
 NOT_TIMED = "not timed: stopped by Ctrl-C"
 
 
@@ -401,16 +402,18 @@ def write_in_place(modules: Sequence[RapidModule]) -> dict[Path, Path]:
     is taken, or a place cannot be written.
     """
     for one in modules:
-        if one.path.suffix.lower() not in _MODULES:  # whoever made the folder chose these paths
-            known = ", ".join(_MODULES)
+        if one.path.suffix.lower() not in MODULES:  # whoever made the folder chose these paths
+            known = ", ".join(MODULES)
             message = f"is no RAPID module by its name ({known}), and is not written over; give --output"
             raise InputError(message, file=str(one.path))
         if one.given is None:
             if os.path.lexists(one.path):
                 raise InputError("is a new module of the plan, and the name is taken; move it away", file=str(one.path))
         elif read_bytes(one.path) != one.given:
-            raise InputError(
-                "is not the file that the results were made from; run trajopt optimize again", file=str(one.path)
-            )
+            copies = sorted(one.path.parent.glob(f"{escape(one.path.name)}.bak*"))
+            kept = [copy.name for copy in copies if copy.is_file() and read_bytes(copy) == one.given]
+            where = f" (that is kept as {kept[-1]})" if kept else ""
+            message = f"is not the file that the results were made from{where}; run trajopt optimize again"
+            raise InputError(message, file=str(one.path))
     wanted = {one.path: (one.given, one.content) for one in modules if one.given is not None}
     return replace_files(wanted, {one.path: one.content for one in modules if one.given is None})

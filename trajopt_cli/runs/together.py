@@ -198,7 +198,8 @@ def _undo(folder: Path, change: _Change) -> bool:
             path.unlink()
     elif now == change.becomes:
         if backup is None or _digest(backup) != change.was:
-            raise InputError(f"cannot be put back: {backup} does not hold what it was", file=str(path))
+            message = f"cannot be put back: {backup} does not hold what it was"
+            raise InputError(f"{message}; to keep the files as they are, remove {folder / JOURNAL}", file=str(path))
         os.replace(backup, path)
     elif now == change.was and backup is not None and _digest(backup) is not None:
         with open(path, "rb") as whole, open(backup, "rb") as copy:
