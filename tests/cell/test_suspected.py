@@ -16,6 +16,15 @@ CELL = """robot: irb140_rail
 rail: {eax: a, stroke: [-0.2, 2.2]}
 start: {joints: "[0, 0, 0, 0, 30, 0] deg", rail: 0}
 """
+TABLE = """positioners:
+  STN1:
+    - eax: b
+      frame: {position: [0.65, 0.5, 0.1], rpy: [0, 0, 0]}
+      range: "[-185, 185] deg"
+      velocity: 150 deg/s
+      acceleration: 300 deg/s2
+      source: x
+start:"""
 
 
 @pytest.mark.parametrize(
@@ -69,6 +78,10 @@ def test_an_odd_number_is_a_warning(old: str, new: str, said: str) -> None:
             "[0, 0, 900] mm",
         ),
         ("[-0.2, 2.2]", "[-200, 2200]", "no rail is longer than 100 m"),
+        ("start:", TABLE.replace("0.65, 0.5", "650, 500"), 'if mm are meant, write "[650, 500, 0.1] mm"'),
+        ("start:", TABLE.replace("0.65", "1.0e+308"), "STN1.0.frame: position reaches 1e+308 m, at most 10000 m"),
+        ("start:", TABLE.replace("[0, 0, 0]", "[0, 0, 90]"), "rpy: 90 without a unit is 90 rad, 5156.62 deg"),
+        ("start:", TABLE.replace("185] deg", "1e300] deg"), "STN1.0: range goes from -3.22886 to 1.74533e+298 rad, at"),
     ],
 )
 def test_an_absurd_number_is_refused(old: str, new: str, said: str) -> None:

@@ -175,6 +175,10 @@ GOOD = "t [s],rail [m],joint_1 [rad]\n0,0,0\n0.1,0.5,1\n"
             "a.csv:1:16: unknown column 'joint_1 [grad]'; wanted '<axis> [m|mm|rad|deg]' for every axis, then all or "
             "none of '<axis> speed [unit/s]' in that order",
         ),
+        (
+            GOOD.replace("joint_1 [rad]", "eax_b [mm]"),
+            "a.csv:1:16: column 'eax_b [mm]' is of an axis that turns; wanted its values in rad or deg",
+        ),
         (GOOD.replace("joint_1", "rail"), "a.csv:1: axes are 'rail, rail'; wanted each axis once"),
         (
             "t [s],rail [m],joint_1 [rad],rail speed [m/s]\n0,0,0,0\n1,0,0,0\n",

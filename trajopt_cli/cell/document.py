@@ -46,6 +46,8 @@ from trajopt_cli.quantity import (
 from trajopt_cli.scenario import LONGEST_WAIT, NUM_LIMIT, Lines, Scenario
 from trajopt_cli.shapes import Cue
 
+FARTHEST = 1e4  # m from the world's origin; beyond, numbers lose what a robot moves by
+MOST_TURNED = 1e4  # rad of an axis of a positioner, 1600 turns
 THICKEST = 1.0  # m of a tool's radius
 LONGEST_RAIL = 100.0  # m of stroke; beyond, somebody wrote millimetres
 MAX_SEQUENCE = 10_000  # values of one signal or answer; a program that polls reads a few dozen
@@ -140,6 +142,8 @@ class FrameSection(_Section):
 
     @model_validator(mode="after")
     def _one_rotation(self) -> FrameSection:
+        if abs(far := max(self.position, key=abs)) > FARTHEST:
+            raise complain(f"position reaches {far:g} m, at most {FARTHEST:g} m; check the value and its unit")
         if self.wxyz is not None and self.rpy is not None:
             raise complain("has both wxyz and rpy; keep one")
         if self.wxyz is not None and abs(sum(part * part for part in self.wxyz) ** 0.5 - 1) > 2e-3:
@@ -206,6 +210,8 @@ class PositionerSection(_Section):
         _drives(velocity=self.velocity, acceleration=self.acceleration)
         if not low < high:
             raise complain(f"range goes from {low:g} to {high:g}; the lower end comes first")
+        if max(-low, high) > MOST_TURNED:
+            raise complain(f"range goes from {low:g} to {high:g} rad, at most {MOST_TURNED:g} rad; check the value")
         if not low <= self.start <= high:
             raise complain(f"start {self.start:g} rad is not in the range {low:g}..{high:g} rad")
         return self

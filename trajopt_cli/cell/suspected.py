@@ -32,6 +32,8 @@ LENGTH = Kind("m", "mm", MM, 20, 100)
 SPEED = Kind("m/s", "mm/s", MM, 12, 1e3)
 ACCELERATION = Kind("m/s2", "mm/s2", MM, 200, 1e5)
 
+TABLE = Kind("rad", "deg", DEG, 7, 1e4)  # turning tables go round and round
+
 # By the path of the key, * for any name.
 _BODY: dict[tuple[str, ...], Kind] = {
     ("*", "position"): LENGTH,
@@ -39,6 +41,14 @@ _BODY: dict[tuple[str, ...], Kind] = {
     ("*", "rpy"): ANGLE,
     ("capsule", "*"): LENGTH,
     ("fence", "*"): LENGTH,
+}
+_AXIS: dict[tuple[str, ...], Kind] = {
+    ("frame", "position"): LENGTH,
+    ("frame", "rpy"): ANGLE,
+    ("range",): TABLE,
+    ("start",): TABLE,
+    ("velocity",): TURN_RATE,
+    ("acceleration",): TURN_ACCELERATION,
 }
 CELL: dict[tuple[str, ...], Kind] = {
     ("start", "joints"): ANGLE,
@@ -58,6 +68,7 @@ CELL: dict[tuple[str, ...], Kind] = {
     ("clearance",): Kind("m", "mm", MM, 1, 100),
     ("tool_radius",): Kind("m", "mm", MM, 1, 100),
     ("rail", "track", "*"): Kind("m", "mm", MM, 3, 100),
+    **{("positioners", "*", *several, *path): kind for several in ((), ("*",)) for path, kind in _AXIS.items()},
     **{(of, "*", *path): kind for of in ("obstacles", "attached") for path, kind in _BODY.items()},
 }
 TASK: dict[tuple[str, ...], Kind] = {
@@ -110,6 +121,9 @@ def _values(content: Any, path: tuple[str, ...]) -> Iterator[tuple[tuple[str, ..
     if isinstance(content, dict):
         for key, value in content.items():
             yield from _values(value, (*path, str(key)))
+    elif isinstance(content, list) and any(isinstance(one, dict) for one in content):
+        for i, one in enumerate(content):
+            yield from _values(one, (*path, str(i)))
     elif _is_number(content) or (isinstance(content, list) and content and all(map(_is_number, content))):
         yield path, content
 
