@@ -262,6 +262,10 @@ def test_a_csv_file_of_anybody_is_judged_against_a_program(
     )
     Path("fast.csv").write_text(Path("joints.csv").read_text().replace("joint_1 [rad]", "joint_1 [deg]"))
     assert run(["verify", "fast.csv", "--program", str(program)]) == 1
+    Path("one.csv").write_text("t [s],joint_1 [rad]\n0,0\n1,0\n")
+    capsys.readouterr()
+    assert run(["verify", "one.csv", "--program", str(program)]) == 2
+    assert capsys.readouterr().err.startswith("one.csv: the file's axes are joint_1; the robot's are")
 
 
 def test_export_joint_carries_the_chosen_target_to_its_exact_end(

@@ -10,7 +10,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING, TextIO
 
 from trajopt_cli.beside import Beside, give_back
-from trajopt_cli.errors import InputError
+from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.job import Job
 from trajopt_cli.motion import Program
 from trajopt_cli.problem.changes import Changes, Loops, everything
@@ -453,7 +453,12 @@ def judge(
     trajectory, resolution = read_csv_text(text, file)
     if trajectory.names == plant.limits.names:
         check_reach(trajectory, plant.limits.lower, plant.limits.upper, plant.limits.velocity, file)
-    return verify(program, plant, trajectory, resolution, dropped, target, advice, promises=advice)
+    try:
+        return verify(program, plant, trajectory, resolution, dropped, target, advice, promises=advice)
+    except InputError as error:
+        error.file = error.file or file
+        error.take(ErrorKind.RESULTS)
+        raise
 
 
 def worst(report: findings.Report) -> Finding:
