@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array
 from trajopt_cli.printed import Digits
-from trajopt_cli.trajectory import TABLE, Trajectory
+from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.units import DEG, MM
 
 _TIME = "t [s]"
@@ -197,7 +197,7 @@ def _read_header(line: str, file: str) -> tuple[tuple[str, ...], Array, bool]:
     column = len(heads[0]) + 2
     for head in heads[1:]:
         position, speed = _POSITION.fullmatch(head), _SPEED.fullmatch(head)
-        if (match := position or speed) and match["name"].startswith(TABLE) and match["unit"] in ("m", "mm"):
+        if (match := position or speed) and match["name"].startswith("eax_") and match["unit"] in ("m", "mm"):
             message = f"column '{head}' is of an axis that turns; wanted its values in rad or deg"
             raise InputError(message, file=file, line=1, column=column)
         if position and not speeds:

@@ -77,6 +77,23 @@ def at(*keys: Any) -> Callable[[Any, Any], None]:
 
 
 @pytest.mark.parametrize(
+    ("key", "value", "said"),
+    [
+        ("target", "x", 'options.target: "x" is none of stream, rapid; '),
+        ("cycle_time", 1e308, "options.cycle_time: needs a number, 1e+09 or less, not 1e+308; "),
+        ("cycle_time", -1.0, "options.cycle_time: needs a number, zero or more, not -1.0"),
+    ],
+)
+def test_options_that_nobody_gave(results: Path, key: str, value: Any, said: str) -> None:
+    record = json.loads((results / "run.json").read_text())
+    record["options"][key] = value
+    (results / "run.json").write_text(json.dumps(record))
+    with pytest.raises(InputError) as caught:
+        read_results(results)
+    assert str(caught.value).startswith(f"results/tiny/run.json: was not written by trajopt: {said}")
+
+
+@pytest.mark.parametrize(
     ("put", "what"),
     [
         (at("inputs", "files"), "inputs.files"),

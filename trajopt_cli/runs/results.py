@@ -10,10 +10,11 @@ from pathlib import Path
 from typing import Annotated, Any, ClassVar
 
 import numpy as np
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.findings import Report, finding_record
+from trajopt_cli.joint_csv import FARTHEST
 from trajopt_cli.motion import Program, SignalEvent, Wait
 from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.constant_speed import Stretch, stretch_record
@@ -48,6 +49,12 @@ def _as_list(value: object) -> object:
     return [value] if isinstance(value, str) else value  # as older runs wrote a single program
 
 
+def _a_target(value: str) -> str:
+    if value and value not in [*Target]:
+        raise complain(f"{quoted(value)} is none of {', '.join(Target)}")
+    return value
+
+
 class PlanOptions(Section):
     """As the user gave them, and the name of the target whose plan was chosen. cycle_time [s]: given for a plan of
     least effort, 0 where it was to be the least; None for the fastest plan."""
@@ -56,9 +63,9 @@ class PlanOptions(Section):
     cell: str = ""
     entry: str = "main"
     assume_identity: list[str] = Field(default_factory=list)
-    target: str = ""
+    target: Annotated[str, AfterValidator(_a_target)] = ""
     loops: Annotated[Loops, Field(strict=False)] = Loops.KEEP
-    cycle_time: float | None = None
+    cycle_time: Annotated[float, Field(ge=0, le=FARTHEST)] | None = None
 
 
 class AddedModule(Section):
