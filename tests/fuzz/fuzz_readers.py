@@ -14,6 +14,7 @@ import random
 import re
 import shutil
 from collections.abc import Callable, Sequence
+from copy import deepcopy
 from dataclasses import dataclass, replace
 from functools import cache, partial
 from pathlib import Path
@@ -349,13 +350,13 @@ def _json_changed(rng: random.Random, content: bytes) -> bytes:
             if kind == 0:
                 del node[key]
             elif kind == 1 and isinstance(node, dict):
-                node[rng.choice(("", "x", "../y", "format"))] = node[key]
+                node[rng.choice(("", "x", "../y", "format"))] = deepcopy(node[key])  # twice itself may hold itself
             elif kind == 2 and isinstance(node, list):
-                node.append(node[key])
+                node.append(deepcopy(node[key]))
             elif kind == 3 and isinstance(node[key], int | float):
                 node[key] = rng.choice((-node[key], node[key] + 1, node[key] * 1e9))
             else:
-                node[key] = rng.choice(strange)
+                node[key] = deepcopy(rng.choice(strange))
             break
     return json.dumps(record).encode()
 

@@ -24,6 +24,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import traceback
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -199,11 +200,16 @@ def apart(reader: Reader, rng: random.Random, tally: Tally, count: int, folder: 
         noise = os.open(folder.parent / "noise", os.O_RDWR | os.O_CREAT | os.O_TRUNC)
         faulthandler.enable(sys.stdout)
         os.dup2(noise, 2)
-        set_limits(MEMORY)
-        os.chdir(folder)
-        block(reader, rng, tally, count, folder, feedback)
-        answer.write_bytes(pickle.dumps(tally))
-        os._exit(0)
+        try:  # nothing of this process' own may go on here, and clear its folder away
+            set_limits(MEMORY)
+            os.chdir(folder)
+            block(reader, rng, tally, count, folder, feedback)
+            answer.write_bytes(pickle.dumps(tally))
+        except Exception:
+            traceback.print_exc(file=sys.stdout)
+            sys.stdout.flush()
+        finally:
+            os._exit(0)
     _, status = os.waitpid(child, 0)
     if answer.exists():
         return pickle.loads(answer.read_bytes())  # type: ignore[no-any-return]
