@@ -81,3 +81,9 @@ def test_a_folder_without_the_right_to_write_is_noticed(tmp_path: Path, monkeypa
         check_writable(tmp_path / "file" / "below" / "it")
     with pytest.raises(InputError, match="file: is a file, and no folder to write to"):
         check_writable(tmp_path / "file", into=True)
+
+
+@pytest.mark.parametrize("into", [False, True])
+def test_the_root_of_the_file_system_is_no_place(into: bool) -> None:
+    with pytest.raises(InputError, match="//: is the whole file system; choose a folder in it"):
+        check_writable(Path("//"), into)

@@ -93,6 +93,8 @@ def check_writable(path: Path, into: bool = False) -> None:
     folder of this name. Missing parents stand in nobody's way, a file among them does. A nameless file is made and goes
     again: rights alone do not tell of disks that are read-only."""
     full = Path(os.path.realpath(path))
+    if full == full.parent:
+        raise InputError("is the whole file system; choose a folder in it", file=str(path))
     try:
         place = next(one for one in ((full, *full.parents) if into else full.parents) if one.exists())
         if not place.is_dir():
