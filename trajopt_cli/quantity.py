@@ -14,6 +14,7 @@ from pydantic_core import PydanticCustomError
 from trajopt_cli.errors import InputError
 from trajopt_cli.units import DEG, MM
 
+FARTHEST = 1e12  # m: lengths beyond it overflow where they are multiplied a few times
 LENGTH = {"m": 1.0, "cm": 1e-2, "mm": MM}
 ANGLE = {"rad": 1.0, "deg": DEG, "°": DEG}
 FORCE = {"N": 1.0, "kN": 1e3}
@@ -130,16 +131,21 @@ def _finite(value: float, given: object) -> float:
 def number(units: Mapping[str, float]) -> Reader[float]:
     """A validator: a finite number in SI, or a text with one of units (name to factor), to a float in SI."""
 
+    def within(length: float) -> float:
+        if units is LENGTH and abs(length) > FARTHEST:
+            raise complain(f"needs a length within {FARTHEST:g} m, not {length:g} m; check its digits and unit")
+        return length
+
     def validate(value: Any) -> float:
         if isinstance(value, str):
             match = _SCALAR.fullmatch(value.strip())
             if match is None:
                 raise complain(f"needs a number, not {shown(value)}")
-            return _finite(float(match["number"]) * _factor(match["unit"].strip(), units, value), value)
+            return within(_finite(float(match["number"]) * _factor(match["unit"].strip(), units, value), value))
         if isinstance(value, bool) or not isinstance(value, (int, float)):
             raise complain(f"needs a number, not {shown(value)}")
         try:
-            return _finite(float(value), value)
+            return within(_finite(float(value), value))
         except OverflowError:
             raise complain(f"needs a finite number, not {shown(value)}") from None
 

@@ -380,6 +380,10 @@ def test_the_scenario_has_values_sequences_answers_waits_searches_and_limits() -
         ("answers: {a: }\n", "3: answers.a: needs a number, true or false, or a text, not nothing"),
         ("answers: {a: [1, [2]]}\n", "3: answers.a: needs a number, true or false, or a text, not a list"),
         ("answers: {a: .inf}\n", "3: answers.a: needs a finite number, not inf"),
+        (
+            "obstacles: {a: {fence: {points: [[0, 0], [-7e307, 2]], height: 1}}}\n",
+            "3: obstacles.a.fence.points.1: needs a length within 1e+12 m, not -7e+307 m; check its digits and unit",
+        ),
         ("waits: {a: later}\n", '3: waits.a: needs seconds, or timeout, not "later"'),
         ("searches: {a: 1.5}\n", "3: searches.a: needs a share of the way from 0 to 1, or never, not 1.5"),
         ("searches: {a: no}\n", '3: searches.a: needs a share of the way from 0 to 1, or never, not "no"'),
