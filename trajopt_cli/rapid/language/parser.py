@@ -60,7 +60,9 @@ class Parser(StatementParser):
             if self.kind == "MODULE":
                 modules.append(self._module())
             elif not modules:
-                modules.append(Module(self.here, self.behind, "", (), self._items(loose=True)))
+                start, behind = self.here, self.behind
+                if items := self._items(loose=True):
+                    modules.append(Module(start, behind, "", (), items))
             else:
                 leftovers.append(self._leftover())
         self.finish()
