@@ -205,10 +205,10 @@ def apart(reader: Reader, rng: random.Random, tally: Tally, count: int, folder: 
             os.chdir(folder)
             block(reader, rng, tally, count, folder, feedback)
             answer.write_bytes(pickle.dumps(tally))
-        except Exception:
-            traceback.print_exc(file=sys.stdout)
-            sys.stdout.flush()
         finally:
+            if sys.exc_info()[0] is not None:
+                traceback.print_exc(file=sys.stdout)
+                sys.stdout.flush()
             os._exit(0)
     _, status = os.waitpid(child, 0)
     if answer.exists():
