@@ -33,7 +33,7 @@ def raising(error: BaseException) -> Callable[[], str]:
         (raising(RecursionError()), "RecursionError outside trajopt"),
         (raising(MemoryError()), "MemoryError outside trajopt"),
         (raising(OSError("no file")), "OSError without a file outside trajopt"),
-        (raising(InputError("\n".join(["much"] * 1000))), "message of more than a page outside trajopt"),
+        (raising(InputError("no", excerpt="\n".join(["much"] * 1000))), "message of more than a page outside trajopt"),
         (lambda: str(warnings.warn("old", RuntimeWarning, stacklevel=1)), "RuntimeWarning outside trajopt"),
     ],
 )
