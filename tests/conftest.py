@@ -20,6 +20,8 @@ if "PYTEST_XDIST_WORKER" not in os.environ:  # the workers of one run share the 
 for _name in ("COLUMNS", "NO_COLOR", "FORCE_COLOR"):  # what is printed depends on them
     os.environ.pop(_name, None)
 
+gc.disable()  # until all tests are loaded
+
 settings.register_profile("same", derandomize=True, deadline=None)
 settings.register_profile("search", deadline=None)  # other examples in every run: --hypothesis-profile=search
 settings.load_profile("same")
@@ -53,9 +55,10 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 def pytest_collection_finish() -> None:
-    """What is loaded now stays until the end: looking through it for garbage is work for nothing."""
+    """What is loaded by now stays until the end: looking through it for garbage is work for nothing."""
     gc.collect()
     gc.freeze()
+    gc.enable()
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
