@@ -4,6 +4,7 @@ from pathlib import Path
 
 import casadi as ca
 import numpy as np
+import pinocchio as pin
 import pytest
 from places import crooked_pose
 
@@ -11,7 +12,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import rotation_about
 from trajopt_cli.robot.dynamics import GRAVITY, Dynamics, ToolLoad
 from trajopt_cli.robot.model import load_robot
-from trajopt_cli.robot.symbolic_dynamics import LOAD, load_parameters, torques
+from trajopt_cli.robot.symbolic_dynamics import LOAD, _moved, load_parameters, torques
 
 ROBOTS = Path(__file__).parents[1] / "data" / "robots"
 TURN = rotation_about([0.6, 0, 0.8], 0.7)
@@ -36,6 +37,16 @@ def test_expressions_are_pins_rnea(name, load, rng):
     assert np.abs(found - wanted).max() < 1e-9 * np.abs(wanted).max()
     np.testing.assert_allclose(found, wanted, rtol=1e-9, atol=1e-9)
     assert function.n_instructions() < 900
+
+
+def test_a_load_on_a_flange_away_from_its_joint_is_pins_there():
+    p = np.array([0.3, -0.2, 0.5])
+    mass, first, second = (ca.DM(ca.evalf(ca.SX(one))) for one in _moved(ca.SX(load_parameters(CARRIED)), TURN.T, p))
+    wanted = pin.SE3(TURN.T, p).act(pin.Inertia(CARRIED.mass, CARRIED.com, CARRIED.inertia))
+    assert float(mass) == wanted.mass
+    np.testing.assert_allclose(np.array(first)[:, 0], wanted.mass * wanted.lever, rtol=1e-14)
+    about = wanted.inertia - wanted.mass * pin.skew(wanted.lever) @ pin.skew(wanted.lever)
+    np.testing.assert_allclose(np.array(second), about, rtol=1e-13)
 
 
 def test_rotors_add_their_inertia_alone(rng):

@@ -1,0 +1,40 @@
+"""What no URDF is, is refused before it is looked at further."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from trajopt_cli.errors import InputError
+from trajopt_cli.robot import xml
+
+
+def test_a_file_too_large_is_refused_as_such(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(xml, "MAX_BYTES", 3_000_000)
+    file = tmp_path / "a.urdf"
+    file.write_text("<robot name='a'>" + " " * 2_999_976 + "</robot>")
+    assert file.stat().st_size == 3_000_000
+    assert xml.read_robot_element(file).get("name") == "a"
+    file.write_text(file.read_text() + " ")
+    with pytest.raises(InputError, match=r"a\.urdf: is larger than 3 MB: keep meshes in files of their own"):
+        xml.read_robot_element(file)
+
+
+@pytest.mark.parametrize(
+    ("inside", "what"),
+    [
+        ("\n<link name='${prefix}base'/>", r"2: is xacro, not yet a URDF \(\$\{prefix\}base\)"),
+        ("\n<link name='$(arg side)'/>", r"2: is xacro, not yet a URDF \(\$\(arg side\)\)"),
+        (
+            "\n\n<xacro:arm xmlns:xacro='http://ros.org/wiki/xacro'/>",
+            r"2: is xacro, not yet a URDF \(<xacro:arm>\)",
+        ),
+        ("\n<xacro:arm/>", r"2: is xacro, not yet a URDF \(<xacro:arm>\)"),
+    ],
+)
+def test_xacro_is_told(tmp_path: Path, inside: str, what: str) -> None:
+    file = tmp_path / "a.urdf"
+    file.write_text(f"<robot name='a'>{inside}</robot>")
+    with pytest.raises(InputError, match=what):
+        xml.read_robot_element(file)
