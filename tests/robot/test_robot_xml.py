@@ -28,7 +28,7 @@ def test_a_file_too_large_is_refused_as_such(tmp_path: Path, monkeypatch: pytest
         ("\n<link name='$(arg side)'/>", r"2: is xacro, not yet a URDF \(\$\(arg side\)\)"),
         (
             "\n\n<xacro:arm xmlns:xacro='http://ros.org/wiki/xacro'/>",
-            r"2: is xacro, not yet a URDF \(<xacro:arm>\)",
+            r"3: is xacro, not yet a URDF \(<xacro:arm>\)",
         ),
         ("\n<xacro:arm/>", r"2: is xacro, not yet a URDF \(<xacro:arm>\)"),
     ],
