@@ -141,7 +141,7 @@ TINY = "optimize tiny.mod --jobs 1 --time-limit 0 --quiet"
 ALL = "main.mod one.mod two.mod --cell parts.yaml"
 PARTS_RUN = f"optimize {ALL} --output results/parts --jobs 1 --time-limit 0 --quiet"
 SEGMENTS = "iiwa segments task.yaml --quiet"
-PLACE = "place tiny.mod --what base --range x=0..60mm --points 4 --jobs 1 --time-limit 2 --apply there.yaml --quiet"
+PLACE = "place tiny.mod --what base --range x=0..60mm --points 4 --jobs 1 --time-limit 2 --quiet"
 PARTS_FILES = ("main.mod", "one.mod", "two.mod")
 
 
@@ -199,8 +199,7 @@ SCENARIOS = [
         ("results/levers",), first=(TINY, "sensitivity results/tiny --target stream --output results/levers --quiet"),
         rerun=5,
     ),
-    Scenario("place --apply", PLACE, 10, ("results/tiny_place",), (("there.yaml",),), first=(PLACE,), rerun=5,
-             prepare=older("there.yaml")),
+    Scenario("place", PLACE, 10, ("results/tiny_place",), first=(PLACE,), rerun=5),
     Scenario(
         "compare baseline", "compare baseline tiny.mod --csv rows.csv --quiet", 8,
         ("results/tiny_comparison",), (("rows.csv",),),
