@@ -79,7 +79,7 @@ def test_an_odd_number_is_a_warning(old: str, new: str, said: str) -> None:
         ),
         ("[-0.2, 2.2]", "[-200, 2200]", "no rail is longer than 100 m"),
         ("start:", TABLE.replace("0.65, 0.5", "650, 500"), 'if mm are meant, write "[650, 500, 0.1] mm"'),
-        ("start:", TABLE.replace("0.65", "1.0e+308"), "STN1.0.frame: position reaches 1e+08 m, at most 10000 m"),
+        ("start:", TABLE.replace("0.65", "1.0e+8"), "STN1.0.frame: position reaches 1e+08 m, at most 10000 m"),
         ("start:", TABLE.replace("[0, 0, 0]", "[0, 0, 90]"), "rpy: 90 without a unit is 90 rad, 5156.62 deg"),
         ("start:", TABLE.replace("185] deg", "1e300] deg"), "STN1.0: range goes from -3.22886 to 1.74533e+298 rad, at"),
     ],

@@ -89,6 +89,8 @@ def test_of_many_remarks_alike_the_first_are_shown() -> None:
     assert told[1] == "note: m.mod:1:9: the rail moves while the tool waits, to p_1"
     assert told[-1] == "note: and 3 more of this kind, all in summary.json"
     assert len(told) == 8
+    mixed = [*lines[:2], "x/m.mod:5:9: MoveJ home: confdata", lines[5]]
+    assert [*remarks("", mixed, [], "")] == mixed, "in the order of the program"
 
 
 @pytest.mark.parametrize("command", [["optimize"], ["analyse"], ["parse"]])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
@@ -23,17 +24,18 @@ def by_name(text: str, files: Iterable[str]) -> str:
 
 
 def remarks(label: str, lines: Iterable[str], files: Iterable[str], rest: str) -> Iterator[str]:
-    """Lines with a label before each; of those that differ only in names, places and figures the first few, and how
+    """Lines in their order, with a label before each; of those that differ only in names, places and figures the first few, and how
     many more there are. rest: where all of them are, `all in summary.json`."""
-    kinds: dict[str, list[str]] = {}
-    for line in lines:
-        text = by_name(line, files)
-        kinds.setdefault(_OWN.sub("#", text), []).append(text)
+    texts = [by_name(line, files) for line in lines]
+    kinds = [_OWN.sub("#", text) for text in texts]
+    count, told = Counter(kinds), Counter[str]()
     before = f"{label}: " if label else ""
-    for alike in kinds.values():
-        yield from (f"{before}{text}" for text in alike[:_MOST])
-        if len(alike) > _MOST:
-            yield f"{before}and {len(alike) - _MOST} more of this kind, {rest}"
+    for text, kind in zip(texts, kinds, strict=True):
+        told[kind] += 1
+        if told[kind] <= _MOST:
+            yield f"{before}{text}"
+        if told[kind] == _MOST < count[kind]:
+            yield f"{before}and {count[kind] - _MOST} more of this kind, {rest}"
 
 
 def told_first(notices: Iterable[Notice]) -> tuple[list[str], list[str]]:
