@@ -130,6 +130,13 @@ def test_where_the_tool_is_there_already_it_stands_while_the_table_turns() -> No
         assert verify(found, plant, plan.trajectory, target=target).legal
 
 
+def test_a_plan_in_which_the_table_alone_turns_has_no_grid() -> None:
+    turn = program("MoveExtJ [[9E9,9E9,9E9,9E9,9E9,9E9],[9E9,90,9E9,9E9,9E9,9E9]], vrot100, fine;")
+    plan = optimize(turn, plant_with_rail(), Target.STREAM, bounded=False)
+    assert isinstance(plan, Plan)
+    assert plan.grid == "none, as all is in closed form"
+
+
 def test_external_axes_that_are_there_already_take_no_time_whatever_their_speed() -> None:
     """vrot100 has no speed for a rail: it stays where it is told to be, and so may the table."""
     there = "MoveExtJ [[9E9,9E9,9E9,9E9,9E9,9E9],[0,%s,9E9,9E9,9E9,9E9]], vrot100, fine; "

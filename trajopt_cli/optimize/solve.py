@@ -305,7 +305,7 @@ def _grid(legs: list[LegMotion], problem: Problem) -> str:
     )
     if closed:
         parts.append(f"{closed} joint move{'s' if closed > 1 else ''} in closed form")
-    return ", ".join(parts)
+    return ", ".join(parts) or "none, as all is in closed form"
 
 
 def _ways(program: Program, detours: Sequence[Detour], driven: Sequence[Detour]) -> Iterator[str]:
