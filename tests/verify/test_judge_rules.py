@@ -129,7 +129,7 @@ def test_a_line_at_its_joint_limit_is_not_blamed_for_the_hermite() -> None:
     rows = Trajectory(case.plant.limits.names, t, *at(t))
     middle, step = np.clip(np.linspace(0, T, 3001), 1e-5, T - 1e-5), 1e-5
     true = np.abs(at(middle + step)[1] - at(middle - step)[1])[:, j].max() / (2 * step)
-    seen = replace(look(case.plant, rows, None), marked=True, open_time=np.zeros(len(t)))
+    seen = replace(look(case.plant, rows, None), marked=True)
     plain = np.abs(np.diff(rows.qd[:, j]) / 1e-3) + np.abs(6 * seen.mismatch[0][:, j] / 1e-3)
     assert plain.max() > true * (1 + 2e-6)
     plant = limited(case.plant, acceleration={j: float(true)})

@@ -77,6 +77,14 @@ def test_times_in_steps_of_a_hundredth_are_too_coarse_for_a_motion_five_per_cent
         assert any("times in steps of 0.001 " in line for line in told), told
 
 
+@pytest.mark.parametrize(("seed", "step"), [(9, 0.012), (29, 0.012), (59, 0.012), (19, 0.015), (49, 0.015)])
+@pytest.mark.parametrize("speeds", [False, True])
+def test_a_legal_motion_whose_times_are_rounded_is_never_illegal(seed: int, step: float, speeds: bool) -> None:
+    """Gaps of 12 and 15 ms are printed as 10 or 20: a boundary is as far from a row as the longest of them says."""
+    report = judged(random_case(seed), step, "%.9g", speeds, times="%.2f")
+    assert report.legal or report.too_coarse, [f.message for f in report.findings if not f.passed]
+
+
 def test_a_rounded_value_next_to_a_fine_one_is_granted_its_own_digits() -> None:
     """One row with all digits, as the start is copied from a cell file, leaves the others what they are."""
     case = rapid_case()

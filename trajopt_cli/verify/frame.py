@@ -137,9 +137,8 @@ class Frame:
         return self._from_neighbours(self.angles(1).pieces.whole()[0], angular_acceleration(self.rows))
 
     def _from_neighbours(self, way: Array, top: float) -> Array:
-        h = np.diff(self.rows.t)
-        off_t = self.rows.unsure(slice(None, -1), slice(1, None))
-        return both_sides(np.maximum(way / (h + off_t) - top * h / 2, 0.0)[:, None])[:, 0]
+        h = np.diff(self.rows.t) + self.rows.unsure(slice(None, -1), slice(1, None))
+        return both_sides(np.maximum(way / h - top * h / 2, 0.0)[:, None])[:, 0]
 
     @cached_property
     def stop_boxes(self) -> Boxes:
@@ -157,7 +156,7 @@ class Frame:
     @cached_property
     def reach(self) -> Array:
         """How far (n-1,) the TCP may be from the chords between rows, m: a h^2/8, and what printing leaves open."""
-        sagitta = self.rows.plant.tcp.acceleration * self.rows.gaps**2 / 8
+        sagitta = self.rows.plant.tcp.acceleration * self.rows.longest**2 / 8
         return np.asarray(sagitta + np.maximum(self.doubt_p[1:], self.doubt_p[:-1]))
 
     def path_lengths(self, lag: int) -> Along:

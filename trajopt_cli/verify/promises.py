@@ -136,7 +136,7 @@ class Promises:
         rows = line.rows
         self._line, self._rows, self._plant, self._lever = line, rows, rows.plant, np.array(lever)
         self._frames, self._swing = frames, swing
-        self._h, self._tau = max(float(rows.gaps.max()), _SHORT), float(rows.open_time.max())
+        self._h, self._tau = max(float(rows.longest.max()), _SHORT), float(rows.open_time.max())
         self._r, self._r_v = rows.doubt_q.max(axis=0), rows.doubt_v.max(axis=0)
         # times of a grid are exact, but for the first and the last one: an excess is seen without those two as well
         ends = len(rows.t) > 4 and float(rows.step_t[1:-1].max()) < rows.doubt_t

@@ -121,9 +121,8 @@ class Rows:
 
     step_t (n,) [s], doubt_q, doubt_v (n, k): printed step, never under COMPUTED. marked: a row stands at every boundary
     and switch. gaps (n-1,) [s]: times between rows, those of a standstill no longer than the others: where the speeds
-    of both rows are zero and the positions the same, nothing is open however long it lasts. open_time (n,) [s]: how far
-    the nearest boundary may be from a row that shows it, half the gap beside it; 0 where marked. doubt_tables: how
-    finely positioners' axes are printed, None where every digit is there.
+    of both rows are zero and the positions the same, nothing is open however long it lasts.
+    doubt_tables: how finely positioners' axes are printed, None where every digit is there.
     """
 
     plant: Machine
@@ -133,7 +132,6 @@ class Rows:
     doubt_v: Array
     marked: bool
     gaps: Array
-    open_time: Array
     doubt_tables: Resolution | None = None
 
     @cached_property
@@ -144,6 +142,17 @@ class Rows:
     def unsure(self, a: slice | NDArray[np.intp], b: slice | NDArray[np.intp]) -> Array:
         """How far printing may put the times (m,) between rows a and rows b off, s."""
         return np.asarray((self.step_t[a] + self.step_t[b]) / 2)
+
+    @cached_property
+    def longest(self) -> Array:
+        """The gaps (n-1,) as long as the digits of their times allow, s."""
+        return self.gaps + self.unsure(slice(None, -1), slice(1, None))
+
+    @cached_property
+    def open_time(self) -> Array:
+        """How far the nearest boundary may be from a row (n,) that shows it, s: half the longest gap beside it; 0 where
+        marked."""
+        return np.zeros(len(self.t)) if self.marked else both_sides(self.longest[:, None])[:, 0] / 2
 
     @property
     def t(self) -> Array:
@@ -208,8 +217,9 @@ class Rows:
                 after = slice(first + 1, min(b + 1, len(self.t)))
                 here = slice(first, after.stop - 1)
                 c = np.maximum(np.abs(self.q[after] - self.q[here]) - mean_of(self.doubt_q, here, after), 0.0)
-                c = c / (h + self.unsure(here, after)[:, None])
-                least = both_sides(np.maximum(c - self.plant.limits.acceleration * h / 2, 0.0))[a - first :][: b - a]
+                h = h + self.unsure(here, after)[:, None]
+                c = np.maximum(c / h - self.plant.limits.acceleration * h / 2, 0.0)
+                least = both_sides(c)[a - first :][: b - a]
             granted = REST_JOINT + self.plant.limits.acceleration * self.open_time[a:b, None]
             return least, np.asarray(least <= granted).all(axis=1)
 
@@ -417,7 +427,6 @@ def look(plant: Machine, trajectory: Trajectory, resolution: Resolution | None, 
         doubt_v=np.broadcast_to(np.maximum(r.qd, COMPUTED), (len(t), k)),
         marked=marked,
         gaps=gaps,
-        open_time=np.zeros(len(t)) if marked else both_sides(gaps[:, None])[:, 0] / 2,
         doubt_tables=r.tables,
     )
 

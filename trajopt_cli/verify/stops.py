@@ -90,8 +90,8 @@ def _ends(rows: Rows, row: int, name: str, wanted: Array | None, source: Source 
         speed = np.abs(rows.qd[row]) - rows.doubt_v[row]
     else:
         a, b = (0, 1) if row == 0 else (row - 1, row)
-        h = float(rows.t[b] - rows.t[a])
-        c = np.maximum(np.abs(rows.q[b] - rows.q[a]) - (rows.doubt_q[a] + rows.doubt_q[b]) / 2, 0) / (h + rows.doubt_t)
+        h = float(rows.t[b] - rows.t[a]) + rows.doubt_t
+        c = np.maximum(np.abs(rows.q[b] - rows.q[a]) - (rows.doubt_q[a] + rows.doubt_q[b]) / 2, 0) / h
         speed = c - limits.acceleration * h / 2
     j = int(np.argmax(speed))
     passed = bool(speed[j] <= REST_JOINT)
