@@ -24,8 +24,8 @@ def by_name(text: str, files: Iterable[str]) -> str:
 
 
 def remarks(label: str, lines: Iterable[str], files: Iterable[str], rest: str) -> Iterator[str]:
-    """Lines in their order, with a label before each; of those that differ only in names, places and figures the first few, and how
-    many more there are. rest: where all of them are, `all in summary.json`."""
+    """Lines in their order, with a label before each; of those that differ only in names, places and figures the first
+    few, and how many more there are. rest: where all of them are, `all in summary.json`."""
     texts = [by_name(line, files) for line in lines]
     kinds = [_OWN.sub("#", text) for text in texts]
     count, told = Counter(kinds), Counter[str]()
