@@ -147,8 +147,8 @@ MISTAKES = [
         "t.yaml:1: contact.tip: 20 m is thicker than 1 m",
     ),
     (
-        "contact: {tip: 0.02, obstacles: {b: {box: {size: [1, 1e300, 1]}, stiffness: 1}}}\n" + MINIMAL,
-        "t.yaml:1: contact.obstacles.b.box.size: 1, 1e+300, 1 m; wanted three lengths",
+        "contact: {tip: 0.02, obstacles: {b: {box: {size: [1, 1e10, 1]}, stiffness: 1}}}\n" + MINIMAL,
+        "t.yaml:1: contact.obstacles.b.box.size: 1, 1e+10, 1 m; wanted three lengths",
     ),
     ("sensor:\n" + MINIMAL, "t.yaml:1: sensor: is empty"),
     ("pushes: [{from: 2, to: 1, force: [1, 0, 0, 0, 0, 0]}]\n" + MINIMAL, "'from' comes first"),
