@@ -39,10 +39,9 @@ class ErrorKind(Enum):
 class InputError(Exception):
     """Something the user gave is wrong: one line with place, value, bound and next step. Exit code 2.
 
-    file, line and column (1-based) are None where they do not apply. str() is the line to print, a newline
-    in it as \\n. excerpt: what is printed below it, mostly the line of the file with a caret below the place; shown()
-    has both. kind: where it is raised, or of the
-    innermost of_kind around that place; OPTION where neither says.
+    file, line and column (1-based) are None where they do not apply. str() is the line to print, a newline in it as
+    \\n. excerpt: what is printed below it, mostly the line of the file with a caret below the place; shown() has both.
+    kind: where it is raised, or of the innermost of_kind around that place; OPTION where neither says.
     """
 
     def __init__(

@@ -231,7 +231,8 @@ def test_a_run_that_is_at_it_is_waited_for_and_then_said(
     assert put_back(modules["wanted"])
 
 
-def test_what_the_user_changed_meanwhile_stays(modules: dict[str, Any]) -> None:
+def killed_once_main_is_new(modules: dict[str, Any]) -> tuple[Path, dict[Path, Any], Path]:
+    """The folder, what was to change, and main.mod, which has changed when the process was killed."""
     root, wanted = modules["root"], modules["wanted"]
     main = root / "prog/main.mod"
     steps = 0
@@ -239,6 +240,11 @@ def test_what_the_user_changed_meanwhile_stays(modules: dict[str, Any]) -> None:
         put_back(wanted)
         killed_at(steps, lambda: replace_files(wanted, {}))
         steps += 1
+    return root, wanted, main
+
+
+def test_what_the_user_changed_meanwhile_stays(modules: dict[str, Any]) -> None:
+    root, wanted, main = killed_once_main_is_new(modules)
     main.write_bytes(b"the user's own\n")
     put_back(wanted)
     assert main.read_bytes() == b"the user's own\n"
@@ -247,13 +253,7 @@ def test_what_the_user_changed_meanwhile_stays(modules: dict[str, Any]) -> None:
 
 
 def test_what_cannot_be_put_back_says_how_to_go_on(modules: dict[str, Any]) -> None:
-    root, wanted = modules["root"], modules["wanted"]
-    main = root / "prog/main.mod"
-    steps = 0
-    while main.read_bytes() == wanted[main][0]:
-        put_back(wanted)
-        killed_at(steps, lambda: replace_files(wanted, {}))
-        steps += 1
+    root, wanted, _ = killed_once_main_is_new(modules)
     (root / "prog/main.mod.bak2").write_bytes(b"another")
     with pytest.raises(InputError) as error:
         put_back(wanted)

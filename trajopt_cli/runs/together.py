@@ -252,7 +252,7 @@ class _Journal:
         try:
             self._append(text)
             sync(path.parent)
-        except BaseException:
+        except BaseException:  # Ctrl-C too: no half-written journal stays, then it goes on
             self.remove()
             raise
 
