@@ -36,9 +36,10 @@ def worse(a: Worst | None, b: Worst) -> Worst:
 
 class Series:
     """The worst of several series of values (times and values each, always the same ones in the same order) that are
-    looked at window by window: what it would be had each been looked at as a whole, one after the other."""
+    looked at window by window: what it would be had each been looked at as a whole, one after the other. limit:
+    any where only values count."""
 
-    def __init__(self, limit: float):
+    def __init__(self, limit: float = 1.0):
         self._limit = limit
         self._worst: dict[float, Worst] = {}
 

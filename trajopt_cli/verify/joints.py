@@ -28,7 +28,7 @@ def check_joints(rows: Rows, source_at: SourceAt) -> list[Finding]:
     series = {"speed": _speeds, "acceleration": accelerations, "jerk": _jerks}
     axes = range(len(limits.names))
     found = {(check, j): Series(float(top[j])) for check, top in tops.items() for j in axes}
-    highest, lowest, columns = ([Series(1.0) for _ in axes] for _ in range(3))
+    highest, lowest, columns = ([Series() for _ in axes] for _ in range(3))
     last = len(rows.t) - 1
     for part in windows(0, last):
         for j in axes:
@@ -84,7 +84,7 @@ def _coupled(rows: Rows, one: CoupledRange, source_at: SourceAt) -> Finding:
     limits = rows.plant.limits
     at, factors = [limits.names.index(axis) for axis in one.axes], np.array(one.factors)
     top = float(np.abs(factors) @ limits.acceleration[at])
-    up, down = Series(1.0), Series(1.0)
+    up, down = Series(), Series()
     last = len(rows.t) - 1
     for part in windows(0, last):
         t = rows.t[part[0] : part[1] + 1]
@@ -116,7 +116,7 @@ def _coupled(rows: Rows, one: CoupledRange, source_at: SourceAt) -> Finding:
 
 def row_at(rows: Rows, time: float) -> int:
     """The coarser printed of the rows beside a time."""
-    i = min(int(np.searchsorted(rows.t, time)), len(rows.t) - 1)
+    i = int(np.searchsorted(rows.t, time))
     return max((i, max(i - 1, 0)), key=lambda row: float(rows.doubt_q[row].sum()))
 
 
