@@ -23,7 +23,7 @@ from legal_motion import (
     rapid_case,
     stream_case,
 )
-from spoil_book import SPOILED, verify
+from spoil_book import OVER, SPOILED, verify
 from spoiled_holds import in_the_joint_move, in_the_wait, on_the_line
 from spoiled_stops import short_of
 
@@ -53,6 +53,84 @@ def test_every_spoiled_motion_is_caught_by_the_right_check(name: str) -> None:
         assert "\n" not in f.message
         assert f.unit
         assert f.message
+
+
+# Where the worst of an offence is: in which piece of the motion, and at which share of its time; None: anywhere.
+SIZED: dict[str, tuple[int, float] | None] = {
+    "rail_sways_in_a_held_wait": (2, 0.5),
+    "rail_drifts_in_a_held_wait": (2, 1.0),
+    "rail_moves_on_a_held_line": (1, 0.5),
+    "rail_moves_in_a_held_joint_move": (4, 0.5),
+    "corner_out_of_its_plane": None,
+    "arc_bulged": (2, 0.5),
+    "arc_whose_orientation_lags": (2, 0.5),
+    "backwards_on_the_arc": None,
+    "turned_behind_the_zone": None,
+    "rail_out_of_proportion_on_an_arc": None,
+    "too_fast_axis": None,
+    "too_fast_start": None,
+    "beyond_the_range": (0, 1.0),
+    "beyond_the_range_between_rows": (0, 0.5),
+    "tcp_too_fast": None,
+    "tcp_accelerates_too_hard": None,
+    "faster_than_programmed": None,
+    "bowed_line": (1, 0.5),
+    "turned_on_the_line": (5, 0.5),
+    "backwards_on_the_line": None,
+    "only_between_rows": None,
+    "too_fast_axis_without_speed_columns": None,
+    "tcp_accelerates_too_hard_without_speed_columns": None,
+    "tcp_accelerates_too_hard_only_between_rows": None,
+    "faster_than_programmed_only_between_rows": None,
+    "short_dwell": (2, 0.0),
+    "drift_in_a_dwell": (2, 0.5),
+    "turning_in_a_dwell": (6, 0.5),
+    "flown_by_a_stop": (1, 0.0),
+    "not_at_rest_at_the_start": (0, 0.0),
+    "not_at_rest_at_the_end": (7, 1.0),
+    "wrong_start": (0, 0.0),
+    "wrong_rail_at_home": (7, 1.0),
+    "programmed_time_not_kept": (0, 1.0),
+    "programmed_self_motion_too_short": None,
+    "rail_moved_although_fixed": (1, 1.0),
+    "arm_moves_with_external_axes": (5, 0.5),
+    "axes_move_when_a_condition_wait_ends": None,
+    "an_axis_moves_at_a_rapid_stop": (2, 0.0),
+    "a_rapid_joint_move_that_bends": (4, 0.5),
+    "a_rail_out_of_proportion": (1, 0.5),
+    "rows_too_far_apart": None,
+}
+# These break more than their check where they are smaller, too.
+OTHERWISE = {
+    "beyond_the_range_between_rows", "not_at_rest_at_the_end", "rail_moved_although_fixed",
+    "axes_move_when_a_condition_wait_ends",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", SIZED)
+def test_nine_tenths_of_an_offence_are_none(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """And both are told as they are: so much of the limit, there and then."""
+    make, check, subject, line = SPOILED[name]
+    for over in (0.9, OVER):
+        for module in REGISTERED:
+            monkeypatch.setattr(module, "OVER", over)
+        case, rows, target = make()
+        report = verify(case.program, case.plant, rows, target=target)
+        found = [f for f in report.findings if f.check == check and subject in (f.subject, None)]
+        found = [f for f in found if line is None or (f.source is not None and f.source.line == line)]
+        assert all(f.passed for f in found) == (over < 1), [f.message for f in found]
+        assert report.legal == (over < 1) or name in OTHERWISE
+        worst = next((f for f in found if not f.passed), max(found, key=lambda f: f.value))
+        if worst.limit in SHARES:
+            assert worst.value == pytest.approx(over * worst.limit, rel=1e-3)
+        place = SIZED[name]
+        if place is not None and worst.time is not None:
+            when = case.starts[place[0]] + place[1] * case.pieces[place[0]].T
+            assert worst.time == pytest.approx(when, abs=1.1e-3)
+
+
+SHARES = (1e-6, 1e-5, tol.LARGEST_GAP)
+"""Limits that are tolerances themselves: values are told as their multiples."""
 
 
 IN_RUNS = [name for name, (make, *_) in SPOILED.items() if make.__module__ == "spoiled_runs"]
