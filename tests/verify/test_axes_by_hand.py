@@ -19,6 +19,7 @@ from trajopt_cli.limits import CoupledRange
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify import joints
+from trajopt_cli.verify import rows as rows_module
 from trajopt_cli.verify.joints import accelerations, check_joints
 from trajopt_cli.verify.rows import Rows, look, unseen
 from trajopt_cli.verify.tolerances import JOINT, REST_JOINT
@@ -435,6 +436,11 @@ def test_coupled_joints_are_held_to_the_range_of_their_sum() -> None:
                 rows = look(plant, Trajectory(PLANT.limits.names, t, q, qd if speeds_given else None), steps)
                 assert rows.exact == (speeds_given and marked)
                 found = check_joints(rows, lambda _: None)[0]
+                with pytest.MonkeyPatch.context() as small:
+                    small.setattr(rows_module, "PIECE", 16)
+                    small.setattr(rows_module, "OVERLAP", 4)
+                    again = look(plant, rows.trajectory, steps)
+                    assert check_joints(again, lambda _: None)[0] == found
                 assert (found.subject, found.unit) == ("-0.5 joint_2 + 2 joint_3", "rad")
                 assert (found.value, found.limit) == (pytest.approx(end, abs=1e-9), limit)
                 assert found.time == pytest.approx(when, abs=1e-9)

@@ -376,6 +376,8 @@ def test_the_course_is_the_hermite_and_its_swing_holds_it(rng: np.random.Generat
     s = np.sort(rng.uniform(0, 39, 500))
     times = np.array([course.time(one) for one in s])
     np.testing.assert_allclose(course.at(s), hermite(trajectory, times)[0], rtol=0, atol=1e-12)
+    assert [course.time(float(i)) for i in (0, 7, 38, 39)] == t[[0, 7, 38, 39]].tolist()
+    np.testing.assert_allclose(course.at(np.array([0.0, 38.0, 39.0])), q[[0, 38, 39]], rtol=0, atol=1e-12)
     straight = Course(Trajectory(names, t, q)).at(s)
     np.testing.assert_allclose(straight, np.column_stack([np.interp(times, t, q[:, i]) for i in range(3)]), atol=1e-12)
     for _ in range(200):

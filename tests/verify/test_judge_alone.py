@@ -124,4 +124,5 @@ def test_a_kind_of_move_without_a_check_of_its_shape_is_never_legal() -> None:
     report = verify(replace(case.program, motions=tuple(motions)), case.plant, case.rows(), advice=False)
     (bad,) = (found for found in report.findings if not found.passed)
     assert (bad.check, bad.source) == ("known shape", given.source)
+    assert (bad.value, bad.limit, bad.unit, bad.subject) == (1.0, 0.0, "unknown", f"MoveS {given.target}")
     assert "the judge has no check for the shape of such a motion" in bad.message

@@ -147,6 +147,11 @@ REACHES: list[tuple[str, Sequence[Motion], list[FlyBy | None]]] = [
         [FlyBy(0.3e-3, 0.3e-3, 0.3e-3), None],
     ),
     ("a turn in place", [move_l(12, "p_1", P1, zone=Z10), move_l(13, "p_2", turned(P1, 0.3))], [None, None]),
+    (
+        "hardly a way",
+        [move_l(12, "p_1", P1, zone=Z10), move_l(13, "p_2", down(0.5, 0.5e-6, 0.4)), move_l(14, "p_3", P2)],
+        [None, None, None],
+    ),
     ("no radius", [move_l(12, "p_1", P1, zone=FLAT), move_l(13, "p_2", P2)], [None, None]),
     ("the tool changes", [move_l(12, "p_1", P1, zone=Z10), move_l(13, "p_2", P2, tool=OTHER)], [None, None]),
     ("external axes alone", [move_l(12, "p_1", P1, zone=Z10), move_ext(13, 0.3), home(14)], [None, None, None]),

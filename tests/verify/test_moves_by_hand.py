@@ -214,6 +214,22 @@ def test_a_controller_runs_joint_moves_straight(kind: str, over: float) -> None:
         assert not [f for f in told("shapes", asked, replace(rows, q=q), True, steps) if f.check == "joint line"]
 
 
+@pytest.mark.parametrize("way", [0.5, 0.02, -0.02])
+def test_a_joint_move_ends_where_it_ends(way: float) -> None:
+    """However short it is its rows are on it, but none before its start or beyond its end."""
+    ride = Ride(((0.0, 4), (way, 6), (0.2, 5)))
+    asked = [move_j(11, "p_11", at(way)), home(13, 0.2)]
+    for row, off in ((None, 0.0), (4, -way), (ride.first[1] - 1, way)):
+        rows = ride.rows()
+        q = rows.q.copy()
+        if row is not None:
+            q[row, 0] += off
+        found = one_of(told("shapes", asked, replace(rows, q=q), True, None, True), "joint line", 11)
+        beyond = 0.0 if row is None else abs(way) * 6 / 7
+        assert (found.subject == "rail", found.passed) == (True, row is None)
+        assert found.value == pytest.approx(beyond, abs=1e-9)
+
+
 # --- a rail that is held -----------------------------------------------------------------------------------------
 
 

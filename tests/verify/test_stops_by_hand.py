@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from by_hand import H, Ride, at, one_of, seen, stops_of
 from legal_motion import Case, home, move_ext, move_j, move_l, plant_with_rail, program, wait
+from legal_runs import Z10
 
 from trajopt_cli.geometry import pose
 from trajopt_cli.joint_csv import Resolution
@@ -261,6 +262,25 @@ def test_both_ends_of_a_file(over: float, step: float | None, speeds: bool) -> N
             assert (found.subject, found.unit) == (name, f"{unit}/s")
             assert (found.value, found.limit) == (pytest.approx(over * tol.REST_JOINT, rel=1e-3), tol.REST_JOINT)
             assert found.time == pytest.approx(ride.t[row])
+
+
+@pytest.mark.parametrize("marked", [True, False])
+def test_a_point_that_is_not_passed_is_told_by_how_much(marked: bool) -> None:
+    """How near the chords come between the points beside it, less what the tool may be off them; and when."""
+    ride = Ride(BASE)
+    X = at(0.3)
+    X[2, 3] += 0.05
+    zone = replace(Z10, radius=0.01)
+    found = one_of(stops_of([move_j(10, "p_10", X, zone=zone), there(11, 0.5)], ride.rows(), marked), "fly-by passed")
+    J = PLANT.robot.jacobian(PLANT.start[None])[0][:3]
+    reach = A_TCP * H**2 / 8 + float(np.linalg.norm(J, axis=0).sum()) * 1e-12 / 2
+    assert (found.value, found.limit, found.unit) == (pytest.approx(0.05 - reach, abs=1e-9), 0.01, "m")
+    assert (found.passed, found.time) == (False, pytest.approx(ride.t[3 + int(0.3 / 0.5 * 7)]))
+    assert found.message.endswith("at most 0.01: MoveJ p_10 is not passed in program order")
+    X[2, 3] -= 0.045
+    passed = one_of(stops_of([move_j(10, "p_10", X, zone=zone), there(11, 0.5)], ride.rows(), marked), "fly-by passed")
+    assert (passed.value, passed.passed) == (pytest.approx(0.005 - reach, abs=1e-9), True)
+    assert passed.time == pytest.approx(ride.t[3 + int(0.3 / 0.5 * 7)])
 
 
 def test_rows_behind_the_last_point() -> None:

@@ -448,13 +448,13 @@ def test_a_line_that_only_the_table_draws_is_found_in_the_rest_it_is_in() -> Non
     t = np.unique(np.r_[rows.t, begin + np.array([0.0, T / 2, T])])
     rows = Trajectory(rows.names, t, *(np.array([np.interp(t, rows.t, x) for x in y.T]).T for y in (rows.q, rows.qd)))
     s, rate = share(np.clip(t - begin, 0, T))
-    for bump in (0.0, 1e-5):  # of the table, before its turn
-        off = bump * (np.abs(t - case.starts[1] - 0.1) < 0.03)
+    for bump, place in ((0.0, 0.1), (1e-5, 0.1), (1e-5, 0.8)):  # of the table, before its turn or behind it
+        off = bump * (np.abs(t - case.starts[1] - place) < 0.03)
         tables = Trajectory(("eax_b",), t, (0.4 * s + off)[:, None], 0.4 * rate[:, None])
         found = verify(asked, PLANT, replace(rows, tables=tables), advice=False).findings
         own = {one.check: one for one in found if one.source and one.source.line == 12}
         assert own["positioner speed"].value == pytest.approx(2 * 0.4 / T, rel=1e-9)
-        if not bump:
+        if not bump or place > 0.5:
             assert failed(found) == []
             assert own["line rotation"].time == pytest.approx(begin)
             assert max(own[f"line {x}"].value for x in ("position", "rotation", "progress")) < 1e-9
