@@ -23,7 +23,7 @@ from legal_runs import P0, P1, P2, VIA, Z10, move_c
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, pose, rotation_about
-from trajopt_cli.motion import SignalEvent, Tool, UnitMove
+from trajopt_cli.motion import Tool, UnitMove
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.course import may_drop, obeys_programmed_speed, points_of, stays
 from trajopt_cli.verify.judge import verify
@@ -47,8 +47,8 @@ def test_what_may_be_left_out() -> None:
 
 
 def test_what_points_fix() -> None:
-    """Poses the flange's, by the tool; joints both arm and rail where that is told; external axes their rail alone, with
-    the tool before them; robtargets their rail only where the cell says so."""
+    """Poses the flange's, by the tool; joints both arm and rail where that is told; external axes their rail alone,
+    with the tool before them; robtargets their rail only where the cell says so."""
     motions = (move_j(11, "p_a", P0, 0.3, tool=GRIP), move_ext(12, 0.4), home(13, None), home(14, 0.2))
     start, at_pose, alone, free, ends = points_of(program(*motions), PLANT)
     np.testing.assert_allclose(at_pose.X_WF, P0 @ np.linalg.inv(GRIP.X_FT), atol=1e-12)
@@ -124,14 +124,14 @@ def test_circles_need_their_start() -> None:
     assert arc.circle is not None
     assert arc.circle.length == pytest.approx(0.03 * np.pi, rel=1e-6)
     assert points_of(program(home(10, None), motions[1]), PLANT)[2].circle is None
-    after_home = points_of(program(replace(home(10, None), zone=Z10), motions[1], move_l(13, "p", P0)), PLANT)
+    passed = replace(home(10, None), zone=Z10, q=HOME + 0.2)
+    after_home = points_of(program(passed, motions[1], move_l(13, "p", P0)), PLANT)
     assert after_home[1].fly_by is not None
     assert after_home[2].circle is not None
 
 
 def test_zones_are_half_a_way_at_most() -> None:
-    """The smaller of both halves; of a point beside a stop all of it, and nothing beside external axes or a signal's
-    wait; outputs that take no time change nothing."""
+    """The smaller of both halves of the ways to a point and on from it."""
     for middle, radius in ((0.006, 0.003), (0.015, 0.0075), (0.024, 0.01), (0.04, 0.005)):
         motions = (move_j(11, "p_0", P0), move_l(12, "p_1", down(0.45 + middle, 0.0, 0.4), zone=Z10),
                    move_l(13, "p_2", P1))  # fmt: skip
@@ -140,7 +140,6 @@ def test_zones_are_half_a_way_at_most() -> None:
         half = min(middle, 0.05 - middle) / 2
         assert point.fly_by.radius == pytest.approx(radius, abs=1e-12)
         assert point.fly_by.turning == pytest.approx(min(0.015, half), abs=1e-12)
-    assert SignalEvent is not None
 
 
 @pytest.mark.parametrize(("spoil", "said"), [
