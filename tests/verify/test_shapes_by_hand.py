@@ -196,6 +196,21 @@ def test_a_joint_move_is_as_fast_as_its_slowest_axis(rapid: bool) -> None:
             assert f"takes {T + slower:.6f} s, Ruckig {T:.6f} s" in one.message
 
 
+@pytest.mark.parametrize("rapid", [False, True])
+def test_a_stream_moves_every_axis_at_its_own_pace(rapid: bool) -> None:
+    """The rail is short of speed and the first joint of acceleration: one common profile takes d/v + v/a of the slower
+    each, 0.6 + 0.5 s; else the joint alone needs 2 sqrt(0.6/2) s."""
+    plant, case = plant_with_rail(), rapid_case()
+    limits = replace(plant.limits, acceleration=np.r_[3.0, 2.0, plant.limits.acceleration[2:]])
+    plant, way = replace(plant, limits=limits), np.array([0.6, 0.6, 0.0, 0, 0, 0, 0])
+    piece = joint_move(plant, plant.start, plant.start + way)
+    assert pytest.approx(1.1, rel=1e-9) == piece.T
+    end = replace(case.program.motions[-1], q=(plant.start + way)[1:], extax=(600.0, *[None] * 5))
+    one = advice_of(Case(plant, program(end), (piece,)), rapid)[18]
+    assert one.value == pytest.approx(0.0 if rapid else 1.1 - 2 * np.sqrt(0.3), abs=2e-8)
+    assert one.passed == rapid
+
+
 def test_where_no_advice_is_given() -> None:
     """Without speeds; where torques bind; of moves with a time of their own, near a cap, or that positioners share."""
     case = rapid_case()
