@@ -3,6 +3,7 @@ at both sides of what is called tight."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -209,6 +210,45 @@ def test_a_stream_moves_every_axis_at_its_own_pace(rapid: bool) -> None:
     one = advice_of(Case(plant, program(end), (piece,)), rapid)[18]
     assert one.value == pytest.approx(0.0 if rapid else 1.1 - 2 * np.sqrt(0.3), abs=2e-8)
     assert one.passed == rapid
+
+
+def slowed(case: Case, i: int, times: float) -> Case:
+    """With one piece so many times as long."""
+    pieces = list(case.pieces)
+    pieces[i] = faster(pieces[i], 1 / times)
+    return replace(case, pieces=tuple(pieces))
+
+
+@pytest.mark.parametrize(("make", "i"), [(rapid_case, 1), (bench_case, 1), (bench_case, 2)])
+def test_a_line_twice_as_slow_has_the_same_least_time(make: Callable[[], Case], i: int) -> None:
+    """A line with a rail, one with a tool, a pure reorientation."""
+    case = make()
+    line = case.program.motions[i].source.line
+    T = case.pieces[i].T
+    at_once, late = (advice_of(one, False)[line] for one in (case, slowed(case, i, 2.0)))
+    assert 0.02 < at_once.value < 0.9
+    assert 2 * T * (1 - late.value) == pytest.approx(T * (1 - at_once.value), rel=1e-2)
+    assert late.time == pytest.approx(case.starts[i])
+    assert (late.check, late.limit, late.unit, late.passed) == ("line tightness", 0.002, "of its time", False)
+    assert f"takes {2 * T:.4f} s, TOPP-RA {2 * T * (1 - late.value):.4f} s on the same path" in late.message
+
+
+def test_a_lines_least_time_is_that_of_its_slowest_limit() -> None:
+    """80 mm at 0.1 m/s, programmed or by the cap, or 30 mm of the rail at 0.02 m/s, and a ramp at 2 m/s2 of the
+    tool; 0.3 rad at 0.1 rad/s, and hardly a ramp."""
+    case = rapid_case(replace(plant_with_rail(), tcp=TcpCaps(2.5, 2.0)))
+    capped = rapid_case(replace(plant_with_rail(), tcp=TcpCaps(0.1, 2.0)))
+    speed = case.program.motions[1].speed
+    for one, i, given, wanted, off in (
+        (case, 1, replace(speed, v_tcp=0.1), 0.8 + 0.05, 2e-3), (capped, 1, speed, 0.8 + 0.05, 2e-3),
+        (case, 1, replace(speed, v_leax=0.02), 1.5 + 0.02 / 0.03 * 0.08 / 2.0, 2e-3),
+        (bench_case(), 2, replace(speed, v_ori=0.1), 3.0, 0.02),
+    ):  # fmt: skip
+        motions = list(one.program.motions)
+        motions[i] = replace(motions[i], speed=given)
+        slow = slowed(replace(one, program=program(*motions)), i, 12.0)
+        found = advice_of(slow, False)[motions[i].source.line]
+        assert slow.pieces[i].T * (1 - found.value) == pytest.approx(wanted, rel=off), given
 
 
 def test_where_no_advice_is_given() -> None:
