@@ -4,23 +4,25 @@ it is off, against definitions written out one place after the other and the seg
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
 import pytest
 from by_hand import seen
-from legal_motion import Case
+from legal_motion import Case, program
 from legal_runs import RAILS, RUNS, Z0, contour, joint_line
 from scipy.spatial.transform import Rotation
 
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.joint_csv import Resolution
-from trajopt_cli.motion import MoveC, MoveL
+from trajopt_cli.motion import Motion, MoveC, MoveL, Speed
 from trajopt_cli.path.arc import Arc as PlannedArc
 from trajopt_cli.path.line import Line as PlannedLine
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify import tolerances as tol
+from trajopt_cli.verify.caps import check_caps
 from trajopt_cli.verify.geometry import Arc, off_triangles
 from trajopt_cli.verify.lines import check_shapes
 from trajopt_cli.verify.run import Run, runs_of
@@ -312,3 +314,49 @@ def test_how_far_a_joint_move_is_off_its_line(kind: str) -> None:
         agrees(one, worst, rows.t[where], tol.JOINT_TARGET)
         if worst.max() > 1e-9:
             assert one.subject == rows.plant.limits.names[int(np.argmax(np.array(off)[int(np.argmax(worst))]))]
+
+
+@pytest.mark.parametrize("faster", [1, 2])
+def test_in_a_corner_the_higher_of_both_speeds_holds(faster: int) -> None:
+    """From the last row outside the zone before the point to the first one behind it, each part of the speed by its own
+    zone; nothing where one of both moves has a time of its own."""
+    case = RUNS["rail"]()
+    rows = case.rows(step=0.004)
+    names = {1: "slow", 2: "slow"} | {faster: "fast"}
+    speeds = {"slow": Speed("slow", 0.05, 0.2, 0.03, 1.0), "fast": Speed("fast", 0.1, 0.3, 0.05, 1.0)}
+    motions = list(case.program.motions)
+    for i, name in names.items():
+        motions[i] = replace(motions[i], speed=speeds[name])
+
+    def told(asked: Sequence[Motion]) -> dict[tuple[str, str], Finding]:
+        line, frames = seen(replace(case, program=program(*asked)), rows, None)
+        found = [f for _, some in check_caps(line, frames) for f in some]
+        return {(f.check, f.subject): f for f in found if " at MoveL p_1 " in f.message}
+
+    found = told(motions)
+    P = motions[1].X_WT[:3, 3]
+    p = case.plant.robot.forward(rows.q)[:, :3, 3]
+    middle = int(np.argmin(np.linalg.norm(p - P, axis=1)))
+    V = (case.plant.robot.jacobian(rows.q) @ rows.qd[..., None])[..., 0]
+    for key, size, value in (
+        (("programmed speed", "TCP"), 0.01, np.linalg.norm(V[:, :3], axis=1)),
+        (("programmed reorientation", "TCP"), 0.015, np.linalg.norm(V[:, 3:], axis=1)),
+        (("programmed speed", "rail"), 0.015, np.abs(rows.qd[:, 0])),
+    ):
+        far = np.linalg.norm(p - P, axis=1) > size
+        a = next(i for i in range(middle, 0, -1) if far[i])
+        b = next(i for i in range(middle, len(far)) if far[i])
+        top = value[a : b + 1].max()
+        limit = {"TCP": 0.1, "rail": 0.05}[key[1]] if key[0] == "programmed speed" else 0.3
+        assert (key in found) == (top > limit)
+        if key in found:
+            one = found[key]
+            assert (one.value, one.limit) == (pytest.approx(top, rel=2e-3), limit)
+            assert rows.t[a] - 1e-9 <= one.time <= rows.t[b] + 1e-9
+            assert "at MoveL p_1 fast allows" in one.message
+            assert one.source == motions[1].source
+    assert ("programmed speed", "TCP") in found
+    for i in (1, 2):
+        timed = list(motions)
+        timed[i] = replace(timed[i], duration=1.0)
+        assert ("programmed speed", "TCP") not in told(timed)
