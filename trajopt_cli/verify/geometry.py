@@ -27,7 +27,7 @@ def rotation_vectors(R: Array) -> Array:
     skew = np.stack([R[..., i, j] - R[..., j, i] for i, j in ((2, 1), (0, 2), (1, 0))], axis=-1) / 2
     sine = np.linalg.norm(skew, axis=-1, keepdims=True)
     angle = np.arctan2(sine, (np.trace(R, axis1=-2, axis2=-1)[..., None] - 1) / 2)
-    return np.asarray(skew * np.where(sine > 0, angle / np.where(sine > 0, sine, 1.0), 1.0))
+    return np.asarray(skew * (angle / np.maximum(sine, 1e-300)))
 
 
 def turned(units: Sequence[UnitMove], theta: Array) -> tuple[Array, Array]:

@@ -40,13 +40,13 @@ def _waits(line: Timeline) -> Iterator[Finding]:
 def _moves(line: Timeline, frames: dict[bytes, Frame]) -> Iterator[Finding]:
     """A move to the point where the TCP is already has a stretch of its own only where it has a programmed time. In the
     zone between a move that holds the rail and one that does not it may move."""
-    rows, moves = line.rows, [visit.point.move for visit in line.visits[1:]]
+    rows, moves = line.rows, [visit.point.move for visit in line.visits]
     for i, (before, visit) in enumerate(pairwise(line.visits)):
         stop = visit.point
         if stop.move is None or stop.move.hold is None or before.event is None or visit.event is None:
             continue
         if not visit.stay:
-            free = [move is None or move.hold is None for move in (moves[i - 1] if i else None, *moves[i + 1 : i + 2])]
+            free = [move is None or move.hold is None for move in (moves[i], *moves[i + 2 : i + 3])]
             frame = frames[np.asarray(stop.X_FT).tobytes()]
             part = outside_zones(frame, before, visit, "external", free[0], free[-1])
             if part[1] >= part[0]:

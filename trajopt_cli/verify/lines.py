@@ -61,7 +61,7 @@ def _way(run: Run, leg: int) -> Iterator[Finding]:
     """Outside zones: distance from chord or circle, angle from the slerp at the same share of the way, way back."""
     way, part, places, point = run.ways[leg], run.on(leg), run.places, run.visits[leg + 1].point
     assert way is not None
-    target = "" if point.move is None else point.move.target
+    assert point.move is not None
     kind, shape = ("arc", "circle") if isinstance(way, Arc) else ("line", "chord")
     t, s, free = places.t[part], run.shares[part], run.zone[part] < 0
     off = off_way(way, places.p[part], s)
@@ -79,7 +79,7 @@ def _way(run: Run, leg: int) -> Iterator[Finding]:
         if len(least):
             i = int(np.argmax(least))
             yield finding(f"{kind} {check}", "TCP", float(least[i]), limit, its_unit, bool(least[i] <= limit),
-                          time=float(t[i]), source=point.source, note=f" {words} to {target}")  # fmt: skip
+                          time=float(t[i]), source=point.source, note=f" {words} to {point.move.target}")  # fmt: skip
 
 
 def _in_step(run: Run, leg: int) -> Iterator[Finding]:
