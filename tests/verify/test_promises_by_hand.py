@@ -9,6 +9,7 @@ from math import inf, log10
 
 import numpy as np
 import pytest
+from by_hand import seen
 from legal_motion import Case, bench_case, plant_with_rail, plant_without_rail, rapid_case
 from legal_runs import line_line, with_rail
 
@@ -19,24 +20,13 @@ from trajopt_cli.motion import MoveExtJ
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.shapes import Box, Capsule, Solid
 from trajopt_cli.trajectory import Trajectory
-from trajopt_cli.verify.course import points_of
-from trajopt_cli.verify.frame import Frame
 from trajopt_cli.verify.mechanism import mechanism_of
 from trajopt_cli.verify.promises import Promises, levers
-from trajopt_cli.verify.rows import Rows, look
-from trajopt_cli.verify.timeline import Timeline, build_timeline
-from trajopt_cli.verify.visits import match
+from trajopt_cli.verify.rows import Rows
 
 Least = Callable[[float, float], tuple[float, float | None]]  # of steps of values and of times: excess and how long
 Row = tuple[float, float | None, float | None, tuple[tuple[str, float], ...]]
 BOX = Solid(Box("box", np.full(3, 0.05), pose(np.eye(3), [2.0, 2.0, 0.5])))
-
-
-def seen(case: Case, trajectory: Trajectory, steps: Resolution | None) -> tuple[Timeline, dict[bytes, Frame]]:
-    points = points_of(case.program, case.plant)
-    rows = look(case.plant, trajectory, steps, marks=len(points) - 1)
-    frames = {np.asarray(p.X_FT).tobytes(): Frame(rows, p.X_FT) for p in points}
-    return build_timeline(rows, frames, points[0], match(rows, frames, points, False), False), frames
 
 
 @dataclass
@@ -77,8 +67,8 @@ class File:
         for m in (1, 2, 4, 8, 16, 32):
             n = differences * m
             if n + 1 < len(self.t):
-                x = least(min(self.t[i + n] - self.t[i] for i in range(len(self.t) - n)) / differences)
-                lasting = max(self.t[i + n + 1] - self.t[i] for i in range(len(self.t) - n - 1)) + self.beside
+                x = least(float((self.t[n:] - self.t[:-n]).min()) / differences)
+                lasting = float((self.t[n + 1 :] - self.t[: -n - 1]).max()) + self.beside
                 found = min(found, (x, lasting), key=lambda one: one[0])
                 if x <= 0.01 * top:
                     break
