@@ -306,7 +306,9 @@ def test_truncation_is_twice_the_error_of_a_hermite() -> None:
 def test_positions_between_rows() -> None:
     """An axis that has turned back between two rows went on for v^2/(2 A) at least, less what its digits hide."""
     j, rows = 2, rows_of(8, marked=True)
-    rows = replace(rows, trajectory=replace(rows.trajectory, qd=np.random.default_rng(8).normal(size=(N, 7))))
+    qd = np.random.default_rng(8).normal(size=(N, 7))
+    qd[::5] = 0.0  # to rest is not back
+    rows = replace(rows, trajectory=replace(rows.trajectory, qd=qd))
     t, q, v, step = rows.t, rows.q[:, j], rows.qd[:, j], rows.doubt_v[:, j]
     places = list(joints._positions(rows, j, 0, N - 1))
     spline, at = CubicHermiteSpline(t, q, v), between(t)
@@ -320,7 +322,7 @@ def test_positions_between_rows() -> None:
             reach = [max(abs(v[k]) - step[k], 0.0) ** 2 / (2 * A[j]) for k in (i, i + 1)]
             far = np.array([q[i], q[i + 1]]) + np.sign(v[i]) * np.array(reach)
             turns.append((t[i], far.max() if v[i] > 0 else q[i], far.min() if v[i] < 0 else q[i]))
-    assert len(turns) > 20
+    assert len(turns) > 15
     np.testing.assert_allclose(np.array(places[1]).T, turns, rtol=1e-12)
     assert len(list(joints._positions(rows_of(8), j, 0, N - 1))) == 2
     assert len(list(joints._positions(rows_of(8, speeds=False), j, 0, N - 1))) == 1

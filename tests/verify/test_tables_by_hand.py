@@ -127,7 +127,7 @@ def test_the_tool_is_seen_between_rows(marked: bool) -> None:
     frame, world, _, _ = turned_rows(marked)
     rows, tables = frame.rows, frame.rows.trajectory.tables
     assert tables is not None
-    first, last = 5, 30
+    first, last = 5, len(rows.t) - 1
     found, of_world = frame.places(first, last), world.places(first, last)
     assert len(found.t) == (last - first) * (5 if marked else 1) + 1
     robot, table = (CubicHermiteSpline(rows.t, one.q, one.qd) for one in (rows, tables))
