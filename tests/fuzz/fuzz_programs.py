@@ -11,6 +11,7 @@ most, for this call.
 from __future__ import annotations
 
 import argparse
+import gc
 import json
 import math
 import os
@@ -31,7 +32,7 @@ from small_programs import program, round_trip
 
 SECONDS = 30  # of processor
 MEMORY = 1 << 30  # bytes more than at the start
-CHUNK = 20  # programs in one process: memory that libraries keep does not add up
+CHUNK = 40  # programs in one process: memory that libraries keep does not add up
 
 
 class Hang(Exception):
@@ -104,6 +105,7 @@ def main() -> None:
         left = [n for n in range(options.first, options.last + 1) if (options.seed, n) not in known]
         while left and sum(resource.getrusage(resource.RUSAGE_CHILDREN)[:2]) < 60 * options.minutes:
             if (child := os.fork()) == 0:
+                gc.freeze()  # what is loaded is no garbage
                 chunk(options.seed, left[:CHUNK], options.log)
                 os._exit(0)
             os.waitpid(child, 0)

@@ -7,10 +7,15 @@ time. What must hold of each is in `round_trip`; `program(seed, number)` is the 
 from __future__ import annotations
 
 import random
+from collections.abc import Callable
+from contextlib import redirect_stdout
 from dataclasses import dataclass
+from functools import cache
+from io import StringIO
 from pathlib import Path
 
 import numpy as np
+from typer.main import get_command
 
 from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about
 from trajopt_cli.job import Job, read_job
@@ -229,14 +234,18 @@ def _why(report: object) -> str:
 
 
 def _export_joint(results: Path, to: Path, rate: float) -> None:
-    from typer.testing import CliRunner
+    asked = ["export", "joint", str(results), "--rate", f"{rate:g}", "--output", str(to)]
+    with redirect_stdout(StringIO()) as printed:
+        ended = _commands()(asked, standalone_mode=False)
+    assert not ended, printed.getvalue()  # an exit code, or None
 
+
+@cache
+def _commands() -> Callable[..., int | None]:
+    """The command line, its tree of commands built once."""
     from trajopt_cli.cli import app
 
-    ended = CliRunner().invoke(
-        app, ["export", "joint", str(results), "--rate", f"{rate:g}", "--output", str(to)], catch_exceptions=False
-    )
-    assert ended.exit_code == 0, ended.output
+    return get_command(app)
 
 
 def _check_times(answer: Optimised) -> None:
