@@ -385,15 +385,21 @@ def of_fly_by(rng: np.random.Generator, times: float) -> Outcome | None:
 
 
 def of_rail(rng: np.random.Generator, times: float) -> Outcome | None:
+    """The target lies beside all places where the rail is while the tool is near the stop."""
     case = station(rng, rail=True)
-    paper, move = Paper.random(rng), case.program.motions[1]
-    sign = rng.choice([-1, 1])
+    paper, move, rows = Paper.random(rng), case.program.motions[1], truth(case)
+    sign = int(rng.choice([-1, 1]))
+    fixed = replace(case.plant, rail_fixed=True)
+    report = paper.judged(fixed, case.program, case)
+    first, last = there(case, 2, promise(report, "stop reached", "TCP", "m").least)
+    tau = (promise(report, "rail target", "rail", "m").lasting or 0.0) / 2
+    beside = rows.q[(rows.t >= first - tau - _FINE) & (rows.t <= last + tau + _FINE), 0]
+    edge = float(beside.max() if sign > 0 else beside.min())
 
     def change(excess: float) -> tuple[Plant, Program, Case]:
         motions = list(case.program.motions)
-        value = move.extax[0] + sign * excess * 1e3
-        motions[1] = replace(move, extax=(value, *move.extax[1:]))
-        return replace(case.plant, rail_fixed=True), program(*motions), case
+        motions[1] = replace(move, extax=((edge + sign * excess) * 1e3, *move.extax[1:]))
+        return fixed, program(*motions), case
 
     return beyond(paper, ("rail target", "rail", "m"), change, times)
 

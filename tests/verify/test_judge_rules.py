@@ -302,3 +302,35 @@ def test_boxes_near_a_point_are_found_by_boxes_around_them() -> None:
         found = boxes.near(P, 0.3)
         np.testing.assert_array_equal(found, np.flatnonzero(boxes.off(P) <= 0.3 + boxes.room))
         assert len(found) < len(low) / 4
+
+
+def rail_runs_on(target: float) -> Case:
+    """The tool stops at A for a moment while the rail runs on at 0.3 m/s, being at 0.15 m when it stands."""
+    plant, v, d, T = replace(plant_with_rail(), rail_fixed=True), 0.3, 0.15, 1 / 6 + 6 / 60  # T: of the lines
+    before, after = (arm_at(plant, A_IN[None], np.array([one]))[0] for one in (d - v * T / 2, d + v * T / 2))
+    motions = program(
+        move_j(11, "p_a_in", A_IN, float(before[0])),
+        move_l(12, "p_a", A, target),
+        move_l(13, "p_a_out", A_IN, float(after[0])),
+        home(14, 0.0),
+    )
+    pieces = (
+        joint_move(plant, plant.start, before),
+        line_move(plant, A_IN, A, lambda t, _: (d - v * T / 2 + v * t**2 / (2 * T), v * t / T), 6.0, 60.0),
+        line_move(plant, A, A_IN, lambda t, _: (d + v * t - v * t**2 / (2 * T), v - v * t / T), 6.0, 60.0),
+        joint_move(plant, after, plant.start),
+    )
+    return Case(plant, motions, pieces)
+
+
+@pytest.mark.parametrize("step", [0.001, 0.004, 0.007, 0.02])
+def test_a_rail_may_run_on_while_the_tool_stops(step: float) -> None:
+    """Between two rows nobody knows the moment of the stop: whatever grid there is, a legal motion is legal, and a
+    target beside all places of the rail while the tool may stand is not met."""
+    for marked in (True, False):
+        rows = rail_runs_on(0.15).rows(step=step, grid_only=not marked)
+        case = rail_runs_on(0.15)
+        assert verify(case.program, case.plant, rows).legal
+        case = rail_runs_on(0.15 + 2.5 * 0.3 * step)
+        failed = [one for one in verify(case.program, case.plant, rows).findings if not one.passed]
+        assert [(one.check, one.value) for one in failed] == [("rail target", pytest.approx(0.15, abs=0.3 * step))]

@@ -308,7 +308,7 @@ class Promises:
         if rows.mechanism.has_rail:
             rail, r = float(self._plant.limits.acceleration[0]), float(self._r[0])
             name = self._plant.limits.names[0]
-            yield self._promise("rail target", name, "m", lambda n: (JOINT_TARGET + rail * tau**2 / 2 + n.q * r, None))
+            yield self._promise("rail target", name, "m", lambda n: (JOINT_TARGET + rail * tau**2 + n.q * r, 2 * tau))
             yield self._promise("way while held", name, "m", lambda n: (HELD + 2 * n.q * r, 3 * self._h))
 
     def _of_time(self) -> Iterator[Promise]:

@@ -13,6 +13,7 @@ from trajopt_cli.motion import MoveExtJ, Source
 from trajopt_cli.verify.findings import axis_unit, finding
 from trajopt_cli.verify.frame import Frame, Places
 from trajopt_cli.verify.geometry import angle_between
+from trajopt_cli.verify.rail import rail_beside
 from trajopt_cli.verify.rows import Rows, unseen
 from trajopt_cli.verify.timeline import Timeline, Visit
 from trajopt_cli.verify.tolerances import (
@@ -170,10 +171,12 @@ def _rail(rows: Rows, visit: Visit) -> list[Finding]:
     if stop.rail is None or isinstance(stop.move, MoveExtJ) or stop.move is None:
         return []
     assert visit.match.look is not None
-    met = visit.match.look(np.array([visit.arrive])).rail_met[0]
+    at = np.array([visit.arrive])
+    met = visit.match.look(at).rail_met[0]
+    value = rows.q[visit.arrive, 0] if stop.arm is not None else rail_beside(rows, at, stop.rail)[0][0]
     name = rows.plant.limits.names[0]
     return [
-        finding("rail target", name, float(rows.q[visit.arrive, 0]), stop.rail, "m", bool(met),
+        finding("rail target", name, float(value), stop.rail, "m", bool(met),
                 time=float(rows.t[visit.arrive]), source=stop.source, bound="wanted", note=f" at {stop.name}")
     ]  # fmt: skip
 

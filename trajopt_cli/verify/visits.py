@@ -33,6 +33,7 @@ from trajopt_cli.motion import MoveExtJ
 from trajopt_cli.verify.course import Point
 from trajopt_cli.verify.frame import Frame, angular_acceleration
 from trajopt_cli.verify.geometry import angle_between
+from trajopt_cli.verify.rail import rail_beside
 from trajopt_cli.verify.rows import ROUNDING, Rows
 from trajopt_cli.verify.tolerances import (
     JOINT_TARGET,
@@ -107,7 +108,11 @@ def _closeness(rows: Rows, frame: Frame, stop: Point, rapid: bool, at: NDArray[n
     rests = (frame.least_speed[at] <= REST_LINEAR + a * tau) & (frame.least_turning[at] <= REST_ANGULAR + alpha * tau)
     granted = JOINT_TARGET + rows.doubt_q[at] / 2 + limits.acceleration * tau[:, None] ** 2 / 2
     stands: Mask = rows.axes_rest[at] if rapid else np.ones(len(at), dtype=bool)
-    rail_met = np.ones(len(at), dtype=bool) if stop.rail is None else np.abs(q[:, 0] - stop.rail) <= granted[:, 0]
+    rail_met = np.ones(len(at), dtype=bool)
+    if stop.rail is not None:
+        axes = stop.arm is not None or isinstance(stop.move, MoveExtJ)  # every one of them stands there
+        beside, most = (q[:, 0], granted[:, 0]) if axes else rail_beside(rows, at, stop.rail)
+        rail_met = np.abs(beside - stop.rail) <= most
     near: Mask
     tight: Mask
     if isinstance(stop.move, MoveExtJ):
