@@ -12,6 +12,7 @@ from small_cells import plant_with_rail, rapid
 
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.errors import InputError, InputErrorGroup
+from trajopt_cli.export.joint import resample
 from trajopt_cli.motion import MoveJ, Program
 from trajopt_cli.optimize import optimize
 from trajopt_cli.problem.changes import everything
@@ -135,6 +136,19 @@ def test_a_plan_in_which_the_table_alone_turns_has_no_grid() -> None:
     plan = optimize(turn, plant_with_rail(), Target.STREAM, bounded=False)
     assert isinstance(plan, Plan)
     assert plan.grid == "none, as all is in closed form"
+
+
+def test_a_table_keeps_its_velocity_between_rows_too() -> None:
+    """80 deg take 0.5 s to speed, 7/18 s at it and 0.5 s to rest: the second switch lies beside the grid."""
+    turn = program("MoveExtJ [[9E9,9E9,9E9,9E9,9E9,9E9],[9E9,80,9E9,9E9,9E9,9E9]], vrot100, fine;")
+    plan = optimize(turn, plant_with_rail(), Target.STREAM, bounded=False)
+    assert isinstance(plan, Plan)
+    rows = resample(plan.trajectory, 7919.0).tables
+    assert rows is not None
+    assert rows.qd is not None
+    wanted = V * np.clip(np.minimum(rows.t, rows.t[-1] - rows.t) / 0.5, 0.0, 1.0)
+    assert rows.t[-1] == pytest.approx(25 / 18, abs=1e-9)
+    assert np.abs(rows.qd[:, 0] - wanted).max() < 1e-9
 
 
 def test_external_axes_that_are_there_already_take_no_time_whatever_their_speed() -> None:

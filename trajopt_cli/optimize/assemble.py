@@ -39,7 +39,7 @@ def rows_of(
 
 
 def _leg_rows(leg: LegMotion, start: float, end: float, more: Sequence[float], busy: bool) -> Array:
-    """Row times of one leg: its breaks, then every grid time that keeps its distance from them, then those of more."""
+    """Row times of one leg: its breaks, those of more and every grid time that keep their distance from them."""
     breaks = start + leg.breaks()
     breaks[0], breaks[-1] = start, end
     keep = np.concatenate([[True], np.diff(breaks) > SAME_TIME])
@@ -47,14 +47,17 @@ def _leg_rows(leg: LegMotion, start: float, end: float, more: Sequence[float], b
     breaks = breaks[keep]
     if len(breaks) > 2 and breaks[-1] - breaks[-2] <= SAME_TIME:
         breaks = np.delete(breaks, -2)
+    inside = np.array([t for t in more if start < t < end])
+    marks = np.unique(np.concatenate([breaks, inside[_apart(inside, breaks)]]))
     grid = _grid(start + leg.breaks(), ~leg.resting() | busy, np.clip(np.ceil(leg.T / LONG_MOTION), 1, ROWS_WIDEST))
-    at = np.searchsorted(breaks, grid)
-    gap = np.minimum(
-        np.abs(grid - breaks[np.clip(at - 1, 0, len(breaks) - 1)]),
-        np.abs(grid - breaks[np.clip(at, 0, len(breaks) - 1)]),
-    )
-    inside = [t for t in more if start < t < end]
-    return np.unique(np.concatenate([breaks, grid[(gap >= ROW_APART) & (grid > start) & (grid < end)], inside]))
+    return np.unique(np.concatenate([marks, grid[_apart(grid, marks) & (grid > start) & (grid < end)]]))
+
+
+def _apart(times: Array, marks: Array) -> BoolArray:
+    """Which times (n,) are not too near to any mark, those in order."""
+    at = np.searchsorted(marks, times)
+    before, after = marks[np.clip(at - 1, 0, len(marks) - 1)], marks[np.clip(at, 0, len(marks) - 1)]
+    return np.asarray(np.minimum(np.abs(times - before), np.abs(times - after)) >= ROW_APART)
 
 
 def _grid(breaks: Array, moving: BoolArray, wide: float) -> Array:

@@ -26,7 +26,7 @@ from trajopt_cli.optimize.legal import Memory, NoCleanPlan, Question, calmer_mot
 from trajopt_cli.optimize.legs import JointProfiles, LegMotion, PathLeg
 from trajopt_cli.optimize.plain import plain_motion
 from trajopt_cli.optimize.search import search
-from trajopt_cli.optimize.tables import turning, with_tables
+from trajopt_cli.optimize.tables import switches, turning, with_tables
 from trajopt_cli.optimize.tuning import (
     DENSER,
     LONGEST_MOTION,
@@ -245,8 +245,8 @@ def _check_lengths(program: Program, problem: Problem, draft: Draft) -> None:
 def _rows(axes: Axes, problem: Problem, draft: Draft) -> tuple[Trajectory, Array] | None:
     """The rows and leg boundaries of a clean draft, denser where the cubic between two rows would pass a limit; None
     where that does not help."""
-    more: list[float] = []
     legs, end, busy = _motions(draft), _end(problem, draft), turning(problem)
+    more = switches(problem, legs)
     for _ in range(DENSER + 1):
         trajectory, bounds = rows_of(axes, legs, end, more, busy)
         over = _passing(axes, trajectory)

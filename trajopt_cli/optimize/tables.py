@@ -20,6 +20,18 @@ def turning(problem: Problem) -> list[bool]:
     return [bool(_units(problem, k)) for k in range(len(problem.legs))]
 
 
+def switches(problem: Problem, legs: Sequence[LegMotion]) -> list[float]:
+    """The times [s] at which a unit that turns by itself begins or ends to keep its speed."""
+    out, begin = [], 0.0
+    for k, motion in enumerate(legs):
+        for unit in _units(problem, k):
+            if unit not in problem.legs[k].units:
+                _, ramp, least = _fastest(unit)
+                out += [begin + share * motion.T for share in (ramp / least, 1 - ramp / least)]
+        begin += motion.T
+    return out
+
+
 def with_tables(problem: Problem, legs: Sequence[LegMotion], rows: Trajectory, bounds: Array) -> Trajectory:
     """The rows with the axes of all positioners that the program turns. bounds (L+1,): the legs' times."""
     moves = [unit for motion in problem.program.motions for unit in getattr(motion, "units", ())]
@@ -48,12 +60,17 @@ def _units(problem: Problem, k: int) -> tuple[UnitMove, ...]:
 
 def _rest_to_rest(unit: UnitMove, T: float, t: Array) -> tuple[Array, Array]:
     """The share of its way that a unit has gone at times t (n,), and its rate: its fastest motion, stretched to T."""
-    way = abs(unit.angle)
-    top = min(unit.velocity, float(np.sqrt(unit.acceleration * way)))
-    ramp, least = top / unit.acceleration, way / top + top / unit.acceleration
+    way, (top, ramp, least) = abs(unit.angle), _fastest(unit)
     u = t * (least / T)
     rate = np.clip(np.minimum(u, least - u) / ramp, 0.0, 1.0) * top
     up, down = u < ramp, u > least - ramp
     gone = np.where(up, unit.acceleration * u**2 / 2, top * (u - ramp / 2))
     gone = np.where(down, way - unit.acceleration * np.maximum(least - u, 0.0) ** 2 / 2, gone)
     return gone / way, rate * (least / T) / way
+
+
+def _fastest(unit: UnitMove) -> tuple[float, float, float]:
+    """The top speed [rad/s] of a unit's fastest motion, how long it takes to reach it, and the whole [s]."""
+    way = abs(unit.angle)
+    top = min(unit.velocity, float(np.sqrt(unit.acceleration * way)))
+    return top, top / unit.acceleration, way / top + top / unit.acceleration
