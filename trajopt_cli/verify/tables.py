@@ -18,7 +18,7 @@ from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.findings import finding
 from trajopt_cli.verify.frame import Frame, Places
 from trajopt_cli.verify.geometry import turned
-from trajopt_cli.verify.rows import Along, Pieces, Rows
+from trajopt_cli.verify.rows import Along, Pieces, Rows, shortest
 from trajopt_cli.verify.timeline import Timeline, Visit
 from trajopt_cli.verify.tolerances import COMPUTED, JOINT, JOINT_TARGET
 
@@ -256,17 +256,19 @@ def _axis(
         return
     h = np.diff(t)
     velocity, acceleration = max(one.velocity for one in units), max(one.acceleration for one in units)
-    mean = np.maximum(np.abs(np.diff(q)) - step, 0.0) / (h + rows.doubt_t)
+    off_t = rows.unsure(slice(a, b), slice(a + 1, b + 1))
+    mean, rate = np.maximum(np.abs(np.diff(q)) - step, 0.0) / (h + rows.doubt_t), np.diff(q) / h
+    doubt = (step + np.abs(rate) * off_t) / shortest(h, off_t)  # about the mean speed
     if tables.qd is None:
-        speed, change = mean, np.maximum(np.abs(np.diff(np.diff(q) / h)) - 4 * step / h.min(), 0.0)
-        pull, when = change / ((h[1:] + h[:-1]) / 2), t[1:-1]
+        speed, change = mean, np.maximum(np.abs(np.diff(rate)) - doubt[1:] - doubt[:-1], 0.0)
+        pull, when = change / ((h[1:] + h[:-1]) / 2 + rows.doubt_t), t[1:-1]
     else:
         v = tables.qd[a : b + 1, j]
         speed = np.maximum(mean, np.maximum(np.abs(v[1:]), np.abs(v[:-1])) - step_v)
         # the cubic between two rows: the mean of their speeds is the mean speed where the acceleration is steady
-        bend = np.abs(np.diff(q) / h - (v[1:] + v[:-1]) / 2) - 2 * step / h - step_v
+        bend = np.abs(rate - (v[1:] + v[:-1]) / 2) - doubt - step_v
         pull = (np.maximum(np.abs(np.diff(v)) - step_v, 0.0)) / (h + rows.doubt_t)
-        pull, when = np.maximum(pull, np.maximum(bend, 0.0) / (h / 4)), t[:-1]
+        pull, when = np.maximum(pull, np.maximum(bend, 0.0) / ((h + off_t) / 4)), t[:-1]
     for check, values, times, limit, unit in (
         ("speed", speed, t[:-1], velocity, "rad/s"),
         ("acceleration", pull, when, acceleration, "rad/s2"),
