@@ -77,7 +77,8 @@ def second(t: Array, x: Array, off: Array, off_t: Array, i: int, b: int, c: int)
         rate, open_t = (x[m] - x[k]) / (t[m] - t[k]), off_t[k] + off_t[m]
         doubt += (off[k] + off[m] + abs(rate) * open_t) / (t[m] - t[k] - open_t)
         out.append(rate)
-    return 2 * (out[1] - out[0]) / (t[c] - t[i]), 2 * doubt / (t[c] - t[i] - off_t[i] - off_t[c])
+    value, open_t = 2 * (out[1] - out[0]) / (t[c] - t[i]), off_t[i] + off_t[c]
+    return value, (2 * doubt + abs(value) * open_t) / (t[c] - t[i] - open_t)
 
 
 def least_peak(v_0: float, v_1: float, way: float, h: float, a: float) -> float:
@@ -230,7 +231,7 @@ def test_least_jerks(with_speeds: bool) -> None:
         values = []
         for i in every:
             (a, off_a), (b, off_b) = (second(t, x, half, off_t, k, k + m, k + 2 * m) for k in (i, i + m))
-            values.append(3 * (abs(b - a) - off_a - off_b) / (t[i + 3 * m] - t[i] - off_t[i] - off_t[i + 3 * m]))
+            values.append(3 * (abs(b - a) - off_a - off_b) / (t[i + 3 * m] - t[i] + off_t[i] + off_t[i + 3 * m]))
         wanted.append((t[m : len(t) - 2 * m], np.array(values)))
     same(joints._jerks(rows, j, 0, n - 1), wanted)
 

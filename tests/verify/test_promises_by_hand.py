@@ -101,13 +101,24 @@ class File:
         return 4 * (r + speed * r_t) / ((H - r_t) * (2 * H - r_t)) if r_t < H else inf
 
     def second(self, top: float, eps: float, r: float, speed: float) -> Least:
-        return lambda q, t: self.by_lag(2, top, lambda H: eps * top + 2 * self.d_2(H, q * r, speed, t * self.r_t))
-
-    def third(self, top: float, r: float, speed: float) -> Least:
         def least(q: float, t: float) -> tuple[float, float | None]:
             def of(H: float) -> float:
                 r_t = t * self.r_t
-                return 1e-6 * top + 12 * self.d_2(H, q * r, speed, r_t) / (3 * H - r_t) if r_t < H else inf
+                d = self.d_2(H, q * r, speed, r_t)
+                return (top * (1 + eps) + d) * H / (H - r_t) + d - top if r_t < H else inf
+
+            return self.by_lag(2, top, of)
+
+        return least
+
+    def third(self, top: float, r: float, speed: float, a: float) -> Least:
+        def least(q: float, t: float) -> tuple[float, float | None]:
+            def of(H: float) -> float:
+                r_t = t * self.r_t
+                if r_t >= H:
+                    return inf
+                u = (self.d_2(H, q * r, speed, r_t) * (2 * H - r_t) + a * r_t) / (2 * H - 2 * r_t)
+                return (top * (1 + 1e-6) * (3 * H + r_t) + 12 * u) / (3 * H - r_t) - top
 
             return self.by_lag(3, top, of)
 
@@ -141,7 +152,7 @@ class File:
         pull = self.rate(a, 1e-6, r_v) if self.speeds else self.second(a, 1e-6, r, v)
         out["joint acceleration", name, f"{unit}/s2"] = self.row(pull, 0.06 * a, kind, step)
         top = float(limits.jerk[j])
-        jerk = self.second(top, 1e-6, r_v, a) if self.speeds else self.third(top, r, v)
+        jerk = self.second(top, 1e-6, r_v, a) if self.speeds else self.third(top, r, v, a)
         out["joint jerk", name, f"{unit}/s3"] = self.row(jerk, 0.09 * top, kind, step)
         if name in swing:
             most = 1e-5 * float(limits.torque[j]) + 2 * swing[name]
@@ -178,7 +189,7 @@ class File:
             out["fly-by passed", "TCP", "m"] = self.row(linear(1e-6 + a_tcp * h**2 / 4, 2 * self.p))
         if plant.robot.has_rail:
             r, a = float(self.r[0]), float(limits.acceleration[0])
-            out["rail target", "rail", "m"] = self.row(linear(1e-6 + a * tau**2 / 2, r))
+            out["rail target", "rail", "m"] = self.row(linear(1e-6 + a * tau**2, r, 2 * tau))
             out["way while held", "rail", "m"] = self.row(linear(1e-6, 2 * r, 3 * h))
         r_t = float(rows.step_t.max())
         out["dwell length", "TCP", "s"] = self.row(linear(1e-9 + 2 * r_t + 4 * tau, 0.0))

@@ -174,11 +174,10 @@ def test_least_speeds_and_accelerations_of_the_tool(tool: str, speeds: bool) -> 
             for k, c in ((i, i + m), (i + m, i + 2 * m)):
                 h, unsure = t[c] - t[k], off_t[k] + off_t[c]
                 rates.append((p[c] - p[k]) / h)
-                # every coordinate may be off by as much as the whole, the one that moves most decides
-                open_ = open_ + (frame.doubt_p[k] + frame.doubt_p[c] + np.abs(rates[-1]) * unsure) / (h - unsure)
-            H = t[i + 2 * m] - t[i]
+                open_ += (frame.doubt_p[k] + frame.doubt_p[c] + np.linalg.norm(rates[-1]) * unsure) / (h - unsure)
+            H, unsure = t[i + 2 * m] - t[i], off_t[i] + off_t[i + 2 * m]
             x = 2 * np.linalg.norm(rates[1] - rates[0]) / H
-            values.append(x - (2 * open_ / (H - off_t[i] - off_t[i + 2 * m])).max())
+            values.append(x - (2 * open_ + x * unsure) / (H - unsure))
         bends.append((t[a + m : b + 1 - m], np.array(values)))
     at_rows, turning, ride = [], [], []
     if speeds:

@@ -150,7 +150,8 @@ def test_mean_torques(speeds: bool) -> None:
                     open_a = open_a + (half[k] + half[n] + np.abs(rate) * unsure) / (t[n] - t[k] - unsure)
                     rates.append(rate)
                 a = 2 * (rates[1] - rates[0]) / (t[c] - t[i])
-                open_a = 2 * open_a / (t[c] - t[i] - off_t[i] - off_t[c])
+                unsure = off_t[i] + off_t[c]
+                open_a = (2 * open_a + np.abs(a) * unsure) / (t[c] - t[i] - unsure)
                 speed = (q[c] - q[i]) / (t[c] - t[i])
                 states = [(q[b], speed), (q[i], speed - a * (t[b] - t[i])), (q[c], speed + a * (t[c] - t[b]))]
                 value, doubt = mean(states, a, open_a, i, c)

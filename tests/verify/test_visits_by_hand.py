@@ -78,6 +78,11 @@ def test_how_near_rows_are_to_a_stop(kind: str, marked: bool, rapid: bool) -> No
         off = np.abs(rows.q[i] - PLANT.start)
         rests = frame.least_speed[i] <= 1e-5 + A_TCP * tau and frame.least_turning[i] <= 1e-5 + alpha * tau
         met = stop.rail is None or abs(rows.q[i, 0] - stop.rail) <= granted[0]
+        if stop.rail is not None and not marked and stop.arm is None and not isinstance(stop.move, MoveExtJ):
+            near_rows = range(max(i - 1, 0), min(i + 2, len(rows.t)))  # half a gap to either side it may be the stop
+            beside = [(rows.q[i, 0] + rows.q[m, 0]) / 2 for m in near_rows]
+            most = 1e-6 + rows.doubt_q[near_rows, 0].max() / 2 + PLANT.limits.acceleration[0] * tau**2 / 2
+            met = min(beside) - most <= stop.rail <= max(beside) + most
         if isinstance(stop.move, MoveExtJ):
             near, tight, distance = met and rests, off[0] <= 1e-6 + open_q[0], off[0] / 1e-6
         elif stop.arm is not None:

@@ -185,9 +185,8 @@ def accelerations(frame: Frame, first: int, last: int, inner: Inner | None) -> I
     """
     rows, part = frame.rows, slice(first, last + 1)
     t = rows.t[part]
-    for m, value, doubt in second_differences(t, frame.p[part], frame.doubt_p[part, None], rows.step_t[part]):
-        # the doubt about a position is a length, the same for the whole vector
-        yield t[m : len(t) - m], np.linalg.norm(value, axis=1) - doubt.max(axis=1)
+    for m, value, doubt in second_differences(t, frame.p[part], frame.doubt_p[part, None], rows.step_t[part], True):
+        yield t[m : len(t) - m], np.linalg.norm(value, axis=1) - doubt[:, 0]
     if rows.qd is None:
         return
     V, doubt_V = frame.V[part, :3], frame.doubt_V[0][part]

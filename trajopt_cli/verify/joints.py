@@ -10,7 +10,7 @@ from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.limits import CoupledRange
 from trajopt_cli.verify.findings import Series, SourceAt, Worst, axis_unit, finding
-from trajopt_cli.verify.rows import INNER, LAGS, Rows, mean_of, second_differences, shortest, windows
+from trajopt_cli.verify.rows import INNER, LAGS, Rows, mean_of, second_differences, windows
 from trajopt_cli.verify.tolerances import JOINT
 
 _RESTING = 32  # rows of rest that are looked at before a file and behind it
@@ -220,7 +220,7 @@ def _jerks(rows: Rows, j: int, first: int, last: int) -> Iterator[tuple[Array, A
         if rows.qd is not None:
             yield t[m : len(t) - m], (np.abs(value) - uncertain)[:, 0]
         elif len(value) > m:
-            span = shortest(t[3 * m :] - t[: -3 * m], (off_t[3 * m :] + off_t[: -3 * m]) / 2)
+            span = t[3 * m :] - t[: -3 * m] + (off_t[3 * m :] + off_t[: -3 * m]) / 2
             third = np.abs(value[m:] - value[:-m])[:, 0] - (uncertain[m:] + uncertain[:-m])[:, 0]
             yield t[m : len(t) - 2 * m], 3 * third / span
 

@@ -8,8 +8,10 @@ times, v of a limit on speed, a of one on acceleration, H the time of m row spac
 - Mean speed over H: printed (|dq| - r) / (H + r_t), where |dq| is (v + x) (H - r_t) - r at least.
   Seen where x > (v (1 + tol) (H + r_t) + 2 r) / (H - r_t) - v.
 - Mean acceleration from speeds printed in steps r_v: the same with a, r_v.
-- Second differences over H and H: x > a tol + 2 d, d = 2 (2 (r + v r_t) / (H - r_t)) / (2 H - r_t).
-- Third ones: x > tol + 2 (3 * 2 d) / (3 H - r_t).
+- Second differences over H and H: d = 2 (2 (r + v r_t) / (H - r_t)) / (2 H - r_t) is the doubt about both mean speeds,
+  r_t / (2 H - r_t) of the value that about the time they are of: x > (a (1 + tol) + d) H / (H - r_t) + d - a.
+- Third ones over j: each second one is off by u = (d (2 H - r_t) + a r_t) / (2 H - 2 r_t), the time they are of by r_t:
+  x > (j (1 + tol) (3 H + r_t) + 12 u) / (3 H - r_t) - j.
 - A chord of a path whose speed is v and whose acceleration is a is shorter than its arc by (a H / v)^2 / 24 at most.
 - Between rows: what is worst at one moment has come and gone no faster than a h^2/8.
 
@@ -111,14 +113,25 @@ def mean_rate(top: float, tolerance: float, H: float, r: float, r_t: float) -> f
     return (top * (1 + tolerance) * (H + r_t) + 2 * r) / (H - r_t) - top if r_t < H else inf
 
 
-def second(H: float, r: float, speed: float, r_t: float) -> float:
-    """The doubt about a second divided difference over H and H."""
-    return 4 * (r + speed * r_t) / (H - r_t) / (2 * H - r_t) if r_t < H else inf
+def _both(H: float, r: float, speed: float, r_t: float) -> float:
+    """The doubt that both mean speeds bring into a second divided difference over H and H."""
+    return 4 * (r + speed * r_t) / (H - r_t) / (2 * H - r_t)
 
 
-def third(H: float, r: float, speed: float, r_t: float) -> float:
-    """The doubt about a third divided difference over H, H and H."""
-    return 6 * second(H, r, speed, r_t) / (3 * H - r_t) if r_t < H else inf
+def second(top: float, tolerance: float, H: float, r: float, speed: float, r_t: float) -> float:
+    """The least excess of a second divided difference over H and H of values printed in steps r."""
+    if r_t >= H:
+        return inf
+    d = _both(H, r, speed, r_t)
+    return (top * (1 + tolerance) + d) * H / (H - r_t) + d - top
+
+
+def third(top: float, tolerance: float, H: float, r: float, speed: float, acceleration: float, r_t: float) -> float:
+    """The least excess of a third divided difference over H, H and H."""
+    if r_t >= H:
+        return inf
+    u = (_both(H, r, speed, r_t) * (2 * H - r_t) + acceleration * r_t) / (2 * H - 2 * r_t)
+    return (top * (1 + tolerance) * (3 * H + r_t) + 12 * u) / (3 * H - r_t) - top
 
 
 def chord(top: float, acceleration: float, H: float) -> float:
@@ -206,7 +219,7 @@ class Promises:
             ) -> tuple[float, float | None]:
                 if rows.qd is not None:
                     return lags.best(1, a, lambda H: mean_rate(a, JOINT, H, n.q * r_v, n.t * self._r_t))
-                return lags.best(2, a, lambda H: a * JOINT + 2 * second(H, n.q * r, v, n.t * self._r_t))
+                return lags.best(2, a, lambda H: second(a, JOINT, H, n.q * r, v, n.t * self._r_t))
 
             digits = r if rows.qd is None else r_v
             yield self._promise("joint position", name, unit, position)
@@ -221,8 +234,8 @@ class Promises:
                     n: Steps, r: float = r, r_v: float = r_v, v: float = v, a: float = a, top: float = top
                 ) -> tuple[float, float | None]:
                     if rows.qd is not None:
-                        return lags.best(2, top, lambda H: top * JOINT + 2 * second(H, n.q * r_v, a, n.t * self._r_t))
-                    return lags.best(3, top, lambda H: top * JOINT + 2 * third(H, n.q * r, v, n.t * self._r_t))
+                        return lags.best(2, top, lambda H: second(top, JOINT, H, n.q * r_v, a, n.t * self._r_t))
+                    return lags.best(3, top, lambda H: third(top, JOINT, H, n.q * r, v, a, n.t * self._r_t))
 
                 yield self._promise("joint jerk", name, f"{unit}/s3", jerk, 3 * COARSEST_RATE * top, 3, digits)
             if name in self._swing:
@@ -246,7 +259,7 @@ class Promises:
         def acceleration(n: Steps) -> tuple[float, float | None]:
             if rows.qd is not None:
                 return lags.best(1, a, lambda H: mean_rate(a, TCP, H, 2 * n.q * self._V, n.t * self._r_t))
-            return lags.best(2, a, lambda H: a * TCP + 2 * second(H, 2 * n.q * self._p, v, n.t * self._r_t))
+            return lags.best(2, a, lambda H: second(a, TCP, H, 2 * n.q * self._p, v, n.t * self._r_t))
 
         yield self._promise("TCP speed", "TCP", "m/s", speed, COARSEST_RATE * v, 1)
         yield self._promise("TCP acceleration", "TCP, one way", "m/s2", acceleration, 2 * COARSEST_RATE * a, 2)

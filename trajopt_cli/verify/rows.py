@@ -467,19 +467,27 @@ def lagged(n: int) -> Iterator[tuple[int, slice, slice, slice]]:
             yield m, slice(0, n - 2 * m), slice(m, n - m), slice(2 * m, n)
 
 
-def second_differences(t: Array, x: Array, half: Array, step_t: Array | float) -> Iterator[tuple[int, Array, Array]]:
+def second_differences(
+    t: Array, x: Array, half: Array, step_t: Array | float, vectors: bool = False
+) -> Iterator[tuple[int, Array, Array]]:
     """Per lag m: twice the second divided difference of rows i, i + m, i + 2m and the doubt about it, (n-2m, k).
 
     x (n, k); half: how far x may be off at each row, broadcast to (n, k). step_t: printed steps of the times (n,).
+    vectors: x is one in each row, half (n, 1) and the doubts (n-2m, 1) are lengths.
     """
-    half, off = np.broadcast_to(half, x.shape), np.broadcast_to(step_t, t.shape)[:, None] / 2
+    half, off = half if vectors else np.broadcast_to(half, x.shape), np.broadcast_to(step_t, t.shape)[:, None] / 2
+
+    def size(values: Array) -> Array:
+        return np.asarray(np.linalg.norm(values, axis=1)[:, None] if vectors else np.abs(values))
+
     for m, a, b, c in lagged(len(t)):
         h1, h2 = (t[b] - t[a])[:, None], (t[c] - t[b])[:, None]
         c1, c2 = (x[b] - x[a]) / h1, (x[c] - x[b]) / h2
         off_1, off_2 = off[a] + off[b], off[b] + off[c]
-        doubt = (half[a] + half[b] + np.abs(c1) * off_1) / shortest(h1, off_1)
-        doubt = doubt + (half[b] + half[c] + np.abs(c2) * off_2) / shortest(h2, off_2)
-        yield m, 2 * (c2 - c1) / (h1 + h2), 2 * doubt / shortest(h1 + h2, off[a] + off[c])
+        doubt = (half[a] + half[b] + size(c1) * off_1) / shortest(h1, off_1)
+        doubt = doubt + (half[b] + half[c] + size(c2) * off_2) / shortest(h2, off_2)
+        value, off_3 = 2 * (c2 - c1) / (h1 + h2), off[a] + off[c]
+        yield m, value, (2 * doubt + size(value) * off_3) / shortest(h1 + h2, off_3)
 
 
 def _marked(gaps: Array, doubt_t: float, marks: int) -> bool:
