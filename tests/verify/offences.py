@@ -29,6 +29,7 @@ from legal_motion import (
 )
 from legal_random import random_case, written
 from scipy.ndimage import minimum_filter1d
+from table_cell import CELL, PLANT, asked
 
 from trajopt_cli.findings import Finding, Promise, Report
 from trajopt_cli.geometry import Array, axis_angle, pose, rotation_about
@@ -435,6 +436,42 @@ def there(case: Case, k: int, within: float) -> tuple[float, float]:
     return float(rows.t[first]), float(rows.t[last])
 
 
+class _OnTable:
+    """The motion of CELL, its table's columns among the others."""
+
+    @staticmethod
+    def rows(**more: object) -> Trajectory:
+        return CELL.rows(**more).whole
+
+
+def of_table(check: str, rng: np.random.Generator, times: float) -> Outcome | None:
+    """A limit of eax_b comes down; or it stands elsewhere than the program says while eax_c turns back."""
+    paper, unit = Paper.random(rng), {"position": "rad", "speed": "rad/s", "acceleration": "rad/s2"}[check]
+    t = np.arange(0.0, CELL.case.starts[-1], _FINE)
+    v = CELL.tables(t).qd[:, 0]
+    x = {"speed": v, "acceleration": np.gradient(v, t), "position": v}[check]
+    lasting: list[float | None] = [None]
+
+    def change(excess: float) -> tuple[Plant, Program, Case]:
+        if check == "position":
+            start = CELL.program.motions[0].units[0].start
+            first = CELL.program.motions[0]
+            moved = replace(first, units=(first.units[0]._replace(start=start + excess),))
+            return PLANT, program(moved, *CELL.program.motions[1:]), _OnTable()
+        most = max(throughout(x, lasting[0]), throughout(-x, lasting[0]))
+        field = "velocity" if check == "speed" else "acceleration"
+        return PLANT, asked(**{field: most - excess}), _OnTable()
+
+    for _ in range(5):
+        if max(throughout(x, lasting[0]), throughout(-x, lasting[0])) <= 0.05:
+            return None
+        found = beyond(paper, (f"positioner {check}", "eax_b", unit), change, times)
+        if found.promise.lasting == lasting[0]:
+            return found
+        lasting[0] = found.promise.lasting
+    return None
+
+
 def waiting(rng: np.random.Generator) -> tuple[Case, Paper]:
     case = station(rng)
     while not (isinstance(case.program.motions[2], Wait) and case.program.motions[2].duration >= 0.2):
@@ -538,5 +575,8 @@ OFFENCES: dict[str, Callable[[np.random.Generator, float], Outcome | None]] = {
     "dwell length": of_dwell,
     "duration": of_duration,
     "clearance": of_clearance,
+    "positioner position": lambda rng, times: of_table("position", rng, times),
+    "positioner speed": lambda rng, times: of_table("speed", rng, times),
+    "positioner acceleration": lambda rng, times: of_table("acceleration", rng, times),
 }
 """By the promise: an offence of so many times the least excess; None where the motion drawn has no room for it."""

@@ -251,7 +251,7 @@ def test_promises_are_those_of_the_manual(name: str) -> None:
     assert line.rows.exact == (step == 0.0)
     swing, lever = {"joint_2": 3.0, "joint_6": 0.25, "rail": 7.0}, np.linspace(2.0, 0.5, k)
     promised = Promises(line, frames, swing, lever.tolist())
-    found = {(one.check, one.subject, one.unit): one for one in promised.told()}
+    found = {(one.check, one.subject, one.unit): one for one in promised.told(case.program)}
     turns, fly_by = bends_of(case), any(not one.zone.stop for one in case.program.motions if hasattr(one, "zone"))
     swing = {key: value for key, value in swing.items() if key in rows.names}
     wanted = File(case, line.rows).table(swing, lever, fly_by, turns)

@@ -96,7 +96,7 @@ def verify(
     return Report(
         tuple(findings),
         tuple(advise(line, frames, rapid)) if advice else (),
-        promised.told() if promises else (),
+        promised.told(program) if promises else (),
         promised.rate,
     )
 

@@ -30,6 +30,7 @@ import numpy as np
 
 from trajopt_cli.findings import Promise
 from trajopt_cli.geometry import Array
+from trajopt_cli.motion import Program
 from trajopt_cli.shapes import Shape, outline
 from trajopt_cli.verify.findings import axis_unit
 from trajopt_cli.verify.frame import Frame, angular_acceleration
@@ -39,6 +40,7 @@ from trajopt_cli.verify.mechanism import Mechanism
 from trajopt_cli.verify.rows import LAGS
 from trajopt_cli.verify.run import runs_of
 from trajopt_cli.verify.sweep import OVERLOOKED
+from trajopt_cli.verify.tables import printed_step, unseen_turn
 from trajopt_cli.verify.timeline import Timeline
 from trajopt_cli.verify.tolerances import (
     COARSEST_PRINT,
@@ -170,9 +172,9 @@ class Promises:
         every = float(np.median(self._rows.gaps))
         return None if self._rows.marked or every == 0.0 else 1 / every
 
-    def told(self) -> tuple[Promise, ...]:
-        """All that the judge promises of this file."""
-        return (*self.measured(), *self._of_time(), *self._clearance())
+    def told(self, program: Program) -> tuple[Promise, ...]:
+        """All that the judge promises of this file. program: what turns the tables in it."""
+        return (*self.measured(), *self._of_time(), *self._tables(program), *self._clearance())
 
     def measured(self) -> Iterator[Promise]:
         """What finer digits would show better."""
@@ -334,6 +336,26 @@ class Promises:
             "s",
             lambda n: (DURATION + 4 * n.t * self._rows.doubt_t + 6 * self._tau, None),
         )
+
+    def _tables(self, program: Program) -> Iterator[Promise]:
+        rows, tables = self._rows, self._rows.trajectory.tables
+        if tables is None:
+            return
+        (step, step_v), r_t, h = printed_step(rows), rows.doubt_t, self._h
+        H, unseen = float(np.diff(rows.t).min()), float(unseen_turn(rows, 0, len(rows.t)).max())
+        moves = [unit for motion in program.motions for unit in getattr(motion, "units", ())]
+        for name in tables.names:
+            v = max(unit.velocity for unit in moves if unit.column == name)
+            a = max(unit.acceleration for unit in moves if unit.column == name)
+            yield Promise("positioner position", name, JOINT_TARGET + step + a * unseen**2 / 2, "rad")
+            if tables.qd is not None:
+                yield Promise("positioner speed", name, v * JOINT + 1.5 * step_v, "rad/s", h)
+                pull, lasting = mean_rate(a, JOINT, H, step_v, r_t), 2 * h
+            else:
+                yield Promise("positioner speed", name, mean_rate(v, JOINT, H, step, r_t), "rad/s", 2 * h)
+                doubt = 2 * (step + v * r_t) / (H - r_t) if r_t < H else inf
+                pull, lasting = mean_rate(a, JOINT, H, doubt, r_t), 3 * h
+            yield Promise("positioner acceleration", name, pull, "rad/s2", lasting)
 
     def _clearance(self) -> Iterator[Promise]:
         plant = self._plant

@@ -239,10 +239,7 @@ def _axis(
     a, b, name, source = phase.first, phase.last, tables.names[j], phase.visit.point.source
     q, t = tables.q[a : b + 1, j], rows.t[a : b + 1]
     step, step_v = printed_step(rows)
-    # a row at rest is near by, and the robot seems to stand until it has gone as far as printing hides of all axes
-    k = len(rows.trajectory.names)
-    hidden = np.sqrt(2 * k * rows.doubt_q[a : b + 1] / rows.plant.limits.acceleration).max(axis=1)
-    granted = step / 2 + hardest * (2 * rows.open_time[a : b + 1] + hidden) ** 2 / 2
+    granted = step / 2 + hardest * unseen_turn(rows, a, b) ** 2 / 2
     off = (np.abs(q - start) - granted)[: len(q) if not units else 1]
     i = int(np.argmax(off))
     yield finding(_POSITION, name, float(q[i]), start, "rad", bool(off[i] <= JOINT_TARGET),
@@ -278,6 +275,14 @@ def _axis(
             passed = bool(values[i] <= limit * (1 + JOINT))
             yield finding(f"positioner {check}", name, float(values[i]), limit, unit, passed, time=float(times[i]),
                           source=source, words=check)  # fmt: skip
+
+
+def unseen_turn(rows: Rows, a: int, b: int) -> Array:
+    """For how long a table may have turned unseen at rows a to b, s: a row at rest is near by, and the robot seems to
+    stand until it has gone as far as printing hides of all axes."""
+    k, part = len(rows.trajectory.names), slice(a, b + 1)
+    hidden = np.sqrt(2 * k * rows.doubt_q[part] / rows.plant.limits.acceleration).max(axis=1)
+    return np.asarray(2 * rows.open_time[part] + hidden)
 
 
 def turned_frames(program: Program, frames: dict[bytes, Frame], line: Timeline) -> dict[int, TurnedFrame]:
