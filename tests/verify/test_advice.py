@@ -51,6 +51,17 @@ def test_a_line_as_fast_as_its_caps_is_tight() -> None:
     assert found[14].passed
 
 
+def test_rows_that_miss_a_lines_ends_say_nothing_of_it() -> None:
+    """The speeds at the rows beside its ends are not those of its ends: that TOPP-RA finds no timing from them is no
+    fault of the line."""
+    case = rapid_case()
+    report = verify(case.program, case.plant, case.rows(step=0.0125, grid_only=True))
+    assert report.legal
+    lines = [one for one in report.advice if one.check == "line tightness"]
+    assert [one.source.line for one in lines if one.source] == [12, 14]
+    assert all(np.isfinite(one.value) for one in lines)
+
+
 def test_a_slower_line_is_loose_by_its_share() -> None:
     case = capped_case()
     case = case.swap(p1=faster(case.pieces[1], 0.9))

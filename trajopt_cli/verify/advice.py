@@ -7,6 +7,8 @@ Joint moves from rest to rest that the TCP caps do not hold back: Ruckig.
 
 from __future__ import annotations
 
+from math import isnan
+
 import numpy as np
 
 from trajopt_cli.findings import Finding
@@ -52,7 +54,9 @@ def advise(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> list[Find
         if visit.point.move.units:  # the libraries know nothing of a table that turns meanwhile
             continue
         if isinstance(visit.point.move, MoveL):
-            out.append(_line(rows, before, visit, frame))
+            found = _line(rows, before, visit, frame)
+            if rows.marked or not isnan(found.value):  # else it is the rows that miss the line's ends
+                out.append(found)
         elif isinstance(visit.point.move, MoveJ | MoveAbsJ) and _caps_inactive(rows, visit, frame, first, last):
             rests = (np.abs(rows.qd[[first, last]]) <= REST_JOINT).all()
             if rests:
