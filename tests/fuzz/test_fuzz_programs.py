@@ -49,6 +49,12 @@ def test_a_small_program_keeps_its_promises(number: int, tmp_path: Path) -> None
     assert round_trip(program(0, number), tmp_path) in ("planned", "infeasible", "no RAPID text")
 
 
+@pytest.mark.parametrize("number", [226, 973])
+def test_what_a_long_run_found_is_planned(number: int, tmp_path: Path) -> None:
+    """An arc wholly within the zone before it, at the end of the file; a rail that may go nowhere beside a corner."""
+    assert round_trip(program(1, number), tmp_path) == "planned"
+
+
 def test_a_wait_at_the_end_is_as_long_as_coarse_rows_show(tmp_path: Path) -> None:
     """The row at its end is closer than a row's distance; what rows leave open is at its begin."""
     assert round_trip(ENDS_WITH_A_WAIT, tmp_path) == "planned"

@@ -12,6 +12,7 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.driver import slowed
 from trajopt_cli.optimize.incumbent import timed
+from trajopt_cli.optimize.legs import JointNodes, JointProfiles, PathLeg, Pieces
 from trajopt_cli.optimize.search import search
 from trajopt_cli.problem.problem import Problem
 
@@ -39,6 +40,18 @@ def test_the_same_places_at_times_as_many_times_later(legal: tuple[Axes, Problem
         np.testing.assert_allclose(now.q, was.q, atol=1e-9)
         np.testing.assert_allclose(now.qd, was.qd / 1.25, atol=1e-9)
         np.testing.assert_allclose(now.qdd, was.qdd / 1.25**2, atol=1e-7)
+
+
+def test_a_motion_of_several_pieces_is_slowed_with_them(legal: tuple[Axes, Problem, Draft]) -> None:
+    """As beside corners: all of a plan goes slower, or speeds would jump there."""
+    _, problem, draft = legal
+    k = next(k for k, leg in enumerate(problem.legs) if leg.duration is None)
+    motion = draft.legs[k]
+    assert isinstance(motion, PathLeg | JointNodes | JointProfiles)
+    parts = Pieces((motion, motion))
+    slow = slowed(problem, replace(draft, legs=(*draft.legs[:k], parts, *draft.legs[k + 1 :])), 1.25).legs[k]
+    assert slow is not None
+    assert pytest.approx(2.5 * motion.T) == slow.T
 
 
 def test_a_wait_keeps_its_time(legal: tuple[Axes, Problem, Draft]) -> None:

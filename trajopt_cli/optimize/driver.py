@@ -17,7 +17,7 @@ from trajopt_cli.optimize.draft import Draft, Margins
 from trajopt_cli.optimize.exchange import Ratios, back_off, check_legs
 from trajopt_cli.optimize.formulation import Formulation
 from trajopt_cli.optimize.interior_point import NlpResult
-from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, Pieces, integrate, parabola
+from trajopt_cli.optimize.legs import JointNodes, JointProfiles, LegMotion, PathLeg, integrate, parabola
 from trajopt_cli.optimize.profiles import hold
 from trajopt_cli.optimize.reading import read
 from trajopt_cli.optimize.transcription import Transcription
@@ -220,7 +220,7 @@ def slowed(problem: Problem, draft: Draft, times: float) -> Draft:
     """The same motion, so many times as long; waits keep their time, and held ends of a window their velocities."""
 
     def leg(leg: Leg, motion: LegMotion | None) -> LegMotion | None:
-        if motion is None or leg.duration is not None or isinstance(motion, Pieces):
+        if motion is None or leg.duration is not None:
             return motion
         return motion.slowed(times)
 

@@ -229,6 +229,8 @@ class _Shifts:
         still, and what the runs take then; None where none gains."""
         moved = [_moved(self.axes, self.problem, q, self.cfx, group, way) for group, way in tries]
         can = [i for i, one in enumerate(moved) if one is not None]
+        if not can:
+            return None
         found = dict(zip(can, self.times([one for one in moved if one is not None]), strict=True))
         order = sorted((float(T), i) for i, T in found.items() if known - LEAST_POLISH > T)
         if not order:

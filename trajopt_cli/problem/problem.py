@@ -231,7 +231,7 @@ def build_problem(
         program,
         freedom,
         tuple(waypoints),
-        tuple(_timed(leg, waypoints) for leg in _loaded(program, plant, build.legs)),
+        tuple(_timed(leg, waypoints) for leg in _loaded(program, plant, _at_rest(build.legs, program, target))),
         _stations(build.legs, len(waypoints)),
         frozenset(dropped),
         target,
@@ -282,6 +282,16 @@ class _OutOfRange(_Impossible):
             index,
             f"asks for {axis} = {value * factor:.6g} {unit}, range {low * factor:.6g}..{high * factor:.6g} {unit}",
         )
+
+
+def _at_rest(legs: Sequence[Leg], program: Program, target: Target) -> list[Leg]:
+    """The legs of a program; a RAPID controller, which stops every axis before a wait, moves none in the last one:
+    nothing comes of it."""
+    out, k = [*legs], len(legs)
+    while k > 0 and target is Target.RAPID and isinstance(program.motions[legs[k - 1].motion], Wait):
+        k -= 1
+        out[k] = replace(legs[k], rail_moves=False)
+    return out
 
 
 class _Held(_Impossible):

@@ -23,7 +23,7 @@ from trajopt_cli.verify.findings import Series, Worst, finding, worse
 from trajopt_cli.verify.frame import Frame, carried
 from trajopt_cli.verify.machine import Machine
 from trajopt_cli.verify.rows import INNER, LAGS, Along, Rows, mean_of, second_differences, windows
-from trajopt_cli.verify.timeline import Timeline, Visit, outside_zones
+from trajopt_cli.verify.timeline import Timeline, Visit, outside_zones, rows_of_move
 from trajopt_cli.verify.tolerances import JOINT, TCP
 
 
@@ -311,7 +311,7 @@ def _in_the_corner(frame: Frame, first: int, before: Visit, visit: Visit, after:
     assert after.point.move is not None
     for part in _parts(rows.plant, rows.mechanism.has_rail):
         a = max(outside_zones(frame, before, visit, part.zone)[1], first)
-        b = outside_zones(frame, visit, after, part.zone)[0]
+        b = min(outside_zones(frame, visit, after, part.zone)[0], rows_of_move(rows, visit, after)[1])
         caps = [part.cap(one.point, rows.plant) for one in (visit, after)]
         if caps[0] is not None and caps[1] is not None and b > a:
             faster = visit if caps[0] >= caps[1] else after
