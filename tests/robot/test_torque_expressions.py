@@ -1,6 +1,7 @@
 """Torques as CasADi expressions against pin's RNEA, on a robot made up for tests, with a load, rotors and a rail."""
 
 from pathlib import Path
+from types import SimpleNamespace
 
 import casadi as ca
 import numpy as np
@@ -9,9 +10,10 @@ import pytest
 from places import crooked_pose
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import rotation_about
+from trajopt_cli.geometry import pose, rotation_about
 from trajopt_cli.robot.dynamics import GRAVITY, Dynamics, ToolLoad
 from trajopt_cli.robot.model import load_robot
+from trajopt_cli.robot.symbolic import forward
 from trajopt_cli.robot.symbolic_dynamics import LOAD, _moved, load_parameters, torques
 
 ROBOTS = Path(__file__).parents[1] / "data" / "robots"
@@ -47,6 +49,37 @@ def test_a_load_on_a_flange_away_from_its_joint_is_pins_there():
     np.testing.assert_allclose(np.array(first)[:, 0], wanted.mass * wanted.lever, rtol=1e-14)
     about = wanted.inertia - wanted.mass * pin.skew(wanted.lever) @ pin.skew(wanted.lever)
     np.testing.assert_allclose(np.array(second), about, rtol=1e-13)
+
+
+@pytest.mark.parametrize("kinds", ["RPRRP", "PRPPR", "RRRRR"])
+def test_expressions_of_any_chain_of_one_axis_joints_are_pins(kinds, rng):
+    """Joints that slide stand anywhere, along axes that are not those of their frames; so does the flange."""
+    model, last, axes = pin.Model(), 0, rng.normal(size=(5, 3))
+    model.gravity.linear = np.array([0, 0, -GRAVITY])
+    axes[3] = axes[2]
+    for k, (kind, axis) in enumerate(zip(kinds, axes / np.linalg.norm(axes, axis=1, keepdims=True), strict=True)):
+        joint = (pin.JointModelRevoluteUnaligned if kind == "R" else pin.JointModelPrismaticUnaligned)(axis)
+        place = pin.SE3(crooked_pose(k) if k != 3 else pose(np.eye(3), [0.1, 0.2, 0.3]))
+        last, c = model.addJoint(last, joint, place, f"axis_{k}"), rng.normal(size=(3, 3))
+        model.appendBodyToJoint(last, pin.Inertia(rng.uniform(1, 5), c[0], np.eye(3) + c @ c.T), pin.SE3.Identity())
+    flange = pin.SE3(crooked_pose(11))
+    model.addFrame(pin.Frame("tool0", last, 0, flange, pin.FrameType.BODY))
+    loaded = model.copy()
+    loaded.appendBodyToJoint(last, pin.Inertia(CARRIED.mass, CARRIED.com, CARRIED.inertia), flange)
+    q, qd, qdd = rng.uniform(-2, 2, (3, 5))
+    symbols, rotor = [ca.SX.sym("x", 5) for _ in range(3)], rng.uniform(0, 3, 5)
+    for whole, load in ((model, None), (loaded, CARRIED)):
+        tau = torques(model, *symbols, GRAVITY, ca.SX(load_parameters(load)), rotor)
+        found = np.array(ca.Function("tau", symbols, [tau])(q, qd, qdd))[:, 0]
+        wanted = pin.rnea(whole, whole.createData(), q, qd, qdd) + rotor * qdd
+        np.testing.assert_allclose(found, wanted, rtol=1e-10, atol=1e-9)
+    data = model.createData()
+    pin.framesForwardKinematics(model, data, q)
+    X = data.oMf[model.getFrameId("tool0")].homogeneous
+    for tool, wanted in ((None, X), (crooked_pose(5), X @ crooked_pose(5))):
+        where = ca.Function("X", symbols[:1], forward(SimpleNamespace(pin_model=model), symbols[0], tool))
+        p, R = (np.array(one) for one in where(q))
+        np.testing.assert_allclose(np.c_[R, p], wanted[:3], rtol=0, atol=1e-13)
 
 
 def test_rotors_add_their_inertia_alone(rng):
