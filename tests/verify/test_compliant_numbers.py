@@ -495,6 +495,42 @@ def short_of_a_pose(share: float, gridded: bool) -> Told:
     return Told(check_sequence(order, rows, exact=gridded), "pose reached", "P1", share * limit, limit, time)
 
 
+TOLERANCES = (1e-3, 2e-3)
+
+
+def there_and_back(short: float, step: float, **more: object) -> tuple[Order, Poses]:
+    """Poses that are passed: along x and back, turned round so far short of the one where the way ends."""
+    poses = BEGIN + np.outer([0, 1, 2, 1, 0], [0.02, 0, 0, 0, 0, 0])
+    order = order_of(poses, h=PERIOD, profile="thesis", passing=TOLERANCES, **more)
+    n = round((0.04 - short) / step)
+    x = 0.04 - short - step * np.arange(n + 1)[::-1]
+    x = np.r_[0, x, x[-2::-1], 0]
+    return order, rows_of(order, BEGIN + np.outer(x, [1, 0, 0, 0, 0, 0]))
+
+
+@with_each([4e-4, 1e-3])
+def passing_a_pose_too_far(share: float, step: float) -> Told:
+    """An eighth of the greatest change of step is what straight ways between rows may cut off a curve."""
+    limit = TOLERANCES[0] + 2 * step / 8
+    order, rows = there_and_back(share * limit, step)
+    row = len(rows.t) // 2 - 1
+    found = [one for one in check_sequence(order, rows, exact=False) if one.subject == "P0 -> P4"]
+    return Told(found, "poses passed", "P0 -> P4", share * limit, limit, row * PERIOD)
+
+
+@with_each([0, 1, 2, 3])
+def faster_than_the_caps_of_the_ways_it_may_be_on(share: float, leg: int) -> Told:
+    """A step that may be on two ways has the higher cap of both; of one that is farther away, none."""
+    caps = [0.2] * 4
+    caps[leg] = 0.15
+    order, rows = there_and_back(0.0, 4e-4, caps={"v_max": caps})
+    value = 0.15 + share * (0.15 * RAMP + 2 * OFF_P / PERIOD)
+    k, p = (25, 75, 127, 178)[leg], rows.p.copy()
+    p[k + 1, 0] = p[k, 0] + math.copysign(value * PERIOD, p[k + 1, 0] - p[k, 0])
+    found = check_sequence(order, replace(rows, p=p), exact=True)
+    return Told(found, "v_max", "P0 -> P4", value, 0.15, k * PERIOD)
+
+
 def test_rows_at_a_stop_are_counted() -> None:
     """A dwell of 5 periods is stood for 5 to 7; beside the grid two gaps less or more. A way retimed by another law may
     stand longer, never shorter. Repeated poses have the dwells of all."""
