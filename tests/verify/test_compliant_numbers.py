@@ -7,13 +7,13 @@ with 0.999 of it it has to pass, with 1.001 not, and both are told with the same
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
+from told_cases import Cases, Told
 
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
@@ -51,49 +51,7 @@ from trajopt_cli.verify.compliant.tolerances import (
 H = 1e-3
 
 
-@dataclass(frozen=True)
-class Told:
-    """One finding among others as it has to be."""
-
-    found: Iterable[Finding]
-    check: str
-    subject: str
-    value: float
-    limit: float
-    time: float
-
-
-CASES: dict[str, Callable[[float], Told]] = {}
-
-
-def case(make: Callable[[float], Told]) -> Callable[[float], Told]:
-    CASES[make.__name__] = make
-    return make
-
-
-def with_each(values: Iterable[object]) -> Callable[..., Callable[..., Told]]:
-    """Register a case once for each value of its second argument."""
-
-    def add(make: Callable[..., Told]) -> Callable[..., Told]:
-        for value in values:
-            CASES[f"{make.__name__} {value}"] = lambda share, value=value: make(share, value)
-        return make
-
-    return add
-
-
-@pytest.mark.parametrize("name", CASES)
-def test_what_is_granted_passes_and_no_more(name: str) -> None:
-    for share, passes in ((0.999, True), (1.001, False)):
-        told = CASES[name](share)
-        ones = [one for one in told.found if (one.check, one.subject) == (told.check, told.subject)]
-        one = min(ones, key=lambda one: abs(one.value - told.value))
-        assert abs(one.value - told.value) <= max(1e-14, 0.03 * abs(told.value - told.limit)), (one, told)
-        assert one.limit == pytest.approx(told.limit, rel=1e-12)
-        assert one.time == pytest.approx(told.time, rel=1e-12)
-        assert one.passed == passes, one
-        assert passes or (told.subject in one.message and f"t = {told.time:.3f} s" in one.message)
-        assert not passes or one.message == ""
+CASES = Cases()
 
 
 # --------------------------------------------------------------------------------------------------------- the joints
@@ -116,7 +74,7 @@ def limits_of(q: Array, printed: Resolution | None = PRINTED, qd: Array | None =
     return list(check_limits(ARM, Trajectory(NAMES, t, q, qd), printed))
 
 
-@with_each([True, False])
+@CASES.with_each([True, False])
 def position_above(share: float, printed: bool) -> Told:
     granted = JOINT * 4 + (1e-5 if printed else 1e-12)
     value = 3 + share * granted
@@ -124,19 +82,19 @@ def position_above(share: float, printed: bool) -> Told:
     return Told(limits_of(q, PRINTED if printed else None), "joint position", "b", value, 3.0, 0.4)
 
 
-@case
+@CASES.one
 def position_below(share: float) -> Told:
     value = -2 - share * (JOINT * 3 + 1e-6)
     return Told(limits_of(two(np.r_[-1.9, value, -1.9, -1.9, -1.9, 0.99], 0)), "joint position", "a", value, -2.0, 0.1)
 
 
-@case
+@CASES.one
 def a_jump(share: float) -> Told:
     column = np.r_[0, 0, 0, 0, -np.pi * share, -np.pi * share]
     return Told(limits_of(two(column, 0)), "jump", "a", np.pi * share, np.pi, 0.6)
 
 
-@with_each([-1, 1])
+@CASES.with_each([-1, 1])
 def speed(share: float, way: int) -> Told:
     """In the gap from 0.1 s to 0.3 s; positions are off by half a printed step at both ends of the shortest gap."""
     fixed, by_time = 0.8 * (1 + JOINT) + 2 * 1e-5 / 0.1, 2e-6 / 0.2
@@ -146,7 +104,7 @@ def speed(share: float, way: int) -> Told:
     return Told(limits_of(two(column, 1)), "joint speed", "b", value, 0.8, 0.1)
 
 
-@with_each(["begin", "end"])
+@CASES.with_each(["begin", "end"])
 def acceleration_from_rest(share: float, side: str) -> Told:
     """Who is at x a row later than rest needed 2 x / h^2; both values of that step are off by half a printed one."""
     t = T if side == "begin" else 0.7 - T[::-1]
@@ -156,7 +114,7 @@ def acceleration_from_rest(share: float, side: str) -> Told:
     return Told(limits_of(q, t=t), "joint acceleration", "a", 200 * step, 4.0, 0.0 if side == "begin" else 0.7)
 
 
-@case
+@CASES.one
 def acceleration_between(share: float) -> Told:
     """A row aside by x has 2 x / h^2 where rows are a gap apart; the doubt: printed steps of three rows over h^2."""
     doubt = 4 * 1e-12 / H**2
@@ -166,7 +124,7 @@ def acceleration_between(share: float) -> Told:
     return Told(limits_of(two(column, 1), None, t=t), "joint acceleration", "b", value, 30.0, 4 * H)
 
 
-@with_each([-1, 1])
+@CASES.with_each([-1, 1])
 def speed_column_off(share: float, way: int) -> Told:
     """A row's speed lies between those of the steps beside it, but for half of what the largest gap lets it change."""
     steps = way * np.array([0.05, 0.1, 0.04, 0.05, 0.01])
@@ -178,7 +136,7 @@ def speed_column_off(share: float, way: int) -> Told:
     return Told(limits_of(two(column, 0), qd=qd), "speed column", "a", share * room, room, 0.3)
 
 
-@with_each([-1, 1])
+@CASES.with_each([-1, 1])
 def speed_by_its_column(share: float, way: int) -> Told:
     value = 0.5 + share * (0.5 * JOINT + 2e-6)
     qd = two(way * np.r_[0, 0.5, 0.5, value, 0.5, 0], 0)
@@ -187,7 +145,7 @@ def speed_by_its_column(share: float, way: int) -> Told:
     return Told(limits_of(two(column, 0), qd=qd), "joint speed", "a", value, 0.5, 0.4)
 
 
-@with_each([("first row", 0), ("last row", -1)])
+@CASES.with_each([("first row", 0), ("last row", -1)])
 def no_rest(share: float, end: tuple[str, int]) -> Told:
     what, row = end
     most = REST + 1e-6
@@ -223,7 +181,7 @@ def posture(q: Array, told: ArmAngleRange | None = None, begins: bool = False, *
     return list(check_posture(order_of(np.zeros((2, 6)), **more), rows, told, begins))
 
 
-@with_each([1, 3, 5])
+@CASES.with_each([1, 3, 5])
 def another_configuration(share: float, j: int) -> Told:
     start = np.where(np.arange(7) == j, np.array([0, 1, 0, -1, 0, 1, 0]), HOME)
     q = np.tile(start, (4, 1))
@@ -240,7 +198,7 @@ def at_arm_angles(angles: Array) -> Array:
     return inverse_branch(robot, X, angles, ArmAngle.FARIA, 2)
 
 
-@with_each([None, 0.3, -3.1])
+@CASES.with_each([None, 0.3, -3.1])
 def arm_angle_off(share: float, wanted: float | None) -> Told:
     off = share * ARM_ANGLE
     q = at_arm_angles((wanted or 0.0) + np.array([0, -off / 2, 0, -off, off / 3]))
@@ -248,7 +206,7 @@ def arm_angle_off(share: float, wanted: float | None) -> Told:
     return Told(found, "arm angle", "elbow", off, ARM_ANGLE, 1.5)
 
 
-@with_each([-1, 1])
+@CASES.with_each([-1, 1])
 def arm_angle_out_of_its_range(share: float, side: int) -> Told:
     least, greatest = -0.2, 0.5
     off = share * ARM_ANGLE
@@ -257,7 +215,7 @@ def arm_angle_out_of_its_range(share: float, side: int) -> Told:
     return Told(found, "arm angle range", "elbow", off, ARM_ANGLE, 1.5)
 
 
-@case
+@CASES.one
 def arm_angle_of_an_arm_nearly_stretched(share: float) -> Told:
     """The elbow stands 2e-8 m off the line: rounding of its place alone leaves the angle open."""
     se, ew, bend = 0.4, 0.4, 1e-7
@@ -269,7 +227,7 @@ def arm_angle_of_an_arm_nearly_stretched(share: float) -> Told:
     return Told(posture(q, start_joints=start), "arm angle", "elbow", share * ARM_ANGLE, ARM_ANGLE, 0.5)
 
 
-@case
+@CASES.one
 def other_joints_at_the_start(share: float) -> Told:
     q = np.tile(HOME, (3, 1))
     q[0, 4], q[0, 6], q[1] = -share * START, START / 2, HOME + 1e-3
@@ -320,7 +278,7 @@ def moved(rows: Poses, row: int, step: Array, turn: Array | None = None) -> Pose
 ASIDE = np.array([0.36, -0.48, 0.8])
 
 
-@with_each(["tool position", "tool orientation"])
+@CASES.with_each(["tool position", "tool orientation"])
 def tool_beside_its_pose(share: float, check: str) -> Told:
     """The worst row is the one most beyond its own doubt, not the one farthest off."""
     wanted = still(5, 1e-9, 3e-9)
@@ -334,7 +292,7 @@ def tool_beside_its_pose(share: float, check: str) -> Told:
     )  # fmt: skip
 
 
-@with_each(["position between rows", "orientation between rows"])
+@CASES.with_each(["position between rows", "orientation between rows"])
 def tool_off_between_rows(share: float, check: str) -> Told:
     rows, off = moved(still(4), 2, 0.1 * ASIDE, 0.2 * ASIDE), share * BETWEEN * ASIDE
     middle = replace(still(3), t=rows.t[:-1] + H / 2)
@@ -380,7 +338,7 @@ def cap_of(kind: str, power: int) -> str:
     return (("v_max", "a_max", "jerk") if kind == "way" else ("omega_max", "epsilon_max", "angular_jerk"))[power]
 
 
-@with_each([(kind, exact) for kind in KINDS for exact in (True, False)])
+@CASES.with_each([(kind, exact) for kind in KINDS for exact in (True, False)])
 def faster_than_its_cap(share: float, which: tuple[str, bool]) -> Told:
     kind, exact = which
     granted = 0.2 * (CAP if exact else ARM_CAP) + 2 * rough(kind) / PERIOD
@@ -390,7 +348,7 @@ def faster_than_its_cap(share: float, which: tuple[str, bool]) -> Told:
     return Told(check_sequence(order, rows, exact=exact), key, "P0 -> P1", value, 0.2, 3 * PERIOD)
 
 
-@with_each(KINDS)
+@CASES.with_each(KINDS)
 def faster_than_its_cap_beside_the_grid(share: float, kind: str) -> Told:
     """No row stands at the poses: the rows beside them are of other ways as much."""
     t = np.r_[0, 0.007, 0.016, 0.022, 0.03, 0.038, 0.047]
@@ -401,7 +359,7 @@ def faster_than_its_cap_beside_the_grid(share: float, kind: str) -> Told:
     return Told(check_sequence(order, rows, exact=False), key, "P0 -> P1", value, 0.2, 0.022)
 
 
-@with_each([(kind, place) for kind in KINDS for place in ("begin", "between", "end")])
+@CASES.with_each([(kind, place) for kind in KINDS for place in ("begin", "between", "end")])
 def more_acceleration_than_its_cap(share: float, which: tuple[str, str]) -> Told:
     """Who is at x a row after standing needed 2 x / h^2; the same where it comes to rest."""
     kind, place = which
@@ -413,7 +371,7 @@ def more_acceleration_than_its_cap(share: float, which: tuple[str, str]) -> Told
     return Told(check_sequence(order, rows), key, "P0 -> P1", value, 2.0, time)
 
 
-@with_each(KINDS)
+@CASES.with_each(KINDS)
 def more_jerk_than_its_cap(share: float, kind: str) -> Told:
     """From standing to standing: third differences sum to none, and so do their sums."""
     value, key = 40 + share * (40 * RAMP + 8 * rough(kind) / PERIOD**3), cap_of(kind, 2)
@@ -438,7 +396,7 @@ def doubts(row: int, n: int = 9) -> tuple[float, float]:
     return OFF_P * share, OFF_Q * share
 
 
-@with_each([False, True])
+@CASES.with_each([False, True])
 def off_the_way(share: float, slerp: bool) -> Told:
     order, pose = evenly(slerp=slerp)
     value = share * (PATH + doubts(3)[0])
@@ -447,7 +405,7 @@ def off_the_way(share: float, slerp: bool) -> Told:
     return Told(check_sequence(order, rows_of(order, pose)), "path", "P0 -> P1", value, PATH + doubts(3)[0], 3 * PERIOD)
 
 
-@with_each([False, True])
+@CASES.with_each([False, True])
 def turned_off_the_way(share: float, slerp: bool) -> Told:
     order, pose = evenly(slerp=slerp)
     limit = PATH + doubts(3)[1]
@@ -457,7 +415,7 @@ def turned_off_the_way(share: float, slerp: bool) -> Told:
     return Told(found, "orientation", "P0 -> P1", share * limit, limit, 3 * PERIOD)
 
 
-@with_each([0.02, 0.2])
+@CASES.with_each([0.02, 0.2])
 def back_on_the_way(share: float, turn: float) -> Told:
     """Against the farthest point reached so far, by the longer of way [m] and turn [rad]."""
     order, pose = evenly(turn=turn)
@@ -469,7 +427,7 @@ def back_on_the_way(share: float, turn: float) -> Told:
     return Told(found, "backward", "P0 -> P1", share * limit, limit, 6 * PERIOD)
 
 
-@with_each(["first pose", "last pose"])
+@CASES.with_each(["first pose", "last pose"])
 def beside_an_end(share: float, check: str) -> Told:
     order, pose = evenly()
     row = 0 if check == "first pose" else 8
@@ -479,7 +437,7 @@ def beside_an_end(share: float, check: str) -> Told:
     return Told(found, check, "P0" if row == 0 else "P1", value, EXACT, row * PERIOD)
 
 
-@with_each([True, False])
+@CASES.with_each([True, False])
 def short_of_a_pose(share: float, gridded: bool) -> Told:
     """Beside the grid a pose may lie as far from the nearest row as the next row is, way and turn together."""
     order, pose = evenly()
@@ -508,7 +466,7 @@ def there_and_back(short: float, step: float, **more: object) -> tuple[Order, Po
     return order, rows_of(order, BEGIN + np.outer(x, [1, 0, 0, 0, 0, 0]))
 
 
-@with_each([4e-4, 1e-3])
+@CASES.with_each([4e-4, 1e-3])
 def passing_a_pose_too_far(share: float, step: float) -> Told:
     """An eighth of the greatest change of step is what straight ways between rows may cut off a curve."""
     limit = TOLERANCES[0] + 2 * step / 8
@@ -518,7 +476,7 @@ def passing_a_pose_too_far(share: float, step: float) -> Told:
     return Told(found, "poses passed", "P0 -> P4", share * limit, limit, row * PERIOD)
 
 
-@with_each([0, 1, 2, 3])
+@CASES.with_each([0, 1, 2, 3])
 def faster_than_the_caps_of_the_ways_it_may_be_on(share: float, leg: int) -> Told:
     """A step that may be on two ways has the higher cap of both; of one that is farther away, none."""
     caps = [0.2] * 4
@@ -581,3 +539,8 @@ def test_what_is_missing_and_what_is_too_much_is_counted() -> None:
         assert ("rows behind the end" in found) == ("last pose" in found) == (last == 4)
     assert found["rows behind the end"].value == 1
     assert not found["rows behind the end"].passed
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_what_is_granted_passes_and_no_more(name: str) -> None:
+    CASES.check(name)
