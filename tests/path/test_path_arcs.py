@@ -12,6 +12,7 @@ from scipy.spatial.transform import Rotation, Slerp
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, pose
 from trajopt_cli.path.arc import Arc, ArcSymbols
+from trajopt_cli.path.circle import arc_length, circle_through, point_on
 
 S = np.linspace(0, 1, 21)
 
@@ -74,6 +75,30 @@ def test_the_expression_of_an_arc_says_what_its_numbers_say(turning: bool) -> No
         arc = Arc.through(X_0, via, X_1 if turning else pose(X_0[:3, :3], X_1[:3, 3]))
         X_BA, X_FT = random_pose(rng), random_pose(rng, 0.2)
         check_expression(symbols, symbols.vector(arc, X_BA, X_FT), arc, X_BA, X_FT, rng)
+
+
+@given(seeds, st.floats(0.05, 2 * np.pi - 0.05), st.floats(0.1, 0.9), st.floats(0, 1))
+@settings(max_examples=40)
+def test_a_circle_in_plain_floats(seed: int, sweep: float, share: float, at: float) -> None:
+    X_0, via, X_1, X, radius = drawn(np.random.default_rng(seed), sweep, share)
+    start = tuple(X_0[:3, 3].tolist())
+    found = circle_through(start, tuple(via.tolist()), tuple(X_1[:3, 3].tolist()))
+    assert found is not None
+    np.testing.assert_allclose(found.centre, X[:3, 3], rtol=0, atol=1e-7)
+    np.testing.assert_allclose(found.axis, X[:3, 2], rtol=0, atol=1e-7)
+    assert found.angle == pytest.approx(sweep, abs=1e-7)
+    assert arc_length(found, start) == pytest.approx(radius * sweep, rel=1e-7)
+    angle = at * sweep
+    wanted = X[:3, :3] @ [radius * np.cos(angle), radius * np.sin(angle), 0] + X[:3, 3]
+    np.testing.assert_allclose(point_on(found, start, at), wanted, rtol=0, atol=1e-7)
+
+
+@pytest.mark.parametrize("size", [1e-3, 1.0, 300.0])
+def test_how_straight_three_points_may_be(size: float) -> None:
+    """By the sine between the chords to the second and to the third point, in any unit."""
+    for sine, there in ((1.01e-9, True), (0.99e-9, False)):
+        points = (0.0, 0.0, 0.0), (size, 0.0, 0.0), (3 * size, 3 * size * sine, 0.0)
+        assert (circle_through(*points) is not None) == there
 
 
 @pytest.mark.parametrize(
