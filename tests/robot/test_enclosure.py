@@ -13,6 +13,7 @@ from small_cells import MOUNTS, mounted, plant_with_rail
 
 from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.robot.arm import wrist_section
 from trajopt_cli.robot.enclosure import Enclosure, Range
 from trajopt_cli.robot.inverse import representatives
 from trajopt_cli.robot.kinematics import singularity
@@ -251,3 +252,72 @@ def test_joint_2_is_enclosed_where_the_wrist_centre_passes_straight_below_it(cfx
             assert np.all((q >= e.q.lo[:, row, i]) & (q <= e.q.hi[:, row, i]))
             checked += 1
     assert checked > 200
+
+
+@pytest.mark.parametrize("rail", ["overhead", "oblique"])
+@pytest.mark.parametrize("name", ["irb4600", "puma560", 23])
+def test_enclosures_of_narrow_intervals_are_narrow(name: str | int, rail: str, tmp_path: Path) -> None:
+    """Against the inverse at places in each interval: joints by no more than their own change and what a stretched
+    elbow bends by, rates likewise; and no interval is kept that the arm does not reach, or only out of its ranges."""
+    chain = some_arm(name)
+    chain.ranges[:3] = [(-2.9, 2.9), (-2.2, 2.6), (-3.6, 2.0)]
+    robot, h = on_rail(chain, rail).load(tmp_path), 1e-3
+    limits, rng = robot.profile(), np.random.default_rng(5)
+    shares, checked, edges, dead, kept = np.linspace(0, 1, 6)[:-1], 0, 0, 0, 0
+    lower, upper = limits.lower[1:4], limits.upper[1:4]
+    for axes in rng.uniform(limits.lower, limits.upper, (4, 7)):
+        X, twist = robot.forward(np.r_[0.0, axes[1:]]), rng.normal(size=6) * 0.5
+        ends = [reach_ends(robot, X, side) for side in robot.rail_within(X[None])[0]]
+        for begin in (ends[0] - 7.3 * h, ends[1] - 15.8 * h, -11.5 * h, rng.uniform(*ends)):
+            nodes = begin + np.arange(24) * h
+            e = robot.enclose(X, nodes, limits, twist)
+            assert e.way is not None
+            d = (nodes[:-1, None] + shares * h).ravel()
+            q = robot.branches(np.broadcast_to(X, (len(d), 4, 4)), d)[:, ::2, :3]
+            q = q + TURN * np.round(((lower + upper) / 2 - q) / TURN)
+            room = np.minimum(q - lower, upper - q).min(axis=-1)  # (m, 4), NaN out of reach
+            q, room = (x.reshape(23, len(shares), *x.shape[1:]) for x in (q, room))
+            for row in range(4):
+                near = np.nan_to_num(room[:, :, row], nan=-9.0).max(axis=1)
+                reached = np.array([near[max(0, i - 4) : i + 5].max() for i in range(23)])
+                assert not np.any(e.alive[row, 4:-4] & (reached[4:-4] < -4))
+                out = reached[4:-4] < -0.2
+                dead += int(np.sum(~e.alive[row, 4:-4] & out))
+                kept += int(np.sum(e.alive[row, 4:-4] & out))  # where joint 1's angle passes its cut
+                for i in np.flatnonzero(near > 0.2):
+                    mine, (low, high) = q[i, :, row], (x[:, row, i] for x in (e.q.lo, e.q.hi))
+                    whole = np.column_stack([mine, np.zeros((len(mine), 3))])
+                    ahead = np.abs(wrist_section(robot.arm, whole)[0])
+                    if np.nanmin(ahead) < 0.15:
+                        continue  # near what is singular
+                    if np.isnan(mine).any():
+                        edges += 1
+                        assert np.all(
+                            (high - low)[1:] < np.nanmax(mine, axis=0)[1:] - np.nanmin(mine, axis=0)[1:] + 0.3
+                        )
+                        continue
+                    t = robot.arm.angles(whole)
+                    bend = np.abs(np.cos(t[:, 2] + robot.arm.bend)).min()
+                    if bend < 0.1 or np.ptp(mine[:, 0]) > 0.05 or np.cos(t[:, 0]).min() < -0.3:
+                        continue  # near a stretched elbow, and near the cut of joint 1's angle
+                    rate = np.diff(mine, axis=0) / (h * shares[1])
+                    change = 40 * h * (1 + np.abs(rate).max()) ** 2 / bend**3
+                    for rates in (e.rate, e.way):
+                        spread = rates.hi[:, row, i] - rates.lo[:, row, i]
+                        assert np.all(spread < change * (1 + np.abs(rates.hi[:, row, i])))
+                    once = 1.3 * np.ptp(mine, axis=0) + change * h + 5e-9
+                    assert np.all(high - low < once * [1, 1, 3] + [0, 0, 6 * h / bend])
+                    checked += 1
+    assert checked > 200
+    assert edges >= 4
+    assert dead > 200 + 50 * kept
+
+
+def reach_ends(robot: RobotModel, X: Array, far: float) -> float:
+    """How far the rail may go, from 0 towards a place out of reach, until no branch reaches a pose."""
+    near = 0.0
+    for _ in range(16):
+        middle = (near + far) / 2
+        out = np.isnan(robot.branches(X[None], np.array([middle]))).any(axis=-1).all()
+        near, far = (near, middle) if out else (middle, far)
+    return near

@@ -50,8 +50,10 @@ def edited(name: str, edit: Callable[[Array], Array | None]) -> Iterator[None]:
     before, table = path.read_bytes(), Table.read(path)
     changed = edit(table.rows)
     Table(table.heads, table.rows if changed is None else changed).write(path)
-    yield
-    path.write_bytes(before)
+    try:
+        yield
+    finally:
+        path.write_bytes(before)
 
 
 def found(name: str, edit: Callable[[Array], Array | None]) -> list[Finding]:
@@ -209,6 +211,17 @@ def test_a_program_that_the_judge_does_not_read_is_said(tmp_path: Path) -> None:
     assert "pose reached" not in checks(judged)
 
 
+def test_a_task_of_unknown_keys_leaves_the_arm_to_be_judged(tmp_path: Path) -> None:
+    task = tmp_path / "task.yaml"
+    task.write_text((FOLDER[0].parent / "small.yaml").read_text() + "weaving: 5 mm\n")
+    judged = verify_joints(FOLDER[0] / "joints.csv", task)
+    assert len(judged.unchecked) == 1
+    assert judged.unchecked[0].endswith("path and speeds, because the judge does not know the key 'weaving'")
+    assert failed(judged) == set()
+    assert {"joint speed", "arm angle", "start joints"} <= checks(judged)
+    assert not {"pose reached", "poses missing"} & checks(judged)
+
+
 def test_joints_of_another_robot_are_refused(tmp_path: Path) -> None:
     path, joints = tmp_path / "joints.csv", (FOLDER[0] / "joints.csv").read_text()
     path.write_text(joints.replace("joint_3", "elbow"))
@@ -223,6 +236,14 @@ def test_joints_of_another_robot_are_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="the file's axes are joint_1, joint_2, elbow"):
         verify_folder(FOLDER[0])
     own.write_bytes(before)
+
+
+def test_joints_that_no_arm_can_have_are_refused() -> None:
+    def far(rows: Array) -> None:
+        rows[3, 2] = 1e6
+
+    with edited("joints.csv", far), pytest.raises(InputError, match=r"joints\.csv:5: joint_2 is 1e\+06 rad, its range"):
+        verify_joints(FOLDER[0] / "joints.csv", None)
 
 
 def test_what_a_folder_lacks_is_told(tmp_path: Path) -> None:

@@ -274,3 +274,38 @@ def test_a_path_as_csv(mark: str, tmp_path: Path) -> None:
         with pytest.raises(InputError) as caught:
             read_poses(bad, "way.csv", np.array([1.0, 0, 0, 0]))
         assert str(caught.value).startswith(message)
+
+
+@pytest.mark.parametrize(("most", "read"), [(3, True), (2, False)])
+def test_a_path_of_more_poses_than_the_judge_takes_is_said(
+    most: int, read: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("trajopt_cli.verify.compliant.order.MOST", most)
+    rows = "".join(f"{i},0,0,0.6,0,0.8,0\n" for i in range(3))
+    (tmp_path / "way.csv").write_text(f"x [m],y [m],z [m],qw,qx,qy,qz\n{rows}")
+    order = order_of(tmp_path, f"{HOME}approach: none\nangles: absolute\nposes: way.csv\n")
+    said = () if read else (f"{tmp_path}/way.csv: path and speeds, because 3 poses are more than 2",)
+    assert (order.unchecked, order.driven) == (said, False)
+    assert (order.stops is not None) == read
+    for i, stop in enumerate(order.stops or ()):
+        np.testing.assert_allclose(stop.pose[:3], [i, 0, 0], rtol=0, atol=0)
+        assert same_turn(np.array([0.6, 0, 0.8, 0]), Rotation.from_euler("xyz", stop.pose[3:]))
+        assert (stop.name, str(stop.place)) == (str(i + 1), f"{tmp_path}/way.csv:{i + 2}:1")
+
+
+def test_half_a_turn_may_go_either_way(tmp_path: Path) -> None:
+    """Of a slerp by half a turn the rows say which way; of a smaller one the shorter."""
+    for size, free in ((math.pi, True), (math.pi - 0.9e-6, True), (math.pi - 1.1e-6, False)):
+        poses = f"  - [0, 0, 0, 0, 0, 0]\n  - [0, 0, 0, 0, 0, {size!r}]\n"
+        order = order_of(tmp_path, f"{HOME}angles: absolute\napproach: none\nrotation: slerp\nposes:\n{poses}")
+        (leg,) = legs(order)
+        for way in (1, -1):
+            angles = way * np.array([0, 0, 0.3, 1.0, math.pi - 0.05])
+            q = Rotation.from_euler("z", angles[:, None]).as_quat(scalar_first=True)
+            on, turns = leg.as_gone(q), way if free else np.sign(leg.turn[2])
+            assert np.sign(on.turn[2]) == turns
+            assert on.L_q == pytest.approx(size if turns == np.sign(leg.turn[2]) else 2 * math.pi - size, abs=1e-12)
+            if free:
+                np.testing.assert_allclose(on.turned(q), np.outer(angles, [0, 0, 1]), rtol=0, atol=1e-12)
+                end = Rotation.from_rotvec([0, 0, way * (math.pi + 0.5e-6)]).as_quat(scalar_first=True)
+                np.testing.assert_allclose(on.turned(end[None])[0, 2], way * (math.pi + 0.5e-6), rtol=0, atol=1e-12)

@@ -11,12 +11,19 @@ from iiwa_folders import task_text
 from scipy.spatial.transform import Rotation, Slerp
 
 from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import pose
+from trajopt_cli.joint_csv import Resolution
+from trajopt_cli.robot.srs import load_srs
+from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.compliant import quaternions as turns
 from trajopt_cli.verify.compliant.arm import arm_angles, configuration, wrapped
-from trajopt_cli.verify.compliant.order import arm_frame, periods, read_arm, read_order
+from trajopt_cli.verify.compliant.order import Frame, arm_frame, periods, read_arm, read_order
 from trajopt_cli.verify.compliant.path import legs
+from trajopt_cli.verify.compliant.rows import poses_of_joints
+from trajopt_cli.verify.compliant.tolerances import ROUNDING
 
 TRUTH = Path(__file__).parents[1] / "data" / "truth"
+FAR_BASE = Frame(np.array([3.0, -2.0, 1.0]), np.array([1.0, 0, 0, 0]))
 
 
 @pytest.fixture
@@ -38,6 +45,27 @@ def test_tool_arm_angle_and_configuration_are_those_of_the_truth_file() -> None:
     assert np.all(np.abs(wrapped(angle - wanted)) * off < 1e-14)
     swivel = arm_angles(arm.mechanism, q, swivel=True)[0]
     np.testing.assert_allclose(np.cos(swivel - angle), np.where(q[:, 3] < 0, 1, -1), rtol=0, atol=1e-12)
+
+
+def test_what_printed_joints_leave_open_about_the_tool(rng: np.random.Generator) -> None:
+    """Poses and levers by the closed form; half a printed step of every joint, and rounding that grows with size."""
+    robot, arm = load_srs("iiwa7", pose(np.eye(3), [3.0, -2.0, 1.0])), read_arm("iiwa7", "default", FAR_BASE)
+    tool = Frame(np.array([0.1, -0.2, 0.3]), np.array([0.6, 0, 0.8, 0]))
+    X_FT = pose(Rotation.from_quat(tool.q, scalar_first=True).as_matrix(), tool.p)
+    q, steps = rng.uniform(-2, 2, (5, 7)), rng.uniform(1e-6, 1e-5, (5, 7))
+    rows = Trajectory(robot.axis_names, np.arange(5) * 1.0, q)
+    X, J = robot.forward(q) @ X_FT, robot.jacobian(q, X_FT)
+    for resolution in (None, Resolution(0.0, steps, 0 * steps), Resolution(0.0, steps[:1], 0 * steps[:1])):
+        found = poses_of_joints(arm, tool, rows, resolution, 2e-3)
+        np.testing.assert_allclose(found.p, X[:, :3, 3], rtol=0, atol=1e-13)
+        wanted = Rotation.from_matrix(X[:, :3, :3]).as_quat(scalar_first=True)
+        assert np.all(turns.angle_between(found.q, wanted) < 1e-13)
+        half = np.broadcast_to(0.0 if resolution is None else resolution.q / 2, (5, 7))
+        rounding = ROUNDING * (1 + np.linalg.norm(X[:, :3, 3], axis=1))
+        off_p = (np.linalg.norm(J[:, :3], axis=1) * half).sum(axis=1) + rounding
+        np.testing.assert_allclose(found.off_p, off_p, rtol=1e-9)
+        np.testing.assert_allclose(found.off_q, half.sum(axis=1) + ROUNDING, rtol=1e-12)
+        assert (found.period, list(found.t)) == (2e-3, [0, 1, 2, 3, 4])
 
 
 def test_limits_are_those_of_the_data_sheet() -> None:

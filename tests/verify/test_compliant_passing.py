@@ -225,7 +225,7 @@ def test_the_way_from_the_start_to_the_first_pose(approach: str, legs: int, tmp_
     assert found.caps["v_max"] == ([1, 1, 2, 3, 4] if legs == 5 else [1, 2, 3, 4])
     if legs == 5:
         np.testing.assert_array_equal(found.stops[0].pose, np.r_[start.p, 0, 0, 0])
-        assert found.stops[1].rests
+        assert (found.stops[0].dwell, found.stops[1].rests) == (0, True)
     if approach == "joint":
         # relative angles count from where the controller is switched on; orientations stay those of the task
         assert found.start is not None

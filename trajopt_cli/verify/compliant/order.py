@@ -195,7 +195,7 @@ def _approach(
         return start, stops, False, caps
     if how == "line":
         angles = np.zeros(3) if relative else turns.to_angles(start.q)
-        stop = Stop("start", np.concatenate([start.p, angles]), 0.0, task.place("start.joints"), rests=True)
+        stop = Stop("start", np.concatenate([start.p, angles]), 0.0, task.place("start.joints"))
         stops = [stop, replace(stops[0], rests=True), *stops[1:]]
         return start, stops, False, {key: None if one is None else one[:1] + one for key, one in caps.items()}
     if relative:
