@@ -2,6 +2,7 @@
 
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -57,6 +58,24 @@ def test_solutions_stay_within_it(write):
         np.testing.assert_array_equal([q for _, q in kept], wanted)
         left_out += len(every) - len(wanted)
     assert left_out > 20
+
+
+def test_why_a_pose_is_out_of_it(write):
+    """Of the branches and turns that each joint's own range holds, the one that is least outside."""
+    robot, free = load_robot(write()), load_robot("irb140")
+    for q, lower, upper in (([0.2, 0.9, 0.1, 0.3, 0.4, 0.5], -2.5, 0.6), ([0.2, -0.9, -2.2, 0.3, 0.4, 0.5], -2.5, 0.6)):
+        X = free.forward(np.array(q))
+        every = free.solutions(X, None, free.profile())
+        limits = robot.profile()
+        assert robot.solutions(X, None, limits) == [] or len(robot.solutions(X, None, limits)) < len(every)
+        kept = [(cfx, one) for cfx, one in every if not -2.5 <= one[1] + one[2] <= 0.6]
+        only = replace(limits, lower=kept[0][1] - 0.01, upper=kept[0][1] + 0.01)
+        cfx, total = kept[0][0], kept[0][1][1] + kept[0][1][2]
+        said = robot.why_unreachable(X, None, only)
+        assert said == (
+            f"every branch breaks a limit: nearest joint_2 + joint_3 = {np.degrees(total):.6g}° (cfx {cfx}),"
+            f" range {np.degrees(lower):.6g}..{np.degrees(upper):.6g}°"
+        )
 
 
 def test_robot_show_tells_it(write, capsys):

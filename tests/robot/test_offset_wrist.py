@@ -6,7 +6,7 @@ import casadi as ca
 import numpy as np
 import pinocchio as pin
 import pytest
-from arms import OFFSET_WRISTS, abb_like, pin_flange, random_chain, random_pose
+from arms import KNOWN, OFFSET_WRISTS, abb_like, pin_flange, random_chain, random_pose
 from small_cells import rapid
 
 from trajopt_cli.errors import InputError
@@ -41,6 +41,16 @@ def test_kinematics_are_pins(arm):
         rate = pin.getFrameJacobianTimeVariation(model, data, flange, pin.LOCAL_WORLD_ALIGNED)
         np.testing.assert_allclose(arm.jacobian(row), J, rtol=0, atol=1e-12)
         np.testing.assert_allclose(arm.jacobian_rate(row, qd), rate, rtol=0, atol=1e-11)
+
+
+@pytest.mark.parametrize(("name", "along", "across"), [("gofa", 0.0, 0.080), ("crx", -0.150, 0.0)])
+def test_lengths_say_how_far_axis_6_stands_off(name, along, across, tmp_path):
+    lengths = OFFSET_WRISTS[name]().load(tmp_path).arm.lengths
+    assert list(lengths) == ["a1", "a2", "b", "c1", "c2", "c3", "c4", "wrist along", "wrist across"]
+    assert (lengths["wrist along"], lengths["wrist across"]) == pytest.approx((along, across), abs=1e-15)
+    plain = KNOWN["irb4600"]().load(tmp_path).arm.lengths
+    wanted = {"a1": 0.175, "a2": -0.175, "b": 0, "c1": 0.495, "c2": 1.095, "c3": 1.27, "c4": 0.135}
+    assert plain == pytest.approx(wanted, abs=1e-15)
 
 
 def test_answers_have_the_pose_and_nearly_all_configurations_are_among_them(arm):

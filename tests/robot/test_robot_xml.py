@@ -21,6 +21,23 @@ def test_a_file_too_large_is_refused_as_such(tmp_path: Path, monkeypatch: pytest
         xml.read_robot_element(file)
 
 
+def test_elements_without_end_are_refused_before_they_are_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(xml, "MAX_ELEMENTS", 100)
+    file = tmp_path / "a.urdf"
+    for depth, many, what in (
+        (50, 0, None),
+        (51, 0, "elements 51 deep"),
+        (1, 99, None),
+        (1, 100, "more than 100 elements"),
+    ):
+        file.write_text(f"<robot name='a'>{'<a>' * (depth - 1)}{'</a>' * (depth - 1)}{'<b/>' * many}</robot>")
+        if what is None:
+            assert xml.read_robot_element(file).tag == "robot"
+        else:
+            with pytest.raises(InputError, match=rf"a\.urdf: has {what}: no robot has; give the URDF of one robot"):
+                xml.read_robot_element(file)
+
+
 @pytest.mark.parametrize(
     ("inside", "what"),
     [

@@ -103,6 +103,20 @@ def test_forward_and_jacobian_equal_pin_on_a_crooked_mounting(hung, X_FT, rng):
     np.testing.assert_allclose(hung.jacobian(q)[:, 3:], J[:, 3:], rtol=0, atol=1e-12)
 
 
+def test_links_stand_where_pin_has_them(hung, rng):
+    model = hung.pin_model
+    q, data = rng.uniform(-3, 3, (20, 7)), model.createData()
+    X = hung.links(q)
+    for row, poses in zip(q, X, strict=True):
+        import pinocchio as pin
+
+        pin.forwardKinematics(model, data, row)
+        np.testing.assert_allclose(poses[1:], [data.oMi[i].homogeneous for i in range(1, 8)], rtol=0, atol=1e-13)
+        np.testing.assert_array_equal(poses[0], hung.X_WB)
+    with pytest.raises(ValueError, match=r"q has shape \(2, 6\)"):
+        hung.links(np.zeros((2, 6)))
+
+
 def test_any_leading_axes_give_the_same_numbers(hung, X_FT, rng):
     q = rng.uniform(-3, 3, (12, 7))
     for found, rows in (

@@ -22,6 +22,7 @@ from trajopt_cli.motion import Source
 from trajopt_cli.robot.srs import load_srs
 from trajopt_cli.robot.srs_inverse import ArmAngle, inverse_branch
 from trajopt_cli.trajectory import Trajectory
+from trajopt_cli.verify.compliant.chain import Followed
 from trajopt_cli.verify.compliant.joints import (
     ArmAngleRange,
     check_between,
@@ -30,8 +31,9 @@ from trajopt_cli.verify.compliant.joints import (
     check_posture,
 )
 from trajopt_cli.verify.compliant.order import Arm, Frame, Order, Stop, read_arm
+from trajopt_cli.verify.compliant.path import legs
 from trajopt_cli.verify.compliant.rows import Poses
-from trajopt_cli.verify.compliant.sequence import check_sequence
+from trajopt_cli.verify.compliant.sequence import _caps_there, check_sequence
 from trajopt_cli.verify.compliant.tolerances import (
     ARM_ANGLE,
     ARM_CAP,
@@ -348,15 +350,18 @@ def faster_than_its_cap(share: float, which: tuple[str, bool]) -> Told:
     return Told(check_sequence(order, rows, exact=exact), key, "P0 -> P1", value, 0.2, 3 * PERIOD)
 
 
-@CASES.with_each(KINDS)
-def faster_than_its_cap_beside_the_grid(share: float, kind: str) -> Told:
+@CASES.with_each([(kind, place) for kind in KINDS for place in (1, 3, 4)])
+def faster_than_its_cap_beside_the_grid(share: float, which: tuple[str, int]) -> Told:
     """No row stands at the poses: the rows beside them are of other ways as much."""
+    kind, place = which
     t = np.r_[0, 0.007, 0.016, 0.022, 0.03, 0.038, 0.047]
     value, key = 0.2 + share * (0.2 * ARM_CAP + 2 * rough(kind) / 0.006), cap_of(kind, 0)
-    steps = np.array([5, 0.5, 0.9, 1.0, 0.8, 5]) * value * np.diff(t)
+    steps = np.array([5, 0.5, 0.9, 0.6, 0.8, 5])
+    steps[place] = 1.0
+    steps *= value * np.diff(t)
     order, rows = stepped(kind, steps, t, caps={key: [0.2]})
     rows = replace(rows, off_p=np.r_[1, rows.off_p[1:-2], OFF_P, 1], off_q=np.r_[1, rows.off_q[1:-2], OFF_Q, 1])
-    return Told(check_sequence(order, rows, exact=False), key, "P0 -> P1", value, 0.2, 0.022)
+    return Told(check_sequence(order, rows, exact=False), key, "P0 -> P1", value, 0.2, t[place])
 
 
 @CASES.with_each([(kind, place) for kind in KINDS for place in ("begin", "between", "end")])
@@ -403,6 +408,18 @@ def off_the_way(share: float, slerp: bool) -> Told:
     pose[3, :3] += value * np.array([-0.8, 0.6, 0])
     pose[6, 2] += 0.9 * PATH
     return Told(check_sequence(order, rows_of(order, pose)), "path", "P0 -> P1", value, PATH + doubts(3)[0], 3 * PERIOD)
+
+
+@CASES.with_each([1, 4, 7])
+def off_the_way_beside_the_grid(share: float, row: int) -> Told:
+    """Of rows beside the grid the first and the last are not on the way, those next to them are."""
+    order, pose = evenly()
+    value = share * (PATH + doubts(row)[0])
+    pose[row, :3] += value * np.array([-0.8, 0.6, 0])
+    pose[[0, 8], 2] += 1e-3
+    t = np.r_[0, 0.007, 0.016, 0.022, 0.03, 0.038, 0.047, 0.06, 0.067]
+    found = check_sequence(order, rows_of(order, pose, t), exact=False)
+    return Told(found, "path", "P0 -> P1", value, PATH + doubts(row)[0], t[row])
 
 
 @CASES.with_each([False, True])
@@ -487,6 +504,25 @@ def faster_than_the_caps_of_the_ways_it_may_be_on(share: float, leg: int) -> Tol
     p[k + 1, 0] = p[k, 0] + math.copysign(value * PERIOD, p[k + 1, 0] - p[k, 0])
     found = check_sequence(order, replace(rows, p=p), exact=True)
     return Told(found, "v_max", "P0 -> P4", value, 0.15, k * PERIOD)
+
+
+def test_the_caps_of_differences_of_rows() -> None:
+    """The greatest of the legs that any of the rows of a difference may be on."""
+    rng = np.random.default_rng(6)
+    one = legs(order_of(BEGIN + np.outer([0, 1], np.ones(6))))[0]
+    for n in (2, 5, 30):
+        caps = rng.permutation(12) / 10 + 0.1
+        way = [replace(one, caps={"v_max": cap}) for cap in caps]
+        leg = np.sort(rng.integers(0, 12, n))
+        on = Followed(0, n - 1, leg, np.minimum(leg + rng.integers(0, 4, n), 11), caps, caps, None)
+        for count in {n - 1, max(n - 2, 1)}:
+            wanted = [
+                max(max(caps[on.leg[row] : on.ahead[row] + 1]) for row in range(i, i + n - count + 1) if row < n)
+                for i in range(count)
+            ]
+            np.testing.assert_array_equal(_caps_there(way, on, "v_max", count), wanted)
+        np.testing.assert_array_equal(_caps_there(way, None, "v_max", 3), np.full(3, caps[0]))
+        np.testing.assert_array_equal(_caps_there(way[:1] * 12, on, "v_max", n - 1), np.full(n - 1, caps[0]))
 
 
 def test_rows_at_a_stop_are_counted() -> None:

@@ -160,9 +160,14 @@ def robot_schema() -> dict[str, Any]:
     return json_schema(SixAxisFile | SrsFile, "trajopt robot file")
 
 
+def _shipped() -> dict[str, Path]:
+    """The files of the robots that ship, by name."""
+    return {path.stem: path for folder in _FOLDERS for path in folder.glob("*.yaml")}
+
+
 def robot_names(structure: Structure | None = None) -> tuple[str, ...]:
     """The robots that ship, sorted; those of one structure where it is given."""
-    paths = {path.stem: path for folder in _FOLDERS for path in folder.glob("*.yaml")}
+    paths = _shipped()
     if structure is None:
         return tuple(sorted(paths))
     return tuple(name for name in sorted(paths) if read_head(paths[name]).structure is structure)
@@ -195,10 +200,8 @@ def find_robot(name_or_path: str, structure: Structure | None = None) -> Path:
         if not path.is_file():
             raise InputError(f"robot file '{name_or_path}' does not exist")
         return path
-    for folder in _FOLDERS:
-        path = folder / f"{name_or_path}.yaml"
-        if name_or_path in robot_names() and path.is_file():
-            return path
+    if shipped := _shipped().get(name_or_path):
+        return shipped
     advice = hint(name_or_path, robot_names(structure))
     more = "'trajopt robot list' shows all, or give the path of a robot's .yaml file"
     raise InputError(f"unknown robot '{name_or_path}'; {advice}{' ' if advice.endswith('?') else '; '}{more}")
