@@ -246,6 +246,32 @@ def test_joints_that_no_arm_can_have_are_refused() -> None:
         verify_joints(FOLDER[0] / "joints.csv", None)
 
 
+MODULE = """MODULE seam
+  CONST robtarget a := [[500,0,300],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    MoveJ a, v100, fine, tool0;
+    MoveL Offs(a,0,0.02,0), v100, fine, tool0;
+  ENDPROC
+ENDMODULE
+"""
+
+
+def test_a_folder_of_a_program_is_judged_as_far_as_its_task_tells(tmp_path: Path) -> None:
+    """The tool is the program's: its way, the angles that count from it and the tool's poses are said to be left."""
+    (tmp_path / "seam.mod").write_text(MODULE)
+    text = f"{HOME}approach: none\nprogram: seam.mod\n{CONTROLLER}"
+    folder = make_folder(tmp_path / "seam", text)
+    judged = verify_folder(folder)
+    assert [line.split(": ", 1)[1] for line in judged.unchecked] == [
+        "path and speeds, because they come from a RAPID program, which this judge does not read",
+        "its angles, because they count from the program's tool",
+        "the tool's poses, because the tool is the program's",
+    ]
+    assert failed(judged) <= {"joint acceleration"}  # a task of steps at full speed
+    assert not {"pose reached", "angles", "tool position", "start joints"} & checks(judged)
+    assert {"arm angle", "configuration", "period"} <= checks(judged)
+
+
 def test_what_a_folder_lacks_is_told(tmp_path: Path) -> None:
     summary = FOLDER[0] / "summary.json"
     before = {name: (FOLDER[0] / name).read_bytes() for name in ("summary.json", "run.json")}

@@ -506,6 +506,18 @@ def faster_than_the_caps_of_the_ways_it_may_be_on(share: float, leg: int) -> Tol
     return Told(found, "v_max", "P0 -> P4", value, 0.15, k * PERIOD)
 
 
+def test_a_way_of_few_rows_is_judged_as_far_as_it_has_any() -> None:
+    """Steps are held against caps where there are three of them; rows beside the grid need one between two others."""
+    for n, judged in ((2, False), (3, False), (4, True), (5, True)):
+        order, pose = evenly(n, caps={"v_max": [0.2]})
+        fast = {one.check: one.passed for one in check_sequence(order, rows_of(order, pose))}
+        assert fast.get("v_max", True) != judged
+        assert {"path", "orientation", "backward"} <= fast.keys()
+        beside = {one.check for one in check_sequence(order, rows_of(order, pose, np.arange(n) * 0.7 * PERIOD), False)}
+        assert ("path" in beside) == ("backward" in beside) == (n > 2)
+        assert "v_max" not in beside
+
+
 def test_the_caps_of_differences_of_rows() -> None:
     """The greatest of the legs that any of the rows of a difference may be on."""
     rng = np.random.default_rng(6)

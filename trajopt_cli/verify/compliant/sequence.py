@@ -115,7 +115,7 @@ def _on_leg(leg: Leg, rows: Poses, part: slice) -> Iterator[Finding]:
         yield finding(
             check, leg.name, off[row], limit, unit, off[row] <= limit, time=float(t[row]), source=source, words=words
         )
-    farthest = np.maximum.accumulate(np.r_[0.0, s, 1.0])[:-2]
+    farthest = np.maximum.accumulate(np.r_[0.0, s[:-1]])
     back = (farthest - s) * max(leg.L_p, leg.L_q)
     row = int(np.argmax(back))
     limit = BACKWARD + 2 * float((rows.off_p + rows.off_q)[part].max())
