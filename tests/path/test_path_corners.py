@@ -161,6 +161,23 @@ def test_slopes_of_a_corner(pair: tuple[str, str], bent: tuple[float, float]) ->
         check_slopes(corner, rng, bound=2 * 0.3**-4)
 
 
+@pytest.mark.parametrize("bent", [(0.5, 1.0), (1.0, 0.25)])
+@pytest.mark.parametrize("pair", [("line", "arc"), ("line", "line"), ("arc", "line")])
+def test_at_a_break_second_slopes_are_those_of_what_follows(pair: tuple[str, str], bent: tuple[float, float]) -> None:
+    corner = some_corner(np.random.default_rng(9), pair, bent)
+    least = min(bent)
+    np.testing.assert_array_equal(corner.breaks, [(1 - least) / 2, (1 + least) / 2])
+    at = np.r_[corner.breaks, 0.5]  # in the middle one segment ends and the other begins
+    s = np.r_[at, at + 1e-12, at - 1e-12]
+    many = along_all([corner], [np.sort(s)])[2][np.argsort(np.argsort(s))]
+    for rate in (corner.twist_rate(s), many):
+        there, behind, before = rate.reshape(3, 3, 6)
+        np.testing.assert_allclose(there, behind, rtol=0, atol=1e-9)
+        assert np.all(np.abs(there - before)[:2].max(axis=1) > 1e-3)
+    one = Corner(corner.before, corner.after, corner.share_before, corner.share_after)
+    assert len(one.breaks) == 0
+
+
 @given(seeds, kinds, kinds, parts)
 @settings(max_examples=40)
 def test_a_corner_is_the_same_in_any_frame(seed: int, one: str, other: str, bent: tuple[float, float]) -> None:
@@ -236,6 +253,21 @@ def test_what_is_no_corner_is_refused() -> None:
         Corner.of_zone(before, after, 0.05, 0.06)
     with pytest.raises(InputError, match="needs zones above 0 mm, found 0 mm"):
         Corner.of_zone(before, after, 0.0, 0.05)
+    half = Corner.of_zone(before, after, 0.05 * (1 + 1e-9), 0.025)  # rounding beyond the middle is let pass
+    assert (half.share_before, half.share_after) == pytest.approx((0.5, 1 / 6))
+    assert (half.position, half.orientation) == pytest.approx((1.0, 0.5))
+    with pytest.raises(InputError, match="reaches beyond the middle of a way of 100 mm"):
+        Corner.of_zone(before, after, 0.05 * (1 + 3e-9), 0.02)
+    near = [pose(np.eye(3), [0.1, 0.9e-9, 0]), pose(Rotation.from_rotvec([0, 0, 0.9e-9]).as_matrix(), [0.1, 0, 0])]
+    for X_1, by in [(X_1, by) for by in (1.0, 1.2) for X_1 in near]:
+        moved_1 = X_1.copy()
+        moved_1[1, 3] *= by
+        moved_1[:3, :3] = Rotation.from_rotvec(by * Rotation.from_matrix(X_1[:3, :3]).as_rotvec()).as_matrix()
+        if by == 1.0:
+            Corner(before, Line(moved_1, X[2]), 0.5, 0.5)
+        else:
+            with pytest.raises(ValueError, match="does not begin where the other ends"):
+                Corner(before, Line(moved_1, X[2]), 0.5, 0.5)
     with pytest.raises(ValueError, match="one of them is 1"):
         Corner(before, after, 0.5, 0.5, 0.5, 0.5)
     with pytest.raises(ValueError, match="0 is no share of a segment"):

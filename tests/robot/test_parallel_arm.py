@@ -8,11 +8,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from arms import PARALLEL, pin_flange, random_parallel_chain, random_pose, universal_robot
+from scipy.spatial.transform import Rotation
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import pose, rotation_about
 from trajopt_cli.robot.inverse import inverse, solutions
 from trajopt_cli.robot.kinematics import singularity
+from trajopt_cli.robot.parallel_arm import bent
 
 MANY = 10_000
 TURN = 2 * np.pi
@@ -90,6 +92,43 @@ def test_at_singularities_the_answer_is_finite_and_its_pose_right(arm, kind, rng
     assert there.any(axis=1).mean() > 0.3  # a stretched elbow is on the edge of what is in reach
     back = pin_flange(arm, found[there])
     assert np.abs(back - np.repeat(X, there.sum(axis=1), axis=0)).max() < 1e-7
+
+
+def test_a_straight_wrist_is_turned_no_farther_than_axes_2_and_3_need(arm, rng):
+    """t6 is 0, on the other side half a turn, where they reach axis 4 so; else axis 4 stands on the edge of what they
+    reach. The flange is Ry(t2 + t3 + t4) Rz(t5) Ry(t6) Rx(-90 deg), and Ry(t) turns the link to the wrist centre."""
+    geometry, n = arm.arm, 400
+    phi, over = rng.uniform(-3, 3, (2, n)), np.where(rng.random((2, n)) < 0.5, 0.0, np.pi)
+    centre = geometry.c2 * rng.uniform(-1.6, 1.6, (2, 2, n))
+    turned = [Rotation.from_euler(axis, x.reshape(-1, 1)) for axis, x in (("y", phi), ("z", over))]
+    R = (turned[0] * turned[1] * Rotation.from_euler("x", -np.pi / 2)).as_matrix()
+    R[np.abs(R) < 1e-12] = 0.0
+    R = R.reshape(2, n, 3, 3).transpose(2, 3, 0, 1)
+    inner, outer = abs(geometry.c2 - geometry.c3), geometry.c2 + geometry.c3
+    along, length = geometry.wrist[[0, 2]], np.hypot(*geometry.wrist[[0, 2]])
+
+    def link(t):
+        return np.cos(t) * along[0] + np.sin(t) * along[1], np.cos(t) * along[1] - np.sin(t) * along[0]
+
+    for side in (1, -1):
+        first = phi + (np.pi if side < 0 else 0.0)
+        default = np.hypot(*(c - x for c, x in zip(centre, link(first), strict=True)))
+        nearest = np.clip(default, inner, outer)
+        with np.errstate(invalid="ignore"):
+            ahead, up, t234, t5, t6 = bent(geometry, R, tuple(centre), side)
+        np.testing.assert_allclose(np.stack(link(t234)) + np.stack([ahead, up]), centre, rtol=0, atol=1e-12)
+        np.testing.assert_allclose(np.abs(t5), over, rtol=0, atol=1e-12)
+        own = default == nearest
+        np.testing.assert_allclose(np.cos(t234 - first)[own], 1, rtol=0, atol=1e-12)
+        np.testing.assert_allclose(np.sin(t6)[own], 0, rtol=0, atol=1e-12)
+        far = np.hypot(*centre)
+        others = ~own & (np.abs(far - length) < nearest - 1e-6) & (nearest + 1e-6 < far + length)
+        np.testing.assert_allclose(np.hypot(ahead, up)[others], nearest[others], rtol=0, atol=1e-9)
+        back = Rotation.from_euler("y", t234.reshape(-1, 1)) * Rotation.from_euler("z", t5.reshape(-1, 1))
+        back = back * Rotation.from_euler("y", t6.reshape(-1, 1)) * Rotation.from_euler("x", -np.pi / 2)
+        np.testing.assert_allclose(back.as_matrix(), R.transpose(2, 3, 0, 1).reshape(-1, 3, 3), rtol=0, atol=1e-9)
+    assert own.sum() > 100
+    assert others.sum() > 5
 
 
 def test_just_beside_the_straight_wrist_poses_are_as_exact(arm, rng):

@@ -6,8 +6,9 @@ from math import cos, pi, radians, sin
 
 import numpy as np
 import pytest
+from places import crooked_pose
 
-from trajopt_cli.geometry import pose, rotation_from_wxyz
+from trajopt_cli.geometry import inverse_pose, pose, rotation_from_wxyz
 from trajopt_cli.motion import ConfData
 from trajopt_cli.robot.inverse import (
     confdata,
@@ -241,6 +242,21 @@ def test_rail_outside_its_stroke_is_an_answer():
         why_unreachable(robot, X, 2.0, limits)
     with pytest.raises(ValueError, match="rides a rail: give rail"):
         inverse(robot, X[None])
+
+
+def test_why_a_pose_is_out_of_reach_depends_on_the_rail():
+    robot = load_robot("irb140_rail", X_WR=crooked_pose(7))
+    X, limits = robot.forward(np.array([0.5, 0.3, 0.2, -0.4, 0.5, 0.6, 0.7])), robot.profile()
+    for rail in (1.4, 1.9):
+        w = inverse_pose(robot.base(rail)) @ X @ np.array([0, 0, -0.065, 1.0])
+        near = np.hypot(np.hypot(w[0], w[1]) - 0.07, w[2] - 0.352)
+        assert robot.why_unreachable(X, rail, limits) == (
+            f"wrist centre outside the outer workspace: {near:.6g} m from axis 2, at most 0.74 m"
+        )
+    tight = replace(limits, upper=np.where(np.arange(7) == 6, 0.69, limits.upper))
+    tight = replace(tight, lower=np.where(np.arange(7) == 0, 0.0, np.array([0, 0.29, 0.19, -0.41, 0.49, 0.59, 0.5])))
+    said = robot.why_unreachable(X, 0.5, tight)
+    assert f"joint_6 = {np.degrees(0.7):.6g}°, limit {np.degrees(0.69):.6g}° (cfx 0)" in said
 
 
 def test_representatives_are_all_turns_within_the_limits():

@@ -137,3 +137,34 @@ def test_analytic_jacobian_and_its_rate_are_differences(mounted, X_FT, rng):
 def test_analytic_jacobian_refuses_beta_at_90_degrees(irb140):
     with pytest.raises(ValueError, match=r"angles are singular: \|cos beta\| = \S+, at least 1e-09"):
         analytic_jacobian(irb140, np.zeros(6))
+
+
+@pytest.mark.parametrize("which", range(3))
+def test_what_counts_as_singular(irb140, which):
+    """The measures one by one, just beside their limit."""
+    for off, singular in ((0.9e-9, True), (1.1e-9, False)):
+        q = np.array([0.3, -0.4, 0.2, 0.5, off if which == 0 else 0.7, 0.6])
+        if which == 1:
+            q[2] = -np.pi / 2 + off
+        elif which == 2:
+            q[2] = np.arccos((off - 0.07 - 0.36 * np.sin(q[1])) / 0.38) - q[1]
+        assert singularity(irb140, q)[which] == pytest.approx(off, rel=1e-5)
+        if singular:
+            name = ("wrist", "elbow", "shoulder")[which]
+            with pytest.raises(ValueError, match=rf"{name} singularity: .* = 9e-10 at row 1, at least 1e-09 to be"):
+                inverse_velocity(irb140, np.array([np.full(6, 0.3), q]), np.ones(6))
+        else:
+            rates = inverse_velocity(irb140, q, np.ones(6))
+            np.testing.assert_allclose(irb140.jacobian(q) @ rates, np.ones(6), rtol=0, atol=1e-4)
+
+
+def test_angles_have_rates_up_to_their_lock(irb140):
+    """beta is 90 deg less q2 + q3 for an arm in its plane that points ahead: cos beta = |sin|, beside 0."""
+    for off, locked in ((0.9e-9, True), (1.1e-9, False)):
+        q = np.array([0.0, 0.4, -0.4, 0.0, off, 0.0])
+        assert abs(irb140.forward(q)[2, 2]) == pytest.approx(off, rel=1e-5)
+        if locked:
+            with pytest.raises(ValueError, match=r"\|cos beta\| = 9e-10, at least 1e-09 for rates"):
+                analytic_jacobian(irb140, q)
+        else:
+            assert np.isfinite(analytic_jacobian(irb140, q)).all()
