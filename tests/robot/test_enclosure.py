@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pinocchio as pin
 import pytest
-from arms import KNOWN, PARALLEL, RAILS, on_rail, pin_flange, some_arm
+from arms import KNOWN, OFFSET_WRISTS, PARALLEL, RAILS, on_rail, pin_flange, some_arm
 from small_cells import MOUNTS, mounted, plant_with_rail
 
 from trajopt_cli.geometry import Array, pose, rotation_about
@@ -216,6 +216,21 @@ def test_every_arm_on_every_rail_is_enclosed_in_all_its_turns(railed: RobotModel
                     assert np.all((rates >= found.lo[:, row, i] - room) & (rates <= found.hi[:, row, i] + room))
     assert checked > 300
     assert tight > 0.3 * checked
+
+
+def test_of_an_arm_without_a_closed_form_its_ranges_are_all_that_is_known(tmp_path: Path) -> None:
+    robot = on_rail(OFFSET_WRISTS["gofa"](), "floor").load(tmp_path)
+    limits, nodes = robot.profile(), np.linspace(-0.3, 0.4, 6)
+    for twist in (None, np.ones(6)):
+        e = robot.enclose(np.eye(4), nodes, limits, twist)
+        np.testing.assert_array_equal(e.q.lo, np.broadcast_to(limits.lower[1:4, None, None], (3, 4, 5)))
+        np.testing.assert_array_equal(e.q.hi, np.broadcast_to(limits.upper[1:4, None, None], (3, 4, 5)))
+        assert e.alive.shape == (4, 5)
+        assert e.alive.all()
+        assert (e.way is None) == (twist is None)
+        for rate in (e.rate, e.way or e.rate):
+            assert rate.lo.shape == (3, 4, 5)
+            assert np.all((rate.lo <= -1e9) & (rate.hi >= 1e9))
 
 
 def wrist_in_flange(robot: RobotModel) -> Array:

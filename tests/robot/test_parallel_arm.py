@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from arms import PARALLEL, pin_flange, random_parallel_chain, random_pose, universal_robot
+from arms import PARALLEL, Chain, pin_flange, random_parallel_chain, random_pose, universal_robot
 from scipy.spatial.transform import Rotation
 
 from trajopt_cli.errors import InputError
@@ -129,6 +129,25 @@ def test_a_straight_wrist_is_turned_no_farther_than_axes_2_and_3_need(arm, rng):
         np.testing.assert_allclose(back.as_matrix(), R.transpose(2, 3, 0, 1).reshape(-1, 3, 3), rtol=0, atol=1e-9)
     assert own.sum() > 100
     assert others.sum() > 5
+
+
+def test_an_arm_in_canonical_angles_gives_them_as_they_are(tmp_path):
+    """Nothing is converted: every angle is found within half a turn of what is natural by itself."""
+    places = [(0, 0, 0.2), (0.05, 0, 0), (0, 0, 0.5), (0.4, 0, 0), (0, 0, 0), (0, 0, -0.1)]
+    axes = [np.eye(3)[i] for i in (2, 1, 1, 1, 2, 1)]
+    ranges = [(-np.pi, np.pi)] * 6
+    ranges[2] = (-1.5 * np.pi, 0.5 * np.pi)
+    chain = Chain([pose(np.eye(3), p) for p in places], axes, pose(rotation_about(axes[0], 0.0), [0, 0.1, 0]), ranges)
+    robot = chain.load(tmp_path)
+    assert robot.arm.converted == ()
+    q = np.random.default_rng(7).uniform(-3, 3, (300, 6))
+    X = pin_flange(robot, q)
+    found = inverse(robot, X)
+    there = np.isfinite(found).all(axis=-1)
+    assert np.abs(found[there] - robot.arm.middles).max() <= np.pi + 1e-12
+    assert np.abs(robot.forward(found[there]) - np.repeat(X, there.sum(axis=1), axis=0)).max() < 1e-9
+    for row, branches in zip(q, found, strict=True):
+        assert np.nanmin(np.abs((branches - row + np.pi) % TURN - np.pi).max(axis=1)) < 1e-7
 
 
 def test_just_beside_the_straight_wrist_poses_are_as_exact(arm, rng):

@@ -205,6 +205,16 @@ def test_a_mistake_in_the_yaml_is_named_with_its_line(copy):
     assert f"{path}:{line}: 'axes.joint_5.torque' is missing: give it a value" in str(error.value)
 
 
+def test_what_nobody_says_a_joint_loses_is_nothing(copy):
+    whole = "  joint_5: {position: *range, velocity: *speed, torque: *torque, damping: *damping, friction: *arm}"
+    arm = load_srs(copy(yaml={whole: "  joint_5: {position: *range, velocity: *speed, torque: *torque}"}))
+    np.testing.assert_array_equal(arm.damping, [0.5, 0.5, 0.5, 0.5, 0, 0.5, 0.5])
+    assert arm.friction[4] == 0
+    assert np.all(np.delete(arm.friction, 4) > 0)
+    assert {"joint_5.torque", "joint_4.damping"} <= set(arm.notes)
+    assert not {"joint_5.damping", "joint_5.friction"} & set(arm.notes)
+
+
 def test_capsules_are_the_truths(iiwa7):
     path = TRUTH / "collision_primitives.json"
     wanted = json.loads(path.read_text())["iiwa7"]
