@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import struct
 
 import numpy as np
@@ -11,7 +12,25 @@ from hypothesis import strategies as st
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.motion import MoveL, Program, TextFile, Wait
-from trajopt_cli.rapid.data.datatypes import NUM, POSE, ROBTARGET, SPEEDDATA, Array, Layout, single
+from trajopt_cli.rapid.data.datatypes import (
+    BOOL,
+    DNUM,
+    NUM,
+    POS,
+    POSE,
+    ROBTARGET,
+    SPEEDDATA,
+    TOOLDATA,
+    TYPES,
+    Array,
+    Layout,
+    Record,
+    is_number,
+    is_opaque,
+    same_type,
+    single,
+)
+from trajopt_cli.rapid.data.predefined import ERRORS, VARIABLES, predefined
 from trajopt_cli.rapid.reader import run_program
 
 
@@ -337,3 +356,75 @@ def test_the_literal_of_a_target_stays_known_through_assignments() -> None:
     assert spans[0] is not None
     assert text[spans[0].start : spans[0].end] == target.replace("1,2,3", "4,5,6")
     assert spans[1] is None
+
+
+def test_data_that_every_controller_has() -> None:
+    """Figures of ABB's reference manual (RAPID instructions, functions and data types: speeddata, zonedata ...)."""
+    table = {name: value.data for name, value in predefined().items()}
+    unit = ((0, 0, 0), (1, 0, 0, 0))
+    load = (0.001, (0, 0, 0.001), (1, 0, 0, 0), 0, 0, 0)
+    wanted = {
+        "pi": math.pi, "load0": load, "tool0": (True, unit, load), "wobj0": (False, True, "", unit, unit),
+        "fine": (True, 0, 0, 0, 0, 0, 0), "z0": (False, 0.3, 0.3, 0.3, 0.03, 0.3, 0.03),
+        "z1": (False, 1, 1, 1, 0.1, 1, 0.1), "z15": (False, 15, 23, 23, 2.3, 23, 2.3),
+        "z100": (False, 100, 150, 150, 15, 150, 15), "z200": (False, 200, 300, 300, 30, 300, 30),
+        "v5": (5, 500, 5000, 1000), "v7000": (7000, 500, 5000, 1000), "vmax": (5000, 500, 5000, 1000),
+        "vrot1": (0, 0, 0, 1), "vrot100": (0, 0, 0, 100), "vlin10": (0, 0, 10, 0), "vlin1000": (0, 0, 1000, 0),
+        "high": 1, "on": 1, "low": 0, "off": 0, "edge": 2, "btnnone": -1, "btnok": 0, "resunkwn": 0, "op_auto": 1,
+        "socket_created": 1, "level_trap": 1,
+    }  # fmt: skip
+    assert {name: table[name] for name in wanted} == wanted
+    counts = {kind: sum(name.startswith(kind) and name[len(kind) :].isdigit() for name in table) for kind in ("v", "z")}
+    assert counts == {"v": 25, "z": 14}
+    assert list(VARIABLES) == ["reg1", "reg2", "reg3", "reg4", "reg5"]
+    assert sorted(ERRORS.values()) == [1001 + i for i in range(len(ERRORS))]
+    assert ERRORS["ERR_ACC_TOO_LOW"] == 1001
+
+
+def test_types_know_their_size_their_depth_and_their_layout() -> None:
+    pair, deep = Array(ROBTARGET, (2, 3), 2), Record("deep", (("a", POSE), ("b", NUM), ("c", Array(POS, (4,), 1))))
+    assert (NUM.size, POS.size, POSE.size, ROBTARGET.size, pair.size, deep.size) == (1, 3, 7, 17, 102, 20)
+    assert (NUM.depth, POS.depth, POSE.depth, pair.depth, deep.depth, Record("none", ()).depth) == (0, 1, 2, 2, 3, 1)
+    assert pair.name == "robtarget{*,*}"
+    assert pair.inside == Array(ROBTARGET, (3,), 1)
+    assert (pair.inside.inside, Array(NUM, None, 2).inside) == (ROBTARGET, Array(NUM, None, 1))
+    assert np.shape(np.array(Array(POS, (2, 5), 2).default)) == (2, 5, 3)
+    assert TOOLDATA.layout is None
+    assert Array(NUM, None, 1).layout is None
+    assert Array(NUM, (11_000_000,), 1).layout is None
+    for type_, text, data in (
+        (POSE, "[[1,2,3],[0.5,0,0,1]]", ((1, 2, 3), (0.5, 0, 0, 1))),
+        (deep, "[[[1,2,3],[0.5,0,0,1]],7,[[1,1,1],[2,2,2],[3,3,3],[4,4,4]]]",
+         (((1, 2, 3), (0.5, 0, 0, 1)), 7, ((1, 1, 1), (2, 2, 2), (3, 3, 3), (4, 4, 4)))),
+        (Array(NUM, (2, 2), 2), "[[1, 2],\n[3e1,-4.5]]", ((1, 2), (30, -4.5))),
+        (Array(DNUM, (3,), 1), "[0.1,16777217,3]", (0.1, 16777217, 3)),
+        (Array(NUM, (3,), 1), "[0.1,16777217,3]", (float(np.float32(0.1)), 16777216, 3)),
+    ):  # fmt: skip
+        assert type_.layout is not None
+        assert type_.layout.read(text) == data
+        assert type_.layout.rounded(data) == data
+        for wrong in (
+            text[:-1],
+            text + "]",
+            text.replace(",", ",,", 1),
+            text.replace("1", "x"),
+            text.replace("1", "1e39"),
+        ):
+            if wrong != text and not (type_ == Array(DNUM, (3,), 1) and "e39" in wrong):
+                assert type_.layout.read(wrong) is None, wrong
+    with pytest.raises(OverflowError):
+        POS.layout.rounded((1.0, 2.0, 1e39))
+    assert Array(NUM, None, 1).default == 0.0
+    sizes = [Array(NUM, some, 1) for some in ((2,), (3,), None)]
+    assert [[same_type(a, b) for b in sizes] for a in sizes] == [[True, False, True], [False, True, True], [True] * 3]
+    assert not same_type(Array(NUM, None, 1), Array(NUM, None, 2))
+    assert not same_type(Array(NUM, (2,), 1), Array(DNUM, (2,), 1))
+    assert [is_number(one) for one in (NUM, DNUM, BOOL, POS)] == [True, True, False, False]
+    opaque = TYPES["clock"]
+    assert [is_opaque(one) for one in (opaque, Array(opaque, (2,), 1), NUM, BOOL, POS)] == [
+        True,
+        True,
+        False,
+        False,
+        False,
+    ]

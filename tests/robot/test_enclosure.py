@@ -218,6 +218,29 @@ def test_every_arm_on_every_rail_is_enclosed_in_all_its_turns(railed: RobotModel
     assert tight > 0.3 * checked
 
 
+@pytest.mark.parametrize("rail", RAILS)
+def test_the_rate_of_joint_1_is_greatest_where_the_wrist_centre_is_nearest(rail: str, tmp_path: Path) -> None:
+    """In an interval with that place inside, by its distance r and the rail's share across axis 1: share / r; in one
+    beside it, by what is nearest there."""
+    robot = on_rail(KNOWN["irb1200"](), rail).load(tmp_path)
+    assert robot.rail_axis_W is not None
+    e = robot.X_WO0[:3, :3].T @ robot.rail_axis_W
+    share, nearest = float(np.hypot(e[0], e[1])), 0.4
+    assert share > 0.5
+    across = np.array([-e[1], e[0], 0]) / share
+    R = rotation_about([0.6, 0, 0.8], 1.0)
+    w = nearest * across + [0, 0, 0.6]
+    X = robot.X_WO0 @ pose(R, w + robot.arm.c4 * R[:, 2])
+    nodes = np.array([-0.15, 0.12, 0.3])
+    found = robot.enclose(X, nodes, robot.profile()).rate
+    turn = -share / nearest * np.sign(across[0] * e[1] - across[1] * e[0])
+    behind = turn / (1 + (0.12 * share / nearest) ** 2)
+    ends = [turn / (1 + (x * share / nearest) ** 2) for x in (-0.15, 0.3)]
+    for i, (most, least) in enumerate(((turn, ends[0]), (behind, ends[1]))):
+        low, high = sorted((most, least))
+        np.testing.assert_allclose([found.lo[0, 0, i], found.hi[0, 0, i]], [low, high], rtol=1e-6)
+
+
 def test_of_an_arm_without_a_closed_form_its_ranges_are_all_that_is_known(tmp_path: Path) -> None:
     robot = on_rail(OFFSET_WRISTS["gofa"](), "floor").load(tmp_path)
     limits, nodes = robot.profile(), np.linspace(-0.3, 0.4, 6)
