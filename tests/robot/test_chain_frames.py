@@ -101,3 +101,10 @@ def test_the_elbow_is_given_about_its_own_middle(tmp_path):
     for low, high, middle in ((-3.0, 1.0, natural), (natural - np.pi, natural + np.pi, natural), (-3.0, 2.0, -0.5)):
         chain.ranges[2] = (low, high)
         assert chain.load(tmp_path).arm.middles[2] == pytest.approx(middle, abs=1e-12)
+
+
+def test_nobody_changes_an_arm(tmp_path):
+    arm = KNOWN["irb4600"]().load(tmp_path).arm
+    for name in ("signs", "offsets", "middles", "X_BO", "X_KF", "wrist"):
+        with pytest.raises(ValueError, match="read-only"):
+            getattr(arm, name)[0] = 2.0

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pinocchio as pin
 import pytest
-from arms import KNOWN, OFFSET_WRISTS, PARALLEL, RAILS, on_rail, pin_flange, some_arm
+from arms import KNOWN, OFFSET_WRISTS, PARALLEL, RAILS, on_rail, pin_flange, random_pose, some_arm
 from small_cells import MOUNTS, mounted, plant_with_rail
 
 from trajopt_cli.geometry import Array, pose, rotation_about
@@ -216,6 +216,43 @@ def test_every_arm_on_every_rail_is_enclosed_in_all_its_turns(railed: RobotModel
                     assert np.all((rates >= found.lo[:, row, i] - room) & (rates <= found.hi[:, row, i] + room))
     assert checked > 300
     assert tight > 0.3 * checked
+
+
+@pytest.mark.parametrize("name", [*KNOWN, *range(6), "ur5e", "parallel 1"])
+def test_without_a_rail_an_enclosure_is_the_posture(name: str | int, tmp_path: Path) -> None:
+    """All of an interval is one place: joints and rates are those of the branches, by inverse and Jacobian."""
+    chain = some_arm(name)
+    chain.ranges = [(-3.5, 3.5)] * 6
+    chain.ranges[2] = (-6.0, 6.0)
+    robot = chain.load(tmp_path, random_pose(np.random.default_rng(1)))
+    limits, rng, nodes = robot.profile(), np.random.default_rng(8), np.array([0.0, 0.3, 1.0])
+    joints, checked = 1 if isinstance(robot.arm, ParallelArm) else 3, 0
+    for q in rng.uniform(limits.lower, limits.upper, (25, 6)):
+        X, twist = robot.forward(q), rng.normal(size=6)
+        e = robot.enclose(X, nodes, limits, twist)
+        assert e.way is not None
+        if joints == 3:
+            np.testing.assert_array_less(np.abs(e.rate.hi), 1e-8)
+            np.testing.assert_array_less(np.abs(e.rate.lo), 1e-8)
+        for cfx, branch in enumerate(robot.branches(X[None], None)[0]):
+            row = 2 * bool(cfx & 4) + bool(cfx & 2)
+            if np.isnan(branch).any():
+                assert joints == 1 or not e.alive[row].any()
+                continue
+            assert e.alive[row].all()
+            if singularity(robot, branch).min() < 0.05:
+                continue
+            turned = branch[:joints] + TURN * np.array([[-1], [0], [1]])
+            there = (turned >= limits.lower[:joints]) & (turned <= limits.upper[:joints])
+            rates = np.linalg.solve(robot.jacobian(branch), twist)[:joints]
+            for low, high in zip(e.q.lo[:joints, row].T, e.q.hi[:joints, row].T, strict=True):
+                np.testing.assert_allclose(low, np.where(there, turned, np.inf).min(axis=0), rtol=0, atol=1e-8)
+                np.testing.assert_allclose(high, np.where(there, turned, -np.inf).max(axis=0), rtol=0, atol=1e-8)
+            if joints == 3:
+                for found in (e.way.lo, e.way.hi):
+                    np.testing.assert_allclose(found[:, row].T, np.tile(rates, (2, 1)), rtol=1e-6, atol=1e-6)
+            checked += 1
+    assert checked > 30
 
 
 @pytest.mark.parametrize("rail", RAILS)
