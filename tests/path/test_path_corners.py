@@ -64,7 +64,7 @@ def test_many_segments_at_once_say_what_each_says(seed: int, bent: tuple[float, 
     straight = Line(X, pose(X[:3, :3], X[:3, 3] + 0.1))
     some = [some_corner(rng, pair, bent) for pair in (("line", "line"), ("line", "arc"), ("line", "line"))]
     segments = [straight, some[0], onward(rng, "line", X), some[1], onward(rng, "arc", X), some[2], some[0], straight]
-    shares = [np.sort(rng.uniform(0, 1, n)) for n in range(3, 3 + len(segments))]
+    shares = [np.sort(np.r_[0, rng.uniform(0, 1, n), 1]) for n in range(3, 3 + len(segments))]
     found = along_all(segments, shares)
     wanted = [(one.pose(s), one.twist(s), one.twist_rate(s)) for one, s in zip(segments, shares, strict=True)]
     for at_once, alone in zip(found, zip(*wanted, strict=True), strict=True):
