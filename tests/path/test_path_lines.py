@@ -13,7 +13,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, pose
 from trajopt_cli.path.dwell import Dwell, DwellSymbols
 from trajopt_cli.path.line import Line, LineSymbols, poses_of_many
-from trajopt_cli.path.segment import share_of, way
+from trajopt_cli.path.segment import check_shares, share_of, way
 from trajopt_cli.path.symbols import Layout
 
 S = np.linspace(0, 1, 21)
@@ -115,6 +115,32 @@ def test_ways_are_lengths_or_angles() -> None:
         share_of(Line(X, moved), 0.3)
     with pytest.raises(InputError, match="neither moves nor turns"):
         share_of(Dwell(X), 0.0)
+
+
+def test_what_is_no_way_at_all() -> None:
+    """Up to a nanometre, or as many radians; and as far beside the ends of a way a share may be asked for."""
+    X = np.eye(4)
+    for size, there in ((0.9e-9, False), (1.1e-9, True)):
+        turn = pose(Rotation.from_rotvec([0, 0, 0.5]).as_matrix(), [size, 0, 0])
+        assert way(Line(X, turn))[1] == ("m" if there else "rad")
+        small = Line(X, pose(Rotation.from_rotvec([0, 0, size]).as_matrix(), [0, 0, 0]))
+        assert way(small) == ((pytest.approx(size), "rad") if there else (0.0, "m"))
+        if there:
+            assert share_of(Line(X, pose(np.eye(3), [size, 0, 0])), size / 2) == pytest.approx(0.5)
+        else:
+            with pytest.raises(InputError, match="neither moves nor turns"):
+                share_of(Line(X, pose(np.eye(3), [size, 0, 0])), 0.0)
+        moved = Line(X, pose(np.eye(3), [0.2, 0, 0]))
+        for sigma, share in ((-size, 0.0), (0.2 + size, 1.0)):
+            if there:
+                with pytest.raises(InputError, match=r"is not on a segment of 0\.2 m"):
+                    share_of(moved, sigma)
+            else:
+                assert share_of(moved, sigma) == share
+    check_shares(1.0, 1e-12)
+    for share in (0.0, -0.1, 1 + 1e-12, np.nan):
+        with pytest.raises(ValueError, match="is no share of a segment; give one above 0 and up to 1"):
+            check_shares(0.5, share)
 
 
 def test_a_layout_refuses_what_it_does_not_know() -> None:

@@ -106,3 +106,11 @@ def test_caps_hold_for_what_the_tool_does_over_the_work() -> None:
     np.testing.assert_array_equal(seen[0], np.vstack([over.way.twist(shares[0]), twist[3:]]))
     np.testing.assert_array_equal(seen[1], np.zeros((7, 6)))
     assert bend[:3].any()
+
+
+def test_where_nothing_turns_caps_hold_for_what_there_is() -> None:
+    rng = np.random.default_rng(4)
+    line, s = Line(random_pose(rng), random_pose(rng)), np.linspace(0, 1, 4)
+    twist, bend = rng.normal(size=(2, 4, 6))
+    for found, wanted in zip(over_work([line], [s], twist, bend), (twist, bend), strict=True):
+        np.testing.assert_array_equal(found, wanted)
