@@ -180,6 +180,10 @@ def test_what_is_told_of_rows_on_a_chain(kind: str, factor: float) -> None:
     assert (order.value, order.passed, order.time) == (0, True, None)
     assert (off.value, off.time) == (pytest.approx(0.008, rel=4e-3), 0.12)
     assert off.limit == pytest.approx(TOLERANCE * factor)
+    passed = told["poses passed"]
+    assert passed.value == pytest.approx(0, abs=1e-12)
+    sag = 2 * 0.008 / 8 if kind == "way" else 0.0  # the row aside changes the step by twice its distance
+    assert passed.limit == pytest.approx(tolerances[0] + sag, abs=1e-12)
     assert all(one.passed and one.source == chain[0].place for one in told.values())
     lost = rows_at(kind, places, np.where(np.arange(201) >= 90, 0.012, aside))
     for first, count in ((20, 5), (90, 1)):

@@ -167,6 +167,10 @@ def test_an_equilibrium_that_leads_the_arm_is_not_its_path(bases: Callable[[str]
     list_files(folder, "plan.csv", "plan_quaternion.csv")
     judged = verify_folder(folder)
     assert messages(judged) == []
+    assert list(judged.reports) == [
+        f"{name}{end}.csv" for name in ("equilibrium", "plan") for end in ("", "_quaternion")
+    ]
+    assert "angle jump" in {finding.check for finding in judged.reports["equilibrium.csv"].findings}
     assert "path" in {finding.check for finding in judged.reports["plan_quaternion.csv"].findings}
     assert "path" not in {finding.check for finding in judged.reports["equilibrium_quaternion.csv"].findings}
     assert "equilibrium.csv: its way and speeds, because it leads the arm along plan.csv" in judged.unchecked[0]

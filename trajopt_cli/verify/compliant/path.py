@@ -21,7 +21,8 @@ class Leg:
     """From one pose straight to the next: by way (3,) [m] from p, turning evenly by turn (3,) [rad].
 
     slerp: turn is a turn vector in the frame of the rotation q (4,) at its start; else a change of the three angles
-    from angles (3,), which count from the rotation zero (4,): R_WT = R(angles) zero. caps: of this segment.
+    from angles (3,), which count from the rotation zero (4,): R_WT = R(angles) zero; with slerp they mean nothing.
+    caps: of this segment.
     """
 
     name: str
@@ -126,5 +127,5 @@ def legs(order: Order) -> list[Leg]:
         out.append(
             Leg(f"{a.name} -> {b.name}", b.place, a.pose[:3], way, q_a, turn, order.slerp, angles, zero_of(order), caps)
         )
-        angles = angles + turn if not order.slerp else angles
+        angles = angles + turn
     return out
