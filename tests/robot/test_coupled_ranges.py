@@ -60,6 +60,13 @@ def test_solutions_stay_within_it(write):
     assert left_out > 20
 
 
+@pytest.mark.parametrize(("lower", "upper"), [(-7, -5.58), (2.79, 5)])
+def test_it_may_touch_what_its_axes_reach(write, lower, upper):
+    """joint_2 and joint_3 reach -90 - 230 to 110 + 50 degrees together."""
+    robot = load_robot(write("lower: -2.5\n    upper: 0.6", f"lower: {lower}\n    upper: {upper}"))
+    assert (robot.profile().coupled[0].lower, robot.profile().coupled[0].upper) == (lower, upper)
+
+
 def test_why_a_pose_is_out_of_it(write):
     """Of the branches and turns that each joint's own range holds, the one that is least outside."""
     robot, free = load_robot(write()), load_robot("irb140")
@@ -98,6 +105,7 @@ def test_robot_show_tells_it(write, capsys):
         ("factors: [1, 1]", "factors: [1, .inf]", "factors: [1, .inf]", "input should be a finite number"),
         ("lower: -2.5", "lower: 0.6", "lower: 0.6", "0.6 is not below upper 0.6"),
         ("lower: -2.5\n    upper: 0.6", "lower: 4\n    upper: 5", "lower: 4", "4..5 rad is out of reach: "),
+        ("lower: -2.5\n    upper: 0.6", "lower: -7\n    upper: -5.6", "lower: -7", "-7..-5.6 rad is out of reach"),
         ("grade: D", "grade: E", "grade: E", "'coupled.0.grade': input should be"),
         ("    lower: -2.5\n", "", "axes: [joint_2, joint_3]", "'coupled.0.lower' is missing"),
     ],

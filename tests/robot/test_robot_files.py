@@ -199,6 +199,8 @@ def test_several_mistakes_are_told_at_once(copy):
         ({'lower="-3': 'lower="3'}, "joint 'joint_1': wanted lower < upper and velocity > 0"),
         ({'xyz="0 0 0.36"': 'xyz="0 0"'}, "joint 'joint_3': <origin> xyz=\"0 0\" is not 3 finite number(s)"),
         ({'xyz="0 0 0.36"': 'xyz="0 0 x"'}, "joint 'joint_3': <origin> xyz=\"0 0 x\" is not 3 number(s)"),
+        ({'xyz="0 0 0.36"': 'xyz="0 0 nan"'}, "joint 'joint_3': <origin> xyz=\"0 0 nan\" is not 3 finite number(s)"),
+        ({'xyz="0 0 0.36"': 'xyz="0 0 0.36 1"'}, 'xyz="0 0 0.36 1" is not 3 finite number(s)'),
         ({'<axis xyz="1 0 0"/>': '<axis xyz="2 0 0"/>'}, "joint 'joint_4' has an axis of length 2, wanted 1"),
         ({"</robot>": ""}, "not a URDF: "),
         ({'name="tool0"': 'name="tcp"', 'link="tool0"': 'link="tcp"'}, "no joint leads to link 'tool0'"),
@@ -210,6 +212,28 @@ def test_a_urdf_the_closed_form_does_not_fit_is_refused(copy, edit, words):
         load_robot(path)
     assert words in str(error.value)
     assert str(error.value).startswith(path.replace(".yaml", ".urdf"))
+
+
+@pytest.mark.parametrize("share", [0.9, 1.1])
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ('"0 0 0.36" rpy="0 0 0"', '"0 0 0.36" rpy="{0} 0 0"', "from parallel"),
+        ('0 0.352" rpy="0 0 0"', '0 0.352" rpy="{0} 0 0"', "from a right angle"),
+        ('"0.141 0 0" rpy="0 0 0"', '"0.141 0 0" rpy="0 0 {0}"', "from a right angle"),
+        ('"0.141 0 0"', '"0.141 0 {0}"', "the wrist: axis 5 passes axis 4 by"),
+        ('<axis xyz="1 0 0"/>', '<axis xyz="{1!r} 0 0"/>', "has an axis of length 1, wanted 1"),
+    ],
+)
+def test_how_far_a_chain_may_be_off(copy, old, new, words, share):
+    """A nanometre, a nanoradian: ten printed digits."""
+    path = copy(urdf={old: new.format(share * 1e-9, 1 + share * 1e-9)})
+    if share < 1:
+        lengths = load_robot(path).arm.lengths
+        assert lengths == pytest.approx(load_robot("irb140").arm.lengths, abs=2e-9)
+    else:
+        with pytest.raises(InputError, match=words):
+            load_robot(path)
 
 
 def test_lengths_come_from_the_urdf(copy):

@@ -166,6 +166,7 @@ def test_lengths_come_from_the_urdf_and_shifts_along_an_axis_change_nothing(copy
     [
         ({'<axis xyz="0 -1 0"/>': '<axis xyz="0 1 0"/>'}, "joint 'joint_4' has axis 0 1 0, wanted 0 -1 0: the closed"),
         ({'"0 0.0105 0.2075"': '"0 0.02 0.2075"'}, "joint 'joint_3' stands at 0 0.0095 0.5475 m at q = 0, beside"),
+        ({'"0 0.0105 0.2075"': '"0.01 0.0105 0.2075"'}, "joint 'joint_3' stands at 0.01 0 0.5475 m at q = 0"),
         ({'"0 0.0105 0.1925"': '"0.01 0.0105 0.1925"'}, "joint 'joint_4' stands at 0.01 0.0105 0.74 m at q = 0"),
         ({'"0 0 0.1475" rpy="0 0 0"': '"0 0 0.1475" rpy="0 0 0.1"'}, "joint 'joint_1' has a turned origin, wanted rpy"),
         ({'"0 0 0.035" rpy="0 0 0"': '"0 0 0.035" rpy="0 1 0"'}, "joint 'flange' has a turned origin"),
@@ -203,6 +204,12 @@ def test_a_mistake_in_the_yaml_is_named_with_its_line(copy):
     line = 1 + (ROBOTS / "iiwa7.yaml").read_text().splitlines().index(whole)
     assert f"{path}:{line}: 'axes.joint_5.velocity' is missing: give it a value" in str(error.value)
     assert f"{path}:{line}: 'axes.joint_5.torque' is missing: give it a value" in str(error.value)
+
+
+def test_names_are_held_against_the_urdf(copy):
+    path = copy(yaml={"      joint_3: {value: 5.69": "      joint_8: {value: 5.69"})
+    with pytest.raises(InputError, match=r"'profiles\.default\.acceleration\.joint_8' is no axis of the URDF: wanted"):
+        load_srs(path)
 
 
 def test_what_nobody_says_a_joint_loses_is_nothing(copy):
