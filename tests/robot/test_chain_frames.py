@@ -64,6 +64,15 @@ def test_up_and_forward_are_where_the_axes_lie(tmp_path):
     )
     found = behind.load(tmp_path, name="behind").arm
     np.testing.assert_allclose(found.X_BO[:3, :3], np.diag([-1.0, -1, 1]), rtol=0, atol=1e-12)
+    for shift, turn in ((0.8, 0.0), (-0.6, 0.0), (0.0, np.pi)):
+        hung = KNOWN[
+            "irb4600"
+        ]()  # where joint 1 stands on its axis, and where the lower arm is at q = 0, do not matter
+        hung.origins[0] = pose(np.eye(3), [0, 0, shift])
+        hung.origins[1] = pose(rotation_about([0, 1, 0], turn), [0.175, 0, 0.495 - shift])
+        found = hung.load(tmp_path, name="hung").arm
+        np.testing.assert_allclose(found.X_BO, np.eye(4), rtol=0, atol=1e-12)
+        assert found.lengths == pytest.approx(arm.load(tmp_path).arm.lengths, abs=1e-9)
     level = KNOWN["irb1200"]()  # axis 2 stands on axis 1: forward is where the wrist centre is
     level.origins[0] = pose(rotation_about([0, 0, 1], np.pi / 2), [0, 0, 0])
     np.testing.assert_allclose(level.load(tmp_path, name="level").arm.X_BO[:3, 0], [0, 1, 0], rtol=0, atol=1e-12)
