@@ -9,8 +9,8 @@ stopped. At the end a table by room, and every survivor with its place.
 
 What is put in: a comparison turned round; its boundary moved where one side is a whole number or a length; + for -,
 * for / and the other way; and for or; a condition taken as true or as false; not left out; a number changed; a
-statement left out; a value that is returned replaced by None. Texts, annotations and what a class declares are left
-alone.
+statement left out; a value that is returned replaced by None. Texts, annotations, what a class declares, assertions and
+zip's strict, which shows in a program alone that is wrong already, are left alone.
 """
 
 from __future__ import annotations
@@ -98,7 +98,7 @@ def changes_of(node: ast.AST, above: dict[ast.AST, ast.AST]) -> Iterator[Callabl
         return
     if any(isinstance(up, ast.AnnAssign) and low is up.annotation for low, up in pairwise(chain)):
         return
-    if any(isinstance(a, ast.Assert) for a in chain):
+    if any(isinstance(a, ast.Assert) or (isinstance(a, ast.keyword) and a.arg == "strict") for a in chain):
         return
     match node:
         case ast.Compare(ops=ops):
