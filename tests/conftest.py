@@ -1,5 +1,8 @@
 """What every test has: a cache folder that is not the user's, a terminal of no width, and the same examples every time.
 
+That folder is pytest's own, so machine code is kept from run to run: what it comes from is in its key. --cache-clear
+begins anew, -p no:cacheprovider begins with nothing.
+
 --shuffle SEED runs files, and the tests of each, in another order: no test may need one that ran before it.
 """
 
@@ -8,15 +11,16 @@ from __future__ import annotations
 import gc
 import os
 import random
+import sys
 import tempfile
+from contextlib import suppress
+from pathlib import Path
 
 import pytest
 from hypothesis import settings
 from no_browser import MISSING
 
-if "PYTEST_XDIST_WORKER" not in os.environ:  # the workers of one run share the cache of the process that started them
-    _FOLDER = tempfile.TemporaryDirectory()
-    os.environ["XDG_CACHE_HOME"] = _FOLDER.name
+_FOLDER = tempfile.TemporaryDirectory()
 for _name in ("COLUMNS", "NO_COLOR", "FORCE_COLOR"):  # what is printed depends on them
     os.environ.pop(_name, None)
 
@@ -25,6 +29,22 @@ gc.disable()  # until all tests are loaded
 settings.register_profile("same", derandomize=True, deadline=None)
 settings.register_profile("search", deadline=None)  # other examples in every run: --hypothesis-profile=search
 settings.load_profile("same")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Workers share the folder of the process that started them.
+
+    Bytecode is kept there where the tree is to have none: a child process takes twice as long to compile all it imports.
+    """
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        return
+    folder = Path(_FOLDER.name)
+    with suppress(AttributeError, OSError):  # no such plugin; a folder that cannot be written to
+        folder = config.cache.mkdir("trajopt")
+    os.environ["XDG_CACHE_HOME"] = str(folder)
+    if os.environ.pop("PYTHONDONTWRITEBYTECODE", None):
+        sys.dont_write_bytecode, sys.pycache_prefix = False, str(folder / "bytecode")
+        os.environ["PYTHONPYCACHEPREFIX"] = sys.pycache_prefix
 
 
 @pytest.fixture
