@@ -236,6 +236,27 @@ def test_results_are_judged_again_alone_and_spoiled_ones_are_caught(
     assert capsys.readouterr().err == "moved/rapid.csv: was changed since the run; run trajopt optimize again\n"
 
 
+def test_a_verdict_in_a_line_asks_for_no_advice(
+    program: Path, planner: Planner, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert run(["optimize", str(program)]) == 0
+    asked: list[bool] = []
+    monkeypatch.setattr("trajopt_cli.verify.judge.advise", lambda *_: asked.append(True) or [])
+    for file in ([], ["--program", str(program)]):
+        where = "results/tiny/stream.csv" if file else "results/tiny"
+        capsys.readouterr()
+        assert run(["verify", where, *file]) == 0
+        verdicts = re.findall(r"^\w+\.csv: legal .*$", capsys.readouterr().out, re.MULTILINE)
+        assert asked
+        asked.clear()
+        assert run(["verify", where, *file, "--quiet"]) == 0
+        assert capsys.readouterr().out.splitlines() == verdicts
+        assert not asked
+        assert run(["verify", where, *file, "--quiet", "--json"]) == 0
+        assert asked
+        asked.clear()
+
+
 def test_changed_inputs_of_a_results_folder_are_noticed(
     program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
 ) -> None:

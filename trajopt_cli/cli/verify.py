@@ -49,6 +49,7 @@ def verify(
     from trajopt_cli.runs.folder import TASK, kind_of
 
     unchecked: tuple[str, ...] = ()
+    advice = as_json or not quiet  # of which a line alone says nothing
     head: list[str] = []
     of_program = bool(program) or cell is not None or entry is not None or bool(assume_identity)
     if what.is_dir():
@@ -60,7 +61,7 @@ def verify(
             reports, unchecked = judged.reports, judged.unchecked
         else:
             with reading():
-                job, reports = verify_results(what)
+                job, reports = verify_results(what, advice)
             head = told_first(job.program.warnings)[0]
     elif not what.exists():
         raise InputError("no such file or folder", file=str(what))
@@ -76,7 +77,7 @@ def verify(
     else:
         with reading(program):
             job = read_job(program, cell, entry or MAIN, assume_identity or ())
-        reports = {what.name: verify_file(what, job)}
+        reports = {what.name: verify_file(what, job, advice)}
         head = told_first(job.program.warnings)[0]
     if as_json:
         print_json(reports_record(reports, unchecked))

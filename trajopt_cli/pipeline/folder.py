@@ -43,7 +43,7 @@ class RapidFiles:
 
 
 @of_kind(ErrorKind.RESULTS)
-def verify_results(folder: Path) -> tuple[Job, dict[str, Report]]:
+def verify_results(folder: Path, advice: bool = True) -> tuple[Job, dict[str, Report]]:
     """Judge the CSV files of a results folder against the program and cell inside it; reports by file name."""
     results = read_results(folder, judged=True)
     job = read_results_job(folder, judged=True)
@@ -54,7 +54,7 @@ def verify_results(folder: Path) -> tuple[Job, dict[str, Report]]:
     for name, (target, text) in texts.items():
         detours, left_out = results.detours(target), results.dropped(target)
         program, dropped = held_against(job.program, job.plant, target, detours, left_out)
-        reports[name] = judge(job.plant, program, text, str(folder / name), dropped, target)
+        reports[name] = judge(job.plant, program, text, str(folder / name), dropped, target, advice, promises=True)
     return job, reports
 
 
@@ -80,9 +80,9 @@ def plans_of_results(folder: Path, job: Job) -> dict[Target, Plan]:
     return plans
 
 
-def verify_file(path: Path, job: Job) -> Report:
+def verify_file(path: Path, job: Job, advice: bool = True) -> Report:
     """Judge a CSV file that anybody wrote against a program and its cell."""
-    return judge(job.plant, job.program, _text(path), str(path))
+    return judge(job.plant, job.program, _text(path), str(path), advice=advice, promises=True)
 
 
 @of_kind(ErrorKind.RESULTS)

@@ -444,9 +444,10 @@ def judge(
     dropped: tuple[int, ...] | None = None,
     target: Target | None = None,
     advice: bool = True,
+    promises: bool | None = None,
 ) -> findings.Report:
-    """What the judge says of a CSV file's text, or of an open one; file is its name in messages, advice: and promises,
-    the rest as in verify."""
+    """What the judge says of a CSV file's text, or of an open one; file is its name in messages, the rest as in verify.
+    promises None: with advice."""
     from trajopt_cli.joint_csv import check_reach, read_csv_text
     from trajopt_cli.verify.judge import verify
 
@@ -454,7 +455,7 @@ def judge(
     if trajectory.names == plant.limits.names:
         check_reach(trajectory, plant.limits.lower, plant.limits.upper, plant.limits.velocity, file)
     try:
-        return verify(program, plant, trajectory, resolution, dropped, target, advice, promises=advice)
+        return verify(program, plant, trajectory, resolution, dropped, target, advice, advice if promises is None else promises)
     except InputError as error:
         error.file = error.file or file
         error.take(ErrorKind.RESULTS)
