@@ -201,7 +201,7 @@ ATTACKS: dict[str, Callable[[Path], None]] = {
     "robot: absolute": lambda folder: robot_outside(str(Path("mine.yaml").absolute()))(folder),
     "robot: its URDF above": urdf_outside,
     "cell: aliases": cell_with(ALIASES),
-    "cell: deep": cell_with("attach: " + "[" * 5000 + "\n"),
+    "cell: deep": cell_with("attach: " + "[" * 500 + "\n"),
     "cell: a tag": cell_with("signals: !!python/object/apply:os.system [touch owned]\n"),
     "summary.json: deep": lambda folder: put(folder, "summary.json", b"[" * 1_000_000),
 }

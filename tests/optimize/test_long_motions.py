@@ -26,6 +26,7 @@ def test_rows_of_a_long_motion_stand_farther_apart(T: float, apart: float) -> No
     assert {0.0, 0.25 * T, 0.75 * T, T} <= set(rows.t.tolist())
 
 
+@pytest.mark.usefixtures("unrefined")
 def test_a_motion_of_more_than_an_hour_is_refused_with_its_line() -> None:
     program = rapid(
         "MoveAbsJ j_home,v1000,fine,tool0;\nMoveJ p_in,v1000,fine,tool0;\nMoveL p_low,v5\\T:=4000,fine,tool0;"
