@@ -34,7 +34,7 @@ settings.load_profile("same")
 def pytest_configure(config: pytest.Config) -> None:
     """Workers share the folder of the process that started them.
 
-    Bytecode is kept there where the tree is to have none: a child process takes twice as long to compile all it imports.
+    Bytecode is kept there where the tree is to have none: what a child process imports would be compiled each time.
     """
     if "PYTEST_XDIST_WORKER" in os.environ:
         return

@@ -455,7 +455,9 @@ def judge(
     if trajectory.names == plant.limits.names:
         check_reach(trajectory, plant.limits.lower, plant.limits.upper, plant.limits.velocity, file)
     try:
-        return verify(program, plant, trajectory, resolution, dropped, target, advice, advice if promises is None else promises)
+        return verify(
+            program, plant, trajectory, resolution, dropped, target, advice, advice if promises is None else promises
+        )
     except InputError as error:
         error.file = error.file or file
         error.take(ErrorKind.RESULTS)
