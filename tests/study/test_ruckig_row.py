@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -11,29 +12,35 @@ from timed_rows import attempt, broken, case_of, fixed_rail_plan, plant_with_rai
 from trajopt_cli.limits import TcpCaps
 from trajopt_cli.problem.plan import Infeasible, Plan, PlannedMotion, Target
 from trajopt_cli.robot.inverse import inverse
-from trajopt_cli.study.case import Answer, Case, NotApplicable
+from trajopt_cli.study.case import Answer, Attempt, Case, NotApplicable
 from trajopt_cli.study.ruckig_row import ruckig, ruckig_jerk
 from trajopt_cli.trajectory import Trajectory, hermite
 
 ROWS = {"free jerk": ruckig, "jerk": ruckig_jerk}
 
 
+@cache
+def timed(name: str, row: str) -> Attempt:
+    return attempt(ROWS[row](case_of(name)))
+
+
 @pytest.mark.parametrize("name", ["hinge_cell", "bench_irb140", "everything_once"])
 @pytest.mark.parametrize("row", ROWS)
 def test_it_is_legal_and_slower_than_the_plan_it_stands_on(name: str, row: str) -> None:
     case = case_of(name)
-    made = attempt(ROWS[row](case))
+    made = timed(name, row)
     assert [str(finding) for finding in broken(case, made)] == []
     plan = fixed_rail_plan(case)
     # the optimiser may vary its acceleration along a line; this one may not. 1e-3: what the plan keeps of its limits
     assert plan.duration * (1 - 1e-3) < made.trajectory.duration < plan.duration * 1.5
-    again = attempt(ROWS[row](case))
-    np.testing.assert_array_equal(made.trajectory.q, again.trajectory.q)
+    if name == "bench_irb140":
+        again = attempt(ROWS[row](case))
+        np.testing.assert_array_equal(made.trajectory.q, again.trajectory.q)
 
 
 def test_hinge_cell_beats_the_known_figure() -> None:
     """7.95 s is what somebody else's program got from Ruckig alone with the rail at rest in lines."""
-    assert attempt(ruckig(case_of("hinge_cell"))).trajectory.duration < 7.95
+    assert timed("hinge_cell", "free jerk").trajectory.duration < 7.95
 
 
 @pytest.mark.parametrize("name", ["hinge_cell", "everything_once"])
@@ -42,7 +49,7 @@ def test_jerk_stays_within_the_profiles_limits(name: str) -> None:
     case = case_of(name)
     jerk = case.plant.limits.jerk
     assert jerk is not None
-    made = attempt(ruckig_jerk(case)).trajectory
+    made = timed(name, "jerk").trajectory
     middles = (made.t[1:] + made.t[:-1]) / 2
     qdd = hermite(made, middles)[2]
     apart = np.diff(middles)[:, None]
@@ -50,7 +57,7 @@ def test_jerk_stays_within_the_profiles_limits(name: str) -> None:
     used = np.abs(np.diff(qdd, axis=0) / apart)[long] / jerk
     assert used.max() < 1.01
     assert used.max() > 0.9
-    free = attempt(ruckig(case)).trajectory
+    free = timed(name, "free jerk").trajectory
     assert made.duration > free.duration * 1.02
 
 
@@ -64,7 +71,7 @@ def test_without_jerk_limits_there_is_nothing_to_say() -> None:
 
 def test_programmed_times_are_kept_and_too_short_ones_refused() -> None:
     case = case_of("everything_once")
-    made = attempt(ruckig(case))
+    made = timed("everything_once", "free jerk")
     assert {motion.duration for motion in made.program.motions if getattr(motion, "duration", None)} == {0.12, 0.6, 1.4}
     plan = fixed_rail_plan(case)
     hurried = case.program.motions[5]

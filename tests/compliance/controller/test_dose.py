@@ -198,7 +198,7 @@ def test_a_bound_that_does_not_bind_leaves_the_programmed_time() -> None:
 numbers = st.floats(0, 1)
 
 
-@settings(max_examples=25, deadline=None, derandomize=True)
+@settings(max_examples=15, deadline=None, derandomize=True)
 @given(
     k=st.floats(100, 3000),
     damping=st.floats(0.12, 3.0),
@@ -478,7 +478,7 @@ def test_a_bound_that_does_not_bind_gives_back_the_programmed_sequence_ramps_and
 
 @pytest.mark.parametrize("profile", [Profile.TRAPEZOID, Profile.S_CURVE])
 def test_ramps_are_nowhere_overtaken_and_cost_little_at_corners(profile: Profile) -> None:
-    equilibrium, law, bound = interpolate(route(profile, CORNERS)), compliance(), 0.005
+    equilibrium, law, bound = interpolate(route(profile, CORNERS, 2e-3)), compliance(), 0.005
     path = dose_path(equilibrium)
     assert len(path.s) > 500
     begin = process_time()
@@ -658,13 +658,13 @@ def skew(rotation):
     points = [np.r_[0, 0, 0, first], np.r_[0.02, 0, 0, second], np.r_[0.02, 0.02, 0, first]]
     waypoints = tuple(Waypoint(f"p{i}", point, f"poses[{i}]") for i, point in enumerate(points))
     speeds = (SegmentSpeeds(V, 1.0, 1.5, 5.0),) * 2
-    return Route(waypoints, speeds, 2e-3, Profile.TRAPEZOID, rotation, AngleMeaning.ABSOLUTE)
+    return Route(waypoints, speeds, 4e-3, Profile.TRAPEZOID, rotation, AngleMeaning.ABSOLUTE)
 
 
 @pytest.mark.parametrize("rotation", list(RotationLaw))
 @pytest.mark.parametrize("feed", list(DoseFeed))
 def test_the_turn_lag_is_the_angle_between_the_orientations(rotation: RotationLaw, feed: DoseFeed) -> None:
-    h, law, bound = 2e-3, compliance(), np.radians(1.0)
+    h, law, bound = 4e-3, compliance(), np.radians(1.0)
     path = dose_path(interpolate(skew(rotation)))
     made = dosed_as(path, law, h, Allowed(0.002, float(bound), turn_lead=Lead(2.0)), feed=feed)
     assert isinstance(made, Dosed), made
@@ -704,9 +704,10 @@ def test_the_turn_lag_is_the_angle_between_the_orientations(rotation: RotationLa
 def test_short_legs_have_a_bound_that_means_something_or_none() -> None:
     law, bound = compliance(), 0.005
     steps = polyline([[0.002 * i, 0.0] if i % 2 else [0.002 * i, 1e-4] for i in range(100)])  # 0.2 m in 2 mm
-    made = dose(steps, law, 1e-3, bound)
-    check(made, steps, law, 1e-3, bound)
+    made = dose(steps, law, 2e-3, bound)
+    check(made, steps, law, 2e-3, bound)
     assert made.least > 0.9 * made.duration
     # the arm need not follow a zigzag smaller than the bound, and nobody knows what it has to do
     zigzag = polyline([[0.004 * (i % 2), 0.0] for i in range(100)])
-    assert dose(zigzag, law, 1e-3, 0.001).least is None or dose(zigzag, law, 1e-3, 0.001).gap < 1
+    made = dose(zigzag, law, 2e-3, 0.001)
+    assert made.least is None or made.gap < 1
