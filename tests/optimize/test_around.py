@@ -213,7 +213,7 @@ def test_passes_that_share_a_text_go_by_the_same_points() -> None:
 
 def test_a_place_behind_a_wall_is_named_with_the_rail_positions_that_were_tried() -> None:
     wall = box("wall", (3.0, 0.1, 3.0), (0.0, 0.35, 0.5))  # across the rail
-    found = plan("down and up", Target.STREAM, wall)
+    found = plan("down and up", Target.RAPID, wall)
     assert isinstance(found, Infeasible)
     assert found.index == 0
     assert re.search(r"MoveJ p_in cannot be driven clear: \w+ is [\d.]+ mm inside 'wall'", found.message)

@@ -11,6 +11,7 @@ from trajopt_cli.optimize import optimize
 from trajopt_cli.optimize.assemble import rows_of
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.legs import JointNodes
+from trajopt_cli.problem.freedom import AS_WRITTEN
 from trajopt_cli.problem.plan import Target
 
 
@@ -26,11 +27,10 @@ def test_rows_of_a_long_motion_stand_farther_apart(T: float, apart: float) -> No
     assert {0.0, 0.25 * T, 0.75 * T, T} <= set(rows.t.tolist())
 
 
-@pytest.mark.usefixtures("unrefined")
 def test_a_motion_of_more_than_an_hour_is_refused_with_its_line() -> None:
     program = rapid(
         "MoveAbsJ j_home,v1000,fine,tool0;\nMoveJ p_in,v1000,fine,tool0;\nMoveL p_low,v5\\T:=4000,fine,tool0;"
     )
     said = r"t\.mod:7:1: MoveL p_low takes 4000 s; plans hold motions of up to 3600 s: give it another speed"
     with pytest.raises(InputError, match=said):
-        optimize(program, plant_with_rail(), Target.STREAM, bounded=False)
+        optimize(program, plant_with_rail(), Target.RAPID, AS_WRITTEN, bounded=False)
