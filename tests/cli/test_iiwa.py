@@ -214,6 +214,7 @@ def test_springs_in_place_of_mujoco_are_told(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     monkeypatch.setattr("trajopt_cli.compliance.world.mujoco_world.available", lambda: installed)
+    task.write_text(f"{TASK}h: 4 ms\n")
     folder = segments(task)
     (task.parent / "wall.yaml").write_text(WALL)
     assert run(["iiwa", "simulate", str(folder), "--contact", str(task.parent / "wall.yaml"), *engine]) == 0
@@ -305,6 +306,7 @@ def test_joints_that_could_not_accelerate_so_slow_the_inverse_feed_down(
 
 
 def test_the_fastest_feed_within_the_lead_is_written(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    task.write_text(f"{TASK}h: 4 ms\n")
     folder = segments(task)
     plots = task.parent / "plots"
     options = ["--max-lag", "3mm", "--max-lead", "15mm", "--front", "--plots", str(plots), "--json"]

@@ -33,7 +33,7 @@ def planned(program: Program, target: Target, objective: Objective, plant: Plant
     plan = optimize(program, plant, target, bounded=False, objective=objective)
     assert isinstance(plan, Plan), plan
     assert plan.eased is not None
-    report = verify(program, plant, plan.trajectory, target=target)
+    report = verify(program, plant, plan.trajectory, target=target, advice=False)
     assert report.legal, [finding.message for finding in report.findings if not finding.passed]
     return plan, plan.eased
 

@@ -128,7 +128,7 @@ def missed(report: Report) -> set[str]:
 def test_the_judge_finds_it_legal_as_a_file_too(target: Target) -> None:
     assert missed(judged(target)) == set()
     rows, resolution = read_csv_text(write_csv_text(plan(target).trajectory), "a.csv")
-    assert verify(PROGRAM, PLANT, rows, resolution, target=target).legal
+    assert verify(PROGRAM, PLANT, rows, resolution, target=target, advice=False).legal
     coarse = resample(rows, 250.0)
     assert coarse.tables is not None
     assert verify(PROGRAM, PLANT, coarse, target=target, advice=False).legal
@@ -240,7 +240,7 @@ def test_a_tool_that_stands_while_the_work_goes_by_is_planned_and_judged() -> No
     way = segment_of(arc, found.motions[0].X_WT)  # type: ignore[union-attr]
     assert way.length == pytest.approx(0.15 * np.pi / 3, rel=1e-5)
     for target in Target:
-        planned = optimize(found, PLANT, target)
+        planned = optimize(found, PLANT, target, bounded=False)
         assert isinstance(planned, Plan)
         assert planned.motions[1].t_1 - planned.motions[1].t_0 > way.length / 0.1  # v100 over the work
         assert verify(found, PLANT, planned.trajectory, target=target, advice=False).legal
@@ -255,7 +255,7 @@ def test_a_tilting_table_turns_both_axes_in_step() -> None:
     CONST robtarget p_2:=[[-100,60,150],[0,0,1,0],[0,0,0,0],[9E9,15,-40,9E9,9E9,9E9]];"""
     found = program(r"MoveJ p_1, v1000, fine, tool0 \WObj:=w; MoveL p_2, v200, fine, tool0 \WObj:=w;",
                     Scenario(positioners={"stn2": both}), data)  # fmt: skip
-    planned = optimize(found, PLANT, Target.RAPID)
+    planned = optimize(found, PLANT, Target.RAPID, bounded=False)
     assert isinstance(planned, Plan)
     rows = planned.trajectory
     assert rows.tables is not None
