@@ -40,8 +40,8 @@ def test_an_offence_a_hundredth_beyond_what_is_promised_is_found(name: str) -> N
 @pytest.mark.parametrize("name", ["joint position", "joint speed", "stop reached, m", "dwell length", "clearance"])
 def test_a_hundredth_of_what_is_promised_is_not_always_found(name: str) -> None:
     """A promise that said too much would pass the test above as well: an offence this small is within the grant."""
-    outcomes = [OFFENCES[name](np.random.default_rng(seed), 0.01) for seed in range(8)]
-    assert not all(outcome.found for outcome in outcomes if outcome is not None)
+    outcomes = (OFFENCES[name](np.random.default_rng(seed), 0.01) for seed in range(8))
+    assert any(not outcome.found for outcome in outcomes if outcome is not None)
 
 
 @pytest.mark.parametrize("spell", ["%.9g", "%.6g", "%.5g"])
