@@ -77,7 +77,7 @@ def plan(program: Program, plant: Plant, target: Target, speed: float) -> Plan:
         motions.append(PlannedMotion(i, motion.source, t_0, t_0 + duration, q_0, q_1, "joint_1 acceleration"))
         t_0 += duration
         knots.append(t_0)
-    grid = np.arange(0.0, t_0, 1e-3)
+    grid = np.arange(0.0, t_0, 4e-3)
     near = np.min(np.abs(grid[:, None] - np.array(knots)), axis=1) < 1e-4
     t = np.union1d(grid[~near], knots)
     q, qd = np.tile(plant.start, (len(t), 1)), np.zeros((len(t), len(plant.start)))
