@@ -24,7 +24,6 @@ from trajopt_cli.motion import Move, MoveAbsJ, MoveC, MoveJ, MoveL, Program, Wai
 from trajopt_cli.pipeline.folder import rapid_export, verify_file, verify_results
 from trajopt_cli.pipeline.optimise import Optimised, optimise
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
-from trajopt_cli.problem.plannable import check_plannable
 from trajopt_cli.robot.model import RobotModel, load_robot
 from trajopt_cli.runs.results import CSV
 
@@ -201,9 +200,8 @@ def round_trip(small: Small, folder: Path) -> str:
     module.write_text(small.text, encoding="utf-8")
     cell.write_text(small.cell, encoding="utf-8")
     results = folder / "results"
-    job = read_job(module)
     try:
-        check_plannable(job.program, job.plant)
+        job = read_job(module)
     except InputErrorGroup as said:
         if "has no circle" not in str(said):  # all that may be wrong with a program made up here
             raise
