@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 from legal_motion import plant_with_rail
 from link_poses import link_poses
-from scipy.interpolate import CubicHermiteSpline
+from scipy.interpolate import BPoly, CubicHermiteSpline
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.shapes import Capsule
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.mechanism import Mechanism
-from trajopt_cli.verify.sweep import COARSE, OVERLOOKED, Body, Near, Sweep
+from trajopt_cli.verify.sweep import COARSE, OVERLOOKED, Body, Course, Near, Sweep
 
 PLANT = plant_with_rail()
 ROBOT: RobotModel = PLANT.robot
@@ -91,3 +91,18 @@ def test_bodies_count_in_their_spans_alone(seed: int) -> None:
         assert found[id(first.near)][max(int(np.searchsorted(t, first.time)) - 2, 0)
                                      : int(np.searchsorted(t, first.time)) + 3].min() < limit + 1e-3  # fmt: skip
     assert sweep.first_below(group, wanted - 2 * OVERLOOKED - 2e-4) is None
+
+
+def test_the_swing_of_a_part_of_a_row_is_that_of_its_control_points() -> None:
+    """SciPy's Bernstein polynomial of the same cubic."""
+    trajectory, _, _, _ = motion(9)
+    course, rng = Course(trajectory), np.random.default_rng(10)
+    i = rng.integers(0, N - 1, 50)
+    u = np.sort(rng.uniform(0, 1, (50, 2)), axis=1)
+    here = rng.normal(size=(50, 7))
+    found = course.swing(i + u[:, 0], i + u[:, 1], here)
+    spline = CubicHermiteSpline(trajectory.t, trajectory.q, trajectory.qd)
+    for k, row in enumerate(i):
+        ends = trajectory.t[row] + u[k] * (trajectory.t[row + 1] - trajectory.t[row])
+        part = BPoly.from_derivatives(ends, np.stack([spline(ends), spline(ends, 1)], axis=1))
+        np.testing.assert_allclose(found[k], np.abs(part.c[:, 0] - here[k]).max(axis=0), rtol=1e-9)
