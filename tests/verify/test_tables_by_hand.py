@@ -79,6 +79,7 @@ def test_the_tool_is_seen_from_the_work_object() -> None:
     np.testing.assert_allclose(frame.doubt_p, world.doubt_p + levers * ANGLE_STEP / 2, rtol=1e-12)
     np.testing.assert_allclose(frame.doubt_R, world.doubt_R + 2 * ANGLE_STEP / 2, rtol=1e-12)
     np.testing.assert_allclose(frame.doubt_V[0][:], world.doubt_V[0][:] + levers * SPEED_STEP / 2, rtol=1e-12)
+    np.testing.assert_allclose(frame.doubt_V[1][:], world.doubt_V[1][:] + 2 * SPEED_STEP / 2, rtol=1e-12)
     for i in range(len(rows.t)):
         seen = brought(UNITS, theta[i]).inverse() * tool_at(rows.q[i])
         np.testing.assert_allclose(frame.p[i], seen.translation, atol=1e-9)

@@ -122,7 +122,8 @@ class TurnedFrame(Frame):
                 v, w = v - np.cross(spin, p - (R @ np.array(unit.p) + x)), w - spin
             R = turned(self.units, self._theta[a:b])[0]
             linear, angular = (of[a:b] for of in self.world.doubt_V)
-            return np.hstack([_seen(R, v), _seen(R, w)]), linear + self._lever(p) * doubt, angular + doubt
+            open_ = self._lever(p) * doubt, len(self.units) * doubt
+            return np.hstack([_seen(R, v), _seen(R, w)]), linear + open_[0], angular + open_[1]
 
         return Pieces(len(self.rows.t), make)
 
