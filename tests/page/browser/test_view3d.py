@@ -130,6 +130,7 @@ def test_keys_turn_the_view_and_leave_the_time_alone(window: Window, rail_page: 
     window.open(rail_page, *SMALL)
     slide(window, 0.5)
     window.run("document.querySelector('.v3d-stage canvas').focus()")
+    window.keys("0")  # the view as it is; from the first key on a ring shows what has the focus
     pictures = [window.picture(".v3d-stage canvas")]
     for key in (Keys.ARROW_LEFT, "+", "4", "0"):
         window.keys(key)
