@@ -164,38 +164,6 @@ def test_a_marked_file_is_a_grid_with_rows_in_it(doubt: float) -> None:
     assert look(PLANT, file(np.arange(2) * 0.01), None).marked is False
 
 
-def test_a_grid_of_milliseconds_may_be_full_of_rows() -> None:
-    """Hardly a gap of the grid is left, but a row stands at each of its times while something moves, or within 2e-5 s
-    of it. Half a grid with a hole is none, nor is one of other than whole milliseconds."""
-    rng = np.random.default_rng(95)
-
-    def marked(t: Array, marks: int = 1, still: int | None = None) -> bool:
-        q, qd = np.cumsum(np.full((len(t), 7), 1e-4), axis=0), np.full((len(t), 7), 0.1)
-        if still is not None:
-            q[still + 1 :] -= q[still + 1] - q[still]
-            qd[still : still + 2] = 0.0
-        return look(PLANT, file(t, q, qd), None, marks).marked
-
-    for grid in (1e-3, 4e-3):
-        ticks, inside = np.arange(60) * grid, rng.uniform(0.1, 0.9, 50) * grid
-        full = np.sort(np.r_[ticks, ticks[5:55] + inside])
-        assert marked(full)
-        assert marked(full, 50)
-        assert not marked(full, 51)
-        late = full.copy()
-        late[full == ticks[30]] += 1.9e-5
-        assert marked(late)
-        late[full == ticks[30]] += 2e-6
-        assert not marked(late)
-        assert not marked(full[full != ticks[30]])
-        at = int(np.searchsorted(full, ticks[56]))
-        assert marked(np.delete(full, at), still=at - 1)
-        assert not marked(full * 1.03)
-        half = np.arange(120) * grid / 2
-        assert not marked(np.delete(half, 61))
-        assert not marked(ticks)
-
-
 def test_turning_is_the_acceleration_of_speeds_alone() -> None:
     rng = np.random.default_rng(94)
     q, qd = PLANT.start + rng.uniform(-1, 1, (30, 7)), rng.normal(size=(30, 7))

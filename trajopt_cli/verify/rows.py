@@ -419,7 +419,6 @@ def look(plant: Machine, trajectory: Trajectory, resolution: Resolution | None, 
     still = _standstill(trajectory)
     gaps[still] = np.minimum(gaps, np.median(gaps[~still]) if not still.all() else 0.0)[still]
     marked = _marked(gaps, float(np.broadcast_to(r.t, t.shape)[1:-1].max(initial=0.0)), marks)
-    marked = marked or _crowded(t, gaps, still, marks)
     return Rows(
         plant=plant,
         trajectory=trajectory,
@@ -504,18 +503,3 @@ def _marked(gaps: Array, doubt_t: float, marks: int) -> bool:
     whole = inner > grid - 2e-5 - 2 * doubt_t
     short = inner < grid - 2e-5 - 2 * doubt_t - 1e-9 * grid
     return bool(np.mean(whole) >= 0.4 and np.sum(short) >= max(marks, 1))
-
-
-def _crowded(t: Array, gaps: Array, still: NDArray[np.bool_], marks: int) -> bool:
-    """A grid of whole milliseconds with so many rows in it that hardly a gap of its own is left: a row at every one of
-    its times while something moves, and others at no even distances, as those of a grid half as wide would be."""
-    inner = gaps[1:-1]
-    widest = float(inner.max(initial=0.0))
-    grid = 1e-3 * round(widest / 1e-3)
-    if grid == 0.0 or abs(widest - grid) > 2e-5:
-        return False
-    missed = np.floor((t[1:] - 2e-5) / grid) > np.floor((t[:-1] + 2e-5) / grid)
-    own = np.abs(t - grid * np.rint(t / grid)) <= 2e-5
-    short = np.rint(inner[inner < grid - 4e-5] / 1e-7)
-    even = np.unique(short, return_counts=True)[1].max(initial=0) > len(short) / 2
-    return bool(not missed[~still].any() and np.sum(~own) >= max(marks, 1) and not even)
