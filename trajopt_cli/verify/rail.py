@@ -7,25 +7,29 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trajopt_cli.geometry import Array
+from trajopt_cli.motion import MoveExtJ
+from trajopt_cli.verify.course import Point
 from trajopt_cli.verify.rows import INNER, Rows, unseen
 from trajopt_cli.verify.tolerances import DWELL, HELD, JOINT_TARGET
 
 Indices = NDArray[np.intp]
 
 
-def rail_beside(rows: Rows, at: Indices, target: float) -> tuple[Array, Array]:
-    """The rail's positions (m,) [m] nearest to a target in the half gaps beside rows at (m,), and their grants.
+def rail_beside(rows: Rows, at: Indices, stop: Point) -> tuple[Array, Array]:
+    """The rail's positions (m,) [m] nearest to a stop in the half gaps beside rows at (m,), and their grants.
 
     A rail may run on while the tool stops between two rows. Between them it is off their chord by A h^2/8 at most.
+    Where joints or the rail itself are the target every axis stands, and a row shows where.
     """
     here, step = rows.q[at, 0], rows.doubt_q[:, 0]
-    if rows.marked:
-        return here, JOINT_TARGET + step[at] / 2
+    stands = stop.arm is not None or isinstance(stop.move, MoveExtJ)
+    if rows.marked or stands or stop.rail is None:
+        return here, JOINT_TARGET + step[at] / 2 + rows.plant.limits.acceleration[0] * rows.open_time[at] ** 2 / 2
     before, after = np.maximum(at - 1, 0), np.minimum(at + 1, len(rows.t) - 1)
     edges = np.stack([here, (here + rows.q[before, 0]) / 2, (here + rows.q[after, 0]) / 2])
     doubt = np.maximum(np.maximum(step[before], step[at]), step[after])
     granted = JOINT_TARGET + doubt / 2 + rows.plant.limits.acceleration[0] * rows.open_time[at] ** 2 / 2
-    return np.clip(target, edges.min(axis=0), edges.max(axis=0)), granted
+    return np.clip(stop.rail, edges.min(axis=0), edges.max(axis=0)), granted
 
 
 def rail_course(rows: Rows, first: int, last: int) -> tuple[Array, Array, Array]:

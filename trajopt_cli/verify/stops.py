@@ -173,10 +173,9 @@ def _rail(rows: Rows, visit: Visit) -> list[Finding]:
     assert visit.match.look is not None
     at = np.array([visit.arrive])
     met = visit.match.look(at).rail_met[0]
-    value = rows.q[visit.arrive, 0] if stop.arm is not None else rail_beside(rows, at, stop.rail)[0][0]
     name = rows.plant.limits.names[0]
     return [
-        finding("rail target", name, float(value), stop.rail, "m", bool(met),
+        finding("rail target", name, float(rail_beside(rows, at, stop)[0][0]), stop.rail, "m", bool(met),
                 time=float(rows.t[visit.arrive]), source=stop.source, bound="wanted", note=f" at {stop.name}")
     ]  # fmt: skip
 

@@ -110,8 +110,7 @@ def _closeness(rows: Rows, frame: Frame, stop: Point, rapid: bool, at: NDArray[n
     stands: Mask = rows.axes_rest[at] if rapid else np.ones(len(at), dtype=bool)
     rail_met = np.ones(len(at), dtype=bool)
     if stop.rail is not None:
-        axes = stop.arm is not None or isinstance(stop.move, MoveExtJ)  # every one of them stands there
-        beside, most = (q[:, 0], granted[:, 0]) if axes else rail_beside(rows, at, stop.rail)
+        beside, most = rail_beside(rows, at, stop)
         rail_met = np.abs(beside - stop.rail) <= most
     near: Mask
     tight: Mask
