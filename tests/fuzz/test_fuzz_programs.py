@@ -6,13 +6,19 @@ import re
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from small_programs import Small, check_same_motions, program, round_trip
 
+from trajopt_cli.geometry import inverse_pose
 from trajopt_cli.job import read_job
+from trajopt_cli.optimize import optimize
 from trajopt_cli.pipeline.folder import verify_file
 from trajopt_cli.pipeline.optimise import Optimised, optimise
-from trajopt_cli.problem.plan import Target
+from trajopt_cli.problem.changes import everything
+from trajopt_cli.problem.freedom import Freedom
+from trajopt_cli.problem.plan import Infeasible, Target
+from trajopt_cli.problem.problem import Problem, build_problem
 
 ENDS_WITH_A_WAIT = Small(
     """MODULE Small
@@ -53,6 +59,31 @@ def test_a_small_program_keeps_its_promises(number: int, tmp_path: Path) -> None
 def test_what_a_long_run_found_is_planned(number: int, tmp_path: Path) -> None:
     """An arc wholly within the zone before it, at the end of the file; a rail that may go nowhere beside a corner."""
     assert round_trip(program(1, number), tmp_path) == "planned"
+
+
+def test_an_arc_that_leaves_a_range_between_the_nodes_of_the_search_is_refused_with_its_place(tmp_path: Path) -> None:
+    """joint_3 is beyond its range for a few degrees of 317, in every posture the arc may begin in."""
+    (tmp_path / "small.mod").write_text(program(1, 7091).text)
+    (tmp_path / "small.yaml").write_text(program(1, 7091).cell)
+    job = read_job(tmp_path / "small.mod")
+    answer = optimize(job.program, job.plant, Target.STREAM, bounded=False)
+    assert isinstance(answer, Infeasible)
+    said = re.search(r"^MoveC .* breaks at ([0-9.]+) mm of ([0-9.]+) mm, .* a joint limit$", answer.message)
+    assert said is not None, answer.message
+    problem = build_problem(job.program, job.plant, Freedom(), Target.STREAM, everything(job.program, job.plant))
+    assert isinstance(problem, Problem)
+    (leg,) = [one for one in problem.legs if one.segment is not None]
+    limits, robot = job.plant.limits, job.plant.robot
+    ways = leg.segment.pose(np.linspace(0, 1, 2001)) @ inverse_pose(leg.X_FT)
+    left = []
+    for _, arm in robot.solutions(ways[0], None, limits):
+        for at, near in enumerate(robot.branches(ways, None)):
+            arm = min(near + 2 * np.pi * np.round((arm - near) / (2 * np.pi)), key=lambda q: np.abs(q - arm).max())
+            if np.any((arm < limits.lower) | (arm > limits.upper)):
+                left.append(at / 2000)
+                break
+    assert len(left) == len(robot.solutions(ways[0], None, limits))
+    assert max(left) == pytest.approx(float(said[1]) / float(said[2]), abs=0.01)
 
 
 def test_a_wait_at_the_end_is_as_long_as_coarse_rows_show(tmp_path: Path) -> None:

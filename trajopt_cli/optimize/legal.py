@@ -21,7 +21,7 @@ from trajopt_cli.optimize.draft import Draft
 from trajopt_cli.optimize.incumbent import NotDriven, Runs, duration, stopped, timed
 from trajopt_cli.optimize.leg_times import Times
 from trajopt_cli.optimize.rail import polished, refined
-from trajopt_cli.optimize.reach import check_reach
+from trajopt_cli.optimize.reach import broken_between, check_reach
 from trajopt_cli.optimize.search import Chain, search
 from trajopt_cli.optimize.surroundings import surroundings_of
 from trajopt_cli.optimize.tuning import HOPELESS, ROOMS
@@ -356,8 +356,8 @@ def _shifted(axes: Axes, problem: Problem, chain: Chain, known: Times) -> list[C
 
 
 def _not_driven(axes: Axes, problem: Problem, failure: NotDriven) -> Infeasible:
-    """The answer no where a leg has less time than it takes, or passes a singularity. Raises NoCleanPlan where it is
-    for neither."""
+    """The answer no where a leg has less time than it takes, passes a singularity, or is out of reach between the nodes
+    of the search. Raises NoCleanPlan where it is for none of them."""
     leg = problem.legs[failure.run[0] if failure.singular is None else failure.singular.leg]
     motion = problem.motion(leg.motion)
     if failure.least is not None:
@@ -372,6 +372,8 @@ def _not_driven(axes: Axes, problem: Problem, failure: NotDriven) -> Infeasible:
             f"passes {what} at [{p[0]:.1f}, {p[1]:.1f}, {p[2]:.1f}] mm, where no speed is low enough; tilt the tool,"
             " shift the way, or use MoveJ"
         )
+    elif (broken := broken_between(axes, problem, range(*failure.run))) is not None:
+        return broken
     else:
         raise NoCleanPlan(f"{motion.source}: no way of driving it from {motion_name(motion)} on was found")
     return Infeasible(leg.motion, motion.source, f"{motion_name(motion)} {text}")

@@ -6,7 +6,7 @@ configuration in the whole station. What cannot be reached is named here, before
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import astuple, dataclass, replace
 from functools import cached_property
 from hashlib import blake2b
@@ -381,6 +381,17 @@ def _unserved(axes: Axes, problem: Problem, first: int, last: int) -> Infeasible
             return _broken_line(axes, problem, first + i, d, table.labels) or _about(
                 problem, first + i, f": {_NO_SINGLE}"
             )
+    return None
+
+
+def broken_between(axes: Axes, problem: Problem, legs: Iterable[int]) -> Infeasible | None:
+    """The first of these legs with a point that no configuration gets to, which check_reach may have looked past: its
+    points stand closer together than the nodes there. None where every point is served."""
+    for k in legs:
+        first, last = next((a, b) for a, b in problem.stations if a <= k < b)
+        d = grid_in_reach(axes, problem, first, last, REACH_GRID, REACH_APART)
+        if problem.legs[k].kind is LegKind.LINE and (out := _broken_line(axes, problem, k, d, ())) is not None:
+            return out
     return None
 
 
