@@ -20,6 +20,8 @@ import pytest
 from hypothesis import settings
 from no_browser import MISSING
 
+for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):  # as the command does: the other core has other tests
+    os.environ.setdefault(_name, "1")
 _FOLDER = tempfile.TemporaryDirectory()
 for _name in ("COLUMNS", "NO_COLOR", "FORCE_COLOR"):  # what is printed depends on them
     os.environ.pop(_name, None)
