@@ -388,9 +388,11 @@ def broken_between(axes: Axes, problem: Problem, legs: Iterable[int]) -> Infeasi
     """The first of these legs with a point that no configuration gets to, which check_reach may have looked past: its
     points stand closer together than the nodes there. None where every point is served."""
     for k in legs:
+        if problem.legs[k].kind is not LegKind.LINE:
+            continue
         first, last = next((a, b) for a, b in problem.stations if a <= k < b)
         d = grid_in_reach(axes, problem, first, last, REACH_GRID, REACH_APART)
-        if problem.legs[k].kind is LegKind.LINE and (out := _broken_line(axes, problem, k, d, ())) is not None:
+        if (out := _broken_line(axes, problem, k, d, ())) is not None:
             return out
     return None
 
