@@ -55,9 +55,10 @@ def test_a_small_program_keeps_its_promises(number: int, tmp_path: Path) -> None
     assert round_trip(program(0, number), tmp_path) in ("planned", "infeasible", "no RAPID text")
 
 
-@pytest.mark.parametrize("number", [226, 973])
+@pytest.mark.parametrize("number", [226, 973, 3253])
 def test_what_a_long_run_found_is_planned(number: int, tmp_path: Path) -> None:
-    """An arc wholly within the zone before it, at the end of the file; a rail that may go nowhere beside a corner."""
+    """An arc wholly within the zone before it, at the end of the file; a rail that may go nowhere beside a corner; a
+    stop at the end of an arc within the zone before it, and a motion from there that comes nearer to that point."""
     assert round_trip(program(1, number), tmp_path) == "planned"
 
 

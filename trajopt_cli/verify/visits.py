@@ -259,11 +259,48 @@ def match(rows: Rows, frames: dict[bytes, Frame], points: Sequence[Point], rapid
                 look = looking(rows, frame, point, rapid)
                 known[full] = look, events_of(look(worth_a_look(rows, frame, point)))
         found.append(known[full])
-    chosen = _align(points[1:], [events for _, events in found])
+    events = [own for _, own in found]
+    chosen = _align(points[1:], events)
+    if any(event is None or not len(event.good) for event in chosen):
+        cut = _cut(frames, points[1:], events)
+        other = _align(points[1:], cut)
+        if _total(points[1:], other) > _total(points[1:], chosen):
+            events, chosen = cut, other
     return [
-        Match(point, look, event, events)
-        for point, (look, events), event in zip(points[1:], found, chosen, strict=True)
+        Match(point, look, event, own)
+        for point, (look, _), own, event in zip(points[1:], found, events, chosen, strict=True)
     ]
+
+
+def _cut(
+    frames: dict[bytes, Frame], points: Sequence[Point], events: Sequence[tuple[Event, ...]]
+) -> list[tuple[Event, ...]]:
+    """The events, those of a passage cut in two where the next stop is reached in them before the nearest place: the
+    motion behind a short arc that ends in the zone may come nearer to its point."""
+    out: list[tuple[Event, ...]] = []
+    stops: tuple[Event, ...] = ()
+    for point, own in zip(reversed(points), reversed(events), strict=True):
+        if point.fly_by is None:
+            out.append(own)
+            stops = own
+            continue
+        parts: list[Event] = []
+        frame = frames[np.asarray(point.X_FT).tobytes()]
+        for event in own:
+            first = event.first
+            for stop in stops:
+                if len(stop.good) and first < stop.end <= event.best:
+                    near = off_chords(frame.p, point.X_WT[:3, 3], np.arange(first, stop.end))[0]
+                    best = first + int(np.argmin(near))
+                    parts.append(Event(first, stop.end, np.array([max(best - 1, 0)]), best))
+                    first = stop.end
+            parts.append(event if first == event.first else Event(first, event.last, event.good, event.best))
+        out.append(tuple(parts))
+    return out[::-1]
+
+
+def _total(points: Sequence[Point], chosen: Sequence[Event | None]) -> float:
+    return sum(_worth(point, event) for point, event in zip(points, chosen, strict=True) if event is not None)
 
 
 def _align(points: Sequence[Point], events: Sequence[tuple[Event, ...]]) -> list[Event | None]:
