@@ -329,11 +329,11 @@ def test_a_line_that_only_the_table_draws_is_found_in_the_rest_it_is_in() -> Non
         own = {one.check: one for one in found if one.source and one.source.line == 12}
         assert own["positioner speed"].value == pytest.approx(2 * 0.4 / T, rel=1e-9)
         if not bump or place > 0.5:
-            assert failed(found) == []
+            assert failed(found) == ([("positioner position", "eax_b")] if bump else [])
             assert own["line rotation"].time == pytest.approx(begin)
             assert max(own[f"line {x}"].value for x in ("position", "rotation", "progress")) < 1e-9
             continue
-        assert failed(found) == [("line progress", "TCP")]
+        assert failed(found) == [("line progress", "TCP"), ("positioner position", "eax_b")]
         back = own["line progress"]
         assert (back.value, back.time) == (pytest.approx(bump, rel=1e-5), pytest.approx(begin - 0.07, abs=4e-3))
 
@@ -360,3 +360,54 @@ def test_without_its_columns_nothing_is_said_of_a_table() -> None:
     found = verify(plain, PLANT, Case(PLANT, plain, pieces).rows(step=0.004), advice=False).findings
     assert failed(found) == []
     assert not any(one.check.startswith("positioner") for one in found)
+
+
+@pytest.mark.parametrize(("bump", "legal"), [(0.004, True), (0.03, False), (-0.03, False)])
+def test_a_table_neither_goes_back_nor_beyond_on_its_way(bump: float, legal: bool) -> None:
+    """Both turn back in the rest of 0.6 s, eax_c by -0.15 rad in a triangle of speed; three waves lie over that."""
+    rows = CELL.rows()
+    u = (rows.t - CELL.case.starts[2]) / 0.6
+    waves, inside = 6 * np.pi, (u >= 0) & (u <= 1)
+    more = np.where(inside, bump * np.sin(waves * u) * np.sin(np.pi * u) ** 2, 0.0)
+    rate = (
+        bump
+        / 0.6
+        * (waves * np.cos(waves * u) * np.sin(np.pi * u) ** 2 + np.sin(waves * u) * np.pi * np.sin(2 * np.pi * u))
+    )
+    assert rows.tables is not None
+    assert rows.tables.qd is not None
+    q, qd = rows.tables.q.copy(), rows.tables.qd.copy()
+    q[:, 1] += more
+    qd[:, 1] += np.where(inside, rate, 0.0)
+    found = CELL.judged(
+        replace(rows, tables=replace(rows.tables, q=q, qd=qd)), asked(velocity=30.0, acceleration=300.0)
+    )
+    failed = [one for one in found if not one.passed]
+    assert bool(np.diff(q[inside, 1]).max() > 1e-4) != legal
+    assert [(one.check, one.subject) for one in failed] == ([] if legal else [("positioner position", "eax_c")])
+    for one in failed:
+        lowest = np.minimum.accumulate(q[inside, 1])
+        assert abs(one.value - one.limit) == pytest.approx((q[inside, 1] - lowest).max(), abs=1e-9)
+
+
+def test_a_table_stands_behind_its_last_position() -> None:
+    """It swings once more in the same rest, by 0.02 rad and back, behind its way of 0.3 s."""
+    rows, start = CELL.rows(), CELL.case.starts[2]
+    u = (rows.t - start) / 0.6
+    assert rows.tables is not None
+    assert rows.tables.qd is not None
+    q, qd = rows.tables.q.copy(), rows.tables.qd.copy()
+    share = trapezoid(1e9, 4 / 0.3**2)[1](np.clip(0.6 * u, 0, 0.3))
+    inside = (u >= 0) & (u <= 1)
+    q[inside, 1], qd[inside, 1] = (0.25 - 0.15 * share[0])[inside], (-0.15 * share[1] * (u < 0.5))[inside]
+    wanted = asked(velocity=30.0, acceleration=300.0)
+    still = replace(rows, tables=replace(rows.tables, q=q, qd=qd))
+    assert [one.message for one in CELL.judged(still, wanted) if not one.passed] == []
+    later = inside & (u > 0.55)
+    w = np.clip((u - 0.55) / 0.4, 0, 1)
+    q[later, 1] += 0.02 * np.sin(np.pi * w[later]) ** 2
+    qd[later, 1] += 0.02 * np.pi / (0.4 * 0.6) * np.sin(2 * np.pi * w[later]) * (w[later] < 1)
+    found = CELL.judged(replace(rows, tables=replace(rows.tables, q=q, qd=qd)), wanted)
+    (failed,) = [one for one in found if not one.passed]
+    assert (failed.check, failed.subject, failed.limit) == ("positioner position", "eax_c", pytest.approx(0.1))
+    assert failed.value == pytest.approx(0.12, abs=2e-4)

@@ -250,6 +250,10 @@ def _axis(
     off_end = abs(float(q[-1]) - units[-1].end) - granted[-1]
     yield finding(_POSITION, name, float(q[-1]), units[-1].end, "rad", bool(off_end <= JOINT_TARGET),
                   time=float(t[-1]), source=source, bound="wanted", note=f" at {phase.visit.point.name}")  # fmt: skip
+    i, wanted = _astray(q, start, units, float(granted.max()))
+    if abs(float(q[i]) - wanted) - granted.max() > JOINT_TARGET:
+        yield finding(_POSITION, name, float(q[i]), wanted, "rad", False,
+                      time=float(t[i]), source=source, bound="wanted")  # fmt: skip
     if b <= a:
         return
     h = np.diff(t)
@@ -276,6 +280,24 @@ def _axis(
             passed = bool(values[i] <= limit * (1 + JOINT))
             yield finding(f"positioner {check}", name, float(values[i]), limit, unit, passed, time=float(times[i]),
                           source=source, words=check)  # fmt: skip
+
+
+def _astray(q: Array, start: float, units: Sequence[UnitMove], granted: float) -> tuple[int, float]:
+    """The row of q (n,) that is farthest from where an axis may be on its way from position to position, and the
+    nearest place [rad] where it might be: it neither goes back nor beyond, and stands behind the last one."""
+    first, begin, worst, off = 0, start, (0, float(q[0])), 0.0
+    for unit in units:
+        sign, span = (1.0 if unit.end > begin else -1.0), abs(unit.end - begin)
+        way = sign * (q[first:] - begin)
+        there = np.flatnonzero(way >= span - granted - JOINT_TARGET)
+        way = way[: there[0] + 1] if len(there) else way
+        may = np.minimum(np.maximum.accumulate(np.maximum(way, 0.0)), span)
+        i = int(np.argmax(np.abs(way - may)))
+        if abs(way[i] - may[i]) > off:
+            worst, off = (first + i, begin + sign * float(may[i])), abs(float(way[i] - may[i]))
+        first, begin = first + len(way) - 1, unit.end
+    i = first + int(np.argmax(np.abs(q[first:] - begin)))
+    return (i, begin) if first < len(q) - 1 and abs(q[i] - begin) > off else worst
 
 
 def unseen_turn(rows: Rows, a: int, b: int) -> Array:
