@@ -40,7 +40,7 @@ from trajopt_cli.verify.mechanism import Mechanism
 from trajopt_cli.verify.rows import LAGS
 from trajopt_cli.verify.run import runs_of
 from trajopt_cli.verify.sweep import OVERLOOKED
-from trajopt_cli.verify.tables import printed_step, unseen_turn
+from trajopt_cli.verify.tables import unseen_turn
 from trajopt_cli.verify.timeline import Timeline
 from trajopt_cli.verify.tolerances import (
     COARSEST_PRINT,
@@ -341,7 +341,7 @@ class Promises:
         rows, tables = self._rows, self._rows.trajectory.tables
         if tables is None:
             return
-        (step, step_v), r_t, h = printed_step(rows), rows.doubt_t, self._h
+        (step, step_v), r_t, h = rows.tables_step, rows.doubt_t, self._h
         H, unseen = float(np.diff(rows.t).min()), float(unseen_turn(rows, 0, len(rows.t)).max())
         moves = [unit for motion in program.motions for unit in getattr(motion, "units", ())]
         for name in tables.names:

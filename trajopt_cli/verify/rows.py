@@ -155,6 +155,13 @@ class Rows:
         return np.zeros(len(self.t)) if self.marked else both_sides(self.longest[:, None])[:, 0] / 2
 
     @property
+    def tables_step(self) -> tuple[float, float]:
+        """The printed step of positioners' angles [rad] and speeds [rad/s], the coarsest of all."""
+        if self.doubt_tables is None:
+            return COMPUTED, COMPUTED
+        return max(float(self.doubt_tables.q.max()), COMPUTED), max(float(self.doubt_tables.qd.max()), COMPUTED)
+
+    @property
     def t(self) -> Array:
         """Times (n,) in s."""
         return self.trajectory.t

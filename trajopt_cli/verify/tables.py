@@ -20,7 +20,7 @@ from trajopt_cli.verify.frame import Frame, Places
 from trajopt_cli.verify.geometry import turned
 from trajopt_cli.verify.rows import Along, Pieces, Rows, shortest
 from trajopt_cli.verify.timeline import Timeline, Visit
-from trajopt_cli.verify.tolerances import COMPUTED, JOINT, JOINT_TARGET
+from trajopt_cli.verify.tolerances import JOINT, JOINT_TARGET
 
 _POSITION = "positioner position"
 
@@ -88,7 +88,7 @@ class TurnedFrame(Frame):
 
     def _printed(self, p: Array) -> tuple[Array, Array]:
         """How far printed angles may put positions p (n, 3) off, and turn rotations."""
-        angle, _ = printed_step(self.rows)
+        angle, _ = self.rows.tables_step
         return self._lever(p) * angle / 2, np.full(len(p), len(self.units) * angle / 2)
 
     def _lever(self, p: Array) -> Array:
@@ -109,7 +109,7 @@ class TurnedFrame(Frame):
 
     @cached_property
     def _velocities(self) -> Pieces:
-        rates, doubt = self._tables.qd, printed_step(self.rows)[1] / 2
+        rates, doubt = self._tables.qd, self.rows.tables_step[1] / 2
         assert rates is not None
         rates = rates[:, self._its]
 
@@ -154,7 +154,7 @@ class TurnedFrame(Frame):
         way. doubt (n,): about the shares."""
         angles = np.array([unit.angle for unit in self.units])
         away = np.abs(self._theta[here] - share[:, None] * angles)
-        return np.asarray(np.maximum(away - doubt[:, None] * np.abs(angles) - printed_step(self.rows)[0] / 2, 0.0))
+        return np.asarray(np.maximum(away - doubt[:, None] * np.abs(angles) - self.rows.tables_step[0] / 2, 0.0))
 
 
 def _cubic(tables: Trajectory, t: Array, first: int) -> Array:
@@ -170,13 +170,6 @@ def _cubic(tables: Trajectory, t: Array, first: int) -> Array:
 def _seen(R: Array, values: Array) -> Array:
     """Vectors (n, 3) seen from the frames R (n, 3, 3)."""
     return np.asarray(np.einsum("nji,nj->ni", R, values))
-
-
-def printed_step(rows: Rows) -> tuple[float, float]:
-    """The printed step of positioners' angles [rad] and speeds [rad/s], the coarsest of all."""
-    if rows.doubt_tables is None:
-        return COMPUTED, COMPUTED
-    return max(float(rows.doubt_tables.q.max()), COMPUTED), max(float(rows.doubt_tables.qd.max()), COMPUTED)
 
 
 @dataclass(frozen=True)
@@ -239,7 +232,7 @@ def _axis(
     """Findings about one axis in a phase that begins with it at start [rad]. hardest: its acceleration limit."""
     a, b, name, source = phase.first, phase.last, tables.names[j], phase.visit.point.source
     q, t = tables.q[a : b + 1, j], rows.t[a : b + 1]
-    step, step_v = printed_step(rows)
+    step, step_v = rows.tables_step
     granted = step / 2 + hardest * unseen_turn(rows, a, b) ** 2 / 2
     off = (np.abs(q - start) - granted)[: len(q) if not units else 1]
     i = int(np.argmax(off))

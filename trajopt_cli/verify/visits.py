@@ -23,7 +23,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -54,7 +54,8 @@ class Closeness:
     in tolerances.
 
     tight: within tolerance without anything granted for missing rows. rests: the TCP stands. rail_met: the rail is
-    where the program wants it. stands: every axis rests (RAPID; else always true).
+    where the program wants it. stands: every axis rests (RAPID; else always true). turned: the positioners are where
+    the program turns them, to a row; None where nothing turns or the tool waits, of which the end is the table's.
     """
 
     at: NDArray[np.intp]
@@ -64,6 +65,7 @@ class Closeness:
     rests: Mask
     rail_met: Mask
     stands: Mask
+    turned: Mask | None = None
 
 
 Look = Callable[[NDArray[np.intp]], Closeness]
@@ -99,7 +101,18 @@ class Match:
 
 def looking(rows: Rows, frame: Frame, stop: Point, rapid: bool) -> Look:
     """How near rows are to one stop. rapid: every axis must stand there."""
-    return lambda at: _closeness(rows, frame, stop, rapid, at)
+    return lambda at: replace(_closeness(rows, frame, stop, rapid, at), turned=_turned(rows, stop, at))
+
+
+def _turned(rows: Rows, stop: Point, at: NDArray[np.intp]) -> Mask | None:
+    """Whether the positioners stand at rows (m,) where a stop without a wait has them."""
+    tables = rows.trajectory.tables
+    if tables is None or stop.holds or not stop.turned:
+        return None
+    wanted = dict(stop.turned)
+    places = np.array([wanted.get(name, np.nan) for name in tables.names])
+    off = np.abs(tables.q[at] - places)
+    return np.asarray((np.isnan(off) | (off <= JOINT_TARGET + rows.tables_step[0] / 2)).all(axis=1))
 
 
 def _closeness(rows: Rows, frame: Frame, stop: Point, rapid: bool, at: NDArray[np.intp]) -> Closeness:
@@ -152,6 +165,8 @@ def events_of(close: Closeness) -> tuple[Event, ...]:
     for run in np.split(near, np.flatnonzero(np.diff(close.at[near]) > 1) + 1) if len(near) else []:
         resting = run[close.rests[run]]
         good = resting[close.rail_met[resting] & close.stands[resting]]
+        if close.turned is not None and close.turned[good].any():  # the tool may hardly move while a table leaves
+            good = good[close.turned[good]]
         pool = resting if len(resting) else run
         best = int(close.at[pool[np.argmin(close.distance[pool])]])
         core = _core(close, good)
@@ -250,7 +265,8 @@ def match(rows: Rows, frames: dict[bytes, Frame], points: Sequence[Point], rapid
             None if part is None else np.asarray(part).tobytes() for part in (point.X_WF, point.X_FT, point.arm)
         )
         circle = None if point.circle is None or point.fly_by is None else id(point)
-        full = (*key, point.rail, isinstance(point.move, MoveExtJ), point.fly_by, circle)
+        turned = (point.turned, bool(point.holds)) if point.turned else None
+        full = (*key, point.rail, isinstance(point.move, MoveExtJ), point.fly_by, circle, turned)
         if full not in known:
             frame = frames[np.asarray(point.X_FT).tobytes()]
             if point.fly_by is not None:
