@@ -206,4 +206,5 @@ def test_a_file_that_is_judged_in_pieces_is_judged_as_a_whole(
         with monkeypatch.context() as small:
             small.setattr(rows_module, "PIECE", 300)
             small.setattr(rows_module, "_KEPT", 2)
+            small.setattr(rows_module, "_ROOM", 10**6)
             assert verify(case.program, case.plant, trajectory, target=Target.RAPID) == whole

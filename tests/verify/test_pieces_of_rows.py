@@ -56,6 +56,12 @@ def test_pieces_are_the_whole(per: int, monkeypatch: pytest.MonkeyPatch) -> None
     for i in (0, 1, 2, 3, 4, 0, 5, 0):  # the first is looked at again and again: another one goes
         Along(pieces)[i * 8 * per]
     assert [a // (8 * per) for a, _ in asked] == [0, 1, 2, 3, 4, 5]
+    monkeypatch.setattr(module, "_ROOM", 3 * 8 * per * 4 * 8)  # three pieces
+    dear = Pieces(n, make, per, dear=True)
+    asked.clear()
+    for _ in range(2):  # all rows over and over: the first three stay, of the others each has gone when it is wanted
+        np.testing.assert_array_equal(Along(dear, 1)[:], values)
+    assert [a // (8 * per) for a, _ in asked] == [*range(10), *range(3, 10)]
 
 
 @pytest.mark.parametrize("n", [1, 5, 64, 65, 70, 71, 100, 200])

@@ -54,22 +54,31 @@ PIECE = 4096
 """Rows that are worked out together."""
 
 _KEPT = 5  # pieces of one thing that stay at hand
+_ROOM = 100_000_000  # bytes of what is dear to work out that stay at hand besides
 OVERLAP = 2 * LAGS[-1]
 """Rows that windows share, so that every lag is seen from each of their rows."""
 
 
 class Pieces:
     """Arrays along n rows that are worked out a piece at a time as they are looked at: all of them as a whole would
-    take some kB a row. make: of the entries a to b - 1. per: entries for a row."""
+    take some kB a row. make: of the entries a to b - 1. per: entries for a row. dear: the first ones are kept, as many
+    as there is room for: each check goes over all rows, and would find its first piece gone."""
 
-    def __init__(self, n: int, make: Callable[[int, int], tuple[Array, ...]], per: int = 1):
+    def __init__(self, n: int, make: Callable[[int, int], tuple[Array, ...]], per: int = 1, dear: bool = False):
         self._n, self._make, self._size = n, make, per * PIECE
         self._kept: dict[int, tuple[Array, ...]] = {}
+        self._stay: dict[int, tuple[Array, ...]] = {}
+        self._room = _ROOM if dear else 0
 
     def _piece(self, i: int) -> tuple[Array, ...]:
+        if i in self._stay:
+            return self._stay[i]
         found = self._kept.pop(i, None)
         if found is None:
             found = self._make(i * self._size, min((i + 1) * self._size, self._n))
+        if (size := sum(part.nbytes for part in found)) <= self._room:
+            self._stay[i], self._room = found, self._room - size
+            return found
         self._kept[i] = found  # the last one looked at is the last to go
         if len(self._kept) > _KEPT:
             del self._kept[next(iter(self._kept))]
@@ -188,7 +197,7 @@ class Rows:
 
     @cached_property
     def _flange(self) -> Pieces:
-        return Pieces(len(self.t), lambda a, b: self.mechanism.flange(self.q[a:b]))
+        return Pieces(len(self.t), lambda a, b: self.mechanism.flange(self.q[a:b]), dear=True)
 
     @property
     def X_WF(self) -> Along:
@@ -355,7 +364,7 @@ class Rows:
         def make(a: int, b: int) -> tuple[Array, ...]:
             return self.mechanism.flange_motion(*(places[a:b] for places in self.hermite_places[1:]))
 
-        return Pieces(n * (len(self.t) - 1), make, n)
+        return Pieces(n * (len(self.t) - 1), make, n, dear=True)
 
     @property
     def hermite_motion(self) -> tuple[Along, Along, Along]:
