@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import UTC, datetime
+from functools import cache
 from importlib.metadata import version
 from io import BufferedRandom
 from pathlib import Path
@@ -139,7 +140,12 @@ def write_run(
 
 def library_versions(model: type[RunRecord[Any]]) -> dict[str, str]:
     """Python's and those of the libraries that a kind of folder keeps."""
-    return {"python": platform.python_version(), **{name: version(name) for name in model.LIBRARIES}}
+    return {"python": platform.python_version(), **{name: _version(name) for name in model.LIBRARIES}}
+
+
+@cache
+def _version(name: str) -> str:
+    return version(name)
 
 
 def check_replaceable(folder: Path) -> None:
