@@ -1,5 +1,5 @@
 """The fixtures of fake_planner, for every test in this folder."""
 
-from fake_planner import planner, program
+from fake_planner import planner, program, results
 
-__all__ = ["planner", "program"]
+__all__ = ["planner", "program", "results"]

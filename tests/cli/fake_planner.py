@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from trajopt_cli.cli import run
 from trajopt_cli.motion import Program, Wait
 from trajopt_cli.problem.changes import Changes
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom
@@ -96,6 +97,8 @@ def planner(monkeypatch: pytest.MonkeyPatch) -> Planner:
     monkeypatch.setattr("trajopt_cli.optimize.optimize", stand_in)
     monkeypatch.setattr("trajopt_cli.optimize.slow_plan", lambda *question: None)
     monkeypatch.setattr("trajopt_cli.optimize.lower_bound_of", lambda program, plant, plan, **more: 0.9 * plan.duration)
+    for place in ("trajopt_cli.beside.cores", "trajopt_cli.pipeline.optimise.cores"):
+        monkeypatch.setattr(place, lambda: 1)  # another process takes longer than such a plan
     return stand_in
 
 
@@ -106,3 +109,23 @@ def program(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     Path("tiny.mod").write_text(TEXT)
     Path("tiny.yaml").write_text(CELL)
     return Path("tiny.mod")
+
+
+_RESULTS: dict[str, bytes] = {}
+
+
+@pytest.fixture
+def results(planner: Planner, program: Path) -> Path:
+    """The results of the tiny program, results/tiny: made once, the same bytes for every test."""
+    folder = Path("results/tiny")
+    if not _RESULTS:
+        assert run(["optimize", str(program), "--quiet"]) == 0
+        planner.asked.clear()
+        _RESULTS.update(
+            {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+        )
+    else:
+        for name, content in _RESULTS.items():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (folder / name).write_bytes(content)
+    return folder

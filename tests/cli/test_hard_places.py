@@ -55,11 +55,10 @@ def planned_change(folder: Path) -> None:
 
 
 @pytest.fixture
-def made(planner: Planner, program: Path) -> Path:
+def made(results: Path) -> Path:
     """The results of the tiny program, with a longer text."""
-    assert run(["optimize", str(program), "--quiet"]) == 0
-    planned_change(Path("results/tiny"))
-    return Path("results/tiny").absolute()
+    planned_change(results)
+    return results.absolute()
 
 
 WRITING = {

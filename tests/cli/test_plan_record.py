@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from fake_planner import Planner
 
 from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError
@@ -24,21 +23,6 @@ READERS = (
     ["verify", "results/tiny"],
     ["compare", "baseline", "results/tiny"],
 )
-
-
-@pytest.fixture(scope="module")
-def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return tmp_path_factory.mktemp("made") / "results"
-
-
-@pytest.fixture
-def results(made: Path, planner: Planner, program: Path) -> Path:
-    if not made.exists():
-        assert run(["optimize", str(program)]) == 0
-        shutil.copytree("results", made)
-    else:
-        shutil.copytree(made, "results")
-    return FOLDER
 
 
 def test_every_file_is_held_by_every_reader(results: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from fake_planner import ACCELERATION, CELL, Planner
+from fake_planner import ACCELERATION, CELL
 
 from trajopt_cli.cli import run
 from trajopt_cli.cli.export import egm_stream
@@ -19,22 +19,15 @@ CYCLE = 4 * np.sqrt(np.radians(20) / ACCELERATION[Target.STREAM]) + 0.5  # s
 HERE = ["--to", "127.0.0.1:0"]
 
 
-@pytest.fixture
-def results(program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]) -> str:
-    assert run(["optimize", str(program)]) == 0
-    capsys.readouterr()
-    return "results/tiny"
-
-
 def test_a_stream_is_played_to_a_follower_and_what_comes_back_is_kept(
-    results: str, capsys: pytest.CaptureFixture[str]
+    results: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     count = int(np.ceil(CYCLE * 250)) + 1
-    assert run(["export", "egm", results, "--output", "s.egm"]) == 0
+    assert run(["export", "egm", str(results), "--output", "s.egm"]) == 0
     said = capsys.readouterr().out
     assert said.startswith(f"s.egm: the stream plan, {count} set points at 250 Hz, T = ")
     assert said.endswith(" s: 6 joints in deg\n")
-    for source in ("s.egm", results):
+    for source in ("s.egm", str(results)):
         assert run(["play", "egm", source, "--echo", *HERE, "--log", "back.csv"]) == 0
         shown = capsys.readouterr()
         assert shown.err.startswith(
@@ -51,7 +44,7 @@ def test_a_stream_is_played_to_a_follower_and_what_comes_back_is_kept(
 
 
 def test_a_log_is_looked_at_first_and_nobody_who_asks_is_an_answer(
-    results: str, capsys: pytest.CaptureFixture[str]
+    results: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     for more, said in (
         (["--log", "nowhere/b.csv"], "nowhere: is not a folder to write to; make it or correct --log"),
@@ -59,11 +52,11 @@ def test_a_log_is_looked_at_first_and_nobody_who_asks_is_an_answer(
         (["--to", "192.168.125.1:6510"], "--to 192.168.125.1:6510: is not the loopback, and this player moves no mach"),
         (["--follower-time-constant", "0"], "--follower-time-constant 0: wanted seconds above 0"),
     ):
-        assert run(["play", "egm", results, *more]) == 2
+        assert run(["play", "egm", str(results), *more]) == 2
         assert capsys.readouterr().err.startswith(said)
     assert run(["play", "egm", "nothing.egm", *HERE]) == 2
     assert capsys.readouterr().err == "nothing.egm: cannot read: No such file or directory\n"
-    assert run(["play", "egm", results, *HERE, "--silence", "0.05"]) == 1
+    assert run(["play", "egm", str(results), *HERE, "--silence", "0.05"]) == 1
     shown = capsys.readouterr()
     assert shown.err.endswith("\nno EgmRobot message came for 0.05 s\n")
     (row,) = [line.split() for line in shown.out.splitlines() if "joint_1" in line]

@@ -46,9 +46,8 @@ def test_a_plan_that_takes_no_time_has_no_gap() -> None:
 
 @pytest.mark.parametrize("command", [["export", "joint"], ["export", "rapid"]])
 def test_an_export_writes_over_no_folder_and_no_file_of_the_results(
-    command: list[str], program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
+    command: list[str], results: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert run(["optimize", str(program)]) == 0
     before = {path: path.read_bytes() for path in Path("results").rglob("*") if path.is_file()}
     capsys.readouterr()
     assert run([*command, "results/tiny", "--output", "results"]) == 2
