@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 import xml.etree.ElementTree as ET
+from functools import cache
 from hashlib import sha256
 from itertools import combinations
 from pathlib import Path
@@ -14,9 +15,10 @@ import matplotlib
 import numpy as np
 import pytest
 from drawn_plans import PAUSE, TOOL, Drawn, drawn
+from matplotlib.figure import Figure
 
 from trajopt_cli.problem.course import Course, follow
-from trajopt_cli.report import in_space, over_time, style
+from trajopt_cli.report import style
 from trajopt_cli.report.bars import Bar, comparison, comparison_figure, savings, savings_figure
 from trajopt_cli.report.pictures import PICTURES, draw
 from trajopt_cli.report.skeleton import skeleton
@@ -28,14 +30,22 @@ def course(case: Drawn) -> Course:
     return follow(case.program, case.plant, case.plan, "cell")
 
 
+@cache
+def figure(picture: str, rail: bool = True) -> Figure:
+    """A picture of a plan; nobody changes it."""
+    with style.house_style():
+        made = PICTURES[picture](course(RAIL if rail else BARE))
+    assert made is not None
+    return made
+
+
 @pytest.fixture(scope="module")
 def with_rail() -> dict[str, bytes]:
-    return draw(RAIL.program, RAIL.plant, RAIL.plan, "cell")
-
-
-@pytest.fixture(scope="module")
-def without_rail() -> dict[str, bytes]:
-    return draw(BARE.program, BARE.plant, BARE.plan, "cell")
+    """As draw gives it, of the figures that the other tests look at; another process has it draw its own."""
+    with pytest.MonkeyPatch.context() as patch:
+        pictures = {name: lambda _, name=name: figure(name) for name in PICTURES}
+        patch.setattr("trajopt_cli.report.pictures.PICTURES", pictures)
+        return draw(RAIL.program, RAIL.plant, RAIL.plan, "cell")
 
 
 def texts(svg: bytes) -> list[str]:
@@ -84,34 +94,38 @@ def test_each_picture_comes_twice_and_small(with_rail: dict[str, bytes]) -> None
     assert max(len(content) for name, content in with_rail.items() if name.endswith("svg")) < 400_000
 
 
-def test_without_a_rail_nothing_speaks_of_one(without_rail: dict[str, bytes]) -> None:
-    assert "rail.svg" not in without_rail
-    words = [text.lower() for name in without_rail if name.endswith("svg") for text in texts(without_rail[name])]
+def test_without_a_rail_nothing_speaks_of_one() -> None:
+    assert PICTURES["rail"](course(BARE)) is None
+    figures = [figure(name, rail=False) for name in PICTURES if name != "rail"]
+    words = [text.get_text().lower() for made in figures for text in made.findobj(matplotlib.text.Text)]
+    assert any("time" in text for text in words)
     assert [text for text in words if "rail" in text or "carriage" in text] == []
 
 
-def test_the_same_plan_gives_the_same_bytes_whatever_the_users_style(
-    without_rail: dict[str, bytes], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """And the style is put back. One picture here, all of them in another process."""
-    monkeypatch.setattr("trajopt_cli.report.pictures.PICTURES", {"tcp_speed": PICTURES["tcp_speed"]})
+def test_the_same_plan_gives_the_same_bytes_whatever_the_users_style(monkeypatch: pytest.MonkeyPatch) -> None:
+    """And the style is put back. One picture here, all of them in another process. Without a rail, none of it."""
+    monkeypatch.setattr(
+        "trajopt_cli.report.pictures.PICTURES", {name: PICTURES[name] for name in ("rail", "tcp_speed")}
+    )
+    first = draw(BARE.program, BARE.plant, BARE.plan, "cell")
+    assert set(first) == {"tcp_speed.svg", "tcp_speed.png"}
     with matplotlib.rc_context({"font.size": 30, "axes.grid": True, "lines.linewidth": 9}):
         again = draw(BARE.program, BARE.plant, BARE.plan, "cell")
         assert matplotlib.rcParams["font.size"] == 30
-    assert again == {name: without_rail[name] for name in ("tcp_speed.svg", "tcp_speed.png")}
+    assert again == first
 
 
 _AGAIN = """
 from hashlib import sha256
 from drawn_plans import drawn
 from trajopt_cli.report.pictures import draw
-bare = drawn(rail=False)
-for name, content in draw(bare.program, bare.plant, bare.plan, "cell").items():
+case = drawn(rail=True)
+for name, content in draw(case.program, case.plant, case.plan, "cell").items():
     print(name, sha256(content).hexdigest())
 """
 
 
-def test_another_process_gives_the_same_bytes(without_rail: dict[str, bytes], tmp_path: Path) -> None:
+def test_another_process_gives_the_same_bytes(with_rail: dict[str, bytes], tmp_path: Path) -> None:
     folders = os.pathsep.join(str(Path(__file__).parents[i]) for i in (0, 2))
     # Another order of sets and an eager user's settings must not be seen.
     (tmp_path / "matplotlibrc").write_text(
@@ -126,17 +140,15 @@ def test_another_process_gives_the_same_bytes(without_rail: dict[str, bytes], tm
         text=True,
         check=True,
     )
-    here = [f"{name} {sha256(content).hexdigest()}" for name, content in without_rail.items()]
+    here = [f"{name} {sha256(content).hexdigest()}" for name, content in with_rail.items()]
     assert done.stdout.splitlines() == here
 
 
 def test_accelerations_are_drawn_to_the_limit_and_never_over_it() -> None:
-    with style.house_style():
-        figure = over_time.joints(course(RAIL))
     names, limits = RAIL.plant.limits.names, RAIL.plant.limits
     shares = []
     for k, name in enumerate(names):
-        axes = figure.axes[3 * k + 2]
+        axes = figure("joints").axes[3 * k + 2]
         drawn_line = max(axes.lines, key=lambda line: len(line.get_xdata()))
         peak = np.abs(drawn_line.get_ydata()).max() * (1e-3 if name == "rail" else np.pi / 180)
         shares.append(peak / limits.acceleration[k])
@@ -149,10 +161,7 @@ def test_accelerations_are_drawn_to_the_limit_and_never_over_it() -> None:
 
 
 def test_the_rail_stands_within_reach_of_each_point_and_where_the_plan_says() -> None:
-    with style.house_style():
-        figure = over_time.rail(course(RAIL))
-    assert figure is not None
-    (axes,) = figure.axes
+    (axes,) = figure("rail").axes
     (curve,) = [line for line in axes.lines if line.get_gid() == "rail"]
     reach = [np.array(c.get_segments()[0]) for c in axes.collections if c.get_gid() == "reach"]
     assert [segment[0, 0] for segment in reach] == pytest.approx([RAIL.plan.motions[i].t_1 for i in (0, 2)])
@@ -163,10 +172,8 @@ def test_the_rail_stands_within_reach_of_each_point_and_where_the_plan_says() ->
 
 
 def test_the_tcps_speed_is_the_change_of_its_place() -> None:
-    c = course(RAIL)
-    with style.house_style():
-        figure = over_time.tcp_speed(c)
-    (curve,) = [line for line in figure.axes[0].lines if line.get_gid() == "speed"]
+    shown_speed = figure("tcp_speed")
+    (curve,) = [line for line in shown_speed.axes[0].lines if line.get_gid() == "speed"]
     times, q, v = RAIL.plan.trajectory.t, RAIL.plan.trajectory.q, RAIL.plan.trajectory.qd
     h = 1e-5  # s, straight along the axes' speeds: central differences are right to its square
     tip = [(RAIL.plant.robot.forward(q + step * v) @ TOOL.X_FT)[:, :3, 3] for step in (-h, h)]
@@ -174,15 +181,13 @@ def test_the_tcps_speed_is_the_change_of_its_place() -> None:
     shown = np.interp(times, curve.get_xdata(), curve.get_ydata())
     assert np.abs(slope - shown).max() < 1e-3  # mm/s
     assert slope.max() > 500
-    programmed = [line.get_ydata()[0] for line in figure.axes[0].lines if line.get_gid() == "programmed"]
+    programmed = [line.get_ydata()[0] for line in shown_speed.axes[0].lines if line.get_gid() == "programmed"]
     assert programmed == pytest.approx([800.0] * 3)
 
 
 def test_seen_from_the_carriage_the_wait_is_at_rest_and_the_speed_is_less_the_rails() -> None:
     c = course(RAIL)
-    with style.house_style():
-        figure = over_time.effector(c)
-    world, carriage = ([line.get_ydata() for line in axes.lines[:3]] for axes in figure.axes[1:3])
+    world, carriage = ([line.get_ydata() for line in axes.lines[:3]] for axes in figure("effector").axes[1:3])
     rail = c.qd[:, 0] * 1e3
     assert np.allclose(world[1] - carriage[1], rail, atol=1e-9)  # the rail runs along y
     assert np.allclose(world[0], carriage[0])
@@ -193,15 +198,14 @@ def test_seen_from_the_carriage_the_wait_is_at_rest_and_the_speed_is_less_the_ra
 
 def test_the_wrists_path_is_inside_the_outlines_and_the_links_keep_their_lengths() -> None:
     c = course(BARE)
-    with style.house_style():
-        figure = in_space.workspace(c)
-    (wrist,) = [line for line in figure.axes[0].lines if line.get_gid() == "wrist"]
+    (axes,) = figure("workspace", rail=False).axes[:1]
+    (wrist,) = [line for line in axes.lines if line.get_gid() == "wrist"]
     arm, limits = BARE.plant.robot.arm, BARE.plant.limits
     flange = BARE.plant.robot.forward(c.q)
     centre = (flange[:, :3, 3] - arm.c4 * flange[:, :3, 2]) * 1e3  # the wrist centre is behind the flange
     ahead = centre[:, 0] * np.cos(c.q[:, 0]) + centre[:, 1] * np.sin(c.q[:, 0])
     assert np.allclose(wrist.get_xydata(), np.column_stack([ahead, centre[:, 2]]), atol=1e-6)
-    outlines = [patch.get_path() for patch in figure.axes[0].patches]
+    outlines = [patch.get_path() for patch in axes.patches]
     assert any(outline.contains_points(wrist.get_xydata()).all() for outline in outlines)
     # Both elbows: inside are exactly the places that joints 2 and 3 within their limits bring the wrist to.
     joints = np.random.default_rng(5).uniform(limits.lower[1:3], limits.upper[1:3], (4000, 2))
@@ -253,16 +257,15 @@ def test_colour_blind_readers_can_tell_the_curves_apart(seen: np.ndarray, styles
 @pytest.mark.parametrize("picture", PICTURES)
 def test_texts_are_legible_at_half_size_and_inside_the_page(picture: str) -> None:
     with style.house_style():
-        figure = PICTURES[picture](course(RAIL))
-        assert figure is not None
-        figure.canvas.draw()
+        made = figure(picture)
+        made.draw_without_rendering()
         # A tick outside the range keeps its text and is not drawn.
-        ticks = [t for axes in figure.axes for t in (*axes.get_xticklabels(), *axes.get_yticklabels())]
-        ticks += [t for axes in figure.axes if axes.name == "3d" for t in axes.get_zticklabels()]
+        ticks = [t for axes in made.axes for t in (*axes.get_xticklabels(), *axes.get_yticklabels())]
+        ticks += [t for axes in made.axes if axes.name == "3d" for t in axes.get_zticklabels()]
         # The extent of a text inside a 3-D picture is not in pixels of the page.
-        texts = [t for t in figure.findobj(matplotlib.text.Text) if t not in ticks and type(t).__name__ != "Text3D"]
+        texts = [t for t in made.findobj(matplotlib.text.Text) if t not in ticks and type(t).__name__ != "Text3D"]
         shown = [t for t in texts if t.get_visible() and t.get_text().strip()]
-        page = figure.bbox.padded(1)
+        page = made.bbox.padded(1)
         outside = []
         for text in shown:
             box = text.get_window_extent()

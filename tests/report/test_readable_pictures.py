@@ -60,7 +60,7 @@ def figure(case: str, picture: str) -> Figure | None:
     with house_style():
         made = PICTURES[picture](course(case)) if picture in PICTURES else STEP_PICTURES[picture](written(case))
         if made is not None:
-            made.canvas.draw()
+            made.draw_without_rendering()
         return made
 
 
@@ -228,7 +228,7 @@ def test_bars_are_readable_too() -> None:
     told: list[set[str]] = []
     with house_style():
         for made in (comparison_figure(rows, LONG), savings_figure(causes, LONG), levers_figure(bars, 6.5, LONG)):
-            made.canvas.draw()
+            made.draw_without_rendering()
             assert outside(made) == []
             assert list(overlapping(made)) == []
             told.append({text.get_text() for text in shown(made)})
