@@ -9,12 +9,12 @@ import os
 import random
 import signal
 import sys
-from collections.abc import Callable
 from pathlib import Path
 from time import sleep
 from typing import Any
 
 import pytest
+from killed import dying_at, killed_at
 
 from trajopt_cli.cli import run
 from trajopt_cli.errors import InputError
@@ -23,45 +23,10 @@ from trajopt_cli.runs.results import RapidModule, write_in_place
 from trajopt_cli.runs.together import JOURNAL, put_back, replace_files, write_files
 
 MODULE = "MODULE {0}\n PROC {0}_go()\n ENDPROC\nENDMODULE\n"
-DEADLY = ("replace", "link", "rename", "chmod", "utime", "unlink", "ftruncate", "fsync", "open", "write")
 
 
 def tree(folder: Path) -> dict[str, bytes]:
     return {path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
-
-
-def killed_at(step: int, call: Callable[[], object]) -> bool:
-    """Run call in another process, which dies as by kill -9 before its step-th change of the disk, and in the middle of
-    it where it writes; whether it came to its end."""
-    pid = os.fork()
-    if pid:
-        return os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]) == 0
-    left = step
-
-    def deadly(function: Callable[..., Any]) -> Callable[..., Any]:
-        def dying(*args: Any, **kwargs: Any) -> Any:
-            nonlocal left
-            left -= 1
-            if left < 0:
-                if function is fill:
-                    args[0].write(args[1][: len(args[1]) // 2])
-                    args[0].flush()
-                os._exit(9)
-            return function(*args, **kwargs)
-
-        return dying
-
-    code = 1
-    try:
-        fill = together.fill
-        together.fill = deadly(fill)
-        Path.unlink = deadly(Path.unlink)  # type: ignore[method-assign]
-        for name in DEADLY:
-            setattr(os, name, deadly(getattr(os, name)))
-        call()
-        code = 0
-    finally:
-        os._exit(code)
 
 
 @pytest.fixture
@@ -98,10 +63,10 @@ def test_all_or_none_whenever_the_process_is_killed(modules: dict[str, Any], tmp
     seen, told = set(), 0
     for step in range(300):
         root, wanted, added = fresh(modules, tmp_path, str(step))
-        done = killed_at(step, lambda wanted=wanted, added=added: replace_files(wanted, added))  # type: ignore[misc]
+        done = killed_at(step, replace_files, wanted, added)
         files = [*wanted, *added]
         for _ in range(rng.randrange(3)):  # the next run is killed, too
-            killed_at(rng.randrange(25), lambda files=files: put_back(files))  # type: ignore[misc]
+            killed_at(rng.randrange(25), put_back, files)
         told += bool(put_back(files))
         found = tree(root)
         if not done and found.keys() - old.keys() == {JOURNAL}:  # killed before it said a word: the next to write
@@ -139,7 +104,7 @@ def test_a_journal_that_says_done_too_early_is_taken_back_first(modules: dict[st
             os._exit(9)
         return whole_undo(*args)
 
-    assert not killed_at(10_000, change)
+    assert not dying_at(10_000, change)
     assert tree(modules["root"]) != old
     assert put_back([*modules["wanted"], *modules["added"]])
     assert tree(modules["root"]) == old
@@ -151,7 +116,7 @@ def test_files_written_together_leave_nothing_beside_them(tmp_path: Path) -> Non
         folder = tmp_path / str(step)
         write_files(folder, {"a.svg": b"1", "b.svg": b"2"})
         old = tree(folder)
-        done = killed_at(step, lambda folder=folder: write_files(folder, drawn))  # type: ignore[misc]
+        done = killed_at(step, write_files, folder, drawn)
         put_back(folder / name for name in drawn)
         assert {name: text for name, text in tree(folder).items() if name[0] != "."} in (old, drawn)
         write_files(folder, drawn | {"c.svg": b"newer"})
@@ -197,7 +162,7 @@ def test_the_next_command_says_so_and_goes_on(tmp_path: Path, capsys: pytest.Cap
     steps = 0
     while not any(path.read_bytes().endswith(b"planned\n") for path in paths):
         put_back(paths)
-        assert not killed_at(steps, lambda: write_in_place(modules))
+        assert not killed_at(steps, write_in_place, modules)
         steps += 1
     assert tree(tmp_path) != before
     assert run(["parse", *map(str, paths), "--entry", "one_go"]) == 0
@@ -238,7 +203,7 @@ def killed_once_main_is_new(modules: dict[str, Any]) -> tuple[Path, dict[Path, A
     steps = 0
     while main.read_bytes() == wanted[main][0]:
         put_back(wanted)
-        killed_at(steps, lambda: replace_files(wanted, {}))
+        killed_at(steps, replace_files, wanted, {})
         steps += 1
     return root, wanted, main
 
