@@ -109,6 +109,7 @@ def test_an_arm_angle_is_chosen_told_and_drawn(
     task: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("trajopt_cli.cli.progress.log_pause", lambda spent: 0.0)
+    task.write_text(f"{TASK}h: 4 ms\n")
     folder, plots = segments(task), task.parent / "plots"
     capsys.readouterr()
     options = ["--arm-angle", "optimal", "--for", "speed"]
@@ -127,7 +128,7 @@ def test_an_arm_angle_is_chosen_told_and_drawn(
     assert said["for"] == "speed"
     assert said["kept_fixed"] is None
     limits = load_srs("iiwa7").profile()
-    steady = np.sqrt(np.square(np.diff(joints.q, axis=0) / 1e-3 / limits.velocity).sum(axis=1).mean())
+    steady = np.sqrt(np.square(np.diff(joints.q, axis=0) / 4e-3 / limits.velocity).sum(axis=1).mean())
     assert said["optimal"]["speed_share_rms"] == pytest.approx(steady, rel=1e-9)
     assert f"{100 * steady:.2f}" in shown.out
     assert said["optimal"]["speed_share_rms"] < said["fixed"]["speed_share_rms"]
@@ -249,6 +250,7 @@ def test_dosing_keeps_the_bound_and_leaves_the_source_alone(task: Path, capsys: 
 
 @pytest.mark.parametrize("feed", ["velocity", "inverse"])
 def test_a_lead_is_kept_in_the_loop_as_it_is_told(feed: str, task: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    task.write_text(f"{TASK}h: 4 ms\n")
     folder = segments(task)
     options = ["--max-lag", "3mm", "--max-lead", "20N", "--feed", feed]
     assert run(["iiwa", "dose", str(folder), *options]) == 0
@@ -268,7 +270,7 @@ def test_a_lead_is_kept_in_the_loop_as_it_is_told(feed: str, task: Path, capsys:
     x_e, x = rows[:, 1:4], rows[:, 7:10]
     push = 1000 * (x_e - x)
     if feed == "velocity":
-        push[:-1] += 500 * np.diff(x_e, axis=0) / 1e-3
+        push[:-1] += 500 * np.diff(x_e, axis=0) / 4e-3
     assert 19 < np.linalg.norm(push, axis=1).max() <= 20 * (1 + 1e-4)  # of differences of printed rows
     if feed == "inverse":
         turned = 30 * (rows[:, 4:7] - rows[:, 10:13])
@@ -289,7 +291,7 @@ def test_joints_that_could_not_accelerate_so_slow_the_inverse_feed_down(
     rotation: str, task: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     task.write_text(
-        TASK.replace("trapezoid", f"thesis\nrotation: {rotation}").replace("M: [25, 25, 25,", "M: [5, 5, 5,")
+        TASK.replace("trapezoid", f"thesis\nh: 2 ms\nrotation: {rotation}").replace("M: [25, 25, 25,", "M: [5, 5, 5,")
     )
     folder = segments(task)
     capsys.readouterr()
@@ -330,7 +332,7 @@ def test_the_fastest_feed_within_the_lead_is_written(task: Path, capsys: pytest.
 def test_a_path_that_only_turns_has_a_front_of_one_lead(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
     text = TASK.replace("[0, 0.1, 0, 0, 0, 20 deg]", "[0, 0, 0, 0, 0, 20 deg]").replace("[0.02, 0, 0.05,", "[0, 0, 0,")
     task.write_text(
-        text.replace("0, 0, 0], dwell: 0.1 s", "9 deg, 0, 0]").replace("K: [1000, 1000, 1000", "K: [0, 0, 0")
+        text.replace("0, 0, 0], dwell: 0.1 s", "9 deg, 0, 0]").replace("K: [1000, 1000, 1000", "h: 4 ms\nK: [0, 0, 0")
     )
     folder = segments(task)
     capsys.readouterr()
