@@ -133,14 +133,23 @@ def test_other_tables_fit_eighty_columns(
 def in_a_terminal(program: Path, **env: str) -> str:
     """What `analyse` writes to a terminal of 80 columns."""
     master, slave = pty.openpty()
-    command = [sys.executable, "-m", "trajopt_cli.cli", "analyse", str(program)]
-    base = {name: value for name, value in os.environ.items() if name not in ("NO_COLOR", "FORCE_COLOR", "COLUMNS")}
-    process = subprocess.Popen(
-        command, stdout=slave, stderr=slave, env=base | {"PYTHONPATH": str(REPOSITORY), "TERM": "xterm", **env}
-    )
+    pid = os.fork()
+    if not pid:
+        code = 99
+        try:
+            os.close(master)
+            for name in ("NO_COLOR", "FORCE_COLOR", "COLUMNS"):
+                os.environ.pop(name, None)
+            os.environ |= {"TERM": "xterm", **env}
+            sys.stdout, sys.stderr = os.fdopen(slave, "w"), os.fdopen(slave, "w", closefd=False)
+            code = run(["analyse", str(program)])
+            sys.stdout.flush()
+            sys.stderr.flush()
+        finally:
+            os._exit(code)
     os.close(slave)
     text = b"".join(_all_of(master))
-    assert process.wait() == 0
+    assert os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]) == 0
     return text.decode()
 
 
@@ -158,7 +167,7 @@ def _all_of(master: int) -> Iterator[bytes]:
 def test_colour_is_for_terminals_and_for_who_wants_it(program: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert "\x1b[1m" in in_a_terminal(program, COLUMNS="80")
     assert "\x1b" not in in_a_terminal(program, COLUMNS="80", NO_COLOR="1")
-    command = [sys.executable, "-m", "trajopt_cli.cli", "analyse", str(program)]
+    command = [sys.executable, "-m", "trajopt_cli.cli", "analyse", str(program)]  # as it begins, too
     env = {**os.environ, "PYTHONPATH": str(REPOSITORY), "TERM": "xterm"}
     piped = subprocess.run(command, capture_output=True, text=True, check=True, env=env)
     assert "\x1b" not in piped.stdout + piped.stderr
