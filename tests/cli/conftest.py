@@ -1,5 +1,5 @@
 """The fixtures of fake_planner, for every test in this folder."""
 
-from fake_planner import planner, program, results
+from fake_planner import compared_once, planner, program, results
 
-__all__ = ["planner", "program", "results"]
+__all__ = ["compared_once", "planner", "program", "results"]

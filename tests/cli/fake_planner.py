@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from trajopt_cli.cli import run
+from trajopt_cli.job import Job
 from trajopt_cli.motion import Program, Wait
 from trajopt_cli.problem.changes import Changes
 from trajopt_cli.problem.freedom import EVERYTHING, Freedom
 from trajopt_cli.problem.plan import Infeasible, Plan, PlannedMotion, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.progress import Progress
+from trajopt_cli.study import comparison
 from trajopt_cli.trajectory import Trajectory
 
 TEXT = """MODULE Tiny
@@ -129,3 +131,20 @@ def results(planner: Planner, program: Path) -> Path:
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
             (folder / name).write_bytes(content)
     return folder
+
+
+_COMPARED: dict[tuple[object, ...], comparison.Comparison] = {}
+
+
+@pytest.fixture
+def compared_once(planner: Planner, monkeypatch: pytest.MonkeyPatch) -> None:
+    """For tests of what is told of a comparison: that of the tiny program as it is, with one planner, is made once."""
+    made = comparison.compare
+
+    def compare(job: Job, listen: object, *rest: object) -> comparison.Comparison:
+        key = (planner.speed, planner.freest, *rest)
+        if key not in _COMPARED:
+            _COMPARED[key] = made(job, listen, *rest)  # type: ignore[arg-type]
+        return replace(_COMPARED[key], job=job)
+
+    monkeypatch.setattr(comparison, "compare", compare)

@@ -322,6 +322,7 @@ def test_parse_needs_no_cell_and_gives_places(program: Path, capsys: pytest.Capt
     assert [motion["source"] for motion in motions] == ["tiny.mod:6:9", "tiny.mod:7:9", "tiny.mod:8:9"]
 
 
+@pytest.mark.usefixtures("compared_once")
 def test_compare_counts_savings_against_the_first_legal_row(
     program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -346,6 +347,7 @@ def test_compare_counts_savings_against_the_first_legal_row(
     assert "saving by cause" in out
 
 
+@pytest.mark.usefixtures("compared_once")
 def test_the_saving_by_cause_adds_up_and_a_slower_plan_never_replaces_a_faster(
     program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -583,6 +585,7 @@ def test_ctrl_c_with_a_plan_at_hand_says_what_it_kept(
         assert json.loads(captured.out)["interrupted"] is True
 
 
+@pytest.mark.usefixtures("compared_once")
 def test_ctrl_c_after_something_was_written_names_it(
     program: Path, planner: Planner, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -711,6 +714,7 @@ def test_a_mesh_travels_with_the_results(program: Path, planner: Planner, capsys
     assert "clearance" in capsys.readouterr().out
 
 
+@pytest.mark.usefixtures("compared_once")
 def test_pictures_are_drawn_on_request_and_belong_to_the_folder(
     program: Path, planner: Planner, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -112,6 +112,7 @@ def test_eighty_columns_are_enough(
     assert set(re.findall(r"\d+\.\d+", wide)) == set(re.findall(r"\d+\.\d+", narrow))
 
 
+@pytest.mark.usefixtures("compared_once")
 def test_other_tables_fit_eighty_columns(
     program: Path, results: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -17,7 +17,7 @@ from trajopt_cli.study import comparison
 
 
 @pytest.fixture
-def asked(monkeypatch: pytest.MonkeyPatch) -> list[Loops]:
+def asked(compared_once: None, monkeypatch: pytest.MonkeyPatch) -> list[Loops]:
     """What loops become in the comparisons that are made."""
     found: list[Loops] = []
     made = comparison.compare

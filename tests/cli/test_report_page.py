@@ -38,6 +38,7 @@ def test_the_page_of_a_run_has_the_numbers_of_its_summary(
     assert "results/tiny/report.html: was changed since the run" in capsys.readouterr().err
 
 
+@pytest.mark.usefixtures("compared_once")
 def test_a_comparison_is_a_folder_of_its_own(
     program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
 ) -> None:
