@@ -379,7 +379,10 @@ def test_several_files_an_entry_and_an_assumption(here: Path, capsys: pytest.Cap
 
 @pytest.mark.parametrize(
     ("cell", "heavy"),
-    [("", "rich ruamel trajopt_cli.problem.plant"), (CELL, "rich scipy pinocchio casadi coal matplotlib")],
+    [
+        ("", "rich ruamel trajopt_cli.problem.plant"),
+        (CELL, "rich scipy pinocchio casadi coal matplotlib toppra ruckig"),
+    ],
 )
 def test_a_listing_loads_no_more_than_it_needs(here: Path, cell: str, heavy: str) -> None:
     write("e.mod", EVERYTHING)
