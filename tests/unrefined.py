@@ -1,6 +1,11 @@
-"""Streams as they come: for tests that plan streams and ask nothing of how fast they are."""
+"""Streams in less time, for tests that ask something else of them: as they come, or solved like those of long ones."""
 
 from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import pytest
 
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.draft import Draft
@@ -14,3 +19,12 @@ IMPROVED = "trajopt_cli.optimize.solve.improved"
 def as_it_comes(axes: Axes, legal: Legal, *_: object) -> tuple[Problem, Draft, tuple[str, ...]]:
     """In place of IMPROVED: the legal motion that the search ends with."""
     return *joined(axes, legal.problem, legal.draft, legal.detours), ()
+
+
+@contextmanager
+def coarse_grids() -> Iterator[None]:
+    """Programs of any length are solved on the grids that long ones have: a quarter of the nodes."""
+    with pytest.MonkeyPatch.context() as patch:
+        for name in ("SHORT", "FEW_LEGS"):
+            patch.setattr(f"trajopt_cli.optimize.driver.{name}", 0)
+        yield

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 import pytest
 from small_cells import plant_with_rail, plant_without_rail, rapid
@@ -14,6 +16,8 @@ from trajopt_cli.problem.objective import GENTLE, LeastEffort, Objective
 from trajopt_cli.problem.plan import Eased, Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.verify.judge import verify
+
+pytestmark = pytest.mark.usefixtures("coarse")
 
 APART = "CONST jointtarget j_off:=[[40,10,-20,30,60,-50],[0,9E9,9E9,9E9,9E9,9E9]];"
 AWAY = "MoveAbsJ j_off, v5000, fine, tool0;"
@@ -38,10 +42,15 @@ def planned(program: Program, target: Target, objective: Objective, plant: Plant
     return plan, plan.eased
 
 
+@cache
+def away(target: Target) -> tuple[Plan, Eased]:
+    return planned(rapid(AWAY, data=APART), target, LeastEffort(3.0), plant_without_rail())
+
+
 @pytest.mark.parametrize("target", Target)
 def test_a_joint_move_alone_has_the_effort_of_the_closed_form(target: Target) -> None:
     plant = plant_without_rail()
-    plan, eased = planned(rapid(AWAY, data=APART), target, LeastEffort(3.0), plant)
+    plan, eased = away(target)
     d = np.radians([40, 10, -20, 30, 30, -50])  # from home to there
     wanted = float(np.sum(12 * (d / plant.limits.acceleration) ** 2) / 3.0**3)  # of a cubic from rest to rest
     assert plan.duration == pytest.approx(3.0, abs=1e-9)
@@ -117,8 +126,7 @@ def test_time_that_no_leg_can_take_is_a_rest() -> None:
 
 
 def test_equal_questions_have_equal_rows() -> None:
-    program, plant = rapid(f"{AWAY}\nMoveAbsJ j_home, v1000, fine, tool0;", data=APART), plant_without_rail()
-    plans = [planned(program, Target.STREAM, LeastEffort(3.0), plant)[0] for _ in range(2)]
+    plans = [question(Target.STREAM)[0] for question in (away, away.__wrapped__)]
     texts = [write_csv_text(plan.trajectory) for plan in plans]
     assert texts[0] == texts[1]
 

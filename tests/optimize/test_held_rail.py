@@ -14,6 +14,8 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.search import search
 from trajopt_cli.problem.plan import Plan, Target
 
+pytestmark = pytest.mark.usefixtures("coarse")
+
 BODY = """MoveJ p_in, v2500, fine, tool0;
 MoveJ Offs(p_low,0,400,0), v2500, fine, tool0; ! trajopt: hold rail
 MoveL Offs(p_low,0,300,0), v1000, fine, tool0; ! trajopt: hold rail

@@ -24,6 +24,8 @@ from trajopt_cli.robot.inverse import confdata
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.verify.judge import verify
 
+pytestmark = pytest.mark.usefixtures("coarse")
+
 # arm, rail, joints [deg] of home, of the line's start and of what is near its end
 CASES = {
     "offset elbow": (KNOWN["irb1200"], None, [0, 0, 0, 0, 30, 0], [40, 20, 10, 10, 50, 20], [35, 30, 5, 15, 60, 30]),

@@ -28,6 +28,8 @@ from trajopt_cli.robot.symbolic_dynamics import load_parameters
 from trajopt_cli.trajectory import hermite
 from trajopt_cli.verify.judge import verify
 
+pytestmark = pytest.mark.usefixtures("coarse")
+
 GRIP = "PERS tooldata grip:=[TRUE,[[0,0,120],[1,0,0,0]],[2.5,[10,0,60],[1,0,0,0],0.01,0.01,0.005]];\n"
 DATA = f"""{GRIP}CONST robtarget p_a:=[[600,-150,500],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
 CONST robtarget p_b:=[[600,150,500],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];

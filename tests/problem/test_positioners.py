@@ -22,6 +22,8 @@ from trajopt_cli.rapid.zones import stopped_fly_bys
 from trajopt_cli.scenario import PositionerAxis, Scenario
 from trajopt_cli.verify.judge import verify
 
+pytestmark = pytest.mark.usefixtures("coarse")
+
 V, A = np.radians(90.0), np.radians(180.0)
 
 

@@ -27,6 +27,8 @@ from trajopt_cli.scenario import PositionerAxis, Scenario
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.judge import verify
 
+pytestmark = pytest.mark.usefixtures("coarse")
+
 CENTRE = np.array([0.6, 0.5, 0.1])
 V, A = float(np.radians(90)), float(np.radians(180))
 PLANT = plant_with_rail()

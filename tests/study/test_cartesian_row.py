@@ -15,6 +15,8 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.study.cartesian import bang_bang_row
 from trajopt_cli.study.case import Answer, Attempt, Case
 
+pytestmark = pytest.mark.usefixtures("coarse")
+
 PROGRAMS = ["hinge_cell", "bench_irb140", "everything_once"]
 
 

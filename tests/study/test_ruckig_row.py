@@ -16,6 +16,8 @@ from trajopt_cli.study.case import Answer, Attempt, Case, NotApplicable
 from trajopt_cli.study.ruckig_row import ruckig, ruckig_jerk
 from trajopt_cli.trajectory import Trajectory, hermite
 
+pytestmark = pytest.mark.usefixtures("coarse")
+
 ROWS = {"free jerk": ruckig, "jerk": ruckig_jerk}
 
 
