@@ -26,7 +26,7 @@ def plant() -> Plant:
     robot = load_robot("ur5e_rail")
     base = robot.profile()
     lower, upper = base.lower.copy(), base.upper.copy()
-    lower[0], upper[0] = -0.1, 0.9
+    lower[0], upper[0] = -0.1, 0.5
     limits = JointLimits(base.names, lower, upper, base.velocity, base.acceleration)
     return Plant(robot, limits, TcpCaps(2.5, 20.0), np.r_[0.0, HOME], 0, False, False, frozenset())
 
@@ -82,6 +82,7 @@ def test_a_new_program_is_planned_judged_and_exported(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("trajopt_cli.optimize.lower_bound_of", lambda *_, **__: 0.1)  # other tests ask for it
     assert run(["new", "first", "--robot", "ur10e_rail"]) == 0
     assert run(["optimize", "first.mod", "--time-limit", "0", "--json", "--quiet", "--jobs", "1"]) == 0
     answer = json.loads(capsys.readouterr().out.split("\n", 2)[2])

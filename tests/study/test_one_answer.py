@@ -140,7 +140,7 @@ ENDMODULE
         "MoveJ RelTool(p1,0,0,-40), v1000, fine, tool0;",
     ],
 )
-@pytest.mark.usefixtures("alone")
+@pytest.mark.usefixtures("alone", "unrefined")
 def test_both_commands_find_the_same_time(body: str, tmp_path: Path) -> None:
     """Approach points that are computed: compare used to hold their rail where the program has it."""
     job = job_of(APPROACH.format(home=HOME, body=body), tmp_path)
