@@ -18,8 +18,6 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.workspace import rail_ranges
 from trajopt_cli.verify.judge import verify
 
-pytestmark = pytest.mark.usefixtures("coarse")
-
 ACROSS = """MoveAbsJ [[0,60,-37,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v2500, fine, tool0;
 MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v2500, fine, tool0;"""
 STATION = """MoveJ p_in, v2500, fine, tool0;
