@@ -87,6 +87,7 @@ def test_an_arc_that_leaves_a_range_between_the_nodes_of_the_search_is_refused_w
     assert max(left) == pytest.approx(float(said[1]) / float(said[2]), abs=0.01)
 
 
+@pytest.mark.usefixtures("unrefined")
 def test_a_wait_at_the_end_is_as_long_as_coarse_rows_show(tmp_path: Path) -> None:
     """The row at its end is closer than a row's distance; what rows leave open is at its begin."""
     assert round_trip(ENDS_WITH_A_WAIT, tmp_path) == "planned"
@@ -108,6 +109,7 @@ def test_programs_are_the_same_for_the_same_number_and_of_every_kind() -> None:
         assert re.search(kind, together), kind
 
 
+@pytest.mark.usefixtures("unrefined")
 def test_another_program_is_seen_when_it_is_read_back(tmp_path: Path) -> None:
     (tmp_path / "small.mod").write_text(ENDS_WITH_A_WAIT.text)
     (tmp_path / "small.yaml").write_text(ENDS_WITH_A_WAIT.cell)
