@@ -15,6 +15,7 @@ from trajopt_cli.motion import Program
 from trajopt_cli.optimize import optimize
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.formulation import Formulation
+from trajopt_cli.optimize.library import Maps
 from trajopt_cli.optimize.smooth import rest_time
 from trajopt_cli.path.line import Line, LineSymbols
 from trajopt_cli.problem.objective import LEAST_TIME, LeastEffort, Objective
@@ -137,7 +138,7 @@ def test_a_stream_of_given_time_keeps_its_jerk_limits() -> None:
 def test_third_derivatives_along_a_line_are_those_of_its_joints() -> None:
     plant = limited(plant_with_rail())
     axes, line = Axes.of(plant), Line(down(0.45, 0.5, 0.4), down(0.55, 0.7, 0.35))
-    relation = Formulation(axes).path_node(LineSymbols(False), "l")
+    relation = Formulation(axes, Maps()).path_node(LineSymbols(False), "l")
     c, e, T = np.array([0.3, 0.5, 0.4, 0.7]), np.array([0.5, 0.2, -0.6, 0.3]), 1.3  # s and d as cubics of tau
     at = 0.4
 
