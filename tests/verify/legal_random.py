@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
 from legal_motion import (
@@ -31,6 +32,7 @@ from trajopt_cli.robot.kinematics import forward_acceleration
 from trajopt_cli.trajectory import Trajectory
 
 
+@lru_cache(maxsize=64)
 def random_case(seed: int) -> Case:
     """One to three stations: a joint move there, a line down, a wait, a line up; home at the end. Every odd seed has a
     rail. Legal at 1 kHz to the last digit."""
@@ -41,7 +43,7 @@ def random_case(seed: int) -> Case:
     motions: list[Motion] = []
     pieces: list[Piece] = []
     q_now, line = plant.start, 11
-    for station in range(int(rng.integers(1, 4))):
+    for station in range(_stations(rng)):
         x, y, z = rng.uniform([0.40, -0.25, 0.42], [0.52, 0.25, 0.50])
         y, before = y + d, d
         d = float(rng.uniform(0.0, 0.4)) if has_rail else 0.0
@@ -72,6 +74,15 @@ def random_case(seed: int) -> Case:
     motions.append(home(line, 0.0 if has_rail else None))
     pieces.append(joint_move(plant, q_now, plant.start, float(rng.uniform(0.5, 0.97))))
     return Case(plant, program(*motions), tuple(pieces))
+
+
+def stations(seed: int) -> int:
+    """How many stations the random case of a seed has."""
+    return _stations(np.random.default_rng(seed))
+
+
+def _stations(rng: np.random.Generator) -> int:
+    return int(rng.integers(1, 4))
 
 
 def paced(

@@ -27,7 +27,7 @@ from legal_motion import (
     program,
     quintic,
 )
-from legal_random import random_case, written
+from legal_random import random_case, stations, written
 from scipy.ndimage import minimum_filter1d
 from table_cell import CELL, PLANT, asked
 
@@ -239,8 +239,7 @@ def station(rng: np.random.Generator, rail: bool | None = None) -> Case:
         seed = int(rng.integers(10**6))
         if rail is not None and bool(seed % 2) != rail:
             continue
-        case = random_case(seed)
-        if len(case.pieces) == 5:
+        if stations(seed) == 1 and len((case := random_case(seed)).pieces) == 5:
             return case
 
 
