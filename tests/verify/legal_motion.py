@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 
 import numpy as np
 
@@ -47,6 +48,7 @@ CONF = ConfData(0, 0, 0, 0)
 _WRITTEN = Written(Span("t.mod", 0, 1))
 
 
+@cache
 def plant_with_rail(rail_fixed: bool = False, free_speed: bool = False) -> Plant:
     robot = load_robot("irb140_rail")
     base = robot.profile()
@@ -60,6 +62,7 @@ def plant_with_rail(rail_fixed: bool = False, free_speed: bool = False) -> Plant
     return Plant(robot, limits, TcpCaps(2.5, 20.0), np.r_[0.0, HOME], 0, rail_fixed, free_speed, frozenset())
 
 
+@cache
 def plant_without_rail() -> Plant:
     robot = load_robot("irb140")
     return Plant(robot, robot.profile(), TcpCaps(2.5, 20.0), HOME, None, False, False, frozenset())
@@ -220,7 +223,7 @@ def self_motion(
     return Piece(T, at, **more)
 
 
-def rows_of(plant: Plant, pieces: Sequence[Piece], step: float = 1e-3, grid_only: bool = False) -> Trajectory:
+def rows_of(plant: Plant, pieces: Sequence[Piece], step: float = 4e-3, grid_only: bool = False) -> Trajectory:
     """Rows of all pieces: our own format, or (grid_only) the bare grid and the exact end."""
     starts = np.cumsum([0.0] + [piece.T for piece in pieces])
     marks = [starts]
@@ -270,7 +273,11 @@ def rail_share(d_0: float, d_1: float) -> Callable[[Array, Array], tuple[Array, 
 
 def rapid_case(plant: Plant | None = None) -> Case:
     """Two stations; every axis rests at every stop, the rail in proportion to the path: legal for both targets."""
-    plant = plant or plant_with_rail()
+    return _rapid_case(plant or plant_with_rail())
+
+
+@cache
+def _rapid_case(plant: Plant) -> Case:
     d = [0.05, 0.08, 0.08, 0.12, 0.25, 0.28, 0.28 + 3.0 * 0.3**2 / 4]  # the last ride at full acceleration
     q = [arm_at(plant, X[None], np.array([rail]))[0] for X, rail in
          zip([A_IN, A, A, A_IN, B_IN, B, B], d, strict=True)]  # fmt: skip
@@ -302,6 +309,7 @@ def rapid_case(plant: Plant | None = None) -> Case:
     return Case(plant, motions, pieces)
 
 
+@cache
 def stream_case() -> Case:
     """What only a stream can do, and every kind of move: the rail passes through two stops with speed, drives in a
     wait, a wait on a signal, a programmed move of the rail under a resting TCP, external axes alone, home."""
@@ -346,6 +354,7 @@ def stream_case() -> Case:
 HELD_RAILS = (0.05, 0.08, 0.11)
 
 
+@cache
 def held_case() -> Case:
     """A rail that is held on a line, in a wait, on a joint move and in a wait that follows a ride without a programmed
     time; free in the waits between: legal for both targets."""
@@ -398,6 +407,7 @@ def swayed(plant: Plant, X: Array, d: float, T: float, way: float) -> Piece:
     return self_motion(plant, X, rail, T)
 
 
+@cache
 def bench_case() -> Case:
     """Six axes on a bench, a tool 0.1 m long: joint moves, a line, a pure reorientation, a wait."""
     plant = plant_without_rail()

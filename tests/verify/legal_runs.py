@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -150,8 +151,7 @@ def driven(parts: Sequence[Part], v: float, a: float, profile: object = None) ->
     length = parts[-1].end
     T, at, switches = profile or trapezoid(v / length, a / length)
     starts = np.array([part.begin for part in parts])
-    fine = np.linspace(0, T, 200_001)
-    crossed = np.interp(starts[1:], at(fine)[0] * length, fine)
+    crossed = times_at(at, T, starts[1:] / length)
 
     def q_at(t: Array) -> tuple[Array, Array]:
         s, rate = at(t)
@@ -166,8 +166,17 @@ def driven(parts: Sequence[Part], v: float, a: float, profile: object = None) ->
 def time_at(sigma: float, length: float, v: float = 0.15, a: float = 1.0) -> float:
     """When a driven way of this length has come so far [m]."""
     T, at, _ = trapezoid(v / length, a / length)
-    t = np.linspace(0, T, 200_001)
-    return float(np.interp(sigma, at(t)[0] * length, t))
+    return float(times_at(at, T, np.array([sigma / length]))[0])
+
+
+def times_at(at: Callable[[Array], tuple[Array, Array]], T: float, shares: Array) -> Array:
+    """When a profile at of time T has come to these shares of its way, by halving."""
+    low, high = np.zeros(len(shares)), np.full(len(shares), T)
+    for _ in range(45):
+        middle = (low + high) / 2
+        before = at(middle)[0] < shares
+        low, high = np.where(before, middle, low), np.where(before, high, middle)
+    return (low + high) / 2
 
 
 # Half a metre before the robot; room for 100 mm of way each.
@@ -200,6 +209,7 @@ def run_case(
     )
 
 
+@cache
 def line_line(zone: Zone = Z10, turn: float = 0.0, v: float = 0.15, speed: Speed = V500) -> Case:
     """A right angle."""
     legs = [Line(P0, turned(P1, turn)), Line(turned(P1, turn), turned(P2, -turn))]
@@ -211,6 +221,7 @@ def turned(X: Array, angle: float) -> Array:
     return down(*X[:3, 3], angle)
 
 
+@cache
 def two_turns() -> Case:
     """A right angle; the tool turns about the vertical on the one line, about x on the other."""
     X_1 = turned(P1, 0.3)
@@ -222,6 +233,7 @@ def two_turns() -> Case:
 VIA = np.array([0.53, 0.03, 0.4])
 
 
+@cache
 def line_arc(zone: Zone = Z10) -> Case:
     """Along y into half a circle that bulges to x, and a line back."""
     X_1, X_2, X_3 = P1, turned(P2, 0.3), turned(P3, 0.1)
@@ -235,6 +247,7 @@ def line_arc(zone: Zone = Z10) -> Case:
     return run_case(motions, legs, [size, size])
 
 
+@cache
 def full_circle(zone: Zone = Z10) -> Case:
     """Two arcs, round once."""
     back = 2 * np.array([0.5, 0.03, 0.4]) - VIA
@@ -245,6 +258,7 @@ def full_circle(zone: Zone = Z10) -> Case:
     return replace(first, program=program(*first.program.motions, *motions[1:]), pieces=(*first.pieces, second))
 
 
+@cache
 def arc_alone(turn: float = 0.5) -> Case:
     """From stop to stop."""
     X_2 = turned(P2, turn)
@@ -254,6 +268,7 @@ def arc_alone(turn: float = 0.5) -> Case:
     return replace(case, program=program(*motions), pieces=(*case.pieces, arc))
 
 
+@cache
 def joint_line(zone: Zone = Z10, plant: Plant | None = None) -> Case:
     """A joint move, a line, a joint move, all in one run."""
     plant = plant or plant_without_rail()
@@ -263,6 +278,7 @@ def joint_line(zone: Zone = Z10, plant: Plant | None = None) -> Case:
     return run_case(motions, legs, [(zone.radius, zone.radius)] * 2, plant=plant)
 
 
+@cache
 def joint_joint(zone: Zone = Z10) -> Case:
     """Three joint moves; the second ends at joints."""
     plant = plant_without_rail()
@@ -275,6 +291,7 @@ def joint_joint(zone: Zone = Z10) -> Case:
 RAILS = (0.05, 0.09, 0.08, 0.1)
 
 
+@cache
 def with_rail(zone: Zone = Z10) -> Case:
     """Line, arc, line with a rail in proportion to each and rounded over its own zone."""
     X_2 = turned(P2, 0.3)
@@ -288,6 +305,7 @@ def with_rail(zone: Zone = Z10) -> Case:
     return run_case(motions, legs, [size, size], rails=RAILS, external=[max(zone.path_eax, zone.radius)] * 2)
 
 
+@cache
 def stopped_on_points() -> Case:
     """A plan of stops for a program with zones: every point met exactly, at rest."""
     case = line_line(turn=0.2)
@@ -296,6 +314,7 @@ def stopped_on_points() -> Case:
     return replace(case, pieces=(case.pieces[0], *pieces))
 
 
+@cache
 def contour(n: int = 100, zone: Zone = Z1, v: float = 0.05) -> Case:
     """Chords of 2 mm along a screw of 1.2 mm pitch: every turn comes near all the points of the one before."""
     phi = 0.1 * np.arange(n + 1)

@@ -46,7 +46,8 @@ def limited(plant: Plant, **changes: dict[int, float]) -> Plant:
 
 
 def edited(case: Case, edit: Callable[[Array, Array, Array], None]) -> Trajectory:
-    rows = case.rows()
+    """A row every millisecond, some of them changed in place."""
+    rows = case.rows(step=1e-3)
     t, q, qd = np.array(rows.t), np.array(rows.q), np.array(rows.qd)
     edit(t, q, qd)
     return Trajectory(rows.names, t, q, qd)

@@ -230,7 +230,7 @@ def tcp_accelerates_too_hard_only_between_rows() -> Judged:
     case = rapid_case(replace(plant_with_rail(), tcp=TcpCaps(2.5, cap)))
     profile = (T, at, (ramp, ramp + middle))
     case = case.swap(p1=line_move(case.plant, A_IN, A, rail_share(0.05, 0.08), 0, 0, profile=profile))
-    return case, case.rows(), None
+    return case, case.rows(step=1e-3), None
 
 
 @spoiled("programmed speed", "TCP", 12)

@@ -28,7 +28,7 @@ from trajopt_cli.verify.judge import verify
 
 
 def advice(case: Case, target: Target | None = None) -> dict[int, Finding]:
-    report = verify(case.program, case.plant, case.rows(), target=target)
+    report = verify(case.program, case.plant, case.rows(step=1e-3), target=target)
     assert report.legal, [f.message for f in report.findings if not f.passed]
     return {f.source.line: f for f in report.advice if f.source}
 
@@ -93,10 +93,12 @@ def test_joint_moves_from_rest_to_rest_are_compared_with_ruckig() -> None:
 def test_moves_at_a_tcp_cap_get_no_advice() -> None:
     plant = plant_with_rail()
     fast = rapid_case(plant)
-    peak = max(f.value for f in verify(fast.program, plant, fast.rows()).findings if f.check == "TCP acceleration")
+    rows = fast.rows(step=1e-3)
+    free = verify(fast.program, plant, rows)
+    peak = max(f.value for f in free.findings if f.check == "TCP acceleration")
     capped = replace(plant, tcp=TcpCaps(2.5, peak))
-    found = {f.source.line for f in verify(fast.program, capped, fast.rows()).advice if f.source}
-    at_cap = {f.source.line for f in verify(fast.program, plant, fast.rows()).advice if f.source}
+    found = {f.source.line for f in verify(fast.program, capped, rows).advice if f.source}
+    at_cap = {f.source.line for f in free.advice if f.source}
     assert len(at_cap - found) == 1
 
 

@@ -47,7 +47,7 @@ from trajopt_cli.verify.visits import Closeness, Event, events_of
 
 def test_nan_and_reversed_time_are_malformed_files() -> None:
     case = rapid_case()
-    text = write_csv_text(case.rows())
+    text = write_csv_text(case.rows(step=1e-3))
     lines = text.split("\n")
     fields = lines[300].split(",")
     lines[300] = ",".join([*fields[:3], "nan", *fields[4:]])
@@ -78,9 +78,9 @@ def test_a_programmed_time_may_end_in_a_rest_that_later_moves_share(stays: int) 
         motions = list(case.program.motions)
         motions[1] = move_l(12, "p_a", A, 0.08, duration=T)
         motions[3:3] = [move_l(19 + k, "p_a", A, 0.08) for k in range(stays)]
-        return [f.check for f in verify(program(*motions), case.plant, case.rows()).findings if not f.passed]
+        return [f.check for f in verify(program(*motions), case.plant, rows).findings if not f.passed]
 
-    T = case.pieces[1].T
+    T, rows = case.pieces[1].T, case.rows()
     assert programmed(T) == programmed(T + rest / 2) == programmed(T + rest) == []
     assert programmed(T + rest + OVER * DURATION) == programmed(T - OVER * DURATION) == ["duration"]
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from functools import cache
 
 import numpy as np
 import pytest
@@ -34,15 +35,17 @@ from trajopt_cli.verify import tolerances as tol
 REGISTERED = (spoiled_holds, spoiled_runs, spoiled_shapes, spoiled_stops)  # importing them fills SPOILED
 
 
-def judged(name: str) -> Report:
+@cache
+def judged(name: str) -> tuple[Case, Report]:
+    """A spoiled motion and what the judge finds in it."""
     case, rows, target = SPOILED[name][0]()
-    return verify(case.program, case.plant, rows, target=target)
+    return case, verify(case.program, case.plant, rows, target=target)
 
 
 @pytest.mark.parametrize("name", SPOILED)
 def test_every_spoiled_motion_is_caught_by_the_right_check(name: str) -> None:
     _, check, subject, line = SPOILED[name]
-    report = judged(name)
+    _, report = judged(name)
     failed = [f for f in report.findings if not f.passed]
     assert not report.legal
     named = [f for f in failed if f.check == check and subject in (f.subject, None)]
@@ -111,11 +114,12 @@ OTHERWISE = {
 def test_nine_tenths_of_an_offence_are_none(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """And both are told as they are: so much of the limit, there and then."""
     make, check, subject, line = SPOILED[name]
-    for over in (0.9, OVER):
-        for module in REGISTERED:
-            monkeypatch.setattr(module, "OVER", over)
-        case, rows, target = make()
-        report = verify(case.program, case.plant, rows, target=target)
+    beyond = judged(name)
+    for module in REGISTERED:
+        monkeypatch.setattr(module, "OVER", 0.9)
+    case, rows, target = make()
+    within = case, verify(case.program, case.plant, rows, target=target)
+    for over, (case, report) in ((0.9, within), (OVER, beyond)):
         found = [f for f in report.findings if f.check == check and subject in (f.subject, None)]
         found = [f for f in found if line is None or (f.source is not None and f.source.line == line)]
         assert all(f.passed for f in found) == (over < 1), [f.message for f in found]
@@ -145,7 +149,7 @@ TWICE = {
 
 @pytest.mark.parametrize("name", IN_RUNS)
 def test_an_offence_in_a_run_is_told_by_one_check(name: str) -> None:
-    assert {f.check for f in judged(name).findings if not f.passed} == TWICE.get(name, {SPOILED[name][1]})
+    assert {f.check for f in judged(name)[1].findings if not f.passed} == TWICE.get(name, {SPOILED[name][1]})
 
 
 def test_every_check_of_a_stream_is_broken_by_one_of_them_or_in_a_file_of_its_own() -> None:
@@ -158,7 +162,7 @@ def test_every_check_of_a_stream_is_broken_by_one_of_them_or_in_a_file_of_its_ow
 def test_offences_stay_where_they_are() -> None:
     """One wrong stop is one wrong stop: the points after it are found."""
     for name in ("point_missed", "point_skipped", "flown_by_at_speed"):
-        failed = [f for f in judged(name).findings if not f.passed and f.check.startswith("stop")]
+        failed = [f for f in judged(name)[1].findings if not f.passed and f.check.startswith("stop")]
         assert len(failed) == 1, [f.message for f in failed]
 
 
@@ -182,7 +186,7 @@ def test_the_message_says_place_value_time_and_limit() -> None:
 @pytest.mark.parametrize(("name", "unit"), [("TCP speed", "m/s"), ("TCP acceleration", "m/s2")])
 def test_the_tcp_is_named_once(name: str, unit: str) -> None:
     spoiled_one = next(key for key, (_, check, *_) in SPOILED.items() if check == name)
-    found = next(f for f in judged(spoiled_one).findings if f.check == name)
+    found = next(f for f in judged(spoiled_one)[1].findings if f.check == name)
     assert re.fullmatch(rf"cell\.mod:12:5: {name} [\d.]+ {unit} at t = [\d.]+ s, limit [\d.]+", found.message)
 
 
