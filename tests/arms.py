@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import cache, partial
+from io import StringIO
 from math import pi
 from pathlib import Path
 
@@ -49,14 +50,20 @@ class Chain:
 
     def load(self, folder: Path, X_WR: Array | None = None, name: str = "arm") -> RobotModel:
         """The robot of this chain, its files written to a folder. What is no geometry is the IRB 140's."""
-        source = "irb140" if self.rail is None else "irb140_rail"
-        raw = YAML().load((ROBOTS / f"{source}.yaml").read_text())
-        raw.update(name=name, title=name, urdf=f"{name}.urdf")
-        raw.pop("collision")
         (folder / f"{name}.urdf").write_text(self.urdf())
-        with (folder / f"{name}.yaml").open("w") as file:
-            YAML().dump(raw, file)
+        (folder / f"{name}.yaml").write_text(_robot_file("irb140" if self.rail is None else "irb140_rail", name))
         return load_robot(str(folder / f"{name}.yaml"), X_WR)
+
+
+@cache
+def _robot_file(source: str, name: str) -> str:
+    """A shipped robot's file with another name and URDF, and nothing of its shape."""
+    raw = YAML().load((ROBOTS / f"{source}.yaml").read_text())
+    raw.update(name=name, title=name, urdf=f"{name}.urdf")
+    raw.pop("collision")
+    text = StringIO()
+    YAML().dump(raw, text)
+    return text.getvalue()
 
 
 def _joint(

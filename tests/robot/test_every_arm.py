@@ -74,7 +74,7 @@ def test_every_branch_leads_back_and_the_configuration_is_among_them(arm):
 
 
 def test_whole_turns_reach_every_configuration_in_range(arm):
-    q = configurations(arm, 300)
+    q = configurations(arm, 120)
     found, turns, limits = inverse(arm, pin_flange(arm, q)), arm.turns, arm.profile()
     np.testing.assert_array_equal(turns[0], np.zeros(6))
     for row, branches in zip(q, found, strict=True):
@@ -111,19 +111,22 @@ def geometric_margins(robot, q):
     front = np.cross(u[1], u[0]) @ (p[1] - p[0])
     front = np.sign(front if abs(front) > 1e-9 else np.cross(u[1], u[0]) @ (wrist - p[0]))
     onward, out = np.sign(u[3] @ (wrist - p[2])), np.sign(u[5] @ (tool - wrist))
-    rows = []
-    for row in q:
-        u, p, wrist, _ = seen(robot, row)
-        forward = front * np.cross(u[1], u[0])
-        left = np.cross(up * u[0], forward)
-        end, before_5 = (p[3], left) if parallel(u) else (wrist, onward * u[3])
-        upright = np.cross(p[2] - p[1], end - p[2]) @ left
-        rows.append((forward @ (wrist - p[0]), upright, np.cross(before_5, out * u[5]) @ u[4]))
-    return np.array(rows)
+    one_way = parallel(u)
+    u, p, wrist = (np.array(x) for x in zip(*(seen(robot, row)[:3] for row in q), strict=True))
+    u, p = np.moveaxis(u, 1, 0), np.moveaxis(p, 1, 0)  # (6, n, 3)
+    forward = front * np.cross(u[1], u[0])
+    left = np.cross(up * u[0], forward)
+    end, before_5 = (p[3], left) if one_way else (wrist, onward * u[3])
+    triples = (
+        (forward, wrist - p[0]),
+        (np.cross(p[2] - p[1], end - p[2]), left),
+        (np.cross(before_5, out * u[5]), u[4]),
+    )
+    return np.stack([(a * b).sum(axis=1) for a, b in triples], axis=1)
 
 
 def test_cfx_is_what_pins_frames_show(arm):
-    q = configurations(arm, 300)
+    q = configurations(arm, 150)
     wanted, (before, elbow, axis_5) = geometric_margins(arm, q), branch_margins(arm.arm, q)
     found = np.column_stack([before, arm.arm.c2 * arm.arm.upper * elbow, np.sin(axis_5)])
     np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-12)
@@ -136,13 +139,13 @@ def test_cfx_is_what_pins_frames_show(arm):
 
 
 def test_branches_are_named_by_their_bits(arm):
-    X = pin_flange(arm, configurations(arm, 300))
+    X = pin_flange(arm, configurations(arm, 100))
     found = inverse(arm, X)
     for cfx in range(8):
         there = np.isfinite(found[:, cfx, 0])
         margins = geometric_margins(arm, found[there, cfx])
         signs = np.where([cfx & 4, cfx & 2, cfx & 1], -1.0, 1.0)
-        assert there.sum() > 50
+        assert there.sum() > 15
         assert np.all((margins * signs > 0) | (np.abs(margins) < 1e-9))
 
 
@@ -152,7 +155,7 @@ def test_expressions_are_the_numbers_on_every_branch(arm):
     flange = ca.Function("flange", [symbol], [*arm.expressions.flange(symbol)])
     p, R, branch = ca.SX.sym("p", 3), ca.SX.sym("R", 3, 3), ca.SX.sym("branch", 3)
     inverse_of = ca.Function("inverse", [p, R, branch, symbol], [*arm.expressions.inverse(p, R, branch, symbol)])
-    q = configurations(arm, 60)
+    q = configurations(arm, 30)
     q = q[singularity(arm, q).min(axis=1) > 0.03]
     X = pin_flange(arm, q)
     for X_WF, row, branches in zip(X, q, inverse(arm, X), strict=True):
