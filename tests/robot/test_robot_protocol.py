@@ -44,7 +44,7 @@ def test_a_shipped_robot_is_a_robot(robot: RobotModel) -> None:
 def test_the_branches_of_a_pose_hold_the_joints_it_came_from(robot: RobotModel) -> None:
     if not robot.closed_form:
         pytest.skip("branches that are sought step by step have tests of their own: test_offset_wrist.py")
-    for q in some_axes(robot, 20):
+    for q in some_axes(robot, 8):
         X, rail = pin_pose(robot, q), robot.layout.place(q)
         branches = robot.branches(X[None], rail[None])[0]
         away = np.abs(np.sin((branches - q[robot.layout.arm]) / 2)).max(axis=1)
