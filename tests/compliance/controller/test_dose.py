@@ -651,7 +651,7 @@ def test_the_exact_law_takes_the_inverse_feed_too() -> None:
 
 def skew(rotation):
     """A tool that turns about a skew axis and back, while it moves."""
-    turned = Rotation.from_rotvec(np.radians(50) * np.array([1.0, 2.0, -1.0]) / np.sqrt(6)) * Rotation.from_euler(
+    turned = Rotation.from_rotvec(np.radians(25) * np.array([1.0, 2.0, -1.0]) / np.sqrt(6)) * Rotation.from_euler(
         "xyz", [0.3, 1.0, -0.5]
     )
     first, second = (one.as_euler("xyz") for one in (Rotation.from_euler("xyz", [0.3, 1.0, -0.5]), turned))
