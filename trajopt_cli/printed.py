@@ -12,6 +12,7 @@ others.
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from decimal import Decimal, InvalidOperation
 from functools import lru_cache
@@ -27,6 +28,7 @@ _ALL = 17  # characters of a number that has all its digits
 _SHARE = 0.2  # of the values of a magnitude
 _FEW = 8  # changes of a column that say little about its format
 _ZERO = -99  # the magnitude of 0, which has none
+_PLAIN = re.compile(r"[+-]?[0-9]+\.([0-9]*)").fullmatch
 
 
 class Digits:
@@ -104,9 +106,14 @@ def _at(known: dict[int, int], size: int) -> int:
     return max(-_COARSEST, *(decimals - max(size - other, 0) for other, decimals in known.items()))
 
 
-@lru_cache(maxsize=64)  # what rests is the same from row to row
 def decimals_of(text: str) -> int:
     """Decimals that a number is printed with, at most 15; less than none for "1e3"."""
+    plain = _PLAIN(text)
+    return min(len(plain[1]), _FINEST) if plain else _decimals_of_any(text)
+
+
+@lru_cache(maxsize=64)  # what rests is the same from row to row
+def _decimals_of_any(text: str) -> int:
     try:
         exponent = Decimal(text.strip()).as_tuple().exponent
     except InvalidOperation:
