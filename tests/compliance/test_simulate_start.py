@@ -15,7 +15,7 @@ from trajopt_cli.robot.srs import load_srs
 
 TASK = """\
 start: {{joints: "[0, 30, 0, -100, 0, 50, 0] deg"}}
-h: 1 ms
+h: 2 ms
 approach: none
 profile: trapezoid
 rotation: {rotation}

@@ -62,8 +62,9 @@ class Outcome:
     guessed: float | None = None
 
 
-def one_run(seed: int, folder: Path | None) -> Outcome:
-    """Run number `seed`. folder: where program and cell file of the estimate go, None for no estimate."""
+def one_run(seed: int, folder: Path | None, guess: bool = True) -> Outcome:
+    """Run number `seed`. folder: where program and cell file of the estimate go, None for no estimate; guess: also
+    estimate a program of axes whose jerk the log does not show."""
     rng = np.random.default_rng(seed)
     period, jerk = PERIODS[seed % 5], bool(seed // 5 % 2)
     robot, recorder = random_robot(rng, jerk), random_recorder(rng, period)
@@ -79,7 +80,8 @@ def one_run(seed: int, folder: Path | None) -> Outcome:
     moved = shown[Kind.SPEED] & shown[Kind.ACCELERATION]
     whole = moved & shown[Kind.JERK] if jerk else moved
     cycle = _off(folder, robot, start, sorted(whole), found, rng) if len(whole) > 1 else None
-    guessed = _off(folder, robot, start, sorted(moved), found, rng) if whole < moved and len(moved) > 1 else None
+    unsure = guess and whole < moved and len(moved) > 1
+    guessed = _off(folder, robot, start, sorted(moved), found, rng) if unsure else None
     return Outcome(period, jerk, answered, cycle, guessed)
 
 

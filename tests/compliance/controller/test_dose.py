@@ -198,7 +198,7 @@ def test_a_bound_that_does_not_bind_leaves_the_programmed_time() -> None:
 numbers = st.floats(0, 1)
 
 
-@settings(max_examples=15, deadline=None, derandomize=True)
+@settings(max_examples=10, deadline=None, derandomize=True)
 @given(
     k=st.floats(100, 3000),
     damping=st.floats(0.12, 3.0),

@@ -245,9 +245,8 @@ def test_a_course_is_chosen_where_the_fixed_arm_angle_fails(answers: dict[tuple[
         assert "held at 0.00°: joint_7 position" in answer.notes[0]
 
 
-def test_a_finer_grid_is_hardly_better() -> None:
-    way, start = way_of("bent")
-    answer = chosen(way, start, Goal.SPEED)
+def test_a_finer_grid_is_hardly_better(answers: dict[tuple[str, Goal], Followed]) -> None:
+    start, answer = WAYS["bent"][0], answers["bent", Goal.SPEED]
     rows, begin = stages(len(answer.X_WF), 60), float(arm_angle(ROBOT, start, ArmAngle.FARIA))
     costs = []
     for cells in (360, 1440):
@@ -306,10 +305,9 @@ def test_a_sequence_whose_speed_steps_has_a_course() -> None:
     assert plan_of(answer).best.steady < 0.997 * plan_of(answer).fixed.steady
 
 
-def test_both_definitions_of_the_arm_angle_give_the_same_joints() -> None:
-    way, start = way_of("bent")
-    faria, swivel = (chosen(way, start, Goal.SPEED, one).trajectory.q for one in ArmAngle)
-    np.testing.assert_allclose(faria, swivel, rtol=0, atol=1e-6)
+def test_both_definitions_of_the_arm_angle_give_the_same_joints(answers: dict[tuple[str, Goal], Followed]) -> None:
+    faria, swivel = answers["bent", Goal.SPEED].trajectory.q, chosen(*way_of("bent"), Goal.SPEED, ArmAngle.SWIVEL)
+    np.testing.assert_allclose(faria, swivel.trajectory.q, rtol=0, atol=1e-6)
 
 
 def test_none_is_found_where_every_arm_angle_is_out_of_range() -> None:
