@@ -72,7 +72,7 @@ def test_many_segments_at_once_say_what_each_says(seed: int, bent: tuple[float, 
 
 
 @given(seeds)
-@settings(max_examples=50)
+@settings(max_examples=25)
 def test_between_lines_a_corner_is_the_parabola_entry_point_exit(seed: int) -> None:
     corner = some_corner(np.random.default_rng(seed), ("line", "line"), (1.0, 1.0))
     point = corner.after.X_0
@@ -114,7 +114,7 @@ def test_a_corner_straight_on_is_the_line() -> None:
 
 
 @given(seeds, kinds, kinds, parts)
-@settings(max_examples=80)
+@settings(max_examples=40)
 def test_a_corner_goes_over_into_its_neighbours_with_their_rates(
     seed: int, one: str, other: str, bent: tuple[float, float]
 ) -> None:
@@ -136,7 +136,7 @@ def test_a_corner_goes_over_into_its_neighbours_with_their_rates(
 
 
 @given(seeds, kinds, kinds, parts)
-@settings(max_examples=80)
+@settings(max_examples=40)
 def test_a_corner_stays_in_its_zone(seed: int, one: str, other: str, bent: tuple[float, float]) -> None:
     """Inside the sphere while the position is bent, and on the segments before and after."""
     corner = some_corner(np.random.default_rng(seed), (one, other), bent)
@@ -188,7 +188,7 @@ def test_a_corner_is_the_same_in_any_frame(seed: int, one: str, other: str, bent
 
 
 @given(seeds, kinds, kinds, parts)
-@settings(max_examples=60)
+@settings(max_examples=30)
 def test_backwards_the_way_is_the_same_and_the_turn_almost(
     seed: int, one: str, other: str, bent: tuple[float, float]
 ) -> None:

@@ -184,19 +184,19 @@ files = st.one_of(
 ).filter(labels_differ)
 
 
-@settings(max_examples=120, deadline=None)
+@settings(max_examples=60, deadline=None)
 @given(expressions)
 def test_an_expression_printed_and_read_is_the_same_tree(tree: Expression) -> None:
     assert parse_expression(print_expression(tree), "t") == tree
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(statements.filter(labels_differ))
 def test_a_statement_printed_and_read_is_the_same_tree(tree: Statement) -> None:
     assert parse_statement(print_statement(tree), "t") == tree
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(files)
 def test_a_file_printed_and_read_is_the_same_tree(tree: ModuleFile) -> None:
     assert parse_module(print_file(tree), "t") == tree
@@ -232,7 +232,7 @@ def places(tree: object) -> list[tuple[type, int, int]]:
     return [(type(node), node.start, node.end) for node in nodes(tree)]
 
 
-@settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(files)
 def test_the_text_of_a_nodes_stretch_is_the_node(tree: ModuleFile) -> None:
     text = print_file(tree)
@@ -265,7 +265,7 @@ common = st.sampled_from(
 gaps = st.sampled_from(["", " ", "\n", "\t", "\r\n", "!c\n", "\u00a0", "\x00"])
 
 
-@settings(max_examples=500, deadline=None)
+@settings(max_examples=250, deadline=None)
 @given(
     st.lists(st.tuples(common | pieces, gaps, gaps), max_size=14), st.sampled_from(["PROC m()\n;", "RECORD r ;", ";"])
 )
