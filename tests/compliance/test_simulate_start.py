@@ -70,6 +70,6 @@ def test_the_law_alone_begins_where_the_loop_does(
 
 def test_runs_end_together_however_long_the_last_pose_is_held(tmp_path: Path) -> None:
     job = opened(tmp_path, "tait-bryan", "relative")
-    runs = [run_controller(job, None, engine, Feed.POSITION, None, 0.0012) for engine in (None, "spring")]
+    runs = [run_controller(job, None, engine, Feed.POSITION, None, 0.0024) for engine in (None, "spring")]
     rows = [len(run.x) for run in runs if isinstance(run, Simulated)]
     assert rows == [len(job.equilibrium.pose) + 2] * 2
