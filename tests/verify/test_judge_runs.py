@@ -55,7 +55,7 @@ verify = partial(verify_with_advice, advice=False)
 
 
 ROWS: dict[str, dict[str, object]] = {
-    "own": {},
+    "own": {"step": 0.001},
     "1kHz": {"grid_only": True, "step": 0.001},
     "250Hz": {"grid_only": True, "step": 0.004},
     "50Hz": {"grid_only": True, "step": 0.02},
