@@ -42,8 +42,7 @@ class Point:
     X_WF: flange pose there, None where the joints on the way decide it (MoveExtJ, MoveAbsJ with a free rail). X_FT:
     tool in force. arm (6,) and rail: axis values the program fixes, None where they are free. optional: it may be left
     out. holds: the waits that follow, with their index. fly_by: None for a stop. circle: an arc's, None where it is
-    none or where only the joints know its start. turned: where positioners stand there, by column [rad], but those that
-    turn while the tool waits.
+    none or where only the joints know its start.
     """
 
     index: int
@@ -58,7 +57,6 @@ class Point:
     holds: tuple[tuple[int, Wait], ...] = ()
     fly_by: FlyBy | None = None
     circle: Arc | None = None
-    turned: tuple[tuple[str, float], ...] = ()
 
     @property
     def duration(self) -> float | None:
@@ -96,7 +94,6 @@ def points_of(program: Program, plant: Machine, dropped: Collection[int] = (), o
     0 mm, or no way of the tool to it or on from it. All others are passed. A MoveAbsJ that is passed and leaves the
     rail open (9E9) is where the rail was programmed last.
     """
-    angles = {unit.column: unit.start for one in reversed(program.motions) for unit in getattr(one, "units", ())}
     points = [_start(program, plant)]
     alone = set[int]()  # points beside external axes that move alone
     rail, holds = points[0].rail, list[list[tuple[int, Wait]]]([[]])
@@ -106,7 +103,6 @@ def points_of(program: Program, plant: Machine, dropped: Collection[int] = (), o
         if isinstance(motion, Wait):
             holds[-1].append((i, motion))
             continue
-        angles |= {unit.column: unit.end for unit in motion.units}
         if isinstance(motion, MoveExtJ):
             alone |= {len(points) - 1, len(points)}
             if _rail(plant, motion.extax) is None:
@@ -114,12 +110,8 @@ def points_of(program: Program, plant: Machine, dropped: Collection[int] = (), o
                 if motion.units:  # it moves no axis that this robot has, which waits for the positioner
                     time = motion.duration or motion.least
                     holds[-1].append((i, Wait(source=motion.source, written=motion.written, duration=time)))
-                    turning = {unit.column for unit in motion.units}
-                    standing = tuple(one for one in points[-1].turned if one[0] not in turning)
-                    points[-1] = replace(points[-1], turned=standing)
                 continue
-        point = _point(plant, i, motion, points[-1].X_FT, optional and may_drop(program, plant, i))
-        points.append(replace(point, turned=tuple(angles.items())))
+        points.append(_point(plant, i, motion, points[-1].X_FT, optional and may_drop(program, plant, i)))
         holds.append([])
     points = [replace(point, holds=tuple(waits)) for point, waits in zip(points, holds, strict=True)]
     return _passed(plant, points, alone, rail)

@@ -26,6 +26,7 @@ from trajopt_cli.verify.run import Indices, Run, off_way, runs_of
 from trajopt_cli.verify.tables import TurnedFrame
 from trajopt_cli.verify.timeline import Timeline, Visit
 from trajopt_cli.verify.tolerances import BACKWARD, JOINT_TARGET, LINE_POSITION, LINE_ROTATION
+from trajopt_cli.verify.visits import WHOLE
 
 
 def check_shapes(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> Iterator[tuple[int, list[Finding]]]:
@@ -37,6 +38,7 @@ def check_shapes(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> Ite
             match visit.point.move:
                 case MoveL() | MoveC():
                     out.extend(_way(run, leg))
+                    out.extend(_left_out(run, leg))
                     out.extend(_in_step(run, leg))
                     if rapid and line.rows.mechanism.has_rail:
                         out.extend(_rail_share(run, leg))
@@ -80,6 +82,23 @@ def _way(run: Run, leg: int) -> Iterator[Finding]:
             i = int(np.argmax(least))
             yield finding(f"{kind} {check}", "TCP", float(least[i]), limit, its_unit, bool(least[i] <= limit),
                           time=float(t[i]), source=point.source, note=f" {words} to {point.move.target}")  # fmt: skip
+
+
+def _left_out(run: Run, leg: int) -> Iterator[Finding]:
+    """An arc from which the tool stays away inside the zones at its ends, or between rows: as long as it is outside of
+    them, so long is the tool's way from the one to the other."""
+    way, places, point = run.ways[leg], run.places, run.visits[leg + 1].point
+    if not isinstance(way, Arc):
+        return
+    a, b = run.between(leg)
+    rows = slice(run.part[0] + a // run.step, run.part[0] - (-b // run.step))
+    gone = float(np.linalg.norm(np.diff(places.p[a : b + 1], axis=0), axis=1).sum())
+    gone += 2 * np.pi * float(run.frame.reach[rows].sum())  # around a circle between two rows
+    missing = WHOLE * (way.length - np.maximum(run.zones("radius")[leg : leg + 2], 0.0).sum()) - gone
+    if missing > LINE_POSITION:
+        note = f" of the arc to {point.name} missing: the tool does not go around on it"
+        yield finding("arc position", "TCP", missing, LINE_POSITION, "m", False, time=float(places.t[a]),
+                      source=point.source, note=note)  # fmt: skip
 
 
 def _in_step(run: Run, leg: int) -> Iterator[Finding]:

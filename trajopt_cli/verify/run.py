@@ -111,6 +111,11 @@ class Run:
             out.append(max(float(chords[i] + share[i]), out[-1] if out else 0.0))
         return np.array(out)
 
+    def between(self, leg: int) -> tuple[int, int]:
+        """The places before and behind a leg."""
+        ends = [0.0, *self._passed, len(self.places.t) - 1.0]
+        return int(np.floor(ends[leg])), int(np.ceil(ends[leg + 1]))
+
     @cached_property
     def _found(self) -> tuple[Indices, Indices, NDArray[np.bool_]]:
         """The way (m,) every place is on, the visit (m,) in whose zone it lies, -1 for none, and whether both are

@@ -193,11 +193,41 @@ def _phases(program: Program, line: Timeline) -> Iterator[_Phase]:
         if after.arrive <= end:
             waiting += units
         else:
-            yield _Phase(begin, end, waiting, visit)
-            yield _Phase(end, after.arrive, units, after)
-            begin, waiting = after.arrive, ()
+            left, come = _under_way(line, visit, end, after)
+            yield _Phase(begin, left, waiting, visit)
+            yield _Phase(left, come, units, after)
+            begin, waiting = come, ()
         end, visit, waiting = max(after.depart, end), after, waiting + _holding(program, after)
     yield _Phase(begin, len(line.rows.t) - 1, waiting, visit)
+
+
+def _stands(line: Timeline, units: Sequence[UnitMove], first: int, last: int, end: bool) -> IndexArray:
+    """The rows of first to last at which tables stand where their move begins or ends."""
+    rows, tables = line.rows, line.rows.trajectory.tables
+    if tables is None or last < first:
+        return np.array([], dtype=np.intp)
+    at = np.ones(last - first + 1, dtype=bool)
+    for unit in units:
+        off = np.abs(tables.q[first : last + 1, tables.names.index(unit.column)] - (unit.end if end else unit.start))
+        at &= off <= JOINT_TARGET + _granted(rows, unit.acceleration, first, last)
+    return np.asarray(first + np.flatnonzero(at))
+
+
+def _granted(rows: Rows, acceleration: float, a: int, b: int) -> Array:
+    """What a table that stands at rows a to b may be off [rad]: by its printed digits, and as it turned unseen."""
+    return np.asarray(rows.tables_step[0] / 2 + acceleration * unseen_turn(rows, a, b) ** 2 / 2)
+
+
+def _under_way(line: Timeline, visit: Visit, end: int, after: Visit) -> tuple[int, int]:
+    """First and last row of the move to a visit. A tool that draws on tables may hardly move in the world where it
+    leaves a stop, of which end is the last row, and where it comes to one: then the tables tell, and the line's checks
+    whether they go in step with it."""
+    move = after.point.move
+    if move is None or not (units := turned_under(move)):
+        return end, after.arrive
+    leave = _stands(line, units, max(visit.arrive, int(np.searchsorted(line.rows.t, visit.ready))), end, False)
+    come = _stands(line, units, after.arrive, after.arrive if after.point.holds else after.depart, True)
+    return int(leave[-1]) if len(leave) else end, int(come[0]) if len(come) else after.arrive
 
 
 def _holding(program: Program, visit: Visit) -> tuple[UnitMove, ...]:
@@ -233,7 +263,7 @@ def _axis(
     a, b, name, source = phase.first, phase.last, tables.names[j], phase.visit.point.source
     q, t = tables.q[a : b + 1, j], rows.t[a : b + 1]
     step, step_v = rows.tables_step
-    granted = step / 2 + hardest * unseen_turn(rows, a, b) ** 2 / 2
+    granted = _granted(rows, hardest, a, b)
     off = (np.abs(q - start) - granted)[: len(q) if not units else 1]
     i = int(np.argmax(off))
     yield finding(_POSITION, name, float(q[i]), start, "rad", bool(off[i] <= JOINT_TARGET),
@@ -243,8 +273,9 @@ def _axis(
     off_end = abs(float(q[-1]) - units[-1].end) - granted[-1]
     yield finding(_POSITION, name, float(q[-1]), units[-1].end, "rad", bool(off_end <= JOINT_TARGET),
                   time=float(t[-1]), source=source, bound="wanted", note=f" at {phase.visit.point.name}")  # fmt: skip
-    i, wanted = _astray(q, start, units, float(granted.max()))
-    if abs(float(q[i]) - wanted) - granted.max() > JOINT_TARGET:
+    most = float(granted.max()) + step / 2  # two printed places are compared
+    i, wanted = _astray(q, start, units, most)
+    if abs(float(q[i]) - wanted) - most > JOINT_TARGET:
         yield finding(_POSITION, name, float(q[i]), wanted, "rad", False,
                       time=float(t[i]), source=source, bound="wanted")  # fmt: skip
     if b <= a:
@@ -277,7 +308,7 @@ def _axis(
 
 def _astray(q: Array, start: float, units: Sequence[UnitMove], granted: float) -> tuple[int, float]:
     """The row of q (n,) that is farthest from where an axis may be on its way from position to position, and the
-    nearest place [rad] where it might be: it neither goes back nor beyond, and stands behind the last one."""
+    nearest place [rad] where it might be: it comes to each, neither goes back nor beyond, and stands at the last."""
     first, begin, worst, off = 0, start, (0, float(q[0])), 0.0
     for unit in units:
         sign, span = (1.0 if unit.end > begin else -1.0), abs(unit.end - begin)
@@ -288,7 +319,9 @@ def _astray(q: Array, start: float, units: Sequence[UnitMove], granted: float) -
         i = int(np.argmax(np.abs(way - may)))
         if abs(way[i] - may[i]) > off:
             worst, off = (first + i, begin + sign * float(may[i])), abs(float(way[i] - may[i]))
-        first, begin = first + len(way) - 1, unit.end
+        if not len(there) and span - way.max() > off:
+            worst, off = (first + int(np.argmax(way)), unit.end), span - float(way.max())
+        first, begin = first + (len(way) - 1 if len(there) else int(np.argmax(way))), unit.end
     i = first + int(np.argmax(np.abs(q[first:] - begin)))
     return (i, begin) if first < len(q) - 1 and abs(q[i] - begin) > off else worst
 

@@ -23,7 +23,8 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -45,6 +46,8 @@ from trajopt_cli.verify.tolerances import (
 
 _GRANTED = 0.99  # worth of a stop that only counts by what is granted for missing rows: one with a row of its own is it
 
+WHOLE = 0.9  # share of a way that rows on it show at least: they are the corners of a polyline
+
 Mask = NDArray[np.bool_]
 
 
@@ -54,8 +57,7 @@ class Closeness:
     in tolerances.
 
     tight: within tolerance without anything granted for missing rows. rests: the TCP stands. rail_met: the rail is
-    where the program wants it. stands: every axis rests (RAPID; else always true). turned: the positioners are where
-    the program turns them, to a row; None where nothing turns or the tool waits, of which the end is the table's.
+    where the program wants it. stands: every axis rests (RAPID; else always true).
     """
 
     at: NDArray[np.intp]
@@ -65,7 +67,6 @@ class Closeness:
     rests: Mask
     rail_met: Mask
     stands: Mask
-    turned: Mask | None = None
 
 
 Look = Callable[[NDArray[np.intp]], Closeness]
@@ -101,18 +102,7 @@ class Match:
 
 def looking(rows: Rows, frame: Frame, stop: Point, rapid: bool) -> Look:
     """How near rows are to one stop. rapid: every axis must stand there."""
-    return lambda at: replace(_closeness(rows, frame, stop, rapid, at), turned=_turned(rows, stop, at))
-
-
-def _turned(rows: Rows, stop: Point, at: NDArray[np.intp]) -> Mask | None:
-    """Whether the positioners stand at rows (m,) where a stop without a wait has them."""
-    tables = rows.trajectory.tables
-    if tables is None or stop.holds or not stop.turned:
-        return None
-    wanted = dict(stop.turned)
-    places = np.array([wanted.get(name, np.nan) for name in tables.names])
-    off = np.abs(tables.q[at] - places)
-    return np.asarray((np.isnan(off) | (off <= JOINT_TARGET + rows.tables_step[0] / 2)).all(axis=1))
+    return lambda at: _closeness(rows, frame, stop, rapid, at)
 
 
 def _closeness(rows: Rows, frame: Frame, stop: Point, rapid: bool, at: NDArray[np.intp]) -> Closeness:
@@ -165,8 +155,6 @@ def events_of(close: Closeness) -> tuple[Event, ...]:
     for run in np.split(near, np.flatnonzero(np.diff(close.at[near]) > 1) + 1) if len(near) else []:
         resting = run[close.rests[run]]
         good = resting[close.rail_met[resting] & close.stands[resting]]
-        if close.turned is not None and close.turned[good].any():  # the tool may hardly move while a table leaves
-            good = good[close.turned[good]]
         pool = resting if len(resting) else run
         best = int(close.at[pool[np.argmin(close.distance[pool])]])
         core = _core(close, good)
@@ -265,8 +253,7 @@ def match(rows: Rows, frames: dict[bytes, Frame], points: Sequence[Point], rapid
             None if part is None else np.asarray(part).tobytes() for part in (point.X_WF, point.X_FT, point.arm)
         )
         circle = None if point.circle is None or point.fly_by is None else id(point)
-        turned = (point.turned, bool(point.holds)) if point.turned else None
-        full = (*key, point.rail, isinstance(point.move, MoveExtJ), point.fly_by, circle, turned)
+        full = (*key, point.rail, isinstance(point.move, MoveExtJ), point.fly_by, circle)
         if full not in known:
             frame = frames[np.asarray(point.X_FT).tobytes()]
             if point.fly_by is not None:
@@ -291,28 +278,29 @@ def match(rows: Rows, frames: dict[bytes, Frame], points: Sequence[Point], rapid
 def _cut(
     frames: dict[bytes, Frame], points: Sequence[Point], events: Sequence[tuple[Event, ...]]
 ) -> list[tuple[Event, ...]]:
-    """The events, those of a passage cut in two where the next stop is reached in them before the nearest place: the
-    motion behind a short arc that ends in the zone may come nearer to its point."""
-    out: list[tuple[Event, ...]] = []
-    stops: tuple[Event, ...] = ()
-    for point, own in zip(reversed(points), reversed(events), strict=True):
-        if point.fly_by is None:
-            out.append(own)
-            stops = own
+    """The events, those of a passage cut in two where the next point is a stop that is reached in them before the
+    nearest place: the motion behind a short way that ends in the zone may come nearer to its point. The tool goes from
+    the passage to the stop on as long a way as there is between them: nothing is left out."""
+    out = list(events)
+    for k, ((point, stop), own) in enumerate(zip(pairwise(points), events[:-1], strict=True)):
+        if point.fly_by is None or stop.fly_by is not None or stop.X_WF is None:
             continue
-        parts: list[Event] = []
-        frame = frames[np.asarray(point.X_FT).tobytes()]
+        frame, P, parts = frames[np.asarray(point.X_FT).tobytes()], point.X_WT[:3, 3], list[Event]()
+        chord = float(np.linalg.norm(stop.X_WT[:3, 3] - P))
+        way = (chord if stop.circle is None else stop.circle.length) - point.fly_by.radius
         for event in own:
             first = event.first
-            for stop in stops:
-                if len(stop.good) and first < stop.end <= event.best:
-                    near = off_chords(frame.p, point.X_WT[:3, 3], np.arange(first, stop.end))[0]
-                    best = first + int(np.argmin(near))
-                    parts.append(Event(first, stop.end, np.array([max(best - 1, 0)]), best))
-                    first = stop.end
+            for end in (one.end for one in events[k + 1] if len(one.good) and one.end <= event.best):
+                if first >= end:
+                    continue
+                best = first + int(np.argmin(off_chords(frame.p, P, np.arange(first, end))[0]))
+                gone = np.linalg.norm(np.diff(frame.p[best : end + 1], axis=0), axis=1).sum()
+                if gone > WHOLE * way:
+                    parts.append(Event(first, end, np.array([max(best - 1, 0)]), best))
+                    first = end
             parts.append(event if first == event.first else Event(first, event.last, event.good, event.best))
-        out.append(tuple(parts))
-    return out[::-1]
+        out[k] = tuple(parts)
+    return out
 
 
 def _total(points: Sequence[Point], chosen: Sequence[Event | None]) -> float:
