@@ -55,10 +55,11 @@ def test_a_small_program_keeps_its_promises(number: int, tmp_path: Path) -> None
     assert round_trip(program(0, number), tmp_path) in ("planned", "infeasible", "no RAPID text")
 
 
-@pytest.mark.parametrize("number", [226, 973, 3253])
+@pytest.mark.parametrize("number", [226, 973, 3253, 7484])
 def test_what_a_long_run_found_is_planned(number: int, tmp_path: Path) -> None:
     """An arc wholly within the zone before it, at the end of the file; a rail that may go nowhere beside a corner; a
-    stop at the end of an arc within the zone before it, and a motion from there that comes nearer to that point."""
+    stop at the end of an arc within the zone before it, and a motion from there that comes nearer to that point; a
+    line beside axis 1, where an axis turns by more than half a turn from node to node."""
     assert round_trip(program(1, number), tmp_path) == "planned"
 
 

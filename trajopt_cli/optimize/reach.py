@@ -42,6 +42,8 @@ from trajopt_cli.problem.problem import Coupling, Leg, LegKind, Problem, Waypoin
 _LISTED = 4  # confdata in a message
 _PLACES = 5  # in a message
 _SAME = 1e-12  # m or 1: poses
+_FAR = np.pi / 2  # rad from node to node of a line: it may have been the other way round
+_CLOSE = 512  # places between such nodes
 _HALF_TURN = 3.1  # rad: below, a turn and the way back are about one axis
 _SERVED = WeakKeyDictionary[Plant, set[bytes]]()  # names of stations that can be: asked again by every question
 _NO_SINGLE = "no single configuration serves the whole line without crossing a singularity or a joint limit"
@@ -168,6 +170,23 @@ def _unwrap(arm: Array, axis: int) -> Array:
     return arm if turns is None else np.moveaxis(x - 2 * np.pi * turns, 0, axis)
 
 
+def _wound(axes: Axes, leg: Leg, line: Array, d: Array) -> Array:
+    """A line (b, nodes, n, m) without whole turns between neighbouring nodes, but those that an axis turns on its way
+    from one to the next: close to a singularity it may turn by more than half of one."""
+    far = np.abs(np.diff(line, axis=1)).max(axis=-1) > _FAR  # (b, nodes - 1, n); NaN is not
+    assert leg.segment is not None
+    for i in np.flatnonzero(far.any(axis=(0, 2))):
+        at = np.flatnonzero(far[:, i].any(axis=0))
+        s = (i + np.linspace(0, 1, _CLOSE + 1)) / (line.shape[1] - 1)
+        X = leg.segment.pose(s) @ inverse_pose(leg.X_FT)
+        arm = axes.inverse(np.repeat(X, len(at), axis=0), np.tile(d[at], len(s)))
+        arm = np.moveaxis(arm.reshape(len(s), len(at), *arm.shape[1:]), 2, 0)
+        arm[:, 0] = line[:, i, at]
+        turns = np.round((_unwrap(arm, 1)[:, -1] - line[:, i + 1, at]) / (2 * np.pi))
+        line[:, i + 1 :, at] += 2 * np.pi * np.where(far[:, i, at, None], turns, 0.0)[:, None]
+    return line
+
+
 def _unwrap_beside(line: Array, known: BoolArray) -> Array:
     """Whole turns removed between neighbouring columns of a line (b, nodes, n, m). Columns (b, n) that are known stay
     as they are; the others are continued from the known one before, or from the first.
@@ -264,7 +283,7 @@ def _raw(
         raw = next(found)
         raw[:, 0] = stops[-1]
         # along the line first; then along the rail, for columns whose start is out of reach and gave no reference
-        line = _unwrap_beside(_unwrap(raw, 1), ~np.isnan(raw[:, 0, :, 0]))
+        line = _unwrap_beside(_wound(axes, leg, _unwrap(raw, 1), d), ~np.isnan(raw[:, 0, :, 0]))
         lines.append(line)
         stops.append(line[:, -1])
     return stops, lines, leaves
@@ -390,7 +409,7 @@ def broken_between(axes: Axes, problem: Problem, legs: Iterable[int]) -> Infeasi
     for k in legs:
         if problem.legs[k].kind is not LegKind.LINE:
             continue
-        first, last = next((a, b) for a, b in problem.stations if a <= k < b)
+        first, last = next(station for station in problem.stations if station[0] <= k < station[1])
         d = grid_in_reach(axes, problem, first, last, REACH_GRID, REACH_APART)
         if (out := _broken_line(axes, problem, k, d, ())) is not None:
             return out

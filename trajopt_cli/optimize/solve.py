@@ -29,6 +29,7 @@ from trajopt_cli.optimize.search import search
 from trajopt_cli.optimize.tables import switches, turning, with_tables
 from trajopt_cli.optimize.tuning import (
     DENSER,
+    HARDLY,
     LONGEST_MOTION,
     RESIDUAL,
     ROW_APART,
@@ -123,6 +124,9 @@ def optimize(
         draft, notes = gentle, (*notes, *more)
     _check_lengths(program, problem, draft)
     rows = _rows(axes, problem, draft)
+    if rows is None and eased is None:  # a limit is passed by less than is looked for between nodes
+        draft = slowed(problem, draft, HARDLY)
+        rows = _rows(axes, problem, draft)
     for times in SLOWER if rows is None else ():
         problem, draft, eased = legal.problem, slowed(legal.problem, legal.draft, times), None
         rows = _rows(axes, problem, draft)
@@ -274,7 +278,9 @@ def _passing(axes: Axes, trajectory: Trajectory) -> IndexArray:
         off, late = RESIDUAL + 64 * eps * np.abs(q[1:]), 4 * eps * t[1:, None]
         noise = (6 * (off / h + np.abs(c) * late / h) + np.abs(change) * late) / h
         most = np.abs(change) + 6 * np.abs(c - (qd[1:] + qd[:-1]) / 2) / h
+        speeds = (np.abs(change) * late + 8 * eps * top) / h  # of the means between speeds alone: the judge asks twice
         passed = (top > axes.velocity * (1 + 1e-6)) | (most > axes.acceleration * (1 + 1e-6) + noise)
+        passed |= np.abs(change) > axes.acceleration * (1 + 1e-6) + speeds
         over[first : first + len(h)] = passed.any(axis=1)
     return np.flatnonzero(over)
 

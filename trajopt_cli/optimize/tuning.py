@@ -313,6 +313,7 @@ LEAST_LEFT = 0.5  # share that one round leaves of any other limit at least. Mea
 OVER = 1e-6  # share by which a closed-form joint move may pass a cap before it goes on a grid. Not measured.
 
 # ---- rows of the written file
+HARDLY = 1 + 5e-5  # times as long as found, where rows pass a limit: first. Measured: 1.3e-6 beside a singularity.
 SLOWER = (
     1.0,
     1.001,
