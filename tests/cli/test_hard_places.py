@@ -10,6 +10,7 @@ import resource
 import shutil
 import signal
 import subprocess
+import sys
 import tempfile
 from collections.abc import Callable, Iterator
 from datetime import UTC, datetime
@@ -133,6 +134,7 @@ def test_files_that_may_not_grow(name: str, made: Path, tmp_path: Path, capfd: p
 
     def limited() -> int:
         signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        sys.dont_write_bytecode = True  # Python would leave half of what it compiles now to all that come after
         resource.setrlimit(resource.RLIMIT_FSIZE, (300, 300))
         return run([*command, "--quiet"])
 
