@@ -278,7 +278,8 @@ def _passing(axes: Axes, trajectory: Trajectory) -> IndexArray:
         off, late = RESIDUAL + 64 * eps * np.abs(q[1:]), 4 * eps * t[1:, None]
         noise = (6 * (off / h + np.abs(c) * late / h) + np.abs(change) * late) / h
         most = np.abs(change) + 6 * np.abs(c - (qd[1:] + qd[:-1]) / 2) / h
-        speeds = (np.abs(change) * late + 8 * eps * top) / h  # of the means between speeds alone: the judge asks twice
+        # the mean acceleration between two speeds is judged by itself, too, and rounding does less to it
+        speeds = (np.abs(change) * late + 8 * eps * top) / h
         passed = (top > axes.velocity * (1 + 1e-6)) | (most > axes.acceleration * (1 + 1e-6) + noise)
         passed |= np.abs(change) > axes.acceleration * (1 + 1e-6) + speeds
         over[first : first + len(h)] = passed.any(axis=1)
