@@ -155,9 +155,8 @@ class Way:
 
     def tool(self, q: Array, qd: Array, qdd: Array) -> tuple[Array, Array]:
         """The TCP's velocity (m, 6) and acceleration (m, 3)."""
-        J, J_rate = self.axes.jacobian(q, self.leg.X_FT), self.axes.jacobian_rate(q, qd, self.leg.X_FT)
-        A = J[:, :3] @ qdd[..., None] + J_rate[:, :3] @ qd[..., None]
-        return (J @ qd[..., None])[..., 0], A[..., 0]
+        motion = self.axes.differential(q, self.leg.X_FT).motion(qd, qdd)
+        return motion[:, 0], motion[:, 1, :3]
 
     def used(self, qd: Array, V: Array) -> Array:
         """The greatest share (m,) of a speed's limit that axes at qd (m, k) and the tool at V (m, 6) use."""

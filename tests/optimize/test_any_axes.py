@@ -53,8 +53,23 @@ class RailLast:
     def jacobian(self, q: Array, X_FT: Array | None = None) -> Array:
         return self.robot.jacobian(q[..., FIRST], X_FT)[..., LAST]
 
-    def jacobian_rate(self, q: Array, qd: Array, X_FT: Array | None = None) -> Array:
-        return self.robot.jacobian_rate(q[..., FIRST], qd[..., FIRST], X_FT)[..., LAST]
+    def differential(self, q: Array, X_FT: Array | None = None) -> object:
+        inner = self.robot.differential(q[..., FIRST], X_FT)
+
+        class Differential:
+            def jacobian(self) -> Array:
+                return inner.jacobian()[..., LAST]
+
+            def velocity(self, qd: Array) -> Array:
+                return inner.velocity(qd[..., FIRST])
+
+            def bias(self, qd: Array) -> Array:
+                return inner.bias(qd[..., FIRST])
+
+            def motion(self, qd: Array, qdd: Array) -> Array:
+                return inner.motion(qd[..., FIRST], qdd[..., FIRST])
+
+        return Differential()
 
     def enclose(self, X_WF: Array, rail: Array, limits: JointLimits, twist: Array | None = None) -> object:
         return self.robot.enclose(X_WF, rail, in_order(limits, FIRST), twist)

@@ -36,11 +36,8 @@ def test_forward_is_pins(arm):
 
 def test_jacobian_and_its_rate_are_pins(arm, X_FT):
     model, rng = arm.pin_model, np.random.default_rng(4)
-    flange, q, qd = (
-        model.frames[model.getFrameId("tool0", pin.FrameType.BODY)],
-        configurations(arm, 20),
-        rng.normal(size=6),
-    )
+    flange = model.frames[model.getFrameId("tool0", pin.FrameType.BODY)]
+    q, (qd, qdd) = configurations(arm, 20), rng.normal(size=(2, 6))
     for tool in (None, X_FT):
         at = flange.placement if tool is None else flange.placement * pin.SE3(tool)
         frame = model.addFrame(pin.Frame(f"at {tool is None}", flange.parentJoint, at, pin.FrameType.OP_FRAME))
@@ -52,6 +49,10 @@ def test_jacobian_and_its_rate_are_pins(arm, X_FT):
             rate = pin.getFrameJacobianTimeVariation(model, data, frame, pin.LOCAL_WORLD_ALIGNED)
             np.testing.assert_allclose(arm.jacobian(row, tool), J, rtol=0, atol=1e-12)
             np.testing.assert_allclose(arm.jacobian_rate(row, qd, tool), rate, rtol=0, atol=1e-11)
+            moves = arm.differential(row, tool)
+            np.testing.assert_allclose(moves.velocity(qd), J @ qd, rtol=0, atol=1e-11)
+            np.testing.assert_allclose(moves.bias(qd), rate @ qd, rtol=0, atol=1e-10)
+            np.testing.assert_allclose(moves.motion(qd, qdd), [J @ qd, J @ qdd + rate @ qd], rtol=0, atol=1e-10)
 
 
 def test_every_branch_leads_back_and_the_configuration_is_among_them(arm):

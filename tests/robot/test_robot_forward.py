@@ -55,7 +55,9 @@ def test_forward_equals_pin_on_any_mounting(mounted, pin_tcp, rng):
 
 def test_jacobian_and_its_rate_equal_pin_at_a_crooked_tool(mounted, pin_tcp, X_FT, rng):
     pin, model, data, _, tcp = pin_tcp
-    q, qd, _ = states(mounted, rng)
+    q, qd, qdd = states(mounted, rng)
+    moves = mounted.differential(q, X_FT)
+    velocity, bias, motion = moves.velocity(qd), moves.bias(qd), moves.motion(qd, qdd)
     J, J_rate = mounted.jacobian(q, X_FT), mounted.jacobian_rate(q, qd, X_FT)
     world = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
     for i in range(len(q)):
@@ -64,6 +66,10 @@ def test_jacobian_and_its_rate_equal_pin_at_a_crooked_tool(mounted, pin_tcp, X_F
         np.testing.assert_allclose(J[i], pin.getFrameJacobian(model, data, tcp, world), rtol=0, atol=1e-12)
         wanted = pin.getFrameJacobianTimeVariation(model, data, tcp, world)
         np.testing.assert_allclose(J_rate[i], wanted, rtol=0, atol=1e-12)
+        both = [J[i] @ qd[i], J[i] @ qdd[i] + wanted @ qd[i]]
+        np.testing.assert_allclose(velocity[i], both[0], rtol=0, atol=1e-12)
+        np.testing.assert_allclose(bias[i], wanted @ qd[i], rtol=0, atol=1e-11)
+        np.testing.assert_allclose(motion[i], both, rtol=0, atol=1e-11)
 
 
 def test_jacobian_rate_is_the_difference_of_jacobians(mounted, X_FT, rng):
@@ -93,6 +99,7 @@ def test_any_leading_axes_give_the_same_numbers(mounted, X_FT, rng):
         (mounted.forward(q.reshape(3, 4, k)), mounted.forward(q)),
         (mounted.jacobian(q.reshape(3, 4, k), X_FT), mounted.jacobian(q, X_FT)),
         (mounted.jacobian_rate(q.reshape(3, 4, k), qd.reshape(3, 4, k)), mounted.jacobian_rate(q, qd)),
+        (mounted.differential(q.reshape(3, 4, k)).bias(qd.reshape(3, 4, k)), mounted.differential(q).bias(qd)),
     ):
         np.testing.assert_allclose(found.reshape(rows.shape), rows, rtol=0, atol=1e-15)
         assert found.shape[:2] == (3, 4)

@@ -26,7 +26,7 @@ def faster_than_programmed(program: Program, plan: Plan, plant: Plant) -> frozen
             continue
         rows = (trajectory.t >= planned.t_0) & (trajectory.t <= planned.t_1)
         qd = trajectory.qd[rows]
-        twist = (plant.robot.jacobian(trajectory.q[rows], motion.tool.X_FT) @ qd[..., None])[..., 0]
+        twist = plant.robot.differential(trajectory.q[rows], motion.tool.X_FT).velocity(qd)
         pairs = [(twist[:, :3], motion.speed.v_tcp), (twist[:, 3:], motion.speed.v_ori)]
         if plant.rail_eax is not None:
             pairs.append((qd[:, :1], motion.speed.v_leax))

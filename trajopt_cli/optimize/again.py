@@ -549,7 +549,7 @@ def _shares(axes: Axes, segment: Segment, X_FT: Array, q: Array, qd: Array) -> t
         s = np.clip(s + np.sum(twist * off, axis=1) / np.sum(twist * twist, axis=1), 0.0, 1.0)
     s[0], s[-1] = 0.0, 1.0
     twist = segment.twist(s)
-    tool = (axes.jacobian(q, X_FT) @ qd[..., None])[..., 0]
+    tool = axes.differential(q, X_FT).velocity(qd)
     v = np.maximum(np.sum(twist * tool, axis=1) / np.sum(twist * twist, axis=1), 0.0)
     v[0] = v[-1] = 0.0
     return s, v

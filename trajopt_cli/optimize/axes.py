@@ -12,6 +12,7 @@ from trajopt_cli.limits import Couplings
 from trajopt_cli.optimize.torque import Torques
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Leg
+from trajopt_cli.robot.differential import Differential
 from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.protocol import Robot
 
@@ -118,9 +119,9 @@ class Axes:
         """Geometric Jacobian (..., 6, n) at the TCP, world axes."""
         return self.robot.jacobian(q, X_FT)
 
-    def jacobian_rate(self, q: Array, qd: Array, X_FT: Array) -> Array:
-        """Its time derivative (..., 6, n)."""
-        return self.robot.jacobian_rate(q, qd, X_FT)
+    def differential(self, q: Array, X_FT: Array) -> Differential:
+        """That and how the TCP's velocity and acceleration follow from those of the axes."""
+        return self.robot.differential(q, X_FT)
 
     def self_motion(self, q: Array) -> Array:
         """Arm rates (..., joints, r) per rail velocity with the flange at rest."""

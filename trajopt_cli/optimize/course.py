@@ -526,10 +526,8 @@ def _on_axes(axes: Axes, problem: Problem, parts: Sequence[Part], shares: Sequen
     out = Along(q, dq, ddq, v, w, bend, np.zeros((len(q), 2)))
     tools = [problem.legs[part.leg].X_FT for part in parts]
     for at, X_FT in _by_tool(tools, shares):
-        J, Jd = axes.jacobian(q[at], X_FT), axes.jacobian_rate(q[at], dq[at], X_FT)
-        out.v[at] = (J[:, :3] @ dq[at, :, None])[..., 0]
-        out.w[at] = (J[:, 3:] @ dq[at, :, None])[..., 0]
-        out.bend[at] = (J[:, :3] @ ddq[at, :, None])[..., 0] + (Jd[:, :3] @ dq[at, :, None])[..., 0]
+        motion = axes.differential(q[at], X_FT).motion(dq[at], ddq[at])
+        out.v[at], out.w[at], out.bend[at] = motion[:, 0, :3], motion[:, 0, 3:], motion[:, 1, :3]
     return out
 
 
@@ -588,15 +586,15 @@ def _with_tool(axes: Axes, X_FT: Array, parts: Sequence[Part], shares: Sequence[
 def rates(axes: Axes, q: Array, X_FT: Array, twist: Array, bend: Array, dd: Array, ddd: Array) -> tuple[Array, Array]:
     """Both derivatives of all axes (m, n) where the tool moves by twist and bend (m, 6), the rail by dd and ddd (m, r),
     all by one parameter."""
-    J = axes.jacobian(q, X_FT)
+    at = axes.differential(q, X_FT)
+    J = at.jacobian()
     Jr, Ja = J[:, :, axes.layout.rail], J[:, :, axes.layout.arm]
 
     def arm_follows(tool: Array, rail: Array) -> Array:
         return _solved(Ja, tool - (Jr @ rail[..., None])[..., 0])
 
     dq = axes.layout.merge(dd, arm_follows(twist, dd))
-    carried = (axes.jacobian_rate(q, dq, X_FT) @ dq[..., None])[..., 0]
-    return dq, axes.layout.merge(ddd, arm_follows(bend - carried, ddd))
+    return dq, axes.layout.merge(ddd, arm_follows(bend - at.bias(dq), ddd))
 
 
 def _solved(A: Array, b: Array) -> Array:

@@ -154,10 +154,8 @@ def tool_of(axes: Axes, X_FT: Sequence[Array], number: IndexArray, sample: Sampl
     unknown = np.isnan(tool[:, 0, 0])
     for name in dict.fromkeys(names) if unknown.any() else ():
         at = np.flatnonzero(unknown & np.array([one == name for one in names])[number])
-        q, qd, qdd = sample.q[at], sample.qd[at], sample.qdd[at]
-        J, Jd = axes.jacobian(q, X_FT[names.index(name)]), axes.jacobian_rate(q, qd, X_FT[names.index(name)])
-        tool[at, 0] = (J @ qd[..., None])[..., 0]
-        tool[at, 1] = (J @ qdd[..., None])[..., 0] + (Jd @ qd[..., None])[..., 0]
+        moves = axes.differential(sample.q[at], X_FT[names.index(name)])
+        tool[at] = moves.motion(sample.qd[at], sample.qdd[at])
     return tool
 
 

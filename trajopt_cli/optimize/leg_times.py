@@ -210,8 +210,8 @@ def _straight(axes: Axes, problem: Problem, pairs: Sequence[Pairs], s: Array) ->
     q = (q_0[:, None] + s[:, None] * way[:, None]).reshape(B * m, -1)
     dq = np.repeat(way, m, axis=0)
     X_FT = problem.legs[pairs[0].k].X_FT
-    twist = (axes.jacobian(q, X_FT) @ dq[..., None])[..., 0]
-    bend = (axes.jacobian_rate(q, dq, X_FT) @ dq[..., None])[..., 0]
+    at = axes.differential(q, X_FT)
+    twist, bend = at.velocity(dq), at.bias(dq)
     still = np.zeros((len(q), 2))
     return Along(q, dq, np.zeros_like(q), twist[:, :3], twist[:, 3:], bend[:, :3], still), np.ones(B, dtype=bool)
 

@@ -179,7 +179,8 @@ def on_ways(
         s, d = s - back[:, 0], d - back * along
         arm, twist, bend = placed(s, d)
     q = axes.layout.merge(d, turned(arm))
-    J = axes.jacobian(q, X_FT)
+    moves = axes.differential(q, X_FT)
+    J = moves.jacobian()
     Jr, Ja = J[:, :, axes.layout.rail], J[:, :, axes.layout.arm]
 
     def arm_follows(tool: Array, rail: Array) -> Array:
@@ -191,8 +192,7 @@ def on_ways(
 
     tool = by_time(twist, bend)
     qd = axes.layout.merge(dv, arm_follows(tool[:, 0], dv))
-    carried = (axes.jacobian_rate(q, qd, X_FT) @ qd[..., None])[..., 0]
-    qdd = axes.layout.merge(da, arm_follows(tool[:, 1] - carried, da))
+    qdd = axes.layout.merge(da, arm_follows(tool[:, 1] - moves.bias(qd), da))
     if numb.any():
         q = q + np.where(numb[:, None], back * axes.layout.merge(along, arm_follows(twist, along)), 0.0)
     return Sample(t, q, qd, qdd, by_time(*over_work(segments, np.split(s, edges), twist, bend)))

@@ -60,8 +60,9 @@ def _accelerations(axes: Axes, problem: Problem, q: Array, qd: Array, qdd: Array
     rail, arm = axes.layout.rail, axes.layout.arm
     for k, stop in enumerate(problem.waypoints):
         if stop.q is None and not problem.rests(k):
-            J, Jd = axes.jacobian(q[k], np.eye(4)), axes.jacobian_rate(q[k], qd[k], np.eye(4))
-            qdd[k, arm] = np.linalg.solve(J[:, arm], -J[:, rail] @ qdd[k, rail] - Jd @ qd[k])
+            at = axes.differential(q[k], np.eye(4))
+            J = at.jacobian()
+            qdd[k, arm] = np.linalg.solve(J[:, arm], -J[:, rail] @ qdd[k, rail] - at.bias(qd[k]))
     return qdd
 
 

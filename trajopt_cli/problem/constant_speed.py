@@ -176,7 +176,7 @@ class _Course:
         for one, move in zip(motions, self._moves, strict=True):
             t = np.linspace(one.t_0 + _INSIDE, one.t_1 - _INSIDE, max(round((one.t_1 - one.t_0) / _STEP), 2) + 1)
             q, qd, _ = hermite(trajectory, t)
-            v = np.linalg.norm(_apply(plant.robot.jacobian(q, move.tool.X_FT), qd)[:, :3], axis=1)
+            v = np.linalg.norm(plant.robot.differential(q, move.tool.X_FT).velocity(qd)[:, :3], axis=1)
             way = np.r_[0.0, np.cumsum(np.diff(t) * (v[1:] + v[:-1]) / 2)]
             times.append(t)
             speeds.append(v)
@@ -301,8 +301,7 @@ class _Course:
             t = self._t[i : j + 1][self._motion[i : j + 1] == n]
             move = self._moves[n]
             q, qd, qdd = hermite(self._trajectory, t)
-            J, Jd = robot.jacobian(q, move.tool.X_FT), robot.jacobian_rate(q, qd, move.tool.X_FT)
-            V, A = _apply(J, qd), _apply(J, qdd) + _apply(Jd, qd)
+            V, A = np.moveaxis(robot.differential(q, move.tool.X_FT).motion(qd, qdd), 1, 0)
             velocity = plant.limits.velocity.copy()
             velocity[plant.layout.rail] = np.minimum(velocity[plant.layout.rail], move.speed.v_leax)
             v, a = (np.linalg.norm(one[:, :3], axis=1) for one in (V, A))
@@ -344,7 +343,3 @@ class _Limits:
         count, most = np.sum(self.ratios >= _AT_LIMIT, axis=0), np.max(self.ratios, axis=0)
         best = int(np.argmax(count if count.any() else most))
         return self.names[best], float(most[best])
-
-
-def _apply(J: Array, rates: Array) -> Array:
-    return np.asarray((J @ rates[..., None])[..., 0])

@@ -136,7 +136,7 @@ def follow(program: Program, plant: Plant, plan: Plan, title: str, times: Array 
     X_WT, V_WT = np.empty_like(X_WF), np.empty((len(t), 6))
     for tool, part in _tools(legs, t, first_tool(program)):
         X_WT[part] = X_WF[part] @ tool
-        V_WT[part] = (plant.robot.jacobian(q[part], tool) @ qd[part][..., None])[..., 0]
+        V_WT[part] = plant.robot.differential(q[part], tool).velocity(qd[part])
     below = f"{title} · {plan.target.in_words} · cycle {plan.duration:.3f} s"
     return Course(program, plant, plan, below, legs, t, q, qd, qdd, X_WT, V_WT)
 

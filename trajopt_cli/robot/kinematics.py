@@ -17,12 +17,12 @@ _SINGULAR = 1e-9  # of the three measures below: axis speeds would be a billion 
 
 def forward_velocity(robot: RobotModel, q: Array, qd: Array, X_FT: Array | None = None) -> Array:
     """TCP velocity (..., 6) = J qd at axis positions and speeds (..., k). X_FT (4, 4): TCP in the flange frame."""
-    return _apply(robot.jacobian(q, X_FT), qd)
+    return robot.differential(q, X_FT).velocity(np.asarray(qd))
 
 
 def forward_acceleration(robot: RobotModel, q: Array, qd: Array, qdd: Array, X_FT: Array | None = None) -> Array:
     """TCP acceleration (..., 6) = J qdd + J' qd at axis positions, speeds and accelerations (..., k)."""
-    return _apply(robot.jacobian(q, X_FT), qdd) + _apply(robot.jacobian_rate(q, qd, X_FT), qd)
+    return np.asarray(robot.differential(q, X_FT).motion(np.asarray(qd), np.asarray(qdd))[..., 1, :])
 
 
 def singularity(robot: RobotModel, q: Array) -> Array:
@@ -61,8 +61,9 @@ def inverse_acceleration(
 
     qdd_arm = J_A^-1 (A - J' qd - J_d rail_acceleration). Needs and raises as inverse_velocity.
     """
-    rest = np.asarray(A, dtype=np.float64) - _apply(robot.jacobian_rate(q, qd, X_FT), qd)
-    return _solve(robot, np.asarray(q, dtype=np.float64), robot.jacobian(q, X_FT), rest, rail_acceleration)
+    at = robot.differential(q, X_FT)
+    rest = np.asarray(A, dtype=np.float64) - at.bias(np.asarray(qd, dtype=np.float64))
+    return _solve(robot, np.asarray(q, dtype=np.float64), at.jacobian(), rest, rail_acceleration)
 
 
 def _apply(J: Array, rates: Array) -> Array:

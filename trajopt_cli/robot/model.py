@@ -24,6 +24,7 @@ from trajopt_cli.robot import inverse as closed_form
 from trajopt_cli.robot.arm import Arm, elbow_angle
 from trajopt_cli.robot.arm_chain import arm_from_chain
 from trajopt_cli.robot.chain import checked_pose, named_profile, pin_model
+from trajopt_cli.robot.differential import Differential
 from trajopt_cli.robot.enclosure import Enclosure, enclose
 from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.structure import Structure
@@ -235,53 +236,17 @@ class RobotModel:
 
         q (..., k). X_FT (4, 4): the TCP in the flange frame, the flange itself for None.
         """
-        return self._columns(q, None, X_FT)
+        return self.differential(q, X_FT).jacobian()
 
     def jacobian_rate(self, q: Array, qd: Array, X_FT: Array | None = None) -> Array:
         """Exact time derivative (..., 6, k) of jacobian along axis speeds qd (..., k)."""
-        return self._columns(q, qd, X_FT)
+        return self.differential(q, X_FT).jacobian_rate(qd)
 
-    def _columns(self, q: Array, qd: Array | None, X_FT: Array | None) -> Array:
-        """The Jacobian (qd None) or its rate, built in the canonical base frame and turned into the world."""
+    def differential(self, q: Array, X_FT: Array | None = None) -> Differential:
+        """How the TCP moves with the axes at q (..., k). X_FT (4, 4): the TCP in the flange frame, None: the flange."""
         q = np.asarray(q, dtype=np.float64)
         self._check(q, "q")
-        a, o = arm_products.axes_and_points(self.arm, q[..., -6:])
-        arm = self.arm
-        lever = arm.c4 * a[:, 5]  # from the wrist centre to the TCP
-        p_FT = np.zeros(3) if X_FT is None else np.asarray(X_FT, dtype=np.float64)[:3, 3]
-        p_FT = p_FT + arm.X_KF[:3, :3].T @ arm.X_KF[:3, 3]  # from where axis 6 meets the canonical flange
-        if X_FT is not None or np.any(p_FT):
-            R_OF = arm_products.forward(arm, q[..., -6:])[..., :3, :3]
-            lever = lever + np.moveaxis(R_OF @ p_FT, -1, 0)
-        if qd is None:
-            linear, angular = _cross(a, (o[:, 5] + lever)[:, None] - o), a
-        else:
-            linear, angular = self._rates(a, o, lever, np.asarray(qd, dtype=np.float64), q.shape)
-        if not arm.canonical_joints:
-            signs = arm.signs.reshape(6, *[1] * (q.ndim - 1))
-            linear, angular = linear * signs, angular * signs
-        J = np.zeros((*q.shape[:-1], 6, len(self.axis_names)))
-        for rows, block in ((slice(0, 3), linear), (slice(3, 6), angular)):
-            turned = np.tensordot(self.X_WO0[:3, :3], block, axes=1)
-            J[..., rows, -6:] = np.moveaxis(turned, (0, 1), (-2, -1))
-        if qd is None and self.rail_axis_W is not None:
-            J[..., :3, 0] = self.rail_axis_W
-        return J
-
-    def _rates(self, a: Array, o: Array, lever: Array, qd: Array, shape: tuple[int, ...]) -> tuple[Array, Array]:
-        """Time derivatives (3, 6, ...) of a x (p - o) and of a. The rail moves all points alike and drops out."""
-        if qd.shape != shape:
-            raise ValueError(f"qd has shape {qd.shape}, wanted {shape} like q")
-        rates = qd[..., -6:] if self.arm.canonical_joints else self.arm.signs * qd[..., -6:]
-        omega = np.cumsum(a * np.moveaxis(rates, -1, 0), axis=1)  # of the link behind each joint
-        carried = np.zeros_like(a)
-        carried[:, 1:] = omega[:, :-1]  # an axis turns with the link before its joint
-        o_dot = np.zeros_like(o)
-        o_dot[:, 1:] = np.cumsum(_cross(omega[:, :-1], np.diff(o, axis=1)), axis=1)
-        p_dot = o_dot[:, 5] + _cross(omega[:, 5], lever)
-        a_dot = _cross(carried, a)
-        p = o[:, 5] + lever
-        return _cross(a_dot, p[:, None] - o) + _cross(a, p_dot[:, None] - o_dot), a_dot
+        return Differential.of(self.arm, q, X_FT, self.X_WO0[:3, :3], self.rail_axis_W)
 
     def _check(self, values: Array, name: str) -> None:
         k = len(self.axis_names)
@@ -292,11 +257,6 @@ class RobotModel:
     def pin_model(self) -> Any:
         """pin.Model of the URDF, mounted at X_WR; built once, on first use."""
         return pin_model(self.urdf, self.X_WR)
-
-
-def _cross(a: Array, b: Array) -> Array:
-    """Cross product of (3, ...) with (3, ...), components first."""
-    return np.stack([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
 
 
 def robot_names(structure: Structure | None = None) -> tuple[str, ...]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Protocol
 from trajopt_cli.geometry import Array
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.motion import ConfData
+from trajopt_cli.robot.differential import Differential
 from trajopt_cli.robot.enclosure import Enclosure
 from trajopt_cli.robot.layout import AxisLayout
 
@@ -58,8 +59,8 @@ class Robot(Protocol):
     def jacobian(self, q: Array, X_FT: Array | None = None) -> Array:
         """Geometric Jacobian (..., 6, n) at the tool centre point in world axes, linear rows first."""
 
-    def jacobian_rate(self, q: Array, qd: Array, X_FT: Array | None = None) -> Array:
-        """Its exact time derivative (..., 6, n)."""
+    def differential(self, q: Array, X_FT: Array | None = None) -> Differential:
+        """That and how the tool centre point's velocity and acceleration follow from those of the axes."""
 
     def rail_within(self, X_WF: Array) -> Array:
         """Rail positions (k, 2) outside which the arm is too short for flange poses (k, 4, 4), whatever its joints;

@@ -297,11 +297,8 @@ def use_of(plant: Plant, caps: Caps, q: Array, qd: Array, qdd: Array) -> Use:
 
 def tool_rates(plant: Plant, X_FT: Array, q: Array, dq: Array, ddq: Array) -> tuple[Array, Array]:
     """The TCP's twist (n, 6) and the second derivative of its position (n, 3), by whatever dq and ddq (n, k) are by."""
-    J = plant.robot.jacobian(q, X_FT)
-    V = (J @ dq[..., None])[..., 0]
-    A = (J[:, :3] @ ddq[..., None])[..., 0]
-    A += (plant.robot.jacobian_rate(q, dq, X_FT)[:, :3] @ dq[..., None])[..., 0]
-    return V, A
+    motion = plant.robot.differential(q, X_FT).motion(dq, ddq)
+    return motion[:, 0], motion[:, 1, :3]
 
 
 @dataclass(frozen=True, eq=False)

@@ -143,7 +143,7 @@ class _Path:
         """Greatest rate (n,) that axis speeds, TCP speed and turning allow at the points; where two legs meet, of
         both."""
         q, first, _ = self.at(self.s)
-        V = (self.plant.robot.jacobian(q, self.run.legs[0].X_FT) @ first[..., None])[..., 0]
+        V = self.plant.robot.differential(q, self.run.legs[0].X_FT).velocity(first)
         used = np.full(len(self.s), 1 / _FASTEST)
         for side in (-_BESIDE, _BESIDE):
             caps = self.caps(self.s + side)
