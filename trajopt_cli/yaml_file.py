@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterator, Mapping, Sequence
+from copy import deepcopy
+from functools import lru_cache
 from pathlib import Path
 from typing import Any, NoReturn, TypeVar
 
@@ -53,6 +55,12 @@ def parse(text: str, file: str, needed: str) -> tuple[dict[str, Any], dict[str, 
     is longer than MAX_BYTES, or holds more than MAX_NODES keys and values.
     """
     _check_size(len(text.encode("utf-8", "replace")), file)
+    content, lines = _parsed(text, file, needed)
+    return deepcopy(content), dict(lines)
+
+
+@lru_cache(maxsize=16)  # a command asks for the same file several times, and YAML takes a millisecond per line
+def _parsed(text: str, file: str, needed: str) -> tuple[dict[str, Any], dict[str, int]]:
     if text.count(",") > MAX_NODES:  # seen at once; ruamel takes seconds to come this far
         raise _too_many(file, 1)
     yaml = YAML(typ="safe", pure=True)

@@ -212,12 +212,9 @@ def read_robot_file(path: Path) -> tuple[RobotFile, Mapping[str, Any]]:
     return _read(str(path), read_text(path, "robot file"))
 
 
-@lru_cache(maxsize=8)  # YAML takes 30 ms, and a command asks for its robot several times
 def _read(file: str, text: str) -> tuple[RobotFile, Mapping[str, Any]]:
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", ReusedAnchorWarning)  # legal, and it would go to stderr
-            raw = YAML().load(text)
+        raw = _loaded(text)
     except YAMLError as error:
         mark, problem = getattr(error, "problem_mark", None), getattr(error, "problem", None) or str(error)
         line = mark.line + 1 if mark is not None else None
@@ -238,6 +235,13 @@ def _read(file: str, text: str) -> tuple[RobotFile, Mapping[str, Any]]:
             for item in error.errors()
         ]
         raise (found[0] if len(found) == 1 else InputErrorGroup(found)) from error
+
+
+@lru_cache(maxsize=32)  # YAML takes 30 ms, and a command asks for its robot several times
+def _loaded(text: str) -> Any:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ReusedAnchorWarning)  # legal, and it would go to stderr
+        return YAML().load(text)
 
 
 def check_axes(data: RobotFile, raw: Mapping[str, Any], names: tuple[str, ...], file: str) -> None:
