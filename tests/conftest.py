@@ -90,6 +90,7 @@ def pytest_collection_finish() -> None:
     """What is loaded by now stays until the end: looking through it for garbage is work for nothing."""
     gc.collect()
     gc.freeze()
+    gc.set_threshold(20_000, 20, 50)  # as the command does
     gc.enable()
 
 

@@ -43,6 +43,7 @@ from trajopt_cli.cli.process import begin, interrupted, out_of_memory, own_proce
 from trajopt_cli.errors import InputError, terminal_text
 
 _LONGEST = 600  # characters of a line on stderr: eight lines of a terminal
+_SELDOM = 20_000, 20, 50  # new objects between looks for garbage. Python's 700 take 5 % of the time of a command
 app = typer.Typer(
     name="trajopt",
     help="The fastest legal motion for the robot program a cell already runs.",
@@ -158,4 +159,5 @@ def main() -> None:
         sys.exit(2)
     if isinstance(sys.stdout, TextIOWrapper):  # bytes of a file's name that are no text: as JSON spells them, \udc80
         sys.stdout.reconfigure(errors="backslashreplace")
+    gc.set_threshold(*_SELDOM)
     sys.exit(run(sys.argv[1:]))
