@@ -70,7 +70,10 @@ def test_an_arc_that_leaves_a_range_between_the_nodes_of_the_search_is_refused_w
     job = read_job(tmp_path / "small.mod")
     answer = optimize(job.program, job.plant, Target.STREAM, bounded=False)
     assert isinstance(answer, Infeasible)
-    said = re.search(r"^MoveC .* breaks at ([0-9.]+) mm of ([0-9.]+) mm, .* a joint limit$", answer.message)
+    said = re.search(
+        r"^MoveC .* breaks at ([0-9.]+) mm of ([0-9.]+) mm, .* ends with joint_3 = ([0-9.]+)°, limit 50°$",
+        answer.message,
+    )
     assert said is not None, answer.message
     problem = build_problem(job.program, job.plant, Freedom(), Target.STREAM, everything(job.program, job.plant))
     assert isinstance(problem, Problem)
@@ -85,7 +88,11 @@ def test_an_arc_that_leaves_a_range_between_the_nodes_of_the_search_is_refused_w
                 left.append(at / 2000)
                 break
     assert len(left) == len(robot.solutions(ways[0], None, limits))
-    assert max(left) == pytest.approx(float(said[1]) / float(said[2]), abs=0.01)
+    share = float(said[1]) / float(said[2])
+    assert max(left) == pytest.approx(share, abs=0.01)
+    assert np.degrees(limits.upper[2]) == pytest.approx(50)
+    there = robot.branches(leg.segment.pose(np.array([share])) @ inverse_pose(leg.X_FT), None)[0]
+    assert np.abs(np.degrees(there[:, 2]) - float(said[3])).min() < 0.01
 
 
 @pytest.mark.usefixtures("unrefined")

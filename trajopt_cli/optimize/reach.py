@@ -38,6 +38,7 @@ from trajopt_cli.problem.freedom import EVERYTHING
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Coupling, Leg, LegKind, Problem, Waypoint
+from trajopt_cli.robot.turns import ON_LIMIT, excess
 
 _LISTED = 4  # confdata in a message
 _PLACES = 5  # in a message
@@ -577,20 +578,21 @@ def _broken_line(axes: Axes, problem: Problem, k: int, d: Array, labels: tuple[L
     arm = [axes.inverse(np.broadcast_to(X, (len(rails), 4, 4)), rails) for X in X_WF]
     # a point out of everything's reach says most; else the one where the last configuration ends
     known = {label.cfx for label in labels if label.cfx >= 0} or set(range(arm[0].shape[1]))
-    at = _first_lost(axes, leg, arm, set(range(arm[0].shape[1])))
-    if at is None:
+    lost = _first_lost(axes, leg, arm, set(range(arm[0].shape[1])))
+    if lost is None:
         stands = problem.waypoints[k].q is not None  # joints are given there: no singularity is in the way
-        at = _first_lost(
+        lost = _first_lost(
             axes, leg, [arm[0] if stands else usable(axes, arm[0]), *(usable(axes, q) for q in arm[1:])], known
         )
-    if at is None:
+    if lost is None:
         return None
+    at, before = lost
     X_WT, X_WF = X[at], X_WF[at]
     near = rails[int(np.argmin(np.abs(rails - _abreast(axes, X_WF))))]
     reason = _why(axes, problem, X_WF, float(near))
     where = _at(axes, float(near))
     if not reason:
-        reason = _NO_SINGLE
+        reason = f"{_NO_SINGLE}{_end(axes, arm[at][before])}"
     p = X_WT[:3, 3] * 1e3
     way = leg.chord * 1e3
     text = (
@@ -600,14 +602,30 @@ def _broken_line(axes: Axes, problem: Problem, k: int, d: Array, labels: tuple[L
     return Infeasible(leg.motion, motion.source, text)
 
 
-def _first_lost(axes: Axes, leg: Leg, arm: list[Array], branches: set[int]) -> int | None:
-    """The first of the points, with joints arm (rails, b, m) each, to which none of the branches gets."""
+def _first_lost(axes: Axes, leg: Leg, arm: list[Array], branches: set[int]) -> tuple[int, BoolArray] | None:
+    """The first of the points, with joints arm (rails, b, m) each, to which none of the branches gets; and which of
+    those joints (rails, b) are had from the point before."""
     alive = np.tile([cfx in branches for cfx in range(arm[0].shape[1])], (len(arm[0]), 1))
     for at, q in enumerate(arm):
-        alive = _in_limits(axes, q) & (np.any(alive, axis=0) if leg.rail_moves else alive)
+        before = np.broadcast_to(np.any(alive, axis=0), alive.shape) if leg.rail_moves else alive
+        alive = _in_limits(axes, q) & before
         if not np.any(alive):
-            return at
+            return at, before
     return None
+
+
+def _end(axes: Axes, arm: Array) -> str:
+    """What stops the configurations that come to a point last, with joints (k, m) there: the range that one of them
+    leaves by the least."""
+    names, lower, upper = (one[axes.layout.arm] for one in (axes.names, axes.lower, axes.upper))
+    worst = [
+        max((excess(*one), name) for *one, name in zip(q, lower, upper, names, strict=True))
+        for q in arm[np.isfinite(arm).all(axis=-1)].tolist()
+    ]
+    (over, value, limit), name = min(worst, default=((0.0, 0.0, 0.0), ""))
+    if over <= ON_LIMIT:
+        return ""
+    return f"; the last that comes so far ends with {name} = {np.degrees(value):.6g}°, limit {np.degrees(limit):.6g}°"
 
 
 def _in_limits(axes: Axes, arm: Array) -> BoolArray:
