@@ -10,9 +10,12 @@ import numpy as np
 import pinocchio as pin
 import pytest
 from legal_motion import (
+    FINE,
+    V2500,
     Case,
     Piece,
     arm_at,
+    eax,
     hold,
     home,
     joint_move,
@@ -21,15 +24,17 @@ from legal_motion import (
     plant_with_rail,
     program,
     trapezoid,
+    wait,
 )
 from scipy.interpolate import CubicHermiteSpline
 from scipy.spatial.transform import Rotation
-from table_cell import CELL, ON_TABLE, P_1, PLANT, Cell, asked, brought, unit
+from table_cell import AT, CELL, ON_TABLE, P_1, PLANT, WRITTEN, Cell, asked, brought, unit
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.joint_csv import Resolution
+from trajopt_cli.motion import MoveExtJ
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify import tolerances as tol
 from trajopt_cli.verify.frame import Frame
@@ -470,3 +475,26 @@ def test_a_table_goes_there_and_back_in_one_rest(turns: bool) -> None:
         tables = Trajectory(("eax_b",), rows.t, theta, rate)
         found = verify(asked, PLANT, replace(rows, tables=tables), advice=False).findings
         assert failed(found) == ([] if turns else [("positioner position", "eax_b")])
+
+
+@pytest.mark.parametrize("by", ["itself", "a move that stays"])
+@pytest.mark.parametrize("shift", [0.0, -0.2, 0.2])
+def test_a_table_turns_between_the_waits_that_it_turns_between(by: str, shift: float) -> None:
+    """A wait of a second, a turn of 0.45 s, a wait of half a second: in another order they take as long."""
+    q = arm_at(PLANT, P_1[None], None)[0]
+    one = unit(1, 0.0, 0.4, [0.6, 0.3, 0.1], [0, 0, 1], carries=False, least=0.45, acceleration=20.0)
+    turn = move_l(14, "p_1", P_1, units=(one,))
+    if by == "itself":
+        turn = MoveExtJ(source=AT, written=WRITTEN, target="j", speed=V2500, zone=FINE, extax=eax(None), units=(one,))
+    asked = program(move_j(11, "p_1", P_1), wait(12, 1.0), turn, wait(15, 0.5), home(19, None))
+    pieces = (joint_move(PLANT, PLANT.start, q, 0.5), hold(q, 1.95), joint_move(PLANT, q, PLANT.start, 0.5))
+    case, share = Case(PLANT, asked, pieces), trapezoid(1e9, 4 / 0.45**2)[1]
+    for step in (0.001, 0.0037):
+        rows = case.rows(grid_only=True, step=step)
+        s, rate = share(np.clip(rows.t - case.starts[1] - 1.0 - shift, 0, 0.45))
+        tables = Trajectory(("eax_b",), rows.t, 0.4 * s[:, None], 0.4 * rate[:, None])
+        found = verify(asked, PLANT, replace(rows, tables=tables), advice=False).findings
+        assert failed(found) == ([("positioner position", "eax_b")] if shift else [])
+        for finding in found if shift else ():
+            if not finding.passed:
+                assert finding.limit == pytest.approx(0.0 if shift < 0 else 0.4)

@@ -20,7 +20,7 @@ from trajopt_cli.verify.frame import Frame, Places
 from trajopt_cli.verify.geometry import turned
 from trajopt_cli.verify.rows import Along, Pieces, Rows, shortest
 from trajopt_cli.verify.timeline import Timeline, Visit
-from trajopt_cli.verify.tolerances import JOINT, JOINT_TARGET
+from trajopt_cli.verify.tolerances import DWELL, JOINT, JOINT_TARGET
 
 _POSITION = "positioner position"
 
@@ -173,32 +173,55 @@ def _seen(R: Array, values: Array) -> Array:
 
 
 @dataclass(frozen=True)
+class _Step:
+    """What a rest is made of: waits and moves of tables alone, one after the other. begin: the earliest time [s] at
+    which it may begin; lasts [s]: at least."""
+
+    units: tuple[UnitMove, ...]
+    begin: float
+    lasts: float
+
+
+@dataclass(frozen=True)
 class _Phase:
-    """Rows first to last in which units turn, every other positioner standing. visit: at its end."""
+    """Rows first to last in which units turn, every other positioner standing. visit: at its end. steps: of a rest."""
 
     first: int
     last: int
     units: tuple[UnitMove, ...]
     visit: Visit
+    steps: tuple[_Step, ...] = ()
+
+    @classmethod
+    def rest(cls, first: int, last: int, steps: tuple[_Step, ...], visit: Visit) -> _Phase:
+        """Rows of a rest."""
+        return cls(first, last, tuple(unit for step in steps for unit in step.units), visit, steps)
+
+    def window(self, column: str) -> tuple[float, float]:
+        """The earliest time [s] at which an axis may begin to turn, and how long [s] it stands behind its last turn."""
+        mine = [i for i, step in enumerate(self.steps) if any(unit.column == column for unit in step.units)]
+        if not mine:
+            return -np.inf, 0.0
+        return self.steps[mine[0]].begin, sum(step.lasts for step in self.steps[mine[-1] + 1 :])
 
 
 def _phases(program: Program, line: Timeline) -> Iterator[_Phase]:
     """Moves and rests in turn, all rows of the file. A rest may have moves in it that move the tables alone."""
     first = line.visits[0]
-    begin, end, visit, waiting = first.arrive, first.depart, first, _holding(program, first)
+    begin, end, visit, steps = first.arrive, first.depart, first, _steps(program, first)
     for after in line.visits[1:]:
         if after.event is None:
             continue
         units = () if after.point.move is None else after.point.move.units
         if after.arrive <= end:
-            waiting += units
+            steps += (_Step(units, visit.ready, after.point.duration or after.point.least),)
         else:
             left, come = _under_way(line, visit, end, after)
-            yield _Phase(begin, left, waiting, visit)
+            yield _Phase.rest(begin, left, steps, visit)
             yield _Phase(left, come, units, after)
-            begin, waiting = come, ()
-        end, visit, waiting = max(after.depart, end), after, waiting + _holding(program, after)
-    yield _Phase(begin, len(line.rows.t) - 1, waiting, visit)
+            begin, steps = come, ()
+        end, visit, steps = max(after.depart, end), after, steps + _steps(program, after)
+    yield _Phase.rest(begin, len(line.rows.t) - 1, steps, visit)
 
 
 def _stands(line: Timeline, units: Sequence[UnitMove], first: int, last: int, end: bool) -> IndexArray:
@@ -230,9 +253,12 @@ def _under_way(line: Timeline, visit: Visit, end: int, after: Visit) -> tuple[in
     return int(leave[-1]) if len(leave) else end, int(come[0]) if len(come) else after.arrive
 
 
-def _holding(program: Program, visit: Visit) -> tuple[UnitMove, ...]:
-    """What turns by itself while the tool waits at a point."""
-    return tuple(unit for i, _ in visit.point.holds for unit in getattr(program.motions[i], "units", ()))
+def _steps(program: Program, visit: Visit) -> tuple[_Step, ...]:
+    """What the tool waits for at a point."""
+    return tuple(
+        _Step(getattr(program.motions[i], "units", ()), hold.begin, hold.wait.duration)
+        for (i, _), hold in zip(visit.point.holds, visit.holds, strict=False)
+    )
 
 
 def check_tables(program: Program, line: Timeline) -> list[Finding]:
@@ -264,15 +290,20 @@ def _axis(
     q, t = tables.q[a : b + 1, j], rows.t[a : b + 1]
     step, step_v = rows.tables_step
     granted = _granted(rows, hardest, a, b)
-    off = (np.abs(q - start) - granted)[: len(q) if not units else 1]
+    soonest, behind = phase.window(name)
+    slack = DWELL + rows.doubt_t + 2 * float(rows.open_time[a] + rows.open_time[b])
+    before = max(int(np.searchsorted(t, soonest - slack, side="right")), 1)  # rows that come before the turn
+    off = (np.abs(q - start) - granted)[: len(q) if not units else before]
     i = int(np.argmax(off))
     yield finding(_POSITION, name, float(q[i]), start, "rad", bool(off[i] <= JOINT_TARGET),
                   time=float(t[i]), source=source, bound="wanted")  # fmt: skip
     if not units:
         return
-    off_end = abs(float(q[-1]) - units[-1].end) - granted[-1]
-    yield finding(_POSITION, name, float(q[-1]), units[-1].end, "rad", bool(off_end <= JOINT_TARGET),
-                  time=float(t[-1]), source=source, bound="wanted", note=f" at {phase.visit.point.name}")  # fmt: skip
+    after = min(int(np.searchsorted(t, t[-1] - behind + slack)), len(t) - 1)  # the first row that comes behind it
+    off = (np.abs(q - units[-1].end) - granted)[after:]
+    i = after + int(np.argmax(off))
+    yield finding(_POSITION, name, float(q[i]), units[-1].end, "rad", bool(off.max() <= JOINT_TARGET),
+                  time=float(t[i]), source=source, bound="wanted", note=f" at {phase.visit.point.name}")  # fmt: skip
     most = float(granted.max()) + step / 2  # two printed places are compared
     i, wanted = _astray(q, start, units, most)
     if abs(float(q[i]) - wanted) - most > JOINT_TARGET:
