@@ -216,7 +216,7 @@ def _phases(program: Program, line: Timeline) -> Iterator[_Phase]:
         if after.arrive <= end:
             steps += (_Step(units, visit.ready, after.point.duration or after.point.least),)
         else:
-            left, come = _under_way(line, visit, end, after)
+            left, come = _under_way(line, visit, end, after, _latest(program, line.rows, after))
             yield _Phase.rest(begin, left, steps, visit)
             yield _Phase(left, come, units, after)
             begin, steps = come, ()
@@ -241,16 +241,34 @@ def _granted(rows: Rows, acceleration: float, a: int, b: int) -> Array:
     return np.asarray(rows.tables_step[0] / 2 + acceleration * unseen_turn(rows, a, b) ** 2 / 2)
 
 
-def _under_way(line: Timeline, visit: Visit, end: int, after: Visit) -> tuple[int, int]:
+def _under_way(line: Timeline, visit: Visit, end: int, after: Visit, latest: int) -> tuple[int, int]:
     """First and last row of the move to a visit. A tool that draws on tables may hardly move in the world where it
-    leaves a stop, of which end is the last row, and where it comes to one: then the tables tell, and the line's checks
-    whether they go in step with it."""
+    leaves a stop, of which end is the last row, and where it comes to one, by row latest: then the tables tell, and the
+    line's checks whether they go in step with it."""
     move = after.point.move
     if move is None or not (units := turned_under(move)):
         return end, after.arrive
     leave = _stands(line, units, max(visit.arrive, int(np.searchsorted(line.rows.t, visit.ready))), end, False)
-    come = _stands(line, units, after.arrive, after.arrive if after.point.holds else after.depart, True)
+    come = _stands(line, units, after.arrive, latest, True)
     return int(leave[-1]) if len(leave) else end, int(come[0]) if len(come) else after.arrive
+
+
+def _latest(program: Program, rows: Rows, visit: Visit) -> int:
+    """The last row of a stop at which what turns on the way there may come to stand: all waits are still to come, and
+    no table has turned there by itself."""
+    if not visit.point.holds:
+        return visit.depart
+    steps = _steps(program, visit)
+    if any(step.units for step in steps):
+        return visit.arrive
+    left = sum(step.lasts for step in steps)
+    last = rows.t[visit.depart] - left + _slack(rows, visit.arrive, visit.depart)
+    return max(int(np.searchsorted(rows.t, last, side="right")) - 1, visit.arrive)
+
+
+def _slack(rows: Rows, a: int, b: int) -> float:
+    """What is granted to waits between rows a and b [s]."""
+    return float(DWELL + rows.doubt_t + 2 * (rows.open_time[a] + rows.open_time[b]))
 
 
 def _steps(program: Program, visit: Visit) -> tuple[_Step, ...]:
@@ -291,7 +309,7 @@ def _axis(
     step, step_v = rows.tables_step
     granted = _granted(rows, hardest, a, b)
     soonest, behind = phase.window(name)
-    slack = DWELL + rows.doubt_t + 2 * float(rows.open_time[a] + rows.open_time[b])
+    slack = _slack(rows, a, b)
     before = max(int(np.searchsorted(t, soonest - slack, side="right")), 1)  # rows that come before the turn
     off = (np.abs(q - start) - granted)[: len(q) if not units else before]
     i = int(np.argmax(off))
