@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
@@ -12,7 +13,7 @@ from small_cells import plant_with_rail, problem_of, rapid
 from trajopt_cli.limits import CoupledRange
 from trajopt_cli.native.machine import machine
 from trajopt_cli.optimize.axes import Axes
-from trajopt_cli.optimize.blocks import NlpResult
+from trajopt_cli.optimize.blocks import Block, Expressed, NlpResult
 from trajopt_cli.optimize.draft import Margins
 from trajopt_cli.optimize.driver import first_draft
 from trajopt_cli.optimize.formulation import Formulation, ToolCap
@@ -47,18 +48,38 @@ LIMITED: dict[str, list[tuple[object, ...]]] = {  # of a plant whose torques and
 KINDS |= LIMITED
 
 
+@dataclass
+class Once:
+    """A library to which expressions are written down once, whoever asked first."""
+
+    inner: Library
+    written: dict[str, Expressed]
+    notice: None = None
+
+    def block(self, name: str, key: str, express: Callable[[], Expressed]) -> Block:
+        def known() -> Expressed:
+            if key not in self.written:
+                self.written[key] = express()
+            return self.written[key]
+
+        return self.inner.block(name, key, known)
+
+
+def compiled_and_not(axes: Axes) -> tuple[Formulation, Formulation]:
+    written: dict[str, Expressed] = {}
+    return Formulation(axes, Once(library(), written)), Formulation(axes, Once(Maps(), written))
+
+
 @pytest.fixture(scope="module")
 def both() -> tuple[Formulation, Formulation]:
-    axes = Axes.of(plant_with_rail())
-    return Formulation(axes, library()), Formulation(axes, Maps())
+    return compiled_and_not(Axes.of(plant_with_rail()))
 
 
 @pytest.fixture(scope="module")
 def both_limited() -> tuple[Formulation, Formulation]:
     plant = heavy_on_rail(np.eye(4))
     coupled = (CoupledRange(("joint_2", "joint_3"), (1.0, 1.0), -1.0, 1.0, "made up (grade D)"),)
-    axes = Axes.of(replace(plant, limits=replace(plant.limits, coupled=coupled)))
-    return Formulation(axes, library()), Formulation(axes, Maps())
+    return compiled_and_not(Axes.of(replace(plant, limits=replace(plant.limits, coupled=coupled))))
 
 
 def test_no_kind_of_relation_is_left_out() -> None:
