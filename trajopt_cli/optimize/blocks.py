@@ -68,16 +68,19 @@ def _called(kernel: Kernel, k: int, z: Array, p: Array, lam: Array | None = None
 
 @dataclass(frozen=True, eq=False)
 class Expressed:
-    """A block as CasADi functions."""
+    """A block as CasADi expressions: by function, of what it is made and what it gives."""
 
     shape: Shape
-    g: ca.Function
-    jacobian: ca.Function
-    hessian: ca.Function
+    parts: dict[str, tuple[list[ca.SX], ca.SX]]
+
+    def functions(self, once: bool) -> dict[str, ca.Function]:
+        """g, jacobian and hessian. once: what is found in several places is worked out once, a tenth of all; to look
+        for it takes as long as all the rest, which pays where the functions are kept."""
+        return {name: ca.Function(name, of, [gives], {"cse": once}) for name, (of, gives) in self.parts.items()}
 
     def block(self, name: str) -> Block:
         """The block that CasADi evaluates."""
-        return Block(name, self.shape, *(MapKernel(one) for one in (self.g, self.jacobian, self.hessian)))
+        return Block(name, self.shape, *map(MapKernel, self.functions(once=False).values()))
 
 
 Rows = Callable[[ca.SX, ca.SX], Sequence[tuple[ca.SX, float, float]]]
@@ -93,12 +96,13 @@ def express(n_variables: int, n_parameters: int, rows: Rows) -> Expressed:
     jac = ca.jacobian(g, z)
     lam = ca.SX.sym("lam", g.numel())
     hess = ca.triu(ca.hessian(ca.dot(lam, g), z)[0])
-    return Expressed(
-        Shape(n_variables, n_parameters, lower, upper, _places(jac), _places(hess)),
-        ca.Function("g", [z, p], [g], {"cse": True}),
-        ca.Function("jacobian", [z, p], [ca.densify(jac.nz[:])], {"cse": True}),
-        ca.Function("hessian", [z, p, lam], [ca.densify(hess.nz[:])], {"cse": True}),
-    )
+    shape = Shape(n_variables, n_parameters, lower, upper, _places(jac), _places(hess))
+    parts = {
+        "g": ([z, p], g),
+        "jacobian": ([z, p], ca.densify(jac.nz[:])),
+        "hessian": ([z, p, lam], ca.densify(hess.nz[:])),
+    }
+    return Expressed(shape, parts)
 
 
 def _places(of: ca.SX) -> tuple[IndexArray, IndexArray]:
