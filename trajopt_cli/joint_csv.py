@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Any, TextIO
@@ -102,21 +103,20 @@ def read_csv_text(text: str | TextIO, file: str) -> tuple[Trajectory, Resolution
     t, q, qd = np.empty(rows), np.empty((rows, k)), np.empty((rows, width - 1 - k))
     digits = Digits(rows, width)
     lines, first = islice(_lines(text), 1, end), 0
-    while fields := [line.rstrip("\r").split(",") for line in islice(lines, _ROWS)]:
-        for number, row in enumerate(fields, start=first + 2):
-            if len(row) != width:
-                raise InputError(f"{len(row)} values, the header has {width} columns", file=file, line=number)
-        table, part = _numbers(fields, file, first + 2), slice(first, first + len(fields))
-        digits.add(fields, table, first)
+    while rowed := [line.rstrip("\r") for line in islice(lines, _ROWS)]:
+        for number, row in enumerate(rowed, start=first + 2):
+            if (values := row.count(",") + 1) != width:
+                raise InputError(f"{values} values, the header has {width} columns", file=file, line=number)
+        table, part = _numbers(rowed, file, first + 2, width), slice(first, first + len(rowed))
+        digits.add(rowed, table, first)
         table *= factors
         if (far := np.abs(table) > FARTHEST).any():
             i, j = (int(x) for x in np.argwhere(far)[0])
-            message = f"'{fields[i][j]}' is no time, position or speed of a robot: at most {FARTHEST:g} in s, m or rad"
-            raise InputError(
-                message, file=file, line=first + i + 2, column=1 + sum(len(one) + 1 for one in fields[i][:j])
-            )
+            fields = rowed[i].split(",")
+            message = f"'{fields[j]}' is no time, position or speed of a robot: at most {FARTHEST:g} in s, m or rad"
+            raise InputError(message, file=file, line=first + i + 2, column=1 + sum(len(one) + 1 for one in fields[:j]))
         t[part], q[part], qd[part] = table[:, 0], table[:, 1 : 1 + k], table[:, 1 + k :]
-        first += len(fields)
+        first += len(rowed)
     if rows < 2:
         raise InputError(f"{rows} rows; a motion needs at least 2", file=file, line=rows + 1)
     late = np.flatnonzero(np.diff(t) < NEAREST)
@@ -217,16 +217,18 @@ def _read_header(line: str, file: str) -> tuple[tuple[str, ...], Array, bool]:
     return names, np.array([1.0, *(_SI[match["unit"]] for match in positions + speeds)]), bool(speeds)
 
 
-def _numbers(fields: list[list[str]], file: str, line: int) -> Array:
-    """Rows that begin at a line, as float64; raises InputError at the first field that is not a finite number."""
-    table = np.empty((0, 0))
-    try:
+def _numbers(rows: list[str], file: str, line: int, width: int) -> Array:
+    """Rows of so many fields that begin at a line, as float64; raises InputError at the first field that is not a
+    finite number."""
+    with suppress(ValueError):  # numbers in other letters and with underscores are read below
+        table = np.loadtxt(rows, delimiter=",", comments=None, ndmin=2)
+        if table.shape == (len(rows), width) and np.isfinite(table).all():
+            return table
+    fields = [row.split(",") for row in rows]
+    with suppress(ValueError):
         table = np.array(fields, dtype=np.float64)
-        good = bool(np.isfinite(table).all())
-    except ValueError:
-        good = False
-    if good:
-        return table
+        if np.isfinite(table).all():
+            return table
     for number, row in enumerate(fields, start=line):
         for i, field in enumerate(row):
             try:

@@ -16,11 +16,12 @@ import re
 from collections import Counter
 from decimal import Decimal, InvalidOperation
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from trajopt_cli.geometry import Array
+from trajopt_cli.geometry import Array, IndexArray
 
 _FINEST = 15  # digits beyond the fifteenth decimal are under the rounding of any double near 1
 _COARSEST = 30  # zeros before the point
@@ -28,6 +29,7 @@ _ALL = 17  # characters of a number that has all its digits
 _SHARE = 0.2  # of the values of a magnitude
 _FEW = 8  # changes of a column that say little about its format
 _ZERO = -99  # the magnitude of 0, which has none
+_BASE = 256  # more than the decimals of any two numbers lie apart
 _PLAIN = re.compile(r"[+-]?[0-9]+\.([0-9]*)").fullmatch
 
 
@@ -40,25 +42,28 @@ class Digits:
         self._counts = [Counter[tuple[int, int]]() for _ in range(columns)]
         self._last = [""] * columns
 
-    def add(self, fields: list[list[str]], table: Array, first: int) -> None:
-        """Rows from the row first on, as text and as numbers (n, columns)."""
-        part = slice(first, first + len(fields))
+    def add(self, rows: list[str], table: Array, first: int) -> None:
+        """Rows from the row first on, as text with commas and as numbers (n, columns)."""
+        part = slice(first, first + len(rows))
         with np.errstate(divide="ignore"):
             sizes = np.floor(np.log10(np.abs(table)) + 1e-12)
         sizes = np.where(np.isfinite(sizes), np.clip(sizes, _ZERO + 1, -_ZERO), _ZERO).astype(np.int8)
+        fields = _Fields(rows, len(self._counts))
         for column, (counts, last) in enumerate(zip(self._counts, self._last, strict=True)):
-            texts = [row[column] for row in fields]
-            if texts.count(last) == len(texts):  # a column at rest
-                decimals = self._decimals[column, first - 1]
-                self._decimals[column, part], self._sizes[column, part] = decimals, sizes[:, column]
+            new = fields.changes(column, table[:, column], last)
+            self._sizes[column, part] = sizes[:, column]
+            decimals = self._decimals[column, part]
+            before = self._decimals[column, first - 1]
+            if not new.size:  # a column at rest
+                decimals[:] = before
                 continue
-            decimals = [_FINEST if len(text) > _ALL else decimals_of(text) for text in texts]
-            new = [text != before for text, before in zip(texts, [last, *texts[:-1]], strict=True)]
-            counts.update(
-                key for key, one in zip(zip(sizes[:, column].tolist(), decimals, strict=True), new, strict=True) if one
-            )
-            self._last[column] = texts[-1]
-            self._decimals[column, part], self._sizes[column, part] = decimals, sizes[:, column]
+            found = fields.decimals(new, column)
+            decimals[:] = np.repeat(np.append(before, found), np.diff(np.concatenate([[0], new, [len(rows)]])))
+            pairs = sizes[new, column].astype(np.int64) * _BASE + found
+            for pair, count in zip(*(x.tolist() for x in np.unique(pairs, return_counts=True)), strict=True):
+                size = (pair + _BASE // 2) // _BASE
+                counts[size, pair - size * _BASE] += count
+            self._last[column] = fields.text(-1, column)
 
     def last(self) -> list[NDArray[np.int8]]:
         """The decimals (rows,) of the last digit that is told of every value, by column: it is known to half a unit of
@@ -93,6 +98,47 @@ class Digits:
                     out[size] = decimals
                     break
         return out
+
+
+class _Fields:
+    """The fields of rows of text with commas between them, so many in a row."""
+
+    def __init__(self, rows: list[str], columns: int):
+        self._all = text = ",".join([*rows, ""])
+        encoding, kind = ("ascii", "<u1") if text.isascii() else ("utf-32-le", "<u4")
+        self._text: NDArray[Any] = np.frombuffer(text.encode(encoding), dtype=kind)
+        ends = np.flatnonzero(self._text == ord(","))
+        starts = np.append(0, ends[:-1] + 1)
+        self._starts, self._sizes = (x.reshape(len(rows), columns) for x in (starts, ends - starts))
+
+    def changes(self, column: int, values: Array, last: str) -> IndexArray:
+        """The rows where a column's text is another than in the row before, in the first one than last. values (n,):
+        its numbers."""
+        size = self._sizes[:, column]
+        new = np.append(self.text(0, column) != last, (values[1:] != values[:-1]) | (size[1:] != size[:-1]))
+        same = np.flatnonzero(~new[1:]) + 1  # the same number, but it may be written in another way: 0.50 and +0.5
+        if same.size:
+            at = np.arange(size[same].max())[:, None]
+            one, other = (self._letters(at, row, column) for row in (same, same - 1))
+            new[same] = ((one != other) & (at < size[same])).any(axis=0)
+        return np.flatnonzero(new)
+
+    def _letters(self, at: IndexArray, rows: IndexArray, column: int) -> NDArray[Any]:
+        """Letters (len(at), len(rows)) of fields; at (n, 1): which."""
+        letters: NDArray[Any] = self._text[np.minimum(self._starts[rows, column] + at, len(self._text) - 1)]
+        return letters
+
+    def decimals(self, rows: IndexArray, column: int) -> NDArray[np.int8]:
+        """The decimals that a column shows in some rows, _FINEST where it has all its digits."""
+        out = np.full(len(rows), _FINEST, dtype=np.int8)
+        for k in np.flatnonzero(self._sizes[rows, column] <= _ALL).tolist():
+            out[k] = decimals_of(self.text(int(rows[k]), column))
+        return out
+
+    def text(self, row: int, column: int) -> str:
+        """One field."""
+        start = int(self._starts[row, column])
+        return self._all[start : start + int(self._sizes[row, column])]
 
 
 def _changes(counts: Counter[tuple[int, int]]) -> int:

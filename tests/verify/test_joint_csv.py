@@ -43,11 +43,18 @@ def test_digits_of_a_column_at_rest_are_told_of_all_its_rows(at_once: int) -> No
     digits = Digits(30, 2)
     shown = [f"0.{201 + k}" if k < 10 or k >= 20 else "0.123456" for k in range(30)]
     for first in range(0, 30, at_once):
-        fields = [[f"{k}.5", shown[k]] for k in range(30)][first : first + at_once]
-        digits.add(fields, np.array(fields, dtype=float), first)
+        rows = [f"{k}.5,{shown[k]}" for k in range(30)][first : first + at_once]
+        digits.add(rows, np.array([row.split(",") for row in rows], dtype=float), first)
     times, column = digits.last()
     assert set(times.tolist()) == {1}
     assert column.tolist() == [3] * 10 + [6] * 10 + [3] * 10
+
+
+@pytest.mark.parametrize("finer", ["0.50", "٠.٥٠"])
+def test_digits_of_a_number_that_is_written_in_another_way_are_told(finer: str) -> None:
+    digits = Digits(3, 2)
+    digits.add(["1.5,+0.5", f"2.5,{finer}", f"3.5,{finer}"], np.array([[1.5, 0.5], [2.5, 0.5], [3.5, 0.5]]), 0)
+    assert digits.last()[1].tolist() == [2, 2, 2]
 
 
 def test_foreign_units_are_converted() -> None:
