@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, IndexArray, readonly
+from trajopt_cli.geometry import Array, BoolArray, IndexArray, readonly
 from trajopt_cli.timing.law import TimeLaw
 
 _UNBOUND = 1e12  # (ds/dt)^2 that stands for none
@@ -24,6 +24,7 @@ _FAINT = 1e-9  # share of its limit below which a row's part of one point is a c
 _ROUNDING = 1e-9  # relative: rates at the ends may pass what is feasible by this and are then taken as its bound
 _LANES = 128  # stretches of paths that are gone along side by side
 _SHORTEST_LANE = 32  # intervals of one at least
+_Lines = tuple[Array, Array]  # intercepts and slopes
 _ELEMENTS = 800_000  # of the greatest work arrays; about ten live at once
 
 
@@ -114,28 +115,32 @@ def _recursion(step: Array, top: Array, rows: list[Array], x_0: Array, x_1: Arra
     g: Array | float = 0.0 if rest is None else rest.reshape(p.shape)
     cap = np.minimum(top, np.sqrt(_UNBOUND)) ** 2
     # what the rows of an interval alone leave at its points tells which parts of rows are too faint to divide by
-    far = _reach(r, p, cap[:, 1:].ravel(), g)
-    at, peak = _peaks(r, p, far, g)
+    back = _lines(r, p, g)
+    far = _reach(back, back if rest is None else _lines(r, p, -g), cap[:, 1:].ravel())
+    at, peak = _peaks(back, far)
     here, there = np.minimum(peak, cap[:, :-1].ravel()), far
-    p, r, here, there = _without_faint(p, r, here, there, g)
+    drop, here, there = _faint(p, r, here, there, g)
     cap[:, :-1] = np.minimum(cap[:, :-1], here.reshape(B, -1))
     cap[:, 1:] = np.minimum(cap[:, 1:], there.reshape(B, -1))
     at = at.reshape(B, -1)
+    on = _lines(p, r, g)
+    for c, m in (back, on):
+        np.copyto(c, np.inf, where=drop)
+        np.copyto(m, 0.0, where=drop)
     if (lanes := _lanes(B, n - 1)) > 1 and not np.any((x_1 > 0) & np.isfinite(x_1)):
-        back, on = ([x.reshape(B, n - 1, -1) for x in _lines(of, other, g)] for of, other in ((r, p), (p, r)))
-        high = _swept([x[:, ::-1] for x in back], at[:, ::-1], cap[:, ::-1], x_1, lanes)[:, ::-1]
-        x = _swept(on, np.full_like(at, np.inf), high, x_0, lanes)
+        before, after = ([x.reshape(B, n - 1, -1) for x in lines] for lines in (back, on))
+        high = _swept([x[:, ::-1] for x in before], at[:, ::-1], cap[:, ::-1], x_1, lanes)[:, ::-1]
+        x = _swept(after, np.full_like(at, np.inf), high, x_0, lanes)
         over = [(ends > of * (1 + _ROUNDING)) & ~np.isinf(ends) for ends, of in ((x_0, high[:, 0]), (x_1, cap[:, -1]))]
         x[np.any(over, axis=0)] = np.nan
         return x
     # points first, paths last: every step of the passes reads one contiguous block
-    before, after = (
-        np.ascontiguousarray(np.reshape(_lines(of, other, g), (2, B, n - 1, -1)).transpose(0, 2, 3, 1))
-        for of, other in ((r, p), (p, r))
+    by_points, by_steps = (
+        [np.ascontiguousarray(x.reshape(B, n - 1, -1).transpose(1, 2, 0)) for x in lines] for lines in (back, on)
     )
     at, cap = np.ascontiguousarray(at.T), np.ascontiguousarray(cap.T)
-    low, high, fails = _controllable(before, at, cap, x_1)
-    return _forward(after, low, high, fails, x_0).T
+    low, high, fails = _controllable(by_points, at, cap, x_1)
+    return _forward(by_steps, low, high, fails, x_0).T
 
 
 def _lanes(B: int, N: int) -> int:
@@ -180,12 +185,14 @@ def _swept(lines: Sequence[Array], at: Array, limit: Array, start: Array, lanes:
     return np.ascontiguousarray(every[:, front:])
 
 
-def _lines(of: Array, other: Array, g: Array | float = 0.0) -> tuple[Array, Array]:
+def _lines(of: Array, other: Array, g: Array | float = 0.0) -> _Lines:
     """What rows |other y + of x + g| <= 1 leave for x: x <= intercept + slope y; inf and 0 where x is not in the row.
     With -g for g it is what they leave for -x at -y."""
     held = of != 0
-    safe = np.where(held, of, 1.0)
-    return np.where(held, _room(safe, g) / np.abs(safe), np.inf), np.where(held, -other / safe, 0.0)
+    intercept, slope = np.full_like(of, np.inf), np.zeros_like(of)
+    np.divide(_room(of, g), np.abs(of), out=intercept, where=held)
+    np.divide(np.negative(other), of, out=slope, where=held)
+    return intercept, slope
 
 
 def _room(of: Array, g: Array | float) -> Array | float:
@@ -193,20 +200,21 @@ def _room(of: Array, g: Array | float) -> Array | float:
     return 1.0 if isinstance(g, float) else np.maximum(1 - np.sign(of) * g, 0.0)
 
 
-def _reach(r: Array, p: Array, far: Array, g: Array | float) -> Array:
-    """The greatest y, at most far, for which rows |p y + r x + g| <= 1 leave some x.
+def _reach(above: _Lines, below: _Lines, far: Array) -> Array:
+    """The greatest y, at most far, for which the lines of rows |p y + r x + g| <= 1 leave some x. below: those with -g.
 
     The room for x, between the least line from above and the greatest from below, is concave; Newton's method from
     beyond its zero ends there.
     """
-    (c, m), (d, _) = _lines(r, p, g), _lines(r, p, -g)
+    (c, m), (d, _) = above, below
     y = far.copy()
     at = np.arange(len(y))
     for _ in range(2 * c.shape[1]):
-        above, below = c + m * y[at, None], d - m * y[at, None]
-        k, up, down = np.arange(len(at)), np.argmin(above, axis=1), np.argmin(below, axis=1)
-        on = above[k, up] + below[k, down] < 0
-        if not on.any():
+        slope = m * y[at, None]
+        over, under = c + slope, np.subtract(d, slope, out=slope)
+        k, up, down = np.arange(len(at)), np.argmin(over, axis=1), np.argmin(under, axis=1)
+        on = np.flatnonzero(over[k, up] + under[k, down] < 0)
+        if not len(on):
             break
         c, d, m, at, up, down = c[on], d[on], m[on], at[on], up[on], down[on]
         k = np.arange(len(at))
@@ -214,15 +222,16 @@ def _reach(r: Array, p: Array, far: Array, g: Array | float) -> Array:
     return y
 
 
-def _peaks(r: Array, p: Array, far: Array, g: Array | float) -> tuple[Array, Array]:
+def _peaks(lines: _Lines, far: Array) -> tuple[Array, Array]:
     """Where, for y from -far to far, x is greatest under rows |p y + r x + g| <= 1; and this x. far is within _reach.
 
     The two lines that hold x on either side of the peak meet above it; the line that is lowest there replaces one of
     them, until none is lower: a linear program in as many steps as it has rows at most.
     """
-    c, m = _lines(r, p, g)
+    c, m = lines
     k = np.arange(len(c))
-    left, right = (np.argmin(c + m * y[:, None], axis=1) for y in (-far, far))
+    slope = m * far[:, None]
+    left, right = np.argmin(c - slope, axis=1), np.argmin(np.add(c, slope, out=slope), axis=1)
     y = np.where(m[k, left] > 0, far, -far)
     side = np.where(m[k, left] > 0, right, left)
     x = c[k, side] + m[k, side] * y
@@ -233,7 +242,8 @@ def _peaks(r: Array, p: Array, far: Array, g: Array | float) -> tuple[Array, Arr
             break
         k = np.arange(len(c))
         y[at] = (c[k, right] - c[k, left]) / (m[k, left] - m[k, right])
-        values = c + m * y[at, None]
+        values = m * y[at, None]
+        values += c
         lowest = np.argmin(values, axis=1)
         x[at], slope = values[k, lowest], m[k, lowest]
         on = (lowest != left) & (lowest != right) & (slope != 0)
@@ -242,22 +252,27 @@ def _peaks(r: Array, p: Array, far: Array, g: Array | float) -> tuple[Array, Arr
     return y, x
 
 
-def _without_faint(p: Array, r: Array, x: Array, y: Array, g: Array | float) -> tuple[Array, Array, Array, Array]:
-    """The rows |p y + r x + g| <= 1 that need both points, and the greatest x and y with the other rows in them.
+def _faint(p: Array, r: Array, x: Array, y: Array, g: Array | float) -> tuple[BoolArray, Array, Array]:
+    """Which rows |p y + r x + g| <= 1 do not need both points, and the greatest x and y with those rows in them.
 
     A part that stays below _FAINT is taken at its greatest: the row loses that much and is never passed.
     """
     part_x, part_y = np.abs(r) * x[:, None], np.abs(p) * y[:, None]
     faint_x, faint_y = part_x < _FAINT, part_y < _FAINT
-    with np.errstate(divide="ignore", invalid="ignore"):
-        above, beyond = (np.maximum(_room(of, g) - part, 0.0) for of, part in ((r, part_y), (p, part_x)))
-        x = np.minimum(x, np.where(faint_y & ~faint_x, above / np.abs(r), np.inf).min(axis=1))
-        y = np.minimum(y, np.where(faint_x & ~faint_y, beyond / np.abs(p), np.inf).min(axis=1))
-    drop = faint_x | faint_y
-    return np.where(drop, 0.0, p), np.where(drop, 0.0, r), x, y
+    x, y = (_bounded(*one, g) for one in ((x, r, part_y, faint_y & ~faint_x), (y, p, part_x, faint_x & ~faint_y)))
+    return faint_x | faint_y, x, y
 
 
-def _controllable(lines: Array, at: Array, cap: Array, x_1: Array) -> tuple[Array, Array, Array]:
+def _bounded(x: Array, of: Array, part: Array, rows: BoolArray, g: Array | float) -> Array:
+    """The greatest x, with factors of, that some rows leave of which the other part is known."""
+    if not rows.any():
+        return x
+    most = np.full_like(of, np.inf)
+    np.divide(np.maximum(_room(of, g) - part, 0.0), np.abs(of), out=most, where=rows)
+    return np.asarray(np.minimum(x, most.min(axis=1)))
+
+
+def _controllable(lines: Sequence[Array], at: Array, cap: Array, x_1: Array) -> tuple[Array, Array, Array]:
     """Least and greatest x (n, B) at every point from which the end can be reached with x_1; and which paths fail."""
     c, m = lines
     low, high = np.zeros_like(cap), np.empty_like(cap)
@@ -283,7 +298,7 @@ def _controllable(lines: Array, at: Array, cap: Array, x_1: Array) -> tuple[Arra
     return low, high, fails
 
 
-def _forward(lines: Array, low: Array, high: Array, fails: Array, x_0: Array) -> Array:
+def _forward(lines: Sequence[Array], low: Array, high: Array, fails: Array, x_0: Array) -> Array:
     """The greatest x (n, B) that starts with x_0 and stays controllable; NaN for paths that fail."""
     c, m = lines
     fails = fails | ((x_0 > high[0] * (1 + _ROUNDING)) & ~np.isinf(x_0)) | (x_0 < low[0] * (1 - _ROUNDING))
