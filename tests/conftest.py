@@ -18,6 +18,7 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
+from _pytest.assertion import rewrite
 from hypothesis import settings
 from no_browser import MISSING
 
@@ -84,6 +85,26 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     for tests in order:
         chance.shuffle(tests)
     items[:] = [item for tests in order for item in tests]
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection(session: pytest.Session) -> None:
+    """Where all tests run in several processes, the second begins to prepare their files at the other end.
+
+    pytest would rewrite the assertions of every file in every process; so each does half of them and reads the others.
+    """
+    whole = session.config.args_source is pytest.Config.ArgsSource.TESTPATHS
+    if os.environ.get("PYTEST_XDIST_WORKER") != "gw1" or sys.dont_write_bytecode or not whole:
+        return
+    with suppress(AttributeError, TypeError):  # pytest's own: with another version it does all by itself
+        state = session.config.stash[rewrite.assertstate_key]
+        for path in sorted(Path(__file__).parent.rglob("test_*.py"), reverse=True):
+            folder = rewrite.get_cache_dir(path)
+            kept = folder / f"{path.stem}{rewrite.PYC_TAIL}"
+            if rewrite._read_pyc(path, kept) is not None or not rewrite.try_makedirs(folder):
+                break
+            stat, code = rewrite._rewrite_test(path, session.config)
+            rewrite._write_pyc(state, code, stat, kept)
 
 
 def pytest_collection_finish() -> None:
