@@ -182,9 +182,9 @@ def name_places(axes: Axes, places: Array, names: list[str], avoid: Array) -> No
         # Neither name nor line can meet where the rooms of both names, with all their spots, are apart.
         if ((room[i, 0] > room[j, 1]) | (room[j, 0] > room[i, 1])).any():
             return np.zeros(len(reaches))
-        on = ((low[i] < high[j, k]) & (high[i] > low[j, k])).all(axis=1)
+        on = _both((low[i] < high[j, k]) & (high[i] > low[j, k]))
         through = _contain(low[i], high[i], lines[j, k]).any(axis=1).astype(float)
-        through += ((lines[i] > low[j, k]) & (lines[i] < high[j, k])).all(axis=2).any(axis=1)
+        through += _both((lines[i] > low[j, k]) & (lines[i] < high[j, k])).any(axis=1)
         crossed = _cross(anchors[i], lines[i][:, -1], anchors[j], lines[j, k, -1])
         return np.asarray(_ON * on + _THROUGH * through + _CROSS * crossed, dtype=float)
 
@@ -231,7 +231,16 @@ def _settle_spots(
 
 def _contain(low: Array, high: Array, points: Array) -> NDArray[np.bool_]:
     """Which boxes (c, 2), (c, 2) hold which points (n, 2): (c, n)."""
-    return np.asarray(((points > low[:, None]) & (points < high[:, None])).all(axis=2), dtype=bool)
+    inside = np.ones((len(low), len(points)), dtype=bool)
+    for axis in range(2):
+        inside &= points[:, axis] > low[:, axis, None]
+        inside &= points[:, axis] < high[:, axis, None]
+    return inside
+
+
+def _both(held: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Where (...) something holds along both axes (..., 2)."""
+    return held[..., 0] & held[..., 1]
 
 
 def _line(anchor: Array, low: Array, high: Array) -> Array:

@@ -37,6 +37,7 @@ LIMIT = {"color": GREY, "linestyle": (0, (4, 3)), "linewidth": 1.1}
 WIDTH = 11.0  # in; printed at half of it every text still has half of the sizes below
 DPI = 110
 _EDGE = 0.012  # of the width, beside headings
+_LETTERS = 6  # that are kept of a first part at least
 TITLE, TEXT, SMALL, LEAST = 15.0, 13.0, 11.5, 10.5  # pt
 ROUND = [1, 2, 5, 10]
 """Ticks are these times a power of ten apart."""
@@ -91,12 +92,21 @@ def new_figure(height: float, heading: str, below: str = "") -> Figure:
 def _shortened(text: Text) -> None:
     """Take letters out of a text's first part, as of a program's long name, until it fits the page's width."""
     first, dot, rest = text.get_text().partition(" · ")
-    kept = len(first)
     figure = text.get_figure()
     assert figure is not None
-    while text.get_window_extent().x1 > (1 - _EDGE) * figure.bbox.x1 and kept > 6:
-        kept -= 1
-        text.set_text(f"{first[: kept // 2]}…{first[-(kept - kept // 2) :]}{dot}{rest}")
+    room = (1 - _EDGE) * figure.bbox.x1
+
+    def keep(letters: int) -> None:
+        text.set_text(f"{first[: letters // 2]}…{first[-(letters - letters // 2) :]}{dot}{rest}")
+
+    low, high = _LETTERS, len(first)
+    if high <= low or text.get_window_extent().x1 <= room:
+        return
+    while high - low > 1:
+        middle = (low + high) // 2
+        keep(middle)
+        low, high = (middle, high) if text.get_window_extent().x1 <= room else (low, middle)
+    keep(low)
 
 
 def settle(figure: Figure) -> None:
