@@ -5,14 +5,17 @@ from __future__ import annotations
 import json
 import re
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from trajopt_cli.cli import run
-from trajopt_cli.job import read_job
-from trajopt_cli.pipeline.planning import changes_of, may_change
+from trajopt_cli.job import Job, read_job
+from trajopt_cli.pipeline import planning
+from trajopt_cli.pipeline.planning import NoPlan, changes_of, may_change
 from trajopt_cli.problem.changes import Loops
-from trajopt_cli.problem.plan import Target
+from trajopt_cli.problem.plan import Infeasible, Target
+from trajopt_cli.runs.results import Judged
 
 CELL = (Path(__file__).parents[2] / "programs" / "hinge_cell.yaml").read_text(encoding="utf-8")
 DATA = """MODULE work
@@ -46,10 +49,15 @@ ROUTINE = """    PROC main()
     ENDPROC
 ENDMODULE
 """
+SOLVE = planning.solve
 NUMBER = re.compile(r"-?\d+(\.\d+)?")
 
 
-@pytest.mark.usefixtures("unrefined")
+def rapid_alone(job: Job, target: Target, *more: Any, **options: Any) -> Judged | Infeasible | NoPlan:
+    """A stream has no loops: its plan is the rapid one."""
+    return NoPlan(target.value, "not asked") if target is Target.STREAM else SOLVE(job, target, *more, **options)
+
+
 @pytest.mark.parametrize("body", [LOOP, ROUTINE], ids=["loop", "routine"])
 def test_loops_stay_unless_they_are_unrolled(
     body: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
@@ -57,6 +65,7 @@ def test_loops_stay_unless_they_are_unrolled(
     """The pick is best served from the left when it comes from there and goes there, and from the right likewise."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("trajopt_cli.optimize.lower_bound_of", lambda *_, **__: 1.0)
+    monkeypatch.setattr(planning, "solve", rapid_alone)
     Path("work.mod").write_text(DATA + body, encoding="utf-8")
     Path("work.yaml").write_text(CELL, encoding="utf-8")
     times = {}

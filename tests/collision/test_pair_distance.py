@@ -141,6 +141,10 @@ def test_only_the_whole_surface_of_a_convex_body_is_convex() -> None:
     ball = Capsule("ball", np.zeros(3), np.zeros(3), 0.02)
     assert Pair(ball, dent).distance(np.eye(4), np.eye(4)) < 0
     assert Pair(ball, dent).distances(np.eye(4)[None], solid=False)[0] > 0  # still its surface
+    aside = pose(rotation_about([0, 0, 1], np.pi / 2), [0.0, 0.12, 0.0])
+    inner = Pair(ball, dent).distance(aside, np.eye(4))
+    assert inner < 0
+    assert Pair(dent, ball).distance(np.eye(4), aside) == pytest.approx(inner, abs=1e-12)
     over = Pair(ball, dent).distance(at(0.115), np.eye(4))  # above the dent's deepest point, in the hull or not
     assert over > Pair(ball, whole).distance(at(0.115), np.eye(4)) + 1e-4
 

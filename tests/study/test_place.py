@@ -47,10 +47,17 @@ def job(tmp_path_factory: pytest.TempPathFactory) -> Job:
     return read_job(folder / "tiny.mod")
 
 
+@pytest.fixture
+def few(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of the places that are tried one is planned whole before its neighbours are."""
+    monkeypatch.setattr("trajopt_cli.study.place.FEW", 1)
+
+
 def answer(site: Site, target: Target = Target.RAPID, points: int = 8, jobs: int = 1) -> Placed:
     return place(site, target, lambda *_: None, Patience(), jobs, points)
 
 
+@pytest.mark.usefixtures("few")
 def test_a_work_object_is_moved_until_the_slow_line_to_it_is_shortest(job: Job) -> None:
     """At 50 mm/s the chord decides, and it is shortest straight above home."""
     found = answer(site_of(job, "station:Table", parse_ranges(["x=-200mm..0.04"])), points=4)
@@ -81,6 +88,7 @@ def test_a_base_moved_is_a_work_object_moved_the_other_way(job: Job, key: str, v
     )
 
 
+@pytest.mark.usefixtures("few")
 def test_the_answer_does_not_depend_on_how_many_processes_look_for_it(job: Job) -> None:
     quick = job.paths[0].with_name("quick.mod")
     quick.write_text(job.paths[0].read_text().replace("v50,", "v200,"))

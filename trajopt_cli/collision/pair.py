@@ -64,8 +64,9 @@ class Pair:
     def _inside(self, X_BA: Array, surface: Array) -> Array:
         """surface distances, negative where one shape lies inside the other's mesh without touching its surface."""
         out = surface
-        for mesh, other, X in ((self.b, self.a, X_BA), (self.a, self.b, np.linalg.inv(X_BA))):
+        for mesh, other, turned in ((self.b, self.a, False), (self.a, self.b, True)):
             if isinstance(mesh, Mesh) and convex(mesh) is None:
+                X = np.linalg.inv(X_BA) if turned else X_BA
                 points = X[:, :3, :3] @ _some_point(other) + X[:, :3, 3]
                 apart = np.flatnonzero(out > 0)
                 out[apart[inside(mesh, points[apart])]] *= -1
