@@ -10,13 +10,16 @@ import pytest
 from fake_planner import Planner
 
 from trajopt_cli.cli import run
+from trajopt_cli.findings import Report
 from trajopt_cli.job import read_job
 from trajopt_cli.optimize import Memory, legal, optimize, search_estimate
 from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.pipeline import planning
 from trajopt_cli.pipeline.planning import changes_of
 from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.problem import Problem
+from trajopt_cli.verify.findings import finding
 
 
 def test_the_answer_begins_with_what_was_saved(
@@ -65,6 +68,26 @@ def test_a_program_that_cannot_be_driven_as_written_is_told_so(
     written = json.loads(Path("results/tiny/summary.json").read_text())["as_written"]
     assert written["cycle_time_s"] is None
     assert written["why_not"] == "tiny.mod:6:9: MoveAbsJ j_side cannot be reached"
+
+
+@pytest.mark.parametrize(("freest", "judged"), [(1.0, []), (1.0 / 0.9, ["as written"])])
+def test_the_program_as_written_is_judged_where_its_rows_are_not_those_of_the_rapid_plan(
+    freest: float, judged: list[str], program: Path, planner: Planner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    right, names = planning.judge, list[str]()
+
+    def judge(plant, program, text, file, *more, **others):  # type: ignore[no-untyped-def]
+        names.append(file)
+        report = right(plant, program, text, file, *more, **others)
+        over = finding("joint speed", "joint_1", 3.0, 2.0, "rad/s", False, time=0.2)
+        return Report((*report.findings, over), report.advice) if file == "as written" else report
+
+    planner.speed, planner.freest = 0.9, freest
+    monkeypatch.setattr(planning, "judge", judge)
+    assert run(["optimize", str(program), "--jobs", "1"]) == 0
+    assert [one for one in names if one == "as written"] == judged
+    written = json.loads(Path("results/tiny/summary.json").read_text())["as_written"]
+    assert (written["cycle_time_s"] is None) == bool(judged)
 
 
 def test_a_motion_in_memory_is_the_one_that_would_be_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

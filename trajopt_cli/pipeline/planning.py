@@ -9,6 +9,8 @@ from itertools import pairwise
 from time import perf_counter
 from typing import TYPE_CHECKING, TextIO
 
+import numpy as np
+
 from trajopt_cli.beside import Beside, give_back
 from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.job import Job
@@ -148,7 +150,8 @@ def all_three(
             objective=asked[rapid],
         )
         tell(Progress("as written", *((answer.plan.duration,) if isinstance(answer, Judged) else ())))
-        written = as_written(job, changes[rapid], own, memory, kept_written, patience)
+        known = answer if isinstance(answer, Judged) else None
+        written = as_written(job, changes[rapid], own, memory, kept_written, patience, known)
         if isinstance(written, Plan):
             if not refused(rapid, answer) and (why := instead(answer, written)) is not None:
                 note, found = f"the plan is the program as written: {why}", answer
@@ -394,13 +397,14 @@ class _Interrupted(Exception):
 
 def as_written(
     job: Job, changes: Changes, clock: Clock, memory: Memory, kept: RowsFile | None = None,
-    patience: Patience | None = None,
+    patience: Patience | None = None, rapid: Judged | None = None,
 ) -> Plan | str:  # fmt: skip
     """The program as it stands, driven by the RAPID controller under the same limits; or why it cannot be, one line;
     NOT_TIMED where the user says to stop before a motion is known.
 
     The same question as that of the first row of `compare`. memory: legal motions that the rapid plan has found. kept:
-    where its rows go. patience: its end leaves out what is done only to drive the program faster.
+    where its rows go. patience: its end leaves out what is done only to drive the program faster. rapid: the plan for
+    that controller; where it has the same rows and is legal, so is the program as written.
     """
     from trajopt_cli.optimize import NoCleanPlan, optimize
 
@@ -430,10 +434,20 @@ def as_written(
             return f"no plan found: {failure}"
         if isinstance(plan, Infeasible):
             return str(plan)
+        if rapid is not None and rapid.report.legal and _same_rows(plan, rapid.plan):
+            return plan if kept is None else kept.keep(plan)
         kept = kept or RowsFile()
         plan = kept.keep(plan)
         report = judge(job.plant, job.program, kept.text, "as written", (), Target.RAPID, advice=False)
     return plan if report.legal else f"not legal: {worst(report).message}"
+
+
+def _same_rows(one: Plan, other: Plan) -> bool:
+    """Whether two plans drive the same motions alike, to the last bit."""
+    if any(plan.detours or any(motion.dropped for motion in plan.motions) for plan in (one, other)):
+        return False
+    rows = [(plan.trajectory.t, plan.trajectory.whole.q, plan.trajectory.whole.qd) for plan in (one, other)]
+    return all(np.array_equal(a, b) for a, b in zip(*rows, strict=True) if a is not None or b is not None)
 
 
 def judge(
