@@ -33,21 +33,22 @@ def progress(t: Array, phases: Array, b1: float, beta: float) -> Array:
     first order.
     """
     T = boxes(phases)
-    return np.asarray(_SIGNS @ _lagged(t[None] - (_TAKEN @ T)[:, None], b1, beta)[0] / np.prod(T))
+    (cube,) = _lagged(t[None] - (_TAKEN @ T)[:, None], b1, beta, (4,))
+    return np.asarray(_SIGNS @ cube / np.prod(T))
 
 
 def slopes(t: Array, phases: Array, b1: float, beta: float) -> tuple[Array, Array, Array]:
     """The same, its rate (n,) [1/s], and its derivatives (n, 3) by the phases."""
     T = boxes(phases)
-    cube, square = _lagged(t[None] - (_TAKEN @ T)[:, None], b1, beta)
+    cube, square = _lagged(t[None] - (_TAKEN @ T)[:, None], b1, beta, (4, 3))
     whole = np.prod(T)
     s = _SIGNS @ cube / whole
     by_T = -(_TAKEN * _SIGNS[:, None]).T @ square / whole - s / T[:, None]
     return s, _SIGNS @ square / whole, (GROWS.T @ by_T).T
 
 
-def _lagged(t: Array, b1: float, beta: float) -> tuple[Array, Array]:
-    """t^3/6 and t^2/2 from 0 on, behind the lag."""
+def _lagged(t: Array, b1: float, beta: float, powers: tuple[int, ...]) -> list[Array]:
+    """t^3/6 and, for powers (4, 3) of the poles in place of (4,), t^2/2 from 0 on, behind the lag."""
     t = np.maximum(t, 0.0)
     b2 = beta * b1 * b1
     square = b1 * b1 - 4 * b2
@@ -55,12 +56,14 @@ def _lagged(t: Array, b1: float, beta: float) -> tuple[Array, Array]:
         root = np.sqrt(max(square, 1e-8 * b1 * b1))  # a double pole as two that nearly meet
         one, other = (b1 + root) / 2, max((b1 - root) / 2, 1e-9)
         first, second = np.exp(-t / one) / root, np.exp(-t / other) / root
-        cubes, squares = one**4 * first - other**4 * second, one**3 * first - other**3 * second
+        fading = [one**n * first - other**n * second for n in powers]
     else:
         pole = complex(b1, np.sqrt(-square)) / 2
         rate = 1 / pole
         fade, turn = np.exp(-rate.real * t) / pole.imag, -rate.imag * t
         sine, cosine = fade * np.sin(turn), fade * np.cos(turn)
-        cubes, squares = ((pole**n).real * sine + (pole**n).imag * cosine for n in (4, 3))
-    cube = t * (t * (t / 6 - b1 / 2) + (b1 * b1 - b2)) - (b1**3 - 2 * b1 * b2) + cubes
-    return cube, t * (t / 2 - b1) + (b1 * b1 - b2) - squares
+        fading = [(pole**n).real * sine + (pole**n).imag * cosine for n in powers]
+    out = [t * (t * (t / 6 - b1 / 2) + (b1 * b1 - b2)) - (b1**3 - 2 * b1 * b2) + fading[0]]
+    if len(powers) > 1:
+        out.append(t * (t / 2 - b1) + (b1 * b1 - b2) - fading[1])
+    return out
