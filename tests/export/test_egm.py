@@ -6,7 +6,7 @@ import socket
 import time
 from collections.abc import Iterator
 from io import BytesIO
-from threading import Thread
+from threading import Event, Thread
 from typing import Any
 
 import numpy as np
@@ -161,9 +161,11 @@ class Controller(Thread):
                 self.x = self.x + self.share * (u - self.x)
 
 
-def played_by(controller: Controller, stream: Stream, here: socket.socket, settle: float = 0.2) -> Played:
+def played_by(
+    controller: Controller, stream: Stream, here: socket.socket, settle: float = 0.2, silence: float = 1.0
+) -> Played:
     controller.start()
-    found = play(stream, here, settle, silence=1.0)
+    found = play(stream, here, settle, silence)
     controller.join(3.0)
     return found
 
@@ -211,17 +213,17 @@ def test_a_controller_that_stands_elsewhere_gets_no_answer(here: socket.socket) 
 
 
 def test_a_controller_that_stops_is_told(here: socket.socket) -> None:
-    found = played_by(Controller(here.getsockname()[1], 0.03, 100), ramp(), here)
-    assert found.why_not == "no EgmRobot message came for 1 s, after 0.396 s of 1.000"
+    found = played_by(Controller(here.getsockname()[1], 0.03, 100), ramp(), here, silence=0.5)
+    assert found.why_not == "no EgmRobot message came for 0.5 s, after 0.396 s of 1.000"
     assert len(found.t) == 100
 
 
 def test_strangers_do_not_keep_it_waiting(here: socket.socket) -> None:
-    until, to = time.monotonic() + 1.5, here.getsockname()
+    until, to, over = time.monotonic() + 1.5, here.getsockname(), Event()
 
     def garbage() -> None:
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as there:
-            while time.monotonic() < until:
+            while time.monotonic() < until and not over.is_set():
                 there.sendto(b"nothing of EGM", to)
                 time.sleep(0.01)
 
@@ -231,6 +233,7 @@ def test_strangers_do_not_keep_it_waiting(here: socket.socket) -> None:
     assert time.monotonic() < until
     assert found.why_not == "no EgmRobot message came for 0.3 s"
     assert found.strangers > 0
+    over.set()
     thread.join()
 
 
