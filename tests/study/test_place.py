@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.job import Job, read_job
+from trajopt_cli.pipeline import planning
 from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.robot.model import load_robot
@@ -103,6 +105,24 @@ def test_the_answer_does_not_depend_on_how_many_processes_look_for_it(job: Job) 
     assert one.steps[0] <= RESOLUTION
     for way in (-1, 1):
         assert (site.ranges[0].rounded(one.best.offset[0] + way * one.steps[0]),) in one.places
+
+
+def test_rows_are_judged_once(job: Job, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A full plan with the rows of the first motion is as legal as that; one with others is judged."""
+    site, judged = site_of(job, "base", parse_ranges(["x=0..0.1"])), list[str]()
+
+    def judge(*given: Any, **more: Any) -> Any:
+        judged.append("once")
+        return planning.judge(*given, **more)
+
+    monkeypatch.setattr("trajopt_cli.study.place.judge", judge)
+    first = tried(site, (0.0,), Target.RAPID, None)
+    assert len(judged) == 1
+    assert tried(site, (0.0,), Target.RAPID, Patience(), first) == replace(first, planned=first.first)
+    assert len(judged) == 1
+    elsewhere = tried(site, (0.01,), Target.RAPID, Patience(), replace(first, offset=(0.01,)))
+    assert len(judged) == 2
+    assert elsewhere.rows != first.rows
 
 
 def test_what_cannot_be_done_is_told_with_the_motion_at_the_nearest_place(job: Job) -> None:

@@ -10,17 +10,21 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from hashlib import sha256
 from itertools import product
 from pathlib import Path
 
+import numpy as np
+
 from trajopt_cli.beside import cores, in_turns
 from trajopt_cli.errors import InputError
+from trajopt_cli.job import Job
 from trajopt_cli.motion import Source
 from trajopt_cli.pipeline.planning import Listener, judge, may_change, touches, worst
 from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.detours import held_against
 from trajopt_cli.problem.patience import Patience
-from trajopt_cli.problem.plan import Infeasible, Target
+from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.progress import Progress
 from trajopt_cli.runs.results import Judged
 from trajopt_cli.runs.rows import RowsFile
@@ -43,7 +47,8 @@ class Tried:
     """One place. first: of its first legal motion [s]; estimate: of the best chain that the search finds [s], which
     ranks places better than the first motion where axes are free; planned: of the full plan [s], None where none was
     asked for. cut: the plan was cut short by the user or the time limit. why: it cannot be done, and why; motion: on
-    which line, empty where that is not known."""
+    which line, empty where that is not known. rows: what a legal plan's rows are told by, empty where it leads around
+    something or leaves something out."""
 
     offset: Offset
     first: float | None = None
@@ -52,6 +57,7 @@ class Tried:
     cut: bool = False
     why: str = ""
     motion: str = ""
+    rows: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -306,21 +312,42 @@ def tried(site: Site, offset: Offset, target: Target, patience: Patience | None,
         return Tried(offset, why=str(no))
     if isinstance(plan, Infeasible):
         return _refused(offset, plan)
+    rows = _told_by(plan)
+    if not rows or known is None or rows != known.rows:  # what is judged already is legal
+        illegal = _illegal(job, plan, target, offset)
+        if illegal is not None:
+            return illegal
+    if known is None or known.estimate is None:
+        known = Tried(offset, estimate=search_estimate(job.program, job.plant, target, changes))
+    known = replace(known, rows=rows)
+    if patience is None:
+        return replace(known, first=plan.duration)
+    return replace(known, planned=plan.duration, cut=patience.over)
+
+
+def _told_by(plan: Plan) -> str:
+    """A hash of the rows of a plan that drives the program as it stands; empty for others."""
+    if plan.detours or any(motion.dropped for motion in plan.motions):
+        return ""
+    whole, found = plan.trajectory.whole, sha256()
+    for array in (whole.t, whole.q, whole.qd):
+        found.update(b"none" if array is None else np.ascontiguousarray(array).data)
+    return found.hexdigest()
+
+
+def _illegal(job: Job, plan: Plan, target: Target, offset: Offset) -> Tried | None:
+    """What the judge says against a plan; None for a legal one."""
     rows = RowsFile()
     kept = rows.keep(plan)
     dropped = tuple(motion.index for motion in plan.motions if motion.dropped)
     program, left_out = held_against(job.program, job.plant, target, plan.detours, dropped)
     report = judge(job.plant, program, rows.text, target.value, left_out, target, advice=False)
-    if not report.legal:
-        hits = touches(Judged(kept, rows, report))
-        found = hits[0] if hits else worst(report)
-        motion = "" if found.source is None else _line(found.source)
-        return Tried(offset, why=f"collides: {found.message}" if hits else found.message, motion=motion)
-    if known is None or known.estimate is None:
-        known = Tried(offset, estimate=search_estimate(job.program, job.plant, target, changes))
-    if patience is None:
-        return replace(known, first=kept.duration)
-    return replace(known, planned=kept.duration, cut=patience.over)
+    if report.legal:
+        return None
+    hits = touches(Judged(kept, rows, report))
+    found = hits[0] if hits else worst(report)
+    motion = "" if found.source is None else _line(found.source)
+    return Tried(offset, why=f"collides: {found.message}" if hits else found.message, motion=motion)
 
 
 def _refused(offset: Offset, no: Infeasible) -> Tried:
