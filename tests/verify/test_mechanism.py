@@ -14,7 +14,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about, rotation_from_wxyz
 from trajopt_cli.robot.model import Structure, robot_names
 from trajopt_cli.verify.frame import carried, shifted
-from trajopt_cli.verify.mechanism import Mechanism
+from trajopt_cli.verify.mechanism import _FEW, Mechanism
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 TRUTH = Path(__file__).parents[1] / "data" / "truth" / "irb140_fk.json"
@@ -55,6 +55,64 @@ def test_of_rows_at_rest_the_first_is_looked_at(monkeypatch: pytest.MonkeyPatch,
     assert mechanism.flange(q[:0])[0].shape == (0, 4, 4)
 
 
+def oblique(path: Path, rail: bool) -> Path:
+    """A robot whose joints stand and turn askew; the first slides where there is a rail, the last, which stands right
+    in the one before it, in any case."""
+    rng = np.random.default_rng(5)
+    kinds = ["prismatic"] * rail + ["revolute"] * 5 + ["prismatic"]
+    text, before = '<link name="base"/>', "base"
+    for i, kind in enumerate(kinds):
+        axis, name = rng.normal(size=3), f"link_{i}"
+        numbers = [" ".join(map(str, x)) for x in (rng.uniform(-1, 1, 3), rng.uniform(-3, 3, 3), axis)]
+        numbers[0] = "0 0 0" if i and kind == "prismatic" else numbers[0]
+        text += f"""<link name="{name}"/><joint name="joint_{i}" type="{kind}"><parent link="{before}"/>
+        <child link="{name}"/><origin xyz="{numbers[0]}" rpy="{numbers[1]}"/><axis xyz="{numbers[2]}"/>
+        <limit lower="-9" upper="9" velocity="1" effort="0"/></joint>"""
+        before = name
+    text += f"""<link name="tool0"/><joint name="flange" type="fixed"><parent link="{before}"/><child link="tool0"/>
+    <origin xyz="0.1 -0.2 0.05" rpy="0.3 0.4 0.5"/></joint>"""
+    path.write_text(f'<robot name="askew">{text}</robot>')
+    return path
+
+
+@pytest.mark.parametrize("name", [*robot_names(Structure.SIX_AXIS), *robot_names(Structure.SRS), "askew", "askew_rail"])
+@pytest.mark.parametrize("n", [1, 3, 2500])
+def test_all_rows_at_once_are_as_pin_has_them(
+    name: str, n: int, X_WR: Array, rng: np.random.Generator, tmp_path: Path
+) -> None:
+    """Poses, Jacobians, velocities and accelerations, joints that slide behind ones that turn among them."""
+    path = ROBOTS / f"{name}.urdf"
+    mechanism = Mechanism(oblique(tmp_path / path.name, "rail" in name) if "askew" in name else path, X_WR)
+    q, qd, qdd = states(mechanism, rng, n)
+    X, V, A = mechanism.flange_motion(q, qd, qdd)
+    X_alone, J = mechanism._chain.flange(q)
+    np.testing.assert_array_equal(X, X_alone)
+    model, data, frame = mechanism._model, mechanism._model.createData(), mechanism._flange
+    for i in range(0, n, max(n // 7, 1)):
+        pin.forwardKinematics(model, data, q[i], qd[i], qdd[i])
+        world = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
+        wanted = pin.updateFramePlacement(model, data, frame).homogeneous
+        np.testing.assert_allclose(X[i], wanted, rtol=0, atol=1e-14)
+        wanted = pin.computeFrameJacobian(model, data, q[i], frame, world)
+        np.testing.assert_allclose(J[i], wanted, rtol=0, atol=2e-14)
+        pin.forwardKinematics(model, data, q[i], qd[i], qdd[i])
+        wanted = pin.getFrameVelocity(model, data, frame, world).vector
+        np.testing.assert_allclose(V[i], wanted, rtol=0, atol=1e-12)
+        wanted = pin.getFrameClassicalAcceleration(model, data, frame, world).vector
+        np.testing.assert_allclose(A[i], wanted, rtol=1e-13, atol=1e-12)
+    few = slice(n // 2, n // 2 + 1)
+    for whole, part in zip((X, V, A), mechanism.flange_motion(q[few], qd[few], qdd[few]), strict=True):
+        np.testing.assert_array_equal(whole[few], part)
+
+
+def test_many_rows_are_what_few_are(mechanism: Mechanism, rng: np.random.Generator) -> None:
+    """pin is asked about a few; of many rows it is not, those at rest among them."""
+    q = states(mechanism, rng, 200)[0].repeat(2, axis=0)
+    many, few = mechanism.flange(q), [mechanism.flange(q[i : i + 20]) for i in range(0, 400, 20)]
+    for i in range(2):
+        np.testing.assert_allclose(many[i], np.concatenate([one[i] for one in few]), rtol=0, atol=1e-14)
+
+
 def states(mechanism: Mechanism, rng: np.random.Generator, n: int = 60) -> tuple[Array, Array, Array]:
     k = len(mechanism.names)
     return rng.uniform(-3, 3, (n, k)), rng.uniform(-4, 4, (n, k)), rng.uniform(-20, 20, (n, k))
@@ -65,12 +123,14 @@ def test_poses_and_jacobians_are_the_truths(X_WR: Array, rail: float | None) -> 
     """The truth's base rides the rail along y of the URDF's root, which stands at X_WR."""
     cases = json.loads(TRUTH.read_text())["cases"]
     mechanism = Mechanism(ROBOTS / ("irb140.urdf" if rail is None else "irb140_rail.urdf"), X_WR)
+    assert len(cases) > _FEW
     arm = np.array([c["q"] for c in cases])
     q = arm if rail is None else np.c_[np.full(len(arm), rail), arm]
     X_WB = X_WR @ pose(np.eye(3), [0, rail or 0.0, 0])
     X_BF = pose(rotation_from_wxyz([c["quat_wxyz"] for c in cases]), [c["p"] for c in cases])
     X, J = mechanism.flange(q)
     np.testing.assert_allclose(X, X_WB @ X_BF, rtol=0, atol=2e-15)
+    np.testing.assert_allclose(mechanism.flange_motion(q, q, q)[0], X_WB @ X_BF, rtol=0, atol=2e-15)
     np.testing.assert_allclose(mechanism.flange_pose(q[7]), X_WB @ X_BF[7], rtol=0, atol=2e-15)
     np.testing.assert_allclose(mechanism.links(q)[0][:, 0], np.tile(X_WB, (len(q), 1, 1)), rtol=0, atol=1e-15)
     known = [c["jacobian_base_v_then_w_rowmajor_6x6"] for c in cases if "jacobian_base_v_then_w_rowmajor_6x6" in c]
@@ -78,6 +138,7 @@ def test_poses_and_jacobians_are_the_truths(X_WR: Array, rail: float | None) -> 
     wanted = np.concatenate([X_WB[:3, :3] @ true[:, :3], X_WB[:3, :3] @ true[:, 3:]], axis=1)
     assert len(wanted) == 10
     np.testing.assert_allclose(J[:10, :, -6:], wanted, rtol=0, atol=2e-15)
+    np.testing.assert_allclose(mechanism.flange(q[:10])[1][..., -6:], wanted, rtol=0, atol=2e-15)
     assert mechanism.has_rail is (rail is not None)
     if rail is not None:
         along = np.tile(np.r_[X_WR[:3, 1], 0, 0, 0], (len(q), 1))

@@ -1,6 +1,8 @@
-"""The robot as the judge knows it: pin's model of its URDF, mounted in the cell. No closed form, no code of ours.
+"""The robot as the judge knows it: pin's model of its URDF, mounted in the cell. No closed form and
+none of the planner's code.
 
-pin is asked row by row, 2 to 4 us each. Axis order: as the URDF has them from its root to tool0, a rail first.
+pin is asked row by row, 2 to 4 us each; where there are many, the same is worked out of pin's placements and axes for
+all of them at once. Axis order: as the URDF has them from its root to tool0, a rail first.
 """
 
 from __future__ import annotations
@@ -14,12 +16,14 @@ import pinocchio as pin
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array
+from trajopt_cli.verify.chain import Chain, Joint
 from trajopt_cli.verify.machine import Machine
 
 FLANGE = 7
 """Index of the flange among a mechanism's frames, after the arm's base and the six links."""
 
 _ARM = 6
+_FEW = 64  # rows that pin is as fast for
 _WORLD_AXES = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
 
 
@@ -44,7 +48,7 @@ class Mechanism:
         model.jointPlacements[1] = mount * model.jointPlacements[1]
         for fixed in (frame for frame in model.frames if frame.parentJoint == 0):
             fixed.placement = mount * fixed.placement
-        self._model, self._flange = model, _flange(model)
+        self._model, self._data, self._flange = model, model.createData(), _flange(model)
         bodies: list[int] = []
         frame = self._flange
         while len(bodies) <= FLANGE:
@@ -52,6 +56,7 @@ class Mechanism:
                 bodies.append(frame)
             frame = model.frames[frame].parentFrame
         self._frames = bodies[::-1]
+        self._chain = _chain(model, self._flange)
         self.names: tuple[str, ...] = tuple(model.names)[1:]
         self.link_names: tuple[str, ...] = tuple(model.frames[i].name for i in self._frames[:FLANGE])
 
@@ -69,15 +74,17 @@ class Mechanism:
 
     def flange(self, q: Array) -> tuple[Array, Array]:
         """Flange poses X_WF (n, 4, 4) and Jacobians (n, 6, k) in world axes, linear rows first, at q (n, k)."""
-        model, data, frame = self._model, self._model.createData(), self._flange
+        model, data, frame = self._model, self._data, self._flange
         new = np.ones(len(q), dtype=bool)  # rows unlike the one before: an arm that waits for a table is looked at once
         new[1:] = (q[1:] != q[:-1]).any(axis=1)
-        rows = q[new]
+        rows, of = q[new], np.cumsum(new) - 1
+        if len(rows) > _FEW:
+            X, J = self._chain.flange(rows)
+            return X[of], J[of]
         X, J = np.empty((len(rows), 4, 4)), np.empty((len(rows), 6, len(self.names)))
         for i, row in enumerate(rows):
             J[i] = pin.computeFrameJacobian(model, data, row, frame, _WORLD_AXES)
             X[i] = pin.updateFramePlacement(model, data, frame).homogeneous
-        of = np.cumsum(new) - 1
         return X[of], J[of]
 
     def flange_pose(self, q: Array) -> Array:
@@ -89,19 +96,12 @@ class Mechanism:
 
         q, qd, qdd (n, k). The acceleration is J qdd + J' qd.
         """
-        model, data, frame = self._model, self._model.createData(), self._flange
-        X, V, A = np.empty((len(q), 4, 4)), np.empty((len(q), 6)), np.empty((len(q), 6))
-        for i in range(len(q)):
-            pin.forwardKinematics(model, data, q[i], qd[i], qdd[i])
-            X[i] = pin.updateFramePlacement(model, data, frame).homogeneous
-            V[i] = pin.getFrameVelocity(model, data, frame, _WORLD_AXES).vector
-            A[i] = pin.getFrameClassicalAcceleration(model, data, frame, _WORLD_AXES).vector
-        return X, V, A
+        return self._chain.motion(q, qd, qdd)
 
     def links(self, q: Array) -> tuple[Array, Array]:
         """Poses (n, 8, 4, 4) of the links in link_names order and of the flange, at q (n, k); and the unit axes
         (n, 6, 3) of the arm's joints in the world. A joint's axis runs through the origin of the link behind it."""
-        model, data = self._model, self._model.createData()
+        model, data = self._model, self._data
         placed = [data.oMf[frame] for frame in self._frames]  # pin's own memory: each row's poses appear in it
         X, axes = np.empty((len(q), FLANGE + 1, 4, 4)), np.empty((len(q), _ARM, 3))
         for i, row in enumerate(q):
@@ -149,12 +149,22 @@ class Forces:
 
 def mechanism_of(machine: Machine) -> Mechanism:
     """The mechanism of a machine's URDF on its mount; read once for each."""
-    return _mechanism(machine.robot.urdf.resolve(), np.asarray(machine.robot.X_WR).tobytes())
+    urdf = machine.robot.urdf
+    return _mechanism(urdf if urdf.is_absolute() else urdf.resolve(), np.asarray(machine.robot.X_WR).tobytes())
 
 
 def _flange(model: pin.Model) -> int:
     """The frame of the link tool0; a joint may have the same name."""
     return int(model.getFrameId("tool0", pin.FrameType.BODY))
+
+
+def _chain(model: pin.Model, flange: int) -> Chain:
+    """The joints and the flange as pin has them."""
+    data, joints = model.createData(), list[Joint]()
+    for i in range(1, model.njoints):
+        along, about = np.asarray(data.joints[i].S).reshape(2, 3)
+        joints.append(Joint(model.jointPlacements[i].homogeneous, along + about, bool(along.any())))
+    return Chain(joints, model.frames[flange].placement.homogeneous)
 
 
 @lru_cache(maxsize=8)
