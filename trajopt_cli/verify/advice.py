@@ -19,7 +19,7 @@ from trajopt_cli.timing.topp import shortest_time
 from trajopt_cli.verify.course import obeys_programmed_speed
 from trajopt_cli.verify.findings import finding
 from trajopt_cli.verify.frame import Frame
-from trajopt_cli.verify.geometry import Line
+from trajopt_cli.verify.geometry import Line, lengths
 from trajopt_cli.verify.rows import Rows
 from trajopt_cli.verify.timeline import Timeline, Visit
 from trajopt_cli.verify.tolerances import REST_JOINT
@@ -119,7 +119,7 @@ def _caps_inactive(rows: Rows, visit: Visit, frame: Frame, first: int, last: int
     caps, speed = rows.plant.tcp, visit.point.move.speed
     part = slice(first, last + 1)
     v = frame.least_speed[part].max()
-    a = np.linalg.norm(np.diff(frame.V[part, :3], axis=0), axis=1) / np.diff(rows.t[part])
+    a = lengths(np.diff(frame.V[part, :3], axis=0)) / np.diff(rows.t[part])
     used = max(v / caps.speed, float(a.max()) / caps.acceleration)
     if obeys_programmed_speed(visit.point, rows.plant):
         used = max(used, v / speed.v_tcp, frame.least_turning[part].max() / speed.v_ori)

@@ -21,6 +21,7 @@ from trajopt_cli.motion import MoveExtJ
 from trajopt_cli.verify.course import Point, obeys_programmed_speed
 from trajopt_cli.verify.findings import Series, Worst, finding, worse
 from trajopt_cli.verify.frame import Frame, carried
+from trajopt_cli.verify.geometry import lengths
 from trajopt_cli.verify.machine import Machine
 from trajopt_cli.verify.rows import INNER, LAGS, Along, Rows, mean_of, second_differences, windows
 from trajopt_cli.verify.timeline import Timeline, Visit, outside_zones, rows_of_move
@@ -50,12 +51,12 @@ class Inner:
 
     @cached_property
     def _motion(self) -> tuple[Array, Array]:
-        X, V, A = (values[self._places] for values in self.frame.rows.hermite_motion)
-        return carried(V, A, X, self.frame.X_FT)
+        V, A = (values[self._places] for values in self.frame.inner_motion)
+        return V, A
 
     @cached_property
     def _columns(self) -> Array:
-        return np.asarray(np.linalg.norm(self.frame.J[self.first : self.last, :3], axis=1))
+        return np.asarray(self.frame.columns[0][self.first : self.last])
 
     @cached_property
     def _doubt_qd(self) -> Array:
@@ -67,14 +68,13 @@ class Inner:
     def speed(self) -> Array:
         """Least speeds (m,) there."""
         doubt = np.einsum("ij,ij->i", self._columns, self._doubt_qd)
-        return np.asarray(np.linalg.norm(self._motion[0][:, :3], axis=1) - doubt[self._left])
+        return np.asarray(lengths(self._motion[0][:, :3]) - doubt[self._left])
 
     @property
     def turning(self) -> Array:
         """Least angular speeds (m,) there."""
-        turns = np.linalg.norm(self.frame.J[self.first : self.last, 3:], axis=1)
-        doubt = np.einsum("ij,ij->i", turns, self._doubt_qd)
-        return np.asarray(np.linalg.norm(self._motion[0][:, 3:], axis=1) - doubt[self._left])
+        doubt = np.einsum("ij,ij->i", self.frame.columns[1][self.first : self.last], self._doubt_qd)
+        return np.asarray(lengths(self._motion[0][:, 3:]) - doubt[self._left])
 
     @property
     def accelerations(self) -> tuple[tuple[Array, Array], ...]:
@@ -96,9 +96,9 @@ class Inner:
         rounding = np.einsum("ij,ij->i", self._columns, rows.hermite_rounding[first:last])
         doubt_a = rounding + np.maximum(truncation, 0.0)
         return (
-            (self.t, np.linalg.norm(self._motion[1][:, :3], axis=1) - doubt_a[self._left]),
-            (rows.t[first:last], np.linalg.norm(begin[:, :3], axis=1) - doubt_a),
-            (rows.t[first + 1 : last + 1], np.linalg.norm(end[:, :3], axis=1) - doubt_a),
+            (self.t, lengths(self._motion[1][:, :3]) - doubt_a[self._left]),
+            (rows.t[first:last], lengths(begin[:, :3]) - doubt_a),
+            (rows.t[first + 1 : last + 1], lengths(end[:, :3]) - doubt_a),
         )
 
 
@@ -186,13 +186,13 @@ def accelerations(frame: Frame, first: int, last: int, inner: Inner | None) -> I
     rows, part = frame.rows, slice(first, last + 1)
     t = rows.t[part]
     for m, value, doubt in second_differences(t, frame.p[part], frame.doubt_p[part, None], rows.step_t[part], True):
-        yield t[m : len(t) - m], np.linalg.norm(value, axis=1) - doubt[:, 0]
+        yield t[m : len(t) - m], lengths(value) - doubt[:, 0]
     if rows.qd is None:
         return
     V, doubt_V = frame.V[part, :3], frame.doubt_V[0][part]
     for m in LAGS:
         if m < len(t):
-            change = np.linalg.norm(V[m:] - V[:-m], axis=1) - doubt_V[m:] - doubt_V[:-m]
+            change = lengths(V[m:] - V[:-m]) - doubt_V[m:] - doubt_V[:-m]
             yield t[:-m], np.maximum(change, 0.0) / _times(rows, first, last, m)
     if inner is not None:
         yield from inner.accelerations

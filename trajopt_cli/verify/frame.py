@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.verify.geometry import angle_between
+from trajopt_cli.verify.geometry import angle_between, column_lengths, lengths
 from trajopt_cli.verify.rows import INNER, ROUNDING, Along, Boxes, Pieces, Rows, both_sides
 from trajopt_cli.verify.tolerances import STOP_POSITION
 
@@ -40,7 +40,7 @@ class Frame:
 
         def make(a: int, b: int) -> tuple[Array, ...]:
             J = shifted(rows.J[a:b], rows.X_WF[a:b], self.X_FT)
-            return J, np.linalg.norm(J[:, :3], axis=1), np.linalg.norm(J[:, 3:], axis=1)
+            return J, column_lengths(J[:, :3]), column_lengths(J[:, 3:])
 
         return Pieces(len(rows.t), make)
 
@@ -51,17 +51,16 @@ class Frame:
         rows = self.rows
 
         def make(a: int, b: int) -> tuple[Array, ...]:
-            X, columns = rows.X_WF[a:b], [part[a:b] for part in self._columns]
+            X, columns = rows.X_WF[a:b], [part[a:b] for part in self.columns]
             p = X[:, :3, :3] @ self.X_FT[:3, 3] + X[:, :3, 3]
-            doubts = [(lengths * rows.doubt_q[a:b]).sum(axis=1) / 2 for lengths in columns]
+            doubts = [_dot(one, rows.doubt_q[a:b]) / 2 for one in columns]
             if rows.qd is None:
                 return p, *doubts
             V, total = (self.J[a:b] @ rows.qd[a:b, :, None])[..., 0], np.abs(rows.qd[a:b]).sum(axis=1)
             doubt_V = [
-                (lengths * rows.doubt_v[a:b]).sum(axis=1) / 2 + total * doubt
-                for lengths, doubt in zip(columns, doubts, strict=True)
+                _dot(one, rows.doubt_v[a:b]) / 2 + total * doubt for one, doubt in zip(columns, doubts, strict=True)
             ]
-            speeds = np.linalg.norm(V[:, :3], axis=1), np.linalg.norm(V[:, 3:], axis=1)
+            speeds = lengths(V[:, :3]), lengths(V[:, 3:])
             least = (np.maximum(one - doubt, 0.0) for one, doubt in zip(speeds, doubt_V, strict=True))
             return p, *doubts, *least
 
@@ -83,7 +82,7 @@ class Frame:
         return Along(self._jacobians)
 
     @property
-    def _columns(self) -> tuple[Along, Along]:
+    def columns(self) -> tuple[Along, Along]:
         """Lengths of the Jacobian's columns (n, k), linear and angular: what an axis' doubt does to the TCP."""
         return Along(self._jacobians, 1), Along(self._jacobians, 2)
 
@@ -105,7 +104,7 @@ class Frame:
 
         def make(a: int, b: int) -> tuple[Array, ...]:
             total = np.abs(qd[a:b]).sum(axis=1)
-            linear, angular = ((columns[a:b] * rows.doubt_v[a:b]).sum(axis=1) / 2 for columns in self._columns)
+            linear, angular = (_dot(columns[a:b], rows.doubt_v[a:b]) / 2 for columns in self.columns)
             V = (self.J[a:b] @ qd[a:b, :, None])[..., 0]
             return V, linear + total * self.doubt_p[a:b], angular + total * self.doubt_R[a:b]
 
@@ -121,6 +120,21 @@ class Frame:
         """How far printing may put V off, linear and angular (n,). Rounded positions turn the Jacobian, too: by r/2 of
         every axis at most, at the speed all axes make together."""
         return Along(self._velocities, 1), Along(self._velocities, 2)
+
+    @cached_property
+    def _between(self) -> Pieces:
+        rows = self.rows
+
+        def make(a: int, b: int) -> tuple[Array, Array]:
+            X, V, A = (values[a:b] for values in rows.hermite_motion)
+            return carried(V, A, X, self.X_FT)
+
+        return Pieces(len(INNER) * (len(rows.t) - 1), make, len(INNER))
+
+    @property
+    def inner_motion(self) -> tuple[Along, Along]:
+        """TCP velocities and accelerations (m, 6) at the rows' hermite_places."""
+        return Along(self._between), Along(self._between, 1)
 
     @cached_property
     def least_speed(self) -> Array:
@@ -150,7 +164,7 @@ class Frame:
     @cached_property
     def way_boxes(self) -> Boxes:
         """Around the positions in each block, with how far the chords that begin there and the TCP may be from them."""
-        chords = np.linalg.norm(np.diff(self.p, axis=0), axis=1)
+        chords = lengths(np.diff(self.p, axis=0))
         return replace(self.stop_boxes, room=self.rows.blocks.most(np.r_[self.reach + chords, 0.0]) + ROUNDING)
 
     @cached_property
@@ -176,7 +190,7 @@ class Frame:
         return known[lag]
 
     def _length(self, i: slice, k: slice) -> Array:
-        return np.asarray(np.linalg.norm(self.p[k] - self.p[i], axis=1) - self.doubt_p[k] - self.doubt_p[i])
+        return np.asarray(lengths(self.p[k] - self.p[i]) - self.doubt_p[k] - self.doubt_p[i])
 
     def _angle(self, i: slice, k: slice) -> Array:
         return np.asarray(angle_between(self.R[i], self.R[k]) - self.doubt_R[k] - self.doubt_R[i])
@@ -196,18 +210,15 @@ class Frame:
         if not rows.exact or last <= first:
             return at_rows
         n = len(INNER)
-        inner, left = slice(first * n, last * n), np.repeat(np.arange(first, last), n)
+        inner = slice(first * n, last * n)
         times, X = rows.hermite_places[0][inner], rows.hermite_motion[0][inner]
-        linear, angular = (
-            np.einsum("ij,ij->i", columns[first:last], rows.inner_doubt[first:last]) for columns in self._columns
-        )
-        order = np.argsort(np.r_[rows.t[part], times], kind="stable")
+        linear, angular = (_dot(columns[first:last], rows.inner_doubt[first:last]) for columns in self.columns)
         return Places(
-            np.r_[at_rows.t, times][order],
-            np.vstack([at_rows.p, X[:, :3, :3] @ self.X_FT[:3, 3] + X[:, :3, 3]])[order],
-            np.concatenate([at_rows.R, X[:, :3, :3] @ self.X_FT[:3, :3]])[order],
-            np.r_[at_rows.doubt_p, linear[left - first]][order],
-            np.r_[at_rows.doubt_angle, angular[left - first]][order],
+            _merged(at_rows.t, times),
+            _merged(at_rows.p, X[:, :3, :3] @ self.X_FT[:3, 3] + X[:, :3, 3]),
+            _merged(at_rows.R, X[:, :3, :3] @ self.X_FT[:3, :3]),
+            _merged(at_rows.doubt_p, np.repeat(linear, n)),
+            _merged(at_rows.doubt_angle, np.repeat(angular, n)),
         )
 
 
@@ -220,6 +231,18 @@ class Places:
     R: Array
     doubt_p: Array
     doubt_angle: Array
+
+
+def _merged(at_rows: Array, inner: Array) -> Array:
+    """What is known at rows (m, ...) and at the INNER places behind each but the last ((m - 1) n, ...), in order."""
+    m, rest = len(at_rows), at_rows.shape[1:]
+    between = np.concatenate([at_rows[:-1, None], inner.reshape(m - 1, len(INNER), *rest)], axis=1)
+    return np.concatenate([between.reshape(-1, *rest), at_rows[-1:]])
+
+
+def _dot(a: Array, b: Array) -> Array:
+    """Products (n,) of vectors a and b (n, k)."""
+    return np.asarray(np.einsum("ij,ij->i", a, b))
 
 
 def angular_acceleration(rows: Rows) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import pinocchio as pin
@@ -16,16 +17,27 @@ _FLAT = 1e-9  # sine of the angle between two chords below which three points li
 _HALF_TURN = 1e-6  # rad: a reorientation this close to half a turn may go either way
 
 
+def lengths(x: Array) -> Array:
+    """Lengths (...) of vectors (..., d)."""
+    return np.asarray(np.sqrt(np.einsum("...i,...i->...", x, x)))
+
+
+def column_lengths(J: Array) -> Array:
+    """Lengths (n, k) of the columns of matrices (n, d, k)."""
+    return np.asarray(np.sqrt(np.einsum("nik,nik->nk", J, J)))
+
+
 def angle_between(A: Array, B: Array) -> Array:
     """Angle (...) in rad between rotations (..., 3, 3); exact to rounding near zero."""
-    chord = np.linalg.norm(np.asarray(B) - np.asarray(A), axis=(-2, -1)) / (2 * np.sqrt(2.0))
+    apart = np.asarray(B) - np.asarray(A)
+    chord = lengths(apart.reshape(*apart.shape[:-2], 9)) / (2 * np.sqrt(2.0))
     return np.asarray(2 * np.arcsin(np.minimum(chord, 1.0)))
 
 
 def rotation_vectors(R: Array) -> Array:
     """Axis times angle (..., 3) of rotations (..., 3, 3); not for half turns."""
     skew = np.stack([R[..., i, j] - R[..., j, i] for i, j in ((2, 1), (0, 2), (1, 0))], axis=-1) / 2
-    sine = np.linalg.norm(skew, axis=-1, keepdims=True)
+    sine = lengths(skew)[..., None]
     angle = np.arctan2(sine, (np.trace(R, axis1=-2, axis2=-1)[..., None] - 1) / 2)
     return np.asarray(skew * (angle / np.maximum(sine, 1e-300)))
 
@@ -78,12 +90,12 @@ class Line:
             turn = turn * (1 - 2 * np.pi / angle)
         return cls(X_0, X_1[:3, 3] - X_0[:3, 3], turn)
 
-    @property
+    @cached_property
     def length(self) -> float:
         """Way of the TCP, m."""
         return float(np.linalg.norm(self.chord))
 
-    @property
+    @cached_property
     def angle(self) -> float:
         """How far the tool turns, rad."""
         return float(np.linalg.norm(self.turn))
@@ -181,7 +193,7 @@ def off_segments(p: Array, a: Array, b: Array) -> Array:
     """Distances (m,) of points p from the segments a to b, all (m, 3)."""
     way = b - a
     share = np.einsum("ij,ij->i", p - a, way) / np.maximum(np.einsum("ij,ij->i", way, way), 1e-300)
-    return np.asarray(np.linalg.norm(p - a - np.clip(share, 0.0, 1.0)[:, None] * way, axis=1))
+    return lengths(p - a - np.clip(share, 0.0, 1.0)[:, None] * way)
 
 
 def off_triangles(p: Array, a: Array, b: Array, c: Array) -> Array:
@@ -189,7 +201,7 @@ def off_triangles(p: Array, a: Array, b: Array, c: Array) -> Array:
     u, v, w = a - b, c - b, p - b
     normal = np.cross(u, v)
     area = np.einsum("ij,ij->i", normal, normal)
-    real = area > (_FLAT * np.linalg.norm(u, axis=1) * np.linalg.norm(v, axis=1)) ** 2
+    real = area > (_FLAT * lengths(u) * lengths(v)) ** 2
     area = np.where(real, area, 1.0)
     alpha = np.einsum("ij,ij->i", np.cross(w, v), normal) / area
     beta = np.einsum("ij,ij->i", np.cross(u, w), normal) / area

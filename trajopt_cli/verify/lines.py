@@ -20,7 +20,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.motion import MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL
 from trajopt_cli.verify.findings import axis_unit, finding
 from trajopt_cli.verify.frame import Frame
-from trajopt_cli.verify.geometry import Arc, Line, angle_between, off_triangles, rotation_vectors
+from trajopt_cli.verify.geometry import Arc, Line, angle_between, lengths, off_triangles, rotation_vectors
 from trajopt_cli.verify.rows import Rows
 from trajopt_cli.verify.run import Indices, Run, off_way, runs_of
 from trajopt_cli.verify.tables import TurnedFrame
@@ -92,7 +92,7 @@ def _left_out(run: Run, leg: int) -> Iterator[Finding]:
         return
     a, b = run.between(leg)
     rows = slice(run.part[0] + a // run.step, run.part[0] - (-b // run.step))
-    gone = float(np.linalg.norm(np.diff(places.p[a : b + 1], axis=0), axis=1).sum())
+    gone = float(lengths(np.diff(places.p[a : b + 1], axis=0)).sum())
     gone += 2 * np.pi * float(run.frame.reach[rows].sum())  # around a circle between two rows
     missing = WHOLE * (way.length - np.maximum(run.zones("radius")[leg : leg + 2], 0.0).sum()) - gone
     if missing > LINE_POSITION:
@@ -179,10 +179,10 @@ def _off_turns(run: Run, here: Indices, visits: Indices) -> Array:
     }
     entry, leave = (np.array([edges[k][side] for k in visits.tolist()]) for side in (0, 1))
     found = rotation_vectors(np.swapaxes(R_P[visits], 1, 2) @ run.places.R[here])
-    granted = np.linalg.norm(np.cross(entry, leave), axis=1) / 16 + run.places.doubt_angle[here]
+    granted = lengths(np.cross(entry, leave)) / 16 + run.places.doubt_angle[here]
     # a place at a zone's edge may be a hair outside
     sizes = run.zones("turning")[visits]
-    granted += LINE_POSITION / sizes * np.maximum(np.linalg.norm(entry, axis=1), np.linalg.norm(leave, axis=1))
+    granted += LINE_POSITION / sizes * np.maximum(lengths(entry), lengths(leave))
     return np.asarray(off_triangles(found, entry, np.zeros_like(entry), leave) - granted)
 
 

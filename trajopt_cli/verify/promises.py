@@ -34,7 +34,7 @@ from trajopt_cli.motion import Program
 from trajopt_cli.shapes import Shape, outline
 from trajopt_cli.verify.findings import axis_unit
 from trajopt_cli.verify.frame import Frame, angular_acceleration
-from trajopt_cli.verify.geometry import Arc, Line
+from trajopt_cli.verify.geometry import Arc, Line, lengths
 from trajopt_cli.verify.machine import Machine
 from trajopt_cli.verify.mechanism import Mechanism
 from trajopt_cli.verify.rows import LAGS
@@ -388,10 +388,10 @@ def levers(plant: Machine, mechanism: Mechanism, carried: Iterable[Shape]) -> li
     """How far from every axis (k,) a point of the robot or of the bodies that it carries may be, m: the links stretched
     out; 1 for a rail."""
     X_WL = mechanism.links(np.array(plant.start)[None])[0][0]
-    links = np.linalg.norm(np.diff(X_WL[1:, :3, 3], axis=0), axis=1)  # from joint to joint, then to the flange
+    links = lengths(np.diff(X_WL[1:, :3, 3], axis=0))  # from joint to joint, then to the flange
     stretched = np.cumsum(links[::-1])[::-1]
     beyond = 0.0
     for shape in (*plant.robot.capsules.values(), *carried):
         points, radius = outline(shape)
-        beyond = max(beyond, float(np.linalg.norm(points, axis=1).max()) + radius)
+        beyond = max(beyond, float(lengths(points).max()) + radius)
     return [1.0] * mechanism.has_rail + [float(one) + beyond for one in stretched]

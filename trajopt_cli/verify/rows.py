@@ -30,6 +30,7 @@ from numpy.typing import NDArray
 from trajopt_cli.geometry import Array
 from trajopt_cli.joint_csv import Resolution
 from trajopt_cli.trajectory import Trajectory
+from trajopt_cli.verify.geometry import lengths
 from trajopt_cli.verify.machine import Machine
 from trajopt_cli.verify.mechanism import Mechanism, mechanism_of
 from trajopt_cli.verify.tolerances import COMPUTED, JOINT_TARGET, REST_JOINT
@@ -413,7 +414,7 @@ class Boxes:
     def off(self, P: Array, these: slice | NDArray[np.intp] = slice(None)) -> Array:
         """Distances of a point P (d,) from these boxes."""
         beside = np.maximum(np.maximum(self.low[these] - P, P - self.high[these]), 0.0)
-        return np.asarray(np.linalg.norm(beside, axis=1))
+        return lengths(beside)
 
     def near(self, P: Array, size: float = 0.0) -> NDArray[np.intp]:
         """The boxes that a point P (d,) is within size and their room of, in order."""
@@ -494,7 +495,7 @@ def second_differences(
     half, off = half if vectors else np.broadcast_to(half, x.shape), np.broadcast_to(step_t, t.shape)[:, None] / 2
 
     def size(values: Array) -> Array:
-        return np.asarray(np.linalg.norm(values, axis=1)[:, None] if vectors else np.abs(values))
+        return lengths(values)[:, None] if vectors else np.abs(values)
 
     for m, a, b, c in lagged(len(t)):
         h1, h2 = (t[b] - t[a])[:, None], (t[c] - t[b])[:, None]

@@ -18,7 +18,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.motion import FlyBy, MoveC, MoveL, UnitMove, turned_under
 from trajopt_cli.verify.course import arc_to
 from trajopt_cli.verify.frame import Frame, Places
-from trajopt_cli.verify.geometry import Arc, Line, turned_back
+from trajopt_cli.verify.geometry import Arc, Line, lengths, turned_back
 from trajopt_cli.verify.rows import Rows
 from trajopt_cli.verify.tables import TurnedFrame
 from trajopt_cli.verify.timeline import Timeline, Visit, rows_of_run
@@ -137,7 +137,7 @@ class Run:
         radius, P, p = self.zones("radius"), self.X_WT[:, :3, 3], self.places.p[order]
         s = self._shares(order, way)
         margin = LINE_POSITION + self.places.doubt_p[order]
-        behind, ahead = (np.linalg.norm(p - P[k], axis=1) for k in (way, way + 1))
+        behind, ahead = (lengths(p - P[k]) for k in (way, way + 1))
         in_first = (behind <= radius[way] + margin) & ~(s >= 0.5) & (radius[way] > 0)
         in_second = (ahead <= radius[way + 1] + margin) & ~(s < 0.5) & (radius[way + 1] > 0)
         first = in_first & (~in_second | (behind < ahead))
@@ -229,7 +229,7 @@ class Run:
 
 def off_way(way: Line | Arc, p: Array, s: Array) -> Array:
     """Distances (m,) of positions p (m, 3) from their places s (m,) on a way, its ends beyond them."""
-    return np.asarray(np.linalg.norm(p - way.at(np.clip(s, 0.0, 1.0))[0], axis=1))
+    return lengths(p - way.at(np.clip(s, 0.0, 1.0))[0])
 
 
 def runs_of(line: Timeline, frames: dict[bytes, Frame]) -> Iterator[Run]:

@@ -12,7 +12,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.motion import MoveExtJ, Source
 from trajopt_cli.verify.findings import axis_unit, finding
 from trajopt_cli.verify.frame import Frame, Places
-from trajopt_cli.verify.geometry import angle_between
+from trajopt_cli.verify.geometry import angle_between, lengths
 from trajopt_cli.verify.rail import rail_beside
 from trajopt_cli.verify.rows import Rows, unseen
 from trajopt_cli.verify.timeline import Timeline, Visit
@@ -274,7 +274,7 @@ def _drift(rows: Rows, visit: Visit, before: Visit, frame: Frame) -> Iterator[Fi
 
 def deviation(check: str, places: Places, X_WT: Array, source: Source | None, note: str) -> Finding:
     """The farthest of all places from a pose, position or rotation, whichever uses more of its tolerance."""
-    d_p = np.maximum(np.linalg.norm(places.p - X_WT[:3, 3], axis=1) - places.doubt_p, 0.0)
+    d_p = np.maximum(lengths(places.p - X_WT[:3, 3]) - places.doubt_p, 0.0)
     d_R = np.maximum(angle_between(places.R, X_WT[:3, :3]) - places.doubt_angle, 0.0)
     i, k = int(np.argmax(d_p)), int(np.argmax(d_R))
     if d_p[i] / STOP_POSITION >= d_R[k] / STOP_ROTATION:

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -18,7 +19,7 @@ from trajopt_cli.collision.pair import Pair
 from trajopt_cli.geometry import Array, BoolArray, IndexArray
 from trajopt_cli.shapes import Capsule, Shape, outline
 from trajopt_cli.trajectory import Trajectory
-from trajopt_cli.verify.geometry import inverse_pose
+from trajopt_cli.verify.geometry import inverse_pose, lengths
 from trajopt_cli.verify.mechanism import FLANGE, Mechanism
 
 OVERLOOKED = 1e-4
@@ -147,8 +148,9 @@ class Course:
         i = np.minimum(a[:, None] + np.arange((b - a).max(initial=1)), np.maximum(b - 1, a)[:, None])
         q_0, _, v_0, v_1 = self._interval(i)
         q_1 = self._trajectory.q[i + 1]
-        control = np.stack([q_0, q_0 + v_0 / 3, q_1 - v_1 / 3, q_1])
-        return control.min(axis=(0, 2)), control.max(axis=(0, 2))
+        after, before = q_0 + v_0 / 3, q_1 - v_1 / 3
+        low, high = (beyond(beyond(q_0, after), beyond(before, q_1)) for beyond in (np.minimum, np.maximum))
+        return low.min(axis=1), high.max(axis=1)
 
     def _cubic(self, i: IndexArray, u: Array) -> tuple[Array, Array]:
         """Positions and slopes per row (m, k) at the shares u (m,) of the intervals i (m,)."""
@@ -186,6 +188,11 @@ class _Look:
         self._origins = self.X_WL[:, 1:FLANGE, :3, 3]
         self._bodies: dict[Body, tuple[Array, Array]] = {}
 
+    @cached_property
+    def X_LW(self) -> Array:
+        """The world (m, 8, 4, 4) from each of the links and the flange."""
+        return inverse_pose(self.X_WL)
+
     def points(self, body: Body) -> Array:
         """Outline (m, n, 3) of a body in the world, its radius apart."""
         return self._body(body)[0]
@@ -216,13 +223,8 @@ class _Placed:
         self._body, self._other = near.body, near.other
         shape = near.obstacle if near.other is None else near.other.shape
         assert shape is not None
-        self._pair = Pair(near.body.shape, shape)
-        self._radius = outline(near.body.shape)[1]
-        # The other's own axes, in which a box around it is small.
-        self._X_OS = np.eye(4) if isinstance(shape, Capsule) else np.asarray(shape.X)
-        local, radius = outline(shape)
-        own = (local - self._X_OS[:3, 3]) @ self._X_OS[:3, :3]
-        self._low, self._high = own.min(axis=0) - radius, own.max(axis=0) + radius
+        self._pair, self._radius = _pair(near.body.shape, shape), outline(near.body.shape)[1]
+        self._X_SO, self._low, self._high = _box(shape)
 
     def moved(self, look: _Look) -> Array:
         """How far (m,) the bodies' points move against each other at most."""
@@ -231,25 +233,32 @@ class _Placed:
     def bound(self, look: _Look, rows: IndexArray) -> Array:
         """No more than the distance in the middle of the intervals rows: that of boxes in the other's axes, and where
         the boxes overlap, which says nothing of a depth, minus infinity."""
-        X_SW = (
-            inverse_pose(self._X_OS)[None] if self._other is None else inverse_pose(self._X_WO(look, rows) @ self._X_OS)
-        )
+        X_SW = self._X_SO[None] if self._other is None else self._X_SO @ look.X_LW[rows, self._other.frame]
         points = look.points(self._body)[rows] @ np.swapaxes(X_SW[:, :3, :3], 1, 2) + X_SW[:, None, :3, 3]
         over = points.min(axis=1) - self._radius - self._high
         under = self._low - points.max(axis=1) - self._radius
-        apart = np.linalg.norm(np.maximum(np.maximum(over, under), 0.0), axis=1)
+        apart = lengths(np.maximum(np.maximum(over, under), 0.0))
         return np.where(apart > 0, apart, -np.inf)
 
     def distances(self, look: _Look, rows: IndexArray, solid: bool = False) -> Array:
         """Signed distances in the middle of the intervals rows; solid: meshes filled."""
         X_WA = look.X_WL[rows, self._body.frame]
-        X_OA = X_WA if self._other is None else inverse_pose(self._X_WO(look, rows)) @ X_WA
+        X_OA = X_WA if self._other is None else look.X_LW[rows, self._other.frame] @ X_WA
         return self._pair.distances(X_OA, solid)
 
-    def _X_WO(self, look: _Look, rows: IndexArray) -> Array:
-        assert self._other is not None
-        X: Array = look.X_WL[rows, self._other.frame]
-        return X
+
+@lru_cache(maxsize=64)
+def _pair(a: Shape, b: Shape) -> Pair:
+    return Pair(a, b)
+
+
+@lru_cache(maxsize=64)
+def _box(shape: Shape) -> tuple[Array, Array, Array]:
+    """X_SO (4, 4) of a shape's own axes, in which a box around it is small, and the box' ends (3,) there."""
+    X_OS = np.eye(4) if isinstance(shape, Capsule) else np.asarray(shape.X)
+    local, radius = outline(shape)
+    own = (local - X_OS[:3, 3]) @ X_OS[:3, :3]
+    return inverse_pose(X_OS), own.min(axis=0) - radius, own.max(axis=0) + radius
 
 
 class Sweep:

@@ -17,7 +17,7 @@ from trajopt_cli.motion import Program, UnitMove, motion_name, turned_under
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.findings import finding
 from trajopt_cli.verify.frame import Frame, Places
-from trajopt_cli.verify.geometry import turned
+from trajopt_cli.verify.geometry import lengths, turned
 from trajopt_cli.verify.rows import Along, Pieces, Rows, shortest
 from trajopt_cli.verify.timeline import Timeline, Visit
 from trajopt_cli.verify.tolerances import DWELL, JOINT, JOINT_TARGET
@@ -93,7 +93,7 @@ class TurnedFrame(Frame):
 
     def _lever(self, p: Array) -> Array:
         """How far from all units' axes positions (n, 3) are, in all and at most [m]."""
-        return np.asarray(sum(np.linalg.norm(p - np.array(unit.p), axis=1) for unit in self.units))
+        return np.asarray(sum(lengths(p - np.array(unit.p)) for unit in self.units))
 
     @cached_property
     def _small(self) -> tuple[Array, ...]:
@@ -103,7 +103,7 @@ class TurnedFrame(Frame):
         out = [_seen(R, p - x), self.world.doubt_p + linear, self.world.doubt_R + angular]
         if self.rows.qd is not None:
             V, *doubts = self._velocities.whole()
-            parts = np.linalg.norm(V[:, :3], axis=1), np.linalg.norm(V[:, 3:], axis=1)
+            parts = lengths(V[:, :3]), lengths(V[:, 3:])
             out += [np.maximum(v - doubt, 0.0) for v, doubt in zip(parts, doubts, strict=True)]
         return tuple(out)
 

@@ -12,6 +12,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Source, Wait
 from trajopt_cli.verify.course import Point, stays
 from trajopt_cli.verify.frame import Frame
+from trajopt_cli.verify.geometry import lengths
 from trajopt_cli.verify.rail import Indices, still_from
 from trajopt_cli.verify.rows import Rows, unseen
 from trajopt_cli.verify.tolerances import DWELL
@@ -129,7 +130,7 @@ def outside_zones(
 
 def _far(frame: Frame, a: int, b: int, point: Point, zone: str) -> Indices:
     """The rows a to b farther from a point than its zone reaches."""
-    away = np.linalg.norm(frame.p[a : b + 1] - point.X_WT[:3, 3], axis=1)
+    away = lengths(frame.p[a : b + 1] - point.X_WT[:3, 3])
     return a + np.flatnonzero(away > getattr(point.fly_by, zone))
 
 

@@ -33,7 +33,7 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.motion import MoveExtJ
 from trajopt_cli.verify.course import Point
 from trajopt_cli.verify.frame import Frame, angular_acceleration
-from trajopt_cli.verify.geometry import angle_between
+from trajopt_cli.verify.geometry import angle_between, lengths
 from trajopt_cli.verify.rail import rail_beside
 from trajopt_cli.verify.rows import ROUNDING, Rows
 from trajopt_cli.verify.tolerances import (
@@ -128,7 +128,7 @@ def _closeness(rows: Rows, frame: Frame, stop: Point, rapid: bool, at: NDArray[n
         return Closeness(at, off.max(axis=1) / JOINT_TARGET, near, tight, rests, rail_met, stands)
     assert stop.X_WF is not None
     X_WT = stop.X_WF @ stop.X_FT
-    d_p = np.maximum(np.linalg.norm(frame.p[at] - X_WT[:3, 3], axis=1) - frame.doubt_p[at], 0.0)
+    d_p = np.maximum(lengths(frame.p[at] - X_WT[:3, 3]) - frame.doubt_p[at], 0.0)
     d_R = np.maximum(angle_between(frame.rotations(at), X_WT[:3, :3]) - frame.doubt_R[at], 0.0)
     near = (d_p <= STOP_POSITION + a * tau**2 / 2) & (d_R <= STOP_ROTATION + alpha * tau**2 / 2)
     tight = (d_p <= STOP_POSITION) & (d_R <= STOP_ROTATION)
@@ -144,7 +144,7 @@ def worth_a_look(rows: Rows, frame: Frame, stop: Point) -> NDArray[np.intp]:
     P, a = stop.X_WT[:3, 3], rows.plant.tcp.acceleration
     at = rows.blocks.rows(frame.stop_boxes.near(P))
     granted = STOP_POSITION + a * rows.open_time[at] ** 2 / 2 + frame.doubt_p[at]
-    near: Mask = np.linalg.norm(frame.p[at] - P, axis=1) <= granted + ROUNDING
+    near: Mask = lengths(frame.p[at] - P) <= granted + ROUNDING
     return np.asarray(at[near])
 
 
@@ -183,7 +183,7 @@ def passages(rows: Rows, frame: Frame, point: Point) -> tuple[Event, ...]:
     size = point.fly_by.radius + STOP_POSITION
     at = rows.blocks.rows(frame.way_boxes.near(P, size))
     at = at[at < len(frame.reach)]
-    reach = frame.reach[at] + np.linalg.norm(frame.p[at + 1] - frame.p[at], axis=1)
+    reach = frame.reach[at] + lengths(frame.p[at + 1] - frame.p[at])
     close = at[_squares_off(frame, P, at) <= (size + reach) ** 2 + 1e-9]
     if not len(close):
         return ()
@@ -241,7 +241,7 @@ def off_chords(p: Array, P: Array, chords: NDArray[np.intp]) -> tuple[Array, Arr
     is nearest."""
     a, way = p[chords], p[chords + 1] - p[chords]
     share = np.clip(((P - a) * way).sum(axis=1) / np.maximum((way * way).sum(axis=1), 1e-300), 0.0, 1.0)
-    return np.linalg.norm(a + share[:, None] * way - P, axis=1), share
+    return lengths(a + share[:, None] * way - P), share
 
 
 def match(rows: Rows, frames: dict[bytes, Frame], points: Sequence[Point], rapid: bool) -> list[Match]:
@@ -294,7 +294,7 @@ def _cut(
                 if first >= end:
                     continue
                 best = first + int(np.argmin(off_chords(frame.p, P, np.arange(first, end))[0]))
-                gone = np.linalg.norm(np.diff(frame.p[best : end + 1], axis=0), axis=1).sum()
+                gone = lengths(np.diff(frame.p[best : end + 1], axis=0)).sum()
                 if gone > WHOLE * way:
                     parts.append(Event(first, end, np.array([max(best - 1, 0)]), best))
                     first = end
