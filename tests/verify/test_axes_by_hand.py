@@ -60,6 +60,11 @@ def same(found: Series, wanted: Series) -> None:
         np.testing.assert_allclose(x, x_wanted, rtol=1e-9, atol=1e-11)
 
 
+def of_axis(j: int, series: Series) -> list[tuple[Array, Array]]:
+    """One axis of series that are of all."""
+    return [(t, x[:, j]) for t, x in series]
+
+
 def pairs(n: int, reach: int = 1) -> list[tuple[int, range]]:
     """Every lag m with the rows i for which i + reach m is one."""
     return [(m, range(n - reach * m)) for m in LAGS if reach * m < n]
@@ -140,7 +145,7 @@ def between(t: Array) -> Array:
 def test_least_speeds(j: int, with_speeds: bool, marked: bool) -> None:
     """Of every lag, of the rows, of the Hermite, and of the slowest motion between two rows."""
     rows = rows_of(1, with_speeds, marked)
-    found = list(joints._speeds(rows, j, 0, N - 1))
+    found = of_axis(j, joints._speeds(rows, 0, N - 1))
     wanted = list(speeds(rows, j))
     if with_speeds:  # the slowest motion alone may be slower than its rows
         for k in (-2, -1):
@@ -175,7 +180,7 @@ def test_the_hermite_between_rows() -> None:
     np.testing.assert_allclose(rows.hermite_rounding[:, j], open_a, rtol=1e-9)
     np.testing.assert_allclose(rows.inner_doubt[:, j], inner, rtol=1e-9)
     granted = np.array(open_a) + rows.truncation[:, j]
-    found = list(accelerations(rows, j, 0, N - 1))[-2:]
+    found = of_axis(j, accelerations(rows, 0, N - 1))[-2:]
     same(found, [(t[:-1], np.abs(begin) - granted), (t[1:], np.abs(end) - granted)])
 
 
@@ -194,7 +199,7 @@ def test_least_accelerations(j: int, with_speeds: bool) -> None:
         for m, every in pairs(N):
             change = [max(abs(v[i + m] - v[i]) - off_v[i] - off_v[i + m], 0.0) for i in every]
             wanted.append((t[:-m], np.array(change) / [t[i + m] - t[i] + off_t[i] + off_t[i + m] for i in every]))
-    same(accelerations(rows, j, 0, N - 1), wanted)
+    same(of_axis(j, accelerations(rows, 0, N - 1)), wanted)
 
 
 @pytest.mark.parametrize("j", [0, 5])
@@ -206,7 +211,7 @@ def test_least_accelerations_at_both_ends_of_a_file(j: int) -> None:
     for a, b in ((0, 1), (N - 2, N - 1)):
         way, h = max(abs(q[b] - q[a]) - off[a] - off[b], 0.0), t[b] - t[a] + off_t[a] + off_t[b]
         wanted.append(2 * way / h**2)
-    same([joints._from_rest(rows, j)], [(t[[0, -1]], np.array(wanted))])
+    same(of_axis(j, [joints._from_rest(rows)]), [(t[[0, -1]], np.array(wanted))])
     assert min(wanted) > 0
 
 
@@ -233,7 +238,7 @@ def test_least_jerks(with_speeds: bool) -> None:
             (a, off_a), (b, off_b) = (second(t, x, half, off_t, k, k + m, k + 2 * m) for k in (i, i + m))
             values.append(3 * (abs(b - a) - off_a - off_b) / (t[i + 3 * m] - t[i] + off_t[i] + off_t[i + 3 * m]))
         wanted.append((t[m : len(t) - 2 * m], np.array(values)))
-    same(joints._jerks(rows, j, 0, n - 1), wanted)
+    same(of_axis(j, joints._jerks(rows, 0, n - 1)), wanted)
 
 
 @pytest.mark.parametrize("j", [0, 5])
@@ -241,7 +246,7 @@ def test_speeds_that_differ_from_those_of_the_positions(j: int) -> None:
     """Full acceleration one way and then the other takes the mean speed off the mean of the speeds by A h/4; less of it
     is left where the speeds themselves need some."""
     rows = rows_of(6)
-    excess, off, may = joints._off_columns(rows, j, 0, N - 1)
+    excess, off, may = (one[:, j] for one in joints._off_columns(rows, 0, N - 1))
     top = A[j] * (1 + JOINT)
     for i in range(N - 1):
         (e, doubt), h = mismatch(rows, j, i), rows.t[i + 1] - rows.t[i]
@@ -311,7 +316,7 @@ def test_positions_between_rows() -> None:
     qd[::5] = 0.0  # to rest is not back
     rows = replace(rows, trajectory=replace(rows.trajectory, qd=qd))
     t, q, v, step = rows.t, rows.q[:, j], rows.qd[:, j], rows.doubt_v[:, j]
-    places = list(joints._positions(rows, j, 0, N - 1))
+    places = [(times, up[:, j], down[:, j]) for times, up, down in joints._positions(rows, 0, N - 1)]
     spline, at = CubicHermiteSpline(t, q, v), between(t)
     wanted = [(t, q, q), (), (at, spline(at), spline(at))]
     for k in (0, 2):
@@ -324,9 +329,13 @@ def test_positions_between_rows() -> None:
             far = np.array([q[i], q[i + 1]]) + np.sign(v[i]) * np.array(reach)
             turns.append((t[i], far.max() if v[i] > 0 else q[i], far.min() if v[i] < 0 else q[i]))
     assert len(turns) > 15
-    np.testing.assert_allclose(np.array(places[1]).T, turns, rtol=1e-12)
-    assert len(list(joints._positions(rows_of(8), j, 0, N - 1))) == 2
-    assert len(list(joints._positions(rows_of(8, speeds=False), j, 0, N - 1))) == 1
+    found = np.array(places[1]).T
+    turned = np.isin(found[:, 0], [when for when, _, _ in turns])
+    np.testing.assert_allclose(found[turned], turns, rtol=1e-12)
+    here = q[np.searchsorted(t, found[~turned, 0])]
+    np.testing.assert_array_equal(found[~turned, 1:], np.column_stack([here, here]))  # where another one has
+    assert len(list(joints._positions(rows_of(8), 0, N - 1))) == 2
+    assert len(list(joints._positions(rows_of(8, speeds=False), 0, N - 1))) == 1
 
 
 def rail_file(t: Array, d: Array, v: Array | None = None, j: int = 0) -> Trajectory:

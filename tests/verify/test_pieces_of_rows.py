@@ -11,10 +11,15 @@ from trajopt_cli.joint_csv import Resolution
 from trajopt_cli.robot.kinematics import forward_acceleration
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify import rows as module
-from trajopt_cli.verify.findings import Series, Worst, axis_unit, digits, finding, worse
+from trajopt_cli.verify.findings import Columns, Series, Worst, axis_unit, digits, finding, worse
 from trajopt_cli.verify.rows import Along, Blocks, Boxes, Pieces, look, windows
 
 PLANT = plant_with_rail()
+
+
+@pytest.fixture
+def rng() -> np.random.Generator:
+    return np.random.default_rng(92)
 
 
 @pytest.mark.parametrize("per", [1, 4])
@@ -206,6 +211,25 @@ def test_the_worst_of_several_series_is_the_first_greatest() -> None:
     assert worse(Worst(1.0, 2.0, 0.0), Worst(1.0, 2.0, 1.0)).time == 0.0
     assert worse(Worst(9.0, 2.0, 0.0), Worst(1e-9, 0.0, 1.0)).time == 1.0
     assert worse(Worst(1e-9, 2.0, 0.0), Worst(0.0, 0.0, 1.0)).time == 0.0
+
+
+def test_columns_are_series_side_by_side(rng: np.random.Generator) -> None:
+    """What a series of its own says of every column, however the rows are cut; of no values nothing."""
+    limits, t = np.array([2.0, 0.5, 1.0]), np.arange(12.0)
+    tables = [rng.integers(-3, 4, (12, 3)).astype(np.float64) for _ in range(4)]
+    for cut in (1, 3, 5, 12):
+        columns, each = Columns(limits), [Series(float(limit)) for limit in limits]
+        columns.add([(t[:1], tables[0][:1])], begin=2.5)
+        for j, series in enumerate(each):
+            series.add([(t[:1], tables[0][:1, j])], begin=2.5)
+        for a in range(0, 12, cut):
+            part = slice(a, a + cut)
+            columns.add((t[part], table[part]) for table in tables)
+            for j, series in enumerate(each):
+                series.add((t[part], table[part, j]) for table in tables)
+        columns.add([(t[:0], tables[0][:0])])
+        assert [columns.worst(j) for j in range(3)] == [series.worst for series in each]
+    assert Columns(limits).worst(1) == Worst(0.0, 0.5, 0.0)
 
 
 def test_values_are_printed_with_the_digits_that_tell_them_apart() -> None:

@@ -16,8 +16,9 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Move, MoveExtJ, MoveL, Settings
 from trajopt_cli.verify.caps import Inner
 from trajopt_cli.verify.caps import accelerations as tcp_accelerations
-from trajopt_cli.verify.findings import Worst, axis_unit, finding, worse
+from trajopt_cli.verify.findings import Columns, Worst, axis_unit, finding, worse
 from trajopt_cli.verify.frame import Frame
+from trajopt_cli.verify.geometry import lengths
 from trajopt_cli.verify.joints import accelerations as axis_accelerations
 from trajopt_cli.verify.rows import LAGS
 from trajopt_cli.verify.timeline import Timeline, Visit, outside_zones
@@ -75,11 +76,11 @@ def _axes(line: Timeline, visit: Visit, first: int, last: int, settings: Setting
     limits, share = line.rows.plant.limits, settings.acceleration
     if share >= 1.0:
         return
-    found = [
-        _worst(axis_accelerations(line.rows, j, first, last), share * a) for j, a in enumerate(limits.acceleration)
-    ]
-    j = int(np.argmax([worst.ratio for worst in found]))
-    name, worst = limits.names[j], found[j]
+    found = Columns(share * limits.acceleration)
+    found.add(axis_accelerations(line.rows, first, last))
+    each = [found.worst(j) for j in range(len(limits.names))]
+    j = int(np.argmax([worst.ratio for worst in each]))
+    name, worst = limits.names[j], each[j]
     passed = worst.value <= worst.limit * (1 + JOINT)
     yield finding("AccSet", name, worst.value, worst.limit, f"{axis_unit(name)}/s2", passed, time=worst.time,
                   source=visit.point.source, bound=f"AccSet {share * 100:g} allows", words="acceleration")  # fmt: skip
@@ -120,7 +121,7 @@ def _along(
         return tcp_accelerations(frame, first, last, inner) if wanted and lower == (sign < 0) else None
     t, here = rows.t[first : last + 1], slice(first, last + 1)
     off_t = rows.step_t[here]
-    speed, doubt = np.linalg.norm(frame.V[here, :3], axis=1), frame.doubt_V[0][here]
+    speed, doubt = lengths(frame.V[here, :3]), frame.doubt_V[0][here]
     return [
         (
             t[:-m],

@@ -63,6 +63,31 @@ class Series:
         return reduce(worse, self.found)
 
 
+class Columns:
+    """The same of every column of several series of tables: times (m,) and values (m, k) each. limits: (k,)."""
+
+    def __init__(self, limits: Array):
+        self._limits = limits
+        self._worst: dict[float, tuple[Array, Array]] = {}
+
+    def add(self, series: Iterable[tuple[Array, Array]], begin: float = 0) -> None:
+        """A window of every series. begin: the place of the first one among all."""
+        for place, (times, values) in enumerate(series):
+            if len(values):
+                i = np.argmax(values, axis=0)
+                worst, time = values[i, np.arange(len(i))], times[i]
+                if (known := self._worst.get(begin + place)) is not None:
+                    more = worst > known[0]
+                    worst, time = np.where(more, worst, known[0]), np.where(more, time, known[1])
+                self._worst[begin + place] = worst, time
+
+    def worst(self, j: int) -> Worst:
+        """The worst of column j of all series, the first of several; nothing at all where they have no values."""
+        limit, found = float(self._limits[j]), (self._worst[place] for place in sorted(self._worst))
+        each = [Worst(float(values[j]), limit, float(times[j])) for values, times in found]
+        return reduce(worse, each) if each else Worst(0.0, limit, 0.0)
+
+
 def axis_unit(name: str) -> str:
     """Unit of an axis' position."""
     return "m" if name == "rail" else "rad"
