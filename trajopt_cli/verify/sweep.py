@@ -132,9 +132,9 @@ class Course:
         """Least and greatest control points (m, k) from row a to row b > a (m,): whole blocks, and what is beside."""
         first, last = -(-a // BLOCK), b // BLOCK
         apart = first <= last
-        low, high = self._bounds(a, np.where(apart, first * BLOCK, b))
-        behind = self._bounds(np.where(apart, np.minimum(last * BLOCK, b - 1), a), b)
-        low, high = np.minimum(low, behind[0]), np.maximum(high, behind[1])
+        begins = np.concatenate([a, np.where(apart, np.minimum(last * BLOCK, b - 1), a)])
+        lows, highs = self._bounds(begins, np.concatenate([np.where(apart, first * BLOCK, b), b]))
+        low, high = np.minimum(*np.split(lows, 2)), np.maximum(*np.split(highs, 2))
         level = np.frexp(np.maximum(last - first, 0))[1] - 1
         for L in np.unique(level[first < last]):
             nodes = np.flatnonzero((level == L) & (first < last))
