@@ -477,13 +477,6 @@ def both_sides(between: Array) -> Array:
     return np.asarray(np.maximum(np.concatenate([between[:1], between]), np.concatenate([between, between[-1:]])))
 
 
-def lagged(n: int) -> Iterator[tuple[int, slice, slice, slice]]:
-    """Lags m with the slices of rows i, i + m and i + 2m (for i as far as i + 2m exists)."""
-    for m in LAGS:
-        if 2 * m < n:
-            yield m, slice(0, n - 2 * m), slice(m, n - m), slice(2 * m, n)
-
-
 def second_differences(
     t: Array, x: Array, half: Array, step_t: Array | float, vectors: bool = False
 ) -> Iterator[tuple[int, Array, Array]]:
@@ -497,14 +490,14 @@ def second_differences(
     def size(values: Array) -> Array:
         return lengths(values)[:, None] if vectors else np.abs(values)
 
-    for m, a, b, c in lagged(len(t)):
-        h1, h2 = (t[b] - t[a])[:, None], (t[c] - t[b])[:, None]
-        c1, c2 = (x[b] - x[a]) / h1, (x[c] - x[b]) / h2
-        off_1, off_2 = off[a] + off[b], off[b] + off[c]
-        doubt = (half[a] + half[b] + size(c1) * off_1) / shortest(h1, off_1)
-        doubt = doubt + (half[b] + half[c] + size(c2) * off_2) / shortest(h2, off_2)
-        value, off_3 = 2 * (c2 - c1) / (h1 + h2), off[a] + off[c]
-        yield m, value, (2 * doubt + size(value) * off_3) / shortest(h1 + h2, off_3)
+    for m in LAGS:
+        if 2 * m < len(t):
+            h, off_h = (t[m:] - t[:-m])[:, None], off[m:] + off[:-m]
+            rate = (x[m:] - x[:-m]) / h
+            open_rate = (half[:-m] + half[m:] + size(rate) * off_h) / shortest(h, off_h)
+            both, off_both = h[:-m] + h[m:], off[: -2 * m] + off[2 * m :]
+            value, doubt = 2 * (rate[m:] - rate[:-m]) / both, open_rate[:-m] + open_rate[m:]
+            yield m, value, (2 * doubt + size(value) * off_both) / shortest(both, off_both)
 
 
 def _marked(gaps: Array, doubt_t: float, marks: int) -> bool:
