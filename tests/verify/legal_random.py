@@ -130,8 +130,9 @@ def written(trajectory: Trajectory, spell: str, speeds: bool, times: str | None 
         heads += [f"{n} speed [{'m' if n == 'rail' else 'rad'}/s]" for n in names]
         columns.append(trajectory.qd)
     lines = [",".join(heads)]
-    for t, row in zip(trajectory.t.tolist(), np.hstack(columns).tolist(), strict=True):
-        lines.append(",".join([(times or spell) % t, *(spell % x for x in row)]))
+    table = np.column_stack([trajectory.t, *columns])
+    row = ",".join([times or spell, *[spell] * (table.shape[1] - 1)])
+    lines += [row % tuple(values) for values in table.tolist()]
     return "\n".join(lines) + "\n"
 
 

@@ -10,6 +10,7 @@ from functools import cache, partial
 import numpy as np
 import pytest
 from legal_motion import (
+    Case,
     down,
     home,
     move_ext,
@@ -63,8 +64,13 @@ ROWS: dict[str, dict[str, object]] = {
 
 
 @cache
+def made_run(name: str) -> Case:
+    return RUNS[name]()
+
+
+@cache
 def fine_rows(name: str, kind: str) -> Trajectory:
-    return RUNS[name]().rows(**ROWS[kind])
+    return made_run(name).rows(**ROWS[kind])
 
 
 @pytest.mark.parametrize("decimals", [None, 6])
@@ -72,7 +78,7 @@ def fine_rows(name: str, kind: str) -> Trajectory:
 @pytest.mark.parametrize("name", RUNS)
 def test_a_legal_run_passes(name: str, kind: str, decimals: int | None) -> None:
     """With speeds and without, on either target: both targets meet every kind of rows, digits and speeds."""
-    case, fine = RUNS[name](), fine_rows(name, kind)
+    case, fine = made_run(name), fine_rows(name, kind)
     for speeds in (True, False):
         target = Target.RAPID if (kind in ("own", "250Hz")) ^ (decimals is None) ^ speeds else None
         trajectory, resolution = printed(fine, decimals, speeds)
