@@ -28,6 +28,22 @@ def merges_of_merges() -> str:
     return first + "".join(f"a{i}: &a{i} {{<<: [{', '.join([f'*a{i - 1}'] * 10)}]}}\n" for i in range(1, 12))
 
 
+@pytest.mark.parametrize("more", [0, 60_000])  # characters: a long file is read anew
+def test_a_text_that_was_read_is_another_one_s_own(more: int) -> None:
+    text = f"a: {{b: [1, 2]}}\nc: x  # {'.' * more}\n"
+    content, lines = parse(text, "one.yaml", "a key is needed")
+    content["a"]["b"].append(3)
+    lines["a"] = 9
+    again, places = parse(text, "two.yaml", "two keys are needed")
+    assert again == {"a": {"b": [1, 2]}, "c": "x"}
+    assert places == {"a": 1, "a.b": 1, "a.b.0": 1, "a.b.1": 1, "c": 2}
+    for file, needed in (("one.yaml", "a key is needed"), ("two.yaml", "two keys are needed")):
+        for wrong, told in (("a: [", f"{file}:1:"), ("", needed)):
+            with pytest.raises(InputError) as error:
+                parse(wrong, file, needed)
+            assert told in str(error.value)
+
+
 def message(text: str) -> str:
     started = time.perf_counter()
     with pytest.raises(InputError) as caught:

@@ -157,6 +157,22 @@ def test_a_mistake_in_the_yaml_is_named_with_its_line(copy, edit, place, words):
     assert str(named).startswith(f"{path}:{named.line}: ")
 
 
+@pytest.mark.parametrize("edit", [{}, {"confdata:": "confdata: ["}, {"  default:": "  careful:"}])
+def test_the_same_text_in_two_places_is_the_same_robot_and_told_by_its_own_name(copy, tmp_path, edit):
+    path = Path(copy(yaml=edit))
+    (tmp_path / "other").mkdir()
+    paths = [path, Path(shutil.copy(path, tmp_path / "other")), path]
+    shutil.copy(path.with_suffix(".urdf"), tmp_path / "other")
+    if not edit:
+        (one, raw), (two, same), _ = map(catalogue.read_robot_file, paths)
+        assert (one, raw) == (two, same)
+        assert [load_robot(str(one)).urdf.parent for one in paths] == [one.parent for one in paths]
+    for one in paths if edit else ():
+        with pytest.raises(InputError) as error:
+            load_robot(str(one))
+        assert error.value.file == str(one)
+
+
 def test_several_mistakes_are_told_at_once(copy):
     with pytest.raises(InputErrorGroup) as error:
         load_robot(copy(yaml={"title:": "titel:", "value: 20.0": "value: 0"}))
