@@ -168,10 +168,7 @@ def _stretches(line: Timeline, frames: dict[bytes, Frame]) -> Iterator[Stretch]:
 def _speeds(frame: Frame, first: int, last: int, inner: Inner | None) -> Iterator[tuple[Array, Array]]:
     """Least TCP speeds: chords over all lags, the rows' own, and between rows."""
     rows = frame.rows
-    for m in LAGS:
-        if first + m <= last:
-            way = frame.path_lengths(m)[first : last + 1 - m]
-            yield rows.t[first : last + 1 - m], way / _times(rows, first, last, m)
+    yield from _means(frame, first, last, frame.mean_speeds)
     if rows.qd is not None:
         yield rows.t[first : last + 1], frame.least_speed[first : last + 1]
     if inner is not None:
@@ -200,7 +197,7 @@ def accelerations(frame: Frame, first: int, last: int, inner: Inner | None) -> I
 
 def _tcp(frame: Frame, a: int, b: int) -> Iterator[tuple[Array, Array]]:
     """TCP speeds at least, from row a to row b: times and values."""
-    yield from _means(frame, a, b, frame.path_lengths)
+    yield from _means(frame, a, b, frame.mean_speeds)
     if frame.rows.qd is not None:
         yield frame.rows.t[a : b + 1], frame.least_speed[a : b + 1]
     if frame.exact:
@@ -210,7 +207,7 @@ def _tcp(frame: Frame, a: int, b: int) -> Iterator[tuple[Array, Array]]:
 
 def _turning(frame: Frame, a: int, b: int) -> Iterator[tuple[Array, Array]]:
     """Angular speeds of the tool."""
-    yield from _means(frame, a, b, frame.angles)
+    yield from _means(frame, a, b, frame.mean_turnings)
     if frame.rows.qd is not None:
         yield frame.rows.t[a : b + 1], frame.least_turning[a : b + 1]
     if frame.exact:
@@ -230,10 +227,10 @@ def _rail(frame: Frame, a: int, b: int) -> Iterator[tuple[Array, Array]]:
         yield rows.t[a : b + 1], np.abs(rows.qd[a : b + 1, 0]) - rows.doubt_v[a : b + 1, 0]
 
 
-def _means(frame: Frame, a: int, b: int, ways: Callable[[int], Along]) -> Iterator[tuple[Array, Array]]:
+def _means(frame: Frame, a: int, b: int, means: Callable[[int], Along]) -> Iterator[tuple[Array, Array]]:
     for m in LAGS:
         if a + m <= b:
-            yield frame.rows.t[a : b + 1 - m], ways(m)[a : b + 1 - m] / _times(frame.rows, a, b, m)
+            yield frame.rows.t[a : b + 1 - m], means(m)[a : b + 1 - m]
 
 
 def _times(rows: Rows, a: int, b: int, m: int) -> Array:

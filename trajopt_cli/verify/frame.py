@@ -181,9 +181,21 @@ class Frame:
         """Least angle (n-lag,) between rows i and i + lag."""
         return self._over(self._angles, lag, self._angle)
 
+    def mean_speeds(self, lag: int) -> Along:
+        """Least mean speeds (n-lag,) between rows i and i + lag."""
+        return Along(self.path_lengths(lag).pieces, 1)
+
+    def mean_turnings(self, lag: int) -> Along:
+        """Least mean angular speeds (n-lag,) between rows i and i + lag."""
+        return Along(self.angles(lag).pieces, 1)
+
     def _over(self, known: dict[int, Along], lag: int, between: Callable[[slice, slice], Array]) -> Along:
-        def make(a: int, b: int) -> tuple[Array]:
-            return (np.maximum(between(slice(a, b), slice(a + lag, b + lag)), 0.0),)
+        t, unsure = self.rows.t, self.rows.unsure
+
+        def make(a: int, b: int) -> tuple[Array, Array]:
+            here, after = slice(a, b), slice(a + lag, b + lag)
+            way = np.maximum(between(here, after), 0.0)
+            return way, way / (t[after] - t[here] + unsure(here, after))
 
         if lag not in known:
             known[lag] = Along(Pieces(len(self.rows.t) - lag, make))
