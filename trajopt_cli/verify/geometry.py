@@ -127,7 +127,11 @@ class Line:
         K = pin.skew(self.turn / self.angle) if self.angle > 0 else np.zeros((3, 3))
         sine, cosine = (f(s * self.angle)[:, None, None] for f in (np.sin, np.cos))
         R = self.X_0[:3, :3] @ (np.eye(3) + sine * K + (1 - cosine) * (K @ K))
-        return self.X_0[:3, 3] + s[:, None] * self.chord, R
+        return self.positions(s), R
+
+    def positions(self, s: Array) -> Array:
+        """Positions (m, 3) alone."""
+        return np.asarray(self.X_0[:3, 3] + s[:, None] * self.chord)
 
 
 @dataclass(frozen=True, eq=False)
@@ -185,8 +189,12 @@ class Arc:
 
     def at(self, s: Array) -> tuple[Array, Array]:
         """Positions (m, 3) and rotations (m, 3, 3) at shares s (m,)."""
+        return self.positions(s), self.line.at(s)[1]
+
+    def positions(self, s: Array) -> Array:
+        """Positions (m, 3) alone."""
         phi = (s * self.sweep)[:, None]
-        return self.centre + np.cos(phi) * self.first + np.sin(phi) * self.side, self.line.at(s)[1]
+        return np.asarray(self.centre + np.cos(phi) * self.first + np.sin(phi) * self.side)
 
 
 def off_segments(p: Array, a: Array, b: Array) -> Array:

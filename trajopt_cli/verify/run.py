@@ -229,7 +229,7 @@ class Run:
 
 def off_way(way: Line | Arc, p: Array, s: Array) -> Array:
     """Distances (m,) of positions p (m, 3) from their places s (m,) on a way, its ends beyond them."""
-    return lengths(p - way.at(np.clip(s, 0.0, 1.0))[0])
+    return lengths(p - way.positions(np.clip(s, 0.0, 1.0)))
 
 
 def runs_of(line: Timeline, frames: dict[bytes, Frame]) -> Iterator[Run]:
