@@ -107,6 +107,11 @@ class _Fields:
         self._all = text = ",".join([*rows, ""])
         encoding, kind = ("ascii", "<u1") if text.isascii() else ("utf-32-le", "<u4")
         self._text: NDArray[Any] = np.frombuffer(text.encode(encoding), dtype=kind)
+        is_point = self._text == ord(".")
+        self._at = np.flatnonzero(is_point)
+        is_odd = ~is_point & ((self._text < ord("+")) | (self._text > ord("9")) | (self._text == ord("/")))
+        # how many there are before each letter: points, and what stands in no plain number
+        self._points, self._odd = (np.concatenate([[0], np.cumsum(one)]) for one in (is_point, is_odd))
         ends = np.flatnonzero(self._text == ord(","))
         starts = np.append(0, ends[:-1] + 1)
         self._starts, self._sizes = (x.reshape(len(rows), columns) for x in (starts, ends - starts))
@@ -131,7 +136,13 @@ class _Fields:
     def decimals(self, rows: IndexArray, column: int) -> NDArray[np.int8]:
         """The decimals that a column shows in some rows, _FINEST where it has all its digits."""
         out = np.full(len(rows), _FINEST, dtype=np.int8)
-        for k in np.flatnonzero(self._sizes[rows, column] <= _ALL).tolist():
+        short = np.flatnonzero(self._sizes[rows, column] <= _ALL)
+        begin = self._starts[rows[short], column]
+        end = begin + self._sizes[rows[short], column]
+        points, odd = (count[end] - count[begin] for count in (self._points, self._odd))
+        plain = (points == 1) & (odd == 0)  # digits with a point
+        out[short[plain]] = np.minimum(end[plain] - self._at[self._points[begin[plain]]] - 1, _FINEST)
+        for k in short[~plain].tolist():
             out[k] = decimals_of(self.text(int(rows[k]), column))
         return out
 
