@@ -15,7 +15,9 @@ import sys
 import tempfile
 from collections.abc import Iterator
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
+from shutil import rmtree
 
 import pytest
 from _pytest.assertion import rewrite
@@ -38,7 +40,8 @@ settings.load_profile("same")
 def pytest_configure(config: pytest.Config) -> None:
     """Workers share the folder of the process that started them.
 
-    Bytecode is kept there where the tree is to have none: what a child process imports would be compiled each time.
+    Where the tree is to have no bytecode it has some as long as the tests run: workers and the many processes that they
+    start would compile everything each.
     """
     if "PYTEST_XDIST_WORKER" in os.environ:
         return
@@ -47,8 +50,20 @@ def pytest_configure(config: pytest.Config) -> None:
         folder = config.cache.mkdir("trajopt")
     os.environ["XDG_CACHE_HOME"] = str(folder)
     if os.environ.pop("PYTHONDONTWRITEBYTECODE", None):
-        sys.dont_write_bytecode, sys.pycache_prefix = False, str(folder / "bytecode")
-        os.environ["PYTHONPYCACHEPREFIX"] = sys.pycache_prefix
+        sys.dont_write_bytecode = False
+        config.add_cleanup(partial(_remove_others, {*_bytecode()}))
+
+
+def _bytecode() -> Iterator[Path]:
+    """The folders of the tree with bytecode."""
+    tree = Path(__file__).parents[1]
+    for part in ("tests", "trajopt_cli"):
+        yield from (tree / part).rglob("__pycache__")
+
+
+def _remove_others(kept: set[Path]) -> None:
+    for folder in {*_bytecode()} - kept:
+        rmtree(folder, ignore_errors=True)
 
 
 @pytest.fixture
