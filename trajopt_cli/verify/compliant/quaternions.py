@@ -12,10 +12,13 @@ from trajopt_cli.geometry import Array
 
 def product(a: Array, b: Array) -> Array:
     """First b, then a, seen from fixed axes."""
-    s, u = a[..., :1], a[..., 1:]
-    t, v = b[..., :1], b[..., 1:]
-    dot = np.sum(u * v, axis=-1, keepdims=True)
-    return np.concatenate([s * t - dot, s * v + t * u + np.cross(u, v)], axis=-1)
+    (w, x, y, z), (t, i, j, k) = (np.moveaxis(one, -1, 0) for one in (a, b))
+    out = np.empty(np.broadcast_shapes(a.shape, b.shape))
+    out[..., 0] = w * t - (x * i + y * j + z * k)
+    out[..., 1] = w * i + t * x + (y * k - z * j)
+    out[..., 2] = w * j + t * y + (z * i - x * k)
+    out[..., 3] = w * k + t * z + (x * j - y * i)
+    return out
 
 
 def conjugate(q: Array) -> Array:

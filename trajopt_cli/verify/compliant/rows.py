@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from math import isfinite
 
 import numpy as np
 
@@ -100,7 +101,7 @@ def read_table(text: str, file: str, needed: tuple[str, ...]) -> dict[str, Array
             raise InputError(f"holds what is no number: {error}", file=file, line=i + 2) from error
         if len(row) != len(heads):
             raise InputError(f"{len(row)} values, the header has {len(heads)} columns", file=file, line=i + 2)
-        if not np.isfinite(row).all():
+        if not all(map(isfinite, row)):
             raise InputError("holds a number that is not finite", file=file, line=i + 2)
         table[i] = row
     late = np.flatnonzero(np.diff(table[:, 0]) <= 0)
