@@ -30,6 +30,7 @@ _FOLDER = tempfile.TemporaryDirectory()
 for _name in ("COLUMNS", "NO_COLOR", "FORCE_COLOR"):  # what is printed depends on them
     os.environ.pop(_name, None)
 
+os.fsync = os.fstat  # type: ignore[assignment]  # no test pulls the plug: waiting for the disk is for nothing
 gc.disable()  # until all tests are loaded
 
 settings.register_profile("same", derandomize=True, deadline=None)
