@@ -18,6 +18,8 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.workspace import rail_ranges
 from trajopt_cli.verify.judge import verify
 
+pytestmark = pytest.mark.usefixtures("coarse")
+
 ACROSS = """MoveAbsJ [[0,60,-37,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v2500, fine, tool0;
 MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v2500, fine, tool0;"""
 STATION = """MoveJ p_in, v2500, fine, tool0;
@@ -41,7 +43,7 @@ def sums(plant: Plant, plan: Plan, factors: tuple[float, float] = (1.0, 1.0)) ->
 
 
 def planned(program: Program, plant: Plant, target: Target = Target.STREAM) -> Plan:
-    plan = optimize(program, plant, target)
+    plan = optimize(program, plant, target, bounded=False)
     assert isinstance(plan, Plan), plan
     return plan
 

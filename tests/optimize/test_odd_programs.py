@@ -19,6 +19,8 @@ from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.verify.judge import verify
 
+pytestmark = pytest.mark.usefixtures("coarse")
+
 THERE, BACK = "MoveJ p_in, v2500, fine, tool0;", "MoveAbsJ j_home, v2500, fine, tool0;"
 PLAIN = f"{THERE} MoveL p_low, v200, fine, tool0; {BACK}"
 CREEPING = "MoveJ p_in, v20, fine, tool0; MoveAbsJ j_home, v2500, fine, tool0;"

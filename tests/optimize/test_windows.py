@@ -24,6 +24,8 @@ from trajopt_cli.optimize.windows import Span, Window, colours, pieces
 from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.problem import Problem
 
+pytestmark = pytest.mark.usefixtures("coarse")
+
 STATION = """MoveJ Offs(p_in,0,{y},0), v2500, fine, tool0;
 MoveL Offs(p_low,0,{y},0), v500, fine, tool0;
 MoveL Offs(p_in,0,{y},0), v500, fine, tool0;

@@ -12,6 +12,8 @@ from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.study.case import Answer, Case
 from trajopt_cli.study.toppra_row import toppra
 
+pytestmark = pytest.mark.usefixtures("coarse")
+
 
 @pytest.mark.parametrize("name", ["hinge_cell", "bench_irb140", "everything_once"])
 def test_it_is_legal_and_as_fast_as_the_plan(name: str) -> None:
