@@ -13,7 +13,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import ceil, inf, sqrt
-from typing import NamedTuple
 
 import numpy as np
 
@@ -151,9 +150,7 @@ def fastest(way: Rounded, pushes: Sequence[Push], pieces: int, h: float) -> Pace
     width = np.diff(s)
     _, dx, ddx = way.at((s[1:] + s[:-1]) / 2)
     products = [_products(push, dx, ddx) for push in pushes]
-    terms = []
-    for (AA, AB, AC, BB, BC, CC), push in zip(products, pushes, strict=True):
-        terms.append(_Terms(AA.tolist(), AB.tolist(), AC.tolist(), BB.tolist(), BC.tolist(), CC.tolist(), push.most**2))
+    terms = _terms(products, [push.most**2 for push in pushes], len(width))
     top = _top(products, [push.most**2 for push in pushes])
     most = np.minimum(np.append(top, inf), np.insert(top, 0, inf))
     most = np.minimum(most, way.caps(s) ** 2)
@@ -189,16 +186,8 @@ def _grid(way: Rounded, pieces: int) -> Array:
     return np.asarray(s[keep])
 
 
-class _Terms(NamedTuple):
-    """_products as plain lists, and the square of the greatest push."""
-
-    AA: list[float]
-    AB: list[float]
-    AC: list[float]
-    BB: list[float]
-    BC: list[float]
-    CC: list[float]
-    limit: float
+_Term = tuple[float, float, float, float, float, float, float]
+"""AA, AB, AC, BB, 2 BC, CC of _products at one piece, and the square of the greatest push."""
 
 
 def _products(push: Push, dx: Array, ddx: Array) -> list[Array]:
@@ -230,33 +219,43 @@ def _top(products: Sequence[list[Array]], limits: Sequence[float]) -> Array:
     return np.asarray(low**2)
 
 
-def _sweep(most: list[float], width: list[float], terms: Sequence[_Terms]) -> Array:
+def _terms(products: Sequence[list[Array]], limits: Sequence[float], pieces: int) -> list[list[_Term]]:
+    """By piece, those pushes that a change of the rate changes."""
+    out: list[list[_Term]] = [[] for _ in range(pieces)]
+    for (AA, AB, AC, BB, BC, CC), limit in zip(products, limits, strict=True):
+        rows = np.column_stack([AA, AB, AC, BB, 2 * BC, CC, np.full(pieces, limit)])
+        for j in np.flatnonzero(AA):
+            out[j].append(tuple(rows[j].tolist()))
+    return out
+
+
+def _sweep(most: list[float], width: list[float], terms: Sequence[Sequence[_Term]]) -> Array:
     """Squares of the rate: backwards what the brakes allow, then forwards what the drive does."""
     square = list(most)
     for j in range(len(width) - 1, -1, -1):
-        square[j] = min(square[j], _reached(square[j + 1], width[j], j, terms, -1))
+        square[j] = min(square[j], _reached(square[j + 1], width[j], terms[j], -1))
     for j in range(len(width)):
-        square[j + 1] = min(square[j + 1], _reached(square[j], width[j], j, terms, 1))
+        square[j + 1] = min(square[j + 1], _reached(square[j], width[j], terms[j], 1))
     return np.array(square)
 
 
-def _reached(b: float, width: float, j: int, terms: Sequence[_Terms], sense: int) -> float:
-    """The greatest square of the rate at the other end of piece j that keeps the pushes; sense: 1 forwards."""
-    change = _change(b, j, terms, sense)
+def _reached(b: float, width: float, terms: Sequence[_Term], sense: int) -> float:
+    """The greatest square of the rate at the other end of a piece that keeps the pushes; sense: 1 forwards."""
+    change = _change(b, terms, sense)
     if change == inf:
         return inf
     high = max(0.0, b + 2 * width * change)
     # the push changes with the rate: held at the other end, too. Between low, which keeps it, and high, which may not.
-    beyond = b + 2 * width * _change(high, j, terms, sense) - high
+    beyond = b + 2 * width * _change(high, terms, sense) - high
     if beyond >= -_NEAR * high:
         return high
     low = 0.0
-    within = b + 2 * width * _change(low, j, terms, sense)
+    within = b + 2 * width * _change(low, terms, sense)
     if within <= 0.0:
         return 0.0
     for _ in range(_TRIES):
         middle = low + (high - low) * within / (within - beyond)
-        rest = b + 2 * width * _change(middle, j, terms, sense) - middle
+        rest = b + 2 * width * _change(middle, terms, sense) - middle
         if rest >= 0.0:
             low, within = middle, rest
             beyond /= 2
@@ -268,16 +267,14 @@ def _reached(b: float, width: float, j: int, terms: Sequence[_Terms], sense: int
     return low
 
 
-def _change(b: float, j: int, terms: Sequence[_Terms], sense: int) -> float:
-    """The greatest change of the rate at piece j and squared rate b, going forwards or backwards."""
+def _change(b: float, terms: Sequence[_Term], sense: int) -> float:
+    """The greatest change of the rate at one piece and squared rate b, going forwards or backwards."""
     root = sqrt(b)
     change = inf
-    for AA, AB, AC, BB, BC, CC, limit in terms:
-        aa = AA[j]
-        if aa == 0.0:
-            continue
-        ab = AB[j] * b + AC[j] * root
-        bb = b * (BB[j] * b + 2 * BC[j] * root + CC[j])
-        spread = sqrt(max(0.0, ab * ab - aa * (bb - limit)))
-        change = min(change, (spread - sense * ab) / aa)
+    for AA, AB, AC, BB, BC_2, CC, limit in terms:
+        ab = AB * b + AC * root
+        under = ab * ab - AA * (b * (BB * b + BC_2 * root + CC) - limit)
+        here = ((sqrt(under) if under > 0.0 else 0.0) - sense * ab) / AA
+        if here < change:
+            change = here
     return change

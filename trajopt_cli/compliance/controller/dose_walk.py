@@ -45,6 +45,10 @@ class State(NamedTuple):
     w: Three
 
 
+_Line = tuple[float, float, float, float, float, float, float, float]
+"""Origin and slope of a line, the slope's square, and the square of how far from it the walk may be."""
+
+
 @dataclass(frozen=True, slots=True)
 class _Stretch:
     """A straight piece of the path: X(sigma) = origin + slope sigma, 0 <= sigma <= length, d sigma / dt <= cap."""
@@ -55,7 +59,8 @@ class _Stretch:
     dp: Three
     turn: Three
     dturn: Three
-    lines: tuple[tuple[Three, Three], ...]  # origin and slope of what is bounded, in the order of the walk's bounds
+    full: float  # who would come beyond goes to the end: length less the sliver
+    lines: tuple[_Line, ...]  # of what is bounded, in the order of the walk's bounds
     mark: bool  # a waypoint ends it, which must become a row
     hold: int  # periods of standing there
 
@@ -98,6 +103,8 @@ class Walk:
         self._bounds = _bounds(self._square, self._turn_square, self._fed)
         self._turns = any(bound.turn for bound in self._bounds)
         self._stretches = _stretches(path, h, self._bounds)
+        self._length = len(self._stretches)
+        self._moved, self._turned = self._axes[:3], self._axes[3:6]
         last = path.pose[-1].tolist()
         self._end: tuple[Three, Three] = (_three(last[:3]), _three(last[3:]))
         moves = moving_axes(path)
@@ -113,7 +120,7 @@ class Walk:
 
     def done(self, state: State) -> bool:
         """Whether the equilibrium is in the last pose and has stood there for as long as it should."""
-        return state.stretch == len(self._stretches) and state.hold == 0
+        return state.stretch == self._length and state.hold == 0
 
     def s(self, state: State) -> float:
         """The path parameter."""
@@ -125,12 +132,13 @@ class Walk:
         None where no equilibrium ahead within reach keeps the bounds.
         """
         i, sigma, hold, x, v, turn, w = state
-        p_e, turn_e = self._place(i, sigma)
-        p, v = _answer(self._axes[0:3], x, v, p_e)
-        before = turn
+        p_e = self._place(i, sigma)
+        p, v = _answer(self._moved, x, v, p_e)
+        before = turn_e = turn
         if self._turns:
-            turn, w = _answer(self._axes[3:6], turn, w, turn_e)
-        if hold or i == len(self._stretches):
+            turn_e = self._angles(i, sigma)
+            turn, w = _answer(self._turned, turn, w, turn_e)
+        if hold or i == self._length:
             if not self._near(p, p_e, turn, turn_e):
                 return None
             return State(i, sigma, max(0, hold - 1), p, v, turn, w)
@@ -146,10 +154,9 @@ class Walk:
             return State(i, sigma, 0, p, v, turn, w) if self._near(p, p_e, turn, turn_e) else None
         i, sigma = high if eagerness == 1.0 else low if eagerness == 0.0 else self._between(low, high, eagerness)
         if fed is not None:
-            there, turn_there = self._place(i, sigma)
-            p, v = _carried(fed.way[0], fed.rate[0], p, v, p_e, there)
+            p, v = _carried(fed.way[0], fed.rate[0], p, v, p_e, self._place(i, sigma))
             if self._turns:
-                turn, w = _carried(fed.way[1], fed.rate[1], turn, w, turn_e, turn_there)
+                turn, w = _carried(fed.way[1], fed.rate[1], turn, w, turn_e, self._angles(i, sigma))
         stretch = self._stretches[i]
         if sigma >= stretch.length:
             return State(i + 1, 0.0, stretch.hold, p, v, turn, w)
@@ -185,15 +192,23 @@ class Walk:
         self.looked += _PATIENCE
         return _PATIENCE
 
-    def _place(self, i: int, sigma: float) -> tuple[Three, Three]:
-        if i == len(self._stretches):
-            return self._end
-        x, dx = self._stretches[i].p, self._stretches[i].dp
-        a, da = self._stretches[i].turn, self._stretches[i].dturn
-        return (
-            (x[0] + sigma * dx[0], x[1] + sigma * dx[1], x[2] + sigma * dx[2]),
-            (a[0] + sigma * da[0], a[1] + sigma * da[1], a[2] + sigma * da[2]),
-        )
+    def _place(self, i: int, sigma: float) -> Three:
+        """Position of the equilibrium."""
+        if i == self._length:
+            return self._end[0]
+        stretch = self._stretches[i]
+        x, y, z = stretch.p
+        dx, dy, dz = stretch.dp
+        return x + sigma * dx, y + sigma * dy, z + sigma * dz
+
+    def _angles(self, i: int, sigma: float) -> Three:
+        """Its angles."""
+        if i == self._length:
+            return self._end[1]
+        stretch = self._stretches[i]
+        x, y, z = stretch.turn
+        dx, dy, dz = stretch.dturn
+        return x + sigma * dx, y + sigma * dy, z + sigma * dz
 
     def _near(self, p: Three, p_e: Three, turn: Three, turn_e: Three, ease: float = 1 + _ROUNDING) -> bool:
         far = (p[0] - p_e[0]) ** 2 + (p[1] - p_e[1]) ** 2 + (p[2] - p_e[2]) ** 2
@@ -216,11 +231,11 @@ class Walk:
         while True:
             stretch = self._stretches[i]
             room = sigma + stretch.cap * time
-            if room > stretch.length - SLIVER * stretch.cap * self.h:
+            if room > stretch.full:
                 room = stretch.length
             near, far = sigma, room
-            for (origin, slope), centre, bound in zip(stretch.lines, centres, self._bounds, strict=True):
-                near, far = _within(origin, slope, centre, bound.square, near, far)
+            for line, centre in zip(stretch.lines, centres, strict=True):
+                near, far = _within(line, centre, near, far)
                 if near > far:
                     break
             if near <= far:
@@ -244,11 +259,12 @@ class Walk:
 
     def _may_stand(self, state: State) -> bool:
         """Whether the bound holds for ever if the equilibrium stays where it is."""
-        p_e, turn_e = self._place(state.stretch, state.sigma)
+        p_e = self._place(state.stretch, state.sigma)
         if not self._rest.keeps(state.p, p_e, state.v, self._square * (1 + _ROUNDING / 2)):
             return False
         if self._turn_rest is None or self._turn_square is None:
             return True
+        turn_e = self._angles(state.stretch, state.sigma)
         return self._turn_rest.keeps(state.turn, turn_e, state.w, self._turn_square * (1 + _ROUNDING / 2))
 
 
@@ -376,11 +392,10 @@ def _answer(axes: Sequence[tuple[float, float, float, float]], x: Three, v: Thre
     )
 
 
-def _within(origin: Three, slope: Three, x: Three, square: float, low: float, high: float) -> tuple[float, float]:
+def _within(line: _Line, x: Three, low: float, high: float) -> tuple[float, float]:
     """The part of [low, high] where ||origin + slope sigma - x||^2 <= square; empty as (inf, -inf)."""
-    r0, r1, r2 = x[0] - origin[0], x[1] - origin[1], x[2] - origin[2]
-    d0, d1, d2 = slope
-    A = d0 * d0 + d1 * d1 + d2 * d2
+    o0, o1, o2, d0, d1, d2, A, square = line
+    r0, r1, r2 = x[0] - o0, x[1] - o1, x[2] - o2
     C = r0 * r0 + r1 * r1 + r2 * r2 - square
     if A == 0.0:
         return (low, high) if square * _ROUNDING >= C else (inf, -inf)
@@ -389,7 +404,11 @@ def _within(origin: Three, slope: Three, x: Three, square: float, low: float, hi
     if under < 0.0:
         return inf, -inf
     root = sqrt(under)
-    low, high = max(low, (B - root) / A), min(high, (B + root) / A)
+    first, last = (B - root) / A, (B + root) / A
+    if first > low:
+        low = first
+    if last < high:
+        high = last
     return (low, high) if low <= high else (inf, -inf)
 
 
@@ -405,9 +424,15 @@ def _stretches(path: DosePath, h: float, bounds: Sequence[_Bound]) -> list[_Stre
     rows = zip(ds.tolist(), path.cap.tolist(), path.pose[:-1].tolist(), slopes, strict=True)
     for row, (length, cap, pose, slope) in enumerate(rows, 1):
         parts = ((_three(pose[:3]), _three(slope[:3])), (_three(pose[3:]), _three(slope[3:])))
-        lines = tuple((_times(one.scale, parts[one.turn][0]), _times(one.scale, parts[one.turn][1])) for one in bounds)
-        out.append(_Stretch(length, cap, *parts[0], *parts[1], lines, row in marks, holds.get(row, 0)))
+        lines = tuple(_line(one, *parts[one.turn]) for one in bounds)
+        full = length - SLIVER * cap * h
+        out.append(_Stretch(length, cap, *parts[0], *parts[1], full, lines, row in marks, holds.get(row, 0)))
     return out
+
+
+def _line(bound: _Bound, origin: Three, slope: Three) -> _Line:
+    d = _times(bound.scale, slope)
+    return (*_times(bound.scale, origin), *d, d[0] * d[0] + d[1] * d[1] + d[2] * d[2], bound.square)
 
 
 def _periods(seconds: float, h: float) -> int:
