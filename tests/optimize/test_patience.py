@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import json
+import multiprocessing
 import os
 import signal
-import subprocess
 import sys
+from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 
 import casadi as ca
@@ -25,7 +26,6 @@ from trajopt_cli.optimize.legal import Legal, legal_of
 from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.progress import Progress
 
-REPOSITORY = Path(__file__).parents[2]
 BODY = """MoveJ p_in, v2500, fine, tool0;
 MoveL p_low, v500, fine, tool0;
 WaitTime 0.3;
@@ -139,22 +139,36 @@ def test_a_time_that_is_none_is_a_wrong_request(limit: str, cell: Path, capsys: 
     assert capsys.readouterr().err == f"--time-limit: needs a time of 0 s or more, not {limit}\n"
 
 
+def optimise_in_a_process_of_its_own(cell: Path, progress: int) -> None:
+    """As from a terminal: a group of its own, which Ctrl-C is sent to. It tells all its progress to a pipe at once."""
+    os.setsid()
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    with (
+        pytest.MonkeyPatch.context() as patch,
+        open("out.txt", "w", encoding="utf-8") as out,
+        open(progress, "w", encoding="utf-8", buffering=1) as err,
+        redirect_stdout(out),
+        redirect_stderr(err),
+    ):
+        patch.setattr("trajopt_cli.cli.progress.log_pause", lambda spent: 0.0)
+        code = run(["optimize", str(cell)])
+    sys.exit(code)
+
+
 def test_ctrl_c_behind_the_first_legal_plan_writes_the_best_so_far(cell: Path) -> None:
     """Sent to the whole group, as a terminal does."""
-    process = subprocess.Popen(
-        [sys.executable, "-m", "trajopt_cli.cli", "optimize", str(cell)],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        env={**os.environ, "PYTHONPATH": str(REPOSITORY)},
-        start_new_session=True,
-    )
-    assert process.stderr is not None
-    assert any("stream: " in line and "best" in line for line in process.stderr)
-    os.killpg(process.pid, signal.SIGINT)
-    out, err = process.communicate(timeout=120)
-    assert process.returncode == 0, err
+    ours, theirs = os.pipe()
+    process = multiprocessing.get_context("fork").Process(target=optimise_in_a_process_of_its_own, args=(cell, theirs))
+    process.start()
+    assert process.pid is not None
+    os.close(theirs)
+    with open(ours, encoding="utf-8") as progress:
+        assert any("stream: " in line and "best" in line for line in progress)
+        os.killpg(process.pid, signal.SIGINT)
+        err = progress.read()
+    process.join(timeout=120)
+    assert process.exitcode == 0, err
     assert "stopping: the best plan so far is being completed (Ctrl-C again to give it up)" in err.splitlines()
-    assert "note: stream: stopped by Ctrl-C: " in out
+    assert "note: stream: stopped by Ctrl-C: " in Path("out.txt").read_text(encoding="utf-8")
     assert "Traceback" not in err
     assert run(["verify", "results/t", "--quiet"]) == 0
