@@ -52,8 +52,9 @@ def inverse(
     turn_lag = TURNED if allowed.turn_lag is None else allowed.turn_lag
     pieces = int(np.clip(path.least_time / h, *_PIECES))
     pushes = _pushes(law, allowed, acceleration)
-    # a path that stands at its corners anyway is not helped by rounding them
-    rounds = (rounded(path, allowed.lag, turn_lag, radius, stops) for stops in (False, True))
+    # a path that stands at its corners anyway is not helped by rounding them, and is the same twice without any
+    passing, stopping = (rounded(path, allowed.lag, turn_lag, radius, stops) for stops in (False, True))
+    rounds = (passing,) if np.array_equal(passing.tau, stopping.tau) else (passing, stopping)
     ways = (_with_rows_at_waypoints(way, h) for way in rounds)
     paces = [(fastest(way, pushes, pieces, h), way) for way in ways]
     pace, way = min(paces, key=lambda found: found[0].t[-1])
