@@ -67,11 +67,14 @@ def polyline(points, speed=V, dwells=()):
 def simulated(pose, law, h, rest=0):
     """Forward Euler as eq. 4.13 has it, written again; positions and angles (n + rest, 6)."""
     x_e = np.concatenate([pose, np.repeat(pose[-1:], rest, axis=0)])
-    x, v, out = x_e[0].copy(), np.zeros(6), []
-    for row in x_e:
-        out.append(x)
-        x, v = x + h * v, v + h / law.M * (-law.D * v - law.K * (x - row))
-    return np.array(out), x_e
+    out = np.empty_like(x_e)
+    for i, (k, d, share) in enumerate(zip(law.K.tolist(), law.D.tolist(), (h / law.M).tolist(), strict=True)):
+        x, v, places = float(x_e[0, i]), 0.0, []
+        for u in x_e[:, i].tolist():
+            places.append(x)
+            x, v = x + h * v, v + share * (-d * v - k * (x - u))
+        out[:, i] = places
+    return out, x_e
 
 
 def check(made, path, law, h, bound, rest=4000):
@@ -552,14 +555,15 @@ def pushed(made, law, h, rest=4000):
     rate = np.zeros_like(u)
     if made.feed is DoseFeed.VELOCITY:
         rate[:-1] = np.diff(u, axis=0) / h
-    K, D, M = law.K[:3], law.D[:3], law.M[:3]
-    x, v, places, pushes = made.plan[0, :3].copy(), np.zeros(3), [], []
-    for row, v_e in zip(u, rate, strict=True):
-        push = K * (row - x) + D * v_e
-        places.append(x)
-        pushes.append(push)
-        x, v = x + h * v, v + h / M * (push - D * v)
-    return np.array(places), np.array(pushes)
+    places, pushes = np.empty_like(u), np.empty_like(u)
+    for i, (k, d, share) in enumerate(zip(*(one[:3].tolist() for one in (law.K, law.D, h / law.M)), strict=True)):
+        x, v, rows = float(made.plan[0, i]), 0.0, []
+        for place, v_e in zip(u[:, i].tolist(), rate[:, i].tolist(), strict=True):
+            push = k * (place - x) + d * v_e
+            rows.append((x, push))
+            x, v = x + h * v, v + share * (push - d * v)
+        places[:, i], pushes[:, i] = np.array(rows).T
+    return places, pushes
 
 
 PATHS = {

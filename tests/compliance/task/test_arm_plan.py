@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from itertools import product
+from itertools import pairwise, product
 
 import numpy as np
 import pinocchio as pin
@@ -211,15 +211,19 @@ def widest(X_WF: Array, start: Array) -> float:
         ROBOT, np.repeat(X_WF[rows], m, 0), np.tile(grid, len(rows)), ArmAngle.FARIA, int(configuration(start))
     ).reshape(len(rows), m, 7)
     room = np.minimum(LIMITS.upper - q, q - LIMITS.lower)[..., FREE].min(axis=-1)
+    within, offsets = LIMITS.velocity * 40 * H, range(-7, 8)
+    ways = [
+        [(np.abs(now - np.roll(before, offset, axis=0)) <= within).all(axis=1) for offset in offsets]
+        for before, now in pairwise(q)
+    ]
     low, high = 0.0, float(room[0, 0])
     for level in [high, *[None] * 12]:
         level = (low + high) / 2 if level is None else level
         wet = (np.arange(m) == 0) & (room[0] >= level)
         for i in range(1, len(rows)):
             rising = np.zeros(m, dtype=bool)
-            for offset in range(-7, 8):
-                step = np.abs(q[i] - np.roll(q[i - 1], offset, axis=0))
-                rising |= np.roll(wet, offset) & (step <= LIMITS.velocity * 40 * H).all(axis=1)
+            for offset, way in zip(offsets, ways[i - 1], strict=True):
+                rising |= np.roll(wet, offset) & way
             wet = rising & (room[i] >= level)
         low, high = (level, high) if wet.any() else (low, level)
     return low
