@@ -317,7 +317,8 @@ class _Bench:
         delta = grid
         for weight in _SMOOTHING:
             fit = _Fit(self, nodes, floor, top, weight)
-            _, delta = min((fit.solve(begin) for begin in (grid, delta)), key=lambda one: one[0])
+            begins = [grid] if delta is grid else [grid, delta]
+            _, delta = min((fit.solve(begin) for begin in begins), key=lambda one: one[0])
             angles = np.asarray(CubicSpline(t, delta, bc_type=((1, 0.0), (1, 0.0)))(np.arange(n) * h))
             q = way.joints(angles)
             if passes(q, h, self.limits):
