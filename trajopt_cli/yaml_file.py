@@ -26,6 +26,7 @@ MAX_BYTES, MAX_NODES, MAX_DEPTH = 1_000_000, 200_000, 50
 """Bounds of a file: its text, its values and keys once aliases are expanded, and sections or lists in each other."""
 _MAX_KEY, _MAX_PATH = 100, 500  # characters: a line about the key is to stay a line
 _MAX_DIGITS = 1000  # of a whole number; Python itself refuses to read or print more than 4300
+_KEPT = 50_000  # characters of a text that is remembered: trees of long ones would fill the memory
 _MAX_SAID = 20  # mistakes that are printed of one file
 _SMALLER = "give the poses in a RAPID program or split the task"
 _TAG = "tag:yaml.org,2002:"
@@ -55,6 +56,8 @@ def parse(text: str, file: str, needed: str) -> tuple[dict[str, Any], dict[str, 
     is longer than MAX_BYTES, or holds more than MAX_NODES keys and values.
     """
     _check_size(len(text.encode("utf-8", "replace")), file)
+    if len(text) > _KEPT:
+        return _parsed.__wrapped__(text, file, needed)
     content, lines = _parsed(text, file, needed)
     return deepcopy(content), dict(lines)
 

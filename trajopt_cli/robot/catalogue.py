@@ -153,6 +153,7 @@ class SrsFile(RobotFile):
 
 
 _FILES: dict[str, type[RobotFile]] = {Structure.SIX_AXIS.value: SixAxisFile, Structure.SRS.value: SrsFile}
+_KEPT = 50_000  # characters of a text that is remembered
 
 
 def robot_schema() -> dict[str, Any]:
@@ -214,7 +215,7 @@ def read_robot_file(path: Path) -> tuple[RobotFile, Mapping[str, Any]]:
 
 def _read(file: str, text: str) -> tuple[RobotFile, Mapping[str, Any]]:
     try:
-        raw = _loaded(text)
+        raw = _loaded(text) if len(text) <= _KEPT else _loaded.__wrapped__(text)
     except YAMLError as error:
         mark, problem = getattr(error, "problem_mark", None), getattr(error, "problem", None) or str(error)
         line = mark.line + 1 if mark is not None else None
