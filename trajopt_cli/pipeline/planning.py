@@ -9,8 +9,6 @@ from itertools import pairwise
 from time import perf_counter
 from typing import TYPE_CHECKING, TextIO
 
-import numpy as np
-
 from trajopt_cli.beside import Beside, give_back
 from trajopt_cli.errors import ErrorKind, InputError
 from trajopt_cli.job import Job
@@ -434,20 +432,12 @@ def as_written(
             return f"no plan found: {failure}"
         if isinstance(plan, Infeasible):
             return str(plan)
-        if rapid is not None and rapid.report.legal and _same_rows(plan, rapid.plan):
+        if rapid is not None and rapid.report.legal and plan.own_rows and plan.own_rows == rapid.plan.own_rows:
             return plan if kept is None else kept.keep(plan)
         kept = kept or RowsFile()
         plan = kept.keep(plan)
         report = judge(job.plant, job.program, kept.text, "as written", (), Target.RAPID, advice=False)
     return plan if report.legal else f"not legal: {worst(report).message}"
-
-
-def _same_rows(one: Plan, other: Plan) -> bool:
-    """Whether two plans drive the same motions alike, to the last bit."""
-    if any(plan.detours or any(motion.dropped for motion in plan.motions) for plan in (one, other)):
-        return False
-    rows = [(plan.trajectory.t, plan.trajectory.whole.q, plan.trajectory.whole.qd) for plan in (one, other)]
-    return all(np.array_equal(a, b) for a, b in zip(*rows, strict=True) if a is not None or b is not None)
 
 
 def judge(

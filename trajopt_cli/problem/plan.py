@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
+from hashlib import sha256
+
+import numpy as np
 
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.motion import Source
@@ -146,6 +149,17 @@ class Plan:
         if self.lower_bound is None or least == self.lower_bound:
             return None if self.lower_bound is None else 0.0
         return (least - self.lower_bound) / self.lower_bound
+
+    @property
+    def own_rows(self) -> str:
+        """A digest of the rows of a plan that drives the program as it stands, by which equal ones are known; empty
+        where the plan leads around something or leaves something out."""
+        if self.detours or any(motion.dropped for motion in self.motions):
+            return ""
+        whole, found = self.trajectory.whole, sha256()
+        for array in (whole.t, whole.q, whole.qd):
+            found.update(b"none" if array is None else np.ascontiguousarray(array).data)
+        return found.hexdigest()
 
     @property
     def suspicion(self) -> str | None:

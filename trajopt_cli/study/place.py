@@ -10,11 +10,8 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from hashlib import sha256
 from itertools import product
 from pathlib import Path
-
-import numpy as np
 
 from trajopt_cli.beside import cores, in_turns
 from trajopt_cli.errors import InputError
@@ -312,7 +309,7 @@ def tried(site: Site, offset: Offset, target: Target, patience: Patience | None,
         return Tried(offset, why=str(no))
     if isinstance(plan, Infeasible):
         return _refused(offset, plan)
-    rows = _told_by(plan)
+    rows = plan.own_rows
     if not rows or known is None or rows != known.rows:  # what is judged already is legal
         illegal = _illegal(job, plan, target, offset)
         if illegal is not None:
@@ -323,16 +320,6 @@ def tried(site: Site, offset: Offset, target: Target, patience: Patience | None,
     if patience is None:
         return replace(known, first=plan.duration)
     return replace(known, planned=plan.duration, cut=patience.over)
-
-
-def _told_by(plan: Plan) -> str:
-    """A hash of the rows of a plan that drives the program as it stands; empty for others."""
-    if plan.detours or any(motion.dropped for motion in plan.motions):
-        return ""
-    whole, found = plan.trajectory.whole, sha256()
-    for array in (whole.t, whole.q, whole.qd):
-        found.update(b"none" if array is None else np.ascontiguousarray(array).data)
-    return found.hexdigest()
 
 
 def _illegal(job: Job, plan: Plan, target: Target, offset: Offset) -> Tried | None:
