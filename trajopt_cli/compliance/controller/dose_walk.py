@@ -55,10 +55,7 @@ class _Stretch:
 
     length: float
     cap: float
-    p: Three
-    dp: Three
-    turn: Three
-    dturn: Three
+    parts: tuple[tuple[Three, Three], tuple[Three, Three]]  # origin and slope, of the position and of the angles
     full: float  # who would come beyond goes to the end: length less the sliver
     lines: tuple[_Line, ...]  # of what is bounded, in the order of the walk's bounds
     mark: bool  # a waypoint ends it, which must become a row
@@ -132,11 +129,11 @@ class Walk:
         None where no equilibrium ahead within reach keeps the bounds.
         """
         i, sigma, hold, x, v, turn, w = state
-        p_e = self._place(i, sigma)
+        p_e = self._place(i, sigma, 0)
         p, v = _answer(self._moved, x, v, p_e)
         before = turn_e = turn
         if self._turns:
-            turn_e = self._angles(i, sigma)
+            turn_e = self._place(i, sigma, 1)
             turn, w = _answer(self._turned, turn, w, turn_e)
         if hold or i == self._length:
             if not self._near(p, p_e, turn, turn_e):
@@ -154,9 +151,9 @@ class Walk:
             return State(i, sigma, 0, p, v, turn, w) if self._near(p, p_e, turn, turn_e) else None
         i, sigma = high if eagerness == 1.0 else low if eagerness == 0.0 else self._between(low, high, eagerness)
         if fed is not None:
-            p, v = _carried(fed.way[0], fed.rate[0], p, v, p_e, self._place(i, sigma))
+            p, v = _carried(fed.way[0], fed.rate[0], p, v, p_e, self._place(i, sigma, 0))
             if self._turns:
-                turn, w = _carried(fed.way[1], fed.rate[1], turn, w, turn_e, self._angles(i, sigma))
+                turn, w = _carried(fed.way[1], fed.rate[1], turn, w, turn_e, self._place(i, sigma, 1))
         stretch = self._stretches[i]
         if sigma >= stretch.length:
             return State(i + 1, 0.0, stretch.hold, p, v, turn, w)
@@ -192,22 +189,11 @@ class Walk:
         self.looked += _PATIENCE
         return _PATIENCE
 
-    def _place(self, i: int, sigma: float) -> Three:
-        """Position of the equilibrium."""
+    def _place(self, i: int, sigma: float, part: int) -> Three:
+        """Of the equilibrium: part 0 its position, part 1 its angles."""
         if i == self._length:
-            return self._end[0]
-        stretch = self._stretches[i]
-        x, y, z = stretch.p
-        dx, dy, dz = stretch.dp
-        return x + sigma * dx, y + sigma * dy, z + sigma * dz
-
-    def _angles(self, i: int, sigma: float) -> Three:
-        """Its angles."""
-        if i == self._length:
-            return self._end[1]
-        stretch = self._stretches[i]
-        x, y, z = stretch.turn
-        dx, dy, dz = stretch.dturn
+            return self._end[part]
+        (x, y, z), (dx, dy, dz) = self._stretches[i].parts[part]
         return x + sigma * dx, y + sigma * dy, z + sigma * dz
 
     def _near(self, p: Three, p_e: Three, turn: Three, turn_e: Three, ease: float = 1 + _ROUNDING) -> bool:
@@ -259,12 +245,12 @@ class Walk:
 
     def _may_stand(self, state: State) -> bool:
         """Whether the bound holds for ever if the equilibrium stays where it is."""
-        p_e = self._place(state.stretch, state.sigma)
+        p_e = self._place(state.stretch, state.sigma, 0)
         if not self._rest.keeps(state.p, p_e, state.v, self._square * (1 + _ROUNDING / 2)):
             return False
         if self._turn_rest is None or self._turn_square is None:
             return True
-        turn_e = self._angles(state.stretch, state.sigma)
+        turn_e = self._place(state.stretch, state.sigma, 1)
         return self._turn_rest.keeps(state.turn, turn_e, state.w, self._turn_square * (1 + _ROUNDING / 2))
 
 
@@ -426,7 +412,7 @@ def _stretches(path: DosePath, h: float, bounds: Sequence[_Bound]) -> list[_Stre
         parts = ((_three(pose[:3]), _three(slope[:3])), (_three(pose[3:]), _three(slope[3:])))
         lines = tuple(_line(one, *parts[one.turn]) for one in bounds)
         full = length - SLIVER * cap * h
-        out.append(_Stretch(length, cap, *parts[0], *parts[1], full, lines, row in marks, holds.get(row, 0)))
+        out.append(_Stretch(length, cap, parts, full, lines, row in marks, holds.get(row, 0)))
     return out
 
 
