@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from copy import deepcopy
-from functools import lru_cache
+from functools import lru_cache, wraps
 from pathlib import Path
-from typing import Any, NoReturn, TypeVar
+from typing import Any, NoReturn, TypeVar, cast
 
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
@@ -21,12 +21,13 @@ from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.validation import in_words, short, spelled
 
 Model = TypeVar("Model", bound=BaseModel)
+Reading = TypeVar("Reading", bound=Callable[..., Any])
 
 MAX_BYTES, MAX_NODES, MAX_DEPTH = 1_000_000, 200_000, 50
 """Bounds of a file: its text, its values and keys once aliases are expanded, and sections or lists in each other."""
 _MAX_KEY, _MAX_PATH = 100, 500  # characters: a line about the key is to stay a line
 _MAX_DIGITS = 1000  # of a whole number; Python itself refuses to read or print more than 4300
-_KEPT = 50_000  # characters of a text that is remembered: trees of long ones would fill the memory
+_KEPT = 50_000  # characters of a text that is remembered
 _MAX_SAID = 20  # mistakes that are printed of one file
 _SMALLER = "give the poses in a RAPID program or split the task"
 _TAG = "tag:yaml.org,2002:"
@@ -49,6 +50,22 @@ def read_text(path: str | Path, what: str) -> str:
         raise InputError(f"byte {error.start} is not UTF-8; save the {what} as UTF-8", file=str(path)) from error
 
 
+def remembered(texts: int) -> Callable[[Reading], Reading]:
+    """What a function of a text gives is kept for so many texts: a command asks for the same file several times, and
+    YAML takes a millisecond per line. Not for long texts, whose trees would fill the memory."""
+
+    def keeping(read: Reading) -> Reading:
+        known = lru_cache(texts)(read)
+
+        @wraps(read)
+        def reading(text: str, *more: str) -> Any:
+            return (known if len(text) <= _KEPT else read)(text, *more)
+
+        return cast(Reading, reading)
+
+    return keeping
+
+
 def parse(text: str, file: str, needed: str) -> tuple[dict[str, Any], dict[str, int]]:
     """A YAML mapping as plain data, and the line of every key by its dotted path ("limits.joint_1", "poses.0").
 
@@ -56,13 +73,11 @@ def parse(text: str, file: str, needed: str) -> tuple[dict[str, Any], dict[str, 
     is longer than MAX_BYTES, or holds more than MAX_NODES keys and values.
     """
     _check_size(len(text.encode("utf-8", "replace")), file)
-    if len(text) > _KEPT:
-        return _parsed.__wrapped__(text, file, needed)
     content, lines = _parsed(text, file, needed)
     return deepcopy(content), dict(lines)
 
 
-@lru_cache(maxsize=16)  # a command asks for the same file several times, and YAML takes a millisecond per line
+@remembered(16)
 def _parsed(text: str, file: str, needed: str) -> tuple[dict[str, Any], dict[str, int]]:
     if text.count(",") > MAX_NODES:  # seen at once; ruamel takes seconds to come this far
         raise _too_many(file, 1)

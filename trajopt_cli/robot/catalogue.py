@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Mapping, Sequence
-from functools import lru_cache
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -16,7 +15,7 @@ from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.robot.structure import Structure
 from trajopt_cli.shapes import ATTACHED
 from trajopt_cli.validation import hint, json_schema, short
-from trajopt_cli.yaml_file import read_text
+from trajopt_cli.yaml_file import read_text, remembered
 
 _PACKAGE = Path(__file__).parents[1]
 # In a checkout the files stand beside the package, a wheel carries them inside it. What stands beside an installed
@@ -153,7 +152,6 @@ class SrsFile(RobotFile):
 
 
 _FILES: dict[str, type[RobotFile]] = {Structure.SIX_AXIS.value: SixAxisFile, Structure.SRS.value: SrsFile}
-_KEPT = 50_000  # characters of a text that is remembered
 
 
 def robot_schema() -> dict[str, Any]:
@@ -215,7 +213,7 @@ def read_robot_file(path: Path) -> tuple[RobotFile, Mapping[str, Any]]:
 
 def _read(file: str, text: str) -> tuple[RobotFile, Mapping[str, Any]]:
     try:
-        raw = _loaded(text) if len(text) <= _KEPT else _loaded.__wrapped__(text)
+        raw = _loaded(text)
     except YAMLError as error:
         mark, problem = getattr(error, "problem_mark", None), getattr(error, "problem", None) or str(error)
         line = mark.line + 1 if mark is not None else None
@@ -238,7 +236,7 @@ def _read(file: str, text: str) -> tuple[RobotFile, Mapping[str, Any]]:
         raise (found[0] if len(found) == 1 else InputErrorGroup(found)) from error
 
 
-@lru_cache(maxsize=32)  # YAML takes 30 ms, and a command asks for its robot several times
+@remembered(32)
 def _loaded(text: str) -> Any:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ReusedAnchorWarning)  # legal, and it would go to stderr
