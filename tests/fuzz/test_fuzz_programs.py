@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import re
 from dataclasses import replace
 from pathlib import Path
@@ -48,6 +49,12 @@ WAITS_A_MILLISECOND = Small(
     "robot: irb140\nstart: {joints: '[0.0000,0.0000,0.0000,0.0000,30.0000,0.0000] deg'}\n",
     1000.0,
 )
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _no_garbage_of_others() -> None:
+    """Every plan looks for garbage, here through what earlier files left: hundreds of thousands of objects."""
+    gc.freeze()
 
 
 @pytest.mark.parametrize("number", range(5))
