@@ -168,13 +168,13 @@ def order_of(
     written = tuple(range(n))
     nearest = written if steps is None else sequence.nearest_order(steps)
     exact = n <= EXACT_STATIONS
-    if steps is None or not math.isfinite(best := _best(sequence, steps, written, nearest, exact)[0]):
+    best, top = (math.inf, written) if steps is None else _best(sequence, steps, written, nearest, exact)
+    if steps is None or not math.isfinite(best):
         last = group.parts[-1].motions[1] - 1
         return Infeasible(
             last, job.program.motions[last].source, "no order of the parts connects the start with the end"
         )
     bound = best if exact else sequence.least_time(steps)
-    top = _best(sequence, steps, written, nearest, exact)[1]
     tried = dict.fromkeys([written, nearest, top, *sequence.near_orders(steps, top, _NEAR)])
     found = {one: Tour(one, steps.cost(one)) for one in tried}
     work = _Work(group, target, changes, listen, patience, jobs or cores())
