@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import html
-import os
+import io
 import re
-import subprocess
 import sys
+import warnings
+from contextlib import redirect_stderr
 from pathlib import Path
 
 import pytest
@@ -21,12 +22,19 @@ IMAGES = REPOSITORY / "docs" / "images"
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     """The pages by name, built as .ci/run does. A proxy that is not there stands for the network."""
-    out = tmp_path_factory.mktemp("site")
-    environment = {**os.environ, "PYTHONPATH": str(REPOSITORY)}
-    environment |= dict.fromkeys(("http_proxy", "https_proxy", "all_proxy"), "http://127.0.0.1:9")
-    command = [sys.executable, "-m", "sphinx", "-W", "--keep-going", "-q", "-d", out / "trees", "docs", out / "site"]
-    built = subprocess.run(command, cwd=REPOSITORY, env=environment, capture_output=True, text=True)
-    assert (built.returncode, built.stderr) == (0, "")
+    from sphinx.cmd.build import build_main
+
+    out, said = tmp_path_factory.mktemp("site"), io.StringIO()
+    with pytest.MonkeyPatch.context() as patch, redirect_stderr(said), warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for kind in (DeprecationWarning, PendingDeprecationWarning, ResourceWarning):  # as where no test runs
+            warnings.simplefilter("ignore", kind)
+        patch.setattr(sys, "path", [*sys.path])
+        for name in ("http_proxy", "https_proxy", "all_proxy"):
+            patch.setenv(name, "http://127.0.0.1:9")
+        places = [f"{out / 'trees'}", f"{REPOSITORY / 'docs'}", f"{out / 'site'}"]
+        built = build_main(["-W", "--keep-going", "-q", "-d", *places])
+    assert (built, said.getvalue()) == (0, "")
     return {page.name: page.read_text(encoding="utf-8") for page in (out / "site").glob("*.html")}
 
 
