@@ -159,12 +159,18 @@ def plans() -> dict[str, tuple[Path, str]]:
 def test_what_a_page_tells_to_do_can_be_done_and_says_what_is_shown(
     page: Path, tmp_path: Path, plans: dict[str, tuple[Path, str]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    from trajopt_cli.report import pictures
+
     root = tmp_path / "page"
     root.mkdir()
     folder = Folder(root, plans)
     monkeypatch.chdir(root)
     for name in ("PLANNED", "_NEAR"):  # orders of which no page shows a figure
         monkeypatch.setattr(f"trajopt_cli.study.order.{name}", 0)
+    monkeypatch.setattr("trajopt_cli.optimize.sequence.SEARCH_APART", 0.4)  # nor of their model
+    for name, shown in (("PICTURES", ("rail", "path")), ("STEP_PICTURES", ())):  # pictures that no page shows
+        table = getattr(pictures, name)
+        monkeypatch.setattr(pictures, name, {picture: table[picture] for picture in shown})
     names: dict[str, object] = {}
     for block in blocks(page):
         if "file" in block.notes:
