@@ -25,9 +25,9 @@ SMALL = """MODULE HingeCell
     CONST jointtarget j_home:=[[0,0,0,0,30,0],[0,9E9,9E9,9E9,9E9,9E9]];
     CONST jointtarget j_side:=[[20,0,0,0,30,0],[100,9E9,9E9,9E9,9E9,9E9]];
     PROC main()
-        MoveAbsJ j_side, v1000, fine, tool0;
+        MoveAbsJ j_side, vmax, fine, tool0;
         WaitTime 0.3;
-        MoveAbsJ j_home, v1000, fine, tool0;
+        MoveAbsJ j_home, vmax, fine, tool0;
     ENDPROC
 ENDMODULE
 """
@@ -76,6 +76,8 @@ def prepared(tmp_path_factory: pytest.TempPathFactory) -> Path:
     written(folder, name="welder_arm.urdf")
     shutil.copytree(REPOSITORY / "programs", folder / "programs")
     (folder / "programs" / "hinge_cell.mod").write_text(SMALL)
+    cell = folder / "programs" / "hinge_cell.yaml"  # no cap of the tool binds
+    cell.write_text(re.sub("tcp: .*", "tcp: {speed: 9, acceleration: 90, source: none}", cell.read_text()))
     few = re.compile(r"^ +Rivet[3-9];\n|(?<=Rivet2), Rivet3.*(?=\])", re.MULTILINE)
     for name in ("rivets.mod", "rivets.yaml"):
         text, count = few.subn("", (REPOSITORY / "programs" / name).read_text())
@@ -107,8 +109,11 @@ def test_the_example_of_a_help_works(
         raise InputError("a minute is saved")
 
     monkeypatch.setattr("trajopt_cli.compliance.experiments.catalogue.run_experiments", stand_in)
-    monkeypatch.setattr("trajopt_cli.study.place.EACH", 3)
-    monkeypatch.setattr("trajopt_cli.study.place.FEW", 1)
+    for place, few in (
+        ("study.place.EACH", 3), ("study.place.FEW", 1), ("study.order.PLANNED", 0), ("study.order._NEAR", 0),
+        ("optimize.sequence.SEARCH_APART", 0.4), ("optimize.rail.POLISH", 0), ("optimize.rail.REFINE_ROUNDS", 1),
+    ):  # fmt: skip
+        monkeypatch.setattr(f"trajopt_cli.{place}", few)
     for line in lines:
         assert len(line) <= 76
         program, *words = shlex.split(line)
