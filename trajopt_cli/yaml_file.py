@@ -275,7 +275,7 @@ class _Reader:
 
     def _text(self, node: ScalarNode, path: str) -> str:
         text = str(node.value)
-        if any("\ud800" <= sign <= "\udfff" for sign in text):
+        if not text.isascii() and any("\ud800" <= sign <= "\udfff" for sign in text):
             self._refuse(node, path, f"{json.dumps(short(text))} holds half of a character (a surrogate)")
         return text
 
