@@ -45,6 +45,14 @@ def tiny(program: Path) -> Path:
     return program
 
 
+@pytest.fixture
+def few(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Besides the written, the nearest and the best order of the model one is planned."""
+    for name, count in (("PLANNED", 1), ("_NEAR", 2)):
+        monkeypatch.setattr(f"trajopt_cli.study.order.{name}", count)
+
+
+@pytest.mark.usefixtures("few")
 def test_the_best_order_is_planned_compared_and_written(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["order", str(tiny), "--json", "--jobs", "1"]) == 0
     found = json.loads(capsys.readouterr().out)
@@ -83,6 +91,7 @@ def test_the_best_order_is_planned_compared_and_written(tiny: Path, capsys: pyte
     assert capsys.readouterr().out.startswith("turns: no order that was planned is faster than the written one, ")
 
 
+@pytest.mark.usefixtures("few")
 def test_what_cannot_be_written_is_listed(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
     changed = (
         text()

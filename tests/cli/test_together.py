@@ -139,7 +139,7 @@ def test_random_kills_from_outside(modules: dict[str, Any], tmp_path: Path) -> N
                     wanted = {path: (new, old) for path, (old, new) in wanted.items()}
             finally:
                 os._exit(1)
-        sleep(rng.uniform(0.0, 0.1))
+        sleep(rng.uniform(0.0, 0.03))
         os.kill(pid, signal.SIGKILL)
         os.waitpid(pid, 0)
         put_back(wanted)
