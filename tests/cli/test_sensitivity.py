@@ -135,7 +135,7 @@ def test_a_program_that_cannot_be_done_names_the_motion(tiny: Path, capsys: pyte
 
 
 def test_plans_of_another_question_are_refused(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert run(["optimize", str(tiny), "--gentle"]) == 0
+    assert run(["optimize", str(tiny), "--gentle", "--time-limit", "0"]) == 0
     capsys.readouterr()
     assert run(["sensitivity", "results/tiny"]) == 2
     assert capsys.readouterr().err.startswith(
