@@ -38,6 +38,7 @@ def bead(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path / "bead.mod"
 
 
+@pytest.mark.usefixtures("unrefined")
 def test_dips_are_told_with_place_depth_and_cause(bead: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["optimize", "bead.mod", "--target", "rapid"]) == 0
     lines = capsys.readouterr().out.splitlines()
