@@ -30,6 +30,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
         for kind in (DeprecationWarning, PendingDeprecationWarning, ResourceWarning):  # as where no test runs
             warnings.simplefilter("ignore", kind)
         patch.setattr(sys, "path", [*sys.path])
+        patch.setenv("COLUMNS", "92")  # as what is generated sets it, so that it is put back
         for name in ("http_proxy", "https_proxy", "all_proxy"):
             patch.setenv(name, "http://127.0.0.1:9")
         places = [f"{out / 'trees'}", f"{REPOSITORY / 'docs'}", f"{out / 'site'}"]
