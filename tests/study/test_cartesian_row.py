@@ -34,7 +34,7 @@ def from_carriage(plant: Plant, made: Attempt) -> tuple[Array, Array]:
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_every_axis_keeps_the_generators_limits_and_uses_them(name: str) -> None:
     """Mean accelerations between rows: 20 m/s2 at most and often exactly that; speeds continuous by the same token."""
-    case = case_of(name)
+    case = case_of(name, refined=False)
     v, t = from_carriage(case.plant, attempt(bang_bang_row(case)))
     a = np.diff(v, axis=0) / np.diff(t)[:, None]
     assert np.abs(v).max() <= 2.5 * (1 + 1e-9)
@@ -45,7 +45,7 @@ def test_every_axis_keeps_the_generators_limits_and_uses_them(name: str) -> None
 def test_the_joints_pay_for_it_and_the_judge_says_so() -> None:
     """Illegal for joint limits, for TCP caps that hold for each axis only, and for points passed at speed; legal in
     everything the thesis keeps: lines, waits, ends, the order of points."""
-    case = case_of("hinge_cell")
+    case = case_of("hinge_cell", refined=False)
     made = attempt(bang_bang_row(case))
     found = {finding.check for finding in broken(case, made)}
     assert "joint acceleration" in found
@@ -92,7 +92,7 @@ def test_one_move_takes_ruckigs_time_for_its_five_axes() -> None:
 
 def test_speed_is_kept_where_the_way_goes_on_and_only_there() -> None:
     """Down to p_n1_in and on down the line at its 0.5 m/s; up and then away level: a stop. At rest around waits."""
-    case = case_of("hinge_cell")
+    case = case_of("hinge_cell", refined=False)
     made = attempt(bang_bang_row(case))
     v, _ = from_carriage(case.plant, made)
     p = case.plant.robot.forward(made.trajectory.q)[:, :3, 3]
@@ -110,7 +110,7 @@ def test_speed_is_kept_where_the_way_goes_on_and_only_there() -> None:
 
 def test_where_the_way_turns_back_the_tool_stops() -> None:
     """The bench lifts a part to 200 mm and carries it down to 160 mm: no speed at the top, whenever it is there."""
-    case = case_of("bench_irb140")
+    case = case_of("bench_irb140", refined=False)
     made = attempt(bang_bang_row(case))
     v, _ = from_carriage(case.plant, made)
     top = made.program.motions[6]
@@ -129,7 +129,7 @@ def test_a_point_between_two_free_moves_is_passed() -> None:
     )
     from timed_rows import solver
 
-    case = Case(program, plant, solver(plant))
+    case = Case(program, plant, solver(plant, refined=False))
     made = attempt(bang_bang_row(case))
     v, _ = from_carriage(plant, made)
     p = plant.robot.forward(made.trajectory.q)[:, :3, 3]
@@ -139,7 +139,8 @@ def test_a_point_between_two_free_moves_is_passed() -> None:
     assert v[i, 1] < -0.5
     assert made.trajectory.qd is not None
     assert np.linalg.norm(plant.robot.jacobian(made.trajectory.q[i])[3:] @ made.trajectory.qd[i]) < 1e-9
-    alone_times = attempt(bang_bang_row(Case(replace(program, motions=program.motions[:2]), plant, solver(plant))))
+    first_two = Case(replace(program, motions=program.motions[:2]), plant, solver(plant, refined=False))
+    alone_times = attempt(bang_bang_row(first_two))
     assert made.trajectory.duration > alone_times.trajectory.duration
 
 

@@ -21,6 +21,8 @@ from trajopt_cli.study.ruckig_row import _drive, ruckig, ruckig_jerk
 from trajopt_cli.study.toppra_row import toppra
 from trajopt_cli.trajectory import Trajectory, hermite
 
+pytestmark = pytest.mark.usefixtures("coarse")
+
 # Corners of joint move and line, of two lines, of line and arc; an arc passed at both ends; then a stop.
 BODY = """MoveJ p_in, v2500, z50, tGrip;
 MoveL Offs(p_in,0,0,-60), v500, z10, tGrip;

@@ -89,7 +89,7 @@ def test_a_tcp_cap_slows_the_move_no_more_than_it_must() -> None:
     """A cap of 1 m/s on a joint move: used to within a percent, and everything else as before."""
     plant = plant_with_rail(tcp=TcpCaps(1.0, 20.0), free_speed=True)
     program = rapid("MoveJ p_in, vmax, fine, tool0;\nMoveAbsJ j_home, vmax, fine, tool0;")
-    case = Case(program, plant, solver(plant))
+    case = Case(program, plant, solver(plant, refined=False))
     made = attempt(ruckig(case)).trajectory
     assert made.qd is not None
     v = np.linalg.norm((plant.robot.jacobian(made.q) @ made.qd[..., None])[:, :3, 0], axis=1)
