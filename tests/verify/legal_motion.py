@@ -11,6 +11,7 @@ from functools import cache
 
 import numpy as np
 
+from trajopt_cli.findings import Report
 from trajopt_cli.geometry import Array, axis_angle, pose, rotation_about
 from trajopt_cli.limits import JointLimits, TcpCaps
 from trajopt_cli.motion import (
@@ -37,6 +38,7 @@ from trajopt_cli.robot.inverse import inverse
 from trajopt_cli.robot.kinematics import forward_acceleration, inverse_velocity
 from trajopt_cli.robot.model import load_robot
 from trajopt_cli.trajectory import Trajectory
+from trajopt_cli.verify.judge import verify
 
 HOME = np.array([0, 0, 0, 0, 0, np.pi / 6])
 DOWN = rotation_about([0, 1, 0], np.pi)
@@ -223,6 +225,12 @@ def self_motion(
     return Piece(T, at, **more)
 
 
+def judged(program: Program, plant: Plant, *given: object, **more: object) -> Report:
+    """What the judge says of a robot that is not held against itself, which takes a quarter of its time; no advice."""
+    bare = replace(plant, robot=replace(plant.robot, self_pairs=()))
+    return verify(program, bare, *given, **{"advice": False, **more})  # type: ignore[arg-type]
+
+
 def rows_of(plant: Plant, pieces: Sequence[Piece], step: float = 4e-3, grid_only: bool = False) -> Trajectory:
     """Rows of all pieces: our own format, or (grid_only) the bare grid and the exact end."""
     starts = np.cumsum([0.0] + [piece.T for piece in pieces])
@@ -231,7 +239,8 @@ def rows_of(plant: Plant, pieces: Sequence[Piece], step: float = 4e-3, grid_only
         marks += [start + np.array(piece.switches) for start, piece in zip(starts, pieces, strict=False)]
     marked = np.unique(np.concatenate(marks)) if not grid_only else np.array([0.0, starts[-1]])
     grid = np.arange(int(starts[-1] / step) + 1) * step
-    near = np.abs(grid[:, None] - marked[None, :]).min(axis=1) < 1e-5
+    after = np.searchsorted(marked[1:-1], grid) + 1
+    near = np.minimum(np.abs(grid - marked[after - 1]), np.abs(grid - marked[after])) < 1e-5
     t = np.unique(np.r_[grid[~near], marked])
     q, qd = np.empty((len(t), len(plant.limits.names))), np.empty((len(t), len(plant.limits.names)))
     which = np.clip(np.searchsorted(starts, t, side="right") - 1, 0, len(pieces) - 1)

@@ -315,7 +315,7 @@ def stopped_on_points() -> Case:
 
 
 @cache
-def contour(n: int = 100, zone: Zone = Z1, v: float = 0.05) -> Case:
+def contour(n: int = 75, zone: Zone = Z1, v: float = 0.05) -> Case:
     """Chords of 2 mm along a screw of 1.2 mm pitch: every turn comes near all the points of the one before."""
     phi = 0.1 * np.arange(n + 1)
     X = [P0, *(down(0.43 + 0.02 * np.cos(x), 0.02 * np.sin(x), 0.4 - 2e-5 * k) for k, x in enumerate(phi) if k)]

@@ -4,27 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
 
 import numpy as np
-from legal_motion import (
-    Case,
-)
+from legal_motion import Case
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.trajectory import Trajectory
-from trajopt_cli.verify.judge import verify as verify_with_advice
-
-verify = partial(verify_with_advice, advice=False)
-
 
 Judged = tuple[Case, Trajectory, Target | None]
 SPOILED: dict[str, tuple[Callable[[], Judged], str, str | None, int | None]] = {}
 OVER = 1.1  # times what is promised
-verify = partial(verify_with_advice, advice=False)
 
 
 def spoiled(check: str, subject: str | None = "TCP", line: int | None = None) -> Callable[..., Callable[[], Judged]]:

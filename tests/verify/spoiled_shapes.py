@@ -23,7 +23,8 @@ from legal_motion import (
     rapid_case,
     trapezoid,
 )
-from spoil_book import OVER, Judged, edited, limited, row_in, spoiled, verify
+from legal_motion import judged as verify
+from spoil_book import OVER, Judged, edited, limited, row_in, spoiled
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.limits import TcpCaps

@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from legal_motion import Case, bench_case, move_l, rapid_case
+from legal_motion import judged as verify
 from legal_runs import P0, P1, P2, Z10, run_case
-from spoil_book import verify
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Program, Settings

@@ -29,7 +29,8 @@ from legal_motion import (
     ride,
     wait,
 )
-from spoil_book import OVER, limited, verify
+from legal_motion import judged as verify
+from spoil_book import OVER, limited
 from spoiled_holds import in_the_wait, rail_rides_through_a_held_wait
 
 from trajopt_cli.errors import InputError

@@ -24,12 +24,14 @@ from legal_motion import (
     rapid_case,
     stream_case,
 )
-from spoil_book import OVER, SPOILED, verify
+from legal_motion import judged as verify
+from spoil_book import OVER, SPOILED
 from spoiled_holds import in_the_joint_move, in_the_wait, on_the_line
 from spoiled_stops import short_of
 
 from trajopt_cli.findings import Report
 from trajopt_cli.joint_csv import header, read_csv_text
+from trajopt_cli.verify import judge
 from trajopt_cli.verify import tolerances as tol
 
 REGISTERED = (spoiled_holds, spoiled_runs, spoiled_shapes, spoiled_stops)  # importing them fills SPOILED
@@ -154,7 +156,7 @@ def test_an_offence_in_a_run_is_told_by_one_check(name: str) -> None:
 
 def test_every_check_of_a_stream_is_broken_by_one_of_them_or_in_a_file_of_its_own() -> None:
     case = stream_case()
-    made = {f.check for f in verify(case.program, case.plant, case.rows()).findings}
+    made = {f.check for f in judge.verify(case.program, case.plant, case.rows()).findings}
     elsewhere = {"printed resolution", "programmed reorientation", "self clearance"}
     assert made - {check for _, check, *_ in SPOILED.values()} == elsewhere
 
