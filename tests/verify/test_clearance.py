@@ -87,13 +87,24 @@ def one(plant: Plant, trajectory: Trajectory) -> Finding:
 
 
 def brute_force(plant: Plant, obstacle: Solid, trajectory: Trajectory, step: float) -> float:
-    """Least distance at samples `step` apart, by poses of pin; the depth in a mesh is that in its surface."""
+    """Least distance at samples `step` apart, by poses of pin; the depth in a mesh is that in its surface.
+
+    Every tenth sample is looked at first. In ten steps no point goes farther than `way`, at 10 m/s: where the distance
+    is more than that above the least one, the samples that follow are not looked at.
+    """
+    times = np.arange(trajectory.t[0], trajectory.t[-1], step)
+    some = distances(plant, obstacle, hermite(trajectory, times[::10])[0])
+    way = 10 * step * 10.0
+    near = np.repeat(some < some.min() + way, 10)[: len(times)]
+    return float(distances(plant, obstacle, hermite(trajectory, times[near])[0]).min())
+
+
+def distances(plant: Plant, obstacle: Solid, q: Array) -> Array:
+    """Of the robot from the obstacle (n,)."""
     import pinocchio as pin
 
     model = plant.robot.pin_model
     data = model.createData()
-    times = np.arange(trajectory.t[0], trajectory.t[-1], step)
-    q = hermite(trajectory, times)[0]
     names = [*plant.robot.link_names, "tool0"]
     bodies: list[tuple[int, Shape]] = [(i, plant.robot.capsules[n]) for i, n in enumerate(names[:-1])]
     bodies = [(i, shape) for i, shape in bodies if names[i] not in obstacle.ignore and (i or plant.robot.has_rail)]
@@ -103,7 +114,7 @@ def brute_force(plant: Plant, obstacle: Solid, trajectory: Trajectory, step: flo
     for row, out in zip(q, X, strict=True):
         pin.framesForwardKinematics(model, data, row)
         out[:] = [data.oMf[i].homogeneous for i in ids]
-    return min(float(Pair(shape, obstacle.shape).distances(X[:, i], solid=False).min()) for i, shape in bodies)
+    return np.min([Pair(shape, obstacle.shape).distances(X[:, i], solid=False) for i, shape in bodies], axis=0)
 
 
 @pytest.mark.parametrize("rail", [False, True])
@@ -297,7 +308,7 @@ def test_a_posture_that_bends_the_hand_into_the_base_is_a_hit() -> None:
     data = robot.pin_model.createData()
     worst: dict[tuple[str, str], float] = {}
     trajectory = quintic_move(plant, [HOME, folded], 0.4, 5e-3)
-    for row in trajectory.q:
+    for row in trajectory.q[::-4]:  # the last one folds it most
         pin.framesForwardKinematics(robot.pin_model, data, row)
         ends = {}
         for name, capsule in robot.capsules.items():
@@ -338,25 +349,25 @@ def test_no_point_moves_farther_than_the_bound(rng: np.random.Generator) -> None
     """The ground the sweep stands on: dense samples of random intervals, every body, seen from every link below it."""
     for name in ("irb140_rail", "irb140"):
         robot = load_robot(name, pose(rotation_about([0, 0.6, 0.8], 0.5), [0.1, 0.2, 0.3]))
-        k = len(robot.axis_names)
+        k, mechanism = len(robot.axis_names), Mechanism(robot.urdf, robot.X_WR)
+        bodies = [Body(n, robot.capsules[n], i) for i, n in enumerate(robot.link_names)]
         tightest = 0.0
-        for _ in range(6):
+        for _ in range(4):
             n = 6
             t = np.cumsum(rng.uniform(0.01, 0.2, n))
             q = np.cumsum(rng.uniform(-0.3, 0.3, (n, k)), axis=0)
             trajectory = Trajectory(robot.axis_names, t, q, rng.normal(size=(n, k)) * 3)
             course = Course(trajectory)
             nodes = np.array([[0, 5], [1, 3], [2, 3], [2.25, 2.5], [3.5, 4], [4.875, 5]], dtype=float)
-            look = _Look(Mechanism(robot.urdf, robot.X_WR), course, nodes)
-            bodies = [Body(n, robot.capsules[n], i) for i, n in enumerate(robot.link_names)]
+            look = _Look(mechanism, course, nodes)
             for i, (s_0, s_1) in enumerate(nodes):
-                s = np.r_[look.middle[i], np.linspace(s_0, s_1, 200)]
+                s = np.r_[look.middle[i], np.linspace(s_0, s_1, 100)]
                 X = link_poses(robot, course.at(s))
                 for body in bodies:
                     for since in range(-1, body.frame):
                         seen = X[:, body.frame] if since < 0 else inverse_pose(X[:, since]) @ X[:, body.frame]
                         ends = np.array([body.shape.a, body.shape.b])
-                        skin = rng.normal(size=(20, 3))
+                        skin = rng.normal(size=(10, 3))
                         skin *= body.shape.radius / np.linalg.norm(skin, axis=1, keepdims=True)
                         points = np.concatenate([ends + one for one in skin])
                         placed = points @ np.swapaxes(seen[:, :3, :3], 1, 2) + seen[:, None, :3, 3]
