@@ -90,7 +90,7 @@ def test_memory_does_not_grow_with_the_looks_that_a_motion_takes(monkeypatch: py
     plant = replace(plant_without_rail(), obstacles=(beside,), clearance=0.0)
     moving = to_and_fro(plant, 200)
     peaks = []
-    for looks in (4_000, 16_000):
+    for looks in (4_000, 12_000):
         for module in (sweep, clearance):
             monkeypatch.setattr(module, "LOOKS", looks)
         tracemalloc.start()
