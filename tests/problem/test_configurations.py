@@ -221,7 +221,7 @@ def test_after_a_free_move_the_nearest_configuration_is_where_it_goes_on() -> No
     assert [f.misfit for f in findings(free, to(END, MoveL, conf=ConfData(0, -2, -2, 1)))] == [Misfit.FLIP]
 
 
-def newton(X_0: Array, X_1: Array, X_FT: Array, q: Array, samples: int = 200) -> Array:
+def newton(X_0: Array, X_1: Array, X_FT: Array, q: Array, samples: int = 60) -> Array:
     """Joints at the end of a line, by Newton's method from sample to sample: no closed form, no branches."""
     robot, q = BENCH_PLANT.robot, q.copy()
     for X_WT in Line(X_0 @ X_FT, X_1 @ X_FT).pose(np.linspace(0, 1, samples)):

@@ -35,6 +35,7 @@ from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.judge import verify
 
 PLANT = plant_without_rail()
+PLANT = replace(PLANT, robot=replace(PLANT.robot, self_pairs=()))  # see judged of legal_motion
 P_1, ON_TABLE = down(0.48, 0.05, 0.40), down(0.50, 0.10, 0.38, 0.2)
 AT = Source("cell.mod", 14, 5)
 WRITTEN = Written(Span("t.mod", 0, 1))
