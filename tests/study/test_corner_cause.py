@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from unrefined import coarse_grids
 
 from trajopt_cli.findings import Report
 from trajopt_cli.job import Job, read_job
@@ -42,7 +41,7 @@ def job_of(zone: str, folder: Path) -> Job:
 @pytest.fixture(scope="module")
 def compared(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Comparison]:
     """All rows of the program with z20, taken as legal whatever the judge says."""
-    with pytest.MonkeyPatch.context() as patch, coarse_grids():
+    with pytest.MonkeyPatch.context() as patch:
         patch.setattr("trajopt_cli.beside.cores", lambda: 1)
         patch.setattr(comparison, "judge", lambda *_, **__: Report(()))
         yield compare(job_of("z20", tmp_path_factory.mktemp("made")), lambda *_: None)
