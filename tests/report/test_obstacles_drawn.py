@@ -51,8 +51,8 @@ def test_a_surface_is_cut_at_the_edge_of_what_is_shown() -> None:
 def test_path_and_arm_show_them() -> None:
     program, plan = planned()
     with_bodies, without = (follow(program, replace(PLANT, obstacles=one), plan, "") for one in (PLANT.obstacles, ()))
-    for course, count in ((with_bodies, 3), (without, 0)):
-        figure = in_space.path(course)
+    pictures = [in_space.path(course) for course in (with_bodies, without)]
+    for course, figure, count in zip((with_bodies, without), pictures, (3, 0), strict=True):
         world, carriage = figure.axes[0], figure.axes[1]
         drawn = [one for one in world.patches if isinstance(one, Polygon) and one.get_gid() == "obstacle"]
         assert len(drawn) == 2 * count  # filled, and their outlines
@@ -64,7 +64,7 @@ def test_path_and_arm_show_them() -> None:
         faces = [one for one in space.axes[0].collections if one.get_gid() == "obstacle"]
         assert len(faces) == count
         assert ("obstacles" in [text.get_text() for text in space.legends[0].get_texts()]) == bool(count)
-    table = next(one for one in in_space.path(with_bodies).axes[0].patches if one.get_gid() == "obstacle")
+    table = next(one for one in pictures[0].axes[0].patches if one.get_gid() == "obstacle")
     y, z = table.get_xy().T  # mm; the side view
     np.testing.assert_allclose([z.min(), z.max()], [150, 250], atol=1e-3)
     np.testing.assert_allclose(y.mean() > 300, y.mean() < 700)

@@ -94,14 +94,6 @@ def test_each_picture_comes_twice_and_small(with_rail: dict[str, bytes]) -> None
     assert max(len(content) for name, content in with_rail.items() if name.endswith("svg")) < 400_000
 
 
-def test_without_a_rail_nothing_speaks_of_one() -> None:
-    assert PICTURES["rail"](course(BARE)) is None
-    figures = [figure(name, rail=False) for name in PICTURES if name != "rail"]
-    words = [text.get_text().lower() for made in figures for text in made.findobj(matplotlib.text.Text)]
-    assert any("time" in text for text in words)
-    assert [text for text in words if "rail" in text or "carriage" in text] == []
-
-
 def test_the_same_plan_gives_the_same_bytes_whatever_the_users_style(monkeypatch: pytest.MonkeyPatch) -> None:
     """And the style is put back. One picture here, all of them in another process. Without a rail, none of it."""
     monkeypatch.setattr(
@@ -252,27 +244,6 @@ def test_colour_blind_readers_can_tell_the_curves_apart(seen: np.ndarray, styles
         # 2.3 is just noticeable; thin lines need several times as much, and a line style of their own.
         assert difference > 12, (a, b, difference)
         assert dash_a != dash_b or difference > 30, (a, b)
-
-
-@pytest.mark.parametrize("picture", PICTURES)
-def test_texts_are_legible_at_half_size_and_inside_the_page(picture: str) -> None:
-    with style.house_style():
-        made = figure(picture)
-        made.draw_without_rendering()
-        # A tick outside the range keeps its text and is not drawn.
-        ticks = [t for axes in made.axes for t in (*axes.get_xticklabels(), *axes.get_yticklabels())]
-        ticks += [t for axes in made.axes if axes.name == "3d" for t in axes.get_zticklabels()]
-        # The extent of a text inside a 3-D picture is not in pixels of the page.
-        texts = [t for t in made.findobj(matplotlib.text.Text) if t not in ticks and type(t).__name__ != "Text3D"]
-        shown = [t for t in texts if t.get_visible() and t.get_text().strip()]
-        page = made.bbox.padded(1)
-        outside = []
-        for text in shown:
-            box = text.get_window_extent()
-            if not (page.x0 <= box.x0 and box.x1 <= page.x1 and page.y0 <= box.y0 and box.y1 <= page.y1):
-                outside.append(text.get_text())
-    assert min(text.get_fontsize() for text in shown) >= 10
-    assert outside == []
 
 
 ROWS = [

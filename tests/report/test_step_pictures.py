@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from itertools import combinations, pairwise
 from pathlib import Path
 
@@ -73,6 +74,14 @@ def drawn(picture: str, case: Read) -> Figure:
         return STEP_PICTURES[picture](steps.steps_of(*case, "part"))
 
 
+@cache
+def drawn_line(picture: str) -> Figure:
+    """The shipped line's, which has the most points; nobody changes it."""
+    program = read_program(PROGRAMS / "hinge_line.mod", Scenario())
+    plant = build_plant(load_cell(PROGRAMS / "hinge_line.yaml"))
+    return drawn(picture, (program, plant, analyse(program, plant)))
+
+
 def test_speeds_are_those_written_and_the_rail_alone_is_marked(case: Read) -> None:
     """p_1 to p_2 is a 30-40-120 box at v500; to p_3 only the rail moves, 2 s; to p_4 340 mm at v200 beside 1 s + 0.5 m.
 
@@ -129,20 +138,16 @@ def test_paths_go_through_the_points_in_both_spaces_and_tell_the_parts_apart(cas
 
 
 def test_the_lines_sums_stand_in_its_pictures() -> None:
-    program = read_program(PROGRAMS / "hinge_line.mod", Scenario())
-    plant = build_plant(load_cell(PROGRAMS / "hinge_line.yaml"))
-    figure = drawn("steps_speed", (program, plant, analyse(program, plant)))
+    figure = drawn_line("steps_speed")
     assert any("arm 5.557 s + rail 4.000 s = 9.557 s" in text.get_text() for text in figure.texts)
     assert curve(figure, "speed")[-1, 0] == pytest.approx(9.557, abs=0.01)
 
 
 @pytest.mark.parametrize("picture", STEP_PICTURES)
 def test_names_stand_apart_and_inside_the_page(picture: str) -> None:
-    """The shipped line has the most points; no two names touch, and all of them are shown."""
-    program = read_program(PROGRAMS / "hinge_line.mod", Scenario())
-    plant = build_plant(load_cell(PROGRAMS / "hinge_line.yaml"))
-    figure = drawn(picture, (program, plant, analyse(program, plant)))
-    figure.canvas.draw()
+    """No two names touch, and all of them are shown."""
+    figure = drawn_line(picture)
+    figure.draw_without_rendering()
     page = figure.bbox.padded(1)
     shown = 0
     for axes in figure.axes:
