@@ -7,7 +7,7 @@ from itertools import pairwise, product
 import numpy as np
 import pinocchio as pin
 import pytest
-from joint_ways import HOME, H, line, product_forward, quintic, sequence, spin
+from joint_ways import HOME, line, product_forward, quintic, sequence, spin
 from scipy.interpolate import CubicSpline
 from scipy.optimize import minimize
 
@@ -22,6 +22,7 @@ from trajopt_cli.robot.dynamics import Dynamics, ToolLoad
 from trajopt_cli.robot.srs import load_srs
 from trajopt_cli.robot.srs_inverse import ArmAngle, arm_angle, configuration, inverse_branch
 
+H = 2e-3
 ROBOT = load_srs("iiwa7")
 LIMITS = ROBOT.profile()
 FLANGE = np.eye(4)
@@ -37,7 +38,7 @@ WAYS = {
 
 def way_of(name: str) -> tuple[Equilibrium, Array]:
     start, by, turn, seconds = WAYS[name]
-    return line(ROBOT.forward(start), np.array(by), np.array(turn), seconds), start
+    return line(ROBOT.forward(start), np.array(by), np.array(turn), seconds, H), start
 
 
 def chosen(way: Equilibrium, start: Array, goal: Goal, definition: ArmAngle = ArmAngle.FARIA) -> Followed:
@@ -111,7 +112,7 @@ def test_a_chosen_course_is_right_in_every_row(
     np.testing.assert_allclose(q[0], start, rtol=0, atol=1e-9)
     model, frame = ROBOT.pin_model, ROBOT.pin_model.getFrameId("tool0")
     data = model.createData()
-    for row in range(0, len(q), 50):  # a second library's forward kinematics
+    for row in range(0, len(q), 25):  # a second library's forward kinematics
         pin.framesForwardKinematics(model, data, q[row])
         np.testing.assert_allclose(data.oMf[frame].homogeneous, answer.X_WF[row], rtol=0, atol=1e-9)
     X = product_forward(q)
@@ -133,7 +134,7 @@ def figures_of(q: Array) -> tuple[float, float, float]:
     """Least distance from a limit, mean square of speeds and of holding torques, as shares."""
     room = np.minimum(LIMITS.upper - q, q - LIMITS.lower)[:, FREE].min()
     speed = np.square(np.diff(q, axis=0) / H / LIMITS.velocity).sum(axis=1).mean()
-    torque = np.square(Dynamics(ROBOT, LOAD).gravity_torque(q[::10]) / ROBOT.torque).sum(axis=1).mean()
+    torque = np.square(Dynamics(ROBOT, LOAD).gravity_torque(q[::5]) / ROBOT.torque).sum(axis=1).mean()
     return float(room), float(speed), float(torque)
 
 
@@ -159,7 +160,8 @@ def test_the_figures_are_those_of_the_joints(name: str, answers: dict[tuple[str,
     room, speed, _ = figures_of(q)
     assert best.margin == pytest.approx(room, rel=1e-9)
     assert best.steady == pytest.approx(np.sqrt(speed), rel=1e-9)
-    held = np.array([pin.computeGeneralizedGravity(*_with_load(), one) for one in q])
+    model, data = _with_load()
+    held = np.array([pin.computeGeneralizedGravity(model, data, one) for one in q])
     assert best.effort == pytest.approx(np.sqrt(np.square(held / ROBOT.torque).sum(axis=1).mean()), rel=1e-3)
     assert best.gravity == pytest.approx(np.abs(held / ROBOT.torque).max(), rel=1e-3)
     azimuth, tilt = q[:, 0], q[:, 1]
@@ -194,37 +196,31 @@ def test_the_least_joint_speed_is_what_another_optimiser_finds(answers: dict[tup
 
     def cost(values: Array) -> float:
         spline = CubicSpline(knots, [begin, *values], bc_type=((1, 0.0), (1, 0.0)))
-        q = inverse_branch(ROBOT, answer.X_WF[::10], spline(np.arange(0, n, 10)), ArmAngle.FARIA, branch)
-        return float(np.square(np.diff(np.unwrap(q, axis=0), axis=0) / LIMITS.velocity / H).sum() / 10)
+        q = inverse_branch(ROBOT, answer.X_WF[::5], spline(np.arange(0, n, 5)), ArmAngle.FARIA, branch)
+        return float(np.square(np.diff(np.unwrap(q, axis=0), axis=0) / LIMITS.velocity / H).sum() / 5)
 
     other = minimize(cost, np.full(10, begin), method="BFGS").fun
-    ours = np.square(np.diff(answer.trajectory.q[::10], axis=0) / LIMITS.velocity / H).sum() / 10
+    ours = np.square(np.diff(answer.trajectory.q[::5], axis=0) / LIMITS.velocity / H).sum() / 5
     assert ours <= 1.01 * other
     assert other < 0.97 * cost(np.full(10, begin))
 
 
 def widest(X_WF: Array, start: Array) -> float:
     """Greatest least distance from a limit by floods over another grid, thresholds by bisection, no smoothness."""
-    rows, m = np.arange(0, len(X_WF), 40), 500
+    rows, m = np.arange(0, len(X_WF), 20), 500
     grid = float(arm_angle(ROBOT, start, ArmAngle.FARIA)) + 2 * np.pi / m * np.arange(m)
     q = inverse_branch(
         ROBOT, np.repeat(X_WF[rows], m, 0), np.tile(grid, len(rows)), ArmAngle.FARIA, int(configuration(start))
     ).reshape(len(rows), m, 7)
     room = np.minimum(LIMITS.upper - q, q - LIMITS.lower)[..., FREE].min(axis=-1)
-    within, offsets = LIMITS.velocity * 40 * H, range(-7, 8)
-    ways = [
-        [(np.abs(now - np.roll(before, offset, axis=0)) <= within).all(axis=1) for offset in offsets]
-        for before, now in pairwise(q)
-    ]
+    near = (np.arange(m) - np.arange(-7, 8)[:, None]) % m  # the cells that each may be got to from
+    ways = [(np.abs(now - before[near]) <= LIMITS.velocity * 20 * H).all(axis=-1) for before, now in pairwise(q)]
     low, high = 0.0, float(room[0, 0])
     for level in [high, *[None] * 12]:
         level = (low + high) / 2 if level is None else level
         wet = (np.arange(m) == 0) & (room[0] >= level)
-        for i in range(1, len(rows)):
-            rising = np.zeros(m, dtype=bool)
-            for offset, way in zip(offsets, ways[i - 1], strict=True):
-                rising |= np.roll(wet, offset) & way
-            wet = rising & (room[i] >= level)
+        for way, here in zip(ways, room[1:], strict=True):
+            wet = (wet[near] & way).any(axis=0) & (here >= level)
         low, high = (level, high) if wet.any() else (low, level)
     return low
 
@@ -270,7 +266,7 @@ def test_a_finer_grid_is_hardly_better(answers: dict[tuple[str, Goal], Followed]
 
 
 def test_a_standing_arm_keeps_its_arm_angle() -> None:
-    answer = chosen(spin(ROBOT.forward(HOME), np.zeros(301)), HOME, Goal.SPEED)
+    answer = chosen(spin(ROBOT.forward(HOME), np.zeros(151), H), HOME, Goal.SPEED)
     assert plan_of(answer).held == "no smooth course is better"
     assert np.ptp(answer.arm_angle) == 0
     assert answer.notes[0] == "the arm angle stays at 0.00°: no smooth course is better"
@@ -278,7 +274,7 @@ def test_a_standing_arm_keeps_its_arm_angle() -> None:
 
 def test_a_way_with_hardly_any_room_is_gone() -> None:
     """joint_7 would have to turn by 225 deg: what the arm angle can take of it ends less than 2 deg from a limit."""
-    answer = chosen(line(ROBOT.forward(HOME), np.zeros(3), np.array([0, 0, -3.92]), 6.0), HOME, Goal.SPEED)
+    answer = chosen(line(ROBOT.forward(HOME), np.zeros(3), np.array([0, 0, -3.92]), 6.0, H), HOME, Goal.SPEED)
     assert not stops_loop(answer.findings)
     assert 0 < plan_of(answer).best.margin < np.radians(2.0)
 
@@ -286,7 +282,7 @@ def test_a_way_with_hardly_any_room_is_gone() -> None:
 @pytest.mark.parametrize("goal", Goal)
 @pytest.mark.parametrize("rows", [2, 3, 4, 30])
 def test_short_sequences_are_followed(rows: int, goal: Goal) -> None:
-    answer = chosen(line(ROBOT.forward(BENT), np.array([0, 1e-6, 0]), np.zeros(3), (rows - 1) * H), BENT, goal)
+    answer = chosen(line(ROBOT.forward(BENT), np.array([0, 1e-6, 0]), np.zeros(3), (rows - 1) * H, H), BENT, goal)
     assert len(answer.arm_angle) == rows
     assert not stops_loop(answer.findings)
     np.testing.assert_allclose(product_forward(answer.trajectory.q), answer.X_WF, rtol=0, atol=1e-9)
@@ -296,9 +292,9 @@ def test_a_sequence_whose_speed_steps_has_a_course() -> None:
     """Profile thesis: accelerations fail in the first and the last row whatever the arm angle, and nowhere else."""
     by = np.array([0.1, 0.15, -0.05])
     X = ROBOT.forward(BENT)
-    share = np.linspace(0, 1, 1501)[:, None]
+    share = np.linspace(0, 1, 751)[:, None]
     way = sequence(
-        np.hstack([X[:3, 3] + share * by, np.zeros((1501, 3))]), np.tile(np.eye(3), (1501, 1, 1)),
+        np.hstack([X[:3, 3] + share * by, np.zeros((751, 3))]), np.tile(np.eye(3), (751, 1, 1)),
         AngleMeaning.RELATIVE, H,
     )  # fmt: skip
     answer = chosen(way, BENT, Goal.SPEED)
@@ -317,7 +313,7 @@ def test_both_definitions_of_the_arm_angle_give_the_same_joints(answers: dict[tu
 def test_none_is_found_where_every_arm_angle_is_out_of_range() -> None:
     """The start and the way of a flood that ends: see test_arm_course."""
     start = np.radians([-65.7, 26.1, -112.7, -78.3, -113.4, -69.1, 74.0])
-    way = line(ROBOT.forward(start), np.array([-0.077, -0.004, -0.029]), np.array([-0.732, -1.136, -1.591]), 4.0)
+    way = line(ROBOT.forward(start), np.array([-0.077, -0.004, -0.029]), np.array([-0.732, -1.136, -1.591]), 4.0, H)
     answer = chosen(way, start, Goal.LIMITS)
     assert answer.plan is None
     assert stops_loop(answer.findings)
@@ -328,7 +324,7 @@ def test_none_is_found_where_every_arm_angle_is_out_of_range() -> None:
 @pytest.mark.parametrize("goal", Goal)
 def test_the_start_itself_out_of_range_is_said(goal: Goal) -> None:
     start = np.array([*HOME[:6], np.radians(178.0)])
-    answer = chosen(spin(ROBOT.forward(start), quintic(501) * 0.1), start, goal)
+    answer = chosen(spin(ROBOT.forward(start), quintic(251) * 0.1, H), start, goal)
     assert answer.plan is None
     assert answer.notes[0] == (
         "no course of the arm angle was found: at t = 0.000 s (a -> b, 0 % of the way) the arm angle of the start"
