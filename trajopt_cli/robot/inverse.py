@@ -238,13 +238,12 @@ def solutions(robot: RobotModel, X_WF: Array, rail: float | None, limits: JointL
     if robot.has_rail and rail is not None and not _within(rail, limits.lower[0], limits.upper[0]):
         return []
     branches = inverse(robot, X_WF[None], None if rail is None else np.array([rail]))[0]
-    found: list[tuple[int, Array]] = []
+    found: dict[tuple[float, ...], tuple[int, Array]] = {}
     for cfx, branch in enumerate(branches):
         turned = representatives(branch, limits.lower[-6:], limits.upper[-6:])
         for q in turned[limits.couplings.arm(robot.layout.arm).within(turned)]:
-            if not any(np.array_equal(q, other) for _, other in found):
-                found.append((cfx, q))
-    return found
+            found.setdefault(tuple(q.tolist()), (cfx, q))
+    return list(found.values())
 
 
 def _within(value: float, low: float, high: float) -> bool:
