@@ -16,7 +16,7 @@ from trajopt_cli.robot.inverse import inverse, solutions
 from trajopt_cli.robot.kinematics import singularity
 from trajopt_cli.robot.parallel_arm import bent
 
-MANY = 3000
+MANY = 1000
 TURN = 2 * np.pi
 
 
