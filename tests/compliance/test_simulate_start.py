@@ -15,7 +15,7 @@ from trajopt_cli.robot.srs import load_srs
 
 TASK = """\
 start: {{joints: "[0, 30, 0, -100, 0, 50, 0] deg"}}
-h: 2 ms
+h: 4 ms
 approach: none
 profile: trapezoid
 rotation: {rotation}
@@ -70,6 +70,6 @@ def test_the_law_alone_begins_where_the_loop_does(
 
 def test_runs_end_together_however_long_the_last_pose_is_held(tmp_path: Path) -> None:
     job = opened(tmp_path, "tait-bryan", "relative")
-    runs = [run_controller(job, None, engine, Feed.POSITION, None, 0.0024) for engine in (None, "spring")]
+    runs = [run_controller(job, None, engine, Feed.POSITION, None, 0.0048) for engine in (None, "spring")]
     rows = [len(run.x) for run in runs if isinstance(run, Simulated)]
     assert rows == [len(job.equilibrium.pose) + 2] * 2

@@ -58,7 +58,7 @@ def simulated(tmp_path: Path, goal: str, rest: str, *options: str) -> dict[str, 
 def test_links_in_an_obstacle_are_told(tmp_path: Path, engine: str, capsys: pytest.CaptureFixture[str]) -> None:
     if engine == "mujoco":
         pytest.importorskip("mujoco")
-    found = simulated(tmp_path, "[0, 0, 0.15, 0, 0, 0]", BEAM, "--engine", engine, "--settle", "0.5")
+    found = simulated(tmp_path, "[0, 0, 0.15, 0, 0, 0]", BEAM, "--engine", engine, "--settle", "0.2")
     out = capsys.readouterr().out
     assert "the tool touches nothing" in out
     links = found["links_in_obstacles"]
@@ -94,7 +94,7 @@ def test_the_tools_distance_is_where_the_arm_stands_and_the_controllers_beside_i
 ) -> None:
     """From the joints in simulation.csv by forward kinematics, while the depth is above zero."""
     pytest.importorskip("mujoco")
-    found = simulated(tmp_path, "[0, 0, -0.08, 0, 0, 0]", PLATE, "--engine", "mujoco", "--settle", "1")
+    found = simulated(tmp_path, "[0, 0, -0.08, 0, 0, 0]", PLATE, "--engine", "mujoco", "--settle", "0.4")
     heads, *rows = (tmp_path / "out" / "simulation.csv").read_text().splitlines()
     table = dict(zip(heads.split(","), np.array([row.split(",") for row in rows], dtype=float).T, strict=True))
     q = np.column_stack([table[f"joint_{i} [rad]"] for i in range(1, 8)])

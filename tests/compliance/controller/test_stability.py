@@ -27,10 +27,10 @@ def all_axes(k: float, d: float, m: float) -> Compliance:
 
 @pytest.mark.parametrize("integration", Integration)
 def test_verdicts_and_poles_are_those_of_the_eigenvalues(integration: Integration) -> None:
-    """1200 draws over decades of k, d, m, h, half of them near a bound; hand guiding and no damping among them."""
+    """500 draws over decades of k, d, m, h, half of them near a bound; hand guiding and no damping among them."""
     rng = np.random.default_rng(7)
     seen = set()
-    for draw in range(1200):
+    for draw in range(500):
         m, h = 10 ** rng.uniform(-1, 2), 10 ** rng.uniform(-3, -1)
         k = 0.0 if draw % 7 == 0 else 10 ** rng.uniform(0, 4)
         d = 10 ** rng.uniform(-1, 4)
@@ -79,7 +79,7 @@ def test_single_cases_on_the_bounds(k: float, d: float, m: float, h: float, verd
 
 def test_the_largest_period_is_where_the_poles_leave_the_circle() -> None:
     rng = np.random.default_rng(8)
-    for _ in range(300):
+    for _ in range(120):
         k, d, m = 10 ** rng.uniform(0, 4), 10 ** rng.uniform(0, 4), 10 ** rng.uniform(-1, 2)
         h = largest_period(k, d, m)
         inside, outside = (

@@ -79,7 +79,7 @@ def test_a_load_of_points_moves_as_pins(crooked, X_FT, floor, moments):
 def test_a_tool_of_points_presses_with_stiffness_times_depth(smooth, X_FT, floor):
     world = MujocoWorld(smooth, X_FT, ToolLoad(0.8, COM, np.zeros((3, 3))), floor(0.002, 2e4, 200.0), H)
     world.reset(START)
-    for _ in range(1500):
+    for _ in range(1100):
         measured = world.step(START)
     assert measured.contact[2] == pytest.approx(2e4 * measured.depth, rel=1e-6)
     assert measured.depth > 5e-4
@@ -132,7 +132,7 @@ def test_the_hardest_contact_that_is_taken_takes_the_finest_steps_and_holds(
     world = MujocoWorld(iiwa7, X_FT, load, floor(0.001, *hardest, 0.0), H)
     world.reset(START)
     assert world.model.opt.timestep == pytest.approx(FINEST, rel=0.05)
-    for _ in range(300):
+    for _ in range(120):
         measured = world.step(START)
     assert 1.0 < measured.contact[2] < 200.0
     np.testing.assert_allclose(measured.q, START, rtol=0, atol=0.02)
@@ -157,7 +157,7 @@ def test_a_state_that_is_none_stays_none_until_the_reset_and_leaves_no_trace(uns
     damping = world.model.actuator_biasprm[:, 2].copy()
     rows = [world.step(START)]
     spoil()
-    rows += [world.step(START) for _ in range(100)]
+    rows += [world.step(START) for _ in range(40)]
     finite = [bool(np.isfinite(row.tau).all()) for row in rows]
     assert finite[0]
     assert not any(finite[finite.index(False) :])
@@ -204,7 +204,7 @@ def test_the_loop_stops_where_the_physics_end(unstable, iiwa7, X_FT):
             if self.steps == 20:
                 spoil()
                 # at once what it would be after a while: the controller stops for its speed otherwise
-                for _ in range(100):
+                for _ in range(40):
                     world.step(q)
             return world.step(q)
 

@@ -83,7 +83,7 @@ def test_it_follows_a_moving_command_by_the_servos_delay_and_its_torques_move_ri
         return np.array(START) + 0.1 * (1 - np.cos(rate * t)) * np.array([1, 1, -1, 1, 1, -1, 1])
 
     worst = 0.0
-    for k in range(1, 1500):
+    for k in range(1, 800):
         measured = world.step(tuple(wanted(k * H)))
         # a command holds for its period: half of one later than a course through the commands
         late = wanted(k * H + H - SERVO_DELAY - H / 2) if k > 50 else np.array(measured.q)
@@ -100,7 +100,7 @@ def test_it_follows_a_moving_command_by_the_servos_delay_and_its_torques_move_ri
 def test_a_static_press_is_stiffness_times_depth_and_the_motors_bear_it(smooth, X_FT, load, floor, stiffness):
     world = MujocoWorld(smooth, X_FT, load, floor(0.002, stiffness, 200.0), H)
     world.reset(START)
-    measured = wait(world, START, 1500)
+    measured = wait(world, START, 1100)
     F = np.array(measured.contact)
     assert F[2] == pytest.approx(stiffness * measured.depth, rel=1e-6)
     q = np.array(measured.q)
@@ -117,7 +117,7 @@ def test_a_soft_press_is_the_spring_worlds(iiwa7, X_FT, load, floor):
     here = SpringWorld(iiwa7, X_FT, load, contact, H).reset(START)
     world = make_world(Engine.MUJOCO, iiwa7, X_FT, load, contact, H)
     world.reset(START)
-    there = wait(world, START, 1500)
+    there = wait(world, START, 700)
     assert there.contact[2] == pytest.approx(here.contact[2], rel=0.04)
     np.testing.assert_allclose(there.tau, here.tau, rtol=0, atol=0.5)
 
@@ -158,7 +158,7 @@ def test_boxes_add_up_and_a_centre_inside_is_pushed_out_of_the_nearest_face(smoo
     contact = Contact((Obstacle(floor, 5e3, 50.0, 0.0), Obstacle(block, 1e3, 50.0, 0.0))[::order], tip)
     world = MujocoWorld(smooth, X_FT, load, contact, H)
     world.reset(START)
-    measured = wait(world, START, 1500)
+    measured = wait(world, START, 700)
     q = np.array(measured.q)
     still = (0.0, 0.0, 0.0)
     law = BallOnBoxes(contact).touch(tuple((smooth.forward(q) @ X_FT)[:3, 3]), still, still)
