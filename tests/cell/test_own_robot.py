@@ -67,7 +67,7 @@ def test_a_urdf_that_results_could_not_keep_is_refused(cell):
         build_plant(load_cell(cell))
 
 
-def test_a_results_folder_keeps_the_robot_and_is_judged_with_it(cell, tmp_path):
+def test_a_results_folder_keeps_the_robot_and_is_judged_with_it(cell, tmp_path, unrefined):
     job = read_job(cell.with_name("one.mod"))
     done = optimise(job, Target.STREAM, tmp_path / "results", lambda *_: None, jobs=1)
     assert isinstance(done, Optimised)

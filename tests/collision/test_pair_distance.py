@@ -109,7 +109,7 @@ def test_a_mesh_of_a_box_is_the_box(rng: np.random.Generator) -> None:
     """Apart: the same distance. Overlapping: the same depth, also where the capsule lies wholly inside. As triangles
     with corners of their own, too, which is what STL files hold."""
     counts = {"apart": 0, "over": 0, "inside": 0}
-    for _ in range(400):
+    for _ in range(160):
         size, X_B = rng.uniform(0.2, 0.8, 3), some_pose(rng, 0.1)
         rod = Capsule("rod", rng.uniform(-0.1, 0.1, 3), rng.uniform(-0.1, 0.1, 3), rng.uniform(0.01, 0.06))
         X_WA, X_WB = some_pose(rng, 0.4), some_pose(rng, 0.1)

@@ -137,12 +137,10 @@ def can_be_got_to(X_WF: Array, start: Array, faster: float) -> int | None:
     q = q.reshape(len(rows), m, 7)
     inside = ((q >= LIMITS.lower) & (q <= LIMITS.upper)).all(axis=2)
     wet = np.arange(m) == 0
+    near = (np.arange(m) - np.arange(-12, 13)[:, None]) % m  # the cells that each may be got to from
     for i in range(1, len(rows)):
-        rising = np.zeros(m, dtype=bool)
-        for offset in range(-12, 13):
-            step = np.abs(q[i] - np.roll(q[i - 1], offset, axis=0))
-            rising |= np.roll(wet, offset) & (step <= faster * LIMITS.velocity * 20 * H).all(axis=1)
-        wet = rising & inside[i]
+        way = (np.abs(q[i] - q[i - 1][near]) <= faster * LIMITS.velocity * 20 * H).all(axis=2)
+        wet = (wet[near] & way).any(axis=0) & inside[i]
         if not wet.any():
             return int(rows[i])
     return None

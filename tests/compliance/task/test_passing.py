@@ -133,7 +133,7 @@ def test_sharp_corners_are_slower_and_no_stops(law: RotationLaw) -> None:
 leg = st.tuples(*[st.floats(-0.05, 0.05)] * 3, *[st.floats(-0.5, 0.5)] * 3)
 
 
-@settings(max_examples=75, deadline=None)
+@settings(max_examples=40, deadline=None)
 @given(
     st.lists(leg, min_size=1, max_size=6),
     st.floats(1e-5, 3e-3),
