@@ -39,7 +39,7 @@ def pin_tcp(mounted, X_FT):
     return pin, model, model.createData(), flange, tcp
 
 
-def states(robot, rng, count=200):
+def states(robot, rng, count=80):
     k = len(robot.axis_names)
     return rng.uniform(-3, 3, (count, k)), rng.normal(size=(count, k)), rng.normal(size=(count, k))
 

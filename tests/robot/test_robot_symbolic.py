@@ -10,7 +10,7 @@ from trajopt_cli.robot.model import load_robot
 from trajopt_cli.robot.symbolic import forward
 
 WORLD = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
-COUNT = 60
+COUNT = 25
 
 
 @pytest.fixture(scope="module")
