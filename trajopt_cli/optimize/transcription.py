@@ -423,7 +423,8 @@ class Transcription:
             self._integrate_zones(out.h, out.s, out.v, out.a, out.j)
             if self._smooth:
                 self._damp_jerk(out.j[:, None], np.array([TYPICAL_JERK]), motion.T)
-        tied = line and self.problem.coordinated
+        fixed = line and self.problem.coordinated
+        tied = fixed and self.axes.layout.r > 0  # without a rail it is the same node
         if not tied:
             self._rail_on_path(leg, motion, margins, out)
         track, path = self._track(leg, motion)
@@ -453,7 +454,7 @@ class Transcription:
             )
             self._hold(relation, z, here)
             self._path_torques(track if line else None, nodes, z, here, leg, margins, tied)
-        if not tied and (tangents := self.tangents.get(leg.start)) is not None:
+        if not fixed and (tangents := self.tangents.get(leg.start)) is not None:
             z = {"d": out.d, "s": out.s} if line else {"d": out.d}
             here = {name: p[name] for name in ("path", "branch", "near")}
             here |= {"gradient": tangents.gradient, "least": tangents.least}
