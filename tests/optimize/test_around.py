@@ -214,7 +214,11 @@ def test_passes_that_share_a_text_go_by_the_same_points() -> None:
     assert least_along(plant, found.trajectory) >= 0
 
 
-def test_a_place_behind_a_wall_is_named_with_the_rail_positions_that_were_tried() -> None:
+def test_a_place_behind_a_wall_is_named_with_the_rail_positions_that_were_tried(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("trajopt_cli.optimize.ways.WAY_TREE", 10)
+    monkeypatch.setattr("trajopt_cli.optimize.avoid.AVOID_FAILS", 2)
     wall = box("wall", (3.0, 0.1, 3.0), (0.0, 0.35, 0.5))  # across the rail
     found = plan("down", Target.RAPID, wall)
     assert isinstance(found, Infeasible)
