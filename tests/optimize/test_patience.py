@@ -46,10 +46,15 @@ start: {joints: "[0, 0, 0, 0, 30, 0] deg", rail: 0}
 """
 
 
+STATION = "\n".join([*BODY.split("\n")[:4], "MoveAbsJ j_home, v2500, fine, tool0;"])
+
+
 @pytest.fixture
 def cell(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """One station, whose bound is not asked for."""
     monkeypatch.chdir(tmp_path)
-    Path("t.mod").write_text(f"MODULE T\n{DATA}\nPROC main()\n{BODY}\nENDPROC\nENDMODULE\n")
+    monkeypatch.setattr("trajopt_cli.optimize.lower_bound_of", lambda *_, **__: 0.1)
+    Path("t.mod").write_text(f"MODULE T\n{DATA}\nPROC main()\n{STATION}\nENDPROC\nENDMODULE\n")
     Path("t.yaml").write_text(CELL)
     return Path("t.mod")
 
