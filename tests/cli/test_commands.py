@@ -323,7 +323,6 @@ def test_parse_needs_no_cell_and_gives_places(program: Path, capsys: pytest.Capt
 
 
 @pytest.mark.usefixtures("compared_once")
-@pytest.mark.usefixtures("compared_once")
 def test_compare_counts_savings_against_the_first_legal_row(
     program: Path, planner: Planner, capsys: pytest.CaptureFixture[str]
 ) -> None:

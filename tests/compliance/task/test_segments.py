@@ -102,7 +102,7 @@ rates = st.tuples(st.floats(0.05, 2), st.floats(0.1, 3), st.floats(0.2, 5), st.f
 
 @settings(max_examples=50, deadline=None)
 @given(
-    waypoints, rates, st.sampled_from([0.002, 0.01, 1 / 300]), st.sampled_from(Profile), st.sampled_from(RotationLaw)
+    waypoints, rates, st.sampled_from([0.001, 0.01, 1 / 300]), st.sampled_from(Profile), st.sampled_from(RotationLaw)
 )
 def test_no_step_exceeds_its_cap_and_every_pose_is_met(
     values: list[tuple[float, ...]], caps: tuple[float, ...], h: float, profile: Profile, law: RotationLaw
