@@ -54,7 +54,7 @@ def lit(window: Window, mark: str) -> tuple[str, str]:
 
 
 def test_the_lines_of_both_cycles_follow_the_slider(window: Window, page: Path) -> None:
-    window.open(page)
+    window.open(page, flat=True)
     assert window.run("return document.title") == "t.mod · trajopt"
     seek(window, ENDS[1] + 0.01)  # the plan has waited, the slower one has not
     assert lit(window, "now-after") == ("3", "2")
@@ -67,7 +67,7 @@ def test_the_lines_of_both_cycles_follow_the_slider(window: Window, page: Path) 
 
 
 def test_the_charts_say_the_numbers_of_the_rows(window: Window, page: Path) -> None:
-    window.open(page, 1280, 2000)
+    window.open(page, 1280, 2000, flat=True)
     time = 0.613
     seek(window, time)
     window.run("document.getElementById('axes').scrollIntoView()")
@@ -85,7 +85,7 @@ def test_the_charts_say_the_numbers_of_the_rows(window: Window, page: Path) -> N
 
 
 def test_keys_zoom_and_go_to_the_next_motion(window: Window, page: Path) -> None:
-    window.open(page)
+    window.open(page, flat=True)
     time, span = "return TrajoptPage.clock.time", "return [TrajoptPage.zoom.from, TrajoptPage.zoom.to]"
     window.keys("n")
     assert window.run(time) == pytest.approx(ENDS[0])
@@ -98,7 +98,7 @@ def test_keys_zoom_and_go_to_the_next_motion(window: Window, page: Path) -> None
 
 
 def test_another_cycle_can_be_chosen_and_fills_table_and_charts(window: Window, page: Path) -> None:
-    window.open(page)
+    window.open(page, flat=True)
     chosen = "const s = document.getElementById('cycle-0'); s.value = '2'; s.dispatchEvent(new Event('change'))"
     window.run(chosen)
     window.settle()

@@ -86,7 +86,7 @@ def shown_pose(window: Window, cycle: int) -> Array:
 
 
 def test_the_slider_moves_both_arms_where_pin_has_them_each_at_its_own_time(window: Window, rail_page: Path) -> None:
-    window.open(rail_page)
+    window.open(rail_page, flat=True)
     rows = DRAWN.plan.trajectory
     spline, end = CubicHermiteSpline(rows.t, rows.q, rows.qd), float(rows.t[-1])
     for time in (0.0, 0.313, 0.7771, 0.9 * end, 1.2 * end, SLOWER * end):
@@ -142,11 +142,11 @@ def test_keys_turn_the_view_and_leave_the_time_alone(window: Window, rail_page: 
 
 def test_cycles_stand_below_each_other_where_the_page_is_narrow(window: Window, rail_page: Path) -> None:
     tags = "return [...document.querySelectorAll('.v3d-tag')].map((e) => [e.getBoundingClientRect().left, e.offsetTop])"
-    window.open(rail_page)
+    window.open(rail_page, flat=True)
     (x, y), (x_2, y_2) = window.run(tags)
     assert x_2 > x + 300
     assert y_2 == y
-    window.open(rail_page, 390, 844)
+    window.open(rail_page, 390, 844, flat=True)
     (x, y), (x_2, y_2) = window.run(tags)
     assert x_2 == x
     assert y_2 > y + 200
@@ -157,7 +157,7 @@ def test_a_point_is_named_with_its_place(window: Window, arm_page: Path) -> None
     from selenium.webdriver.common.by import By
     from selenium.webdriver.support.select import Select
 
-    window.open(arm_page)
+    window.open(arm_page, flat=True)
     tip = window.chrome.find_element(By.CSS_SELECTOR, ".v3d-tip")
     assert not tip.is_displayed()
     Select(window.chrome.find_element(By.CSS_SELECTOR, ".v3d-tools select")).select_by_visible_text("p_far")
@@ -189,7 +189,7 @@ def test_a_click_on_a_point_goes_to_when_the_tool_is_there(window: Window, rail_
 
 
 def test_what_a_screen_reader_is_told(window: Window, arm_page: Path) -> None:
-    window.open(arm_page)
+    window.open(arm_page, flat=True)
     slide(window, 1.0)
     script = (
         "const d = arguments[0]; setTimeout(() => d(document.querySelector('[aria-live=polite]').textContent), 900)"
@@ -201,16 +201,7 @@ def test_what_a_screen_reader_is_told(window: Window, arm_page: Path) -> None:
 
 
 def test_without_webgl_the_arm_is_drawn_as_lines(window: Window, rail_page: Path) -> None:
-    hide = (
-        "const get = HTMLCanvasElement.prototype.getContext;"
-        "HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {"
-        " return kind === 'webgl' ? null : get.call(this, kind, ...rest); };"
-    )
-    script = window.command("Page.addScriptToEvaluateOnNewDocument", source=hide)["identifier"]
-    try:
-        window.open(rail_page, *SMALL)
-    finally:
-        window.command("Page.removeScriptToEvaluateOnNewDocument", identifier=script)
+    window.open(rail_page, *SMALL, flat=True)
     assert "no WebGL" in window.run("return document.querySelector('.v3d-help').textContent")
     red, _, blue = window.picture(".v3d-stage canvas").astype(int).transpose(2, 0, 1)
     assert (red > blue + 60).mean() > 0.002

@@ -33,6 +33,12 @@ FLAGS = (
     "--disable-accelerated-2d-canvas",
     "--force-device-scale-factor=1",
 )
+# Drawing with WebGL takes most of the time without a graphics card.
+NO_WEBGL = (
+    "const get = HTMLCanvasElement.prototype.getContext;"
+    "HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {"
+    " return kind === 'webgl' ? null : get.call(this, kind, ...rest); };"
+)
 
 
 @dataclass(frozen=True)
@@ -41,20 +47,30 @@ class Window:
 
     chrome: Chrome
 
-    def open(self, file: Path, width: int = 800, height: int = 600, theme: str = "light") -> None:
-        """A file, loaded anew, in a window of so many pixels; drawn when this returns."""
+    def open(self, file: Path, width: int = 800, height: int = 600, theme: str = "light", flat: bool = False) -> None:
+        """A file, loaded anew, in a window of so many pixels; drawn when this returns.
+
+        flat: the view in space has no WebGL and draws lines, for tests that do not look at it.
+        """
         self.command(
             "Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=width < 500
         )
-        self.theme(theme)
-        self.chrome.get(file.as_uri())
+        self.prefer(theme)
+        script = self.command("Page.addScriptToEvaluateOnNewDocument", source=NO_WEBGL if flat else "")["identifier"]
+        try:
+            self.chrome.get(file.as_uri())
+        finally:
+            self.command("Page.removeScriptToEvaluateOnNewDocument", identifier=script)
         until = time.monotonic() + 20
         while self.run("return document.documentElement.dataset.ready") != "yes":
             assert time.monotonic() < until, f"not ready: {self.complaints()}"
         self.settle()
 
+    def prefer(self, theme: str) -> None:
+        self.command("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": theme}])
+
     def theme(self, name: str) -> None:
-        self.command("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": name}])
+        self.prefer(name)
         self.settle()
 
     def command(self, name: str, **values: Any) -> dict[str, Any]:
