@@ -87,8 +87,8 @@ def joints(course: Course) -> Figure:
     for panel in grid[-1]:
         panel.set_xlabel(TIME)
     key(figure, course, [_LIMIT])
-    figure.align_ylabels()
     settle(figure)
+    figure.align_ylabels()  # before, the layout would measure a column once for each of its panels
     return figure
 
 
