@@ -16,6 +16,7 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.bound import lower_bound
 from trajopt_cli.optimize.improve import improved
 from trajopt_cli.optimize.legal import Legal, legal_of
+from trajopt_cli.optimize.library import Maps, library
 from trajopt_cli.optimize.solve import _rows
 from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Target
@@ -113,12 +114,15 @@ def planned(axes: Axes, problem: Problem) -> Trajectory:
 
 
 @pytest.mark.parametrize("target", Target)
-def test_a_rail_that_is_the_last_axis_changes_nothing_but_the_order(target: Target) -> None:
+def test_a_rail_that_is_the_last_axis_changes_nothing_but_the_order(
+    target: Target, monkeypatch: pytest.MonkeyPatch
+) -> None:
     body = "MoveJ p_in, v2500, fine, tool0;\nMoveL p_low, v500, fine, tool0;\nWaitTime 0.1;\n"
     plant = plant_with_rail((-0.16, 0.8))
     problem = problem_of(rapid(body + "MoveAbsJ j_home, v2500, fine, tool0;"), plant, target)
     plans, bounds = [], []
-    for one in (problem, rail_last(problem)):
+    for one, evaluated in ((problem, library), (rail_last(problem), Maps)):  # to compile it would take longer
+        monkeypatch.setattr("trajopt_cli.optimize.formulation.users_library", evaluated)
         axes = Axes.of(one.plant)
         plans.append(planned(axes, one))
         trajectory = plans[-1]

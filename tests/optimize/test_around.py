@@ -59,7 +59,7 @@ def plan(name: str, target: Target, *obstacles: Solid) -> Plan | Infeasible:
 
 CASES: dict[str, tuple[Program, Plant]] = {
     "across": (ACROSS, plant_without_rail()),
-    "down and up": (DOWN_AND_UP, plant_with_rail()),
+    "down and up": (DOWN_AND_UP, plant_with_rail((-0.1, 0.9))),
     "down": (rapid("MoveJ p_in,v1000,fine,tool0;"), plant_with_rail((-0.1, 0.8))),
 }
 

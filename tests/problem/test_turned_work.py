@@ -61,7 +61,9 @@ PROGRAM = program()
 
 @cache
 def plan(target: Target) -> Plan:
-    found = optimize(PROGRAM, PLANT, target)
+    with pytest.MonkeyPatch.context() as patch:  # the first of two starts leads nowhere, the other in 66 to its end
+        patch.setattr("trajopt_cli.optimize.driver.MOST_ITERATIONS", 80)
+        found = optimize(PROGRAM, PLANT, target)
     assert isinstance(found, Plan)
     return found
 
@@ -246,7 +248,8 @@ def test_a_tool_that_stands_while_the_work_goes_by_is_planned_and_judged() -> No
         assert isinstance(planned, Plan)
         assert planned.motions[1].t_1 - planned.motions[1].t_0 > way.length / 0.1  # v100 over the work
         assert verify(found, PLANT, planned.trajectory, target=target, advice=False).legal
-        report = verify(found, PLANT, with_table(lambda q, qd: (1.001 * q, 1.001 * qd))(planned.trajectory))
+        spoiled = with_table(lambda q, qd: (1.001 * q, 1.001 * qd))(planned.trajectory)
+        report = verify(found, PLANT, spoiled, target=target, advice=False)
         assert "arc position" in missed(report) or "arc rotation" in missed(report)
 
 
