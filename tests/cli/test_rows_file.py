@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import resource
 import sys
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -46,6 +47,15 @@ def test_rows_come_back_bit_for_bit_and_the_last_written_alone(speeds: bool, tmp
         assert kept.text.read() == write_csv_text(plan.trajectory)
         assert without_rows(plan).duration == plan.duration
     assert not [*tmp_path.iterdir()]
+
+
+def test_they_go_without_a_word_and_rows_that_were_read_stay(tmp_path: Path) -> None:
+    """Python warns of files that nobody has closed, where it is asked to."""
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        plan = RowsFile(tmp_path).keep(a_plan(50))
+    assert [str(one.message) for one in said] == []
+    assert same(plan.trajectory, a_plan(50).trajectory)
 
 
 def test_another_process_writes_them_and_this_one_reads_them(tmp_path: Path) -> None:

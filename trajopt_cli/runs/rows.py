@@ -39,6 +39,11 @@ class RowsFile:
             self._numbers, self._bytes = (TemporaryFile(dir=self._folder) for _ in range(2))  # noqa: SIM115
         self._text = TextIOWrapper(self._bytes, encoding="ascii", newline="\n")
 
+    def __del__(self) -> None:
+        for name in ("_text", "_numbers"):  # not there where they could not be made; rows that were read stay
+            if (file := getattr(self, name, None)) is not None:
+                file.close()
+
     @property
     def text(self) -> TextIO:
         """The CSV file's text, to be read from its beginning."""
