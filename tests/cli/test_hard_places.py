@@ -110,6 +110,7 @@ def small_disk(tmp_path: Path) -> Iterator[Path]:
     subprocess.run(["umount", "-l", str(place)], check=True)
 
 
+@pytest.mark.filterwarnings("error::pytest.PytestUnraisableExceptionWarning")  # Python would print it at the end
 @pytest.mark.parametrize("name", WRITING)
 def test_a_full_disk(name: str, made: Path, small_disk: Path, capsys: pytest.CaptureFixture[str]) -> None:
     place = small_disk

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import replace
 from io import BufferedRandom, TextIOWrapper
 from pathlib import Path
@@ -40,9 +40,9 @@ class RowsFile:
         self._text = TextIOWrapper(self._bytes, encoding="ascii", newline="\n")
 
     def __del__(self) -> None:
-        for name in ("_text", "_numbers"):  # not there where they could not be made; rows that were read stay
-            if (file := getattr(self, name, None)) is not None:
-                file.close()
+        for name in ("_text", "_numbers"):  # rows that were read stay
+            with suppress(AttributeError, OSError):  # never made; on a full disk: what is left has no reader any more
+                getattr(self, name).close()
 
     @property
     def text(self) -> TextIO:
