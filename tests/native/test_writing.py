@@ -52,10 +52,26 @@ def test_values_reach_from_one_part_of_a_long_list_into_the_others(monkeypatch: 
     for _ in range(300):
         a, b = (pool[rng.integers(max(0, len(pool) - 40), len(pool))] for _ in "ab")
         pool.append(rng.choice([lambda a, b: a * b, lambda a, b: ca.sin(a) - b])(a, b))
-    function = ca.Function("f", [x], [ca.vertcat(*pool[-20:])], {"cse": True})
+    function = ca.Function("f", [x], [ca.vertcat(*pool[-20:])])
     at = rng.uniform(-1, 1, (machine().lanes, 5))
     monkeypatch.setattr(writing, "CHUNK", 7)
     np.testing.assert_array_equal(evaluated(function, at), np.array(function(at.T)).T)
+
+
+def test_what_is_found_in_several_places_is_worked_out_once() -> None:
+    x = ca.SX.sym("x", 2)
+    gives = [f(ca.sin(x[0] * x[1])) for f in (lambda y: y, lambda y: 2 + y, lambda y: y / 2)]
+    function = ca.Function("f", [x], [ca.vertcat(*gives)])
+    assert sum(function.instruction_id(k) == ca.OP_SIN for k in range(function.n_instructions())) == len(gives)
+    assert writing.module_text({"f": function}, 4).count("call %V @lanes.sin") == 1
+    at = np.random.default_rng(5).normal(size=(machine().lanes, 2))
+    np.testing.assert_array_equal(evaluated(function, at), np.array(function(at.T)).T)
+
+
+def test_a_negated_zero_keeps_its_sign() -> None:
+    x = ca.SX.sym("x", 2)
+    found = evaluated(ca.Function("f", [x], [-x]), np.tile([0.0, -0.0], (machine().lanes, 1)))
+    assert np.all(np.signbit(found) == [True, False])
 
 
 def test_what_has_no_counterpart_is_refused() -> None:

@@ -1,19 +1,24 @@
 """CasADi functions written as LLVM IR text, several copies side by side in the lanes of a vector.
 
 An SX function is a flat list of scalar instructions on numbered registers. Each becomes one instruction on vectors
-whose lanes are different copies. The list is cut into functions of two hundred instructions; what one of them leaves
-for another goes through memory.
+whose lanes are different copies, once: what is found in several places, a tenth of all, is the same step. The list is
+cut into functions of two hundred steps; what one of them leaves for another goes through memory, and so do constants:
+vectors of them within instructions are not for LLVM's fast selection, and it takes twice as long.
 """
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from struct import pack
+from typing import Any
 
 import casadi as ca
 
-CHUNK = 200  # instructions per LLVM function, a part of ours. Measured: see docs/measured.md, Machine code
+CHUNK = 200  # steps per LLVM function, a part of ours. Measured: see docs/measured.md, Machine code
 _BINARY = {ca.OP_ADD: "fadd", ca.OP_SUB: "fsub", ca.OP_MUL: "fmul", ca.OP_DIV: "fdiv"}
+_WITH_ITSELF = {ca.OP_SQ: ca.OP_MUL, ca.OP_TWICE: ca.OP_ADD}
+_OF_A_CONSTANT = {ca.OP_NEG: (ca.OP_SUB, -0.0), ca.OP_INV: (ca.OP_DIV, 1.0)}
 _COMPARED = {ca.OP_LT: "olt", ca.OP_LE: "ole", ca.OP_EQ: "oeq", ca.OP_NE: "une"}
 _LLVMS = {ca.OP_SQRT: "sqrt", ca.OP_FABS: "fabs", ca.OP_FMAX: "maxnum", ca.OP_FMIN: "minnum"}
 _LIBM = {
@@ -37,7 +42,8 @@ def module_text(functions: Mapping[str, ca.Function], lanes: int) -> str:
 
 def _declared(called: Sequence[str], lanes: int) -> Iterator[str]:
     """LLVM's own functions, and those of the C library that are called, lane by lane."""
-    V = f"<{lanes} x double>"
+    V = "%V"
+    yield f"{V} = type <{lanes} x double>"
     for name, n in (("sqrt", 1), ("fabs", 1), ("maxnum", 2), ("minnum", 2)):
         yield f"declare {V} @llvm.{name}.v{lanes}f64({', '.join([V] * n)})"
     for name in called:
@@ -54,106 +60,131 @@ def _declared(called: Sequence[str], lanes: int) -> Iterator[str]:
         yield f"ret {V} {last}\n}}"
 
 
+_Step = tuple[int, tuple[int, ...], tuple[Any, ...]]
+"""An operation, the numbers of the steps that it is of, and what else it takes: a constant's bits, which input, and the
+place in an input or in the output."""
+
+
+def _steps(function: ca.Function) -> list[_Step]:
+    """All that a function does, each thing once."""
+    numbers: dict[_Step, int] = {}
+    made: dict[int, int] = {}  # the step that made what is in a register
+
+    def constant(x: float) -> int:
+        return numbers.setdefault((ca.OP_CONST, (), (pack(">d", x).hex(),)), len(numbers))
+
+    for k in range(function.n_instructions()):
+        op, of, to = function.instruction_id(k), function.instruction_input(k), function.instruction_output(k)
+        if op == ca.OP_CONST:
+            made[to[0]] = constant(function.instruction_constant(k))
+            continue
+        step: _Step
+        if op == ca.OP_INPUT:
+            step = op, (), tuple(of)
+        elif op == ca.OP_OUTPUT:
+            step = op, (made[of[0]],), (to[1],)
+        elif op in _WITH_ITSELF:
+            step = _WITH_ITSELF[op], (made[of[0]],) * 2, ()
+        elif op in _OF_A_CONSTANT:
+            op, x = _OF_A_CONSTANT[op]
+            step = op, (constant(x), made[of[0]]), ()
+        else:
+            step = op, tuple([made[r] for r in of]), ()
+        number = numbers.setdefault(step, len(numbers))
+        if op != ca.OP_OUTPUT:
+            made[to[0]] = number
+    return list(numbers)
+
+
 class _Written:
     """One function: its parts, and the entry that calls them for every group."""
 
     def __init__(self, name: str, function: ca.Function, lanes: int):
         if function.n_in() > 3 or function.n_out() != 1:
             raise ValueError(f"{name}: {function.n_in()} inputs and {function.n_out()} outputs; wanted at most 3 and 1")
-        self.name, self.function, self.lanes, self.V = name, function, lanes, f"<{lanes} x double>"
-        n = function.n_instructions()
-        self.ops = [function.instruction_id(k) for k in range(n)]
-        self.inputs = [function.instruction_input(k) for k in range(n)]
-        self.outputs = [function.instruction_output(k) for k in range(n)]
-        self.operands: list[list[int]] = []  # the instructions that made them
-        self.last = [-1] * n  # the last part that asks for what an instruction made
-        self.registers = 1  # in memory
-        made: dict[int, int] = {}  # the instruction that made what is in a register
-        for k in range(n):
-            self.operands.append([] if self.ops[k] == ca.OP_INPUT else [made[r] for r in self.inputs[k]])
-            for d in self.operands[k]:
+        self.name, self.function, self.lanes = name, function, lanes
+        self.steps = _steps(function)
+        self.last: dict[int, int] = {}  # the last part that asks for what a step made
+        for k, (_, of, _) in enumerate(self.steps):
+            for d in of:
                 self.last[d] = k // CHUNK
-            if self.ops[k] != ca.OP_OUTPUT:
-                made[self.outputs[k][0]] = k
+        self.constants: dict[str, int] = {}  # places of constants in memory, by their bits
+        self.places: dict[int, int] = {}  # and of what steps leave for other parts
+        self.places_until: dict[int, list[int]] = defaultdict(list)  # by the last part that asks for them
+        self.free: list[int] = []
+        self.count = 0  # of places
 
     def lines(self) -> Iterator[str]:
         """The text, line by line."""
-        first = range(0, len(self.ops), CHUNK)
+        first = range(0, len(self.steps), CHUNK)
         for part, k in enumerate(first):
-            yield f"define internal void @{self.name}.{part}(ptr %a0, ptr %a1, ptr %a2, ptr %w, ptr %out) {{"
-            yield from self._part(part, range(k, min(k + CHUNK, len(self.ops))))
+            yield f"define internal void @{self.name}.{part}(ptr %a0, ptr %a1, ptr %a2, ptr %w, ptr %out, ptr %c) {{"
+            yield from self._part(part, range(k, min(k + CHUNK, len(self.steps))))
             yield "ret void\n}"
+            self.free += self.places_until[part]
         yield from self._entry(len(first))
 
     def _entry(self, parts: int) -> Iterator[str]:
         sizes = [self.function.nnz_in(i) for i in range(self.function.n_in())] + [0, 0, 0]
+        constants = ", ".join(f"%V splat (double 0x{bits})" for bits in self.constants)
+        yield f"@{self.name}.c = internal constant [{len(self.constants)} x %V] [{constants}], align 64"
         yield f"define void @{self.name}(i64 %n, ptr %a0, ptr %a1, ptr %a2, ptr %out) {{"
-        yield f"%w = alloca [{self.registers * self.lanes} x double], align 64"
+        yield f"%w = alloca [{self.count} x %V], align 64"
         yield "br label %head\nhead:\n%i = phi i64 [0, %0], [%next, %body]"
         yield "%more = icmp slt i64 %i, %n\nbr i1 %more, label %body, label %end\nbody:"
         for what, size in zip(("a0", "a1", "a2", "out"), (*sizes[:3], self.function.nnz_out(0)), strict=True):
             yield f"%{what}.at = mul i64 %i, {size * self.lanes}"
             yield f"%{what}.p = getelementptr double, ptr %{what}, i64 %{what}.at"
+        given = f"ptr %a0.p, ptr %a1.p, ptr %a2.p, ptr %w, ptr %out.p, ptr @{self.name}.c"
         for part in range(parts):
-            yield f"call void @{self.name}.{part}(ptr %a0.p, ptr %a1.p, ptr %a2.p, ptr %w, ptr %out.p)"
+            yield f"call void @{self.name}.{part}({given})"
         yield "%next = add i64 %i, 1\nbr label %head\nend:\nret void\n}"
 
     def _part(self, part: int, span: range) -> Iterator[str]:
-        names: dict[int, str] = {}
+        known: set[int] = set()
         for k in span:
-            op, outputs = self.ops[k], self.outputs[k]
+            op, of, more = self.steps[k]
             if op in (ca.OP_CONST, ca.OP_INPUT):  # fetched where they are used
                 continue
-            for d in self.operands[k]:
-                if d not in names:
-                    names[d] = f"%v{d}"
-                    if self.ops[d] == ca.OP_CONST:
-                        names[d] = _constant(self.function.instruction_constant(d), self.lanes)
-                    elif self.ops[d] == ca.OP_INPUT:
-                        yield from self._loaded(d, f"%a{self.inputs[d][0]}", self.inputs[d][1])
-                    else:
-                        yield from self._loaded(d, "%w", self.outputs[d][0])
-            x = [names[d] for d in self.operands[k]]
+            for d in of:
+                if d not in known:
+                    known.add(d)
+                    yield self._loaded(d)
             if op == ca.OP_OUTPUT:
-                yield from self._stored(k, x[0], "%out", outputs[1])
+                yield self._stored(k, of[0], "%out", more[0])
                 continue
-            yield from self._operation(k, op, x)
-            names[k] = f"%v{k}"
+            yield self._operation(k, op, of)
+            known.add(k)
             if self.last[k] > part:
-                self.registers = max(self.registers, outputs[0] + 1)
-                yield from self._stored(k, names[k], "%w", outputs[0])
+                if not self.free:
+                    self.free.append(self.count)
+                    self.count += 1
+                place = self.places[k] = self.free.pop()
+                self.places_until[self.last[k]].append(place)
+                yield self._stored(k, k, "%w", place)
 
-    def _loaded(self, k: int, array: str, at: int) -> Iterator[str]:
-        yield f"%p{k} = getelementptr double, ptr {array}, i64 {at * self.lanes}"
-        yield f"%v{k} = load {self.V}, ptr %p{k}, align 8"
-
-    def _stored(self, k: int, value: str, array: str, at: int) -> Iterator[str]:
-        yield f"%q{k} = getelementptr double, ptr {array}, i64 {at * self.lanes}"
-        yield f"store {self.V} {value}, ptr %q{k}, align 8"
-
-    def _operation(self, k: int, op: int, x: list[str]) -> Iterator[str]:
-        V, lanes = self.V, self.lanes
-        if op in _BINARY:
-            yield f"%v{k} = {_BINARY[op]} {V} {x[0]}, {x[1]}"
-        elif op == ca.OP_SQ:
-            yield f"%v{k} = fmul {V} {x[0]}, {x[0]}"
-        elif op == ca.OP_TWICE:
-            yield f"%v{k} = fadd {V} {x[0]}, {x[0]}"
-        elif op == ca.OP_NEG:
-            yield f"%v{k} = fneg {V} {x[0]}"
-        elif op == ca.OP_INV:
-            yield f"%v{k} = fdiv {V} {_constant(1.0, lanes)}, {x[0]}"
-        elif op in _COMPARED:
-            yield f"%c{k} = fcmp {_COMPARED[op]} {V} {x[0]}, {x[1]}"
-            yield f"%v{k} = uitofp <{lanes} x i1> %c{k} to {V}"
-        elif op in _LLVMS:
-            yield f"%v{k} = call {V} @llvm.{_LLVMS[op]}.v{lanes}f64({', '.join(f'{V} {one}' for one in x)})"
-        elif op in _LIBM:
-            yield f"%v{k} = call {V} @lanes.{_LIBM[op]}({', '.join(f'{V} {one}' for one in x)})"
+    def _loaded(self, k: int) -> str:
+        op, _, more = self.steps[k]
+        if op == ca.OP_CONST:
+            array, at = "%c", self.constants.setdefault(more[0], len(self.constants))
+        elif op == ca.OP_INPUT:
+            array, at = f"%a{more[0]}", more[1]
         else:
-            raise ValueError(f"{self.name}: CasADi's operation {op} has no counterpart in native code")
+            array, at = "%w", self.places[k]
+        return f"%p{k} = getelementptr %V, ptr {array}, i64 {at}\n%v{k} = load %V, ptr %p{k}, align 8"
 
+    def _stored(self, k: int, value: int, array: str, at: int) -> str:
+        return f"%q{k} = getelementptr %V, ptr {array}, i64 {at}\nstore %V %v{value}, ptr %q{k}, align 8"
 
-def _constant(x: float, lanes: int) -> str:
-    lane = f"double 0x{pack('>d', x).hex().upper()}"
-    return f"<{', '.join([lane] * lanes)}>"
+    def _operation(self, k: int, op: int, of: Sequence[int]) -> str:
+        if op in _BINARY:
+            return f"%v{k} = {_BINARY[op]} %V %v{of[0]}, %v{of[1]}"
+        if op in _COMPARED:
+            compared = f"%c{k} = fcmp {_COMPARED[op]} %V %v{of[0]}, %v{of[1]}"
+            return f"{compared}\n%v{k} = uitofp <{self.lanes} x i1> %c{k} to %V"
+        given = ", ".join(f"%V %v{d}" for d in of)
+        if op in _LLVMS:
+            return f"%v{k} = call %V @llvm.{_LLVMS[op]}.v{self.lanes}f64({given})"
+        if op in _LIBM:
+            return f"%v{k} = call %V @lanes.{_LIBM[op]}({given})"
+        raise ValueError(f"{self.name}: CasADi's operation {op} has no counterpart in native code")

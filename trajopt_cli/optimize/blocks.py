@@ -73,14 +73,13 @@ class Expressed:
     shape: Shape
     parts: dict[str, tuple[list[ca.SX], ca.SX]]
 
-    def functions(self, once: bool) -> dict[str, ca.Function]:
-        """g, jacobian and hessian. once: what is found in several places is worked out once, a tenth of all; to look
-        for it takes as long as all the rest, which pays where the functions are kept."""
-        return {name: ca.Function(name, of, [gives], {"cse": once}) for name, (of, gives) in self.parts.items()}
+    def functions(self) -> dict[str, ca.Function]:
+        """g, jacobian and hessian."""
+        return {name: ca.Function(name, of, [gives]) for name, (of, gives) in self.parts.items()}
 
     def block(self, name: str) -> Block:
         """The block that CasADi evaluates."""
-        return Block(name, self.shape, *map(MapKernel, self.functions(once=False).values()))
+        return Block(name, self.shape, *map(MapKernel, self.functions().values()))
 
 
 Rows = Callable[[ca.SX, ca.SX], Sequence[tuple[ca.SX, float, float]]]

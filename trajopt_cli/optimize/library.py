@@ -82,7 +82,7 @@ class Native:
 
     def _compiled(self, expressed: Expressed) -> dict[str, NDArray[np.generic]]:
         shape = expressed.shape
-        code = self.machine.compiled(expressed.functions(once=True))
+        code = self.machine.compiled(expressed.functions())
         return {
             "code": np.frombuffer(code, dtype=np.uint8),
             "sizes": np.array([shape.n_variables, shape.n_parameters]),
