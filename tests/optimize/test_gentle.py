@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
 from small_cells import plant_with_rail, plant_without_rail, rapid
+from unrefined import IMPROVED
 
 from trajopt_cli.joint_csv import write_csv_text
 from trajopt_cli.motion import Program
 from trajopt_cli.optimize import optimize
 from trajopt_cli.optimize.gentle import spread
+from trajopt_cli.optimize.improve import improved
 from trajopt_cli.problem.objective import GENTLE, LeastEffort, Objective
 from trajopt_cli.problem.plan import Eased, Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
@@ -27,8 +30,11 @@ MoveAbsJ j_home, v1000, fine, tool0;"""
 STATION = """MoveJ p_in, v1000, fine, tool0;
 MoveL p_low, v500, fine, tool0;
 WaitTime 0.3;
-MoveL p_in, v500, fine, tool0;
 MoveAbsJ j_home, v1000, fine, tool0;"""
+
+
+IN_TIME = LeastEffort(4.5)
+Streams = dict[Objective, tuple[Plan, Eased]]
 
 
 def planned(program: Program, target: Target, objective: Objective, plant: Plant | None = None) -> tuple[Plan, Eased]:
@@ -59,8 +65,17 @@ def test_a_joint_move_alone_has_the_effort_of_the_closed_form(target: Target) ->
 
 
 @pytest.fixture(scope="module")
-def streamed() -> tuple[Plan, Eased]:
-    return planned(rapid(SHORT), Target.STREAM, LeastEffort(4.5))
+def streamed() -> Streams:
+    """Of one program in a given time and in the least; the fastest motion is looked for once."""
+    found = []
+
+    def once(*args: Any) -> object:
+        found[:] = found or [improved(*args)]
+        return found[0]
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(IMPROVED, once)
+        return {asked: planned(rapid(SHORT), Target.STREAM, asked) for asked in (IN_TIME, GENTLE)}
 
 
 def gentler_than_slower(plan: Plan, eased: Eased) -> bool:
@@ -69,8 +84,8 @@ def gentler_than_slower(plan: Plan, eased: Eased) -> bool:
     return slower > 1 and eased.planned.effort < eased.fastest.effort / slower**3
 
 
-def test_a_stream_holds_its_time_and_no_slower_driving_is_gentler(streamed: tuple[Plan, Eased]) -> None:
-    plan, eased = streamed
+def test_a_stream_holds_its_time_and_no_slower_driving_is_gentler(streamed: Streams) -> None:
+    plan, eased = streamed[IN_TIME]
     assert plan.duration == pytest.approx(4.5, abs=1e-9)
     assert gentler_than_slower(plan, eased)
 
@@ -81,8 +96,8 @@ def test_a_rapid_plan_holds_its_time_and_no_slower_driving_is_gentler() -> None:
     assert gentler_than_slower(plan, eased)
 
 
-def test_the_effort_of_the_rows_is_the_effort_that_is_told(streamed: tuple[Plan, Eased]) -> None:
-    plan, eased = streamed
+def test_the_effort_of_the_rows_is_the_effort_that_is_told(streamed: Streams) -> None:
+    plan, eased = streamed[IN_TIME]
     h, A = np.diff(plan.trajectory.t), plant_with_rail().limits.acceleration
     assert plan.trajectory.qd is not None
     means = np.diff(plan.trajectory.qd, axis=0) / h[:, None] / A
@@ -92,8 +107,8 @@ def test_the_effort_of_the_rows_is_the_effort_that_is_told(streamed: tuple[Plan,
 
 
 @pytest.mark.parametrize("target", Target)
-def test_at_the_least_time_and_a_hair_a_plan_is_gentler(target: Target) -> None:
-    plan, eased = planned(rapid(SHORT), target, GENTLE)
+def test_at_the_least_time_and_a_hair_a_plan_is_gentler(target: Target, streamed: Streams) -> None:
+    plan, eased = streamed[GENTLE] if target is Target.STREAM else planned(rapid(SHORT), target, GENTLE)
     assert eased.least_time <= plan.duration <= eased.least_time * (1 + 1e-4)
     share = 0.95 if target is Target.STREAM else 1.0
     assert eased.planned.effort < share * eased.fastest.effort
@@ -102,7 +117,7 @@ def test_at_the_least_time_and_a_hair_a_plan_is_gentler(target: Target) -> None:
 def test_too_short_a_time_is_the_answer_no() -> None:
     answer = optimize(rapid(STATION), plant_with_rail(), Target.RAPID, bounded=False, objective=LeastEffort(1.0))
     assert isinstance(answer, Infeasible)
-    assert str(answer).startswith("t.mod:9:1: the rapid plan shall end here after 1 s; the least time found is 2.")
+    assert str(answer).startswith("t.mod:8:1: the rapid plan shall end here after 1 s; the least time found is 1.9")
 
 
 def test_the_other_target_takes_its_least_time_where_the_given_one_is_too_short() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from math import degrees, sqrt
 
 import numpy as np
@@ -56,10 +57,17 @@ def planned(program: Program, plant: Plant, target: Target, **more: object) -> P
     return plan
 
 
+@cache
+def with_and_without(target: Target) -> tuple[Plan, Plan]:
+    """The plan that keeps torque limits, and the one that need not."""
+    with_them, without = (planned(rapid(BODY, data=DATA), heavy(binds=binds), target) for binds in (True, False))
+    return with_them, without
+
+
 @pytest.mark.parametrize("target", Target)
 def test_lines_corners_and_joint_moves_keep_their_torques_and_use_them(target: Target) -> None:
     program, plant = rapid(BODY, data=DATA), heavy()
-    plan, free = (planned(program, one, target) for one in (plant, heavy(binds=False)))
+    plan, free = with_and_without(target)
     report = verify(program, plant, plan.trajectory, target=target, advice=False)
     assert report.legal, [finding.message for finding in report.findings if not finding.passed]
     load = ToolLoad(2.5, np.array([0.01, 0, 0.06]), np.diag([0.01, 0.01, 0.005]))
@@ -72,8 +80,8 @@ def test_lines_corners_and_joint_moves_keep_their_torques_and_use_them(target: T
 
 
 def test_the_picture_of_the_axes_has_their_torques() -> None:
-    program, plant = rapid(BODY, data=DATA), heavy()
-    course = follow(program, plant, planned(program, plant, Target.RAPID), "t")
+    program, plant, (plan, without) = rapid(BODY, data=DATA), heavy(), with_and_without(Target.RAPID)
+    course = follow(program, plant, plan, "t")
     load = ToolLoad(2.5, np.array([0.01, 0, 0.06]), np.diag([0.01, 0.01, 0.005]))
     tau = torques_along(course)
     i = len(course.t) // 2
@@ -82,8 +90,7 @@ def test_the_picture_of_the_axes_has_their_torques() -> None:
     panels = joints(course).axes
     assert [panel.get_title() for panel in panels[:4]] == ["position", "speed", "acceleration", "torque"]
     assert "±260, peak 100 %" in [text.get_text() for text in panels[7].texts]
-    free = heavy(binds=False)
-    assert len(joints(follow(program, free, planned(program, free, Target.RAPID), "t")).axes) == 18
+    assert len(joints(follow(program, heavy(binds=False), without, "t")).axes) == 18
 
 
 def to(q: np.ndarray, tool: str = "tool0", data: str = "") -> Program:
