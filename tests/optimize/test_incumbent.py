@@ -43,7 +43,7 @@ def random_cell(seed: int, stations: int = 3) -> tuple[str, str]:
     return "\n".join([*body, "MoveAbsJ j_home, v2500, fine, tool0;"]), "\n".join(data)
 
 
-@pytest.mark.parametrize("seed", [1, 2, 3])
+@pytest.mark.parametrize("seed", [1, 2])
 @pytest.mark.parametrize("target", Target)
 def test_refining_the_rail_is_never_slower(seed: int, target: Target) -> None:
     body, data = random_cell(seed, 2)

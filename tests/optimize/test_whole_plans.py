@@ -236,8 +236,8 @@ def test_a_joint_move_of_six_axes_takes_what_ruckig_takes(target: Target) -> Non
 
 def test_an_optional_detour_is_left_out_and_the_plan_is_faster() -> None:
     program, plant = rapid(DETOUR, data=JOINTS), plant_with_rail()
-    kept = optimize(program, plant, STREAM, Freedom(drop=False))
-    left_out = optimize(program, plant, STREAM)
+    kept = optimize(program, plant, STREAM, Freedom(drop=False), bounded=False)
+    left_out = optimize(program, plant, STREAM, bounded=False)
     assert isinstance(kept, Plan)
     assert isinstance(left_out, Plan)
     assert [m.dropped for m in kept.motions] == [False, False, False]
@@ -253,7 +253,7 @@ def test_a_cell_with_a_fixed_rail_keeps_the_programmed_values(target: Target) ->
     body = "MoveJ p_in, v2500, fine, tool0;\nMoveJ p_near, v2500, fine, tool0;"
     data = "CONST robtarget p_near:=[[500,500,450],[0,0,1,0],[0,0,0,0],[450,9E9,9E9,9E9,9E9,9E9]];"
     program, plant = rapid(body, data=data), plant_with_rail(rail_fixed=True)
-    plan = optimize(program, plant, target)
+    plan = optimize(program, plant, target, bounded=False)
     assert isinstance(plan, Plan)
     np.testing.assert_allclose([m.q_1[0] for m in plan.motions], [0.6, 0.45], rtol=0, atol=1e-12)
     assert illegal(program, plant, plan, target) == []
@@ -273,7 +273,7 @@ def test_a_move_to_where_the_robot_stands_takes_no_time(target: Target) -> None:
     moves = ["j_home", "j_off", "j_off", "j_home"]
     program = rapid("\n".join(f"MoveAbsJ {name}, v2500, fine, tool0;" for name in moves), data=JOINTS)
     plant = plant_with_rail(ROOMY)
-    plan = optimize(program, plant, target)
+    plan = optimize(program, plant, target, bounded=False)
     assert isinstance(plan, Plan)
     assert [m.t_1 - m.t_0 for m in plan.motions][::2] == pytest.approx([0, 0], abs=1e-5)
     assert illegal(program, plant, plan, target) == []
