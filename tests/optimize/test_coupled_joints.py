@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from small_cells import STROKE, plant_with_rail, plant_without_rail, rapid
+from unrefined import IMPROVED, as_it_comes
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.limits import CoupledRange, TcpCaps
@@ -67,10 +68,12 @@ def test_free_profiles_keep_the_sum_on_their_way() -> None:
     assert 1.01 * unbound.duration < plan.duration < 1.2 * unbound.duration
 
 
-def test_lines_and_their_ends_keep_the_sum() -> None:
+def test_lines_and_their_ends_keep_the_sum(monkeypatch: pytest.MonkeyPatch) -> None:
     """Of a rail position and a configuration that the sum allows there is one, but not the one that is fastest."""
     program, free, target = rapid(STATION), plant_with_rail((0.0, 0.6), **FREE_TOOL), Target.STREAM
-    alone = planned(program, free, target)
+    with monkeypatch.context() as patch:
+        patch.setattr(IMPROVED, as_it_comes)
+        alone = planned(program, free, target)
     unbound = sums(free, alone)
     plant = coupled(free, -180, float(unbound.max()) - 8.0)
     plan = planned(program, plant, target)
