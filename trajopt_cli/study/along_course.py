@@ -19,7 +19,7 @@ from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.optimize.course import Course
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.study.legs import Caps, Run, tool_rates
+from trajopt_cli.study.legs import Caps, Run, caps_on, tool_rates
 from trajopt_cli.study.rows import Piece, apart
 
 SAFE = 1 - 1e-4  # share of limits used, as of other rows
@@ -137,7 +137,8 @@ def on_course(plant: Plant, run: Run, caps: Sequence[Caps], jerk: Array | None, 
     run's order; infinite for none. jerk (k,): the axes', None where it is free."""
     assert run.course is not None
     path = CoursePath(run.course, run.legs[0].q_0, run.legs[-1].q_1)
-    divided = [_parts(plant, path, caps, jerk, most) for most in _LONGEST]
+    used = _used(plant, path, caps, jerk)
+    divided = [_parts(path, used, most) for most in _LONGEST]
     found = [_fastest(path, parts, drive) for parts in ([_whole(divided[0])], *divided)]
     return min([piece for piece in found if apart(piece.switches)] or found, key=lambda piece: piece.duration)
 
@@ -165,23 +166,44 @@ def _alone(way: float, limit: Limit) -> float:
     return ramps + (way / v + v / a if v * v < a * way else 2 * float(np.sqrt(way / a)))
 
 
-def _parts(plant: Plant, path: CoursePath, caps: Sequence[Caps], jerk: Array | None, most: int) -> list[_Part]:
-    """The course in parts of so many intervals at most."""
-    course = path.course
+@dataclass(frozen=True, eq=False)
+class _Used:
+    """What limits a course at _DENSE samples (m,) of every interval, one after the other, as in _Part: rate (m,), slope
+    and bend (m, c), and jerk (m, 3) if limits are given."""
+
+    rate: Array
+    slope: Array
+    bend: Array
+    jerk: Array | None
+
+
+def _used(plant: Plant, path: CoursePath, caps: Sequence[Caps], jerk: Array | None) -> _Used:
+    course, n = path.course, len(path.kept)
     shares = np.clip(np.linspace(0.0, 1.0, _DENSE), _INSIDE, 1 - _INSIDE)
+    i, u = np.repeat(np.arange(n), _DENSE), np.tile(shares, n)
+    own = caps_on(caps, course.leg[path.kept[i]] - course.leg[0])
+    dq, ddq, dddq = (path.at(i, u, order) for order in (1, 2, 3))
+    V, A = tool_rates(plant, own.X_FT, path.at(i, u), dq, ddq)
+    speed, turning = np.linalg.norm(V[:, :3], axis=1), np.linalg.norm(V[:, 3:], axis=1)
+    return _Used(
+        np.column_stack([np.abs(dq) / own.speed, speed / own.v_tcp, turning / own.v_ori]).max(axis=1),
+        np.column_stack([np.abs(dq) / own.acceleration, speed / own.a_tcp]),
+        np.column_stack([np.abs(ddq) / own.acceleration, np.linalg.norm(A, axis=1) / own.a_tcp]),
+        None if jerk is None else np.column_stack([(np.abs(x) / jerk).max(axis=1) for x in (dq, ddq, dddq)]),
+    )
+
+
+def _parts(path: CoursePath, used: _Used, most: int) -> list[_Part]:
+    """The course in parts of so many intervals at most."""
     out = []
-    for a, b in pairwise(_cuts(np.unique(course.part[path.kept], return_counts=True)[1], most)):
-        own = caps[course.leg[path.kept[a]] - course.leg[0]]
-        i, u = np.repeat(np.arange(a, b), _DENSE), np.tile(shares, b - a)
-        dq, ddq, dddq = (path.at(i, u, order) for order in (1, 2, 3))
-        V, A = tool_rates(plant, own.X_FT, path.at(i, u), dq, ddq)
-        speed, turning = np.linalg.norm(V[:, :3], axis=1), np.linalg.norm(V[:, 3:], axis=1)
-        rate = max(float(x.max()) for x in (np.abs(dq) / own.speed, speed / own.v_tcp, turning / own.v_ori))
-        slope = np.column_stack([np.abs(dq) / own.acceleration, speed / own.a_tcp])
-        bend = np.column_stack([np.abs(ddq) / own.acceleration, np.linalg.norm(A, axis=1) / own.a_tcp])
-        used = None if jerk is None else [float(np.max(np.abs(x) / jerk)) / SAFE for x in (dq, ddq, dddq)]
-        third = None if used is None else (used[0], used[1], used[2])
-        out.append(_Part(float(path.sigma[b] - path.sigma[a]), rate / SAFE, slope / SAFE, bend / SAFE, third))
+    for a, b in pairwise(_cuts(np.unique(path.course.part[path.kept], return_counts=True)[1], most)):
+        own, size = slice(a * _DENSE, b * _DENSE), float(path.sigma[b] - path.sigma[a])
+        third = None
+        if used.jerk is not None:
+            first, second, last = (used.jerk[own].max(axis=0) / SAFE).tolist()
+            third = first, second, last
+        rate = float(used.rate[own].max()) / SAFE
+        out.append(_Part(size, rate, used.slope[own] / SAFE, used.bend[own] / SAFE, third))
     return out
 
 

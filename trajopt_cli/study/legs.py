@@ -7,13 +7,13 @@ the course that the plan is driven on, too.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, inverse_pose
+from trajopt_cli.geometry import Array, IndexArray, inverse_pose
 from trajopt_cli.motion import (
     Motion,
     MoveAbsJ,
@@ -250,11 +250,15 @@ def caps_of(plant: Plant, leg: Leg) -> Caps:
 
 
 def caps_in(plant: Plant, run: Run, t: Array) -> Caps:
-    """What is in force at times t (n,) [s] of the fixed-rail plan; the tool is one in all of a run."""
-    every = [caps_of(plant, leg) for leg in run.legs]
+    """What is in force at times t (n,) [s] of the fixed-rail plan."""
     i = np.searchsorted([leg.span[1] for leg in run.legs[:-1]], t, side="right")
-    arrays = {name: np.array([getattr(caps, name) for caps in every])[i] for name in _CAPS}
-    return Caps(**arrays, X_FT=run.legs[0].X_FT)
+    return caps_on([caps_of(plant, leg) for leg in run.legs], i)
+
+
+def caps_on(caps: Sequence[Caps], i: IndexArray) -> Caps:
+    """What is in force on each of these legs (n,) of a run, of whose legs caps are; the tool is one in all of it."""
+    arrays = {name: np.array([getattr(one, name) for one in caps])[i] for name in _CAPS}
+    return Caps(**arrays, X_FT=caps[0].X_FT)
 
 
 @dataclass(frozen=True, eq=False)
