@@ -156,7 +156,12 @@ def _fastest(path: CoursePath, parts: Sequence[_Part], drive: Drive) -> Piece:
     tried = [[part.limits(share) for part in parts] for share in _SHARES]
     each = zip(parts, zip(*tried, strict=True), strict=True)
     tried.append([min(limits, key=partial(_alone, part.size)) for part, limits in each])
-    return min((_driven(path, parts, limits, drive) for limits in tried), key=lambda piece: piece.duration)
+    found, shortest = list[Piece](), np.inf
+    for limits in reversed(tried):  # the last are mostly the fastest; of equals the first of the list
+        pieces, duration = _pieces(parts, limits, drive, shortest)
+        if duration <= shortest:
+            found, shortest = pieces, duration
+    return _joined(path, parts, found)
 
 
 def _alone(way: float, limit: Limit) -> float:
@@ -216,12 +221,23 @@ def _cuts(counts: IndexArray, most: int) -> list[int]:
     return out
 
 
-def _driven(path: CoursePath, parts: Sequence[_Part], limits: Sequence[Limit], drive: Drive) -> Piece:
-    speeds = _speeds(parts, limits)
-    pieces = [
-        _apart(drive, part.size, ends, *limit)
-        for part, ends, limit in zip(parts, pairwise(speeds), limits, strict=True)
-    ]
+def _pieces(parts: Sequence[_Part], limits: Sequence[Limit], drive: Drive, most: float) -> tuple[list[Piece], float]:
+    """The parts' motions and how long they take in all; given up, at infinity, once that is sure to be beyond most."""
+    pieces, duration = list[Piece](), 0.0
+    least = [part.size / v for part, (v, _, _) in zip(parts, limits, strict=True)]
+    left = float(np.sum(least)) * (1 - 1e-9)
+    if left > most:
+        return [], np.inf
+    for part, ends, limit, at_top in zip(parts, pairwise(_speeds(parts, limits)), limits, least, strict=True):
+        pieces.append(_apart(drive, part.size, ends, *limit))
+        duration, left = duration + pieces[-1].duration, left - at_top
+        if duration + left > most:
+            return [], np.inf
+    return pieces, duration
+
+
+def _joined(path: CoursePath, parts: Sequence[_Part], pieces: Sequence[Piece]) -> Piece:
+    """The parts' motions one after the other along the path."""
     starts = np.concatenate([[0.0], np.cumsum([piece.duration for piece in pieces])])
     ways = np.concatenate([[0.0], np.cumsum([part.size for part in parts])])
     switches = [start + piece.switches for start, piece in zip(starts, pieces, strict=False)]
