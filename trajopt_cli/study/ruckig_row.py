@@ -236,6 +236,8 @@ def _along(line: JointsOnLine, jerk: Array | None) -> PointToPoint:
             v = top_v * share_v
             if 1 / v >= shortest:
                 break
+            if made(v, top_a, j).duration >= shortest:  # less acceleration takes no less
+                continue
             a = _largest(partial(_fits_scaled, fits, v, top_a, j))
             if a is None:
                 continue
