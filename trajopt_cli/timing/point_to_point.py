@@ -33,7 +33,7 @@ class PointToPoint:
     @property
     def switches(self) -> Array:
         """Times (n,) where some axis changes its jerk or acceleration, both ends included, in order."""
-        return np.unique(np.r_[0.0, np.minimum(self.begins.ravel(), self.duration), self.duration])
+        return np.unique(np.concatenate([[0.0], np.minimum(self.begins.ravel(), self.duration), [self.duration]]))
 
     def slowed(self, factor: float) -> PointToPoint:
         """The same motion in `factor` times the time: speeds, accelerations and jerks fall by its powers."""
@@ -83,7 +83,7 @@ def point_to_point(
     found = _calculate(q_0, q_1, speed, acceleration, jerk, least, straight, v_0, v_1)
     profiles = found.profiles[0]
     k = len(q_0)
-    begins = np.array([np.r_[0.0, np.cumsum(profile.t)] for profile in profiles])
+    begins = np.column_stack([np.zeros(k), np.cumsum([profile.t for profile in profiles], axis=1)])
     q, qd, qdd = (np.array([getattr(profile, name) for profile in profiles]) for name in ("p", "v", "a"))
     qddd = np.column_stack([[profile.j for profile in profiles], np.zeros(k)])
     # the last column is what comes after an axis' last phase
