@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,7 @@ import pytest
 
 from trajopt_cli.job import Job, read_job
 from trajopt_cli.optimize import legal
+from trajopt_cli.pipeline import planning
 from trajopt_cli.pipeline.optimise import Optimised, optimise
 from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.freedom import EVERYTHING
@@ -69,6 +71,14 @@ def job_of(text: str, folder: Path) -> Job:
     return read_job(path)
 
 
+@pytest.fixture(scope="module")
+def jobs(tmp_path_factory: pytest.TempPathFactory) -> dict[int, Job]:
+    return {seed: job_of(listing(seed), tmp_path_factory.mktemp("made")) for seed in SEEDS}
+
+
+changes_of = cache(planning.changes_of)  # whoever asks again
+
+
 def said(problem: Problem) -> tuple[object, ...]:
     """What may change in a problem."""
     waypoints = tuple((one.motion, one.rail, one.conf, one.rest) for one in problem.waypoints)
@@ -86,6 +96,7 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> dict[tuple[Target, bool], set[tupl
         if replace(problem.freedom, drop=True) == EVERYTHING:
             found.setdefault((problem.target, bool(problem.dropped)), set()).add(said(problem))
 
+    monkeypatch.setattr(planning, "changes_of", changes_of)
     monkeypatch.setattr(legal, "check_reach", check_reach)
     monkeypatch.setattr(legal, "search", lambda *_: None)
     monkeypatch.setattr("trajopt_cli.optimize.slow_plan", lambda *_: None)
@@ -98,9 +109,13 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> dict[tuple[Target, bool], set[tupl
 @pytest.mark.parametrize("loops", Loops)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_both_commands_ask_for_the_same_problems(
-    seed: int, loops: Loops, asked: dict[tuple[Target, bool], set[tuple[object, ...]]], tmp_path: Path
+    seed: int,
+    loops: Loops,
+    asked: dict[tuple[Target, bool], set[tuple[object, ...]]],
+    jobs: dict[int, Job],
+    tmp_path: Path,
 ) -> None:
-    job = job_of(listing(seed), tmp_path)
+    job = jobs[seed]
     answer = optimise(job, Target.STREAM, tmp_path / "results", lambda *_: None, loops=loops)
     assert isinstance(answer, Infeasible)
     optimised = dict(asked)
@@ -111,12 +126,9 @@ def test_both_commands_ask_for_the_same_problems(
     assert all(len(problems) == 1 for problems in asked.values())
 
 
-def test_the_programs_have_something_to_differ_in(tmp_path: Path) -> None:
+def test_the_programs_have_something_to_differ_in(jobs: dict[int, Job]) -> None:
     """Free, tied and kept targets, things to drop: else the test above would say nothing."""
-    from trajopt_cli.pipeline.planning import changes_of
-
-    jobs = [job_of(listing(seed), tmp_path) for seed in SEEDS]
-    changes = [changes_of(job, Target.RAPID) for job in jobs]
+    changes = [changes_of(job, Target.RAPID, Loops.KEEP) for job in jobs.values()]
     assert sum(bool(one.kept) for one in changes) >= 10
     assert sum(bool(one.ties) for one in changes) >= 10
     assert sum(bool(one.droppable) for one in changes) >= 3
