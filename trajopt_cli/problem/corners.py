@@ -12,7 +12,7 @@ from trajopt_cli.motion import FlyBy, Move, MoveExtJ, Program
 from trajopt_cli.problem.plan import Plan
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.programmed import PlantKinematics
-from trajopt_cli.rapid.zones import fly_bys, stopped_fly_bys
+from trajopt_cli.rapid.zones import fly_bys, stopped_fly_bys, ways
 from trajopt_cli.trajectory import hermite
 
 _AT = 1e-7  # m, rad: the axes are there
@@ -37,9 +37,12 @@ def corners_of(program: Program, plant: Plant, dropped: Collection[int] = ()) ->
     """
     kept = [index for index in range(len(program.motions)) if index not in dropped]
     driven = replace(program, motions=tuple(program.motions[index] for index in kept))
+    if all(motion.zone.stop for motion in driven.motions if isinstance(motion, Move)):
+        return Corners({}, {})
     kinematics = PlantKinematics(plant)
-    passed = {kept[i]: zone for i, zone in fly_bys(driven, kinematics).items()}
-    stopped = {kept[i]: why for i, why in stopped_fly_bys(driven, kinematics).items()}
+    lengths = ways(driven, kinematics)
+    passed = {kept[i]: zone for i, zone in fly_bys(driven, kinematics, lengths).items()}
+    stopped = {kept[i]: why for i, why in stopped_fly_bys(driven, kinematics, lengths).items()}
     moves = [index for index in kept if isinstance(program.motions[index], Move)]
     held = {index: getattr(program.motions[index], "hold", None) is not None for index in moves}
     for index, after in pairwise(moves):

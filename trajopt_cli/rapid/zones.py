@@ -96,16 +96,18 @@ def effective_radii(program: Program, lengths: Sequence[float | None] | None = N
     return tuple(radii)
 
 
-def fly_bys(program: Program, kinematics: Kinematics | None = None) -> dict[int, FlyBy]:
+def fly_bys(
+    program: Program, kinematics: Kinematics | None = None, lengths: Sequence[float | None] | None = None
+) -> dict[int, FlyBy]:
     """The corners of the fly-by points that are passed, by the index of the motion that ends there.
 
     Positions take the programmed radius; orientations path_ori, external axes path_eax, both no less than the radius;
     all at most half of the shorter way. Where ori or leax is given and a smaller share of what turns or travels on one
     of the ways, it counts instead, still no less than the radius. Travel is that of the robot's own axes, all linear,
     as programmed; kinematics tell which they are, without them there is none. Points whose ways only the robot knows
-    are left out.
+    are left out. lengths: what ways() gives, if it is known already.
     """
-    lengths = ways(program, kinematics)
+    lengths = ways(program, kinematics) if lengths is None else lengths
     found = _programmed(program, lengths)
     passed = {index: (move, after) for index, move, after, reason in found if after is not None and reason is None}
     wanted = {*passed, *(after for _, after in passed.values())}
@@ -122,12 +124,15 @@ def fly_bys(program: Program, kinematics: Kinematics | None = None) -> dict[int,
     }
 
 
-def stopped_fly_bys(program: Program, kinematics: Kinematics | None = None) -> dict[int, str]:
+def stopped_fly_bys(
+    program: Program, kinematics: Kinematics | None = None, lengths: Sequence[float | None] | None = None
+) -> dict[int, str]:
     """Why a programmed fly-by is a stop, in words, by the index of its motion; those that are passed are left out.
 
     Without kinematics a point is taken to be passed where only they tell that no way leads to it or on from it.
+    lengths: what ways() gives, if it is known already.
     """
-    found = _programmed(program, ways(program, kinematics))
+    found = _programmed(program, ways(program, kinematics) if lengths is None else lengths)
     return {index: reason for index, _, _, reason in found if reason is not None}
 
 
