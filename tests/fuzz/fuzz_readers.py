@@ -179,9 +179,11 @@ def rehash(folder: Path) -> None:
             record["files"][name] = hashlib.sha256(content).hexdigest()
         for one in record["inputs"]["files"]:
             one["sha256"] = record["files"][one["copy"]]
-        place.write_text(json.dumps(record))
+        text = json.dumps(record)
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
         return  # too much damaged for that
+    place.unlink()  # it may be a hard link
+    place.write_text(text)
 
 
 def _log() -> str:
@@ -292,9 +294,6 @@ def _results_place(source: Path, folder: Path, data: bytes) -> Path:
         (out / name).unlink()
         (out / name).write_bytes(content)
         if not keep and name != "run.json":
-            record = (out / "run.json").read_bytes()
-            (out / "run.json").unlink()
-            (out / "run.json").write_bytes(record)
             rehash(out)
     return out
 

@@ -68,7 +68,7 @@ def all_readers(folder: Path) -> dict[str, Reader]:
 def tried(reader: Reader, data: bytes, folder: Path, how: str = "read") -> Ended:
     """One case in a folder of its own. how: read, deep, command or process."""
     if how == "read" and reader.place is None:
-        (path := folder / reader.file).write_bytes(data)
+        path = _written(folder / reader.file, data)
     else:
         for one in folder.iterdir():
             if one.is_dir() and not one.is_symlink():
@@ -85,6 +85,13 @@ def tried(reader: Reader, data: bytes, folder: Path, how: str = "read") -> Ended
     if ended.how == "exit 2" and ended.finding is None and (left := _names(folder) - there):
         return judged(f"exit 2, left behind: {', '.join(sorted(left))[:200]}", "", "")
     return ended
+
+
+def _written(path: Path, data: bytes) -> Path:
+    """A new file: to write one that is there anew waits for the disk."""
+    path.unlink(missing_ok=True)
+    path.write_bytes(data)
+    return path
 
 
 def _done(answer: object, how: str) -> str:
@@ -157,7 +164,7 @@ def block(reader: Reader, rng: random.Random, tally: Tally, most: int, folder: P
     while tally.cases - first < most if most else process_time() - start < SLICE:
         number = tally.cases
         data = reader.case(rng, [*reader.seeds, *tally.pool] if tally.pool and rng.random() < 0.7 else reader.seeds)
-        current.write_bytes(data)
+        _written(current, data)
         how = "process" if number % PROCESS == PROCESS - 1 else "command" if number % COMMAND == COMMAND - 1 else "read"
         if feedback == "lines":
             with lines:
