@@ -28,3 +28,12 @@ def coarse_grids() -> Iterator[None]:
         for name in ("SHORT", "FEW_LEGS"):
             patch.setattr(f"trajopt_cli.optimize.driver.{name}", 0)
         yield
+
+
+def coarse_search(patch: pytest.MonkeyPatch) -> None:
+    """The rail's places are searched on coarse grids and refined once, for who does not ask how good they are."""
+    for name, few in (
+        ("search.SEARCH_COARSE", 17), ("search.SEARCH_APART", 0.15), ("search.SEARCH_FINE", 9), ("rail.POLISH", 0),
+        ("rail.REFINE_ROUNDS", 1),
+    ):  # fmt: skip
+        patch.setattr(f"trajopt_cli.optimize.{name}", few)

@@ -7,6 +7,7 @@ import re
 from pathlib import Path
 
 import pytest
+from unrefined import coarse_search
 
 from trajopt_cli.cli import run
 from trajopt_cli.robot.model import robot_names
@@ -20,8 +21,7 @@ def test_a_new_program_is_planned_at_once(
     robot: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    for name, few in (("POLISH", 0), ("REFINE_ROUNDS", 1)):  # how good a plan is does not matter
-        monkeypatch.setattr(f"trajopt_cli.optimize.rail.{name}", few)
+    coarse_search(monkeypatch)
     assert run(["new", "first", "--robot", robot]) == 0
     assert capsys.readouterr().out.splitlines()[-1] == "next: trajopt optimize first.mod"
     assert sorted(path.name for path in tmp_path.iterdir()) == ["first.mod", "first.yaml"]

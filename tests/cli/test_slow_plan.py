@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from unrefined import coarse_search
 
 from trajopt_cli.cli import run
 from trajopt_cli.optimize import NoCleanPlan, plain, solve
@@ -94,7 +95,7 @@ def test_a_program_that_can_be_done_has_a_plan_whatever_fails(
 
         monkeypatch.setattr("trajopt_cli.optimize.solve.plain_motion", then)
     monkeypatch.setattr(place, failing)
-    monkeypatch.setattr("trajopt_cli.optimize.rail.POLISH", 0)  # how good a plan is does not matter
+    coarse_search(monkeypatch)
     assert run(["optimize", str(program), "--jobs", "1", "--time-limit", "0"]) == 0
     told = capsys.readouterr()
     slow = "no fast plan was found"
