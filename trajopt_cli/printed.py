@@ -29,7 +29,7 @@ _ALL = 17  # characters of a number that has all its digits
 _SHARE = 0.2  # of the values of a magnitude
 _FEW = 8  # changes of a column that say little about its format
 _ZERO = -99  # the magnitude of 0, which has none
-_BASE = 256  # more than the decimals of any two numbers lie apart
+_BASE = 64  # more than the decimals of any two numbers lie apart
 _PLAIN = re.compile(r"[+-]?[0-9]+\.([0-9]*)").fullmatch
 
 
@@ -59,28 +59,26 @@ class Digits:
                 continue
             found = fields.decimals(new, column)
             decimals[:] = np.repeat(np.append(before, found), np.diff(np.concatenate([[0], new, [len(rows)]])))
-            pairs = sizes[new, column].astype(np.int64) * _BASE + found
-            for pair, count in zip(*(x.tolist() for x in np.unique(pairs, return_counts=True)), strict=True):
-                size = (pair + _BASE // 2) // _BASE
-                counts[size, pair - size * _BASE] += count
+            pairs = np.bincount((sizes[new, column].astype(np.intp) - _ZERO) * _BASE + found + _COARSEST)
+            for pair in np.flatnonzero(pairs).tolist():
+                counts[pair // _BASE + _ZERO, pair % _BASE - _COARSEST] += int(pairs[pair])
             self._last[column] = fields.text(-1, column)
 
     def last(self) -> list[NDArray[np.int8]]:
         """The decimals (rows,) of the last digit that is told of every value, by column: it is known to half a unit of
         that."""
         known = [self._format(counts) for counts in self._counts]
+        many = [_changes(counts) >= _FEW for counts in self._counts]
+        formats = [one for one, often in zip(known[1:], many[1:], strict=True) if often]
+        formats = formats or [one for one in known[1:] if max(one.values()) == _FINEST]  # rows of one rest
         out = []
-        for column, counts in enumerate(self._counts):
+        for column, often in enumerate(many):
             sizes, decimals = self._sizes[column], self._decimals[column]
-            borrow = column > 0 and _changes(counts) < _FEW
-            formats = [one for i, one in enumerate(known) if i and _changes(self._counts[i]) >= _FEW]
-            formats = formats or [one for one in known[1:] if max(one.values()) == _FINEST]  # rows of one rest
-            told = np.empty(len(sizes), dtype=np.int8)
+            borrow = column > 0 and not often
+            least = np.zeros(1 - 2 * _ZERO, dtype=np.int8)  # by magnitude, negative ones from the end
             for size in np.unique(sizes).tolist():
-                here = sizes == size
-                least = max(_at(one, size) for one in ([known[column], *formats] if borrow else [known[column]]))
-                told[here] = np.maximum(decimals[here], least)
-            out.append(told)
+                least[size] = max(_at(one, size) for one in ([known[column], *formats] if borrow else [known[column]]))
+            out.append(np.maximum(decimals, least[sizes]))
         return out
 
     @staticmethod
@@ -107,11 +105,9 @@ class _Fields:
         self._all = text = ",".join([*rows, ""])
         encoding, kind = ("ascii", "<u1") if text.isascii() else ("utf-32-le", "<u4")
         self._text: NDArray[Any] = np.frombuffer(text.encode(encoding), dtype=kind)
-        is_point = self._text == ord(".")
-        self._at = np.flatnonzero(is_point)
-        is_odd = ~is_point & ((self._text < ord("+")) | (self._text > ord("9")) | (self._text == ord("/")))
-        # how many there are before each letter: points, and what stands in no plain number
-        self._points, self._odd = (np.concatenate([[0], np.cumsum(one)]) for one in (is_point, is_odd))
+        # where points are, and what stands in no plain number
+        self._points = np.flatnonzero(self._text == ord("."))
+        self._odd = np.flatnonzero((self._text < ord("+")) | (self._text > ord("9")) | (self._text == ord("/")))
         ends = np.flatnonzero(self._text == ord(","))
         starts = np.append(0, ends[:-1] + 1)
         self._starts, self._sizes = (x.reshape(len(rows), columns) for x in (starts, ends - starts))
@@ -139,10 +135,14 @@ class _Fields:
         short = np.flatnonzero(self._sizes[rows, column] <= _ALL)
         begin = self._starts[rows[short], column]
         end = begin + self._sizes[rows[short], column]
-        points, odd = (count[end] - count[begin] for count in (self._points, self._odd))
-        plain = (points == 1) & (odd == 0)  # digits with a point
-        out[short[plain]] = np.minimum(end[plain] - self._at[self._points[begin[plain]]] - 1, _FINEST)
-        for k in short[~plain].tolist():
+        (point, next_point), (odd, next_odd) = (
+            np.searchsorted(places, (begin, end)) for places in (self._points, self._odd)
+        )
+        known = (next_point - point <= 1) & (next_odd == odd)  # digits, and a point or none
+        plain = known & (next_point > point)
+        out[short[known]] = 0
+        out[short[plain]] = np.minimum(end[plain] - self._points[point[plain]] - 1, _FINEST)
+        for k in short[~known].tolist():
             out[k] = decimals_of(self.text(int(rows[k]), column))
         return out
 
