@@ -79,9 +79,9 @@ def verify(
     legs = legs_of(program, plant, line.visits, len(trajectory.t) - 1)
     torques, granted = check_torques(program, line)
     carried = {shape_of(solid) for leg in legs for solid in leg.carried}
-    promised = Promises(line, frames, granted, levers(plant, rows.mechanism, carried))
+    promised = Promises(line, frames, granted, levers(plant, rows.mechanism, carried), promises)
     findings = [
-        *_file(rows, frames[np.asarray(points[0].X_FT).tobytes()], [*promised.measured()]),
+        *_file(rows, frames[np.asarray(points[0].X_FT).tobytes()], promised.measured),
         *_dropped(program, plant, dropped or ()),
         *stops,
         *shapes,

@@ -24,6 +24,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from math import inf
 
 import numpy as np
@@ -143,14 +144,20 @@ def chord(top: float, acceleration: float, H: float) -> float:
 
 class Promises:
     """What the judge promises of one file. swing: what torques are granted by axis; lever (k,): how far from every axis
-    a point of the robot may be [m], 1 on a rail."""
+    a point of the robot may be [m], 1 on a rail. told False: finer digits are named only where the file's are too
+    coarse for a check."""
 
     def __init__(
-        self, line: Timeline, frames: Mapping[bytes, Frame], swing: Mapping[str, float], lever: Sequence[float]
+        self,
+        line: Timeline,
+        frames: Mapping[bytes, Frame],
+        swing: Mapping[str, float],
+        lever: Sequence[float],
+        told: bool = True,
     ):
         rows = line.rows
         self._line, self._rows, self._plant, self._lever = line, rows, rows.plant, np.array(lever)
-        self._frames, self._swing = frames, swing
+        self._frames, self._swing, self._all = frames, swing, told
         self._h, self._tau = max(float(rows.longest.max()), _SHORT), float(rows.open_time.max())
         self._r, self._r_v = rows.doubt_q.max(axis=0), rows.doubt_v.max(axis=0)
         # times of a grid are exact, but for the first and the last one: an excess is seen without those two as well
@@ -174,13 +181,12 @@ class Promises:
 
     def told(self, program: Program) -> tuple[Promise, ...]:
         """All that the judge promises of this file. program: what turns the tables in it."""
-        return (*self.measured(), *self._of_time(), *self._tables(program), *self._clearance())
+        return (*self.measured, *self._of_time(), *self._tables(program), *self._clearance())
 
-    def measured(self) -> Iterator[Promise]:
+    @cached_property
+    def measured(self) -> tuple[Promise, ...]:
         """What finer digits would show better."""
-        yield from self._axes()
-        yield from self._tool()
-        yield from self._stops()
+        return (*self._axes(), *self._tool(), *self._stops())
 
     def _promise(
         self, check: str, subject: str, unit: str, least: Least, most: float | None = None, rate: int = 0,
@@ -190,7 +196,8 @@ class Promises:
         acceleration, 3 for a jerk. axis: the printed step of the one axis that it depends on."""
         value, lasting = least(Steps())
         needs: list[tuple[str, float]] = []
-        if most is not None and least(Steps(0.0, 0.0))[0] < most:  # else no digits help: rows are too few
+        # else nobody asks, or no digits help: rows are too few
+        if most is not None and (self._all or value >= most) and least(Steps(0.0, 0.0))[0] < most:
             digits = "positions" if rate == 0 or self._rows.qd is None else "speeds"
             step = float((self._r if digits == "positions" else self._r_v).max()) if axis is None else axis
             for name, one, finer in (

@@ -77,9 +77,9 @@ class Pieces:
         found = self._kept.pop(i, None)
         if found is None:
             found = self._make(i * self._size, min((i + 1) * self._size, self._n))
-        if (size := sum(part.nbytes for part in found)) <= self._room:
-            self._stay[i], self._room = found, self._room - size
-            return found
+            if (size := sum(part.nbytes for part in found)) <= self._room:
+                self._stay[i], self._room = found, self._room - size
+                return found
         self._kept[i] = found  # the last one looked at is the last to go
         if len(self._kept) > _KEPT:
             del self._kept[next(iter(self._kept))]
@@ -88,6 +88,9 @@ class Pieces:
     def part(self, which: int, begin: int, end: int) -> Array:
         """Rows begin to end - 1 of one of the arrays."""
         begin, end = min(begin, self._n), min(end, self._n)
+        first = begin // self._size * self._size
+        if begin < end <= first + self._size:
+            return self._piece(begin // self._size)[which][begin - first : end - first]
         pieces = range(begin // self._size, max(-(-end // self._size), begin // self._size + 1))
         parts = []
         for i in pieces if end > begin else range(1):

@@ -109,7 +109,6 @@ def _closeness(rows: Rows, frame: Frame, stop: Point, rapid: bool, at: NDArray[n
     limits, tau, q = rows.plant.limits, rows.open_time[at], rows.q[at]
     a, alpha = rows.plant.tcp.acceleration, angular_acceleration(rows)
     rests = (frame.least_speed[at] <= REST_LINEAR + a * tau) & (frame.least_turning[at] <= REST_ANGULAR + alpha * tau)
-    granted = JOINT_TARGET + rows.doubt_q[at] / 2 + limits.acceleration * tau[:, None] ** 2 / 2
     stands: Mask = rows.axes_rest[at] if rapid else np.ones(len(at), dtype=bool)
     rail_met = np.ones(len(at), dtype=bool)
     if stop.rail is not None:
@@ -122,6 +121,7 @@ def _closeness(rows: Rows, frame: Frame, stop: Point, rapid: bool, at: NDArray[n
         near, tight = rail_met & rests, off <= JOINT_TARGET + rows.doubt_q[at, 0] / 2
         return Closeness(at, off / JOINT_TARGET, near, tight, rests, rail_met, stands)
     if stop.arm is not None:
+        granted = JOINT_TARGET + rows.doubt_q[at] / 2 + limits.acceleration * tau[:, None] ** 2 / 2
         off = np.abs(q[:, -6:] - stop.arm)
         near = np.asarray((off <= granted[:, -6:]).all(axis=1))
         tight = np.asarray((off <= JOINT_TARGET + rows.doubt_q[at, -6:] / 2).all(axis=1))
