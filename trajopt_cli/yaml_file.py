@@ -73,18 +73,23 @@ def parse(text: str, file: str, needed: str) -> tuple[dict[str, Any], dict[str, 
     is longer than MAX_BYTES, or holds more than MAX_NODES keys and values.
     """
     _check_size(len(text.encode("utf-8", "replace")), file)
-    content, lines = _parsed(text, file, needed)
+    try:
+        content, lines = _parsed(text, needed)
+    except InputError as error:
+        error.file = file
+        raise
     return deepcopy(content), dict(lines)
 
 
 @remembered(16)
-def _parsed(text: str, file: str, needed: str) -> tuple[dict[str, Any], dict[str, int]]:
+def _parsed(text: str, needed: str) -> tuple[dict[str, Any], dict[str, int]]:
+    """The same of any file: copies of one text are read once. Errors do not know the file yet."""
     if text.count(",") > MAX_NODES:  # seen at once; ruamel takes seconds to come this far
-        raise _too_many(file, 1)
+        raise _too_many("", 1)
     yaml = YAML(typ="safe", pure=True)
     yaml.Composer = _BoundedComposer
-    reader = _Reader(file, yaml)
-    return reader.section(_tree(yaml, text, file, needed), "", 1), reader.lines
+    reader = _Reader("", yaml)
+    return reader.section(_tree(yaml, text, "", needed), "", 1), reader.lines
 
 
 def refuse_empty(content: Mapping[str, Any], lines: Mapping[str, int], file: str) -> None:
