@@ -63,11 +63,11 @@ class Table:
     @classmethod
     def read(cls, path: Path) -> Table:
         head, *rows = path.read_text().splitlines()
-        return cls(head.split(","), np.array([[float(field) for field in row.split(",")] for row in rows]))
+        return cls(head.split(","), np.loadtxt(rows, delimiter=",", ndmin=2))
 
     def write(self, path: Path) -> None:
-        lines = [",".join(self.heads), *(",".join(f"{value:.17g}" for value in row) for row in self.rows.tolist())]
-        path.write_text("\n".join(lines) + "\n")
+        line = ",".join(["%.17g"] * self.rows.shape[1])
+        path.write_text("\n".join([",".join(self.heads), *(line % tuple(row) for row in self.rows.tolist())]) + "\n")
 
 
 @dataclass

@@ -82,13 +82,11 @@ class Cell:
         chord, turned = ON_TABLE[:3, 3] - P_1[:3, 3], Rotation.from_matrix(P_1[:3, :3].T @ ON_TABLE[:3, :3])
 
         def on_line(t: Array) -> Array:
-            s = share[1](np.clip(t, 0, T))[0]
-            poses = []
-            for x in s:
-                R = P_1[:3, :3] @ Rotation.from_rotvec(x * turned.as_rotvec()).as_matrix()
-                seen = pose(R, P_1[:3, 3] + x * chord)
-                poses.append(brought(self.units, [x * one.angle for one in self.units]).homogeneous @ seen)
-            return arm_at(PLANT, np.array(poses), None)
+            s = share[1](np.clip(t, 0, T))[0][:, None]
+            R = P_1[:3, :3] @ Rotation.from_rotvec(s * turned.as_rotvec()).as_matrix()
+            angles = s * [one.angle for one in self.units]
+            moved = np.array([brought(self.units, both).homogeneous for both in angles])
+            return arm_at(PLANT, moved @ pose(R, P_1[:3, 3] + s * chord), None)
 
         def at(t: Array) -> tuple[Array, Array]:
             h = 1e-6
