@@ -265,7 +265,11 @@ class Sweep:
     """A robot's bodies along a course: the least distance of a group of pairs, and when it is first too small."""
 
     def __init__(self, mechanism: Mechanism, trajectory: Trajectory):
-        self._mechanism, self._course = mechanism, Course(trajectory)
+        self._mechanism, self._trajectory = mechanism, trajectory
+
+    @cached_property
+    def _course(self) -> Course:
+        return Course(self._trajectory)
 
     def least(self, group: Sequence[Near], wanted: float = 0.0) -> Closest:
         """Where the group comes nearest; its distance is more than the least there is by OVERLOOKED at most, or by
