@@ -58,7 +58,7 @@ def remembered(texts: int) -> Callable[[Reading], Reading]:
         known = lru_cache(texts)(read)
 
         @wraps(read)
-        def reading(text: str, *more: str) -> Any:
+        def reading(text: str | bytes, *more: str) -> Any:
             return (known if len(text) <= _KEPT else read)(text, *more)
 
         return cast(Reading, reading)

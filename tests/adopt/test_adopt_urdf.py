@@ -11,7 +11,7 @@ from loose_arm import LOOSE, written
 from trajopt_cli.adopt.add import new_robot
 from trajopt_cli.errors import InputError
 from trajopt_cli.robot.model import load_robot
-from trajopt_cli.robot.urdf import read_chain
+from trajopt_cli.robot.urdf import chain_of
 from trajopt_cli.verify.mechanism import Mechanism
 
 AXES = ["base_yaw", "shoulder_pitch", "elbow_pitch", "fore_roll", "wrist_pitch", "hand_roll"]
@@ -201,7 +201,7 @@ def test_a_billion_laughs_are_refused_before_the_first(tmp_path):
     with pytest.raises(InputError, match="has a document type"):
         new_robot(path, "mine")
     with pytest.raises(InputError, match="has a document type"):
-        read_chain(path)
+        chain_of(path.read_bytes(), str(path))
 
 
 @pytest.mark.parametrize(

@@ -252,7 +252,8 @@ def test_how_far_a_chain_may_be_off(copy, old, new, words, share):
             load_robot(path)
 
 
-def test_lengths_come_from_the_urdf(copy):
+def test_lengths_come_from_the_urdf_as_it_is_now(copy):
+    assert load_robot(copy()).arm.c2 == 0.36
     longer = load_robot(
         copy(urdf={'"0 0 0.36"': '"0 0 0.4"', '"0.141 0 0"': '"0.151 0 0"', '"0 0 0" rpy': '"0 0 0.1" rpy'})
     )

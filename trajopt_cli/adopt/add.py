@@ -55,7 +55,7 @@ def new_robot(
     check_name(name)
     tree = read_tree(urdf)
     chain = normal_chain(tree, tip, base)
-    arm_from_chain(list(chain.joints[-7:]), str(urdf))
+    arm_from_chain(chain.joints[-7:], str(urdf))
     rule = confdata or ("abb_six_axis" if _ABB.search(f"{tree.name} {urdf.name}") else "none")
     solids = link_capsules(chain)
     pairs = self_pairs(chain.joints[-7:], solids.capsules)

@@ -7,7 +7,9 @@ not, where the wrist centre is at q = 0), axis 4 points to the wrist centre, axi
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 
@@ -33,7 +35,7 @@ class _Lines:
     R: Array
 
     @classmethod
-    def of(cls, chain: list[UrdfJoint]) -> _Lines:
+    def of(cls, chain: Sequence[UrdfJoint]) -> _Lines:
         # Steps, not positions: a difference of positions would round what the file says exactly.
         R, u, steps = np.eye(3), [], []
         for joint in chain:
@@ -44,12 +46,17 @@ class _Lines:
         return cls([joint.name for joint in chain], np.array(u), _clean(np.array(steps)), R)
 
 
-def arm_from_chain(chain: list[UrdfJoint], file: str) -> Arm:
+def arm_from_chain(chain: Sequence[UrdfJoint], file: str) -> Arm:
     """The arm of six revolute joints and the fixed flange joint, in that order, whatever their frames.
 
     Raises InputError where the axes are not those of an arm whose axes 2 and 3 are parallel and at right angles to axis
     1, and whose axes 4 and 5 meet; of one whose axis 4 is parallel to them too axes 5 and 6.
     """
+    return _arm(tuple(chain), file)
+
+
+@lru_cache(32)  # by the joints themselves: a URDF that has not changed gives the same ones again
+def _arm(chain: tuple[UrdfJoint, ...], file: str) -> Arm:
     lines = _Lines.of(chain)
     parallel = _check_directions(lines, file)
     arm = _parallel(lines, file) if parallel else _with_a_wrist(lines, file)
@@ -226,7 +233,7 @@ def _facing(direction: Array, *votes: float) -> Array:
     return -direction if decided and decided[0] < 0 else direction
 
 
-def _with_middles(arm: Arm, chain: list[UrdfJoint]) -> Arm:
+def _with_middles(arm: Arm, chain: Sequence[UrdfJoint]) -> Arm:
     """The arm with what its inverse gives its joints around: the closed form's own middles where they are the joints'
     too and the ranges lie around them, else the middles of the ranges."""
     lower, upper = (np.array([getattr(joint, end) for joint in chain[:6]]) for end in ("lower", "upper"))

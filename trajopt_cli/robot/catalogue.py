@@ -227,13 +227,18 @@ def _read(file: str, text: str) -> tuple[RobotFile, Mapping[str, Any]]:
         message = f"'structure': {structure} is none; known are {', '.join(_FILES)}"
         raise InputError(message, file=file, line=line_of(raw, ("structure",)))
     try:
-        return _FILES[structure].model_validate(raw), raw
+        return _valid(text, structure), raw
     except ValidationError as error:
         found = [
             InputError(_say(item["type"], item["loc"], item["msg"]), file=file, line=line_of(raw, item["loc"]))
             for item in error.errors()
         ]
         raise (found[0] if len(found) == 1 else InputErrorGroup(found)) from error
+
+
+@remembered(32)
+def _valid(text: str, structure: str) -> RobotFile:
+    return _FILES[structure].model_validate(_loaded(text))
 
 
 @remembered(32)

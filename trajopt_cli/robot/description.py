@@ -17,8 +17,10 @@ from trajopt_cli.robot import catalogue
 from trajopt_cli.robot.arm_chain import arm_from_chain
 from trajopt_cli.robot.catalogue import RobotFile, SixAxisFile, SrsFile
 from trajopt_cli.robot.structure import Structure
-from trajopt_cli.robot.urdf import UrdfJoint, read_chain
+from trajopt_cli.robot.urdf import UrdfJoint, chain_of
+from trajopt_cli.robot.xml import read_bytes
 from trajopt_cli.shapes import Capsule
+from trajopt_cli.yaml_file import remembered
 
 Raw = Mapping[str, Any]
 
@@ -40,7 +42,7 @@ def shipped() -> list[Shipped]:
     for name in catalogue.robot_names():
         path = catalogue.find_robot(name)
         head = catalogue.read_head(path)
-        chain = read_chain(path.parent / head.urdf)
+        chain = _chain(path.parent / head.urdf)
         payload = None if head.payload is None else head.payload.value
         reach = _srs_reach(chain) if head.structure is Structure.SRS else _six_axis_reach(chain)
         out.append(Shipped(name, head.title, reach, payload))
@@ -94,7 +96,16 @@ def urdf_chain(data: RobotFile, path: Path, raw: Raw) -> tuple[Path, list[UrdfJo
         raise InputError(message, file=str(path), line=line)
     if not urdf.is_file():
         raise InputError(f"urdf: '{data.urdf}' does not exist beside this file", file=str(path), line=line)
-    return urdf, read_chain(urdf)
+    return urdf, _chain(urdf)
+
+
+def _chain(urdf: Path) -> list[UrdfJoint]:
+    return [*_joints(read_bytes(urdf), str(urdf))]
+
+
+@remembered(32)
+def _joints(text: bytes, file: str) -> tuple[UrdfJoint, ...]:
+    return tuple(chain_of(text, file))
 
 
 def check(data: RobotFile, path: Path, raw: Raw, axes: list[UrdfJoint], arm: list[UrdfJoint]) -> None:

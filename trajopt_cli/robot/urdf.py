@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import cos, sin
-from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array
-from trajopt_cli.robot.xml import read_robot_element
+from trajopt_cli.geometry import Array, readonly
+from trajopt_cli.robot.xml import robot_element
 
 FLANGE, RAIL = "tool0", "rail"
 
@@ -35,11 +34,11 @@ class UrdfJoint:
     effort: float = 0.0
 
 
-def read_chain(path: Path) -> list[UrdfJoint]:
-    """The joints from the root link to tool0, root first. Raises InputError for a file that has no such chain."""
-    file = str(path)
+def chain_of(text: bytes, file: str) -> list[UrdfJoint]:
+    """The joints from the root link to tool0, root first. Raises InputError for a URDF's text that has no such chain;
+    file is for messages."""
     by_child = {}
-    for element in read_robot_element(path).findall("joint"):
+    for element in robot_element(text, file).findall("joint"):
         joint = _joint(element, file)
         by_child[joint.child] = joint
     chain: list[UrdfJoint] = []
@@ -121,7 +120,7 @@ def _joint(element: ElementTree.Element, file: str) -> UrdfJoint:
         keys = ("lower", "upper", "velocity", "effort")
         (lower,), (upper,), (velocity,), (effort,) = (numbers("limit", key, 1) for key in keys)
     parent, child = part("parent").get("link", ""), part("child").get("link", "")
-    return UrdfJoint(name, kind, parent, child, X, axis, lower, upper, velocity, effort)
+    return UrdfJoint(name, kind, parent, child, readonly(X), readonly(axis), lower, upper, velocity, effort)
 
 
 def rotation_rpy(roll: float, pitch: float, yaw: float) -> Array:

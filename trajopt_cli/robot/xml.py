@@ -21,14 +21,22 @@ class _RefusedError(Exception):
 
 
 def read_robot_element(path: Path) -> ElementTree.Element:
-    """The <robot> element of a URDF. Raises InputError for a file that cannot be read, is too big, is no XML, has a
-    document type (its entities could grow without bound), is xacro, or whose root is another element."""
-    file = str(path)
+    """The <robot> element of a URDF. Raises InputError for a file that cannot be read, and as robot_element does."""
+    return robot_element(read_bytes(path), str(path))
+
+
+def read_bytes(path: Path) -> bytes:
+    """A URDF's bytes. Raises InputError for a file that cannot be read."""
     try:
         with open(path, "rb") as opened:
-            text = opened.read(MAX_BYTES + 1)  # no more of it: a device may have no end
+            return opened.read(MAX_BYTES + 1)  # no more of it: a device may have no end
     except OSError as error:
-        raise InputError(f"cannot read the URDF: {error.strerror}", file=file) from error
+        raise InputError(f"cannot read the URDF: {error.strerror}", file=str(path)) from error
+
+
+def robot_element(text: bytes, file: str) -> ElementTree.Element:
+    """The <robot> element of a URDF's text; file is for messages. Raises InputError for a text that is too big, is no
+    XML, has a document type (its entities could grow without bound), is xacro, or whose root is another element."""
     if len(text) > MAX_BYTES:
         raise InputError(f"is larger than {MAX_BYTES // 10**6} MB: keep meshes in files of their own", file=file)
     try:
