@@ -134,18 +134,10 @@ def elbow_angle(arm: Arm, q: Array) -> Array:
 @singledispatch
 def forward(arm: Arm, q: Array) -> Array:
     """Flange poses X_OF (..., 4, 4) of joints q (..., 6) in rad."""
-    (c1, c2, c23, c4, c5, c6), (s1, s2, s23, s4, s5, s6) = _sines(arm, q)
+    sines = (c1, c2, c23, c4, _, _), (s1, s2, s23, s4, _, _) = _sines(arm, q)
     X = np.zeros((*q.shape[:-1], 4, 4))
     X[..., 3, 3] = 1.0
-    # Columns of Rx(t4) Ry(t5) Rx(t6) Ry(90 deg), then turned by Ry(t2 + t3) and Rz(t1).
-    xx, xy, xz = s5 * c6, -(c4 * s6 + s4 * c5 * c6), c4 * c5 * c6 - s4 * s6
-    yx, yy, yz = s5 * s6, c4 * c6 - s4 * c5 * s6, s4 * c6 + c4 * c5 * s6
-    zx, zy, zz = c5, s4 * s5, -c4 * s5
-    for column, (x, y, z) in enumerate(((-xx, -xy, -xz), (yx, yy, yz), (zx, zy, zz))):
-        ahead = c23 * x + s23 * z
-        X[..., 0, column] = c1 * ahead - s1 * y
-        X[..., 1, column] = s1 * ahead + c1 * y
-        X[..., 2, column] = c23 * z - s23 * x
+    _turn(*sines, X)
     radius, up = arm.a1 + arm.c2 * s2 + arm.c3 * c23, arm.c1 + arm.c2 * c2 - arm.c3 * s23
     if arm.a2:
         radius, up = radius - arm.a2 * s23, up - arm.a2 * c23
@@ -162,6 +154,29 @@ def forward(arm: Arm, q: Array) -> Array:
     return X if arm.canonical_flange else X @ arm.X_KF
 
 
+def _turn(cosines: list[Array], sines: list[Array], X: Array) -> None:
+    """Put the canonical flange's rotation into X (..., 3 or 4, 3 or 4)."""
+    (c1, _, c23, c4, c5, c6), (s1, _, s23, s4, s5, s6) = cosines, sines
+    # Columns of Rx(t4) Ry(t5) Rx(t6) Ry(90 deg), then turned by Ry(t2 + t3) and Rz(t1).
+    xx, xy, xz = s5 * c6, -(c4 * s6 + s4 * c5 * c6), c4 * c5 * c6 - s4 * s6
+    yx, yy, yz = s5 * s6, c4 * c6 - s4 * c5 * s6, s4 * c6 + c4 * c5 * s6
+    zx, zy, zz = c5, s4 * s5, -c4 * s5
+    for column, (x, y, z) in enumerate(((-xx, -xy, -xz), (yx, yy, yz), (zx, zy, zz))):
+        ahead = c23 * x + s23 * z
+        X[..., 0, column] = c1 * ahead - s1 * y
+        X[..., 1, column] = s1 * ahead + c1 * y
+        X[..., 2, column] = c23 * z - s23 * x
+
+
+@singledispatch
+def axes_points_and_turn(arm: Arm, q: Array) -> tuple[Array, Array, Array]:
+    """axes_and_points, and the flange's rotation R_OF (..., 3, 3): cheaper together."""
+    sines = _sines(arm, q)
+    R = np.empty((*q.shape[:-1], 3, 3))
+    _turn(*sines, R)
+    return *_axes_and_points(arm, *sines), R if arm.canonical_flange else R @ arm.X_KF[:3, :3]
+
+
 @singledispatch
 def axes_and_points(arm: Arm, q: Array) -> tuple[Array, Array]:
     """Unit axes (3, 6, ...) of the canonical joints and a point (3, 6, ...) on each [m], frame O, of q (..., 6): the
@@ -169,20 +184,23 @@ def axes_and_points(arm: Arm, q: Array) -> tuple[Array, Array]:
 
     Components lead, so that each is one contiguous block: four times faster than (..., 3) on long batches.
     """
-    (c1, c2, c23, c4, c5, _), (s1, s2, s23, s4, s5, _) = _sines(arm, q)
-    zero, one = np.zeros_like(c1), np.ones_like(c1)
+    return _axes_and_points(arm, *_sines(arm, q))
+
+
+def _axes_and_points(arm: Arm, cosines: list[Array], sines: list[Array]) -> tuple[Array, Array]:
+    (c1, c2, c23, c4, c5, _), (s1, s2, s23, s4, s5, _) = cosines, sines
     radius = arm.a1 + arm.c2 * s2
-    a, o = np.zeros((3, 6, *q.shape[:-1])), np.zeros((3, 6, *q.shape[:-1]))
-    a[:, 0] = zero, zero, one
-    a[:, 1] = a[:, 2] = -s1, c1, zero
-    a[:, 3] = c1 * c23, s1 * c23, -s23
+    a, o = np.zeros((3, 6, *c1.shape)), np.zeros((3, 6, *c1.shape))
+    a[2, 0] = 1.0
+    a[0, 1:3], a[1, 1:3] = -s1, c1
+    a[0, 3], a[1, 3], a[2, 3] = c1 * c23, s1 * c23, -s23
     ahead = s23 * s4  # of Ry(t2 + t3) Rx(t4) e_y
-    a[:, 4] = c1 * ahead - s1 * c4, s1 * ahead + c1 * c4, c23 * s4
+    a[0, 4], a[1, 4], a[2, 4] = c1 * ahead - s1 * c4, s1 * ahead + c1 * c4, c23 * s4
     y, z = s4 * s5, -c4 * s5
     ahead = c23 * c5 + s23 * z  # of Ry(t2 + t3) Rx(t4) Ry(t5) e_x
-    a[:, 5] = c1 * ahead - s1 * y, s1 * ahead + c1 * y, c23 * z - s23 * c5
-    o[:, 1] = arm.a1 * c1, arm.a1 * s1, arm.c1 * one
-    o[:, 2] = radius * c1, radius * s1, arm.c1 + arm.c2 * c2
+    a[0, 5], a[1, 5], a[2, 5] = c1 * ahead - s1 * y, s1 * ahead + c1 * y, c23 * z - s23 * c5
+    o[0, 1], o[1, 1], o[2, 1] = arm.a1 * c1, arm.a1 * s1, arm.c1
+    o[0, 2], o[1, 2], o[2, 2] = radius * c1, radius * s1, arm.c1 + arm.c2 * c2
     if arm.b:
         o[:, 1:3] += arm.b * a[:, 1:3]
     o[:, 3:] = (o[:, 2] + arm.c3 * a[:, 3])[:, None]

@@ -36,14 +36,18 @@ class Differential:
     @classmethod
     def of(cls, arm: Arm, q: Array, X_FT: Array | None, R_WO: Array, rail: Array | None) -> Differential:
         """Of an arm at q (..., k), the rail's position first where there is a rail. X_FT (4, 4), None: the flange."""
-        a, o = arm_products.axes_and_points(arm, q[..., -6:])
         p_FT = np.zeros(3) if X_FT is None else np.asarray(X_FT, dtype=np.float64)[:3, 3]
         p_FT = p_FT + arm.X_KF[:3, :3].T @ arm.X_KF[:3, 3]  # from where axis 6 meets the canonical flange
+        beyond = X_FT is not None or bool(np.any(p_FT))
+        if beyond:
+            a, o, R_OF = arm_products.axes_points_and_turn(arm, q[..., -6:])
+        else:
+            a, o = arm_products.axes_and_points(arm, q[..., -6:])
         steps = np.empty_like(o)
         np.subtract(o[:, 1:], o[:, :-1], out=steps[:, :-1])
         np.multiply(arm.c4, a[:, 5], out=steps[:, 5])  # from the wrist centre to the TCP
-        if X_FT is not None or np.any(p_FT):
-            steps[:, 5] += np.moveaxis(arm_products.forward(arm, q[..., -6:])[..., :3, :3] @ p_FT, -1, 0)
+        if beyond:
+            steps[:, 5] += np.moveaxis(R_OF @ p_FT, -1, 0)
         signs = None if arm.canonical_joints else arm.signs
         return cls(a, steps, q.shape, signs, None if np.array_equal(R_WO, np.eye(3)) else R_WO, rail)
 

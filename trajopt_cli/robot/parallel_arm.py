@@ -15,7 +15,7 @@ from functools import cached_property
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray
-from trajopt_cli.robot.arm import Arm, axes_and_points, forward, reach_section, wrist_section
+from trajopt_cli.robot.arm import Arm, axes_and_points, axes_points_and_turn, forward, reach_section, wrist_section
 from trajopt_cli.robot.turns import close_at_pi
 
 _STRAIGHT = 1e-12  # sin t5: below, only the sum of t2, t3, t4 and t6 is given
@@ -75,6 +75,11 @@ def _(arm: ParallelArm, q: Array) -> Array:
     X[..., 1, 3] = s1 * radius + c1 * arm.b + arm.c4 * X[..., 1, 2]
     X[..., 2, 3] = up + arm.c4 * X[..., 2, 2]
     return X if arm.canonical_flange else X @ arm.X_KF
+
+
+@axes_points_and_turn.register
+def _(arm: ParallelArm, q: Array) -> tuple[Array, Array, Array]:
+    return *axes_and_points(arm, q), forward(arm, q)[..., :3, :3]
 
 
 @axes_and_points.register
