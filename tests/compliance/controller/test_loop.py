@@ -74,7 +74,9 @@ class Ideal:
 
     def _measured(self, qdd: Array) -> Measured:
         F = np.zeros(6) if self._force is None else self._force(self._k)
-        tau = self._dynamics.torque(self._q, self._qd, qdd) - self._robot.jacobian(self._q, self._X_FT).T @ F
+        tau = self._dynamics.torque(self._q, self._qd, qdd)
+        if np.any(F):
+            tau = tau - self._robot.jacobian(self._q, self._X_FT).T @ F
         return Measured(tuple(self._q), tuple(self._qd), tuple(qdd), tuple(tau), tuple(F), 0.0)
 
 
