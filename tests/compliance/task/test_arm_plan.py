@@ -30,9 +30,9 @@ LOAD = ToolLoad(2.0, np.array([0.0, 0.05, 0.1]), np.diag([2e-3, 2e-3, 1e-3]))
 BENT = np.radians([20, 50, -30, -80, 40, 60, -20])
 # start [rad], by [m], turn [rad], seconds
 WAYS = {
-    "bent": (BENT, (0.0, 0.2, -0.1), (0.3, -0.2, 0.4), 3.0),
+    "bent": (BENT, (0.0, 0.2, -0.1), (0.3, -0.2, 0.4), 1.5),
     "aside": (np.radians([-20, 60, 70, -80, 30, 60, 0]), (0.1, 0.1, -0.1), (0.2, 0.1, -0.3), 3.0),
-    "turn": (HOME, (0, 0, 0), (0, 0, -3.3), 4.0),  # joint_7 passes its range at the fixed arm angle
+    "turn": (HOME, (0, 0, 0), (0, 0, -3.3), 2.5),  # joint_7 passes its range at the fixed arm angle
 }
 
 
