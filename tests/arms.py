@@ -55,12 +55,17 @@ class Chain:
         return load_robot(str(folder / f"{name}.yaml"), X_WR)
 
 
-@cache
 def _robot_file(source: str, name: str) -> str:
-    """A shipped robot's file with another name and URDF, and nothing of its shape."""
+    """A shipped robot's file with another name and URDF, one profile, and nothing of its shape."""
+    return _file_of_anybody(source).replace("NAME", name)
+
+
+@cache
+def _file_of_anybody(source: str) -> str:
     raw = YAML().load((ROBOTS / f"{source}.yaml").read_text())
-    raw.update(name=name, title=name, urdf=f"{name}.urdf")
+    raw.update(name="NAME", title="NAME", urdf="NAME.urdf")
     raw.pop("collision")
+    raw["profiles"] = {"default": raw["profiles"]["default"]}
     text = StringIO()
     YAML().dump(raw, text)
     return text.getvalue()

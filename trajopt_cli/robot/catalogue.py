@@ -236,12 +236,12 @@ def _read(file: str, text: str) -> tuple[RobotFile, Mapping[str, Any]]:
         raise (found[0] if len(found) == 1 else InputErrorGroup(found)) from error
 
 
-@remembered(32)
+@remembered(64)
 def _valid(text: str, structure: str) -> RobotFile:
     return _FILES[structure].model_validate(_loaded(text))
 
 
-@remembered(32)
+@remembered(64)
 def _loaded(text: str) -> Any:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ReusedAnchorWarning)  # legal, and it would go to stderr
