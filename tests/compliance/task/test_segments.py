@@ -142,7 +142,7 @@ def test_the_thesis_law_takes_the_least_time_it_can(way: float, v: float, h: flo
     ratio = way / (v * h)
     assume(abs(ratio - round(ratio)) > 1e-8)
     assert len(size) == int(ratio) + 2
-    assert size[1:-1] == pytest.approx(np.full(len(size) - 2, v * h), rel=1e-9)
+    np.testing.assert_allclose(size[1:-1], v * h, rtol=0, atol=1e-12)
     assert size[0] == pytest.approx(size[-1], abs=2e-15)
     assert 0 < size[0] < v * h
 
