@@ -118,12 +118,10 @@ def ratios_of(axes: Axes, legs: Sequence[Leg], number: IndexArray, sample: Sampl
         fold(np.abs(sample.qdd) / caps.acceleration),
         fold(_with_couplings(axes, sample.q, np.abs(sample.q - middle) / half)),
         fold(tool_ratios(caps, tool_of(axes, [leg.X_FT for leg in legs], number, sample))),
-        fold(_jerk_ratios(axes, sample, first)),
-        fold(
-            np.zeros_like(sample.q)
-            if axes.torque is None
-            else axes.torque.ratios(legs, number, sample.q, sample.qd, sample.qdd)
-        ),
+        np.zeros((len(first), axes.n)) if axes.jerk is None else fold(_jerk_ratios(axes.jerk, sample, first)),
+        np.zeros((len(first), axes.n))
+        if axes.torque is None
+        else fold(axes.torque.ratios(legs, number, sample.q, sample.qd, sample.qdd)),
     )
 
 
@@ -136,14 +134,13 @@ def _with_couplings(axes: Axes, q: Array, ratios: Array) -> Array:
     return ratios
 
 
-def _jerk_ratios(axes: Axes, sample: Sample, first: IndexArray) -> Array:
-    """Mean jerks (m, n) from each place of a sample to the next in the same interval, as shares of their limits. first:
+def _jerk_ratios(limits: Array, sample: Sample, first: IndexArray) -> Array:
+    """Mean jerks (m, n) from each place of a sample to the next in the same interval, as shares of limits (n,). first:
     the place with which each interval begins."""
     out = np.zeros_like(sample.qdd)
-    if axes.jerk is not None:
-        inside = np.setdiff1d(np.arange(len(out) - 1), first - 1)
-        steps = (sample.t[inside + 1] - sample.t[inside])[:, None]
-        out[inside] = np.abs(sample.qdd[inside + 1] - sample.qdd[inside]) / steps / axes.jerk
+    inside = np.setdiff1d(np.arange(len(out) - 1), first - 1)
+    steps = (sample.t[inside + 1] - sample.t[inside])[:, None]
+    out[inside] = np.abs(sample.qdd[inside + 1] - sample.qdd[inside]) / steps / limits
     return out
 
 
