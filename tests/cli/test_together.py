@@ -128,7 +128,7 @@ def test_files_written_together_leave_nothing_beside_them(tmp_path: Path) -> Non
 
 def test_random_kills_from_outside(modules: dict[str, Any], tmp_path: Path) -> None:
     rng, seen = random.Random(2), set()
-    for round_ in range(25):
+    for round_ in range(10):
         root, wanted, _ = fresh(modules, tmp_path, str(round_))
         pid = os.fork()
         if not pid:
