@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from shutil import copytree
 from typing import Any
 
 import numpy as np
 import pytest
+from fake_planner import CELL
 
 from trajopt_cli.cli import run
 from trajopt_cli.runs.folder import read_run
@@ -28,11 +30,33 @@ ENDMODULE
 TURN = 2 * np.sqrt(np.radians(5) / 15)  # s of each move
 
 
-@pytest.fixture
-def tiny(program: Path) -> Path:
+def _written() -> Path:
+    program = Path("tiny.mod")
     program.write_text(TEXT)
-    Path("tiny.yaml").write_text(Path("tiny.yaml").read_text() + "tcp: {speed: 9, acceleration: 90, source: a test}\n")
+    Path("tiny.yaml").write_text(CELL + "tcp: {speed: 9, acceleration: 90, source: a test}\n")
     return program
+
+
+@pytest.fixture
+def tiny(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    return _written()
+
+
+@pytest.fixture(scope="module")
+def plans(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Of the tiny program, made once."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(tmp_path_factory.mktemp("planned"))
+        assert run(["optimize", str(_written())]) == 0
+        return Path("results").resolve()
+
+
+@pytest.fixture
+def planned(tiny: Path, plans: Path) -> Path:
+    """The tiny program with its results beside it."""
+    copytree(plans, "results")
+    return tiny
 
 
 def answer(capsys: pytest.CaptureFixture[str], *arguments: str) -> dict[str, Any]:
@@ -41,9 +65,10 @@ def answer(capsys: pytest.CaptureFixture[str], *arguments: str) -> dict[str, Any
     return json.loads(capsys.readouterr().out)
 
 
-def test_a_program_and_its_results_get_the_same_answer_in_order(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    alone = answer(capsys, str(tiny), "--jobs", "1")
-    assert run(["optimize", str(tiny)]) == 0
+def test_a_program_and_its_results_get_the_same_answer_in_order(
+    planned: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    alone = answer(capsys, str(planned), "--jobs", "1")
     of_results = answer(capsys, "results/tiny", "--jobs", "2", "--output", "out")
     for one in alone, of_results:
         del one["program"]
@@ -66,15 +91,14 @@ def test_a_program_and_its_results_get_the_same_answer_in_order(tiny: Path, caps
     own = json.loads(folder.contents["sensitivity.json"])
     del own["program"]
     assert own == alone
-    assert folder.contents[str(folder.record.inputs.program)] == tiny.read_bytes()
+    assert folder.contents[str(folder.record.inputs.program)] == planned.read_bytes()
     assert {"plots/sensitivity_stream.svg", "plots/sensitivity_rapid.png"} < set(folder.contents)
 
 
+@pytest.mark.usefixtures("planned")
 def test_the_table_says_what_saves_what_binds_nowhere_and_what_was_not_asked(
-    tiny: Path, capsys: pytest.CaptureFixture[str]
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
-    assert run(["optimize", str(tiny)]) == 0
-    capsys.readouterr()
     assert run(["sensitivity", "results/tiny", "--target", "rapid"]) == 0
     out = capsys.readouterr().out
     lines = out.splitlines()
@@ -103,8 +127,8 @@ def test_the_table_says_what_saves_what_binds_nowhere_and_what_was_not_asked(
     assert len(every) == 15  # 12 limits of axes but one, two caps of the tool, two programmed speeds
 
 
-def test_planning_anew_is_a_column_more(tiny: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert run(["optimize", str(tiny)]) == 0
+@pytest.mark.usefixtures("planned")
+def test_planning_anew_is_a_column_more(capsys: pytest.CaptureFixture[str]) -> None:
     found = answer(capsys, "results/tiny", "--target", "stream", "--search", "--jobs", "1")
     levers = found["targets"]["stream"]["levers"]
     assert [one["searched_s"] for one in levers[2:]] == [None] * len(levers[2:])
