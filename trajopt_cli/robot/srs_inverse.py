@@ -82,18 +82,22 @@ def inverse(robot: SrsRobot, X_WF: Array, arm_angle: Array | float, definition: 
 def inverse_branch(
     robot: SrsRobot, X_WF: Array, arm_angle: Array | float, definition: ArmAngle, configuration: int
 ) -> Array:
-    """Joints (n, 7) of one configuration, 0..7: that column of inverse, for long sequences."""
-    X_WF, psi = _checked(X_WF, arm_angle)
+    """Joints (n, 7) of one configuration, 0..7: that column of inverse, for long sequences.
+
+    Several arm angles (k, n) at each pose give joints (k, n, 7); what does not depend on them is worked out once.
+    """
+    X_WF, psi = _checked(X_WF, arm_angle, 2)
     before, negative = flips(configuration)
-    out = np.empty((JOINTS, len(X_WF)))
+    out = np.empty((JOINTS, *psi.shape))
     side = np.array([[elbow_side(definition, configuration)]])
     for part in _chunks(len(X_WF)):
-        q = _all_positive(robot, X_WF[part], psi[part], side)[:, 0]
+        q = _all_positive(robot, X_WF[part], psi[..., part].reshape(-1, part.stop - part.start), side)
+        q = q.reshape(JOINTS, *psi.shape[:-1], -1)
         for i in range(0, JOINTS, 2):
-            out[i, part] = half_turn(q[i]) if before[i // 2] else q[i]
+            out[i, ..., part] = half_turn(q[i]) if before[i // 2] else q[i]
         for i in range(1, JOINTS, 2):
-            out[i, part] = -q[i] if negative[i // 2] else q[i]
-    return out.T
+            out[i, ..., part] = -q[i] if negative[i // 2] else q[i]
+    return np.moveaxis(out, 0, -1)
 
 
 def configuration(q: Array) -> IndexArray:
@@ -161,13 +165,14 @@ def why_unreachable(robot: SrsRobot, X_WF: Array, arm_angle: float, definition: 
     return f"at arm angle {degrees(arm_angle):.6g}° {said}"
 
 
-def _checked(X_WF: Array, arm_angle: Array | float) -> tuple[Array, Array]:
+def _checked(X_WF: Array, arm_angle: Array | float, most: int = 1) -> tuple[Array, Array]:
+    """Poses and their arm angles, an array of so many dimensions at most."""
     X_WF, psi = np.asarray(X_WF, dtype=np.float64), np.asarray(arm_angle, dtype=np.float64)
     if X_WF.ndim != 3 or X_WF.shape[1:] != (4, 4):
         raise ValueError(f"X_WF has shape {X_WF.shape}, wanted (n, 4, 4)")
-    if psi.shape not in ((), (len(X_WF),)):
+    if psi.ndim > most or psi.shape[-1:] not in ((), (len(X_WF),)):
         raise ValueError(f"arm_angle has shape {psi.shape}, wanted one number or ({len(X_WF)},)")
-    return X_WF, np.broadcast_to(psi, (len(X_WF),))
+    return X_WF, psi if psi.ndim else np.broadcast_to(psi, (len(X_WF),))
 
 
 def _chunks(n: int) -> Iterator[slice]:
@@ -233,7 +238,8 @@ def _triangle(lengths: SrsLengths, d: Array) -> tuple[Array, Array, Array, Array
 
 
 def _all_positive(robot: SrsRobot, X_WF: Array, psi: Array, sides: Array) -> Array:
-    """Joints (7, m, n) with q2, q4, q6 >= 0 at swivel angles psi (n,), the elbow on m sides (m, 1) of the line: +-1.
+    """Joints (7, m, n) with q2, q4, q6 >= 0 at swivel angles psi (n,), the elbow on m sides (m, 1) of the line: +-1;
+    or at m swivel angles (m, n) each, the elbow on one side (1, 1).
 
     Poses come last, so that every step runs over contiguous blocks. Shoulder and wrist are functions of their own so
     that their work arrays die early: memory that the heap gives back and fetches again costs as much as the arithmetic.
@@ -242,7 +248,7 @@ def _all_positive(robot: SrsRobot, X_WF: Array, psi: Array, sides: Array) -> Arr
     R = (R_BW @ X_WF[:, :3, :3].transpose(1, 2, 0).reshape(3, -1)).reshape(3, 3, -1)
     u = R_BW @ (X_WF[:, :3, 3].T - robot.X_WB[:3, 3, None]) - lengths.wf * R[:, 2]
     u[2] -= lengths.bs
-    q = np.empty((JOINTS, len(sides), len(psi)))
+    q = np.empty((JOINTS, *np.broadcast_shapes(sides.shape, psi.shape)))
     d, n, b, t = _line(u)
     c, s = np.cos(psi), np.sin(psi)
     b, t = _sum(c, b, s, t), _sum(c, t, -s, b)
@@ -268,6 +274,7 @@ def _shoulder(n: _Vector, b: _Vector, t: _Vector, cosine: Array, sine: Array, si
 
 def _wrist(R: Array, n: _Vector, b: _Vector, t: _Vector, cosine: Array, sine: Array, sides: Array, q: Array) -> None:
     """Put q5, q6, q7 into q. Frame 4 in the base is x = side cos b + sin n, y = side t, z = cos n - side sin b."""
+    R = R[:, :, None]
     along, across, aside = (v[0] * R[0] + v[1] * R[1] + v[2] * R[2] for v in (n, b, t))  # the flange's axes in n, b, t
     bent, flat = sides * sine, sides * cosine
     x, y, z = flat * across[2] + sine * along[2], sides * aside[2], cosine * along[2] - bent * across[2]

@@ -66,7 +66,7 @@ def arm_map(
 def fans(robot: SrsRobot, X_WF: Array, definition: ArmAngle, configuration: int, delta: Array) -> Iterator[Array]:
     """The joints (m, 7) at every arm angle of delta (m,), pose after pose."""
     for X in X_WF:
-        yield inverse_branch(robot, np.broadcast_to(X, (len(delta), 4, 4)), delta, definition, configuration)
+        yield inverse_branch(robot, X[None], delta[:, None], definition, configuration)[:, 0]
 
 
 def stages(n: int, count: int) -> IndexArray:

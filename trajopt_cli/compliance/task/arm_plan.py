@@ -381,9 +381,7 @@ class _Fit:
         pairs = zip(borders[:-1].tolist(), borders[1:].tolist(), strict=True)
         rows = np.array([first + int(np.argmax(bench.hard[first:end])) for first, end in pairs], dtype=np.intp)
         rows = np.clip(rows, 1, len(X_WF) - 2)
-        # each place three times: the arm angle there, a little more and a little less, all in one inverse
-        places = [X_WF[nodes], *(X_WF[rows + k] for k in (-1, 0, 1))]
-        self._X = np.concatenate([X for X in places for _ in range(3)])
+        self._X = np.concatenate([X_WF[nodes], *(X_WF[rows + k] for k in (-1, 0, 1))])
         self._dt = np.diff(t)
         ends = np.concatenate([self._dt[:1], self._dt, self._dt[-1:]])  # as if mirrored: the course rests there
         self._w = (ends[:-1] + ends[1:]) / 2
@@ -419,9 +417,10 @@ class _Fit:
         bend = b * delta[:-2] - (a + b) * delta[1:-1] + a * delta[2:]
         # around the hardest rows the arm angle goes as it does at the node
         around = (delta[1:-1] + k * way.h * rate + k * k * way.h**2 / 2 * bend for k in (-1, 0, 1))
-        angles = np.concatenate([one + step for one in (delta, *around) for step in (0.0, _STEP, -_STEP)])
+        # at each place the arm angle there, a little more and a little less, all in one inverse
+        angles = np.concatenate([delta, *around]) + np.array([[0.0], [_STEP], [-_STEP]])
         every = inverse_branch(way.robot, self._X, angles, way.definition, way.configuration)
-        q, up, down = every[: 3 * len(delta)].reshape(3, -1, every.shape[1])
+        q, up, down = every[:, : len(delta)]
         q, q_d = np.unwrap(q, axis=0), _turn(up - down) / (2 * _STEP)
         normal = _Normal(len(delta))
         root = np.sqrt(self._w)[:, None]
@@ -442,13 +441,13 @@ class _Fit:
         scale = _WALL_SPEED * stretch
         normal.add(scale * np.maximum(np.abs(share) - self._top, 0.0), -scale * fast * per[0], scale * fast * per[1])
 
-        self._bends(normal, delta, q, q_d, every[3 * len(delta) :].reshape(3, 3, -1, every.shape[1]))
+        self._bends(normal, delta, q, q_d, every[:, len(delta) :].reshape(3, 3, -1, every.shape[2]))
         return normal.merit, normal.bands, normal.gradient
 
     def _bends(self, normal: _Normal, delta: Array, q: Array, q_d: Array, around: Array) -> None:
         """Add what accelerations cost: the joints' beyond their limits, the arm angle's everywhere.
 
-        around (3, 3, K - 1, 7): joints of three rows around the hardest near each node, each as it is, more and less.
+        around (3, 3, K - 1, 7): joints as they are, more and less, each of three rows near the hardest at each node.
         """
         h, top = self._way.h, self._way.limits.acceleration
         root, calm = np.sqrt(self._w)[:, None], np.sqrt(self._weight * self._w)[:, None]
@@ -458,7 +457,7 @@ class _Fit:
         first = (-1 / span, 0 / span, 1 / span)
         bend = b * delta[:-2, None] - (a + b) * delta[inner, None] + a * delta[2:, None]
         normal.add(calm[inner] * bend, *(calm[inner] * w for w in second))
-        q_3, slope = around[:, 0], _turn(around[:, 1] - around[:, 2]) / (2 * _STEP)
+        q_3, slope = around[0], _turn(around[1] - around[2]) / (2 * _STEP)
         hard = (_turn(q_3[2] - q_3[1]) - _turn(q_3[1] - q_3[0])) / (h * h * top)
         over = np.maximum(np.abs(hard) - _TOP_ACCELERATION, 0.0)
         wall = _WALL_ACCELERATION * root[inner] * np.where(over > 0, np.sign(hard), 0.0) / top
