@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from trajopt_cli.cli import run
+
 REPOSITORY = Path(__file__).parents[2]
 
 
@@ -23,15 +25,10 @@ def environment(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     return {**os.environ, "PATH": f"{folder}:{os.environ['PATH']}", "PYTHONPATH": str(REPOSITORY), "HOME": str(folder)}
 
 
-def said(environment: dict[str, str], **more: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        ["trajopt"], env={**environment, **more}, capture_output=True, text=True, check=False, timeout=60
-    )
-
-
 @pytest.fixture(scope="module")
 def script(environment: dict[str, str]) -> str:
-    return said(environment, _TRAJOPT_COMPLETE="source_bash").stdout
+    around = {**environment, "_TRAJOPT_COMPLETE": "source_bash"}
+    return subprocess.run(["trajopt"], env=around, capture_output=True, text=True, check=False, timeout=60).stdout
 
 
 @pytest.mark.skipif(shutil.which("bash") is None, reason="there is no bash")
@@ -55,22 +52,19 @@ def test_bash_completes(words: list[str], expected: set[str], environment: dict[
     assert done.stderr == ""
 
 
-def test_zsh_and_fish_get_choices_or_files(environment: dict[str, str]) -> None:
-    def zsh(words: str) -> str:
-        return said(environment, _TRAJOPT_COMPLETE="complete_zsh", _TYPER_COMPLETE_ARGS=words).stdout.strip()
+def test_zsh_and_fish_get_choices_or_files(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    def completed(shell: str, words: str, action: str = "") -> tuple[int, str]:
+        monkeypatch.setenv("_TRAJOPT_COMPLETE", f"complete_{shell}")
+        monkeypatch.setenv("_TYPER_COMPLETE_ARGS", words)
+        monkeypatch.setenv("_TYPER_COMPLETE_FISH_ACTION", action)
+        with pytest.raises(SystemExit) as left:
+            run([])
+        return int(left.value.code or 0), capsys.readouterr().out.strip()
 
-    def fish(words: str, action: str) -> subprocess.CompletedProcess[str]:
-        return said(
-            environment,
-            _TRAJOPT_COMPLETE="complete_fish",
-            _TYPER_COMPLETE_ARGS=words,
-            _TYPER_COMPLETE_FISH_ACTION=action,
-        )
-
-    assert zsh("trajopt optimize ti") == "_files"
-    assert '"stream"' in zsh("trajopt optimize a.mod --target ")
-    assert fish("trajopt optimize ti", "is-args").returncode == 1  # then fish itself completes files
-    assert fish("trajopt robot show ii", "get-args").stdout.split() == ["iiwa7"]
+    assert completed("zsh", "trajopt optimize ti") == (0, "_files")
+    assert '"stream"' in completed("zsh", "trajopt optimize a.mod --target ")[1]
+    assert completed("fish", "trajopt optimize ti", "is-args")[0] == 1  # then fish itself completes files
+    assert completed("fish", "trajopt robot show ii", "get-args")[1].split() == ["iiwa7"]
 
 
 @pytest.mark.skipif(shutil.which("bash") is None, reason="there is no bash")
