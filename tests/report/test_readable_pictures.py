@@ -150,24 +150,25 @@ def test_no_panel_is_empty(case: str, picture: str) -> None:
 def test_texts_are_legible_inside_the_page_and_none_is_on_another(case: str, picture: str) -> None:
     made = figure(case, picture)
     if made is not None:
-        assert outside(made) == []
-        assert list(overlapping(made)) == []
-        assert min(text.get_fontsize() for text in shown(made)) >= 10  # legible at half size
+        texts = shown(made)
+        assert outside(made, texts) == []
+        assert list(overlapping(made, texts)) == []
+        assert min(text.get_fontsize() for text in texts) >= 10  # legible at half size
 
 
-def outside(made: Figure) -> list[str]:
+def outside(made: Figure, texts: list[Text]) -> list[str]:
     page = made.bbox.padded(1)
-    boxes = [(text.get_text(), Text.get_window_extent(text)) for text in shown(made)]
+    boxes = [(text.get_text(), Text.get_window_extent(text)) for text in texts]
     return [text for text, box in boxes if not (page.contains(box.x0, box.y0) and page.contains(box.x1, box.y1))]
 
 
-def overlapping(made: Figure) -> Iterator[tuple[str, str]]:
+def overlapping(made: Figure, texts: list[Text]) -> Iterator[tuple[str, str]]:
     """Pairs of texts that cover each other by more than a pixel; slanted ones by the strip that they stand in."""
-    level = [(text.get_text(), Text.get_window_extent(text)) for text in shown(made) if text.get_rotation() in (0, 90)]
+    level = [(text.get_text(), Text.get_window_extent(text)) for text in texts if text.get_rotation() in (0, 90)]
     for (a, one), (b, other) in combinations(level, 2):
         if min(one.x1, other.x1) - max(one.x0, other.x0) > 1 and min(one.y1, other.y1) - max(one.y0, other.y0) > 1:
             yield a, b
-    slanted = [text for text in shown(made) if text.get_rotation() not in (0, 90)]
+    slanted = [text for text in texts if text.get_rotation() not in (0, 90)]
     if slanted and made.axes[0].name != "3d":
         feet = sorted(Text.get_window_extent(text).x0 for text in slanted)
         wanted = slanted[0].get_fontsize() * made.dpi / 72 / np.sin(np.radians(slanted[0].get_rotation()))
@@ -203,7 +204,7 @@ def test_a_heading_loses_no_more_letters_than_it_must() -> None:
             (heading,) = made.texts
             told = heading.get_text()
             assert told.endswith(" · stream plan")
-            assert outside(made) == []
+            assert outside(made, shown(made)) == []
             if told.startswith(name):
                 continue
             head, tail = told.removesuffix(" · stream plan").split("…")
@@ -267,9 +268,10 @@ def test_bars_are_readable_too() -> None:
     with house_style():
         for made in (comparison_figure(rows, LONG), savings_figure(causes, LONG), levers_figure(bars, 6.5, LONG)):
             made.draw_without_rendering()
-            assert outside(made) == []
-            assert list(overlapping(made)) == []
-            told.append({text.get_text() for text in shown(made)})
+            texts = shown(made)
+            assert outside(made, texts) == []
+            assert list(overlapping(made, texts)) == []
+            told.append({text.get_text() for text in texts})
     assert {one for row in rows for one in (row.name, row.what)} <= told[0]
     assert {name for name, _ in causes} <= told[1]
     assert {name for name, _, _ in bars[:16]} <= told[2]
