@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import json
 import re
+from io import BytesIO
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 from scipy.spatial.transform import Rotation
 
 from trajopt_cli.cli import run
@@ -45,6 +48,18 @@ def task(tmp_path: Path) -> Path:
     path = tmp_path / "small.yaml"
     path.write_text(TASK)
     return path
+
+
+@pytest.fixture
+def only_png(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Pictures' SVG files stay empty: they come from the same figures."""
+    save = Figure.savefig
+
+    def saved(figure: Figure, file: BytesIO, **how: Any) -> None:
+        if how["format"] == "png":
+            save(figure, file, **how)
+
+    monkeypatch.setattr(Figure, "savefig", saved)
 
 
 def segments(task: Path, *options: str) -> Path:
@@ -107,6 +122,7 @@ def test_joints_put_the_tool_on_every_pose(task: Path) -> None:
     np.testing.assert_allclose(joints.q[0], np.radians([0, 30, 0, -100, 0, 50, 0]), rtol=0, atol=1e-9)
 
 
+@pytest.mark.usefixtures("only_png")
 def test_an_arm_angle_is_chosen_told_and_drawn(
     task: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -312,6 +328,7 @@ def test_joints_that_could_not_accelerate_so_slow_the_inverse_feed_down(
     assert run(["iiwa", "simulate", f"{folder}-dosed"]) == 0
 
 
+@pytest.mark.usefixtures("only_png")
 def test_the_fastest_feed_within_the_lead_is_written(task: Path, capsys: pytest.CaptureFixture[str]) -> None:
     task.write_text(TASK.replace("h: 4", "h: 8"))
     folder = segments(task)
