@@ -14,7 +14,7 @@ from pathlib import Path
 import matplotlib
 import numpy as np
 import pytest
-from drawn_plans import PAUSE, TOOL, Drawn, drawn
+from drawn_plans import PAUSE, TOOL, Drawn, as_svg, drawn
 from matplotlib.figure import Figure
 
 from trajopt_cli.problem.course import Course, follow
@@ -45,6 +45,7 @@ def with_rail() -> dict[str, bytes]:
     with pytest.MonkeyPatch.context() as patch:
         pictures = {name: lambda _, name=name: figure(name) for name in PICTURES}
         patch.setattr("trajopt_cli.report.pictures.PICTURES", pictures)
+        patch.setattr(Figure, "savefig", as_svg)
         return draw(RAIL.program, RAIL.plant, RAIL.plan, "cell")
 
 
@@ -109,14 +110,10 @@ def test_the_same_plan_gives_the_same_bytes_whatever_the_users_style(monkeypatch
 
 _AGAIN = """
 from hashlib import sha256
-from drawn_plans import drawn
+from drawn_plans import as_svg, drawn
 from matplotlib.figure import Figure
 from trajopt_cli.report.pictures import draw
-case, save = drawn(rail=True), Figure.savefig
-def as_svg(figure, file, **how):  # and one as PNG, which comes from the same figure in the same way
-    if how["format"] == "svg" or how["metadata"]["Title"] == "cell: rail":
-        save(figure, file, **how)
-Figure.savefig = as_svg
+case, Figure.savefig = drawn(rail=True), as_svg
 for name, content in draw(case.program, case.plant, case.plan, "cell").items():
     if content:
         print(name, sha256(content).hexdigest())
