@@ -87,16 +87,19 @@ def test_whole_turns_reach_every_configuration_in_range(arm):
 
 
 def seen(robot, q):
-    """By pin's joint frames alone: unit axes (6, 3), a point (6, 3) on each, wrist centre and flange, at q (6,). The
-    wrist centre is where axes 4 to 6 meet, or 5 and 6 where axis 4 is parallel to axis 3."""
-    model = robot.pin_model
-    data = model.createData()
-    u = pin.computeJointJacobians(model, data, q)[3:].T
-    p = np.array([data.oMi[i].translation for i in range(1, 7)])
-    first = 4 if parallel(u) else 3
-    across = [np.eye(3) - np.outer(v, v) for v in u[first:]]
-    wrist = np.linalg.solve(sum(across), sum(A @ o for A, o in zip(across, p[first:], strict=True)))
-    return u, p, wrist, pin.updateFramePlacement(model, data, model.getFrameId("tool0", pin.FrameType.BODY)).translation
+    """By pin's joint frames alone: unit axes (n, 6, 3), a point (n, 6, 3) on each, wrist centre and flange (n, 3), at q
+    (n, 6). The wrist centre is where axes 4 to 6 meet, or 5 and 6 where axis 4 is parallel to axis 3."""
+    model, rows = robot.pin_model, []
+    data, flange = model.createData(), model.getFrameId("tool0", pin.FrameType.BODY)
+    for row in q:
+        u = pin.computeJointJacobians(model, data, row)[3:].T.copy()
+        p = [data.oMi[i].translation.copy() for i in range(1, 7)]
+        rows.append((u, p, pin.updateFramePlacement(model, data, flange).translation.copy()))
+    u, p, tool = (np.array(x) for x in zip(*rows, strict=True))
+    some = slice(4 if parallel(u[0]) else 3, 6)
+    across = np.eye(3) - u[:, some, :, None] * u[:, some, None]
+    wrist = np.linalg.solve(across.sum(axis=1), (across @ p[:, some, :, None]).sum(axis=1))[..., 0]
+    return u, p, wrist, tool
 
 
 def parallel(u):
@@ -105,7 +108,7 @@ def parallel(u):
 
 def geometric_margins(robot, q):
     """What cfx is about, (n, 3): wrist centre before axis 1 and before the lower arm, sine of axis 5."""
-    u, p, wrist, tool = seen(robot, np.zeros(6))
+    u, p, wrist, tool = (x[0] for x in seen(robot, np.zeros((1, 6))))
     base = robot.X_WR[:3, 3]
     high = u[0] @ (p[1] - base)
     up = np.sign(high if abs(high) > 1e-9 else u[0] @ robot.X_WR[:3, 2])
@@ -113,7 +116,7 @@ def geometric_margins(robot, q):
     front = np.sign(front if abs(front) > 1e-9 else np.cross(u[1], u[0]) @ (wrist - p[0]))
     onward, out = np.sign(u[3] @ (wrist - p[2])), np.sign(u[5] @ (tool - wrist))
     one_way = parallel(u)
-    u, p, wrist = (np.array(x) for x in zip(*(seen(robot, row)[:3] for row in q), strict=True))
+    u, p, wrist, _ = seen(robot, q)
     u, p = np.moveaxis(u, 1, 0), np.moveaxis(p, 1, 0)  # (6, n, 3)
     forward = front * np.cross(u[1], u[0])
     left = np.cross(up * u[0], forward)
@@ -192,7 +195,7 @@ def test_what_is_out_of_reach_is_said_in_the_arms_own_lengths(arm):
     if isinstance(canonical, ParallelArm):
         pytest.skip("test_parallel_arm.py has its words")
     X = arm.forward(np.zeros(6))
-    wrist = seen(arm, np.zeros(6))[2]
+    wrist = seen(arm, np.zeros((1, 6)))[2][0]
 
     def at(*place):
         moved = X.copy()
