@@ -139,6 +139,9 @@ def test_forward_of_the_inverse_is_the_pose_and_the_sampled_posture_is_among_the
     assert np.all(apart < 1e-14 / np.minimum(near, 0.1) ** 2)
     one = np.array([inverse_branch(HUNG, X, psi, definition, i) for i in range(8)])
     np.testing.assert_array_equal(one.transpose(1, 0, 2), found)
+    three = inverse_branch(HUNG, X, np.array([psi, psi + 0.3, psi - 1.0]), definition, 5)  # at each pose
+    np.testing.assert_array_equal(three[0], one[5])
+    np.testing.assert_array_equal(three[2], inverse_branch(HUNG, X, psi - 1.0, definition, 5))
 
 
 def test_eight_elbows_are_one_by_swivel_and_two_by_faria(rng):
