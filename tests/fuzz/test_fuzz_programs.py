@@ -63,6 +63,7 @@ def test_a_small_program_keeps_its_promises(number: int, tmp_path: Path) -> None
 
 
 @pytest.mark.parametrize("number", [226, 973, 3253, 7484])
+@pytest.mark.usefixtures("unrefined")  # all of it was wrong of first legal motions already
 def test_what_a_long_run_found_is_planned(number: int, tmp_path: Path) -> None:
     """An arc wholly within the zone before it, at the end of the file; a rail that may go nowhere beside a corner; a
     stop at the end of an arc within the zone before it, and a motion from there that comes nearer to that point; a
