@@ -8,6 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 from small_cells import plant_with_rail, rapid
+from unrefined import coarse_search
 
 from trajopt_cli.motion import Program
 from trajopt_cli.optimize import legal, optimize
@@ -36,7 +37,9 @@ def random_cell(seed: int) -> Program:
 
 
 def rapid_plan(seed: int, freedom: Freedom) -> Plan | None:
-    plan = optimize(random_cell(seed), plant_with_rail(), Target.RAPID, freedom, bounded=False)
+    with pytest.MonkeyPatch.context() as patch:
+        coarse_search(patch)
+        plan = optimize(random_cell(seed), plant_with_rail(), Target.RAPID, freedom, bounded=False)
     return plan if isinstance(plan, Plan) else None
 
 

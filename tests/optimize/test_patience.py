@@ -13,6 +13,7 @@ from pathlib import Path
 import casadi as ca
 import pytest
 from small_cells import plant_with_rail, problem_of, rapid
+from unrefined import coarse_search
 
 from trajopt_cli.cli import run
 from trajopt_cli.optimize import windows
@@ -44,6 +45,11 @@ limits:
 tcp: {speed: 2.5, acceleration: 20, source: test}
 start: {joints: "[0, 0, 0, 0, 30, 0] deg", rail: 0}
 """
+
+
+@pytest.fixture(autouse=True)
+def _coarse_search(monkeypatch: pytest.MonkeyPatch) -> None:
+    coarse_search(monkeypatch)
 
 
 STATION = "\n".join([*BODY.split("\n")[:4], "MoveAbsJ j_home, v2500, fine, tool0;"])

@@ -8,6 +8,7 @@ from itertools import pairwise, product
 import numpy as np
 import pytest
 from small_cells import plant_with_rail, problem_of, rapid
+from unrefined import coarse_search
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize import optimize, tied
@@ -120,6 +121,7 @@ def test_tied_waypoints_get_one_rail_position_and_one_configuration() -> None:
 
 
 def test_a_tie_that_cannot_be_kept_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    coarse_search(monkeypatch)
     monkeypatch.setattr("trajopt_cli.optimize.search.best_tied", lambda *_: (np.inf, []))
     program = rapid(TWICE, data=NEAR)
     answer = optimize(program, plant_with_rail(), Target.RAPID, changes=Changes(frozenset(range(7)), ((0, 3), (1, 4))))

@@ -10,6 +10,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from small_cells import plant_with_rail, problem_of, rapid
+from unrefined import coarse_search
 
 from trajopt_cli.motion import Program
 from trajopt_cli.optimize import improve, windows
@@ -42,9 +43,10 @@ AXES = Axes.of(plant_with_rail((-0.16, 0.8)))
 
 @cache
 def base(*places: float, home: str = "") -> Legal:
-    found = legal_of(
-        AXES, [problem_of(program(*places, home=home), plant_with_rail((-0.16, 0.8)))], Patience(), lambda _: None, {}
-    )
+    problem = problem_of(program(*places, home=home), plant_with_rail((-0.16, 0.8)))
+    with pytest.MonkeyPatch.context() as patch:
+        coarse_search(patch)
+        found = legal_of(AXES, [problem], Patience(), lambda _: None, {})
     assert isinstance(found, Legal)
     return found
 

@@ -9,6 +9,7 @@ import numpy as np
 import pinocchio as pin
 import pytest
 from small_cells import plant_with_rail, rapid
+from unrefined import coarse_search
 
 from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.errors import InputError, InputErrorGroup
@@ -44,6 +45,11 @@ CONST jointtarget j_back:=[[9E9,9E9,9E9,9E9,9E9,9E9],[9E9,0,9E9,9E9,9E9,9E9]];""
 
 def program(body: str, scenario: Scenario = TURNTABLE) -> Program:
     return rapid(r"ConfJ \Off; ConfL \Off; " + body, scenario, DATA)
+
+
+@pytest.fixture(autouse=True)
+def _coarse_search(monkeypatch: pytest.MonkeyPatch) -> None:
+    coarse_search(monkeypatch)
 
 
 def test_targets_stand_where_the_table_carries_them() -> None:

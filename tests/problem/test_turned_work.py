@@ -11,6 +11,7 @@ import numpy as np
 import pinocchio as pin
 import pytest
 from small_cells import plant_with_rail, rapid
+from unrefined import coarse_search
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.export.egm import stream_of
@@ -63,6 +64,7 @@ PROGRAM = program()
 def plan(target: Target) -> Plan:
     with pytest.MonkeyPatch.context() as patch:  # one of two starts leads in 34 to its end, the other nowhere
         patch.setattr("trajopt_cli.optimize.driver.MOST_ITERATIONS", 40)
+        coarse_search(patch)
         found = optimize(PROGRAM, PLANT, target)
     assert isinstance(found, Plan)
     return found
@@ -232,7 +234,7 @@ def test_egm_has_the_table_in_degrees_in_its_place() -> None:
     np.testing.assert_allclose(stream.q[k, 6], 1e3 * np.interp(k / 250, rows.t, rows.q[:, 0]), atol=1e-3)
 
 
-def test_a_tool_that_stands_while_the_work_goes_by_is_planned_and_judged() -> None:
+def test_a_tool_that_stands_while_the_work_goes_by_is_planned_and_judged(monkeypatch: pytest.MonkeyPatch) -> None:
     """Round the table's axis as far as it turns: p_1 and p_2 are one place in the world, but not on the work."""
     data = DATA.replace("[[-120,90,200],[0,0,1,0]", "[[17.942286,-148.923048,200],[0,-0.5,0.8660254,0]")
     data = data.replace("[[0,150,200]", "[[-58.923048,-137.942286,200]").replace("[9E9,60,", "[9E9,-60,")
@@ -243,6 +245,7 @@ def test_a_tool_that_stands_while_the_work_goes_by_is_planned_and_judged() -> No
     np.testing.assert_allclose(arc.X_WT[:3, 3], found.motions[0].X_WT[:3, 3], atol=1e-6)  # type: ignore[union-attr]
     way = segment_of(arc, found.motions[0].X_WT)  # type: ignore[union-attr]
     assert way.length == pytest.approx(0.15 * np.pi / 3, rel=1e-5)
+    coarse_search(monkeypatch)
     for target in Target:
         planned = optimize(found, PLANT, target, bounded=False)
         assert isinstance(planned, Plan)

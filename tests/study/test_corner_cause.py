@@ -39,7 +39,7 @@ def job_of(zone: str, folder: Path) -> Job:
 
 
 @pytest.fixture(scope="module")
-def compared(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Comparison]:
+def compared(tmp_path_factory: pytest.TempPathFactory, coarse: None) -> Iterator[Comparison]:
     """All rows of the program with z20, taken as legal whatever the judge says."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("trajopt_cli.beside.cores", lambda: 1)
