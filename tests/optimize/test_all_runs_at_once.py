@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from small_cells import plant_with_rail, problem_of, rapid
+from unrefined import coarse_search
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize import exchange, looks
@@ -36,7 +37,9 @@ MoveL Offs(p_low,0,-60,20), v800, fine, tool0;"""
 def chain_of(body: str = BODY) -> tuple[Axes, Problem, Chain]:
     problem = problem_of(rapid(body, data=DATA), plant_with_rail(), Target.RAPID)
     axes = Axes.of(problem.plant)
-    chain = search(axes, problem)
+    with pytest.MonkeyPatch.context() as patch:
+        coarse_search(patch)
+        chain = search(axes, problem)
     assert chain is not None
     return axes, problem, replace(chain, w=np.zeros_like(chain.w))
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from small_cells import down, plant_with_rail, problem_of, rapid
+from unrefined import coarse_search
 
 from trajopt_cli.geometry import wxyz_from_rotation
 from trajopt_cli.optimize import bound
@@ -83,6 +84,7 @@ def test_a_bound_in_windows_holds_and_is_hardly_weaker(target: Target, monkeypat
     """Against a legal motion, whatever is aimed at, and against the bound over all cells at once."""
     problem = places([0.3, 1.4, 0.8, 1.7], plant_with_rail(), target)
     axes = Axes.of(problem.plant)
+    coarse_search(monkeypatch)
     chain = search(axes, replace(problem, coupling=Coupling.COORDINATED))
     assert chain is not None
     legal = duration(timed(axes, problem, refined(axes, replace(problem, coupling=Coupling.COORDINATED), chain)))
