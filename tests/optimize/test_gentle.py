@@ -29,8 +29,7 @@ WaitTime 0.3;
 MoveAbsJ j_home, v1000, fine, tool0;"""
 STATION = """MoveJ p_in, v1000, fine, tool0;
 MoveL p_low, v500, fine, tool0;
-WaitTime 0.3;
-MoveAbsJ j_home, v1000, fine, tool0;"""
+WaitTime 0.3;"""
 
 
 IN_TIME = LeastEffort(4.5)
@@ -78,10 +77,10 @@ def streamed() -> Streams:
         return {asked: planned(rapid(SHORT), Target.STREAM, asked) for asked in (IN_TIME, GENTLE)}
 
 
-def gentler_than_slower(plan: Plan, eased: Eased) -> bool:
-    """Whether the plan has less effort than the fastest one driven slower, its wait of 0.3 s as it is."""
+def gentler_than_slower(plan: Plan, eased: Eased, share: float = 1.0) -> bool:
+    """Whether the plan has less than a share of the effort of the fastest driven slower, its wait of 0.3 s as it is."""
     slower = (plan.duration - 0.3) / (eased.least_time - 0.3)
-    return slower > 1 and eased.planned.effort < eased.fastest.effort / slower**3
+    return slower > 1 and eased.planned.effort < share * eased.fastest.effort / slower**3
 
 
 def test_a_stream_holds_its_time_and_no_slower_driving_is_gentler(streamed: Streams) -> None:
@@ -91,9 +90,9 @@ def test_a_stream_holds_its_time_and_no_slower_driving_is_gentler(streamed: Stre
 
 
 def test_a_rapid_plan_holds_its_time_and_no_slower_driving_is_gentler() -> None:
-    plan, eased = planned(rapid(STATION), Target.RAPID, LeastEffort(4.5))
-    assert plan.duration == pytest.approx(4.5, abs=1e-9)
-    assert gentler_than_slower(plan, eased)
+    plan, eased = planned(rapid(STATION), Target.RAPID, LeastEffort(3.0))
+    assert plan.duration == pytest.approx(3.0, abs=1e-9)
+    assert gentler_than_slower(plan, eased, 0.7)
 
 
 def test_the_effort_of_the_rows_is_the_effort_that_is_told(streamed: Streams) -> None:
@@ -117,7 +116,7 @@ def test_at_the_least_time_and_a_hair_a_plan_is_gentler(target: Target, streamed
 def test_too_short_a_time_is_the_answer_no() -> None:
     answer = optimize(rapid(STATION), plant_with_rail(), Target.RAPID, bounded=False, objective=LeastEffort(1.0))
     assert isinstance(answer, Infeasible)
-    assert str(answer).startswith("t.mod:8:1: the rapid plan shall end here after 1 s; the least time found is 1.9")
+    assert str(answer).startswith("t.mod:7:1: the rapid plan shall end here after 1 s; the least time found is 1.2")
 
 
 def test_the_other_target_takes_its_least_time_where_the_given_one_is_too_short() -> None:

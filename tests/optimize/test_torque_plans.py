@@ -186,7 +186,8 @@ def test_the_measure_of_a_torque_is_what_gravity_leaves() -> None:
     np.testing.assert_allclose(of_room(moving, rest), [1.0, 0.25, 1.0, 2.0])
 
 
-def test_a_given_time_and_limited_jerk_keep_torques_too() -> None:
+def test_a_given_time_and_limited_jerk_keep_torques_too(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("trajopt_cli.optimize.gentle.EASE_ROUNDS", 1)  # how gentle it is does not matter
     program, plant = rapid(BODY, data=DATA), heavy()
     slow = planned(program, plant, Target.RAPID, objective=LeastEffort(1.4))
     assert slow.duration == pytest.approx(1.4)
