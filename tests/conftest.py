@@ -84,6 +84,16 @@ def coarse() -> Iterator[None]:
         yield
 
 
+@pytest.fixture(scope="module")
+def few_places() -> Iterator[None]:
+    """All rails of a module have their places searched on coarse grids and refined once."""
+    from unrefined import coarse_search
+
+    with pytest.MonkeyPatch.context() as patch:
+        coarse_search(patch)
+        yield
+
+
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--shuffle", type=int, metavar="SEED", help="run files, and the tests of each, in random order")
 

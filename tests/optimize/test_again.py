@@ -21,7 +21,7 @@ from trajopt_cli.problem.changes import everything
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 
-pytestmark = pytest.mark.usefixtures("coarse")
+pytestmark = pytest.mark.usefixtures("coarse", "few_places")
 
 Change = Callable[[float], tuple[Program, Plant]]
 STATION = """MoveJ Offs(p_in,-80,0,0), v2500, fine, tool0;

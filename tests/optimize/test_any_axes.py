@@ -25,7 +25,7 @@ from trajopt_cli.robot.layout import AxisLayout
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.trajectory import Trajectory
 
-pytestmark = pytest.mark.usefixtures("coarse")
+pytestmark = pytest.mark.usefixtures("coarse", "few_places")
 
 FIRST = np.array([6, 0, 1, 2, 3, 4, 5])  # the rail-first vector is q[..., FIRST] of the rail-last one
 LAST = np.array([1, 2, 3, 4, 5, 6, 0])

@@ -21,6 +21,8 @@ from trajopt_cli.problem.problem import Problem
 from trajopt_cli.robot.enclosure import Range
 from trajopt_cli.trajectory import hermite
 
+pytestmark = pytest.mark.usefixtures("few_places")
+
 CORNERS = """MoveJ p_in, v2500, {0}, tool0;
 MoveL p_low, v500, fine, tool0;
 MoveL p_in, v800, {0}, tool0;

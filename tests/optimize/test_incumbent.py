@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from small_cells import HOME, down, plant_with_rail, plant_without_rail, problem_of, rapid
+from unrefined import coarse_search
 
 from trajopt_cli.geometry import wxyz_from_rotation
 from trajopt_cli.optimize import optimize
@@ -92,8 +93,9 @@ def test_the_rail_does_not_jitter_along_a_contour() -> None:
 
 
 @pytest.mark.parametrize("target", Target)
-def test_a_time_too_short_is_infeasible_and_names_the_motion(target: Target) -> None:
+def test_a_time_too_short_is_infeasible_and_names_the_motion(target: Target, monkeypatch: pytest.MonkeyPatch) -> None:
     """60 mm under 2.5 m/s and 20 m/s2 take 0.11 s at least."""
+    coarse_search(monkeypatch)
     body = "MoveJ p_in, v2500, fine, tool0;\nMoveL p_low, v500\\T:={}, fine, tool0;"
     plant = plant_with_rail((-0.1, 0.8))
     answer = optimize(rapid(body.format(0.01)), plant, target, bounded=False)
@@ -107,6 +109,7 @@ def test_a_time_too_short_is_infeasible_and_names_the_motion(target: Target) -> 
 
 def test_a_time_far_too_short_is_refused_without_trying_narrower_ranges(monkeypatch: pytest.MonkeyPatch) -> None:
     """One search; a time a little too short is worth all of them."""
+    coarse_search(monkeypatch)
     searched: list[float] = []
 
     def counted(axes: Axes, problem: Problem) -> Chain | None:

@@ -25,7 +25,7 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.timing.point_to_point import point_to_point
 from trajopt_cli.verify.judge import verify
 
-pytestmark = pytest.mark.usefixtures("coarse")
+pytestmark = pytest.mark.usefixtures("coarse", "few_places")
 
 APART = "CONST jointtarget j_off:=[[40,10,-20,30,60,-50],[0,9E9,9E9,9E9,9E9,9E9]];"
 AWAY = "MoveAbsJ j_off, v5000, fine, tool0;"

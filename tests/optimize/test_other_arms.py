@@ -25,7 +25,7 @@ from trajopt_cli.robot.inverse import confdata
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.verify.judge import verify
 
-pytestmark = pytest.mark.usefixtures("coarse")
+pytestmark = pytest.mark.usefixtures("coarse", "few_places")
 
 # arm, rail, joints [deg] of home, of the line's start and of what is near its end
 CASES = {

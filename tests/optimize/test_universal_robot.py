@@ -19,6 +19,8 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.model import load_robot
 from trajopt_cli.verify.judge import verify
 
+pytestmark = pytest.mark.usefixtures("few_places")
+
 HOME = np.radians([200.0, -100, 90, -80, 90, -170])  # axes 1 and 6 beyond half a turn from where branches are given
 
 
@@ -83,8 +85,6 @@ def test_a_new_program_is_planned_judged_and_exported(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("trajopt_cli.optimize.lower_bound_of", lambda *_, **__: 0.1)  # other tests ask for it
-    for name, few in (("POLISH", 0), ("REFINE_ROUNDS", 1)):  # how good a plan is does not matter
-        monkeypatch.setattr(f"trajopt_cli.optimize.rail.{name}", few)
     assert run(["new", "first", "--robot", "ur10e_rail"]) == 0
     assert run(["optimize", "first.mod", "--time-limit", "0", "--json", "--quiet", "--jobs", "1"]) == 0
     answer = json.loads(capsys.readouterr().out.split("\n", 2)[2])

@@ -25,6 +25,8 @@ from trajopt_cli.robot.enclosure import Range
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify.judge import verify
 
+pytestmark = pytest.mark.usefixtures("few_places")
+
 STATION = """MoveJ p_in, v2500, fine, tool0;
 MoveL p_low, v500, fine, tool0;
 WaitTime 0.1;
