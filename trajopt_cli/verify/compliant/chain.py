@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +20,7 @@ from trajopt_cli.verify.compliant.tolerances import CAP
 from trajopt_cli.verify.findings import finding
 
 _LARGE = 0.1  # rad: a leg that turns less has turn vectors that add up like angles, to a thousandth
+_BLOCK = 64  # rows whose turns since the start of a leg are worked out at once
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,7 +146,13 @@ class _Part:
 def _turned(chain: list[Leg], rows: Poses, first: int) -> Callable[[int, int], _Vector]:
     """How far row first + k has turned since the start of leg i, in the coordinates of the leg's turn."""
     if chain[0].slerp:
-        return lambda i, k: turns.logarithm(turns.product(turns.conjugate(chain[i].q), rows.q[first + k])).tolist()
+
+        @lru_cache(64)
+        def block(i: int, of: int) -> list[_Vector]:
+            q = rows.q[first + of * _BLOCK : first + (of + 1) * _BLOCK]
+            return list(turns.logarithm(turns.product(turns.conjugate(chain[i].q), q)).tolist())
+
+        return lambda i, k: block(i, k // _BLOCK)[k % _BLOCK]
     angles = (chain[0].angles + chain[0].turned(rows.q[first:])).tolist()
     begins = [leg.angles.tolist() for leg in chain]
     return lambda i, k: [a - b for a, b in zip(angles[k], begins[i], strict=True)]
