@@ -315,10 +315,10 @@ def stopped_on_points() -> Case:
 
 
 @cache
-def contour(n: int = 75, zone: Zone = Z1, v: float = 0.05) -> Case:
+def contour(n: int = 38, zone: Zone = Z1, v: float = 0.05) -> Case:
     """Chords of 2 mm along a screw of 1.2 mm pitch: every turn comes near all the points of the one before."""
-    phi = 0.1 * np.arange(n + 1)
-    X = [P0, *(down(0.43 + 0.02 * np.cos(x), 0.02 * np.sin(x), 0.4 - 2e-5 * k) for k, x in enumerate(phi) if k)]
+    phi = 0.2 * np.arange(n + 1)
+    X = [P0, *(down(0.44 + 0.01 * np.cos(x), 0.01 * np.sin(x), 0.4 - 4e-5 * k) for k, x in enumerate(phi) if k)]
     legs = [Line(a, b) for a, b in pairwise(X)]
     motions = [move_l(12 + k, f"p_{k + 1}", b, zone=zone, speed=V100) for k, b in enumerate(X[1:-1])]
     motions.append(move_l(12 + n, "p_end", X[-1], speed=V100))

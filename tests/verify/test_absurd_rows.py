@@ -88,9 +88,10 @@ def test_a_search_that_ends_before_its_time_is_no_pass(monkeypatch: pytest.Monke
 def test_memory_does_not_grow_with_the_looks_that_a_motion_takes(monkeypatch: pytest.MonkeyPatch) -> None:
     beside = Solid(Box("beside", np.array([0.05, 0.05, 0.05]), pose(np.eye(3), [1.2, 0.0, 0.4])))
     plant = replace(plant_without_rail(), obstacles=(beside,), clearance=0.0)
-    moving = to_and_fro(plant, 200)
+    moving = to_and_fro(plant, 75)
+    monkeypatch.setattr(sweep, "_AT_ONCE", 128)
     peaks = []
-    for looks in (4_000, 12_000):
+    for looks in (800, 2_400):
         for module in (sweep, clearance):
             monkeypatch.setattr(module, "LOOKS", looks)
         tracemalloc.start()
