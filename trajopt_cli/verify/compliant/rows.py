@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 from math import isfinite
@@ -93,21 +94,33 @@ def read_table(text: str, file: str, needed: tuple[str, ...]) -> dict[str, Array
             raise InputError(f"needs one column '{head}', has {','.join(heads)}", file=file, line=1)
     if len(lines) < 3:
         raise InputError(f"{len(lines) - 1} rows; a sequence needs at least 2", file=file, line=len(lines))
-    table = np.empty((len(lines) - 1, len(heads)))
-    for i, line in enumerate(lines[1:]):
-        try:
-            row = [float(field) for field in line.split(",")]
-        except ValueError as error:
-            raise InputError(f"holds what is no number: {error}", file=file, line=i + 2) from error
-        if len(row) != len(heads):
-            raise InputError(f"{len(row)} values, the header has {len(heads)} columns", file=file, line=i + 2)
-        if not all(map(isfinite, row)):
-            raise InputError("holds a number that is not finite", file=file, line=i + 2)
-        table[i] = row
+    rows, width = lines[1:], len(heads)
+    table = None
+    if all(row.count(",") == width - 1 for row in rows):
+        with suppress(ValueError):
+            table = np.fromiter(map(float, ",".join(rows).split(",")), np.float64).reshape(-1, width)
+    if table is None or not np.isfinite(table).all():
+        table = _row_by_row(rows, width, file)
     late = np.flatnonzero(np.diff(table[:, 0]) <= 0)
     if late.size:
         raise InputError("its time does not follow the one before", file=file, line=int(late[0]) + 3)
     return dict(zip(heads, table.T, strict=True))
+
+
+def _row_by_row(lines: list[str], width: int, file: str) -> Array:
+    """The same table, where something is wrong with it: raises InputError for the first row that is no row of it."""
+    table = np.empty((len(lines), width))
+    for i, line in enumerate(lines):
+        try:
+            row = [float(field) for field in line.split(",")]
+        except ValueError as error:
+            raise InputError(f"holds what is no number: {error}", file=file, line=i + 2) from error
+        if len(row) != width:
+            raise InputError(f"{len(row)} values, the header has {width} columns", file=file, line=i + 2)
+        if not all(map(isfinite, row)):
+            raise InputError("holds a number that is not finite", file=file, line=i + 2)
+        table[i] = row
+    return table
 
 
 def columns(table: dict[str, Array], heads: tuple[str, ...]) -> Array:
