@@ -138,9 +138,9 @@ def test_the_least_distance_is_that_of_dense_sampling(rail: bool, rng: np.random
         wanted = float(rng.choice([0.0, 0.05]))
         plant = replace(plain, obstacles=(obstacle,), attached=(ball(0.03, 0.1),), clearance=wanted)
         trajectory = quintic_move(plant, stops, 0.5, 5e-3)
-        brute = brute_force(plant, obstacle, trajectory, 2e-4)
+        brute = brute_force(plant, obstacle, trajectory, 4e-4)
         found = one(plant, trajectory)
-        # Sampling may miss what happens within 0.1 ms; the sweep what it says.
+        # Sampling may miss what happens within 0.2 ms; the sweep what it says.
         assert -4e-4 <= found.value - brute <= max(OVERLOOKED, COARSE * (found.value - wanted)), k
         assert found.passed == (found.value >= wanted)
         counts["hit" if brute < 0 else "apart"] += 1

@@ -99,7 +99,7 @@ def test_a_slow_end_is_within_tolerance_of_a_stop_before_its_time_is_over(target
         motions = list(case.program.motions)
         motions[1] = move_l(12, "p_a", A, 0.08, duration=least)
         motions[2:3] = [move_j(19, "p_a", A), replace(move_j(20, "p_a", A), duration=again), wait(21, 0.1)]
-        rows = case.swap(p1=slow, p2=hold(q, rest)).rows(step=4e-3)
+        rows = case.swap(p1=slow, p2=hold(q, rest)).rows(step=8e-3)
         report = verify(program(*motions), case.plant, rows, target=target)
         return [f"{f.check} {f.source[1]}" for f in report.findings if not f.passed]
 
