@@ -69,11 +69,14 @@ def some(values: st.SearchStrategy[T], least: int = 0, most: int = 3) -> st.Sear
     return st.lists(values, min_size=least, max_size=most).map(tuple)
 
 
-names = st.from_regex(r"[^\W\d]\w{0,6}", fullmatch=True).filter(lambda n: n.upper() not in KEYWORDS)
+characters = st.characters(exclude_categories=["Cs"])  # a codec's would be worked out, for a second
+names = st.from_regex(r"[^\W\d]\w{0,6}", fullmatch=True, alphabet=characters).filter(
+    lambda n: n.upper() not in KEYWORDS
+)
 marks = st.sampled_from(["<SMT>", "<EXP>", "<VAR>", "<ID>", "<ARG>", "<PAR>", "<ALT>", "<DIM>", "<DDN>", "<RDN>"])
 placeholders = at(Placeholder, marks)
 numbers = at(Number, st.floats(allow_nan=False, allow_infinity=False).map(lambda v: v + 0.0))
-strings = at(String, st.text(st.characters(exclude_categories=["Cs"]), max_size=8))
+strings = at(String, st.text(characters, max_size=8))
 variables = at(Name, names)
 atoms = st.one_of(numbers, strings, at(Boolean, st.booleans()), variables, at(Placeholder, marks | st.just("*")))
 
