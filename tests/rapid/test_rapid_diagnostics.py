@@ -348,15 +348,15 @@ HEAD = "MODULE m\nPROC main()\n"
     "text",
     [
         *(
-            HEAD + "x:=" + piece * 20_000
+            HEAD + "x:=" + piece * 10_000
             for piece in ("(", "[", "[1,", '"', "-", "f(", "a{", "1.", "[[[1,2]]],", '"\n', "[1,2\n")
         ),
         *(
-            HEAD + piece * 20_000
+            HEAD + piece * 10_000
             for piece in ("IF a THEN ", "IF a ", "x:=1;ENDIF ", "ELSE ", "CASE 1 ", "/* ", "#;", ");\n", ";a,b", "%")
         ),
         *(
-            piece * 20_000
+            piece * 10_000
             for piece in (
                 "%%%(",
                 "%%% a:b ",
@@ -368,16 +368,16 @@ HEAD = "MODULE m\nPROC main()\n"
                 "å",
             )
         ),
-        HEAD + "x:=[" + " " * 300_000,
-        HEAD + "x" * 300_000,
+        HEAD + "x:=[" + " " * 150_000,
+        HEAD + "x" * 150_000,
     ],
     ids=lambda text: ascii(text[-12:]),
 )
 def test_hopeless_text_is_refused_at_once_and_briefly(text: str) -> None:
-    start = time.perf_counter()
+    start = time.process_time()
     with pytest.raises(InputError) as caught:
         parse_module(text, "m.mod")
-    assert time.perf_counter() - start < 3  # measured below 0.3 s; what is not linear takes minutes
+    assert time.process_time() - start < 1.5  # measured below 0.2 s; what is not linear takes half a minute
     shown = caught.value.shown().splitlines()
     assert len(shown) <= 61
     assert max(map(len, shown)) < 300
