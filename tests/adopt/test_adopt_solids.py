@@ -52,7 +52,7 @@ def test_no_direction_has_a_much_smaller_one():
         points = rng.normal(size=(6, 3)) * [0.1, 0.2, 0.3]  # few corners: their main axes are no good guess
         found = smallest_capsule("x", points)
         best = np.inf
-        for direction in rng.normal(size=(1500, 3)):
+        for direction in rng.normal(size=(600, 3)):
             direction /= np.linalg.norm(direction)
             sides = np.linalg.svd(direction[None])[2][1:]
             centre, radius = smallest_circle(points @ sides.T)

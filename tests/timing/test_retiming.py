@@ -69,7 +69,7 @@ def same(one: TimeLaws, other: TimeLaws) -> bool:
 @pytest.mark.parametrize("make", [smooth, jumping])
 @pytest.mark.parametrize(("share_0", "share_1"), [(0.0, 0.0), (1.0, 0.0), (0.0, 1.5), (1.0, 1.5), (2.5, 0.5)])
 def test_rates_are_those_of_toppra(make: Callable[..., Paths], share_0: float, share_1: float) -> None:
-    paths = make(11, 30, 60, 6)
+    paths = make(11, 15, 60, 6)
     s, top = paths[:2]
     # rates at the ends by those one interval inside of a run from rest to rest: some paths can have them, some not
     inner = fastest_laws(*paths, 0.0, 0.0).rates
