@@ -134,6 +134,23 @@ class Singularity(Enum):
     LOCK_AXIS_4 = "LockAxis4"
 
 
+class CirPathMode(Enum):
+    r"""How a MoveC turns the tool (CirPathMode).
+
+    PATH_FRAME: evenly against the frame of the circle (tangent, normal), so that a tool that leans inwards at both ends
+    does so all the way; of the two ways to turn the one on which the circle point's orientation lies. OBJECT_FRAME:
+    evenly against the work object, as on a line. CIR_POINT_ORI: through the orientation of the circle point. WRIST_xy:
+    with two wrist axes alone, for cutting.
+    """
+
+    PATH_FRAME = "PathFrame"
+    OBJECT_FRAME = "ObjectFrame"
+    CIR_POINT_ORI = "CirPointOri"
+    WRIST_45 = "Wrist45"
+    WRIST_46 = "Wrist46"
+    WRIST_56 = "Wrist56"
+
+
 @dataclass(frozen=True)
 class Settings:
     r"""Modal state of a program, as it stands when a move is programmed.
@@ -142,7 +159,8 @@ class Settings:
     ramp: shares of what is possible (AccSet). path_acceleration, path_deceleration, world_acceleration: caps [m/s2] on
     the TCP, None for none. override, v_max [m/s]: VelSet, already in every Speed. load: what the gripper holds
     (GripLoad), None for nothing. eax_offset: what EOffs adds to the external axes, already in every extax; mm or deg.
-    displaced: whether a program displacement (PDisp) is active; it is already in every X_WT.
+    displaced: whether a program displacement (PDisp) is active; it is already in every X_WT. circle: how arcs turn the
+    tool (CirPathMode).
     """
 
     conf_j: bool = True
@@ -158,6 +176,7 @@ class Settings:
     load: Load | None = None
     eax_offset: tuple[float, float, float, float, float, float] = (0.0,) * 6
     displaced: bool = False
+    circle: CirPathMode = CirPathMode.PATH_FRAME
 
 
 DEFAULT_SETTINGS = Settings()
@@ -301,7 +320,7 @@ class MoveL(_PoseMove):
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class MoveC(_PoseMove):
-    """To the pose X_WT on the arc through X_WV's position; the orientation turns evenly from start to end."""
+    """To the pose X_WT on the arc through X_WV's position; how the tool turns, settings.circle says."""
 
     X_WV: Array
 

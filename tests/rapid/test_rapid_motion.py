@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, inverse_pose, pose, rotation_about, rotation_from_wxyz
-from trajopt_cli.motion import Happens, Move, MoveAbsJ, MoveC, MoveJ, MoveL, Program, Singularity, TextFile
+from trajopt_cli.motion import CirPathMode, Happens, Move, MoveAbsJ, MoveC, MoveJ, MoveL, Program, Singularity, TextFile
 from trajopt_cli.path.circle import arc_length, circle_through, point_on
 from trajopt_cli.path.line import Line
 from trajopt_cli.rapid.data.courses import between
@@ -275,7 +275,7 @@ def test_another_tool_has_another_way() -> None:
 def test_settings_are_as_the_manual_says() -> None:
     body = (
         "AccSet 60,40\\FinePointRamp:=50; SingArea\\LockAxis4; PathAccLim TRUE\\AccMax:=4,TRUE\\DecelMax:=3;"
-        "WorldAccLim\\On:=2; VelSet 50,400; ConfJ\\Off; PathResol 50; ActUnit STN1; CirPathMode\\PathFrame;"
+        "WorldAccLim\\On:=2; VelSet 50,400; ConfJ\\Off; PathResol 50; ActUnit STN1; CirPathMode\\ObjectFrame;"
         f"MoveJ {at(1, 2, 3)},v1000,fine,tool0;"
     )
     program = run_main(body)
@@ -286,7 +286,8 @@ def test_settings_are_as_the_manual_says() -> None:
     assert (now.override, now.v_max, now.conf_j, now.conf_l) == (0.5, 0.4, False, True)
     assert move.speed.v_tcp == pytest.approx(0.4)
     assert move.speed.v_ori == pytest.approx(radians(250))
-    assert {name.lower() for name in program.ignored} == {"pathresol", "actunit", "cirpathmode"}
+    assert now.circle is CirPathMode.OBJECT_FRAME
+    assert {name.lower() for name in program.ignored} == {"pathresol", "actunit"}
 
 
 def test_a_speed_that_was_used_before_obeys_the_next_override() -> None:

@@ -31,7 +31,7 @@ from legal_motion import (
 )
 
 from trajopt_cli.geometry import Array, pose, rotation_about
-from trajopt_cli.motion import Motion, MoveAbsJ, MoveC, Speed, Zone
+from trajopt_cli.motion import DEFAULT_SETTINGS, CirPathMode, Motion, MoveAbsJ, MoveC, Speed, Zone
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.corner import Corner
 from trajopt_cli.path.joint_corner import JointCorner
@@ -248,6 +248,35 @@ def line_arc(zone: Zone = Z10) -> Case:
 
 
 @cache
+def leaning(mode: CirPathMode, driven_as: CirPathMode | None = None) -> Case:
+    """As line_arc, with a torch that leans by 0.3 rad to the middle of the circle and turns by 0.4 rad about its own
+    axis on the way; at the circle point it leans twice as far. driven_as: with the arc of another mode."""
+    mode_driven = driven_as or mode
+
+    def at(angle: float, lean: float, turn: float, p: Array) -> Array:
+        R = rotation_about([0, 0, 1], angle) @ rotation_about([1, 0, 0], lean) @ P0[:3, :3]
+        return pose(R @ rotation_about([0, 0, 1], turn), p)
+
+    X_1, X_V, X_2, X_3 = (
+        at(*numbers, p)
+        for *numbers, p in (
+            (0.0, 0.3, 0.0, P1[:3, 3]),
+            (np.pi / 2, 0.6, 0.2, VIA),
+            (np.pi, 0.3, 0.4, P2[:3, 3]),
+            (np.pi, 0.3, 0.4, P3[:3, 3]),
+        )
+    )
+    legs = [Line(P0, X_1), Arc.through(X_1, X_V, X_2, mode_driven), Line(X_2, X_3)]
+    settings = replace(DEFAULT_SETTINGS, circle=mode)
+    motions = [
+        move_l(12, "p_1", X_1, zone=Z10, settings=settings),
+        replace(move_c(13, "p_2", VIA, X_2, zone=Z10, settings=settings), X_WV=X_V),
+        move_l(14, "p_3", X_3, settings=settings),
+    ]
+    return run_case(motions, legs, [(Z10.radius, Z10.path_ori)] * 2, v=0.05)
+
+
+@cache
 def full_circle(zone: Zone = Z10) -> Case:
     """Two arcs, round once."""
     back = 2 * np.array([0.5, 0.03, 0.4]) - VIA
@@ -333,6 +362,8 @@ RUNS = {
     "two turns": two_turns,
     "line-arc": line_arc,
     "full circle": full_circle,
+    "leaning": lambda: leaning(CirPathMode.PATH_FRAME),
+    "through the circle point's orientation": lambda: leaning(CirPathMode.CIR_POINT_ORI),
     "arc": arc_alone,
     "joint-line": joint_line,
     "joint-joint": joint_joint,

@@ -31,6 +31,7 @@ from legal_runs import (
     Z0,
     Z10,
     contour,
+    leaning,
     line_line,
     move_abs,
     move_c,
@@ -44,7 +45,7 @@ from test_judge_legal import printed
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, pose, rotation_about
-from trajopt_cli.motion import FlyBy, Hold, Motion, Tool, Zone
+from trajopt_cli.motion import CirPathMode, FlyBy, Hold, Motion, Tool, Zone
 from trajopt_cli.path.line import Line as PathLine
 from trajopt_cli.problem.plan import Target
 from trajopt_cli.trajectory import Trajectory
@@ -81,6 +82,16 @@ def test_a_legal_run_passes(name: str, kind: str, decimals: int | None) -> None:
         trajectory, resolution = printed(fine, decimals, speeds)
         report = verify(case.program, case.plant, trajectory, resolution, target=target)
         assert report.legal, [f.message for f in report.findings if not f.passed]
+
+
+@pytest.mark.parametrize("mode", [CirPathMode.PATH_FRAME, CirPathMode.OBJECT_FRAME, CirPathMode.CIR_POINT_ORI])
+def test_an_arc_that_turns_as_another_mode_would_is_illegal(mode: CirPathMode) -> None:
+    for other in {CirPathMode.PATH_FRAME, CirPathMode.CIR_POINT_ORI} - {mode}:
+        case = leaning(mode, other)
+        report = verify(case.program, case.plant, case.rows(step=0.008, grid_only=True), None, target=None)
+        failed = {f.check for f in report.findings if not f.passed}
+        assert "arc rotation" in failed, (mode, other)
+        assert failed <= {"arc rotation", "corner rotation"}
 
 
 def test_rows_close_together_at_the_edge_of_a_zone_do_not_divide_it() -> None:

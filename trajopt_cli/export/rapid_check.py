@@ -131,11 +131,7 @@ def _same_axes(motion: Move, read: Move) -> bool:
 def _elsewhere(motion: Move, read: Move) -> Iterator[str]:
     if isinstance(motion, PoseMove) and isinstance(read, PoseMove) and not _near(motion.X_WT, read.X_WT):
         yield "the tool in the programmed place, and the target is elsewhere"
-    if (
-        isinstance(motion, MoveC)
-        and isinstance(read, MoveC)
-        and np.linalg.norm(motion.X_WV[:3, 3] - read.X_WV[:3, 3]) > _PLACE
-    ):
+    if isinstance(motion, MoveC) and isinstance(read, MoveC) and not _near(motion.X_WV, read.X_WV):
         yield "the programmed circle point, and the edited one is elsewhere"
     if isinstance(motion, MoveAbsJ) and isinstance(read, MoveAbsJ) and np.abs(motion.q - read.q).max() > _JOINTS:
         yield "the programmed joints, and the target has others"

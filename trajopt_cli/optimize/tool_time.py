@@ -106,6 +106,7 @@ def _leg(problem: Problem, leg: Leg) -> Iterable[Part | Gate]:
     arc = leg.segment.way if isinstance(leg.segment, Turning) else leg.segment
     if isinstance(arc, Arc):
         v = min(v, float(np.sqrt(leg.a_tcp * arc.radius)))
+        turn = turn if arc.even else 0.0  # where it turns slowly nobody can say what a part of it takes
     begins, ends_at = (0.0 if zone is None else zone.turning for zone in zones)
     exact = max(way - begins - ends_at, 0.0)
     steady = min(v, v_ori * way / turn) if turn > 0 else v

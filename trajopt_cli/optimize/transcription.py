@@ -303,11 +303,11 @@ class Transcription:
         """A path's kind, and its parameters."""
         X_BW, turning, segment = inverse_pose(self.axes.X_WB0), leg.angle > 1e-9, motion.segment
         if isinstance(segment, Turning):
-            way = ArcSymbols(turning) if isinstance(segment.way, Arc) else LineSymbols(turning)
+            way = ArcSymbols.of(segment.way) if isinstance(segment.way, Arc) else LineSymbols(turning)
             over = TurningSymbols(way, len(segment.turns))
             return over, over.vector(segment, X_BW, motion.X_FT)
         if isinstance(segment, Arc):
-            arc = ArcSymbols(turning)
+            arc = ArcSymbols.of(segment)
             return arc, arc.vector(segment, X_BW, motion.X_FT)
         assert isinstance(segment, Line)
         line = LineSymbols(turning)
@@ -316,7 +316,7 @@ class Transcription:
     def _path_parameters(self, leg: Leg, motion: PathLeg, margins: Margins, path: Array) -> dict[str, Array]:
         """Parameters of all nodes of a path."""
         m = margins
-        caps = np.array([leg.chord / leg.v_tcp, leg.chord / leg.a_tcp, leg.angle / leg.v_ori]) / m.tool
+        caps = np.array([leg.chord / leg.v_tcp, leg.chord / leg.a_tcp, leg.fastest_turn / leg.v_ori]) / m.tool
         return {
             "path": np.tile(path, (len(caps), 1)),
             "branch": np.tile(self.axes.robot.expressions.branch(motion.cfx), (len(caps), 1)),

@@ -107,7 +107,7 @@ class Window:
             parts.append(repr(leg.units).encode())
             arc = leg.segment.way if isinstance(leg.segment, Turning) else leg.segment
             if isinstance(arc, Arc):  # a line is what lies between its ends
-                parts += [_digits(arc.centre), _digits(arc.normal), repr(arc.sweep).encode()]
+                parts.append(_digits(arc.numbers))
         held = self.problem.freedom.rail is RailFreedom.STATION
         around = surroundings_of(self.problem)
         if around is not None:

@@ -1,44 +1,75 @@
-"""Arcs (MoveC): the tool centre point on a circle at a constant rate, the orientation evenly from start to end.
+r"""Arcs (MoveC): the tool centre point on a circle at a constant rate, and how the tool turns meanwhile.
 
-The orientation of the point on the way plays no part, as is the controller's default.
+RAPID reference manual, MoveC and CirPathMode: by default (\PathFrame) the tool is reoriented at a constant rate
+relative to the circular path, and of the circle point's orientation only the direction of the turn is taken.
+\ObjectFrame: at a constant rate against the work object, as on a line. \CirPointOri: through the orientation of the
+circle point; how it turns on the way there and on from there is not published. Here that is the quadratic through all
+three orientations, which is even where they allow it.
+
+With E(s) the rotation about the circle's normal by spin s:
+
+    R(s) = E(s) R_0 exp(f(s) w_1) exp(g(s) w_2)
+
+PathFrame: spin is the sweep, f = s, w_2 = 0. ObjectFrame: spin 0, f = s, w_2 = 0. CirPointOri with the circle point at
+share c: spin 0, f = s (1 + c - s) / c, g = s (s - c) / (1 - c).
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array
+from trajopt_cli.geometry import Array, axis_angle, rotation_about
+from trajopt_cli.motion import CirPathMode
 from trajopt_cli.path.circle import Point, circle_through
-from trajopt_cli.path.line import Line
-from trajopt_cli.path.symbols import TURN, Flange, Layout, about, flange_at_start, turn_parts
+from trajopt_cli.path.symbols import Flange, Layout, about, flange_at_start
 
 if TYPE_CHECKING:
     import casadi as ca
 
+_HALF_TURN = 1e-3  # rad: a turn this near to half a turn is as long to either side
+_NO_SIDE = 0.02  # rad: circle points that differ less in how near they are to both say nothing
+_STILL = 1e-9  # rad: no turn
+_GAUSS = 32  # points for the sum of an uneven turn
+_DENSE = 257  # places where its highest rate is looked for
+_X = np.array([1.0, 0.0, 0.0])
+
 
 @dataclass(frozen=True, eq=False)
 class Arc:
-    """From tool pose X_0 to X_1 (4, 4) about a centre (3,) [m] and unit normal (3,), by sweep [rad] in (0, 2 pi)."""
+    """From tool pose X_0 to X_1 (4, 4) about a centre (3,) [m] and unit normal (3,), by sweep [rad] in (0, 2 pi).
+
+    spin [rad]: how far the frame in which the tool turns goes about the normal. turns: rotation vectors (3,) [rad] in
+    the tool's own frame, to X_1, or to the circle point and from there to X_1; None for the shorter turn without a
+    spin. passed: the share of the way at which the circle point lies. decided: False where the tool turns by half a
+    turn relative to the path and the circle point's orientation does not say to which side.
+    """
 
     X_0: Array
     X_1: Array
     centre: Array
     normal: Array
     sweep: float
+    spin: float = 0.0
+    turns: tuple[Array, ...] | None = None
+    passed: float = 0.5
+    decided: bool = True
 
     @classmethod
-    def through(cls, X_0: Array, via: Array, X_1: Array) -> Arc:
-        """The arc from X_0 through the point via (3,) [m] to X_1.
+    def through(cls, X_0: Array, via: Array, X_1: Array, mode: CirPathMode = CirPathMode.OBJECT_FRAME) -> Arc:
+        """The arc from X_0 through the circle point via, a pose (4, 4), to X_1. mode: in OBJECT_FRAME its place (3,) is
+        enough; those that move the wrist alone, which no plan takes, turn as that.
 
         Raises:
             InputError: the three points lie on one line, or two of them in one place.
         """
-        points = X_0[:3, 3], via, X_1[:3, 3]
+        point = via if via.ndim == 1 else via[:3, 3]
+        points = X_0[:3, 3], point, X_1[:3, 3]
         found = circle_through(*(_point(p) for p in points))
         if found is None:
             places = ", ".join("[" + ", ".join(f"{x * 1e3:.3f}" for x in p) + "]" for p in points)
@@ -46,12 +77,28 @@ class Arc:
                 f"no circle leads through three points on one line: start, point on the way and end {places} mm;"
                 " move the point on the way, or use MoveL"
             )
-        return cls(X_0, X_1, np.array(found.centre), np.array(found.axis), found.angle)
+        arc = cls(X_0, X_1, np.array(found.centre), np.array(found.axis), found.angle)
+        if mode not in (CirPathMode.PATH_FRAME, CirPathMode.CIR_POINT_ORI):
+            return arc
+        share, spin, decided = arc.share_of(point), 0.0, True
+        R_0, R_V, R_1 = X_0[:3, :3], via[:3, :3], X_1[:3, :3]
+        if mode is CirPathMode.CIR_POINT_ORI:
+            turns: tuple[Array, ...] = (_turn(R_0, R_V), _turn(R_V, R_1))
+        else:
+            spin = arc.sweep
+            R_V, R_1 = (rotation_about(arc.normal, -spin * s) @ R for s, R in ((share, R_V), (1.0, R_1)))
+            turn, decided = _turn_by(R_0, R_V, R_1, share)
+            turns = (turn,)
+        return replace(arc, spin=spin, turns=turns, passed=share, decided=decided)
+
+    def share_of(self, p: Array) -> float:
+        """The share of the way at which a point p (3,) of the circle lies."""
+        out = p - self.centre
+        return float(np.arctan2(out @ self._side, out @ self._first) % (2 * np.pi)) / self.sweep
 
     @cached_property
-    def _turning(self) -> Line:
-        """What the orientation does: the same as on a line."""
-        return Line(self.X_0, self.X_1)
+    def _turns(self) -> tuple[Array, ...]:
+        return (_turn(self.X_0[:3, :3], self.X_1[:3, :3]),) if self.turns is None else self.turns
 
     @cached_property
     def _first(self) -> Array:
@@ -74,9 +121,28 @@ class Arc:
         return self.radius * self.sweep
 
     @property
+    def even(self) -> bool:
+        """Whether the tool turns at a constant rate: by all modes but through the circle point's orientation."""
+        return len(self._turns) == 1
+
+    @cached_property
     def angle(self) -> float:
-        """Reorientation [rad], 0..pi; the sweep is none."""
-        return self._turning.angle
+        """Reorientation on the way [rad], what the path's own frame turns included."""
+        if self.even:
+            return float(np.linalg.norm(self._turn_rates(np.zeros(1))[0]))
+        x, weight = np.polynomial.legendre.leggauss(_GAUSS)
+        return float(weight @ np.linalg.norm(self._turn_rates((1 + x) / 2)[0], axis=1)) / 2
+
+    @cached_property
+    def fastest_turn(self) -> float:
+        """The highest rate of turning per unit of s [rad]."""
+        rates = self._turn_rates(np.linspace(0.0, 1.0, 1 if self.even else _DENSE))[0]
+        return float(np.linalg.norm(rates, axis=1).max())
+
+    @cached_property
+    def numbers(self) -> Array:
+        """All that makes it, in a row, but its ends."""
+        return np.concatenate([self.centre, self.normal, [self.sweep, self.spin, self.passed], *self._turns])
 
     @property
     def breaks(self) -> Array:
@@ -85,26 +151,89 @@ class Arc:
 
     def pose(self, s: Array) -> Array:
         """Tool poses (n, 4, 4) at shares s (n,)."""
-        X = self._turning.pose(s)
+        X = np.zeros((len(s), 4, 4))
+        X[:, :3, :3] = self._frames(s) @ self._turned(s)
         X[:, :3, 3] = self.centre + self._on_circle(s)
+        X[:, 3, 3] = 1.0
         return X
 
     def twist(self, s: Array) -> Array:
-        """First derivative (n, 6): along the tangent, and the turn, which is the same everywhere."""
-        out = self._turning.twist(s)
+        """First derivative (n, 6): along the tangent, and the rate of turning."""
         phi = (self.sweep * s)[:, None]
-        out[:, :3] = self.sweep * (np.cos(phi) * self._side - np.sin(phi) * self._first)
-        return out
+        along = self.sweep * (np.cos(phi) * self._side - np.sin(phi) * self._first)
+        return np.hstack([along, self._turn_rates(s)[0]])
 
     def twist_rate(self, s: Array) -> Array:
-        """Second derivative (n, 6): towards the centre."""
-        out = np.zeros((len(s), 6))
-        out[:, :3] = -(self.sweep**2) * self._on_circle(s)
-        return out
+        """Second derivative (n, 6): towards the centre, and how the rate of turning changes."""
+        return np.hstack([-(self.sweep**2) * self._on_circle(s), self._turn_rates(s)[1]])
+
+    def _frames(self, s: Array) -> Array:
+        """E R_0 (n, 3, 3): where the tool would be without turns of its own."""
+        R_0 = self.X_0[:3, :3]
+        if self.spin == 0:
+            return np.broadcast_to(R_0, (len(s), 3, 3))
+        return np.asarray(rotation_about(self.normal, self.spin * s) @ R_0)
+
+    def _turned(self, s: Array) -> Array:
+        """Its turns in its own frame (n, 3, 3)."""
+        first, *second = self._turns
+        R = _rotations(first, self._course(s)[0])
+        return R @ _rotations(second[0], self._course(s)[3]) if second else R
+
+    def _course(self, s: Array) -> tuple[Array, Array, float, Array, Array, float]:
+        """f and g (n,) with their first and second derivatives."""
+        if self.even:
+            return s, np.ones_like(s), 0.0, np.zeros_like(s), np.zeros_like(s), 0.0
+        c = self.passed
+        f, df, ddf = s * (1 + c - s) / c, (1 + c - 2 * s) / c, -2 / c
+        return f, df, ddf, s * (s - c) / (1 - c), (2 * s - c) / (1 - c), 2 / (1 - c)
+
+    def _turn_rates(self, s: Array) -> tuple[Array, Array]:
+        """The rate of turning and its derivative (n, 3), in the poses' frame."""
+        f, df, ddf, _, dg, ddg = self._course(s)
+        first, *second = self._turns
+        own, change = df[:, None] * first, np.broadcast_to(ddf * first, (len(s), 3))
+        if second:
+            E = _rotations(first, f)
+            other = E @ second[0]
+            own = own + dg[:, None] * other
+            change = change + ddg * other + (df * dg)[:, None] * np.cross(first, other)
+        R, spin = self._frames(s), self.spin * self.normal
+        own, change = ((R @ x[..., None])[..., 0] for x in (own, change))
+        return own + spin, change + np.cross(spin, own)
 
     def _on_circle(self, s: Array) -> Array:
         phi = (self.sweep * s)[:, None]
         return np.asarray(np.cos(phi) * self._first + np.sin(phi) * self._side)
+
+
+def _turn(R_0: Array, R_1: Array) -> Array:
+    """The rotation vector (3,) of the shorter turn from R_0 to R_1 (3, 3), in the frame of R_0."""
+    axis, angle = axis_angle(R_0.T @ R_1)
+    return np.asarray(axis * angle)
+
+
+def _turn_by(R_0: Array, R_V: Array, R_1: Array, share: float) -> tuple[Array, bool]:
+    """The rotation vector (3,) of the turn from R_0 to R_1 (3, 3) that comes nearer to R_V at a share of it, and
+    whether that says to which side it is.
+
+    A way around by more than half a turn has to come nearer by a third of what it is longer, so that a circle point
+    that was taught without care does not send a tool around that stands the same at both ends.
+    """
+    short = _turn(R_0, R_1)
+    angle = float(np.linalg.norm(short))
+    if angle < _STILL:
+        return short, True
+    long = short * (1 - 2 * np.pi / angle)
+    off_short, off_long = (axis_angle(R_V.T @ R_0 @ _rotations(w, np.array([share]))[0])[1] for w in (short, long))
+    decided = angle < np.pi - _HALF_TURN or abs(off_long - off_short) > _NO_SIDE
+    return long if off_long + (2 * np.pi - 2 * angle) / 3 < off_short else short, decided
+
+
+def _rotations(turn: Array, share: Array) -> Array:
+    """Rotations (n, 3, 3) by shares (n,) of a rotation vector (3,)."""
+    angle = float(np.linalg.norm(turn))
+    return rotation_about(turn / angle if angle > 0 else _X, share * angle)
 
 
 def _point(p: Array) -> Point:
@@ -114,11 +243,26 @@ def _point(p: Array) -> Point:
 
 @dataclass(frozen=True)
 class ArcSymbols:
-    """The flange on an arc as an expression of the arc's parameters and s. turning: as of LineSymbols."""
+    """The flange on an arc as an expression of the arc's parameters and s. turns: how many turns of the tool's own
+    there are, 0 to 2. spins: whether the frame in which it turns goes about the normal."""
 
-    turning: bool = True
-    # first, side: from the centre to the start, and to the point a quarter turn on
-    layout: ClassVar[Layout] = Layout({"centre": (3,), "first": (3,), "side": (3,), "sweep": (), **TURN})
+    turns: int = 1
+    spins: bool = False
+    # first, side: from the centre to the start, and to the point a quarter turn on; R: the flange's rotation at s = 0;
+    # axis_i, angle_i: its turns about axes of its own; offset: the tool centre point in the flange's frame
+    layout: ClassVar[Layout] = Layout(
+        {
+            **dict.fromkeys(("centre", "first", "side", "normal", "axis_0", "axis_1", "offset"), (3,)),
+            **dict.fromkeys(("sweep", "spin", "angle_0", "angle_1", "passed"), ()),
+            "R": (3, 3),
+        }
+    )
+
+    @classmethod
+    def of(cls, arc: Arc) -> ArcSymbols:
+        """The kind of an arc."""
+        own = int(np.linalg.norm(arc._turns[0]) > _STILL) if arc.even else 2
+        return cls(own, arc.spin > 0)
 
     @property
     def size(self) -> int:
@@ -126,13 +270,27 @@ class ArcSymbols:
         return self.layout.size
 
     def vector(self, arc: Arc, X_BA: Array, X_FT: Array) -> Array:
-        """Parameters (size,) of an arc of the tool X_FT; X_BA (4, 4): its frame seen from the arm's base."""
-        X_B0, X_B1 = X_BA @ arc.X_0, X_BA @ arc.X_1
-        centre = X_BA[:3, :3] @ arc.centre + X_BA[:3, 3]
-        first = X_B0[:3, 3] - centre
-        side = np.cross(X_BA[:3, :3] @ arc.normal, first)
-        turn = turn_parts(X_B0, X_B1, flange_at_start(X_BA, arc.X_0, X_FT), X_FT)
-        return self.layout.vector({"centre": centre, "first": first, "side": side, "sweep": arc.sweep, **turn})
+        """Parameters (size,) of an arc of the tool X_FT; X_BA (4, 4): its frame seen from the arm's base.
+
+        Raises:
+            ValueError: the arc is of another kind.
+        """
+        if (arc.spin > 0) > self.spins or arc.even == (self.turns == 2):
+            raise ValueError(f"{ArcSymbols.of(arc)} has no parameters of {self}")
+        centre, normal = X_BA[:3, :3] @ arc.centre + X_BA[:3, 3], X_BA[:3, :3] @ arc.normal
+        first = (X_BA @ arc.X_0)[:3, 3] - centre
+        parts: dict[str, ArrayLike] = {"centre": centre, "normal": normal, "first": first}
+        parts |= {
+            "side": np.cross(normal, first),
+            "sweep": arc.sweep,
+            "spin": arc.spin,
+            "passed": arc.passed,
+            "offset": X_FT[:3, 3],
+        }
+        for i, turn in enumerate((*arc._turns, np.zeros(3))[:2]):
+            angle = float(np.linalg.norm(turn))
+            parts |= {f"axis_{i}": X_FT[:3, :3] @ (turn / angle if angle > 0 else _X), f"angle_{i}": angle}
+        return self.layout.vector(parts | {"R": flange_at_start(X_BA, arc.X_0, X_FT)[:3, :3]})
 
     def tool(self, p: ca.SX, s: ca.SX) -> ca.SX:
         """Position (3,) of the tool centre point in the arm's base frame."""
@@ -145,7 +303,15 @@ class ArcSymbols:
     def rotation(self, p: ca.SX, s: ca.SX) -> ca.SX:
         """Rotation (3, 3) of the flange there."""
         part = self.layout.split(p)
-        return part["R"] @ about(part["axis"], part["angle"] * s) if self.turning else part["R"]
+        R, c = part["R"], part["passed"]
+        if self.spins:
+            R = about(part["normal"], part["spin"] * s) @ R
+        if self.turns == 1:
+            R = R @ about(part["axis_0"], part["angle_0"] * s)
+        elif self.turns == 2:
+            R = R @ about(part["axis_0"], part["angle_0"] * s * (1 + c - s) / c)
+            R = R @ about(part["axis_1"], part["angle_1"] * s * (s - c) / (1 - c))
+        return R
 
     def flange(self, p: ca.SX, s: ca.SX) -> Flange:
         """The flange in the arm's base frame at share s of the arc with parameters p (size,)."""

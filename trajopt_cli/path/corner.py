@@ -2,9 +2,9 @@
 
 The position leaves the first segment where the zone is entered and joins the second where it is left, with the rate of
 either; between two lines that is a parabola (quadratic Bézier: entry, point, exit). The orientation does the same over
-a zone of its own, as a cumulative quadratic Bézier of the two turns: first the rest of the one, then the part of the
-other. Run backwards a corner's positions are the same; its orientations are if both turns have one axis, else they
-differ by less than a sixteenth of the product of both turns [rad].
+a zone of its own, as a cumulative quadratic Bézier of the two turns: the rest of the one comes to rest while the part
+of the other gathers speed. Run backwards a corner's positions are the same; its orientations are if both turns have one
+axis, else they differ by less than a sixteenth of the product of both turns [rad].
 """
 
 from __future__ import annotations
@@ -12,21 +12,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.geometry import Array, BoolArray, IndexArray, axis_angle, rotation_about, rotations_by
-from trajopt_cli.path.arc import Arc, ArcSymbols
+from trajopt_cli.geometry import Array, BoolArray, IndexArray, axis_angle, rotations_by
+from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.hermite import hermite
-from trajopt_cli.path.line import Line, LineSymbols, lines_along
+from trajopt_cli.path.line import Line, lines_along
 from trajopt_cli.path.segment import POINT, check_shares
-from trajopt_cli.path.symbols import Flange, Layout, about, flange_at_start
-
-if TYPE_CHECKING:
-    import casadi as ca
 
 _HALF = 0.5 + 1e-9  # of a way, with rounding
 
@@ -87,7 +82,7 @@ class Corner:
             2 * share_1 * self.after.twist(s_1)[0, :3],
         )
 
-    # ---- the orientation's: rotation at the entry, and both turns as rotation vectors of the tool's own frame
+    # ---- the orientation's, of lines: rotation at the entry, both turns as rotation vectors of the tool's own frame
     @cached_property
     def _turns(self) -> tuple[Array, Array, Array]:
         share_0, share_1 = self.orientation * self.share_before, self.orientation * self.share_after
@@ -130,8 +125,8 @@ class Corner:
         inside, u = _part(s, self.position)
         X[inside, :3, 3] = hermite(*self._curve, u[:, None])[0]
         inside, u = _part(s, self.orientation)
-        R_0, turn_0, turn_1 = self._turns
-        X[inside, :3, :3] = R_0 @ _turned(turn_0, 2 * u - u * u) @ _turned(turn_1, u * u)
+        _, K, turn = self._turning(u)
+        X[inside, :3, :3] = K @ turn.R
         return X
 
     def twist(self, s: Array) -> Array:
@@ -143,8 +138,8 @@ class Corner:
         inside, u = _part(s, self.position)
         V[inside, :3] = hermite(*self._curve, u[:, None])[1] / self.position
         inside, u = _part(s, self.orientation)
-        a, b, _ = self._axes(u)
-        V[inside, 3:] = ((2 - 2 * u)[:, None] * a + (2 * u)[:, None] * b) / self.orientation
+        rest, K, turn = self._turning(u)
+        V[inside, 3:] = (rest.rate + _times(K, turn.rate)) / self.orientation
         return V
 
     def twist_rate(self, s: Array) -> Array:
@@ -156,8 +151,9 @@ class Corner:
         inside, u = _part(s, self.position)
         A[inside, :3] = hermite(*self._curve, u[:, None])[2] / self.position**2
         inside, u = _part(s, self.orientation)
-        a, b, across = self._axes(u)
-        A[inside, 3:] = (2 * (b - a) + (4 * u * (1 - u))[:, None] * across) / self.orientation**2
+        rest, K, turn = self._turning(u)
+        change = rest.change + np.cross(rest.rate, _times(K, turn.rate)) + _times(K, turn.change)
+        A[inside, 3:] = change / self.orientation**2
         return A
 
     def _sides(self, s: Array) -> tuple[BoolArray, Array, Array]:
@@ -165,12 +161,32 @@ class Corner:
         first = np.asarray(s < 0.5)
         return first, 1 - self.share_before * (1 - 2 * s[first]), self.share_after * (2 * s[~first] - 1)
 
-    def _axes(self, u: Array) -> tuple[Array, Array, Array]:
-        """Both turns (3,), (n, 3) in the poses' frame at shares u (n,) of the part where the orientation is bent, and
-        how the second changes as the first goes on (n, 3)."""
-        R_0, turn_0, turn_1 = self._turns
-        R = R_0 @ _turned(turn_0, 2 * u - u * u)
-        return R_0 @ turn_0, R @ turn_1, R @ np.cross(turn_0, turn_1)
+    def _turning(self, u: Array) -> tuple[_Turn, Array, _Turn]:
+        """At shares u (n,) of the part where the orientation is bent: the first turn, which comes to rest at the point,
+        what it makes of the second (n, 3, 3), and the second, which begins there at rest."""
+        share_0, share_1 = self.orientation * self.share_before, self.orientation * self.share_after
+        first = _turn(self.before, 1 - share_0 * (1 - u) ** 2, 2 * share_0 * (1 - u), -2 * share_0)
+        second = _turn(self.after, share_1 * u * u, 2 * share_1 * u, 2 * share_1)
+        return first, np.asarray(first.R @ self.after.X_0[:3, :3].T), second
+
+
+class _Turn(NamedTuple):
+    """Rotations (n, 3, 3), their rates of turning and how these change (n, 3), in the poses' frame."""
+
+    R: Array
+    rate: Array
+    change: Array
+
+
+def _turn(segment: Line | Arc, s: Array, ds: Array, dds: float) -> _Turn:
+    """A segment's orientation at shares s (n,) that go by at ds (n,) and dds."""
+    rate, change = segment.twist(s)[:, 3:], segment.twist_rate(s)[:, 3:]
+    return _Turn(segment.pose(s)[:, :3, :3], rate * ds[:, None], change * ds[:, None] ** 2 + rate * dds)
+
+
+def _times(R: Array, x: Array) -> Array:
+    """Vectors x (n, 3) turned by R (n, 3, 3)."""
+    return np.asarray((R @ x[..., None])[..., 0])
 
 
 def corners_along(corners: Sequence[Corner], of: IndexArray, s: Array) -> tuple[Array, Array, Array]:
@@ -219,88 +235,3 @@ def _part(s: Array, part: float) -> tuple[BoolArray, Array]:
     u = 0.5 + (s - 0.5) / part
     inside = np.asarray((u >= 0) & (u < 1) if part < 1 else np.ones(len(s), dtype=bool))
     return inside, u[inside]
-
-
-def _turned(turn: Array, share: Array) -> Array:
-    """Rotations (n, 3, 3) by shares (n,) of a rotation vector (3,)."""
-    angle = float(np.linalg.norm(turn))
-    axis = turn / angle if angle > 0 else np.array([1.0, 0.0, 0.0])
-    return rotation_about(axis, share * angle)
-
-
-@dataclass(frozen=True)
-class CornerSymbols:
-    """The flange in a corner as an expression of its parameters and s. before, after: the kinds of its segments."""
-
-    before: LineSymbols | ArcSymbols
-    after: LineSymbols | ArcSymbols
-
-    @property
-    def layout(self) -> Layout:
-        """The segments' own parameters and shares; both parts; the curve's ends p and rates m; R: the flange where the
-        orientation's part begins, then the two turns."""
-        curve = dict.fromkeys(("p_0", "m_0", "p_1", "m_1", "axis_0", "axis_1", "offset"), (3,))
-        numbers = ("share_before", "share_after", "position", "orientation", "angle_0", "angle_1")
-        sides = {"before": (self.before.size,), "after": (self.after.size,)}
-        return Layout({**sides, **dict.fromkeys(numbers, ()), **curve, "R": (3, 3)})
-
-    @property
-    def size(self) -> int:
-        """How many parameters."""
-        return self.layout.size
-
-    def vector(self, corner: Corner, X_BA: Array, X_FT: Array) -> Array:
-        """Parameters (size,) of a corner of the tool X_FT; X_BA (4, 4): its frame seen from the arm's base."""
-        R_BA = X_BA[:3, :3]
-        p_0, m_0, p_1, m_1 = corner._curve
-        R_0, *turns = corner._turns
-        X_AT = np.eye(4)
-        X_AT[:3, :3] = R_0
-        parts: dict[str, ArrayLike] = {
-            "before": _side_vector(self.before, corner.before, X_BA, X_FT),
-            "after": _side_vector(self.after, corner.after, X_BA, X_FT),
-            "share_before": corner.share_before,
-            "share_after": corner.share_after,
-            "position": corner.position,
-            "orientation": corner.orientation,
-            "p_0": R_BA @ p_0 + X_BA[:3, 3],
-            "m_0": R_BA @ m_0,
-            "p_1": R_BA @ p_1 + X_BA[:3, 3],
-            "m_1": R_BA @ m_1,
-            "offset": X_FT[:3, 3],
-            "R": flange_at_start(X_BA, X_AT, X_FT)[:3, :3],
-        }
-        for i, turn in enumerate(turns):
-            angle = float(np.linalg.norm(turn))
-            parts[f"angle_{i}"] = angle
-            parts[f"axis_{i}"] = X_FT[:3, :3] @ (turn / angle if angle > 0 else np.array([1.0, 0.0, 0.0]))
-        return self.layout.vector(parts)
-
-    def flange(self, p: ca.SX, s: ca.SX) -> Flange:
-        """The flange in the arm's base frame at share s of the corner with parameters p (size,)."""
-        import casadi as ca
-
-        part = self.layout.split(p)
-        before, after = part["before"], part["after"]
-        t_0 = 1 - part["share_before"] * (1 - 2 * s)
-        t_1 = part["share_after"] * (2 * s - 1)
-
-        def bent(size: ca.SX, curve: ca.SX, first: ca.SX, last: ca.SX) -> ca.SX:
-            outside = ca.if_else(s < 0.5, first, last)
-            return ca.if_else(ca.fabs(s - 0.5) <= size / 2, curve, outside)
-
-        u = 0.5 + (s - 0.5) / part["position"]
-        curve = hermite(part["p_0"], part["m_0"], part["p_1"], part["m_1"], u)[0]
-        tool = bent(part["position"], curve, self.before.tool(before, t_0), self.after.tool(after, t_1))
-        u = 0.5 + (s - 0.5) / part["orientation"]
-        turned = part["R"] @ about(part["axis_0"], part["angle_0"] * (2 * u - u * u))
-        turned = turned @ about(part["axis_1"], part["angle_1"] * u * u)
-        R = bent(part["orientation"], turned, self.before.rotation(before, t_0), self.after.rotation(after, t_1))
-        return Flange(tool - R @ part["offset"], R)
-
-
-def _side_vector(symbols: LineSymbols | ArcSymbols, segment: Line | Arc, X_BA: Array, X_FT: Array) -> Array:
-    match symbols, segment:
-        case (LineSymbols(), Line()) | (ArcSymbols(), Arc()):
-            return symbols.vector(segment, X_BA, X_FT)  # type: ignore[arg-type]
-    raise ValueError(f"{type(segment).__name__} has no parameters of {type(symbols).__name__}")

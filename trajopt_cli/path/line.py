@@ -63,6 +63,11 @@ class Line:
         return self._axis_angle[1]
 
     @property
+    def fastest_turn(self) -> float:
+        """The highest rate of turning per unit of s [rad]: the same everywhere."""
+        return self.angle
+
+    @property
     def breaks(self) -> Array:
         """None."""
         return np.zeros(0)

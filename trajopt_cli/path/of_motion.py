@@ -29,7 +29,7 @@ def segment_of(motion: MoveL | MoveC | Wait, X_WT: Array) -> Line | Arc | Dwell 
         way: Line | Arc = Line(X_WT, X_1)
     else:
         try:
-            way = Arc.through(X_WT, turned_back(turns, motion.X_WV)[:3, 3], X_1)
+            way = Arc.through(X_WT, turned_back(turns, motion.X_WV), X_1, motion.settings.circle)
         except InputError as error:
             file, line, column = motion.source
             raise InputError(f"MoveC {motion.target}: {error}", file=file, line=line, column=column) from error

@@ -68,6 +68,11 @@ class Turning:
         return self.way.angle
 
     @property
+    def fastest_turn(self) -> float:
+        """The highest rate of turning against the work object per unit of s [rad]."""
+        return self.way.fastest_turn
+
+    @property
     def breaks(self) -> Array:
         """None."""
         return self.way.breaks

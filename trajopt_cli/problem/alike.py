@@ -22,7 +22,7 @@ def leg_name(leg: Leg) -> bytes:
     if way is not None:
         parts += [_digits(way.pose(np.array([0.0, 1.0])))]
     if isinstance(way, Arc):
-        parts += [_digits(way.centre), _digits(way.normal), repr(way.sweep).encode()]
+        parts.append(_digits(way.numbers))
     return b"|".join(parts)
 
 

@@ -13,14 +13,17 @@ from math import dist
 import numpy as np
 
 from trajopt_cli.geometry import Array, inverse_pose
-from trajopt_cli.motion import Move, MoveAbsJ, MoveC, MoveExtJ
+from trajopt_cli.motion import CirPathMode, Move, MoveAbsJ, MoveC, MoveExtJ
+from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.circle import Point, circle_through
-from trajopt_cli.path.of_motion import turns_of
-from trajopt_cli.path.turning import turned_back
+from trajopt_cli.path.of_motion import segment_of, turns_of
+from trajopt_cli.path.turning import Turning, turned_back
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.units import MM
 
 NEAR = 0.1 * MM  # m; a controller refuses circles with points nearer than this
+LEAST_SHARE = 0.25  # of the arc: CirPointOri wants its circle point between this and 1 - this (manual: CirPathMode)
+WRIST_MODES = frozenset({CirPathMode.WRIST_45, CirPathMode.WRIST_46, CirPathMode.WRIST_56})
 
 
 class Circles:
@@ -39,8 +42,10 @@ class Circles:
         if isinstance(motion, MoveExtJ):
             self._carried += self._rail - before
             return
-        if isinstance(motion, MoveC) and (found := _wrong(_points(motion, self._flange()))):
-            yield "no circle", *found
+        if isinstance(motion, MoveC):
+            X_WF = self._flange()
+            if found := _wrong(_points(motion, X_WF)) or _unclear(motion, X_WF):
+                yield "no circle", *found
         if isinstance(motion, MoveAbsJ):
             self._at = self._layout.join(self._rail, motion.q)
         else:
@@ -67,6 +72,27 @@ def _points(motion: MoveC, X_WF: Array) -> dict[str, Point]:
         name: (float(x), float(y), float(z))
         for name, (x, y, z) in zip(("start", "point on the way", "end"), (X[:3, 3] for X in poses), strict=True)
     }
+
+
+def _unclear(motion: MoveC, X_WF: Array) -> tuple[str, str] | None:
+    """What is wrong with the orientation of the circle point."""
+    if motion.tool.stationary or motion.settings.circle in WRIST_MODES:  # refused as such
+        return None
+    way = segment_of(motion, X_WF @ motion.tool.X_FT)
+    arc = way.way if isinstance(way, Turning) else way
+    assert isinstance(arc, Arc)
+    if not arc.decided:
+        return (
+            "turns the tool by half a turn relative to the circle, and its circle point does not say to which side",
+            "give the circle point an orientation between those of both ends",
+        )
+    if not arc.even and not LEAST_SHARE <= arc.passed <= 1 - LEAST_SHARE:
+        return (
+            f"has its circle point at {arc.passed:.0%} of the arc under CirPathMode \\CirPointOri, which takes"
+            f" {LEAST_SHARE:.0%} to {1 - LEAST_SHARE:.0%}",
+            "move the circle point to the middle",
+        )
+    return None
 
 
 def _wrong(points: dict[str, Point]) -> tuple[str, str] | None:

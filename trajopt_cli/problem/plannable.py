@@ -12,6 +12,7 @@ from math import degrees
 
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.motion import (
+    CirPathMode,
     Move,
     MoveAbsJ,
     MoveC,
@@ -26,7 +27,7 @@ from trajopt_cli.motion import (
     motion_name,
     turned_under,
 )
-from trajopt_cli.problem.circles import Circles
+from trajopt_cli.problem.circles import WRIST_MODES, Circles
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.structure import NO_CONFDATA
@@ -109,6 +110,11 @@ def planned_otherwise(program: Program, loads_count: bool = False) -> tuple[str,
         lines.append(
             f"lines that may leave their orientation (SingArea \\Wrist, {lines_at}) are planned with the exact one"
         )
+    if uneven := sum(isinstance(m, MoveC) and m.settings.circle is CirPathMode.CIR_POINT_ORI for m in moves):
+        lines.append(
+            f"arcs under CirPathMode \\CirPointOri ({uneven}) are planned as a smooth turn through the circle point's"
+            " orientation: how a controller turns between the points is not published"
+        )
     if ramps := sum(move.settings.ramp < 1.0 for move in moves):
         lines.append(
             f"AccSet's ramp ({ramps}) does not affect the plan: it shapes jerk, which the cell file alone limits"
@@ -160,6 +166,12 @@ def _demands(motion: Move) -> Iterator[tuple[str, str, str]]:
             "SingArea",
             "holds axis 4 and leaves its orientation (SingArea \\LockAxis4)",
             "plans keep the exact orientation: set SingArea \\Off before it",
+        )
+    if isinstance(motion, MoveC) and settings.circle in WRIST_MODES:
+        yield (
+            "CirPathMode",
+            f"turns with wrist axes alone (CirPathMode \\{settings.circle.value})",
+            "plans support \\PathFrame, \\ObjectFrame and \\CirPointOri: set one of them before it",
         )
     for unit in motion.units:
         axis = f"{unit.unit}'s eax_{'abcdef'[unit.eax]} from {degrees(unit.start):g} to {degrees(unit.end):g} deg"

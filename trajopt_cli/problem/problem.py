@@ -139,6 +139,11 @@ class Leg:
         return 0.0 if self.segment is None else self.segment.angle
 
     @property
+    def fastest_turn(self) -> float:
+        """The highest rate of turning on a line or an arc per unit of its share [rad]."""
+        return 0.0 if self.segment is None else self.segment.fastest_turn
+
+    @property
     def table(self) -> tuple[float, float]:
         """What the units take for the whole way at their velocity [s], and at their acceleration [s2]: no share of it
         goes by at more than 1 / the first, nor gathers speed at more than 1 / the second; 0 where none turns."""

@@ -178,9 +178,10 @@ def _step(index: int, motion: Move, plant: Plant, X_BT: tuple[Array, Array], rai
     X_WT_0, X_WT_1 = X_WB_0 @ X_BT_0, X_WB_1 @ X_BT_1
     length = float(np.linalg.norm(X_BT_1[:3, 3] - X_BT_0[:3, 3]))
     seen, real = (np.array([X_0[:3, 3], X_1[:3, 3]]) for X_0, X_1 in (X_BT, (X_WT_0, X_WT_1)))
+    angle = axis_angle(X_BT_0[:3, :3].T @ X_BT_1[:3, :3])[1]
     if isinstance(motion, MoveC) and isinstance(arc := segment_of(motion, X_WT_0), Arc):
         length, seen, real = _along(arc, plant, rail)
-    angle = axis_angle(X_BT_0[:3, :3].T @ X_BT_1[:3, :3])[1]
+        angle = arc.angle
     way = abs(rail[1] - rail[0])
     v_tcp = min(motion.speed.v_tcp, plant.tcp.speed)
     if max(length, angle) <= _STANDS:

@@ -12,6 +12,7 @@ import numpy as np
 from trajopt_cli.geometry import Array, wxyz_from_rotation
 from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import (
+    DEFAULT_SETTINGS,
     NO_EXTERNAL_AXES,
     ConfData,
     ExternalAxes,
@@ -161,6 +162,8 @@ def differing(settings: Settings) -> dict[str, Any]:
             out[word] = "Off"
     if settings.singularity is not Singularity.OFF:
         out["SingArea"] = settings.singularity.value
+    if settings.circle is not DEFAULT_SETTINGS.circle:
+        out["CirPathMode"] = settings.circle.value
     if (settings.acceleration, settings.ramp) != (1.0, 1.0):
         out["AccSet"] = [settings.acceleration * 100, settings.ramp * 100]
     if (settings.path_acceleration, settings.path_deceleration) != (None, None):

@@ -7,12 +7,14 @@ far as the zone of the tool centre point at least, and counts with the smallest 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from math import dist
 from typing import NamedTuple
 
 import numpy as np
 
+from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, axis_angle, inverse_pose
 from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import (
@@ -32,7 +34,7 @@ from trajopt_cli.motion import (
     Zone,
 )
 from trajopt_cli.path.circle import Point, arc_length, circle_through
-from trajopt_cli.path.of_motion import turns_of
+from trajopt_cli.path.of_motion import segment_of, turns_of
 from trajopt_cli.path.segment import POINT
 from trajopt_cli.path.turning import turned_back
 from trajopt_cli.units import MM
@@ -115,8 +117,7 @@ def fly_bys(
     for index, motion, start, end, travel in _courses(program, kinematics):
         length = lengths[index]
         if index in wanted and length is not None and start and end and not isinstance(motion, MoveExtJ):
-            R_0, R_1 = start.seen_by(motion.tool)[:3, :3], end.seen_by(motion.tool)[:3, :3]
-            known[index] = _Way(length, axis_angle(R_0.T @ R_1)[1], travel)
+            known[index] = _Way(length, _angle(motion, start, end), travel)
     return {
         index: _fly_by(move.zone, (known[index], known[after]))
         for index, (move, after) in passed.items()
@@ -241,6 +242,15 @@ def _length(motion: MoveJ | MoveL | MoveC | MoveAbsJ, before: _Place, after: _Pl
         if course is not None:
             return arc_length(course, start)
     return dist(start, end)
+
+
+def _angle(motion: MoveJ | MoveL | MoveC | MoveAbsJ, before: _Place, after: _Place) -> float:
+    """Reorientation [rad] on the way; of an arc what CirPathMode makes it."""
+    X_0 = before.seen_by(motion.tool)
+    if isinstance(motion, MoveC) and not motion.tool.stationary:
+        with suppress(InputError):  # what is no circle is refused where it is planned
+            return segment_of(motion, X_0).angle
+    return axis_angle(X_0[:3, :3].T @ after.seen_by(motion.tool)[:3, :3])[1]
 
 
 def _taken_over(before: ExternalAxes, given: ExternalAxes) -> ExternalAxes:

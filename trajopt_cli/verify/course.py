@@ -212,7 +212,8 @@ def arc_to(X_WF_before: Array, point: Point, R: Array | None = None) -> Arc:
     assert isinstance(move, MoveC)
     units = turned_under(move)
     X_1, X_V = turned_back(units, X_1), turned_back(units, move.X_WV)
-    arc = Arc.through(Line.between(X_0, X_1, X_0[None, :3, :3] if R is None else R), X_V[:3, 3])
+    chord = Line.between(X_0, X_1, X_0[None, :3, :3] if R is None else R)
+    arc = Arc.through(chord, X_V, move.settings.circle)
     if arc is None:
         places = ", ".join("[" + ", ".join(f"{x * 1e3:.3f}" for x in X[:3, 3]) + "]" for X in (X_0, X_V, X_1))
         file, line, column = move.source

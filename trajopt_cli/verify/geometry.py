@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 import pinocchio as pin
 
 from trajopt_cli.geometry import Array
-from trajopt_cli.motion import UnitMove
+from trajopt_cli.motion import CirPathMode, UnitMove
 
 _POINT = 1e-6  # m: a line shorter than this is a reorientation, its progress is an angle
 _FLAT = 1e-9  # sine of the angle between two chords below which three points lie on one line
 _HALF_TURN = 1e-6  # rad: a reorientation this close to half a turn may go either way
+_STEPS = 65  # places at which an arc's turn is added up
 
 
 def lengths(x: Array) -> Array:
@@ -136,8 +137,13 @@ class Line:
 
 @dataclass(frozen=True, eq=False)
 class Arc:
-    """From where line begins to where it ends, on a circle about centre (3,) [m]: first (3,) leads from there to the
-    start, side (3,) as far to the point a quarter turn on; by sweep [rad] in (0, 2 pi). The tool turns as on the line.
+    r"""From where line begins to where it ends, on a circle about centre (3,) [m]: first (3,) leads from there to the
+    start, side (3,) as far to the point a quarter turn on; by sweep [rad] in (0, 2 pi).
+
+    turns: how the tool turns, as rotation vectors (3,) [rad] in its own frame. None: as on the line. One: relative to
+    the frame of the path, which is (radial, tangent, normal) and goes around with it. Two: to the orientation of the
+    circle point, at a share passed of the way, and from there to the end (RAPID reference manual, CirPathMode: the
+    modes \ObjectFrame, \PathFrame, \CirPointOri).
     """
 
     line: Line
@@ -145,11 +151,15 @@ class Arc:
     first: Array
     side: Array
     sweep: float
+    turns: tuple[Array, ...] | None = None
+    passed: float = 0.5
 
     @classmethod
-    def through(cls, line: Line, via: Array) -> Arc | None:
-        """The arc with the line's ends through a point via (3,) [m]; None where no circle leads through all three."""
-        start, u, v = line.X_0[:3, 3], via - line.X_0[:3, 3], line.chord
+    def through(cls, line: Line, via: Array, mode: CirPathMode = CirPathMode.OBJECT_FRAME) -> Arc | None:
+        """The arc with the line's ends through the circle point via, its place (3,) [m] or its pose (4, 4); None where
+        no circle leads through all three."""
+        X_V = via if via.ndim == 2 else np.block([[line.X_0[:3, :3], via[:, None]], [np.zeros(3), 1.0]])
+        start, u, v = line.X_0[:3, 3], X_V[:3, 3] - line.X_0[:3, 3], line.chord
         normal = np.cross(u, v)
         if np.linalg.norm(normal) <= _FLAT * np.linalg.norm(u) * np.linalg.norm(v):
             return None
@@ -157,17 +167,40 @@ class Arc:
         first = -np.linalg.solve(np.stack([u, v, normal]), np.array([u @ u / 2, v @ v / 2, 0.0]))
         side = np.cross(normal / np.linalg.norm(normal), first)
         last = first + v
-        return cls(line, start - first, first, side, float(np.arctan2(last @ side, last @ first) % (2 * np.pi)))
+        arc = cls(line, start - first, first, side, float(np.arctan2(last @ side, last @ first) % (2 * np.pi)))
+        if mode not in (CirPathMode.PATH_FRAME, CirPathMode.CIR_POINT_ORI):
+            return arc
+        passed = float(np.arctan2((first + u) @ side, (first + u) @ first) % (2 * np.pi)) / arc.sweep
+        R_0, R_V, R_1 = line.X_0[:3, :3], X_V[:3, :3], line.X_0[:3, :3] @ pin.exp3(line.turn)
+        if mode is CirPathMode.CIR_POINT_ORI:
+            return replace(
+                arc, turns=(np.asarray(pin.log3(R_0.T @ R_V)), np.asarray(pin.log3(R_V.T @ R_1))), passed=passed
+            )
+        C_0, C_V, C_1 = arc.frames(np.array([0.0, passed, 1.0]))
+        Q_0, Q_V, Q_1 = C_0.T @ R_0, C_V.T @ R_V, C_1.T @ R_1
+        turn = _nearer(Q_0.T @ Q_1, Q_0.T @ Q_V, passed)
+        return replace(arc, turns=(turn,), passed=passed)
 
     @property
     def length(self) -> float:
         """Way of the TCP, m."""
         return float(np.linalg.norm(self.first)) * self.sweep
 
-    @property
+    @cached_property
     def angle(self) -> float:
         """How far the tool turns, rad."""
-        return self.line.angle
+        if self.turns is None:
+            return self.line.angle
+        R = self.at(np.linspace(0.0, 1.0, _STEPS))[1]
+        return float(angle_between(R[:-1], R[1:]).sum())
+
+    def frames(self, s: Array) -> Array:
+        """The frame of the path (m, 3, 3) at shares s (m,): radial, tangent and normal as its columns."""
+        size = np.linalg.norm(self.first)
+        radial, tangent = self.first / size, self.side / size
+        phi = (s * self.sweep)[:, None]
+        x, y = np.cos(phi) * radial + np.sin(phi) * tangent, np.cos(phi) * tangent - np.sin(phi) * radial
+        return np.stack([x, y, np.broadcast_to(np.cross(radial, tangent), x.shape)], axis=-1)
 
     @property
     def only_turns(self) -> bool:
@@ -189,12 +222,35 @@ class Arc:
 
     def at(self, s: Array) -> tuple[Array, Array]:
         """Positions (m, 3) and rotations (m, 3, 3) at shares s (m,)."""
-        return self.positions(s), self.line.at(s)[1]
+        if self.turns is None:
+            return self.positions(s), self.line.at(s)[1]
+        R_0, c = self.line.X_0[:3, :3], self.passed
+        if len(self.turns) == 1:
+            Q_0 = self.frames(np.zeros(1))[0].T @ R_0
+            return self.positions(s), self.frames(s) @ Q_0 @ _exponentials(np.outer(s, self.turns[0]))
+        first, second = self.turns
+        R = R_0 @ _exponentials(np.outer(s * (1 + c - s) / c, first))
+        return self.positions(s), R @ _exponentials(np.outer(s * (s - c) / (1 - c), second))
 
     def positions(self, s: Array) -> Array:
         """Positions (m, 3) alone."""
         phi = (s * self.sweep)[:, None]
         return np.asarray(self.centre + np.cos(phi) * self.first + np.sin(phi) * self.side)
+
+
+def _nearer(A: Array, V: Array, share: float) -> Array:
+    """The rotation vector (3,) by which a turn A (3, 3) goes: of the two ways around the one that is nearer to V (3, 3)
+    at a share of it, where the longer way needs to be nearer by a third of the difference in length."""
+    turn = np.asarray(pin.log3(A))
+    size = float(np.linalg.norm(turn))
+    ways = [turn, turn - 2 * np.pi * turn / size] if size > 0 else [turn]
+    costs = [float(angle_between(pin.exp3(share * w), V)) + float(np.linalg.norm(w)) / 3 for w in ways]
+    return ways[int(np.argmin(costs))]
+
+
+def _exponentials(turns: Array) -> Array:
+    """Rotations (m, 3, 3) by rotation vectors (m, 3)."""
+    return np.array([pin.exp3(turn) for turn in turns]).reshape(-1, 3, 3)
 
 
 def off_segments(p: Array, a: Array, b: Array) -> Array:

@@ -1,10 +1,11 @@
 """The shape of motions: lines and arcs and the corners between them, the arm held by MoveExtJ, and what RAPID makes
 straight.
 
-Outside its zones a line is held to chord and slerp, an arc to circle and slerp. Inside one the TCP is within the zone's
-sphere, anything else shows as a place off its way; between two lines it is in the triangle of entry, point and exit
-as well, where the controller's parabola lies and a stop at the point. Between two lines or arcs the same holds of the
-tool's rotation vectors in the zone of orientation. Beside a joint move the sphere is all that is known.
+Outside its zones a line is held to chord and slerp, an arc to its circle and to the turn that CirPathMode makes. Inside
+one the TCP is within the zone's sphere, anything else shows as a place off its way; between two lines it is in the
+triangle of entry, point and exit as well, where the controller's parabola lies and a stop at the point. Between two
+lines or arcs the same holds of the tool's rotation vectors in the zone of orientation. Beside a joint move the sphere
+is all that is known.
 """
 
 from __future__ import annotations
@@ -60,7 +61,8 @@ def _unknown(rows: Rows, visit: Visit) -> Finding:
 
 
 def _way(run: Run, leg: int) -> Iterator[Finding]:
-    """Outside zones: distance from chord or circle, angle from the slerp at the same share of the way, way back."""
+    """Outside zones: distance from chord or circle, angle from the orientation that is wanted at the same share of the
+    way, way back."""
     way, part, places, point = run.ways[leg], run.on(leg), run.places, run.visits[leg + 1].point
     assert way is not None
     assert point.move is not None
@@ -74,7 +76,15 @@ def _way(run: Run, leg: int) -> Iterator[Finding]:
     doubt, unit = (doubt_angle, "rad") if way.only_turns else (doubt_p, "m")
     for check, value, doubts, where, limit, its_unit, words in (
         ("position", off, doubt_p, free, LINE_POSITION, "m", f"from the {shape}"),
-        ("rotation", turned, doubt_R, run.beyond(leg, "turning"), LINE_ROTATION, "rad", "from the slerp"),
+        (
+            "rotation",
+            turned,
+            doubt_R,
+            run.beyond(leg, "turning"),
+            LINE_ROTATION,
+            "rad",
+            "from the programmed orientation",
+        ),
         ("progress", _way_back(way, s, free), 2 * doubt, free, BACKWARD, unit, "backwards"),
     ):
         least = np.where(where, np.maximum(value - doubts, 0.0), 0.0)
@@ -180,10 +190,25 @@ def _off_turns(run: Run, here: Indices, visits: Indices) -> Array:
     entry, leave = (np.array([edges[k][side] for k in visits.tolist()]) for side in (0, 1))
     found = rotation_vectors(np.swapaxes(R_P[visits], 1, 2) @ run.places.R[here])
     granted = lengths(np.cross(entry, leave)) / 16 + run.places.doubt_angle[here]
+    granted += np.array([_sag(run, k) for k in edges])[np.searchsorted(list(edges), visits)]
     # a place at a zone's edge may be a hair outside
     sizes = run.zones("turning")[visits]
     granted += LINE_POSITION / sizes * np.maximum(lengths(entry), lengths(leave))
     return np.asarray(off_triangles(found, entry, np.zeros_like(entry), leave) - granted)
+
+
+def _sag(run: Run, k: int) -> float:
+    """How far turns on arcs beside visit k are from straight rotation vectors in its zone; 0 on lines. A third is added
+    for where the middle is not the farthest."""
+    sag, R_P = 0.0, run.X_WT[k, :3, :3]
+    for leg in (k - 1, k):
+        way = run.ways[leg]
+        if isinstance(way, Arc):
+            share = run.zones("turning")[k] / way.length
+            s = share * np.array([0.5, 1.0]) if leg == k else 1.0 - share * np.array([0.5, 1.0])
+            half, whole = rotation_vectors(R_P.T @ way.at(s)[1])
+            sag += 4 / 3 * float(np.linalg.norm(half - whole / 2))
+    return sag
 
 
 def _rail_share(run: Run, leg: int) -> Iterator[Finding]:

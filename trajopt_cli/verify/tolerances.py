@@ -24,7 +24,8 @@ LINE_POSITION = 1e-6
 and exit, m: a thirtieth of the robot's repeatability (0.03 mm)."""
 
 LINE_ROTATION = 1e-6
-"""Angle from the slerp, and in a corner of the rotation vector from its triangle, rad: 1 um at a lever of 1 m."""
+"""Angle from the programmed orientation, and in a corner of the rotation vector from its triangle, rad: 1 um at a lever
+of 1 m."""
 
 BACKWARD = 1e-6
 """Way back along a line or an arc, outside zones, against the farthest point reached so far, m (rad on a pure

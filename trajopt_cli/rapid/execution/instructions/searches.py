@@ -5,15 +5,19 @@ Where the signal comes only the user knows: scenario.searches gives it as a shar
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
+import numpy as np
+
+from trajopt_cli.errors import InputError
 from trajopt_cli.motion import ExternalAxes, MoveC, MoveJ, MoveL, Process
-from trajopt_cli.path.circle import circle_through, point_on
+from trajopt_cli.path.arc import Arc
 from trajopt_cli.rapid.data import frames
-from trajopt_cli.rapid.data.courses import between, turned
+from trajopt_cli.rapid.data.courses import between
 from trajopt_cli.rapid.data.datatypes import ROBTARGET, Value
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
-from trajopt_cli.rapid.execution.equipment import Setup, frame, said
+from trajopt_cli.rapid.execution.equipment import Setup, frame, matrix, said
 from trajopt_cli.rapid.execution.instructions.moves import Asked, PoseKind, Target, robtarget, to_pose
 from trajopt_cli.rapid.execution.position import reach
 from trajopt_cli.rapid.language.syntax import Expression, Name, ProcedureCall
@@ -102,9 +106,11 @@ def _hit(
         start = position.target(run, node, name, setup)
         place = between(start, end.frame, share)
         if circle is not None:
-            course = circle_through(start[0], robtarget(run, circle).frame[0], end.frame[0])
-            if course is not None:
-                place = point_on(course, start[0], share), turned(start[1], end.frame[1], share)
+            points = start, robtarget(run, circle).frame, end.frame
+            with suppress(InputError):  # no circle, which is refused where it is planned
+                X_0, X_V, X_1 = (matrix(point) for point in points)
+                arc = Arc.through(X_0, X_V, X_1, run.settings.circle)
+                place = frame(arc.pose(np.array([share]))[0])
     written = tuple(float(part) for part in (conf.cf1, conf.cf4, conf.cf6, conf.cfx))
     offsets = run.settings.eax_offset
     axes = tuple(9e9 if value is None else value - more for value, more in zip(extax, offsets, strict=True))

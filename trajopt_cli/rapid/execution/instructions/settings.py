@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from trajopt_cli.motion import Settings, Singularity
+from trajopt_cli.motion import CirPathMode, Settings, Singularity
 from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
 from trajopt_cli.rapid.execution.equipment import load
@@ -55,6 +55,13 @@ def _singularity(run: Run, node: ProcedureCall) -> None:
     elif "lockaxis4" in args.optional:
         kind = Singularity.LOCK_AXIS_4
     change(run, replace(run.settings, singularity=kind))
+
+
+def _circle(run: Run, node: ProcedureCall) -> None:
+    args = bind(run, node, (), tuple(mode.value for mode in CirPathMode))
+    _exclusive(run, node, args, *(mode.value.lower() for mode in CirPathMode))
+    given = next((mode for mode in CirPathMode if mode.value.lower() in args.optional), CirPathMode.PATH_FRAME)
+    change(run, replace(run.settings, circle=given))
 
 
 def _acceleration(run: Run, node: ProcedureCall) -> None:
@@ -152,5 +159,5 @@ INSTRUCTIONS: dict[str, Instruction] = {
     "GripLoad": _grip_load,
     "ActUnit": _noted,
     "DeactUnit": _noted,
-    "CirPathMode": _noted,
+    "CirPathMode": _circle,
 }
