@@ -375,6 +375,24 @@ def test_a_search_stops_within_its_arc_and_faults_only_at_its_end() -> None:
     assert move.zone.stop
 
 
+@pytest.mark.parametrize(("mode", "turned"), [("\\PathFrame", 60.0), ("\\ObjectFrame", -60.0)])
+def test_a_search_on_an_arc_is_turned_there_as_its_mode_says(mode: str, turned: float) -> None:
+    """By 180 deg with the path, or in the object frame by -180 deg and a bit the other way."""
+
+    def facing(x: float, y: float, degrees: float) -> str:
+        half = radians(degrees) / 2
+        return at(x, y, 500, f"[{np.cos(half):.12f},0,0,{np.sin(half):.12f}]")
+
+    end = 180.0 if turned > 0 else -179.0
+    search = f"SearchC\\Stop,di1,r,{facing(0, 100, end / 2)},{facing(-100, 0, end)},v50,tool0;"
+    body = f"CirPathMode{mode}; MoveL {facing(100, 0, 0)},v100,fine,tool0; {search}"
+    _, move = moves(run_main(body, "VAR robtarget r;\n", scenario=Scenario(searches={"di1": 1 / 3})))
+    assert isinstance(move, MoveC)
+    wanted = rotation_about([0, 0, 1], radians(end) / 3)
+    np.testing.assert_allclose(move.X_WT[:3, :3], wanted, atol=1e-6)
+    np.testing.assert_allclose(move.X_WV[:3, :3], rotation_about([0, 0, 1], radians(end) / 6), atol=1e-6)
+
+
 def test_each_undeclared_name_is_told_once_and_stands_in_for_the_rest() -> None:
     body = f"MoveL {at(1, 2, 3)},v100,fine,tGrip\\WObj:=wA; MoveL {at(1, 2, 3)},v100,fine,TGRIP; GripLoad lPart;"
     lines = error_main(body).splitlines()
