@@ -9,7 +9,7 @@ from functools import cache
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation, Slerp
-from small_cells import down, plant_with_rail, plant_without_rail, rapid
+from small_cells import plant_with_rail, plant_without_rail, rapid
 
 from trajopt_cli.geometry import Array, inverse_pose, pose
 from trajopt_cli.motion import MoveL, Program
@@ -36,7 +36,7 @@ BESIDE = {  # what follows the first line, of 60 mm, in a zone of 20 mm
 @cache
 def planned(changes: str, rail: bool = False) -> tuple[Program, Plant, Plan]:
     start = "MoveJ [[0,0,0],[0,0,1,0],[0,0,0,0],[RAIL]], v500, fine, a\\WObj:=w;"
-    line = "MoveL [[0,60,0],[0,0,1,0],[0,0,0,0],[RAIL]], v200, z20, a\\WObj:=w;"
+    line = "MoveL [[0,60,0],[0,-0.258819045,0.965925826,0],[0,0,0,0],[RAIL]], v200, z20, a\\WObj:=w;"  # turns by 30 deg
     body = "\n".join(["ConfJ\\Off; ConfL\\Off;", start, line, BESIDE[changes]])
     body = body.replace("RAIL", RAIL)
     if rail:
@@ -60,13 +60,13 @@ def test_axes_go_over_in_a_corner_where_the_coordinate_system_changes(changes: s
     """Before the zone the first tool is on the first line, behind it the second tool on the second; between, both leave
     their lines and no axis stops."""
     program, plant, plan = planned(changes, rail)
-    _, second = (motion for motion in program.motions if isinstance(motion, MoveL))
+    first, second = (motion for motion in program.motions if isinstance(motion, MoveL))
     t, _, X_WF = flange(plant, plan)
     end = {motion.index: motion.t_1 for motion in plan.motions}
     X_then = X_FB if changes == "tool" else X_FA
     P_0 = np.array([0.4, 0.6 if rail else 0.0, 0.35])
     P_1 = P_0 + np.array([0, 0.06, 0])
-    point = pose(down(0, 0, 0)[:3, :3], P_1) @ inverse_pose(X_FA) @ X_then
+    point = first.X_WT @ inverse_pose(X_FA) @ X_then
     Q_0, Q_1 = point[:3, 3], second.X_WT[:3, 3]
     for X_FT, a, b, at in ((X_FA, P_0, P_1, P_1), (X_then, Q_0, Q_1, Q_0)):
         tool = (X_WF @ X_FT)[:, :3, 3]
