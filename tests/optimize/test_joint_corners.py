@@ -9,11 +9,13 @@ from functools import cache
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation, Slerp
-from small_cells import plant_with_rail, plant_without_rail, rapid
+from small_cells import plant_with_rail, plant_without_rail, problem_of, rapid
 
 from trajopt_cli.geometry import Array, inverse_pose, pose
-from trajopt_cli.motion import MoveL, Program
+from trajopt_cli.motion import FlyBy, MoveL, Program
 from trajopt_cli.optimize import optimize
+from trajopt_cli.optimize.axes import Axes
+from trajopt_cli.optimize.course import course_of
 from trajopt_cli.problem.freedom import AS_WRITTEN
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
@@ -124,3 +126,20 @@ def test_turns_in_place_go_over_into_each_other_by_the_degrees_of_their_zone(tar
     smaller = replace(turn, zone=replace(turn.zone, ori=np.radians(2)))
     narrow = replace(program, motions=(first, smaller, last))
     assert not verify(narrow, plant, plan.trajectory, target=target, advice=False).legal
+
+
+@pytest.mark.parametrize("gap", [1.5e-9, 5e-6])
+def test_zones_that_all_but_meet_leave_no_sliver_between_them(gap: float) -> None:
+    """Of a line of 17 mm with zones of half of it, or of a hair less: 1.5 nm of way between them are none, 5 um are."""
+    places = (60, 0, "z10"), (60, 17, "z10"), (77, 17, "fine")
+    lines = [f"MoveL Offs(p_in,{x},{y},0), v300, {zone}, tool0;" for x, y, zone in places]
+    program, plant = rapid("\n".join(["MoveJ p_in, v500, fine, tool0;", *lines])), plant_with_rail()
+    problem, axes = problem_of(program, plant, Target.RAPID, AS_WRITTEN), Axes.of(plant)
+    less = FlyBy(*(0.0085 - gap,) * 3)
+    points = tuple(replace(one, fly_by=less) if k == 3 else one for k, one in enumerate(problem.waypoints))
+    q = [axes.layout.join(0.6, axes.inverse(point.X_WF[None], np.array([0.6]))[0, 0]) for point in points]
+    course = course_of(axes, replace(problem, waypoints=points), (1, 4), np.array(q), [0] * 5, 40)
+    assert course is not None
+    sizes = [part.size for part in course.parts if part.leg == 2]
+    assert len(sizes) == (2 if gap < 1e-6 else 3)
+    assert sum(sizes) == pytest.approx(0.017, rel=1e-9)

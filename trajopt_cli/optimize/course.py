@@ -40,6 +40,7 @@ from trajopt_cli.path.turning import Turning, over_work
 from trajopt_cli.problem.problem import LegKind, Problem
 
 _SHORT = 1e-9  # of a way, or of a share: no part of it
+_SLIVER = 1e-6  # share of a way between two corners: no part of it; a corner goes on along its own ways
 _INSIDE = 1e-9  # share of a part by which a sample keeps from its ends, where derivatives jump
 _NUMB = 1e-6  # sine of joint 5 below which the inverse kinematics has no derivative
 _ASIDE = 1e-3  # share of a part beside such a place, where derivatives are taken instead
@@ -450,10 +451,11 @@ def spaced(N: int) -> Array:
 
 
 def _distinct(cuts: set[float]) -> list[float]:
-    """Cuts in order, those that are one but for rounding once."""
+    """Cuts in order, those that are one but for rounding once: where zones meet, num's seven digits leave a sliver
+    between them."""
     out = [0.0]
     for cut in sorted(cuts):
-        if cut > out[-1] + _SHORT:
+        if cut > out[-1] + (_SLIVER if 0 < out[-1] and cut < 1 else _SHORT):
             out.append(cut)
     out[-1] = 1.0
     return out
