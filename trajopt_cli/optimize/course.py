@@ -455,7 +455,7 @@ def _distinct(cuts: set[float]) -> list[float]:
     between them."""
     out = [0.0]
     for cut in sorted(cuts):
-        if cut > out[-1] + (_SLIVER if 0 < out[-1] and cut < 1 else _SHORT):
+        if cut > out[-1] + (_SLIVER if out[-1] > 0 and cut < 1 else _SHORT):
             out.append(cut)
     out[-1] = 1.0
     return out
