@@ -74,11 +74,17 @@ class Zone:
 
 class FlyBy(NamedTuple):
     """The corner that is driven at a fly-by point: how far from the point [m], along the ways before and after it, the
-    position, the orientation and the external axes are rounded; radius is the least of them."""
+    position, the orientation and the external axes are rounded; radius is the least of them.
+
+    in_place: both ways turn the tool about its centre point, and all three are angles [rad]. joint: the axes go over
+    from one way to the other in joint interpolation, as the coordinate system changes.
+    """
 
     radius: float
     turning: float
     external: float
+    in_place: bool = False
+    joint: bool = False
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from trajopt_cli.limits import TcpCaps
 from trajopt_cli.motion import FlyBy
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.bound import lower_bound
-from trajopt_cli.optimize.tool_time import tool_time
+from trajopt_cli.optimize.tool_time import Part, parts_time, tool_time
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.corner import Corner
 from trajopt_cli.path.line import Line
@@ -218,3 +218,23 @@ def test_a_larger_zone_is_never_slower_and_a_stop_never_faster(seed: int) -> Non
     assert times == sorted(times, reverse=True)
     stops = way(poses, [0.0] * 3, v_ori=1.0)
     assert times[0] < sum(tool_time(stops, k, k + 1) for k in range(4))
+
+
+def test_turns_in_place_are_passed_by_the_degrees_of_their_zones() -> None:
+    """20 and 15 deg about one axis, 6 deg of either in the corner: nothing is cut off; about axes at a right angle the
+    corner turns from edge to edge, at 100 deg/s."""
+    speed = "CONST speeddata slow:=[200,100,100,1000]; CONST zonedata z6:=[FALSE,50,75,75,6,75,6];"
+    for axis in ("Rz", "Rx"):
+        turn = "MoveL RelTool(p_in,0,0,0\\Rz:=20), slow, z6, tool0;"
+        last = "MoveL RelTool(RelTool(p_in,0,0,0\\Rz:=20),0,0,0\\AXIS:=15), slow, fine, tool0;".replace("AXIS", axis)
+        program = rapid("\n".join(["MoveJ p_in, v500, fine, tool0;", turn, last]), data=speed)
+        problem = problem_of(program, plant_with_rail())
+        across = 12.0 if axis == "Rz" else 2 * np.degrees(np.arccos(np.cos(np.radians(3)) ** 2))
+        assert tool_time(problem, 1, 3) == pytest.approx((14 + 9 + across) / 100, abs=1e-6)
+
+
+def test_another_tool_need_not_run_up() -> None:
+    """A metre at 1 m/s and 1 m/s2 and another one: with one tool a ramp at either end."""
+    ways = [Part(1.0, 1.0), Part(0.0, 1.0), Part(1.0, 1.0)]
+    assert parts_time(ways, 1.0) == pytest.approx(3.0)
+    assert parts_time([replace(one, jump=one.length == 0) for one in ways], 1.0) == pytest.approx(2.0)

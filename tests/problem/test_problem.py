@@ -368,3 +368,14 @@ def test_a_program_that_moves_a_held_rail_itself_is_answered_with_both() -> None
         "t.mod:6:1: MoveAbsJ j_home takes the rail from 600 mm to 0 mm, and a comment in the program says that it"
         " stands still there; give both ends the same position, or take the hold back"
     )
+
+
+TURNS = ((30, "z50"), (54, "fine"))
+
+
+def test_a_programmed_time_of_a_turn_in_place_beside_a_fly_by_is_a_speed_of_turning() -> None:
+    turns = [f"MoveL RelTool(p_in,0,0,0\\Rz:={angle}), v100\\T:=0.5, {zone}, tool0;" for angle, zone in TURNS]
+    problem = problem_of(rapid("\n".join(["MoveJ p_in, v500, fine, tool0;", *turns])), plant_with_rail())
+    assert [leg.duration for leg in problem.legs] == [None, None, None]
+    assert [leg.v_ori for leg in problem.legs[1:]] == pytest.approx(np.radians([30, 24]) / 0.5)
+    assert all(leg.v_tcp > 0 for leg in problem.legs)

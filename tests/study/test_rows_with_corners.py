@@ -7,7 +7,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from timed_rows import attempt, fixed_rail_plan, plant_with_rail, rapid, solver
+from timed_rows import attempt, broken, fixed_rail_plan, plant_with_rail, rapid, solver
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.optimize import optimize
@@ -205,3 +205,18 @@ def test_corners_that_touch(row: str, most: float) -> None:
         limits = contour().plant.limits
         assert (np.abs(qd) / limits.velocity).max() <= 1
         assert (np.abs(qdd) / limits.acceleration).max() <= 1 + 1e-6
+
+
+# A line without a way, and corners in which the tool changes.
+CHANGED = """MoveJ p_in, v500, fine, tGrip;
+MoveL p_in, v500, z10, tGrip;
+MoveL Offs(p_in,0,0,-60), v500, z10, tGrip;
+MoveL Offs(p_in,0,60,-60), v500, z20, tool0;
+MoveL Offs(p_in,0,60,0), v500, fine, tool0;"""
+
+
+@pytest.mark.parametrize("row", ["toppra", "ruckig"])
+def test_tools_that_change_in_corners_keep_their_own_caps(row: str) -> None:
+    plant = plant_with_rail()
+    case = Case(rapid(CHANGED), plant, solver(plant))
+    assert broken(case, attempt(ROWS[row](case))) == []

@@ -70,7 +70,7 @@ class Part:
 
 def way_of(plant: Plant, leg: Leg) -> float:
     if not isinstance(leg, JointMove):
-        return leg.length
+        return leg.length or leg.angle
     X_0, X_1 = plant.robot.forward(np.stack([leg.q_0, leg.q_1]))
     return float(np.linalg.norm(X_1[:3, 3] - X_0[:3, 3]))
 
@@ -94,9 +94,11 @@ def rounded_rail(values: Sequence[float], edges: Array, zones: Sequence[float]) 
 
 
 def parts_of(
-    plant: Plant, legs: Sequence[Leg], sizes: Sequence[tuple[float, float]], rail: Rail | None = None
-) -> list[Part]:
-    """The whole way with corners. sizes: radius and turning [m] of every corner, both 0 for none."""
+    plant: Plant, legs: Sequence[Leg], sizes: Sequence[tuple[float, float]], rail: Rail | None = None,
+    joint: bool = False,
+) -> list[Part]:  # fmt: skip
+    """The whole way with corners. sizes: radius and turning [m] of every corner, both 0 for none; [rad] between turns
+    in place. joint: all of them are joint interpolated."""
     ways = [way_of(plant, leg) for leg in legs]
     edges = np.r_[0.0, np.cumsum(ways)]
     parts: list[Part] = []
@@ -120,14 +122,17 @@ def parts_of(
     def in_corner(k: int, size: float) -> Callable[[Array], tuple[Array, Array]]:
         before, after = legs[k - 1], legs[k]
         begin = edges[k] - size
-        if isinstance(before, JointMove) or isinstance(after, JointMove):
+        if joint or isinstance(before, JointMove) or isinstance(after, JointMove):
             (q_0, rate_0), (q_1, rate_1) = (
                 (x[0] for x in on_leg(i)(np.array([sigma]))) for i, sigma in ((k - 1, begin), (k, edges[k] + size))
             )
             bend = JointCorner(q_0, 2 * size * rate_0, q_1, 2 * size * rate_1)
             return lambda sigma: tuple(f((sigma - begin) / (2 * size)) / g for f, g in
                                        ((bend.axes, 1.0), (bend.rate, 2 * size)))  # fmt: skip
-        corner = Corner.of_zone(before, after, *sizes[k - 1])
+        if before.length == 0:
+            corner = Corner(before, after, size / ways[k - 1], size / ways[k])
+        else:
+            corner = Corner.of_zone(before, after, *sizes[k - 1])
 
         def axes(sigma: Array) -> tuple[Array, Array]:
             s = np.clip((sigma - begin) / (2 * size), 0.0, 1.0)
@@ -192,6 +197,7 @@ def run_case(
     plant: Plant | None = None,
     rails: Sequence[float] | None = None,
     external: Sequence[float] = (),
+    joint: bool = False,
 ) -> Case:
     """To the first leg's start by a joint move, then the run."""
     plant = plant or (plant_without_rail() if rails is None else plant_with_rail())
@@ -205,7 +211,7 @@ def run_case(
     return Case(
         plant,
         program(move_j(11, "p_0", P0, None if rails is None else rails[0]), *motions),
-        (joint_move(plant, plant.start, q_0, 0.5), driven(parts_of(plant, legs, sizes, rail), v, a)),
+        (joint_move(plant, plant.start, q_0, 0.5), driven(parts_of(plant, legs, sizes, rail, joint), v, a)),
     )
 
 
@@ -228,6 +234,23 @@ def two_turns() -> Case:
     X_2 = pose(rotation_about([1, 0, 0], 0.3) @ X_1[:3, :3], P2[:3, 3])
     motions = [move_l(12, "p_1", X_1, zone=Z10), move_l(13, "p_2", X_2)]
     return run_case(motions, [Line(P0, X_1), Line(X_1, X_2)], [(Z10.radius, Z10.path_ori)])
+
+
+@cache
+def other_work_object(joint: bool = True) -> Case:
+    """A right angle whose corner is joint interpolated, as the second line is programmed in another work object."""
+    legs = [Line(P0, turned(P1, 0.3)), Line(turned(P1, 0.3), P2)]
+    motions = [move_l(12, "p_1", legs[0].X_1, zone=Z10, X_WO=np.eye(4)), move_l(13, "p_2", P2, wobj="table", X_WO=P0)]
+    return run_case(motions, legs, [(Z10.radius, Z10.radius)], joint=joint)
+
+
+@cache
+def turns_in_place(angle: float = 0.12) -> Case:
+    """Two turns about different axes, one going over into the other over angle [rad] on both sides of the point."""
+    X_1 = turned(P0, 0.4)
+    X_2 = pose(rotation_about([1, 0, 0], 0.3) @ X_1[:3, :3], P0[:3, 3])
+    motions = [move_l(12, "p_1", X_1, zone=replace(Z10, ori=0.12)), move_l(13, "p_2", X_2)]
+    return run_case(motions, [Line(P0, X_1), Line(X_1, X_2)], [(angle, angle)], v=0.5, a=3.0)
 
 
 VIA = np.array([0.53, 0.03, 0.4])
@@ -357,6 +380,8 @@ def contour(n: int = 38, zone: Zone = Z1, v: float = 0.05) -> Case:
 
 RUNS = {
     "line-line": line_line,
+    "other work object": other_work_object,
+    "turns in place": turns_in_place,
     "line-line z0": lambda: line_line(Z0, v=0.03),
     "turning": lambda: line_line(turn=0.3),
     "two turns": two_turns,

@@ -135,6 +135,7 @@ def test_five_hundred_points_are_one_run_judged_in_seconds() -> None:
 # ------------------------------------------------------------------------------------------- which points are passed
 
 OTHER = Tool("other", pose(np.eye(3), [0, 0, 0.1]))
+OTHER_P2 = pose(P1[:3, :3], (P1 @ OTHER.X_FT)[:3, 3] + [0, 0.04, 0])
 FLAT = Zone("flat", False, 0.0, 10e-3, 10e-3)
 REACHES: list[tuple[str, Sequence[Motion], list[FlyBy | None]]] = [
     ("fine", [move_l(12, "p_1", P1), move_l(13, "p_2", P2)], [None, None]),
@@ -171,7 +172,26 @@ REACHES: list[tuple[str, Sequence[Motion], list[FlyBy | None]]] = [
         [None, None, None],
     ),
     ("no radius", [move_l(12, "p_1", P1, zone=FLAT), move_l(13, "p_2", P2)], [None, None]),
-    ("the tool changes", [move_l(12, "p_1", P1, zone=Z10), move_l(13, "p_2", P2, tool=OTHER)], [None, None]),
+    (
+        "the tool changes: half of the way of the other one's centre point, 40 mm long",
+        [move_l(12, "p_1", P1, zone=replace(Z10, radius=0.1)), move_l(13, "p_2", OTHER_P2, tool=OTHER)],
+        [FlyBy(0.02, 0.02, 0.02, joint=True), None],
+    ),
+    (
+        "the work object changes",
+        [move_l(12, "p_1", P1, zone=Z10, X_WO=np.eye(4)), move_l(13, "p_2", P2, X_WO=P0)],
+        [FlyBy(10e-3, 15e-3, 15e-3, joint=True), None],
+    ),
+    (
+        "between turns in place, half of the smaller one",
+        [
+            move_l(12, "p_1", P1),
+            move_l(13, "p_2", turned(P1, 0.3), zone=replace(Z10, ori=0.1)),
+            move_l(14, "p_3", turned(P1, 0.46), zone=replace(Z10, ori=0.1)),
+            move_l(15, "p_4", P2),
+        ],
+        [None, FlyBy(0.08, 0.08, 0.08, in_place=True), None, None],
+    ),
     ("external axes alone", [move_l(12, "p_1", P1, zone=Z10), move_ext(13, 0.3), home(14)], [None, None, None]),
 ]
 
@@ -187,8 +207,8 @@ def test_points_are_passed_or_stops_as_a_controller_decides(
             assert point.fly_by is None, point.name
         else:
             assert point.fly_by is not None, point.name
-            found = point.fly_by.radius, point.fly_by.turning, point.fly_by.external
-            assert found == pytest.approx((fly_by.radius, fly_by.turning, fly_by.external), abs=1e-12)
+            assert point.fly_by[:3] == pytest.approx(fly_by[:3], abs=1e-9)
+            assert point.fly_by[3:] == fly_by[3:]
 
 
 def test_joints_without_a_rail_position_are_passed_where_the_rail_was_programmed_last() -> None:

@@ -18,7 +18,7 @@ from trajopt_cli.motion import FlyBy, Motion
 from trajopt_cli.trajectory import Trajectory
 from trajopt_cli.verify import visits
 from trajopt_cli.verify.course import Point
-from trajopt_cli.verify.timeline import Timeline, Visit, outside_zones, rows_of_move, rows_of_run
+from trajopt_cli.verify.timeline import Timeline, Visit, outside_zones, rows_of_move, rows_of_run, tool_corner
 from trajopt_cli.verify.visits import Event
 
 PLANT = plant_with_rail()
@@ -185,6 +185,26 @@ def test_rows_outside_zones() -> None:
     assert end < begin
     begin, end = outside_zones(frame, visit(2, None), visit(35, whole), "external")
     assert end < begin
+
+
+def test_a_corner_in_which_the_tool_changes_lies_between_the_edges_of_the_zone_for_either_tool() -> None:
+    """The flange moves by 10 mm from row to row; the other tool's centre point, 100 mm beside the first one's, has gone
+    astray near the point and leaves the zone two rows late."""
+    X_FT = [np.eye(4), np.eye(4)]
+    X_FT[1][1, 3] = 0.1
+    p = [np.zeros((41, 3)), np.zeros((41, 3))]
+    for one in p:
+        one[:, 0] = np.linspace(0, 0.4, 41)
+    p[1][:, 1] = 0.1
+    p[1][26:28] = [0.2, 0.11, 0]
+    tools = [SimpleNamespace(p=one, X_FT=X, rows=SimpleNamespace(marked=True)) for one, X in zip(p, X_FT, strict=True)]
+    X_WT = np.eye(4)
+    X_WT[0, 3] = 0.2
+    zone = FlyBy(0.0501, 0.0501, 0.0501, joint=True)
+    points = [SimpleNamespace(fly_by=at, X_WT=X_WT, X_FT=X_FT[0]) for at in (None, zone, None)]
+    visits = [SimpleNamespace(arrive=row, depart=row + (row == 20), point=point)
+              for row, point in zip((0, 20, 40), points, strict=True)]  # fmt: skip
+    assert tool_corner(tools, visits) == (15, 27)  # type: ignore[arg-type]
 
 
 # --- which events ------------------------------------------------------------------------------------------------

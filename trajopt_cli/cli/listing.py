@@ -185,6 +185,8 @@ def _zone(row: Row) -> str:
     usual = match is not None and abs(radius - (float(match[1]) or 0.3)) <= 1e-4
     told = name if usual else f"{name} {radius:.4g}".strip()
     left = row.effective_radius
+    if row.effective_angle is not None:
+        return f"{told}, {row.effective_angle:.3g} deg"
     if left is not None and left < radius - 1e-6:
         return f"{told}, {f'{left:.3g} mm' if left else 'stops here'}"
     return told

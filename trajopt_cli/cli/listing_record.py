@@ -85,6 +85,7 @@ def row_record(row: Row) -> dict[str, Any]:
         "criterion": row.criterion,
         "radius": _figure(row.radius),
         "effective_radius": _figure(row.effective_radius),
+        "effective_angle": _figure(row.effective_angle),
         "stop_reason": row.stop_reason,
         "tool": row.tool,
         "wobj": row.wobj,

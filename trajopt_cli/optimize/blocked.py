@@ -148,7 +148,7 @@ def _zones_that_do(axes: Axes, failure: NoClearWay, runs: Runs | None) -> str:
     corners: dict[int, tuple[Move, float]] = {}
     for point in beside:
         move = problem.motion(point.motion)
-        if point.fly_by is not None and isinstance(move, Move) and not move.detour:
+        if point.fly_by is not None and not point.fly_by.in_place and isinstance(move, Move) and not move.detour:
             corners[point.motion] = move, point.fly_by.radius
     if chain is None or not corners:
         return ""

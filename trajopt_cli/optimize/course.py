@@ -40,6 +40,7 @@ from trajopt_cli.path.turning import Turning, over_work
 from trajopt_cli.problem.problem import LegKind, Problem
 
 _SHORT = 1e-9  # of a way, or of a share: no part of it
+_SLIVER = 1e-6  # share of a way between two corners: no part of it; a corner goes on along its own ways
 _INSIDE = 1e-9  # share of a part by which a sample keeps from its ends, where derivatives jump
 _NUMB = 1e-6  # sine of joint 5 below which the inverse kinematics has no derivative
 _ASIDE = 1e-3  # share of a part beside such a place, where derivatives are taken instead
@@ -313,8 +314,8 @@ class _Cut:
         return self._known[name]
 
     def _measure(self, k: int) -> float:
-        """How much sigma the run's first leg is: metres of the tool's way, radians of a turn in place, 1 for what is
-        neither."""
+        """What a leg's zones count, and how much sigma the run's first leg is: metres of the tool's way, radians of a
+        turn in place, 1 for what is neither."""
         leg = self._problem.legs[k]
         return leg.chord if leg.chord > _SHORT else leg.angle if leg.angle > _SHORT else 1.0
 
@@ -379,8 +380,7 @@ class _Cut:
 
     def _slope_in(self, k: int, other: int) -> Array:
         """The rail's way per metre on another leg, in the measure of leg k."""
-        legs = self._problem.legs
-        return np.asarray((self._d(other + 1) - self._d(other)) * legs[k].chord / legs[other].chord)
+        return np.asarray((self._d(other + 1) - self._d(other)) * self._measure(k) / self._measure(other))
 
     # ---- corners
     def _bend(self, k: int) -> _Bend | None:
@@ -388,31 +388,44 @@ class _Cut:
         zone = self._problem.waypoints[k].fly_by
         assert zone is not None
         before, after = self._ways[k - 1], self._ways[k]
-        if not (isinstance(before, Line | Arc) and isinstance(after, Line | Arc)):
+        if zone.joint or not (isinstance(before, Line | Arc) and isinstance(after, Line | Arc)):
             found: _Bend | None = self._once(k, self._q[k - 1 : k + 2], lambda: self._joint_bend(k, zone.radius))
             return found
-        corner: Corner = self._once(k, self._q[:0], lambda: Corner.of_zone(before, after, zone.radius, zone.turning))
-        rail_before, rail_after = (zone.external / way.length for way in (before, after))
+        sides = self._measure(k - 1), self._measure(k)
+
+        def make() -> Corner:
+            if zone.in_place:
+                return Corner(before, after, *(zone.turning / side for side in sides))
+            return Corner.of_zone(before, after, zone.radius, zone.turning)
+
+        corner: Corner = self._once(k, self._q[:0], make)
+        rail_before, rail_after = (zone.external / side for side in sides)
         return _Bend(corner, corner.share_before, corner.share_after, rail_before, rail_after)
 
     def _joint_bend(self, k: int, radius: float) -> _Bend | None:
-        """A corner of all axes, small enough that the tool stays within its zone."""
-        legs, point = self._problem.legs, self._problem.waypoints[k].X_WF @ self._problem.legs[k].X_FT
+        """A corner of all axes, small enough that the tool stays within its zone, each tool in its half."""
+        sides = ((k - 1, True), (k, False))
+        tools = [self._problem.legs[leg].X_FT for leg, _ in sides]
+        points = [(self._problem.waypoints[k].X_WF @ X_FT)[:3, 3] for X_FT in tools]
         shares = []
-        for leg, end in ((k - 1, True), (k, False)):
+        for (leg, end), X_FT, point in zip(sides, tools, points, strict=True):
             way = self._ways[leg]
             if isinstance(way, JointMove):
-                shares.append(_reaching(self._axes, way, legs[leg].X_FT, point[:3, 3], radius, end))
+                shares.append(_reaching(self._axes, way, X_FT, point, radius, end))
             else:
-                shares.append(radius / way.length)
+                shares.append(radius / self._measure(leg))
         for _ in range(SHRINKS):
             states = [self._state(k - 1, 1 - shares[0]), self._state(k, shares[1])]
             if any(np.isnan(q).any() for q, _ in states):
                 return None
             (q_0, rate_0), (q_1, rate_1) = states
             corner = JointCorner(q_0, 2 * shares[0] * rate_0, q_1, 2 * shares[1] * rate_1)
-            tool = self._axes.forward(corner.axes(np.linspace(0, 1, SPHERE_SAMPLES))) @ legs[k].X_FT
-            if np.linalg.norm(tool[:, :3, 3] - point[:3, 3], axis=1).max() <= radius * SPHERE:
+            halves = np.array_split(self._axes.forward(corner.axes(np.linspace(0, 1, SPHERE_SAMPLES))), 2)
+            away = [
+                np.linalg.norm((X_WF @ X_FT)[:, :3, 3] - point, axis=1).max()
+                for X_WF, X_FT, point in zip(halves, tools, points, strict=True)
+            ]
+            if max(away) <= radius * SPHERE:
                 break
             shares = [share * SHRINK for share in shares]
         return _Bend(corner, *shares)
@@ -438,10 +451,11 @@ def spaced(N: int) -> Array:
 
 
 def _distinct(cuts: set[float]) -> list[float]:
-    """Cuts in order, those that are one but for rounding once."""
+    """Cuts in order, those that are one but for rounding once: where zones meet, num's seven digits leave a sliver
+    between them."""
     out = [0.0]
     for cut in sorted(cuts):
-        if cut > out[-1] + _SHORT:
+        if cut > out[-1] + (_SLIVER if out[-1] > 0 and cut < 1 else _SHORT):
             out.append(cut)
     out[-1] = 1.0
     return out

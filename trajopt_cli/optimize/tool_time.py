@@ -21,11 +21,13 @@ from trajopt_cli.problem.problem import Leg, LegKind, Problem
 
 @dataclass(frozen=True)
 class Part:
-    """A part of the tool's way: at least this length [m], at most this speed [m/s]; its turn takes so long [s]."""
+    """A part of the tool's way: at least this length [m], at most this speed [m/s]; its turn takes so long [s]. jump:
+    another tool takes over in it, whose centre point has a speed of its own."""
 
     length: float
     speed: float
     turn: float = 0.0
+    jump: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,8 +63,9 @@ def parts_time(parts: Sequence[Part], a: float, rests: int = 2) -> float:
 
     Where no part's cap is below `top`, the share of its cap that the tool drives at is never above that of a run-up to
     `top`, so the parts take no less than that run-up over as much way as they would be at that speed. Slower parts are
-    taken as if they allowed `top`.
+    taken as if they allowed `top`. Where another tool takes over nothing is known of run-ups.
     """
+    rests = 0 if any(part.jump for part in parts) else rests
     least = sum(part.turn for part in parts)
     for top in {part.speed for part in parts if part.length > 0}:
         way = sum(p.length * (1.0 if p.speed <= top else top / p.speed) for p in parts)
@@ -75,9 +78,12 @@ def parts_time(parts: Sequence[Part], a: float, rests: int = 2) -> float:
 
 
 def straight(problem: Problem, legs: Sequence[Leg], X_WF_0: Array, X_WF_1: Array) -> Part:
-    """From one pose of the flange to another, over several legs of one tool as if there were nothing between."""
+    """From one pose of the flange to another, over several legs as if there were nothing between; no way where their
+    tools differ."""
     a, b = (X_WF @ legs[0].X_FT for X_WF in (X_WF_0, X_WF_1))
     v, v_ori = np.max([_caps(problem, leg) for leg in legs], axis=0)
+    if any(not np.array_equal(leg.X_FT, legs[0].X_FT) for leg in legs):
+        return Part(0.0, v)
     return Part(float(np.linalg.norm(b[:3, 3] - a[:3, 3])), v, _angle(a, b) / v_ori)
 
 
@@ -101,8 +107,9 @@ def _leg(problem: Problem, leg: Leg) -> Iterable[Part | Gate]:
     if leg.segment is None:
         return []
     way, turn = leg.segment.length, leg.segment.angle
-    if way <= POINT:  # a turn on the spot begins and ends with a stop
-        return [Part(0.0, v, turn / v_ori)]
+    if way <= POINT:  # a turn in place: its zones are angles
+        left = turn - sum(zone.turning for zone in zones if zone is not None)
+        return [Part(0.0, v, max(left, 0.0) / v_ori)]
     arc = leg.segment.way if isinstance(leg.segment, Turning) else leg.segment
     if isinstance(arc, Arc):
         v = min(v, float(np.sqrt(leg.a_tcp * arc.radius)))
@@ -132,7 +139,12 @@ def _gate(problem: Problem, leg: Leg, k: int, way: float, speed: float) -> list[
 
 
 def _at(segment: Segment, way: float) -> Array:
-    return np.asarray(segment.pose(np.array([min(max(way / segment.length, 0.0), 1.0)]))[0])
+    return np.asarray(segment.pose(np.array([min(max(way / _whole(segment), 0.0), 1.0)]))[0])
+
+
+def _whole(segment: Segment) -> float:
+    """A line's or an arc's length [m], or the angle [rad] of a turn in place."""
+    return segment.length if segment.length > POINT else segment.angle
 
 
 def _angle(a: Array, b: Array) -> float:
@@ -144,7 +156,8 @@ def _through(problem: Problem, k: int) -> Part:
     legs, zone = problem.legs[k - 1 : k + 1], problem.waypoints[k].fly_by
     before, after = (leg.segment for leg in legs)
     caps = np.max([_caps(problem, leg) for leg in legs], axis=0)
-    if before is None or after is None or zone is None:
-        return Part(0.0, caps[0])  # joint moves may go anywhere
-    (a, b), (c, d) = ((_at(before, before.length - size), _at(after, size)) for size in (zone.radius, zone.turning))
+    if before is None or after is None or zone is None or zone.joint:
+        jump = not np.array_equal(legs[0].X_FT, legs[1].X_FT)
+        return Part(0.0, caps[0], jump=jump)  # joint moves may go anywhere
+    (a, b), (c, d) = ((_at(before, _whole(before) - size), _at(after, size)) for size in (zone.radius, zone.turning))
     return Part(float(np.linalg.norm(b[:3, 3] - a[:3, 3])), caps[0], _angle(c, d) / caps[1])

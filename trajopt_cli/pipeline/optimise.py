@@ -412,6 +412,8 @@ def fly_bys_told(corners: Corners, plans: Mapping[Target, Collection[int]] | Non
     if passed := len(corners.passed):
         points = "fly-by points are passed in corners" if passed > 1 else "fly-by point is passed in a corner"
         yield f"{passed} {points}: {PARABOLIC}"
+        if joint := sum(zone.joint for zone in corners.passed.values()):
+            yield f"{joint} of them in joint interpolation: tool or work object change there"
         for target, moving in (plans or {}).items():
             if stops := sum(index not in moving for index in corners.passed):
                 why = "joint moves between stops need not be straight"

@@ -16,6 +16,7 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.trajectory import hermite
 
 _EDGE = 1 + 1e-6  # of a zone: its edge is inside
+_STANDS = 1e-6  # m: the tool's centre point in a zone between turns in place
 
 
 @dataclass(frozen=True, eq=False)
@@ -167,7 +168,9 @@ def legs_of(program: Program, plant: Plant, plan: Plan) -> tuple[Leg, ...]:
         if isinstance(motion, MoveJ | MoveL | MoveC | MoveAbsJ):
             X_FT = motion.tool.X_FT
         if planned.t_1 > planned.t_0:
-            zone = zones[planned.index].radius if planned.index in passed else 0.0
+            zone = 0.0
+            if planned.index in passed:
+                zone = _STANDS if zones[planned.index].in_place else zones[planned.index].radius
             legs.append(Leg(planned.t_0, planned.t_1, motion, X_FT, planned.q_1, zone))
     return tuple(legs)
 

@@ -260,6 +260,8 @@ def _timed(leg: Leg, waypoints: Sequence[Waypoint]) -> Leg:
         return leg
     X_0, X_1 = before.X_WF @ leg.X_FT, after.X_WF @ leg.X_FT
     way = leg.chord or float(np.linalg.norm(X_1[:3, 3] - X_0[:3, 3]))
+    if any(point.fly_by is not None and point.fly_by.in_place for point in (before, after)):
+        return replace(leg, duration=None, v_ori=min(leg.v_ori, leg.angle / leg.duration))
     return replace(leg, duration=None, v_tcp=min(leg.v_tcp, way / leg.duration))
 
 

@@ -34,7 +34,7 @@ from trajopt_cli.motion import (
     Wait,
     instruction_name,
 )
-from trajopt_cli.rapid.zones import effective_radii, stopped_fly_bys, ways
+from trajopt_cli.rapid.zones import effective_radii, fly_bys, stopped_fly_bys, ways
 from trajopt_cli.units import DEG, MM
 
 Triple = tuple[float, float, float]
@@ -49,7 +49,8 @@ class Row:
     "SignalEvent"). target: as written; of a wait its condition, of a signal event the signal. position: world.
     orientation: world, unit quaternion w x y z. via: the point an arc goes through. joints: of the arm. speed, zone:
     their names. v_tcp and the rest: their figures, VelSet and \\V included. radius: programmed, of a fly-by;
-    effective_radius: what the ways to its neighbours leave of it, 0 at a stop, None where only the robot tells.
+    effective_radius: what the ways to its neighbours leave of it, 0 at a stop, None where only the robot tells, and
+    between turns in place, where the zone is effective_angle (deg).
     stop_reason: why a fly-by is a stop all the same. extax: mm or deg; extax_kept: where axes stand meanwhile that the
     robot has and extax leaves open. duration: seconds of a wait (at least, where a condition ends it), or the
     programmed time of a move. value: what a signal is set to. length: of a line or an arc whose start is known.
@@ -77,6 +78,7 @@ class Row:
     criterion: str | None = None
     radius: float | None = None
     effective_radius: float | None = None
+    effective_angle: float | None = None
     stop_reason: str | None = None
     tool: str | None = None
     wobj: str | None = None
@@ -118,7 +120,8 @@ def describe(program: Program, kinematics: Kinematics | None = None) -> Listing:
     quaternions = _quaternions(program.motions)
     spelled = _Spelling(program)
     radii = effective_radii(program, lengths)
-    stopped = stopped_fly_bys(program, kinematics)
+    stopped = stopped_fly_bys(program, kinematics, lengths)
+    zones = fly_bys(program, kinematics, lengths) if None in radii else {}
     settings: dict[int, dict[str, Any]] = {}  # by identity: thousands of motions share one
     at = NO_EXTERNAL_AXES if kinematics is None else kinematics.start[1]
     rows = []
@@ -140,6 +143,8 @@ def describe(program: Program, kinematics: Kinematics | None = None) -> Listing:
             row = _move_row(index, motion, quaternions.get(index), lengths[index], radii[index], known)
             if motion.events:
                 row = replace(row, events=tuple(spelled.event(event, motion) for event in motion.events))
+            if index in zones and zones[index].in_place:
+                row = replace(row, effective_angle=zones[index].turning / DEG)
             if index in stopped:
                 row = replace(row, stop_reason=stopped[index])
             if at is not NO_EXTERNAL_AXES and any(

@@ -2,11 +2,14 @@
 
 A zone ends at the middle of the way to the next point. What is written for orientation and external axes reaches as
 far as the zone of the tool centre point at least, and counts with the smallest share of the ways (RAPID, zonedata).
+Between two lines that turn the tool in place the zone is an angle (zone_ori); where only one does there is none, and
+where the coordinate system changes the corner is joint interpolated (RAPID reference manual, Positioning during program
+execution: Corner paths when changing the interpolation method, Interpolation when changing coordinate system).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass
 from math import dist
@@ -21,6 +24,7 @@ from trajopt_cli.motion import (
     NO_EXTERNAL_AXES,
     ExternalAxes,
     FlyBy,
+    Motion,
     Move,
     MoveAbsJ,
     MoveC,
@@ -39,7 +43,7 @@ from trajopt_cli.path.segment import POINT
 from trajopt_cli.path.turning import turned_back
 from trajopt_cli.units import MM
 
-# [m] A shorter way has no corner: seven digits of a num tell points 10 m away no better.
+# [m], [rad] A shorter way has no corner: seven digits of a num tell points 10 m away no better. Nor frames.
 _NO_WAY = 1e-6
 
 
@@ -87,14 +91,18 @@ def effective_radii(program: Program, lengths: Sequence[float | None] | None = N
 
     At most half the way from the point before and half the way to the next one, arcs along the arc; 0 at a stop, also
     at a fly-by that is one (see stopped_fly_bys), and for what is no move. None for a fly-by whose own place, or a
-    neighbour's, only the robot knows. lengths: what ways() gives, if it is known already.
+    neighbour's, only the robot knows, and between turns in place. lengths: what ways() gives, if it is known already.
     """
     lengths = ways(program) if lengths is None else lengths
     radii: list[float | None] = [0.0] * len(program.motions)
-    for index, move, after, reason in _programmed(program, lengths):
+    turning = _turning_in_place(program, None, lengths)
+    for index, move, after, reason in _programmed(program, lengths, turning):
         if after is not None and reason is None:
             before, behind = lengths[index], lengths[after]
-            radii[index] = None if before is None or behind is None else min(move.zone.radius, before / 2, behind / 2)
+            if before is None or behind is None or index in turning:
+                radii[index] = None
+            else:
+                radii[index] = min(move.zone.radius, before / 2, behind / 2)
     return tuple(radii)
 
 
@@ -106,11 +114,13 @@ def fly_bys(
     Positions take the programmed radius; orientations path_ori, external axes path_eax, both no less than the radius;
     all at most half of the shorter way. Where ori or leax is given and a smaller share of what turns or travels on one
     of the ways, it counts instead, still no less than the radius. Travel is that of the robot's own axes, all linear,
-    as programmed; kinematics tell which they are, without them there is none. Points whose ways only the robot knows
-    are left out. lengths: what ways() gives, if it is known already.
+    as programmed; kinematics tell which they are, without them there is none. Between turns in place all three are the
+    angle ori [rad], at most half of the smaller turn, or leax where that is a smaller share. Points whose ways only the
+    robot knows are left out. lengths: what ways() gives, if it is known already.
     """
     lengths = ways(program, kinematics) if lengths is None else lengths
-    found = _programmed(program, lengths)
+    turning = _turning_in_place(program, kinematics, lengths)
+    found = _programmed(program, lengths, turning)
     passed = {index: (move, after) for index, move, after, reason in found if after is not None and reason is None}
     wanted = {*passed, *(after for _, after in passed.values())}
     known: dict[int, _Way] = {}
@@ -118,11 +128,12 @@ def fly_bys(
         length = lengths[index]
         if index in wanted and length is not None and start and end and not isinstance(motion, MoveExtJ):
             known[index] = _Way(length, _angle(motion, start, end), travel)
-    return {
-        index: _fly_by(move.zone, (known[index], known[after]))
-        for index, (move, after) in passed.items()
-        if index in known and after in known
-    }
+    out = {}
+    for index, (move, after) in passed.items():
+        if index in known and after in known:
+            zone = (_turned if index in turning else _fly_by)(move.zone, (known[index], known[after]))
+            out[index] = zone._replace(joint=changes_frame(move, program.motions[after]))
+    return out
 
 
 def stopped_fly_bys(
@@ -133,8 +144,29 @@ def stopped_fly_bys(
     Without kinematics a point is taken to be passed where only they tell that no way leads to it or on from it.
     lengths: what ways() gives, if it is known already.
     """
-    found = _programmed(program, ways(program, kinematics) if lengths is None else lengths)
+    lengths = ways(program, kinematics) if lengths is None else lengths
+    found = _programmed(program, lengths, _turning_in_place(program, kinematics, lengths))
     return {index: reason for index, _, _, reason in found if reason is not None}
+
+
+def changes_frame(move: Motion, after: Motion) -> bool:
+    """Whether the corner between two moves is joint interpolated as the coordinate system changes there: another tool
+    centre point, or between lines and arcs another work object.
+
+    Told by their frames, not by their names; a program displacement is no other work object. Held work objects have no
+    frame in the world: their names tell.
+    """
+    if isinstance(move, MoveExtJ | Wait | SignalEvent) or isinstance(after, MoveExtJ | Wait | SignalEvent):
+        return False
+    if not _same(move.tool, after.tool):
+        return True
+    if not isinstance(move, MoveL | MoveC) or not isinstance(after, MoveL | MoveC):
+        return False
+    alike = move.wobj.lower() == after.wobj.lower()
+    if move.X_WO is None or after.X_WO is None:
+        return not alike
+    displaced = move.settings.displaced or after.settings.displaced
+    return not (alike and displaced) and not np.allclose(move.X_WO, after.X_WO, rtol=0, atol=_NO_WAY)
 
 
 def _fly_by(zone: Zone, sides: tuple[_Way, _Way]) -> FlyBy:
@@ -149,10 +181,34 @@ def _fly_by(zone: Zone, sides: tuple[_Way, _Way]) -> FlyBy:
     return FlyBy(radius, turning, reach(zone.path_eax, zone.leax, [way.travel for way in sides]))
 
 
+def _turned(zone: Zone, sides: tuple[_Way, _Way]) -> FlyBy:
+    """Between two turns in place."""
+    shares = [zone.leax / way.travel * way.angle for way in sides if zone.leax > 0 and way.travel > POINT]
+    angle = min(zone.ori, *(way.angle / 2 for way in sides), *shares)
+    return FlyBy(angle, angle, angle, in_place=True)
+
+
+def _turning_in_place(
+    program: Program, kinematics: Kinematics | None, lengths: Sequence[float | None]
+) -> frozenset[int]:
+    """The lines on which the tool turns and its centre point stands."""
+    short = {index for index, length in enumerate(lengths) if length is not None and length < _NO_WAY}
+    if not any(isinstance(program.motions[index], MoveL) for index in short):
+        return frozenset()
+    out = set()
+    for index, motion, start, end, _ in _courses(program, kinematics):
+        if index in short and isinstance(motion, MoveL) and start is not None and end is not None:
+            R_0, R_1 = start.seen_by(motion.tool)[:3, :3], end.seen_by(motion.tool)[:3, :3]
+            if axis_angle(R_0.T @ R_1)[1] > _NO_WAY:
+                out.add(index)
+    return frozenset(out)
+
+
 def _programmed(
-    program: Program, lengths: Sequence[float | None]
+    program: Program, lengths: Sequence[float | None], turning: Set[int]
 ) -> Iterator[tuple[int, Move, int | None, str | None]]:
     """Every programmed fly-by: index and move, the index of the next move, and why it is a stop, None where passed.
+    turning: the lines that turn the tool in place.
 
     Signals between two moves change nothing: they are set on the way.
     """
@@ -167,22 +223,23 @@ def _programmed(
                     last = None
                 continue
         if last is not None:
-            yield *last, index, _reason(last[1], motion, lengths[last[0]], lengths[index])
+            in_place = last[0] in turning and index in turning
+            yield *last, index, _reason(last[1], motion, lengths[last[0]], lengths[index], in_place)
         last = None if motion.zone.stop else (index, motion)
     if last is not None:
         yield *last, None, "no move follows"
 
 
-def _reason(move: Move, after: Move, way_in: float | None, way_out: float | None) -> str | None:
-    """Why the end of a move is a stop although another move follows."""
+def _reason(move: Move, after: Move, way_in: float | None, way_out: float | None, in_place: bool) -> str | None:
+    """Why the end of a move is a stop although another move follows. in_place: both only turn the tool."""
     if isinstance(move, MoveExtJ) or isinstance(after, MoveExtJ):
         return f"external axes alone move {'to it' if isinstance(move, MoveExtJ) else 'next'}"
     if move.units or after.units:
         return f"a positioner turns {'on the way to it' if move.units else 'next'}"
+    if in_place:
+        return None if move.zone.ori > 0 else "its zone is 0 deg"
     if move.zone.radius == 0:
         return "its zone is 0 mm"
-    if not _same(move.tool, after.tool):
-        return "the tool changes"
     if way_in is not None and way_in < _NO_WAY:
         return "its move has no length"
     if way_out is not None and way_out < _NO_WAY:

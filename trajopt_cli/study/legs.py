@@ -180,9 +180,10 @@ def _runs(program: Program, plant: Plant, legs: list[Leg], passed: Collection[in
     problem = build_problem(program, plant, FIXED_RAIL, Target.STREAM, everything(program, plant))
     assert isinstance(problem, Problem)  # there is a plan for it
     after = {leg.motion: k + 1 for k, leg in enumerate(problem.legs)}
+    known = {after[leg.index]: leg.q_1 for leg in legs}
     q = np.tile(plant.start, (len(problem.waypoints), 1))
-    for leg in legs:
-        q[after[leg.index]] = leg.q_1
+    for k in range(1, len(q)):
+        q[k] = known.get(k, q[k - 1])  # a leg without a way takes no time
     cfx = [_branch(plant, axes) for axes in q]
     run: list[Leg] = []
     for leg in legs:
@@ -232,7 +233,7 @@ def _leg(
 @dataclass(frozen=True, eq=False)
 class Caps:
     """Limits in force: of the axes' speeds and accelerations (k,), of the TCP's speed, acceleration and turning. At n
-    samples all of them may differ: (n, k) and (n,)."""
+    samples all of them may differ, (n, k) and (n,), and the tool, (n, 4, 4)."""
 
     speed: Array
     acceleration: Array
@@ -256,9 +257,10 @@ def caps_in(plant: Plant, run: Run, t: Array) -> Caps:
 
 
 def caps_on(caps: Sequence[Caps], i: IndexArray) -> Caps:
-    """What is in force on each of these legs (n,) of a run, of whose legs caps are; the tool is one in all of it."""
+    """What is in force on each of these legs (n,) of a run, of whose legs caps are."""
     arrays = {name: np.array([getattr(one, name) for one in caps])[i] for name in _CAPS}
-    return Caps(**arrays, X_FT=caps[0].X_FT)
+    tools = np.array([one.X_FT for one in caps])
+    return Caps(**arrays, X_FT=tools[0] if (tools == tools[0]).all() else tools[i])
 
 
 @dataclass(frozen=True, eq=False)
@@ -300,8 +302,13 @@ def use_of(plant: Plant, caps: Caps, q: Array, qd: Array, qdd: Array) -> Use:
 
 
 def tool_rates(plant: Plant, X_FT: Array, q: Array, dq: Array, ddq: Array) -> tuple[Array, Array]:
-    """The TCP's twist (n, 6) and the second derivative of its position (n, 3), by whatever dq and ddq (n, k) are by."""
-    motion = plant.robot.differential(q, X_FT).motion(dq, ddq)
+    """The TCP's twist (n, 6) and the second derivative of its position (n, 3), by whatever dq and ddq (n, k) are by.
+    X_FT: (4, 4) or (n, 4, 4)."""
+    motion = np.empty((len(q), 2, 6))
+    tools, which = np.unique(np.reshape(X_FT, (-1, 16)), axis=0, return_inverse=True)
+    for i, tool in enumerate(tools):
+        rows = np.broadcast_to(which.ravel() == i, len(q))
+        motion[rows] = plant.robot.differential(q[rows], tool.reshape(4, 4)).motion(dq[rows], ddq[rows])
     return motion[:, 0], motion[:, 1, :3]
 
 

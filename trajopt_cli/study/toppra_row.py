@@ -143,10 +143,10 @@ class _Path:
         """Greatest rate (n,) that axis speeds, TCP speed and turning allow at the points; where two legs meet, of
         both."""
         q, first, _ = self.at(self.s)
-        V = self.plant.robot.differential(q, self.run.legs[0].X_FT).velocity(first)
         used = np.full(len(self.s), 1 / _FASTEST)
         for side in (-_BESIDE, _BESIDE):
             caps = self.caps(self.s + side)
+            V = tool_rates(self.plant, caps.X_FT, q, first, first)[0]
             used = np.maximum(used, np.max(np.abs(first) / caps.speed, axis=1))
             used = np.maximum(used, np.linalg.norm(V[:, :3], axis=1) / caps.v_tcp)
             used = np.maximum(used, np.linalg.norm(V[:, 3:], axis=1) / caps.v_ori)

@@ -90,9 +90,9 @@ def points_of(program: Program, plant: Machine, dropped: Collection[int] = (), o
     those that the user marked.
 
     A point is a stop where the program says so (fine, \\Inpos), at the last move, before a wait that waits for
-    anything, beside external axes that move alone, where the tool changes, and where a fly-by has no zone: a radius of
-    0 mm, or no way of the tool to it or on from it. All others are passed. A MoveAbsJ that is passed and leaves the
-    rail open (9E9) is where the rail was programmed last.
+    anything, beside external axes that move alone, and where a fly-by has no zone: a radius of 0 mm, or no way of the
+    tool to it or on from it; between two reorientations its zone is an angle. All others are passed. A MoveAbsJ that
+    is passed and leaves the rail open (9E9) is where the rail was programmed last.
     """
     points = [_start(program, plant)]
     alone = set[int]()  # points beside external axes that move alone
@@ -161,13 +161,11 @@ def _passed(plant: Machine, points: Sequence[Point], alone: Collection[int], rai
     for k, point in enumerate(points):
         fly_by = None
         turning = any(one.move is not None and one.move.units for one in points[k : k + 2])  # a stop on both sides
-        if (
-            0 < k < len(points) - 1
-            and k not in alone
-            and not turning
-            and np.array_equal(point.X_FT, points[k + 1].X_FT)
-        ):
-            fly_by = _fly_by(point, ways[k - 1 : k + 1])
+        if 0 < k < len(points) - 1 and k not in alone and not turning:
+            turns = [_turn(a, b) for a, b in pairwise(placed[k - 1 : k + 2])]
+            fly_by = _fly_by(point, ways[k - 1 : k + 1], turns)
+            joint = _other_frame(point.move, points[k + 1].move)
+            fly_by = None if joint is None or fly_by is None else fly_by._replace(joint=joint)
         if fly_by is not None:
             point = replace(point, fly_by=fly_by, X_WF=placed[k].X_WF)
         if k > 0 and out[-1].X_WF is not None:
@@ -176,14 +174,20 @@ def _passed(plant: Machine, points: Sequence[Point], alone: Collection[int], rai
     return out
 
 
-def _fly_by(point: Point, ways: Sequence[float | None]) -> FlyBy | None:
-    """The zone of a point between two ways [m]; None where it is a stop. Angular and linear sizes (zone_ori,
-    zone_leax), which make its parts for orientation and external axes smaller at most, are not counted."""
+def _fly_by(point: Point, ways: Sequence[float | None], turns: Sequence[float | None]) -> FlyBy | None:
+    """The zone of a point between two ways [m]; None where it is a stop. turns [rad]: of ways that only turn the tool,
+    between which the zone is zone_ori. Else angular and linear sizes (zone_ori, zone_leax), which make its parts for
+    orientation and external axes smaller at most, are not counted."""
     waits = any(wait.duration > 0 or wait.condition is not None for _, wait in point.holds)
     half = min((way for way in ways if way is not None), default=np.inf) / 2
-    if point.move is None or not _programmed_fly_by(point) or waits or 2 * half < _NO_WAY:
+    if point.move is None or not _programmed_fly_by(point) or waits:
         return None
     zone = point.move.zone
+    if all(turn is not None for turn in turns):
+        angle = min(zone.ori, *(turn / 2 for turn in turns if turn is not None))
+        return FlyBy(angle, angle, angle, in_place=True) if angle > 0 else None
+    if 2 * half < _NO_WAY:
+        return None
     radius, turning, external = (min(max(size, zone.radius), half) for size in (0.0, zone.path_ori, zone.path_eax))
     return FlyBy(radius, turning, external) if radius > 0 else None
 
@@ -200,6 +204,32 @@ def _way(a: Point, b: Point) -> float | None:
     if a.X_WF is None or b.X_WF is None:
         return None
     return float(np.linalg.norm((a.X_WF @ b.X_FT - b.X_WT)[:3, 3]))
+
+
+def _turn(a: Point, b: Point) -> float | None:
+    """How far [rad] a line from point to point turns the tool whose centre point stands; None for any other move."""
+    way = _way(a, b)
+    if not isinstance(b.move, MoveL) or a.X_WF is None or way is None or way >= _NO_WAY:
+        return None
+    angle = float(angle_between((a.X_WF @ b.X_FT)[:3, :3], b.X_WT[:3, :3]))
+    return angle if angle > _NO_WAY else None
+
+
+def _other_frame(move: Move | None, after: Move | None) -> bool | None:
+    """Whether another coordinate system is in force after a point, so that its corner is joint interpolated: another
+    tool centre point, or between lines and arcs another work object, told by their frames (by name where the robot
+    holds it). None for a stationary tool, whose points are stops."""
+    if move is None or after is None or isinstance(move, MoveExtJ) or isinstance(after, MoveExtJ):
+        return False
+    if not np.array_equal(move.tool.X_FT, after.tool.X_FT):
+        return None if move.tool.stationary or after.tool.stationary else True
+    if not isinstance(move, MoveL | MoveC) or not isinstance(after, MoveL | MoveC):
+        return False
+    same_name = move.wobj.lower() == after.wobj.lower()
+    if move.X_WO is None or after.X_WO is None:
+        return not same_name
+    moved = float(np.abs(np.asarray(move.X_WO) - np.asarray(after.X_WO)).max()) > _NO_WAY
+    return moved and not (same_name and (move.settings.displaced or after.settings.displaced))
 
 
 def arc_to(X_WF_before: Array, point: Point, R: Array | None = None) -> Arc:

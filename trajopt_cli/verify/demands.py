@@ -42,8 +42,13 @@ def check_demands(line: Timeline, frames: dict[bytes, Frame]) -> Iterator[tuple[
         out = [*_demands(line, frame, visit, (first, last), move.settings)]
         after = visits[i + 1] if visit.point.fly_by is not None and i + 1 < len(visits) else None
         if after is not None and after.event is not None and after.point.move is not None:
-            corner = last, outside_zones(frame, visit, after, "radius")[0]
-            out.extend(_demands(line, frame, visit, corner, _looser(move.settings, after.point.move.settings)))
+            then = frames[np.asarray(after.point.X_FT).tobytes()]
+            both = _looser(move.settings, after.point.move.settings)
+            corner = last, outside_zones(then, visit, after, "radius")[0]
+            if then is frame:
+                out.extend(_demands(line, frame, visit, corner, both))
+            elif corner[1] > corner[0]:  # no tool is in force where it changes
+                out.extend(_axes(line, visit, *corner, both))
         yield visit.arrive, out
 
 

@@ -4,8 +4,8 @@ straight.
 Outside its zones a line is held to chord and slerp, an arc to its circle and to the turn that CirPathMode makes. Inside
 one the TCP is within the zone's sphere, anything else shows as a place off its way; between two lines it is in the
 triangle of entry, point and exit as well, where the controller's parabola lies and a stop at the point. Between two
-lines or arcs the same holds of the tool's rotation vectors in the zone of orientation. Beside a joint move the sphere
-is all that is known.
+lines or arcs the same holds of the tool's rotation vectors in the zone of orientation. Beside a joint move, and
+where the coordinate system changes, the sphere is all that is known; between two reorientations the zone is an angle.
 """
 
 from __future__ import annotations
@@ -136,8 +136,9 @@ def _way_back(way: Line | Arc, s: Array, free: NDArray[np.bool_]) -> Array:
 def _corners(run: Run) -> Iterator[Finding]:
     """Findings about every point that is passed between two lines or arcs."""
     ways = [None, *run.ways, None]  # before and behind every visit
-    flat = np.array([isinstance(a, Line) and isinstance(b, Line) for a, b in pairwise(ways)])
-    known = np.array([a is not None and b is not None for a, b in pairwise(ways)])
+    joint = np.array([visit.point.fly_by is not None and visit.point.fly_by.joint for visit in run.visits])
+    flat = ~joint & [isinstance(a, Line) and isinstance(b, Line) for a, b in pairwise(ways)]
+    known = ~joint & [a is not None and b is not None for a, b in pairwise(ways)]
     yield from _worst(run, run.zone, flat, _off_triangles, ("corner position", LINE_POSITION, "m"),
                       "outside the triangle of its zone")  # fmt: skip
     yield from _worst(run, run.turning_zone, known, _off_turns, ("corner rotation", LINE_ROTATION, "rad"),

@@ -18,11 +18,11 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.motion import FlyBy, MoveC, MoveL, UnitMove, turned_under
 from trajopt_cli.verify.course import arc_to
 from trajopt_cli.verify.frame import Frame, Places
-from trajopt_cli.verify.geometry import Arc, Line, lengths, turned_back
+from trajopt_cli.verify.geometry import Arc, Line, angle_between, lengths, turned_back
 from trajopt_cli.verify.rows import Rows
 from trajopt_cli.verify.tables import TurnedFrame
-from trajopt_cli.verify.timeline import Timeline, Visit, rows_of_run
-from trajopt_cli.verify.tolerances import LINE_POSITION
+from trajopt_cli.verify.timeline import Timeline, Visit, rows_of_run, tool_corner
+from trajopt_cli.verify.tolerances import LINE_POSITION, LINE_ROTATION
 from trajopt_cli.verify.visits import off_chords
 
 Indices = NDArray[np.intp]
@@ -30,15 +30,19 @@ Indices = NDArray[np.intp]
 
 @dataclass(frozen=True, eq=False)
 class Run:
-    """Visits 0..n from one stop to the next, with places (m) between them; way l leads from visit l to visit l + 1."""
+    """Visits 0..n from one stop, or corner in which the tool changes, to the next, with places (m) between them; way l
+    leads from visit l to visit l + 1. within: first and last row, None where the stops tell."""
 
     rows: Rows
     frame: Frame
     visits: tuple[Visit, ...]
+    within: tuple[int, int] | None = None
 
     @cached_property
     def part(self) -> tuple[int, int]:
         """First and last row."""
+        if self.within is not None:
+            return self.within
         if isinstance(self.frame, TurnedFrame) and self.visits[-1].arrive <= self.visits[0].depart:
             return self.frame.span(self.visits[0], self.visits[-1])
         return rows_of_run(self.rows, self.visits)
@@ -92,6 +96,11 @@ class Run:
         return {kind: np.array([getattr(zone, kind) for zone in zones]) for kind in ("radius", "turning", "external")}
 
     @cached_property
+    def _turned(self) -> NDArray[np.bool_]:
+        """Which visits (n + 1,) have a zone that is an angle."""
+        return np.array([visit.point.fly_by is not None and visit.point.fly_by.in_place for visit in self.visits])
+
+    @cached_property
     def _passed(self) -> Array:
         """Where the points 1..n-1 are passed (n - 1,), in places and shares of the chord to the next; ascending."""
         out: list[float] = []
@@ -107,6 +116,8 @@ class Run:
                 out.append(float(a))
                 continue
             distance, share = off_chords(self.places.p, self.X_WT[k, :3, 3], chords)
+            if self._turned[k]:
+                distance, share = angle_between(self.places.R[chords], self.X_WT[k, :3, :3]), np.zeros(len(chords))
             i = int(np.argmin(distance))
             out.append(max(float(chords[i] + share[i]), out[-1] if out else 0.0))
         return np.array(out)
@@ -138,6 +149,11 @@ class Run:
         s = self._shares(order, way)
         margin = LINE_POSITION + self.places.doubt_p[order]
         behind, ahead = (lengths(p - P[k]) for k in (way, way + 1))
+        if self._turned.any():
+            R, doubt = self.places.R[order], LINE_ROTATION + self.places.doubt_angle[order]
+            for off, k in ((behind, way), (ahead, way + 1)):
+                at = np.flatnonzero(self._turned[k])
+                off[at] = angle_between(R[at], self.X_WT[k[at], :3, :3]) + margin[at] - doubt[at]
         in_first = (behind <= radius[way] + margin) & ~(s >= 0.5) & (radius[way] > 0)
         in_second = (ahead <= radius[way + 1] + margin) & ~(s < 0.5) & (radius[way + 1] > 0)
         first = in_first & (~in_second | (behind < ahead))
@@ -159,7 +175,9 @@ class Run:
         margin = LINE_POSITION + self.places.doubt_p[i]
         radius = self.zones("radius")
         for k in range(least + 1, most + 1):
-            if radius[k] > 0 and np.linalg.norm(p[0] - self.X_WT[k, :3, 3]) <= radius[k] + margin:
+            X = self.X_WT[k]
+            away = angle_between(R[0], X[:3, :3]) if self._turned[k] else np.linalg.norm(p[0] - X[:3, 3])
+            if radius[k] > 0 and away <= radius[k] + margin:
                 return k, k
         off = []
         for leg in range(least, most + 1):
@@ -222,7 +240,7 @@ class Run:
         """Position (3,) and rotation (3, 3) where a line or an arc enters or leaves the zone of a visit at its end."""
         way = self.ways[leg]
         assert way is not None
-        share = self.zones(kind)[visit] / way.length
+        share = self.zones(kind)[visit] / way.way
         p, R = way.at(np.array([share if visit == leg else 1.0 - share]))
         return p[0], R[0]
 
@@ -233,7 +251,17 @@ def off_way(way: Line | Arc, p: Array, s: Array) -> Array:
 
 
 def runs_of(line: Timeline, frames: dict[bytes, Frame]) -> Iterator[Run]:
-    """Every run with the tool in force on it; what is known of one goes before the next one comes."""
+    """Every run with the tool in force on it, cut where that changes in a corner; what is known of one goes before the
+    next one comes."""
     for visits in line.runs():
-        point = visits[-1].point
-        yield Run(line.rows, line.turned.get(point.index) or frames[np.asarray(point.X_FT).tobytes()], visits)
+        tools = [frames[np.asarray(visit.point.X_FT).tobytes()] for visit in visits]
+        cuts = [k for k in range(1, len(visits) - 1) if tools[k] is not tools[k + 1]]
+        corners = [tool_corner(tools[k : k + 2], visits[k - 1 : k + 2]) for k in cuts]
+        if not cuts:
+            turned = line.turned.get(visits[-1].point.index)
+            yield Run(line.rows, turned or tools[-1], visits)
+            continue
+        first, last = rows_of_run(line.rows, visits)
+        begins, ends = [first, *(b for _, b in corners)], [*(a for a, _ in corners), last]
+        for i, k, begin, end in zip([0, *cuts], [*cuts, len(visits) - 1], begins, ends, strict=True):
+            yield Run(line.rows, tools[k], visits[i : k + 1], (begin, max(end, begin)))

@@ -26,7 +26,7 @@ from trajopt_cli.verify.tolerances import (
     STOP_POSITION,
     STOP_ROTATION,
 )
-from trajopt_cli.verify.visits import off_chords
+from trajopt_cli.verify.visits import off_passed
 
 
 def check_stops(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> Iterator[tuple[int, list[Finding]]]:
@@ -105,13 +105,13 @@ def _ends(rows: Rows, row: int, name: str, wanted: Array | None, source: Source 
 
 def _passed(rows: Rows, visit: Visit, frame: Frame, line: Timeline, i: int) -> Finding:
     """Whether a point was passed in program order, no farther away than its zone reaches."""
-    point, P = visit.point, visit.point.X_WT[:3, 3]
+    point = visit.point
     assert point.fly_by is not None
     chords = _meanwhile(rows, line, i) if visit.event is None else np.arange(visit.event.first, visit.event.last)
-    distance = off_chords(frame.p, P, chords)[0]
+    distance, unit = off_passed(frame, point, chords), "rad" if point.fly_by.in_place else "m"
     at = int(np.argmin(distance))
-    least = max(float(distance[at] - frame.reach[chords[at]]), 0.0)
-    return finding("fly-by passed", "TCP", least, point.fly_by.radius, "m", visit.event is not None,
+    least = max(float(distance[at] - (0.0 if point.fly_by.in_place else frame.reach[chords[at]])), 0.0)
+    return finding("fly-by passed", "TCP", least, point.fly_by.radius, unit, visit.event is not None,
                    time=float(rows.t[chords[at]]), source=point.source, bound="at most",
                    note=f": {point.name} is not passed in program order")  # fmt: skip
 

@@ -12,11 +12,11 @@ from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Source, Wait
 from trajopt_cli.verify.course import Point, stays
 from trajopt_cli.verify.frame import Frame
-from trajopt_cli.verify.geometry import lengths
+from trajopt_cli.verify.geometry import angle_between, inverse_pose, lengths
 from trajopt_cli.verify.rail import Indices, still_from
 from trajopt_cli.verify.rows import Rows, unseen
 from trajopt_cli.verify.tolerances import DWELL
-from trajopt_cli.verify.visits import Event, Match, events_of, looking, off_chords, worth_a_look
+from trajopt_cli.verify.visits import Event, Match, events_of, looking, off_passed, worth_a_look
 
 if TYPE_CHECKING:
     from trajopt_cli.verify.tables import TurnedFrame
@@ -128,9 +128,26 @@ def outside_zones(
     return a, b
 
 
+def tool_corner(tools: Sequence[Frame], visits: Sequence[Visit]) -> tuple[int, int]:
+    """First and last row of the corner at the second of three visits, in which one of two tools goes over into the
+    other: from where the first one's centre point enters the zone to where the other's leaves it. None is in force
+    between."""
+    (frame, then), (before, visit, after) = tools, visits
+    a = min(outside_zones(frame, before, visit, "radius", first=False)[1] + 1, visit.arrive)
+    b = max(outside_zones(then, visit, after, "radius", last=False)[0] - 1, visit.depart)
+    return max(a, before.depart), min(b, max(after.arrive, visit.depart))
+
+
 def _far(frame: Frame, a: int, b: int, point: Point, zone: str) -> Indices:
     """The rows a to b farther from a point than its zone reaches."""
-    away = lengths(frame.p[a : b + 1] - point.X_WT[:3, 3])
+    assert point.fly_by is not None
+    X_WT = point.X_WT
+    if point.fly_by.joint:
+        X_WT = X_WT @ inverse_pose(point.X_FT) @ frame.X_FT
+    if point.fly_by.in_place:
+        away = angle_between(frame.rotations(np.arange(a, b + 1)), X_WT[:3, :3])
+    else:
+        away = lengths(frame.p[a : b + 1] - X_WT[:3, 3])
     return a + np.flatnonzero(away > getattr(point.fly_by, zone))
 
 
@@ -177,7 +194,7 @@ def _pass(rows: Rows, frame: Frame, m: Match, event: Event, before: Visit) -> Vi
     assert m.point.X_WF is not None
     first = min(before.depart, len(rows.t) - 2)
     chords = np.arange(max(event.first, first), max(event.last, first + 1))
-    arrive = max(int(chords[np.argmin(off_chords(frame.p, m.point.X_WT[:3, 3], chords)[0])]), before.depart)
+    arrive = max(int(chords[np.argmin(off_passed(frame, m.point, chords))]), before.depart)
     depart = min(arrive + 1, len(rows.t) - 1)
     return Visit(m, event, False, arrive, depart, float(rows.t[arrive]), m.point.X_WF)
 

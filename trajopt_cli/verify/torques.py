@@ -15,11 +15,12 @@ import numpy as np
 
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array, IndexArray
-from trajopt_cli.motion import Load, MoveExtJ, Program, SignalEvent, Wait
+from trajopt_cli.motion import FlyBy, Load, MoveExtJ, Program, SignalEvent, Wait
 from trajopt_cli.verify.findings import Series, finding
+from trajopt_cli.verify.frame import Frame
 from trajopt_cli.verify.mechanism import Forces
 from trajopt_cli.verify.rows import INNER, Rows, mean_of, second_differences, windows
-from trajopt_cli.verify.timeline import Timeline
+from trajopt_cli.verify.timeline import Timeline, tool_corner
 from trajopt_cli.verify.tolerances import TORQUE
 
 _MEANS = 4  # of the lags of rows, the shortest: over longer ones masses change too much to tell anything
@@ -70,13 +71,18 @@ class _Carried:
         # which of them an interval may have: the one of the move under way, beside a move's end that of the next, too
         self.may = np.zeros((len(kinds), len(rows.t) - 1), dtype=bool)
         begin = 0
-        for visit, name in zip(line.visits, names, strict=True):
+        come = 0  # where the load may be taken over at the earliest
+        for k, (visit, name) in enumerate(zip(line.visits, names, strict=True)):
             if visit.event is None:
                 continue
             beside = 0 if rows.marked and visit.point.fly_by is None else 2
-            end = max(visit.depart, begin)
-            self.may[[*kinds].index(name), max(begin - beside, 0) : end + beside] = True
-            begin = end
+            end, left, next_come = max(visit.depart, begin), 0, len(rows.t)
+            zone = visit.point.fly_by
+            if isinstance(zone, FlyBy) and zone.joint and 0 < k < len(line.visits) - 1:
+                near = line.visits[k - 1 : k + 2]
+                next_come, left = tool_corner([Frame(rows, one.point.X_FT) for one in near[1:]], near)
+            self.may[[*kinds].index(name), max(min(begin - beside, come), 0) : max(end + beside, left)] = True
+            begin, come = end, next_come
         self.may[[*kinds].index(names[-1]), begin:] = True
         self.granted = np.zeros(len(rows.plant.limits.names))
 

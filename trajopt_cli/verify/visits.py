@@ -179,6 +179,8 @@ def passages(rows: Rows, frame: Frame, point: Point) -> tuple[Event, ...]:
     """All events of a point that is passed, in time order; best: the row before the nearest place, and the one that
     counts, for the chord to it may hold more points."""
     assert point.fly_by is not None
+    if point.fly_by.in_place:
+        return _turned_past(rows, frame, point)
     P = point.X_WT[:3, 3]
     size = point.fly_by.radius + STOP_POSITION
     at = rows.blocks.rows(frame.way_boxes.near(P, size))
@@ -205,6 +207,37 @@ def passages(rows: Rows, frame: Frame, point: Point) -> tuple[Event, ...]:
         best = int(close[run[np.argmin(distance[run])]])
         out.append(Event(int(close[run[0]]), int(close[run[-1]]) + 1, np.array([max(best - 1, 0)]), best))
     return tuple(out)
+
+
+def _turned_past(rows: Rows, frame: Frame, point: Point) -> tuple[Event, ...]:
+    """The same between two reorientations: intervals at its place that come near to its orientation."""
+    assert point.fly_by is not None
+    at = rows.blocks.rows(frame.way_boxes.near(point.X_WT[:3, 3], STOP_POSITION))
+    at = at[at < len(frame.reach)]
+    there = lengths(frame.p[at] - point.X_WT[:3, 3]) <= STOP_POSITION + frame.reach[at] + frame.doubt_p[at]
+    at = at[there]
+    off, between = off_turns(frame, point, at)
+    near = off <= point.fly_by.turning + STOP_ROTATION + between / 2
+    at, off = at[near], off[near]
+    out = []
+    for run in np.split(np.arange(len(at)), np.flatnonzero(np.diff(at) > 1) + 1) if len(at) else []:
+        best = int(at[run[np.argmin(off[run])]])
+        out.append(Event(int(at[run[0]]), int(at[run[-1]]) + 1, np.array([max(best - 1, 0)]), best))
+    return tuple(out)
+
+
+def off_turns(frame: Frame, point: Point, chords: NDArray[np.intp]) -> tuple[Array, Array]:
+    """Angles (m,) between a point's orientation and the nearer end of intervals, and how far the tool turns in each."""
+    R, after = frame.rotations(chords), frame.rotations(chords + 1)
+    off = np.minimum(*(angle_between(one, point.X_WT[:3, :3]) for one in (R, after)))
+    return np.asarray(off), np.asarray(angle_between(R, after))
+
+
+def off_passed(frame: Frame, point: Point, chords: NDArray[np.intp]) -> Array:
+    """How far (m,) intervals are from a point that is passed, in what its zone counts: [m] of their chords or [rad]."""
+    if point.fly_by is not None and point.fly_by.in_place:
+        return off_turns(frame, point, chords)[0]
+    return off_chords(frame.p, point.X_WT[:3, 3], chords)[0]
 
 
 def _squares_off(frame: Frame, P: Array, at: NDArray[np.intp]) -> Array:
@@ -283,7 +316,7 @@ def _cut(
     the passage to the stop on as long a way as there is between them: nothing is left out."""
     out = list(events)
     for k, ((point, stop), own) in enumerate(zip(pairwise(points), events[:-1], strict=True)):
-        if point.fly_by is None or stop.fly_by is not None or stop.X_WF is None:
+        if point.fly_by is None or point.fly_by.in_place or stop.fly_by is not None or stop.X_WF is None:
             continue
         frame, P, parts = frames[np.asarray(point.X_FT).tobytes()], point.X_WT[:3, 3], list[Event]()
         chord = float(np.linalg.norm(stop.X_WT[:3, 3] - P))

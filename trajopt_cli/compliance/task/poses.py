@@ -126,7 +126,7 @@ def program_route(
                     continue
                 if waypoints:
                     speeds.append((motion.speed.v_tcp, motion.speed.v_ori))
-                if index in corners:
+                if index in corners and not corners[index].in_place:
                     zones[len(moves)] = corners[index]
                 moves.append(motion)
                 waypoints.append(Waypoint(motion.target, pose, place))
