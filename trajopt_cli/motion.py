@@ -403,3 +403,9 @@ class Program:
     entry: str = "main"
     ignored: Mapping[str, int] = field(default_factory=dict)
     uncalled: tuple[str, ...] = ()
+
+    @property
+    def without_effect(self) -> tuple[str, ...]:
+        """A line that names what is ignored; none where nothing is."""
+        told = ", ".join(f"{instruction} {count}" for instruction, count in self.ignored.items())
+        return (f"no effect on motion: {told}",) if told else ()

@@ -365,12 +365,19 @@ def _notices(job: Job, judged: Mapping[Target, Judged]) -> tuple[str, ...]:
     if waits:
         least = sum(wait.duration for wait in waits)
         out.append(
-            f"{len(waits)} wait{'s' if len(waits) > 1 else ''} for signals: counted with the least time that the cell "
-            f"file gives, {least:g} s in all; real waiting comes on top"
+            f"{len(waits)} wait{'s' if len(waits) > 1 else ''} for signals or operators: counted with the least time that "
+            f"the cell file gives, {least:g} s in all; real waiting comes on top"
         )
     counted = load_notes(job.program, job.plant)
     otherwise = planned_otherwise(job.program, bool(counted))
-    return (*map(str, job.program.warnings), *out, *otherwise, *counted, *held_unasked(job))
+    return (
+        *map(str, job.program.warnings),
+        *job.program.without_effect,
+        *out,
+        *otherwise,
+        *counted,
+        *held_unasked(job),
+    )
 
 
 def _of_given_time(asked: Mapping[Target, Objective], judged: Mapping[Target, Judged]) -> Iterator[str]:

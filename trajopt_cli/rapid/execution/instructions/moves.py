@@ -35,6 +35,7 @@ from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
 from trajopt_cli.rapid.execution.equipment import IDENTITY, matrix, said, value_of
 from trajopt_cli.rapid.execution.evaluate import evaluate
 from trajopt_cli.rapid.execution.instructions import pace
+from trajopt_cli.rapid.execution.instructions.effect import Effect
 from trajopt_cli.rapid.execution.instructions.manner import manner
 from trajopt_cli.rapid.execution.making import made, maker
 from trajopt_cli.rapid.execution.positioners import moved
@@ -333,6 +334,7 @@ def external(run: Run, extax: Data, offset: bool = True) -> ExternalAxes:
 _NO_OFFSET = (0.0,) * 6
 
 
+EFFECT = Effect.PLANNED
 INSTRUCTIONS: dict[str, Instruction] = {
     "MoveJ": move_j,
     "MoveL": move_l,

@@ -14,6 +14,7 @@ from trajopt_cli.rapid.data.courses import between, turned
 from trajopt_cli.rapid.data.datatypes import ROBTARGET, Value
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
 from trajopt_cli.rapid.execution.equipment import Setup, frame, said
+from trajopt_cli.rapid.execution.instructions.effect import Effect
 from trajopt_cli.rapid.execution.instructions.moves import Asked, PoseKind, Target, robtarget, to_pose
 from trajopt_cli.rapid.execution.position import reach
 from trajopt_cli.rapid.language.syntax import Expression, Name, ProcedureCall
@@ -120,6 +121,7 @@ def _share_of(start: ExternalAxes, end: ExternalAxes, share: float) -> ExternalA
     return (a, b, c, d, e, f)
 
 
+EFFECT = Effect.PLANNED
 INSTRUCTIONS: dict[str, Instruction] = {
     "SearchJ": _search(MoveJ, "SearchJ"),
     "SearchL": _search(MoveL, "SearchL"),
