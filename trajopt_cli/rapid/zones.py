@@ -38,7 +38,7 @@ from trajopt_cli.path.turning import turned_back
 from trajopt_cli.units import MM
 
 # [m] A shorter way has no corner: seven digits of a num tell points 10 m away no better.
-_NO_WAY = 1e-6
+NO_WAY = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,7 +74,7 @@ def ways(program: Program, kinematics: Kinematics | None = None) -> list[float |
     and of moves to joints only kinematics tell.
     """
     out: list[float | None] = [None] * len(program.motions)
-    for index, motion, start, end, _ in _courses(program, kinematics):
+    for index, motion, start, end, _ in courses(program, kinematics):
         if start is not None and end is not None and not isinstance(motion, MoveExtJ):
             out[index] = _length(motion, start, end)
     return out
@@ -112,7 +112,7 @@ def fly_bys(
     passed = {index: (move, after) for index, move, after, reason in found if after is not None and reason is None}
     wanted = {*passed, *(after for _, after in passed.values())}
     known: dict[int, _Way] = {}
-    for index, motion, start, end, travel in _courses(program, kinematics):
+    for index, motion, start, end, travel in courses(program, kinematics):
         length = lengths[index]
         if index in wanted and length is not None and start and end and not isinstance(motion, MoveExtJ):
             R_0, R_1 = start.seen_by(motion.tool)[:3, :3], end.seen_by(motion.tool)[:3, :3]
@@ -162,7 +162,8 @@ def _programmed(
                 continue
             case Wait():
                 if last is not None and motion.stops:
-                    yield *last, None, "a wait follows"
+                    why = "a wait follows" if motion.beside is None else "a wait beside its move lasts longer"
+                    yield *last, None, why
                     last = None
                 continue
         if last is not None:
@@ -182,9 +183,9 @@ def _reason(move: Move, after: Move, way_in: float | None, way_out: float | None
         return "its zone is 0 mm"
     if not _same(move.tool, after.tool):
         return "the tool changes"
-    if way_in is not None and way_in < _NO_WAY:
+    if way_in is not None and way_in < NO_WAY:
         return "its move has no length"
-    if way_out is not None and way_out < _NO_WAY:
+    if way_out is not None and way_out < NO_WAY:
         return "the next move has no length"
     return None
 
@@ -196,7 +197,7 @@ def _same(a: Tool, b: Tool) -> bool:
     return np.array_equal(a.X_FT, b.X_FT)
 
 
-def _courses(
+def courses(
     program: Program, kinematics: Kinematics | None
 ) -> Iterator[tuple[int, Move, _Place | None, _Place | None, float]]:
     """Every move: its index, where the robot stands before and after it, and the external axes' travel [m]."""

@@ -44,12 +44,22 @@ if TYPE_CHECKING:
 def record(
     run: Run, node: ProcedureCall | Call, duration: float, condition: str | None = None, in_position: bool = False
 ) -> None:
-    """Stand still; see motion.Wait."""
+    """Stand still, or wait beside the move before it (\\Conc); see motion.Wait."""
+    if in_position:
+        run.concurrent = 0
     written = Written(statement=run.places().span(node.start, node.end))
     made = Wait(
-        source=run.source(node), written=written, duration=duration, condition=condition, in_position=in_position
+        source=run.source(node),
+        written=written,
+        duration=duration,
+        condition=condition,
+        in_position=in_position,
+        beside=duration if run.concurrent else None,
     )
     run.motions.append(made)
+
+
+_HALTS = frozenset(("Stop", "Break", "StopMove", "StorePath", "SystemStopAction", "SetLeadThrough"))
 
 
 def hold_up(run: Run, node: ProcedureCall | Call, name: str) -> None:
@@ -61,7 +71,7 @@ def hold_up(run: Run, node: ProcedureCall | Call, name: str) -> None:
         raise run.error(node, f"{what}: 'waits: {{{name}: 0}}'")
     standing = takewhile(lambda motion: not isinstance(motion, Move), reversed(run.motions))
     if least or not any(isinstance(one, Wait) and one.condition == name for one in standing):
-        record(run, node, least, name)
+        record(run, node, least, name, name in _HALTS)
 
 
 # ------------------------------------------------------------------------------------------------- time, standstill
