@@ -28,7 +28,8 @@ class Span(NamedTuple):
 class Written:
     """Where an instruction's parts stand in the text, so that an export can edit them in place.
 
-    statement reaches from the instruction's name to its semicolon. target, speed: the argument in the statement.
+    statement reaches from the instruction's name to its semicolon. target, speed: the argument in the statement; of a
+    wait in a function both statement and target are the call.
     aggregate: the literal `[...]` that gives the target's value, in the statement or in a declaration. declaration: the
     whole data declaration that holds it. None where the value is computed or given elsewhere. once: the innermost
     statement around it, itself included, that ran exactly once, in whichever routine; None where nothing did.

@@ -47,7 +47,8 @@ def record(
     """Stand still, or wait beside the move before it (\\Conc); see motion.Wait."""
     if in_position:
         run.concurrent = 0
-    written = Written(statement=run.places().span(node.start, node.end))
+    span = run.places().span(node.start, node.end)
+    written = Written(statement=span, target=span if isinstance(node, Call) else None)
     made = Wait(
         source=run.source(node),
         written=written,
