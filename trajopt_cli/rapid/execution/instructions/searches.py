@@ -43,7 +43,7 @@ def _search(kind: PoseKind, name: str) -> Instruction:
         share = _share(run, node, signal, searched)
         setup = run.position.equipment.setup(run, tool, args.optional.get("wobj"))
         end = robtarget(run, point)
-        read_at_rest(run, node, f"{name} begins to search")
+        read_at_rest(run, node, f"{name} begins where the robot is")
         if share is None:
             to_pose(run, node, kind, request, process=process)
             raise run.fault(
