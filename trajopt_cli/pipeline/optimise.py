@@ -370,14 +370,7 @@ def _notices(job: Job, judged: Mapping[Target, Judged]) -> tuple[str, ...]:
         )
     counted = load_notes(job.program, job.plant)
     otherwise = planned_otherwise(job.program, bool(counted))
-    return (
-        *map(str, job.program.warnings),
-        *job.program.without_effect,
-        *out,
-        *otherwise,
-        *counted,
-        *held_unasked(job),
-    )
+    return (*map(str, job.program.warnings), *out, *otherwise, *counted, *held_unasked(job))
 
 
 def _of_given_time(asked: Mapping[Target, Objective], judged: Mapping[Target, Judged]) -> Iterator[str]:
