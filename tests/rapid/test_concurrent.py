@@ -134,6 +134,14 @@ def test_at_most_five_in_succession() -> None:
     assert len(program(handled).motions) == 5
 
 
+def test_none_between_store_path_and_resto_path() -> None:
+    conc = line(300, "fine", "\\Conc,")
+    assert len(program(f"StorePath;\n{line(300, 'fine')}RestoPath;\n{conc}").motions) == 3
+    with pytest.raises(InputError) as caught:
+        program(f"StorePath;\n{conc}RestoPath;")
+    assert (caught.value.file, caught.value.line) == ("m.mod", 5)
+
+
 def test_reading_again_with_shorter_waits_gives_the_same_motions() -> None:
     """What is left of a wait is no part of the text: the same text always comes to the same."""
     body = line(300, "fine") + line(500, "z50", "\\Conc,") + "WaitTime 3;\n" + line(300, "fine")

@@ -238,6 +238,8 @@ def to_pose(
 def _succession(run: Run, node: ProcedureCall, args: Arguments) -> None:
     r"""\Conc: what follows runs while the robot moves; at most five moves in succession may have it."""
     run.concurrent = run.concurrent + 1 if "conc" in args.optional else 0
+    if run.concurrent and run.stored:
+        raise run.error(node, "\\Conc is not allowed between StorePath and RestoPath; leave it out")
     if run.concurrent > _MOST_CONCURRENT:
         message = f"more than {_MOST_CONCURRENT} moves in succession with \\Conc; leave it out of this one"
         raise run.fault(node, "ERR_CONC_MAX", message)

@@ -16,6 +16,11 @@ def plain(run: Run, node: ProcedureCall) -> None:
     """Nothing but the instruction's effect."""
 
 
+def _path(run: Run, node: ProcedureCall) -> None:
+    """Between StorePath and RestoPath no move may have \\Conc (RAPID, argument \\Conc)."""
+    run.stored = node.name.lower() == "storepath"
+
+
 def _guided(run: Run, node: ProcedureCall) -> None:
     raise run.error(node, f"{node.name} lets a sensor guide the robot, so its path is not in the program; leave it out")
 
@@ -53,5 +58,7 @@ _NAMES = {
 }
 EFFECTS = {name: effect for effect, names in _NAMES.items() for name in names.split()}
 INSTRUCTIONS: dict[str, Instruction] = {
-    name: _guided if effect is Effect.REFUSED else plain for name, effect in EFFECTS.items()
+    **{name: _guided if effect is Effect.REFUSED else plain for name, effect in EFFECTS.items()},
+    "StorePath": _path,
+    "RestoPath": _path,
 }
