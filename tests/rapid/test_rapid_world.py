@@ -352,6 +352,12 @@ def test_what_waits_for_somebody_outside_is_a_wait_of_its_least_time() -> None:
         assert wait.stops
 
 
+def test_what_has_no_time_out_cannot_time_out() -> None:
+    with pytest.raises(InputError) as caught:
+        run("WaitTime 1;\nStop;", "", Scenario(waits={"stop": None}))
+    assert (caught.value.file, caught.value.line) == ("m.mod", 5)
+
+
 def test_an_instruction_has_the_effect_of_its_topic_unless_it_says_its_own() -> None:
     topic = SimpleNamespace(INSTRUCTIONS={"Push": plain.plain, "Pull": plain.plain}, EFFECTS={"Pull": Effect.STOPS})
     assert effects(topic) == {"Push": Effect.RUN, "Pull": Effect.STOPS}

@@ -60,7 +60,9 @@ def record(
     run.motions.append(made)
 
 
-_HALTS = frozenset(("Stop", "Break", "StopMove", "StorePath", "SystemStopAction", "SetLeadThrough"))
+_HALTS = frozenset(  # the robot stands for them, whatever runs beside a move
+    ("Break", "SetLeadThrough", "Stop", "StopMove", "StorePath", "SyncMoveOff", "SyncMoveOn", "SystemStopAction")
+)
 
 
 def hold_up(run: Run, node: ProcedureCall | Call, name: str) -> None:
