@@ -48,40 +48,37 @@ def _tree(words: tuple[str, ...], command: Any) -> Iterator[tuple[tuple[str, ...
         yield from _tree((*words, name), one)
 
 
-# What a plan makes of the instructions of a topic; a handler that does nothing says so itself.
+# What a plan makes of the instructions of a topic that have its usual effect; `parse` counts those that are ignored.
 _PLANNED = {
-    "moves": "planned",
-    "triggers": "planned as the moves they make; what is triggered takes no time",
-    "searches": "planned as moves to where the cell file says that they hit (`searches`)",
-    "processes": "planned as the plain moves they make",
+    "moves": "lines, arcs and joint moves",
+    "triggers": "the moves they make; what is triggered takes no time",
+    "searches": "moves to where the cell file says that they hit (`searches`)",
+    "processes": "the plain moves they make",
     "displacement": "worked into every target",
-    "waits": "planned: the tool rests",
-    "signals": "read; an output takes no time",
-    "variables": "run",
+    "waits": "the tool rests",
+    "signals": "an output takes no time",
     "settings": "in force for the moves behind them",
-    "flow": "run",
-    "files": "written: nothing; read: the cell file's `answers`",
     "operator": "the cell file's `answers`",
-    "sockets": "sent: nothing; received: the cell file's `answers`",
-    "symbols": "run, modules from the program's folder",
+    "sockets": "received: the cell file's `answers`",
+    "files": "read: the cell file's `answers`",
+    "symbols": "modules from the program's folder",
 }
-_REFUSED = {"EGMRunJoint", "EGMRunPose"}
 
 
 def instructions() -> str:
-    """Every instruction that is read, by topic, and what a plan makes of it."""
+    """Every instruction that is read, by topic and effect."""
     import trajopt_cli.rapid.execution.instructions as package
+    from trajopt_cli.rapid.execution.instructions.effect import Effect
+    from trajopt_cli.rapid.execution.instructions.table import effects
 
-    rows, nothing = [], set[str]()
-    for topic, table in _topics(package, "INSTRUCTIONS"):
-        idle = {name for name, handler in table.items() if handler.__qualname__.startswith("nothing.")}
-        nothing |= idle
-        if named := sorted(set(table) - idle - _REFUSED):
-            rows.append((f"{_title(package, topic)}", named, _PLANNED[topic]))
-    rows.append(("Without effect on the motion", sorted(nothing), "nothing; `parse` counts them"))
-    rows.append(("A sensor guides the robot", sorted(_REFUSED), "refused: the path is not in the program"))
-    head = "| instructions | by name | in a plan |\n|---|---|---|\n"
-    return head + "".join(f"| {title} | {_names(names)} | {what} |\n" for title, names, what in rows)
+    out = "| instructions | by name | effect | in a plan |\n|---|---|---|---|\n"
+    for topic, module in _topics(package, "INSTRUCTIONS"):
+        table, usual = effects(module), getattr(module, "EFFECT", Effect.RUN)
+        for effect in Effect:
+            if names := sorted(name for name, its in table.items() if its is effect):
+                said = _PLANNED.get(topic, "") if effect is usual else ""
+                out += f"| {_title(package, topic)} | {_names(names)} | {effect.value} | {said} |\n"
+    return out
 
 
 def functions() -> str:
@@ -90,15 +87,17 @@ def functions() -> str:
 
     head = "| functions | by name |\n|---|---|\n"
     return head + "".join(
-        f"| {_title(package, topic)} | {_names(sorted(table))} |\n" for topic, table in _topics(package, "FUNCTIONS")
+        f"| {_title(package, topic)} | {_names(sorted(module.FUNCTIONS))} |\n"
+        for topic, module in _topics(package, "FUNCTIONS")
     )
 
 
-def _topics(package: Any, table: str) -> Iterator[tuple[str, dict[str, Any]]]:
-    for module in iter_modules(package.__path__):
-        found = getattr(import_module(f"{package.__name__}.{module.name}"), table, None)
-        if found is not None and module.name != "table":
-            yield module.name, found
+def _topics(package: Any, table: str) -> Iterator[tuple[str, Any]]:
+    """The modules of a package that have such a table, by name."""
+    for found in iter_modules(package.__path__):
+        module = import_module(f"{package.__name__}.{found.name}")
+        if found.name != "table" and hasattr(module, table):
+            yield found.name, module
 
 
 def _title(package: Any, topic: str) -> str:

@@ -28,7 +28,8 @@ class Span(NamedTuple):
 class Written:
     """Where an instruction's parts stand in the text, so that an export can edit them in place.
 
-    statement reaches from the instruction's name to its semicolon. target, speed: the argument in the statement.
+    statement reaches from the instruction's name to its semicolon. target, speed: the argument in the statement; of a
+    wait in a function both statement and target are the call.
     aggregate: the literal `[...]` that gives the target's value, in the statement or in a declaration. declaration: the
     whole data declaration that holds it. None where the value is computed or given elsewhere. once: the innermost
     statement around it, itself included, that ran exactly once, in whichever routine; None where nothing did.
@@ -272,6 +273,7 @@ class _Move:
     None where it may move. constant_speed: a line or an arc that should keep its programmed speed from end to end.
     units: positioners that turn meanwhile. detour: of a point that the plan adds on a way around bodies, their names.
     marked: the same of one that an export has added, as its comment says; it is a point of the program like any other.
+    beside [s]: how long waits last that run beside it (\Conc), where the move from stop to stop may be shorter.
     """
 
     source: Source
@@ -290,11 +292,12 @@ class _Move:
     units: tuple[UnitMove, ...] = ()
     detour: tuple[str, ...] = ()
     marked: tuple[str, ...] = ()
+    beside: float = 0.0
 
     @property
     def least(self) -> float:
-        """Least time [s] that positioners leave the move."""
-        return max((unit.least for unit in self.units), default=0.0)
+        """Least time [s] that positioners and waits beside it leave the move."""
+        return max([self.beside, *(unit.least for unit in self.units)])
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -357,7 +360,8 @@ class Wait:
     r"""Standing still. duration [s]: exact when condition is None; else the least time until the condition holds.
 
     in_position: the robot comes to rest first, however short the wait is (\InPos, \ZeroSpeed). hold: why the rail must
-    stand still as well, None where it may move.
+    stand still as well, None where it may move. beside [s]: the programmed time of a wait that runs beside the move
+    before it (\Conc), None where it begins behind it; duration is then what is left of it, once the program is read.
     """
 
     source: Source
@@ -366,11 +370,22 @@ class Wait:
     condition: str | None = None
     in_position: bool = False
     hold: Hold | None = None
+    beside: float | None = None
 
     @property
     def stops(self) -> bool:
         """Whether the point before it is a stop; a wait of no time without a condition is none."""
-        return self.duration > 0 or self.condition is not None or self.in_position
+        return self.duration > 0 or self.in_position or self.ends_at_rest
+
+    @property
+    def ends_at_rest(self) -> bool:
+        """Whether every axis stands when it ends: where a condition ends it, and the robot stands for it."""
+        return self.condition is not None and (self.beside is None or self.in_position)
+
+    @property
+    def programmed(self) -> float:
+        """Its time as the program has it [s]."""
+        return self.duration if self.beside is None else self.beside
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -428,3 +443,9 @@ class Program:
     entry: str = "main"
     ignored: Mapping[str, int] = field(default_factory=dict)
     uncalled: tuple[str, ...] = ()
+
+    @property
+    def without_effect(self) -> tuple[str, ...]:
+        """A line that names what is ignored; none where nothing is."""
+        told = ", ".join(f"{instruction} {count}" for instruction, count in self.ignored.items())
+        return (f"no effect on motion: {told}",) if told else ()

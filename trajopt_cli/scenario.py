@@ -90,7 +90,7 @@ class Scenario:
     mechanical units that are taken as the identity where the program does not declare them. stubs: procedures that are
     taken as doing nothing where no file declares them. hold_rail: where the rail stands still. constant_speed: where
     the tool should keep its programmed speed. positioners: mechanical units that carry work objects, their axes from
-    the floor on; the last one carries the user frame.
+    the floor on; the last one carries the user frame. free_speed, droppable: of the cell, as in its plant.
     """
 
     signals: Mapping[str, float | tuple[float, ...]] = field(default_factory=dict)
@@ -106,6 +106,8 @@ class Scenario:
     hold_rail: HoldRail = HoldRail()
     constant_speed: ConstantSpeed = ConstantSpeed()
     positioners: Mapping[str, tuple[PositionerAxis, ...]] = field(default_factory=dict)
+    free_speed: bool = False
+    droppable: frozenset[str] = frozenset()
 
 
 LONGEST_WAIT = 1_000_000  # [s]; what is longer is a slip, and swamps every other time of the cycle

@@ -12,6 +12,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.export.rapid import export_rapid
 from trajopt_cli.export.rapid_check import mismatches
 from trajopt_cli.export.rapid_reading import Reading
+from trajopt_cli.export.rapid_writable import text_changes
 from trajopt_cli.motion import ConfData, MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, Wait
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant, build_plant
@@ -242,6 +243,19 @@ def test_a_wait_for_a_signal_stays_behind_a_line_of_its_least_duration(plant: Pl
     export = export_rapid(program, plan_for(program, plant, {0: 0.2, 1: 0.3}), plant, scenario=scenario)
     lines = "        MoveL p1_b, v100 \\T:=0.6, fine, tool0;\n        WaitDI di_ready,1; ! hand over\n"
     assert lines in export.texts["m.mod"]
+
+
+def test_no_line_stands_in_an_expression_that_waits_nor_behind_a_move_with_a_wait_beside_it(plant: Plant) -> None:
+    """In a wait of an instruction the rail may move, in its place; in one of a function it may not."""
+    scenario = Scenario(waits={"uinumentry": 1.0, "uimsgbox": 1.0}, answers={"UINumEntry": 1.0})
+    conc = J2.replace("MoveJ ", "MoveJ \\Conc,") + "        WaitTime 9;\n"
+    body = J1 + f'        reg1:=UINumEntry(\\Header:="n");\n        UIMsgBox "look";\n{conc}'
+    text = made(J1).files["m.mod"]
+    text = replace(text, text=text.text.replace(J1, body))
+    program = run_program([text], scenario)
+    values = text_changes(program, plant, Reading(program, plant, scenario)).values
+    assert [type(program.motions[i]) for i in sorted(values)] == [MoveJ, Wait, MoveJ]
+    assert 2 in values
 
 
 def test_a_wait_without_a_rail_move_stays(plant: Plant) -> None:

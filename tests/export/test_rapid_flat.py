@@ -216,11 +216,11 @@ def test_a_target_that_an_operator_gives_is_not_written_out(plant: Plant) -> Non
         )
     )
     program = run_program([TextFile("m.mod", text, "utf-8")], scenario)
-    assert refused(program, plant, {0: 0.2, 1: 0.3}, scenario) == (
+    assert refused(program, plant, {1: 0.2, 2: 0.3}, scenario) == (
         "m.mod:9:9: the plan wants other values for Offs(p1,0,0,h), which hangs on what only the scenario says; it "
         "cannot be written out"
     )
-    assert text_changes(program, plant, Reading(program, plant, scenario), Loops.UNROLL).values == frozenset({0})
+    assert text_changes(program, plant, Reading(program, plant, scenario), Loops.UNROLL).values == frozenset({1})
 
 
 # ------------------------------------------------------------------------------------------------- known beforehand

@@ -53,8 +53,9 @@ def asking(body: str, scenario: Scenario, data: str = "    VAR num n;\n", rest: 
 def test_a_target_is_pinned_by_what_it_hangs_on_only(plant: Plant, body: str, answer: Answer, free: set[int]) -> None:
     scenario = Scenario(answers={"n": answer})
     program = asking(body, scenario, "    VAR num n;\n    VAR num h:=50;\n")
+    free = {i + 1 for i in free}  # the first motion is the wait for the operator
     assert text_changes(program, plant, Reading(program, plant, scenario), Loops.UNROLL).values == free
-    rails = {i: 0.2 if i not in free else 0.3 + i / 10 for i in range(len(program.motions))}
+    rails = {i: 0.2 if i not in free else 0.3 + i / 10 for i in range(1, len(program.motions))}
     assert export_rapid(program, plan_for(program, plant, rails), plant, scenario=scenario).texts
 
 
@@ -89,10 +90,10 @@ def test_a_literal_that_cannot_get_another_beside_it_is_pinned_by_what_is_comput
     ask = '        TPReadNum n,"?";\n'
     hanging = "        MoveL Offs(ps{2},0,0,n),v100,fine,tool0;\n"
     several = asking(f"{ask}{EACH}", scenario, ARRAY, LEFT)
-    assert text_changes(several, plant, Reading(several, plant, scenario), Loops.UNROLL).values == {0, 1}
+    assert text_changes(several, plant, Reading(several, plant, scenario), Loops.UNROLL).values == {1, 2}
     program = asking(f"{ask}{EACH}{hanging}{J1}", scenario, ARRAY, LEFT)
-    assert text_changes(program, plant, Reading(program, plant, scenario), Loops.UNROLL).values == {3}
-    plan = plan_for(program, plant, {0: 0.2, 1: 0.3, 2: 0.3, 3: 0.35})
+    assert text_changes(program, plant, Reading(program, plant, scenario), Loops.UNROLL).values == {4}
+    plan = plan_for(program, plant, {1: 0.2, 2: 0.3, 3: 0.3, 4: 0.35})
     assert "[350,9E9" in export_rapid(program, plan, plant, scenario=scenario).texts["m.mod"]
 
 

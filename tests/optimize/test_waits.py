@@ -75,3 +75,29 @@ def test_the_shortest_wait_is_planned_and_bounded(wait: float) -> None:
 def test_without_a_rail_nothing_moves_in_a_wait() -> None:
     plan = solved(DAY, Target.STREAM, plant_without_rail())
     assert np.diff(plan.trajectory.t).max() == pytest.approx(DAY, rel=1e-12)
+
+
+def test_a_move_lasts_as_long_as_what_runs_beside_it_and_the_judge_holds_it_to_that() -> None:
+    body = "MoveJ p_a,v2500,fine,tool0; MoveJ \\Conc,p_b,v2500,%s,tool0; WaitTime %g; MoveJ p_a,v2500,fine,tool0;"
+    data = "".join(
+        f"CONST robtarget p_{name}:=[[500,{y},500],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];"
+        for name, y in (("a", -150), ("b", 150))
+    )
+    plant = plant_without_rail()
+    plans = {}
+    for zone, wait in (("fine", 0.0), ("fine", 0.2), ("fine", 1.5), ("z10", 1.5)):
+        program = rapid("ConfJ \\Off; " + body % (zone, wait), None, data)
+        plan = optimize(program, plant, Target.STREAM, bounded=False)
+        assert isinstance(plan, Plan), plan
+        assert verify(program, plant, plan.trajectory, advice=False).legal
+        plans[zone, wait] = program, plan
+    _, bare = plans["fine", 0.0]
+    alone = bare.motions[1].t_1 - bare.motions[1].t_0
+    assert 0.2 < alone < 1.5
+    assert plans["fine", 0.2][1].duration == pytest.approx(bare.duration, abs=1e-6)
+    for zone in ("fine", "z10"):
+        program, plan = plans[zone, 1.5]
+        assert plan.duration == pytest.approx(1.5 + bare.duration - alone, abs=1e-6)
+        assert plan.motions[1].binding == "wait beside it"
+        failed = [f.check for f in verify(program, plant, bare.trajectory, advice=False).findings if not f.passed]
+        assert failed == ["duration"]

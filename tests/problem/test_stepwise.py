@@ -71,6 +71,17 @@ def test_lengths_by_pythagoras_at_programmed_speed(tmp_path: Path) -> None:
     assert out.moves[1].v_tcp == 0.5
 
 
+def test_of_a_wait_beside_a_move_what_is_longer_counts_as_a_wait(tmp_path: Path) -> None:
+    """150 mm at 100 mm/s and a wait of 2 s, 130 mm at 500 mm/s and one of 0.1 s."""
+    data = target("p_1", 530, 240, 280) + target("p_2", 440, 120, 280) + target("p_3", 410, 80, 400)
+    code = """MoveJ p_1, v1000, fine, tool0;
+        MoveL \\Conc, p_2, v100, fine, tool0; WaitTime 2;
+        MoveL \\Conc, p_3, v500, fine, tool0; WaitTime 0.1;"""
+    out = analysed(tmp_path, RAIL, data, code)
+    assert [move.duration for move in out.moves][1:] == pytest.approx([1.5, 0.26], abs=1e-12)
+    assert [wait.duration for wait in out.waits] == pytest.approx([0.5, 0.0], abs=1e-12)
+
+
 def test_the_rail_alone_takes_its_rest_to_rest_time_while_the_arm_stands(tmp_path: Path) -> None:
     data = joints("j_far", "1500") + joints("j_near", "1200") + joints("j_open", "9E9")
     data += "CONST speeddata slow:=[1000,500,500,1000];\n"

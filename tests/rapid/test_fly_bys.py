@@ -14,8 +14,9 @@ from trajopt_cli.geometry import pose, rotation_from_wxyz
 from trajopt_cli.motion import FlyBy, Program, TextFile
 from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.problem.programmed import PlantKinematics
-from trajopt_cli.rapid.reader import run_program
+from trajopt_cli.rapid.reader import run_program, try_program
 from trajopt_cli.rapid.zones import effective_radii, fly_bys, stopped_fly_bys, ways
+from trajopt_cli.verify.course import points_of
 
 TRUTH = json.loads((Path(__file__).parents[1] / "data/truth/irb140_fk.json").read_text(encoding="utf-8"))
 NONE = "[9E9,9E9,9E9,9E9,9E9,9E9]"
@@ -131,3 +132,49 @@ def test_the_start_is_where_the_cell_file_says() -> None:
     np.testing.assert_allclose(start, truth, atol=1e-9)
     (first, *_) = ways(program(line(300, 0, "z10")), kinematics())
     assert first == pytest.approx(np.linalg.norm(truth[:3, 3] - [0.3, 0, 0.5]))
+
+
+# ---------------------------------------------------------------------------------- what the program waits for
+
+
+@pytest.mark.parametrize(
+    "between",
+    [
+        "Stop;",
+        "Break;",
+        "StopMove;",
+        "WaitRob \\InPos;",
+        "WaitSyncTask s, tasks;",
+        "WaitSyncTask \\InPos, s, tasks \\TimeOut:=9;",
+        "WaitTestAndSet taken;",
+        'UIMsgBox "look";',
+        "IF UIMessageBox(\\MsgLine1:=text)=1 SetDO do1,1;",
+        'n:=UINumEntry(\\Header:="n");',
+        "TPReadNum n, text;",
+        "SocketConnect sock, text, 80;",
+        "SocketReceive sock \\Str:=text;",
+        "text:=ReadStr(file);",
+        "RMQReadWait msg;",
+        "Ask;",
+    ],
+)
+def test_a_fly_by_in_front_of_what_the_program_waits_for_is_a_stop(between: str) -> None:
+    data = (
+        "VAR string text; VAR num n; VAR socketdev sock; VAR iodev file; VAR rmqmessage msg; VAR syncident s; "
+        'PERS tasks tasks{1}:=[["T"]]; PERS bool taken:=FALSE;'
+    )
+    sub = "PROC Ask()\nFOR i FROM 1 TO 2 DO\nTPReadNum n, text;\nENDFOR\nENDPROC"
+    moves = f"{line(300, 0, 'fine')}{line(500, 0, 'z20')}{between}\n{line(500, 300, 'fine')}"
+    text = f"MODULE m\n{data}\nPROC main()\n{moves}ENDPROC\n{sub}\nENDMODULE\n"
+    found, _ = try_program([TextFile("m.mod", text, "utf-8")])
+    assert [*stopped_fly_bys(found)] == [1]
+    point = points_of(found, build_plant(parse_cell(json.dumps(RAIL), "cell.yaml")))[2]
+    assert (point.index, point.fly_by) == (1, None)  # for the judge as well
+
+
+@pytest.mark.parametrize(
+    "between", ["SocketSend sock \\Str:=text;", "TPWrite text;", "Open text, file;", "WaitTime 0;"]
+)
+def test_what_only_sends_or_writes_holds_nothing_up(between: str) -> None:
+    found = program(line(300, 0, "fine"), line(500, 0, "z20"), between, line(500, 300, "fine"))
+    assert not stopped_fly_bys(found)

@@ -16,6 +16,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import rotation_from_wxyz
 from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import ConfData, MoveAbsJ, MoveJ, MoveL, Program, TextFile
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.problem.programmed import PlantKinematics
 from trajopt_cli.rapid.execution.position import Position
@@ -261,3 +262,53 @@ def test_a_search_in_joints_stops_between_its_ends() -> None:
     last = program.motions[-1]
     assert isinstance(last, MoveAbsJ)
     np.testing.assert_allclose(np.degrees(last.q), [10, 2.5, 0, 0, 30, 0], atol=1e-5)
+
+
+# ----------------------------------------------------------------------------------------- reading on the way
+
+_TO = f"[[500,0,500],[0,0,1,0],[0,0,0,0],{N}],v100,"
+_ON = f"[[500,100,500],[0,0,1,0],[0,0,0,0],{N}]"
+
+
+def told(body: str) -> list[tuple[NoticeKind, int]]:
+    """Kinds and lines of what is said of a program whose main begins at line 4."""
+    data = "VAR robtarget p; VAR pos q; VAR jointtarget j; VAR num n;"
+    program = run_main(body, data, robot(), Scenario(searches={"p": 0.5}, answers={"n": 1}))
+    return [(one.kind, one.place[1]) for one in program.warnings if isinstance(one.place, tuple)]
+
+
+@pytest.mark.parametrize(
+    "read",
+    [
+        "p:=CRobT();",
+        "q:=CPos();",
+        "j:=CJointT();",
+        f"PDispOn {_ON},tool0;",
+        f"EOffsOn {_ON};",
+        "MoveL Offs(CRobT(),0,9,0),v100,fine,tool0;",
+    ],
+)
+def test_a_position_that_is_read_right_behind_a_fly_by_is_told_by_line(read: str) -> None:
+    for move, stop in (("MoveL ", "z10"), ("MoveL \\Conc,", "fine")):
+        assert told(f"{move}{_TO}{stop},tool0;\nSetDO do1,1;\n{read}") == [(NoticeKind.ASSUMED, 6)]
+    for behind in ("WaitRob \\InPos;", "WaitTime 0.1;", "TPReadNum n,p0;"):
+        assert not told(f"VAR string p0;\nMoveL {_TO}z10,tool0;\n{behind}\n{read}")
+    assert not told(f"MoveL {_TO}fine,tool0;\n{read}")
+    assert not told(read)  # at the start the robot stands
+
+
+def test_a_point_that_is_given_is_none_that_is_read() -> None:
+    assert not told(f"MoveL {_TO}z10,tool0;\nPDispOn \\ExeP:={_ON},{_ON},tool0;\nEOffsOn \\ExeP:={_ON},{_ON};")
+
+
+def test_a_search_begins_at_a_stop_and_stiffly_ends_only_below_100_mm_a_second() -> None:
+    start, slow, fast = f"MoveL {_TO}fine,tool0;\n", f"di1,p,{_ON},v80,tool0;", f"di1,p,{_ON},v200,tool0;"
+    usual = [(NoticeKind.ASSUMED, 5)]  # how far behind the hit it stops, or that it does not
+    for switch in ("\\Stop,", "\\PStop,", "\\SStop,", "", "\\Sup,"):
+        assert told(f"{start}SearchL{switch or ' '}{slow}") == usual
+        flying = start.replace("fine", "z10")
+        assert told(f"{flying}SearchL{switch or ' '}{slow}") == usual * 2
+    assert told(f"{start}SearchL\\Stop,{fast}") == [(NoticeKind.UNUSUAL, 5), *usual]
+    assert told(f"{start}SearchL\\PStop,{fast}") == usual
+    via = _ON.replace("500,100", "520,50")
+    assert told(f"{start}SearchC\\Stop,di1,p,{via},{_ON},v200,tool0;") == [(NoticeKind.UNUSUAL, 5), *usual]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -23,8 +25,8 @@ from trajopt_cli.rapid.execution.instructions import (
     files,
     flow,
     moves,
-    nothing,
     operator,
+    plain,
     settings,
     signals,
     sockets,
@@ -32,6 +34,8 @@ from trajopt_cli.rapid.execution.instructions import (
     variables,
     waits,
 )
+from trajopt_cli.rapid.execution.instructions.effect import Effect
+from trajopt_cli.rapid.execution.instructions.table import EFFECTS, INSTRUCTIONS, effects
 from trajopt_cli.rapid.reader import run_program, try_program
 from trajopt_cli.rapid.template import template
 from trajopt_cli.scenario import Answer, Lack, Scenario, condition_key, yaml_answer, yaml_name
@@ -201,7 +205,7 @@ def test_answers_of_another_type(declared: str, answer: Answer, message: str) ->
 
 def test_an_answer_is_no_literal_of_the_program() -> None:
     target = "[[500,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
-    (move,) = run(
+    _, move = run(
         "ReadAnyBin d,p; MoveJ p,v100,fine,tool0;",
         "VAR iodev d; VAR robtarget p;",
         Scenario(answers={"p": target}),
@@ -236,7 +240,7 @@ def test_an_alias_that_is_declared_nowhere_stands_for_its_signal() -> None:
 def test_what_stands_in_ends_the_loops_that_read_files() -> None:
     body = "WHILE ReadStr(d)<>EOF DO WaitTime 1; ENDWHILE WHILE ReadNum(d)<9E36 DO WaitTime 2; ENDWHILE"
     program, lacks = try_program(text_of(body, 'VAR iodev d; CONST string EOF:="EOF";'))
-    assert program.motions == ()
+    assert [m.condition for m in program.motions if isinstance(m, Wait)] == ["ReadStr", "ReadNum"]
     assert [(lack.name, lack.value) for lack in lacks] == [("ReadStr", '"EOF"'), ("ReadNum", "9.998e+36")]
 
 
@@ -323,7 +327,7 @@ def test_conditions_are_compared_without_blanks_and_case() -> None:
 
 
 def test_no_name_has_two_meanings() -> None:
-    topics = (files, flow, moves, nothing, operator, settings, signals, sockets, symbols, variables, waits)
+    topics = (files, flow, moves, operator, plain, settings, signals, sockets, symbols, variables, waits)
     names = [name.lower() for topic in topics for name in topic.INSTRUCTIONS]
     assert sorted(names) == sorted(set(names))
     topics = (data, numbers, poses, signal_functions, strings, system, targets, unknown)
@@ -332,11 +336,34 @@ def test_no_name_has_two_meanings() -> None:
 
 
 def test_everything_without_effect_is_counted_and_nothing_else_happens() -> None:
-    for name in nothing.INSTRUCTIONS:
-        if name.startswith("EGMRun"):
-            continue
+    for name in (name for name, effect in plain.EFFECTS.items() if effect is Effect.IGNORED):
         program = run(f"{name} nobody; {name} \\x, nobody;")
         assert (program.motions, dict(program.ignored)) == ((), {name: 2})
+
+
+def test_what_waits_for_somebody_outside_is_a_wait_of_its_least_time() -> None:
+    for name in (name for name, effect in plain.EFFECTS.items() if effect is Effect.STOPS):
+        program = run(f"{name} nobody;", "", Scenario(waits={name.lower(): 0.5}))
+        (wait,) = program.motions
+        assert isinstance(wait, Wait)
+        assert (wait.stops, wait.duration, program.ignored) == (True, 0.5, {})
+        (wait,) = run(f"{name};").motions
+        assert isinstance(wait, Wait)
+        assert wait.stops
+
+
+def test_what_has_no_time_out_cannot_time_out() -> None:
+    with pytest.raises(InputError) as caught:
+        run("WaitTime 1;\nStop;", "", Scenario(waits={"stop": None}))
+    assert (caught.value.file, caught.value.line) == ("m.mod", 5)
+
+
+def test_an_instruction_has_the_effect_of_its_topic_unless_it_says_its_own() -> None:
+    topic = SimpleNamespace(INSTRUCTIONS={"Push": plain.plain, "Pull": plain.plain}, EFFECTS={"Pull": Effect.STOPS})
+    assert effects(topic) == {"Push": Effect.RUN, "Pull": Effect.STOPS}
+    topic.EFFECT = Effect.WAITS
+    assert effects(topic) == {"Push": Effect.WAITS, "Pull": Effect.STOPS}
+    assert EFFECTS.keys() == INSTRUCTIONS.keys()
 
 
 # ------------------------------------------------------------------------------------------------- missing routines

@@ -45,6 +45,20 @@ def short_dwell() -> Judged:
     return case, case.rows(), None
 
 
+def with_a_wait_beside_line_12(longer: float) -> Case:
+    """Behind line 12 as much time goes by as its wait, which runs beside it, takes, less what is said [s]."""
+    case = rapid_case()
+    motions = list(case.program.motions)
+    motions[2] = replace(motions[2], duration=0.0, beside=case.pieces[1].T + case.pieces[2].T + longer)
+    return replace(case, program=program(*motions))
+
+
+@spoiled("duration", "MoveL p_a", 13)
+def next_move_before_a_wait_beside_is_over() -> Judged:
+    case = with_a_wait_beside_line_12(OVER * tol.DURATION)
+    return case, case.rows(), None
+
+
 @spoiled("dwell drift", "TCP", 13)
 def drift_in_a_dwell() -> Judged:
     case = rapid_case()

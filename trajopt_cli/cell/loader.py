@@ -129,6 +129,8 @@ def _scenario(document: CellDocument, file: str, lines: Mapping[str, int]) -> Sc
             frozenset(part for part in document.constant_speed if not isinstance(part, str)),
         ),
         positioners=by("positioners", {name: _axes(axes) for name, axes in document.positioners.items()}),
+        free_speed=document.free_speed,
+        droppable=frozenset(name.lower() for name in document.optional),
     )
 
 

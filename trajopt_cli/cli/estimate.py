@@ -65,7 +65,7 @@ def estimate(
         return
     console = stdout()
     show(console, estimate_table(answer, compared))
-    tell(console, (*sums(answer, compared), *doubts(answer)))
+    tell(console, (*sums(answer, compared), *doubts(answer), *job.program.without_effect))
     if measured is not None and measured[1]:
         tell(console, [f"columns not used: {', '.join(measured[1])}"])
     tell(console, [uncalibrated(compared)])

@@ -134,7 +134,10 @@ def _figures(values: tuple[float, ...] | None, digits: int = 2) -> str:
 def _to(row: Row) -> str:
     """Where a move ends, how long a wait lasts, what a signal is set to."""
     if row.kind == "Wait":
-        return f"{'at least ' if row.target is not None else ''}{row.duration:.7g} s"
+        least = "at least " if row.target is not None else ""
+        if row.beside is None:
+            return f"{least}{row.duration:.7g} s"
+        return f"{least}{row.beside:.7g} s beside the move{f', {row.duration:.7g} s behind it' * bool(row.duration)}"
     if row.value is not None:
         return f"= {row.value:.7g}"
     return _figures(row.position or row.joints)

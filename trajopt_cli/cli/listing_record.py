@@ -102,6 +102,7 @@ def row_record(row: Row) -> dict[str, Any]:
         "hold": None if row.hold is None else row.hold.value,
         "constant_speed": row.constant_speed,
         "detour": list(row.detour),
+        "beside": _figure(row.beside),
     }
 
 

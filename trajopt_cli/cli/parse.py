@@ -171,9 +171,7 @@ def notes_on(flat: Program, listing: Listing, plant: Plant | None) -> Iterator[s
     if flat.uncalled:
         more = f" and {len(flat.uncalled) - _UNCALLED} more" if len(flat.uncalled) > _UNCALLED else ""
         yield f"not run: {', '.join(flat.uncalled[:_UNCALLED])}{more} (names in them are not checked)"
-    if flat.ignored:
-        told = ", ".join(f"{instruction} {count}" for instruction, count in flat.ignored.items())
-        yield f"no effect on motion: {told}"
+    yield from flat.without_effect
     if listing.fly_by:
         yield f"{listing.fly_by} fly-by zone{'s' * (listing.fly_by > 1)}, planned as corners where the point is passed"
     yield from _stopped(listing)

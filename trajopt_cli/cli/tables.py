@@ -68,7 +68,7 @@ def optimised_lines(answer: Optimised) -> Iterator[str]:
         nearest = least_clearance(answer.judged[one].report.findings)
         if nearest is not None:
             yield f"{one.value}: {by_name(nearest.message, files)}"
-    yield from job.plant.unchecked
+    yield from (*job.plant.unchecked, *job.program.without_effect)
     first = {str(one) for one in job.program.warnings if one.kind is NoticeKind.NOT_CHECKED}
     warnings = [one for one in answer.warnings if one not in first]
     said = (("warning", warnings), ("limits", job.plant.notes), ("note", answer.notes))

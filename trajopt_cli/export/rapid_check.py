@@ -209,7 +209,7 @@ def _check_dwell(
 def _check_same(motion: Wait | SignalEvent, read: Motion | None) -> list[InputError]:
     same = type(read) is type(motion)
     if isinstance(motion, Wait) and isinstance(read, Wait):
-        same = abs(motion.duration - read.duration) <= 1e-6 and motion.condition == read.condition
+        same = abs(motion.programmed - read.programmed) <= 1e-6 and motion.condition == read.condition
     if isinstance(motion, SignalEvent) and isinstance(read, SignalEvent):
         same = motion.signal == read.signal and abs(motion.value - read.value) <= 1e-6
     return [] if same else [_mismatch(motion, "what the program says there")]

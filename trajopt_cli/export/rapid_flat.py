@@ -141,7 +141,7 @@ class FlatModule:
             if isinstance(motion, SignalEvent) and called(text, span).lower() in ("setdo", "setgo", "setao"):
                 value = motion.value
             elif isinstance(motion, Wait) and motion.condition is None and called(text, span).lower() == "waittime":
-                value = motion.duration
+                value = motion.programmed
             last = last_argument(motion, text) if value is not None else ""
             start = text.rindex(last) if last else 0
             rest = text[:start] + text[start + len(last) :]

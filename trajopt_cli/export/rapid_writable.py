@@ -147,7 +147,7 @@ class _Text:
     def _free(self, own: set[int], flat: list[Stretch]) -> frozenset[int]:
         """What can carry values of its own. own, flat: computed targets and stretches that can be written out."""
         inside = _inside(flat)
-        out = {i for i in inside if isinstance(self.program.motions[i], Move | Wait)}
+        out = {i for i in inside if isinstance(one := self.program.motions[i], Move) or _stands_alone(one)}
         out |= _places_to_dwell(self.program, self.scopes, own | inside) & self.single
         out |= (self._literals() | own) & self.single
         shared = _shared_literals(self.program)
@@ -354,11 +354,16 @@ def _places_to_dwell(program: Program, scopes: Scopes, known: Set[int]) -> set[i
     for i, motion in enumerate(program.motions):
         if isinstance(motion, Move):
             before = i
-        elif isinstance(motion, Wait) and before >= 0:
+        elif isinstance(motion, Wait) and _stands_alone(motion) and before >= 0:
             compact = motion.condition is not None and motion.written.statement in scopes.compact
             if not compact and _fits_behind(program, scopes, motion, before, behind[i], known):
                 out.add(i)
     return out
+
+
+def _stands_alone(motion: Motion) -> bool:
+    """Whether it is a wait, no function in an expression and not beside a move: a line may stand in its place."""
+    return isinstance(motion, Wait) and motion.written.target is None and motion.beside is None
 
 
 def _fits_behind(

@@ -363,10 +363,10 @@ def _notices(job: Job, judged: Mapping[Target, Judged]) -> tuple[str, ...]:
     out = [*fly_bys_told(corners_of(job.program, job.plant), no_stops)]
     waits = [m for m in job.program.motions if isinstance(m, Wait) and m.condition is not None]
     if waits:
-        least = sum(wait.duration for wait in waits)
+        least = sum(wait.programmed for wait in waits)
         out.append(
-            f"{len(waits)} wait{'s' if len(waits) > 1 else ''} for signals: counted with the least time that the cell "
-            f"file gives, {least:g} s in all; real waiting comes on top"
+            f"{len(waits)} wait{'s' if len(waits) > 1 else ''} for signals or operators: counted with the least time "
+            f"that the cell file gives, {least:g} s in all; real waiting comes on top"
         )
     counted = load_notes(job.program, job.plant)
     otherwise = planned_otherwise(job.program, bool(counted))

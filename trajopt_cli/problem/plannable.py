@@ -123,6 +123,8 @@ def planned_otherwise(program: Program, loads_count: bool = False) -> tuple[str,
         lines.append(f"PathAccLim ({caps}) caps the whole acceleration of the TCP, in bends too")
     if timed := sum(move.duration is not None and not move.zone.stop for move in moves):
         lines.append(f"programmed times (\\T, {timed}) of moves with a fly-by zone are planned as the speeds they make")
+    if beside := [one.beside for one in program.motions if isinstance(one, Wait) and one.beside]:
+        lines.append(f"waits behind \\Conc ({len(beside)}, {sum(beside):g} s) run beside their moves")
     if events := sum(len(move.events) for move in moves):
         lines.append(f"path events ({events}) take no time and do not affect the plan")
     if written := Counter(move.process.instruction for move in moves if move.process is not None):

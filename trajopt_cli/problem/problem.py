@@ -107,7 +107,8 @@ class Leg:
 
     duration: fixed time [s] or None. rail_moves: the rail may move during the leg. segment:
     the way of a line or an arc, tool in the world; None where the tool rests or the joints decide. acceleration: share
-    of every axis' acceleration limit that is in force. least: time [s] that it takes at least, as a positioner turns.
+    of every axis' acceleration limit that is in force. least: time [s] that it takes at least, as a positioner turns,
+    or as waits run beside it.
     load: what the flange carries, None for nothing and where torques have no limit. units: positioners that turn the
     work object under a line or an arc, in step with it; chord and speeds are then those over the work object.
     """
@@ -127,6 +128,7 @@ class Leg:
     least: float = 0.0
     load: ToolLoad | None = None
     units: tuple[UnitMove, ...] = ()
+    beside: bool = False
 
     @property
     def chord(self) -> float:
@@ -354,12 +356,12 @@ class _Build:
         In a long wait it moves at the beginning and at the end only, which together is time for its whole stroke, and
         rests in between; for a RAPID controller, whose text would have one creeping move, it rests all the time.
         """
-        before, rest = self.waypoints[-1], wait.condition is not None
+        before, rest = self.waypoints[-1], wait.ends_at_rest
         if wait.duration == 0.0:
             self.waypoints[-1] = replace(before, rest=before.rest or rest)
             return
         moves = self._freedom.dwells and before.rail[0] < before.rail[1] and index in self._changes.values
-        moves = moves and wait.hold is None
+        moves = moves and wait.hold is None and wait.beside is None
         settled = _settled(self._plant) if moves else np.inf
         parts = [(wait.duration, moves)]
         if wait.duration > _LONG * settled:
@@ -431,7 +433,7 @@ class _Build:
         leg = Leg(
             end.motion, LegKind.JOINT, len(self.legs), X_FT, v_tcp, a_tcp, v_ori, v_rail, duration=motion.duration,
             rail_moves=motion.hold is None or not self._has_rail, acceleration=acceleration_share(motion),
-            least=motion.least,
+            least=motion.least, beside=motion.beside > 0,
         )  # fmt: skip
         self.legs.append(leg)
         self.waypoints.append(end if zone is None else replace(end, rest=False, fly_by=zone))

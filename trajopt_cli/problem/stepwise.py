@@ -138,11 +138,12 @@ def analyse(program: Program, plant: Plant) -> Analysis:
     X_BF = inverse_pose(robot.base(plant.layout.place(plant.start))) @ robot.forward(plant.start)
     rail = float(plant.layout.place(plant.start))
     X_FT: Array = np.eye(4)  # a MoveExtJ names no tool; the one before stays in force
-    moves, waits = [], []
+    moves, waits, beside = [], [], 0.0  # what waits beside the last move (\Conc) take longer than it [s]
     for i, motion in enumerate(program.motions):
         match motion:
             case Wait():
-                waits.append(StepWait(i, motion.source, motion.duration))
+                waits.append(StepWait(i, motion.source, motion.duration + beside))
+                beside = 0.0
                 continue
             case SignalEvent():
                 continue
@@ -155,6 +156,7 @@ def analyse(program: Program, plant: Plant) -> Analysis:
         X_BT_0 = X_BF @ X_FT
         X_BT_1 = _target(motion, plant, rail_1, X_BF) @ X_FT
         moves.append(_step(i, motion, plant, (X_BT_0, X_BT_1), (rail, rail_1)))
+        beside = max(motion.beside - moves[-1].duration, 0.0)
         X_BF, rail = X_BT_1 @ inverse_pose(X_FT), rail_1
     return Analysis(tuple(moves), tuple(waits))
 

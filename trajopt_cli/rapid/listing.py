@@ -56,7 +56,8 @@ class Row:
     programmed time of a move. value: what a signal is set to. length: of a line or an arc whose start is known.
     settings: what differs from the default, by the name of the instruction. process: what an instruction of a process
     has besides, by parameter. hold: why the rail stands still. constant_speed:
-    whether its programmed speed should be kept from end to end. detour: around what an additional point leads.
+    whether its programmed speed should be kept from end to end. detour: around what an additional point leads. beside:
+    seconds of a wait that runs beside the move before it, of which duration is then left at its end.
     """
 
     index: int
@@ -95,6 +96,7 @@ class Row:
     hold: Hold | None = None
     constant_speed: bool = False
     detour: tuple[str, ...] = ()
+    beside: float | None = None
 
 
 @dataclass(frozen=True)
@@ -129,7 +131,7 @@ def describe(program: Program, kinematics: Kinematics | None = None) -> Listing:
         if isinstance(motion, Wait):
             row = Row(
                 index, motion.source, _instruction(program, motion), "Wait",
-                target=motion.condition, duration=motion.duration, hold=motion.hold,
+                target=motion.condition, duration=motion.duration, hold=motion.hold, beside=motion.beside,
             )  # fmt: skip
         elif isinstance(motion, SignalEvent):
             row = Row(

@@ -10,6 +10,7 @@ from trajopt_cli.errors import ErrorKind, InputError, InputErrorGroup, of_kind
 from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import Move, Program, Source, Span, TextFile
 from trajopt_cli.notices import Notice, NoticeKind
+from trajopt_cli.rapid.concurrent import laid_beside
 from trajopt_cli.rapid.entry import find_entry
 from trajopt_cli.rapid.execution.beads import fill_constant_speed
 from trajopt_cli.rapid.execution.holding import fill_holds
@@ -121,6 +122,7 @@ def try_program(
             if isinstance(item, Routine) and id(item) not in run.heads
         ),
     )
+    program = laid_beside(program, run.scenario, kinematics)
     run.outside.data.clear()  # as below
     for scope in scopes:  # a scope knows itself by its routines: without that, all goes before the collector comes back
         scope.routines.clear()

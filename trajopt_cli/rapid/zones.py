@@ -44,7 +44,7 @@ from trajopt_cli.path.turning import turned_back
 from trajopt_cli.units import MM
 
 # [m], [rad] A shorter way has no corner: seven digits of a num tell points 10 m away no better. Nor frames.
-_NO_WAY = 1e-6
+NO_WAY = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +80,7 @@ def ways(program: Program, kinematics: Kinematics | None = None) -> list[float |
     and of moves to joints only kinematics tell.
     """
     out: list[float | None] = [None] * len(program.motions)
-    for index, motion, start, end, _ in _courses(program, kinematics):
+    for index, motion, start, end, _ in courses(program, kinematics):
         if start is not None and end is not None and not isinstance(motion, MoveExtJ):
             out[index] = _length(motion, start, end)
     return out
@@ -124,7 +124,7 @@ def fly_bys(
     passed = {index: (move, after) for index, move, after, reason in found if after is not None and reason is None}
     wanted = {*passed, *(after for _, after in passed.values())}
     known: dict[int, _Way] = {}
-    for index, motion, start, end, travel in _courses(program, kinematics):
+    for index, motion, start, end, travel in courses(program, kinematics):
         length = lengths[index]
         if index in wanted and length is not None and start and end and not isinstance(motion, MoveExtJ):
             known[index] = _Way(length, _angle(motion, start, end), travel)
@@ -166,7 +166,7 @@ def changes_frame(move: Motion, after: Motion) -> bool:
     if move.X_WO is None or after.X_WO is None:
         return not alike
     displaced = move.settings.displaced or after.settings.displaced
-    return not (alike and displaced) and not np.allclose(move.X_WO, after.X_WO, rtol=0, atol=_NO_WAY)
+    return not (alike and displaced) and not np.allclose(move.X_WO, after.X_WO, rtol=0, atol=NO_WAY)
 
 
 def _fly_by(zone: Zone, sides: tuple[_Way, _Way]) -> FlyBy:
@@ -192,14 +192,14 @@ def _turning_in_place(
     program: Program, kinematics: Kinematics | None, lengths: Sequence[float | None]
 ) -> frozenset[int]:
     """The lines on which the tool turns and its centre point stands."""
-    short = {index for index, length in enumerate(lengths) if length is not None and length < _NO_WAY}
+    short = {index for index, length in enumerate(lengths) if length is not None and length < NO_WAY}
     if not any(isinstance(program.motions[index], MoveL) for index in short):
         return frozenset()
     out = set()
-    for index, motion, start, end, _ in _courses(program, kinematics):
+    for index, motion, start, end, _ in courses(program, kinematics):
         if index in short and isinstance(motion, MoveL) and start is not None and end is not None:
             R_0, R_1 = start.seen_by(motion.tool)[:3, :3], end.seen_by(motion.tool)[:3, :3]
-            if axis_angle(R_0.T @ R_1)[1] > _NO_WAY:
+            if axis_angle(R_0.T @ R_1)[1] > NO_WAY:
                 out.add(index)
     return frozenset(out)
 
@@ -219,7 +219,8 @@ def _programmed(
                 continue
             case Wait():
                 if last is not None and motion.stops:
-                    yield *last, None, "a wait follows"
+                    why = "a wait follows" if motion.beside is None else "a wait beside its move lasts longer"
+                    yield *last, None, why
                     last = None
                 continue
         if last is not None:
@@ -240,9 +241,9 @@ def _reason(move: Move, after: Move, way_in: float | None, way_out: float | None
         return None if move.zone.ori > 0 else "its zone is 0 deg"
     if move.zone.radius == 0:
         return "its zone is 0 mm"
-    if way_in is not None and way_in < _NO_WAY:
+    if way_in is not None and way_in < NO_WAY:
         return "its move has no length"
-    if way_out is not None and way_out < _NO_WAY:
+    if way_out is not None and way_out < NO_WAY:
         return "the next move has no length"
     return None
 
@@ -254,7 +255,7 @@ def _same(a: Tool, b: Tool) -> bool:
     return np.array_equal(a.X_FT, b.X_FT)
 
 
-def _courses(
+def courses(
     program: Program, kinematics: Kinematics | None
 ) -> Iterator[tuple[int, Move, _Place | None, _Place | None, float]]:
     """Every move: its index, where the robot stands before and after it, and the external axes' travel [m]."""

@@ -246,7 +246,7 @@ def motion_label(program: Program, index: int) -> tuple[str, str]:
     motion = program.motions[index]
     match motion:
         case Wait(condition=None):
-            return "WaitTime", f"{motion.duration:g} s"
+            return "WaitTime", f"{motion.programmed:g} s{' beside' * (motion.beside is not None)}"
         case Wait():
             return _SIGNAL_WAIT, str(motion.condition)
         case SignalEvent():

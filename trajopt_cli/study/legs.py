@@ -16,6 +16,7 @@ import numpy as np
 from trajopt_cli.geometry import Array, IndexArray, inverse_pose
 from trajopt_cli.motion import (
     Motion,
+    Move,
     MoveAbsJ,
     MoveC,
     MoveExtJ,
@@ -41,6 +42,7 @@ from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Problem, build_problem
 from trajopt_cli.robot.kinematics import inverse_acceleration, inverse_velocity
 from trajopt_cli.study.case import Case
+from trajopt_cli.study.rows import Piece, hold
 
 _NODES = 401  # of a line's table: at 0.5 m 1.2 mm apart
 _ON_BRANCH = 1e-6  # rad: axes are what a branch says
@@ -118,6 +120,12 @@ class Run:
     def span(self) -> tuple[float, float]:
         """When the fixed-rail plan makes it [s]."""
         return self.legs[0].span[0], self.legs[-1].span[1]
+
+    def lasting(self, piece: Piece) -> list[Piece]:
+        """A piece that drives it, and the rest behind that where its one motion has to last longer."""
+        leg = self.legs[0]
+        least = leg.motion.least if isinstance(leg.motion, Move) and len(self.legs) == 1 else 0.0
+        return [piece, hold(leg.q_1, least - piece.duration)] if least > piece.duration else [piece]
 
 
 @dataclass(frozen=True, eq=False)

@@ -54,7 +54,7 @@ def _row(case: Case, jerk: Array | None) -> Answer:
     if isinstance(given, Infeasible):
         return given
     known: dict[bytes, Piece | Infeasible] = {}
-    pieces = []
+    pieces = list[Piece]()
     for run in given.runs:
         key = run.key
         if key not in known:
@@ -66,7 +66,7 @@ def _row(case: Case, jerk: Array | None) -> Answer:
         piece = known[key]
         if isinstance(piece, Infeasible):
             return piece
-        pieces.append(piece)
+        pieces += run.lasting(piece)
     end = case.plant.start if given.end is None else given.end
     trajectory = rows_of(case.plant.robot.axis_names, pieces or [hold(end, 1e-3)], end)
     jerk_told = ["under the jerk limits that bind every row"] if case.plant.limits.jerk_binds else []

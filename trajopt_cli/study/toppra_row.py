@@ -41,7 +41,7 @@ def toppra(case: Case) -> Answer:
     if isinstance(given, Infeasible):
         return given
     known: dict[bytes, tuple[Piece, bool] | Infeasible] = {}
-    pieces, kept = [], 0
+    pieces, kept = list[Piece](), 0
     for run in given.runs:
         key = run.key
         if key not in known:
@@ -49,13 +49,13 @@ def toppra(case: Case) -> Answer:
         found = known[key]
         if isinstance(found, Infeasible):
             return found
-        pieces.append(found[0])
+        pieces += run.lasting(found[0])
         kept += not found[1]
     end = case.plant.start if given.end is None else given.end
     trajectory = rows_of(case.plant.robot.axis_names, pieces or [hold(end, 1e-3)], end)
     notes = ["the fixed-rail plan's path; only its timing is TOPP-RA's", *given.notes]
     if kept:
-        notes.append(f"TOPP-RA finds no timing for {kept} of {len(pieces)} runs: they keep the plan's")
+        notes.append(f"TOPP-RA finds no timing for {kept} of {len(given.runs)} runs: they keep the plan's")
     return Attempt(given.program, trajectory, notes=tuple(notes))
 
 

@@ -66,7 +66,12 @@ class Point:
     @property
     def least(self) -> float:
         """What the positioners that turn during the move take at least, s."""
-        return 0.0 if self.move is None else self.move.least
+        return 0.0 if self.move is None else max((unit.least for unit in self.move.units), default=0.0)
+
+    @property
+    def beside(self) -> float:
+        """How long the program is busy beside the move (\\Conc), as programmed, s: the next one begins no sooner."""
+        return sum(wait.beside or 0.0 for _, wait in self.holds)
 
     @property
     def X_WT(self) -> Array:
@@ -178,7 +183,7 @@ def _fly_by(point: Point, ways: Sequence[float | None], turns: Sequence[float | 
     """The zone of a point between two ways [m]; None where it is a stop. turns [rad]: of ways that only turn the tool,
     between which the zone is zone_ori. Else angular and linear sizes (zone_ori, zone_leax), which make its parts for
     orientation and external axes smaller at most, are not counted."""
-    waits = any(wait.duration > 0 or wait.condition is not None for _, wait in point.holds)
+    waits = any(wait.duration > 0 or wait.in_position or stands_for(wait) for _, wait in point.holds)
     half = min((way for way in ways if way is not None), default=np.inf) / 2
     if point.move is None or not _programmed_fly_by(point) or waits:
         return None
@@ -190,6 +195,11 @@ def _fly_by(point: Point, ways: Sequence[float | None], turns: Sequence[float | 
         return None
     radius, turning, external = (min(max(size, zone.radius), half) for size in (0.0, zone.path_ori, zone.path_eax))
     return FlyBy(radius, turning, external) if radius > 0 else None
+
+
+def stands_for(wait: Wait) -> bool:
+    """Whether the robot stands until a condition holds: not where it is waited for beside a move."""
+    return wait.condition is not None and (wait.beside is None or wait.in_position)
 
 
 def _programmed_fly_by(point: Point) -> bool:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import MoveExtJ, Source
+from trajopt_cli.verify.course import stands_for
 from trajopt_cli.verify.findings import axis_unit, finding
 from trajopt_cli.verify.frame import Frame, Places
 from trajopt_cli.verify.geometry import angle_between, lengths
@@ -51,6 +52,8 @@ def check_stops(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> Iter
 def _point(line: Timeline, frame: Frame, i: int, rapid: bool) -> Iterator[Finding]:
     """All findings about visit i."""
     rows, visit, before = line.rows, line.visits[i], line.visits[max(i - 1, 0)]
+    if i > 0 and visit.point.beside > 0 and None not in (visit.event, before.event):
+        yield _beside(rows, before, visit)
     if visit.point.fly_by is not None:
         yield _passed(rows, visit, frame, line, i)
         return
@@ -214,6 +217,16 @@ def _turning(rows: Rows, before: Visit, visit: Visit, rest_after: float) -> Find
                    words="lasts")  # fmt: skip
 
 
+def _beside(rows: Rows, before: Visit, visit: Visit) -> Finding:
+    """The time from the point before to where the next move begins, against what runs beside the move (\\Conc)."""
+    wanted, taken = visit.point.beside, float(rows.t[visit.depart] - rows.t[before.depart])
+    if before.point.fly_by is not None:
+        taken = float(rows.t[visit.depart] - rows.t[before.arrive])
+    return finding("duration", visit.point.name, taken, wanted, "s", taken >= wanted - _unsure(rows, before, visit),
+                   time=float(rows.t[visit.depart]), source=visit.holds[0].wait.source if visit.holds else None,
+                   bound="at least", words="lasts")  # fmt: skip
+
+
 def _taken(rows: Rows, before: Visit, visit: Visit, rest_after: float, wanted: float) -> float:
     """The time of a move that is nearest to the wanted one, of those it can have taken."""
     if visit.stay:
@@ -242,7 +255,7 @@ def _dwells(rows: Rows, visit: Visit) -> list[Finding]:
                 finding("dwell length", "TCP", lasts, wait.duration, "s", lasts >= wait.duration - slack,
                         time=hold.begin, source=wait.source, bound="at least", note=note)
             )  # fmt: skip
-        if wait.condition is not None:
+        if stands_for(wait):
             row = visit.depart if hold.rests is None else hold.rests
             j = int(np.argmax(rows.least_axis_speed[row]))
             name = rows.plant.limits.names[j]

@@ -10,7 +10,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.motion import Source, Wait
-from trajopt_cli.verify.course import Point, stays
+from trajopt_cli.verify.course import Point, stands_for, stays
 from trajopt_cli.verify.frame import Frame
 from trajopt_cli.verify.geometry import angle_between, inverse_pose, lengths
 from trajopt_cli.verify.rail import Indices, still_from
@@ -225,7 +225,7 @@ def _holds(rows: Rows, stop: Point, time: float, depart: int, rapid: bool) -> tu
         if wait.hold is not None and rows.mechanism.has_rail:
             time = still_from(rows, time, wait.duration, depart)
         end, rests = time + wait.duration, None
-        if wait.condition is not None or rapid:
+        if stands_for(wait) or rapid:
             slack = DWELL + rows.doubt_t + unseen(rows, depart)
             first = min(int(np.searchsorted(rows.t, end - slack)), depart)
             still = first + np.flatnonzero(rows.axes_rest[first : depart + 1])

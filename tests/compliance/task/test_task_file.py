@@ -232,6 +232,8 @@ def test_a_task_has_the_programs_one_tool_and_says_what_it_makes_of_zones(tmp_pa
         ),
         ("WaitTime 0.5;", "MoveJ a, v100, fine, tip;", "MoveJ is not a straight segment"),
         ("MoveJ a", "WaitTime 1; MoveJ a", "a wait before the first pose"),
+        ("MoveL b,", "MoveL \\Conc, b,", "a wait beside a move"),
+        ("WaitTime 0.5;", "Stop;", "waits for Stop, which has no known length"),
         (
             "WaitTime 0.5;",
             "MoveC Offs(b,9,9,0), a, v100, fine, tip;",

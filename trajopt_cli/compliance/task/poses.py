@@ -98,6 +98,8 @@ def program_route(
         match motion:
             case SignalEvent():
                 notes.append(f"{motion.source}: signal {motion.signal} is left out")
+            case Wait() if motion.beside is not None:
+                raise _refused(motion.source, "a wait beside a move; leave \\Conc out")
             case Wait(condition=None):
                 if not waypoints:
                     raise _refused(motion.source, "a wait before the first pose; remove it")

@@ -13,8 +13,10 @@ from trajopt_cli.rapid.data.scope import ABSENT, Absent, Datum, Frame, ModuleSco
 from trajopt_cli.rapid.execution.answers import ask
 from trajopt_cli.rapid.execution.arguments import present, subject
 from trajopt_cli.rapid.execution.evaluate import convertible, evaluate, locate
-from trajopt_cli.rapid.execution.functions.table import FUNCTIONS
-from trajopt_cli.rapid.execution.instructions.table import INSTRUCTIONS
+from trajopt_cli.rapid.execution.functions.table import FUNCTIONS, STOPPING
+from trajopt_cli.rapid.execution.instructions.effect import Effect
+from trajopt_cli.rapid.execution.instructions.table import EFFECTS, INSTRUCTIONS
+from trajopt_cli.rapid.execution.instructions.waits import hold_up
 from trajopt_cli.rapid.execution.jumps import Jump, Return
 from trajopt_cli.rapid.execution.loading import find_type
 from trajopt_cli.rapid.execution.loops import count_endless, leaves
@@ -39,7 +41,11 @@ CALL_LIMIT = 250  # routines inside routines
 CALL_COST = 6  # statements that take as long as a call
 FUNCTION_COST = 2  # and as long as a predefined function
 _INSTRUCTIONS = {name.lower(): handler for name, handler in INSTRUCTIONS.items()}
+_EFFECTS = {
+    name.lower(): (name, effect) for name, effect in EFFECTS.items() if effect in (Effect.IGNORED, Effect.STOPS)
+}
 _FUNCTIONS = {name.lower(): handler for name, handler in FUNCTIONS.items()}
+_STOPPING = {name.lower(): name for name in STOPPING}
 _NAME = re.compile(r"(?:\w*:)?([^\W\d]\w*)")  # `module:procedure`, `:procedure`
 
 
@@ -65,13 +71,20 @@ def procedure(run: Run, node: ProcedureCall) -> None:
             raise run.error(node, f"{node.name} is a {routine.kind}; {_remedy(node, routine)}")
         enter(run, routine, scope, node.args, node)
         return
-    instruction = _INSTRUCTIONS.get(node.name.lower())
+    key = node.name.lower()
+    instruction = _INSTRUCTIONS.get(key)
     if instruction is None:
         return _stub(run, node)
     try:
         instruction(run, node)
     except Mismatch as error:
         raise _told(run, node, error) from None
+    if key in _EFFECTS:
+        name, effect = _EFFECTS[key]
+        if effect is Effect.IGNORED:
+            run.ignored[name] += 1
+        else:
+            hold_up(run, node, name)
     if len(run.motions) != len(run.links):
         run.settle()
 
@@ -114,7 +127,8 @@ def function(run: Run, node: Call, wanted: Type | None) -> Value:
     run.budget -= FUNCTION_COST
     if run.budget < 0:
         raise run.exhausted(node)
-    handler = _FUNCTIONS.get(node.name.lower())
+    key = node.name.lower()
+    handler = _FUNCTIONS.get(key)
     if handler is None:
         message = f"{node.name} is neither a function of the files read nor a known function"
 
@@ -126,6 +140,9 @@ def function(run: Run, node: Call, wanted: Type | None) -> Value:
         value = handler(run, node)
     except Mismatch as error:
         raise _told(run, node, error) from None
+    if key in _STOPPING:
+        hold_up(run, node, _STOPPING[key])
+        run.settle()
     return computed(run, node, value.type, value.data) if value.origin is None else value
 
 

@@ -94,7 +94,7 @@ def _after_outputs(motions: Sequence[Motion]) -> Iterator[Wait]:
     for motion in motions:
         if isinstance(motion, Wait):
             if since is not None:
-                if since <= _AFTER_OUTPUT:
+                if since <= _AFTER_OUTPUT and motion.beside is None:
                     yield motion
                 since += motion.duration
         elif isinstance(motion, SignalEvent):

@@ -82,6 +82,8 @@ class Run:
         self.depth = 0  # of routines
         self.interrupts = 0  # how many were connected
         self.booked = 0  # error numbers given away
+        self.stored = False  # whether a path is, between StorePath and RestoPath
+        self.concurrent = 0  # how many moves with \Conc came last, with no other between them
         self.heads: dict[int, Head] = {}  # by the routine's id
         self.budget = scenario.statement_limit
         self.counts: dict[int, int] = {}  # how often a statement ran, by its id

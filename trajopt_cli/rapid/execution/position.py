@@ -11,7 +11,18 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from trajopt_cli.geometry import Array
 from trajopt_cli.kinematics import Kinematics
-from trajopt_cli.motion import NO_EXTERNAL_AXES, ConfData, ExternalAxes, MoveC, MoveJ, MoveL, Tool
+from trajopt_cli.motion import (
+    NO_EXTERNAL_AXES,
+    ConfData,
+    ExternalAxes,
+    MoveC,
+    MoveJ,
+    MoveL,
+    SignalEvent,
+    Tool,
+    Wait,
+    motion_name,
+)
 from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.predefined import predefined
@@ -185,6 +196,20 @@ def reach(
             run.source(node),
         )
     return q
+
+
+def read_at_rest(run: Run, node: Node, what: str) -> None:
+    """Tell, by line, of what wants the robot to stand (what) right behind a fly-by or a move with \\Conc."""
+    for motion in reversed(run.motions):
+        if isinstance(motion, Wait):
+            if motion.stops and motion.beside is None:
+                return
+        elif not isinstance(motion, SignalEvent):
+            if not motion.zone.stop or run.concurrent:
+                why = "has \\Conc" if motion.zone.stop else f"ends in a fly-by ({motion.zone.name})"
+                text = f"{what} while it still moves: {motion_name(motion)} {why}; its point is taken: stop there"
+                run.warn(NoticeKind.ASSUMED, f"{text} (fine, or WaitRob \\InPos)", run.source(node))
+            return
 
 
 def _merged(last: ExternalAxes, new: ExternalAxes) -> ExternalAxes:

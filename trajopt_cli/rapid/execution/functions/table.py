@@ -24,3 +24,8 @@ FUNCTIONS: dict[str, Function] = {
     **system.FUNCTIONS,
     **unknown.FUNCTIONS,
 }
+# Those that wait for an operator or for what a device sends: the fly-by point before them is a stop, see Effect.STOPS.
+STOPPING = (
+    "UIMessageBox", "UINumEntry", "UINumTune", "UIDnumEntry", "UIDnumTune", "UIAlphaEntry", "UIListView", "ReadNum",
+    "ReadBin", "ReadStr", "ReadStrBin",
+)  # fmt: skip

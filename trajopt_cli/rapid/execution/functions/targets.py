@@ -30,7 +30,7 @@ from trajopt_cli.rapid.execution.equipment import IDENTITY, Setup, frame, unorie
 from trajopt_cli.rapid.execution.evaluate import evaluate, number
 from trajopt_cli.rapid.execution.faults import Fault
 from trajopt_cli.rapid.execution.instructions.moves import NO_POSITION, external, robtarget
-from trajopt_cli.rapid.execution.position import reach
+from trajopt_cli.rapid.execution.position import reach, read_at_rest
 from trajopt_cli.rapid.language.syntax import Call, Expression
 from trajopt_cli.units import DEG
 
@@ -132,6 +132,7 @@ def _c_rob_t(run: Run, node: Call) -> Value:
     r"""CRobT([\Tool] [\WObj]): where the robot is, as a target."""
     args = bind(run, node, (), _CURRENT)
     position = run.position
+    read_at_rest(run, node, "CRobT reads where the robot is")
     place = position.target(run, node, node.name, _current(run, node, args))
     return _rob_target(place, position.conf(run, node, node.name), _without_offsets(run, position.extax))
 
@@ -139,12 +140,14 @@ def _c_rob_t(run: Run, node: Call) -> Value:
 def _c_pos(run: Run, node: Call) -> Value:
     r"""CPos([\Tool] [\WObj])."""
     args = bind(run, node, (), _CURRENT)
+    read_at_rest(run, node, "CPos reads where the robot is")
     return Value(POS, run.position.target(run, node, node.name, _current(run, node, args))[0])
 
 
 def _c_joint_t(run: Run, node: Call) -> Value:
     """CJointT(): joints and external axes as they are, offsets included."""
     bind(run, node, (), ("TaskRef", "TaskName"))
+    read_at_rest(run, node, "CJointT reads where the robot is")
     q = run.position.joints(run, node, node.name)
     return _joint_target(q, run.position.extax)
 

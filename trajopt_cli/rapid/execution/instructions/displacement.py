@@ -16,6 +16,7 @@ from trajopt_cli.rapid.execution.equipment import IDENTITY
 from trajopt_cli.rapid.execution.evaluate import evaluate
 from trajopt_cli.rapid.execution.instructions.moves import NO_POSITION, robtarget
 from trajopt_cli.rapid.execution.instructions.settings import change
+from trajopt_cli.rapid.execution.position import read_at_rest
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 
 if TYPE_CHECKING:
@@ -34,6 +35,8 @@ def _on(run: Run, node: ProcedureCall) -> None:
     point, tool = args.required
     setup = run.position.equipment.setup(run, tool, args.value("wobj"), displaced=False)
     programmed, actual = robtarget(run, point).frame, args.value("exep")
+    if actual is None:
+        read_at_rest(run, node, "PDispOn reads where the robot is")
     place = run.position.target(run, node, "PDispOn", setup) if actual is None else robtarget(run, actual).frame
     if "rot" in args.optional:
         _displace(run, frames.compose(place, frames.inverse(programmed)))
@@ -77,6 +80,7 @@ def _offset_on(run: Run, node: ProcedureCall) -> None:
     if actual is not None:
         there = evaluate(run, actual, ROBTARGET).data[3]
     else:
+        read_at_rest(run, node, "EOffsOn reads where the robot is")
         there = tuple(NO_POSITION * 2 if value is None else value for value in run.position.extax)
     pairs = zip(there, programmed, strict=True)
     _offset(run, tuple(0.0 if max(abs(now), abs(was)) > NO_POSITION else now - was for now, was in pairs))

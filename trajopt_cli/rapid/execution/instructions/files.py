@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 from trajopt_cli.rapid.execution.answers import fill
 from trajopt_cli.rapid.execution.arguments import Instruction, bind
-from trajopt_cli.rapid.execution.instructions.nothing import nothing
+from trajopt_cli.rapid.execution.instructions.effect import Effect
+from trajopt_cli.rapid.execution.instructions.plain import plain
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ def _read_error(run: Run, node: ProcedureCall) -> None:
             _fill(run, "ReadErrData", target)
 
 
-_NAMES = """
+_PLAIN = """
     Open Close Write WriteBin WriteStrBin WriteAnyBin WriteRawBytes WriteBlock WriteVar Rewind ClearIOBuff ReadBlock
     OpenDir CloseDir MakeDir RemoveDir RemoveFile RenameFile CopyFile
     ClearRawBytes CopyRawBytes PackDNHeader PackRawBytes
@@ -43,7 +44,7 @@ _NAMES = """
 """
 
 INSTRUCTIONS: dict[str, Instruction] = {
-    **{name: nothing(name) for name in _NAMES.split()},
+    **dict.fromkeys(_PLAIN.split(), plain),
     "ReadErrData": _read_error,
     **dict(
         (
@@ -58,3 +59,7 @@ INSTRUCTIONS: dict[str, Instruction] = {
         )
     ),
 }  # fmt: skip
+EFFECTS = {
+    **dict.fromkeys(_PLAIN.split(), Effect.IGNORED),
+    **dict.fromkeys(("ReadAnyBin", "ReadRawBytes", "ReadBlock", "SiConnect"), Effect.STOPS),
+}

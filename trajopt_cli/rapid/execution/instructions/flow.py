@@ -8,6 +8,7 @@ from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import NUM, STRING, Value
 from trajopt_cli.rapid.execution.arguments import Instruction, bind
 from trajopt_cli.rapid.execution.evaluate import evaluate, integer
+from trajopt_cli.rapid.execution.instructions.effect import Effect
 from trajopt_cli.rapid.execution.jumps import Exit
 from trajopt_cli.rapid.language.syntax import ProcedureCall
 
@@ -22,8 +23,13 @@ def _exit_cycle(run: Run, node: ProcedureCall) -> None:
 
 def _stop(run: Run, node: ProcedureCall) -> None:
     bind(run, node, (), ("NoRegain", "AllMoveTasks"))
-    run.ignored[node.name] += 1
     run.note("stop", NoticeKind.ASSUMED, f"{node.name} waits for the operator; the program goes on here", node)
+
+
+def _break(run: Run, node: ProcedureCall) -> None:
+    bind(run, node, ())
+    what = "Break stops at once, on the way, and waits for the operator; the plan stops at the point before it instead"
+    run.warn(NoticeKind.ASSUMED, what, run.source(node))
 
 
 def _call_by_var(run: Run, node: ProcedureCall) -> None:
@@ -47,8 +53,9 @@ def _reset_retry(run: Run, node: ProcedureCall) -> None:
 INSTRUCTIONS: dict[str, Instruction] = {
     "ExitCycle": _exit_cycle,
     "Stop": _stop,
-    "Break": _stop,
+    "Break": _break,
     "CallByVar": _call_by_var,
     "BookErrNo": _book_error,
     "ResetRetryCount": _reset_retry,
 }
+EFFECTS = {"Stop": Effect.STOPS, "Break": Effect.STOPS}

@@ -35,6 +35,7 @@ from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
 from trajopt_cli.rapid.execution.equipment import IDENTITY, matrix, said, value_of
 from trajopt_cli.rapid.execution.evaluate import evaluate
 from trajopt_cli.rapid.execution.instructions import pace
+from trajopt_cli.rapid.execution.instructions.effect import Effect
 from trajopt_cli.rapid.execution.instructions.manner import manner
 from trajopt_cli.rapid.execution.making import made, maker
 from trajopt_cli.rapid.execution.positioners import moved
@@ -46,6 +47,7 @@ if TYPE_CHECKING:
 
 NO_POSITION = 8.9e9  # RAPID's 9E9, with room for rounding
 _NEAR = 0.1  # mm; a controller refuses circles with points nearer than this
+_MOST_CONCURRENT = 5  # RAPID, argument \Conc
 _WIDEST_ARC = 240.0  # deg; beyond it a controller calls the circle uncertain
 
 POSE_OPTIONS = ("Conc", "ID", "V", "T", "Z", "Inpos", "WObj", "Corr", "TLoad")
@@ -135,6 +137,7 @@ def move_abs_j(run: Run, node: ProcedureCall) -> None:
         tool=setup.tool or Tool(setup.name, matrix(setup.base or IDENTITY), stationary=True),
         wobj=setup.wobj if "wobj" in args.optional else None,
     )
+    _succession(run, node, args)
     run.motions.append(motion)
     run.position.to_joints(setup, motion.q, motion.extax)
 
@@ -159,6 +162,7 @@ def move_ext_j(run: Run, node: ProcedureCall) -> None:
         settings=run.settings,
         units=moved(run, point, at, caps, None),
     )
+    _succession(run, node, args)
     run.motions.append(motion)
     run.position.to_extax(motion.extax)
 
@@ -212,6 +216,7 @@ def to_pose(
         "process": process,
         "hold": None,
         "constant_speed": False,
+        "beside": 0.0,
         "units": units,
         "conf": conf,
         "tool": setup.tool or Tool(setup.name, matrix(placed), stationary=True),
@@ -224,9 +229,20 @@ def to_pose(
         # A stationary tool's via point as the flange passes it: X_WF = X_WV inv(X_FT) there too.
         parts["X_WV"] = matrix(setup.placed(through) if setup.tool else frames.compose(setup.flange(through), placed))
     motion = made(kind, parts)
+    _succession(run, node, args)
     run.motions.append(motion)
     run.position.to_pose(setup, place, conf, settings.conf_j if kind is MoveJ else settings.conf_l, extax)
     run.position.unplaced.append((motion, placed if setup.tool else setup.tcp))
+
+
+def _succession(run: Run, node: ProcedureCall, args: Arguments) -> None:
+    r"""\Conc: what follows runs while the robot moves; at most five moves in succession may have it."""
+    run.concurrent = run.concurrent + 1 if "conc" in args.optional else 0
+    if run.concurrent and run.stored:
+        raise run.error(node, "\\Conc is not allowed between StorePath and RestoPath; leave it out")
+    if run.concurrent > _MOST_CONCURRENT:
+        message = f"more than {_MOST_CONCURRENT} moves in succession with \\Conc; leave it out of this one"
+        raise run.fault(node, "ERR_CONC_MAX", message)
 
 
 def _check_circle(
@@ -333,6 +349,7 @@ def external(run: Run, extax: Data, offset: bool = True) -> ExternalAxes:
 _NO_OFFSET = (0.0,) * 6
 
 
+EFFECT = Effect.PLANNED
 INSTRUCTIONS: dict[str, Instruction] = {
     "MoveJ": move_j,
     "MoveL": move_l,

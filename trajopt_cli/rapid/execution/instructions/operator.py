@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from trajopt_cli.rapid.data.datatypes import NUM, Value
 from trajopt_cli.rapid.execution.answers import fill
 from trajopt_cli.rapid.execution.arguments import Instruction, bind
+from trajopt_cli.rapid.execution.instructions.effect import Effect
 from trajopt_cli.rapid.language.syntax import Expression, Name, ProcedureCall, String
 
 if TYPE_CHECKING:
@@ -49,9 +50,7 @@ def _message(run: Run, node: ProcedureCall) -> None:
     options = ("Header", "MsgLine2", "MsgLine3", "MsgLine4", "MsgLine5", "Wrap", "Buttons", "Icon", "Image", "Result")
     args = bind(run, node, ("MsgLine1",), (*options, *_BREAKS))
     result = args.value("result")
-    if result is None:
-        run.ignored["UIMsgBox"] += 1
-    else:
+    if result is not None:
         fill(run, result, f"UIMsgBox asks the operator for {run.text(result)}")
     _unbroken(run, args.value("breakflag"))
 
@@ -62,6 +61,7 @@ def _unbroken(run: Run, flag: Expression | None) -> None:
         run.assign(flag, Value(NUM, 0.0))
 
 
+EFFECT = Effect.STOPS
 INSTRUCTIONS: dict[str, Instruction] = {
     "TPReadFK": _read_key,
     "TPReadNum": _read_number,

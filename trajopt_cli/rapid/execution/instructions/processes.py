@@ -14,6 +14,7 @@ from trajopt_cli.rapid.data.datatypes import Record
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, present
 from trajopt_cli.rapid.execution.equipment import said
 from trajopt_cli.rapid.execution.instructions import pace
+from trajopt_cli.rapid.execution.instructions.effect import Effect
 from trajopt_cli.rapid.execution.instructions.moves import POSE_OPTIONS, PoseKind, asked, to_pose
 from trajopt_cli.rapid.language.syntax import Expression, Name, Number, ProcedureCall
 from trajopt_cli.units import MM
@@ -117,6 +118,7 @@ def _first_number(run: Run, node: Expression) -> float | None:
 _WELD = ("Seam", "Weld", "Weave")
 _SPOT = ("Gun", "Spot")
 
+EFFECT = Effect.PLANNED
 INSTRUCTIONS: dict[str, Instruction] = {
     **{
         name: _process(kind, name, _WELD)

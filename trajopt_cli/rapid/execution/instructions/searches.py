@@ -11,20 +11,24 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trajopt_cli.errors import InputError
-from trajopt_cli.motion import ExternalAxes, MoveC, MoveJ, MoveL, Process
+from trajopt_cli.motion import ExternalAxes, Move, MoveC, MoveJ, MoveL, Process
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.courses import between
 from trajopt_cli.rapid.data.datatypes import ROBTARGET, Value
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
 from trajopt_cli.rapid.execution.equipment import Setup, frame, matrix, said
+from trajopt_cli.rapid.execution.instructions.effect import Effect
 from trajopt_cli.rapid.execution.instructions.moves import Asked, PoseKind, Target, robtarget, to_pose
-from trajopt_cli.rapid.execution.position import reach
+from trajopt_cli.rapid.execution.position import reach, read_at_rest
 from trajopt_cli.rapid.language.syntax import Expression, Name, ProcedureCall
+from trajopt_cli.units import MM
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
 
+_STIFF = 0.1 + 1e-9  # m/s
 _STOPS = ("stop", "pstop", "sstop")
 _FLANKS = ("Flanks", "PosFlank", "NegFlank", "HighLevel", "LowLevel")
 
@@ -43,6 +47,7 @@ def _search(kind: PoseKind, name: str) -> Instruction:
         share = _share(run, node, signal, searched)
         setup = run.position.equipment.setup(run, tool, args.optional.get("wobj"))
         end = robtarget(run, point)
+        read_at_rest(run, node, f"{name} begins where the robot is")
         if share is None:
             to_pose(run, node, kind, request, process=process)
             raise run.fault(
@@ -55,11 +60,24 @@ def _search(kind: PoseKind, name: str) -> Instruction:
             target = Target(hit.frame, hit.conf, hit.extax, Value(ROBTARGET, end.value.data))
             half = _hit(run, node, kind, setup, circle, end, share / 2).frame if circle else None
             to_pose(run, node, kind, request, process=process, target=target, via=half)
+            _tell_stop(run, node, args)
         else:
             to_pose(run, node, kind, request, process=process)
+            what = f"{name} without \\Stop, \\PStop or \\SStop does not stop where it hits: it goes on to ToPoint"
+            run.note("flying search", NoticeKind.ASSUMED, what, node)
         run.assign(searched, hit.value)
 
     return handler
+
+
+def _tell_stop(run: Run, node: ProcedureCall, args: Arguments) -> None:
+    """What a controller makes of the stop of the last motion, a search (RAPID, SearchL)."""
+    move = run.motions[-1]
+    if "stop" in args.optional and isinstance(move, Move) and move.speed.v_tcp > _STIFF:
+        what = f"{node.name} \\Stop is allowed below 100 mm/s only, found {move.speed.v_tcp / MM:.6g} mm/s"
+        run.warn(NoticeKind.UNUSUAL, f"{what}: search more slowly, or with \\PStop", run.source(node))
+    what = f"{node.name} ends where it hits; a controller stops behind that and stays there (at 50 mm/s 1 to 3 mm "
+    run.note("search stop", NoticeKind.ASSUMED, f"{what}with \\Stop, 4 to 8 with \\SStop, 15 to 25 with \\PStop)", node)
 
 
 def _share(run: Run, node: ProcedureCall, signal: Expression, searched: Expression) -> float | None:
@@ -126,6 +144,7 @@ def _share_of(start: ExternalAxes, end: ExternalAxes, share: float) -> ExternalA
     return (a, b, c, d, e, f)
 
 
+EFFECT = Effect.PLANNED
 INSTRUCTIONS: dict[str, Instruction] = {
     "SearchJ": _search(MoveJ, "SearchJ"),
     "SearchL": _search(MoveL, "SearchL"),

@@ -10,6 +10,8 @@ from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
 from trajopt_cli.rapid.execution.equipment import load
 from trajopt_cli.rapid.execution.evaluate import condition, number
+from trajopt_cli.rapid.execution.instructions.effect import Effect
+from trajopt_cli.rapid.execution.instructions.plain import plain
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 from trajopt_cli.units import MM
 
@@ -143,11 +145,6 @@ def _grip_load(run: Run, node: ProcedureCall) -> None:
     change(run, replace(run.settings, load=load(run, argument)))
 
 
-def _noted(run: Run, node: ProcedureCall) -> None:
-    """No effect on any plan; counted for the report."""
-    run.ignored[node.name] += 1
-
-
 INSTRUCTIONS: dict[str, Instruction] = {
     "ConfJ": _conf_j,
     "ConfL": _conf_l,
@@ -157,7 +154,8 @@ INSTRUCTIONS: dict[str, Instruction] = {
     "PathAccLim": _path_limits,
     "WorldAccLim": _world_limit,
     "GripLoad": _grip_load,
-    "ActUnit": _noted,
-    "DeactUnit": _noted,
+    "ActUnit": plain,
+    "DeactUnit": plain,
     "CirPathMode": _circle,
 }
+EFFECTS = dict.fromkeys(("ActUnit", "DeactUnit"), Effect.IGNORED)

@@ -11,7 +11,8 @@ from trajopt_cli.rapid.data.datatypes import NUM, Value
 from trajopt_cli.rapid.execution.answers import fill
 from trajopt_cli.rapid.execution.arguments import Instruction, bind
 from trajopt_cli.rapid.execution.evaluate import locate
-from trajopt_cli.rapid.execution.instructions.nothing import nothing
+from trajopt_cli.rapid.execution.instructions.effect import Effect
+from trajopt_cli.rapid.execution.instructions.plain import plain
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 
 if TYPE_CHECKING:
@@ -27,7 +28,6 @@ def _to(status: float, *required: str, optional: tuple[str, ...] = ()) -> Instru
     def handler(run: Run, node: ProcedureCall) -> None:
         args = bind(run, node, ("Socket", *required), optional)
         _mark(run, args.required[0], status)
-        run.ignored[node.name] += 1
 
     return handler
 
@@ -45,7 +45,6 @@ def _accept(run: Run, node: ProcedureCall) -> None:
     address = args.value("clientaddress")
     if address is not None:
         fill(run, address, f"SocketAccept tells {run.text(address)}, who has connected")
-    run.ignored["SocketAccept"] += 1
 
 
 def _receive(run: Run, node: ProcedureCall) -> None:
@@ -75,13 +74,12 @@ def _camera_parameter(run: Run, node: ProcedureCall) -> None:
 def _camera_result(run: Run, node: ProcedureCall) -> None:
     args = bind(run, node, ("Camera", "CamTarget"), ("SceneId", "MaxTime"))
     target = args.required[1]
-    if fill(run, target, f"CamGetResult asks the camera for {run.text(target)}") is None:
-        run.ignored["CamGetResult"] += 1
+    fill(run, target, f"CamGetResult asks the camera for {run.text(target)}")
 
 
-_CAMERA = """
-    CamFlush CamLoadJob CamReqImage CamSetExposure CamSetParameter CamSetProgramMode CamSetRunMode CamStartLoadJob
-    CamWaitLoadJob
+_SENT = """
+    SocketSend SocketSendTo CamFlush CamReqImage CamSetExposure CamSetParameter CamSetProgramMode CamSetRunMode
+    CamStartLoadJob
 """
 
 INSTRUCTIONS: dict[str, Instruction] = {
@@ -93,9 +91,10 @@ INSTRUCTIONS: dict[str, Instruction] = {
     "SocketAccept": _accept,
     "SocketReceive": _receive,
     "SocketReceiveFrom": _receive,
-    "SocketSend": nothing("SocketSend"),
-    "SocketSendTo": nothing("SocketSendTo"),
     "CamGetParameter": _camera_parameter,
     "CamGetResult": _camera_result,
-    **{name: nothing(name) for name in _CAMERA.split()},
+    **dict.fromkeys(("CamLoadJob", "CamWaitLoadJob", *_SENT.split()), plain),
 }
+EFFECT = Effect.STOPS  # the program waits for the other side
+_AT_ONCE = ("SocketCreate", "SocketBind", "SocketListen", "SocketClose", *_SENT.split())
+EFFECTS = dict.fromkeys(_AT_ONCE, Effect.IGNORED)

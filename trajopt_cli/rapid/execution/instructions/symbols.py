@@ -9,6 +9,7 @@ from trajopt_cli.rapid.data.datatypes import STRING, Type
 from trajopt_cli.rapid.data.scope import Place
 from trajopt_cli.rapid.execution.arguments import Instruction, bind
 from trajopt_cli.rapid.execution.evaluate import convertible, evaluate, locate
+from trajopt_cli.rapid.execution.instructions.effect import Effect
 from trajopt_cli.rapid.language.syntax import Expression, Name, ProcedureCall
 
 if TYPE_CHECKING:
@@ -54,18 +55,15 @@ def _load(run: Run, node: ProcedureCall) -> None:
     if _stem(path) not in {_stem(name) for name in run.files}:
         message = f"{node.name} wants the module file '{path}'; put it among the program's files"
         raise run.fault(file, "ERR_FILNOTFND", message)
-    run.ignored["StartLoad" if start else "Load"] += 1
 
 
 def _unload(run: Run, node: ProcedureCall) -> None:
     """The module stays: a program that does not use it any more does not notice."""
     bind(run, node, ("FilePath",), ("ErrIfChanged", "Save", "File"))
-    run.ignored["UnLoad"] += 1
 
 
 def _wait_load(run: Run, node: ProcedureCall) -> None:
     bind(run, node, ("LoadNo",), ("UnloadPath", "UnloadFile", "CheckRef"))
-    run.ignored["WaitLoad"] += 1
 
 
 def _stem(path: str) -> str:
@@ -80,4 +78,10 @@ INSTRUCTIONS: dict[str, Instruction] = {
     "StartLoad": _load,
     "WaitLoad": _wait_load,
     "UnLoad": _unload,
+}
+EFFECTS = {
+    "Load": Effect.STOPS,
+    "StartLoad": Effect.IGNORED,
+    "WaitLoad": Effect.STOPS,
+    "UnLoad": Effect.IGNORED,
 }

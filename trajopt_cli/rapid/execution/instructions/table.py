@@ -1,4 +1,4 @@
-"""Every supported instruction by name: one handler and one line in the INSTRUCTIONS of its topic."""
+"""Every supported instruction by name: one handler and one line in the INSTRUCTIONS of its topic, and its effect."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from trajopt_cli.rapid.execution.instructions import (
     files,
     flow,
     moves,
-    nothing,
     operator,
+    plain,
     processes,
     searches,
     settings,
@@ -20,6 +20,7 @@ from trajopt_cli.rapid.execution.instructions import (
     variables,
     waits,
 )
+from trajopt_cli.rapid.execution.instructions.effect import Effect
 
 INSTRUCTIONS: dict[str, Instruction] = {
     **moves.INSTRUCTIONS,
@@ -36,5 +37,18 @@ INSTRUCTIONS: dict[str, Instruction] = {
     **operator.INSTRUCTIONS,
     **sockets.INSTRUCTIONS,
     **symbols.INSTRUCTIONS,
-    **nothing.INSTRUCTIONS,
+    **plain.INSTRUCTIONS,
 }
+_TOPICS = (
+    moves, triggers, searches, processes, displacement, waits, signals, variables, settings, flow, files, operator,
+    sockets, symbols, plain,
+)  # fmt: skip
+
+
+def effects(topic: object) -> dict[str, Effect]:
+    """The effect of every instruction of a topic: its own in EFFECTS, else the topic's EFFECT, else RUN."""
+    own, default = getattr(topic, "EFFECTS", {}), getattr(topic, "EFFECT", Effect.RUN)
+    return {name: own.get(name, default) for name in getattr(topic, "INSTRUCTIONS", {})}
+
+
+EFFECTS: dict[str, Effect] = {name: effect for topic in _TOPICS for name, effect in effects(topic).items()}

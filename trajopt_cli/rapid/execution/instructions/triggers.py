@@ -9,6 +9,7 @@ from trajopt_cli.rapid.data.datatypes import STRING, Value
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
 from trajopt_cli.rapid.execution.equipment import said
 from trajopt_cli.rapid.execution.evaluate import evaluate, locate, number
+from trajopt_cli.rapid.execution.instructions.effect import Effect
 from trajopt_cli.rapid.execution.instructions.moves import PoseKind, asked, to_pose
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 from trajopt_cli.units import MM
@@ -193,6 +194,7 @@ def _with_procedure(kind: PoseKind, name: str) -> Instruction:
 
 _KINDS: tuple[tuple[str, PoseKind], ...] = (("J", MoveJ), ("L", MoveL), ("C", MoveC))
 
+EFFECT = Effect.PLANNED
 INSTRUCTIONS: dict[str, Instruction] = {
     "TriggIO": _io,
     "TriggEquip": _equipment,

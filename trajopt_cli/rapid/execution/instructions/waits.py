@@ -9,15 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from itertools import takewhile
 from typing import TYPE_CHECKING
 
-from trajopt_cli.motion import Wait, Written
+from trajopt_cli.motion import Move, Wait, Written
 from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import BOOL, NUM, SIGNALS, Atomic, Data, Type, Value
 from trajopt_cli.rapid.data.scope import Place, Told
 from trajopt_cli.rapid.execution.answers import root
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
 from trajopt_cli.rapid.execution.evaluate import condition, evaluate, locate, number
+from trajopt_cli.rapid.execution.instructions.effect import Effect
 from trajopt_cli.rapid.execution.loops import never
 from trajopt_cli.rapid.language.syntax import (
     Binary,
@@ -40,14 +42,39 @@ if TYPE_CHECKING:
 
 
 def record(
-    run: Run, node: ProcedureCall, duration: float, condition: str | None = None, in_position: bool = False
+    run: Run, node: ProcedureCall | Call, duration: float, condition: str | None = None, in_position: bool = False
 ) -> None:
-    """Stand still; see motion.Wait."""
-    written = Written(statement=run.places().span(node.start, node.end))
+    """Stand still, or wait beside the move before it (\\Conc); see motion.Wait."""
+    if in_position:
+        run.concurrent = 0
+    span = run.places().span(node.start, node.end)
+    written = Written(statement=span, target=span if isinstance(node, Call) else None)
     made = Wait(
-        source=run.source(node), written=written, duration=duration, condition=condition, in_position=in_position
+        source=run.source(node),
+        written=written,
+        duration=duration,
+        condition=condition,
+        in_position=in_position,
+        beside=duration if run.concurrent else None,
     )
     run.motions.append(made)
+
+
+_HALTS = frozenset(  # the robot stands for them, whatever runs beside a move
+    ("Break", "SetLeadThrough", "Stop", "StopMove", "StorePath", "SyncMoveOff", "SyncMoveOn", "SystemStopAction")
+)
+
+
+def hold_up(run: Run, node: ProcedureCall | Call, name: str) -> None:
+    """A wait in an instruction or a function that is none by itself (Effect.STOPS); its name is the wait's. Where the
+    robot stands for it already, as in a loop that reads a file, no time more is no wait more."""
+    least = run.world.least(name)
+    if least is None:
+        what = f"the cell file says that {name} times out, and only waits with \\MaxTime do; give a least time"
+        raise run.error(node, f"{what}: 'waits: {{{name}: 0}}'")
+    standing = takewhile(lambda motion: not isinstance(motion, Move), reversed(run.motions))
+    if least or not any(isinstance(one, Wait) and one.condition == name for one in standing):
+        record(run, node, least, name, name in _HALTS)
 
 
 # ------------------------------------------------------------------------------------------------- time, standstill
@@ -120,14 +147,14 @@ def _over(
 
     names: of the wait in the cell file. possible: whether it can come true at all.
     """
-    limit, flag = args.value("maxtime"), args.value("timeflag")
+    limit, flag = args.value("maxtime") or args.value("timeout"), args.value("timeflag")
     longest = number(run, limit) if limit is not None else None
     if longest is not None and longest > LONGEST_WAIT:
         raise run.error(node, f"\\MaxTime of {longest:.6g} s: more than {LONGEST_WAIT:,} s (11 days); check the value")
     least = run.world.least(*names) if possible else None
     if not possible and longest is None:
         raise run.error(node, f"waits for {shown}: this condition can never come true, and \\MaxTime is not given")
-    record(run, node, (longest or 0.0) if least is None else least, shown)
+    record(run, node, (longest or 0.0) if least is None else least, shown, "inpos" in args.optional)
     if least is not None:
         if flag is not None:
             run.assign(flag, Value(BOOL, False))
@@ -135,7 +162,8 @@ def _over(
     if longest is None:
         raise run.error(node, f"waits for {shown} forever: the cell file says timeout, and \\MaxTime is not given")
     if flag is None:
-        raise run.fault(node, "ERR_WAIT_MAXTIME", f"{shown} has not come true within \\MaxTime of {longest:.6g} s")
+        error = "ERR_WAITSYNCTASK" if "timeout" in args.optional else "ERR_WAIT_MAXTIME"
+        raise run.fault(node, error, f"{shown} has not come true within \\MaxTime of {longest:.6g} s")
     run.assign(flag, Value(BOOL, True))
     return False
 
@@ -345,8 +373,7 @@ def _test_and_set(run: Run, node: ProcedureCall) -> None:
     """Waits until a flag that tasks share is FALSE, and sets it."""
     (flag,) = bind(run, node, ("Object",)).required
     shown = f"{run.text(flag)} = FALSE"
-    if condition(run, flag):
-        _over(run, node, Arguments((flag,), {}), shown, (shown, run.text(flag)))
+    _over(run, node, Arguments((flag,), {}), shown, (shown, run.text(flag)))
     run.assign(flag, Value(BOOL, True))
 
 
@@ -361,6 +388,7 @@ def _other(name: str, required: tuple[str, ...], optional: tuple[str, ...]) -> I
     return handler
 
 
+EFFECT = Effect.WAITS
 INSTRUCTIONS: dict[str, Instruction] = {
     "WaitTime": _wait_time,
     "WaitDI": _signal_wait(digital=True),
@@ -374,4 +402,5 @@ INSTRUCTIONS: dict[str, Instruction] = {
     "WaitTestAndSet": _test_and_set,
     "WaitWObj": _other("WaitWObj", ("WObj",), ("RelDist", "PosStop")),
     "WaitSensor": _other("WaitSensor", ("MechUnit",), ("RelDist", "PredTime")),
+    "WaitSyncTask": _other("WaitSyncTask", ("SyncID", "TaskList"), ("InPos", "TimeOut")),
 }
