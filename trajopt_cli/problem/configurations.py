@@ -366,7 +366,7 @@ def _misled(point: _Point, plant: Plant, joints: Array, along: Followed) -> Conf
         for axis, value in zip(names, joints - along.end, strict=True)
         if abs(value) > _FAR
     )
-    other = leads.cfx ^ point.motion.conf.cfx
+    other = 0 if plant.robot.linkage else leads.cfx ^ point.motion.conf.cfx  # of a linkage it names no branch
     parts = [part for bit, part in ((4, "shoulder"), (2, "elbow"), (1, "wrist")) if other & bit]
     flip = f"the {' and '.join(parts)} would have to flip" if parts else "the wrist would have to wind"
     text = (

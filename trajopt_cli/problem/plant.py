@@ -124,6 +124,9 @@ def build_plant(cell: Cell) -> Plant:
             "profile", f"robot {robot.name} has no '{cell.profile}'; {hint(cell.profile, [*robot.profiles])}"
         )
     limits = cell.apply_limits(robot.profile(cell.profile), robot.axis_names)
+    if cell.torque_limits and robot.linkage:
+        text = f"robot {robot.name} has a parallel linkage, whose levers' masses are not known"
+        raise cell.error("torque_limits", f"{text}; leave torque_limits out")
     if cell.torque_limits and (lacks := robot.lacks_for_torques(limits.torque)):
         raise cell.error(
             "torque_limits",

@@ -40,7 +40,8 @@ def inverse(robot: RobotModel, X_WF: Array, rail: Array | None = None) -> Array:
     branches of a wrist with an offset, of which two have one cfx.
 
     rail (n,): rail positions [m], needed with a rail. Joints lie within half a turn of arm.middles, the lower end left
-    out; joint limits are not applied. At singularities the answer is finite and its pose right: t4 = 0 where t5 = 0
+    out; joint limits are not applied. An arm with a parallel linkage has the branches alone whose
+    wrist centre is before the lower arm. At singularities the answer is finite and its pose right: t4 = 0 where t5 = 0
     (its partner branch has t4 = pi), t1 = 0 (its partner pi) where the wrist centre stands on axis 1 and may.
     """
     X_WF = np.asarray(X_WF, dtype=np.float64)
@@ -83,6 +84,8 @@ def inverse_arm(arm: Arm, p_OK: Array, R_OK: Array, out: Array) -> None:
                 _wrist(R_OK, c1[:, None], s1[:, None], c23, s23, split)
     else:
         out[:] = offset_wrist.angles(arm, p_OK, R_OK, inverse_arm)
+    if arm.coupled:  # a parallelogram is not driven through its stretched place
+        out[np.arange(len(out)) & 2 > 0] = np.nan
     _as_joints(arm, out)
 
 
@@ -207,6 +210,8 @@ def _wrist(R_OK: Array, c1: Array, s1: Array, c23: Array, s23: Array, out: Array
 
 def _as_joints(arm: Arm, out: Array) -> None:
     """Make joints of canonical angles (8, 6, n), in place, each within half a turn of its middle."""
+    if arm.coupled:
+        out[:, 2] += out[:, 1] - arm.offsets[1]
     for i in arm.converted:
         q = arm.signs[i] * (out[:, i] - arm.offsets[i])
         out[:, i] = q - 2 * pi * np.ceil((q - arm.middles[i] - pi) / (2 * pi))
@@ -254,10 +259,17 @@ def confdata(robot: RobotModel, q: Array) -> ConfData:
     """RAPID confdata of arm joints q (6,) [rad]: cf1, cf4, cf6 = floor(angle / 90 deg), cfx as above.
 
     A value less than 1e-9 rad below a multiple of 90 deg counts as on it, so that rounding does not flip a quadrant.
+    Of an arm with a parallel linkage, which is no serial link robot, cfx is the quadrant of axis 2 (RAPID reference
+    manual, confdata).
     """
-    wrist, lower_arm, axis_5 = branch_margins(robot.arm, q)
-    cf1, cf4, cf6 = (_quadrant(float(q[i]), _ON_QUADRANT) for i in (0, 3, 5))
-    return ConfData(cf1, cf4, cf6, int(4 * (wrist < 0) + 2 * (lower_arm < 0) + 1 * (axis_5 < 0)))
+    cf1, cf2, cf4, cf6 = (_quadrant(float(q[i]), _ON_QUADRANT) for i in (0, 1, 3, 5))
+    return ConfData(cf1, cf4, cf6, cf2 if robot.arm.coupled else branch_of(robot.arm, q))
+
+
+def branch_of(arm: Arm, q: Array) -> int:
+    """The number in 0..7 of the branch that joints q (6,) [rad] are on: cfx of a serial arm."""
+    wrist, lower_arm, axis_5 = branch_margins(arm, q)
+    return int(4 * (wrist < 0) + 2 * (lower_arm < 0) + 1 * (axis_5 < 0))
 
 
 def _quadrant(angle: float, shift: float) -> int:
@@ -276,7 +288,8 @@ def confdata_admits(robot: RobotModel, conf: ConfData, q: Array) -> bool:
 
     Quadrants and branch must be those of q. Only within 1e-6 rad (of a multiple of 90 deg for cf1, cf4, cf6; of a
     branch's border for a bit of cfx; 1e-6 m for the wrist centre before axis 1), where the rounding of a printed
-    target decides, the neighbour is taken too. Always so for a robot without a rule for confdata.
+    target decides, the neighbour is taken too. Always so for a robot without a rule for confdata. Of an arm with a
+    parallel linkage cfx is not looked at: the quadrants tell its branches apart.
     """
     if robot.confdata_rule == NO_CONFDATA:
         return True
@@ -284,7 +297,7 @@ def confdata_admits(robot: RobotModel, conf: ConfData, q: Array) -> bool:
         if cf not in {_quadrant(float(q[i]), shift) for shift in (-_QUADRANT_DOUBT, 0.0, _QUADRANT_DOUBT)}:
             return False
     margins = branch_margins(robot.arm, q)
-    return all(
+    return robot.arm.coupled or all(
         abs(margin) <= _QUADRANT_DOUBT or bool(conf.cfx & bit) == (margin < 0)
         for bit, margin in zip((4, 2, 1), margins, strict=True)
     )

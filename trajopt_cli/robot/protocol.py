@@ -89,6 +89,9 @@ class Robot(Protocol):
     def confdata(self, arm: Array) -> ConfData:
         """Of joints (m,)."""
 
+    def branch_of(self, arm: Array) -> int:
+        """The number of the branch that joints (m,) are on."""
+
     def admits(self, conf: ConfData, arm: Array) -> bool:
         """Whether a target with this confdata may be reached with joints (m,)."""
 
