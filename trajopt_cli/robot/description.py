@@ -115,6 +115,14 @@ def check(data: RobotFile, path: Path, raw: Raw, axes: list[UrdfJoint], arm: lis
         ranges = {joint.name: (joint.lower, joint.upper) for joint in axes if joint.kind == "revolute"}
         alike = float(np.sign(arm[1].axis @ arm[2].X[:3, :3] @ arm[2].axis))
         catalogue.check_coupled(data.coupled, raw, ranges, alike, str(path))
+        levers = ", ".join(arm[1].levers + arm[2].levers)
+        if levers and not linkage(data):
+            message = (
+                f"urdf: {levers} of {data.urdf} follow joint 2 or 3 (<mimic>), as levers of a parallel linkage do: say"
+            )
+            message += f" under coupled that axis {arm[2].name} is axes [{arm[1].name}, {arm[2].name}] with factors"
+            message += f" [{alike:g}, 1], or take their <mimic> out"
+            raise InputError(message, file=str(path), line=catalogue.line_of(raw, ("urdf",)))
     if data.collision is not None:
         links = (arm[0].parent, *(joint.child for joint in arm[:-1]))
         catalogue.check_links(data.collision, raw, links, str(path))
