@@ -93,12 +93,13 @@ def normal_chain(tree: Tree, tip: str | None = None, base: str | None = None) ->
     levers, beside = _levers(tree, turning)
     linkage = float(np.sign(_direction(tree, turning[1]) @ _direction(tree, turning[2]))) if levers else 0.0
     if levers:
-        notes.append(
-            f"{', '.join(levers)} follow '{turning[1].name}' or '{turning[2].name}' (<mimic>), as levers of a parallel"
-            " linkage do: joint_3 is taken for the controller's axis 3, the upper arm's angle against the base, with"
-            f" range and speed of '{turning[2].name}'; coupled in the YAML file says so, and is where the range of the"
-            " angle between the arms goes, which no URDF has; levers are not drawn and touch nothing"
-        )
+        notes += [
+            f"{', '.join(levers)}: <mimic> of '{turning[1].name}' or '{turning[2].name}', as of levers in a parallel"
+            f" linkage; joint_3 is the controller's axis 3, the upper arm's angle against the base, with range and speed"
+            f" of '{turning[2].name}': see coupled in the YAML file",
+            "levers are not drawn and touch nothing; no URDF has the range of the angle between the arms: give it under"
+            " coupled",
+        ]
     notes += beside
     return NormalChain(tree, base or tree.root, chosen, joints, named, bodies, tuple(notes), levers, linkage)
 
@@ -119,7 +120,7 @@ def _levers(tree: Tree, turning: list[TreeJoint]) -> tuple[tuple[str, ...], list
         if followed not in turning[1:3] or not alike:
             notes.append(
                 f"joint '{joint.name}' follows '{followed.name}' (<mimic>) and is left out: only axes 2 and 3 can be"
-                " coupled, by levers that turn about their direction; the controller's axes are taken to be the joints"
+                " coupled, by levers that turn about their direction"
             )
         elif abs(abs(factor) - 1) > _ALIKE:
             message = (

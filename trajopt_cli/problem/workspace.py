@@ -54,12 +54,12 @@ def rail_ranges(plant: Plant, X_WF: Array, phi_min: float = 0.0, branch: int | N
     return np.asarray(ends.reshape(-1, 2))
 
 
-def sections(plant: Plant, count: int = 361) -> tuple[Array, Array]:
+def sections(plant: Plant, count: int = 361) -> tuple[Array, ...]:
     """Outlines (n, 2) [m] of what the wrist centre reaches in the arm's own plane, elbow bent the one or the other way.
 
     Columns: ahead of axis 1 and up, in the arm's canonical base. Joints 2 and 3 stay in range. Together they are the
     thesis' figure 5.1; each is joint 2 at its least, the elbow as stretched as it may be, joint 2 at its greatest, the
-    elbow as folded as it may be.
+    elbow as folded as it may be. A parallel linkage leaves the elbow one way, so there is one outline.
     """
     arm, joints = plant.robot.arm, plant.layout.arm
     ends = [arm.signs * q[joints] + arm.offsets for q in (plant.limits.lower, plant.limits.upper)]
@@ -82,4 +82,4 @@ def sections(plant: Plant, count: int = 361) -> tuple[Array, Array]:
         x = arm.a1 + arm.c2 * np.sin(a) + arm.upper * np.cos(a + b)
         return np.column_stack([x, arm.c1 + arm.c2 * np.cos(a) - arm.upper * np.sin(a + b)])
 
-    return outline(np.pi / 2), outline(-1.5 * np.pi)
+    return tuple(outline(folded) for folded in ((np.pi / 2,) if arm.coupled else (np.pi / 2, -1.5 * np.pi)))
