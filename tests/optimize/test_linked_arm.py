@@ -14,7 +14,7 @@ from trajopt_cli.collision.pair import Pair
 from trajopt_cli.errors import InputError
 from trajopt_cli.export.gltf import gltf
 from trajopt_cli.geometry import Array, inverse_pose, pose
-from trajopt_cli.limits import TcpCaps
+from trajopt_cli.limits import CoupledRange, TcpCaps
 from trajopt_cli.motion import MoveAbsJ, MoveL, Program, TextFile
 from trajopt_cli.optimize import optimize
 from trajopt_cli.optimize.surroundings import Surroundings, links
@@ -122,6 +122,23 @@ def test_lines_and_arcs_are_planned_and_the_judge_holds_them_by_its_own_chain(tm
     rows = plan.trajectory
     as_urdf = replace(rows, q=urdf_joints(plant.robot, rows.q), qd=urdf_joints(plant.robot, rows.qd))
     assert offences(moves, plant, as_urdf)  # the file's joint_3 is axis 3
+
+
+def test_a_plan_that_may_choose_does_not_fold_the_upper_arm_past_the_lower_one(tmp_path) -> None:
+    """From joints that are folded, as the file gives no range of the angle between the arms, to a pose beside them."""
+    plant = linked(tmp_path)
+    folded = np.radians([0, 100, -20, 0, 30, 0])
+    X = plant.robot.forward(folded + np.radians([0, -2, 1, 0, 0, 0]))
+    place = ",".join(f"{value * 1000:.4f}" for value in X[:3, 3])
+    moves = program(f"ConfJ \\Off;\nMoveJ [[{place}],[0.5,0,0.8660254,0],[0,0,0,0],{BARE}], v500, fine, tool0;", plant)
+    plan = planned(moves, replace(plant, start=folded))
+    end = plan.trajectory.q[-1]
+    np.testing.assert_allclose(plant.robot.forward(end)[:3, 3], X[:3, 3], atol=1e-6)
+    assert np.cos(urdf_joints(plant.robot, end)[2]) > 0
+    assert any("angle between the arms" in line for line in plant.unchecked)
+    between = CoupledRange(("joint_3", "joint_2"), (1.0, -1.0), -1.4, 1.5)
+    told = replace(plant, limits=replace(plant.limits, coupled=(between,))).unchecked
+    assert not any("angle between the arms" in line for line in told)
 
 
 def test_torque_limits_are_refused_for_want_of_the_levers(tmp_path) -> None:

@@ -95,8 +95,8 @@ def normal_chain(tree: Tree, tip: str | None = None, base: str | None = None) ->
     if levers:
         notes += [
             f"{', '.join(levers)}: <mimic> of '{turning[1].name}' or '{turning[2].name}', as of levers in a parallel"
-            f" linkage; joint_3 is the controller's axis 3, the upper arm's angle against the base, with range and speed"
-            f" of '{turning[2].name}': see coupled in the YAML file",
+            f" linkage; joint_3 is the controller's axis 3, the upper arm's angle against the base, with range and"
+            f" speed of '{turning[2].name}': see coupled in the YAML file",
             "levers are not drawn and touch nothing; no URDF has the range of the angle between the arms: give it under"
             " coupled",
         ]

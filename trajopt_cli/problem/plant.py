@@ -85,6 +85,9 @@ class Plant:
         out = []
         if self.robot.confdata_rule == NO_CONFDATA:
             out.append(f"confdata not checked: robot {self.robot.name} has no rule for it")
+        arms = {*self.robot.axis_names[self.layout.arm][1:3]}
+        if self.robot.linkage and arms not in [{*one.axes} for one in self.limits.coupled]:
+            out.append(f"angle between the arms not checked: robot {self.robot.name} gives no range of it (coupled)")
         bodies = bool(self.robot.capsules or self.attached)
         if not self.obstacles:
             out.append("obstacles not checked: the cell file gives none")

@@ -124,7 +124,7 @@ def enclose(
         if slack:
             reach2 = Range(np.maximum(np.sqrt(rho2.lo) - slack, 0.0) ** 2, (np.sqrt(rho2.hi) + slack) ** 2)
         s3 = Range(*((arm.c2**2 + arm.upper**2 - x) / (2 * arm.c2 * arm.upper) for x in (reach2.hi, reach2.lo)))
-        alive[i] = (s3.lo <= 1 + WIDEN) & (s3.hi >= -1 - WIDEN) & (r2.hi >= b2 - WIDEN) & (elbow > 0 or not arm.coupled)
+        alive[i] = (s3.lo <= 1 + WIDEN) & (s3.hi >= -1 - WIDEN) & (r2.hi >= b2 - WIDEN)
         s3 = Range(np.clip(s3.lo, -1, 1), np.clip(s3.hi, -1, 1))
         a3 = Range(np.arcsin(s3.lo) - arm.bend, np.arcsin(s3.hi) - arm.bend)
         q3 = a3 if elbow > 0 else Range(-np.pi - a3.hi - 2 * arm.bend, -np.pi - a3.lo - 2 * arm.bend)

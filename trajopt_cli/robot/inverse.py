@@ -40,8 +40,7 @@ def inverse(robot: RobotModel, X_WF: Array, rail: Array | None = None) -> Array:
     branches of a wrist with an offset, of which two have one cfx.
 
     rail (n,): rail positions [m], needed with a rail. Joints lie within half a turn of arm.middles, the lower end left
-    out; joint limits are not applied. An arm with a parallel linkage has the branches alone whose
-    wrist centre is before the lower arm. At singularities the answer is finite and its pose right: t4 = 0 where t5 = 0
+    out; joint limits are not applied. At singularities the answer is finite and its pose right: t4 = 0 where t5 = 0
     (its partner branch has t4 = pi), t1 = 0 (its partner pi) where the wrist centre stands on axis 1 and may.
     """
     X_WF = np.asarray(X_WF, dtype=np.float64)
@@ -84,8 +83,6 @@ def inverse_arm(arm: Arm, p_OK: Array, R_OK: Array, out: Array) -> None:
                 _wrist(R_OK, c1[:, None], s1[:, None], c23, s23, split)
     else:
         out[:] = offset_wrist.angles(arm, p_OK, R_OK, inverse_arm)
-    if arm.coupled:  # a parallelogram is not driven through its stretched place
-        out[np.arange(len(out)) & 2 > 0] = np.nan
     _as_joints(arm, out)
 
 
@@ -289,7 +286,7 @@ def confdata_admits(robot: RobotModel, conf: ConfData, q: Array) -> bool:
     Quadrants and branch must be those of q. Only within 1e-6 rad (of a multiple of 90 deg for cf1, cf4, cf6; of a
     branch's border for a bit of cfx; 1e-6 m for the wrist centre before axis 1), where the rounding of a printed
     target decides, the neighbour is taken too. Always so for a robot without a rule for confdata. Of an arm with a
-    parallel linkage cfx is not looked at: the quadrants tell its branches apart.
+    parallel linkage cfx is not looked at: axis 4 points before the lower arm, as a parallelogram has it.
     """
     if robot.confdata_rule == NO_CONFDATA:
         return True
@@ -297,7 +294,9 @@ def confdata_admits(robot: RobotModel, conf: ConfData, q: Array) -> bool:
         if cf not in {_quadrant(float(q[i]), shift) for shift in (-_QUADRANT_DOUBT, 0.0, _QUADRANT_DOUBT)}:
             return False
     margins = branch_margins(robot.arm, q)
-    return robot.arm.coupled or all(
+    if robot.arm.coupled:
+        return bool(np.cos(robot.arm.angles(q)[2]) >= -_QUADRANT_DOUBT)
+    return all(
         abs(margin) <= _QUADRANT_DOUBT or bool(conf.cfx & bit) == (margin < 0)
         for bit, margin in zip((4, 2, 1), margins, strict=True)
     )

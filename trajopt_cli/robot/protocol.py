@@ -33,6 +33,10 @@ class Robot(Protocol):
         """Which of them are the rail's and the arm's."""
 
     @property
+    def linkage(self) -> float:
+        """Not 0 for a parallel linkage, which does not fold the upper arm past the lower one."""
+
+    @property
     def closed_form(self) -> bool:
         """Whether its branches have closed forms; without, no nonlinear program improves plans."""
 
