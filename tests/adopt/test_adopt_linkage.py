@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import casadi as ca
 import numpy as np
 import pytest
 from loose_arm import written
@@ -117,7 +118,10 @@ def raw(folder: Path, yaml: str = "") -> Path:
 
 def test_a_urdf_with_levers_and_a_file_that_says_nothing_of_them_is_refused(tmp_path) -> None:
     path = raw(tmp_path)
-    assert load_robot(str(path)).linkage == -1
+    robot, q = load_robot(str(path)), np.array([0.3, 0.2, 0.5, 0.4, 0.3, 0.2])
+    assert robot.linkage == -1
+    flange = np.ravel(ca.Function("flange", [symbol := ca.SX.sym("q", 6)], [robot.expressions.flange(symbol)[0]])(q))
+    np.testing.assert_allclose(flange, robot.forward(q)[:3, 3], atol=1e-12)  # the lever is no joint of the chain
     text = path.read_text()
     path.write_text(text[: text.index("coupled:")] + text[text.index("# Accelerations and jerks") :])
     with pytest.raises(InputError, match="lever") as error:
