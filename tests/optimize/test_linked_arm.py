@@ -18,6 +18,7 @@ from trajopt_cli.limits import CoupledRange, TcpCaps
 from trajopt_cli.motion import MoveAbsJ, MoveL, Program, TextFile
 from trajopt_cli.optimize import optimize
 from trajopt_cli.optimize.surroundings import Surroundings, links
+from trajopt_cli.problem.configurations import check_configurations
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.programmed import PlantKinematics
@@ -139,6 +140,23 @@ def test_a_plan_that_may_choose_does_not_fold_the_upper_arm_past_the_lower_one(t
     between = CoupledRange(("joint_3", "joint_2"), (1.0, -1.0), -1.4, 1.5)
     told = replace(plant, limits=replace(plant.limits, coupled=(between,))).unchecked
     assert not any("angle between the arms" in line for line in told)
+
+
+def test_targets_fit_by_the_quadrants_of_axes_1_4_and_6(tmp_path) -> None:
+    """Whatever cfx says; of those that do not fit, what is offered instead is had by unfolded joints."""
+    plant, rng, offered = linked(tmp_path), np.random.default_rng(6), 0
+    for a1, a2, a3, a4, a5, a6 in rng.uniform([-90, -60, -50, -170, 10, -200], [90, 50, 50, 170, 100, 200], (12, 6)):
+        joints = f"[[{a1},{a2},{a3},{a4},{a5},{a6}],{BARE}]"
+        start = f"MoveAbsJ {joints}, v500, fine, tool0;\np:=CRobT();\n"
+        for change in ("", "p.robconf.cfx:=3;", "p.robconf.cfx:=-1;"):
+            assert not check_configurations(program(f"{start}{change}MoveJ p, v500, fine, tool0;", plant), plant)
+        (wrong,) = check_configurations(program(f"{start}p.robconf.cf1:=5;MoveJ p, v500, fine, tool0;", plant), plant)
+        X = plant.robot.forward(np.radians([a1, a2, a3, a4, a5, a6]))
+        every = [q for _, q in plant.robot.solutions(X, None, plant.limits)]
+        unfolded = [q for q in every if np.cos(urdf_joints(plant.robot, q)[2]) > 0]
+        assert {*wrong.reachable} == {plant.robot.confdata(q) for q in unfolded}
+        offered += len(wrong.reachable)
+    assert offered > 30
 
 
 def test_torque_limits_are_refused_for_want_of_the_levers(tmp_path) -> None:

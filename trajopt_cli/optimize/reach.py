@@ -509,7 +509,8 @@ def _why(axes: Axes, problem: Problem, X_WF: Array, rail: float) -> str:
 def _other_configurations(axes: Axes, problem: Problem, stop: Waypoint, rail: float) -> str:
     """The pose is in reach, but not with the confdata asked for; those that are to be had, the nearest to it first."""
     found = axes.robot.solutions(stop.X_WF, rail, problem.plant.limits)
-    confs = {astuple(axes.robot.confdata(q)) for _, q in found}
+    of = [(axes.robot.confdata(q), q) for _, q in found]
+    confs = {astuple(conf) for conf, q in of if axes.robot.admits(conf, q)}
     if not confs:
         return "too near a singularity"
     asked = None if stop.conf is None else astuple(stop.conf)

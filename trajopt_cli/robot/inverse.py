@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, inverse_pose
+from trajopt_cli.geometry import Array, BoolArray, inverse_pose
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.motion import ConfData
 from trajopt_cli.robot import offset_wrist, parallel_arm
@@ -280,6 +280,11 @@ def branch_margins(arm: Arm, q: Array) -> tuple[Array, Array, Array]:
     return wrist_section(arm, q)[0], np.cos(elbow_angle(arm, q)), t5 - 2 * pi * np.round(t5 / (2 * pi))
 
 
+def folded(arm: Arm, q: Array) -> BoolArray:
+    """Whether joints (..., 6) have axis 4 point behind the lower arm, where a parallelogram does not go."""
+    return np.asarray(np.cos(arm.angles(q)[..., 2]) < -_QUADRANT_DOUBT)
+
+
 def confdata_admits(robot: RobotModel, conf: ConfData, q: Array) -> bool:
     """Whether a target with this confdata may be reached with arm joints q (6,) [rad].
 
@@ -295,7 +300,7 @@ def confdata_admits(robot: RobotModel, conf: ConfData, q: Array) -> bool:
             return False
     margins = branch_margins(robot.arm, q)
     if robot.arm.coupled:
-        return bool(np.cos(robot.arm.angles(q)[2]) >= -_QUADRANT_DOUBT)
+        return not folded(robot.arm, q)
     return all(
         abs(margin) <= _QUADRANT_DOUBT or bool(conf.cfx & bit) == (margin < 0)
         for bit, margin in zip((4, 2, 1), margins, strict=True)
