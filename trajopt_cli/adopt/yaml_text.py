@@ -60,6 +60,11 @@ def yaml_text(
         f"urdf: {name}.urdf",
         "",
         about.rstrip("\n"),
+        *(
+            ["# Of a parallel linkage cfx is the quadrant of axis 2, not looked at in targets."]
+            if chain.linkage
+            else []
+        ),
         "confdata:",
         f"  rule: {confdata}",
         f"  source: {quoted(source)}",
