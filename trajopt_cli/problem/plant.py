@@ -80,14 +80,20 @@ class Plant:
         return tuple(solid for solid in self.obstacles if solid.name in taken)
 
     @property
+    def angle_unchecked(self) -> tuple[str, ...]:
+        """A line where a parallel linkage comes without the range of the angle between lower and upper arm."""
+        arms = {*self.robot.axis_names[self.layout.arm][1:3]}
+        if not self.robot.linkage or arms in [{*one.axes} for one in self.limits.coupled]:
+            return ()
+        return (f"angle between the arms not checked: robot {self.robot.name} gives no range of it (coupled)",)
+
+    @property
     def unchecked(self) -> tuple[str, ...]:
         """What no judge can look at here and why, one line each: "obstacles not checked: ..."."""
         out = []
         if self.robot.confdata_rule == NO_CONFDATA:
             out.append(f"confdata not checked: robot {self.robot.name} has no rule for it")
-        arms = {*self.robot.axis_names[self.layout.arm][1:3]}
-        if self.robot.linkage and arms not in [{*one.axes} for one in self.limits.coupled]:
-            out.append(f"angle between the arms not checked: robot {self.robot.name} gives no range of it (coupled)")
+        out += self.angle_unchecked
         bodies = bool(self.robot.capsules or self.attached)
         if not self.obstacles:
             out.append("obstacles not checked: the cell file gives none")
