@@ -22,13 +22,14 @@ QUARTER = pose(rotation_about(Y, pi / 2), [0, 0, 0])
 @dataclass
 class Chain:
     """Joints as a URDF has them: origins (4, 4), unit axes (3,), ranges [rad]; flange (4, 4); rail: its joint's origin,
-    its axis, the arm's base on its carriage."""
+    its axis, the arm's base on its carriage. linked: a parallel linkage drives the upper arm."""
 
     origins: list[Array]
     axes: list[Array]
     flange: Array
     ranges: list[tuple[float, float]] = field(default_factory=lambda: [(-pi, pi)] * 6)
     rail: tuple[Array, Array, Array] | None = None
+    linked: bool = False
 
     def urdf(self) -> str:
         """The file's text."""
@@ -51,8 +52,22 @@ class Chain:
     def load(self, folder: Path, X_WR: Array | None = None, name: str = "arm") -> RobotModel:
         """The robot of this chain, its files written to a folder. What is no geometry is the IRB 140's."""
         (folder / f"{name}.urdf").write_text(self.urdf())
-        (folder / f"{name}.yaml").write_text(_robot_file("irb140" if self.rail is None else "irb140_rail", name))
+        text = _robot_file("irb140" if self.rail is None else "irb140_rail", name)
+        if self.linked:
+            alike = round(float(self.axes[1] @ self.origins[2][:3, :3] @ self.axes[2]))
+            text += f"coupled: [{{axis: joint_3, axes: [joint_2, joint_3], factors: [{alike}, 1], {MADE_UP}}}]\n"
+        (folder / f"{name}.yaml").write_text(text)
         return load_robot(str(folder / f"{name}.yaml"), X_WR)
+
+
+MADE_UP = "source: made up, grade: D"
+
+
+def urdf_joints(robot: RobotModel, q: Array) -> Array:
+    """The URDF's joints (..., k) of a robot's axes (..., k)."""
+    q = np.array(q)
+    q[..., -4] -= robot.linkage * q[..., -5]
+    return q
 
 
 def _robot_file(source: str, name: str) -> str:
@@ -194,6 +209,7 @@ RAILS = ("floor", "overhead", "vertical", "oblique")
 
 def pin_flange(robot: RobotModel, q: Array) -> Array:
     """Flange poses (n, 4, 4) of axes (n, k) by pin."""
+    q = urdf_joints(robot, q)
     import pinocchio as pin
 
     model = robot.pin_model
@@ -246,7 +262,9 @@ PARALLEL = {"ur5e": partial(universal_robot, *UR5E), "ur10e": partial(universal_
 
 
 def some_arm(name: str | int) -> Chain:
-    """Of KNOWN or PARALLEL by its name, "parallel 3", or of a spherical wrist by its seed."""
+    """Of KNOWN or PARALLEL by its name, "parallel 3", or of a spherical wrist by its seed, "linked 3" by a linkage."""
     if isinstance(name, int):
         return random_chain(name)
+    if name.startswith("linked"):
+        return replace(random_chain(int(name.split()[1])), linked=True)
     return (KNOWN | PARALLEL)[name]() if name in KNOWN | PARALLEL else random_parallel_chain(int(name.split()[1]))

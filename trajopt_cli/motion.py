@@ -120,7 +120,8 @@ class Tool:
 
 @dataclass(frozen=True)
 class ConfData:
-    """RAPID confdata: quadrants of axes 1, 4 and 6 and the branch number cfx (0..7)."""
+    """RAPID confdata: quadrants of axes 1, 4 and 6 and the branch number cfx (0..7), of an arm with a parallel linkage
+    the quadrant of axis 2."""
 
     cf1: int
     cf4: int

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from arms import on_rail, pin_flange, some_arm
 from link_poses import link_poses
 from small_cells import plant_with_rail, plant_without_rail, rapid
 
@@ -31,7 +32,9 @@ def unpacked(block: dict[str, Any]) -> Array:
 
 def frames(scene: dict[str, Any], q: Array) -> list[Array]:
     """Frames of the chain in the world, the flange last: what the script computes."""
-    X, values, out = np.reshape(scene["base"], (4, 4)), iter(q), []
+    less = [one.get("less", 0.0) for one in scene["chain"] if one["kind"] != "fixed"]
+    turned = q - np.array(less) * np.concatenate([[0.0], q[:-1]])
+    X, values, out = np.reshape(scene["base"], (4, 4)), iter(turned), []
     for joint in scene["chain"]:
         X = X @ np.reshape(joint["placement"], (4, 4))
         if joint["kind"] == "prismatic":
@@ -69,6 +72,16 @@ def test_chain_and_links_stand_where_pin_has_them(name: str) -> None:
         X_WT = links[robot.link_names[-1]][i] @ flange @ X_FT
         np.testing.assert_allclose(found[-1] @ np.reshape(scene["tool"], (4, 4)), X_WT, atol=1e-12)
         np.testing.assert_allclose(unpacked(scene["cycles"][0]["path"])[i], X_WT[:3, 3], atol=1e-6)
+
+
+@pytest.mark.parametrize("rail", [False, True])
+def test_a_parallel_linkage_is_drawn_by_the_urdfs_joints(tmp_path: Path, rail: bool) -> None:
+    chain = some_arm("linked 2")
+    robot = (on_rail(chain, "overhead") if rail else chain).load(tmp_path)
+    q = np.random.default_rng(5).uniform(-1.5, 1.5, (3, len(robot.axis_names)))
+    scene = robot_scene(robot, [], [Cycle("one", np.arange(3.0), q, ((0.0, X_FT),))])
+    np.testing.assert_allclose([frames(scene, row)[-1] for row in q], pin_flange(robot, q), atol=1e-12)
+    np.testing.assert_allclose(unpacked(scene["cycles"][0]["q"]), q, atol=1e-6)
 
 
 def test_the_path_changes_tools_when_the_program_does() -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pinocchio as pin
 import pytest
-from arms import KNOWN, PARALLEL, RAILS, on_rail, some_arm
+from arms import KNOWN, PARALLEL, RAILS, on_rail, some_arm, urdf_joints
 from matplotlib.path import Path as MplPath
 
 from trajopt_cli.cell.loader import load_cell
@@ -15,6 +15,7 @@ from trajopt_cli.geometry import Array, pose
 from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.problem.workspace import rail_ranges, reachable, sections
 from trajopt_cli.report.skeleton import skeleton
+from trajopt_cli.robot.inverse import branch_margins
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 DOWN = np.diag([-1.0, 1.0, -1.0])  # the flange looks down, x towards the base
@@ -85,7 +86,7 @@ def winding(outline: Array, points: Array) -> Array:
     return np.round(turn.sum(axis=1) / (2 * np.pi))
 
 
-@pytest.mark.parametrize("name", [*KNOWN, *range(8), *PARALLEL, "parallel 1", "parallel 2"])
+@pytest.mark.parametrize("name", [*KNOWN, *range(8), *PARALLEL, "parallel 1", "parallel 2", "linked 0", "linked 5"])
 def test_of_every_arm_the_wrist_centre_lies_inside_the_outlines_and_the_skeleton_on_its_axes(
     name: str | int, tmp_path: Path
 ) -> None:
@@ -99,10 +100,11 @@ def test_of_every_arm_the_wrist_centre_lies_inside_the_outlines_and_the_skeleton
     plant = Plant(robot, limits, robot.tcp, limits.lower, None, False, False, frozenset())
     outlines = [MplPath(outline) for outline in sections(plant)]
     q = rng.uniform(limits.lower, limits.upper, (150, 6))
+    q = q[branch_margins(robot.arm, q)[1] > 0] if robot.linkage else q
     model, inside = robot.pin_model, []
     data, X_WO = model.createData(), robot.X_WO0
     for row in q:
-        u = pin.computeJointJacobians(model, data, row)[3:].T
+        u = pin.computeJointJacobians(model, data, urdf_joints(robot, row))[3:].T
         p = np.array([data.oMi[i].translation for i in range(1, 7)])
         across = [np.eye(3) - np.outer(v, v) for v in u]
         first = 4 if abs(u[2] @ u[3]) > 0.5 else 3

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pinocchio as pin
 import pytest
-from arms import KNOWN, OFFSET_WRISTS, PARALLEL, RAILS, on_rail, pin_flange, random_pose, some_arm
+from arms import KNOWN, OFFSET_WRISTS, PARALLEL, RAILS, on_rail, pin_flange, random_pose, some_arm, urdf_joints
 from small_cells import MOUNTS, mounted, plant_with_rail
 
 from trajopt_cli.geometry import Array, pose, rotation_about
@@ -161,6 +161,7 @@ def test_rates_on_a_way_of_the_tool_lie_inside(mount: str) -> None:
 
 
 NAMED = [("irb1200", rail) for rail in RAILS] + [("puma560", rail) for rail in RAILS]
+NAMED += [("linked 3", "oblique"), ("linked 4", "floor"), ("linked 6", "vertical")]
 NAMED += [("ur10e", "floor"), ("ur5e", "overhead"), ("parallel 0", "vertical"), ("parallel 1", "oblique")]
 
 
@@ -204,7 +205,9 @@ def test_every_arm_on_every_rail_is_enclosed_in_all_its_turns(railed: RobotModel
                 whole = np.r_[rail, branches[cfx]]
                 if k % 5 or np.isnan(branches[cfx]).any() or singularity(railed, whole).min() < 1e-3:
                     continue
-                J = pin.computeFrameJacobian(model, data, whole, model.getFrameId("tool0"), pin.LOCAL_WORLD_ALIGNED)
+                turned = urdf_joints(railed, whole)
+                J = pin.computeFrameJacobian(model, data, turned, model.getFrameId("tool0"), pin.LOCAL_WORLD_ALIGNED)
+                J[:, 2] -= railed.linkage * J[:, 3]
                 R = pin.updateFramePlacement(model, data, model.getFrameId("tool0")).rotation
                 carried = np.hstack([np.eye(3), -skew(R @ p_FW)])  # velocity of the wrist centre of the flange's
                 if parallel:
@@ -219,7 +222,7 @@ def test_every_arm_on_every_rail_is_enclosed_in_all_its_turns(railed: RobotModel
     assert tight > 0.3 * checked
 
 
-@pytest.mark.parametrize("name", [*KNOWN, *range(6), "ur5e", "parallel 1"])
+@pytest.mark.parametrize("name", [*KNOWN, *range(6), "linked 1", "linked 4", "ur5e", "parallel 1"])
 def test_without_a_rail_an_enclosure_is_the_posture(name: str | int, tmp_path: Path) -> None:
     """All of an interval is one place: joints and rates are those of the branches, by inverse and Jacobian."""
     chain = some_arm(name)

@@ -17,6 +17,7 @@ CARRIAGE, BASE = "rail_base", "base_link"
 _FLANGES = (FLANGE, "flange")
 _DUST = 1e-12  # m or a matrix entry: what products of rotations leave where there is nothing
 _FARTHEST = 50.0  # rad: eight turns; beyond, somebody wrote degrees
+_ALIKE = 1e-6  # of multipliers and directions
 _WHOLE_TURN = 2 * pi  # a continuous axis goes as far to either side: the format gives it no range
 
 
@@ -36,7 +37,8 @@ class NormalChain:
     """A chain as robot files have it. joints: from the root to tool0; axes called rail, joint_1..joint_6, a fixed joint
     before joint_1 where the base stands off the root or the rail, one behind joint_6. named: the URDF's name of each
     axis. bodies: from the root on, joint i between body i and i + 1. notes: what was taken otherwise than it stands
-    there, and what was left out.
+    there, and what was left out. levers: joints beside the chain that tell a parallel linkage; linkage: then 1 or -1,
+    joint_3 is the controller's axis 3 - linkage * axis 2.
     """
 
     tree: Tree
@@ -46,6 +48,8 @@ class NormalChain:
     named: dict[str, str]
     bodies: tuple[Body, ...]
     notes: tuple[str, ...]
+    levers: tuple[str, ...] = ()
+    linkage: float = 0.0
 
     @property
     def axes(self) -> list[UrdfJoint]:
@@ -86,7 +90,57 @@ def normal_chain(tree: Tree, tip: str | None = None, base: str | None = None) ->
     if left:
         notes.append(f"left out, not between '{base or tree.root}' and '{chosen}': {', '.join(left)}")
     named = dict(zip(names, (joint.name for joint in moving), strict=True))
-    return NormalChain(tree, base or tree.root, chosen, joints, named, bodies, tuple(notes))
+    levers, beside = _levers(tree, turning)
+    linkage = float(np.sign(_direction(tree, turning[1]) @ _direction(tree, turning[2]))) if levers else 0.0
+    if levers:
+        notes += [
+            f"{', '.join(levers)}: <mimic> of '{turning[1].name}' or '{turning[2].name}', as of levers in a parallel"
+            f" linkage; joint_3 is the controller's axis 3, the upper arm's angle against the base, with range and"
+            f" speed of '{turning[2].name}': see coupled in the YAML file",
+            "levers are not drawn and touch nothing; no URDF has the range of the angle between the arms: give it under"
+            " coupled",
+        ]
+    notes += beside
+    return NormalChain(tree, base or tree.root, chosen, joints, named, bodies, tuple(notes), levers, linkage)
+
+
+def _levers(tree: Tree, turning: list[TreeJoint]) -> tuple[tuple[str, ...], list[str]]:
+    """The joints beside the chain that turn as joint 2 or 3 does (<mimic>), about their direction: the levers of a
+    parallel linkage; and what is to be said of others that follow the chain. turning: its six turning joints. Raises
+    InputError for a lever that turns faster or slower than the joint: no parallelogram has one."""
+    by_name = {joint.name: joint for joint in tree.joints}
+    levers, notes = [], []
+    for joint in tree.joints:
+        followed, factor, left = joint, 1.0, len(by_name)
+        while followed.mimic and (left := left - 1) >= 0:
+            factor, followed = factor * followed.multiplier, by_name.get(followed.mimic, turning[0])
+        if not joint.mimic or joint.kind not in (TURNING, "continuous") or followed not in turning[1:]:
+            continue
+        alike = abs(float(_direction(tree, joint) @ _direction(tree, turning[1]))) > 1 - _ALIKE
+        if followed not in turning[1:3] or not alike:
+            notes.append(
+                f"joint '{joint.name}' follows '{followed.name}' (<mimic>) and is left out: only axes 2 and 3 can be"
+                " coupled, by levers that turn about their direction"
+            )
+        elif abs(abs(factor) - 1) > _ALIKE:
+            message = (
+                f"joint '{joint.name}' follows '{followed.name}' {factor:g} times as fast (<mimic>), and the levers"
+            )
+            message += (
+                " of a parallelogram turn as fast: take its <mimic> out, and say in the robot's file under coupled"
+            )
+            raise InputError(f"{message} whether axes 2 and 3 are", file=str(tree.path))
+        else:
+            levers.append(joint.name)
+    return tuple(levers), notes
+
+
+def _direction(tree: Tree, joint: TreeJoint) -> Array:
+    """A joint's axis (3,) seen from the root with all joints at 0."""
+    axis = joint.X[:3, :3] @ joint.axis
+    for before in _up(tree, joint.parent, None):
+        axis = before.X[:3, :3] @ axis
+    return np.asarray(axis)
 
 
 def _flange(tree: Tree) -> str:
@@ -117,8 +171,11 @@ def _check(joint: TreeJoint, file: str) -> None:
     if joint.kind in ("floating", "planar"):
         raise InputError(f"{where} is {joint.kind}: an axis turns or slides; --base names a link behind it", file=file)
     if joint.mimic:
-        message = f"{where} follows joint '{joint.mimic}' (<mimic>): an axis of the chain has to move by itself"
-        raise InputError(message, file=file)
+        message = f"{where} follows joint '{joint.mimic}' (<mimic>): an axis of the chain has to move by itself; of a"
+        message += (
+            " parallel linkage take the <mimic> out, give joint 3 range and speed of axis 3, make fixed what only"
+        )
+        raise InputError(f"{message} turns back, and say it in the robot's file under coupled", file=file)
     if joint.velocity is None:
         what = '<limit lower="..." upper="..." velocity="..." effort="0"/>'
         wanted = "velocity of <limit>" if joint.lower is not None else what

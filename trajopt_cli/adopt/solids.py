@@ -101,10 +101,10 @@ def _points(shape: CollisionShape, urdf: Path) -> Array:
 
 
 def self_pairs(
-    joints: Sequence[UrdfJoint], capsules: Mapping[str, Capsule], postures: int = POSTURES
+    joints: Sequence[UrdfJoint], capsules: Mapping[str, Capsule], postures: int = POSTURES, linkage: float = 0.0
 ) -> tuple[tuple[str, str], ...]:
     """Pairs of links worth holding against each other, the one nearer the base first; "attached" stands for what the
-    flange carries. joints: the arm's six and the flange's.
+    flange carries. joints: the arm's six and the flange's. linkage: joint 3 is axis 3 - linkage * axis 2.
 
     Left out are neighbours, pairs that touch in none of so many postures within the ranges, and pairs whose capsules
     overlap in more than a tenth of them: those are larger than the links. The same postures every time.
@@ -112,7 +112,9 @@ def self_pairs(
     from trajopt_cli.collision.pair import Pair
 
     names = [joints[0].parent, *(joint.child for joint in joints[:6])]
-    poses = link_poses(joints, sampled(joints, postures))
+    q = sampled(joints, postures)
+    q[:, 2] -= linkage * q[:, 1]
+    poses = link_poses(joints, q)
     pairs: list[tuple[str, str]] = []
     known = [i for i, name in enumerate(names) if name in capsules]
     for i in known:

@@ -56,7 +56,7 @@ class Link:
 @dataclass(frozen=True, eq=False)
 class TreeJoint:
     """A joint: X its frame in the parent link (4, 4), axis (3,) a unit vector; range [rad or m] and speed [1/s] None
-    where the URDF gives none, effort 0. mimic: the joint it follows, "" for none."""
+    where the URDF gives none, effort 0. mimic: the joint it follows, "" for none; multiplier: how fast."""
 
     name: str
     kind: str
@@ -69,6 +69,7 @@ class TreeJoint:
     velocity: float | None
     effort: float
     mimic: str
+    multiplier: float = 1.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -284,7 +285,9 @@ class _Reader:
             self.notes.append(f"{where}: the range is that of <limit>; <safety_controller> is not looked at")
         mimic = element.find("mimic")
         follows = "" if mimic is None else mimic.get("joint", "?")
-        return TreeJoint(name, kind, ends[0], ends[1], X, axis, lower, upper, velocity, effort or 0.0, follows)
+        factor = self.value(mimic, "multiplier", f"{where}: <mimic> multiplier")
+        ends_and_range = ends[0], ends[1], X, axis, lower, upper, velocity, effort or 0.0
+        return TreeJoint(name, kind, *ends_and_range, follows, 1.0 if factor is None else factor)
 
 
 def _count(count: int) -> str:

@@ -60,6 +60,11 @@ def yaml_text(
         f"urdf: {name}.urdf",
         "",
         about.rstrip("\n"),
+        *(
+            ["# Of a parallel linkage cfx is the quadrant of axis 2, not looked at in targets."]
+            if chain.linkage
+            else []
+        ),
         "confdata:",
         f"  rule: {confdata}",
         f"  source: {quoted(source)}",
@@ -77,6 +82,7 @@ def yaml_text(
         "axes:",
         *_axes(chain.axes, of),
         "",
+        *(_coupled(chain) if chain.linkage else ()),
         "# Accelerations and jerks: makers publish none. A rule of thumb stands here: full speed in 0.2 s, full",
         "# acceleration in 0.1 s. Better ones come from a controller's log ('trajopt identify').",
         "profiles:",
@@ -125,6 +131,21 @@ def _axes(axes: Sequence[UrdfJoint], of: str) -> Iterator[str]:
             yield f"    velocity: &speed {source}"
         else:
             yield f"  {joint.name}: {{position: *range, velocity: *speed}}"
+
+
+def _coupled(chain: NormalChain) -> Iterator[str]:
+    sign, levers = "-" if chain.linkage > 0 else "+", ", ".join(chain.levers)
+    yield "# A parallel linkage drives the upper arm: joint_3 of programs, logs, limits and motions is the controller's"
+    yield f"# axis 3, its angle against the base; the URDF's joint_3 is joint_3 {sign} joint_2. Take the entry out"
+    yield "# where the controller's axes are the URDF's joints. The range of the angle between the arms is another, as"
+    yield f"# {{axes: [joint_2, joint_3], factors: [{-chain.linkage:g}, 1], lower: -1.2, upper: 1.2, source: ...}}."
+    yield "coupled:"
+    yield "  - axis: joint_3"
+    yield "    axes: [joint_2, joint_3]"
+    yield f"    factors: [{chain.linkage:g}, 1]"
+    yield f"    source: {quoted(f'<mimic> of {levers} in {chain.tree.path.name}')}"
+    yield "    grade: C"
+    yield ""
 
 
 def _profile(axes: Sequence[UrdfJoint]) -> Iterator[str]:

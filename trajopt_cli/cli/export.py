@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -88,7 +89,7 @@ def ros2(
 
     check_output(output, results)
     motion = recorded(results)
-    trajectory, note = motion.at(rate, rests=False)
+    trajectory, note = _of_the_urdf(results, motion, rate)
     text = trajectory_parts(trajectory, _split(joints))
     _write(output, map(str.encode, text), motion, trajectory, rate, note, as_json, quiet)
 
@@ -114,7 +115,7 @@ def mcap(
 
     check_output(output, results)
     motion = recorded(results)
-    trajectory, note = motion.at(rate, rests=False)
+    trajectory, note = _of_the_urdf(results, motion, rate)
     _write(output, mcap_of(trajectory, _split(joints)), motion, trajectory, rate, note, as_json, quiet)
 
 
@@ -315,6 +316,22 @@ def egm_stream(results: Path, rate: float = 250.0) -> tuple[Recorded, Stream]:
         return motion, stream_of(motion, rate, None if rail is None else rail.eax)
     except InputError as error:
         raise InputError(error.message, file=str(results), kind=error.kind) from error
+
+
+def _of_the_urdf(results: Path, motion: Recorded, rate: float) -> tuple[Trajectory, str]:
+    """The motion at a rate as ROS has it, of the URDF's joints, which a parallel linkage makes others than the
+    controller's axes; and what to say of it."""
+    from trajopt_cli.job import cell_of_results
+    from trajopt_cli.robot.model import load_robot
+
+    trajectory, note = motion.at(rate, rests=False)
+    robot = load_robot(cell_of_results(results).robot) if motion.period is None else None
+    if robot is None or not robot.linkage or trajectory.qd is None:
+        return trajectory, note
+    _, lower, upper, *_ = robot.axis_names[robot.layout.arm]
+    said = f"{upper} is the URDF's, axis 3 {'-' if robot.linkage > 0 else '+'} {lower}"
+    q, qd = robot.chain_axes(trajectory.q), robot.chain_axes(trajectory.qd)
+    return replace(trajectory, q=q, qd=qd), "; ".join(part for part in (note, said) if part)
 
 
 def _split(names: str | None) -> list[str] | None:

@@ -168,7 +168,7 @@ def _pointing_down(robot: RobotModel, turn: float, ride: float | None) -> tuple[
 def _joints(robot: RobotModel, canonical: tuple[float, ...]) -> tuple[float, ...]:
     """Joints [deg] of canonical angles [deg], each in the turn that its range holds."""
     limits = robot.profile()
-    q = robot.arm.signs * (np.array(canonical) - np.degrees(robot.arm.offsets))
+    q = np.degrees(robot.arm.joints(np.radians(canonical)))
     lower, upper = (np.degrees(end[-6:]) for end in (limits.lower, limits.upper))
     turns = np.where(q < lower, np.ceil((lower - q) / 360), -np.ceil(np.maximum(q - upper, 0) / 360))
     return tuple(_plain(value) for value in np.round(q + 360 * turns, 6).tolist())

@@ -208,6 +208,7 @@ def _configurations(found: Sequence[ConfigurationFinding] | None, plant: Plant |
         return
     from trajopt_cli.robot.structure import NO_CONFDATA
 
+    yield from plant.angle_unchecked
     unruled = plant.robot.confdata_rule == NO_CONFDATA
     blind = f" (confdata is not looked at: robot {plant.robot.name} has no rule for it)" if unruled else ""
     if not found:

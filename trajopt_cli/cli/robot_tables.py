@@ -30,6 +30,7 @@ def robot_record(robot: RobotModel | SrsRobot) -> dict[str, Any]:
         joints = ("torque_nm", robot.torque), ("damping_nm_s_rad", robot.damping), ("friction_nm", robot.friction)
         return record | {name: [float(value) for value in values] for name, values in joints}
     record["coupled"] = [asdict(one) for one in robot.profile("default").coupled]
+    record["linkage"] = robot.linkage
     return record | {"tcp": {"speed_m_s": robot.tcp.speed, "acceleration_m_s2": robot.tcp.acceleration}}
 
 
@@ -63,6 +64,11 @@ def robot_tables(robot: RobotModel | SrsRobot) -> Iterator[Table | str]:
     yield _ranges(robot.profile("default"), notes)
     if robot.profile("default").coupled:
         yield _coupled(robot.profile("default"), notes)
+    if isinstance(robot, RobotModel) and robot.linkage:
+        _, lower, upper, *_ = robot.axis_names[robot.layout.arm]
+        mark, sign = notes.mark(robot.notes[f"{upper}.linkage"]), "-" if robot.linkage > 0 else "+"
+        yield f"parallel linkage {mark}: {upper} is the controller's axis 3, the upper arm's angle against the base, in"
+        yield f"programs, logs and joint CSV; the URDF's {upper} is {upper} {sign} {lower}\n"
     yield _by_profile("acceleration", "²", robot.profiles, notes)
     with_jerk = {name: limits for name, limits in robot.profiles.items() if limits.jerk is not None}
     if with_jerk:

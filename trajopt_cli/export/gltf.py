@@ -88,7 +88,7 @@ def gltf(trajectory: Trajectory, plant: Plant, title: str) -> bytes:
         channels.append({"sampler": len(samplers), "target": {"node": node, "path": path}})
         samplers.append({"input": times, "output": file.numbers(values, kind)})
 
-    arm = trajectory.q[:, robot.layout.arm]
+    arm = robot.chain_axes(trajectory.q)[:, robot.layout.arm]
     bases = robot.base(trajectory.q[:, 0])
     at = file.node(robot.link_names[0], world, bases[0])
     places = {robot.link_names[0]: at}

@@ -304,7 +304,10 @@ def station_table(
     if alone is not None:
         d, arm = axes.layout.place(alone[None]), alone[axes.layout.arm]
         return StationTable(first, d, (Label(-1, np.zeros_like(arm)),), (arm[None, None],), (), limits, couplings)
-    labels = [Label(cfx, turns) for cfx, turns in product(range(len(stops[0])), axes.robot.turns)]
+    branches = np.arange(len(stops[0]))
+    if axes.robot.linkage and all(stop.q is None for stop in problem.waypoints[first : last + 1]):
+        branches = branches[branches & 2 == 0]  # where no joints are given, it stays unfolded
+    labels = [Label(cfx, turns) for cfx, turns in product(branches.tolist(), axes.robot.turns)]
     kept = np.arange(len(labels))
     tables: list[Array] = []
     for i, raw in enumerate(stops):  # a label that is not to be had at some waypoint is none
@@ -506,7 +509,8 @@ def _why(axes: Axes, problem: Problem, X_WF: Array, rail: float) -> str:
 def _other_configurations(axes: Axes, problem: Problem, stop: Waypoint, rail: float) -> str:
     """The pose is in reach, but not with the confdata asked for; those that are to be had, the nearest to it first."""
     found = axes.robot.solutions(stop.X_WF, rail, problem.plant.limits)
-    confs = {astuple(axes.robot.confdata(q)) for _, q in found}
+    of = [(axes.robot.confdata(q), q) for _, q in found]
+    confs = {astuple(conf) for conf, q in of if axes.robot.admits(conf, q)}
     if not confs:
         return "too near a singularity"
     asked = None if stop.conf is None else astuple(stop.conf)

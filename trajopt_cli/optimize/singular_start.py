@@ -80,7 +80,7 @@ class SingularStart:
         out = self._near(axes.inverse(self._pose(axes), np.array([self.rail]))[0])
         if self.leg is None:
             out[:] = np.nan
-            out[axes.robot.confdata(self.arm).cfx] = self.arm
+            out[axes.robot.branch_of(self.arm)] = self.arm
         return np.repeat(out[:, None], len(d), axis=1)
 
     def _left(self, axes: Axes, d: Array) -> Array:

@@ -114,6 +114,8 @@ class _Scene:
         self.wanted = np.array([pair.wanted for pair in pairs])
         rides = [float(pair.frame == WORLD) for pair in pairs]  # the rail takes one along and not the other
         own = np.array([pair.levers for pair in pairs]).reshape(-1, 6)
+        if robot.linkage:  # axis 2 shifts the upper arm against the base and turns it against the lower arm
+            own[:, 1] = np.maximum(own[:, 1], own[:, 2])
         self.levers = np.column_stack([rides, own]) if robot.has_rail else own
         self.near = NearPairs([pair.shapes for pair in pairs])
 
@@ -318,7 +320,7 @@ def _at(rows: Array, s: Array) -> Array:
 
 def links(robot: RobotModel, q: Array) -> Array:
     """Poses X_WL (m, 8, 4, 4) of the base, the six links and the flange at axes q (m, n)."""
-    m, arm = len(q), q[:, robot.layout.arm]
+    m, arm = len(q), robot.chain_axes(q)[:, robot.layout.arm]
     X = np.zeros((m, _FLANGE + 1, 4, 4))
     X[..., 3, 3] = 1.0
     X[:, 0] = robot.base(robot.layout.place(q))
@@ -396,6 +398,7 @@ def _gradients(
         axis = X[:, :3, :3] @ robot.chain[j].axis
         rate = np.einsum("ki,ki->k", np.cross(axis, on_body - X[:, :3, 3]), normal)
         arm[:, j] = np.where((since <= j) & (j < frame), rate, 0.0)
+    arm[:, 1] -= robot.linkage * arm[:, 2]
     if robot.rail_axis_W is not None:
         out[:, layout.rail] = np.where(since == WORLD, normal @ robot.rail_axis_W, 0.0)[:, None]
     return out

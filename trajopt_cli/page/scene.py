@@ -227,6 +227,8 @@ def _chain(robot: RobotModel | SrsRobot) -> tuple[list[dict[str, Any]], dict[str
                 "axis": np.asarray(joint.axis).tolist(),
             }
         )
+        if isinstance(robot, RobotModel) and robot.linkage and joint is robot.chain[2]:
+            chain[-1]["less"] = robot.linkage  # times the axis before it
         frames[joint.child] = len(chain) - 1
     return chain, frames
 

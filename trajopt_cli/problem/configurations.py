@@ -37,10 +37,12 @@ from trajopt_cli.robot.inverse import (
     branch_margins,
     confdata,
     confdata_admits,
+    folded,
     inverse,
     representatives,
     why_unreachable,
 )
+from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.turns import ON_LIMIT
 
 _DOUBT = 1e-6  # rad or m, as in confdata_admits: where rounding decides, the neighbour is right too
@@ -187,7 +189,7 @@ def _reached(points: Sequence[_Point], plant: Plant) -> _Poses:
         joints[part] = _as_programmed(plant, q, turned, inside, conf)
         for k in np.flatnonzero(np.isnan(joints[part, 0]) & reachable[part]).tolist():
             if some[k].demanded:
-                others[start + k] = _alternatives(turned[k], inside[k])
+                others[start + k] = _alternatives(plant.robot, q[k], turned[k], inside[k])
     return _Poses(reachable, joints, others)
 
 
@@ -221,7 +223,9 @@ def _as_programmed(plant: Plant, q: Array, turned: Array, inside: BoolArray, con
             admitted[:, :, joint] &= (angle >= low - _DOUBT) & (angle < low + np.pi / 2 + _DOUBT)
         margins = branch_margins(plant.robot.arm, q)
         ok: BoolArray = np.asarray(admitted.any(axis=-1).all(axis=-1))
-        for bit, margin in zip((4, 2, 1), margins, strict=True):
+        if plant.robot.linkage:
+            ok = ok & ~folded(plant.robot.arm, q)
+        for bit, margin in zip(() if plant.robot.linkage else (4, 2, 1), margins, strict=False):
             named = (conf[:, 3, None] & bit) > 0
             ok = np.asarray(ok & ((np.abs(margin) <= _DOUBT) | (named == (margin < 0))))
     # where two branches meet, the one that is named
@@ -233,15 +237,17 @@ def _as_programmed(plant: Plant, q: Array, turned: Array, inside: BoolArray, con
     return np.where(np.any(ok, axis=1)[:, None], joints, np.nan)
 
 
-def _alternatives(turned: Array, inside: BoolArray) -> tuple[ConfData, ...]:
-    """Every confdata to be had at a pose, from its turned branches (8, 6, K), the least turned first."""
-    found = []
-    for branch in np.flatnonzero(inside.any(axis=-1).all(axis=-1)).tolist():
+def _alternatives(robot: RobotModel, q: Array, turned: Array, inside: BoolArray) -> tuple[ConfData, ...]:
+    """Every confdata to be had at a pose, from its branches (8, 6), also turned (8, 6, K), the least turned first."""
+    found, ok = [], inside.any(axis=-1).all(axis=-1)
+    if robot.linkage:
+        ok &= ~folded(robot.arm, q)
+    for branch in np.flatnonzero(ok).tolist():
         quadrants = [
             {floor((angle + ON_LIMIT) / (pi / 2)) for angle in turned[branch, joint][inside[branch, joint]].tolist()}
-            for joint in (0, 3, 5)
+            for joint in (0, 3, 5, *([1] if robot.linkage else []))
         ]
-        found += [(*conf, branch) for conf in product(*quadrants)]
+        found += [(*conf, branch)[:4] for conf in product(*quadrants)]
     found.sort(key=lambda conf: (sum(map(abs, conf[:3])), conf))
     return tuple(ConfData(*conf) for conf in found)
 
@@ -366,7 +372,7 @@ def _misled(point: _Point, plant: Plant, joints: Array, along: Followed) -> Conf
         for axis, value in zip(names, joints - along.end, strict=True)
         if abs(value) > _FAR
     )
-    other = leads.cfx ^ point.motion.conf.cfx
+    other = 0 if plant.robot.linkage else leads.cfx ^ point.motion.conf.cfx  # of a linkage it names no branch
     parts = [part for bit, part in ((4, "shoulder"), (2, "elbow"), (1, "wrist")) if other & bit]
     flip = f"the {' and '.join(parts)} would have to flip" if parts else "the wrist would have to wind"
     text = (

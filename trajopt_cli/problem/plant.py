@@ -80,11 +80,20 @@ class Plant:
         return tuple(solid for solid in self.obstacles if solid.name in taken)
 
     @property
+    def angle_unchecked(self) -> tuple[str, ...]:
+        """A line where a parallel linkage comes without the range of the angle between lower and upper arm."""
+        arms = {*self.robot.axis_names[self.layout.arm][1:3]}
+        if not self.robot.linkage or arms in [{*one.axes} for one in self.limits.coupled]:
+            return ()
+        return (f"angle between the arms not checked: robot {self.robot.name} gives no range of it (coupled)",)
+
+    @property
     def unchecked(self) -> tuple[str, ...]:
         """What no judge can look at here and why, one line each: "obstacles not checked: ..."."""
         out = []
         if self.robot.confdata_rule == NO_CONFDATA:
             out.append(f"confdata not checked: robot {self.robot.name} has no rule for it")
+        out += self.angle_unchecked
         bodies = bool(self.robot.capsules or self.attached)
         if not self.obstacles:
             out.append("obstacles not checked: the cell file gives none")
@@ -124,6 +133,9 @@ def build_plant(cell: Cell) -> Plant:
             "profile", f"robot {robot.name} has no '{cell.profile}'; {hint(cell.profile, [*robot.profiles])}"
         )
     limits = cell.apply_limits(robot.profile(cell.profile), robot.axis_names)
+    if cell.torque_limits and robot.linkage:
+        text = f"robot {robot.name} has a parallel linkage, whose levers' masses are not known"
+        raise cell.error("torque_limits", f"{text}; leave torque_limits out")
     if cell.torque_limits and (lacks := robot.lacks_for_torques(limits.torque)):
         raise cell.error(
             "torque_limits",

@@ -54,29 +54,32 @@ def rail_ranges(plant: Plant, X_WF: Array, phi_min: float = 0.0, branch: int | N
     return np.asarray(ends.reshape(-1, 2))
 
 
-def sections(plant: Plant, count: int = 361) -> tuple[Array, Array]:
+def sections(plant: Plant, count: int = 361) -> tuple[Array, ...]:
     """Outlines (n, 2) [m] of what the wrist centre reaches in the arm's own plane, elbow bent the one or the other way.
 
     Columns: ahead of axis 1 and up, in the arm's canonical base. Joints 2 and 3 stay in range. Together they are the
     thesis' figure 5.1; each is joint 2 at its least, the elbow as stretched as it may be, joint 2 at its greatest, the
-    elbow as folded as it may be.
+    elbow as folded as it may be. A parallel linkage leaves the elbow one way, so there is one outline.
     """
     arm, joints = plant.robot.arm, plant.layout.arm
-    ends = [arm.angles(q[joints]) for q in (plant.limits.lower, plant.limits.upper)]
+    ends = [arm.signs * q[joints] + arm.offsets for q in (plant.limits.lower, plant.limits.upper)]
     low, high = np.minimum(*ends), np.maximum(*ends)
     t2, turns = np.linspace(low[1], high[1], count), 2 * np.pi * np.arange(-3, 4)
     stretched = -np.pi / 2
+    back = (t2 - arm.offsets[1])[:, None] * arm.coupled  # a parallel linkage turns the elbow as joint 2 turns
 
     def outline(folded: float) -> Array:
         least, most = min(folded, stretched), max(folded, stretched)
-        a, b = np.maximum(low[2] + arm.bend + turns, least), np.minimum(high[2] + arm.bend + turns, most)
+        a, b = np.maximum(low[2] - back + arm.bend + turns, least), np.minimum(high[2] - back + arm.bend + turns, most)
         held = b > a
-        least, most = (a[held].min(), b[held].max()) if held.any() else (stretched, stretched)
-        first, last = (most, least) if folded > stretched else (least, most)
-        e = np.linspace(first, last, count)
+        none = ~held.any(axis=1)
+        least_held = np.where(none, stretched, np.where(held, a, np.inf).min(axis=1))
+        most_held = np.where(none, stretched, np.where(held, b, -np.inf).max(axis=1))
+        first, last = (most_held, least_held) if folded > stretched else (least_held, most_held)
         a = np.concatenate([np.full(count, low[1]), t2, np.full(count, high[1]), t2[::-1]])
-        b = np.concatenate([e, np.full(count, last), e[::-1], np.full(count, first)])
+        sides = np.linspace(first[0], last[0], count), np.linspace(last[-1], first[-1], count)
+        b = np.concatenate([sides[0], last, sides[1], first[::-1]])
         x = arm.a1 + arm.c2 * np.sin(a) + arm.upper * np.cos(a + b)
         return np.column_stack([x, arm.c1 + arm.c2 * np.cos(a) - arm.upper * np.sin(a + b)])
 
-    return outline(np.pi / 2), outline(-1.5 * np.pi)
+    return tuple(outline(folded) for folded in ((np.pi / 2,) if arm.coupled else (np.pi / 2, -1.5 * np.pi)))

@@ -278,7 +278,8 @@ def workspace(course: Course) -> Figure:
     what = "axis 4" if isinstance(course.plant.robot.arm, ParallelArm) else "the wrist centre"
     figure = new_figure(8.6, f"Workspace of {what} in the arm's own plane", course.below)
     axes = figure.subplots()
-    elbows = zip(sections(course.plant), (GREY, GREEN), ("-", (0, (5, 2))), strict=True)
+    outlines = sections(course.plant)
+    elbows = zip(outlines, (GREY, GREEN), ("-", (0, (5, 2))), strict=False)
     for outline, color, line in elbows:
         axes.fill(*outline.T / MM, color=color, alpha=0.08, linewidth=0)
         axes.plot(*outline.T / MM, color=color, linestyle=line, linewidth=1.6)
@@ -299,7 +300,7 @@ def workspace(course: Course) -> Figure:
     axes.set_ylabel("above the base [mm]")
     handles = [
         Line2D([], [], color=GREY, label="reach, elbow up"),
-        Line2D([], [], color=GREEN, linestyle=(0, (5, 2)), label="reach, elbow turned over"),
+        *[Line2D([], [], color=GREEN, linestyle=(0, (5, 2)), label="reach, elbow turned over")] * (len(outlines) > 1),
         Line2D([], [], color=BLUE, linewidth=2.2, label="this plan"),
         Line2D([], [], color="#b0b0b0", linewidth=5, label="arm at the start"),
     ]
@@ -311,5 +312,5 @@ def workspace(course: Course) -> Figure:
     axes.set_xlim(low, high + 0.17 * (high - low))
     settle(figure)
     kept, names = by_place(ends, [leg.name for leg in course.moves], 2 * SAME)
-    name_places(axes, kept / MM, names, np.vstack([_dense(wrist), *sections(course.plant)]) / MM)
+    name_places(axes, kept / MM, names, np.vstack([_dense(wrist), *outlines]) / MM)
     return figure

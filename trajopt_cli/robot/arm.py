@@ -29,6 +29,8 @@ class Arm:
     joints within half a turn of them. X_BO, X_KF (4, 4): the canonical base in the base link, the flange (tool0) in the
     canonical one. For ABB's axis directions signs are 1, offsets 0 and both poses the identity. wrist (3,): from where
     axes 4 and 5 meet to axis 6, in the link before it (x along axis 6, y along axis 5); zero for a spherical wrist.
+    coupled: a parallel linkage drives the upper arm, so joint 3 is its angle against the base: t2 + t3 stays as joint 2
+    turns.
     """
 
     a1: float
@@ -44,6 +46,7 @@ class Arm:
     X_BO: Array
     X_KF: Array
     wrist: Array = field(default_factory=lambda: np.zeros(3))
+    coupled: bool = False
 
     def __post_init__(self) -> None:
         for name in ("signs", "offsets", "middles", "X_BO", "X_KF", "wrist"):
@@ -76,7 +79,7 @@ class Arm:
     @cached_property
     def canonical_joints(self) -> bool:
         """Whether the joints are the canonical angles."""
-        return bool(np.all(self.signs == 1) and not np.any(self.offsets))
+        return bool(np.all(self.signs == 1) and not np.any(self.offsets) and not self.coupled)
 
     @cached_property
     def canonical_flange(self) -> bool:
@@ -92,11 +95,24 @@ class Arm:
     def converted(self) -> tuple[int, ...]:
         """The joints that are not what the closed form gives as they stand."""
         own = (self.signs == 1) & (self.offsets == 0) & (self.middles == self.natural_middles)
+        own[2] &= not self.coupled
         return tuple(np.flatnonzero(~own).tolist())
 
     def angles(self, q: Array) -> Array:
         """Canonical angles (..., 6) of joints (..., 6)."""
-        return q if self.canonical_joints else self.signs * q + self.offsets
+        if self.canonical_joints:
+            return q
+        t = self.signs * q + self.offsets
+        if self.coupled:
+            t[..., 2] -= self.signs[1] * q[..., 1]
+        return np.asarray(t)
+
+    def joints(self, t: Array) -> Array:
+        """Joints (..., 6) of canonical angles (..., 6)."""
+        q = self.signs * (t - self.offsets)
+        if self.coupled:
+            q[..., 2] += self.signs[1] * self.signs[2] * q[..., 1]
+        return np.asarray(q)
 
 
 def _sines(arm: Arm, q: Array) -> tuple[list[Array], list[Array]]:
@@ -127,7 +143,7 @@ def reach_section(arm: Arm, q: Array) -> tuple[Array, Array]:
 def elbow_angle(arm: Arm, q: Array) -> Array:
     """Angle (...) of the elbow of joints (..., 6): the wrist centre's line from axis 3 is square to the lower arm at 0,
     stretched at -90 and folded at 90 degrees, and behind the lower arm where its cosine is negative."""
-    t3: Array = q[..., 2] if arm.canonical_joints else arm.signs[2] * q[..., 2] + arm.offsets[2]
+    t3: Array = arm.angles(q)[..., 2]
     return t3 + arm.bend if arm.bend else t3
 
 

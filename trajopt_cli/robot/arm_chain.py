@@ -46,17 +46,18 @@ class _Lines:
         return cls([joint.name for joint in chain], np.array(u), _clean(np.array(steps)), R)
 
 
-def arm_from_chain(chain: Sequence[UrdfJoint], file: str) -> Arm:
-    """The arm of six revolute joints and the fixed flange joint, in that order, whatever their frames.
+def arm_from_chain(chain: Sequence[UrdfJoint], file: str, coupled: bool = False) -> Arm:
+    """The arm of six revolute joints and the fixed flange joint, in that order, whatever their frames. coupled: see
+    Arm; the range of joint 3 in the chain is then that of the coupled one.
 
     Raises InputError where the axes are not those of an arm whose axes 2 and 3 are parallel and at right angles to axis
     1, and whose axes 4 and 5 meet; of one whose axis 4 is parallel to them too axes 5 and 6.
     """
-    return _arm(tuple(chain), file)
+    return _arm(tuple(chain), file, coupled)
 
 
 @lru_cache(32)  # by the joints themselves: a URDF that has not changed gives the same ones again
-def _arm(chain: tuple[UrdfJoint, ...], file: str) -> Arm:
+def _arm(chain: tuple[UrdfJoint, ...], file: str, coupled: bool) -> Arm:
     lines = _Lines.of(chain)
     parallel = _check_directions(lines, file)
     arm = _parallel(lines, file) if parallel else _with_a_wrist(lines, file)
@@ -64,7 +65,7 @@ def _arm(chain: tuple[UrdfJoint, ...], file: str) -> Arm:
     for what, length in (("axes 2 and 3 are", arm.c2), (beyond, arm.upper)):
         if length < _SHORTEST:
             raise InputError(f"{what} {length * 1e3:.6g} mm apart, at least {_SHORTEST * 1e3:g}: {_NEED}", file=file)
-    return _with_middles(arm, chain)
+    return _with_middles(replace(arm, coupled=coupled), chain)
 
 
 def _with_a_wrist(lines: _Lines, file: str) -> Arm:
@@ -111,6 +112,7 @@ def _with_a_wrist(lines: _Lines, file: str) -> Arm:
         signs=signs,
         offsets=_right_angles(np.array(offsets)),
         middles=np.zeros(6),
+        coupled=False,
         X_BO=_clean(X_BO),
         X_KF=_clean(X_KF),
         wrist=_clean(np.array([0.0, y5 @ aside_6, np.cross(x6, y5) @ aside_6])),
@@ -157,6 +159,7 @@ def _parallel(lines: _Lines, file: str) -> ParallelArm:
         signs=np.sign([z @ u[0], y @ u[1], y @ u[2], y @ u[3], 1.0, y6 @ u[5]]),
         offsets=_right_angles(np.array([0.0, lower.angle, t23 - lower.angle, t234 - t23, t_5, 0.0])),
         middles=np.zeros(6),
+        coupled=False,
         X_BO=_clean(X_BO),
         X_KF=_clean(X_KF),
         wrist=_clean(np.array([x5 @ wrist, 0.0, z5 @ wrist])),
@@ -238,7 +241,7 @@ def _with_middles(arm: Arm, chain: Sequence[UrdfJoint]) -> Arm:
     too and the ranges lie around them, else the middles of the ranges."""
     lower, upper = (np.array([getattr(joint, end) for joint in chain[:6]]) for end in ("lower", "upper"))
     own, natural = (lower + upper) / 2, arm.natural_middles
-    plain = (arm.signs == 1) & (arm.offsets == 0)
+    plain = (arm.signs == 1) & (arm.offsets == 0) & ([True] * 2 + [not arm.coupled] + [True] * 3)
     around = (lower >= natural - np.pi) & (upper <= natural + np.pi) | (np.abs(own - natural) < OFF)
     return replace(arm, middles=np.where(plain & around, natural, own))
 

@@ -112,12 +112,20 @@ class Collision(Origin):
 
 
 class Coupled(Origin):
-    """A range of a sum of axes [rad]: lower <= factors . axes <= upper, as the linkage of a parallel arm has it."""
+    """A sum of axes, as the linkage of a parallel arm has it. With lower and upper its range [rad]: lower <= factors .
+    axes <= upper. With axis: this axis of the controller is the sum of the URDF's joints; its range, speed and the rest
+    are those given to the joint of that name."""
 
     axes: tuple[str, ...]
     factors: tuple[Finite, ...]
-    lower: Finite
-    upper: Finite
+    lower: Finite | None = None
+    upper: Finite | None = None
+    axis: str | None = None
+
+    @property
+    def range(self) -> tuple[float, float] | None:
+        """lower and upper, None where axis is the sum."""
+        return None if self.lower is None or self.upper is None else (self.lower, self.upper)
 
 
 class RobotFile(_Strict):
@@ -264,10 +272,17 @@ def check_axes(data: RobotFile, raw: Mapping[str, Any], names: tuple[str, ...], 
 
 
 def check_coupled(
-    coupled: Sequence[Coupled], raw: Mapping[str, Any], ranges: Mapping[str, tuple[float, float]], file: str
+    coupled: Sequence[Coupled],
+    raw: Mapping[str, Any],
+    ranges: Mapping[str, tuple[float, float]],
+    alike: float,
+    file: str,
 ) -> None:
-    """Hold the coupled ranges against the arm's joints; ranges: of each by its name [rad]. Raises InputError for one
-    that is none, one factor too many or too few, and a range that is empty or out of the axes' reach."""
+    """Hold the coupled sums against the arm's joints; ranges: of each by its name [rad]. alike: 1 where joints 2 and 3
+    of the URDF turn about the same direction, -1 where about opposite ones. Raises InputError for one that is none, one
+    factor too many or too few, a range that is empty or out of the axes' reach, and an axis that no parallelogram
+    makes."""
+    _, second, third, *_ = ranges
     for i, one in enumerate(coupled):
 
         def wrong(key: str, message: str, i: int = i) -> InputError:
@@ -282,6 +297,22 @@ def check_coupled(
             raise wrong("factors", f"{len(one.factors)} for {len(one.axes)} axes: give one for each")
         if 0.0 in one.factors:
             raise wrong("factors", "0 leaves its axis out: remove both, or give another number")
+        if one.axis is not None:
+            if one.lower is not None or one.upper is not None:
+                raise wrong("axis", f"its range is that of joint {one.axis} in the URDF: leave lower and upper out")
+            if i != min(k for k, other in enumerate(coupled) if other.axis is not None):
+                raise wrong("axis", "stands twice; an arm has one parallel linkage: keep one")
+            given = dict(zip(one.axes, one.factors, strict=True))
+            if one.axis != third or given != {second: alike, third: 1.0}:
+                message = f"a parallelogram makes axis {third} of axes [{second}, {third}] with factors [{alike:g}, 1]"
+                raise wrong("axis", f"{message}, by the URDF's directions: write that, or leave the entry out")
+            continue
+        if one.lower is None or one.upper is None:
+            missing = "lower" if one.lower is None else "upper"
+            message = (
+                f"'coupled.{i}.{missing}' is missing: give lower and upper of a range, or the axis that the sum is"
+            )
+            raise InputError(message, file=file, line=line_of(raw, ("coupled", i)))
         if not one.lower < one.upper:
             raise wrong("lower", f"{one.lower:g} is not below upper {one.upper:g}")
         ends = [[f * end for end in ranges[name]] for name, f in zip(one.axes, one.factors, strict=True)]

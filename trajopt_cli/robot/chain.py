@@ -11,13 +11,17 @@ import numpy as np
 from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, readonly
 from trajopt_cli.limits import JointLimits
+from trajopt_cli.robot.urdf import FLANGE
 
 
 def pin_model(urdf: Path, X_WR: Array) -> Any:
-    """pin.Model of a URDF with its root mounted at X_WR (4, 4) in the world."""
+    """pin.Model of a URDF's chain to the flange, its root mounted at X_WR (4, 4) in the world; other joints hold."""
     import pinocchio as pin
 
     model = pin.buildModelFromUrdf(str(urdf))
+    chain = {*model.supports[model.frames[model.getFrameId(FLANGE, pin.FrameType.BODY)].parentJoint]}
+    if others := [i for i in range(1, model.njoints) if i not in chain]:
+        model = pin.buildReducedModel(model, others, pin.neutral(model))
     mount = pin.SE3(np.array(X_WR))
     for i in range(1, model.njoints):
         if model.parents[i] == 0:

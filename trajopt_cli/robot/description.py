@@ -113,10 +113,25 @@ def check(data: RobotFile, path: Path, raw: Raw, axes: list[UrdfJoint], arm: lis
     catalogue.check_axes(data, raw, tuple(joint.name for joint in axes), str(path))
     if isinstance(data, SixAxisFile):
         ranges = {joint.name: (joint.lower, joint.upper) for joint in axes if joint.kind == "revolute"}
-        catalogue.check_coupled(data.coupled, raw, ranges, str(path))
+        alike = float(np.sign(arm[1].axis @ arm[2].X[:3, :3] @ arm[2].axis))
+        catalogue.check_coupled(data.coupled, raw, ranges, alike, str(path))
+        levers = ", ".join(arm[1].levers + arm[2].levers)
+        if levers and not linkage(data):
+            message = (
+                f"urdf: {levers} of {data.urdf} follow joint 2 or 3 (<mimic>), as levers of a parallel linkage do: say"
+            )
+            message += f" under coupled that axis {arm[2].name} is axes [{arm[1].name}, {arm[2].name}] with factors"
+            message += f" [{alike:g}, 1], or take their <mimic> out"
+            raise InputError(message, file=str(path), line=catalogue.line_of(raw, ("urdf",)))
     if data.collision is not None:
         links = (arm[0].parent, *(joint.child for joint in arm[:-1]))
         catalogue.check_links(data.collision, raw, links, str(path))
+
+
+def linkage(data: SixAxisFile) -> float:
+    """1 or -1 where a parallel linkage makes axis 3 of joints 2 and 3: joint_3 = axis 3 - linkage * axis 2; else 0."""
+    sums = (dict(zip(one.axes, one.factors, strict=True)) | {one.axis: 0.0} for one in data.coupled if one.axis)
+    return sum(next(sums, {"": 0.0}).values())
 
 
 def profiles(data: RobotFile, axes: list[UrdfJoint]) -> dict[str, JointLimits]:
@@ -128,7 +143,7 @@ def profiles(data: RobotFile, axes: list[UrdfJoint]) -> dict[str, JointLimits]:
     known = [given and joint.effort > 0 and data.axes[joint.name].torque is not None for joint in axes]
     torque = np.array([joint.effort if says else np.inf for joint, says in zip(axes, known, strict=True)])
     sums = data.coupled if isinstance(data, SixAxisFile) else ()
-    coupled = tuple(CoupledRange(one.axes, one.factors, one.lower, one.upper, str(one)) for one in sums)
+    coupled = tuple(CoupledRange(one.axes, one.factors, *one.range, str(one)) for one in sums if one.range)
     return {
         name: JointLimits(
             names,
@@ -158,7 +173,9 @@ def notes(data: RobotFile) -> dict[str, str]:
     """Sources of what is not a limit, and what the profiles are about."""
     collision = {"collision": str(data.collision)} if data.collision else {}
     about = {f"profiles.{name}": profile.about for name, profile in data.profiles.items()}
-    return {"geometry": str(data.geometry)} | collision | about
+    sums = data.coupled if isinstance(data, SixAxisFile) else ()
+    linked = {f"{one.axis}.linkage": str(one) for one in sums if one.axis}
+    return {"geometry": str(data.geometry)} | collision | about | linked
 
 
 def capsules(data: RobotFile) -> dict[str, Capsule]:

@@ -24,6 +24,7 @@ class Differential:
     axes (3, 6, ...): unit axes of the canonical joints. steps (3, 6, ...) [m]: d_i above. shape: of the axes.
     signs (6,): of joints in canonical angles, None where all are 1. R_WO: the canonical base's directions in the world,
     None where they are the world's own. rail (3,): direction of the rail's travel in the world, None without one.
+    coupled: joint 3 is the upper arm's angle against the base, see robot.arm.
     """
 
     axes: Array
@@ -32,6 +33,7 @@ class Differential:
     signs: Array | None
     R_WO: Array | None
     rail: Array | None
+    coupled: bool = False
 
     @classmethod
     def of(cls, arm: Arm, q: Array, X_FT: Array | None, R_WO: Array, rail: Array | None) -> Differential:
@@ -49,7 +51,7 @@ class Differential:
         if beyond:
             steps[:, 5] += np.moveaxis(R_OF @ p_FT, -1, 0)
         signs = None if arm.canonical_joints else arm.signs
-        return cls(a, steps, q.shape, signs, None if np.array_equal(R_WO, np.eye(3)) else R_WO, rail)
+        return cls(a, steps, q.shape, signs, None if np.array_equal(R_WO, np.eye(3)) else R_WO, rail, arm.coupled)
 
     def jacobian(self) -> Array:
         """Geometric Jacobian (..., 6, k): [v; omega] = J qd."""
@@ -85,6 +87,8 @@ class Differential:
         if qd.shape != self.shape:
             raise ValueError(f"qd has shape {qd.shape}, wanted {self.shape} like q")
         rates = qd[..., -6:] if self.signs is None else self.signs * qd[..., -6:]
+        if self.coupled:
+            rates[..., 2] -= rates[..., 1]
         return self.axes * np.ascontiguousarray(np.moveaxis(rates, -1, 0))
 
     def _turning(self, along: Array) -> tuple[Array, Array]:
@@ -118,6 +122,9 @@ class Differential:
         """A matrix (..., 6, k) from the columns (3, 6, ...) of canonical joints, 0 for the rail."""
         J = np.zeros((*self.shape[:-1], 6, self.shape[-1]))
         for rows, block in ((slice(0, 3), linear), (slice(3, 6), angular)):
+            if self.coupled:
+                block = block.copy()
+                block[:, 1] -= block[:, 2]
             if self.signs is not None:
                 block = block * self.signs.reshape(6, *[1] * (len(self.shape) - 1))
             J[..., rows, -6:] = np.moveaxis(self._in_world(block), (0, 1), (-2, -1))

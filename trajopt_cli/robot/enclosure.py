@@ -142,6 +142,8 @@ def enclose(
             q1 = _tighter(q1, turn - shoulder * np.arctan2(arm.b, node_r), q_rates[0][0], h, ~cut)
         node2 = _second_joint_at(arm, shoulder * node_r - arm.a1, w[2] - arm.c1, elbow)
         q2 = _tighter(_second_joint(arm, u, z, rho2, elbow), node2, q_rates[0][1], h)
+        if arm.coupled:
+            q3, q_rates = q2 + q3, [(one, two, two + three) for one, two, three in q_rates]
         for j, value in enumerate((q1, q2, q3)):
             q_lo[j, i], q_hi[j, i] = value.lo - WIDEN, value.hi + WIDEN
             for (low, high), found in zip(rates, q_rates, strict=True):
@@ -173,15 +175,16 @@ def _tighter(x: Range, at_nodes: Array, rate: Range, h: Array, ok: BoolArray | b
 
 
 def _in_range(arm: Arm, j: int, t: Range, lower: float, upper: float) -> tuple[Range, BoolArray]:
-    """Joint j where its canonical angle is t, in all turns that its range holds; and where it holds any."""
-    turn, offset = 2 * np.pi, float(arm.offsets[j])
+    """Joint j where its canonical angle is t, of a coupled joint 3 that of joints 2 and 3 together: in all turns that
+    its range holds; and where it holds any."""
+    turn, offset = 2 * np.pi, float(arm.offsets[j] + arm.offsets[1] * (arm.coupled and j == 2))
     q = Range(t.lo - offset, t.hi - offset).scaled(float(arm.signs[j]))
     first, last = np.ceil((lower - q.hi.max()) / turn), np.floor((upper - q.lo.min()) / turn)
     shifts = turn * np.arange(first, last + 1).reshape(-1, *[1] * q.lo.ndim)
     low, high = np.maximum(q.lo + shifts, lower), np.minimum(q.hi + shifts, upper)
     holds = high >= low
     # a turn that only touches the range's end counts where no other does
-    wide = holds & (high - low > 4 * WIDEN)
+    wide = holds & (high - low > 6 * WIDEN)
     holds = np.where(wide.any(axis=0), wide, holds)
     there = holds.any(axis=0)
     found = Range(

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, inverse_pose
+from trajopt_cli.geometry import Array, BoolArray, inverse_pose
 from trajopt_cli.limits import JointLimits
 from trajopt_cli.motion import ConfData
 from trajopt_cli.robot import offset_wrist, parallel_arm
@@ -207,6 +207,8 @@ def _wrist(R_OK: Array, c1: Array, s1: Array, c23: Array, s23: Array, out: Array
 
 def _as_joints(arm: Arm, out: Array) -> None:
     """Make joints of canonical angles (8, 6, n), in place, each within half a turn of its middle."""
+    if arm.coupled:
+        out[:, 2] += out[:, 1] - arm.offsets[1]
     for i in arm.converted:
         q = arm.signs[i] * (out[:, i] - arm.offsets[i])
         out[:, i] = q - 2 * pi * np.ceil((q - arm.middles[i] - pi) / (2 * pi))
@@ -254,10 +256,17 @@ def confdata(robot: RobotModel, q: Array) -> ConfData:
     """RAPID confdata of arm joints q (6,) [rad]: cf1, cf4, cf6 = floor(angle / 90 deg), cfx as above.
 
     A value less than 1e-9 rad below a multiple of 90 deg counts as on it, so that rounding does not flip a quadrant.
+    Of an arm with a parallel linkage, which is no serial link robot, cfx is the quadrant of axis 2 (RAPID reference
+    manual, confdata).
     """
-    wrist, lower_arm, axis_5 = branch_margins(robot.arm, q)
-    cf1, cf4, cf6 = (_quadrant(float(q[i]), _ON_QUADRANT) for i in (0, 3, 5))
-    return ConfData(cf1, cf4, cf6, int(4 * (wrist < 0) + 2 * (lower_arm < 0) + 1 * (axis_5 < 0)))
+    cf1, cf2, cf4, cf6 = (_quadrant(float(q[i]), _ON_QUADRANT) for i in (0, 1, 3, 5))
+    return ConfData(cf1, cf4, cf6, cf2 if robot.arm.coupled else branch_of(robot.arm, q))
+
+
+def branch_of(arm: Arm, q: Array) -> int:
+    """The number in 0..7 of the branch that joints q (6,) [rad] are on: cfx of a serial arm."""
+    wrist, lower_arm, axis_5 = branch_margins(arm, q)
+    return int(4 * (wrist < 0) + 2 * (lower_arm < 0) + 1 * (axis_5 < 0))
 
 
 def _quadrant(angle: float, shift: float) -> int:
@@ -271,12 +280,18 @@ def branch_margins(arm: Arm, q: Array) -> tuple[Array, Array, Array]:
     return wrist_section(arm, q)[0], np.cos(elbow_angle(arm, q)), t5 - 2 * pi * np.round(t5 / (2 * pi))
 
 
+def folded(arm: Arm, q: Array) -> BoolArray:
+    """Whether joints (..., 6) have axis 4 point behind the lower arm, where a parallelogram does not go."""
+    return np.asarray(np.cos(arm.angles(q)[..., 2]) < -_QUADRANT_DOUBT)
+
+
 def confdata_admits(robot: RobotModel, conf: ConfData, q: Array) -> bool:
     """Whether a target with this confdata may be reached with arm joints q (6,) [rad].
 
     Quadrants and branch must be those of q. Only within 1e-6 rad (of a multiple of 90 deg for cf1, cf4, cf6; of a
     branch's border for a bit of cfx; 1e-6 m for the wrist centre before axis 1), where the rounding of a printed
-    target decides, the neighbour is taken too. Always so for a robot without a rule for confdata.
+    target decides, the neighbour is taken too. Always so for a robot without a rule for confdata. Of an arm with a
+    parallel linkage cfx is not looked at: axis 4 points before the lower arm, as a parallelogram has it.
     """
     if robot.confdata_rule == NO_CONFDATA:
         return True
@@ -284,6 +299,8 @@ def confdata_admits(robot: RobotModel, conf: ConfData, q: Array) -> bool:
         if cf not in {_quadrant(float(q[i]), shift) for shift in (-_QUADRANT_DOUBT, 0.0, _QUADRANT_DOUBT)}:
             return False
     margins = branch_margins(robot.arm, q)
+    if robot.arm.coupled:
+        return not folded(robot.arm, q)
     return all(
         abs(margin) <= _QUADRANT_DOUBT or bool(conf.cfx & bit) == (margin < 0)
         for bit, margin in zip((4, 2, 1), margins, strict=True)

@@ -51,7 +51,9 @@ class RobotModel:
     URDF has them. capsules: around the links that have one, by link name, in the link's frame. self_pairs: the links
     that are held against each other, the one nearer the base first; "attached" stands for what the flange carries.
     rotor (n,): inertias of the drives as the axes feel them [kg m2, kg for a rail], 0 where nobody says.
-    confdata_rule: "none" where RAPID's confdata does not describe the joints; it is then not looked at.
+    confdata_rule: "none" where RAPID's confdata does not describe the joints; it is then not looked at. linkage: of an
+    arm with a parallel linkage 1 or -1: the URDF's joint_3 is axis 3 - linkage * axis 2; 0 for others. All axes, their
+    limits and motions are the controller's; chain_axes makes joints of the URDF of them.
     """
 
     name: str
@@ -70,6 +72,7 @@ class RobotModel:
     self_pairs: tuple[tuple[str, str], ...]
     rotor: Array
     confdata_rule: str = "abb_six_axis"
+    linkage: float = 0.0
 
     def lacks_for_torques(self, torque: Array | None) -> tuple[str, ...]:
         """What somebody would have to say before torques can be kept to limits torque (n,): "effort of joint_2" for a
@@ -97,6 +100,18 @@ class RobotModel:
     def layout(self) -> AxisLayout:
         """Which axes are the rail's and the arm's."""
         return AxisLayout.rail_first(6, self.rail_axis is not None)
+
+    def chain_axes(self, q: Any) -> Any:
+        """Positions, speeds or accelerations (..., n) of the URDF's joints, of those of the controller's axes (..., n),
+        which for all but a parallel linkage are the same; or of an expression (n,)."""
+        if not self.linkage:
+            return q
+        out, lower = q + 0.0, self.layout.arm.start + 1
+        if isinstance(q, np.ndarray):
+            out[..., lower + 1] -= self.linkage * q[..., lower]
+        else:
+            out[lower + 1] -= self.linkage * q[lower]
+        return out
 
     @property
     def closed_form(self) -> bool:
@@ -145,6 +160,10 @@ class RobotModel:
     def confdata(self, arm: Array) -> ConfData:
         """RAPID confdata of joints (6,)."""
         return closed_form.confdata(self, arm)
+
+    def branch_of(self, arm: Array) -> int:
+        """The number of the branch that joints (6,) are on."""
+        return closed_form.branch_of(self.arm, arm)
 
     def admits(self, conf: ConfData, arm: Array) -> bool:
         """Whether a target with this confdata may be reached with joints (6,)."""
@@ -285,11 +304,12 @@ def load_robot(name_or_path: str, X_WR: Array | None = None) -> RobotModel:
             rail_axis = readonly(X_RB[:3, :3] @ joint.axis)
     axes = [joint for joint in mount + arm_chain if joint.kind != "fixed"]
     description.check(data, path, raw, axes, arm_chain)
+    linkage = description.linkage(data)
     return RobotModel(
         name=data.name,
         title=data.title,
         axis_names=tuple(joint.name for joint in axes),
-        arm=arm_from_chain(arm_chain, str(urdf)),
+        arm=arm_from_chain(arm_chain, str(urdf), coupled=linkage != 0),
         X_WR=checked_pose(X_WR, "X_WR"),
         X_RB=readonly(X_RB),
         rail_axis=rail_axis,
@@ -309,4 +329,5 @@ def load_robot(name_or_path: str, X_WR: Array | None = None) -> RobotModel:
         self_pairs=data.collision.self_pairs if data.collision else (),
         rotor=description.rotors(data, axes),
         confdata_rule=data.confdata.rule,
+        linkage=linkage,
     )

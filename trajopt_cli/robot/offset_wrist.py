@@ -29,7 +29,7 @@ def plain(arm: Arm) -> Arm:
     """The arm in canonical angles, with a spherical wrist."""
     return replace(
         arm, wrist=np.zeros(3), signs=np.ones(6), offsets=np.zeros(6), middles=arm.natural_middles,
-        X_BO=np.eye(4), X_KF=np.eye(4),
+        X_BO=np.eye(4), X_KF=np.eye(4), coupled=False,
     )  # fmt: skip
 
 

@@ -33,6 +33,10 @@ class Robot(Protocol):
         """Which of them are the rail's and the arm's."""
 
     @property
+    def linkage(self) -> float:
+        """Not 0 for a parallel linkage, which does not fold the upper arm past the lower one."""
+
+    @property
     def closed_form(self) -> bool:
         """Whether its branches have closed forms; without, no nonlinear program improves plans."""
 
@@ -88,6 +92,9 @@ class Robot(Protocol):
     # ---- configurations as RAPID names them
     def confdata(self, arm: Array) -> ConfData:
         """Of joints (m,)."""
+
+    def branch_of(self, arm: Array) -> int:
+        """The number of the branch that joints (m,) are on."""
 
     def admits(self, conf: ConfData, arm: Array) -> bool:
         """Whether a target with this confdata may be reached with joints (m,)."""

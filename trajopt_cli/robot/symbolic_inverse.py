@@ -43,7 +43,7 @@ class ArmExpressions:
 
     def flange(self, q: ca.SX) -> tuple[ca.SX, ca.SX]:
         """Flange position (3,) and rotation (3, 3) in the world."""
-        return forward(self.robot, q)
+        return forward(self.robot, self.robot.chain_axes(q))
 
     def branch(self, number: int) -> Array:
         """The signs (3,) of a cfx."""
@@ -74,6 +74,8 @@ def inverse_arm(arm: Arm, p_BF: ca.SX, R_BF: ca.SX, signs: ca.SX, reference: ca.
     """
     shoulder, elbow, wrist = signs[0], signs[1], signs[2]
     near = exact(arm.signs) * reference + exact(arm.offsets)  # in canonical angles, as all that follows
+    if arm.coupled:
+        near[2] -= float(arm.signs[1]) * reference[1]
     p, R = _canonical(arm, p_BF, R_BF)
     w = p - arm.c4 * R[:, 2]
     square = w[0] ** 2 + w[1] ** 2
@@ -103,7 +105,7 @@ def inverse_arm(arm: Arm, p_BF: ca.SX, R_BF: ca.SX, signs: ca.SX, reference: ca.
     if isinstance(arm, ParallelArm):
         t4 = _angle(s * c23 - c * s23, c * c23 + s * s23, near[3])
         t6 = _angle(-(s * R_1K[0, 0] + c * R_1K[2, 0]), -(s * R_1K[0, 1] + c * R_1K[2, 1]), near[5])
-        return exact(arm.signs) * (ca.vertcat(t1, t2, t3, t4, t5, t6) - exact(arm.offsets)), apart
+        return _joints(arm, ca.vertcat(t1, t2, t3, t4, t5, t6)), apart
     # R_36 = (Rz(t1) Ry(t2 + t3))^T R_06, where the flange adds Ry(90 deg): R_06 has columns (z_F, y_F, -x_F).
     R_06 = ca.horzcat(R[:, 2], R[:, 1], -R[:, 0])
     row = ca.vertcat(
@@ -116,8 +118,15 @@ def inverse_arm(arm: Arm, p_BF: ca.SX, R_BF: ca.SX, signs: ca.SX, reference: ca.
     t5 = _angle(s5, R_36[0, 0], near[4])
     t4 = _angle(wrist * R_36[1, 0], -wrist * R_36[2, 0], near[3])
     t6 = _angle(wrist * R_36[0, 1], wrist * R_36[0, 2], near[5])
-    q = exact(arm.signs) * (ca.vertcat(t1, t2, t3, t4, t5, t6) - exact(arm.offsets))
-    return q, apart
+    return _joints(arm, ca.vertcat(t1, t2, t3, t4, t5, t6)), apart
+
+
+def _joints(arm: Arm, t: ca.SX) -> ca.SX:
+    """Joints (6,) of canonical angles (6,)."""
+    q = exact(arm.signs) * (t - exact(arm.offsets))
+    if arm.coupled:
+        q[2] += float(arm.signs[1] * arm.signs[2]) * q[1]
+    return q
 
 
 def _axis_5(R_1K: ca.SX, side: ca.SX, near: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:

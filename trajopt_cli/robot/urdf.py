@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import cos, sin
 from xml.etree import ElementTree
 
@@ -19,7 +19,7 @@ FLANGE, RAIL = "tool0", "rail"
 class UrdfJoint:
     """One joint: X is its frame in the parent link (4, 4), axis (3,) a unit vector; limits in rad or m, and 1/s.
 
-    effort: N or Nm, 0 where a URDF gives none.
+    effort: N or Nm, 0 where a URDF gives none. levers: joints beside the chain that turn as it does (<mimic>).
     """
 
     name: str
@@ -32,15 +32,18 @@ class UrdfJoint:
     upper: float
     velocity: float
     effort: float = 0.0
+    levers: tuple[str, ...] = ()
 
 
 def chain_of(text: bytes, file: str) -> list[UrdfJoint]:
     """The joints from the root link to tool0, root first. Raises InputError for a URDF's text that has no such chain;
     file is for messages."""
-    by_child = {}
+    by_child, follow = {}, dict[str, list[UrdfJoint]]()
     for element in robot_element(text, file).findall("joint"):
         joint = _joint(element, file)
         by_child[joint.child] = joint
+        if joint.kind == "revolute" and (mimic := element.find("mimic")) is not None:
+            follow.setdefault(mimic.get("joint", ""), []).append(joint)
     chain: list[UrdfJoint] = []
     link = FLANGE
     while link in by_child:
@@ -49,7 +52,11 @@ def chain_of(text: bytes, file: str) -> list[UrdfJoint]:
     if not chain:
         message = f"no joint leads to link '{FLANGE}': name the flange frame so, or see 'trajopt robot add'"
         raise InputError(message, file=file)
-    return chain[::-1]
+    for joint in chain:
+        if any(joint in joints for joints in follow.values()):
+            message = f"joint '{joint.name}' follows another (<mimic>): an axis of the chain has to move by itself"
+            raise InputError(f"{message}; of a parallel linkage say in the robot's file under coupled", file=file)
+    return [replace(joint, levers=tuple(one.name for one in follow.get(joint.name, []))) for joint in chain[::-1]]
 
 
 def split_chain(chain: list[UrdfJoint], file: str) -> tuple[list[UrdfJoint], list[UrdfJoint]]:

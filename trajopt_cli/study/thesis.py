@@ -177,7 +177,8 @@ def _driven(
 def _ranges(motion: MoveJ | MoveL | MoveC, plant: Plant, rule: RailRule) -> Array:
     """Rail ranges of a point on the branch its confdata names; on any branch where that one has none."""
     X_WF = motion.X_WT @ inverse_pose(motion.tool.X_FT)
-    kept = rail_ranges(plant, X_WF, rule.phi_min, motion.conf.cfx)
+    named = None if plant.robot.linkage else motion.conf.cfx  # of a linkage cfx names no branch
+    kept = rail_ranges(plant, X_WF, rule.phi_min, named)
     return kept if len(kept) else rail_ranges(plant, X_WF, rule.phi_min)
 
 

@@ -26,6 +26,10 @@ class Robot(Protocol):
         """Where the URDF's root stands in the world (4, 4)."""
 
     @property
+    def linkage(self) -> float:
+        """Of a parallel linkage: the URDF's joint 3 is axis 3 - linkage * axis 2; 0 where joints are axes."""
+
+    @property
     def capsules(self) -> Mapping[str, Capsule]:
         """Around the links that have one, by link name, in the link's frame."""
 

@@ -23,6 +23,7 @@ FLANGE = 7
 """Index of the flange among a mechanism's frames, after the arm's base and the six links."""
 
 _ARM = 6
+_AXIS_2, _AXIS_3 = -5, -4  # among all axes, a rail before them or not
 _FEW = 64  # rows that pin is as fast for
 _WORLD_AXES = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
 
@@ -30,11 +31,12 @@ _WORLD_AXES = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
 class Mechanism:
     """The chain from a URDF's root to tool0, its root mounted at X_WR (4, 4) in the world; other joints hold.
 
-    names: of the k axes. link_names: the arm's base, then the link behind each of its six joints. Raises InputError for
-    a file that pin does not read.
+    linkage: the arm's joint 3 in the URDF is axis 3 - linkage * axis 2; all q, qd and qdd are of the axes, and so are
+    the columns of Jacobians. names: of the k axes. link_names: the arm's base, then the link behind each of its six
+    joints. Raises InputError for a file that pin does not read.
     """
 
-    def __init__(self, urdf: Path, X_WR: Array):
+    def __init__(self, urdf: Path, X_WR: Array, linkage: float = 0.0):
         try:
             model = pin.buildModelFromUrdf(str(urdf))
         except ValueError as error:
@@ -57,6 +59,7 @@ class Mechanism:
             frame = model.frames[frame].parentFrame
         self._frames = bodies[::-1]
         self._chain = _chain(model, self._flange)
+        self.linkage = linkage
         self.names: tuple[str, ...] = tuple(model.names)[1:]
         self.link_names: tuple[str, ...] = tuple(model.frames[i].name for i in self._frames[:FLANGE])
 
@@ -77,15 +80,24 @@ class Mechanism:
         model, data, frame = self._model, self._data, self._flange
         new = np.ones(len(q), dtype=bool)  # rows unlike the one before: an arm that waits for a table is looked at once
         new[1:] = (q[1:] != q[:-1]).any(axis=1)
-        rows, of = q[new], np.cumsum(new) - 1
+        rows, of = self._joints(q[new]), np.cumsum(new) - 1
         if len(rows) > _FEW:
             X, J = self._chain.flange(rows)
-            return X[of], J[of]
-        X, J = np.empty((len(rows), 4, 4)), np.empty((len(rows), 6, len(self.names)))
-        for i, row in enumerate(rows):
-            J[i] = pin.computeFrameJacobian(model, data, row, frame, _WORLD_AXES)
-            X[i] = pin.updateFramePlacement(model, data, frame).homogeneous
+        else:
+            X, J = np.empty((len(rows), 4, 4)), np.empty((len(rows), 6, len(self.names)))
+            for i, row in enumerate(rows):
+                J[i] = pin.computeFrameJacobian(model, data, row, frame, _WORLD_AXES)
+                X[i] = pin.updateFramePlacement(model, data, frame).homogeneous
+        J[..., _AXIS_2] -= self.linkage * J[..., _AXIS_3]
         return X[of], J[of]
+
+    def _joints(self, q: Array) -> Array:
+        """The URDF's joints (..., k) of axes (..., k), or their speeds and accelerations."""
+        if not self.linkage:
+            return q
+        out = np.array(q)
+        out[..., _AXIS_3] -= self.linkage * out[..., _AXIS_2]
+        return out
 
     def flange_pose(self, q: Array) -> Array:
         """The flange pose X_WF (4, 4) at q (k,)."""
@@ -96,7 +108,7 @@ class Mechanism:
 
         q, qd, qdd (n, k). The acceleration is J qdd + J' qd.
         """
-        return self._chain.motion(q, qd, qdd)
+        return self._chain.motion(self._joints(q), self._joints(qd), self._joints(qdd))
 
     def links(self, q: Array) -> tuple[Array, Array]:
         """Poses (n, 8, 4, 4) of the links in link_names order and of the flange, at q (n, k); and the unit axes
@@ -104,7 +116,7 @@ class Mechanism:
         model, data = self._model, self._data
         placed = [data.oMf[frame] for frame in self._frames]  # pin's own memory: each row's poses appear in it
         X, axes = np.empty((len(q), FLANGE + 1, 4, 4)), np.empty((len(q), _ARM, 3))
-        for i, row in enumerate(q):
+        for i, row in enumerate(self._joints(q)):
             axes[i] = pin.computeJointJacobians(model, data, row)[3:, -_ARM:].T
             pin.updateFramePlacements(model, data)
             X[i] = [pose.homogeneous for pose in placed]
@@ -113,7 +125,8 @@ class Mechanism:
 
 class Forces:
     """Torques of a mechanism's axes, gravity along the world's -z. rotor (k,): inertias of the drives. carried: bodies
-    fixed to the flange, each its mass [kg], centre (3,) and inertia (3, 3) about that, in the flange's frame."""
+    fixed to the flange, each its mass [kg], centre (3,) and inertia (3, 3) about that, in the flange's frame. Not of a
+    mechanism with a linkage, whose levers the URDF's chain leaves out."""
 
     GRAVITY = 9.81
     """m/s2, as plans have it."""
@@ -150,7 +163,8 @@ class Forces:
 def mechanism_of(machine: Machine) -> Mechanism:
     """The mechanism of a machine's URDF on its mount; read once for each."""
     urdf = machine.robot.urdf
-    return _mechanism(urdf if urdf.is_absolute() else urdf.resolve(), np.asarray(machine.robot.X_WR).tobytes())
+    urdf = urdf if urdf.is_absolute() else urdf.resolve()
+    return _mechanism(urdf, np.asarray(machine.robot.X_WR).tobytes(), machine.robot.linkage)
 
 
 def _flange(model: pin.Model) -> int:
@@ -168,5 +182,5 @@ def _chain(model: pin.Model, flange: int) -> Chain:
 
 
 @lru_cache(maxsize=8)
-def _mechanism(urdf: Path, X_WR: bytes) -> Mechanism:
-    return Mechanism(urdf, np.frombuffer(X_WR).reshape(4, 4))
+def _mechanism(urdf: Path, X_WR: bytes, linkage: float) -> Mechanism:
+    return Mechanism(urdf, np.frombuffer(X_WR).reshape(4, 4), linkage)

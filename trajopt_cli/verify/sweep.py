@@ -184,6 +184,7 @@ class _Look:
         swing = course.swing(s_0, s_1, q)
         self.X_WL, self._axes = mechanism.links(q)
         self._arm = swing[:, -6:]
+        self._arm[:, 2] += abs(mechanism.linkage) * self._arm[:, 1]  # joint 3 of the URDF turns with axes 2 and 3
         self._rail = swing[:, 0] if mechanism.has_rail else np.zeros(len(q))
         self._origins = self.X_WL[:, 1:FLANGE, :3, 3]
         self._bodies: dict[Body, tuple[Array, Array]] = {}

@@ -81,7 +81,10 @@ window.TrajoptView3DMotion = (() => {
       let next = 0;
       return this.scene.chain.map((one) => {
         X = times(X, one.placement);
-        if (one.kind !== "fixed") X = times(X, joint(one.kind, one.axis, q[next++]));
+        if (one.kind !== "fixed") {
+          const less = one.less ? one.less * q[next - 1] : 0; // a parallel linkage
+          X = times(X, joint(one.kind, one.axis, q[next++] - less));
+        }
         return X;
       });
     }
