@@ -160,11 +160,46 @@ def test_late_binding_calls_by_the_value_of_an_expression() -> None:
     assert trace('%"go"+ValToStr(1)% 3; CallByVar "go",2; %"m:go1"% 4;', rest=rest) == [3, 20, 4]
 
 
+# Two stations, each with a LOCAL routine of the same name, and a global one in the second.
+STATIONS = {
+    "a.mod": "MODULE A\nLOCAL PROC Pick()\nWaitTime 1;\nENDPROC\nPROC main()\n{}\nENDPROC\nENDMODULE\n",
+    "b.mod": (
+        "MODULE B\nLOCAL PROC pick()\nWaitTime 2;\nENDPROC\nLOCAL PROC main()\npick;\nENDPROC\n"
+        'LOCAL PROC pick1(num x)\nWaitTime x;\nENDPROC\nPROC place()\n%"Pick"%;\nENDPROC\nENDMODULE\n'
+    ),
+}
+P0 = "[[500,0,400],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
+
+
+@pytest.mark.parametrize(
+    ("body", "values"),
+    [
+        ('%"Pick"%; %"A:Pick"%; %"B:Pick"%; %"b:PICK"%;', [1, 1, 2, 2]),
+        ('%"B:main"%; place; %"place"%; %"B:place"%;', [2, 2, 2, 2]),  # inside B its own Pick is meant
+        ('%"B:pick"+ValToStr(1)% 7; %"B:pick1"% 8;', [7, 8]),
+        (f'MoveLSync {P0},v100,z10,tool0,"B:pick"; MoveCSync {P0},{P0},v100,fine,tool0,"pick";', [2, 1]),
+        ('%"A:place"%; ERROR (ERR_REFUNKPRC) WaitTime 9; TRYNEXT;', [9]),  # global, but of another module
+        ('CallByVar "B:pick",1; ERROR (ERR_CALLPROC) WaitTime 9; TRYNEXT;', [9]),
+    ],
+)
+def test_late_binding_with_a_modules_name_runs_that_modules_routine(body: str, values: list[float]) -> None:
+    body = body.replace(f"{P0},{P0}", f"{P0.replace('500,0', '550,50')},{P0.replace('500,0', '600,0')}")
+    files = [TextFile(name, text.replace("{}", body), "utf-8") for name, text in STATIONS.items()]
+    assert [m.duration for m in run_program(files).motions if isinstance(m, Wait)] == values
+
+
+FILE = "; give the file that declares it"
+
+
 @pytest.mark.parametrize(
     ("body", "handler", "message"),
     [
-        ('%"go3"%;', "ERR_REFUNKPRC", "there is no procedure 'go3' in the program"),
-        ('CallByVar "go",3;', "ERR_REFUNKPRC", "there is no procedure 'go3' in the program"),
+        ('%"go3"%;', "ERR_REFUNKPRC", f"there is no procedure 'go3' in the program{FILE}"),
+        ('CallByVar "go",3;', "ERR_REFUNKPRC", f"there is no procedure 'go3' in the program{FILE}"),
+        ('%"m:go3"%;', "ERR_REFUNKPRC", f"there is no procedure 'go3' in module m{FILE}"),
+        ('%"k:go1"%;', "ERR_REFUNKPRC", f"there is no procedure 'go1' in the program: no module k{FILE}"),
+        ('CallByVar "k:go",1;', "ERR_REFUNKPRC", f"there is no procedure 'go1' in the program: no module k{FILE}"),
+        ('%"m:MoveL"%;', "ERR_REFUNKPRC", f"there is no procedure 'MoveL' in module m{FILE}"),
         ('%"go1"% 1;', "ERR_CALLPROC", "go1 takes 0 argument(s), found 1"),
         ('%"f"%;', "ERR_CALLPROC", "f is a FUNC; only a PROC is called by its name"),
         ("WaitTime f(1);", "ERR_FNCNORET", "FUNC f ended without RETURN"),

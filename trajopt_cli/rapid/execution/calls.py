@@ -40,7 +40,7 @@ CALL_COST = 6  # statements that take as long as a call
 FUNCTION_COST = 2  # and as long as a predefined function
 _INSTRUCTIONS = {name.lower(): handler for name, handler in INSTRUCTIONS.items()}
 _FUNCTIONS = {name.lower(): handler for name, handler in FUNCTIONS.items()}
-_NAME = re.compile(r"(?:\w*:)?([^\W\d]\w*)")  # `module:procedure`, `:procedure`
+_NAME = re.compile(r"(?:(\w*):)?([^\W\d]\w*)")  # `module:procedure`, `:procedure`
 
 
 @dataclass(frozen=True)
@@ -141,13 +141,22 @@ def late_call(run: Run, node: LateCall) -> None:
 
 
 def call_by_name(run: Run, node: Node, text: str, args: Sequence[Argument]) -> None:
-    """Call the procedure whose name a program has put together. Raises Fault where there is none."""
+    """Call the procedure whose name a program has put together: `name`, or `module:name`, LOCAL or not, of that module.
+
+    Raises Fault where there is none.
+    """
     match = _NAME.fullmatch(text)
-    name = match[1] if match else text
-    found = run.routine(name)
+    module, name = (match[1], match[2]) if match else (None, text)
+    if module:
+        scope = run.modules.get(module.lower())
+        found = None if scope is None else scope.routines.get(name.lower())
+    else:
+        found = run.routine(name)
     if found is None:
-        if name.lower() not in _INSTRUCTIONS:
-            raise run.fault(node, "ERR_REFUNKPRC", f"there is no procedure '{text}' in the program")
+        if name.lower() not in run.scenario.stubs and (module or name.lower() not in _INSTRUCTIONS):
+            where = "the program" if not module else f"module {module}" if scope else f"the program: no module {module}"
+            message = f"there is no procedure '{name}' in {where}; give the file that declares it"
+            raise run.fault(node, "ERR_REFUNKPRC", message)
         return procedure(run, ProcedureCall(node.start, node.end, name, tuple(args)))
     routine, scope = found
     if routine.kind != "PROC":

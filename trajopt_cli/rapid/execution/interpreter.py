@@ -68,6 +68,7 @@ class Run:
         self.held: list[Span] = []  # what is marked so that the rail stands still in it
         self.files: dict[str, Places] = {}
         self.shared = Scope()
+        self.modules: dict[str, ModuleScope] = {}  # by name in lower case
         self.computing: set[int] = set()  # ids of the declarations whose initial value is being computed
         self.valued: set[str] = set()  # the shared PERS that were given a value
         self.frame = Frame(ModuleScope())

@@ -10,7 +10,7 @@ from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
 from trajopt_cli.rapid.execution.equipment import said
 from trajopt_cli.rapid.execution.evaluate import evaluate, locate, number
 from trajopt_cli.rapid.execution.instructions.moves import PoseKind, asked, to_pose
-from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
+from trajopt_cli.rapid.language.syntax import Expression, LateCall, ProcedureCall, String
 from trajopt_cli.units import MM
 
 if TYPE_CHECKING:
@@ -186,7 +186,8 @@ def _with_procedure(kind: PoseKind, name: str) -> Instruction:
         procedure = str(evaluate(run, argument, STRING).data)
         event = PathEvent(Happens.PROCEDURE, procedure)
         to_pose(run, node, kind, asked(args, via=bool(via)), events=(event,), process=Process(name))
-        run.block((ProcedureCall(argument.start, argument.end, procedure.rpartition(":")[2], ()),))
+        at = argument.start, argument.end
+        run.block((LateCall(*at, String(*at, procedure), ()),))
 
     return handler
 
