@@ -23,6 +23,20 @@ PROGRAMS = Path(__file__).parents[2] / "programs"
 MOVES = (MoveJ, MoveL, MoveAbsJ, MoveExtJ)
 
 
+def test_named_arguments_keep_their_names_where_a_target_is_exchanged(plant: Plant) -> None:
+    body = (
+        "        MoveJ ToPoint:=p1,Speed:=v100,Zone:=fine,Tool:=tool0;\n"
+        "        MoveL ToPoint:=Offs(Point:=p1,XOffset:=0,YOffset:=0,ZOffset:=50),Speed:=v100,fine,Tool:=tool0;\n"
+    )
+    program = made(body)
+    export = export_rapid(program, plan_for(program, plant, {0: 0.25, 1: 0.3}), plant)
+    text = export.texts["m.mod"]
+    assert "MoveJ ToPoint:=p1,Speed:=v100,Zone:=fine,Tool:=tool0;" in text
+    assert "MoveL ToPoint:=p1_2,Speed:=v100,fine,Tool:=tool0;" in text
+    again = read_back(program, export)
+    assert [plant.rail_value(move.extax) for move in again.motions] == pytest.approx([0.25, 0.3])
+
+
 @pytest.fixture(scope="module")
 def plant() -> Plant:
     return build_plant(load_cell(PROGRAMS / "hinge_cell.yaml"))

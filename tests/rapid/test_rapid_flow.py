@@ -176,8 +176,8 @@ P0 = "[[500,0,400],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
     [
         ('%"Pick"%; %"A:Pick"%; %"B:Pick"%; %"b:PICK"%;', [1, 1, 2, 2]),
         ('%"B:main"%; place; %"place"%; %"B:place"%;', [2, 2, 2, 2]),  # inside B its own Pick is meant
-        ('%"B:pick"+ValToStr(1)% 7; %"B:pick1"% 8;', [7, 8]),
-        (f'MoveLSync {P0},v100,z10,tool0,"B:pick"; MoveCSync {P0},{P0},v100,fine,tool0,"pick";', [2, 1]),
+        ('%"B:pick"+ValToStr(1)% 7; %"B:pick1"% x:=8;', [7, 8]),
+        (f'MoveLSync {P0},v100,z10,tool0,"B:pick"; MoveCSync {P0},{P0},v100,fine,tool0,ProcName:="pick";', [2, 1]),
         ('%"A:place"%; ERROR (ERR_REFUNKPRC) WaitTime 9; TRYNEXT;', [9]),  # global, but of another module
         ('CallByVar "B:pick",1; ERROR (ERR_CALLPROC) WaitTime 9; TRYNEXT;', [9]),
     ],

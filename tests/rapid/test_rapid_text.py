@@ -156,6 +156,50 @@ def test_optional_arguments_in_every_spelling(call: str) -> None:
     assert move.wobj.lower() == "wobj0"
 
 
+@pytest.mark.parametrize(
+    "call",
+    [
+        "MoveL ToPoint:=p,Speed:=v100,Zone:=fine,Tool:=tool0\\WObj:=wobj0;",
+        "movel p, v100, zone := fine, TOOL:=tool0 \\WObj:=wobj0;",
+        "MoveL\n ToPoint:=Offs(Point:=p,XOffset:=0,0,ZOffset:=0),\n Speed:=v100\\V:=100,fine,tool0;",
+        "go where:=p, 0;",
+        "go p, high:=1;",
+        "go where:=rise(of:=p, 0), high:=0 \\fast;",
+        '%"go"% where:=p, high:=Pow(Base:=0,Exponent:=2);',
+    ],
+)
+def test_a_required_argument_may_carry_its_parameters_name(call: str) -> None:
+    """RAPID reference manual, formal syntax: `[ ToPoint ':=' ] < expression (IN) of robtarget >`."""
+    rest = (
+        "PROC go(robtarget where, num high \\switch fast)\nMoveL Offs(where,0,0,high),v100,fine,tool0;\nENDPROC\n"
+        "FUNC robtarget rise(robtarget of, num high)\nRETURN Offs(of,0,0,high);\nENDFUNC\n"
+    )
+    (move,) = run_main(call, rest=rest).motions
+    assert isinstance(move, MoveL)
+    assert move.X_WT[:2, 3].tolist() == pytest.approx([0.1, 0.2])
+    assert move.X_WT[2, 3] == pytest.approx(0.301 if "high:=1" in call else 0.3)
+    assert move.speed.v_tcp == pytest.approx(0.1)
+
+
+@pytest.mark.parametrize(
+    ("call", "column"),
+    [
+        ("MoveL ToPoint:=p,v100,fine,Tol:=tool0;", 28),
+        ("MoveL Speed:=v100,ToPoint:=p,fine,tool0;", 7),  # names change no order
+        ("MoveL p,v100,fine,tool0,WObj:=wobj0;", 25),  # an optional one, without its backslash
+        ("MoveL p,v100,fine,tool0,More:=wobj0;", 25),
+        ("go high:=p,where:=1;", 4),
+        ("go p,high:=1,slow:=2;", 1),
+        ("WaitTime Offs(ToPoint:=p,0,0,0).trans.x;", 15),
+        ("ArcL p,v100,seam:=s,zone:=w,fine,tool0;", 21),
+        ("StopMove\nreg1:=2;", 9),  # a semicolon is missing: no argument of StopMove
+    ],
+)
+def test_a_name_that_is_not_the_parameters_at_its_place_is_an_error_there(call: str, column: int) -> None:
+    rest = "PROC go(robtarget where, num high)\nENDPROC\n"
+    assert error_main(call, DATA, rest).startswith(f"m.mod:{DATA.count(chr(10)) + 3}:{column}: ")
+
+
 def test_text_after_the_module_is_reported_and_never_run() -> None:
     program = run(f'MODULE m\n{DATA}PROC main()\nENDPROC\nENDMODULE\nMoveL p,v100,fine,tool0; " ENDPROC\n')
     assert program.motions == ()

@@ -11,7 +11,7 @@ from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import NUM, SIGNALS, STRING, SWITCH, Array, Type, Value
 from trajopt_cli.rapid.data.scope import ABSENT, Absent, Datum, Frame, ModuleScope, Place
 from trajopt_cli.rapid.execution.answers import ask
-from trajopt_cli.rapid.execution.arguments import present, subject
+from trajopt_cli.rapid.execution.arguments import named, present, subject
 from trajopt_cli.rapid.execution.evaluate import convertible, evaluate, locate
 from trajopt_cli.rapid.execution.functions.table import FUNCTIONS
 from trajopt_cli.rapid.execution.instructions.table import INSTRUCTIONS
@@ -254,6 +254,10 @@ def _pass(run: Run, routine: Routine, head: Head, args: list[Argument], frame: F
         if len(given) > 1:
             both = " and ".join(f"\\{name}" for name in given[:2])
             raise run.error(node, f"{routine.name} takes only one of {both}")
+    for place, one in enumerate(required):
+        if one.parameter is not None:
+            others = [parameter.name for parameter in routine.parameters if parameter.optional]
+            named(run, routine.name, one, place, head.required, others)
     following = iter(required)
     for parameter, type_ in zip(routine.parameters, head.types, strict=True):
         key = parameter.name.lower()

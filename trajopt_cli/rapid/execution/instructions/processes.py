@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from trajopt_cli.motion import MoveC, MoveJ, MoveL, Process, Speed
 from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import Record
-from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, present
+from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, named, present
 from trajopt_cli.rapid.execution.equipment import said
 from trajopt_cli.rapid.execution.instructions import pace
 from trajopt_cli.rapid.execution.instructions.moves import POSE_OPTIONS, PoseKind, asked, to_pose
@@ -24,9 +24,19 @@ if TYPE_CHECKING:
 _PLAIN = frozenset(option.lower() for option in POSE_OPTIONS)
 
 
-def _loose(run: Run, node: ProcedureCall) -> tuple[list[Expression], dict[str, Expression | None], Arguments]:
-    """Arguments by place; optional ones of the process by name as written; those of every move."""
+def _loose(
+    run: Run, node: ProcedureCall, names: list[tuple[str, ...]]
+) -> tuple[list[Expression], dict[str, Expression | None], Arguments]:
+    """Arguments by place; optional ones of the process by name as written; those of every move.
+
+    names: of the required arguments, as far as the instruction's forms go.
+    """
     places: list[Expression] = []
+    given = [arg for arg in node.args if arg.name is None]
+    required = next((form for form in names if len(form) == len(given)), ())
+    for place, arg in enumerate(given):
+        if arg.parameter is not None and required:
+            named(run, node.name, arg, place, required)
     own: dict[str, Expression | None] = {}
     plain: dict[str, Expression | None] = {}
     for arg in present(run, node.args):
@@ -49,11 +59,14 @@ def _process(kind: PoseKind, name: str, data: tuple[str, ...], *, zone: bool = T
     points = ("CirPoint", "ToPoint") if via else ("ToPoint",)
     behind = 2 if zone else 1
 
+    ends = ("Zone", "Tool") if zone else ("Tool",)
+    forms = [(*points, "Speed", *data[:count], *ends) for count in range(len(data) + 1)]
+
     def handler(run: Run, node: ProcedureCall) -> None:
-        places, own, plain = _loose(run, node)
+        places, own, plain = _loose(run, node, forms)
         least = len(points) + 1 + behind
         if not least <= len(places) <= least + len(data):
-            names = ", ".join((*points, "Speed", *data, *(("Zone",) if zone else ()), "Tool"))
+            names = ", ".join(forms[-1])
             message = f"{node.name} takes up to {least + len(data)} arguments ({names}), found {len(places)}"
             raise run.error(node, message)
         extra = places[len(points) + 1 : len(places) - behind]

@@ -128,7 +128,7 @@ def _triggered(kind: PoseKind, name: str) -> Instruction:
     options = ("Conc", "ID", "V", "T", *_NUMBERED, "Inpos", "WObj", "Corr", "TLoad")
 
     def handler(run: Run, node: ProcedureCall) -> None:
-        args = bind(run, node, (*via, "ToPoint", "Speed", "Trigg1", "Zone", "Tool"), options)
+        args = bind(run, node, (*via, "ToPoint", "Speed", "Trigg_1", "Zone", "Tool"), options)
         *points, speed, trigger, zone, tool = args.required
         given = [trigger, *(args.optional[key.lower()] for key in _NUMBERED if key.lower() in args.optional)]
         events = tuple(event for argument in given if argument is not None for event in _events(run, argument))
