@@ -104,9 +104,67 @@ def test_a_handler_runs_once_for_an_error_deep_inside_its_routine() -> None:
     assert trace("go; ERROR TRYNEXT;", rest=rest) == [1]
 
 
-def test_an_error_in_a_handler_goes_to_the_caller() -> None:
-    rest = "PROC go()\nWaitTime 1/0;\nERROR\nWaitTime a{9};\nTRYNEXT;\nENDPROC"
-    assert trace("go; ERROR (ERR_OUTOFBND) WaitTime 7; TRYNEXT;", "VAR num a{2};", rest) == [7]
+def test_an_error_in_a_handler_stops_the_program_whatever_handlers_the_callers_have() -> None:
+    """RAPID reference manual, error recovery: such errors are always propagated to the system error handler."""
+    rest = "PROC go()\nWaitTime 1/0;\nERROR\n{}\nTRYNEXT;\nENDPROC\nPROC inner()\n{}\nENDPROC"
+    for inside, inner in (("WaitTime a{9};", ""), ("inner;", "WaitTime a{9};"), ("RAISE -1;", "")):
+        text = error("go; ERROR WaitTime 7; TRYNEXT;", "VAR num a{2};", rest.format(inside, inner))
+        assert text.startswith(f"m.mod:{13 if inner else 9}:"), text
+    handled = "WaitTime a{9};\nERROR\nWaitTime 3;\nTRYNEXT;"
+    assert trace("go; ERROR WaitTime 7;", "VAR num a{2};", rest.format("inner;", handled)) == [3]
+
+
+CHAIN = (  # main calls one, one calls two, two fails
+    "PROC one()\ntwo;\nWaitTime 10;\n{}\nENDPROC\nPROC two()\n{}\nWaitTime 20;\n{}\nENDPROC"
+)
+
+
+@pytest.mark.parametrize(
+    ("main", "one", "fails", "two", "values"),
+    [
+        # RAISE in a handler goes to the handler that lists the number, past those that do not.
+        ("ERROR (55) WaitTime ERRNO; TRYNEXT;", "ERROR\nWaitTime 1;\nTRYNEXT;", "RAISE 55;", "ERROR\nRAISE;", [55, 9]),
+        ("ERROR (56) WaitTime ERRNO; TRYNEXT;", "ERROR\nTRYNEXT;", "RAISE 55;", "ERROR (55)\nRAISE 56;", [56, 9]),
+        ("ERROR (own) WaitTime 5; TRYNEXT;", "ERROR\nTRYNEXT;", "RAISE own;", "ERROR\nIF ERRNO=own RAISE;", [5, 9]),
+        ("ERROR (own) WaitTime 5; TRYNEXT;", "ERROR (1)\nTRYNEXT;", "RAISE 1;", "ERROR\nRAISE own;", [5, 9]),
+        ("ERROR (LONG_JMP_ALL_ERR) WaitTime 5; TRYNEXT;", "ERROR\nTRYNEXT;", "x:=1/0;", "ERROR\nRAISE;", [5, 9]),
+        ("ERROR (55) x:=1; RETRY;", "ERROR\nTRYNEXT;", "IF x=0 RAISE 55;", "ERROR\nRAISE;", [20, 10, 9]),
+        # The nearest that lists it; where none does, the caller's handler.
+        ("ERROR (55) WaitTime 5;", "ERROR (55)\nWaitTime 1;\nTRYNEXT;", "RAISE 55;", "ERROR\nRAISE;", [1, 10, 9]),
+        ("ERROR (7) WaitTime 5;", "ERROR\nWaitTime 1;\nTRYNEXT;", "RAISE 55;", "ERROR\nRAISE;", [1, 10, 9]),
+        # Without a handler of its own an error goes up call by call.
+        ("ERROR (55) WaitTime 5;", "ERROR\nWaitTime 1;\nTRYNEXT;", "RAISE 55;", "", [1, 10, 9]),
+        ("ERROR (own) WaitTime 5; RETURN;", "", "RAISE own;", "", [5]),
+        ("ERROR TEST ERRNO CASE 1: WaitTime 1; CASE own: WaitTime 2; ENDTEST TRYNEXT;", "", "RAISE own;", "", [2, 9]),
+        # StartMoveRetry is StartMove and RETRY.
+        ("ERROR StopMove; x:=4; StartMoveRetry;", "", "WaitTime 4/x;", "", [1, 20, 10, 9]),
+        # The handler that lists the number goes before one without a list.
+        ("ERROR WaitTime 1; TRYNEXT; ERROR (55) SkipWarn; WaitTime 2; TRYNEXT;", "", "RAISE 55;", "", [2, 9]),
+    ],
+)
+def test_an_error_finds_its_handler_up_the_calls(
+    main: str, one: str, fails: str, two: str, values: list[float]
+) -> None:
+    """RAPID overview, error recovery and error recovery with long jump."""
+    body = f"BookErrNo own; one; WaitTime 9; {main}"
+    assert trace(body, "VAR errnum own:=-1; VAR num x;", CHAIN.format(one, fails, two)) == values
+
+
+def test_a_long_jump_says_whose_undo_handler_it_leaves_out() -> None:
+    one = "UNDO\nWaitTime 3;"
+    warnings = run("one; ERROR (55) RETURN;", rest=CHAIN.format(one, "RAISE 55;", "ERROR\nRAISE;")).warnings
+    assert [str(w.place) for w in warnings if "long jump" in w.text] == ["m.mod:9:1"]
+
+
+def test_every_booked_error_has_a_number_of_its_own_that_no_program_raises_as_it_is() -> None:
+    data = "VAR errnum a:=-1; VAR errnum b:=-1;"
+    assert trace("BookErrNo a; BookErrNo b; IF a=b OR a<91 OR b<91 WaitTime 1;", data) == []
+    assert trace("BookErrNo a; RAISE 1; ERROR (a) WaitTime 1; TRYNEXT; ERROR WaitTime 2; TRYNEXT;", data) == [2]
+
+
+@pytest.mark.parametrize("name", ["ProcerrRecovery\\SyncOrgMoveInst", "RaiseToUser\\Continue", "StartMoveRetry"])
+def test_an_error_whose_handler_is_not_modelled_is_refused_where_it_is_raised(name: str) -> None:
+    assert error(f"{name}; ERROR TRYNEXT;").startswith("m.mod:4:1: ")
 
 
 def test_a_handler_of_a_function_gives_its_value() -> None:

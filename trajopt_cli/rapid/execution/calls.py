@@ -179,7 +179,7 @@ def enter(run: Run, routine: Routine, scope: ModuleScope, args: Sequence[Argumen
     if run.budget < 0:
         raise run.exhausted(node)
     head = _head(run, routine, scope)
-    frame = Frame(scope, returns=head.returns, routine=routine, motions=len(run.motions))
+    frame = Frame(scope, returns=head.returns, routine=routine, caller=run.frame, motions=len(run.motions))
     if routine is run.frame.routine and node is routine.body[-1] and not args and len(run.motions) > run.frame.motions:
         loop = f"{routine.kind} {routine.name}, whose last statement calls it again,"
         counted = run.frame.turns.get(id(node), (0, 0))[1]

@@ -22,14 +22,14 @@ def nothing(name: str) -> Instruction:
 
 _NAMES = """
     TPErase TPShow TPWrite UIShow
-    ErrLog ErrWrite ProcerrRecovery
+    ErrLog ErrWrite
 
     ClkReset ClkStart ClkStop
 
     IDelete IDisable IEnable IError IPers ISleep IWatch ITimer ISignalAI ISignalAO ISignalDI ISignalDO ISignalGI
     ISignalGO IRMQMessage IVarValue GetTrapData RMQEmptyQueue RMQFindSlot RMQReadWait RMQSendMessage RMQSendWait
 
-    ClearPath RestoPath StartMove StartMoveRetry StopMove StopMoveReset StorePath PathRecStart PathRecStop
+    ClearPath RestoPath StartMove StopMove StopMoveReset StorePath PathRecStart PathRecStop
     CornerPathWarning MotionProcessModeSet MotionSup PathLengthReset PathLengthStart PathLengthStop
     PathResol SoftAct SoftDeact
     DropSensor DropWObj SupSyncSensorOff SupSyncSensorOn WaitSensorReset
