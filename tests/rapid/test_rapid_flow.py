@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import sys
 
+import numpy as np
 import pytest
 
 from trajopt_cli.errors import InputError
@@ -339,12 +340,25 @@ def test_connect_needs_a_trap_and_interrupts_never_come() -> None:
         ("FOR i FROM 3 TO 1 STEP 1 DO WaitTime i; ENDFOR", []),
         ("FOR i FROM 1 TO n DO n:=0; WaitTime i; ENDFOR", [1, 2]),
         ("FOR n FROM 5 TO 5 DO WaitTime n; ENDFOR WaitTime n;", [5, 2]),
-        ("FOR i FROM 0 TO 1 STEP 0.1 DO Incr n; ENDFOR WaitTime n;", [13]),
         ("FOR i FROM 1 TO 2 DO FOR i FROM 8 TO 9 DO ENDFOR WaitTime i; ENDFOR", [1, 2]),
     ],
 )
 def test_for(loop: str, values: list[float]) -> None:
     assert trace(loop, "VAR num n:=2;") == values
+
+
+@pytest.mark.parametrize(
+    ("first", "last", "step"), [(0, 1, 0.1), (0, 0.3, 0.1), (1, 0, -0.1), (0, 2, 0.4), (0.5, 3, 1)]
+)
+def test_a_loop_of_decimals_adds_32_bit_floats_and_is_told(first: float, last: float, step: float) -> None:
+    """RAPID reference manual, FOR: undefined whether or not the last loop is running."""
+    value, count = np.float32(first), 0
+    while value <= np.float32(last) if step > 0 else value >= np.float32(last):
+        value, count = value + np.float32(step), count + 1
+    program = run(f"n:=1;\nFOR i FROM {first} TO {last} STEP {step} DO\nIncr n;\nENDFOR\nWaitTime n;", "VAR num n;")
+    assert [m.duration for m in program.motions if isinstance(m, Wait)] == [count + 1]
+    assert [str(warning.place) for warning in program.warnings] == ["m.mod:5:1"]
+    assert run("FOR i FROM 1 TO 2.5 DO\nENDFOR\nFOR i FROM 6 TO 2 STEP -2 DO\nENDFOR").warnings == ()
 
 
 @pytest.mark.parametrize(
