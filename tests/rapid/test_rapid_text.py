@@ -328,14 +328,28 @@ def test_what_cannot_be_run_is_described_with_its_place(body: str, data: str, me
 
 
 def test_an_unknown_instruction_is_named_with_what_to_do() -> None:
-    assert error_main("GlueL p,v100,s,g,tool0;") == (
-        "m.mod:3:1: GlueL is neither a procedure of the files read nor a known instruction; give the file "
-        "that declares it, or take it as doing nothing: the line 'stubs: [GlueL]' in the cell file"
+    assert error_main("Glue p,s,g;") == (
+        "m.mod:3:1: Glue is neither a procedure of the files read nor a known instruction; give the file "
+        "that declares it, or take it as doing nothing: the line 'stubs: [Glue]' in the cell file"
     )
     assert error_main("WaitTime Guess();") == (
         "m.mod:3:10: Guess is neither a function of the files read nor a known function; "
         "add the line 'answers: {Guess: 0}' to the cell file"
     )
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        *("GlueL q,a,s,g,t;", "MoveHome;", "FCPressL q,a,b,c;", "SpotMPL x;", "ArcMoveJ q;", "IndCMove STN1,1,20;"),
+        *("TriggLIOs x;", "SpeedLimAxis STN1,1,20;", "pathrecmovebwd;", "StepBwdPath 30,1;"),
+        *("Go p;", "Go ps{2};", "Go 1,Offs(p,0,0,5);", "Go target();", "Go j;", "Go where:=p;", "Rush v100;"),
+    ],
+)
+def test_no_stub_is_advised_for_what_moves_or_sets_speeds(call: str) -> None:
+    text = error_main(call, DATA, "FUNC robtarget target()\nRETURN p;\nENDFUNC\n")
+    assert text.startswith(f"m.mod:{DATA.count(chr(10)) + 3}:1: ")
+    assert "stubs" not in text
 
 
 RAIL = "[9E9,9E9,9E9,9E9,9E9,9E9], with the rail's position in its place if the robot rides on one"

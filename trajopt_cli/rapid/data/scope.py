@@ -180,8 +180,8 @@ class Frame:
     routine: None while a module's data is computed. caller: the call that called this one. given: the arguments as the
     caller wrote them, with the frame they stand in. handling: the error that its ERROR handler is busy with. retried:
     the statement that was last tried again, how often it had run then, and how many times it was tried again in a row.
-    motions: how many there were when the routine began. passes, turns: of its GOTO loops, by the GOTO's id: passes so far; motions before the present one and
-    passes that counted.
+    motions: how many there were when the routine began. passes, turns: of its GOTO loops, by the GOTO's id: passes so
+    far; motions before the present one and passes that counted.
     """
 
     scope: ModuleScope

@@ -13,6 +13,7 @@ from trajopt_cli.rapid.data.scope import ABSENT, Absent, Datum, Frame, ModuleSco
 from trajopt_cli.rapid.execution.answers import ask
 from trajopt_cli.rapid.execution.arguments import named, present, subject
 from trajopt_cli.rapid.execution.evaluate import convertible, evaluate, locate
+from trajopt_cli.rapid.execution.faults import Undeclared
 from trajopt_cli.rapid.execution.functions.table import FUNCTIONS
 from trajopt_cli.rapid.execution.instructions.table import INSTRUCTIONS
 from trajopt_cli.rapid.execution.jumps import Jump, Return
@@ -23,9 +24,12 @@ from trajopt_cli.rapid.execution.operators import computed
 from trajopt_cli.rapid.language.syntax import (
     Argument,
     Call,
+    Element,
+    Expression,
     Goto,
     Label,
     LateCall,
+    Name,
     Node,
     Parameter,
     ProcedureCall,
@@ -41,6 +45,16 @@ FUNCTION_COST = 2  # and as long as a predefined function
 _INSTRUCTIONS = {name.lower(): handler for name, handler in INSTRUCTIONS.items()}
 _FUNCTIONS = {name.lower(): handler for name, handler in FUNCTIONS.items()}
 _NAME = re.compile(r"(?:(\w*):)?([^\W\d]\w*)")  # `module:procedure`, `:procedure`
+
+
+# Names of ABB's instructions that move or set speeds, and may be of an option that is not read here.
+_MOVING = re.compile(
+    r"Move\w*|Ind[ACDR]Move|PathRecMove\w+|StepBwdPath|SpeedLim\w+|"
+    r"(?:Arc|Cap|Contact|DaProc|Disp|FC|Glue|Nut|Paint|Search|Spot|Trigg)\w*[LJC](?:[12]|Start|End|IOs)?",
+    re.IGNORECASE,
+)
+_OF_MOVES = frozenset({"robtarget", "jointtarget", "speeddata"})
+_TARGETS = frozenset({"offs", "reltool", "mirpos", "orobt", "crobt", "cjointt", "calcrobt", "calcjointt"})
 
 
 @dataclass(frozen=True)
@@ -95,7 +109,37 @@ def _stub(run: Run, node: ProcedureCall) -> None:
     def close() -> str | None:
         return run.close(node.name, [*INSTRUCTIONS, *run.routines("PROC")])
 
+    if _moves(run, node):  # nothing may stand for it
+        error = run.error(node, f"{message}, and it moves the robot or sets its speed")
+        remedy = "write it as MoveL, MoveC, MoveJ, MoveAbsJ or VelSet, or give the file that declares it"
+        raise Undeclared(
+            error.message,
+            close(),
+            remedy,
+            file=error.file,
+            line=error.line,
+            column=error.column,
+            excerpt=error.excerpt,
+        )
     run.world.lack(run, "stubs", node.name, node, message, "", close=close)
+
+
+def _moves(run: Run, node: ProcedureCall) -> bool:
+    """Whether an unknown procedure moves or sets speeds: by its name, or as it is given targets or speeds."""
+    return _MOVING.fullmatch(node.name) is not None or any(_tells_a_move(run, arg.value) for arg in node.args)
+
+
+def _tells_a_move(run: Run, value: Expression | None) -> bool:
+    while isinstance(value, Element):
+        value = value.base
+    if isinstance(value, Call):
+        found = run.routine(value.name)
+        return (found[0].type or "").lower() in _OF_MOVES if found else value.name.lower() in _TARGETS
+    place = run.find(value.name) if isinstance(value, Name) else None
+    if place is None or isinstance(place, Absent):
+        return False
+    type_ = place.type.element if isinstance(place.type, Array) else place.type
+    return type_.name in _OF_MOVES
 
 
 def function(run: Run, node: Call, wanted: Type | None) -> Value:

@@ -147,12 +147,13 @@ class Undeclared(InputError):
         self,
         reason: str,
         close: str | None,
+        remedy: str = "give the file that declares it",
         *,
         file: str | None,
         line: int | None,
         column: int | None,
         excerpt: str | None,
     ):
-        message = f"{asked(reason, close)} give the file that declares it"
+        message = f"{asked(reason, close)} {remedy}"
         super().__init__(message, file=file, line=line, column=column, excerpt=excerpt)
         self.reason, self.close = reason, close
