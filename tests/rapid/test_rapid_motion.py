@@ -452,11 +452,46 @@ def test_weld_speed_that_nobody_tells_is_said() -> None:
     (move,) = moves(program)
     assert move.speed.v_tcp == 0.1
     assert tuple(map(str, program.warnings)) == (
-        "m.mod:4:1: the weld_speed of weld1 is not known; the weld is taken at its Speed v100",
+        "m.mod:4:1: the weld_speed of weld1 is not known; the move is taken at its Speed v100",
     )
     record = "RECORD welddata\nnum sched;\nnum weld_speed;\nENDRECORD\nPERS welddata weld1:=[3,12.5];\n"
     (move,) = moves(run_main(body, record))
     assert move.speed.v_tcp == pytest.approx(0.0125)
+
+
+CAP = 'PERS capdata c:=["start",FALSE,FALSE,0,[0,0,{},{},15,0],[0,0],[0,0,0,0,0,0],[0,0,0],[0,0,0,0,0,0]];\n'
+WELD = "PERS welddata w:=[8,8,[5,0,22,120,0,0,0,0,0],[0,0,0,0,0,0,0,0,0]];\nPERS welddata old{2}:=[[1,20],[2,30]];\n"
+
+
+@pytest.mark.parametrize(
+    ("call", "speeds"),
+    [
+        ("CapL {p},v200,c,weave,fine,tool0;", [15]),
+        ("CapL ToPoint:={p},v200,Cdata:=c,Weavestart:=start,Weave:=weave,Zone:=fine,tool0;", [15]),
+        ("CapC {q},{p},v200,c,weave,fine,tool0;", [15]),
+        ("c.speed_data.main:=25; CapL {p},v200,c,weave,fine,tool0;", [25]),
+        ("SpeedRefresh 50; CapL {p},v200,c,weave,fine,tool0; ArcL {p},v200,s,w,fine,tool0;", [7.5, 4]),
+        ("w.weld_speed:=12; ArcL {p},v200,s,w,fine,tool0; ArcLStart {p},v200,s,w,fine,tool0;", [12, 200]),
+        ("ArcL {p},v200,s,old{{2}},fine,tool0; old{{2}}.weld_speed:=5; ArcL {p},v200,s,old{{2}},fine,tool0;", [30, 5]),
+        ("w:=old{{1}}; ArcC {q},{p},v200,s,w,fine,tool0;", [20]),
+        ("DispL {p},v200,b,fine,tool0; PaintL {p},v300,fine,tool0; SpotL {p},v400,g,s,tool0;", [200, 300, 400]),
+    ],
+)
+def test_the_process_data_says_the_speed_of_the_process(call: str, speeds: list[float]) -> None:
+    """As the data stands when the move is made; capspeeddata: fly_start, start, startspeed_time, ..., main, fly_end."""
+    body = f"MoveL {at(0, 0, 500)},v100,fine,tool0; " + call.format(p=at(100, 0, 500), q=at(50, 50, 500))
+    _, *found = moves(run_main(body, WELD + CAP.format(0, 0)))
+    assert [move.speed.v_tcp * 1e3 for move in found] == pytest.approx(speeds)
+
+
+def test_process_speeds_that_are_not_known_are_told_by_line() -> None:
+    body = f"CapL {at(1, 2, 3)},v100,{{}},weave,fine,tool0;"
+    for name, data in (("nowhere", ""), ("c", "PERS capdata c:=[1,2,3];"), ("w", "VAR capdata w;")):
+        program = run_main(body.format(name), data)
+        assert moves(program)[0].speed.v_tcp == 0.1
+        assert [str(warning.place) for warning in program.warnings] == ["m.mod:4:1"]
+    (warning,) = run_main(body.format("c"), CAP.format(2, 0)).warnings  # two seconds at another speed
+    assert str(warning.place) == "m.mod:5:1"
 
 
 def test_a_search_stops_within_its_arc_and_faults_only_at_its_end() -> None:

@@ -11,6 +11,7 @@ from trajopt_cli.rapid.data.predefined import BOOKED, ERRORS
 from trajopt_cli.rapid.execution.calls import late_call, procedure
 from trajopt_cli.rapid.execution.evaluate import condition, evaluate, inside_opaque, locate
 from trajopt_cli.rapid.execution.faults import Fault, Handled, Undeclared, handle, long_jump
+from trajopt_cli.rapid.execution.instructions.processes import set_speed
 from trajopt_cli.rapid.execution.jumps import Exit, Jump, Retry, Return, TryNext
 from trajopt_cli.rapid.execution.loading import declare
 from trajopt_cli.rapid.execution.loops import backwards, run_for, run_while
@@ -83,6 +84,8 @@ def _assign(run: Run, node: Assign) -> None:
     target = node.target
     run.budget -= (node.end - node.start) // _LONG  # a long expression takes as long as many statements
     if type(target) is not Name and inside_opaque(run, target):
+        if set_speed(run, target, node.value):
+            return
         run.note(
             "opaque",
             NoticeKind.NO_EFFECT,
