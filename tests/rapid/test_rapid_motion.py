@@ -470,7 +470,6 @@ WELD = "PERS welddata w:=[8,8,[5,0,22,120,0,0,0,0,0],[0,0,0,0,0,0,0,0,0]];\nPERS
         ("CapL ToPoint:={p},v200,Cdata:=c,Weavestart:=start,Weave:=weave,Zone:=fine,tool0;", [15]),
         ("CapC {q},{p},v200,c,weave,fine,tool0;", [15]),
         ("c.speed_data.main:=25; CapL {p},v200,c,weave,fine,tool0;", [25]),
-        ("SpeedRefresh 50; CapL {p},v200,c,weave,fine,tool0; ArcL {p},v200,s,w,fine,tool0;", [7.5, 4]),
         ("w.weld_speed:=12; ArcL {p},v200,s,w,fine,tool0; ArcLStart {p},v200,s,w,fine,tool0;", [12, 200]),
         ("ArcL {p},v200,s,old{{2}},fine,tool0; old{{2}}.weld_speed:=5; ArcL {p},v200,s,old{{2}},fine,tool0;", [30, 5]),
         ("w:=old{{1}}; ArcC {q},{p},v200,s,w,fine,tool0;", [20]),
@@ -492,6 +491,10 @@ def test_process_speeds_that_are_not_known_are_told_by_line() -> None:
         assert [str(warning.place) for warning in program.warnings] == ["m.mod:4:1"]
     (warning,) = run_main(body.format("c"), CAP.format(2, 0)).warnings  # two seconds at another speed
     assert str(warning.place) == "m.mod:5:1"
+    for setting in ("VelSet 50,5000;", "SpeedRefresh 50;"):
+        program = run_main(f"{setting}\n{body.format('c')}", CAP.format(0, 0))
+        assert moves(program)[0].speed.v_tcp == pytest.approx(0.015)
+        assert [str(warning.place) for warning in program.warnings] == ["m.mod:6:1"]
 
 
 def test_a_search_stops_within_its_arc_and_faults_only_at_its_end() -> None:

@@ -96,7 +96,7 @@ def _without_stop(options: dict[str, Expression | None]) -> dict[str, Expression
 
 
 def _process_speed(run: Run, node: ProcedureCall, speed: Expression, data: Expression) -> Speed | None:
-    """The speed while the process runs, which its data says, and SpeedRefresh a share of it; None: as Speed says."""
+    """The speed while the process runs, which its data says; None: as Speed says."""
     place = _place(run, data)
     at = None if place is None else _speed_at(place.type, place.value.data)
     value = None if place is None or at is None else _at(place.value.data, at)
@@ -111,8 +111,11 @@ def _process_speed(run: Run, node: ProcedureCall, speed: Expression, data: Expre
     if place is not None and at is not None and len(at) == 2 and any(_at(place.value.data, at[:1])[2:4]):
         what = f"startspeed_time and startmove_delay of {run.text(data)} are left out: the process starts at full speed"
         run.note(f"start {run.text(data)}", NoticeKind.ASSUMED, what, node)
+    if run.settings.override != 1:
+        what = f"{run.text(data)} says the speed of the process; VelSet and SpeedRefresh are taken to leave it"
+        run.note(f"override {run.text(data)}", NoticeKind.ASSUMED, what, node)
     outside = pace.speed(run, speed, Arguments((), {}))
-    return Speed(said(run, data), value * MM * run.refresh, outside.v_ori, outside.v_leax, outside.v_reax)
+    return Speed(said(run, data), value * MM, outside.v_ori, outside.v_leax, outside.v_reax)
 
 
 def set_speed(run: Run, target: Expression, value: Expression) -> bool:
