@@ -13,6 +13,7 @@ from trajopt_cli.motion import MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, Signal
 from trajopt_cli.rapid.language.text import decode
 from trajopt_cli.rapid.marks import way_around
 from trajopt_cli.rapid.reader import read_program, run_program
+from trajopt_cli.scenario import Scenario
 
 ROOT = Path(__file__).parents[2]
 MOVES = (MoveJ, MoveL, MoveAbsJ, MoveExtJ)
@@ -348,8 +349,15 @@ def test_an_unknown_instruction_is_named_with_what_to_do() -> None:
 )
 def test_no_stub_is_advised_for_what_moves_or_sets_speeds(call: str) -> None:
     text = error_main(call, DATA, "FUNC robtarget target()\nRETURN p;\nENDFUNC\n")
-    assert text.startswith(f"m.mod:{DATA.count(chr(10)) + 3}:1: ")
+    place = f"m.mod:{DATA.count(chr(10)) + 3}:1"
+    assert text.startswith(f"{place}: ")
     assert "stubs" not in text
+    scenario = Scenario(stubs=frozenset({call.split()[0].strip(";").lower()}))
+    rest = "FUNC robtarget target()\nRETURN p;\nENDFUNC\n"
+    told = run_program(
+        [TextFile("m.mod", f"MODULE m\n{DATA}PROC main()\n{call}\nENDPROC\n{rest}ENDMODULE\n", "utf-8")], scenario
+    )
+    assert [str(warning.place) for warning in told.warnings] == [place]
 
 
 RAIL = "[9E9,9E9,9E9,9E9,9E9,9E9], with the rail's position in its place if the robot rides on one"

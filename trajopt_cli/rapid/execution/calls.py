@@ -103,6 +103,9 @@ def _stub(run: Run, node: ProcedureCall) -> None:
     if node.name.lower() in run.scenario.stubs:
         run.world.asked("stubs", node.name.lower())
         run.ignored[node.name] += 1
+        if _moves(run, node):
+            what = f"{node.name} is taken as doing nothing (stubs), and it moves the robot or sets its speed"
+            run.warn(NoticeKind.ASSUMED, what, run.source(node))
         return
     message = f"{node.name} is neither a procedure of the files read nor a known instruction"
 
