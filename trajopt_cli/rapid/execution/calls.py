@@ -45,8 +45,6 @@ FUNCTION_COST = 2  # and as long as a predefined function
 _INSTRUCTIONS = {name.lower(): handler for name, handler in INSTRUCTIONS.items()}
 _FUNCTIONS = {name.lower(): handler for name, handler in FUNCTIONS.items()}
 _NAME = re.compile(r"(?:(\w*):)?([^\W\d]\w*)")  # `module:procedure`, `:procedure`
-
-
 # Names of ABB's instructions that move or set speeds, and may be of an option that is not read here.
 _MOVING = re.compile(
     r"Move\w*|Ind[ACDR]Move|PathRecMove\w+|StepBwdPath|SpeedLim\w+|"
@@ -104,7 +102,7 @@ def _stub(run: Run, node: ProcedureCall) -> None:
         run.world.asked("stubs", node.name.lower())
         run.ignored[node.name] += 1
         if _moves(run, node):
-            what = f"{node.name} is taken as doing nothing (stubs), and it moves the robot or sets its speed"
+            what = f"{node.name} is taken as doing nothing (stubs); by its name or arguments it moves or sets speeds"
             run.warn(NoticeKind.ASSUMED, what, run.source(node))
         return
     message = f"{node.name} is neither a procedure of the files read nor a known instruction"
@@ -113,7 +111,7 @@ def _stub(run: Run, node: ProcedureCall) -> None:
         return run.close(node.name, [*INSTRUCTIONS, *run.routines("PROC")])
 
     if _moves(run, node):  # nothing may stand for it
-        error = run.error(node, f"{message}, and it moves the robot or sets its speed")
+        error = run.error(node, f"{message}, and by its name or arguments it moves the robot or sets its speed")
         remedy = "write it as MoveL, MoveC, MoveJ, MoveAbsJ or VelSet, or give the file that declares it"
         raise Undeclared(
             error.message,

@@ -55,9 +55,7 @@ def run_for(run: Run, node: For) -> None:
     if step == 0:
         raise run.error(node, "FOR with STEP 0 never ends")
     if first % 1 or step % 1:
-        what = (
-            f"FOR {node.name} counts in decimals, so rounding decides whether its last pass runs; count whole numbers"
-        )
+        what = f"FOR {node.name} counts in decimals: rounding may decide whether its last pass runs; use whole numbers"
         run.warn(NoticeKind.UNUSUAL, what, run.source(node))
     local, key = run.frame.local, node.name.lower()
     hidden = local.get(key)
