@@ -10,10 +10,12 @@ from rail_plans import J1, J2, changed_lines, made, plan_for, read_back, unified
 from trajopt_cli.cell.loader import load_cell
 from trajopt_cli.errors import InputError
 from trajopt_cli.export.rapid import export_rapid
+from trajopt_cli.export.rapid_call import read_move
 from trajopt_cli.export.rapid_check import mismatches
 from trajopt_cli.export.rapid_reading import Reading
+from trajopt_cli.export.rapid_scopes import names_in
 from trajopt_cli.export.rapid_writable import text_changes
-from trajopt_cli.motion import ConfData, MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, Wait
+from trajopt_cli.motion import ConfData, MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL, Program, Wait
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.rapid.reader import read_program, run_program
@@ -22,6 +24,33 @@ from trajopt_cli.scenario import Scenario
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 MOVES = (MoveJ, MoveL, MoveAbsJ, MoveExtJ)
+
+
+def test_named_arguments_keep_their_names_where_a_target_is_exchanged(plant: Plant) -> None:
+    body = (
+        "        MoveJ ToPoint:=p1,Speed:=v100,Zone:=fine,Tool:=tool0;\n"
+        "        MoveL ToPoint:=Offs(Point:=p1,XOffset:=0,YOffset:=0,ZOffset:=50),Speed:=v100,fine,Tool:=tool0;\n"
+    )
+    program = made(body)
+    export = export_rapid(program, plan_for(program, plant, {0: 0.25, 1: 0.3}), plant)
+    text = export.texts["m.mod"]
+    assert "MoveJ ToPoint:=p1,Speed:=v100,Zone:=fine,Tool:=tool0;" in text
+    assert "MoveL ToPoint:=p1_2,Speed:=v100,fine,Tool:=tool0;" in text
+    again = read_back(program, export)
+    assert [plant.rail_value(move.extax) for move in again.motions] == pytest.approx([0.25, 0.3])
+    assert [*names_in("MoveL ToPoint:=p, Zone := fine, t{n}\\WObj:=w;")] == ["MoveL", "p", "fine", "t", "n", "w"]
+
+
+@pytest.mark.parametrize("name", ["MoveC", "ArcC", "CapC", "DispC", "PaintC"])
+def test_the_circle_point_of_every_arc_is_known(name: str) -> None:
+    data = {"ArcC": "s,w,", "CapC": "c,w,", "DispC": "b,"}.get(name, "")
+    via = "[[550,100,450],[0,0,1,0],[0,0,0,0],[0,9E9,9E9,9E9,9E9,9E9]]"
+    text = f"{name} CirPoint:={via},ToPoint:=p1,Speed:=v100,{data}fine,Tool:=tool0;"
+    move = made(f"        {text}\n").motions[0]
+    assert isinstance(move, MoveC)
+    call, start = read_move(move, text), move.written.statement.start
+    parts = (call.via, call.target, call.speed, call.tool)
+    assert [text[p.start - start : p.end - start] for p in parts if p] == [via, "p1", "v100", "tool0"]
 
 
 @pytest.fixture(scope="module")

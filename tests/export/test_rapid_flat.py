@@ -61,6 +61,16 @@ def test_what_holds_the_rail_still_does_when_written_flat(plant: Plant, mark: st
     assert held[1] == held[0]
 
 
+def test_what_a_late_bound_procedure_does_besides_its_motions_is_said_to_be_left_out(plant: Plant) -> None:
+    body = '        FOR i FROM 0 TO 1 DO\n            %"m:go"% h:=i*50;\n        ENDFOR\n'
+    inside = "        MoveJ ToPoint:=Offs(p1,0,h,0),v100,fine,tool0;\n        Incr n;\n"
+    rest = f"    LOCAL PROC go(num h)\n{inside}    ENDPROC\n"
+    program = made(body, "    VAR num n;\n", rest)
+    export = export_rapid(program, plan_for(program, plant, {0: 0.25, 1: 0.3}), plant, loops=Loops.UNROLL)
+    assert "MoveJ ToPoint:=p1_flat2,v100" in export.new["main_flat.mod"].text
+    assert any("not carried over" in note.text and "late-bound" in note.text for note in export.notes)
+
+
 def test_a_loop_that_cannot_carry_the_plan_is_written_flat(plant: Plant) -> None:
     program = loop()
     plan = plan_for(program, plant, RAILS)

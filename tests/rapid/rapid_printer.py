@@ -127,7 +127,7 @@ def _arguments(args: Iterable[Argument]) -> str:
 def _argument(arg: Argument) -> str:
     value = "" if arg.value is None else print_expression(arg.value)
     if arg.name is None:
-        return value
+        return value if arg.parameter is None else f"{arg.parameter}:={value}"
     if arg.forward:
         return f"\\{arg.name}?{value}"
     return f"\\{arg.name}:={value}" if arg.value is not None else f"\\{arg.name}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import sys
 
+import numpy as np
 import pytest
 
 from trajopt_cli.errors import InputError
@@ -105,9 +106,67 @@ def test_a_handler_runs_once_for_an_error_deep_inside_its_routine() -> None:
     assert trace("go; ERROR TRYNEXT;", rest=rest) == [1]
 
 
-def test_an_error_in_a_handler_goes_to_the_caller() -> None:
-    rest = "PROC go()\nWaitTime 1/0;\nERROR\nWaitTime a{9};\nTRYNEXT;\nENDPROC"
-    assert trace("go; ERROR (ERR_OUTOFBND) WaitTime 7; TRYNEXT;", "VAR num a{2};", rest) == [7]
+def test_an_error_in_a_handler_stops_the_program_whatever_handlers_the_callers_have() -> None:
+    """RAPID reference manual, error recovery: such errors are always propagated to the system error handler."""
+    rest = "PROC go()\nWaitTime 1/0;\nERROR\n{}\nTRYNEXT;\nENDPROC\nPROC inner()\n{}\nENDPROC"
+    for inside, inner in (("WaitTime a{9};", ""), ("inner;", "WaitTime a{9};"), ("RAISE -1;", "")):
+        text = error("go; ERROR WaitTime 7; TRYNEXT;", "VAR num a{2};", rest.format(inside, inner))
+        assert text.startswith(f"m.mod:{13 if inner else 9}:"), text
+    handled = "WaitTime a{9};\nERROR\nWaitTime 3;\nTRYNEXT;"
+    assert trace("go; ERROR WaitTime 7;", "VAR num a{2};", rest.format("inner;", handled)) == [3]
+
+
+CHAIN = (  # main calls one, one calls two, two fails
+    "PROC one()\ntwo;\nWaitTime 10;\n{}\nENDPROC\nPROC two()\n{}\nWaitTime 20;\n{}\nENDPROC"
+)
+
+
+@pytest.mark.parametrize(
+    ("main", "one", "fails", "two", "values"),
+    [
+        # RAISE in a handler goes to the handler that lists the number, past those that do not.
+        ("ERROR (55) WaitTime ERRNO; TRYNEXT;", "ERROR\nWaitTime 1;\nTRYNEXT;", "RAISE 55;", "ERROR\nRAISE;", [55, 9]),
+        ("ERROR (56) WaitTime ERRNO; TRYNEXT;", "ERROR\nTRYNEXT;", "RAISE 55;", "ERROR (55)\nRAISE 56;", [56, 9]),
+        ("ERROR (own) WaitTime 5; TRYNEXT;", "ERROR\nTRYNEXT;", "RAISE own;", "ERROR\nIF ERRNO=own RAISE;", [5, 9]),
+        ("ERROR (own) WaitTime 5; TRYNEXT;", "ERROR (1)\nTRYNEXT;", "RAISE 1;", "ERROR\nRAISE own;", [5, 9]),
+        ("ERROR (LONG_JMP_ALL_ERR) WaitTime 5; TRYNEXT;", "ERROR\nTRYNEXT;", "x:=1/0;", "ERROR\nRAISE;", [5, 9]),
+        ("ERROR (55) x:=1; RETRY;", "ERROR\nTRYNEXT;", "IF x=0 RAISE 55;", "ERROR\nRAISE;", [20, 10, 9]),
+        # The nearest that lists it; where none does, the caller's handler.
+        ("ERROR (55) WaitTime 5;", "ERROR (55)\nWaitTime 1;\nTRYNEXT;", "RAISE 55;", "ERROR\nRAISE;", [1, 10, 9]),
+        ("ERROR (7) WaitTime 5;", "ERROR\nWaitTime 1;\nTRYNEXT;", "RAISE 55;", "ERROR\nRAISE;", [1, 10, 9]),
+        # Without a handler of its own an error goes up call by call.
+        ("ERROR (55) WaitTime 5;", "ERROR\nWaitTime 1;\nTRYNEXT;", "RAISE 55;", "", [1, 10, 9]),
+        ("ERROR (own) WaitTime 5; RETURN;", "", "RAISE own;", "", [5]),
+        ("ERROR TEST ERRNO CASE 1: WaitTime 1; CASE own: WaitTime 2; ENDTEST TRYNEXT;", "", "RAISE own;", "", [2, 9]),
+        # StartMoveRetry is StartMove and RETRY; the robot rests at StopMove.
+        ("ERROR StopMove; x:=4; StartMoveRetry;", "", "WaitTime 4/x;", "", [0, 1, 20, 10, 9]),
+        # The handler that lists the number goes before one without a list.
+        ("ERROR WaitTime 1; TRYNEXT; ERROR (55) SkipWarn; WaitTime 2; TRYNEXT;", "", "RAISE 55;", "", [2, 9]),
+    ],
+)
+def test_an_error_finds_its_handler_up_the_calls(
+    main: str, one: str, fails: str, two: str, values: list[float]
+) -> None:
+    """RAPID overview, error recovery and error recovery with long jump."""
+    body = f"BookErrNo own; one; WaitTime 9; {main}"
+    assert trace(body, "VAR errnum own:=-1; VAR num x;", CHAIN.format(one, fails, two)) == values
+
+
+def test_a_long_jump_says_whose_undo_handler_it_leaves_out() -> None:
+    one = "UNDO\nWaitTime 3;"
+    warnings = run("one; ERROR (55) RETURN;", rest=CHAIN.format(one, "RAISE 55;", "ERROR\nRAISE;")).warnings
+    assert [str(w.place) for w in warnings if "long jump" in w.text] == ["m.mod:9:1"]
+
+
+def test_every_booked_error_has_a_number_of_its_own_that_no_program_raises_as_it_is() -> None:
+    data = "VAR errnum a:=-1; VAR errnum b:=-1;"
+    assert trace("BookErrNo a; BookErrNo b; IF a=b OR a<91 OR b<91 WaitTime 1;", data) == []
+    assert trace("BookErrNo a; RAISE 1; ERROR (a) WaitTime 1; TRYNEXT; ERROR WaitTime 2; TRYNEXT;", data) == [2]
+
+
+@pytest.mark.parametrize("name", ["ProcerrRecovery\\SyncOrgMoveInst", "RaiseToUser\\Continue", "StartMoveRetry"])
+def test_an_error_whose_handler_is_not_modelled_is_refused_where_it_is_raised(name: str) -> None:
+    assert error(f"{name}; ERROR TRYNEXT;").startswith("m.mod:4:1: ")
 
 
 def test_a_handler_of_a_function_gives_its_value() -> None:
@@ -161,11 +220,46 @@ def test_late_binding_calls_by_the_value_of_an_expression() -> None:
     assert trace('%"go"+ValToStr(1)% 3; CallByVar "go",2; %"m:go1"% 4;', rest=rest) == [3, 20, 4]
 
 
+# Two stations, each with a LOCAL routine of the same name, and a global one in the second.
+STATIONS = {
+    "a.mod": "MODULE A\nLOCAL PROC Pick()\nWaitTime 1;\nENDPROC\nPROC main()\n{}\nENDPROC\nENDMODULE\n",
+    "b.mod": (
+        "MODULE B\nLOCAL PROC pick()\nWaitTime 2;\nENDPROC\nLOCAL PROC main()\npick;\nENDPROC\n"
+        'LOCAL PROC pick1(num x)\nWaitTime x;\nENDPROC\nPROC place()\n%"Pick"%;\nENDPROC\nENDMODULE\n'
+    ),
+}
+P0 = "[[500,0,400],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]"
+
+
+@pytest.mark.parametrize(
+    ("body", "values"),
+    [
+        ('%"Pick"%; %"A:Pick"%; %"B:Pick"%; %"b:PICK"%;', [1, 1, 2, 2]),
+        ('%"B:main"%; place; %"place"%; %"B:place"%;', [2, 2, 2, 2]),  # inside B its own Pick is meant
+        ('%"B:pick"+ValToStr(1)% 7; %"B:pick1"% x:=8;', [7, 8]),
+        (f'MoveLSync {P0},v100,z10,tool0,"B:pick"; MoveCSync {P0},{P0},v100,fine,tool0,ProcName:="pick";', [2, 1]),
+        ('%"A:place"%; ERROR (ERR_REFUNKPRC) WaitTime 9; TRYNEXT;', [9]),  # global, but of another module
+        ('CallByVar "B:pick",1; ERROR (ERR_CALLPROC) WaitTime 9; TRYNEXT;', [9]),
+    ],
+)
+def test_late_binding_with_a_modules_name_runs_that_modules_routine(body: str, values: list[float]) -> None:
+    body = body.replace(f"{P0},{P0}", f"{P0.replace('500,0', '550,50')},{P0.replace('500,0', '600,0')}")
+    files = [TextFile(name, text.replace("{}", body), "utf-8") for name, text in STATIONS.items()]
+    assert [m.duration for m in run_program(files).motions if isinstance(m, Wait)] == values
+
+
+FILE = "; give the file that declares it"
+
+
 @pytest.mark.parametrize(
     ("body", "handler", "message"),
     [
-        ('%"go3"%;', "ERR_REFUNKPRC", "there is no procedure 'go3' in the program"),
-        ('CallByVar "go",3;', "ERR_REFUNKPRC", "there is no procedure 'go3' in the program"),
+        ('%"go3"%;', "ERR_REFUNKPRC", f"there is no procedure 'go3' in the program{FILE}"),
+        ('CallByVar "go",3;', "ERR_REFUNKPRC", f"there is no procedure 'go3' in the program{FILE}"),
+        ('%"m:go3"%;', "ERR_REFUNKPRC", f"there is no procedure 'go3' in module m{FILE}"),
+        ('%"k:go1"%;', "ERR_REFUNKPRC", f"there is no procedure 'go1' in the program: no module k{FILE}"),
+        ('CallByVar "k:go",1;', "ERR_REFUNKPRC", f"there is no procedure 'go1' in the program: no module k{FILE}"),
+        ('%"m:MoveL"%;', "ERR_REFUNKPRC", f"there is no procedure 'MoveL' in module m{FILE}"),
         ('%"go1"% 1;', "ERR_CALLPROC", "go1 takes 0 argument(s), found 1"),
         ('%"f"%;', "ERR_CALLPROC", "f is a FUNC; only a PROC is called by its name"),
         ("WaitTime f(1);", "ERR_FNCNORET", "FUNC f ended without RETURN"),
@@ -248,12 +342,25 @@ def test_connect_needs_a_trap_and_interrupts_never_come() -> None:
         ("FOR i FROM 3 TO 1 STEP 1 DO WaitTime i; ENDFOR", []),
         ("FOR i FROM 1 TO n DO n:=0; WaitTime i; ENDFOR", [1, 2]),
         ("FOR n FROM 5 TO 5 DO WaitTime n; ENDFOR WaitTime n;", [5, 2]),
-        ("FOR i FROM 0 TO 1 STEP 0.1 DO Incr n; ENDFOR WaitTime n;", [13]),
         ("FOR i FROM 1 TO 2 DO FOR i FROM 8 TO 9 DO ENDFOR WaitTime i; ENDFOR", [1, 2]),
     ],
 )
 def test_for(loop: str, values: list[float]) -> None:
     assert trace(loop, "VAR num n:=2;") == values
+
+
+@pytest.mark.parametrize(
+    ("first", "last", "step"), [(0, 1, 0.1), (0, 0.3, 0.1), (1, 0, -0.1), (0, 2, 0.4), (0.5, 3, 1)]
+)
+def test_a_loop_of_decimals_adds_32_bit_floats_and_is_told(first: float, last: float, step: float) -> None:
+    """RAPID reference manual, FOR: undefined whether or not the last loop is running."""
+    value, count = np.float32(first), 0
+    while value <= np.float32(last) if step > 0 else value >= np.float32(last):
+        value, count = value + np.float32(step), count + 1
+    program = run(f"n:=1;\nFOR i FROM {first} TO {last} STEP {step} DO\nIncr n;\nENDFOR\nWaitTime n;", "VAR num n;")
+    assert [m.duration for m in program.motions if isinstance(m, Wait)] == [count + 1]
+    assert [str(warning.place) for warning in program.warnings] == ["m.mod:5:1"]
+    assert run("FOR i FROM 1 TO 2.5 DO\nENDFOR\nFOR i FROM 6 TO 2 STEP -2 DO\nENDFOR").warnings == ()
 
 
 @pytest.mark.parametrize(

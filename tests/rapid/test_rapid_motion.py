@@ -319,6 +319,104 @@ def test_settings_that_make_no_sense(body: str, message: str) -> None:
     assert message in text.splitlines()[0]
 
 
+def test_speed_refresh_is_a_share_of_what_velset_leaves() -> None:
+    go = f"MoveL {at(1, 2, 3)},v1000,fine,tool0; "
+    program = run_main(f"SpeedRefresh 50; {go} VelSet 50,300; {go} SpeedRefresh 100; {go} VelSet 100,5000; {go}")
+    assert [move.speed.v_tcp for move in moves(program)] == pytest.approx([0.5, 0.15, 0.3, 1.0])
+    assert moves(program)[1].speed.v_ori == pytest.approx(radians(125))
+    timed = go.replace("v1000", "v1000\\T:=2")
+    assert [move.duration for move in moves(run_main(f"{timed} SpeedRefresh Override:=25; {timed}"))] == [2, 8]
+    assert program.warnings == ()
+    flying = run_main(f"{go.replace('fine', 'z10')}\nSpeedRefresh 50;\n{go}").warnings
+    assert [str(warning.place) for warning in flying] == ["m.mod:5:1"]  # the move that runs is slowed somewhere
+
+
+@pytest.mark.parametrize("percent", ["-1", "101", "0"])
+def test_a_refresh_that_no_controller_takes(percent: str) -> None:
+    assert error_main(f"SpeedRefresh {percent};").startswith("m.mod:4:14: ")
+    handled = (
+        run_main(f"SpeedRefresh {percent or 1};" + "ERROR (ERR_SPEED_REFRESH_LIM) TRYNEXT;") if percent != "0" else None
+    )
+    assert handled is None or handled.motions == ()
+
+
+# -------------------------------------------------------------------------------------------------------- system data
+
+
+def target(x: float, y: float, z: float, eax: float) -> str:
+    return f"[[{x},{y},{z}],[0,0,1,0],[0,0,0,0],[{eax},9E9,9E9,9E9,9E9,9E9]]"
+
+
+def placed(body: str, data: str = "", rest: str = "") -> list[tuple[float, ...]]:
+    """Where moves end: x, y, z [mm] and eax_a."""
+    found = moves(run_main(body, data, rest))
+    return [tuple((*np.round(move.X_WT[:3, 3] * 1e3, 3).tolist(), move.extax[0])) for move in found]
+
+
+@pytest.mark.parametrize(
+    ("set_", "moved"),
+    [
+        ("PDispSet [[0,0,60],[1,0,0,0]];", (500, 0, 460, 0)),
+        (f"PDispOn\\ExeP:={target(510, 20, 400, 0)},{target(500, 0, 400, 0)},tool0;", (510, 20, 400, 0)),
+        ("EOffsSet [200,0,0,0,0,0];", (500, 0, 400, 200)),
+        (f"EOffsOn\\ExeP:={target(1, 1, 1, 350)},{target(2, 2, 2, 50)};", (500, 0, 400, 300)),
+        ("PDispSet [[0,0,60],[1,0,0,0]]; EOffsSet [7,0,0,0,0,0]; PDispOff;", (500, 0, 400, 7)),
+        ("PDispSet [[0,0,60],[0,0,0,1]]; PDispAdd [[10,0,0],[1,0,0,0]];", (-510, 0, 460, 0)),
+    ],
+)
+def test_the_displacements_in_force_can_be_kept_and_set_again(set_: str, moved: tuple[float, ...]) -> None:
+    """RAPID overview, system data: C_PROGDISP. Kept by a routine, by a function, and as parts."""
+    p = target(500, 0, 400, 0)
+    go = f"MoveL {p},v100,fine,tool0; "
+    rest = (
+        f"PROC clean()\nVAR progdisp kept;\nkept:=C_PROGDISP;\nPDispOff; EOffsOff;\n{go}\n"
+        "PDispSet kept.pdisp;\nEOffsSet kept.eoffs;\nENDPROC\n"
+        "FUNC pose now()\nRETURN C_ProgDisp.pdisp;\nENDFUNC\n"
+        f"PROC again()\nVAR pose d;\nVAR num e;\nd:=now();\ne:=C_PROGDISP.eoffs.eax_a;\nPDispOff; EOffsOff;\n"
+        f"PDispSet d;\nEOffsSet [e,0,0,0,0,0];\n{go}\nENDPROC"
+    )
+    plain = (500, 0, 400, 0)
+    assert placed(f"clean; {set_} {go} clean; {go} again;", rest=rest) == [plain, moved, plain, moved, moved]
+
+
+@pytest.mark.parametrize(
+    "body", ["C_PROGDISP.eoffs.eax_a:=1;", "C_MOTSET.vel.oride:=50;", "change C_PROGDISP;", "ERRNO:=5;"]
+)
+def test_system_data_is_read_only(body: str) -> None:
+    with pytest.raises(InputError) as caught:
+        run_main(body, rest="PROC change(INOUT progdisp x)\nENDPROC")
+    assert (caught.value.line, caught.value.column) == (4, 8 if "change" in body else 1)
+
+
+def test_motion_settings_in_force_can_be_read_and_set_again() -> None:
+    """RAPID reference manual, motsetdata: C_MOTSET."""
+    set_ = (
+        "VelSet 40,700; AccSet 60,50; ConfJ\\Off; SingArea\\Wrist; PathAccLim TRUE\\AccMax:=4,FALSE; SpeedRefresh 50;"
+    )
+    again = (
+        "VelSet kept.vel.oride,kept.vel.max; AccSet kept.acc.acc,kept.acc.ramp; IF kept.conf.jsup THEN ConfJ\\On; ELSE "
+        "ConfJ\\Off; ENDIF IF kept.sing.wrist SingArea\\Wrist; IF kept.sing.base SingArea\\Off; "
+        "IF kept.acclim PathAccLim TRUE\\AccMax:=kept.accmax,kept.decellim; IF NOT kept.acclim PathAccLim FALSE,FALSE; "
+    )
+    other = "VelSet 100,5000; AccSet 100,100; ConfJ\\On; SingArea\\Off; PathAccLim FALSE,FALSE; "
+    go = f"MoveL {at(1, 2, 3)},v1000,fine,tool0; "
+    data = "VAR motsetdata kept;"
+    first, second = moves(run_main(f"{set_} {go} kept:=C_MOTSET; {other} {again} {go}", data))
+    assert first.settings == second.settings
+    assert first.settings.override == pytest.approx(0.2)
+    (default,) = moves(run_main(f"kept:=C_MOTSET; {set_} SpeedRefresh 100; {again} {go}", data))
+    now = default.settings
+    assert (now.override, now.acceleration, now.ramp, now.conf_j, now.singularity) == (1, 1, 1, True, Singularity.OFF)
+    assert now.path_acceleration is None
+
+
+@pytest.mark.parametrize("part", ["pathresol", "motionsup", "acc.finepramp", "conf.ax1", "cirpathreori", "sing.arm"])
+def test_settings_that_nobody_follows_are_refused_where_they_are_read(part: str) -> None:
+    assert error_main(
+        f"kept:=C_MOTSET; TPWrite ValToStr(C_MOTSET.vel);\nkept.{part}:=C_MOTSET.{part};", "VAR motsetdata kept;"
+    ).startswith("m.mod:5:1: ")
+
+
 def test_orientations_off_unit_are_told_up_to_a_point() -> None:
     body = "".join(f"MoveL {at(i, 0, 500, f'[0,0.71,0.70{i + 10},0]')},v100,fine,tool0;\n" for i in range(30))
     program = run_main(body)
@@ -355,11 +453,49 @@ def test_weld_speed_that_nobody_tells_is_said() -> None:
     (move,) = moves(program)
     assert move.speed.v_tcp == 0.1
     assert tuple(map(str, program.warnings)) == (
-        "m.mod:4:1: the weld_speed of weld1 is not known; the weld is taken at its Speed v100",
+        "m.mod:4:1: the weld_speed of weld1 is not known; the move is taken at its Speed v100",
     )
     record = "RECORD welddata\nnum sched;\nnum weld_speed;\nENDRECORD\nPERS welddata weld1:=[3,12.5];\n"
     (move,) = moves(run_main(body, record))
     assert move.speed.v_tcp == pytest.approx(0.0125)
+
+
+CAP = 'PERS capdata c:=["start",FALSE,FALSE,0,[0,0,{},{},15,0],[0,0],[0,0,0,0,0,0],[0,0,0],[0,0,0,0,0,0]];\n'
+WELD = "PERS welddata w:=[8,8,[5,0,22,120,0,0,0,0,0],[0,0,0,0,0,0,0,0,0]];\nPERS welddata old{2}:=[[1,20],[2,30]];\n"
+
+
+@pytest.mark.parametrize(
+    ("call", "speeds"),
+    [
+        ("CapL {p},v200,c,weave,fine,tool0;", [15]),
+        ("CapL ToPoint:={p},v200,Cdata:=c,Weavestart:=start,Weave:=weave,Zone:=fine,tool0;", [15]),
+        ("CapC {q},{p},v200,c,weave,fine,tool0;", [15]),
+        ("c.speed_data.main:=25; CapL {p},v200,c,weave,fine,tool0;", [25]),
+        ("w.weld_speed:=12; ArcL {p},v200,s,w,fine,tool0; ArcLStart {p},v200,s,w,fine,tool0;", [12, 200]),
+        ("ArcL {p},v200,s,old{{2}},fine,tool0; old{{2}}.weld_speed:=5; ArcL {p},v200,s,old{{2}},fine,tool0;", [30, 5]),
+        ("w:=old{{1}}; ArcC {q},{p},v200,s,w,fine,tool0;", [20]),
+        ("DispL {p},v200,b,fine,tool0; PaintL {p},v300,fine,tool0; SpotL {p},v400,g,s,tool0;", [200, 300, 400]),
+    ],
+)
+def test_the_process_data_says_the_speed_of_the_process(call: str, speeds: list[float]) -> None:
+    """As the data stands when the move is made; capspeeddata: fly_start, start, startspeed_time, ..., main, fly_end."""
+    body = f"MoveL {at(0, 0, 500)},v100,fine,tool0; " + call.format(p=at(100, 0, 500), q=at(50, 50, 500))
+    _, *found = moves(run_main(body, WELD + CAP.format(0, 0)))
+    assert [move.speed.v_tcp * 1e3 for move in found] == pytest.approx(speeds)
+
+
+def test_process_speeds_that_are_not_known_are_told_by_line() -> None:
+    body = f"CapL {at(1, 2, 3)},v100,{{}},weave,fine,tool0;"
+    for name, data in (("nowhere", ""), ("c", "PERS capdata c:=[1,2,3];"), ("w", "VAR capdata w;")):
+        program = run_main(body.format(name), data)
+        assert moves(program)[0].speed.v_tcp == 0.1
+        assert [str(warning.place) for warning in program.warnings] == ["m.mod:4:1"]
+    (warning,) = run_main(body.format("c"), CAP.format(2, 0)).warnings  # two seconds at another speed
+    assert str(warning.place) == "m.mod:5:1"
+    for setting in ("VelSet 50,5000;", "SpeedRefresh 50;"):
+        program = run_main(f"{setting}\n{body.format('c')}", CAP.format(0, 0))
+        assert moves(program)[0].speed.v_tcp == pytest.approx(0.015)
+        assert [str(warning.place) for warning in program.warnings] == ["m.mod:6:1"]
 
 
 def test_a_search_stops_within_its_arc_and_faults_only_at_its_end() -> None:

@@ -82,7 +82,7 @@ atoms = st.one_of(numbers, strings, at(Boolean, st.booleans()), variables, at(Pl
 
 
 def arguments(values: st.SearchStrategy[Expression]) -> st.SearchStrategy[tuple[Argument, ...]]:
-    required = at(Argument, st.none(), values)
+    required = at(Argument, st.none(), values) | at(Argument, st.none(), values, st.just(False), names)
     optional = at(Argument, names, st.none() | values)
     forward = at(Argument, names, variables, st.just(True))
     return some(st.one_of(required, optional, forward))

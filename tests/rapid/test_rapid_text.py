@@ -13,6 +13,7 @@ from trajopt_cli.motion import MoveAbsJ, MoveExtJ, MoveJ, MoveL, Program, Signal
 from trajopt_cli.rapid.language.text import decode
 from trajopt_cli.rapid.marks import way_around
 from trajopt_cli.rapid.reader import read_program, run_program
+from trajopt_cli.scenario import Scenario
 
 ROOT = Path(__file__).parents[2]
 MOVES = (MoveJ, MoveL, MoveAbsJ, MoveExtJ)
@@ -156,6 +157,50 @@ def test_optional_arguments_in_every_spelling(call: str) -> None:
     assert move.wobj.lower() == "wobj0"
 
 
+@pytest.mark.parametrize(
+    "call",
+    [
+        "MoveL ToPoint:=p,Speed:=v100,Zone:=fine,Tool:=tool0\\WObj:=wobj0;",
+        "movel p, v100, zone := fine, TOOL:=tool0 \\WObj:=wobj0;",
+        "MoveL\n ToPoint:=Offs(Point:=p,XOffset:=0,0,ZOffset:=0),\n Speed:=v100\\V:=100,fine,tool0;",
+        "go where:=p, 0;",
+        "go p, high:=1;",
+        "go where:=rise(of:=p, 0), high:=0 \\fast;",
+        '%"go"% where:=p, high:=Pow(Base:=0,Exponent:=2);',
+    ],
+)
+def test_a_required_argument_may_carry_its_parameters_name(call: str) -> None:
+    """RAPID reference manual, formal syntax: `[ ToPoint ':=' ] < expression (IN) of robtarget >`."""
+    rest = (
+        "PROC go(robtarget where, num high \\switch fast)\nMoveL Offs(where,0,0,high),v100,fine,tool0;\nENDPROC\n"
+        "FUNC robtarget rise(robtarget of, num high)\nRETURN Offs(of,0,0,high);\nENDFUNC\n"
+    )
+    (move,) = run_main(call, rest=rest).motions
+    assert isinstance(move, MoveL)
+    assert move.X_WT[:2, 3].tolist() == pytest.approx([0.1, 0.2])
+    assert move.X_WT[2, 3] == pytest.approx(0.301 if "high:=1" in call else 0.3)
+    assert move.speed.v_tcp == pytest.approx(0.1)
+
+
+@pytest.mark.parametrize(
+    ("call", "column"),
+    [
+        ("MoveL ToPoint:=p,v100,fine,Tol:=tool0;", 28),
+        ("MoveL Speed:=v100,ToPoint:=p,fine,tool0;", 7),  # names change no order
+        ("MoveL p,v100,fine,tool0,WObj:=wobj0;", 25),  # an optional one, without its backslash
+        ("MoveL p,v100,fine,tool0,More:=wobj0;", 25),
+        ("go high:=p,where:=1;", 4),
+        ("go p,high:=1,slow:=2;", 1),
+        ("WaitTime Offs(ToPoint:=p,0,0,0).trans.x;", 15),
+        ("ArcL p,v100,seam:=s,zone:=w,fine,tool0;", 21),
+        ("StopMove\nreg1:=2;", 9),  # a semicolon is missing: no argument of StopMove
+    ],
+)
+def test_a_name_that_is_not_the_parameters_at_its_place_is_an_error_there(call: str, column: int) -> None:
+    rest = "PROC go(robtarget where, num high)\nENDPROC\n"
+    assert error_main(call, DATA, rest).startswith(f"m.mod:{DATA.count(chr(10)) + 3}:{column}: ")
+
+
 def test_text_after_the_module_is_reported_and_never_run() -> None:
     program = run(f'MODULE m\n{DATA}PROC main()\nENDPROC\nENDMODULE\nMoveL p,v100,fine,tool0; " ENDPROC\n')
     assert program.motions == ()
@@ -284,14 +329,35 @@ def test_what_cannot_be_run_is_described_with_its_place(body: str, data: str, me
 
 
 def test_an_unknown_instruction_is_named_with_what_to_do() -> None:
-    assert error_main("GlueL p,v100,s,g,tool0;") == (
-        "m.mod:3:1: GlueL is neither a procedure of the files read nor a known instruction; give the file "
-        "that declares it, or take it as doing nothing: the line 'stubs: [GlueL]' in the cell file"
+    assert error_main("Glue p,s,g;") == (
+        "m.mod:3:1: Glue is neither a procedure of the files read nor a known instruction; give the file "
+        "that declares it, or take it as doing nothing: the line 'stubs: [Glue]' in the cell file"
     )
     assert error_main("WaitTime Guess();") == (
         "m.mod:3:10: Guess is neither a function of the files read nor a known function; "
         "add the line 'answers: {Guess: 0}' to the cell file"
     )
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        *("GlueL q,a,s,g,t;", "MoveHome;", "FCPressL q,a,b,c;", "SpotMPL x;", "ArcMoveJ q;", "IndCMove STN1,1,20;"),
+        *("TriggLIOs x;", "SpeedLimAxis STN1,1,20;", "pathrecmovebwd;", "StepBwdPath 30,1;"),
+        *("Go p;", "Go ps{2};", "Go 1,Offs(p,0,0,5);", "Go target();", "Go j;", "Go where:=p;", "Rush v100;"),
+    ],
+)
+def test_no_stub_is_advised_for_what_moves_or_sets_speeds(call: str) -> None:
+    text = error_main(call, DATA, "FUNC robtarget target()\nRETURN p;\nENDFUNC\n")
+    place = f"m.mod:{DATA.count(chr(10)) + 3}:1"
+    assert text.startswith(f"{place}: ")
+    assert "stubs" not in text
+    scenario = Scenario(stubs=frozenset({call.split()[0].strip(";").lower()}))
+    rest = "FUNC robtarget target()\nRETURN p;\nENDFUNC\n"
+    told = run_program(
+        [TextFile("m.mod", f"MODULE m\n{DATA}PROC main()\n{call}\nENDPROC\n{rest}ENDMODULE\n", "utf-8")], scenario
+    )
+    assert [str(warning.place) for warning in told.warnings] == [place]
 
 
 RAIL = "[9E9,9E9,9E9,9E9,9E9,9E9], with the rail's position in its place if the robot rides on one"

@@ -246,7 +246,7 @@ def test_process_data_is_carried_along_unread() -> None:
     program = run(body, data, "PROC use(PERS welddata x)\nVAR welddata y;\ny:=x;\nENDPROC")
     assert len(program.motions) == 1
     assert tuple(map(str, program.warnings)) == (
-        "m.mod:4:11: w.weld_speed is process data, which does not affect the motion",
+        "m.mod:4:28: ws{1}.main.volt is process data, which does not affect the motion",
     )
     assert error("WaitTime w.weld_speed;", data) == (
         "m.mod:4:10: the components of a welddata are not known here, so '.weld_speed' cannot be read"

@@ -15,7 +15,7 @@ _BEHIND_TOOL = (
     (re.compile(r"Move[JLC]Sync", re.IGNORECASE), 1),
 )
 _NO_TOOL = re.compile(r"(Move|Search)ExtJ", re.IGNORECASE)
-_CIRCLE = re.compile(r"(Move|Trigg|Search|Arc)C", re.IGNORECASE)
+_CIRCLE = re.compile(r"(Move|Trigg|Search|Arc|Cap|Disp|Paint)C", re.IGNORECASE)
 
 
 @dataclass(frozen=True)

@@ -29,7 +29,7 @@ from trajopt_cli.motion import (
     Wait,
 )
 from trajopt_cli.notices import Notice, NoticeKind
-from trajopt_cli.rapid.language.syntax import Assign, Node, ProcedureCall
+from trajopt_cli.rapid.language.syntax import Assign, LateCall, Node, ProcedureCall
 from trajopt_cli.rapid.marks import FLAT, HOLD
 from trajopt_cli.units import DEG, MM
 
@@ -210,4 +210,6 @@ class FlatModule:
 def _instruction(node: Node) -> str | None:
     if isinstance(node, Assign):
         return "assignments"
+    if isinstance(node, LateCall):
+        return "what late-bound procedures do besides"
     return node.name if isinstance(node, ProcedureCall) else None

@@ -219,10 +219,13 @@ class Scopes:
 
 
 def names_in(text: str) -> Iterator[str]:
-    r"""Names of data and routines in a piece of code; those of options (\WObj) and components (.x) are none."""
+    r"""Names of data and routines in a piece of code; those of options (\WObj), parameters (Speed:=v100) and components
+    (.x) are none."""
     tokens = scan(text)
     for i, kind in enumerate(tokens.kinds):
-        if kind == "name" and (i == 0 or tokens.kinds[i - 1] not in ("\\", ".")):
+        if kind != "name" or tokens.kinds[i + 1] == ":=":
+            continue
+        if i == 0 or tokens.kinds[i - 1] not in ("\\", "."):
             yield tokens.texts[i]
 
 

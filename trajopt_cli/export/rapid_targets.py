@@ -400,7 +400,7 @@ def is_nearest(plant: Plant, planned: PlannedMotion) -> bool:
 
 def base_name(target: str) -> str:
     """A name to build others from: the first name of data in a target as written."""
-    names = re.findall(r"(?<![\w.\\])([^\W\d]\w*+)\s*+(\()?", target)
+    names = re.findall(r"(?<![\w.\\])([^\W\d]\w*+)\s*+(?!:=)(\()?", target)
     found = [name for name, opens in names if not opens] or [name for name, _ in names]
     return found[0] if found else "p"
 

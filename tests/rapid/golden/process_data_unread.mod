@@ -3,7 +3,7 @@ MODULE process_data_unread
     PERS gadget unknown:=[1,2,3];
     VAR clock watch;
     PROC main()
-        weld1.weld_speed:=12;
+        weld1.org_weld_speed:=12;
         WaitTime 1;
     ENDPROC
 ENDMODULE

@@ -312,6 +312,34 @@ ZONEDATA = Record(
     ),
 )
 PROGDISP = _record("progdisp", pdisp=POSE, eoffs=EXTJOINT)
+VELDATA = _nums("veldata", "oride max")
+ACCDATA = _nums("accdata", "acc ramp finepramp")
+SINGDATA = _record("singdata", wrist=BOOL, lockaxis4=BOOL, arm=BOOL, base=BOOL)
+CONFSUPDATA = _record("confsupdata", jsup=BOOL, lsup=BOOL, ax1=NUM, ax4=NUM, ax6=NUM)
+MOTSETDATA = _record(
+    "motsetdata",
+    vel=VELDATA,
+    acc=ACCDATA,
+    sing=SINGDATA,
+    conf=CONFSUPDATA,
+    pathresol=NUM,
+    motionsup=BOOL,
+    tunevalue=NUM,
+    acclim=BOOL,
+    accmax=NUM,
+    decellim=BOOL,
+    decelmax=NUM,
+    cirpathreori=NUM,
+    worldacclim=BOOL,
+    worldaccmax=NUM,
+    evtbufferact=BOOL,
+    corner_path_warn_suppress=BOOL,
+)
+# Components of a motsetdata, and of the records in it, whose values nothing here keeps up to date.
+_UNFOLLOWED = """
+    finepramp arm ax1 ax4 ax6 pathresol motionsup tunevalue cirpathreori evtbufferact corner_path_warn_suppress
+"""
+UNFOLLOWED = frozenset(_UNFOLLOWED.split())
 INPOSDATA = _nums("inposdata", "position speed mintime maxtime")
 STOPPOINTDATA = _record(
     "stoppointdata",
@@ -330,7 +358,7 @@ TASKS = _record("tasks", taskname=STRING)
 SIGNALS = frozenset({"signaldi", "signaldo", "signalgi", "signalgo", "signalai", "signalao"})
 _RECORDS = (
     POS, ORIENT, POSE, CONFDATA, EXTJOINT, ROBJOINT, ROBTARGET, JOINTTARGET, LOADDATA, TOOLDATA, WOBJDATA, SPEEDDATA,
-    ZONEDATA, PROGDISP, INPOSDATA, STOPPOINTDATA, LISTITEM, TASKS,
+    ZONEDATA, PROGDISP, VELDATA, ACCDATA, SINGDATA, CONFSUPDATA, MOTSETDATA, INPOSDATA, STOPPOINTDATA, LISTITEM, TASKS,
 )  # fmt: skip
 # Other names of num.
 _NUMBERS = """
@@ -344,10 +372,10 @@ _OPAQUE = """
     arcdata beaddata cameradev cameraextdata camerasortdata cameratarget capdata caplatrackdata capspeeddata
     captrackdata capweavedata clock cnvcmd corrdescr cssframe datapos dir dispdata egm_minmax egmident equipdata
     fcboxvol fccondstatus fccylindervol fcdamping fcforcevector fclindir fcprocessdata fcrotdir fcspeedvector
-    fcspherevol forcedata gundata iodev itmsrc itmtgt mecunit motsetdata percdata procdata rawbytes restartblkdata
-    restartdata rmqheader rmqmessage rmqslot seamdata selectiondata sensor shapedata simdata smeqdata socketdev
-    sortdata spotdata supervdata syncident trackdata trapdata triggdata triggios triggiosdnum triggstrgo veldata
-    weavedata weavestartdata welddata wzstationary wztemporary
+    fcspherevol forcedata gundata iodev itmsrc itmtgt mecunit percdata procdata rawbytes restartblkdata restartdata
+    rmqheader rmqmessage rmqslot seamdata selectiondata sensor shapedata simdata smeqdata socketdev sortdata
+    spotdata supervdata syncident trackdata trapdata triggdata triggios triggiosdnum triggstrgo weavedata
+    weavestartdata welddata wzstationary wztemporary
 """
 # Types the program can name.
 TYPES: dict[str, Type] = {

@@ -177,17 +177,18 @@ class ModuleScope(Scope):
 class Frame:
     """One call of a routine: the module it stands in, its local names in lower case, and what it must return.
 
-    routine: None while a module's data is computed. given: the arguments as the caller wrote them, with the frame they
-    stand in. handling: the error that its ERROR handler is busy with. retried: the statement that was last tried again,
-    how often it had run then, and how many times it was tried again in a row. motions: how many there were when the
-    routine began. passes, turns: of its GOTO loops, by the GOTO's id: passes so far; motions before the present one and
-    passes that counted.
+    routine: None while a module's data is computed. caller: the call that called this one. given: the arguments as the
+    caller wrote them, with the frame they stand in. handling: the error that its ERROR handler is busy with. retried:
+    the statement that was last tried again, how often it had run then, and how many times it was tried again in a row.
+    motions: how many there were when the routine began. passes, turns: of its GOTO loops, by the GOTO's id: passes so
+    far; motions before the present one and passes that counted.
     """
 
     scope: ModuleScope
     local: dict[str, Place | Absent] = field(default_factory=dict)
     returns: Type | None = None
     routine: Routine | None = None
+    caller: Frame | None = None
     given: dict[str, tuple[Argument, Frame]] = field(default_factory=dict)
     handling: Fault | None = None
     retried: tuple[int, int, int] = (0, 0, 0)

@@ -50,6 +50,30 @@ def _parameter(run: Run, arg: Argument, node: Name) -> None:
         raise run.error(arg, f"\\{arg.name}?{node.name} passes on a parameter, and {node.name} is not one of {where}")
 
 
+def named(
+    run: Run, call: str, arg: Argument, place: int, required: Sequence[str], optional: Sequence[str] = ()
+) -> None:
+    """Hold the name before a required argument against the parameter's at its place: a name changes no order.
+
+    place: how many required arguments stand before it. Raises InputError.
+    """
+    name = arg.parameter or ""
+    wanted = required[place] if place < len(required) else None
+    if wanted is not None and name.lower() == wanted.lower():
+        return
+    at = f"argument {place + 1} of {call}"
+    if name.lower() in {option.lower() for option in optional}:
+        message = f"{name} is an optional argument of {call}; write \\{name}:={run.text(arg)}"
+    elif wanted is None:
+        message = f"{call} takes {len(required)} argument(s), so it has none called {name} in place {place + 1}"
+    elif name.lower() in {one.lower() for one in required}:
+        message = f"{at} is {wanted}, found {name}; names do not change the order, so put the arguments in theirs"
+    else:
+        message = f"{at} is {wanted}, found {name}; write {wanted}:= or no name"
+    places = run.places()
+    raise places.error(places.text.rfind(name, 0, arg.start), message)
+
+
 def bind(
     run: Run, call: ProcedureCall | Call, required: tuple[str, ...], optional: tuple[str, ...] = (), more: int = 0
 ) -> Arguments:
@@ -64,6 +88,8 @@ def bind(
         name = arg.name
         if name is None:  # nearly always
             assert arg.value is not None
+            if arg.parameter is not None:
+                named(run, call.name, arg, len(places), required, optional)
             places.append(arg.value)
             continue
         if arg.forward:

@@ -11,8 +11,9 @@ from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import NUM, SIGNALS, STRING, SWITCH, Array, Type, Value
 from trajopt_cli.rapid.data.scope import ABSENT, Absent, Datum, Frame, ModuleScope, Place
 from trajopt_cli.rapid.execution.answers import ask
-from trajopt_cli.rapid.execution.arguments import present, subject
+from trajopt_cli.rapid.execution.arguments import named, present, subject
 from trajopt_cli.rapid.execution.evaluate import convertible, evaluate, locate
+from trajopt_cli.rapid.execution.faults import Undeclared
 from trajopt_cli.rapid.execution.functions.table import FUNCTIONS, STOPPING
 from trajopt_cli.rapid.execution.instructions.effect import Effect
 from trajopt_cli.rapid.execution.instructions.table import EFFECTS, INSTRUCTIONS
@@ -25,9 +26,12 @@ from trajopt_cli.rapid.execution.operators import computed
 from trajopt_cli.rapid.language.syntax import (
     Argument,
     Call,
+    Element,
+    Expression,
     Goto,
     Label,
     LateCall,
+    Name,
     Node,
     Parameter,
     ProcedureCall,
@@ -46,7 +50,15 @@ _EFFECTS = {
 }
 _FUNCTIONS = {name.lower(): handler for name, handler in FUNCTIONS.items()}
 _STOPPING = {name.lower(): name for name in STOPPING}
-_NAME = re.compile(r"(?:\w*:)?([^\W\d]\w*)")  # `module:procedure`, `:procedure`
+_NAME = re.compile(r"(?:(\w*):)?([^\W\d]\w*)")  # `module:procedure`, `:procedure`
+# Names of ABB's instructions that move or set speeds, and may be of an option that is not read here.
+_MOVING = re.compile(
+    r"Move\w*|Ind[ACDR]Move|PathRecMove\w+|StepBwdPath|SpeedLim\w+|"
+    r"(?:Arc|Cap|Contact|DaProc|Disp|FC|Glue|Nut|Paint|Search|Spot|Trigg)\w*[LJC](?:[12]|Start|End|IOs)?",
+    re.IGNORECASE,
+)
+_OF_MOVES = frozenset({"robtarget", "jointtarget", "speeddata"})
+_TARGETS = frozenset({"offs", "reltool", "mirpos", "orobt", "crobt", "cjointt", "calcrobt", "calcjointt"})
 
 
 @dataclass(frozen=True)
@@ -102,13 +114,46 @@ def _stub(run: Run, node: ProcedureCall) -> None:
     if node.name.lower() in run.scenario.stubs:
         run.world.asked("stubs", node.name.lower())
         run.ignored[node.name] += 1
+        if _moves(run, node):
+            what = f"{node.name} is taken as doing nothing (stubs); by its name or arguments it moves or sets speeds"
+            run.warn(NoticeKind.ASSUMED, what, run.source(node))
         return
     message = f"{node.name} is neither a procedure of the files read nor a known instruction"
 
     def close() -> str | None:
         return run.close(node.name, [*INSTRUCTIONS, *run.routines("PROC")])
 
+    if _moves(run, node):  # nothing may stand for it
+        error = run.error(node, f"{message}, and by its name or arguments it moves the robot or sets its speed")
+        remedy = "write it as MoveL, MoveC, MoveJ, MoveAbsJ or VelSet, or give the file that declares it"
+        raise Undeclared(
+            error.message,
+            close(),
+            remedy,
+            file=error.file,
+            line=error.line,
+            column=error.column,
+            excerpt=error.excerpt,
+        )
     run.world.lack(run, "stubs", node.name, node, message, "", close=close)
+
+
+def _moves(run: Run, node: ProcedureCall) -> bool:
+    """Whether an unknown procedure moves or sets speeds: by its name, or as it is given targets or speeds."""
+    return _MOVING.fullmatch(node.name) is not None or any(_tells_a_move(run, arg.value) for arg in node.args)
+
+
+def _tells_a_move(run: Run, value: Expression | None) -> bool:
+    while isinstance(value, Element):
+        value = value.base
+    if isinstance(value, Call):
+        found = run.routine(value.name)
+        return (found[0].type or "").lower() in _OF_MOVES if found else value.name.lower() in _TARGETS
+    place = run.find(value.name) if isinstance(value, Name) else None
+    if place is None or isinstance(place, Absent):
+        return False
+    type_ = place.type.element if isinstance(place.type, Array) else place.type
+    return type_.name in _OF_MOVES
 
 
 def function(run: Run, node: Call, wanted: Type | None) -> Value:
@@ -158,13 +203,22 @@ def late_call(run: Run, node: LateCall) -> None:
 
 
 def call_by_name(run: Run, node: Node, text: str, args: Sequence[Argument]) -> None:
-    """Call the procedure whose name a program has put together. Raises Fault where there is none."""
+    """Call the procedure whose name a program has put together: `name`, or `module:name`, LOCAL or not, of that module.
+
+    Raises Fault where there is none.
+    """
     match = _NAME.fullmatch(text)
-    name = match[1] if match else text
-    found = run.routine(name)
+    module, name = (match[1], match[2]) if match else (None, text)
+    if module:
+        scope = run.modules.get(module.lower())
+        found = None if scope is None else scope.routines.get(name.lower())
+    else:
+        found = run.routine(name)
     if found is None:
-        if name.lower() not in _INSTRUCTIONS:
-            raise run.fault(node, "ERR_REFUNKPRC", f"there is no procedure '{text}' in the program")
+        if name.lower() not in run.scenario.stubs and (module or name.lower() not in _INSTRUCTIONS):
+            where = "the program" if not module else f"module {module}" if scope else f"the program: no module {module}"
+            message = f"there is no procedure '{name}' in {where}; give the file that declares it"
+            raise run.fault(node, "ERR_REFUNKPRC", message)
         return procedure(run, ProcedureCall(node.start, node.end, name, tuple(args)))
     routine, scope = found
     if routine.kind != "PROC":
@@ -187,7 +241,7 @@ def enter(run: Run, routine: Routine, scope: ModuleScope, args: Sequence[Argumen
     if run.budget < 0:
         raise run.exhausted(node)
     head = _head(run, routine, scope)
-    frame = Frame(scope, returns=head.returns, routine=routine, motions=len(run.motions))
+    frame = Frame(scope, returns=head.returns, routine=routine, caller=run.frame, motions=len(run.motions))
     if routine is run.frame.routine and node is routine.body[-1] and not args and len(run.motions) > run.frame.motions:
         loop = f"{routine.kind} {routine.name}, whose last statement calls it again,"
         counted = run.frame.turns.get(id(node), (0, 0))[1]
@@ -262,6 +316,10 @@ def _pass(run: Run, routine: Routine, head: Head, args: list[Argument], frame: F
         if len(given) > 1:
             both = " and ".join(f"\\{name}" for name in given[:2])
             raise run.error(node, f"{routine.name} takes only one of {both}")
+    for place, one in enumerate(required):
+        if one.parameter is not None:
+            others = [parameter.name for parameter in routine.parameters if parameter.optional]
+            named(run, routine.name, one, place, head.required, others)
     following = iter(required)
     for parameter, type_ in zip(routine.parameters, head.types, strict=True):
         key = parameter.name.lower()

@@ -8,15 +8,21 @@ from typing import TYPE_CHECKING
 
 from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import (
+    ACCDATA,
     BOOL,
     CONFDATA,
+    CONFSUPDATA,
     DNUM,
     EXTJOINT,
+    MOTSETDATA,
     NUM,
     NUM_LIMIT,
     POS,
     SIGNALS,
+    SINGDATA,
+    UNFOLLOWED,
     Array,
+    Data,
     Opaque,
     Origin,
     Record,
@@ -270,6 +276,8 @@ def _component(run: Run, node: Component, type_: Type) -> tuple[int, Type]:
         wanted = node.name.lower()
         for index, (name, part) in enumerate(type_.components):
             if name == wanted:
+                if wanted in UNFOLLOWED and type_ in (MOTSETDATA, ACCDATA, SINGDATA, CONFSUPDATA):
+                    raise run.error(node, f"{wanted} of a {type_.name} is not followed here; write its value instead")
                 return index, part
         known = ", ".join(name for name, _ in type_.components)
         raise run.error(node, f"{type_.name} has no component '{node.name}'; it has {known}")
@@ -355,14 +363,22 @@ def aggregate(run: Run, node: Aggregate, wanted: Type) -> Value:
 
 
 def opaque(run: Run, node: Expression, type_: Type) -> Value:
-    """A value of a type that means nothing here: its numbers where it is written with nothing else, else its text."""
-    if isinstance(node, Aggregate) and node.numbers is not None:
-        return Value(type_, node.numbers)
+    """A value of a type that means nothing here: its literals where it is written with nothing else, else its text."""
+    if isinstance(node, Aggregate) and (data := _literals(node)) is not None:
+        return Value(type_, data)
     if isinstance(node, Aggregate) and isinstance(type_, Array):
         return Value(type_, tuple([opaque(run, item, type_.inside).data for item in node.items]))
     if isinstance(node, Name):
         return _read(run, node, run.find(node.name), type_)
     return Value(type_, Opaque(run.text(node)))
+
+
+def _literals(node: Aggregate) -> Data:
+    """An aggregate of literals as nested tuples, None for one that holds anything else."""
+    if (numbers := node.numbers) is not None:
+        return numbers
+    parts = [_literals(one) if isinstance(one, Aggregate) else getattr(one, "value", None) for one in node.items]
+    return None if None in parts else tuple(parts)
 
 
 def _closed(open_: Array, inner: Type, size: int) -> Array:

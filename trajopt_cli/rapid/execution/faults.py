@@ -2,7 +2,12 @@
 
 The handler of the routine in which an instruction fails runs at once, with the routine's data, before anything is left:
 so RETRY and TRYNEXT can go on inside its loops. What it does not handle goes to the instruction that called the
-routine, and to that routine's handler.
+routine, and to that routine's handler. An error inside a handler stops the program (RAPID reference manual, error
+recovery).
+
+RAISE in a handler is a long jump: the routines that called are searched, the nearest first, for a handler that lists
+the number (an error recovery point); those between are left, whatever handlers they have. Where none lists it, the
+error goes to the caller as any other.
 """
 
 from __future__ import annotations
@@ -11,7 +16,9 @@ from enum import Enum
 from typing import TYPE_CHECKING
 
 from trajopt_cli.errors import InputError
+from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import NUM, Value
+from trajopt_cli.rapid.data.predefined import ERRORS
 from trajopt_cli.rapid.data.scope import Frame
 from trajopt_cli.rapid.execution.evaluate import evaluate
 from trajopt_cli.rapid.execution.jumps import Jump, Retry, TryNext
@@ -28,13 +35,14 @@ class Fault(InputError):
     """A run-time error of the controller, such as a division by zero. Unhandled it is the user's InputError.
 
     number: what ERRNO is while it is handled. name: the ERR_ constant, or the number in words. passed: the call whose
-    handler has let it pass.
+    handler has let it pass. point: the call whose handler a long jump leads to.
     """
 
     def __init__(self, message: str, name: str, number: float, *, file: str, line: int, column: int):
         super().__init__(message, file=file, line=line, column=column)
         self.name, self.number = name, number
         self.passed: Frame | None = None
+        self.point: Frame | None = None
 
 
 class Handled(Enum):
@@ -48,11 +56,16 @@ class Handled(Enum):
 def handle(run: Run, fault: Fault, statement: Statement) -> Handled:
     """Let the running routine handle an error of one of its statements. What leaves the routine is raised on."""
     frame = run.frame
-    if fault.passed is frame:
-        return Handled.PASSED
-    handler = None if frame.handling else _handler(run, fault)
+    if fault.passed is not frame and frame.handling is not None and fault.point is None:
+        message = f"{fault.message}; this is inside an ERROR handler, where an error stops the program"
+        raise InputError(message, file=fault.file, line=fault.line, column=fault.column)
+    handler = None
+    if fault.point in (None, frame) and fault.passed is not frame:
+        handler = _handler(run, fault)
     if handler is None:
         fault.passed = frame
+        if fault.point is not None:
+            _leave(run, frame)
         return Handled.PASSED
     frame.handling = fault
     run.errno.value = Value(NUM, fault.number)
@@ -73,15 +86,41 @@ def handle(run: Run, fault: Fault, statement: Statement) -> Handled:
     return Handled.PASSED
 
 
-def _handler(run: Run, fault: Fault) -> Handler | None:
-    routine = run.frame.routine
-    for handler in routine.handlers if routine else ():
-        if handler.kind == "ERROR":
-            if not handler.numbers:
-                return handler
-            if any(evaluate(run, number, NUM).data == fault.number for number in handler.numbers):
-                return handler
+def long_jump(run: Run, number: float) -> Frame | None:
+    """The nearest call above the running one whose handler lists an error's number, or LONG_JMP_ALL_ERR."""
+    frame = run.frame.caller
+    while frame is not None:
+        if frame.handling is None:
+            with run.inside(frame):
+                if any(_lists(run, handler, number) for handler in _handlers(frame)):
+                    return frame
+        frame = frame.caller
     return None
+
+
+def _leave(run: Run, frame: Frame) -> None:
+    """Say of a routine that a long jump leaves that its UNDO handler is not run."""
+    if (routine := frame.routine) is None:
+        return
+    what = f"a long jump leaves {routine.kind} {routine.name}, whose UNDO handler is left out"
+    for handler in routine.handlers:
+        if handler.kind == "UNDO":
+            run.warn(NoticeKind.ASSUMED, what, run.source(handler))
+
+
+def _handlers(frame: Frame) -> list[Handler]:
+    return [handler for handler in frame.routine.handlers if handler.kind == "ERROR"] if frame.routine else []
+
+
+def _lists(run: Run, handler: Handler, number: float) -> bool:
+    return any(evaluate(run, one, NUM).data in (number, ERRORS["LONG_JMP_ALL_ERR"]) for one in handler.numbers)
+
+
+def _handler(run: Run, fault: Fault) -> Handler | None:
+    """The handler that lists the error's number, else one without a list."""
+    handlers = _handlers(run.frame)
+    listed = (handler for handler in handlers if _lists(run, handler, fault.number))
+    return next(listed, None) or next((handler for handler in handlers if not handler.numbers), None)
 
 
 def _count_retry(run: Run, statement: Statement, fault: Fault) -> None:
@@ -108,12 +147,13 @@ class Undeclared(InputError):
         self,
         reason: str,
         close: str | None,
+        remedy: str = "give the file that declares it",
         *,
         file: str | None,
         line: int | None,
         column: int | None,
         excerpt: str | None,
     ):
-        message = f"{asked(reason, close)} give the file that declares it"
+        message = f"{asked(reason, close)} {remedy}"
         super().__init__(message, file=file, line=line, column=column, excerpt=excerpt)
         self.reason, self.close = reason, close

@@ -15,7 +15,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.kinematics import Kinematics
 from trajopt_cli.motion import DEFAULT_SETTINGS, Motion, Source, Span
 from trajopt_cli.notices import Notice, NoticeKind
-from trajopt_cli.rapid.data.datatypes import NUM, SIGNALS, Array, Type, Value, is_opaque
+from trajopt_cli.rapid.data.datatypes import MOTSETDATA, NUM, PROGDISP, SIGNALS, Array, Type, Value, is_opaque
 from trajopt_cli.rapid.data.predefined import ERRORS, VARIABLES, predefined
 from trajopt_cli.rapid.data.scope import Absent, Datum, Frame, ModuleScope, Part, Place, Scope
 from trajopt_cli.rapid.execution.calls import Head, enter, function
@@ -29,6 +29,7 @@ from trajopt_cli.rapid.execution.outside import Outside
 from trajopt_cli.rapid.execution.position import Position
 from trajopt_cli.rapid.execution.room import room
 from trajopt_cli.rapid.execution.statements import run_block
+from trajopt_cli.rapid.execution.system_data import tell
 from trajopt_cli.rapid.execution.world import World
 from trajopt_cli.rapid.language.syntax import (
     Block,
@@ -51,6 +52,10 @@ MOTION_LIMIT = 300_000
 _PERS = ("tool0", "wobj0", "load0")  # predefined, and PERS on a controller: they may be given to PERS parameters
 
 
+def _system(type_: Type) -> Datum:
+    return Datum(type_, Value(type_, type_.default), "set by the system", "VAR")
+
+
 class Run:
     """One execution of a program: its data as it stands now, and the motions so far."""
 
@@ -68,10 +73,11 @@ class Run:
         self.held: list[Span] = []  # what is marked so that the rail stands still in it
         self.files: dict[str, Places] = {}
         self.shared = Scope()
+        self.modules: dict[str, ModuleScope] = {}  # by name in lower case
         self.computing: set[int] = set()  # ids of the declarations whose initial value is being computed
         self.valued: set[str] = set()  # the shared PERS that were given a value
         self.frame = Frame(ModuleScope())
-        self.errno = Datum(NUM, Value(NUM, 0.0), "set by the system", "VAR")
+        self.errno = _system(NUM)
         self._predefined: dict[str, Datum] = {
             name.lower(): Datum(NUM, Value(NUM, number), "predefined", "CONST") for name, number in ERRORS.items()
         }
@@ -79,6 +85,11 @@ class Run:
             self._predefined[name] = Datum(value.type, value, "predefined", "PERS" if name in _PERS else "CONST")
         self._predefined |= {name: Datum(type_, Value(type_, type_.default)) for name, type_ in VARIABLES.items()}
         self._predefined["errno"] = self.errno
+        self.velset: tuple[float, float | None] = (1.0, None)  # share and highest TCP speed [m/s], as VelSet says
+        self.refresh = 1.0  # share, as SpeedRefresh says
+        self.progdisp = self._predefined["c_progdisp"] = _system(PROGDISP)
+        self.motset = self._predefined["c_motset"] = _system(MOTSETDATA)
+        tell(self)
         self.depth = 0  # of routines
         self.interrupts = 0  # how many were connected
         self.booked = 0  # error numbers given away

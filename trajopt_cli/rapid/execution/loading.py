@@ -67,6 +67,7 @@ def _load(run: Run, modules: Sequence[tuple[Module, Places]]) -> tuple[ModuleSco
     for module, places in modules:
         scope = ModuleScope(places=places, name=module.name)
         scopes.append((scope, module))
+        run.modules[module.name.lower()] = scope
         run.files[places.file] = places
         for node in module.items:
             if isinstance(node, Routine):

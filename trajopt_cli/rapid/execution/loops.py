@@ -42,7 +42,11 @@ if TYPE_CHECKING:
 
 
 def run_for(run: Run, node: For) -> None:
-    """FOR: bounds evaluated once, a variable of its own that hides data of the same name as long as the loop runs."""
+    """FOR: bounds evaluated once, a variable of its own that hides data of the same name as long as the loop runs.
+
+    The step is added pass by pass and rounded to a num each time. ABB leaves open whether the last pass of a loop of
+    decimals runs (RAPID reference manual, FOR, limitations), so one is told.
+    """
     first, type_ = _bound(run, node.first)
     last, last_type = _bound(run, node.last)
     if last_type is DNUM:
@@ -50,6 +54,9 @@ def run_for(run: Run, node: For) -> None:
     step = _bound(run, node.step)[0] if node.step else (1.0 if first <= last else -1.0)
     if step == 0:
         raise run.error(node, "FOR with STEP 0 never ends")
+    if first % 1 or step % 1:
+        what = f"FOR {node.name} counts in decimals: rounding may decide whether its last pass runs; use whole numbers"
+        run.warn(NoticeKind.UNUSUAL, what, run.source(node))
     local, key = run.frame.local, node.name.lower()
     hidden = local.get(key)
     passes, value = 0, first
@@ -59,9 +66,7 @@ def run_for(run: Run, node: For) -> None:
             count_pass(run, node, passes)
             local[key] = Datum(type_, Value(type_, value), "a loop variable", "CONST")
             run.block(node.body)
-            value = first + passes * step
-            if type_ is NUM:
-                value = single(value)
+            value = single(value + step) if type_ is NUM else value + step
     finally:
         if hidden is None:
             local.pop(key, None)

@@ -193,13 +193,18 @@ class ExpressionParser(Cursor):
         return tuple(args)
 
     def _required(self) -> Argument:
+        """`[ <ident> ':=' ] <expression>`: a value, with its parameter's name where that is written."""
         if self.kinds[self.i] == "name" and self.kinds[self.i + 1] in (",", ";", "\\"):  # nearly always
             start = self.here
             self.i += 1
             return Argument(start, self.behind, None, Name(start, self.behind, self.texts[self.i - 1]))
+        parameter = None
+        if self.kinds[self.i] == "name" and self.kinds[self.i + 1] == ":=":
+            parameter = self.texts[self.i]
+            self.i += 2
         start = self.here
         value = self.expression()
-        return Argument(start, self.behind, None, value)
+        return Argument(start, self.behind, None, value, parameter=parameter)
 
     def _optional(self) -> Argument:
         start = self.here

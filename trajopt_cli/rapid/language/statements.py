@@ -66,7 +66,11 @@ class StatementParser(BlockParser):
             self._assigning()
         if follows == "(" and self.kinds[self.i + 1] == ")":
             self.fail(f"arguments or ';' after {name}", advice=f"a procedure is called without parentheses: {name};")
+        first, broken = self.i, self.new_line()
         args = self.arguments(";", "")
+        if broken and len(args) == 1 and args[0].parameter is not None:  # `StopMove`, and an assignment below it
+            self.i = first
+            args = ()
         self.semicolon(f"after {name}" if not args else f"after the arguments of {name}", "',' or " if args else "")
         return ProcedureCall(start, self.behind, name, args)
 

@@ -83,12 +83,14 @@ class Element(Node):
 class Argument(Node):
     r"""One argument. name: of an optional one, without its backslash; value None for a bare switch.
 
-    forward: `\name?value`, passed on only if the optional parameter that value names is present.
+    forward: `\name?value`, passed on only if the optional parameter that value names is present. parameter: of a
+    required one, as in `Speed:=v100`, where it is written; start and end are those of the value all the same.
     """
 
     name: str | None
     value: Expression | None
     forward: bool = False
+    parameter: str | None = None
 
 
 @_node

@@ -16,11 +16,11 @@ if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
 
 
-def _plain(name: str, compute: Callable[..., float], count: int = 1, result: Type = NUM) -> Function:
-    """A function of numbers to a number of the type result."""
+def _plain(name: str, compute: Callable[..., float], takes: str = "Value", result: Type = NUM) -> Function:
+    """A function of numbers to a number of the type result. takes: the names of its arguments."""
+    required = tuple(takes.split())
 
     def handler(run: Run, node: Call) -> Value:
-        required = tuple(f"Value{i}" for i in range(1, count + 1)) if count > 1 else ("Value",)
         values = [number(run, argument) for argument in bind(run, node, required).required]
         try:
             value = compute(*values)
@@ -34,7 +34,7 @@ def _plain(name: str, compute: Callable[..., float], count: int = 1, result: Typ
 
 def _rounding(exact: Callable[[float], float], result: Type = NUM) -> Function:
     def handler(run: Run, node: Call) -> Value:
-        args = bind(run, node, ("Value",), ("Dec",))
+        args = bind(run, node, ("Val",), ("Dec",))
         dec = args.value("dec")
         digits = integer(run, dec, "\\Dec") if dec is not None else 0
         if not 0 <= digits <= 15:
@@ -63,11 +63,11 @@ _EXACT = 8388608  # 2^23
 # ----------------------------------------------------------------------------------------------------------- bits
 
 
-def _bits(name: str, compute: Callable[..., int], count: int, top: int, result: Type) -> Function:
+def _bits(name: str, compute: Callable[..., int], takes: str, top: int, result: Type) -> Function:
     """A function of whole numbers 0..top, the contents of a byte (or of 52 bits), to one of them."""
+    required = tuple(takes.split())
 
     def handler(run: Run, node: Call) -> Value:
-        required = tuple(f"BitData{i}" for i in range(1, count + 1))
         values = []
         for argument in bind(run, node, required).required:
             value = integer(run, argument, f"an argument of {name}")
@@ -112,45 +112,44 @@ def _atan2(y: float, x: float) -> float:
 
 
 # Of num and, with Dnum behind the name, of dnum.
-_OF_BOTH: dict[str, tuple[Callable[..., float], int]] = {
-    "Abs": (abs, 1),
-    "Sqrt": (math.sqrt, 1),
-    "Pow": (math.pow, 2),
-    "Sin": (_sin, 1),
-    "Cos": (_cos, 1),
-    "Tan": (_tan, 1),
-    "ASin": (lambda a: math.asin(a) / DEG, 1),
-    "ACos": (lambda a: math.acos(a) / DEG, 1),
-    "ATan": (lambda a: math.atan(a) / DEG, 1),
-    "ATan2": (_atan2, 2),
+_OF_BOTH: dict[str, tuple[Callable[..., float], str]] = {
+    "Abs": (abs, "Value"),
+    "Sqrt": (math.sqrt, "Value"),
+    "Pow": (math.pow, "Base Exponent"),
+    "Exp": (math.exp, "Exponent"),
+    "Sin": (_sin, "Angle"),
+    "Cos": (_cos, "Angle"),
+    "Tan": (_tan, "Angle"),
+    "ASin": (lambda a: math.asin(a) / DEG, "Value"),
+    "ACos": (lambda a: math.acos(a) / DEG, "Value"),
+    "ATan": (lambda a: math.atan(a) / DEG, "Value"),
+    "ATan2": (_atan2, "Y X"),
 }
-_OF_BITS: dict[str, tuple[Callable[..., int], int]] = {
-    "And": (lambda a, b: a & b, 2),
-    "Or": (lambda a, b: a | b, 2),
-    "XOr": (lambda a, b: a ^ b, 2),
-    "Neg": (lambda a: ~a, 1),
-    "LSh": (lambda a, n: a << min(n, 52), 2),
-    "RSh": (lambda a, n: a >> n, 2),
+_OF_BITS: dict[str, tuple[Callable[..., int], str]] = {
+    "And": (lambda a, b: a & b, "BitData1 BitData2"),
+    "Or": (lambda a, b: a | b, "BitData1 BitData2"),
+    "XOr": (lambda a, b: a ^ b, "BitData1 BitData2"),
+    "Neg": (lambda a: ~a, "BitData"),
+    "LSh": (lambda a, n: a << min(n, 52), "BitData ShiftSteps"),
+    "RSh": (lambda a, n: a >> n, "BitData ShiftSteps"),
 }
 
 
 FUNCTIONS: dict[str, Function] = {
-    **{name: _plain(name, compute, count) for name, (compute, count) in _OF_BOTH.items()},
-    **{f"{name}Dnum": _plain(f"{name}Dnum", compute, count, DNUM) for name, (compute, count) in _OF_BOTH.items()},
-    "Exp": _plain("Exp", math.exp),
-    "ExpDnum": _plain("ExpDnum", math.exp, 1, DNUM),
-    "Max": _plain("Max", max, 2),
-    "Min": _plain("Min", min, 2),
+    **{name: _plain(name, compute, takes) for name, (compute, takes) in _OF_BOTH.items()},
+    **{f"{name}Dnum": _plain(f"{name}Dnum", compute, takes, DNUM) for name, (compute, takes) in _OF_BOTH.items()},
+    "Max": _plain("Max", max, "Value1 Value2"),
+    "Min": _plain("Min", min, "Value1 Value2"),
     "Round": _rounding(_half_up),
     "RoundDnum": _rounding(_half_up, DNUM),
     "Trunc": _rounding(lambda value: float(math.trunc(value))),
     "TruncDnum": _rounding(lambda value: float(math.trunc(value)), DNUM),
-    "NumToDnum": _plain("NumToDnum", float, 1, DNUM),
+    "NumToDnum": _plain("NumToDnum", float, result=DNUM),
     "DnumToNum": _dnum_to_num,
-    **{f"Bit{name}": _bits(f"Bit{name}", compute, count, _BYTE, NUM) for name, (compute, count) in _OF_BITS.items()},
+    **{f"Bit{name}": _bits(f"Bit{name}", compute, takes, _BYTE, NUM) for name, (compute, takes) in _OF_BITS.items()},
     **{
-        f"Bit{name}Dnum": _bits(f"Bit{name}Dnum", compute, count, _LONG, DNUM)
-        for name, (compute, count) in _OF_BITS.items()
+        f"Bit{name}Dnum": _bits(f"Bit{name}Dnum", compute, takes, _LONG, DNUM)
+        for name, (compute, takes) in _OF_BITS.items()
     },
     "BitCheck": _bit_check(_BYTE),
     "BitCheckDnum": _bit_check(_LONG),

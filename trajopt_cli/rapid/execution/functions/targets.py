@@ -158,7 +158,7 @@ def _joint_target(q: Array, extax: ExternalAxes) -> Value:
 
 def _calc_rob_t(run: Run, node: Call) -> Value:
     r"""CalcRobT(JointTarget, Tool [\WObj])."""
-    args = bind(run, node, ("JointTarget", "Tool"), ("WObj",))
+    args = bind(run, node, ("Joint_target", "Tool"), ("WObj",))
     joints, tool = args.required
     robax, axes = evaluate(run, joints, JOINTTARGET).data
     setup = run.position.equipment.setup(run, tool, args.value("wobj"))

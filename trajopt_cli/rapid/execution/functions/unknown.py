@@ -46,7 +46,7 @@ def _test_and_set(run: Run, node: Call) -> Value:
 
 def _read_directory(run: Run, node: Call) -> Value:
     """Whether there was one more file, and its name in the variable."""
-    _, name = bind(run, node, ("Device", "FileName")).required
+    _, name = bind(run, node, ("Dev", "FileName")).required
     more = ask(run, node, "ReadDir", BOOL, "ReadDir asks whether the folder holds one more file")
     if more.data:
         fill(run, name, f"ReadDir reads {run.text(name)}")

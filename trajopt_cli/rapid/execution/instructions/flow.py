@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING
 
 from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.data.datatypes import NUM, STRING, Value
+from trajopt_cli.rapid.data.predefined import BOOKED
 from trajopt_cli.rapid.execution.arguments import Instruction, bind
 from trajopt_cli.rapid.execution.evaluate import evaluate, integer
 from trajopt_cli.rapid.execution.instructions.effect import Effect
-from trajopt_cli.rapid.execution.jumps import Exit
+from trajopt_cli.rapid.execution.jumps import Exit, Retry
 from trajopt_cli.rapid.language.syntax import ProcedureCall
 
 if TYPE_CHECKING:
@@ -42,12 +43,31 @@ def _call_by_var(run: Run, node: ProcedureCall) -> None:
 def _book_error(run: Run, node: ProcedureCall) -> None:
     (target,) = bind(run, node, ("ErrorName",)).required
     run.booked += 1
-    run.assign(target, Value(NUM, float(run.booked)))
+    run.assign(target, Value(NUM, BOOKED + run.booked))
 
 
 def _reset_retry(run: Run, node: ProcedureCall) -> None:
     bind(run, node, ())
     run.frame.retried = (0, 0, 0)
+
+
+def _start_move_retry(run: Run, node: ProcedureCall) -> None:
+    """StartMove and RETRY in one."""
+    bind(run, node, ())
+    if run.frame.handling is None:
+        raise run.error(node, f"{node.name} belongs in an ERROR handler")
+    raise Retry
+
+
+def _skip_warn(run: Run, node: ProcedureCall) -> None:
+    """Keeps a warning out of the log."""
+    bind(run, node, ())
+
+
+def _refused(run: Run, node: ProcedureCall) -> None:
+    """ProcerrRecovery stops the robot wherever it is; RaiseToUser asks which modules a user may step into."""
+    what = f"{node.name} raises an error whose place or handler is not modelled"
+    raise run.error(node, f"{what}; leave it out, or write RAISE with the number of the error")
 
 
 INSTRUCTIONS: dict[str, Instruction] = {
@@ -57,5 +77,13 @@ INSTRUCTIONS: dict[str, Instruction] = {
     "CallByVar": _call_by_var,
     "BookErrNo": _book_error,
     "ResetRetryCount": _reset_retry,
+    "StartMoveRetry": _start_move_retry,
+    "SkipWarn": _skip_warn,
+    "ProcerrRecovery": _refused,
+    "RaiseToUser": _refused,
 }
-EFFECTS = {"Stop": Effect.STOPS, "Break": Effect.STOPS}
+EFFECTS = {
+    **dict.fromkeys(("Stop", "Break"), Effect.STOPS),
+    **dict.fromkeys(("ProcerrRecovery", "RaiseToUser"), Effect.REFUSED),
+    "SkipWarn": Effect.IGNORED,
+}

@@ -111,8 +111,8 @@ def move_c(run: Run, node: ProcedureCall) -> None:
 
 
 def move_abs_j(run: Run, node: ProcedureCall) -> None:
-    """MoveAbsJ JointPos, Speed, Zone, Tool. Work object and displacement mean nothing to joints."""
-    args = bind(run, node, ("JointPos", "Speed", "Zone", "Tool"), _JOINT_OPTIONS)
+    """MoveAbsJ ToJointPos, Speed, Zone, Tool. Work object and displacement mean nothing to joints."""
+    args = bind(run, node, ("ToJointPos", "Speed", "Zone", "Tool"), _JOINT_OPTIONS)
     point, speed, zone, tool = args.required
     target = evaluate(run, point, JOINTTARGET)
     setup, caps, accuracy, duration = manner(run, speed, zone, tool, args)
@@ -143,8 +143,8 @@ def move_abs_j(run: Run, node: ProcedureCall) -> None:
 
 
 def move_ext_j(run: Run, node: ProcedureCall) -> None:
-    """MoveExtJ JointPos, Speed, Zone."""
-    args = bind(run, node, ("JointPos", "Speed", "Zone"), _EXTERNAL_OPTIONS)
+    """MoveExtJ ToJointPos, Speed, Zone."""
+    args = bind(run, node, ("ToJointPos", "Speed", "Zone"), _EXTERNAL_OPTIONS)
     point, speed, zone = args.required
     target = evaluate(run, point, JOINTTARGET)
     at = external(run, target.data[1], offset="useeoffs" in args.optional)

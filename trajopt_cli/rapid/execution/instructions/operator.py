@@ -21,7 +21,7 @@ _BREAKS = (
 
 def _read_key(run: Run, node: ProcedureCall) -> None:
     """A function key, 1 to 5; the first one that has a text stands in."""
-    args = bind(run, node, ("Answer", "String", "FK1", "FK2", "FK3", "FK4", "FK5"), _BREAKS)
+    args = bind(run, node, ("TPAnswer", "TPText", "TPFK1", "TPFK2", "TPFK3", "TPFK4", "TPFK5"), _BREAKS)
     answer, _, *keys = args.required
     offered = [i for i, key in enumerate(keys, start=1) if _labelled(key)] or [1]
     value = fill(run, answer, f"TPReadFK asks the operator for {run.text(answer)}, a key of 1..5", float(offered[0]))
@@ -39,7 +39,7 @@ def _labelled(key: Expression) -> bool:
 
 
 def _read_number(run: Run, node: ProcedureCall) -> None:
-    args = bind(run, node, ("Answer", "String"), _BREAKS)
+    args = bind(run, node, ("TPAnswer", "TPText"), _BREAKS)
     answer = args.required[0]
     fill(run, answer, f"{node.name} asks the operator for {run.text(answer)}")
     _unbroken(run, args.value("breakflag"))

@@ -28,14 +28,14 @@ def _guided(run: Run, node: ProcedureCall) -> None:
 _NAMES = {
     Effect.IGNORED: """
         TPErase TPShow TPWrite UIShow
-        ErrLog ErrWrite ProcerrRecovery
+        ErrLog ErrWrite
 
         ClkReset ClkStart ClkStop
 
         IDelete IDisable IEnable IError IPers ISleep IWatch ITimer ISignalAI ISignalAO ISignalDI ISignalDO ISignalGI
         ISignalGO IRMQMessage IVarValue GetTrapData RMQEmptyQueue RMQFindSlot RMQSendMessage
 
-        ClearPath RestoPath StartMove StartMoveRetry StopMoveReset PathRecStart PathRecStop
+        ClearPath RestoPath StartMove StopMoveReset PathRecStart PathRecStop
         CornerPathWarning MotionProcessModeSet MotionSup PathLengthReset PathLengthStart PathLengthStop
         PathResol SoftAct SoftDeact
         DropSensor DropWObj SupSyncSensorOff SupSyncSensorOn WaitSensorReset

@@ -10,13 +10,15 @@ from typing import TYPE_CHECKING
 
 from trajopt_cli.motion import MoveC, MoveJ, MoveL, Process, Speed
 from trajopt_cli.notices import NoticeKind
-from trajopt_cli.rapid.data.datatypes import Record
-from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, present
+from trajopt_cli.rapid.data.datatypes import Data, Record, Type, Value
+from trajopt_cli.rapid.data.scope import Place
+from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, named, present
 from trajopt_cli.rapid.execution.equipment import said
+from trajopt_cli.rapid.execution.evaluate import locate, number
 from trajopt_cli.rapid.execution.instructions import pace
 from trajopt_cli.rapid.execution.instructions.effect import Effect
 from trajopt_cli.rapid.execution.instructions.moves import POSE_OPTIONS, PoseKind, asked, to_pose
-from trajopt_cli.rapid.language.syntax import Expression, Name, Number, ProcedureCall
+from trajopt_cli.rapid.language.syntax import Component, Element, Expression, Name, ProcedureCall
 from trajopt_cli.units import MM
 
 if TYPE_CHECKING:
@@ -25,9 +27,19 @@ if TYPE_CHECKING:
 _PLAIN = frozenset(option.lower() for option in POSE_OPTIONS)
 
 
-def _loose(run: Run, node: ProcedureCall) -> tuple[list[Expression], dict[str, Expression | None], Arguments]:
-    """Arguments by place; optional ones of the process by name as written; those of every move."""
+def _loose(
+    run: Run, node: ProcedureCall, names: list[tuple[str, ...]]
+) -> tuple[list[Expression], dict[str, Expression | None], Arguments]:
+    """Arguments by place; optional ones of the process by name as written; those of every move.
+
+    names: of the required arguments, as far as the instruction's forms go.
+    """
     places: list[Expression] = []
+    given = [arg for arg in node.args if arg.name is None]
+    required = next((form for form in names if len(form) == len(given)), ())
+    for place, arg in enumerate(given):
+        if arg.parameter is not None and required:
+            named(run, node.name, arg, place, required)
     own: dict[str, Expression | None] = {}
     plain: dict[str, Expression | None] = {}
     for arg in present(run, node.args):
@@ -41,30 +53,40 @@ def _loose(run: Run, node: ProcedureCall) -> tuple[list[Expression], dict[str, E
     return places, own, Arguments((), plain)
 
 
-def _process(kind: PoseKind, name: str, data: tuple[str, ...], *, zone: bool = True) -> Instruction:
+def _process(
+    kind: PoseKind, name: str, data: tuple[str, ...], *, zone: bool = True, governing: int | None = None, more: str = ""
+) -> Instruction:
     """A move with process data between Speed and Zone; data names it, the last ones may be left out.
 
-    zone False: the instruction has no zone and always stops.
+    zone False: the instruction has no zone and always stops. governing: which of data says the speed of the process.
+    more: one that stands before the last of data in some versions.
     """
     via = kind is MoveC
     points = ("CirPoint", "ToPoint") if via else ("ToPoint",)
     behind = 2 if zone else 1
 
+    ends = ("Zone", "Tool") if zone else ("Tool",)
+    kinds = [data[:count] for count in range(len(data) + 1)] + ([(*data[:-1], more, data[-1])] if more else [])
+    forms = [(*points, "Speed", *form, *ends) for form in kinds]
+
     def handler(run: Run, node: ProcedureCall) -> None:
-        places, own, plain = _loose(run, node)
+        places, own, plain = _loose(run, node, forms)
         least = len(points) + 1 + behind
-        if not least <= len(places) <= least + len(data):
-            names = ", ".join((*points, "Speed", *data, *(("Zone",) if zone else ()), "Tool"))
-            message = f"{node.name} takes up to {least + len(data)} arguments ({names}), found {len(places)}"
+        if not least <= len(places) <= len(forms[-1]):
+            names = ", ".join(forms[-1])
+            message = f"{node.name} takes up to {len(forms[-1])} arguments ({names}), found {len(places)}"
             raise run.error(node, message)
         extra = places[len(points) + 1 : len(places) - behind]
-        told = tuple((label, run.text(value)) for label, value in zip(data, extra, strict=False))
+        told = tuple((label, run.text(value)) for label, value in zip(kinds[len(extra)], extra, strict=True))
         told += tuple((label, "" if value is None else run.text(value)) for label, value in own.items())
         rest = places[-behind:] if zone else [places[len(points)], places[-1]]  # a zone that is not read
         request = asked(Arguments((*places[: len(points) + 1], *rest), plain.optional), via=via)
         if not zone:
             request = request._replace(zone=None, args=Arguments((), _without_stop(plain.optional)))
-        speed = _weld_speed(run, node, name, request.speed, extra, own) if name.startswith("Arc") else None
+        speed = None
+        before = name.endswith("Start") or any(option.lower() == "on" for option in own)  # on the way to the process
+        if governing is not None and len(extra) > governing and not before:
+            speed = _process_speed(run, node, request.speed, extra[governing])
         to_pose(run, node, kind, request, process=Process(name, told), speed=speed)
 
     return handler
@@ -74,45 +96,83 @@ def _without_stop(options: dict[str, Expression | None]) -> dict[str, Expression
     return {name: value for name, value in options.items() if name != "inpos"}
 
 
-def _weld_speed(
-    run: Run,
-    node: ProcedureCall,
-    name: str,
-    speed: Expression,
-    extra: list[Expression],
-    own: dict[str, Expression | None],
-) -> Speed | None:
-    r"""The speed while welding, which is the welddata's weld_speed; None on the way to the weld (ArcLStart, \On)."""
-    if name.endswith("Start") or any(option.lower() == "on" for option in own) or len(extra) < 2:
-        return None
-    value = _first_number(run, extra[1])
-    if value is None or not value > 0:
+def _process_speed(run: Run, node: ProcedureCall, speed: Expression, data: Expression) -> Speed | None:
+    """The speed while the process runs, which its data says; None: as Speed says."""
+    place = _place(run, data)
+    at = None if place is None else _speed_at(place.type, place.value.data)
+    value = None if place is None or at is None else _at(place.value.data, at)
+    if not (isinstance(value, float) and value > 0):
+        what = "speed_data.main" if node.name.lower().startswith("cap") else "weld_speed"
         run.warn(
             NoticeKind.ASSUMED,
-            f"the weld_speed of {run.text(extra[1])} is not known; the weld is taken at its Speed {said(run, speed)}",
+            f"the {what} of {run.text(data)} is not known; the move is taken at its Speed {said(run, speed)}",
             run.source(node),
         )
         return None
+    if place is not None and at is not None and len(at) == 2 and any(_at(place.value.data, at[:1])[2:4]):
+        what = f"startspeed_time and startmove_delay of {run.text(data)} are left out: the process starts at full speed"
+        run.note(f"start {run.text(data)}", NoticeKind.ASSUMED, what, node)
+    if run.settings.override != 1:
+        what = f"{run.text(data)} says the speed of the process; VelSet and SpeedRefresh are taken to leave it"
+        run.note(f"override {run.text(data)}", NoticeKind.ASSUMED, what, node)
     outside = pace.speed(run, speed, Arguments((), {}))
-    return Speed(said(run, extra[1]), value * MM, outside.v_ori, outside.v_leax, outside.v_reax)
+    return Speed(said(run, data), value * MM, outside.v_ori, outside.v_leax, outside.v_reax)
 
 
-def _first_number(run: Run, node: Expression) -> float | None:
-    """weld_speed [mm/s]: the component of that name, else the first of welddata with parts of its own (IRC5); the flat
-    welddata of S4 begins with a schedule, and its second number is the speed."""
-    place = run.find(node.name) if isinstance(node, Name) else None
-    if place is None or isinstance(place, Number) or not hasattr(place, "value"):
-        return None
-    value = place.value
-    data, type_ = value.data, value.type
-    if not isinstance(data, tuple) or len(data) < 2:
-        return None
+def set_speed(run: Run, target: Expression, value: Expression) -> bool:
+    """`weld1.weld_speed:=12`, `cap1.speed_data.main:=15`: let data hold another speed; False for other parts."""
+    if not isinstance(target, Component) or target.name.lower() not in ("weld_speed", "main"):
+        return False
+    base = target.base
+    if target.name.lower() == "main":
+        if not isinstance(base, Component) or base.name.lower() != "speed_data":
+            return False
+        base = base.base
+    place = locate(run, base)
+    at = _speed_at(place.type, place.value.data)
+    if at is not None:
+        run.store(place, base, Value(place.type, _with(place.value.data, at, number(run, value))))
+    return True
+
+
+def _place(run: Run, node: Expression) -> Place | None:
+    base = node
+    while isinstance(base, (Component, Element)):
+        base = base.base
+    known = isinstance(base, Name) and isinstance(run.find(base.name), Place)
+    return locate(run, node) if known else None
+
+
+def _speed_at(type_: Type, data: Data) -> tuple[int, ...] | None:
+    """Where data holds the speed of its process [mm/s]: welddata's weld_speed, capdata's speed_data.main.
+
+    Of a record of the program's by those names. Else it is the first number of welddata with parts of its own (IRC5),
+    and the second of S4's flat one, which begins with a schedule; capdata has main fifth in its only part of six.
+    """
     if isinstance(type_, Record):
         names = [component for component, _ in type_.components]
-        found = data[names.index("weld_speed")] if "weld_speed" in names else None
-    else:
-        found = data[0] if any(isinstance(part, tuple) for part in data) else data[1]
-    return found if isinstance(found, float) else None
+        if "weld_speed" in names:
+            return (names.index("weld_speed"),)
+        inner = dict(type_.components).get("speed_data")
+        parts = [component for component, _ in inner.components] if isinstance(inner, Record) else []
+        return (names.index("speed_data"), parts.index("main")) if "main" in parts else None
+    if not isinstance(data, tuple) or len(data) < 2:
+        return None
+    if type_.name == "capdata":
+        found = [i for i, part in enumerate(data) if isinstance(part, tuple) and len(part) == _CAP_SPEEDS]
+        return (found[0], 4) if found else None
+    return (0,) if any(isinstance(part, tuple) for part in data) else (1,)
+
+
+_CAP_SPEEDS = 6  # capspeeddata: fly_start, start, startspeed_time, startmove_delay, main, fly_end
+
+
+def _at(data: Data, at: tuple[int, ...]) -> Data:
+    return data if not at else _at(data[at[0]], at[1:])
+
+
+def _with(data: Data, at: tuple[int, ...], value: float) -> Data:
+    return value if not at else (*data[: at[0]], _with(data[at[0]], at[1:], value), *data[at[0] + 1 :])
 
 
 _WELD = ("Seam", "Weld", "Weave")
@@ -121,7 +181,7 @@ _SPOT = ("Gun", "Spot")
 EFFECT = Effect.PLANNED
 INSTRUCTIONS: dict[str, Instruction] = {
     **{
-        name: _process(kind, name, _WELD)
+        name: _process(kind, name, _WELD, governing=1)
         for letter, kind in (("L", MoveL), ("C", MoveC))
         for name in (f"Arc{letter}", f"Arc{letter}Start", f"Arc{letter}End", f"Arc{letter}1", f"Arc{letter}2")
     },
@@ -133,6 +193,6 @@ INSTRUCTIONS: dict[str, Instruction] = {
     "PaintC": _process(MoveC, "PaintC", ()),
     "DispL": _process(MoveL, "DispL", ("Bead",)),
     "DispC": _process(MoveC, "DispC", ("Bead",)),
-    "CapL": _process(MoveL, "CapL", ("Cdata", "Weave")),
-    "CapC": _process(MoveC, "CapC", ("Cdata", "Weave")),
+    "CapL": _process(MoveL, "CapL", ("Cdata", "Weave"), governing=0, more="Weavestart"),
+    "CapC": _process(MoveC, "CapC", ("Cdata", "Weave"), governing=0, more="Weavestart"),
 }

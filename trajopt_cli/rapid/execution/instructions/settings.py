@@ -5,13 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from trajopt_cli.motion import CirPathMode, Settings, Singularity
+from trajopt_cli.motion import CirPathMode, Move, Settings, Singularity, Wait
 from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
 from trajopt_cli.rapid.execution.equipment import load
 from trajopt_cli.rapid.execution.evaluate import condition, number
 from trajopt_cli.rapid.execution.instructions.effect import Effect
 from trajopt_cli.rapid.execution.instructions.plain import plain
+from trajopt_cli.rapid.execution.system_data import tell
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 from trajopt_cli.units import MM
 
@@ -25,6 +26,7 @@ def change(run: Run, settings: Settings) -> None:
     """Make settings those of the next moves; equal ones stay the same object."""
     if settings != run.settings:
         run.settings = settings
+    tell(run)
 
 
 def _on(run: Run, node: ProcedureCall) -> bool:
@@ -98,8 +100,32 @@ def _velocity(run: Run, node: ProcedureCall) -> None:
         raise run.error(args.required[0], f"VelSet takes an override of 0..100 %, found {percent:.6g}")
     if not highest > 0:
         raise run.error(args.required[1], f"VelSet takes a highest speed above 0 mm/s, found {highest:.6g}")
-    change(run, replace(run.settings, override=percent / 100, v_max=highest * MM))
+    run.velset = (percent / 100, highest * MM)
+    _pace(run)
+
+
+def _pace(run: Run) -> None:
+    """Speeds as VelSet asks, then that share of them that SpeedRefresh asks."""
+    share, highest = run.velset
+    v_max = None if highest is None else highest * run.refresh
+    change(run, replace(run.settings, override=share * run.refresh, v_max=v_max))
     run.position.equipment.speeds.clear()
+
+
+def _refresh(run: Run, node: ProcedureCall) -> None:
+    """SpeedRefresh Override: a share of all speeds, of the move that runs and of those behind it, until another."""
+    (argument,) = bind(run, node, ("Override",)).required
+    percent = number(run, argument)
+    if not 0 <= percent <= 100:
+        raise run.fault(argument, "ERR_SPEED_REFRESH_LIM", f"SpeedRefresh takes 0..100 %, found {percent:.6g}")
+    if percent == 0:
+        raise run.error(argument, "SpeedRefresh 0 holds the robot until somebody outside lets go; leave it out")
+    last = next((motion for motion in reversed(run.motions) if isinstance(motion, Move | Wait)), None)
+    if isinstance(last, Move) and not last.zone.stop:
+        what = "SpeedRefresh takes hold of the move that runs, wherever it is by then; here of the moves behind it"
+        run.warn(NoticeKind.ASSUMED, what, run.source(node))
+    run.refresh = percent / 100
+    _pace(run)
 
 
 def _path_limits(run: Run, node: ProcedureCall) -> None:
@@ -150,6 +176,7 @@ INSTRUCTIONS: dict[str, Instruction] = {
     "ConfL": _conf_l,
     "AccSet": _acceleration,
     "VelSet": _velocity,
+    "SpeedRefresh": _refresh,
     "SingArea": _singularity,
     "PathAccLim": _path_limits,
     "WorldAccLim": _world_limit,

@@ -11,7 +11,7 @@ from trajopt_cli.rapid.execution.equipment import said
 from trajopt_cli.rapid.execution.evaluate import evaluate, locate, number
 from trajopt_cli.rapid.execution.instructions.effect import Effect
 from trajopt_cli.rapid.execution.instructions.moves import PoseKind, asked, to_pose
-from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
+from trajopt_cli.rapid.language.syntax import Expression, LateCall, ProcedureCall, String
 from trajopt_cli.units import MM
 
 if TYPE_CHECKING:
@@ -129,7 +129,7 @@ def _triggered(kind: PoseKind, name: str) -> Instruction:
     options = ("Conc", "ID", "V", "T", *_NUMBERED, "Inpos", "WObj", "Corr", "TLoad")
 
     def handler(run: Run, node: ProcedureCall) -> None:
-        args = bind(run, node, (*via, "ToPoint", "Speed", "Trigg1", "Zone", "Tool"), options)
+        args = bind(run, node, (*via, "ToPoint", "Speed", "Trigg_1", "Zone", "Tool"), options)
         *points, speed, trigger, zone, tool = args.required
         given = [trigger, *(args.optional[key.lower()] for key in _NUMBERED if key.lower() in args.optional)]
         events = tuple(event for argument in given if argument is not None for event in _events(run, argument))
@@ -187,7 +187,8 @@ def _with_procedure(kind: PoseKind, name: str) -> Instruction:
         procedure = str(evaluate(run, argument, STRING).data)
         event = PathEvent(Happens.PROCEDURE, procedure)
         to_pose(run, node, kind, asked(args, via=bool(via)), events=(event,), process=Process(name))
-        run.block((ProcedureCall(argument.start, argument.end, procedure.rpartition(":")[2], ()),))
+        at = argument.start, argument.end
+        run.block((LateCall(*at, String(*at, procedure), ()),))
 
     return handler
 
