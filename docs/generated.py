@@ -59,6 +59,7 @@ _PLANNED = {
     "signals": "read; an output takes no time",
     "variables": "run",
     "settings": "in force for the moves behind them",
+    "units": "in force for the moves behind them; refused where something moves by itself",
     "flow": "run",
     "files": "written: nothing; read: the cell file's `answers`",
     "operator": "the cell file's `answers`",

@@ -179,7 +179,7 @@ def _passed(plant: Machine, points: Sequence[Point], alone: Collection[int], rai
 def _fly_by(point: Point, ways: Sequence[float | None]) -> FlyBy | None:
     """The zone of a point between two ways [m]; None where it is a stop. Angular and linear sizes (zone_ori,
     zone_leax), which make its parts for orientation and external axes smaller at most, are not counted."""
-    waits = any(wait.duration > 0 or wait.condition is not None for _, wait in point.holds)
+    waits = any(wait.stops for _, wait in point.holds)
     half = min((way for way in ways if way is not None), default=np.inf) / 2
     if point.move is None or not _programmed_fly_by(point) or waits or 2 * half < _NO_WAY:
         return None

@@ -133,7 +133,8 @@ def _c_rob_t(run: Run, node: Call) -> Value:
     args = bind(run, node, (), _CURRENT)
     position = run.position
     place = position.target(run, node, node.name, _current(run, node, args))
-    return _rob_target(place, position.conf(run, node, node.name), _without_offsets(run, position.extax))
+    extax = _without_offsets(run, run.units.driven(position.extax))
+    return _rob_target(place, position.conf(run, node, node.name), extax)
 
 
 def _c_pos(run: Run, node: Call) -> Value:
@@ -146,7 +147,7 @@ def _c_joint_t(run: Run, node: Call) -> Value:
     """CJointT(): joints and external axes as they are, offsets included."""
     bind(run, node, (), ("TaskRef", "TaskName"))
     q = run.position.joints(run, node, node.name)
-    return _joint_target(q, run.position.extax)
+    return _joint_target(q, run.units.driven(run.position.extax))
 
 
 def _joint_target(q: Array, extax: ExternalAxes) -> Value:

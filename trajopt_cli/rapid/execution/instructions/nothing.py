@@ -32,7 +32,7 @@ _NAMES = """
     ClearPath RestoPath StartMove StartMoveRetry StopMove StopMoveReset StorePath PathRecStart PathRecStop
     CornerPathWarning MotionProcessModeSet MotionSup PathLengthReset PathLengthStart PathLengthStop
     PathResol SoftAct SoftDeact
-    DropSensor DropWObj SupSyncSensorOff SupSyncSensorOn WaitSensorReset
+    SupSyncSensorOff SupSyncSensorOn WaitSensorReset
     SyncMoveOff SyncMoveOn SyncMoveResume SyncMoveSuspend SyncMoveUndo WaitSyncTask MotionPlannerSet
 
     WZBoxDef WZCylDef WZDisable WZDOSet WZEnable WZFree WZHomeJointDef WZLimJointDef WZLimSup WZSphDef

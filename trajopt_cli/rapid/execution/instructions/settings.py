@@ -150,7 +150,5 @@ INSTRUCTIONS: dict[str, Instruction] = {
     "PathAccLim": _path_limits,
     "WorldAccLim": _world_limit,
     "GripLoad": _grip_load,
-    "ActUnit": _noted,
-    "DeactUnit": _noted,
     "CirPathMode": _noted,
 }

@@ -17,6 +17,7 @@ from trajopt_cli.rapid.execution.instructions import (
     sockets,
     symbols,
     triggers,
+    units,
     variables,
     waits,
 )
@@ -31,6 +32,7 @@ INSTRUCTIONS: dict[str, Instruction] = {
     **signals.INSTRUCTIONS,
     **variables.INSTRUCTIONS,
     **settings.INSTRUCTIONS,
+    **units.INSTRUCTIONS,
     **flow.INSTRUCTIONS,
     **files.INSTRUCTIONS,
     **operator.INSTRUCTIONS,
