@@ -58,6 +58,7 @@ _PLANNED = {
     "waits": "the tool rests",
     "signals": "an output takes no time",
     "settings": "in force for the moves behind them",
+    "units": "in force for the moves behind them; refused where something moves by itself",
     "operator": "the cell file's `answers`",
     "sockets": "received: the cell file's `answers`",
     "files": "read: the cell file's `answers`",

@@ -6,6 +6,7 @@ Floor 1: no project imports but geometry and notices.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
@@ -191,11 +192,13 @@ DEFAULT_SETTINGS = Settings()
 
 
 class Hold(Enum):
-    """Who says that the rail stands still during a motion: a comment, the cell file, or an output set just before."""
+    """Who says that the rail stands still during a motion: a comment, the cell file, an output set just before, or the
+    program, whose instructions have deactivated its unit."""
 
     PROGRAM = "program"
     CELL = "cell"
     GRIPPER = "gripper"
+    UNIT = "unit"
 
 
 class Happens(Enum):
@@ -239,7 +242,8 @@ class UnitMove(NamedTuple):
     where [rad], the least time it takes [s] from rest to rest. carries: whether the move's work object rides on it.
 
     velocity [rad/s], acceleration [rad/s2]: what it may do, the programmed speed counted. p [m], u (a unit vector): the
-    line in the world about which it turns, where that lies when the move begins.
+    line in the world about which it turns, where that lies when the move begins. shared: another unit has the same
+    external axis.
     """
 
     unit: str
@@ -252,6 +256,7 @@ class UnitMove(NamedTuple):
     acceleration: float
     p: tuple[float, float, float]
     u: tuple[float, float, float]
+    shared: bool = False
 
     @property
     def angle(self) -> float:
@@ -260,8 +265,8 @@ class UnitMove(NamedTuple):
 
     @property
     def column(self) -> str:
-        """Its name in rows of axes: "eax_b"."""
-        return f"eax_{'abcdef'[self.eax]}"
+        """Its name in rows of axes: "eax_b", or "eax_b_stn1" where it shares that axis."""
+        return f"eax_{'abcdef'[self.eax]}{f'_{self.unit}' if self.shared else ''}"
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -429,12 +434,20 @@ class TextFile:
     encoding: str
 
 
+class Refusal(NamedTuple):
+    """One thing that one statement asks for and no plan keeps. kind: in one word or two; message: with advice."""
+
+    kind: str
+    source: Source
+    message: str
+
+
 @dataclass(frozen=True, eq=False)
 class Program:
     """A program run once: its motions in order, the files they came from, and what the user should know.
 
     entry: the procedure that was run. ignored: instructions without effect on motion, with how often they ran.
-    uncalled: the routines that never ran, with their kind: "PROC Reset".
+    uncalled: the routines that never ran, with their kind: "PROC Reset". refusals: what no motion stands for.
     """
 
     name: str
@@ -444,9 +457,18 @@ class Program:
     entry: str = "main"
     ignored: Mapping[str, int] = field(default_factory=dict)
     uncalled: tuple[str, ...] = ()
+    refusals: tuple[Refusal, ...] = ()
 
     @property
     def without_effect(self) -> tuple[str, ...]:
         """A line that names what is ignored; none where nothing is."""
         told = ", ".join(f"{instruction} {count}" for instruction, count in self.ignored.items())
         return (f"no effect on motion: {told}",) if told else ()
+
+
+def as_written(program: Program, motion: Motion) -> tuple[str, str]:
+    """The name of a motion's instruction and what stands behind it, as the program spells them."""
+    file, start, end = motion.written.statement
+    words = " ".join(program.files[file].text[start:end].rstrip(";").split())
+    name = re.match(r"\w*", words)
+    return (name[0], words[name.end() :].strip()) if name else ("", words)

@@ -75,6 +75,13 @@ class PositionerAxis:
     source: str
 
 
+class RailUnit(NamedTuple):
+    """The rail as a mechanical unit: its logical axis (0 for eax_a), and its name, None where nobody says it."""
+
+    eax: int
+    unit: str | None = None
+
+
 @dataclass(frozen=True)
 class Scenario:
     """Everything by name; names are in lower case, blanks left out of conditions.
@@ -90,7 +97,9 @@ class Scenario:
     mechanical units that are taken as the identity where the program does not declare them. stubs: procedures that are
     taken as doing nothing where no file declares them. hold_rail: where the rail stands still. constant_speed: where
     the tool should keep its programmed speed. positioners: mechanical units that carry work objects, their axes from
-    the floor on; the last one carries the user frame. free_speed, droppable: of the cell, as in its plant.
+    the floor on; the last one carries the user frame. free_speed, droppable: of the cell, as in its plant. rail: None
+    where there is none. active_units: the mechanical units that are active when the program starts, names in lower
+    case; None for all that share no axis.
     """
 
     signals: Mapping[str, float | tuple[float, ...]] = field(default_factory=dict)
@@ -108,6 +117,8 @@ class Scenario:
     positioners: Mapping[str, tuple[PositionerAxis, ...]] = field(default_factory=dict)
     free_speed: bool = False
     droppable: frozenset[str] = frozenset()
+    rail: RailUnit | None = None
+    active_units: frozenset[str] | None = None
 
 
 LONGEST_WAIT = 1_000_000  # [s]; what is longer is a slip, and swamps every other time of the cycle

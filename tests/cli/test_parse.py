@@ -152,7 +152,7 @@ def test_where_the_rail_stands_meanwhile_is_in_brackets(here: Path, capsys: pyte
     rows = [re.split(r"  +", line) for line in lines if line.startswith("r.mod:") and "MoveJ" in line]
     assert [row[7] for row in rows] == ["(200) 7", "300 8", "(300) 9"]
     (warning,) = [line for line in lines if line.startswith("warning: ")]
-    said = "r.mod:3:1: 2 targets give no position for the rail (9E9 on axis a): it keeps its last one"
+    said = "r.mod:3:1: 2 targets give no position for the rail (9E9 on axis a): a controller stops, a plan stays"
     assert warning == f"warning: {said}"
 
 

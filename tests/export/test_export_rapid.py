@@ -20,7 +20,7 @@ from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant, build_plant
 from trajopt_cli.rapid.reader import read_program, run_program
 from trajopt_cli.robot.inverse import confdata
-from trajopt_cli.scenario import Scenario
+from trajopt_cli.scenario import RailUnit, Scenario
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 MOVES = (MoveJ, MoveL, MoveAbsJ, MoveExtJ)
@@ -433,3 +433,28 @@ def test_a_stream_plan_is_no_rapid_program(plant: Plant) -> None:
     program = made(J1)
     with pytest.raises(ValueError, match="only a plan for the RAPID controller"):
         export_rapid(program, replace(plan_for(program, plant, {0: 0.2}), target=Target.STREAM), plant)
+
+
+def test_values_of_a_rail_whose_unit_is_not_active_stay_as_written(plant: Plant) -> None:
+    """The plan may change what else a target says; p3 is driven to with its unit and without."""
+    body = J1 + "        DeactUnit TRACK1;\n        MoveL p3,v100,fine,tool0;\n        MoveJ p4,v100,fine,tool0;\n"
+    body += "        ActUnit TRACK1;\n        MoveL p3,v100,fine,tool0;\n"
+    data = "    CONST robtarget p3:=[[500,250,450],[0,0,1,0],[0,0,0,0],[9000,9E9,9E9,9E9,9E9,9E9]];\n"
+    data += "    CONST robtarget p4:=[[500,300,450],[0,0,1,0],[0,0,0,0],[7000,9E9,9E9,9E9,9E9,9E9]];\n"
+    given = made(body, data)
+    scenario = Scenario(rail=RailUnit(0, "TRACK1"))
+    program = run_program([*given.files.values()], scenario)
+    free = text_changes(program, plant, Reading(program, plant, scenario)).values
+    assert {0, 2, 3, 5} <= free
+    again = made(f"        FOR i FROM 1 TO 2 DO\n{body}        ENDFOR\n", data)
+    again = run_program([*again.files.values()], scenario)
+    assert (3, 9) in text_changes(again, plant, Reading(again, plant, scenario)).ties
+    plan = plan_for(program, plant, {0: 0.21, 5: 0.23}, cfx={3: 1, 5: 1})
+    export = export_rapid(program, plan, plant, scenario=scenario)
+    texts = "".join(export.texts.values())
+    assert "[9000,9E9" in texts
+    assert "[0,0,0,0],[7000,9E9" not in texts  # its confdata changed
+    assert "],[7000,9E9" in texts
+    for motion, planned in zip(read_back(program, export, scenario).motions, plan.motions, strict=True):
+        if isinstance(motion, MoveJ | MoveL):
+            assert plant.rail_value(motion.extax) == (None if planned.index in (2, 3) else planned.q_1[0])

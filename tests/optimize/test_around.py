@@ -26,6 +26,7 @@ from trajopt_cli.problem.detours import held_against
 from trajopt_cli.problem.freedom import AS_WRITTEN
 from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plant import Plant
+from trajopt_cli.scenario import RailUnit, Scenario
 from trajopt_cli.shapes import Box, Capsule, Solid
 from trajopt_cli.verify.judge import verify
 
@@ -256,3 +257,19 @@ def test_no_zone_is_named_where_none_would_do() -> None:
     found = optimize(program, plant_without_rail(obstacles=(block,)), Target.RAPID, bounded=False)
     assert isinstance(found, Infeasible)
     assert "instead of" not in found.message
+
+
+@pytest.mark.parametrize("target", Target)
+def test_a_held_rail_stands_on_the_way_around_too(target: Target) -> None:
+    """The post is between the two points, and the rail would swerve for it if it might."""
+    data = """CONST robtarget p_a:=[[450,-150,250],[0,0,1,0],[0,0,0,0],[100,9E9,9E9,9E9,9E9,9E9]];
+CONST robtarget p_b:=[[450,350,250],[0,0,1,0],[0,0,0,0],[100,9E9,9E9,9E9,9E9,9E9]];"""
+    body = r"ConfJ \Off; DeactUnit TRACK1; MoveJ p_a, v1000, fine, tool0; MoveJ p_b, v1000, fine, tool0;"
+    program = rapid(body, Scenario(rail=RailUnit(0, "TRACK1")), data)
+    plant = plant_with_rail(obstacles=(box("post", (0.6, 0.04, 0.33), (0.6, 0.15, 0.165)),))
+    found = optimize(program, plant, target, bounded=False)
+    assert isinstance(found, Plan)
+    there, dropped = held_against(program, plant, target, found.detours, ())
+    report = verify(there, plant, found.trajectory, None, dropped, target, advice=False)
+    assert report.legal, [one for one in report.findings if not one.passed]
+    assert least_along(plant, found.trajectory) >= -1e-4

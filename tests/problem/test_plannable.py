@@ -75,8 +75,8 @@ def passes(*motions: Motion, cell: str | None = None) -> bool:
         ),
         (
             move_ext_j(target="j_turn"),
-            "MoveExtJ j_turn moves external axes only, and the cell has none; the cell knows no external axis: add a "
-            "rail section if eax_a is one, else hold it still",
+            "MoveExtJ j_turn moves external axes only, and the cell has none; describe eax_a as the "
+            "cell's rail or under its positioners, else hold it still",
         ),
     ],
 )
@@ -90,8 +90,8 @@ def test_other_external_axes_may_stand_but_not_move() -> None:
 
     assert passes(at(0, None), at(None, None), at(-0.0089, None))
     assert refused(at(0, None), at(None, 5), at(90, 5)) == [
-        "m.mod:3:5: MoveJ p moves eax_a from 0 to 90; the cell knows no external axis: add a rail section if eax_a is "
-        "one, else hold it still"
+        "m.mod:3:5: MoveJ p moves eax_a from 0 to 90; describe eax_a as the cell's rail or under its positioners, else "
+        "hold it still"
     ]
     assert passes(at(None, 0), at(None, 900), at(None, 1000), cell=RAIL)
     assert passes(move_ext_j(extax=(None, 900, None, None, None, None)), cell=RAIL)
@@ -205,10 +205,10 @@ def test_targets_that_speak_of_another_axis_than_the_rail_are_doubted() -> None:
 
 def test_targets_without_a_place_for_the_rail_are_counted() -> None:
     some = program(move_j(extax=eax(b=100)), move_l(extax=eax(a=5)), move_l(), move_abs_j(extax=eax(b=0)))
-    said = "m.mod:2:5: 2 targets give no position for the rail (9E9 on axis b): it keeps its last one"
+    said = "m.mod:2:5: 2 targets give no position for the rail (9E9 on axis b): a controller stops, a plan stays"
     assert rail_doubts(some, plant(RAIL)) == (said,)
     assert rail_doubts(program(wait(), move_j(extax=eax(b=1)), wait()), plant(RAIL)) == ()
-    one = "m.mod:1:5: 1 target gives no position for the rail (9E9 on axis b): it keeps its last one"
+    one = "m.mod:1:5: 1 target gives no position for the rail (9E9 on axis b): a controller stops, a plan stays"
     assert rail_doubts(program(move_j()), plant(RAIL)) == (one,)
 
 

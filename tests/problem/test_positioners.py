@@ -15,12 +15,12 @@ from trajopt_cli.cell.loader import parse_cell
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.export.joint import resample
 from trajopt_cli.motion import MoveJ, Program
-from trajopt_cli.optimize import optimize
+from trajopt_cli.optimize import check_feasible, optimize
 from trajopt_cli.problem.changes import everything
-from trajopt_cli.problem.plan import Plan, Target
+from trajopt_cli.problem.plan import Infeasible, Plan, Target
 from trajopt_cli.problem.plannable import check_plannable
 from trajopt_cli.rapid.zones import stopped_fly_bys
-from trajopt_cli.scenario import PositionerAxis, Scenario
+from trajopt_cli.scenario import PositionerAxis, RailUnit, Scenario
 from trajopt_cli.verify.judge import verify
 
 pytestmark = pytest.mark.usefixtures("coarse")
@@ -263,3 +263,77 @@ positioners:
     with pytest.raises(InputError) as caught:
         parse_cell(text, "c.yaml")
     assert str(caught.value) == "c.yaml:8: positioners.STN1.velocity: needs a number above zero, not -3"
+
+
+@pytest.mark.usefixtures("unrefined")
+def test_a_rail_stands_from_deact_unit_to_act_unit_and_the_judge_looks() -> None:
+    """Free it would go along: what is planned without DeactUnit is illegal with it."""
+    body = r"ConfJ \Off; ConfL \Off; MoveJ p_in, v1000, z20, tool0; %s"
+    body += "MoveL Offs(p_in,0,-150,0), v1000, fine, tool0; MoveJ Offs(p_in,0,-450,0), v1000, fine, tool0; %s"
+    body += "MoveL Offs(p_in,0,-500,0), v1000, fine, tool0;"
+    scenario = Scenario(rail=RailUnit(0, "TRACK1"))
+    held, free = (
+        rapid(body % switches, scenario)
+        for switches in (("DeactUnit TRACK1;", "ActUnit TRACK1;"), ("WaitRob\\InPos;",) * 2)
+    )
+    plant = plant_with_rail()
+    for target in Target:
+        plan = optimize(held, plant, target, bounded=False)
+        assert isinstance(plan, Plan)
+        during = plan.trajectory.q[
+            (plan.trajectory.t >= plan.motions[2].t_0) & (plan.trajectory.t <= plan.motions[3].t_1)
+        ]
+        assert np.ptp(during[:, 0]) == 0
+        assert verify(held, plant, plan.trajectory, target=target, advice=False).legal
+        other = optimize(free, plant, target, bounded=False)
+        assert isinstance(other, Plan)
+        found = verify(held, plant, other.trajectory, target=target, advice=False).findings
+        assert {one.check for one in found if not one.passed} == {"way while held"}
+
+
+def test_what_a_parked_rail_cannot_reach_is_an_answer_that_names_the_unit() -> None:
+    far = rapid(
+        "ConfJ \\Off; DeactUnit TRACK1; MoveJ Offs(p_in,0,900,0), v1000, fine, tool0;",
+        Scenario(rail=RailUnit(0, "TRACK1")),
+    )
+    found = check_feasible(far, plant_with_rail())
+    assert isinstance(found, Infeasible)
+    assert (found.index, found.source.line) == (1, 5)
+    assert "unit" in found.message
+
+
+@pytest.mark.usefixtures("unrefined")
+def test_the_judge_wants_a_stop_before_deact_unit() -> None:
+    body = (
+        "MoveJ p_in, v1000, fine, tool0; MoveL p_low, v1000, z20, tool0; %s MoveL Offs(p_in,0,99,0), v500, fine, tool0;"
+    )
+    passed, stopped = (rapid(r"ConfJ \Off; ConfL \Off; " + body % one) for one in ("", "DeactUnit STN9;"))
+    plan = optimize(passed, plant_with_rail(), Target.STREAM, bounded=False)
+    assert isinstance(plan, Plan)
+    assert verify(passed, plant_with_rail(), plan.trajectory, target=Target.STREAM, advice=False).legal
+    assert not verify(stopped, plant_with_rail(), plan.trajectory, target=Target.STREAM, advice=False).legal
+
+
+@pytest.mark.usefixtures("unrefined")
+def test_tables_on_one_axis_turn_one_after_the_other_each_in_its_own_column() -> None:
+    stations = {"stn1": (axis(1, (0.6, 0.5, 0.1)),), "stn2": (axis(1, (0.6, -0.5, 0.1)),)}
+    found = program(
+        r"ActUnit STN1; MoveJ p_off, v1000, fine, tool0 \WObj:=wobj_t; MoveL p_far, v1000, fine, tool0 \WObj:=wobj_t;"
+        r"DeactUnit STN1; ActUnit STN2; MoveExtJ [[0,0,0,0,0,0],[9E9,-40,9E9,9E9,9E9,9E9]], vrot100, fine;"
+        r"MoveL Offs(p_far,0,0,50), v1000, fine, tool0 \WObj:=wobj_t;",
+        Scenario(positioners=stations),
+    )
+    plant = plant_with_rail()
+    plan = optimize(found, plant, Target.STREAM, bounded=False)
+    assert isinstance(plan, Plan)
+    tables = plan.trajectory.tables
+    assert tables is not None
+    assert tables.names == ("eax_b_stn1", "eax_b_stn2")
+    np.testing.assert_allclose(np.degrees(tables.q[[0, -1]]), [[0, 0], [90, 90]], atol=1e-9)
+    np.testing.assert_allclose(np.degrees(tables.q[:, 1].min()), -40, atol=1e-9)
+    assert verify(found, plant, plan.trajectory, target=Target.STREAM, advice=False).legal
+    q = tables.q.copy()
+    q[-4:-1, 0] += 0.01  # STN1, where it should stand
+    moved = replace(plan.trajectory, tables=replace(tables, q=q))
+    report = verify(found, plant, moved, target=Target.STREAM, advice=False)
+    assert "positioner position" in {one.check for one in report.findings if not one.passed}

@@ -20,6 +20,7 @@ from trajopt_cli.notices import NoticeKind
 from trajopt_cli.problem.plant import build_plant
 from trajopt_cli.problem.programmed import PlantKinematics
 from trajopt_cli.rapid.execution.position import Position
+from trajopt_cli.rapid.execution.units import Units
 from trajopt_cli.rapid.reader import run_program
 from trajopt_cli.scenario import Scenario
 
@@ -246,7 +247,7 @@ def test_the_robot_is_loaded_once_and_only_when_somebody_asks() -> None:
         loaded.append(1)
         return robot()
 
-    position = Position(load)
+    position = Position(load, Units(Scenario()))
     assert loaded == []
     first = position.robot(None, None, "a test")  # type: ignore[arg-type]
     assert position.robot(None, None, "a test") is first  # type: ignore[arg-type]

@@ -342,7 +342,7 @@ def test_an_unknown_instruction_is_named_with_what_to_do() -> None:
 @pytest.mark.parametrize(
     "call",
     [
-        *("GlueL q,a,s,g,t;", "MoveHome;", "FCPressL q,a,b,c;", "SpotMPL x;", "ArcMoveJ q;", "IndCMove STN1,1,20;"),
+        *("GlueL q,a,s,g,t;", "MoveHome;", "FCPressL q,a,b,c;", "SpotMPL x;", "ArcMoveJ q;"),
         *("TriggLIOs x;", "SpeedLimAxis STN1,1,20;", "pathrecmovebwd;", "StepBwdPath 30,1;"),
         *("Go p;", "Go ps{2};", "Go 1,Offs(p,0,0,5);", "Go target();", "Go j;", "Go where:=p;", "Rush v100;"),
     ],

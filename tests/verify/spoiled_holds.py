@@ -101,3 +101,15 @@ def rail_moves_in_a_held_move_that_stays() -> Judged:
     motions = list(case.program.motions)
     motions[5] = replace(motions[5], duration=0.3, hold=Hold.CELL)
     return replace(case, program=replace(case.program, motions=tuple(motions))), case.rows(), None
+
+
+@spoiled("way while held", "rail", 15)
+def rail_rides_at_a_stop_while_its_unit_is_not_active() -> Judged:
+    """Both moves beside the stop hold it, each on its own."""
+    case = held_case()
+    motions = [
+        replace(motion, hold=Hold.UNIT) if motion.source.line in (12, 15) else motion
+        for motion in case.program.motions
+        if motion.source.line != 14
+    ]
+    return replace(case, program=replace(case.program, motions=tuple(motions))), case.rows(), None

@@ -160,12 +160,14 @@ class TrackSection(_Section):
 
 
 class RailSection(_Section):
-    """The rail: the external axis that drives it, its travel [m], its zero in the world; fixed keeps its positions."""
+    """The rail: the external axis that drives it, its travel [m], its zero in the world; fixed keeps its positions.
+    unit: what ActUnit and DeactUnit call it."""
 
     eax: Literal["a", "b", "c", "d", "e", "f"]
     stroke: Annotated[tuple[float, float], BeforeValidator(numbers(LENGTH, 2))]
     frame: FrameSection = FrameSection()
     fixed: StrictBool = False
+    unit: StrictStr | None = None
     track: TrackSection | None = None
 
     @model_validator(mode="after")
@@ -297,10 +299,11 @@ class TcpSection(_Section):
 
 
 class StartSection(_Section):
-    """Where the cycle begins, at rest: arm joints [rad] in order, rail [m]."""
+    """Where the cycle begins, at rest: arm joints [rad] in order, rail [m]. units: mechanical units that are active."""
 
     joints: Annotated[tuple[float, ...], BeforeValidator(numbers(ANGLE))]
     rail: Length | None = None
+    units: tuple[StrictStr, ...] | None = None
 
 
 Length3 = Annotated[Triple, BeforeValidator(numbers(LENGTH, 3))]

@@ -16,7 +16,7 @@ from trajopt_cli.cell.suspected import CELL, suspected
 from trajopt_cli.errors import ErrorKind, InputError, of_kind
 from trajopt_cli.geometry import Array, pose, rotation_about, rotation_from_wxyz, wxyz_from_rotation
 from trajopt_cli.limits import TcpCaps
-from trajopt_cli.scenario import ConstantSpeed, Given, HoldRail, PositionerAxis, Scenario, condition_key
+from trajopt_cli.scenario import ConstantSpeed, Given, HoldRail, PositionerAxis, RailUnit, Scenario, condition_key
 from trajopt_cli.shapes import Box, Capsule, Grip, MeshFile, Solid
 from trajopt_cli.validation import hint
 from trajopt_cli.yaml_file import line_of, parse, read_text, validated
@@ -131,6 +131,8 @@ def _scenario(document: CellDocument, file: str, lines: Mapping[str, int]) -> Sc
         positioners=by("positioners", {name: _axes(axes) for name, axes in document.positioners.items()}),
         free_speed=document.free_speed,
         droppable=frozenset(name.lower() for name in document.optional),
+        rail=RailUnit(_EXTERNAL_AXES.index(document.rail.eax), document.rail.unit) if document.rail else None,
+        active_units=None if document.start.units is None else frozenset(map(str.lower, document.start.units)),
     )
 
 
@@ -196,13 +198,7 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         order=document.order,
         lines=lines,
     )
-    driven = {} if document.rail is None else {document.rail.eax: "the rail"}
-    for name, axes in document.positioners.items():
-        for axis in axes:
-            if axis.eax in driven:
-                message = f"eax {axis.eax} drives {driven[axis.eax]} already; give each axis its own"
-                raise cell.error(f"positioners.{name}", message)
-            driven[axis.eax] = f"positioner {name}"
+    _check_units(document, cell)
     if cell.rail is not None and document.base is not None:
         raise cell.error("base", "a robot on a rail is placed by rail.frame; remove one of the two")
     if cell.rail is not None and cell.start_rail is None:
@@ -233,3 +229,28 @@ def _cell(document: CellDocument, file: str, lines: Mapping[str, int]) -> Cell:
         if name in document.obstacles:
             raise cell.error(f"attached.{name}", "an obstacle has this name too; give each body its own")
     return cell
+
+
+def _check_units(document: CellDocument, cell: Cell) -> None:
+    """Raise where an axis drives two things at once: positioners may share one, and then one at a time is active."""
+    rail = document.rail
+    named = {name.lower(): [axis.eax for axis in axes] for name, axes in document.positioners.items()}
+    for name, axes in document.positioners.items():
+        driven = {} if rail is None else {rail.eax: "the rail"}
+        for axis in axes:
+            if axis.eax in driven:
+                message = f"eax {axis.eax} drives {driven[axis.eax]} already; give each axis its own"
+                raise cell.error(f"positioners.{name}", message)
+            driven[axis.eax] = f"positioner {name}"
+    if rail is not None and rail.unit is not None:
+        if rail.unit.lower() in named:
+            raise cell.error("rail.unit", f"positioner {rail.unit} has this name; give each unit its own")
+        named[rail.unit.lower()] = [rail.eax]
+    active: dict[str, str] = {}
+    for i, name in enumerate(document.start.units or ()):
+        if name.lower() not in named:
+            known = [*document.positioners, *([rail.unit] if rail is not None and rail.unit else [])]
+            raise cell.error(f"start.units.{i}", f"'{name}' is no mechanical unit of this file; {hint(name, known)}")
+        for eax in named[name.lower()]:
+            if (other := active.setdefault(eax, name)).lower() != name.lower():
+                raise cell.error(f"start.units.{i}", f"{other} has eax {eax}, too; one of them at a time is active")

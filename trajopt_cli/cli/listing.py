@@ -27,7 +27,7 @@ _LONGEST = {
 _SAYABLE = ("speed", "zone", "conf", "ext. axes", "tool", "wobj", "orientation w x y z", "settings")  # once for all
 _OF_POSES = {"conf", "wobj", "orientation w x y z"}  # moves to joints need none
 _NAMED = re.compile(r"(v|vrot|vlin)(\d+)$", re.IGNORECASE)
-_SAID = (Hold.PROGRAM, Hold.CELL)  # a note below the table tells of the waits after an output
+_SAID = (Hold.PROGRAM, Hold.CELL, Hold.UNIT)  # a note below the table tells of the waits after an output
 _ZONE = re.compile(r"z(\d+)$", re.IGNORECASE)
 
 # What each column shows, the most telling first.

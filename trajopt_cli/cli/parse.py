@@ -175,6 +175,10 @@ def notes_on(flat: Program, listing: Listing, plant: Plant | None) -> Iterator[s
     if listing.fly_by:
         yield f"{listing.fly_by} fly-by zone{'s' * (listing.fly_by > 1)}, planned as corners where the point is passed"
     yield from _stopped(listing)
+    first = {one.kind: one for one in reversed(flat.refusals)}
+    for one in reversed(first.values()):
+        others = sum(other.kind == one.kind for other in flat.refusals) - 1
+        yield f"{one.source}: {one.message}{f' ({others} more)' if others else ''}"
     if plant is None:
         return
     from trajopt_cli.problem.plannable import planned_otherwise, refusals

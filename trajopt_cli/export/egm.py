@@ -21,7 +21,7 @@ from trajopt_cli.errors import InputError
 from trajopt_cli.export.joint import between_rows, check_rate
 from trajopt_cli.export.recorded import Recorded
 from trajopt_cli.geometry import Array, readonly
-from trajopt_cli.trajectory import Trajectory
+from trajopt_cli.trajectory import TABLE, Trajectory
 from trajopt_cli.units import DEG, MM
 
 HIGHEST_RATE = 250.0  # Hz: EGM takes a message every 4 ms at most
@@ -100,7 +100,9 @@ def stream_of(motion: Recorded, rate: float = HIGHEST_RATE, eax: int | None = No
     q[-1], qd[-1] = trajectory.q[-1], 0.0
     arm, rail = layout
     tables = trajectory.tables
-    turns = () if tables is None else tuple(_LETTERS.index(name[-1]) for name in tables.names)
+    turns = () if tables is None else tuple(_LETTERS.index(name[len(TABLE)]) for name in tables.names)
+    if len({*turns}) < len(turns):
+        raise InputError("has two units on one external axis, and EGM has one place for it; export a CSV file")
     letters = [*turns, *([] if rail is None else [eax or 0])]
     beside = np.zeros((2, len(t), max(letters, default=-1) + 1))
     if rail is not None:

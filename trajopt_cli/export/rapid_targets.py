@@ -13,7 +13,7 @@ from trajopt_cli.export.rapid_call import read_move
 from trajopt_cli.export.rapid_scopes import Scopes
 from trajopt_cli.export.rapid_text import PLACE, Edits, Names, num, plain, refusal, same_num
 from trajopt_cli.geometry import Array, inverse_pose, wxyz_from_rotation
-from trajopt_cli.motion import ConfData, Move, MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL, Program, Span
+from trajopt_cli.motion import ConfData, Hold, Move, MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL, Program, Span
 from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.problem.plan import PlannedMotion
 from trajopt_cli.problem.plant import Plant
@@ -83,7 +83,7 @@ class Targets:
         at the place of the move, along which only the rail moves, so that no configuration is nearer than the planned.
         """
         rail, q, eax, layout = None, planned.q_1, self._plant.rail_eax, self._plant.layout
-        if eax is not None:
+        if eax is not None and move.hold is not Hold.UNIT:
             still = abs(float(layout.place(q - planned.q_0))) <= _RAIL_STILL
             if not (leave_open and still and move.extax[eax] is None):
                 rail = plain(float(layout.place(q)) / MM - self._offsets(move)[eax], PLACE)

@@ -19,7 +19,7 @@ from trajopt_cli.export.rapid_stretches import Stretch, Stretches
 from trajopt_cli.export.rapid_targets import PoseMove, Targets, confdata_counts, declared_name
 from trajopt_cli.export.rapid_text import Edits, Names
 from trajopt_cli.export.rapid_write import Choices, Intent, write
-from trajopt_cli.motion import ExternalAxes, Motion, Move, MoveAbsJ, MoveExtJ, Program, Span, Wait
+from trajopt_cli.motion import ExternalAxes, Hold, Motion, Move, MoveAbsJ, MoveExtJ, Program, Span, Wait
 from trajopt_cli.problem.changes import Changes, Loops, droppable, may_go
 from trajopt_cli.problem.plant import Plant
 
@@ -262,7 +262,7 @@ class _Text:
     def _moved(self, motion: Move, steps: int) -> Move:
         """A move to the same place with so many steps added to its rail position, without a rail to its confdata."""
         eax = self.plant.rail_eax
-        if eax is not None:
+        if eax is not None and motion.hold is not Hold.UNIT:
             axes = list(motion.extax)
             axes[eax] = round((motion.extax[eax] or 0.0) + _STEP * steps, 3)
             return replace(motion, extax=cast(ExternalAxes, tuple(axes)))

@@ -145,6 +145,8 @@ def _tune(
                 [tries, others, q[k] + 0.5 * step * np.eye(axes.n) * (q[k - 1] + q[k + 1] - 2 * q[k])]
             )
             tries = np.clip(tries, axes.lower, axes.upper)
+            if not problem.legs[k - 1].rail_moves:
+                tries[:, axes.layout.rail] = q[k, axes.layout.rail]
             tries = tries[avoid.may_be(tries, motion)]
             ends = [np.tile(q[i], (len(tries), 1)) for i in (k - 1, k + 1)]
             clear = avoid.around.free_between(ends[0], tries, motion)

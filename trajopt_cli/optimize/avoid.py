@@ -8,7 +8,7 @@ until nothing in the best chain is new.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -30,6 +30,8 @@ from trajopt_cli.optimize.ways import Ways, about
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.problem import Leg, LegKind, Problem
 
+_HELD = 1e-9  # m of a rail that stands
+
 
 @dataclass(frozen=True, eq=False)
 class States:
@@ -45,7 +47,7 @@ class Avoid:
 
     def __init__(self, axes: Axes, around: Surroundings, straight: Mapping[int, str]):
         self._axes, self.around, self._straight = axes, around, straight
-        self._ways: dict[int, Ways] = {}
+        self._ways: dict[tuple[int, float | None], Ways] = {}  # by scene, and by the rail's place where it is held
         self._known: dict[int, list[Array]] = {}  # points of ways that were found, by scene
         self._joined: dict[tuple[int, int], dict[bytes, bool]] = {}  # by way and its end: from where it is clear
         self._plans: dict[int, int] = {}  # how often a way was looked for, by motion
@@ -70,7 +72,7 @@ class Avoid:
         if self.around.free_between(q_0[None], q_1[None], leg.motion)[0]:
             return np.empty((0, len(q_0)))
         _, points = self._by_known(leg, q_0[None], q_1[None])[0]
-        return None if points is None else self._finder(leg).quicker(q_0, points, q_1)
+        return None if points is None else self._finder(leg, q_0).quicker(q_0, points, q_1)
 
     def points(self, motion: int) -> Array:
         """The points (m, n) of all ways that are known where a motion is."""
@@ -112,7 +114,7 @@ class Avoid:
         found = self._by_known(leg, a.q[i], b.q[j])
         if not free[0] and found[0][1] is None and not self._spent(leg):
             self._plans[leg.motion] = self._plans.get(leg.motion, 0) + 1
-            points = self._finder(leg).between(a.q[i[0]], b.q[j[0]])
+            points = self._finder(leg, a.q[i[0]]).between(a.q[i[0]], b.q[j[0]])
             if points is None:
                 self._fails += 1
                 self._missed.add(leg.motion)
@@ -136,11 +138,18 @@ class Avoid:
         """Whether no more ways are looked for in a leg's motion."""
         return self._plans.get(leg.motion, 0) >= AVOID_PLANS or self._fails >= AVOID_FAILS
 
-    def _finder(self, leg: Leg) -> Ways:
-        scene = self.around.scene(leg.motion)
-        if scene not in self._ways:
-            self._ways[scene] = Ways(self._axes, self.around, leg.motion, self._said)
-        return self._ways[scene]
+    def _finder(self, leg: Leg, q_0: Array) -> Ways:
+        """What finds ways from q_0; the rail stays there where the leg holds it."""
+        axes, held = self._axes, None
+        if not leg.rail_moves:
+            rail, held = axes.layout.rail, float(axes.layout.place(q_0))
+            lower, upper = axes.lower.copy(), axes.upper.copy()
+            lower[rail] = upper[rail] = held
+            axes = replace(axes, lower=lower, upper=upper)
+        key = self.around.scene(leg.motion), held
+        if key not in self._ways:
+            self._ways[key] = Ways(axes, self.around, leg.motion, self._said)
+        return self._ways[key]
 
     def _said(self, q: Array) -> BoolArray:
         """Which of axes (m, n) a target of a program can say: those that stand clear of singularities."""
@@ -169,9 +178,13 @@ class Avoid:
         new = {name: row for row, name in enumerate(names) if name not in known}
         rows, at = q[list(new.values())], np.tile(points[end], (len(new), 1))
         q_0, q_1 = (rows, at) if end == 0 else (at, rows)
-        free = self.around.free_between(q_0, q_1, leg.motion)
-        known.update(zip(new, free.tolist(), strict=True))
-        return np.array([known[name] for name in names], dtype=bool)
+        found = self.around.free_between(q_0, q_1, leg.motion)
+        known.update(zip(new, found.tolist(), strict=True))
+        free = np.array([known[name] for name in names], dtype=bool)
+        if not leg.rail_moves:  # the rail stands on all of the way
+            place = self._axes.layout.place
+            free &= np.all(np.abs(place(q)[:, None] - place(points)) <= _HELD, axis=1)
+        return free
 
     def _on_ways(self, problem: Problem, k: int, q_0: Array, q_1: Array, cfx: IndexArray) -> BoolArray:
         """Whether (m,) lines, arcs and waits between axes (m, n) are clear, the rail in proportion to the way."""

@@ -51,7 +51,9 @@ _SLOW = (
     "no fast plan was found ({why}); this one is legal but slow, and stops at every point: please report the program"
 )
 _SLOWED = "the whole plan is slowed down: between rows of the file a limit would have been passed"
-_HELD = "the rail is held still there (hold_rail): begin the hold behind the approach, or let the rail move"
+_HOLD = "the rail is held still there (hold_rail): begin the hold behind the approach, or let the rail move"
+_UNIT = "the rail's unit is not active there: ActUnit before it, or DeactUnit where the rail stands in reach"
+_HELD = {Hold.CELL: _HOLD, Hold.PROGRAM: _HOLD, Hold.UNIT: _UNIT}
 
 
 def check_feasible(
@@ -70,8 +72,8 @@ def check_feasible(
     if not isinstance(first, Infeasible) or any(isinstance(one, Problem) for one in problems):
         return None
     held = getattr(program.motions[first.index], "hold", None)
-    asked = held in (Hold.CELL, Hold.PROGRAM) and plant.robot.has_rail
-    return replace(first, message=f"{first.message}; {_HELD}") if asked else first
+    hint = _HELD.get(held) if held is not None and plant.robot.has_rail else None
+    return first if hint is None else replace(first, message=f"{first.message}; {hint}")
 
 
 def optimize(

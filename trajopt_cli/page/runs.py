@@ -11,7 +11,10 @@ from trajopt_cli.problem.plan import Target
 from trajopt_cli.runs.compared import ComparedRuns, Motion, MotionRow, OneRun
 
 _WIDE, _LEFT, _BAR, _GAP = 1000, 60, 22, 12  # of drawings, in units of their own; left of them the letters
-_CLASSES = {"MoveL": "line", "MoveC": "arc", "MoveExtJ": "rail", "WaitTime": "wait", "Wait": "wait", "Signal": "wait"}
+_CLASSES = {
+    **{"MoveL": "line", "MoveC": "arc", "MoveExtJ": "rail"},
+    **dict.fromkeys(("WaitTime", "Wait", "Signal", "WaitRob", "ActUnit", "DeactUnit"), "wait"),
+}
 _KINDS = {"line": "lines", "arc": "arcs", "joint": "joint moves", "rail": "external axes alone", "wait": "waits"}
 
 

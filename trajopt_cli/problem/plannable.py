@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
 from math import degrees
 
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.motion import (
     CirPathMode,
+    Hold,
     Move,
     MoveAbsJ,
     MoveC,
@@ -20,9 +20,9 @@ from trajopt_cli.motion import (
     MoveJ,
     MoveL,
     Program,
+    Refusal,
     SignalEvent,
     Singularity,
-    Source,
     Wait,
     motion_name,
     turned_under,
@@ -37,18 +37,9 @@ STILL = 0.1  # mm or deg: backups hold measured values of axes that stand
 _STOP_POINTS = ("inpos20", "inpos50", "inpos100")  # stop points without a time of their own
 
 
-@dataclass(frozen=True)
-class Refusal:
-    """One thing that one statement asks for and no plan keeps. kind: in one word or two; message: with advice."""
-
-    kind: str
-    source: Source
-    message: str
-
-
 def refusals(program: Program, plant: Plant) -> tuple[Refusal, ...]:
     """What no plan can keep, in program order; a statement that runs many times is named once per thing it asks for."""
-    found: dict[tuple[Source, str], Refusal] = {}
+    found = {(one.source, one.kind): one for one in program.refusals}
     axes, circles = _OtherAxes(plant), Circles(plant)
     for motion in program.motions:
         if isinstance(motion, Wait | SignalEvent):
@@ -78,7 +69,7 @@ def rail_doubts(program: Program, plant: Plant) -> tuple[str, ...]:
     axis = plant.rail_eax
     if axis is None:
         return ()
-    moves = [motion for motion in program.motions if not isinstance(motion, Wait | SignalEvent)]
+    moves = [motion for motion in program.motions if isinstance(motion, Move) and motion.hold is not Hold.UNIT]
     letters = "abcdef"
     given = [letters[i] for i in range(6) if any(move.extax[i] is not None for move in moves)]
     if given and letters[axis] not in given:
@@ -88,8 +79,8 @@ def rail_doubts(program: Program, plant: Plant) -> tuple[str, ...]:
     if not open_:
         return ()
     n, place = len(open_), next(iter(open_))
-    targets = "targets give" if n > 1 else "target gives"
-    return (f"{place}: {n} {targets} no position for the rail (9E9 on axis {letters[axis]}): it keeps its last one",)
+    targets = f"{n} target{'s give' if n > 1 else ' gives'} no position for the rail (9E9 on axis {letters[axis]})"
+    return (f"{place}: {targets}: a controller stops, a plan stays",)
 
 
 def planned_otherwise(program: Program, loads_count: bool = False) -> tuple[str, ...]:
@@ -211,16 +202,15 @@ class _OtherAxes:
                 continue
             before = self._at.setdefault(axis, value)
             self._at[axis] = value
-            if axis in {unit.eax for unit in motion.units}:
+            if axis in self._plant.turning or axis in {unit.eax for unit in motion.units}:
                 continue
             if abs(value - before) > STILL:
                 yield "external axes", f"moves eax_{'abcdef'[axis]} from {before:g} to {value:g}", self._advice(axis)
                 return
-        if isinstance(motion, MoveExtJ) and self._plant.rail_eax is None and not motion.units:
+        if isinstance(motion, MoveExtJ) and self._plant.rail_eax is None and not (motion.units or self._plant.turning):
             yield "external axes", "moves external axes only, and the cell has none", self._advice(0)
 
     def _advice(self, axis: int) -> str:
         if self._plant.rail_eax is None:
-            letter = "abcdef"[axis]
-            return f"the cell knows no external axis: add a rail section if eax_{letter} is one, else hold it still"
+            return f"describe eax_{'abcdef'[axis]} as the cell's rail or under its positioners, else hold it still"
         return f"the cell knows only its rail, eax_{'abcdef'[self._plant.rail_eax]}: hold the other axes still"

@@ -37,7 +37,7 @@ class Plant:
     pairs of links, or of a link and an attached body, that are not held against each other. clearance: the least
     distance wanted between the robot and an obstacle [m]. tool_radius [m]: of the capsule from flange to TCP that
     stands for the tool of each motion; 0 for none, as where something is attached. grips: which obstacles the flange
-    takes and leaves, and when. See problem.bodies.
+    takes and leaves, and when. See problem.bodies. turning: the external axes of positioners, 0 for eax_a.
     """
 
     robot: RobotModel
@@ -55,6 +55,7 @@ class Plant:
     clearance: float = 0.0
     tool_radius: float = 0.0
     grips: tuple[Grip, ...] = ()
+    turning: frozenset[int] = frozenset()
 
     @property
     def layout(self) -> AxisLayout:
@@ -157,6 +158,7 @@ def build_plant(cell: Cell) -> Plant:
         clearance=cell.clearance,
         tool_radius=0.0 if cell.attached else cell.tool_radius,
         grips=cell.grips,
+        turning=frozenset(axis.eax for axes in cell.scenario.positioners.values() for axis in axes),
     )
     return replace(plant, may_touch=_may_touch(cell, plant))
 

@@ -59,6 +59,7 @@ _HOLDERS = {
     Hold.PROGRAM: "a comment in the program",
     Hold.CELL: "hold_rail in the cell file",
     Hold.GRIPPER: "an output set just before",
+    Hold.UNIT: "DeactUnit",
 }
 _ON_LIMIT = 1e-9  # m, rad an axis may stand outside its range by rounding
 _LONG = 4.0  # times what the axes take to come to rest: a wait as long has a rest between its ends. Measured: with ends

@@ -115,6 +115,7 @@ def try_program(
         warnings=(*run.warnings, *_unused_marks(run)),
         entry=routine.name,
         ignored=dict(run.ignored),
+        refusals=tuple(run.refusals.values()),
         uncalled=tuple(
             f"{item.kind} {item.name}"
             for tree in trees

@@ -15,7 +15,7 @@ from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 from trajopt_cli.errors import InputError
 from trajopt_cli.findings import Report, finding_record
 from trajopt_cli.joint_csv import FARTHEST
-from trajopt_cli.motion import Program, SignalEvent, Wait
+from trajopt_cli.motion import Program, SignalEvent, Wait, as_written
 from trajopt_cli.problem.changes import Loops
 from trajopt_cli.problem.constant_speed import Stretch, stretch_record
 from trajopt_cli.problem.corners import Corners
@@ -245,6 +245,8 @@ def motion_label(program: Program, index: int) -> tuple[str, str]:
     """The instruction's name and its target (or signal, condition, duration) of one motion, for tables."""
     motion = program.motions[index]
     match motion:
+        case Wait(condition=None, duration=0.0, in_position=True):  # WaitRob \\InPos, ActUnit and the like
+            return as_written(program, motion)
         case Wait(condition=None):
             return "WaitTime", f"{motion.programmed:g} s{' beside' * (motion.beside is not None)}"
         case Wait():

@@ -56,7 +56,7 @@ def thesis(case: Case) -> Answer:
     if not case.plant.robot.has_rail:
         return NotApplicable("the robot rides no rail")
     if any(isinstance(motion, Move) and motion.hold for motion in case.program.motions):
-        return NotApplicable("the heuristic drives the rail in moves that hold it still (hold_rail)")
+        return NotApplicable("the heuristic drives the rail in moves in which it must stand still")
     rule = case.rule
     points = work_points(case.program, case.plant, rule)
     if isinstance(points, Infeasible):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import pairwise
+from itertools import groupby, pairwise
 
 import numpy as np
 
@@ -13,19 +13,20 @@ from trajopt_cli.verify.findings import finding
 from trajopt_cli.verify.frame import Frame
 from trajopt_cli.verify.rail import rail_course, still_from
 from trajopt_cli.verify.rows import Rows
-from trajopt_cli.verify.timeline import Timeline, outside_zones
+from trajopt_cli.verify.timeline import Timeline, Visit, outside_zones
 from trajopt_cli.verify.tolerances import DWELL, HELD
 
 _WHY = {
     Hold.PROGRAM: "a comment in the program holds the rail still",
     Hold.CELL: "hold_rail in the cell file holds the rail still",
+    Hold.UNIT: "its mechanical unit is not active",
     Hold.GRIPPER: "it holds still after an output; 'hold_rail: {gripper: false}' in the cell file lets it move",
 }
 
 
 def check_held(line: Timeline, frames: dict[bytes, Frame]) -> list[Finding]:
     """The way of the rail in every wait and every move that holds it; none on a robot without a rail."""
-    return [*_waits(line), *_moves(line, frames)] if line.rows.mechanism.has_rail else []
+    return [*_waits(line), *_moves(line, frames), *_unit(line)] if line.rows.mechanism.has_rail else []
 
 
 def _waits(line: Timeline) -> Iterator[Finding]:
@@ -55,6 +56,22 @@ def _moves(line: Timeline, frames: dict[bytes, Frame]) -> Iterator[Finding]:
             begin = still_from(rows, before.ready, stop.duration, visit.depart)
             part = _within(rows, begin, stop.duration, visit.depart)
             yield _still(rows, part, stop.name, stop.move.hold, stop.source)
+
+
+def _unit(line: Timeline) -> Iterator[Finding]:
+    """The rail over all moves from DeactUnit to ActUnit of its unit, the stops between them included."""
+    visits = line.visits
+    for idle, group in groupby(range(1, len(visits)), key=lambda i: _idle(visits[i])):
+        if idle:
+            first, *_, last = (*group,) * 2
+            part = visits[first - 1].depart, visits[last].arrive
+            if part[1] >= part[0]:
+                yield _still(line.rows, part, visits[last].point.name, Hold.UNIT, visits[last].point.source)
+
+
+def _idle(visit: Visit) -> bool:
+    move = visit.point.move
+    return move is not None and move.hold is Hold.UNIT and visit.event is not None
 
 
 def _within(rows: Rows, begin: float, duration: float, depart: int) -> tuple[int, int]:

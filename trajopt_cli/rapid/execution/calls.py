@@ -23,6 +23,7 @@ from trajopt_cli.rapid.execution.loading import find_type
 from trajopt_cli.rapid.execution.loops import count_endless, leaves
 from trajopt_cli.rapid.execution.mismatch import Mismatch
 from trajopt_cli.rapid.execution.operators import computed
+from trajopt_cli.rapid.execution.units import unit_name
 from trajopt_cli.rapid.language.syntax import (
     Argument,
     Call,
@@ -191,6 +192,11 @@ def function(run: Run, node: Call, wanted: Type | None) -> Value:
     return computed(run, node, value.type, value.data) if value.origin is None else value
 
 
+def knows(run: Run, name: str) -> bool:
+    """Whether a function is one of the program's or of RAPID's."""
+    return name.lower() in _FUNCTIONS or run.routine(name) is not None
+
+
 def _told(run: Run, call: ProcedureCall | Call, error: Mismatch) -> Mismatch:
     """The error, with the argument that it is about."""
     name = subject(run, call, error.node)
@@ -340,6 +346,8 @@ def _argument(run: Run, routine: Routine, parameter: Parameter, type_: Type, arg
         return Datum(SWITCH, Value(SWITCH, True), "a switch", "CONST")
     if type_.name in SIGNALS:
         return Datum(type_, Value(type_, run.signal(arg.value)), "a signal", "CONST")
+    if type_.name == "mecunit":
+        return Datum(type_, Value(type_, unit_name(run, arg.value)), "a mechanical unit", "CONST")
     if parameter.mode is None:
         try:
             value = evaluate(run, arg.value, type_)

@@ -127,7 +127,7 @@ class Equipment:
         if setup.unit is None:
             return setup
         axes = run.scenario.positioners[setup.unit]
-        at = positions(axes, extax)
+        at = positions(run, setup.unit, extax)
         if at == setup.at:
             return setup
         key = setup, at
@@ -263,10 +263,14 @@ def _setup(
     if fixed:
         frame_of_user = (up, orientation(run, uq, f"uframe of {wobj_name}", wobj_node, run.file, written))
     elif (known := run.scenario.positioners.get(str(unit).lower())) is not None:
-        carrier, at = str(unit).lower(), positions(known, NO_EXTERNAL_AXES)
+        carrier = str(unit).lower()
+        at = positions(run, carrier, NO_EXTERNAL_AXES)
         frame_of_user = user_frame(known, at)
     else:
-        _unit(run, wobj_name, str(unit), wobj_node)
+        if run.units.moves_by_itself(str(unit)):
+            assumed(run, str(unit))  # which helps nothing: every move on it is refused
+        else:
+            _unit(run, wobj_name, str(unit), wobj_node)
         frame_of_user = IDENTITY
     base: frames.Frame | None = frames.compose(frame_of_user, object_frame)
     if displacement is not None:

@@ -451,7 +451,9 @@ def _binary(run: Run, node: Binary, wanted: Type | None) -> Value:
 
 
 def _unknown(run: Run, node: Expression) -> bool:
-    """Whether a side takes its type from the other one: a name that nothing declares."""
+    """Whether a side takes its type from the other one: a name that nothing declares, a function that nobody knows."""
+    if type(node) is Call:
+        return not run.knows(node.name)
     return type(node) is Name and run.find(node.name) is None
 
 

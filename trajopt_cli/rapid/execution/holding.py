@@ -44,6 +44,10 @@ def fill_holds(run: Run, modules: Modules) -> None:
     for wait in _after_outputs(run.motions) if wish.gripper else ():
         if wait.hold is None:
             object.__setattr__(wait, "hold", Hold.GRIPPER)
+    for first, end in run.units.stretches:
+        for motion in run.motions[first:end]:
+            if not isinstance(motion, SignalEvent):
+                object.__setattr__(motion, "hold", Hold.UNIT)
 
 
 def held_after_outputs(program: Program) -> str | None:

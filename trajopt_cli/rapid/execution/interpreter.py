@@ -13,12 +13,12 @@ from difflib import get_close_matches
 
 from trajopt_cli.errors import InputError
 from trajopt_cli.kinematics import Kinematics
-from trajopt_cli.motion import DEFAULT_SETTINGS, Motion, Source, Span
+from trajopt_cli.motion import DEFAULT_SETTINGS, Motion, Refusal, Source, Span
 from trajopt_cli.notices import Notice, NoticeKind
 from trajopt_cli.rapid.data.datatypes import MOTSETDATA, NUM, PROGDISP, SIGNALS, Array, Type, Value, is_opaque
 from trajopt_cli.rapid.data.predefined import ERRORS, VARIABLES, predefined
 from trajopt_cli.rapid.data.scope import Absent, Datum, Frame, ModuleScope, Part, Place, Scope
-from trajopt_cli.rapid.execution.calls import Head, enter, function
+from trajopt_cli.rapid.execution.calls import Head, enter, function, knows
 from trajopt_cli.rapid.execution.evaluate import convertible, locate
 from trajopt_cli.rapid.execution.faults import Fault, Undeclared
 from trajopt_cli.rapid.execution.jumps import Exit
@@ -30,6 +30,7 @@ from trajopt_cli.rapid.execution.position import Position
 from trajopt_cli.rapid.execution.room import room
 from trajopt_cli.rapid.execution.statements import run_block
 from trajopt_cli.rapid.execution.system_data import tell
+from trajopt_cli.rapid.execution.units import Units
 from trajopt_cli.rapid.execution.world import World
 from trajopt_cli.rapid.language.syntax import (
     Block,
@@ -61,12 +62,14 @@ class Run:
 
     def __init__(self, scenario: Scenario, kinematics: Kinematics | None = None):
         self.scenario = scenario
-        self.position = Position(kinematics)
+        self.units = Units(scenario)
+        self.position = Position(kinematics, self.units)
         self.settings = DEFAULT_SETTINGS
         self.ignored: Counter[str] = Counter()  # instructions without effect on motion
         self.world = World(scenario)
         self.outside = Outside(scenario, self.world)
         self.motions: list[Motion] = []
+        self.refusals: dict[tuple[Source, str], Refusal] = {}
         self.warnings: dict[Notice, None] = {}  # a set that keeps its order
         self.optional: set[tuple[str, int]] = set()  # file and start of the moves that are marked
         self.ways: dict[tuple[str, int], tuple[str, ...]] = {}  # likewise, of points on a way around something
@@ -169,6 +172,11 @@ class Run:
         """Tell the user, once."""
         self.warnings[Notice(kind, text, place)] = None
 
+    def refuse(self, kind: str, node: Node, message: str) -> None:
+        """Tell of something that no plan keeps, once per kind and place; see motion.Refusal."""
+        place = self.source(node)
+        self.refusals.setdefault((place, kind), Refusal(kind, place, message))
+
     def note(self, topic: str, kind: NoticeKind, text: str, node: Node) -> None:
         """Tell the user, once per topic: the first place that met it speaks for all."""
         if topic not in self._noted:
@@ -265,6 +273,10 @@ class Run:
     def call_function(self, node: Call, wanted: Type | None = None) -> Value:
         """The value of a function, where a type is wanted."""
         return function(self, node, wanted)
+
+    def knows(self, name: str) -> bool:
+        """Whether a function is one of the program's or of RAPID's."""
+        return knows(self, name)
 
     def settle(self) -> None:
         """Remember which statements the motions so far come from."""

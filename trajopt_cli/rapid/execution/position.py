@@ -28,6 +28,7 @@ from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.predefined import predefined
 from trajopt_cli.rapid.execution.equipment import IDENTITY, Equipment, Setup, frame, matrices, matrix
 from trajopt_cli.rapid.execution.making import maker
+from trajopt_cli.rapid.execution.units import Units
 
 if TYPE_CHECKING:
     from trajopt_cli.rapid.execution.interpreter import Run
@@ -55,8 +56,8 @@ class Position:
     each goes; their X_WT is made for all at once, as one by one it is a tenth of a run.
     """
 
-    def __init__(self, kinematics: Kinematics | Callable[[], Kinematics] | None):
-        self._given = kinematics
+    def __init__(self, kinematics: Kinematics | Callable[[], Kinematics] | None, units: Units):
+        self._given, self._units = kinematics, units
         self._robot: Kinematics | None = None
         self.equipment = Equipment()
         self.setup = _first_setup()
@@ -100,8 +101,8 @@ class Position:
     # --------------------------------------------------------------------------------------------------- what is known
 
     def kept(self, extax: ExternalAxes) -> ExternalAxes:
-        """extax with the last value of every axis that it leaves open."""
-        return _merged(self.extax, extax)
+        """extax with the last value of every axis that it leaves open, or that no active unit drives."""
+        return _merged(self.extax, self._units.driven(extax))
 
     def robot(self, run: Run, node: Node, what: str) -> Kinematics:
         """The robot. Raises InputError where there is none; what: who needs it, as the sentence's subject."""

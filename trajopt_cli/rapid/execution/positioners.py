@@ -22,8 +22,12 @@ _SLOWEST = 1e-3  # rad/s, as in a cell file: less would take for ever
 _STILL = 0.1  # deg: backups hold measured values of axes that stand
 
 
-def positions(axes: Sequence[PositionerAxis], extax: ExternalAxes) -> tuple[float, ...]:
-    """Where axes stand [deg]; at their start where extax says nothing."""
+def positions(run: Run, unit: str, extax: ExternalAxes) -> tuple[float, ...]:
+    """Where a unit's axes stand [deg], external axes at extax; at their start where that says nothing, and where they
+    were left while the unit is not active."""
+    if (parked := run.units.parked.get(unit)) is not None:
+        return parked
+    axes = run.scenario.positioners[unit]
     given = [extax[axis.eax] for axis in axes]
     return tuple(degrees(axis.start) if value is None else value for axis, value in zip(axes, given, strict=True))
 
@@ -53,7 +57,9 @@ def moved(run: Run, point: Expression, extax: ExternalAxes, speed: Speed, rides_
     """
     out = []
     for unit, axes in run.scenario.positioners.items():
-        before, after = positions(axes, run.position.extax), positions(axes, run.position.kept(extax))
+        if unit in run.units.parked:
+            continue
+        before, after = positions(run, unit, run.position.extax), positions(run, unit, run.position.kept(extax))
         for axis, start, end, (origin, q) in zip(axes, before, after, _links(axes, before), strict=True):
             low, high = (degrees(value) for value in axis.range)
             if not low - _STILL <= end <= high + _STILL:
@@ -67,7 +73,8 @@ def moved(run: Run, point: Expression, extax: ExternalAxes, speed: Speed, rides_
                 least = _trapezoid(abs(b - a), v, axis.acceleration)
                 p = origin[0] * MM, origin[1] * MM, origin[2] * MM
                 u = frames.rotate(q, (0.0, 0.0, 1.0))
-                out.append(UnitMove(unit, axis.eax, a, b, least, unit == rides_on, v, axis.acceleration, p, u))
+                shared = axis.eax in run.units.shared
+                out.append(UnitMove(unit, axis.eax, a, b, least, unit == rides_on, v, axis.acceleration, p, u, shared))
     return tuple(out)
 
 

@@ -9,6 +9,7 @@ from trajopt_cli.rapid.data.datatypes import BOOL, NUM, STRING, Data, Type, Valu
 from trajopt_cli.rapid.data.predefined import VMAX
 from trajopt_cli.rapid.execution.answers import ask
 from trajopt_cli.rapid.execution.arguments import Function, bind
+from trajopt_cli.rapid.execution.units import unit_name
 from trajopt_cli.rapid.language.syntax import Call
 from trajopt_cli.scenario import yaml_answer
 
@@ -54,7 +55,6 @@ _TAKEN: tuple[tuple[str, Function], ...] = (
     _taken("TaskInSync", BOOL, False),
     _taken("IsSyncMoveOn", BOOL, False),
     _taken("IsStopMoveAct", BOOL, False),
-    _taken("IsMechUnitActive", BOOL, True),
     _taken("NonMotionMode", BOOL, False),
     _taken("MotionPlannerNo", NUM, 1.0),
     _taken("EventType", NUM, 0.0),
@@ -65,7 +65,18 @@ _TAKEN: tuple[tuple[str, Function], ...] = (
     _taken("UIClientExist", BOOL, True),
 )
 
+_ASSUMED_ACTIVE = _taken("IsMechUnitActive", BOOL, True)[1]
+
+
+def _is_active(run: Run, node: Call) -> Value:
+    """As ActUnit and DeactUnit have left a unit of the cell; others are taken to be active."""
+    (unit,) = bind(run, node, ("MechUnit",)).required
+    name = unit_name(run, unit).lower()
+    return Value(BOOL, name in run.units.active) if name in run.units.axes else _ASSUMED_ACTIVE(run, node)
+
+
 FUNCTIONS: dict[str, Function] = {
     **dict(_TAKEN),
+    "IsMechUnitActive": _is_active,
     "MaxRobSpeed": _fastest,
 }

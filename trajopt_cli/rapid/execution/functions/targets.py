@@ -134,7 +134,8 @@ def _c_rob_t(run: Run, node: Call) -> Value:
     position = run.position
     read_at_rest(run, node, "CRobT reads where the robot is")
     place = position.target(run, node, node.name, _current(run, node, args))
-    return _rob_target(place, position.conf(run, node, node.name), _without_offsets(run, position.extax))
+    extax = _without_offsets(run, run.units.driven(position.extax))
+    return _rob_target(place, position.conf(run, node, node.name), extax)
 
 
 def _c_pos(run: Run, node: Call) -> Value:
@@ -149,7 +150,7 @@ def _c_joint_t(run: Run, node: Call) -> Value:
     bind(run, node, (), ("TaskRef", "TaskName"))
     read_at_rest(run, node, "CJointT reads where the robot is")
     q = run.position.joints(run, node, node.name)
-    return _joint_target(q, run.position.extax)
+    return _joint_target(q, run.units.driven(run.position.extax))
 
 
 def _joint_target(q: Array, extax: ExternalAxes) -> Value:

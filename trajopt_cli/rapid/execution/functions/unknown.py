@@ -109,6 +109,8 @@ _ASKED: tuple[tuple[str, Function], ...] = (
     _unknown("GetServiceInfo", STRING, "the service intervals"),
     _unknown("ProgMemFree", NUM, "the free memory in bytes"),
     _unknown("SocketPeek", NUM, "the number of bytes that have come in"),
+    _unknown("IndInpos", BOOL, "whether an independent axis has come to its place"),
+    _unknown("IndSpeed", BOOL, "whether an independent axis has its speed"),
     _unknown("PathLengthGet", NUM, "the length of the path so far"),
     _unknown("PathRecValidBwd", BOOL, "whether the recorded path can be run backwards"),
     _unknown("PathRecValidFwd", BOOL, "whether the recorded path can be run forwards"),

@@ -81,7 +81,7 @@ def _offset_on(run: Run, node: ProcedureCall) -> None:
         there = evaluate(run, actual, ROBTARGET).data[3]
     else:
         read_at_rest(run, node, "EOffsOn reads where the robot is")
-        there = tuple(NO_POSITION * 2 if value is None else value for value in run.position.extax)
+        there = tuple(NO_POSITION * 2 if value is None else value for value in run.units.driven(run.position.extax))
     pairs = zip(there, programmed, strict=True)
     _offset(run, tuple(0.0 if max(abs(now), abs(was)) > NO_POSITION else now - was for now, was in pairs))
 

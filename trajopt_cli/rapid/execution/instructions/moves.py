@@ -32,7 +32,7 @@ from trajopt_cli.path.circle import circle_through
 from trajopt_cli.rapid.data import frames
 from trajopt_cli.rapid.data.datatypes import JOINTTARGET, ROBTARGET, Data, Value
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
-from trajopt_cli.rapid.execution.equipment import IDENTITY, matrix, said, value_of
+from trajopt_cli.rapid.execution.equipment import IDENTITY, Setup, matrix, said, value_of
 from trajopt_cli.rapid.execution.evaluate import evaluate
 from trajopt_cli.rapid.execution.instructions import pace
 from trajopt_cli.rapid.execution.instructions.effect import Effect
@@ -120,7 +120,7 @@ def move_abs_j(run: Run, node: ProcedureCall) -> None:
     for axis, value in enumerate(robax, 1):
         if abs(value) > NO_POSITION:
             raise run.error(point, f"jointtarget {run.text(point)} gives no position for axis {axis} (9E9)")
-    at = external(run, extax, offset="noeoffs" not in args.optional)
+    at = run.units.checked(run, point, external(run, extax, offset="noeoffs" not in args.optional))
     motion = MoveAbsJ(
         source=run.source(node),
         written=written(run, node, point, speed, target),
@@ -147,7 +147,7 @@ def move_ext_j(run: Run, node: ProcedureCall) -> None:
     args = bind(run, node, ("ToJointPos", "Speed", "Zone"), _EXTERNAL_OPTIONS)
     point, speed, zone = args.required
     target = evaluate(run, point, JOINTTARGET)
-    at = external(run, target.data[1], offset="useeoffs" in args.optional)
+    at = run.units.checked(run, point, external(run, target.data[1], offset="useeoffs" in args.optional))
     caps = pace.speed(run, speed, args, external=True)
     motion = MoveExtJ(
         source=run.source(node),
@@ -188,6 +188,8 @@ def to_pose(
         target = robtarget(run, point)
     setup, caps, zone, duration = manner(run, asked.speed, asked.zone, asked.tool, args, speed)
     place, conf, extax, value = target
+    extax = run.units.checked(run, point, extax)
+    _check_unit(run, node, setup)
     units: tuple[UnitMove, ...] = ()
     before = setup
     if run.scenario.positioners:
@@ -243,6 +245,18 @@ def _succession(run: Run, node: ProcedureCall, args: Arguments) -> None:
     if run.concurrent > _MOST_CONCURRENT:
         message = f"more than {_MOST_CONCURRENT} moves in succession with \\Conc; leave it out of this one"
         raise run.fault(node, "ERR_CONC_MAX", message)
+
+
+def _check_unit(run: Run, node: ProcedureCall, setup: Setup) -> None:
+    """Refuse a move on a work object that moves by itself."""
+    fixed, unit = setup.wobj_data[1:3]
+    if not fixed and run.units.moves_by_itself(str(unit)):
+        run.refuse(
+            "moving work objects",
+            node,
+            f"{node.name} goes to a place on work object {setup.wobj}, which {unit} moves in a way that the program "
+            "does not tell; plan the motions between such moves on their own (--entry)",
+        )
 
 
 def _check_circle(

@@ -38,7 +38,7 @@ _NAMES = {
         ClearPath RestoPath StartMove StopMoveReset PathRecStart PathRecStop
         CornerPathWarning MotionProcessModeSet MotionSup PathLengthReset PathLengthStart PathLengthStop
         PathResol SoftAct SoftDeact
-        DropSensor DropWObj SupSyncSensorOff SupSyncSensorOn WaitSensorReset
+        SupSyncSensorOff SupSyncSensorOn WaitSensorReset
         SyncMoveResume SyncMoveSuspend SyncMoveUndo MotionPlannerSet
 
         WZBoxDef WZCylDef WZDisable WZDOSet WZEnable WZFree WZHomeJointDef WZLimJointDef WZLimSup WZSphDef

@@ -110,14 +110,15 @@ def _hit(
     """The place at a share of the way, as a target of the setup."""
     position, name = run.position, node.name
     before = position.extax
-    extax = _share_of(before, end.extax, share)
+    extax_1 = run.units.driven(end.extax)
+    extax = _share_of(before, extax_1, share)
     conf = end.conf
     place: frames.Frame
     if kind is MoveJ:
         robot = position.robot(run, node, name)
         q_0 = position.joints(run, node, name)
         flange = setup.flange(end.frame)
-        q_1 = reach(run, node, f"ToPoint of {name}", robot, flange, conf, run.settings.conf_j, end.extax)
+        q_1 = reach(run, node, f"ToPoint of {name}", robot, flange, conf, run.settings.conf_j, extax_1)
         q = q_0 + share * (q_1 - q_0)
         place, conf = setup.target(frame(robot.forward(q, extax))), robot.confdata(q)
     else:

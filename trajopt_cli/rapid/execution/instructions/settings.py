@@ -10,8 +10,6 @@ from trajopt_cli.notices import NoticeKind
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
 from trajopt_cli.rapid.execution.equipment import load
 from trajopt_cli.rapid.execution.evaluate import condition, number
-from trajopt_cli.rapid.execution.instructions.effect import Effect
-from trajopt_cli.rapid.execution.instructions.plain import plain
 from trajopt_cli.rapid.execution.system_data import tell
 from trajopt_cli.rapid.language.syntax import Expression, ProcedureCall
 from trajopt_cli.units import MM
@@ -181,8 +179,5 @@ INSTRUCTIONS: dict[str, Instruction] = {
     "PathAccLim": _path_limits,
     "WorldAccLim": _world_limit,
     "GripLoad": _grip_load,
-    "ActUnit": plain,
-    "DeactUnit": plain,
     "CirPathMode": _circle,
 }
-EFFECTS = dict.fromkeys(("ActUnit", "DeactUnit"), Effect.IGNORED)

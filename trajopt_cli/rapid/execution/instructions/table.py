@@ -17,6 +17,7 @@ from trajopt_cli.rapid.execution.instructions import (
     sockets,
     symbols,
     triggers,
+    units,
     variables,
     waits,
 )
@@ -32,6 +33,7 @@ INSTRUCTIONS: dict[str, Instruction] = {
     **signals.INSTRUCTIONS,
     **variables.INSTRUCTIONS,
     **settings.INSTRUCTIONS,
+    **units.INSTRUCTIONS,
     **flow.INSTRUCTIONS,
     **files.INSTRUCTIONS,
     **operator.INSTRUCTIONS,
@@ -40,8 +42,8 @@ INSTRUCTIONS: dict[str, Instruction] = {
     **plain.INSTRUCTIONS,
 }
 _TOPICS = (
-    moves, triggers, searches, processes, displacement, waits, signals, variables, settings, flow, files, operator,
-    sockets, symbols, plain,
+    moves, triggers, searches, processes, displacement, waits, signals, variables, settings, units, flow, files,
+    operator, sockets, symbols, plain,
 )  # fmt: skip
 
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from trajopt_cli.motion import Move, Wait, Written
 from trajopt_cli.notices import NoticeKind
-from trajopt_cli.rapid.data.datatypes import BOOL, NUM, SIGNALS, Atomic, Data, Type, Value
+from trajopt_cli.rapid.data.datatypes import BOOL, NUM, SIGNALS, STRING, Atomic, Data, Type, Value
 from trajopt_cli.rapid.data.scope import Place, Told
 from trajopt_cli.rapid.execution.answers import root
 from trajopt_cli.rapid.execution.arguments import Arguments, Instruction, bind
@@ -181,6 +181,8 @@ def _wait_until(run: Run, node: ProcedureCall) -> None:
     possible = not (never(run, wanted) or _contradictory(run, terms or []))
     if not _over(run, node, args, shown, (shown, *(names if len(names) == 1 else ())), possible):
         return
+    if _unanswered(run, wanted, BOOL):
+        return
     if _from_outside(run, node, wanted, terms, shown) or terms is None:
         return
     for term in terms:
@@ -238,6 +240,27 @@ def _operands(node: Expression) -> list[Expression]:
         case Call():
             return [arg.value for arg in node.args if arg.value is not None]
     return []
+
+
+def _unanswered(run: Run, node: Expression, type_: Type) -> bool:
+    """Whether a condition calls functions that nobody knows or answers for: they lack, each in the type that its place
+    has."""
+    if isinstance(node, Call) and not run.knows(node.name):
+        if run.world.known(node.name):
+            return False
+        run.call_function(node, type_)
+        return True
+    if isinstance(node, Binary) and node.operator not in ("AND", "OR", "XOR"):
+        sides = ((node.left, node.right), (node.right, node.left))
+        return any([_unanswered(run, one, _kind(run, other)) for one, other in sides])
+    return any([_unanswered(run, one, NUM if isinstance(node, Call) else BOOL) for one in _operands(node)])
+
+
+def _kind(run: Run, node: Expression) -> Type:
+    """The type of what a function is held against; a number's where only a run tells."""
+    if isinstance(node, Boolean):
+        return BOOL
+    return STRING if isinstance(node, String) else _variable(run, node) or NUM
 
 
 def _unknown(run: Run, node: Expression) -> list[Name]:
@@ -377,15 +400,16 @@ def _test_and_set(run: Run, node: ProcedureCall) -> None:
     run.assign(flag, Value(BOOL, True))
 
 
-def _other(name: str, required: tuple[str, ...], optional: tuple[str, ...]) -> Instruction:
-    """A wait for something that only the cell knows: a work object on a conveyor, a sensor."""
+def wait_for(run: Run, node: ProcedureCall, args: Arguments, shown: str, name: str) -> None:
+    """Record a wait for something that only the cell knows; name: of it in the cell file, as shown is."""
+    _over(run, node, args, shown, (shown, name))
 
-    def handler(run: Run, node: ProcedureCall) -> None:
-        args = bind(run, node, required, (*optional, *_TIMEOUT))
-        shown = f"{name} {run.text(args.required[0])}"
-        _over(run, node, args, shown, (shown, run.text(args.required[0])))
 
-    return handler
+def _sync_task(run: Run, node: ProcedureCall) -> None:
+    """Until the other tasks have come to the same point."""
+    args = bind(run, node, ("SyncID", "TaskList"), ("InPos", "TimeOut", *_TIMEOUT))
+    shown = run.text(args.required[0])
+    wait_for(run, node, args, f"WaitSyncTask {shown}", shown)
 
 
 EFFECT = Effect.WAITS
@@ -400,7 +424,5 @@ INSTRUCTIONS: dict[str, Instruction] = {
     "WaitUntil": _wait_until,
     "WaitRob": _wait_robot,
     "WaitTestAndSet": _test_and_set,
-    "WaitWObj": _other("WaitWObj", ("WObj",), ("RelDist", "PosStop")),
-    "WaitSensor": _other("WaitSensor", ("MechUnit",), ("RelDist", "PredTime")),
-    "WaitSyncTask": _other("WaitSyncTask", ("SyncID", "TaskList"), ("InPos", "TimeOut")),
+    "WaitSyncTask": _sync_task,
 }

@@ -1,0 +1,148 @@
+"""Mechanical units: which are active, what turns on its own, and work objects that a conveyor or another robot moves.
+
+ActUnit and DeactUnit take effect when every axis stands, so the point before them is a stop (RAPID reference manual).
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from trajopt_cli.notices import NoticeKind
+from trajopt_cli.rapid.data.datatypes import WOBJDATA
+from trajopt_cli.rapid.execution.arguments import Instruction, bind
+from trajopt_cli.rapid.execution.equipment import data_of, load
+from trajopt_cli.rapid.execution.evaluate import number
+from trajopt_cli.rapid.execution.instructions.effect import Effect
+from trajopt_cli.rapid.execution.instructions.waits import record, wait_for
+from trajopt_cli.rapid.execution.units import unit_name
+from trajopt_cli.rapid.language.syntax import Name, ProcedureCall
+
+if TYPE_CHECKING:
+    from trajopt_cli.rapid.execution.interpreter import Run
+
+_MOVING = "moving work objects"
+_APART = "plan the motions between such moves on their own (--entry)"
+
+
+def _switch(on: bool) -> Instruction:
+    def handler(run: Run, node: ProcedureCall) -> None:
+        unit = unit_name(run, bind(run, node, ("MechUnit",)).required[0])
+        record(run, node, 0.0, in_position=True)
+        if unit.lower() in run.units.axes:
+            run.units.switch(run, node, unit.lower(), on)
+        elif on and run.units.moves_by_itself(unit):
+            run.refuse(_MOVING, node, f"{node.name} {unit} is for work objects that move by themselves; {_APART}")
+        elif not on and run.units.rail_unnamed:
+            run.refuse(
+                "mechanical units",
+                node,
+                f"{node.name} {unit} may stop the rail, whose unit the cell file does not name; give its name there: "
+                f"'rail: {{unit: {unit}}}', or another if this is not the rail",
+            )
+        else:
+            run.ignored[node.name] += 1
+            message = f"{node.name} {unit} changes nothing here: no cell file has such a unit"
+            run.note(f"unit {unit}", NoticeKind.NO_EFFECT, run.meant(unit, message, run.units.axes), node)
+
+    return handler
+
+
+# ------------------------------------------------------------------------------------------------- independent axes
+
+
+def _alone(*required: str) -> Instruction:
+    """An axis turns on its own, beside the program."""
+
+    def handler(run: Run, node: ProcedureCall) -> None:
+        options = ("ToAbsPos", "ToAbsNum", "ToRelPos", "ToRelNum", "Short", "Fwd", "Bwd", "Ramp")
+        unit, axis, *_ = bind(run, node, ("MecUnit", "Axis", *required), options).required
+        name = unit_name(run, unit)
+        what = f"{node.name} lets axis {number(run, axis):g} of {name} move on its own"
+        run.units.moving.add(name.lower())
+        if name.lower() in run.units.axes or run.units.rail_unnamed:
+            advice = "no plan knows where it is; program its moves (MoveExtJ), or leave them out"
+            if name.lower() not in run.units.axes:
+                advice = "and may be the rail: name the rail's unit in the cell file ('rail: {unit: ...}')"
+            run.refuse("independent axes", node, f"{what}, beside the program; {advice}")
+        else:
+            run.ignored[node.name] += 1
+            text = f"{what}; it is no axis of the cell file, and nothing of it is planned"
+            run.note(f"alone {name}", NoticeKind.NO_EFFECT, text, node)
+
+    return handler
+
+
+def _reset(run: Run, node: ProcedureCall) -> None:
+    options = ("RefPos", "RefNum", "Short", "Fwd", "Bwd", "Old")
+    unit, axis = bind(run, node, ("MecUnit", "Axis"), options).required
+    unit_name(run, unit), number(run, axis)
+
+
+# ------------------------------------------------------------------------------------------------------------- loads
+
+
+def _unit_load(run: Run, node: ProcedureCall) -> None:
+    """What a positioner's axis carries: the axis keeps the limits of the cell file with any load."""
+    unit, axis, carried = bind(run, node, ("MechUnit", "AxisNo", "Load")).required
+    unit_name(run, unit), number(run, axis), load(run, carried)
+
+
+def _identify(run: Run, node: ProcedureCall) -> None:
+    text = f"{node.name} moves the arm to and fro to weigh a load, as the controller likes; nothing of it is planned"
+    run.note(node.name, NoticeKind.NOT_CHECKED, text, node)
+
+
+def _hollow_wrist(run: Run, node: ProcedureCall) -> None:
+    bind(run, node, ())
+
+
+# ------------------------------------------------------------------------------- work objects that move by themselves
+
+
+def _belt(name: str, waits: bool, *options: str, unit: bool = False) -> Instruction:
+    """An instruction about a work object that follows a conveyor or a sensor: no plan knows where that is, or when."""
+
+    def handler(run: Run, node: ProcedureCall) -> None:
+        args = bind(run, node, ("MechUnit" if unit else "WObj",), (*options, "MaxTime", "TimeFlag"))
+        (what,) = args.required
+        if unit:
+            moved = unit_name(run, what)
+        elif isinstance(what, Name) and run.find(what.name) is None:
+            moved = ""
+        else:
+            moved = str(data_of(run, what, WOBJDATA, "work object", "wobj0")[2])
+        if moved:
+            run.units.moving.add(moved.lower())
+            run.world.lacks.pop(("assume_identity", moved.lower()), None)
+        shown = run.text(what)
+        text = f"{node.name} {shown} is for work that {moved or shown} moves as no program tells; {_APART}"
+        run.refuse(_MOVING, node, text)
+        if waits:
+            wait_for(run, node, args, f"{name} {shown}", shown)
+
+    return handler
+
+
+INSTRUCTIONS: dict[str, Instruction] = {
+    "ActUnit": _switch(True),
+    "DeactUnit": _switch(False),
+    "IndAMove": _alone("Speed"),
+    "IndCMove": _alone("Speed"),
+    "IndDMove": _alone("Delta", "Speed"),
+    "IndRMove": _alone("Speed"),
+    "IndReset": _reset,
+    "MechUnitLoad": _unit_load,
+    "LoadId": _identify,
+    "HollowWristReset": _hollow_wrist,
+    "WaitWObj": _belt("WaitWObj", True, "RelDist", "PosStop"),
+    "DropWObj": _belt("DropWObj", False),
+    "WaitSensor": _belt("WaitSensor", True, "RelDist", "PredTime", unit=True),
+    "DropSensor": _belt("DropSensor", False, unit=True),
+    "SyncToSensor": _belt("SyncToSensor", False, "MaxSync", "On", "Off", unit=True),
+}
+EFFECTS = {
+    **dict.fromkeys(("ActUnit", "DeactUnit"), Effect.WAITS),
+    **dict.fromkeys(("IndReset", "MechUnitLoad", "LoadId", "HollowWristReset"), Effect.IGNORED),
+    **dict.fromkeys(("WaitWObj", "DropWObj", "WaitSensor", "DropSensor", "SyncToSensor"), Effect.REFUSED),
+    **dict.fromkeys(("IndAMove", "IndCMove", "IndDMove", "IndRMove"), Effect.REFUSED),
+}
