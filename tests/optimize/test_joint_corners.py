@@ -19,7 +19,7 @@ from trajopt_cli.optimize.course import course_of
 from trajopt_cli.problem.freedom import AS_WRITTEN
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
-from trajopt_cli.trajectory import hermite
+from trajopt_cli.trajectory import Trajectory, hermite
 from trajopt_cli.verify.judge import verify
 
 DATA = """PERS tooldata a:=[TRUE,[[0,0,100],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];
@@ -48,6 +48,29 @@ def planned(changes: str, rail: bool = False) -> tuple[Program, Plant, Plan]:
     plan = optimize(program, plant, Target.RAPID, AS_WRITTEN, bounded=False)
     assert isinstance(plan, Plan), plan
     return program, plant, plan
+
+
+@pytest.mark.parametrize("target", [Target.STREAM, Target.RAPID])
+def test_a_tool_far_beside_the_one_that_turns_comes_in_and_goes_on(target: Target) -> None:
+    """The first tool turns by 90 deg over its 60 mm; the other one, 200 mm beside it, is farther from its point than
+    the zone reaches when the corner begins. Legal in full, at 250 Hz and at 50 Hz without speeds."""
+    turned = BESIDE["tool"].replace("0,0,1,0", TURNED)
+    line = f"MoveL [[0,60,0],[{TURNED}],[0,0,0,0],[RAIL]], v200, z20, a\\WObj:=w;"
+    start = "MoveJ [[0,0,0],[0,0,1,0],[0,0,0,0],[RAIL]], v500, fine, a\\WObj:=w;"
+    body = "\n".join(["ConfJ\\Off; ConfL\\Off;", start, line, turned]).replace("RAIL", RAIL)
+    program, plant = rapid(body, data=DATA.replace("Y", "0").replace("30,0,140", "200,0,140")), plant_without_rail()
+    plan = optimize(program, plant, target, AS_WRITTEN, bounded=False)
+    assert isinstance(plan, Plan)
+    report = verify(program, plant, plan.trajectory, target=target, advice=False)
+    assert [f.message for f in report.findings if not f.passed] == []
+    for step in (0.004, 0.02):
+        t = np.append(np.arange(0, plan.duration, step), plan.duration)
+        rows = Trajectory(plan.trajectory.names, t, hermite(plan.trajectory, t)[0])
+        report = verify(program, plant, rows, target=target, advice=False)
+        assert [f.message for f in report.findings if not f.passed] == []
+
+
+TURNED = "0,-0.707106781,0.707106781,0"
 
 
 def flange(plant: Plant, plan: Plan, n: int = 4001) -> tuple[Array, Array, Array]:

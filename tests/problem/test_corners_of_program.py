@@ -77,3 +77,11 @@ def test_a_plan_passes_what_it_does_not_stop_at() -> None:
     beside = tuple(replace(motion, q_1=motion.q_1 + 1e-3) for motion in motions)
     plan = Plan(Target.STREAM, Trajectory(names, t, q, still), beside, None, "")
     assert passed_in(program, plant, plan) == {0}
+
+
+def test_corners_where_the_tool_changes_are_told() -> None:
+    grip = "PERS tooldata grip:=[TRUE,[[0,0,50],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];"
+    body = BODY.replace("z10, tool0", "z10, grip")
+    found = corners_of(rapid(body, data=grip), plant_with_rail())
+    assert {k: one.joint for k, one in found.passed.items()} == {0: True, 1: True}
+    assert any("2 of 2 corners" in line for line in fly_bys_told(found))

@@ -18,6 +18,7 @@ from legal_motion import (
     move_l,
     plant_with_rail,
     program,
+    trapezoid,
     wait,
 )
 from legal_motion import judged as verify
@@ -38,6 +39,7 @@ from legal_runs import (
     run_case,
     time_at,
     turned,
+    turns_in_place,
     with_rail,
 )
 from spoiled_runs import faster_between
@@ -103,6 +105,21 @@ def test_rows_close_together_at_the_edge_of_a_zone_do_not_divide_it() -> None:
     extra = edge - np.array([20e-6, 12e-6, 4e-6])
     q, qd = case.pieces[1].at(extra - case.starts[1])
     kept = (rows.t < edge - 0.9e-3) | (rows.t > edge + 1e-4)
+    t = np.r_[rows.t[kept], extra]
+    order = np.argsort(t)
+    dense = Trajectory(rows.names, t[order], np.r_[rows.q[kept], q][order], np.r_[rows.qd[kept], qd][order])
+    report = verify(case.program, case.plant, dense)
+    assert report.legal, [f.message for f in report.findings if not f.passed]
+
+
+def test_rows_close_together_at_the_edge_of_a_zone_that_is_an_angle_do_not_divide_it() -> None:
+    case = turns_in_place()
+    at = trapezoid(0.5 / 0.7, 3.0 / 0.7)[1]
+    edge = np.interp((0.4 - 0.12) / 0.7, at(np.linspace(0, 2, 200_001))[0], np.linspace(0, 2, 200_001))
+    rows = case.rows(step=1e-3)
+    extra = case.starts[1] + edge - np.array([2e-3, 1.5e-3, 0.9e-3])
+    q, qd = case.pieces[1].at(extra - case.starts[1])
+    kept = (rows.t < extra[0] - 6e-3) | (rows.t > extra[-1] + 5e-4)
     t = np.r_[rows.t[kept], extra]
     order = np.argsort(t)
     dense = Trajectory(rows.names, t[order], np.r_[rows.q[kept], q][order], np.r_[rows.qd[kept], qd][order])

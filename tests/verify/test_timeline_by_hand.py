@@ -187,24 +187,34 @@ def test_rows_outside_zones() -> None:
     assert end < begin
 
 
-def test_a_corner_in_which_the_tool_changes_lies_between_the_edges_of_the_zone_for_either_tool() -> None:
-    """The flange moves by 10 mm from row to row; the other tool's centre point, 100 mm beside the first one's, has gone
-    astray near the point and leaves the zone two rows late."""
-    X_FT = [np.eye(4), np.eye(4)]
+@pytest.mark.parametrize(
+    ("rows", "place", "wanted"),
+    [
+        ((), 0.0, (15, 25)),
+        ((26, 27), 0.05, (15, 27)),  # it lags behind: two rows more in its zone
+        ((21, 22), 0.14, (15, 25)),  # it comes from farther away than its zone reaches, but from where it was
+        ((21, 22), 0.34, (15, 21)),  # it goes astray: nothing is granted
+        (range(21, 41), 0.14, (15, 21)),  # it never comes
+    ],
+)
+def test_a_corner_in_which_the_tool_changes(rows: Sequence[int], place: float, wanted: tuple[int, int]) -> None:
+    """The flange moves by 10 mm from row to row through a point at row 20. The other tool's centre point, 100 mm beside
+    the first one's, is elsewhere at some rows: so far beside its own point, and at the beginning, 150 mm."""
+    X_FT, p = [np.eye(4), np.eye(4)], [np.zeros((41, 3)), np.zeros((41, 3))]
     X_FT[1][1, 3] = 0.1
-    p = [np.zeros((41, 3)), np.zeros((41, 3))]
     for one in p:
         one[:, 0] = np.linspace(0, 0.4, 41)
     p[1][:, 1] = 0.1
-    p[1][26:28] = [0.2, 0.11, 0]
+    p[1][14:16, 2] = 0.15
+    p[1][[*rows]] = [0.2, 0.1, place]
     tools = [SimpleNamespace(p=one, X_FT=X, rows=SimpleNamespace(marked=True)) for one, X in zip(p, X_FT, strict=True)]
     X_WT = np.eye(4)
     X_WT[0, 3] = 0.2
     zone = FlyBy(0.0501, 0.0501, 0.0501, joint=True)
     points = [SimpleNamespace(fly_by=at, X_WT=X_WT, X_FT=X_FT[0]) for at in (None, zone, None)]
-    visits = [SimpleNamespace(arrive=row, depart=row + (row == 20), point=point)
+    visits = [SimpleNamespace(arrive=row, depart=row + (row == 20), point=point, event=SimpleNamespace(first=13))
               for row, point in zip((0, 20, 40), points, strict=True)]  # fmt: skip
-    assert tool_corner(tools, visits) == (15, 27)  # type: ignore[arg-type]
+    assert tool_corner(tools, visits) == wanted  # type: ignore[arg-type]
 
 
 # --- which events ------------------------------------------------------------------------------------------------

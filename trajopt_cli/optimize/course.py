@@ -403,7 +403,9 @@ class _Cut:
         return _Bend(corner, corner.share_before, corner.share_after, rail_before, rail_after)
 
     def _joint_bend(self, k: int, radius: float) -> _Bend | None:
-        """A corner of all axes, small enough that the tool stays within its zone, each tool in its half."""
+        """A corner of all axes, small enough that the tool stays within its zone. Where another one takes over, the
+        first stays within it in its half, and the other comes no farther from its point than where the corner begins.
+        """
         sides = ((k - 1, True), (k, False))
         tools = [self._problem.legs[leg].X_FT for leg, _ in sides]
         points = [(self._problem.waypoints[k].X_WF @ X_FT)[:3, 3] for X_FT in tools]
@@ -421,11 +423,14 @@ class _Cut:
             (q_0, rate_0), (q_1, rate_1) = states
             corner = JointCorner(q_0, 2 * shares[0] * rate_0, q_1, 2 * shares[1] * rate_1)
             halves = np.array_split(self._axes.forward(corner.axes(np.linspace(0, 1, SPHERE_SAMPLES))), 2)
-            away = [
-                np.linalg.norm((X_WF @ X_FT)[:, :3, 3] - point, axis=1).max()
+            first, last = (
+                float(np.linalg.norm((X_WF @ X_FT)[:, :3, 3] - point, axis=1).max())
                 for X_WF, X_FT, point in zip(halves, tools, points, strict=True)
-            ]
-            if max(away) <= radius * SPHERE:
+            )
+            begins = 0.0
+            if not np.array_equal(tools[0], tools[1]):
+                begins = float(np.linalg.norm((halves[0][0] @ tools[1])[:3, 3] - points[1]))
+            if first <= radius * SPHERE and last <= max(radius, begins) * SPHERE:
                 break
             shares = [share * SHRINK for share in shares]
         return _Bend(corner, *shares)

@@ -412,12 +412,12 @@ def fly_bys_told(corners: Corners, plans: Mapping[Target, Collection[int]] | Non
     if passed := len(corners.passed):
         points = "fly-by points are passed in corners" if passed > 1 else "fly-by point is passed in a corner"
         yield f"{passed} {points}: {PARABOLIC}"
-        if joint := sum(zone.joint for zone in corners.passed.values()):
-            yield f"{joint} of them in joint interpolation: tool or work object change there"
         for target, moving in (plans or {}).items():
             if stops := sum(index not in moving for index in corners.passed):
                 why = "joint moves between stops need not be straight"
                 yield f"the {target.value} plan stops at {stops} of them: {why}"
+        if joint := sum(zone.joint for zone in corners.passed.values()):
+            yield f"joint interpolated, as tool or work object change: {joint} of {passed} corners"
     if stopped := len(corners.stopped):
         points = "fly-by points are stops" if stopped > 1 else "fly-by point is a stop"
         whys = ", ".join(f"{why} ({count})" for why, count in Counter(corners.stopped.values()).items())

@@ -24,7 +24,7 @@ from trajopt_cli.verify.frame import Frame, carried
 from trajopt_cli.verify.geometry import lengths
 from trajopt_cli.verify.machine import Machine
 from trajopt_cli.verify.rows import INNER, LAGS, Along, Rows, mean_of, second_differences, windows
-from trajopt_cli.verify.timeline import Timeline, Visit, outside_zones, rows_of_move, tool_corner
+from trajopt_cli.verify.timeline import Timeline, Visit, outside_zones, rows_of_move
 from trajopt_cli.verify.tolerances import JOINT, TCP
 
 
@@ -148,7 +148,7 @@ def _stretches(line: Timeline, frames: dict[bytes, Frame]) -> Iterator[Stretch]:
     last_row = len(line.rows.t) - 1
     first, frame = 0, frames[np.asarray(line.visits[0].point.X_FT).tobytes()]
     moves: list[tuple[Visit, Visit]] = []
-    for k, (before, visit) in enumerate(pairwise(line.visits)):
+    for before, visit in pairwise(line.visits):
         missing = before.event is None and before.point.fly_by is not None  # its rows may be the move's before
         shown = visit.event is not None and not missing and not visit.stay
         if (turned := line.turned.get(visit.point.index)) is not None:
@@ -158,9 +158,7 @@ def _stretches(line: Timeline, frames: dict[bytes, Frame]) -> Iterator[Stretch]:
             first, moves = end, []
             continue
         if (tool := frames[np.asarray(visit.point.X_FT).tobytes()]) is not frame:
-            end, begin = before.depart, before.depart
-            if before.point.fly_by is not None and shown:
-                end, begin = tool_corner((frame, tool), line.visits[k - 1 : k + 2])
+            end, begin = before.corner or (before.depart, before.depart)
             yield first, max(end, first), frame, moves
             first, frame, moves = begin, tool, []
         if shown and visit.arrive > before.depart:

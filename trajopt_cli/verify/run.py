@@ -21,7 +21,7 @@ from trajopt_cli.verify.frame import Frame, Places
 from trajopt_cli.verify.geometry import Arc, Line, angle_between, lengths, turned_back
 from trajopt_cli.verify.rows import Rows
 from trajopt_cli.verify.tables import TurnedFrame
-from trajopt_cli.verify.timeline import Timeline, Visit, rows_of_run, tool_corner
+from trajopt_cli.verify.timeline import Timeline, Visit, rows_of_run
 from trajopt_cli.verify.tolerances import LINE_POSITION, LINE_ROTATION
 from trajopt_cli.verify.visits import off_chords
 
@@ -256,7 +256,7 @@ def runs_of(line: Timeline, frames: dict[bytes, Frame]) -> Iterator[Run]:
     for visits in line.runs():
         tools = [frames[np.asarray(visit.point.X_FT).tobytes()] for visit in visits]
         cuts = [k for k in range(1, len(visits) - 1) if tools[k] is not tools[k + 1]]
-        corners = [tool_corner(tools[k : k + 2], visits[k - 1 : k + 2]) for k in cuts]
+        corners = [visits[k].corner or (visits[k].arrive, visits[k].depart) for k in cuts]
         if not cuts:
             turned = line.turned.get(visits[-1].point.index)
             yield Run(line.rows, turned or tools[-1], visits)

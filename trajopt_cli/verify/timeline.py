@@ -15,7 +15,7 @@ from trajopt_cli.verify.frame import Frame
 from trajopt_cli.verify.geometry import angle_between, inverse_pose, lengths
 from trajopt_cli.verify.rail import Indices, still_from
 from trajopt_cli.verify.rows import Rows, unseen
-from trajopt_cli.verify.tolerances import DWELL
+from trajopt_cli.verify.tolerances import DWELL, LINE_POSITION
 from trajopt_cli.verify.visits import Event, Match, events_of, looking, off_passed, worth_a_look
 
 if TYPE_CHECKING:
@@ -39,7 +39,8 @@ class Visit:
 
     event: None where the file never shows it; the rows are then those of the stop before. arrive, depart: first and
     last row. ready: the earliest time [s] at which the next move may begin. X_WF: the wanted pose, or the one at
-    arrival where the program leaves it to the axes. stay: reached without leaving the stop before.
+    arrival where the program leaves it to the axes. stay: reached without leaving the stop before. corner: first and
+    last row of the one in which the tool changes here; None where it does not.
     """
 
     match: Match
@@ -50,6 +51,7 @@ class Visit:
     ready: float
     X_WF: Array
     holds: tuple[Hold, ...] = ()
+    corner: tuple[int, int] | None = None
 
     @property
     def point(self) -> Point:
@@ -119,10 +121,14 @@ def outside_zones(
     """First and last row of a move outside the zones (radius, turning or external) at its ends; the last before the
     first where there is none. first, last: which zones to leave out."""
     a, b = rows_of_move(frame.rows, before, visit)
-    if first and before.point.fly_by is not None:
+    if first and before.point.fly_by is not None and before.point.fly_by.joint and before.corner is not None:
+        a = before.corner[1] + 1
+    elif first and before.point.fly_by is not None:
         out = _far(frame, a, b, before.point, zone)
         a = int(out[0]) if len(out) else b + 1
-    if last and visit.point.fly_by is not None:
+    if last and visit.point.fly_by is not None and visit.point.fly_by.joint and visit.corner is not None:
+        b = visit.corner[0] - 1
+    elif last and visit.point.fly_by is not None:
         out = _far(frame, a, b, visit.point, zone)
         b = int(out[-1]) if len(out) else a - 1
     return a, b
@@ -131,24 +137,36 @@ def outside_zones(
 def tool_corner(tools: Sequence[Frame], visits: Sequence[Visit]) -> tuple[int, int]:
     """First and last row of the corner at the second of three visits, in which one of two tools goes over into the
     other: from where the first one's centre point enters the zone to where the other's leaves it. None is in force
-    between."""
-    (frame, then), (before, visit, after) = tools, visits
-    a = min(outside_zones(frame, before, visit, "radius", first=False)[1] + 1, visit.arrive)
-    b = max(outside_zones(then, visit, after, "radius", last=False)[0] - 1, visit.depart)
-    return max(a, before.depart), min(b, max(after.arrive, visit.depart))
+    between, and the other one comes no farther from its point than it is at the beginning."""
+    before, visit, after = visits
+    assert visit.event is not None
+    assert visit.point.fly_by is not None
+    size, begin = visit.point.fly_by.radius, max(min(visit.event.first, visit.arrive), before.depart)
+    near = np.flatnonzero(_away(tools[0], begin, visit.arrive, visit.point) <= size)
+    first = begin + int(near[0]) if len(near) else visit.arrive
+    most = max(float(_away(tools[1], max(first - 1, begin), first, visit.point).max()), size)
+    away = _away(tools[1], visit.depart, max(after.arrive, visit.depart), visit.point)
+    inside = np.flatnonzero(away <= size)
+    if not len(inside) or away[: inside[0] + 1].max() > most + LINE_POSITION:
+        return first, visit.depart
+    out = np.flatnonzero(away[inside[0] :] > size)
+    return first, visit.depart + int(inside[0] + (out[0] if len(out) else len(away) - inside[0])) - 1
 
 
 def _far(frame: Frame, a: int, b: int, point: Point, zone: str) -> Indices:
     """The rows a to b farther from a point than its zone reaches."""
+    return a + np.flatnonzero(_away(frame, a, b, point) > getattr(point.fly_by, zone))
+
+
+def _away(frame: Frame, a: int, b: int, point: Point) -> Array:
+    """How far a tool is from a point that is passed at rows a to b, in what its zone counts: [m] or [rad]."""
     assert point.fly_by is not None
     X_WT = point.X_WT
     if point.fly_by.joint:
         X_WT = X_WT @ inverse_pose(point.X_FT) @ frame.X_FT
     if point.fly_by.in_place:
-        away = angle_between(frame.rotations(np.arange(a, b + 1)), X_WT[:3, :3])
-    else:
-        away = lengths(frame.p[a : b + 1] - X_WT[:3, 3])
-    return a + np.flatnonzero(away > getattr(point.fly_by, zone))
+        return angle_between(frame.rotations(np.arange(a, b + 1)), X_WT[:3, :3])
+    return lengths(frame.p[a : b + 1] - X_WT[:3, 3])
 
 
 def build_timeline(
@@ -172,6 +190,11 @@ def build_timeline(
         if visit.arrive < before.depart:  # both in one rest: the stop before ends where this one begins
             visits[-1] = replace(before, depart=visit.arrive)
         visits.append(visit)
+    for k in range(1, len(visits) - 1):
+        near = visits[k - 1 : k + 2]
+        tools = [frames[np.asarray(one.point.X_FT).tobytes()] for one in near[1:]]
+        if near[1].event is not None and near[1].point.fly_by is not None and tools[0] is not tools[1]:
+            visits[k] = replace(near[1], corner=tool_corner(tools, near))
     return Timeline(rows, tuple(visits))
 
 

@@ -17,10 +17,9 @@ from trajopt_cli.findings import Finding
 from trajopt_cli.geometry import Array, IndexArray
 from trajopt_cli.motion import FlyBy, Load, MoveExtJ, Program, SignalEvent, Wait
 from trajopt_cli.verify.findings import Series, finding
-from trajopt_cli.verify.frame import Frame
 from trajopt_cli.verify.mechanism import Forces
 from trajopt_cli.verify.rows import INNER, Rows, mean_of, second_differences, windows
-from trajopt_cli.verify.timeline import Timeline, tool_corner
+from trajopt_cli.verify.timeline import Timeline
 from trajopt_cli.verify.tolerances import TORQUE
 
 _MEANS = 4  # of the lags of rows, the shortest: over longer ones masses change too much to tell anything
@@ -72,15 +71,13 @@ class _Carried:
         self.may = np.zeros((len(kinds), len(rows.t) - 1), dtype=bool)
         begin = 0
         come = 0  # where the load may be taken over at the earliest
-        for k, (visit, name) in enumerate(zip(line.visits, names, strict=True)):
+        for visit, name in zip(line.visits, names, strict=True):
             if visit.event is None:
                 continue
             beside = 0 if rows.marked and visit.point.fly_by is None else 2
             end, left, next_come = max(visit.depart, begin), 0, len(rows.t)
-            zone = visit.point.fly_by
-            if isinstance(zone, FlyBy) and zone.joint and 0 < k < len(line.visits) - 1:
-                near = line.visits[k - 1 : k + 2]
-                next_come, left = tool_corner([Frame(rows, one.point.X_FT) for one in near[1:]], near)
+            if isinstance(visit.point.fly_by, FlyBy) and visit.corner is not None:
+                next_come, left = visit.corner
             self.may[[*kinds].index(name), max(min(begin - beside, come), 0) : max(end + beside, left)] = True
             begin, come = end, next_come
         self.may[[*kinds].index(names[-1]), begin:] = True

@@ -217,12 +217,14 @@ def _turned_past(rows: Rows, frame: Frame, point: Point) -> tuple[Event, ...]:
     there = lengths(frame.p[at] - point.X_WT[:3, 3]) <= STOP_POSITION + frame.reach[at] + frame.doubt_p[at]
     at = at[there]
     off, between = off_turns(frame, point, at)
-    near = off <= point.fly_by.turning + STOP_ROTATION + between / 2
-    at, off = at[near], off[near]
+    beyond = off - point.fly_by.turning - STOP_ROTATION
+    most = between.max(initial=0.0) / 2  # at a zone's edge a long interval may count as near and a short one not
+    near = np.flatnonzero(beyond <= most)
     out = []
-    for run in np.split(np.arange(len(at)), np.flatnonzero(np.diff(at) > 1) + 1) if len(at) else []:
-        best = int(at[run[np.argmin(off[run])]])
-        out.append(Event(int(at[run[0]]), int(at[run[-1]]) + 1, np.array([max(best - 1, 0)]), best))
+    for run in np.split(near, np.flatnonzero(np.diff(at[near]) > 1) + 1) if len(near) else []:
+        if (beyond[run] <= between[run] / 2).any():
+            best = int(at[run[np.argmin(off[run])]])
+            out.append(Event(int(at[run[0]]), int(at[run[-1]]) + 1, np.array([max(best - 1, 0)]), best))
     return tuple(out)
 
 
