@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
 from legal_motion import (
     A_IN,
     HELD_RAILS,
+    HOME,
     V2500,
     A,
     B,
@@ -118,6 +120,32 @@ def test_two_joint_moves_to_one_pose_share_a_rest() -> None:
     q = case.pieces[2].at(np.zeros(1))[0][0]
     for target in (None, Target.RAPID):
         assert verify(program(*motions), case.plant, case.swap(p2=hold(q, 0.15)).rows(), target=target).legal
+
+
+@pytest.mark.parametrize("fixed", [False, True])
+@pytest.mark.parametrize("kind", ["joints", "poses"])
+def test_a_rail_that_goes_there_and_back_under_one_posture(kind: str, fixed: bool) -> None:
+    """The pose, or the arm's joints, are the same at every stop: the rail tells which it is. One that is left out is
+    missing at its own line."""
+    plant, places = plant_with_rail(rail_fixed=fixed), (0.3, 0.0, 0.3, 0.3, 0.1, 0.0)
+    rails = [0.0, *places]
+    if kind == "joints":
+        motions = [replace(home(11 + k, d), target=f"j_{k}") for k, d in enumerate(places)]
+        q = [np.r_[d, HOME] for d in rails]
+    else:
+        motions = [move_j(11 + k, f"p_{k}", A, d) for k, d in enumerate(places)]
+        q = [plant.start, *(arm_at(plant, A[None], np.array([d]))[0] for d in places)]
+    moves = [joint_move(plant, a, b) for a, b in pairwise(q) if a[0] != b[0] or a is plant.start]
+    case = Case(plant, program(*motions[:3], wait(29, 0.2), *motions[3:]), (*moves[:3], hold(q[3], 0.2), *moves[3:]))
+    for target in (None, Target.RAPID):
+        report = verify(case.program, plant, case.rows(), target=target)
+        assert report.legal, [f.message for f in report.findings if not f.passed]
+    if kind == "joints" or fixed:
+        short = Case(plant, case.program, (moves[0], hold(q[1], 0.2), *moves[3:]))
+        missed = [f for f in verify(case.program, plant, short.rows()).findings if not f.passed]
+        missed = [f for f in missed if f.check in ("stop reached", "rail target")]
+        assert [(f.source.line, f.subject, f.unit) for f in missed if f.source] == [(12, "rail", "m")]
+        assert missed[0].value == pytest.approx(0.3)
 
 
 def test_a_line_at_its_joint_limit_is_not_blamed_for_the_hermite() -> None:
