@@ -29,6 +29,7 @@ from legal_motion import (
     rail_share,
     rapid_case,
     ride,
+    rows_of,
     wait,
 )
 from legal_motion import judged as verify
@@ -202,6 +203,23 @@ def test_free_speed_lifts_the_programmed_speed_of_joint_moves_only() -> None:
     assert failed == {11, 12}
     failed = {f.source.line for f in verify(new, free, case.rows()).findings if not f.passed and f.source}
     assert failed == {12}
+
+
+@pytest.mark.parametrize("speeds", [(0.19,), (0.21,), (0.05, 0.19), (0.05, 0.21), (0.21, 0.05)])
+@pytest.mark.parametrize("fixed", [False, True])
+def test_a_rail_alone_keeps_its_programmed_speed_on_a_line(speeds: tuple[float, ...], fixed: bool) -> None:
+    """Two such lines in one rest are not told apart but by a rail that the cell fixes: then the faster one counts."""
+    plant, d = plant_with_rail(rail_fixed=fixed), (0.05, 0.08, 0.08)
+    q = [arm_at(plant, A[None], np.array([x]))[0] for x in d]
+    lines = [move_l(12 + k, "p", A, d[1 + k], replace(V2500, v_leax=v)) for k, v in enumerate(speeds)]
+    asked = program(move_j(11, "p", A, d[0]), *lines, home(18))
+    pieces = (joint_move(plant, plant.start, q[0]), ride(plant, A, *d[:2]), joint_move(plant, q[1], plant.start))
+    for step, bare in ((1e-3, False), (4e-3, True)):
+        rows = rows_of(plant, pieces, step, grid_only=bare)
+        for target in (None,) if bare else (None, Target.RAPID):
+            found = [f for f in verify(asked, plant, rows, target=target).findings if not f.passed]
+            legal = speeds[0] > 0.2 if fixed else max(speeds) > 0.2  # the peak of 30 mm in 0.3 s
+            assert [(f.check, f.subject) for f in found] == ([] if legal else [("programmed speed", "rail")])
 
 
 def test_wrong_axes_are_an_input_error() -> None:

@@ -226,7 +226,7 @@ def line_nodes(leg: Leg) -> int:
     return int(np.clip(1 + np.ceil((LINE_NODES - 1) * min(share, 1.0)), FEWEST_NODES, LINE_NODES))
 
 
-def _on_lines(axes: Axes, legs: Sequence[tuple[Leg, int]], d: Array) -> Iterator[Array]:
+def _on_lines(axes: Axes, legs: Sequence[tuple[Leg, int]], d: Array, pinned: bool) -> Iterator[Array]:
     """Joints (branches, nodes, n, m) along lines with so many nodes, in whatever turn, where they are usable."""
     n = len(d)
     behind = np.cumsum([nodes * n for _, nodes in legs])
@@ -235,7 +235,7 @@ def _on_lines(axes: Axes, legs: Sequence[tuple[Leg, int]], d: Array) -> Iterator
         X = [leg.segment.pose(np.linspace(0, 1, m)) @ inverse_pose(leg.X_FT) for leg, m in some if leg.segment]
         counts = [m for _, m in some]
         arm = axes.inverse(np.repeat(np.concatenate(X), n, axis=0), np.tile(d, sum(counts)))
-        arm = np.moveaxis(usable(axes, arm).reshape(sum(counts), n, *arm.shape[1:]), 2, 0)
+        arm = np.moveaxis(usable(axes, arm, pinned).reshape(sum(counts), n, *arm.shape[1:]), 2, 0)
         yield from np.split(arm, np.cumsum(counts)[:-1], axis=1)
 
 
@@ -256,20 +256,20 @@ def _raw(
 ) -> tuple[list[Array], list[Array | None], BoolArray | None]:
     """Joints of a station by branch at its waypoints (branches, n, m) and along its legs (branches, nodes, n, m), each
     continued from the one before; and where the first line can leave to."""
-    leaves = None
+    leaves, pinned = None, _pinned(problem, first, last)
     if given is not None:
         start, leaves = given.table(axes, problem, d)
     else:
         arm = axes.inverse(np.broadcast_to(problem.waypoints[first].X_WF, (len(d), 4, 4)), d)
         arm = np.moveaxis(arm, 1, 0)
-        start = _unwrap(arm if _rests(problem, first, last) else usable(axes, arm), 1)
+        start = _unwrap(arm if _rests(problem, first, last) else usable(axes, arm, pinned), 1)
     stops, lines = [start], list[Array | None]()
     legs = problem.legs[first:last]
     left = None if given is None else given.leg
     backs = [None if leg is left else back_along(problem, first, first + i) for i, leg in enumerate(legs)]
     backs = [None if back is not None and problem.legs[back] is left else back for back in backs]
     asked = [leg for leg, back in zip(legs, backs, strict=True) if leg.segment is not None and back is None]
-    found = _on_lines(axes, [(leg, LINE_NODES if leg is left else line_nodes(leg)) for leg in asked], d)
+    found = _on_lines(axes, [(leg, LINE_NODES if leg is left else line_nodes(leg)) for leg in asked], d, pinned)
     for leg, back in zip(legs, backs, strict=True):
         if leg.segment is None:
             stops.append(stops[-1])
@@ -360,10 +360,14 @@ def _to_be_had(axes: Axes, stop: Waypoint, q: Array, d: Array, limits: Array) ->
     return np.asarray(ok)
 
 
+def _pinned(problem: Problem, first: int, last: int) -> bool:
+    """Whether the rail is given at every waypoint of a station, or there is none."""
+    return all(low == high for low, high in (point.rail for point in problem.waypoints[first : last + 1]))
+
+
 def _rests(problem: Problem, first: int, last: int) -> bool:
     """Whether no axis moves in a station, so that no singularity matters to it."""
-    low, high = problem.waypoints[first].rail
-    return low == high and not any(leg.segment or leg.rail_moves for leg in problem.legs[first:last])
+    return _pinned(problem, first, first) and not any(leg.segment or leg.rail_moves for leg in problem.legs[first:last])
 
 
 def check_reach(axes: Axes, problem: Problem) -> Infeasible | None:
@@ -581,9 +585,9 @@ def _broken_line(axes: Axes, problem: Problem, k: int, d: Array, labels: tuple[L
     lost = _first_lost(axes, leg, arm, set(range(arm[0].shape[1])))
     if lost is None:
         stands = problem.waypoints[k].q is not None  # joints are given there: no singularity is in the way
-        lost = _first_lost(
-            axes, leg, [arm[0] if stands else usable(axes, arm[0]), *(usable(axes, q) for q in arm[1:])], known
-        )
+        pinned = len(fixed) == 2
+        on_way = [arm[0] if stands else usable(axes, arm[0], pinned), *(usable(axes, q, pinned) for q in arm[1:])]
+        lost = _first_lost(axes, leg, on_way, known)
     if lost is None:
         return None
     at, before = lost
