@@ -138,3 +138,26 @@ def test_a_line_to_the_nearly_stretched_arm_is_slow_not_out_of_reach(plant: Plan
     plan = optimize(rapid(text, data=ALONG), plant, Target.RAPID, AS_WRITTEN, bounded=False)
     assert isinstance(plan, Plan), plan
     assert plant.robot.walls(plan.trajectory.q[-1:, 1:])[0][0] > ELBOW
+
+
+@pytest.mark.parametrize("target", Target)
+def test_a_rail_without_a_speed_stands(target: Target, plant: Plant) -> None:
+    """v_leax 0 on two lines, v_ori 0 on one and on a joint move that ends with the orientation it begins with: the rail
+    stands on them, and the judge sees where it does not."""
+    data = ALONG.replace("p_b:=[[500,750,400],[0,0,1,0],[0,0,0,0],[750", "p_b:=[[500,150,400],[0,0,1,0],[0,0,0,0],[0")
+    text = r"ConfJ \Off; ConfL \Off; MoveJ p_a, v500, fine, tool0; MoveL p_b, [200,0,0,0], z20, tool0;"
+    text += "MoveL p_a, [200,500,0,0], fine, tool0; MoveJ p_b, [500,0,500,0], fine, tool0;"
+    asked = rapid(text, data=data)
+    plan = optimize(asked, plant, target, bounded=False)
+    assert isinstance(plan, Plan), plan
+    assert verify(asked, plant, plan.trajectory, target=target, advice=False).legal
+    line, rows = plan.motions[1], plan.trajectory
+    there = (rows.t >= line.t_0) & (rows.t <= plan.motions[2].t_1)
+    assert np.ptp(rows.q[there, 0]) < 1e-9
+    moving = ALONG.replace(
+        "p_b:=[[500,750,400],[0,0,1,0],[0,0,0,0],[750", "p_b:=[[500,150,400],[0,0,1,0],[0,0,0,0],[50"
+    )
+    free = optimize(rapid(text.replace(",0,0]", ",500,0]"), data=moving), plant, target, AS_WRITTEN, bounded=False)
+    assert isinstance(free, Plan)
+    found = verify(asked, plant, free.trajectory, target=target, advice=False).findings
+    assert {f.check for f in found if not f.passed and f.subject == "rail"} == {"programmed speed"}

@@ -238,8 +238,8 @@ def test_the_shipped_program_is_read_with_its_cell() -> None:
 def test_a_rail_that_moves_needs_a_speed_for_it() -> None:
     """vrot100 has none for linear axes."""
     moves = program(r"MoveExtJ [[9E9,9E9,9E9,9E9,9E9,9E9],[500,9E9,9E9,9E9,9E9,9E9]], vrot100, fine;")
-    with pytest.raises(InputError, match=r"moves the rail at vrot100, whose speed of linear axes is 0: give one"):
-        optimize(moves, plant_with_rail(), Target.STREAM)
+    with pytest.raises(InputErrorGroup, match=r"t\.mod:5:25: MoveExtJ .* at vrot100, whose v_leax is 0;"):
+        check_plannable(moves, plant_with_rail())
 
 
 @pytest.mark.parametrize("v_reax", ["0", "1E-30"])

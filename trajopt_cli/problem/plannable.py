@@ -26,7 +26,7 @@ from trajopt_cli.motion import (
     motion_name,
     turned_under,
 )
-from trajopt_cli.problem.circles import Circles
+from trajopt_cli.problem.circles import Starts
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.structure import NO_CONFDATA
@@ -48,11 +48,11 @@ class Refusal:
 def refusals(program: Program, plant: Plant) -> tuple[Refusal, ...]:
     """What no plan can keep, in program order; a statement that runs many times is named once per thing it asks for."""
     found: dict[tuple[Source, str], Refusal] = {}
-    axes, circles = _OtherAxes(plant), Circles(plant)
+    axes, starts = _OtherAxes(plant), Starts(plant)
     for motion in program.motions:
         if isinstance(motion, Wait | SignalEvent):
             continue
-        for kind, demand, advice in (*_demands(motion), *axes.demands(motion), *circles.wrong(motion)):
+        for kind, demand, advice in (*_demands(motion), *axes.demands(motion), *starts.wrong(motion)):
             key = (motion.source, kind)
             found.setdefault(key, Refusal(kind, motion.source, f"{motion_name(motion)} {demand}; {advice}"))
     return tuple(found.values())

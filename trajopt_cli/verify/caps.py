@@ -25,7 +25,7 @@ from trajopt_cli.verify.geometry import lengths
 from trajopt_cli.verify.machine import Machine
 from trajopt_cli.verify.rows import INNER, LAGS, Along, Rows, mean_of, second_differences, windows
 from trajopt_cli.verify.timeline import Timeline, Visit, outside_zones, rows_of_move
-from trajopt_cli.verify.tolerances import JOINT, TCP
+from trajopt_cli.verify.tolerances import JOINT, REST_JOINT, TCP
 
 
 @dataclass(frozen=True, eq=False)
@@ -242,7 +242,7 @@ def _times(rows: Rows, a: int, b: int, m: int) -> Array:
 @dataclass(frozen=True)
 class _Programmed:
     """One part of speeddata: the check that holds a motion to it, where it is changed over, and its cap for a move,
-    None where the move has none."""
+    None where the move has none: a reorientation of 0 is for a tool that keeps its orientation."""
 
     check: str
     subject: str
@@ -279,14 +279,16 @@ def _parts(plant: Machine, has_rail: bool) -> list[_Programmed]:
 def _cap(point: Point, plant: Machine, name: str) -> float | None:
     if point.move is None or not obeys_programmed_speed(point, plant):
         return None
-    return float(getattr(point.move.speed, name))
+    return float(getattr(point.move.speed, name)) or None
 
 
 def _rail_cap(point: Point, plant: Machine) -> float | None:
-    """External axes alone always know v_leax; other moves where they obey their speed at all."""
-    if isinstance(point.move, MoveExtJ) and point.duration is None:
-        return point.move.speed.v_leax
-    return _cap(point, plant, "v_leax")
+    """External axes alone always know v_leax; other moves where they obey their speed at all. A speed of 0 lets the
+    rail stand."""
+    alone = isinstance(point.move, MoveExtJ) and point.duration is None
+    if point.move is None or not (alone or obeys_programmed_speed(point, plant)):
+        return None
+    return point.move.speed.v_leax or REST_JOINT
 
 
 def _of_the_rail_alone(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> Iterator[Finding]:
