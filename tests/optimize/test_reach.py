@@ -370,3 +370,15 @@ def test_a_way_longer_than_the_reach_is_served_from_few_places(monkeypatch: pyte
     assert max(last - first for first, last in problem.stations) > 10
     assert check_reach(axes, problem) is None
     assert max(looked) < REACH_GRID
+
+
+@pytest.mark.parametrize("wrist", [True, False])
+@pytest.mark.parametrize("way", ["MoveL p_b", "MoveC p_v, p_b"])
+def test_a_wrist_that_flips_on_the_way_is_answered_with_singarea(way: str, wrist: bool) -> None:
+    data = target("p_a", (0.5, -0.1, 0.4), "-1,0,-1,0") + target("p_b", (0.5, 0.1, 0.4), "0,-2,2,1")
+    data += target("p_v", (0.55, 0, 0.4))
+    mode = r"SingArea \Wrist;" if wrist else ""
+    program = rapid(f"MoveJ p_a, v500, fine, tool0;\n{mode} {way}, v500, fine, tool0;", data=data)
+    answer = said(program, plant_without_rail(), AS_WRITTEN)
+    assert answer.index == 1
+    assert ("SingArea" in str(answer)) == wrist

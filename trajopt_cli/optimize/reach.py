@@ -36,6 +36,7 @@ from trajopt_cli.path.line import Line
 from trajopt_cli.problem.alike import stretch_name
 from trajopt_cli.problem.freedom import EVERYTHING
 from trajopt_cli.problem.plan import Infeasible
+from trajopt_cli.problem.plannable import with_exact_orientation
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Coupling, Leg, LegKind, Problem, Waypoint
 from trajopt_cli.robot.turns import ON_LIMIT, excess
@@ -403,7 +404,9 @@ def _unserved(axes: Axes, problem: Problem, first: int, last: int) -> Infeasible
     for i in range(last - first):
         if problem.legs[first + i].kind is LegKind.LINE and not _passable(problem, table, i):
             return _broken_line(axes, problem, first + i, d, table.labels) or _about(
-                problem, first + i, f": {_NO_SINGLE}"
+                problem,
+                first + i,
+                f": {_NO_SINGLE}{with_exact_orientation(problem.motion(problem.legs[first + i].motion))}",
             )
     return None
 
@@ -596,7 +599,7 @@ def _broken_line(axes: Axes, problem: Problem, k: int, d: Array, labels: tuple[L
     reason = _why(axes, problem, X_WF, float(near))
     where = _at(axes, float(near))
     if not reason:
-        reason = f"{_NO_SINGLE}{_end(axes, arm[at][before])}"
+        reason = f"{_NO_SINGLE}{_end(axes, arm[at][before])}{with_exact_orientation(motion)}"
     p = X_WT[:3, 3] * 1e3
     way = leg.chord * 1e3
     text = (
@@ -652,6 +655,8 @@ def _no_common(problem: Problem, first: int, last: int) -> Infeasible:
     begin = f"{start.source}" if start else "the start"
     text = (
         f"{motion_name(motion)}: no configuration serves all points from {begin} to here; the lines"
-        " between them keep the branch and the turns of the joints"
+        f" between them keep the branch and the turns of the joints"
     )
+    if note := with_exact_orientation(motion):
+        text += f"{note}: program the configuration that the line leads to (trajopt parse names it), or use MoveJ"
     return Infeasible(index, motion.source, text)

@@ -207,7 +207,7 @@ def _farthest(axes: Axes, problem: Problem, k: int, far: bool) -> float:
         return 0.0
     cruise = max(leg.chord / leg.v_tcp + leg.angle / leg.v_ori, leg.duration or leg.least, leg.table[0])
     beyond = 0.0 if problem.passes(k) and problem.passes(k + 1) else SHIFT
-    return np.inf if far else beyond + axes.layout.place(axes.velocity_on(leg)) * cruise
+    return np.inf if far else beyond + float(axes.layout.place(axes.velocity_on(leg))) * cruise
 
 
 def _line_times(

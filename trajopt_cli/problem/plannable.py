@@ -12,6 +12,7 @@ from math import degrees
 
 from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.motion import (
+    Motion,
     Move,
     MoveAbsJ,
     MoveC,
@@ -134,6 +135,18 @@ def demands_configuration(motion: Move, robot: RobotModel) -> bool:
     r"""Whether a motion must end in its programmed configuration: ConfJ \On for joint moves, ConfL \On for lines, and a
     robot that has a rule for confdata."""
     return robot.confdata_rule != NO_CONFDATA and _monitored(motion)
+
+
+def with_exact_orientation(motion: Motion) -> str:
+    r"""What to know of a line or an arc under SingArea \Wrist that no plan drives, "" for other motions. A controller
+    interpolates the wrist's axes there one by one, the TCP on its way, and with ConfL \On it always comes to the
+    programmed configuration (RAPID reference manual, SingArea\Wrist under positioning; robot configuration)."""
+    if not isinstance(motion, MoveL | MoveC) or motion.settings.singularity is not Singularity.WRIST:
+        return ""
+    return (
+        "; under SingArea \\Wrist a controller turns axes 4, 5 and 6 evenly to the programmed configuration, the"
+        " orientation off on the way, but plans keep the orientation there"
+    )
 
 
 def _monitored(motion: Move) -> bool:
