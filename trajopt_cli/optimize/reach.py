@@ -17,7 +17,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.limits import Couplings
-from trajopt_cli.motion import MoveJ, MoveL, motion_name
+from trajopt_cli.motion import MoveC, MoveJ, MoveL, motion_name
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.singular_start import SingularStart, usable
 from trajopt_cli.optimize.surroundings import Surroundings
@@ -34,6 +34,7 @@ from trajopt_cli.optimize.tuning import (
 )
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.alike import stretch_name
+from trajopt_cli.problem.configurations import check_configurations
 from trajopt_cli.problem.freedom import EVERYTHING
 from trajopt_cli.problem.plan import Infeasible
 from trajopt_cli.problem.plannable import with_exact_orientation
@@ -490,13 +491,25 @@ def _unreachable(axes: Axes, problem: Problem, k: int, d: Array) -> Infeasible:
     if stop.rail[0] == stop.rail[1]:
         near = stop.rail[0]
     reason = _why(axes, problem, stop.X_WF, float(near))
-    where = _at(axes, float(near))
-    if not reason:
+    where, confused = _at(axes, float(near)), not reason
+    if confused:
         reason = _other_configurations(axes, problem, stop, float(near))
         if stop.conf is not None:
             reason += _remedy(axes, problem, k)
     text = f"{motion_name(motion)} cannot be reached{where}: {reason}"
+    if confused and isinstance(motion, MoveL | MoveC) and (told := _configuration(problem, k)):
+        text = told + _remedy(axes, problem, k)
     return Infeasible(stop.motion, motion.source, text)
+
+
+def _configuration(problem: Problem, k: int) -> str | None:
+    """What is wrong with the configuration at waypoint k as parse tells it, which follows the line there; None where
+    rail or confdata are not as written."""
+    stop = problem.waypoints[k]
+    if stop.conf is None or stop.rail[0] != stop.rail[1]:
+        return None
+    found = check_configurations(problem.program, problem.plant)
+    return next((one.message for one in found if one.index == stop.motion), None)
 
 
 def _at(axes: Axes, rail: float) -> str:
@@ -651,6 +664,8 @@ def _about(problem: Problem, k: int, text: str) -> Infeasible:
 def _no_common(problem: Problem, first: int, last: int) -> Infeasible:
     index = problem.waypoints[last].motion
     motion = problem.motion(index)
+    if told := _configuration(problem, last):
+        return Infeasible(index, motion.source, told)
     start = problem.motion(problem.waypoints[first].motion) if problem.waypoints[first].motion >= 0 else None
     begin = f"{start.source}" if start else "the start"
     text = (
