@@ -263,3 +263,14 @@ positioners:
     with pytest.raises(InputError) as caught:
         parse_cell(text, "c.yaml")
     assert str(caught.value) == "c.yaml:8: positioners.STN1.velocity: needs a number above zero, not -3"
+
+
+def test_a_programmed_time_replaces_the_speed_of_a_table() -> None:
+    """v_reax 0 is not asked then; how long the turn takes at the table's own limits is."""
+    text = r"MoveExtJ [[9E9,9E9,9E9,9E9,9E9,9E9],[9E9,90,9E9,9E9,9E9,9E9]], [1000,500,1000,0]\T:=3, fine;"
+    moves = program(text)
+    assert moves.motions[0].duration == 3.0
+    plan = optimize(moves, plant_with_rail(), Target.RAPID, bounded=False)
+    assert isinstance(plan, Plan)
+    assert plan.duration == pytest.approx(3.0)
+    assert verify(moves, plant_with_rail(), plan.trajectory, target=Target.RAPID, advice=False).legal
