@@ -10,6 +10,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
+from math import inf
 from typing import NamedTuple
 
 from trajopt_cli.geometry import Array, readonly
@@ -46,13 +47,19 @@ class Written:
 
 @dataclass(frozen=True)
 class Speed:
-    """Programmed caps: TCP speed [m/s], reorientation [rad/s], linear [m/s] and rotary [rad/s] external axes."""
+    """Programmed caps: TCP speed [m/s], reorientation [rad/s], linear [m/s] and rotary [rad/s] external axes; 0 for
+    what stands still during the move."""
 
     name: str
     v_tcp: float
     v_ori: float
     v_leax: float
     v_reax: float
+
+    @property
+    def turning(self) -> float:
+        """The cap on the reorientation [rad/s], infinite where the tool has the same orientation at both ends."""
+        return self.v_ori or inf
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,8 @@ from trajopt_cli.optimize.driver import on_grid
 from trajopt_cli.optimize.incumbent import timed
 from trajopt_cli.optimize.legs import JointNodes, PathLeg
 from trajopt_cli.optimize.search import search
+from trajopt_cli.optimize.tuning import ELBOW
+from trajopt_cli.problem.freedom import AS_WRITTEN
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.verify.judge import verify
@@ -82,3 +84,80 @@ def test_the_last_grid_is_fine_where_a_slow_motion_changes(plant: Plant) -> None
         assert steps[[0, -1]].max() < 0.2 / motion.N
         assert steps.max() < 4 / motion.N
     assert pytest.approx(float(trapezoid_time(0.06, 0.02, 20.0)), rel=3e-3) == line.T
+
+
+ALONG = """CONST robtarget p_a:=[[500,0,400],[0,0,1,0],[0,0,0,0],[0,9E9,9E9,9E9,9E9,9E9]];
+CONST robtarget p_b:=[[500,750,400],[0,0,1,0],[0,0,0,0],[750,9E9,9E9,9E9,9E9,9E9]];
+CONST robtarget p_v:=[[550,375,400],[0,0,1,0],[0,0,0,0],[375,9E9,9E9,9E9,9E9,9E9]];
+CONST robtarget p_r:=[[500,0,400],[0,0,1,0],[0,0,0,0],[300,9E9,9E9,9E9,9E9,9E9]];
+CONST robtarget p_far:=[[500,1376.05,400],[0,0,1,0],[0,0,0,0],[750,9E9,9E9,9E9,9E9,9E9]];
+CONST robtarget p_near:=[[500,-700,400],[0,0,1,0],[0,0,0,0],[0,9E9,9E9,9E9,9E9,9E9]];
+CONST speeddata slow:=[1000,500,100,10];"""
+RAIL = 7.5 + 0.1 / 3  # s for 750 mm at 100 mm/s, rest to rest at 3 m/s2
+
+
+@pytest.mark.parametrize(
+    ("move", "least", "binding"),
+    [
+        ("MoveL p_b, slow, fine, tool0;", RAIL, "programmed rail speed"),
+        ("MoveC p_v, p_b, slow, fine, tool0;", RAIL, "programmed rail speed"),
+        (r"MoveL p_b, v2500\T:=9, fine, tool0;", 9.0, "programmed duration"),
+        ("VelSet 2, 5000; MoveL p_b, [5000,500,5000,10], fine, tool0;", RAIL, "programmed rail speed"),
+        (
+            r"PathAccLim TRUE \AccMax:=0.1, TRUE \DecelMax:=0.1; MoveL p_b, v2500, fine, tool0;",
+            2 * 7.5**0.5,
+            "TCP acceleration",
+        ),
+        ("MoveL p_r, slow, fine, tool0;", 3.0 + 0.1 / 3, "programmed rail speed"),
+    ],
+)
+def test_a_limit_that_slows_a_line_is_no_want_of_reach(move: str, least: float, binding: str, plant: Plant) -> None:
+    """As written, the rail going along or alone: it takes as long as the slowest limit asks."""
+    asked = rapid(rf"ConfJ \Off; ConfL \Off; MoveJ p_a, v2500, fine, tool0; {move}", data=ALONG)
+    plan = optimize(asked, plant, Target.RAPID, AS_WRITTEN, bounded=False)
+    assert isinstance(plan, Plan), plan
+    line = plan.motions[-1]
+    assert line.t_1 - line.t_0 == pytest.approx(least, rel=1e-3)
+    assert line.binding == binding
+    assert verify(asked, plant, plan.trajectory, target=Target.RAPID, advice=False).legal
+
+
+def test_a_rail_that_must_go_far_slowly_is_no_want_of_reach(plant: Plant) -> None:
+    """Both ends are out of reach from any one place of a free rail, which has half a minute to go."""
+    text = r"ConfJ \Off; ConfL \Off; MoveJ p_near, v2500, fine, tool0; MoveL p_far, [1000,500,20,10], fine, tool0;"
+    plan = optimize(rapid(text, data=ALONG), plant, Target.RAPID, bounded=False)
+    assert isinstance(plan, Plan), plan
+    line = plan.motions[-1]
+    way = np.ptp(plan.trajectory.q[plan.trajectory.t >= line.t_0, 0])
+    assert way / 0.02 < line.t_1 - line.t_0 < 1.1 * way / 0.02
+
+
+def test_a_line_to_the_nearly_stretched_arm_is_slow_not_out_of_reach(plant: Plant) -> None:
+    """The rail is given: 0.1 mm of reach are left, and the distance that a free rail keeps is not asked."""
+    text = r"ConfJ \Off; ConfL \Off; MoveJ p_b, v2500, fine, tool0; MoveL p_far, v2500, fine, tool0;"
+    plan = optimize(rapid(text, data=ALONG), plant, Target.RAPID, AS_WRITTEN, bounded=False)
+    assert isinstance(plan, Plan), plan
+    assert plant.robot.walls(plan.trajectory.q[-1:, 1:])[0][0] > ELBOW
+
+
+@pytest.mark.parametrize("target", Target)
+def test_a_rail_without_a_speed_stands(target: Target, plant: Plant) -> None:
+    """v_leax 0 on two lines, v_ori 0 on one and on a joint move that ends with the orientation it begins with: the rail
+    stands on them, and the judge sees where it does not."""
+    data = ALONG.replace("p_b:=[[500,750,400],[0,0,1,0],[0,0,0,0],[750", "p_b:=[[500,150,400],[0,0,1,0],[0,0,0,0],[0")
+    text = r"ConfJ \Off; ConfL \Off; MoveJ p_a, v500, fine, tool0; MoveL p_b, [200,0,0,0], z20, tool0;"
+    text += "MoveL p_a, [200,500,0,0], fine, tool0; MoveJ p_b, [500,0,500,0], fine, tool0;"
+    asked = rapid(text, data=data)
+    plan = optimize(asked, plant, target, bounded=False)
+    assert isinstance(plan, Plan), plan
+    assert verify(asked, plant, plan.trajectory, target=target, advice=False).legal
+    line, rows = plan.motions[1], plan.trajectory
+    there = (rows.t >= line.t_0) & (rows.t <= plan.motions[2].t_1)
+    assert np.ptp(rows.q[there, 0]) < 1e-9
+    moving = ALONG.replace(
+        "p_b:=[[500,750,400],[0,0,1,0],[0,0,0,0],[750", "p_b:=[[500,150,400],[0,0,1,0],[0,0,0,0],[50"
+    )
+    free = optimize(rapid(text.replace(",0,0]", ",500,0]"), data=moving), plant, target, AS_WRITTEN, bounded=False)
+    assert isinstance(free, Plan)
+    found = verify(asked, plant, free.trajectory, target=target, advice=False).findings
+    assert {f.check for f in found if not f.passed and f.subject == "rail"} == {"programmed speed"}

@@ -15,6 +15,7 @@ from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.reach import check_reach, line_nodes, rail_grid, station_table
 from trajopt_cli.optimize.tuning import LINE_NODES, REACH_GRID
 from trajopt_cli.path.line import Line
+from trajopt_cli.problem.configurations import check_configurations
 from trajopt_cli.problem.freedom import AS_WRITTEN, EVERYTHING, FIXED_RAIL
 from trajopt_cli.problem.plan import Infeasible, Target
 from trajopt_cli.problem.plant import Plant
@@ -235,8 +236,8 @@ def test_two_points_whose_confdata_differ_share_no_configuration() -> None:
     program = rapid("MoveJ p_a, v500, fine, tool0;\nMoveL p_b, v500, fine, tool0;", data=data)
     answer = said(program, plant, AS_WRITTEN)
     assert answer.index == 1
-    assert str(answer).startswith("t.mod:6:1: MoveL p_b")
-    assert "configuration" in str(answer)
+    (found,) = check_configurations(program, plant)
+    assert str(answer) == f"t.mod:6:1: {found.message}"
     assert check_feasible(program, plant) is None
 
 
@@ -370,3 +371,15 @@ def test_a_way_longer_than_the_reach_is_served_from_few_places(monkeypatch: pyte
     assert max(last - first for first, last in problem.stations) > 10
     assert check_reach(axes, problem) is None
     assert max(looked) < REACH_GRID
+
+
+@pytest.mark.parametrize("wrist", [True, False])
+@pytest.mark.parametrize("way", ["MoveL p_b", "MoveC p_v, p_b"])
+def test_a_wrist_that_flips_on_the_way_is_answered_with_singarea(way: str, wrist: bool) -> None:
+    data = target("p_a", (0.5, -0.1, 0.4), "-1,0,-1,0") + target("p_b", (0.5, 0.1, 0.4), "0,-2,2,1")
+    data += target("p_v", (0.55, 0, 0.4))
+    mode = r"SingArea \Wrist;" if wrist else ""
+    program = rapid(f"MoveJ p_a, v500, fine, tool0;\n{mode} {way}, v500, fine, tool0;", data=data)
+    answer = said(program, plant_without_rail(), AS_WRITTEN)
+    assert answer.index == 1
+    assert ("SingArea" in str(answer)) == wrist

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from some_motions import BENCH, RAIL, move_abs_j, move_ext_j, move_j, move_l, plant, program, wait
+from some_motions import BENCH, RAIL, move_abs_j, move_c, move_ext_j, move_j, move_l, plant, program, wait
 
 from trajopt_cli.geometry import Array, pose, rotation_about, wxyz_from_rotation
-from trajopt_cli.motion import NO_EXTERNAL_AXES, ConfData, ExternalAxes, Motion, MoveL, Settings
+from trajopt_cli.motion import NO_EXTERNAL_AXES, ConfData, ExternalAxes, Motion, MoveL, Settings, Singularity
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.along import ArmLine, follow
 from trajopt_cli.problem.configurations import ConfigurationFinding, Misfit, check_configurations
@@ -129,6 +129,31 @@ def test_a_flipped_wrist_is_told_with_what_it_would_do() -> None:
         " flip on top of the line's own motion (joint_4 by -180°, joint_5 by -90°, joint_6 by -180°);"
         " write [0,0,0,0] there, or use MoveJ"
     )
+
+
+WRIST = Settings(singularity=Singularity.WRIST)
+
+
+@pytest.mark.parametrize("wrist", [True, False])
+def test_an_arc_is_followed_as_a_line_is(wrist: bool) -> None:
+    """Round by a point aside of the chord, to the end's own configuration or to that with the wrist flipped; under
+    SingArea Wrist a controller drives the latter, and that is said."""
+    start, end = (ROBOT.forward(np.radians(q), NO_EXTERNAL_AXES) for q in (START, END))
+    via = (start + end) / 2 + np.array([[0, 0, 0, 0.03], *np.zeros((3, 4))])
+    settings = WRIST if wrist else Settings()
+    own = replace(move_c(end, conf=ConfData(0, 0, 0, 0), settings=settings), X_WV=via)
+    assert findings(to(START), own) == []
+    (found,) = findings(to(START), replace(own, conf=ConfData(0, -2, -2, 1)))
+    assert (found.misfit, found.reachable) == (Misfit.FLIP, (ConfData(0, 0, 0, 0),))
+    assert ("SingArea" in found.message) == wrist
+    assert findings(to(START), replace(own, X_WV=start)) == []  # no circle: refused as such
+
+
+@pytest.mark.parametrize("conf", [ConfData(0, -2, -2, 1), ConfData(0, 0, -4, 0)])
+def test_a_wrist_that_a_controller_would_turn_by_itself_is_told_by_that_name(conf: ConfData) -> None:
+    (found,) = findings(to(START), to(END, MoveL, conf=conf, settings=WRIST))
+    assert found.misfit is Misfit.FLIP
+    assert "SingArea" in found.message
 
 
 def test_a_whole_turn_of_the_wrist_is_a_flip_too() -> None:

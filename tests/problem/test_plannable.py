@@ -19,6 +19,7 @@ from some_motions import (
 )
 
 from trajopt_cli.errors import InputErrorGroup
+from trajopt_cli.geometry import Array, pose, rotation_about
 from trajopt_cli.motion import (
     DEFAULT_SETTINGS,
     ExternalAxes,
@@ -30,10 +31,18 @@ from trajopt_cli.motion import (
     Settings,
     Singularity,
     Source,
+    Speed,
     Tool,
     Zone,
 )
-from trajopt_cli.problem.plannable import SHOWN, check_plannable, demands_configuration, planned_otherwise, rail_doubts
+from trajopt_cli.problem.plannable import (
+    SHOWN,
+    check_plannable,
+    demands_configuration,
+    planned_otherwise,
+    rail_doubts,
+    refusals,
+)
 
 LOCKED = Settings(singularity=Singularity.LOCK_AXIS_4)
 STATIONARY = Tool("tGlue", np.eye(4), stationary=True)
@@ -224,3 +233,36 @@ def test_the_two_switches_for_confdata_are_each_for_their_own_moves() -> None:
     unruled = replace(robot, confdata_rule="none")  # an arm that confdata does not describe
     assert not demands_configuration(move_j(), unruled)
     assert not demands_configuration(move_l(), unruled)
+
+
+BARE = Speed("bare", 0.1, 0.0, 0.0, 0.0)
+NO_RAIL = Speed("no_rail", 0.1, 1.0, 0.0, 1.0)
+
+
+def turned(angle: float, x: float = 0.5) -> Array:
+    return pose(rotation_about([0, 0, 1], np.radians(angle)) @ np.diag([-1.0, 1, -1]), [x, 0, 0.4])
+
+
+@pytest.mark.parametrize(
+    ("motions", "lines"),
+    [
+        ((move_j(turned(0)), move_l(turned(10), speed=BARE)), [2]),
+        ((move_j(turned(0)), move_j(turned(-10), speed=BARE), move_l(turned(-10, 0.6), speed=BARE)), [2]),
+        ((move_abs_j(), move_abs_j(np.array([0, 0, 0, 0, 0.5, 0.2]), speed=BARE)), [2]),
+        ((move_j(turned(0)), move_l(turned(0, 0.6), speed=BARE), move_l(turned(90), speed=BARE, duration=2.0)), []),
+        ((move_j(turned(0), extax=eax(b=0)), move_l(turned(5), extax=eax(b=100), speed=BARE)), [2, 2]),
+        ((move_j(turned(0), extax=eax(b=0)), move_l(turned(5), extax=eax(b=100), speed=NO_RAIL)), [2]),
+        ((move_j(turned(0), extax=eax(b=0)), move_j(turned(0), extax=eax(b=0), speed=NO_RAIL)), []),
+        ((move_ext_j(extax=eax(b=300), speed=NO_RAIL), move_ext_j(extax=eax(b=300), speed=BARE)), [1]),
+        ((move_abs_j(extax=eax(b=300)), move_abs_j(extax=eax(b=-100), speed=NO_RAIL)), [2]),
+    ],
+)
+def test_a_speed_of_0_is_refused_where_something_moves_by_it(motions: tuple[Motion, ...], lines: list[int]) -> None:
+    found = [one for one in refusals(program(*motions), plant(RAIL)) if one.kind.endswith("of 0")]
+    assert [one.source.line for one in found] == lines
+
+
+def test_joint_moves_whose_speed_the_cell_frees_need_none() -> None:
+    motions = (move_j(turned(0)), move_j(turned(10), speed=BARE), move_l(turned(0), speed=BARE))
+    found = refusals(program(*motions), replace(plant(RAIL), free_speed=True))
+    assert [one.source.line for one in found] == [3]

@@ -238,8 +238,8 @@ def test_the_shipped_program_is_read_with_its_cell() -> None:
 def test_a_rail_that_moves_needs_a_speed_for_it() -> None:
     """vrot100 has none for linear axes."""
     moves = program(r"MoveExtJ [[9E9,9E9,9E9,9E9,9E9,9E9],[500,9E9,9E9,9E9,9E9,9E9]], vrot100, fine;")
-    with pytest.raises(InputError, match=r"moves the rail at vrot100, whose speed of linear axes is 0: give one"):
-        optimize(moves, plant_with_rail(), Target.STREAM)
+    with pytest.raises(InputErrorGroup, match=r"t\.mod:5:25: MoveExtJ .* at vrot100, whose v_leax is 0;"):
+        check_plannable(moves, plant_with_rail())
 
 
 @pytest.mark.parametrize("v_reax", ["0", "1E-30"])
@@ -337,3 +337,14 @@ def test_tables_on_one_axis_turn_one_after_the_other_each_in_its_own_column() ->
     moved = replace(plan.trajectory, tables=replace(tables, q=q))
     report = verify(found, plant, moved, target=Target.STREAM, advice=False)
     assert "positioner position" in {one.check for one in report.findings if not one.passed}
+
+
+def test_a_programmed_time_replaces_the_speed_of_a_table() -> None:
+    """v_reax 0 is not asked then; how long the turn takes at the table's own limits is."""
+    text = r"MoveExtJ [[9E9,9E9,9E9,9E9,9E9,9E9],[9E9,90,9E9,9E9,9E9,9E9]], [1000,500,1000,0]\T:=3, fine;"
+    moves = program(text)
+    assert moves.motions[0].duration == 3.0
+    plan = optimize(moves, plant_with_rail(), Target.RAPID, bounded=False)
+    assert isinstance(plan, Plan)
+    assert plan.duration == pytest.approx(3.0)
+    assert verify(moves, plant_with_rail(), plan.trajectory, target=Target.RAPID, advice=False).legal

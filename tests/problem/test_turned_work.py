@@ -23,6 +23,7 @@ from trajopt_cli.joint_csv import read_csv_text, write_csv_text
 from trajopt_cli.motion import MoveC, MoveL, Program
 from trajopt_cli.optimize import optimize
 from trajopt_cli.path.of_motion import segment_of
+from trajopt_cli.problem.freedom import AS_WRITTEN
 from trajopt_cli.problem.plan import Plan, Target
 from trajopt_cli.scenario import PositionerAxis, Scenario
 from trajopt_cli.trajectory import Trajectory
@@ -283,3 +284,19 @@ def test_the_shipped_seam_is_measured_on_the_work() -> None:
     assert not [one for one in job.program.warnings if "arc" in one.text]
     rows = [row for row in describe(job.program).rows if row.kind == "MoveC"]
     assert [row.length for row in rows] == pytest.approx([120 * np.radians(160)] * 2, rel=1e-4)
+
+
+def test_the_work_goes_round_under_a_tool_that_stands() -> None:
+    """A line about the tool itself, there and back and there: one rest in the world, and each turn its own line. The
+    targets are a rounding apart."""
+    data = DATA + "CONST robtarget p_c:=[[0,0,200],[0,0,1,0],[0,0,0,0],[9E9,0,9E9,9E9,9E9,9E9]];"
+    data += "CONST robtarget p_d:=[[0,0,200],[0,0.5,0.8660254,0],[0,0,0,0],[9E9,60,9E9,9E9,9E9,9E9]];"
+    turn = r"MoveL p_d, v1000, fine, tool0 \WObj:=wobj_t; MoveL p_c, v1000, fine, tool0 \WObj:=wobj_t;"
+    asked = program(rf"MoveJ p_c, v1000, fine, tool0 \WObj:=wobj_t; {turn} {turn}", data=data)
+    plan = optimize(asked, PLANT, Target.RAPID, AS_WRITTEN, bounded=False)
+    assert isinstance(plan, Plan)
+    least = np.radians(60) / V + V / A
+    assert [motion.t_1 - motion.t_0 for motion in plan.motions[1:]] == pytest.approx([least] * 4, rel=1e-3)
+    for rows in (plan.trajectory, resample(plan.trajectory, 250.0), resample(plan.trajectory, 60.0)):
+        report = verify(asked, PLANT, rows, target=Target.RAPID, advice=False)
+        assert report.legal, [f.message for f in report.findings if not f.passed]

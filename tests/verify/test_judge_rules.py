@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
 from legal_motion import (
     A_IN,
     HELD_RAILS,
+    HOME,
     V2500,
     A,
     B,
@@ -27,6 +29,7 @@ from legal_motion import (
     rail_share,
     rapid_case,
     ride,
+    rows_of,
     wait,
 )
 from legal_motion import judged as verify
@@ -120,6 +123,32 @@ def test_two_joint_moves_to_one_pose_share_a_rest() -> None:
         assert verify(program(*motions), case.plant, case.swap(p2=hold(q, 0.15)).rows(), target=target).legal
 
 
+@pytest.mark.parametrize("fixed", [False, True])
+@pytest.mark.parametrize("kind", ["joints", "poses"])
+def test_a_rail_that_goes_there_and_back_under_one_posture(kind: str, fixed: bool) -> None:
+    """The pose, or the arm's joints, are the same at every stop: the rail tells which it is. One that is left out is
+    missing at its own line."""
+    plant, places = plant_with_rail(rail_fixed=fixed), (0.3, 0.0, 0.3, 0.3, 0.1, 0.0)
+    rails = [0.0, *places]
+    if kind == "joints":
+        motions = [replace(home(11 + k, d), target=f"j_{k}") for k, d in enumerate(places)]
+        q = [np.r_[d, HOME] for d in rails]
+    else:
+        motions = [move_j(11 + k, f"p_{k}", A, d) for k, d in enumerate(places)]
+        q = [plant.start, *(arm_at(plant, A[None], np.array([d]))[0] for d in places)]
+    moves = [joint_move(plant, a, b) for a, b in pairwise(q) if a[0] != b[0] or a is plant.start]
+    case = Case(plant, program(*motions[:3], wait(29, 0.2), *motions[3:]), (*moves[:3], hold(q[3], 0.2), *moves[3:]))
+    for target in (None, Target.RAPID):
+        report = verify(case.program, plant, case.rows(), target=target)
+        assert report.legal, [f.message for f in report.findings if not f.passed]
+    if kind == "joints" or fixed:
+        short = Case(plant, case.program, (moves[0], hold(q[1], 0.2), *moves[3:]))
+        missed = [f for f in verify(case.program, plant, short.rows()).findings if not f.passed]
+        missed = [f for f in missed if f.check in ("stop reached", "rail target")]
+        assert [(f.source.line, f.subject, f.unit) for f in missed if f.source] == [(12, "rail", "m")]
+        assert missed[0].value == pytest.approx(0.3)
+
+
 def test_a_line_at_its_joint_limit_is_not_blamed_for_the_hermite() -> None:
     """With the limit at the line's true greatest joint acceleration, the Hermite alone would be above it by 2e-6."""
     case = rapid_case()
@@ -174,6 +203,23 @@ def test_free_speed_lifts_the_programmed_speed_of_joint_moves_only() -> None:
     assert failed == {11, 12}
     failed = {f.source.line for f in verify(new, free, case.rows()).findings if not f.passed and f.source}
     assert failed == {12}
+
+
+@pytest.mark.parametrize("speeds", [(0.19,), (0.21,), (0.05, 0.19), (0.05, 0.21), (0.21, 0.05)])
+@pytest.mark.parametrize("fixed", [False, True])
+def test_a_rail_alone_keeps_its_programmed_speed_on_a_line(speeds: tuple[float, ...], fixed: bool) -> None:
+    """Two such lines in one rest are not told apart but by a rail that the cell fixes: then the faster one counts."""
+    plant, d = plant_with_rail(rail_fixed=fixed), (0.05, 0.08, 0.08)
+    q = [arm_at(plant, A[None], np.array([x]))[0] for x in d]
+    lines = [move_l(12 + k, "p", A, d[1 + k], replace(V2500, v_leax=v)) for k, v in enumerate(speeds)]
+    asked = program(move_j(11, "p", A, d[0]), *lines, home(18))
+    pieces = (joint_move(plant, plant.start, q[0]), ride(plant, A, *d[:2]), joint_move(plant, q[1], plant.start))
+    for step, bare in ((1e-3, False), (4e-3, True)):
+        rows = rows_of(plant, pieces, step, grid_only=bare)
+        for target in (None,) if bare else (None, Target.RAPID):
+            found = [f for f in verify(asked, plant, rows, target=target).findings if not f.passed]
+            legal = speeds[0] > 0.2 if fixed else max(speeds) > 0.2  # the peak of 30 mm in 0.3 s
+            assert [(f.check, f.subject) for f in found] == ([] if legal else [("programmed speed", "rail")])
 
 
 def test_wrong_axes_are_an_input_error() -> None:

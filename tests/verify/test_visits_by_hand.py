@@ -95,6 +95,8 @@ def test_how_near_rows_are_to_a_stop(kind: str, marked: bool, rapid: bool) -> No
             turned = max(angle - frame.doubt_R[i], 0.0)
             near = away <= 1e-6 + A_TCP * tau**2 / 2 and turned <= 1e-6 + alpha * tau**2 / 2
             tight, distance = away <= 1e-6 and turned <= 1e-6, max(away, turned) / 1e-6
+        if stop.arm is not None and not met:
+            distance = max(distance, abs(rows.q[i, 0] - stop.rail) / 1e-6)
         assert found.distance[k] == pytest.approx(distance, rel=1e-3, abs=1e-3)
         stands = not rapid or bool(
             (np.abs(rows.qd[i]) - rows.doubt_v[i] <= 1e-5 + PLANT.limits.acceleration * tau).all()
@@ -115,8 +117,9 @@ def test_how_near_rows_are_to_a_stop(kind: str, marked: bool, rapid: bool) -> No
 
 
 def test_events_are_runs_of_near_rows() -> None:
-    """Of every run: first and last row; the tight ones of each of its unbroken stretches of good rows, or the closest;
-    the closest that rests, or the closest of all; and whether it counts only by what is granted."""
+    """Of every run, which ends where the rail leaves a position: first and last row; the tight ones of each of its
+    unbroken stretches of good rows, or the closest; the closest that rests, or the closest of all; and whether it
+    counts only by what is granted."""
     rng = np.random.default_rng(43)
     for _ in range(200):
         n = 30
@@ -126,7 +129,8 @@ def test_events_are_runs_of_near_rows() -> None:
         found = events_of(Closeness(at_rows, distance, near, tight, rests, met, stands))
         runs: list[list[int]] = []
         for k in np.flatnonzero(near):
-            if runs and at_rows[k] == at_rows[runs[-1][-1]] + 1:
+            left = runs and met[runs[-1][-1]] and not met[k]
+            if runs and at_rows[k] == at_rows[runs[-1][-1]] + 1 and not left:
                 runs[-1].append(int(k))
             else:
                 runs.append([int(k)])

@@ -27,7 +27,7 @@ def faster_than_programmed(program: Program, plan: Plan, plant: Plant) -> frozen
         rows = (trajectory.t >= planned.t_0) & (trajectory.t <= planned.t_1)
         qd = trajectory.qd[rows]
         twist = plant.robot.differential(trajectory.q[rows], motion.tool.X_FT).velocity(qd)
-        pairs = [(twist[:, :3], motion.speed.v_tcp), (twist[:, 3:], motion.speed.v_ori)]
+        pairs = [(twist[:, :3], motion.speed.v_tcp), (twist[:, 3:], motion.speed.turning)]
         if plant.rail_eax is not None:
             pairs.append((qd[:, :1], motion.speed.v_leax))
         if any(np.linalg.norm(values, axis=1).max(initial=0.0) > cap * (1 + _EXCESS) for values, cap in pairs):

@@ -40,14 +40,15 @@ def _binding(
     times = [(np.arange(n) + 0.5) / n * motion.T for n, motion in zip(counts, motions, strict=True)]
     number, sample = np.repeat(np.arange(len(legs)), counts), sampled(axes, motions, times)
     tool = tool_ratios(axes.caps(legs).at(number), tool_of(axes, [leg.X_FT for leg in legs], number, sample))
-    ratios = np.concatenate([np.abs(sample.qd) / axes.velocity, np.abs(sample.qdd) / axes.acceleration, tool], axis=1)
+    velocity = np.array([axes.velocity_on(leg) for leg in legs])[number]
+    ratios = np.concatenate([np.abs(sample.qd) / velocity, np.abs(sample.qdd) / axes.acceleration, tool], axis=1)
     if axes.torque is not None:
         ratios = np.hstack([ratios, axes.torque.used(legs, number, sample.q, sample.qd, sample.qdd)])
     if turned := any(leg.units for leg in legs):
         ratios = np.hstack([ratios, np.concatenate([_table(*of) for of in zip(legs, motions, times, strict=True)])])
     for leg, rows in zip(legs, np.split(np.arange(len(number)), np.cumsum(counts)[:-1]), strict=True):
         own = Sample(sample.t[rows], sample.q[rows], sample.qd[rows], sample.qdd[rows])
-        yield _named(axes, leg.v_tcp < tcp.speed, own, ratios[rows], turned)
+        yield _named(axes, leg, leg.v_tcp < tcp.speed, own, ratios[rows], turned)
 
 
 def _table(leg: Leg, motion: LegMotion, t: Array) -> Array:
@@ -57,12 +58,14 @@ def _table(leg: Leg, motion: LegMotion, t: Array) -> Array:
     return np.maximum(np.abs(rate) * velocity, np.abs(change) * acceleration)[:, None]
 
 
-def _named(axes: Axes, programmed: bool, sample: Sample, ratios: Array, turned: bool) -> str:
+def _named(axes: Axes, leg: Leg, programmed: bool, sample: Sample, ratios: Array, turned: bool) -> str:
     """The limit of one motion. ratios (m, 2 n + 3): speeds, accelerations and the tool's three as shares of theirs; n
     torques more where they are limited; one for positioners where any is turned."""
     if np.all(np.ptp(sample.q, axis=0) < STILL) and not (turned and ratios[:, -1].any()):
         return "already there"
-    names = [f"{name} speed" for name in axes.names] + [f"{name} acceleration" for name in axes.names]
+    capped = axes.velocity_on(leg) < axes.velocity
+    names = [("programmed " if cap else "") + f"{name} speed" for name, cap in zip(axes.names, capped, strict=True)]
+    names += [f"{name} acceleration" for name in axes.names]
     names += ["programmed TCP speed" if programmed else "TCP speed", "TCP acceleration", "TCP turning"]
     if axes.torque is not None:
         names += [f"{name} torque" for name in axes.names]

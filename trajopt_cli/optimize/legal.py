@@ -30,6 +30,7 @@ from trajopt_cli.problem.detours import Detour, Numbering, with_detours
 from trajopt_cli.problem.freedom import AS_WRITTEN, FIXED_RAIL, Freedom, RailFreedom
 from trajopt_cli.problem.patience import Patience
 from trajopt_cli.problem.plan import Infeasible, Target
+from trajopt_cli.problem.plannable import with_exact_orientation
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Problem, build_problem
 from trajopt_cli.problem.progress import Progress, Report
@@ -370,7 +371,7 @@ def _not_driven(axes: Axes, problem: Problem, failure: NotDriven) -> Infeasible:
         p = (axes.forward(failure.singular.q) @ leg.X_FT)[:3, 3] * 1e3
         text = (
             f"passes {what} at [{p[0]:.1f}, {p[1]:.1f}, {p[2]:.1f}] mm, where no speed is low enough; tilt the tool,"
-            " shift the way, or use MoveJ"
+            f" shift the way, or use MoveJ{with_exact_orientation(motion)}"
         )
     elif (broken := broken_between(axes, problem, range(*failure.run))) is not None:
         return broken

@@ -17,7 +17,7 @@ import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.limits import Couplings
-from trajopt_cli.motion import MoveJ, MoveL, motion_name
+from trajopt_cli.motion import MoveC, MoveJ, MoveL, motion_name
 from trajopt_cli.optimize.axes import Axes
 from trajopt_cli.optimize.singular_start import SingularStart, usable
 from trajopt_cli.optimize.surroundings import Surroundings
@@ -34,8 +34,10 @@ from trajopt_cli.optimize.tuning import (
 )
 from trajopt_cli.path.line import Line
 from trajopt_cli.problem.alike import stretch_name
+from trajopt_cli.problem.configurations import check_configurations
 from trajopt_cli.problem.freedom import EVERYTHING
 from trajopt_cli.problem.plan import Infeasible
+from trajopt_cli.problem.plannable import with_exact_orientation
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.problem.problem import Coupling, Leg, LegKind, Problem, Waypoint
 from trajopt_cli.robot.turns import ON_LIMIT, excess
@@ -226,7 +228,7 @@ def line_nodes(leg: Leg) -> int:
     return int(np.clip(1 + np.ceil((LINE_NODES - 1) * min(share, 1.0)), FEWEST_NODES, LINE_NODES))
 
 
-def _on_lines(axes: Axes, legs: Sequence[tuple[Leg, int]], d: Array) -> Iterator[Array]:
+def _on_lines(axes: Axes, legs: Sequence[tuple[Leg, int]], d: Array, pinned: bool) -> Iterator[Array]:
     """Joints (branches, nodes, n, m) along lines with so many nodes, in whatever turn, where they are usable."""
     n = len(d)
     behind = np.cumsum([nodes * n for _, nodes in legs])
@@ -235,7 +237,7 @@ def _on_lines(axes: Axes, legs: Sequence[tuple[Leg, int]], d: Array) -> Iterator
         X = [leg.segment.pose(np.linspace(0, 1, m)) @ inverse_pose(leg.X_FT) for leg, m in some if leg.segment]
         counts = [m for _, m in some]
         arm = axes.inverse(np.repeat(np.concatenate(X), n, axis=0), np.tile(d, sum(counts)))
-        arm = np.moveaxis(usable(axes, arm).reshape(sum(counts), n, *arm.shape[1:]), 2, 0)
+        arm = np.moveaxis(usable(axes, arm, pinned).reshape(sum(counts), n, *arm.shape[1:]), 2, 0)
         yield from np.split(arm, np.cumsum(counts)[:-1], axis=1)
 
 
@@ -256,20 +258,20 @@ def _raw(
 ) -> tuple[list[Array], list[Array | None], BoolArray | None]:
     """Joints of a station by branch at its waypoints (branches, n, m) and along its legs (branches, nodes, n, m), each
     continued from the one before; and where the first line can leave to."""
-    leaves = None
+    leaves, pinned = None, _pinned(problem, first, last)
     if given is not None:
         start, leaves = given.table(axes, problem, d)
     else:
         arm = axes.inverse(np.broadcast_to(problem.waypoints[first].X_WF, (len(d), 4, 4)), d)
         arm = np.moveaxis(arm, 1, 0)
-        start = _unwrap(arm if _rests(problem, first, last) else usable(axes, arm), 1)
+        start = _unwrap(arm if _rests(problem, first, last) else usable(axes, arm, pinned), 1)
     stops, lines = [start], list[Array | None]()
     legs = problem.legs[first:last]
     left = None if given is None else given.leg
     backs = [None if leg is left else back_along(problem, first, first + i) for i, leg in enumerate(legs)]
     backs = [None if back is not None and problem.legs[back] is left else back for back in backs]
     asked = [leg for leg, back in zip(legs, backs, strict=True) if leg.segment is not None and back is None]
-    found = _on_lines(axes, [(leg, LINE_NODES if leg is left else line_nodes(leg)) for leg in asked], d)
+    found = _on_lines(axes, [(leg, LINE_NODES if leg is left else line_nodes(leg)) for leg in asked], d, pinned)
     for leg, back in zip(legs, backs, strict=True):
         if leg.segment is None:
             stops.append(stops[-1])
@@ -363,10 +365,14 @@ def _to_be_had(axes: Axes, stop: Waypoint, q: Array, d: Array, limits: Array) ->
     return np.asarray(ok)
 
 
+def _pinned(problem: Problem, first: int, last: int) -> bool:
+    """Whether the rail is given at every waypoint of a station, or there is none."""
+    return all(low == high for low, high in (point.rail for point in problem.waypoints[first : last + 1]))
+
+
 def _rests(problem: Problem, first: int, last: int) -> bool:
     """Whether no axis moves in a station, so that no singularity matters to it."""
-    low, high = problem.waypoints[first].rail
-    return low == high and not any(leg.segment or leg.rail_moves for leg in problem.legs[first:last])
+    return _pinned(problem, first, first) and not any(leg.segment or leg.rail_moves for leg in problem.legs[first:last])
 
 
 def check_reach(axes: Axes, problem: Problem) -> Infeasible | None:
@@ -402,7 +408,9 @@ def _unserved(axes: Axes, problem: Problem, first: int, last: int) -> Infeasible
     for i in range(last - first):
         if problem.legs[first + i].kind is LegKind.LINE and not _passable(problem, table, i):
             return _broken_line(axes, problem, first + i, d, table.labels) or _about(
-                problem, first + i, f": {_NO_SINGLE}"
+                problem,
+                first + i,
+                f": {_NO_SINGLE}{with_exact_orientation(problem.motion(problem.legs[first + i].motion))}",
             )
     return None
 
@@ -486,13 +494,25 @@ def _unreachable(axes: Axes, problem: Problem, k: int, d: Array) -> Infeasible:
     if stop.rail[0] == stop.rail[1]:
         near = stop.rail[0]
     reason = _why(axes, problem, stop.X_WF, float(near))
-    where = _at(axes, float(near))
-    if not reason:
+    where, confused = _at(axes, float(near)), not reason
+    if confused:
         reason = _other_configurations(axes, problem, stop, float(near))
         if stop.conf is not None:
             reason += _remedy(axes, problem, k)
     text = f"{motion_name(motion)} cannot be reached{where}: {reason}"
+    if confused and isinstance(motion, MoveL | MoveC) and (told := _configuration(problem, k)):
+        text = told + _remedy(axes, problem, k)
     return Infeasible(stop.motion, motion.source, text)
+
+
+def _configuration(problem: Problem, k: int) -> str | None:
+    """What is wrong with the configuration at waypoint k as parse tells it, which follows the line there; None where
+    rail or confdata are not as written."""
+    stop = problem.waypoints[k]
+    if stop.conf is None or stop.rail[0] != stop.rail[1]:
+        return None
+    found = check_configurations(problem.program, problem.plant)
+    return next((one.message for one in found if one.index == stop.motion), None)
 
 
 def _at(axes: Axes, rail: float) -> str:
@@ -585,9 +605,9 @@ def _broken_line(axes: Axes, problem: Problem, k: int, d: Array, labels: tuple[L
     lost = _first_lost(axes, leg, arm, set(range(arm[0].shape[1])))
     if lost is None:
         stands = problem.waypoints[k].q is not None  # joints are given there: no singularity is in the way
-        lost = _first_lost(
-            axes, leg, [arm[0] if stands else usable(axes, arm[0]), *(usable(axes, q) for q in arm[1:])], known
-        )
+        pinned = len(fixed) == 2
+        on_way = [arm[0] if stands else usable(axes, arm[0], pinned), *(usable(axes, q, pinned) for q in arm[1:])]
+        lost = _first_lost(axes, leg, on_way, known)
     if lost is None:
         return None
     at, before = lost
@@ -596,7 +616,7 @@ def _broken_line(axes: Axes, problem: Problem, k: int, d: Array, labels: tuple[L
     reason = _why(axes, problem, X_WF, float(near))
     where = _at(axes, float(near))
     if not reason:
-        reason = f"{_NO_SINGLE}{_end(axes, arm[at][before])}"
+        reason = f"{_NO_SINGLE}{_end(axes, arm[at][before])}{with_exact_orientation(motion)}"
     p = X_WT[:3, 3] * 1e3
     way = leg.chord * 1e3
     text = (
@@ -648,10 +668,14 @@ def _about(problem: Problem, k: int, text: str) -> Infeasible:
 def _no_common(problem: Problem, first: int, last: int) -> Infeasible:
     index = problem.waypoints[last].motion
     motion = problem.motion(index)
+    if told := _configuration(problem, last):
+        return Infeasible(index, motion.source, told)
     start = problem.motion(problem.waypoints[first].motion) if problem.waypoints[first].motion >= 0 else None
     begin = f"{start.source}" if start else "the start"
     text = (
         f"{motion_name(motion)}: no configuration serves all points from {begin} to here; the lines"
-        " between them keep the branch and the turns of the joints"
+        f" between them keep the branch and the turns of the joints"
     )
+    if note := with_exact_orientation(motion):
+        text += f"{note}: program the configuration that the line leads to (trajopt parse names it), or use MoveJ"
     return Infeasible(index, motion.source, text)

@@ -200,21 +200,28 @@ def _driven(axes: Axes, leg: Leg, q_0: Array, q_1: Array, p_0: Array, p_1: Array
     return trapezoid_time(out, leg.v_tcp, leg.a_tcp)
 
 
-def _line_times(axes: Axes, problem: Problem, table: StationTable, i: int, k: int, a: _Layer, b: _Layer) -> Band:
+def _farthest(axes: Axes, problem: Problem, k: int, far: bool) -> float:
+    """How far the rail is asked to go [m] along line k, which it hardly holds back then; far: however long it takes."""
+    leg = problem.legs[k]
+    if not leg.rail_moves or problem.freedom.rail is RailFreedom.STATION:
+        return 0.0
+    cruise = max(leg.chord / leg.v_tcp + leg.angle / leg.v_ori, leg.duration or leg.least, leg.table[0])
+    beyond = 0.0 if problem.passes(k) and problem.passes(k + 1) else SHIFT
+    return np.inf if far else beyond + float(axes.layout.place(axes.velocity_on(leg))) * cruise
+
+
+def _line_times(
+    axes: Axes, problem: Problem, table: StationTable, i: int, k: int, a: _Layer, b: _Layer, far: bool = False
+) -> Band:
     """Estimated times of a line, leg k and number i of its station, with the rail linear in the path, whatever the
-    rates of the states."""
+    rates of the states. far: as in _search."""
     leg = problem.legs[k]
     raw = table.raw[i]
     assert raw is not None
     d, n, nodes = table.d, len(table.d), raw.shape[1]
     V, A = axes.velocity_on(leg), axes.acceleration
     spacing = (d[-1] - d[0]) / max(n - 1, 1)
-    cruise = leg.chord / leg.v_tcp + leg.angle / leg.v_ori
-    beyond = 0.0 if problem.passes(k) and problem.passes(k + 1) else SHIFT
-    farthest = (beyond + axes.layout.place(V) * cruise) if leg.rail_moves else 0.0
-    if problem.freedom.rail is RailFreedom.STATION:
-        farthest = 0.0
-    widest = min(int(np.ceil(farthest / max(spacing, 1e-9))), n - 1)
+    widest = int(np.ceil(min(_farthest(axes, problem, k, far) / max(spacing, 1e-9), n - 1)))
     shifts = np.arange(widest, -widest - 1, -1)
     used, of = np.unique([label.cfx for label in table.labels], return_inverse=True)
     open_ = table.open_on(i).reshape(len(of), -1)
@@ -309,7 +316,7 @@ def _goes_back(problem: Problem, first: int, k: int) -> int | None:
 
 def _dwell_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) -> Array:
     """(n_a, n_b) duration of a dwell; infinite where the rail's move does not fit."""
-    V, A = axes.velocity, axes.acceleration
+    V, A = axes.velocity_on(leg), axes.acceleration
     same = a.label[:, None] == b.label[None]
     if not leg.rail_moves:
         same &= a.rail[:, None] == b.rail[None]
@@ -335,9 +342,9 @@ def _dwell_time(axes: Axes, problem: Problem, leg: Leg, a: _Layer, b: _Layer) ->
 
 def _edges(
     axes: Axes, problem: Problem, tables: list[StationTable], where: list[int], layers: list[_Layer],
-    avoid: Avoid | None = None,
+    avoid: Avoid | None = None, far: bool = False,
 ) -> list[Edge]:  # fmt: skip
-    """Between all states; equal legs between equal states share one."""
+    """Between all states; equal legs between equal states share one. far: as in _search."""
     edges: list[Edge] = []
     known: dict[tuple[object, ...], Edge] = {}
     bands: dict[int | None, Band] = {}
@@ -356,7 +363,7 @@ def _edges(
             if back in bands:
                 bands[k] = bands[back].back(a.place, b.place)
             else:
-                bands[k] = _line_times(axes, problem, table, k - first, k, a, b)
+                bands[k] = _line_times(axes, problem, table, k - first, k, a, b, far)
             edges.append(_line_edge(axes, leg, bands[k], a, b))
         else:
             T = _dwell_time(axes, problem, leg, a, b)
@@ -562,8 +569,11 @@ def _loads_at(problem: Problem, k: int) -> tuple[tuple[float, ...], ...]:
     return tuple(() if load is None else load.numbers for load in beside)
 
 
-def _search(axes: Axes, problem: Problem, avoid: Avoid | None = None, every: bool = False) -> Chain | None:
-    """The same, all at once. every: in every whole turn."""
+def _search(
+    axes: Axes, problem: Problem, avoid: Avoid | None = None, every: bool = False, far: bool = False
+) -> Chain | None:
+    """The same, all at once. every: in every whole turn. far: along a line the rail may go as far as it has to, however
+    long its speed makes the line: what it takes time for is no want of reach."""
     where = _station_of(problem)
     grids = [grid_in_reach(axes, problem, first, last, SEARCH_COARSE, SEARCH_APART) for first, last in problem.stations]
     whole = _tables(axes, problem, grids, avoid)
@@ -573,11 +583,14 @@ def _search(axes: Axes, problem: Problem, avoid: Avoid | None = None, every: boo
     fewer = any(one is not other for one, other in zip(tables, whole, strict=True))
     still = np.zeros(1)
     layers = _layers(axes, problem, tables, still)
-    edges = _edges(axes, problem, tables, where, layers, avoid)
+    edges = _edges(axes, problem, tables, where, layers, avoid, far)
     cost, path, forward = _best_clear(problem, tables, where, layers, edges, avoid)
     if not np.isfinite(cost):
         if fewer:
-            return _search(axes, problem, avoid, every=True)
+            return _search(axes, problem, avoid, every=True, far=far)
+        lines = [k for k, leg in enumerate(problem.legs) if leg.kind is LegKind.LINE]
+        if any(0 < _farthest(axes, problem, k, far) < np.ptp(tables[where[k]].d) for k in lines):
+            return _search(axes, problem, avoid, every, far=True)
         if avoid is not None:
             ends = (k for k, least in enumerate(forward) if not np.isfinite(least).any())
             avoid.ended = next((problem.legs[k - 1].motion for k in ends), None)
@@ -612,7 +625,7 @@ def _search(axes: Axes, problem: Problem, avoid: Avoid | None = None, every: boo
     layers = _layers(axes, problem, fine_tables, speeds)
     if not all(len(layer.q) for layer in layers):
         return coarse
-    edges = _edges(axes, problem, fine_tables, where, layers, avoid)
+    edges = _edges(axes, problem, fine_tables, where, layers, avoid, far)
     cost, path, _ = _best_clear(problem, fine_tables, where, layers, edges, avoid)
     return _chain(problem, fine_tables, where, layers, edges, path, cost) if np.isfinite(cost) else coarse
 

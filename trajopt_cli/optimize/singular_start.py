@@ -18,15 +18,17 @@ from trajopt_cli.problem.problem import Leg, LegKind, Problem
 _STRAIGHT = 1e-9  # sine of joint 5 up to which the wrist is straight
 
 
-def walled(axes: Axes, arm: Array) -> BoolArray:
-    """Whether joints (..., m) stand too near a singularity for a line, or to choose the rail there."""
+def walled(axes: Axes, arm: Array, most: float = ELBOW) -> BoolArray:
+    """Whether joints (..., m) stand too near a singularity for a line, or to choose the rail there. most: how far the
+    elbow may be stretched."""
     elbow, wrist = axes.robot.walls(arm)
-    return np.asarray((elbow > ELBOW) | (wrist < WRIST))
+    return np.asarray((elbow > most) | (wrist < WRIST))
 
 
-def usable(axes: Axes, arm: Array) -> Array:
-    """Joints (..., m), NaN where they do so."""
-    return np.where(walled(axes, arm)[..., None], np.nan, arm)
+def usable(axes: Axes, arm: Array, pinned: bool = False) -> Array:
+    """Joints (..., m), NaN where they do so. pinned: the rail is given at every point, and a line near the stretched
+    elbow is but a slow one."""
+    return np.where(walled(axes, arm, STRETCHED if pinned else ELBOW)[..., None], np.nan, arm)
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,4 +1,4 @@
-"""Lines followed with the joints changing continuously from a given start: where they end, and what is on the way.
+"""Lines and arcs followed with the joints changing continuously from a given start: where they end, what is on the way.
 
 The arm stays in its branch (no line leads from one to another but through a singularity), so a line is one branch of
 the inverse, sampled, its whole turns removed between neighbours.
@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
+from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.line import poses_of_many
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import inverse
@@ -29,9 +30,10 @@ _AT_ONCE = 40_000  # samples: 30 MB of work arrays
 
 @dataclass(frozen=True, eq=False)
 class ArmLine:
-    """A line and where the arm begins it.
+    """A line, or an arc, and where the arm begins it.
 
     X_WF_0, X_WF_1: the flange at both ends. X_FT: the tool. rail [m] at both ends. q (6,) [rad]: joints at the start.
+    arc: the tool's way where it is one.
     """
 
     X_WF_0: Array
@@ -39,11 +41,13 @@ class ArmLine:
     X_FT: Array
     rail: tuple[float, float]
     q: Array
+    arc: Arc | None = None
 
 
 @dataclass(frozen=True, eq=False)
 class Followed:
-    """end (6,) [rad]: joints at the end, NaN where the line does not get there. chord [m].
+    """end (6,) [rad]: joints at the end, NaN where the line does not get there. chord [m]: the
+    way's length.
 
     At most one of three things, the first on the way, at shares 0..1 of it. lost: from where on the branch has no
     solution. singular: where joints jump; jump (6,) [rad]: by how much in one sample. beyond: (joint, share, limit
@@ -92,7 +96,7 @@ def follow(plant: Plant, lines: Sequence[ArmLine]) -> list[Followed | None]:
 def _short(line: ArmLine) -> bool:
     X_0, X_1 = line.X_WF_0, line.X_WF_1
     turn = np.arccos(np.clip((np.sum(X_0[:3, :3] * X_1[:3, :3]) - 1) / 2, -1, 1))
-    return bool(np.linalg.norm(X_1[:3, 3] - X_0[:3, 3]) < _SMALL[0] and turn < _SMALL[1])
+    return bool(line.arc is None and np.linalg.norm(X_1[:3, 3] - X_0[:3, 3]) < _SMALL[0] and turn < _SMALL[1])
 
 
 def _level(
@@ -122,7 +126,11 @@ def _sampled(plant: Plant, lines: Sequence[ArmLine], samples: int) -> tuple[Arra
     m, s = len(lines), np.linspace(0, 1, samples)
     X_FT = np.array([line.X_FT for line in lines])
     X_0, X_1 = (np.array(ends) @ X_FT for ends in zip(*((n.X_WF_0, n.X_WF_1) for n in lines), strict=True))
-    X_WF = poses_of_many(X_0, X_1, s) @ inverse_pose(X_FT)[:, None]
+    X_WT, chords = poses_of_many(X_0, X_1, s), np.linalg.norm(X_1[:, :3, 3] - X_0[:, :3, 3], axis=1)
+    for i, line in enumerate(lines):
+        if line.arc is not None:
+            X_WT[i], chords[i] = line.arc.pose(s), line.arc.length
+    X_WF = X_WT @ inverse_pose(X_FT)[:, None]
     rail = np.array([line.rail for line in lines])
     rails = rail[:, :1] + s * (rail[:, 1:] - rail[:, :1]) if plant.robot.has_rail else None
     branches = inverse(plant.robot, X_WF.reshape(-1, 4, 4), None if rails is None else rails.reshape(-1))
@@ -135,7 +143,7 @@ def _sampled(plant: Plant, lines: Sequence[ArmLine], samples: int) -> tuple[Arra
     each = np.arange(m)
     q = np.unwrap(branches[each, :, branch], axis=1)
     q += 2 * np.pi * np.round((start - q[:, 0]) / (2 * np.pi))[:, None]
-    return np.linalg.norm(X_1[:, :3, 3] - X_0[:, :3, 3], axis=1), q, away[each, branch] <= _SAME
+    return chords, q, away[each, branch] <= _SAME
 
 
 def _followed(plant: Plant, chord: float, q: Array, steps: Array, weak: BoolArray) -> Followed:

@@ -1,19 +1,21 @@
-"""Arcs whose three points make no circle, held against where the robot stands before them.
+"""What only the start of a motion tells: arcs whose three points make no circle, and speeds of 0 that it needs.
 
 The reader refuses points that are too near each other where it knows all three; the start behind a move to joints is
-known only here.
+known only here. Of `speeddata` a part may be 0 where nothing moves by it, as in vrot10 and vlin10.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from itertools import combinations
-from math import dist
+from math import degrees, dist, radians
 
 import numpy as np
 
-from trajopt_cli.geometry import Array, inverse_pose
-from trajopt_cli.motion import CirPathMode, Move, MoveAbsJ, MoveC, MoveExtJ
+from trajopt_cli.errors import InputError
+from trajopt_cli.geometry import Array, axis_angle, inverse_pose
+from trajopt_cli.motion import CirPathMode, Move, MoveAbsJ, MoveC, MoveExtJ, MoveJ, MoveL
 from trajopt_cli.path.arc import Arc
 from trajopt_cli.path.circle import Point, circle_through
 from trajopt_cli.path.of_motion import segment_of, turns_of
@@ -24,21 +26,27 @@ from trajopt_cli.units import MM
 NEAR = 0.1 * MM  # m; a controller refuses circles with points nearer than this
 LEAST_SHARE = 0.25  # of the arc: CirPointOri wants its circle point between this and 1 - this (manual: CirPathMode)
 WRIST_MODES = frozenset({CirPathMode.WRIST_45, CirPathMode.WRIST_46, CirPathMode.WRIST_56})
+_TURNS = radians(0.01)  # rad between the orientations at both ends; less is the rounding of quaternions
+_MOVES = 1e-3 * MM  # m of rail
 
 
-class Circles:
-    """Where the robot stands along a program, for the arcs that begin there."""
+class Starts:
+    """Where the robot stands along a program, for the motions that begin there."""
 
     def __init__(self, plant: Plant):
+        self._free_speed = plant.free_speed
         self._robot, self._layout, self._rail_value = plant.robot, plant.layout, plant.rail_value
         self._rail = float(plant.layout.place(plant.start))
         self._at: Array = plant.start  # all axes (k,), or the flange (4, 4): made only where an arc asks
         self._carried = 0.0  # m that the rail has gone since, alone
 
     def wrong(self, motion: Move) -> Iterator[tuple[str, str, str]]:
-        """Kind, demand and advice, in words, where a motion is an arc that no circle makes; then it is over."""
+        """Kind, demand and advice, in words, where a motion is an arc that no circle makes or needs a speed that is 0;
+        then it is over."""
         before, given = self._rail, self._rail_value(motion.extax)
         self._rail = before if given is None else given
+        if motion.duration is None and not (self._free_speed and isinstance(motion, MoveJ | MoveAbsJ)):
+            yield from self._without_speed(motion, self._rail - before)
         if isinstance(motion, MoveExtJ):
             self._carried += self._rail - before
             return
@@ -51,6 +59,30 @@ class Circles:
         else:
             self._at = motion.X_WT @ inverse_pose(motion.tool.X_FT)
         self._carried = 0.0
+
+    def _without_speed(self, motion: Move, way: float) -> Iterator[tuple[str, str, str]]:
+        """What a motion moves at a speed of 0; way: the rail's [m]."""
+        speed = motion.speed
+        if speed.v_leax == 0 and abs(way) > _MOVES:
+            what = f"moves the rail by {way / MM:.6g} mm at {speed.name}, whose v_leax is 0"
+            yield "v_leax of 0", what, "give it a speed of linear external axes above 0, or leave the rail where it is"
+        if speed.v_ori > 0 or isinstance(motion, MoveExtJ):
+            return
+        if (angle := self._turn(motion)) > _TURNS:
+            what = f"turns the tool by {degrees(angle):.3g} deg at {speed.name}, whose v_ori is 0"
+            yield "v_ori of 0", what, "give it a speed of reorientation above 0, or keep the orientation"
+
+    def _turn(self, motion: MoveJ | MoveL | MoveC | MoveAbsJ) -> float:
+        """How far a motion turns the tool [rad]; an arc as CirPathMode says."""
+        X_WT = self._flange() @ motion.tool.X_FT
+        if isinstance(motion, MoveC) and not motion.tool.stationary:
+            with suppress(InputError):  # no circle, which is told as such
+                return segment_of(motion, X_WT).angle
+        if isinstance(motion, MoveAbsJ):
+            there = self._robot.forward(self._layout.join(self._rail, motion.q)) @ motion.tool.X_FT
+        else:
+            there = turned_back(turns, motion.X_WT) if (turns := turns_of(motion)) else motion.X_WT
+        return axis_angle(X_WT[:3, :3].T @ there[:3, :3])[1]
 
     def _flange(self) -> Array:
         X_WF = np.array(self._at if self._at.ndim == 2 else self._robot.forward(self._at))

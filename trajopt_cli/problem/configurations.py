@@ -15,6 +15,7 @@ from math import floor, pi
 
 import numpy as np
 
+from trajopt_cli.errors import InputError
 from trajopt_cli.geometry import Array, BoolArray, IndexArray, inverse_pose
 from trajopt_cli.motion import (
     ConfData,
@@ -29,9 +30,11 @@ from trajopt_cli.motion import (
     motion_name,
     turned_under,
 )
+from trajopt_cli.path.arc import Arc
+from trajopt_cli.path.of_motion import segment_of
 from trajopt_cli.problem.along import ArmLine, Followed, follow
 from trajopt_cli.problem.plan import Plan
-from trajopt_cli.problem.plannable import demands_configuration
+from trajopt_cli.problem.plannable import demands_configuration, with_exact_orientation
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.inverse import (
     branch_margins,
@@ -256,12 +259,12 @@ def _alternatives(robot: RobotModel, q: Array, turned: Array, inside: BoolArray)
 
 
 def _lines(program: Program, plant: Plant, points: Sequence[_Point], poses: _Poses) -> list[tuple[int, ArmLine]]:
-    """The lines whose configuration counts and whose start joints are known, by index of the motion."""
+    """The lines and arcs whose configuration counts and whose start joints are known, by index of the motion."""
     at = {point.index: k for k, point in enumerate(points)}
     wanted = {
         point.index
         for point in points
-        if point.demanded and isinstance(point.motion, MoveL) and not turned_under(point.motion)
+        if point.demanded and isinstance(point.motion, MoveL | MoveC) and not turned_under(point.motion)
     }
     robot = plant.robot
     lines: list[tuple[int, ArmLine]] = []
@@ -280,14 +283,26 @@ def _lines(program: Program, plant: Plant, points: Sequence[_Point], poses: _Pos
         elif index in at:
             k = at[index]
             if index in wanted and now is not None and poses.reachable[k]:
-                assert isinstance(motion, MoveL)
+                assert isinstance(motion, MoveL | MoveC)
                 if X_WF is None:
                     X_WF = robot.forward(np.r_[before, now] if robot.has_rail else now)
-                lines.append((index, ArmLine(X_WF, points[k].X_WF, motion.tool.X_FT, (before, rail), now)))
+                arc = _arc(motion, X_WF) if isinstance(motion, MoveC) else None
+                if isinstance(motion, MoveL) or arc is not None:
+                    line = ArmLine(X_WF, points[k].X_WF, motion.tool.X_FT, (before, rail), now, arc)
+                    lines.append((index, line))
             now, X_WF = _after(points[k], plant, poses.joints[k], now), points[k].X_WF
         else:  # MoveExtJ: the arm holds
             X_WF = None
     return lines
+
+
+def _arc(motion: MoveC, X_WF: Array) -> Arc | None:
+    """The way of an arc from where the flange is; None for one that no plan drives, which is told as such."""
+    try:
+        way = segment_of(motion, X_WF @ motion.tool.X_FT)
+    except InputError:  # no circle: a refusal of its own
+        return None
+    return way if isinstance(way, Arc) and not motion.tool.stationary else None
 
 
 def _after(point: _Point, plant: Plant, joints: Array, now: Array | None) -> Array | None:
@@ -356,6 +371,7 @@ def _misled(point: _Point, plant: Plant, joints: Array, along: Followed) -> Conf
         return _finding(point, plant, Misfit.REACH, f"cannot run as a line: {along.at(along.lost)} it is out of reach")
     if along.singular is not None:
         text = f"passes a singularity {along.at(along.singular)}: {along.what(names)}; tilt the tool or use MoveJ"
+        text += with_exact_orientation(point.motion)
         return _finding(point, plant, Misfit.SINGULAR, text)
     if along.beyond is not None:
         joint, share, limit = along.beyond
@@ -379,4 +395,5 @@ def _misled(point: _Point, plant: Plant, joints: Array, along: Followed) -> Conf
         f"leads from its start to confdata {shown(leads)}, and {shown(point.motion.conf)} is programmed: {flip} on top"
         f" of the line's own motion ({turns}); write {shown(leads)} there, or use MoveJ"
     )
+    text += "" if other & 6 else with_exact_orientation(point.motion)  # the wrist alone
     return _finding(point, plant, Misfit.FLIP, text, (leads,))

@@ -303,7 +303,7 @@ class _Course:
             q, qd, qdd = hermite(self._trajectory, t)
             V, A = np.moveaxis(robot.differential(q, move.tool.X_FT).motion(qd, qdd), 1, 0)
             velocity = plant.limits.velocity.copy()
-            velocity[plant.layout.rail] = np.minimum(velocity[plant.layout.rail], move.speed.v_leax)
+            velocity[plant.layout.rail] = np.minimum(velocity[plant.layout.rail], move.speed.v_leax or np.inf)
             v, a = (np.linalg.norm(one[:, :3], axis=1) for one in (V, A))
             parts.append(
                 np.c_[
@@ -311,7 +311,7 @@ class _Course:
                     np.abs(qdd) / (plant.limits.acceleration * acceleration_share(move)),
                     v / plant.tcp.speed,
                     a / tcp_acceleration(move, plant.tcp),
-                    np.linalg.norm(V[:, 3:], axis=1) / move.speed.v_ori,
+                    np.linalg.norm(V[:, 3:], axis=1) / move.speed.turning,
                 ]
             )
         names = [f"{name} {kind}" for kind in ("speed", "acceleration") for name in plant.limits.names]

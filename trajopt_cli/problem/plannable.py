@@ -13,6 +13,7 @@ from trajopt_cli.errors import InputError, InputErrorGroup
 from trajopt_cli.motion import (
     CirPathMode,
     Hold,
+    Motion,
     Move,
     MoveAbsJ,
     MoveC,
@@ -27,7 +28,7 @@ from trajopt_cli.motion import (
     motion_name,
     turned_under,
 )
-from trajopt_cli.problem.circles import WRIST_MODES, Circles
+from trajopt_cli.problem.circles import WRIST_MODES, Starts
 from trajopt_cli.problem.plant import Plant
 from trajopt_cli.robot.model import RobotModel
 from trajopt_cli.robot.structure import NO_CONFDATA
@@ -40,11 +41,11 @@ _STOP_POINTS = ("inpos20", "inpos50", "inpos100")  # stop points without a time 
 def refusals(program: Program, plant: Plant) -> tuple[Refusal, ...]:
     """What no plan can keep, in program order; a statement that runs many times is named once per thing it asks for."""
     found = {(one.source, one.kind): one for one in program.refusals}
-    axes, circles = _OtherAxes(plant), Circles(plant)
+    axes, starts = _OtherAxes(plant), Starts(plant)
     for motion in program.motions:
         if isinstance(motion, Wait | SignalEvent):
             continue
-        for kind, demand, advice in (*_demands(motion), *axes.demands(motion), *circles.wrong(motion)):
+        for kind, demand, advice in (*_demands(motion), *axes.demands(motion), *starts.wrong(motion)):
             key = (motion.source, kind)
             found.setdefault(key, Refusal(kind, motion.source, f"{motion_name(motion)} {demand}; {advice}"))
     return tuple(found.values())
@@ -133,6 +134,18 @@ def demands_configuration(motion: Move, robot: RobotModel) -> bool:
     r"""Whether a motion must end in its programmed configuration: ConfJ \On for joint moves, ConfL \On for lines, and a
     robot that has a rule for confdata."""
     return robot.confdata_rule != NO_CONFDATA and _monitored(motion)
+
+
+def with_exact_orientation(motion: Motion) -> str:
+    r"""What to know of a line or an arc under SingArea \Wrist that no plan drives, "" for other motions. A controller
+    interpolates the wrist's axes there one by one, the TCP on its way, and with ConfL \On it always comes to the
+    programmed configuration (RAPID reference manual, SingArea\Wrist under positioning; robot configuration)."""
+    if not isinstance(motion, MoveL | MoveC) or motion.settings.singularity is not Singularity.WRIST:
+        return ""
+    return (
+        "; under SingArea \\Wrist a controller turns axes 4, 5 and 6 evenly to the programmed configuration, the"
+        " orientation off on the way, but plans keep the orientation there"
+    )
 
 
 def _monitored(motion: Move) -> bool:

@@ -306,10 +306,10 @@ def _at_rest(legs: Sequence[Leg], program: Program, target: Target) -> list[Leg]
 
 class _Held(_Impossible):
     def __init__(self, index: int, motion: Move, rail: float, asked: float):
-        assert motion.hold is not None
+        holder = f"{motion.speed.name} (v_leax 0)" if motion.hold is None else _HOLDERS[motion.hold]
         super().__init__(
             index,
-            f"takes the rail from {rail * 1e3:.6g} mm to {asked * 1e3:.6g} mm, and {_HOLDERS[motion.hold]} says that it"
+            f"takes the rail from {rail * 1e3:.6g} mm to {asked * 1e3:.6g} mm, and {holder} says that it"
             " stands still there; give both ends the same position, or take the hold back",
         )
 
@@ -380,8 +380,9 @@ class _Build:
 
     def _stand(self, motion: Move, end: Waypoint, moves: bool) -> None:
         """The tool stands while positioners turn; moves: the rail may move meanwhile."""
-        moves = moves and self._has_rail and self._freedom.dwells
-        leg = Leg(end.motion, LegKind.DWELL, len(self.legs), np.eye(4), np.inf, np.inf, np.inf, np.inf,
+        v_rail = np.inf if isinstance(motion, MoveExtJ) else _caps(motion, self._plant)[2]
+        moves = moves and self._has_rail and self._freedom.dwells and v_rail > 0
+        leg = Leg(end.motion, LegKind.DWELL, len(self.legs), np.eye(4), np.inf, np.inf, np.inf, v_rail or np.inf,
                   duration=motion.duration or motion.least, rail_moves=moves, least=motion.least)  # fmt: skip
         self.legs.append(leg)
         self.waypoints.append(end)
@@ -402,13 +403,7 @@ class _Build:
         q, layout = _as_written(before, self._plant), self._plant.layout
         rail = float(layout.place(q))
         self.waypoints[-1] = replace(before, q=q, rail=(rail, rail), written=rail, conf=None)
-        # vrot10 and its like have no speed for a rail, and need none where it stays
-        moved = abs(self._written - rail) > _STILL and motion.duration is None
-        v_rail = motion.speed.v_leax if moved else np.inf
-        if v_rail <= 0:
-            text = f"{motion_name(motion)} moves the rail at {motion.speed.name}, whose speed of linear axes is 0"
-            text += ": give one"
-            raise InputError(text, file=motion.source.file, line=motion.source.line, column=motion.source.column)
+        v_rail = motion.speed.v_leax if motion.duration is None else np.inf
         self._to(self._at_joints(index, self._axes(q[layout.arm])), motion, (np.inf, np.inf, v_rail))
 
     def _way(self, index: int, motion: MoveL | MoveC) -> None:
@@ -423,17 +418,19 @@ class _Build:
         moves = self._has_rail and (moves or _apart(start.rail, end.rail)) and motion.hold is None
         self._to(end, motion, _caps(motion, self._plant))
         kind, segment = (LegKind.DWELL, None) if still else (LegKind.LINE, way)
+        moves = moves and self.legs[-1].rail_moves
         self.legs[-1] = replace(self.legs[-1], kind=kind, rail_moves=moves, segment=segment, units=units)
 
     def _to(self, end: Waypoint, motion: Move, caps: tuple[float, float, float]) -> None:
         """A joint move to a waypoint. caps: programmed speeds of tool [m/s], turning [rad/s] and rail [m/s]."""
         X_FT = np.eye(4) if isinstance(motion, MoveExtJ) else motion.tool.X_FT
         v_tcp, v_ori, v_rail = caps
+        moves, v_rail = motion.hold is None and v_rail > 0, v_rail or np.inf
         tcp, zone = self._plant.tcp, self._fly_bys.get(end.motion)
         v_tcp, a_tcp = min(v_tcp, tcp.speed), tcp_acceleration(motion, tcp)
         leg = Leg(
             end.motion, LegKind.JOINT, len(self.legs), X_FT, v_tcp, a_tcp, v_ori, v_rail, duration=motion.duration,
-            rail_moves=motion.hold is None or not self._has_rail, acceleration=acceleration_share(motion),
+            rail_moves=moves or not self._has_rail, acceleration=acceleration_share(motion),
             least=motion.least, beside=motion.beside > 0,
         )  # fmt: skip
         self.legs.append(leg)
@@ -510,10 +507,10 @@ def _settled(plant: Plant) -> float:
 
 def _caps(motion: MoveJ | MoveL | MoveC | MoveAbsJ, plant: Plant) -> tuple[float, float, float]:
     """Programmed speeds of tool, turning and rail; none for joint moves where the cell frees them, nor where a time
-    replaces the speed."""
+    replaces the speed. A rail's speed of 0 lets it stand."""
     if motion.duration is not None or (plant.free_speed and isinstance(motion, MoveJ | MoveAbsJ)):
         return np.inf, np.inf, np.inf
-    return motion.speed.v_tcp, motion.speed.v_ori, motion.speed.v_leax
+    return motion.speed.v_tcp, motion.speed.turning, motion.speed.v_leax
 
 
 def _apart(a: tuple[float, float], b: tuple[float, float]) -> bool:

@@ -99,7 +99,7 @@ def _move(plant: Plant, leg: Leg) -> _Move:
     caps, motion = plant.tcp, leg.motion
     if leg.kind is LegKind.HOLD or isinstance(motion, Wait | SignalEvent):
         return _Move(leg, seen.X_0, seen.axis, np.zeros(0), np.zeros(0), np.zeros(0))
-    turning = motion.speed.v_ori
+    turning = motion.speed.turning
     softly = turning * (caps.acceleration / caps.speed)
     layout, limits, rail = plant.layout, plant.limits, plant.layout.has_rail
     way_rail = float(plant.layout.place(leg.q_1 - leg.q_0))
@@ -218,7 +218,7 @@ def _caps(plant: Plant, leg: Leg) -> Caps:
     speed, acceleration = (np.full(len(plant.start), np.inf) for _ in range(2))
     speed[rail], acceleration[rail] = plant.limits.velocity[rail], plant.limits.acceleration[rail]
     v_tcp = plant.tcp.speed if leg.kind is LegKind.JOINT else leg.v_tcp
-    return Caps(speed, acceleration, v_tcp, plant.tcp.acceleration, motion.speed.v_ori, leg.X_FT)
+    return Caps(speed, acceleration, v_tcp, plant.tcp.acceleration, motion.speed.turning, leg.X_FT)
 
 
 def _drive(v_0: float, v_1: float, way: float, v: float, a: float, _: float | None) -> Piece:

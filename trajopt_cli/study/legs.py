@@ -232,9 +232,9 @@ def _leg(
         a_tcp, share = tcp_acceleration(motion, plant.tcp), acceleration_share(motion)
         free = plant.free_speed and isinstance(motion, MoveJ | MoveAbsJ)
         if duration is None and not free:  # a programmed time replaces the speed
-            v_rail = motion.speed.v_leax
+            v_rail = motion.speed.v_leax or np.inf
             if not isinstance(motion, MoveExtJ):
-                v_tcp, v_ori = min(v_tcp, motion.speed.v_tcp), motion.speed.v_ori
+                v_tcp, v_ori = min(v_tcp, motion.speed.v_tcp), motion.speed.turning
     return Leg(index, motion, kind, q_0, q_1, X_FT, v_tcp, a_tcp, v_ori, v_rail, duration, span, share)
 
 

@@ -79,8 +79,8 @@ def _line(rows: Rows, before: Visit, visit: Visit, frame: Frame) -> Finding:
     rate = (V[:, 3:] if line.only_turns else V[:, :3]) @ along / line.way**2
     length, angle = line.length, line.angle
     obeys = obeys_programmed_speed(stop, rows.plant)
-    v_tcp, v_ori = (stop.move.speed.v_tcp, stop.move.speed.v_ori) if obeys else (np.inf, np.inf)
-    v_rail = np.r_[stop.move.speed.v_leax if obeys else np.inf, [np.inf] * (len(limits.names) - 1)]
+    v_tcp, v_ori = (stop.move.speed.v_tcp, stop.move.speed.v_ori or np.inf) if obeys else (np.inf, np.inf)
+    v_rail = np.r_[(stop.move.speed.v_leax or np.inf) if obeys else np.inf, [np.inf] * (len(limits.names) - 1)]
     speed_axes = np.minimum(limits.velocity, v_rail) if rows.mechanism.has_rail else limits.velocity
     z, zd = np.c_[q, s * length, s * angle], np.c_[qd, rate * length, rate * angle]
     speed = np.r_[speed_axes, min(v_tcp, caps.speed), v_ori]
@@ -122,8 +122,8 @@ def _caps_inactive(rows: Rows, visit: Visit, frame: Frame, first: int, last: int
     a = lengths(np.diff(frame.V[part, :3], axis=0)) / np.diff(rows.t[part])
     used = max(v / caps.speed, float(a.max()) / caps.acceleration)
     if obeys_programmed_speed(visit.point, rows.plant):
-        used = max(used, v / speed.v_tcp, frame.least_turning[part].max() / speed.v_ori)
-        if rows.mechanism.has_rail:
+        used = max(used, v / speed.v_tcp, frame.least_turning[part].max() / (speed.v_ori or np.inf))
+        if rows.mechanism.has_rail and speed.v_leax > 0:
             used = max(used, float(np.abs(rows.qd[part, 0]).max()) / speed.v_leax)
     return bool(used < INACTIVE)
 

@@ -25,7 +25,7 @@ from trajopt_cli.verify.geometry import lengths
 from trajopt_cli.verify.machine import Machine
 from trajopt_cli.verify.rows import INNER, LAGS, Along, Rows, mean_of, second_differences, windows
 from trajopt_cli.verify.timeline import Timeline, Visit, outside_zones, rows_of_move
-from trajopt_cli.verify.tolerances import JOINT, TCP
+from trajopt_cli.verify.tolerances import JOINT, REST_JOINT, TCP
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,9 +102,9 @@ class Inner:
         )
 
 
-def check_caps(line: Timeline, frames: dict[bytes, Frame]) -> Iterator[tuple[int, list[Finding]]]:
+def check_caps(line: Timeline, frames: dict[bytes, Frame], rapid: bool = False) -> Iterator[tuple[int, list[Finding]]]:
     """TCP speed and acceleration over the whole file (each stretch with its own tool), then programmed speeds: findings
-    as they come, each with the row that was looked at."""
+    as they come, each with the row that was looked at. rapid: no axis moves in a wait."""
     rows, caps = line.rows, line.rows.plant.tcp
     speed: list[Worst] = []
     acceleration: list[Worst] = []
@@ -136,7 +136,8 @@ def check_caps(line: Timeline, frames: dict[bytes, Frame]) -> Iterator[tuple[int
                 finding(f"TCP {check}", "TCP", worst.value, worst.limit, unit, passed, time=worst.time,
                         source=line.source_at(worst.time), words=check)
             )  # fmt: skip
-    yield len(rows.t), out + programmed
+    alone = _of_the_rail_alone(line, frames, rapid) if rows.mechanism.has_rail else ()
+    yield len(rows.t), [*out, *programmed, *alone]
 
 
 Stretch = tuple[int, int, Frame, list[tuple[Visit, Visit]]]
@@ -242,7 +243,7 @@ def _times(rows: Rows, a: int, b: int, m: int) -> Array:
 @dataclass(frozen=True)
 class _Programmed:
     """One part of speeddata: the check that holds a motion to it, where it is changed over, and its cap for a move,
-    None where the move has none."""
+    None where the move has none: a reorientation of 0 is for a tool that keeps its orientation."""
 
     check: str
     subject: str
@@ -279,14 +280,44 @@ def _parts(plant: Machine, has_rail: bool) -> list[_Programmed]:
 def _cap(point: Point, plant: Machine, name: str) -> float | None:
     if point.move is None or not obeys_programmed_speed(point, plant):
         return None
-    return float(getattr(point.move.speed, name))
+    return float(getattr(point.move.speed, name)) or None
 
 
 def _rail_cap(point: Point, plant: Machine) -> float | None:
-    """External axes alone always know v_leax; other moves where they obey their speed at all."""
-    if isinstance(point.move, MoveExtJ) and point.duration is None:
-        return point.move.speed.v_leax
-    return _cap(point, plant, "v_leax")
+    """External axes alone always know v_leax; other moves where they obey their speed at all. A speed of 0 lets the
+    rail stand."""
+    alone = isinstance(point.move, MoveExtJ) and point.duration is None
+    if point.move is None or not (alone or obeys_programmed_speed(point, plant)):
+        return None
+    return point.move.speed.v_leax or REST_JOINT
+
+
+def _of_the_rail_alone(line: Timeline, frames: dict[bytes, Frame], rapid: bool) -> Iterator[Finding]:
+    """The rail against the programmed speed of lines to where the tool is already. Several in one rest, which the file
+    does not tell apart, have the highest of theirs; in a wait of a stream the rail may go as it likes."""
+    rests: list[list[Visit]] = []
+    for before, visit in pairwise(line.visits):
+        if not visit.stay or visit.event is None or before.event is None:
+            continue
+        at_once = visit.at_once_after(before)
+        if at_once and rests and rests[-1][-1] is before and before.at_once_after(rests[-1][-2]):
+            rests[-1].append(visit)
+        else:
+            rests.append([before, visit])
+    rows, part = line.rows, _parts(line.rows.plant, True)[-1]
+    for before, *visits in rests:
+        caps = [(part.cap(visit.point, rows.plant) or np.inf, visit.point) for visit in visits]
+        waits = not rapid and any(hold.wait.duration > 0 for visit in (before, *visits) for hold in visit.holds)
+        limit, point = max(caps, key=lambda cap: cap[0])
+        if waits or limit == np.inf:
+            continue
+        shared = visits[0].at_once_after(before)
+        a, b = (before.arrive, visits[-1].depart) if shared else (before.depart, visits[0].arrive)
+        if not rows.marked:  # rows beside the ends may belong to another motion
+            a, b = a + 1, b - 1
+        assert point.move is not None
+        frame = frames[np.asarray(point.X_FT).tobytes()]
+        yield from part.finding(frame, (a, max(a, b)), limit, point, f"{point.move.speed.name} allows")
 
 
 def _programmed(frame: Frame, before: Visit, visit: Visit) -> Iterator[Finding]:

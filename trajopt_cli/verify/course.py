@@ -42,7 +42,8 @@ class Point:
     X_WF: flange pose there, None where the joints on the way decide it (MoveExtJ, MoveAbsJ with a free rail). X_FT:
     tool in force. arm (6,) and rail: axis values the program fixes, None where they are free. optional: it may be left
     out. holds: the waits that follow, with their index. fly_by: None for a stop. circle: an arc's, None where it is
-    none or where only the joints know its start.
+    none or where only the joints know its start. written: the rail [m] as the program writes it at a stop, where
+    it is free; None for none.
     """
 
     index: int
@@ -57,6 +58,7 @@ class Point:
     holds: tuple[tuple[int, Wait], ...] = ()
     fly_by: FlyBy | None = None
     circle: Arc | None = None
+    written: float | None = None
 
     @property
     def duration(self) -> float | None:
@@ -160,6 +162,7 @@ def _passed(plant: Machine, points: Sequence[Point], alone: Collection[int], rai
             point = replace(point, X_WF=_at_joints(plant, point.arm, rail))
         if isinstance(point.move, MoveC) and placed[-1].X_WF is not None:
             point = replace(point, circle=arc_to(placed[-1].X_WF, point))
+        point = replace(point, written=rail if point.rail is None else None)
         placed.append(point)
     ways = [_way(a, b) for a, b in pairwise(placed)]
     out: list[Point] = []
@@ -171,6 +174,7 @@ def _passed(plant: Machine, points: Sequence[Point], alone: Collection[int], rai
             fly_by = _fly_by(point, ways[k - 1 : k + 1], turns)
             joint = _other_frame(point.move, points[k + 1].move)
             fly_by = None if joint is None or fly_by is None else fly_by._replace(joint=joint)
+        point = replace(point, written=placed[k].written if fly_by is None else None)
         if fly_by is not None:
             point = replace(point, fly_by=fly_by, X_WF=placed[k].X_WF)
         if k > 0 and out[-1].X_WF is not None:

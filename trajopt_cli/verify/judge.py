@@ -73,7 +73,7 @@ def verify(
     stops, shapes, caps, demands = in_step(
         check_stops(line, frames, rapid),
         check_shapes(line, frames, rapid),
-        check_caps(line, frames),
+        check_caps(line, frames, rapid),
         check_demands(line, frames),
     )
     legs = legs_of(program, plant, line.visits, len(trajectory.t) - 1)

@@ -273,7 +273,7 @@ class Promises:
         yield self._promise("TCP speed", "TCP", "m/s", speed, COARSEST_RATE * v, 1)
         yield self._promise("TCP acceleration", "TCP, one way", "m/s2", acceleration, 2 * COARSEST_RATE * a, 2)
         moves = [visit.point.move for visit in self._line.visits if visit.point.move is not None]
-        if turns := [move.speed.v_ori for move in moves]:
+        if turns := [move.speed.v_ori for move in moves if move.speed.v_ori > 0]:
             top = float(max(turns))
 
             def turning(n: Steps) -> tuple[float, float | None]:

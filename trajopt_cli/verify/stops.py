@@ -143,6 +143,8 @@ def _reached(rows: Rows, visit: Visit, frame: Frame, line: Timeline, i: int) -> 
         value, limit, unit = (
             _off(rows, visit, frame, row) if not axes else (close.distance[nearest] * JOINT_TARGET, JOINT_TARGET, unit)
         )
+        if stop.rail is not None and (off := abs(float(rows.q[row, 0]) - stop.rail)) / JOINT_TARGET >= value / limit:
+            subject, value, limit, unit = rows.plant.limits.names[0], off, JOINT_TARGET, "m"
         note = f": {stop.name} is not reached in program order, the TCP runs {frame.least_speed[row]:.3g} m/s there"
         return finding("stop reached", subject, value, limit, unit, False, time=float(rows.t[row]), source=stop.source,
                        note=note)  # fmt: skip

@@ -142,7 +142,9 @@ class TurnedFrame(Frame):
         if visit.arrive > before.depart:
             return before.depart, visit.arrive
         theta, angle = self._theta[before.arrive : visit.depart + 1, 0], self.units[0].angle
-        under_way = np.flatnonzero(np.minimum(np.abs(theta), np.abs(theta - angle)) > JOINT_TARGET)
+        stands = JOINT_TARGET + _granted(self.rows, self.units[0].acceleration, before.arrive, visit.depart)
+        begun = np.maximum.accumulate(np.abs(theta) <= stands)  # rows before may end the turn before
+        under_way = np.flatnonzero(begun & (np.minimum(np.abs(theta), np.abs(theta - angle)) > stands))
         if not len(under_way):
             return visit.arrive, visit.arrive
         last = under_way[np.argmax(np.diff(under_way, append=len(theta) + 2) > 1)]  # before it rests again

@@ -225,7 +225,8 @@ def _pass(rows: Rows, frame: Frame, m: Match, event: Event, before: Visit) -> Vi
 def _visit(rows: Rows, m: Match, event: Event, before: Visit, limit: int, rapid: bool) -> Visit:
     stop, good = m.point, event.good
     stay = stays(stop, before.X_WF)
-    least = before.ready + ((stop.duration or stop.least) if stay or event is before.event else 0.0)
+    one_rest = event is before.event or (before.event is not None and before.event.shares_rest(event))
+    least = before.ready + ((stop.duration or stop.least) if stay or one_rest else 0.0)
     arrive, depart = event.best, event.best
     if len(good):
         since = good[rows.t[good] >= least - DWELL - rows.doubt_t - unseen(rows, event.best)]

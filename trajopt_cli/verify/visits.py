@@ -4,12 +4,14 @@ Near rows: a row is near a stop when its pose is the wanted one within tolerance
 MoveExtJ its rail with the TCP at rest). A file that has no row at the boundary itself shows a stop in its nearest row,
 half a gap tau away at most, where the TCP may still be a tau^2/2 off and have the speed a tau: that much is granted.
 
-An event is an unbroken run of near rows; its good rows are those where the TCP rests as well (for RAPID: every axis)
+An event is an unbroken run of near rows, broken as well where the rail leaves its programmed position: where it moves
+alone, the pose is the same all the while. Its good rows are those where the TCP rests as well (for RAPID: every axis)
 and a programmed rail position is met. Events are then matched with the stops in program order so that most stops find
 a good event (an event without good rows counts less, one without a row at the stop itself a hair less, a missed
-optional point hardly), the earliest where several do. So
-one wrong stop stays one wrong stop: a point flown by, skipped or swapped does not shift the blame to the points after
-it. Consecutive stops at one pose (waits and moves of the redundant axis) share an event.
+optional point hardly; one with the rail where the program writes it a hair more, though a plan may have it elsewhere:
+moves that the rail alone tells apart have one pose), the earliest where several do. So one wrong stop stays one wrong
+stop: a point flown by, skipped or swapped does not shift the blame to the points after it. Consecutive stops at one
+pose (waits and moves of the redundant axis) share an event.
 
 A point that is passed needs no row: between two rows the TCP is no farther from their chord than a h^2/8. Its events
 are unbroken runs of intervals whose chords come so near to its zone (on an arc, to its second half), and its place in
@@ -23,7 +25,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -44,6 +46,7 @@ from trajopt_cli.verify.tolerances import (
     STOP_ROTATION,
 )
 
+_AS_WRITTEN = 1e-6  # worth of a rail as the program writes it, where it is free
 _GRANTED = 0.99  # worth of a stop that only counts by what is granted for missing rows: one with a row of its own is it
 
 WHOLE = 0.9  # share of a way that rows on it show at least: they are the corners of a polyline
@@ -53,11 +56,12 @@ Mask = NDArray[np.bool_]
 
 @dataclass(frozen=True, eq=False)
 class Closeness:
-    """How near some rows are to a stop: at (m,), in order. distance (m,): the larger of position and rotation (or axes)
-    in tolerances.
+    """How near some rows are to a stop: at (m,), in order. distance (m,): the larger of position and rotation (or axes,
+    the rail where it is not met) in tolerances.
 
     tight: within tolerance without anything granted for missing rows. rests: the TCP stands. rail_met: the rail is
-    where the program wants it. stands: every axis rests (RAPID; else always true).
+    where the program wants it. stands: every axis rests (RAPID; else always true). rail (m,) [m]: where it is; None
+    without one.
     """
 
     at: NDArray[np.intp]
@@ -67,6 +71,7 @@ class Closeness:
     rests: Mask
     rail_met: Mask
     stands: Mask
+    rail: Array | None = None
 
 
 Look = Callable[[NDArray[np.intp]], Closeness]
@@ -75,18 +80,24 @@ Look = Callable[[NDArray[np.intp]], Closeness]
 @dataclass(frozen=True, eq=False)
 class Event:
     """A run of near rows [first, last]; good: the rows in it that count as the stop itself, maybe none. granted: none
-    of those is within tolerance but for what is granted for missing rows."""
+    of those is within tolerance but for what is granted for missing rows. rail: between which positions [m] it is in
+    them; None for none."""
 
     first: int
     last: int
     good: NDArray[np.intp]
     best: int
     granted: bool = False
+    rail: tuple[float, float] | None = None
 
     @property
     def end(self) -> int:
         """The last row that counts."""
         return int(self.good[-1]) if len(self.good) else self.last
+
+    def shares_rest(self, other: Event) -> bool:
+        """Whether the rows that count are partly those of another event: two stops at poses a rounding apart."""
+        return bool(len(self.good) and len(other.good)) and self.good[0] <= other.end and other.good[0] <= self.end
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,7 +121,7 @@ def _closeness(rows: Rows, frame: Frame, stop: Point, rapid: bool, at: NDArray[n
     a, alpha = rows.plant.tcp.acceleration, angular_acceleration(rows)
     rests = (frame.least_speed[at] <= REST_LINEAR + a * tau) & (frame.least_turning[at] <= REST_ANGULAR + alpha * tau)
     stands: Mask = rows.axes_rest[at] if rapid else np.ones(len(at), dtype=bool)
-    rail_met = np.ones(len(at), dtype=bool)
+    rail_met, rail = np.ones(len(at), dtype=bool), q[:, 0] if rows.mechanism.has_rail else None
     if stop.rail is not None:
         beside, most = rail_beside(rows, at, stop)
         rail_met = np.abs(beside - stop.rail) <= most
@@ -119,20 +130,23 @@ def _closeness(rows: Rows, frame: Frame, stop: Point, rapid: bool, at: NDArray[n
     if isinstance(stop.move, MoveExtJ):
         off = np.abs(q[:, 0] - (stop.rail or 0.0))
         near, tight = rail_met & rests, off <= JOINT_TARGET + rows.doubt_q[at, 0] / 2
-        return Closeness(at, off / JOINT_TARGET, near, tight, rests, rail_met, stands)
+        return Closeness(at, off / JOINT_TARGET, near, tight, rests, rail_met, stands, rail)
     if stop.arm is not None:
         granted = JOINT_TARGET + rows.doubt_q[at] / 2 + limits.acceleration * tau[:, None] ** 2 / 2
         off = np.abs(q[:, -6:] - stop.arm)
         near = np.asarray((off <= granted[:, -6:]).all(axis=1))
         tight = np.asarray((off <= JOINT_TARGET + rows.doubt_q[at, -6:] / 2).all(axis=1))
-        return Closeness(at, off.max(axis=1) / JOINT_TARGET, near, tight, rests, rail_met, stands)
+        rail_off = np.zeros(len(at)) if stop.rail is None else np.where(rail_met, 0.0, np.abs(q[:, 0] - stop.rail))
+        distance = np.maximum(off.max(axis=1), rail_off) / JOINT_TARGET
+        return Closeness(at, distance, near, tight, rests, rail_met, stands, rail)
     assert stop.X_WF is not None
     X_WT = stop.X_WF @ stop.X_FT
     d_p = np.maximum(lengths(frame.p[at] - X_WT[:3, 3]) - frame.doubt_p[at], 0.0)
     d_R = np.maximum(angle_between(frame.rotations(at), X_WT[:3, :3]) - frame.doubt_R[at], 0.0)
     near = (d_p <= STOP_POSITION + a * tau**2 / 2) & (d_R <= STOP_ROTATION + alpha * tau**2 / 2)
     tight = (d_p <= STOP_POSITION) & (d_R <= STOP_ROTATION)
-    return Closeness(at, np.maximum(d_p / STOP_POSITION, d_R / STOP_ROTATION), near, tight, rests, rail_met, stands)
+    distance = np.maximum(d_p / STOP_POSITION, d_R / STOP_ROTATION)
+    return Closeness(at, distance, near, tight, rests, rail_met, stands, rail)
 
 
 def worth_a_look(rows: Rows, frame: Frame, stop: Point) -> NDArray[np.intp]:
@@ -152,14 +166,18 @@ def events_of(close: Closeness) -> tuple[Event, ...]:
     """All events of one stop, in time order."""
     near = np.flatnonzero(close.near)
     out = []
-    for run in np.split(near, np.flatnonzero(np.diff(close.at[near]) > 1) + 1) if len(near) else []:
+    gone = close.rail_met[near[:-1]] & ~close.rail_met[near[1:]]
+    for run in np.split(near, np.flatnonzero((np.diff(close.at[near]) > 1) | gone) + 1) if len(near) else []:
         resting = run[close.rests[run]]
         good = resting[close.rail_met[resting] & close.stands[resting]]
         pool = resting if len(resting) else run
         best = int(close.at[pool[np.argmin(close.distance[pool])]])
         core = _core(close, good)
         granted = bool(len(core)) and not close.tight[core].any()
-        out.append(Event(int(close.at[run[0]]), int(close.at[run[-1]]), close.at[core], best, granted))
+        rail = None
+        if close.rail is not None and len(core):
+            rail = float(close.rail[core].min()), float(close.rail[core].max())
+        out.append(Event(int(close.at[run[0]]), int(close.at[run[-1]]), close.at[core], best, granted, rail))
     return tuple(out)
 
 
@@ -343,25 +361,27 @@ def _total(points: Sequence[Point], chosen: Sequence[Event | None]) -> float:
 
 
 def _align(points: Sequence[Point], events: Sequence[tuple[Event, ...]]) -> list[Event | None]:
-    """The events of most worth that follow each other, the earliest of several."""
-    return _at_once(points, events) or _of_most_worth(points, events)
+    """The events of most worth that follow each other, the earliest of several; a rail that is not as written leaves
+    them as they are."""
+    anyhow = [replace(point, written=None) for point in points]
+    return _at_once(points, events) or _at_once(anyhow, events) or _of_most_worth(points, events)
 
 
 def _at_once(points: Sequence[Point], events: Sequence[tuple[Event, ...]]) -> list[Event | None] | None:
     """For every point the first event of its greatest worth that is not over; None where one has none left. What can be
     had so no other choice is worth more than, nor earlier: a file as it should be is aligned in one go."""
-    known: dict[int, tuple[list[int], list[float], float]] = {}
+    known: dict[tuple[int, float | None], tuple[list[int], list[float], float]] = {}
     chosen: list[Event | None] = []
     now = 0
     for point, own in zip(points, events, strict=True):
         if not own:
             chosen.append(None)
             continue
-        if id(own) not in known:
+        if (id(own), point.written) not in known:
             worth = [_worth(point, event) for event in own]
             ends = [event.end if point.fly_by is None else event.last for event in own]
-            known[id(own)] = ends, worth, max(worth)
-        ends, worth, most = known[id(own)]
+            known[id(own), point.written] = ends, worth, max(worth)
+        ends, worth, most = known[id(own), point.written]
         pick = next((i for i in range(bisect_left(ends, now), len(own)) if worth[i] == most), None)
         if pick is None:
             return None
@@ -418,4 +438,7 @@ def _passing(point: Point, own: tuple[Event, ...], ends: NDArray[np.intp], after
 def _worth(point: Point, event: Event) -> float:
     # rows of unequal distances: one a hair before the stop may be granted more than it is off, and the next one not
     worth = 0.6 if not len(event.good) else _GRANTED if event.granted else 1.0
+    if point.written is not None and event.rail is not None:
+        low, high = event.rail
+        worth += _AS_WRITTEN * (low - JOINT_TARGET <= point.written <= high + JOINT_TARGET)
     return (0.25 if point.optional else 1.0) * worth

@@ -15,7 +15,7 @@ MODULE FlyBysThatStop
         MoveL RelTool(Offs(p,0,100,0),0,0,0\Rz:=20), v500, z10, tTip;
         MoveL Offs(p,0,200,0), v500, z10\Z:=0, tTip;
         MoveL Offs(p,0,0,0), v500, z5, tTip;
-        MoveExtJ [[9E9,9E9,9E9,9E9,9E9,9E9],[50,9E9,9E9,9E9,9E9,9E9]], vrot10, z5;
+        MoveExtJ [[9E9,9E9,9E9,9E9,9E9,9E9],[50,9E9,9E9,9E9,9E9,9E9]], vlin10, z5;
         MoveL Offs(p,50,0,0), v500, z50, tTip;
         SetDO doGlue, 0;
     ENDPROC

@@ -50,10 +50,13 @@ def _links(axes: Sequence[PositionerAxis], at: Sequence[float]) -> list[frames.F
     return out
 
 
-def moved(run: Run, point: Expression, extax: ExternalAxes, speed: Speed, rides_on: str | None) -> tuple[UnitMove, ...]:
+def moved(
+    run: Run, point: Expression, extax: ExternalAxes, speed: Speed, rides_on: str | None, timed: bool
+) -> tuple[UnitMove, ...]:
     """The positioners that turn on the way to extax, at the programmed speed of turning axes at most.
 
-    rides_on: the one that carries the move's work object. Raises InputError for a value out of an axis' range.
+    rides_on: the one that carries the move's work object. timed: a programmed time replaces the speed.
+    Raises InputError for a value out of an axis' range.
     """
     out = []
     for unit, axes in run.scenario.positioners.items():
@@ -66,7 +69,7 @@ def moved(run: Run, point: Expression, extax: ExternalAxes, speed: Speed, rides_
                 where = f"{run.text(point)} asks for {unit}'s eax_{'abcdef'[axis.eax]} = {end:.6g} deg"
                 raise run.error(point, f"{where}, range {low:.6g}..{high:.6g} deg")
             if abs(end - start) > _STILL:
-                a, b, v = radians(start), radians(end), min(axis.velocity, speed.v_reax)
+                a, b, v = radians(start), radians(end), axis.velocity if timed else min(axis.velocity, speed.v_reax)
                 if v < _SLOWEST:
                     where = f"turns {unit}'s eax_{'abcdef'[axis.eax]} at {degrees(v):g} deg/s (v_reax of {speed.name})"
                     raise run.error(point, f"{where}: give at least {degrees(_SLOWEST):.3g} deg/s")

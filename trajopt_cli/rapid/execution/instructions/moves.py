@@ -132,7 +132,7 @@ def move_abs_j(run: Run, node: ProcedureCall) -> None:
         optional=marked(run, node),
         marked=run.ways.get((run.file, node.start), ()),
         settings=run.settings,
-        units=moved(run, point, at, caps, None),
+        units=moved(run, point, at, caps, None, duration is not None),
         q=np.array(robax) * DEG,
         tool=setup.tool or Tool(setup.name, matrix(setup.base or IDENTITY), stationary=True),
         wobj=setup.wobj if "wobj" in args.optional else None,
@@ -160,7 +160,7 @@ def move_ext_j(run: Run, node: ProcedureCall) -> None:
         optional=marked(run, node),
         marked=run.ways.get((run.file, node.start), ()),
         settings=run.settings,
-        units=moved(run, point, at, caps, None),
+        units=moved(run, point, at, caps, None, "t" in args.optional),
     )
     _succession(run, node, args)
     run.motions.append(motion)
@@ -193,7 +193,7 @@ def to_pose(
     units: tuple[UnitMove, ...] = ()
     before = setup
     if run.scenario.positioners:
-        units = moved(run, point, extax, caps, setup.unit)
+        units = moved(run, point, extax, caps, setup.unit, duration is not None)
         before = run.position.equipment.turned(run, setup, run.position.extax)
         setup = run.position.equipment.turned(run, setup, run.position.kept(extax))
     placed = setup.placed(place)
